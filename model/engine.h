@@ -1,0 +1,37 @@
+// The exact reference engine: blocks in, events out.
+#pragma once
+
+#include <memory>
+
+#include "model/exact/real.h"
+#include "model/recorder.h"
+#include "spec/language/block.h"
+#include "spec/language/event.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model {
+
+using Event = spec::Event<Real>;
+using EventSink = spec::EventSink<Real>;
+
+// Runs one program, block by block, in memory bounded by the look-ahead. After an alarm or the end of the program
+// (M02, M30) further blocks are ignored. A decision that cannot be certified ends the run with an `undecided` event.
+class Engine {
+ public:
+  // Throws spec::InputError for a setup the control could not have (message names the key).
+  Engine(const spec::Setup& setup, Recorder& recorder, EventSink& sink);
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  void block(const spec::Block& block);
+  // The end of the text: flushes the look-ahead.
+  void end();
+  [[nodiscard]] bool stopped() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace toolcomp::model

@@ -1,0 +1,104 @@
+// Exact real numbers: rationals, and expressions over square roots, sines and cosines with certified signs.
+#pragma once
+
+#include <boost/multiprecision/gmp.hpp>
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <string_view>
+
+namespace toolcomp::exact {
+
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+
+enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
+constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
+
+// The sign could not be certified within the budget: not zero within the enclosure, and no proof of zero.
+class Undecided : public std::exception {
+ public:
+  [[nodiscard]] const char* what() const noexcept override { return "sign undecided within the budget"; }
+};
+
+// Rational bounds: lower <= value <= upper.
+struct Enclosure {
+  Rational lower;
+  Rational upper;
+};
+// The same, rounded outwards to double.
+struct DoubleEnclosure {
+  double lower = 0;
+  double upper = 0;
+};
+
+struct Node;  // pooled, one thread
+
+// A value. Cheap to copy (a counted reference into a pool of one thread; values do not cross threads).
+class Real {
+ public:
+  Real();                          // 0
+  Real(int value);                 // NOLINT(google-explicit-constructor)
+  Real(const Rational& value);     // NOLINT(google-explicit-constructor)
+  Real(const Real&);
+  Real(Real&&) noexcept;
+  Real& operator=(const Real&);
+  Real& operator=(Real&&) noexcept;
+  ~Real();
+
+  // Certified; throws Undecided.
+  [[nodiscard]] Sign sign() const;
+  // Rational as known without further proof.
+  [[nodiscard]] bool is_rational() const;
+  // Requires is_rational().
+  [[nodiscard]] Rational rational() const;
+
+  // Bounds of relative width about 2^-bits (exact for rationals).
+  [[nodiscard]] Enclosure enclosure(int bits = 100) const;
+  [[nodiscard]] DoubleEnclosure double_enclosure() const;
+  // Correctly rounded to `digits` decimals (half to even), trailing zeros removed, never "-0". Throws Undecided.
+  [[nodiscard]] std::string decimal(int digits) const;
+
+  friend Real operator-(const Real& a);
+  friend Real operator+(const Real& a, const Real& b);
+  friend Real operator-(const Real& a, const Real& b);
+  friend Real operator*(const Real& a, const Real& b);
+  friend Real operator/(const Real& a, const Real& b);  // b must not be zero (its sign is certified)
+  Real& operator+=(const Real& b) { return *this = *this + b; }
+  Real& operator-=(const Real& b) { return *this = *this - b; }
+  Real& operator*=(const Real& b) { return *this = *this * b; }
+  Real& operator/=(const Real& b) { return *this = *this / b; }
+
+  friend Real sqrt(const Real& a);  // a must not be negative (its sign is certified)
+  friend Real sin_degrees(const Rational& degrees);
+  friend Real cos_degrees(const Rational& degrees);
+
+ private:
+  explicit Real(Node* node) : node_(node) {}
+  Node* node_;
+  friend struct Node;
+};
+
+Real operator-(const Real& a);
+Real operator+(const Real& a, const Real& b);
+Real operator-(const Real& a, const Real& b);
+Real operator*(const Real& a, const Real& b);
+Real operator/(const Real& a, const Real& b);
+Real sqrt(const Real& a);
+Real sin_degrees(const Rational& degrees);
+Real cos_degrees(const Rational& degrees);
+Real square(const Real& a);
+
+inline Sign sign(const Real& a) { return a.sign(); }
+inline Sign compare(const Real& a, const Real& b) { return (a - b).sign(); }
+// Certified comparisons; they throw Undecided.
+inline bool operator==(const Real& a, const Real& b) { return compare(a, b) == Sign::zero; }
+inline bool operator<(const Real& a, const Real& b) { return compare(a, b) == Sign::negative; }
+inline bool operator>(const Real& a, const Real& b) { return b < a; }
+inline bool operator<=(const Real& a, const Real& b) { return !(b < a); }
+inline bool operator>=(const Real& a, const Real& b) { return !(a < b); }
+
+// Nodes alive on this thread, for the test that bounds them.
+std::size_t live_nodes();
+
+}  // namespace toolcomp::exact

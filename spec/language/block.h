@@ -1,0 +1,43 @@
+// One block of a FANUC program: words with exact decimals, and no meaning.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "spec/language/decimal.h"
+#include "spec/language/name.h"
+
+namespace toolcomp::spec {
+
+struct Word {
+  char address = 0;  // upper case
+  Decimal value;
+  std::uint32_t column = 0;  // of the address, from 1
+  friend bool operator==(const Word& a, const Word& b) { return a.address == b.address && a.value == b.value; }
+};
+
+// What the control raises when it reaches a block it cannot read (contract, event rule 5).
+struct ReadAlarm {
+  Name number;  // PS0003 …
+  std::uint32_t column = 0;
+  const char* message = "";  // static text
+};
+
+// Words in the order written. A block with a read alarm keeps the words before the fault; it is not executed.
+struct Block {
+  static constexpr std::size_t kMaxWords = 64;  // one more raises TOO_MANY_WORDS
+
+  std::uint64_t line = 0;  // of the text, from 1
+  std::optional<std::uint64_t> n;  // sequence number; an N word is not among the words
+  std::array<Word, kMaxWords> word;
+  std::size_t size = 0;
+  std::optional<ReadAlarm> alarm;
+
+  [[nodiscard]] std::span<const Word> words() const { return {word.data(), size}; }
+};
+
+}  // namespace toolcomp::spec

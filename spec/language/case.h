@@ -1,0 +1,49 @@
+// The one interchange format (contract, "Case"): golden vectors, findings, controller requests.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spec/language/axes.h"
+#include "spec/language/event.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::spec {
+
+// An expected or reported number as text. Golden vectors: the exact value lies in [v - r, v + r]; q is the exact
+// rational value, where it is one. Controllers and fast results: v alone.
+struct NumberText {
+  std::string v;
+  std::string r;  // empty: not stated
+  std::string q;  // empty: not rational
+  friend bool operator==(const NumberText&, const NumberText&) = default;
+};
+
+using TextEvent = Event<NumberText>;
+
+struct CaseSource {
+  std::string generator;
+  std::string version;
+  std::string seed;
+  friend bool operator==(const CaseSource&, const CaseSource&) = default;
+};
+
+struct Case {
+  std::string id;
+  std::string section;  // "fanuc/leading-edge-offset"
+  std::string comment;
+  std::vector<std::string> clauses;
+  std::vector<std::string> flags;
+  std::string dialect = "fanuc";
+  Setup setup;
+  std::string program;
+  std::uint32_t samples = 0;
+  CaseSource source;
+  std::vector<TextEvent> expect;
+  bool has_expect = false;
+};
+
+}  // namespace toolcomp::spec

@@ -1,0 +1,85 @@
+// What a run yields (contract, "Events"): one type for both engines, over their own number.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "spec/clauses/clauses.h"
+#include "spec/language/axes.h"
+#include "spec/language/name.h"
+
+namespace toolcomp::spec {
+
+enum class EventKind : std::uint8_t { move, sample, alarm, warning, setting, undecided };
+enum class MoveType : std::uint8_t { rapid, linear, arc };
+enum class Cause : std::uint8_t { programmed, start_up, corner, cancel, pre_turn, post_turn, reference, measure };
+enum class Plane : std::uint8_t { xy, zx, yz };
+enum class ArcDirection : std::uint8_t { cw, ccw };
+
+// Arcs only (contract, event rule 8). Lengths in setup units, sweep in degrees.
+template <class Number>
+struct Arc {
+  AxisValues<Number> center;
+  Plane plane = Plane::xy;
+  ArcDirection direction = ArcDirection::cw;
+  std::optional<Number> sweep;                      // of the tool's own arc; absent where an end lies in the centre
+  std::optional<std::pair<Number, Number>> radius;  // start and end, where they differ
+};
+
+// The clauses an event rests on, at most kCapacity of them, in the order they were applied.
+struct ClauseList {
+  static constexpr std::size_t kCapacity = 8;
+  std::array<Clause, kCapacity> clause{};
+  std::uint8_t size = 0;
+  void add(Clause c) {
+    for (std::uint8_t i = 0; i < size; ++i)
+      if (clause[i] == c) return;
+    if (size < kCapacity) clause[size++] = c;
+  }
+};
+
+// A plain value: copying one does not allocate if copying Number does not. Fields that do not belong to `kind` are
+// left at their defaults.
+template <class Number>
+struct Event {
+  EventKind kind = EventKind::move;
+  std::uint64_t line = 0;
+  std::optional<std::uint64_t> n;
+
+  // move
+  MoveType type = MoveType::linear;
+  Cause cause = Cause::programmed;
+  AxisValues<Number> programmed;  // linear axes, workpiece coordinates, absolute
+  AxisValues<Number> point;       // linear axes: the compensated tool point, before length offset
+  AxisValues<Number> axes;        // all axes: what they are sent to, workpiece coordinates
+  AxisValues<Number> machine;     // G53, G28, G30 (event rule 9): all axes, machine coordinates
+  std::optional<std::array<Number, 3>> tool_axis;  // tip → holder, unit; where the setup or the program defines one
+  std::optional<Arc<Number>> arc;
+  std::optional<Number> feed;  // F in force, setup units; not for rapid moves
+
+  // alarm, warning, undecided
+  Name number;                // PS0041, DIR_CHANGE_AT_STARTUP; undecided: the clause id
+  const char* message = "";   // static text
+
+  // setting
+  Name setting;  // "H1", "H1.wear"
+  Number value{};
+
+  // sample
+  std::uint32_t t_numerator = 0;
+  std::uint32_t t_denominator = 1;
+
+  ClauseList clauses;  // the model fills it; the fast engine leaves it empty
+};
+
+// Takes the events of a run, in order.
+template <class Number>
+class EventSink {
+ public:
+  virtual ~EventSink() = default;
+  virtual void on(const Event<Number>& event) = 0;
+};
+
+}  // namespace toolcomp::spec

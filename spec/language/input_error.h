@@ -1,0 +1,28 @@
+// Input that nobody could read: reported with its position, exit status 2.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace toolcomp::spec {
+
+// Bytes that are no text, malformed cases and setups, missing files (contract, event rule 5). what() is
+// "FILE:LINE:COLUMN: what is wrong"; line and column count from 1 and are left out where they are 0.
+class InputError : public std::runtime_error {
+ public:
+  InputError(std::string file, std::uint64_t line, std::uint64_t column, std::string message);
+
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] std::uint64_t line() const { return line_; }
+  [[nodiscard]] std::uint64_t column() const { return column_; }
+  [[nodiscard]] const std::string& message() const { return message_; }
+
+ private:
+  std::string file_;
+  std::uint64_t line_;
+  std::uint64_t column_;
+  std::string message_;
+};
+
+}  // namespace toolcomp::spec

@@ -1,0 +1,68 @@
+// The setup of a control (contract, "Setup"): one type for TOML files and the JSON inside cases.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spec/language/axes.h"
+#include "spec/language/decimal.h"
+
+namespace toolcomp::spec {
+
+enum class Control : std::uint8_t { fanuc, heidenhain };
+enum class Units : std::uint8_t { mm, inch };
+enum class IncrementSystem : std::uint8_t { is_a, is_b, is_c };
+enum class CutterCompensationType : std::uint8_t { b, c };
+enum class OffsetMemory : std::uint8_t { a, b, c };
+
+// A FANUC parameter: the whole number, or one bit of it ("5001#2").
+struct ParameterId {
+  std::uint32_t number = 0;
+  int bit = -1;  // 0–7, or -1 for the whole
+  friend auto operator<=>(const ParameterId&, const ParameterId&) = default;
+};
+
+// One entry of tool offset memory, setup units. Memory A uses geometry alone.
+struct OffsetEntry {
+  Decimal geometry;
+  Decimal wear;
+  friend bool operator==(const OffsetEntry&, const OffsetEntry&) = default;
+};
+
+// Values by axis letter, setup units (degrees for rotary axes).
+using AxisTable = std::map<char, Decimal>;
+
+struct Setup {
+  Control control = Control::fanuc;
+  Units units = Units::mm;
+  IncrementSystem increment = IncrementSystem::is_b;
+  Axes axes;
+  CutterCompensationType cutter_compensation = CutterCompensationType::c;
+  bool block_skip = false;
+  std::map<ParameterId, Decimal> parameters;
+
+  OffsetMemory memory = OffsetMemory::a;
+  std::uint32_t offset_count = 400;
+  std::map<std::uint32_t, OffsetEntry> h;
+  std::map<std::uint32_t, OffsetEntry> d;
+
+  std::array<AxisTable, 6> workpiece;  // G54 … G59: machine coordinates of the workpiece origin
+  AxisTable position;                  // start, workpiece coordinates without offsets
+  std::map<int, AxisTable> reference;  // 1, 2, 3, 4: machine coordinates for G28, G30
+  AxisTable floating_reference;        // G30.1
+  AxisTable measurement;               // G37
+
+  // The parameter as written, or nothing. A bit is looked up as "n#b" first, then in the whole number if that is given
+  // as an integer.
+  [[nodiscard]] std::optional<Decimal> parameter(std::uint32_t number) const;
+  [[nodiscard]] bool bit(std::uint32_t number, int bit, bool otherwise = false) const;
+
+  friend bool operator==(const Setup&, const Setup&) = default;
+};
+
+}  // namespace toolcomp::spec
