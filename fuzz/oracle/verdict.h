@@ -1,0 +1,64 @@
+// Verdicts: is a list of events what the specification permits for a case?
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fast/engine.h"
+#include "model/engine.h"
+#include "spec/language/case.h"
+#include "spec/language/program_reader.h"
+
+namespace toolcomp::fuzz {
+
+enum class Outcome : std::uint8_t { agrees, differs, undecided, nothing_judged };
+
+// The first difference. Texts are for people; `clause` is the last clause the model applied before it.
+struct Difference {
+  std::uint64_t line = 0;
+  std::string kind;      // what differs: "missing event", "extra event", "order", "alarm", "cause", "coordinate", …
+  std::string field;     // "point.X"
+  std::string expected;
+  std::string actual;
+  double deviation_um = 0;  // coordinates
+  std::optional<spec::Clause> clause;
+};
+
+struct Verdict {
+  Outcome outcome = Outcome::nothing_judged;
+  std::optional<Difference> difference;
+  std::uint64_t values = 0;     // judged
+  std::uint64_t decisions = 0;  // of the model, by sign
+  std::uint64_t near_ties = 0;  // decisions inside their band
+  std::uint64_t ties = 0;       // near ties in which the engine took the other, permitted, outcome
+  double worst_ulp = 0;
+  double worst_um = 0;
+};
+
+// What is judged. The default judges everything, in double.
+struct JudgeOptions {
+  std::vector<std::string> fields;  // event fields the controller announced; empty: all
+  std::string resolution;           // least increment of the controller's numbers ("0.001"); empty: double
+};
+
+// The model on one case. `undecided` where a decision could not be certified.
+struct ModelRun {
+  std::vector<model::Event> events;
+  model::Recorder recorder{true};
+};
+ModelRun run_model(const spec::Case& c);
+std::vector<fast::Event> run_fast(const spec::Case& c);
+
+// Judges `events` (in double) against the model's permitted runs of the case.
+Verdict judge(const spec::Case& c, std::span<const fast::Event> events, const JudgeOptions& options = {});
+// The same with the model run given, so that its recorder can be used further.
+Verdict judge(const spec::Case& c, const ModelRun& run, std::span<const fast::Event> events, const JudgeOptions& options = {});
+
+// Runs both engines over a program of any length in bounded memory and judges as it goes; stops at the first
+// difference. `on_block` is called with the number of blocks read, for progress.
+Verdict judge_stream(spec::ProgramReader& program, const spec::Setup& setup, void (*on_block)(std::uint64_t) = nullptr);
+
+}  // namespace toolcomp::fuzz
