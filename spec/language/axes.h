@@ -24,7 +24,8 @@ class Axes {
   Axes() : Axes("XYZ") {}
   explicit Axes(std::string_view letters) : letters_(letters) {
     index_.fill(static_cast<std::uint8_t>(kNone));
-    for (std::size_t i = 0; i < letters_.size(); ++i) index_[static_cast<unsigned char>(letters_[i])] = static_cast<std::uint8_t>(i);
+    for (std::size_t i = 0; i < letters_.size(); ++i)
+      index_[static_cast<unsigned char>(letters_[i])] = static_cast<std::uint8_t>(i);
   }
 
   [[nodiscard]] std::size_t size() const { return letters_.size(); }

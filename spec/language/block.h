@@ -31,7 +31,7 @@ struct ReadAlarm {
 struct Block {
   static constexpr std::size_t kMaxWords = 64;  // one more raises TOO_MANY_WORDS
 
-  std::uint64_t line = 0;  // of the text, from 1
+  std::uint64_t line = 0;          // of the text, from 1
   std::optional<std::uint64_t> n;  // sequence number; an N word is not among the words
   std::array<Word, kMaxWords> word;
   std::size_t size = 0;

@@ -51,17 +51,17 @@ struct Event {
   // move
   MoveType type = MoveType::linear;
   Cause cause = Cause::programmed;
-  AxisValues<Number> programmed;  // linear axes, workpiece coordinates, absolute
-  AxisValues<Number> point;       // linear axes: the compensated tool point, before length offset
-  AxisValues<Number> axes;        // all axes: what they are sent to, workpiece coordinates
-  AxisValues<Number> machine;     // G53, G28, G30 (event rule 9): all axes, machine coordinates
+  AxisValues<Number> programmed;                   // linear axes, workpiece coordinates, absolute
+  AxisValues<Number> point;                        // linear axes: the compensated tool point, before length offset
+  AxisValues<Number> axes;                         // all axes: what they are sent to, workpiece coordinates
+  AxisValues<Number> machine;                      // G53, G28, G30 (event rule 9): all axes, machine coordinates
   std::optional<std::array<Number, 3>> tool_axis;  // tip → holder, unit; where the setup or the program defines one
   std::optional<Arc<Number>> arc;
   std::optional<Number> feed;  // F in force, setup units; not for rapid moves
 
   // alarm, warning, undecided
-  Name number;                // PS0041, DIR_CHANGE_AT_STARTUP; undecided: the clause id
-  const char* message = "";   // static text
+  Name number;               // PS0041, DIR_CHANGE_AT_STARTUP; undecided: the clause id
+  const char* message = "";  // static text
 
   // setting
   Name setting;  // "H1", "H1.wear"

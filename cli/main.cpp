@@ -1,0 +1,2 @@
+// The toolcomp command: verbs only.
+int main() {}

@@ -1,0 +1,235 @@
+// Turns the clause files into C++: `toolcomp_clauses CLAUSE_FOLDER OUTPUT_FOLDER` writes clauses.h and clauses.cpp.
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+struct ClauseText {
+  std::string id, enumerator, section, file, kind, document, edition, page, provenance, text, formula, outcomes;
+  std::string positive, negative, tie, reason, unreachable_reason, replaced_by;
+  std::vector<std::string> parameters, alternatives, unreachable;
+  bool testable = true;
+};
+
+[[noreturn]] void fail(const std::filesystem::path& file, const toml::source_region& where, std::string_view what) {
+  throw std::runtime_error(fmt::format("{}:{}:{}: {}", file.string(), where.begin.line, where.begin.column, what));
+}
+
+std::string text_of(const toml::table& table, std::string_view key) { return table[key].value_or(std::string()); }
+
+std::vector<std::string> list_of(const toml::table& table, std::string_view key) {
+  std::vector<std::string> list;
+  if (const auto* array = table[key].as_array())
+    for (const auto& item : *array) list.push_back(item.value_or(std::string()));
+  return list;
+}
+
+// The text as a C++ string literal.
+std::string literal(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (c == '\n')
+      out += "\\n";
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
+std::string joined(const std::vector<std::string>& list) { return fmt::format("{}", fmt::join(list, "\n")); }
+
+constexpr std::string_view kKeys[] = {
+    "id",       "kind",         "source",   "text",   "formula",     "parameters",         "alternatives",
+    "outcomes", "outcome_text", "testable", "reason", "unreachable", "unreachable_reason", "replaced_by"};
+constexpr std::string_view kKinds[] = {"normative", "parameter", "alarm", "open", "note"};
+constexpr std::string_view kOutcomes[] = {"sign", "fact", "reach"};
+
+ClauseText read_clause(const std::filesystem::path& file, const std::string& section, const toml::table& table) {
+  for (const auto& [key, value] : table)
+    if (std::ranges::find(kKeys, key.str()) == std::end(kKeys))
+      fail(file, key.source(), fmt::format("unknown key {}", key.str()));
+  ClauseText clause;
+  clause.section = section;
+  clause.file = file.filename().string();
+  clause.id = text_of(table, "id");
+  clause.kind = text_of(table, "kind");
+  clause.text = text_of(table, "text");
+  clause.formula = text_of(table, "formula");
+  clause.outcomes = table["outcomes"].value_or(std::string("reach"));
+  clause.testable = table["testable"].value_or(true);
+  clause.reason = text_of(table, "reason");
+  clause.unreachable_reason = text_of(table, "unreachable_reason");
+  clause.replaced_by = text_of(table, "replaced_by");
+  clause.parameters = list_of(table, "parameters");
+  clause.alternatives = list_of(table, "alternatives");
+  clause.unreachable = list_of(table, "unreachable");
+  if (const auto* source = table["source"].as_table()) {
+    clause.document = text_of(*source, "document");
+    clause.edition = text_of(*source, "edition");
+    clause.page = text_of(*source, "page");
+    clause.provenance = text_of(*source, "provenance");
+  }
+  if (const auto* outcome = table["outcome_text"].as_table()) {
+    const bool fact = clause.outcomes == "fact";
+    clause.positive = text_of(*outcome, fact ? "true" : "positive");
+    clause.negative = text_of(*outcome, fact ? "false" : "negative");
+    clause.tie = text_of(*outcome, "tie");
+  }
+  if (clause.id.empty() || !std::ranges::all_of(clause.id, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
+      }))
+    fail(file, table.source(), "a clause needs an id of lower-case letters, digits, '.' and '-'");
+  if (std::ranges::find(kKinds, clause.kind) == std::end(kKinds))
+    fail(file, table.source(), fmt::format("{}: kind must be normative, parameter, alarm, open or note", clause.id));
+  if (std::ranges::find(kOutcomes, clause.outcomes) == std::end(kOutcomes))
+    fail(file, table.source(), fmt::format("{}: outcomes must be sign, fact or reach", clause.id));
+  if (clause.text.empty()) fail(file, table.source(), fmt::format("{}: a clause needs a text", clause.id));
+  clause.enumerator = clause.id;
+  std::ranges::replace_if(clause.enumerator, [](char c) { return c == '.' || c == '-'; }, '_');
+  return clause;
+}
+
+std::vector<ClauseText> read_folder(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::ranges::sort(files);
+  std::vector<ClauseText> clauses;
+  std::set<std::string> enumerators;
+  for (const auto& file : files) {
+    const toml::table root = toml::parse_file(file.string());
+    const std::string section = text_of(root, "section");
+    if (section.empty()) fail(file, root.source(), "a clause file begins with section = \"…\"");
+    const auto* array = root["clause"].as_array();
+    if (array == nullptr) continue;
+    for (const auto& item : *array) {
+      if (!item.is_table()) fail(file, item.source(), "[[clause]] must be a table");
+      clauses.push_back(read_clause(file, section, *item.as_table()));
+      if (!enumerators.insert(clauses.back().enumerator).second)
+        fail(file, item.source(), fmt::format("{}: this id is used twice", clauses.back().id));
+    }
+  }
+  return clauses;
+}
+
+constexpr std::string_view kHeader = R"(// Generated from the clause files. Do not edit.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace toolcomp::spec {{
+
+enum class Clause : std::uint16_t {{
+{}}};
+
+inline constexpr std::size_t kClauseCount = {};
+
+enum class ClauseKind : std::uint8_t {{ normative, parameter, alarm, open, note }};
+enum class ClauseOutcomes : std::uint8_t {{ sign, fact, reach }};
+
+// A clause as its file states it. Lists are separated by line feeds.
+struct ClauseInfo {{
+  std::string_view id, section, file;
+  ClauseKind kind;
+  std::string_view document, edition, page, provenance;
+  std::string_view text, formula, parameters, alternatives;
+  ClauseOutcomes outcomes;
+  std::string_view positive, negative, tie;  // what each outcome means; a fact has true as positive, false as negative
+  bool testable;
+  std::string_view reason, unreachable, unreachable_reason, replaced_by;
+}};
+
+const ClauseInfo& info(Clause clause);
+std::span<const ClauseInfo> clauses();
+std::optional<Clause> find_clause(std::string_view id);
+
+}}  // namespace toolcomp::spec
+)";
+
+constexpr std::string_view kSource = R"(// Generated from the clause files. Do not edit.
+#include "spec/clauses/clauses.h"
+
+#include <array>
+
+namespace toolcomp::spec {{
+namespace {{
+constexpr std::array<ClauseInfo, kClauseCount> kClauses{{{{
+{}}}}};
+}}  // namespace
+
+const ClauseInfo& info(Clause clause) {{ return kClauses.at(static_cast<std::size_t>(clause)); }}
+std::span<const ClauseInfo> clauses() {{ return kClauses; }}
+std::optional<Clause> find_clause(std::string_view id) {{
+  for (std::size_t i = 0; i < kClauses.size(); ++i)
+    if (kClauses[i].id == id) return static_cast<Clause>(i);
+  return std::nullopt;
+}}
+
+}}  // namespace toolcomp::spec
+)";
+
+// Written only when changed, so that nothing is built again for a comment in a clause file.
+void write(const std::filesystem::path& file, const std::string& text) {
+  if (std::ifstream old(file, std::ios::binary); old && std::string(std::istreambuf_iterator<char>(old), {}) == text)
+    return;
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+void generate(const std::filesystem::path& folder, const std::filesystem::path& output) {
+  const std::vector<ClauseText> clauses = read_folder(folder);
+  std::string enumerators;
+  std::string rows;
+  for (const ClauseText& c : clauses) {
+    enumerators += fmt::format("  {},\n", c.enumerator);
+    rows += fmt::format(
+        "    ClauseInfo{{{}, {}, {}, ClauseKind::{}, {}, {}, {}, {},\n      {}, {},\n      {}, {}, "
+        "ClauseOutcomes::{},\n      {}, {}, {}, {}, {}, {}, {}, {}}},\n",
+        literal(c.id), literal(c.section), literal(c.file), c.kind, literal(c.document), literal(c.edition),
+        literal(c.page), literal(c.provenance), literal(c.text), literal(c.formula), literal(joined(c.parameters)),
+        literal(joined(c.alternatives)), c.outcomes, literal(c.positive), literal(c.negative), literal(c.tie),
+        c.testable, literal(c.reason), literal(joined(c.unreachable)), literal(c.unreachable_reason),
+        literal(c.replaced_by));
+  }
+  write(output / "clauses.h", fmt::format(kHeader, enumerators, clauses.size()));
+  write(output / "clauses.cpp", fmt::format(kSource, rows));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "usage: toolcomp_clauses CLAUSE_FOLDER OUTPUT_FOLDER\n";
+    return 2;
+  }
+  try {
+    generate(argv[1], argv[2]);
+  } catch (const toml::parse_error& error) {
+    const auto& where = error.source();
+    std::cerr << (where.path ? *where.path : std::string("clauses")) << ':' << where.begin.line << ':'
+              << where.begin.column << ": " << error.description() << '\n';
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+}
