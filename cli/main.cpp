@@ -1,2 +1,171 @@
-// The toolcomp command: verbs only.
-int main() {}
+// The toolcomp command: reads the command line, calls a verb, turns errors into exit statuses.
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include "cli/verbs.h"
+#include "spec/language/input_error.h"
+
+namespace {
+
+using namespace toolcomp;  // NOLINT(google-build-using-namespace): the top of the program
+
+const std::map<std::string, cli::EngineName> kEngines{{"model", cli::EngineName::model}, {"fast", cli::EngineName::fast}};
+const std::map<std::string, cli::Format> kFormats{{"jsonl", cli::Format::jsonl},
+                                                  {"csv", cli::Format::csv},
+                                                  {"gcode", cli::Format::gcode},
+                                                  {"svg", cli::Format::svg}};
+
+// One parser, one action: each verb adds its options and leaves the call to make in `action`.
+class CommandLine {
+ public:
+  CommandLine() : app_("An exact reference of CNC tool compensation, a fast engine certified against it, and the harness that certifies.\n"
+                       "Exit status: 0 agrees, 1 a difference was found, 2 bad usage or input, 3 could not be decided, 4 self-check failed.") {
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", "toolcomp " TOOLCOMP_VERSION);
+    add_run();
+    add_diff();
+    add_explain();
+    add_certify();
+    add_fuzz();
+    add_replay();
+    add_corpus();
+    add_spec();
+    add_serve();
+    add_config();
+  }
+
+  int execute(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return app_.exit(error) == 0 ? cli::kAgrees : cli::kBadInput;
+    }
+    return action_();
+  }
+
+ private:
+  CLI::App* verb(const std::string& name, const std::string& about, std::function<int()> action) {
+    CLI::App* sub = app_.add_subcommand(name, about);
+    sub->callback([this, action = std::move(action)] { action_ = action; });
+    return sub;
+  }
+  static void add_program(CLI::App* sub, std::string& program, std::string& setup) {
+    sub->add_option("program", program, "Case (JSON) or program; - reads standard input")->required();
+    sub->add_option("--setup", setup, "Setup (TOML or JSON); without it, setup.toml beside the program");
+  }
+  static void add_sections(CLI::App* sub, std::vector<std::string>& sections) {
+    sub->add_option("--section", sections, "Section, e.g. fanuc/leading-edge-offset (repeatable; default: all)");
+  }
+
+  void add_run() {
+    CLI::App* sub = verb("run", "Run a program and print its events", [this] { return cli::run(run_); });
+    add_program(sub, run_.program, run_.setup);
+    sub->add_option("--engine", run_.engine, "model (exact) or fast")->transform(CLI::CheckedTransformer(kEngines));
+    sub->add_option("--format", run_.format, "jsonl, csv, gcode or svg")->transform(CLI::CheckedTransformer(kFormats));
+    sub->add_option("--digits", run_.digits, "Decimals the model prints")->check(CLI::Range(0, 1000));
+    sub->add_option("--samples", run_.samples, "Samples inside each block run under tool center point control");
+  }
+  void add_diff() {
+    CLI::App* sub = verb("diff", "Model against fast; the first difference explained", [this] { return cli::diff(diff_); });
+    add_program(sub, diff_.program, diff_.setup);
+  }
+  void add_explain() {
+    CLI::App* sub = verb("explain", "Block by block: clauses, decisions, exact and double values", [this] { return cli::explain(explain_); });
+    add_program(sub, explain_.program, explain_.setup);
+    sub->add_option("--block", explain_.block, "Only the block with this sequence number, or on this line if none has it");
+    sub->add_option("--digits", explain_.digits, "Decimals printed")->check(CLI::Range(0, 1000));
+  }
+  void add_certify() {
+    CLI::App* sub = verb("certify", "Certify a controller, or a recorded trace, and write a report", [this] { return cli::certify(certify_); });
+    sub->add_option("inputs", certify_.inputs, "Cases and programs to add to the golden corpus and generated cases, or to judge instead of them");
+    sub->add_option("--controller", certify_.controller, "Command that speaks the controller protocol");
+    sub->add_option("--trace", certify_.trace, "CSV of recorded axis positions of one run of one program");
+    sub->add_option("--setup", certify_.setup, "Setup of the programs; without it, setup.toml beside each");
+    add_sections(sub, certify_.sections);
+    sub->add_option("--report", certify_.report, "Folder of the report");
+    sub->add_option("--cases", certify_.cases, "Generated cases a section");
+    sub->add_option("--seed", certify_.seed, "Seed of every random choice");
+    sub->add_option("--timeout", certify_.timeout, "Seconds a case may take")->check(CLI::PositiveNumber);
+    sub->add_option("--tolerance", certify_.tolerance, "Trace: greatest distance from the exact path, setup units");
+  }
+  void add_fuzz() {
+    CLI::App* sub = verb("fuzz", "Search for differences", [this] { return cli::fuzz(fuzz_); });
+    add_sections(sub, fuzz_.sections);
+    sub->add_option("--for", fuzz_.duration, "How long a section: 60s, 10m, 1h (default 60s without --runs)");
+    sub->add_option("--runs", fuzz_.runs, "Executions a section instead of a time");
+    sub->add_option("--jobs", fuzz_.jobs, "Searches side by side")->check(CLI::Range(1, 256));
+    sub->add_option("--seed", fuzz_.seed, "Seed of every random choice");
+    sub->add_option("--controller", fuzz_.controller, "Judge this controller instead of the fast engine");
+    sub->add_option("--findings", fuzz_.findings, "Folder for findings");
+    sub->add_option("--timeout", fuzz_.timeout, "Seconds a case may take the controller")->check(CLI::PositiveNumber);
+  }
+  void add_replay() {
+    CLI::App* sub = verb("replay", "Judge a finding again", [this] { return cli::replay(replay_); });
+    sub->add_option("finding", replay_.finding, "Finding or case (JSON)")->required();
+    sub->add_option("--controller", replay_.controller, "Judge this controller (default: the one of the finding)");
+    sub->add_option("--timeout", replay_.timeout, "Seconds the case may take")->check(CLI::PositiveNumber);
+  }
+  void add_corpus() {
+    CLI::App* sub = verb("corpus", "The golden corpus: generate, check, lint, diff", [this] { return cli::corpus(corpus_); });
+    sub->add_option("verb", corpus_.verb, "generate, check, lint or diff")->required()->check(CLI::IsMember({"generate", "check", "lint", "diff"}));
+    sub->add_option("against", corpus_.against, "diff: the folder of the other corpus");
+    add_sections(sub, corpus_.sections);
+    sub->add_option("--dir", corpus_.directory, "Folder of the corpus (default: corpus/golden of the source tree)");
+    sub->add_option("--shard", corpus_.shard, "I/N: only every N-th vector, from the I-th (1 <= I <= N)");
+    sub->add_option("--controller", corpus_.controller, "check: judge this controller instead of both engines");
+    sub->add_option("--seed", corpus_.seed, "Seed of every random choice");
+  }
+  void add_spec() {
+    CLI::App* sub = verb("spec", "The clauses: list, show, trace, coverage, sections", [this] { return cli::spec(spec_); });
+    sub->add_option("verb", spec_.verb, "list, show, trace, coverage or sections")->required()->check(CLI::IsMember({"list", "show", "trace", "coverage", "sections"}));
+    sub->add_option("id", spec_.id, "show: the clause");
+    sub->add_option("--dir", spec_.directory, "Source tree (trace) or corpus (coverage); default: where it was built");
+    sub->add_flag("--json", spec_.json, "JSON instead of text");
+  }
+  void add_serve() {
+    CLI::App* sub = verb("serve", "Speak the controller protocol on standard input and output", [this] { return cli::serve(serve_); });
+    sub->add_option("--engine", serve_, "model or fast")->required()->transform(CLI::CheckedTransformer(kEngines));
+  }
+  void add_config() {
+    CLI::App* sub = verb("config", "Setups and cases: example, schema, check FILE", [this] { return cli::config(config_); });
+    sub->add_option("verb", config_.verb, "example, schema or check")->required()->check(CLI::IsMember({"example", "schema", "check"}));
+    sub->add_option("file", config_.file, "check: the setup or case");
+    sub->add_option("--control", config_.control, "fanuc or heidenhain")->check(CLI::IsMember({"fanuc", "heidenhain"}));
+  }
+
+  CLI::App app_;
+  std::function<int()> action_;
+  cli::RunOptions run_;
+  cli::DiffOptions diff_;
+  cli::ExplainOptions explain_;
+  cli::CertifyOptions certify_;
+  cli::FuzzOptions fuzz_;
+  cli::ReplayOptions replay_;
+  cli::CorpusOptions corpus_;
+  cli::SpecOptions spec_;
+  cli::EngineName serve_ = cli::EngineName::fast;
+  cli::ConfigOptions config_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);
+  try {
+    CommandLine command_line;
+    return command_line.execute(argc, argv);
+  } catch (const spec::InputError& error) {
+    std::cout.flush();
+    std::cerr << error.what() << '\n';
+    return cli::kBadInput;
+  } catch (const std::exception& error) {
+    std::cout.flush();
+    std::cerr << "toolcomp: internal error: " << error.what() << '\n';
+    return cli::kSelfCheckFailed;
+  }
+}

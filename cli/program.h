@@ -1,0 +1,57 @@
+// What a verb works on: a case or a program with its setup, read from the files named on the command line.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "spec/language/case.h"
+#include "spec/language/program_reader.h"
+
+namespace toolcomp::cli {
+
+// A program of any length with its setup. A case's program is held in memory, a program file is streamed.
+class Program {
+ public:
+  // `path` names a case (its first character is `{`) or a program; "-" is standard input. `setup` names a setup file, TOML
+  // or JSON by its ending; empty: setup.toml beside the program. Throws spec::InputError.
+  Program(const std::string& path, const std::string& setup);
+
+  [[nodiscard]] const spec::Setup& setup() const { return case_.setup; }
+  // A reader from the beginning; a program on standard input can be read once.
+  [[nodiscard]] spec::ProgramReader reader() const;
+  // The case itself, or the program as one (read whole).
+  [[nodiscard]] spec::Case as_case() const;
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] bool is_case() const { return is_case_; }
+  [[nodiscard]] std::uint32_t samples() const { return case_.samples; }
+
+ private:
+  std::string path_;
+  spec::Case case_;
+  bool is_case_ = false;
+};
+
+spec::Setup read_setup(const std::string& path);
+
+// Reports an alarm of reading or of the run on standard error: FILE:LINE:COLUMN: NUMBER message.
+void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t column, std::string_view number,
+                  std::string_view message);
+
+// The columns of the blocks read lately, for alarms that name an earlier block.
+class RecentBlocks {
+ public:
+  void add(const spec::Block& block);
+  // 1 for a line no longer known.
+  [[nodiscard]] std::uint64_t column(std::uint64_t line) const;
+
+ private:
+  struct Place {
+    std::uint64_t line = 0;
+    std::uint64_t column = 1;
+  };
+  std::array<Place, 16> places_{};
+  std::size_t next_ = 0;
+};
+
+}  // namespace toolcomp::cli

@@ -1,0 +1,106 @@
+// The verbs of the toolcomp command: what each takes, already read from the command line. Each returns an exit status.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace toolcomp::cli {
+
+// Exit status (contract). Several causes at once: 4 before 2 before 1 before 3.
+inline constexpr int kAgrees = 0;
+inline constexpr int kDiffers = 1;
+inline constexpr int kBadInput = 2;
+inline constexpr int kUndecided = 3;
+inline constexpr int kSelfCheckFailed = 4;
+
+enum class EngineName : std::uint8_t { model, fast };
+enum class Format : std::uint8_t { jsonl, csv, gcode, svg };
+
+struct RunOptions {
+  std::string program;
+  std::string setup;
+  EngineName engine = EngineName::model;
+  Format format = Format::jsonl;
+  int digits = 15;
+  std::uint32_t samples = 0;
+};
+int run(const RunOptions& options);
+
+struct DiffOptions {
+  std::string program;
+  std::string setup;
+};
+int diff(const DiffOptions& options);
+
+struct ExplainOptions {
+  std::string program;
+  std::string setup;
+  std::optional<std::uint64_t> block;
+  int digits = 15;
+};
+int explain(const ExplainOptions& options);
+
+struct CertifyOptions {
+  std::string controller;
+  std::string trace;
+  std::vector<std::string> sections;
+  std::vector<std::string> inputs;
+  std::string setup;
+  std::string report = "report";
+  std::uint32_t cases = 200;
+  std::uint64_t seed = 1;
+  double timeout = 10;
+  std::string tolerance;
+};
+int certify(const CertifyOptions& options);
+
+struct FuzzOptions {
+  std::vector<std::string> sections;
+  std::string duration;  // "60s", "10m", "1h"
+  std::uint64_t runs = 0;
+  unsigned jobs = 1;
+  std::uint64_t seed = 1;
+  std::string controller;
+  std::string findings = "findings";
+  double timeout = 10;
+};
+int fuzz(const FuzzOptions& options);
+
+struct ReplayOptions {
+  std::string finding;
+  std::string controller;
+  double timeout = 10;
+};
+int replay(const ReplayOptions& options);
+
+struct CorpusOptions {
+  std::string verb;  // generate, check, lint, diff
+  std::vector<std::string> sections;
+  std::string directory;
+  std::string shard;  // "I/N"
+  std::string controller;
+  std::string against;  // diff: the other corpus
+  std::uint64_t seed = 1;
+};
+int corpus(const CorpusOptions& options);
+
+struct SpecOptions {
+  std::string verb;  // list, show, trace, coverage, sections
+  std::string id;
+  std::string directory;
+  bool json = false;
+};
+int spec(const SpecOptions& options);
+
+int serve(EngineName engine);
+
+struct ConfigOptions {
+  std::string verb;  // example, schema, check
+  std::string control = "fanuc";
+  std::string file;
+};
+int config(const ConfigOptions& options);
+
+}  // namespace toolcomp::cli
