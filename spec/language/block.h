@@ -40,4 +40,7 @@ struct Block {
   [[nodiscard]] std::span<const Word> words() const { return {word.data(), size}; }
 };
 
+// The text of a block, as the reader reads it back: "N30 G01 X10. Y-0". Without what follows a read alarm.
+std::string to_string(const Block& block);
+
 }  // namespace toolcomp::spec

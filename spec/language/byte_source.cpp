@@ -1,0 +1,83 @@
+#include "spec/language/byte_source.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include "spec/language/input_error.h"
+
+namespace toolcomp::spec {
+namespace {
+
+class StreamSource final : public ByteSource {
+ public:
+  explicit StreamSource(std::istream& stream) : stream_(stream) {}
+  std::size_t read(char* buffer, std::size_t size) override {
+    stream_.read(buffer, static_cast<std::streamsize>(size));
+    return static_cast<std::size_t>(stream_.gcount());
+  }
+
+ private:
+  std::istream& stream_;
+};
+
+class TextSource final : public ByteSource {
+ public:
+  explicit TextSource(std::string_view text) : text_(text) {}
+  std::size_t read(char* buffer, std::size_t size) override {
+    const std::size_t count = text_.copy(buffer, size);
+    text_.remove_prefix(count);
+    return count;
+  }
+
+ private:
+  std::string_view text_;
+};
+
+[[noreturn]] void cannot_be_read(const std::string& path) {
+  throw InputError(display_name(path), 0, 0, "cannot be read: " + std::generic_category().message(errno));
+}
+
+class FileSource final : public ByteSource {
+ public:
+  explicit FileSource(const std::string& path) : path_(path), file_(path == "-" ? stdin : std::fopen(path.c_str(), "rb")) {
+    if (file_ == nullptr) cannot_be_read(path_);
+  }
+  FileSource(const FileSource&) = delete;
+  FileSource& operator=(const FileSource&) = delete;
+  ~FileSource() override {
+    if (file_ != stdin) std::fclose(file_);
+  }
+  std::size_t read(char* buffer, std::size_t size) override {
+    const std::size_t count = std::fread(buffer, 1, size, file_);
+    if (count == 0 && std::ferror(file_) != 0) cannot_be_read(path_);  // a folder, for one, opens but cannot be read
+    return count;
+  }
+
+ private:
+  std::string path_;
+  std::FILE* file_;
+};
+
+}  // namespace
+
+std::unique_ptr<ByteSource> stream_source(std::istream& stream) { return std::make_unique<StreamSource>(stream); }
+std::unique_ptr<ByteSource> text_source(std::string_view text) { return std::make_unique<TextSource>(text); }
+std::unique_ptr<ByteSource> file_source(const std::string& path) { return std::make_unique<FileSource>(path); }
+
+std::string read_file(const std::string& path, std::size_t limit) {
+  FileSource source(path);
+  std::string text;
+  std::array<char, 1 << 16> buffer;
+  while (const std::size_t count = source.read(buffer.data(), buffer.size())) {
+    if (count > limit - text.size())
+      throw InputError(display_name(path), 0, 0, "is longer than " + std::to_string(limit) + " bytes");
+    text.append(buffer.data(), count);
+  }
+  return text;
+}
+
+std::string display_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+}  // namespace toolcomp::spec
