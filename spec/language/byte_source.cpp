@@ -41,7 +41,8 @@ class TextSource final : public ByteSource {
 
 class FileSource final : public ByteSource {
  public:
-  explicit FileSource(const std::string& path) : path_(path), file_(path == "-" ? stdin : std::fopen(path.c_str(), "rb")) {
+  explicit FileSource(const std::string& path)
+      : path_(path), file_(path == "-" ? stdin : std::fopen(path.c_str(), "rb")) {
     if (file_ == nullptr) cannot_be_read(path_);
   }
   FileSource(const FileSource&) = delete;

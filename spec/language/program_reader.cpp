@@ -17,7 +17,21 @@ constexpr int kMaxProgramDigits = 15;  // one more raises PS0003
 constexpr int kEnd = -1;
 
 // What a byte may be where an address can stand.
-enum class Kind : std::uint8_t { blank, line_end, letter, number, sign, block_end, open, percent, slash, colon, other, substitute, bad };
+enum class Kind : std::uint8_t {
+  blank,
+  line_end,
+  letter,
+  number,
+  sign,
+  block_end,
+  open,
+  percent,
+  slash,
+  colon,
+  other,
+  substitute,
+  bad
+};
 
 constexpr std::array<Kind, 256> kKinds = [] {
   std::array<Kind, 256> kinds{};

@@ -1,0 +1,69 @@
+#include "spec/language/input_error.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::spec {
+namespace {
+
+constexpr std::string_view kFanuc =
+    R"toml(# A FANUC machining centre with a head that turns the tool about Z (C) and then about Y (B).
+# Every key may be left out; the values shown in brackets are then used. Decimals are exact, quoted or not.
+
+control = "fanuc"                     # [fanuc]
+units = "mm"                          # [mm] or inch: of this file, the results, and programs before G20 or G21
+axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z] controlled axes 1, 2, 3, …: the numbers that 19681 and 19686 mean
+increment = "IS-B"                    # [IS-B] least input increment 0.001; IS-A 0.01, IS-C 0.0001
+cutter_compensation = "C"             # [C] or B
+block_skip = false                    # [false] true: blocks that begin with / are skipped
+
+[parameters]                          # by number; bits as "number#bit"
+"3401#0" = 1                          # numbers without decimal point are mm or degrees; 0: least input increments
+"5001#0" = 0                          # TLC and TLB: type of tool length offset
+"5001#1" = 0
+"5001#2" = 0                          # OFH: how G43, G44 and H act
+"5001#3" = 0                          # TAL: offset along several axes
+"5001#6" = 0                          # EVO: when a changed offset value takes effect
+19631 = "1.0"                         # range of angles (degrees) taken as 0, 90 or 180 by the leading edge offset
+19680 = 2                             # kinematics: 2 tool rotation, 12 table rotation, 21 mixed, 0 none
+19681 = 5                             # master rotary axis: controlled axis 5 (C) …
+19682 = 3                             # … about Z
+19686 = 4                             # slave rotary axis: controlled axis 4 (B) …
+19687 = 2                             # … about Y
+
+[offsets]                             # tool offset memory
+memory = "C"                          # A one value; B geometry and wear; C the same, H and D apart [A, or C if an entry has both]
+count = 400                           # [400] number of entries
+
+[offsets.H]
+1 = "-4.0"
+2 = { geometry = 120, wear = "-0.25" }
+
+[offsets.D]
+1 = 5
+
+[workpiece.G54]                       # G54 to G59: workpiece origins in machine coordinates [0]
+X = 0
+Y = 0
+Z = 0
+
+[position]                            # where the program starts, workpiece coordinates without offsets [0]
+Z = 100
+
+[reference.1]                         # G28: machine coordinates [0]; G30 has 2, 3 and 4
+Z = 300
+
+[reference.floating]                  # G30.1
+Z = 250
+
+[measurement]                         # G37: where the approach-end signal comes on
+Z = "198.0"
+)toml";
+
+}  // namespace
+
+std::string_view setup_example(Control control) {
+  if (control == Control::heidenhain)
+    throw InputError("setup", 0, 0, "the sections of control \"heidenhain\" are not built yet; expected \"fanuc\"");
+  return kFanuc;
+}
+
+}  // namespace toolcomp::spec

@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "spec/language/setup_document.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::spec {
+namespace {
+
+using document::Kind;
+using document::Member;
+using document::Node;
+using document::quoted;
+using document::Reader;
+
+constexpr std::string_view kAxisLetters = "ABCUVWXYZ";
+constexpr std::uint32_t kMaxParameter = 99999;
+constexpr std::uint64_t kMaxOffsets = 999;
+
+// A number without sign and without leading zeros, at most `most`.
+std::optional<std::uint32_t> small_number(std::string_view text, std::uint64_t most) {
+  const std::optional<Decimal> value = parse_decimal(text);
+  if (!value || value->digits > most || std::to_string(value->digits) != text) return std::nullopt;
+  return static_cast<std::uint32_t>(value->digits);
+}
+
+Axes axes_from(const Node& node, const Reader& read) {
+  read.expect(node, Kind::array, "axes");
+  std::string letters;
+  for (const Node& item : node.items) {
+    const std::string& letter = read.string(item, "axes");
+    if (letter.size() != 1 || kAxisLetters.find(letter) == std::string_view::npos)
+      read.fail(item.at, "axes: " + quoted(letter) + " is no axis; expected one of A B C U V W X Y Z");
+    if (letters.find(letter) != std::string::npos) read.fail(item.at, "axes: axis " + letter + " is given twice");
+    letters += letter;
+  }
+  if (letters.empty()) read.fail(node.at, "axes: expected at least one axis");
+  return Axes(letters);
+}
+
+void read_parameter(const Member& member, const Reader& read, Setup& setup) {
+  const std::string_view name = member.name;
+  const std::size_t mark = name.find('#');
+  ParameterId id;
+  const std::optional<std::uint32_t> number = small_number(name.substr(0, mark), kMaxParameter);
+  const bool bit = mark != std::string_view::npos;
+  const std::string_view bit_text = bit ? name.substr(mark + 1) : "0";
+  if (!number || bit_text.size() != 1 || bit_text[0] < '0' || bit_text[0] > '7')
+    read.fail(member.at, "parameters: " + quoted(name) +
+                             " is no parameter; expected a number up to 99999, or number#bit with a bit from 0 to 7");
+  id.number = *number;
+  if (!bit) {
+    setup.parameters[id] = read.decimal(member.value, name);
+    return;
+  }
+  id.bit = bit_text[0] - '0';
+  if (member.value.kind == Kind::boolean) {
+    setup.parameters[id] = decimal(member.value.boolean ? 1 : 0);
+    return;
+  }
+  const Decimal value = read.decimal(member.value, name);
+  if (value != decimal(0) && value != decimal(1))
+    read.fail(member.value.at, std::string(name) + ": a bit is 0 or 1, found " + quoted(member.value.text));
+  setup.parameters[id] = value;
+}
+
+OffsetEntry entry_from(const Node& node, const std::string& name, const Reader& read) {
+  OffsetEntry entry;
+  if (node.kind != Kind::table) {
+    entry.geometry = read.decimal(node, name);
+    return entry;
+  }
+  read.keys(node, name, {"geometry", "wear"});
+  if (const Node* geometry = node.find("geometry")) entry.geometry = read.decimal(*geometry, name + ".geometry");
+  if (const Node* wear = node.find("wear")) entry.wear = read.decimal(*wear, name + ".wear");
+  return entry;
+}
+
+std::map<std::uint32_t, OffsetEntry> entries_from(const Node& node, const std::string& letter, std::uint32_t count,
+                                                  const Reader& read) {
+  read.expect(node, Kind::table, "offsets." + letter);
+  std::map<std::uint32_t, OffsetEntry> entries;
+  for (const Member& member : node.members) {
+    const std::optional<std::uint32_t> number = small_number(member.name, count);
+    if (!number || *number == 0)
+      read.fail(member.at, "offsets." + letter + ": " + quoted(member.name) +
+                               " is no offset number; expected 1 to offsets.count = " + std::to_string(count));
+    entries[*number] = entry_from(member.value, "offsets." + letter + "." + member.name, read);
+  }
+  return entries;
+}
+
+// The first entry with geometry and wear, or nothing.
+const Member* split_entry(const Node& offsets) {
+  for (const std::string_view letter : {"H", "D"})
+    if (const Node* entries = offsets.find(letter))
+      for (const Member& member : entries->members)
+        if (member.value.kind == Kind::table) return &member;
+  return nullptr;
+}
+
+void read_offsets(const Node& node, const Reader& read, Setup& setup) {
+  read.keys(node, "offsets", {"memory", "count", "H", "D"});
+  if (const Node* count = node.find("count"))
+    setup.offset_count = static_cast<std::uint32_t>(read.integer(*count, "offsets.count", 1, kMaxOffsets));
+  if (const Node* h = node.find("H")) setup.h = entries_from(*h, "H", setup.offset_count, read);
+  if (const Node* d = node.find("D")) setup.d = entries_from(*d, "D", setup.offset_count, read);
+  const Member* split = split_entry(node);
+  if (const Node* memory = node.find("memory")) {
+    setup.memory = static_cast<OffsetMemory>(read.choice(*memory, "offsets.memory", {"A", "B", "C"}));
+    if (setup.memory == OffsetMemory::a && split != nullptr)
+      read.fail(split->value.at, "offsets: memory A has one value an entry; expected a number, or memory B or C");
+  } else {
+    setup.memory = split != nullptr ? OffsetMemory::c : OffsetMemory::a;
+  }
+}
+
+AxisTable axis_table(const Node& node, const std::string& name, const Setup& setup, const Reader& read) {
+  read.expect(node, Kind::table, name);
+  AxisTable table;
+  for (const Member& member : node.members) {
+    if (member.name.size() != 1 || !setup.axes.has(member.name[0]))
+      read.fail(member.at,
+                name + ": " + quoted(member.name) + " is no axis of this setup; its axes are " + setup.axes.letters());
+    table[member.name[0]] = read.decimal(member.value, name + "." + member.name);
+  }
+  return table;
+}
+
+void read_workpiece(const Node& node, const Reader& read, Setup& setup) {
+  read.keys(node, "workpiece", {"G54", "G55", "G56", "G57", "G58", "G59"});
+  for (const Member& member : node.members)
+    setup.workpiece[static_cast<std::size_t>(member.name[2] - '4')] =
+        axis_table(member.value, "workpiece." + member.name, setup, read);
+}
+
+void read_reference(const Node& node, const Reader& read, Setup& setup) {
+  read.keys(node, "reference", {"1", "2", "3", "4", "floating"});
+  for (const Member& member : node.members) {
+    const AxisTable table = axis_table(member.value, "reference." + member.name, setup, read);
+    if (member.name == "floating")
+      setup.floating_reference = table;
+    else
+      setup.reference[member.name[0] - '0'] = table;
+  }
+}
+
+Control control_from(const Node& node, const Reader& read) {
+  const auto control = static_cast<Control>(read.choice(node, "control", {"fanuc", "heidenhain"}));
+  if (control == Control::heidenhain)
+    read.fail(node.at, "control: the sections of \"heidenhain\" are not built yet; expected \"fanuc\"");
+  return control;
+}
+
+}  // namespace
+
+Setup setup_from(const Node& node, const Reader& read) {
+  Setup setup;
+  read.expect(node, Kind::table, "setup");
+  // First what decides which keys belong here and which axes they may name.
+  if (const Node* control = node.find("control")) setup.control = control_from(*control, read);
+  for (const Member& member : node.members)
+    if (member.name == "tool" || member.name == "correction" || member.name == "dr2table")
+      read.fail(member.at, "setup: " + quoted(member.name) + " belongs to control \"heidenhain\"");
+  read.keys(node, "setup",
+            {"control", "units", "axes", "increment", "cutter_compensation", "block_skip", "parameters", "offsets",
+             "workpiece", "position", "reference", "measurement"});
+  if (const Node* axes = node.find("axes")) setup.axes = axes_from(*axes, read);
+
+  if (const Node* units = node.find("units"))
+    setup.units = static_cast<Units>(read.choice(*units, "units", {"mm", "inch"}));
+  if (const Node* increment = node.find("increment"))
+    setup.increment = static_cast<IncrementSystem>(read.choice(*increment, "increment", {"IS-A", "IS-B", "IS-C"}));
+  if (const Node* type = node.find("cutter_compensation"))
+    setup.cutter_compensation =
+        static_cast<CutterCompensationType>(read.choice(*type, "cutter_compensation", {"B", "C"}));
+  if (const Node* skip = node.find("block_skip")) setup.block_skip = read.boolean(*skip, "block_skip");
+  if (const Node* parameters = node.find("parameters")) {
+    read.expect(*parameters, Kind::table, "parameters");
+    for (const Member& member : parameters->members) read_parameter(member, read, setup);
+  }
+  if (const Node* offsets = node.find("offsets")) read_offsets(*offsets, read, setup);
+  if (const Node* workpiece = node.find("workpiece")) read_workpiece(*workpiece, read, setup);
+  if (const Node* position = node.find("position")) setup.position = axis_table(*position, "position", setup, read);
+  if (const Node* reference = node.find("reference")) read_reference(*reference, read, setup);
+  if (const Node* signal = node.find("measurement"))
+    setup.measurement = axis_table(*signal, "measurement", setup, read);
+  return setup;
+}
+
+Setup read_setup_toml(std::string_view text, const std::string& file) {
+  return setup_from(document::parse_toml(text, file), Reader(file));
+}
+
+Setup read_setup_json(std::string_view text, const std::string& file) {
+  return setup_from(document::parse_json(text, file), Reader(file));
+}
+
+}  // namespace toolcomp::spec

@@ -1,0 +1,93 @@
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::spec {
+
+std::string_view setup_schema() {
+  return R"schema({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "$id": "setup.schema.json",
+  "title": "Setup of a control",
+  "description": "A TOML file or the setup of a case. Decimals are exact: write them as numbers or in quotes, without exponent and with at most 18 digits.",
+  "type": "object",
+  "additionalProperties": false,
+  "properties": {
+    "control": { "description": "Whose rules apply. The sections of heidenhain are not built yet.", "enum": ["fanuc"], "default": "fanuc" },
+    "units": { "description": "Units of the setup, of the results, and of programs before G20 or G21.", "enum": ["mm", "inch"], "default": "mm" },
+    "axes": {
+      "description": "Controlled axes 1, 2, 3, …: the numbers that parameters such as 19681 mean.",
+      "type": "array", "items": { "enum": ["A", "B", "C", "U", "V", "W", "X", "Y", "Z"] },
+      "minItems": 1, "maxItems": 9, "uniqueItems": true, "default": ["X", "Y", "Z"]
+    },
+    "increment": { "description": "Increment system: what one unit of a number without point is, with 3401#0 = 0.", "enum": ["IS-A", "IS-B", "IS-C"], "default": "IS-B" },
+    "cutter_compensation": { "description": "Type of cutter compensation (chapter 14.4).", "enum": ["B", "C"], "default": "C" },
+    "block_skip": { "description": "Blocks that begin with / are skipped.", "type": "boolean", "default": false },
+    "parameters": {
+      "description": "Parameters by number, bits by number#bit.",
+      "type": "object", "additionalProperties": false,
+      "patternProperties": {
+        "^(0|[1-9][0-9]{0,4})$": { "$ref": "#/$defs/decimal" },
+        "^(0|[1-9][0-9]{0,4})#[0-7]$": { "enum": [0, 1, "0", "1", false, true] }
+      }
+    },
+    "offsets": {
+      "description": "Tool offset memory.",
+      "type": "object", "additionalProperties": false,
+      "properties": {
+        "memory": { "description": "A: one value an entry; B: geometry and wear; C: the same, H and D apart. Default: A if all entries are plain numbers, else C.", "enum": ["A", "B", "C"] },
+        "count": { "description": "Number of entries.", "type": "integer", "minimum": 1, "maximum": 999, "default": 400 },
+        "H": { "$ref": "#/$defs/entries" },
+        "D": { "$ref": "#/$defs/entries" }
+      }
+    },
+    "workpiece": {
+      "description": "Workpiece origins in machine coordinates.",
+      "type": "object", "additionalProperties": false,
+      "properties": {
+        "G54": { "$ref": "#/$defs/axis_values" }, "G55": { "$ref": "#/$defs/axis_values" }, "G56": { "$ref": "#/$defs/axis_values" },
+        "G57": { "$ref": "#/$defs/axis_values" }, "G58": { "$ref": "#/$defs/axis_values" }, "G59": { "$ref": "#/$defs/axis_values" }
+      }
+    },
+    "position": { "description": "Where the program starts: workpiece coordinates without offsets, 0 where not given.", "$ref": "#/$defs/axis_values" },
+    "reference": {
+      "description": "Reference points 1 to 4 (G28, G30) and the floating one (G30.1) in machine coordinates.",
+      "type": "object", "additionalProperties": false,
+      "properties": {
+        "1": { "$ref": "#/$defs/axis_values" }, "2": { "$ref": "#/$defs/axis_values" }, "3": { "$ref": "#/$defs/axis_values" },
+        "4": { "$ref": "#/$defs/axis_values" }, "floating": { "$ref": "#/$defs/axis_values" }
+      }
+    },
+    "measurement": { "description": "G37: where the approach-end signal comes on, in workpiece coordinates without offsets.", "$ref": "#/$defs/axis_values" }
+  },
+  "$defs": {
+    "decimal": {
+      "oneOf": [
+        { "type": "number" },
+        { "type": "string", "pattern": "^[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)$" }
+      ]
+    },
+    "entries": {
+      "description": "By offset number, in the units of the setup.",
+      "type": "object", "additionalProperties": false,
+      "patternProperties": {
+        "^[1-9][0-9]{0,2}$": {
+          "oneOf": [
+            { "$ref": "#/$defs/decimal" },
+            {
+              "type": "object", "additionalProperties": false,
+              "properties": { "geometry": { "$ref": "#/$defs/decimal" }, "wear": { "$ref": "#/$defs/decimal" } }
+            }
+          ]
+        }
+      }
+    },
+    "axis_values": {
+      "description": "By axis letter: the units of the setup, degrees for A, B and C.",
+      "type": "object", "additionalProperties": false,
+      "patternProperties": { "^[ABCUVWXYZ]$": { "$ref": "#/$defs/decimal" } }
+    }
+  }
+}
+)schema";
+}
+
+}  // namespace toolcomp::spec

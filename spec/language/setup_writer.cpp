@@ -1,0 +1,160 @@
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::spec {
+namespace {
+
+constexpr std::array<std::string_view, 2> kControls = {"fanuc", "heidenhain"};
+constexpr std::array<std::string_view, 2> kUnits = {"mm", "inch"};
+constexpr std::array<std::string_view, 3> kIncrements = {"IS-A", "IS-B", "IS-C"};
+constexpr std::array<std::string_view, 2> kTypes = {"B", "C"};
+constexpr std::array<std::string_view, 3> kMemories = {"A", "B", "C"};
+
+enum class Format : std::uint8_t { toml, json };
+using Pair = std::pair<std::string, std::string>;  // key and value, both as text of the format
+
+template <std::size_t N, class Enum>
+std::string name(const std::array<std::string_view, N>& names, Enum value) {
+  return '"' + std::string(names[static_cast<std::size_t>(value)]) + '"';
+}
+
+// Integers plain, everything else quoted, so that no reader of TOML or JSON makes a double of it.
+std::string number(const Decimal& value) {
+  std::string text = to_string(value);
+  if (value.is_integer() && !value.point && !(value.negative && value.is_zero())) return text;
+  const std::size_t first = value.negative ? 1 : 0;
+  if (text[first] == '.') text.insert(first, 1, '0');
+  return '"' + text + '"';
+}
+
+std::string entry(const OffsetEntry& value, Format format) {
+  if (value.wear == Decimal{}) return number(value.geometry);
+  if (format == Format::json)
+    return R"({"geometry":)" + number(value.geometry) + R"(,"wear":)" + number(value.wear) + '}';
+  return "{ geometry = " + number(value.geometry) + ", wear = " + number(value.wear) + " }";
+}
+
+// A table of the setup. Empty ones are not written.
+struct Table {
+  std::string group;  // "offsets" of [offsets.H]; empty for [parameters]
+  std::string name;
+  std::vector<Pair> pairs;
+};
+
+std::vector<Table> tables(const Setup& setup, Format format) {
+  std::vector<Table> list;
+  const auto add = [&list](std::string group, std::string title, std::vector<Pair> pairs) {
+    if (!pairs.empty()) list.push_back({std::move(group), std::move(title), std::move(pairs)});
+  };
+  const auto key = [format](const std::string& text, bool bare) {
+    return format == Format::toml && bare ? text : '"' + text + '"';
+  };
+  const auto entries = [&](const std::map<std::uint32_t, OffsetEntry>& memory) {
+    std::vector<Pair> pairs;
+    for (const auto& [index, value] : memory)
+      pairs.emplace_back(key(std::to_string(index), true), entry(value, format));
+    return pairs;
+  };
+  const auto axes = [&](const AxisTable& table) {
+    std::vector<Pair> pairs;
+    for (const auto& [letter, value] : table) pairs.emplace_back(key(std::string(1, letter), true), number(value));
+    return pairs;
+  };
+
+  std::vector<Pair> parameters;
+  for (const auto& [id, value] : setup.parameters) {
+    const std::string bit = id.bit < 0 ? std::string() : '#' + std::to_string(id.bit);
+    parameters.emplace_back(key(std::to_string(id.number) + bit, bit.empty()), number(value));
+  }
+  add("", "parameters", std::move(parameters));
+  add("offsets", "H", entries(setup.h));
+  add("offsets", "D", entries(setup.d));
+  for (std::size_t i = 0; i < setup.workpiece.size(); ++i)
+    add("workpiece", "G5" + std::to_string(4 + i), axes(setup.workpiece[i]));
+  add("", "position", axes(setup.position));
+  for (const auto& [index, table] : setup.reference) add("reference", std::to_string(index), axes(table));
+  add("reference", "floating", axes(setup.floating_reference));
+  add("", "measurement", axes(setup.measurement));
+  return list;
+}
+
+std::string axis_list(const Axes& axes) {
+  std::string list;
+  for (const char letter : axes.letters()) list += (list.empty() ? "\"" : ",\"") + std::string(1, letter) + '"';
+  return '[' + list + ']';
+}
+
+std::vector<Pair> plain_keys(const Setup& setup) {
+  return {{"control", name(kControls, setup.control)},
+          {"units", name(kUnits, setup.units)},
+          {"axes", axis_list(setup.axes)},
+          {"increment", name(kIncrements, setup.increment)},
+          {"cutter_compensation", name(kTypes, setup.cutter_compensation)},
+          {"block_skip", setup.block_skip ? "true" : "false"}};
+}
+
+// Members of a JSON object, with commas between them.
+class Members {
+ public:
+  void add(std::string_view key, std::string_view value) { add_quoted('"' + std::string(key) + '"', value); }
+  void add_quoted(std::string_view key, std::string_view value) {
+    if (!text_.empty()) text_ += ',';
+    text_.append(key).append(1, ':').append(value);
+  }
+  [[nodiscard]] std::string object() const { return '{' + text_ + '}'; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace
+
+std::string write_setup_toml(const Setup& setup) {
+  std::string text;
+  for (const auto& [key, value] : plain_keys(setup)) text += key + " = " + value + '\n';
+  text += "\n[offsets]\nmemory = " + name(kMemories, setup.memory) + '\n';
+  text += "count = " + std::to_string(setup.offset_count) + '\n';
+  for (const Table& table : tables(setup, Format::toml)) {
+    text += "\n[" + table.group + (table.group.empty() ? "" : ".") + table.name + "]\n";
+    for (const auto& [key, value] : table.pairs) text += key + " = " + value + '\n';
+  }
+  return text;
+}
+
+std::string write_setup_json(const Setup& setup) {
+  Members root;
+  for (const auto& [key, value] : plain_keys(setup)) root.add(key, value);
+  const std::vector<Table> all = tables(setup, Format::json);
+  const auto object = [](const Table& table) {
+    Members members;
+    for (const auto& [key, value] : table.pairs) members.add_quoted(key, value);
+    return members.object();
+  };
+  const auto group = [&](std::string_view title, Members members, bool always) {
+    bool any = always;
+    for (const Table& table : all)
+      if (table.group == title) members.add(table.name, object(table)), any = true;
+    if (any) root.add(title, members.object());
+  };
+  const auto single = [&](std::string_view title) {
+    for (const Table& table : all)
+      if (table.group.empty() && table.name == title) root.add(title, object(table));
+  };
+  Members offsets;
+  offsets.add("memory", name(kMemories, setup.memory));
+  offsets.add("count", std::to_string(setup.offset_count));
+  single("parameters");
+  group("offsets", offsets, true);
+  group("workpiece", {}, false);
+  single("position");
+  group("reference", {}, false);
+  single("measurement");
+  return root.object();
+}
+
+}  // namespace toolcomp::spec
