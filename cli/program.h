@@ -1,9 +1,11 @@
 // What a verb works on: a case or a program with its setup, read from the files named on the command line.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
+#include <string_view>
 
 #include "spec/language/case.h"
 #include "spec/language/program_reader.h"

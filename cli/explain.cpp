@@ -1,0 +1,163 @@
+// toolcomp explain: block by block, the clauses applied, each decision with its exact value and the double nearest to it.
+#include <fmt/format.h>
+
+#include <deque>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "cli/program.h"
+#include "cli/verbs.h"
+#include "fast/engine.h"
+#include "fast/print.h"
+#include "model/engine.h"
+#include "model/print.h"
+#include "spec/language/event_format.h"
+
+namespace toolcomp::cli {
+namespace {
+
+template <class Number>
+struct Collector final : spec::EventSink<Number> {
+  std::vector<spec::Event<Number>> events;
+  void on(const spec::Event<Number>& event) override { events.push_back(event); }
+};
+
+std::string_view outcome_text(const spec::ClauseInfo& clause, exact::Sign outcome) {
+  switch (outcome) {
+    case exact::Sign::positive: return clause.positive;
+    case exact::Sign::negative: return clause.negative;
+    case exact::Sign::zero: return clause.tie;
+  }
+  return {};
+}
+
+std::string_view comparison(exact::Sign outcome) {
+  switch (outcome) {
+    case exact::Sign::positive: return "> 0";
+    case exact::Sign::negative: return "< 0";
+    case exact::Sign::zero: return "= 0";
+  }
+  return {};
+}
+
+std::string exact_text(const exact::Real& value, int digits) {
+  std::string text;
+  model::append_number(text, value, digits);
+  if (value.is_rational() && text.size() > 1) {
+    const std::string fraction = value.rational().str();
+    if (fraction.size() <= 40 && fraction.find('/') != std::string::npos) text += " = " + fraction;
+    return text;
+  }
+  return text;
+}
+
+void print_clause(const spec::ClauseInfo& clause) {
+  fmt::print("    {}  [{}]\n      {}\n", clause.id,
+             clause.kind == spec::ClauseKind::open ? "open: our definition" : clause.provenance, clause.text);
+  if (!clause.formula.empty()) fmt::print("      {}\n", clause.formula);
+}
+
+void print_decision(const model::Decision& decision, int digits) {
+  const spec::ClauseInfo& clause = spec::info(decision.clause);
+  fmt::print("  decision {}\n      {}\n", clause.id, clause.text);
+  if (!clause.formula.empty()) fmt::print("      {}\n", clause.formula);
+  fmt::print("      exact   {} {}\n", exact_text(decision.quantity, digits), comparison(decision.outcome));
+  const exact::DoubleEnclosure enclosure = decision.quantity.double_enclosure();
+  fmt::print("      double  {:.17g}\n", enclosure.lower / 2 + enclosure.upper / 2);
+  if (decision.scale.sign() == exact::Sign::positive)
+    fmt::print("      margin  {} of the scale {}\n", exact_text(decision.quantity / decision.scale, digits),
+               exact_text(decision.scale, digits));
+  const std::string_view meaning = outcome_text(clause, decision.outcome);
+  if (!meaning.empty()) fmt::print("      so      {}\n", meaning);
+}
+
+// Everything explained about one program, printed in the order of its blocks.
+class Explanation {
+ public:
+  Explanation(const Program& program, const ExplainOptions& options) : options_(options), axes_(program.setup().axes) {
+    model::Recorder recorder(true);
+    Collector<exact::Real> exact_events;
+    Collector<double> fast_events;
+    model::Engine model(program.setup(), recorder, exact_events);
+    fast::Engine fast(program.setup(), fast_events);
+    spec::ProgramReader reader = program.reader();
+    spec::Block block;
+    while (!model.stopped() && reader.next(block)) {
+      blocks_.push_back({block.line, block.n, block.alarm ? std::string() : to_string(block)});
+      model.block(block);
+      fast.block(block);
+    }
+    model.end();
+    fast.end();
+    decisions_ = recorder.decisions();
+    exact_ = std::move(exact_events.events);
+    fast_ = std::move(fast_events.events);
+  }
+
+  int print() const {
+    bool found = false;
+    for (const Source& source : blocks_) {
+      if (!wanted(source)) continue;
+      found = true;
+      print_block(source);
+    }
+    if (found) return kAgrees;
+    std::cerr << "no block has this sequence number or stands on this line\n";
+    return kBadInput;
+  }
+
+ private:
+  struct Source {
+    std::uint64_t line = 0;
+    std::optional<std::uint64_t> n;
+    std::string text;
+  };
+
+  [[nodiscard]] bool wanted(const Source& source) const {
+    if (!options_.block) return true;
+    bool numbered = false;
+    for (const Source& other : blocks_) numbered = numbered || other.n == options_.block;
+    return numbered ? source.n == options_.block : source.line == *options_.block;
+  }
+
+  void print_block(const Source& source) const {
+    fmt::print("line {}: {}\n", source.line, source.text);
+    for (const model::Decision& decision : decisions_)
+      if (decision.line == source.line) print_decision(decision, options_.digits);
+    for (const auto& event : exact_) {
+      if (event.line != source.line) continue;
+      std::string text;
+      spec::append_event_json(text, event, axes_, [this](std::string& out, const exact::Real& value) {
+        model::append_number(out, value, options_.digits);
+      });
+      fmt::print("  exact   {}", text);
+      if (event.kind == spec::EventKind::alarm || event.kind == spec::EventKind::warning) fmt::print("          {}\n", event.message);
+      if (event.clauses.size > 0) fmt::print("  clauses applied\n");
+      for (std::size_t i = 0; i < event.clauses.size; ++i) print_clause(spec::info(event.clauses.clause[i]));
+    }
+    for (const auto& event : fast_) {
+      if (event.line != source.line) continue;
+      std::string text;
+      spec::append_event_json(text, event, axes_, [](std::string& out, double value) { fast::append_number(out, value); });
+      fmt::print("  double  {}", text);
+    }
+    fmt::print("\n");
+  }
+
+  const ExplainOptions& options_;
+  spec::Axes axes_;
+  std::vector<Source> blocks_;
+  std::vector<model::Decision> decisions_;
+  std::vector<spec::Event<exact::Real>> exact_;
+  std::vector<spec::Event<double>> fast_;
+};
+
+}  // namespace
+
+int explain(const ExplainOptions& options) {
+  const Program program(options.program, options.setup);
+  return Explanation(program, options).print();
+}
+
+}  // namespace toolcomp::cli

@@ -1,0 +1,86 @@
+#include "cli/program.h"
+
+#include <array>
+#include <filesystem>
+#include <iostream>
+
+#include "spec/language/byte_source.h"
+#include "spec/language/case_format.h"
+#include "spec/language/input_error.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_json(const std::string& path) { return fs::path(path).extension() == ".json"; }
+
+// A program begins with anything but `{`; blanks and line feeds may stand before it.
+bool begins_with_brace(const std::string& path) {
+  const auto source = spec::file_source(path);
+  std::array<char, 4096> buffer{};
+  const std::size_t size = source->read(buffer.data(), buffer.size());
+  for (std::size_t i = 0; i < size; ++i)
+    if (std::string_view(" \t\r\n").find(buffer[i]) == std::string_view::npos) return buffer[i] == '{';
+  return false;
+}
+
+std::string setup_beside(const std::string& path) {
+  const fs::path beside = fs::path(path).parent_path() / "setup.toml";
+  if (path == "-" || !fs::exists(beside))
+    throw spec::InputError(path, 0, 0, "a program needs --setup, or a setup.toml beside it");
+  return beside.string();
+}
+
+}  // namespace
+
+spec::Setup read_setup(const std::string& path) {
+  const std::string text = spec::read_file(path);
+  return is_json(path) ? spec::read_setup_json(text, path) : spec::read_setup_toml(text, path);
+}
+
+Program::Program(const std::string& path, const std::string& setup) : path_(path) {
+  // Standard input cannot be looked at twice: it is always a program.
+  is_case_ = path != "-" && begins_with_brace(path);
+  if (is_case_) {
+    if (!setup.empty()) throw spec::InputError(path, 0, 0, "a case brings its own setup; leave out --setup");
+    case_ = spec::read_case(spec::read_file(path), path);
+  } else {
+    case_.setup = read_setup(setup.empty() ? setup_beside(path) : setup);
+    case_.id = path;
+  }
+}
+
+spec::ProgramReader Program::reader() const {
+  auto source = is_case_ ? spec::text_source(case_.program) : spec::file_source(path_);
+  return {std::move(source), case_.setup.axes, {.file = spec::display_name(path_), .block_skip = case_.setup.block_skip}};
+}
+
+spec::Case Program::as_case() const {
+  spec::Case whole = case_;
+  if (!is_case_) whole.program = spec::read_file(path_);
+  return whole;
+}
+
+void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t column, std::string_view number,
+                  std::string_view message) {
+  std::cerr << spec::display_name(file) << ':' << line << ':' << column << ": " << number;
+  if (!message.empty()) std::cerr << ' ' << message;
+  std::cerr << '\n';
+}
+
+void RecentBlocks::add(const spec::Block& block) {
+  const std::uint64_t column = block.alarm ? block.alarm->column : block.size > 0 ? block.word[0].column : 1;
+  places_[next_++ % places_.size()] = {block.line, column};
+}
+
+std::uint64_t RecentBlocks::column(std::uint64_t line) const {
+  // The latest block of the line: an alarm ends the run, so no block behind the one at fault was read for it, except
+  // within the look-ahead.
+  for (std::size_t i = next_; i > 0 && next_ - i < places_.size(); --i)
+    if (const Place& place = places_[(i - 1) % places_.size()]; place.line == line) return place.column;
+  return 1;
+}
+
+}  // namespace toolcomp::cli

@@ -1,0 +1,115 @@
+// toolcomp run: the events of one program, as they come.
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "certify/path_svg.h"
+#include "cli/program.h"
+#include "cli/verbs.h"
+#include "fast/engine.h"
+#include "fast/print.h"
+#include "model/engine.h"
+#include "model/print.h"
+#include "spec/language/event_format.h"
+
+namespace toolcomp::cli {
+namespace {
+
+// Prints each event as it comes; an alarm also on standard error, with its place in the file.
+template <class Number, class AppendNumber>
+class Printer final : public spec::EventSink<Number> {
+ public:
+  Printer(const Program& program, Format format, AppendNumber append)
+      : program_(program), format_(format), append_(std::move(append)) {
+    if (format_ == Format::csv) spec::append_csv_header(buffer_, program_.setup().axes);
+  }
+  ~Printer() override { flush(); }
+  Printer(const Printer&) = delete;
+  Printer& operator=(const Printer&) = delete;
+
+  void on(const spec::Event<Number>& event) override {
+    const spec::Axes& axes = program_.setup().axes;
+    switch (format_) {
+      case Format::jsonl: spec::append_event_json(buffer_, event, axes, append_); break;
+      case Format::csv: spec::append_event_csv(buffer_, event, axes, append_); break;
+      case Format::gcode: spec::append_event_gcode(buffer_, event, axes, append_); break;
+      case Format::svg: break;
+    }
+    if (buffer_.size() > kFlushAt) flush();
+    if (event.kind == spec::EventKind::undecided) undecided_ = true;
+    if (event.kind != spec::EventKind::alarm) return;
+    flush();
+    std::cout.flush();
+    report_alarm(program_.path(), event.line, recent_.column(event.line), event.number.view(), event.message);
+  }
+
+  void reading(const spec::Block& block) { recent_.add(block); }
+  void flush() {
+    std::cout.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+  }
+  [[nodiscard]] int status() const { return undecided_ ? kUndecided : kAgrees; }
+
+ private:
+  static constexpr std::size_t kFlushAt = std::size_t{1} << 16U;
+  const Program& program_;
+  Format format_;
+  AppendNumber append_;
+  std::string buffer_;
+  RecentBlocks recent_;
+  bool undecided_ = false;
+};
+
+template <class Engine, class Sink>
+void feed(const Program& program, Engine& engine, Sink& sink) {
+  spec::ProgramReader reader = program.reader();
+  spec::Block block;
+  try {
+    while (!engine.stopped() && reader.next(block)) {
+      sink.reading(block);
+      engine.block(block);
+    }
+  } catch (...) {
+    // The events before the bytes that could not be read stand.
+    sink.flush();
+    throw;
+  }
+  engine.end();
+  sink.flush();
+}
+
+template <class Engine, class Number>
+struct Collector final : spec::EventSink<Number> {
+  std::vector<spec::Event<Number>> events;
+  void on(const spec::Event<Number>& event) override { events.push_back(event); }
+  void reading(const spec::Block&) {}
+  void flush() {}
+};
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const Program program(options.program, options.setup);
+  if (options.engine == EngineName::fast) {
+    const auto append = [](std::string& out, double value) { fast::append_number(out, value); };
+    if (options.format == Format::svg) {
+      Collector<fast::Engine, double> sink;
+      fast::Engine engine(program.setup(), sink);
+      feed(program, engine, sink);
+      std::cout << certify::path_svg(sink.events, program.setup().axes) << '\n';
+      return kAgrees;
+    }
+    Printer<double, decltype(append)> sink(program, options.format, append);
+    fast::Engine engine(program.setup(), sink);
+    feed(program, engine, sink);
+    return sink.status();
+  }
+  model::Recorder recorder;
+  const auto append = [&options](std::string& out, const exact::Real& value) { model::append_number(out, value, options.digits); };
+  Printer<exact::Real, decltype(append)> sink(program, options.format, append);
+  model::Engine engine(program.setup(), recorder, sink);
+  feed(program, engine, sink);
+  return sink.status();
+}
+
+}  // namespace toolcomp::cli

@@ -1,0 +1,88 @@
+// The rules of the house that a compiler does not enforce: who may include whom, and where doubles and tolerances live.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kSource = TOOLCOMP_SOURCE_DIR;
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// Comments and string literals blanked, so that only code is searched.
+std::string code_of(const std::string& text) {
+  static const std::regex kNoise(R"(//[^\n]*|/\*[\s\S]*?\*/|"(\\.|[^"\\\n])*")");
+  return std::regex_replace(text, kNoise, " ");
+}
+
+std::vector<fs::path> sources(const std::string& room) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(kSource / room)) {
+    const std::string extension = entry.path().extension();
+    if (extension == ".h" || extension == ".cpp" || extension == ".c" || extension == ".inc") files.push_back(entry.path());
+  }
+  return files;
+}
+
+TEST(Architecture, DependenciesRunOneWay) {
+  const std::map<std::string, std::set<std::string>> allowed{
+      {"spec", {"spec"}},
+      {"model", {"model", "spec"}},
+      {"fast", {"fast", "spec"}},
+      {"fuzz", {"fuzz", "model", "fast", "spec"}},
+      {"corpus", {"corpus", "fuzz", "model", "fast", "spec"}},
+      {"certify", {"certify", "corpus", "fuzz", "model", "fast", "spec"}},
+      {"cli", {"cli", "certify", "corpus", "fuzz", "model", "fast", "spec"}}};
+  const std::regex include(R"re(#include "([a-z_]+)/)re");
+  std::size_t seen = 0;
+  for (const auto& [room, rooms] : allowed) {
+    for (const fs::path& file : sources(room)) {
+      const std::string text = read(file);
+      for (auto it = std::sregex_iterator(text.begin(), text.end(), include); it != std::sregex_iterator(); ++it) {
+        ++seen;
+        EXPECT_TRUE(rooms.contains((*it)[1].str())) << file << " includes " << (*it)[1].str();
+      }
+    }
+  }
+  EXPECT_GT(seen, 100U);
+}
+
+TEST(Architecture, SpecificationOfLanguageDoesNotKnowMeaning) {
+  for (const fs::path& file : sources("spec/language"))
+    EXPECT_EQ(read(file).find("boost/multiprecision"), std::string::npos) << file << ": syntax does no arithmetic";
+}
+
+// Nothing in the model passes through double. The one way out is model/exact's enclosure rounded outwards.
+TEST(Architecture, ModelHasNoDoubles) {
+  const std::regex floating(R"(\b(double|float)\b)");
+  const std::set<std::string> ways_out{"real.h", "real.cpp", "interval.h", "interval.cpp"};
+  for (const fs::path& file : sources("model")) {
+    if (file.parent_path().filename() == "exact" && ways_out.contains(file.filename())) continue;
+    EXPECT_FALSE(std::regex_search(code_of(read(file)), floating)) << file;
+  }
+}
+
+// Tolerances stand in the one policy table and nowhere else.
+TEST(Architecture, NoToleranceOutsideThePolicy) {
+  const std::regex small_literal(R"([0-9.]e-[0-9]+|0x1p-)");
+  for (const std::string room : {"fuzz", "certify", "corpus", "cli"}) {
+    for (const fs::path& file : sources(room)) {
+      if (file.filename() == "policy.h") continue;
+      EXPECT_FALSE(std::regex_search(code_of(read(file)), small_literal)) << file;
+    }
+  }
+}
+
+}  // namespace
