@@ -37,9 +37,9 @@ struct Node;  // pooled, one thread
 // A value. Cheap to copy (a counted reference into a pool of one thread; values do not cross threads).
 class Real {
  public:
-  Real();                          // 0
-  Real(int value);                 // NOLINT(google-explicit-constructor)
-  Real(const Rational& value);     // NOLINT(google-explicit-constructor)
+  Real();                       // 0
+  Real(int value);              // NOLINT(google-explicit-constructor)
+  Real(const Rational& value);  // NOLINT(google-explicit-constructor)
   Real(const Real&);
   Real(Real&&) noexcept;
   Real& operator=(const Real&);

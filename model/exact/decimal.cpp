@@ -1,0 +1,132 @@
+// What is read out of a value: bounds, doubles and decimals.
+#include <utility>
+
+#include "model/exact/node.h"
+#include "model/exact/refinement.h"
+
+namespace toolcomp::exact {
+namespace {
+
+// Bounds are for people and verdicts, never for decisions: they may cost more than a decision.
+constexpr std::int64_t readout_work = 2'000'000;
+constexpr mpfr_prec_t greatest_readout_precision = mpfr_prec_t{1} << 18;
+
+Rational rational_of(const mpfr_t x) {
+  Rational result;
+  mpfr_get_q(result.backend().data(), x);
+  return result;
+}
+
+bool is_finite(const Interval& x) { return mpfr_number_p(x.lower) != 0 && mpfr_number_p(x.upper) != 0; }
+
+// Whether the width is at most 2^-bits of the size.
+bool is_narrow(const Interval& x, int bits) {
+  if (!is_finite(x)) return false;
+  if (mpfr_equal_p(x.lower, x.upper) != 0) return true;
+  if (mpfr_sgn(x.lower) <= 0 && mpfr_sgn(x.upper) >= 0) return false;
+  HeapInterval width(x.precision());
+  mpfr_sub(width.upper, x.upper, x.lower, MPFR_RNDU);
+  mpfr_mul_2si(width.upper, width.upper, bits, MPFR_RNDU);
+  return mpfr_cmpabs(width.upper, x.lower) <= 0 && mpfr_cmpabs(width.upper, x.upper) <= 0;
+}
+
+// The best enclosure to be had, of relative width 2^-bits if the work reaches. The node is no rational.
+const Interval& narrowed(Node& node, int bits) {
+  if (is_narrow(node.enclosure, bits)) return node.enclosure;
+  Work work(readout_work);
+  try {
+    for (mpfr_prec_t precision = 2 * base_precision; precision <= greatest_readout_precision; precision *= 2) {
+      if (node.refined && is_narrow(*node.refined, bits)) break;
+      refine(node, precision, work);
+    }
+  } catch (const OutOfWork&) {
+    // What there is encloses the value, too.
+  }
+  return node.best_enclosure();
+}
+
+Rational power_of_ten(int exponent) {
+  Rational result = 1;
+  mpz_ui_pow_ui(mpq_numref(result.backend().data()), 10, static_cast<unsigned long>(exponent));
+  return result;
+}
+
+Integer floor(const Rational& x) {
+  Integer result;
+  mpz_fdiv_q(result.backend().data(), mpq_numref(x.backend().data()), mpq_denref(x.backend().data()));
+  return result;
+}
+
+Integer half_to_even(const Rational& x) {
+  const Rational shifted = x + Rational(1, 2);
+  Integer n = floor(shifted);
+  if (Rational(n) == shifted && n % 2 != 0) n -= 1;
+  return n;
+}
+
+// x rounded to the nearest integer, ties to even.
+Integer rounded(const Real& x) {
+  if (x.is_rational()) return half_to_even(x.rational());
+  Node& node = *Node::of(x);
+  const auto shifted_floor = [](const mpfr_t end) { return floor(rational_of(end) + Rational(1, 2)); };
+  Work work(readout_work);
+  try {
+    for (mpfr_prec_t precision = base_precision; precision <= greatest_readout_precision; precision *= 2) {
+      if (precision > base_precision) refine(node, precision, work);
+      const Interval& bounds = node.best_enclosure();
+      if (!is_finite(bounds)) continue;
+      const Integer low = shifted_floor(bounds.lower);
+      const Integer high = shifted_floor(bounds.upper);
+      // In between, or at, a tie lies that the value may be; it is decided once nothing else can be.
+      if (low == high && Rational(low) - Rational(1, 2) != rational_of(bounds.lower)) return low;
+      if (high - low <= 1) {
+        const Rational tie = Rational(high) - Rational(1, 2);
+        switch ((x - Real(tie)).sign()) {
+          case Sign::negative:
+            return high - 1;
+          case Sign::positive:
+            return high;
+          case Sign::zero:
+            return half_to_even(tie);
+        }
+      }
+    }
+  } catch (const OutOfWork&) {
+    // Undecided.
+  }
+  throw Undecided();
+}
+
+std::string digits_of(Integer scaled, int digits) {
+  const bool negative = scaled < 0;
+  if (negative) scaled = -scaled;
+  std::string text = scaled.str();
+  const auto places = static_cast<std::size_t>(digits);
+  if (places > 0) {
+    if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
+    text.insert(text.size() - places, 1, '.');
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return negative ? "-" + text : text;
+}
+
+}  // namespace
+
+Enclosure Real::enclosure(int bits) const {
+  if (is_rational() || try_decide(*node_) == Sign::zero) return {rational(), rational()};
+  const Interval& bounds = narrowed(*node_, bits);
+  if (!is_finite(bounds)) throw Undecided();
+  return {rational_of(bounds.lower), rational_of(bounds.upper)};
+}
+
+DoubleEnclosure Real::double_enclosure() const {
+  if (node_ == nullptr) return {};
+  if (!is_rational()) try_decide(*node_);
+  const Interval& bounds = is_rational() ? node_->base_enclosure() : narrowed(*node_, 64);
+  return {mpfr_get_d(bounds.lower, MPFR_RNDD), mpfr_get_d(bounds.upper, MPFR_RNDU)};
+}
+
+std::string Real::decimal(int digits) const { return digits_of(rounded(*this * Real(power_of_ten(digits))), digits); }
+
+}  // namespace toolcomp::exact

@@ -1,0 +1,118 @@
+#include "model/exact/node.h"
+
+#include <flint/flint.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace toolcomp::exact {
+namespace {
+
+constexpr std::size_t chunk_nodes = 128;
+// Larger rationals give their limbs back when a node is released.
+constexpr int kept_limbs = 16;
+
+struct Chunk {
+  std::array<Node, chunk_nodes> nodes;
+  Chunk* previous = nullptr;
+};
+
+// Trivial, so that reaching it costs no initialization check and it outlives every value of the thread.
+struct Pool {
+  Node* free = nullptr;
+  Chunk* chunks = nullptr;
+  std::size_t live = 0;
+  std::uint64_t visit = 0;
+};
+constinit thread_local Pool pool;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
+// Gives back at the end of a thread what the thread's pool and the caches of MPFR and FLINT hold. Values that live
+// longer (they may, in static storage) keep the pool alive.
+struct ThreadEnd {
+  ThreadEnd() = default;
+  ThreadEnd(const ThreadEnd&) = delete;
+  ThreadEnd& operator=(const ThreadEnd&) = delete;
+  ThreadEnd(ThreadEnd&&) = delete;
+  ThreadEnd& operator=(ThreadEnd&&) = delete;
+  ~ThreadEnd() {
+    flint_cleanup();
+    mpfr_free_cache();
+    if (pool.live != 0) return;
+    pool.free = nullptr;
+    while (pool.chunks != nullptr) delete std::exchange(pool.chunks, pool.chunks->previous);
+  }
+};
+
+void grow() {
+  thread_local const ThreadEnd at_end;
+  auto* const chunk = new Chunk;
+  chunk->previous = std::exchange(pool.chunks, chunk);
+  for (Node& node : chunk->nodes) node.next = std::exchange(pool.free, &node);
+}
+
+void trim(mpz_ptr z) {
+  if (z->_mp_alloc <= kept_limbs) return;
+  mpz_set_ui(z, 1);
+  mpz_realloc2(z, GMP_NUMB_BITS);
+}
+
+}  // namespace
+
+Node::Node() { mpq_init(value); }
+Node::~Node() { mpq_clear(value); }
+
+const Interval& Node::base_enclosure() {
+  if (!enclosed) {
+    set(enclosure, value);
+    enclosed = true;
+  }
+  return enclosure;
+}
+
+void Node::become_zero() {
+  Node* const operands[] = {std::exchange(left, nullptr), std::exchange(right, nullptr)};
+  for (Node* operand : operands)
+    if (operand != nullptr) release(operand);
+  refined.reset();
+  kind = Kind::rational;
+  mpq_set_ui(value, 0, 1);
+  set(enclosure, value);
+  enclosed = true;
+}
+
+Node* new_node(Kind kind) {
+  if (pool.free == nullptr) grow();
+  Node* const node = std::exchange(pool.free, pool.free->next);
+  ++pool.live;
+  node->references = 1;
+  node->kind = kind;
+  node->knowledge = Knowledge::none;
+  node->enclosed = false;
+  node->left = nullptr;
+  node->right = nullptr;
+  return node;
+}
+
+void release(Node* node) noexcept {
+  if (--node->references != 0) return;
+  node->next = nullptr;
+  // Nodes whose count fell to zero, linked by `next`, wait here for their operands to be dropped.
+  Node* waiting = node;
+  while (waiting != nullptr) {
+    Node* const dead = std::exchange(waiting, waiting->next);
+    for (Node* operand : {dead->left, dead->right})
+      if (operand != nullptr && --operand->references == 0) operand->next = std::exchange(waiting, operand);
+    dead->refined.reset();
+    trim(mpq_numref(dead->value));
+    trim(mpq_denref(dead->value));
+    dead->next = std::exchange(pool.free, dead);
+    --pool.live;
+  }
+}
+
+std::uint64_t new_visit() { return pool.visit += 2; }
+
+std::size_t live_nodes() { return pool.live; }
+
+}  // namespace toolcomp::exact

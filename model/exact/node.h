@@ -1,0 +1,97 @@
+// The nodes behind Real: rationals and operations on other nodes, pooled and reference-counted within one thread.
+#pragma once
+
+#include <gmp.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "model/exact/interval.h"
+
+namespace toolcomp::exact {
+
+enum class Kind : std::uint8_t { rational, sine, cosine, negation, sum, difference, product, quotient, root };
+
+/// What is known of a node's sign beyond its enclosure.
+enum class Knowledge : std::uint8_t { none, negative, positive, nonzero, undecided };
+
+/// One value. Rational 0 is the null pointer; a node proven zero becomes a rational with value 0.
+struct Node {
+  std::uint32_t references = 0;
+  Kind kind = Kind::rational;
+  Knowledge knowledge = Knowledge::none;
+  bool enclosed = false;    ///< `enclosure` is set (a rational's is made when first needed)
+  std::uint64_t visit = 0;  ///< stamp of the last walk, see operands_first
+  std::size_t index = 0;    ///< place in the last walk's list, for the walker's own use
+  Node* left = nullptr;     ///< operand, counted
+  Node* right = nullptr;    ///< second operand, counted; the factor of a square is both
+  Node* next = nullptr;     ///< in the free list
+  mpq_t value;  ///< the rational, or the degrees of a sine or cosine, between 0 and 90; its limbs are kept for reuse
+  InlineInterval enclosure;
+  std::unique_ptr<HeapInterval> refined;  ///< at a higher precision, once needed
+
+  Node();
+  ~Node();
+  Node(const Node&) = delete;
+  Node& operator=(const Node&) = delete;
+  Node(Node&&) = delete;
+  Node& operator=(Node&&) = delete;
+
+  /// The node of a value (null: rational 0), not counted.
+  static Node* of(const Real& x) { return x.node_; }
+  /// A value that takes over one count of `node`.
+  static Real adopt(Node* node) { return Real(node); }
+  /// A value that adds a count to `node`.
+  static Real share(Node* node) {
+    ++node->references;
+    return Real(node);
+  }
+
+  [[nodiscard]] bool is_rational() const { return kind == Kind::rational; }
+  [[nodiscard]] bool is_zero() const { return is_rational() && mpq_sgn(value) == 0; }
+  /// The enclosure at base_precision, made now for a rational that has none yet.
+  const Interval& base_enclosure();
+  /// The best enclosure at hand.
+  const Interval& best_enclosure() { return refined ? static_cast<const Interval&>(*refined) : base_enclosure(); }
+  /// Replaces an operation that was proven zero by the rational 0.
+  void become_zero();
+};
+
+/// A node out of this thread's pool with one reference and no operands.
+Node* new_node(Kind kind);
+/// Drops one reference; nodes no longer referenced go back to the pool, without recursion.
+void release(Node* node) noexcept;
+
+/// The nodes below and including `root` for which `enter` is true, operands before the nodes that use them, without
+/// recursion. Below a node that is not entered nothing is visited.
+template <class Enter>
+void operands_first(Node* root, std::vector<Node*>& list, Enter enter);
+
+/// A stamp no node carries yet; two are taken: the stamp itself and the one before it.
+std::uint64_t new_visit();
+
+template <class Enter>
+void operands_first(Node* root, std::vector<Node*>& list, Enter enter) {
+  const std::uint64_t done = new_visit();
+  const std::uint64_t entered = done - 1;
+  std::vector<Node*> open{root};
+  while (!open.empty()) {
+    Node* const node = open.back();
+    if (node->visit == done || !enter(*node)) {
+      open.pop_back();
+    } else if (node->visit == entered) {
+      open.pop_back();
+      node->visit = done;
+      node->index = list.size();
+      list.push_back(node);
+    } else {
+      node->visit = entered;
+      for (Node* operand : {node->left, node->right})
+        if (operand != nullptr && operand->visit != done) open.push_back(operand);
+    }
+  }
+}
+
+}  // namespace toolcomp::exact

@@ -1,0 +1,228 @@
+// Construction of values: everything that can be folded to a rational or to a smaller expression is folded here.
+#include "model/exact/real.h"
+
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "model/exact/node.h"
+#include "model/exact/refinement.h"
+#include "model/exact/trigonometry.h"
+
+namespace toolcomp::exact {
+namespace {
+
+bool is_zero(const Node* node) { return node == nullptr || node->is_zero(); }
+bool is_integer(const Node& node, long value) {
+  return node.is_rational() && mpz_cmp_si(mpq_numref(node.value), value) == 0 &&
+         mpz_cmp_ui(mpq_denref(node.value), 1) == 0;
+}
+bool is_negation(const Node& node) { return node.kind == Kind::negation; }
+// A sum or product with a rational operand has it on the left.
+bool has_rational(const Node& node, Kind kind) { return node.kind == kind && node.left->is_rational(); }
+
+// A rational node whose value has just been computed.
+Real settle(Node* node) {
+  if (mpq_sgn(node->value) != 0) return Node::adopt(node);
+  release(node);
+  return {};
+}
+
+Real operation(Kind kind, Node* left, Node* right = nullptr) {
+  Node* const node = new_node(kind);
+  ++left->references;
+  node->left = left;
+  if (right != nullptr) {
+    ++right->references;
+    node->right = right;
+  }
+  enclose(node->enclosure, *node, &left->base_enclosure(), right == nullptr ? nullptr : &right->base_enclosure());
+  node->enclosed = true;
+  return Node::adopt(node);
+}
+
+using RationalOperation = void(mpq_ptr, mpq_srcptr, mpq_srcptr);
+Real fold(RationalOperation* compute, const Node& a, const Node& b) {
+  Node* const node = new_node(Kind::rational);
+  compute(node->value, a.value, b.value);
+  return settle(node);
+}
+
+Real inverse(const Node& rational) {
+  Node* const node = new_node(Kind::rational);
+  mpq_inv(node->value, rational.value);
+  return Node::adopt(node);
+}
+
+// A root that is rational, or none.
+std::optional<Real> rational_root(const Node& radicand) {
+  mpz_srcptr numerator = mpq_numref(radicand.value);
+  mpz_srcptr denominator = mpq_denref(radicand.value);
+  if (mpz_perfect_square_p(numerator) == 0 || mpz_perfect_square_p(denominator) == 0) return std::nullopt;
+  Node* const node = new_node(Kind::rational);
+  mpz_sqrt(mpq_numref(node->value), numerator);
+  mpz_sqrt(mpq_denref(node->value), denominator);
+  return Node::adopt(node);
+}
+
+Real sine_or_cosine(Kind kind, const mpq_t degrees) {
+  // The only rational ones strictly between 0 and 90 degrees.
+  if (mpq_cmp_ui(degrees, kind == Kind::sine ? 30 : 60, 1) == 0) return Rational(1, 2);
+  Node* const node = new_node(kind);
+  mpq_set(node->value, degrees);
+  enclose(node->enclosure, *node, nullptr, nullptr);
+  node->enclosed = true;
+  return Node::adopt(node);
+}
+
+// The angle turned into [0, 90) and the quarter turns taken away, modulo 4.
+struct Quadrant {
+  Rational degrees;
+  int quarter;
+};
+Quadrant quadrant(const Rational& degrees) {
+  const Integer per_quarter = 90 * denominator(degrees);
+  Integer quarters;
+  Integer rest;
+  mpz_fdiv_qr(quarters.backend().data(), rest.backend().data(), mpq_numref(degrees.backend().data()),
+              per_quarter.backend().data());
+  return {degrees - Rational(90 * quarters), static_cast<int>(mpz_fdiv_ui(quarters.backend().data(), 4))};
+}
+
+// cos(90 q + degrees), degrees in [0, 90).
+Real cosine_at(int quarter, const Rational& degrees) {
+  const bool swapped = quarter % 2 != 0;
+  const bool negative = quarter == 1 || quarter == 2;
+  if (degrees.is_zero()) return swapped ? Real() : Real(negative ? -1 : 1);
+  const Real value = sine_or_cosine(swapped ? Kind::sine : Kind::cosine, degrees.backend().data());
+  return negative ? -value : value;
+}
+
+}  // namespace
+
+Real::Real() : node_(nullptr) {}
+Real::Real(int value) : node_(nullptr) {
+  if (value == 0) return;
+  node_ = new_node(Kind::rational);
+  mpq_set_si(node_->value, value, 1);
+}
+Real::Real(const Rational& value) : node_(nullptr) {
+  if (value.is_zero()) return;
+  node_ = new_node(Kind::rational);
+  mpq_set(node_->value, value.backend().data());
+}
+Real::Real(const Real& other) : node_(other.node_) {
+  if (node_ != nullptr) ++node_->references;
+}
+Real::Real(Real&& other) noexcept : node_(std::exchange(other.node_, nullptr)) {}
+Real& Real::operator=(const Real& other) {
+  if (other.node_ != nullptr) ++other.node_->references;
+  if (node_ != nullptr) release(node_);
+  node_ = other.node_;
+  return *this;
+}
+Real& Real::operator=(Real&& other) noexcept {
+  std::swap(node_, other.node_);
+  return *this;
+}
+Real::~Real() {
+  if (node_ != nullptr) release(node_);
+}
+
+Sign Real::sign() const { return node_ == nullptr ? Sign::zero : decide(*node_); }
+bool Real::is_rational() const { return node_ == nullptr || node_->is_rational(); }
+Rational Real::rational() const {
+  Rational result;
+  if (node_ != nullptr) mpq_set(result.backend().data(), node_->value);
+  return result;
+}
+
+Real operator-(const Real& a) {
+  Node* const x = Node::of(a);
+  if (is_zero(x)) return {};
+  if (x->is_rational()) {
+    Node* const node = new_node(Kind::rational);
+    mpq_neg(node->value, x->value);
+    return Node::adopt(node);
+  }
+  if (is_negation(*x)) return Node::share(x->left);
+  return operation(Kind::negation, x);
+}
+
+Real operator+(const Real& a, const Real& b) {
+  Node* x = Node::of(a);
+  Node* y = Node::of(b);
+  if (is_zero(x)) return b;
+  if (is_zero(y)) return a;
+  if (y->is_rational()) std::swap(x, y);
+  if (y->is_rational()) return fold(mpq_add, *x, *y);
+  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_add, *x, *y->left) + Node::share(y->right);
+  if (is_negation(*y)) return x == y->left ? Real() : operation(Kind::difference, x, y->left);
+  if (is_negation(*x)) return x->left == y ? Real() : operation(Kind::difference, y, x->left);
+  return operation(Kind::sum, x, y);
+}
+
+Real operator-(const Real& a, const Real& b) {
+  Node* const x = Node::of(a);
+  Node* const y = Node::of(b);
+  if (x == y) return {};
+  if (is_zero(y)) return a;
+  if (is_zero(x)) return -b;
+  if (y->is_rational()) return x->is_rational() ? fold(mpq_sub, *x, *y) : -b + a;
+  if (is_negation(*y)) return a + Node::share(y->left);
+  return operation(Kind::difference, x, y);
+}
+
+Real operator*(const Real& a, const Real& b) {
+  Node* x = Node::of(a);
+  Node* y = Node::of(b);
+  if (is_zero(x) || is_zero(y)) return {};
+  if (y->is_rational()) std::swap(x, y);
+  if (y->is_rational()) return fold(mpq_mul, *x, *y);
+  if (x->is_rational()) {
+    if (is_integer(*x, 1)) return Node::share(y);
+    if (is_integer(*x, -1)) return -Node::share(y);
+    if (has_rational(*y, Kind::product)) return fold(mpq_mul, *x, *y->left) * Node::share(y->right);
+    if (is_negation(*y)) return -Node::share(x) * Node::share(y->left);
+  }
+  if (x == y && x->kind == Kind::root) return Node::share(x->left);
+  return operation(Kind::product, x, y);
+}
+
+Real operator/(const Real& a, const Real& b) {
+  Node* const x = Node::of(a);
+  Node* const y = Node::of(b);
+  if (b.sign() == Sign::zero) throw std::domain_error("division by zero");
+  if (is_zero(x)) return {};
+  if (x == y) return 1;
+  if (y->is_rational()) return x->is_rational() ? fold(mpq_div, *x, *y) : inverse(*y) * a;
+  return operation(Kind::quotient, x, y);
+}
+
+Real sqrt(const Real& a) {
+  const Sign sign = a.sign();
+  if (sign == Sign::negative) throw std::domain_error("square root of a negative number");
+  if (sign == Sign::zero) return {};
+  Node* const x = Node::of(a);
+  if (x->is_rational())
+    if (auto folded = rational_root(*x)) return *folded;
+  if (x->kind == Kind::product && x->left == x->right)
+    if (auto of_factor = certain_sign(x->left->base_enclosure()))
+      return *of_factor == Sign::negative ? -Node::share(x->left) : Node::share(x->left);
+  return operation(Kind::root, x);
+}
+
+Real cos_degrees(const Rational& degrees) {
+  const Quadrant q = quadrant(degrees);
+  return cosine_at(q.quarter, q.degrees);
+}
+
+Real sin_degrees(const Rational& degrees) {
+  // sin(d) = cos(d - 90).
+  const Quadrant q = quadrant(degrees);
+  return cosine_at((q.quarter + 3) % 4, q.degrees);
+}
+
+Real square(const Real& a) { return a * a; }
+
+}  // namespace toolcomp::exact

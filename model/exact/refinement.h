@@ -1,0 +1,22 @@
+// Enclosures of a whole expression, recomputed at a higher precision.
+#pragma once
+
+#include "model/exact/node.h"
+#include "model/exact/work.h"
+
+namespace toolcomp::exact {
+
+/// Sets the enclosure of an operation from those of its operands.
+void enclose(Interval& result, const Node& node, const Interval* left, const Interval* right);
+
+/// Recomputes `node` and everything below it at `precision`, where not done before, and narrows the enclosures at
+/// base_precision with the result. Throws OutOfWork; what was done until then stays valid.
+void refine(Node& node, mpfr_prec_t precision, Work& work);
+
+/// The certified sign. Throws Undecided.
+Sign decide(Node& node);
+
+/// The certified sign, or none where decide would throw.
+std::optional<Sign> try_decide(Node& node);
+
+}  // namespace toolcomp::exact

@@ -1,0 +1,90 @@
+#include "model/exact/trigonometry.h"
+
+#include <arb.h>
+#include <flint/fmpq.h>
+
+#include <array>
+
+namespace toolcomp::exact {
+namespace {
+
+// Arb's balls carry a radius of 30 bits; with guard bits the ends of the interval lose nothing visible.
+constexpr mpfr_prec_t guard_bits = 16;
+
+// The temporaries of one computation.
+struct Balls {
+  fmpq_t turns;  // half turns
+  arb_t sine;
+  arb_t cosine;
+  Balls() {
+    fmpq_init(turns);
+    arb_init(sine);
+    arb_init(cosine);
+  }
+  ~Balls() {
+    fmpq_clear(turns);
+    arb_clear(sine);
+    arb_clear(cosine);
+  }
+  Balls(const Balls&) = delete;
+  Balls& operator=(const Balls&) = delete;
+  Balls(Balls&&) = delete;
+  Balls& operator=(Balls&&) = delete;
+};
+
+void compute(Interval* sine, Interval* cosine, const mpq_t degrees, mpfr_prec_t precision) {
+  Balls balls;
+  fmpq_set_mpq(balls.turns, degrees);
+  fmpz_t half_turn;
+  fmpz_init_set_ui(half_turn, 180);
+  fmpq_div_fmpz(balls.turns, balls.turns, half_turn);
+  fmpz_clear(half_turn);
+  arb_sin_cos_pi_fmpq(balls.sine, balls.cosine, balls.turns, precision + guard_bits);
+  // Both ends are rounded outwards at the precision of the interval.
+  if (sine != nullptr) arb_get_interval_mpfr(sine->lower, sine->upper, balls.sine);
+  if (cosine != nullptr) arb_get_interval_mpfr(cosine->lower, cosine->upper, balls.cosine);
+}
+
+struct Remembered {
+  mpq_t degrees;
+  InlineInterval sine;
+  InlineInterval cosine;
+  bool used = false;
+  Remembered() { mpq_init(degrees); }
+  ~Remembered() { mpq_clear(degrees); }
+  Remembered(const Remembered&) = delete;
+  Remembered& operator=(const Remembered&) = delete;
+  Remembered(Remembered&&) = delete;
+  Remembered& operator=(Remembered&&) = delete;
+};
+
+const Remembered& remembered(const mpq_t degrees) {
+  // Two rotary axes, before and after a block.
+  constexpr std::size_t angles = 4;
+  thread_local std::array<Remembered, angles> memory;
+  thread_local std::size_t oldest = 0;
+  for (const Remembered& entry : memory)
+    if (entry.used && mpq_equal(entry.degrees, degrees) != 0) return entry;
+  Remembered& entry = memory[oldest];
+  oldest = (oldest + 1) % angles;
+  entry.used = false;
+  compute(&entry.sine, &entry.cosine, degrees, base_precision);
+  mpq_set(entry.degrees, degrees);
+  entry.used = true;
+  return entry;
+}
+
+}  // namespace
+
+void sine_and_cosine(Interval* sine, Interval* cosine, const mpq_t degrees) {
+  const mpfr_prec_t precision = (sine != nullptr ? sine : cosine)->precision();
+  if (precision != base_precision) {
+    compute(sine, cosine, degrees, precision);
+    return;
+  }
+  const Remembered& entry = remembered(degrees);
+  if (sine != nullptr) set(*sine, entry.sine);
+  if (cosine != nullptr) set(*cosine, entry.cosine);
+}
+
+}  // namespace toolcomp::exact

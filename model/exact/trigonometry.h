@@ -1,0 +1,12 @@
+// Enclosures of sines and cosines of rational degrees.
+#pragma once
+
+#include "model/exact/interval.h"
+
+namespace toolcomp::exact {
+
+/// Encloses sin and cos of `degrees` at the precision of the results. Arb computes both together; the last angles are
+/// remembered at base_precision, so that asking for sine and cosine one after the other costs one computation.
+void sine_and_cosine(Interval* sine, Interval* cosine, const mpq_t degrees);
+
+}  // namespace toolcomp::exact
