@@ -1,0 +1,199 @@
+#include "certify/capabilities.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "spec/language/input_error.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::certify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFile = "capabilities";
+
+[[noreturn]] void fail(const std::string& what) { throw spec::InputError(kFile, 0, 0, what); }
+
+std::string text_at(const Json& object, const char* key) {
+  const auto entry = object.find(key);
+  if (entry == object.end() || entry->is_null()) return {};
+  if (!entry->is_string()) fail(std::string(key) + " must be a string");
+  return entry->get<std::string>();
+}
+
+std::vector<std::string> list_at(const Json& object, const char* key) {
+  const auto entry = object.find(key);
+  if (entry == object.end() || entry->is_null()) return {};
+  if (!entry->is_array()) fail(std::string(key) + " must be an array of strings");
+  std::vector<std::string> list;
+  for (const Json& item : *entry) {
+    if (!item.is_string()) fail(std::string(key) + " must be an array of strings");
+    list.push_back(item.get<std::string>());
+  }
+  return list;
+}
+
+// The value without trailing zeros, so that 1.0 and 1 compare equal.
+spec::Decimal reduced(spec::Decimal value) {
+  while (value.decimals > 0 && value.digits % 10 == 0) {
+    value.digits /= 10;
+    --value.decimals;
+  }
+  if (value.digits == 0) value.negative = false;
+  value.point = false;
+  return value;
+}
+
+bool equal(const spec::Decimal& a, const spec::Decimal& b) { return reduced(a) == reduced(b); }
+
+// Two maps to decimals in which a missing entry is 0.
+template <class Key>
+bool equal_tables(const std::map<Key, spec::Decimal>& a, const std::map<Key, spec::Decimal>& b) {
+  const auto covered = [](const auto& some, const auto& other) {
+    return std::ranges::all_of(some, [&](const auto& entry) {
+      const auto match = other.find(entry.first);
+      return equal(entry.second, match == other.end() ? spec::Decimal{} : match->second);
+    });
+  };
+  return covered(a, b) && covered(b, a);
+}
+
+bool equal_offsets(const std::map<std::uint32_t, spec::OffsetEntry>& a,
+                   const std::map<std::uint32_t, spec::OffsetEntry>& b) {
+  const auto covered = [](const auto& some, const auto& other) {
+    return std::ranges::all_of(some, [&](const auto& entry) {
+      const auto match = other.find(entry.first);
+      const spec::OffsetEntry value = match == other.end() ? spec::OffsetEntry{} : match->second;
+      return equal(entry.second.geometry, value.geometry) && equal(entry.second.wear, value.wear);
+    });
+  };
+  return covered(a, b) && covered(b, a);
+}
+
+bool equal_parameters(const spec::Setup& a, const spec::Setup& b) {
+  std::set<std::uint32_t> numbers;
+  std::set<std::uint32_t> with_bits;
+  for (const auto* setup : {&a, &b})
+    for (const auto& [id, value] : setup->parameters) {
+      numbers.insert(id.number);
+      if (id.bit >= 0) with_bits.insert(id.number);
+    }
+  return std::ranges::all_of(numbers, [&](std::uint32_t number) {
+    if (with_bits.contains(number)) {
+      for (int bit = 0; bit < 8; ++bit) {
+        const bool otherwise = number == 3401 && bit == 0;
+        if (a.bit(number, bit, otherwise) != b.bit(number, bit, otherwise)) return false;
+      }
+      return true;
+    }
+    const spec::Decimal otherwise = spec::decimal(number == 19697 ? 3 : number == 3401 ? 1 : 0);
+    return equal(a.parameter(number).value_or(otherwise), b.parameter(number).value_or(otherwise));
+  });
+}
+
+bool equal_references(const std::map<int, spec::AxisTable>& a, const std::map<int, spec::AxisTable>& b) {
+  const auto covered = [](const auto& some, const auto& other) {
+    return std::ranges::all_of(some, [&](const auto& entry) {
+      const auto match = other.find(entry.first);
+      return equal_tables(entry.second, match == other.end() ? spec::AxisTable{} : match->second);
+    });
+  };
+  return covered(a, b) && covered(b, a);
+}
+
+// The case's setup with the controller's fixed settings laid over it; nothing if no control could have both.
+std::optional<spec::Setup> overlaid(const spec::Setup& setup, const std::string& fixed) {
+  try {
+    Json merged = Json::parse(spec::write_setup_json(setup));
+    merged.merge_patch(Json::parse(fixed));
+    return spec::read_setup_json(merged.dump(), "setup");
+  } catch (const spec::InputError&) {
+    return std::nullopt;
+  }
+}
+
+bool lists(const std::vector<std::string>& list, std::string_view item) {
+  return std::ranges::find(list, item) != list.end();
+}
+
+}  // namespace
+
+Capabilities read_capabilities(std::string_view line) {
+  const Json json = Json::parse(line, nullptr, false);
+  if (json.is_discarded() || !json.is_object()) fail("the answer to hello is no JSON object");
+  const auto protocol = json.find("protocol");
+  if (protocol == json.end() || *protocol != 1) fail("the answer to hello does not say \"protocol\": 1");
+  Capabilities c;
+  c.name = text_at(json, "name");
+  c.version = text_at(json, "version");
+  c.sections = list_at(json, "sections");
+  c.fields = list_at(json, "fields");
+  c.resolution = text_at(json, "resolution");
+  if (!c.resolution.empty()) {
+    const auto resolution = spec::parse_decimal(c.resolution);
+    if (!resolution || resolution->negative || resolution->is_zero()) fail("resolution must be a positive decimal");
+  }
+  if (const auto setup = json.find("setup"); setup != json.end() && !setup->is_null()) {
+    if (!setup->is_object()) fail("setup must be an object");
+    c.setup = setup->empty() ? "" : setup->dump();
+    if (!c.setup.empty()) spec::read_setup_json(c.setup, std::string(kFile) + " setup");
+  }
+  return c;
+}
+
+std::string write_capabilities(const Capabilities& capabilities) {
+  Json json;
+  json["name"] = capabilities.name;
+  json["version"] = capabilities.version;
+  json["protocol"] = 1;
+  json["sections"] = capabilities.sections;
+  json["fields"] = capabilities.fields;
+  if (!capabilities.resolution.empty()) json["resolution"] = capabilities.resolution;
+  json["setup"] = capabilities.setup.empty() ? Json::object() : Json::parse(capabilities.setup);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::vector<std::string> all_fields() {
+  return {"kind",   "line",  "n",         "type",  "cause",  "programmed", "point",  "axes", "machine", "tool_axis",
+          "center", "plane", "direction", "sweep", "radius", "feed",       "number", "name", "value",   "t"};
+}
+
+std::vector<std::string> fields_not_judged(const Capabilities& capabilities) {
+  std::vector<std::string> missing;
+  for (std::string& field : all_fields())
+    if (!lists(capabilities.fields, field)) missing.push_back(std::move(field));
+  return missing;
+}
+
+bool meets_minimum(const Capabilities& capabilities) {
+  const auto& fields = capabilities.fields;
+  return lists(fields, "kind") && lists(fields, "line") && (lists(fields, "point") || lists(fields, "axes"));
+}
+
+std::string why_not_applicable(const Capabilities& capabilities, const spec::Case& c) {
+  // A program of the user's own belongs to no section and is for every controller.
+  if (!c.section.empty() && !lists(capabilities.sections, c.section))
+    return "section " + c.section + " is not announced";
+  if (capabilities.setup.empty()) return {};
+  const auto both = overlaid(c.setup, capabilities.setup);
+  if (!both || !same_meaning(*both, c.setup)) return "setup contradicts the fixed settings of the controller";
+  return {};
+}
+
+bool same_meaning(const spec::Setup& a, const spec::Setup& b) {
+  if (a.control != b.control || a.units != b.units || a.increment != b.increment || a.axes != b.axes ||
+      a.cutter_compensation != b.cutter_compensation || a.block_skip != b.block_skip || a.memory != b.memory ||
+      a.offset_count != b.offset_count)
+    return false;
+  for (std::size_t i = 0; i < a.workpiece.size(); ++i)
+    if (!equal_tables(a.workpiece.at(i), b.workpiece.at(i))) return false;
+  return equal_parameters(a, b) && equal_offsets(a.h, b.h) && equal_offsets(a.d, b.d) &&
+         equal_tables(a.position, b.position) && equal_references(a.reference, b.reference) &&
+         equal_tables(a.floating_reference, b.floating_reference) && equal_tables(a.measurement, b.measurement);
+}
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,42 @@
+// What a controller says about itself, and whether a case applies to it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spec/language/case.h"
+
+namespace toolcomp::certify {
+
+// The answer to {"hello":1} (contract, "Controller under test").
+struct Capabilities {
+  std::string name;
+  std::string version;
+  std::vector<std::string> sections;
+  std::vector<std::string> fields;  // event fields it gives; the others are not judged
+  std::string resolution;           // least increment of its numbers; empty: double precision
+  std::string setup;                // JSON of the settings it cannot change; empty: none
+};
+
+// Reads that answer. Unknown keys are ignored. Throws spec::InputError for text that is no such answer: not JSON, a
+// protocol other than 1, a key of the wrong type, a resolution that is no positive decimal, a setup that cannot be.
+Capabilities read_capabilities(std::string_view line);
+// The answer as one line without a line feed.
+std::string write_capabilities(const Capabilities& capabilities);
+
+// Every event field a controller can announce, in the order of the contract.
+std::vector<std::string> all_fields();
+// Of all_fields(), those not announced.
+std::vector<std::string> fields_not_judged(const Capabilities& capabilities);
+// Whether kind, line and one of point and axes are announced: with less, nothing can be judged.
+bool meets_minimum(const Capabilities& capabilities);
+
+// Why the case does not apply to the controller: "section …", "setup …"; empty where it applies. A setting that the
+// case leaves open counts as its default (0; bit 3401#0: 1; 19697: 3).
+std::string why_not_applicable(const Capabilities& capabilities, const spec::Case& c);
+
+// Whether two setups mean the same, whatever is written out and what is left at its default.
+bool same_meaning(const spec::Setup& a, const spec::Setup& b);
+
+}  // namespace toolcomp::certify

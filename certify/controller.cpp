@@ -1,0 +1,131 @@
+#include "certify/controller.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
+
+#include "spec/language/case_format.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::certify {
+namespace {
+
+// A process whose output has ended is given this long to end itself, so that its exit status can be told.
+constexpr std::chrono::milliseconds kEndPatience{2000};
+
+// Fields that every event of a kind has and whose absence the reader of events cannot show: it fills in a default.
+std::span<const std::string_view> fields_of(std::string_view kind) {
+  static constexpr std::array<std::string_view, 2> move{"type", "cause"};
+  static constexpr std::array<std::string_view, 1> sample{"t"};
+  static constexpr std::array<std::string_view, 1> alarm{"number"};
+  static constexpr std::array<std::string_view, 2> setting{"name", "value"};
+  if (kind == "move") return move;
+  if (kind == "sample") return sample;
+  if (kind == "alarm" || kind == "warning") return alarm;
+  if (kind == "setting") return setting;
+  return {};
+}
+
+bool announced(const Capabilities& capabilities, std::string_view field) {
+  return std::ranges::find(capabilities.fields, field) != capabilities.fields.end();
+}
+
+std::optional<MissingField> find_missing(const Capabilities& capabilities, std::string_view line) {
+  const auto json = nlohmann::json::parse(line, nullptr, false);
+  if (!json.is_object() || !json.contains("events")) return std::nullopt;
+  std::size_t index = 0;
+  for (const auto& event : json["events"]) {
+    for (const std::string_view field : fields_of(event.value("kind", "")))
+      if (announced(capabilities, field) && !event.contains(field))
+        return MissingField{event.value("line", std::uint64_t{0}), index, std::string(field)};
+    ++index;
+  }
+  return std::nullopt;
+}
+
+// The beginning of a text that may be anything, for messages.
+std::string excerpt(std::string_view text) {
+  constexpr std::size_t kMost = 80;
+  std::string quoted = "\"" + std::string(text.substr(0, kMost)) + "\"";
+  for (char& c : quoted)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  return text.size() > kMost ? quoted + "…" : quoted;
+}
+
+}  // namespace
+
+Fault Controller::fault(FaultKind kind, std::string what, std::chrono::milliseconds wait_for_end) {
+  const std::string ended = process_->finish(wait_for_end);
+  exit_status_ = process_->exit_status();
+  if (kind == FaultKind::crash) what += ": " + ended;
+  Fault result{kind, std::move(what), process_->errors()};
+  process_.reset();
+  return result;
+}
+
+std::variant<std::string, Fault> Controller::exchange(std::string_view line, std::chrono::milliseconds timeout) {
+  if (process_->unread()) return fault(FaultKind::malformed, "more than one line for one request");
+  std::string reply;
+  const Clock::time_point begin = Clock::now();
+  const Exchange end = process_->exchange(line, reply, begin + timeout, options_.reply_limit);
+  const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin);
+  switch (end) {
+    case Exchange::line:
+      break;
+    case Exchange::timed_out:
+      return fault(FaultKind::hang, "no answer within " + std::to_string(timeout.count()) + " ms");
+    case Exchange::closed:
+      return fault(FaultKind::crash, "ended before it answered", kEndPatience);
+    case Exchange::too_long:
+      return fault(FaultKind::too_long, "an answer of more than " + std::to_string(options_.reply_limit) + " bytes");
+  }
+  slowest_ = std::max(slowest_, elapsed);
+  return reply;
+}
+
+std::optional<Fault> Controller::start() {
+  if (process_) return std::nullopt;
+  process_ = std::make_unique<Process>(options_.command);
+  auto reply = exchange(R"({"hello":1})", options_.timeout);
+  if (auto* failure = std::get_if<Fault>(&reply)) {
+    // What a shell says of a command that is not there; only the first time, because later it was there.
+    if (failure->kind == FaultKind::crash && !capabilities_ && (exit_status_ == 126 || exit_status_ == 127))
+      throw spec::InputError("--controller", 0, 0, "the command cannot be run: " + excerpt(failure->errors));
+    failure->what = "hello: " + failure->what;
+    return std::move(*failure);
+  }
+  try {
+    capabilities_ = read_capabilities(std::get<std::string>(reply));
+  } catch (const spec::InputError& error) {
+    return fault(FaultKind::malformed, "hello: " + error.message() + " but " + excerpt(std::get<std::string>(reply)));
+  }
+  return std::nullopt;
+}
+
+std::variant<Capabilities, Fault> Controller::capabilities() {
+  if (!capabilities_) {
+    if (auto failure = start()) return std::move(*failure);
+  }
+  return *capabilities_;
+}
+
+Answer Controller::run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience) {
+  if (auto failure = start()) return {std::move(*failure), {}};
+  spec::Case request = c;
+  request.expect.clear();
+  request.has_expect = false;
+  auto reply = exchange(spec::write_case_line(request), patience.value_or(options_.timeout));
+  if (auto* failure = std::get_if<Fault>(&reply)) return {std::move(*failure), {}};
+  const std::string& line = std::get<std::string>(reply);
+  try {
+    spec::Reply read = spec::read_reply(line, c.setup.axes, "reply");
+    if (read.id != c.id)
+      return {fault(FaultKind::malformed, "an answer to " + excerpt(read.id) + " instead of " + excerpt(c.id)), {}};
+    return {std::move(read.events), find_missing(*capabilities_, line)};
+  } catch (const spec::InputError& error) {
+    return {fault(FaultKind::malformed, error.message() + ": " + excerpt(line)), {}};
+  }
+}
+
+}  // namespace toolcomp::certify

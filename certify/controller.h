@@ -1,0 +1,47 @@
+// A controller under test: any command that speaks the protocol of the contract on its standard input and output.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "certify/process.h"
+#include "certify/subject.h"
+
+namespace toolcomp::certify {
+
+struct ControllerOptions {
+  std::string command;                              // run by /bin/sh -c
+  std::chrono::milliseconds timeout{10'000};        // for one answer, and for hello
+  std::size_t reply_limit = std::size_t{64} << 20;  // bytes of one answer
+};
+
+// Starts the command when it is first needed and again after every fault, so that each case meets a healthy one.
+class Controller final : public Subject {
+ public:
+  explicit Controller(ControllerOptions options) : options_(std::move(options)) {}
+
+  // Throws spec::InputError if the shell cannot run the command at all (exit status 126 or 127 without an answer).
+  std::variant<Capabilities, Fault> capabilities() override;
+  Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience = {}) override;
+
+  // The longest time an answer took so far.
+  [[nodiscard]] std::chrono::milliseconds slowest() const { return slowest_; }
+
+ private:
+  std::optional<Fault> start();
+  // One line there and one line back; anything else is a fault and ends the process.
+  std::variant<std::string, Fault> exchange(std::string_view line, std::chrono::milliseconds timeout);
+  Fault fault(FaultKind kind, std::string what, std::chrono::milliseconds wait_for_end = std::chrono::milliseconds(0));
+
+  ControllerOptions options_;
+  std::unique_ptr<Process> process_;
+  std::optional<Capabilities> capabilities_;
+  std::chrono::milliseconds slowest_{0};
+  int exit_status_ = -1;
+};
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,129 @@
+#include "certify/judge.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace toolcomp::certify {
+namespace {
+
+// The last clause among those of the events before and at `last`.
+std::optional<spec::Clause> last_clause(const fuzz::ModelRun& run, std::size_t last) {
+  for (std::size_t i = std::min(last + 1, run.events.size()); i-- > 0;) {
+    const spec::ClauseList& list = run.events[i].clauses;
+    if (list.size > 0) return list.clause[list.size - 1U];
+  }
+  return std::nullopt;
+}
+
+Judgement fault(const Fault& fault, const fuzz::ModelRun& run) {
+  Judgement j;
+  j.result = Result::differs;
+  j.errors = fault.errors;
+  fuzz::Difference d;
+  d.kind = name(fault.kind);
+  d.field = "reply";
+  d.expected = "one line with the id and the events of the case";
+  d.actual = fault.what;
+  d.line = run.events.empty() ? 0 : run.events.back().line;
+  d.clause = last_clause(run, run.events.size());
+  j.difference = std::move(d);
+  return j;
+}
+
+Judgement missing_field(const MissingField& missing, const fuzz::ModelRun& run) {
+  Judgement j;
+  j.result = Result::differs;
+  fuzz::Difference d;
+  d.kind = "missing field";
+  d.field = missing.field;
+  d.line = missing.line;
+  d.event = missing.event;
+  d.expected = "announced in the capabilities";
+  d.actual = "absent";
+  d.clause = last_clause(run, missing.event);
+  j.difference = std::move(d);
+  return j;
+}
+
+Result result_of(fuzz::Outcome outcome) {
+  switch (outcome) {
+    case fuzz::Outcome::agrees:
+      return Result::agrees;
+    case fuzz::Outcome::differs:
+      return Result::differs;
+    case fuzz::Outcome::undecided:
+      return Result::undecided;
+    case fuzz::Outcome::nothing_judged:
+      break;
+  }
+  return Result::nothing_judged;
+}
+
+}  // namespace
+
+std::string_view name(Result result) {
+  switch (result) {
+    case Result::agrees:
+      return "agrees";
+    case Result::differs:
+      return "differs";
+    case Result::undecided:
+      return "undecided";
+    case Result::nothing_judged:
+      return "nothing judged";
+    case Result::not_applicable:
+      return "not applicable";
+    case Result::not_run:
+      break;
+  }
+  return "not run";
+}
+
+FailureKey key_of(const spec::Case& c, const Judgement& judgement) {
+  FailureKey key;
+  key.section = c.section;
+  if (judgement.difference) {
+    key.kind = judgement.difference->kind;
+    if (judgement.difference->clause) key.clause = spec::info(*judgement.difference->clause).id;
+  }
+  return key;
+}
+
+Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
+                       const Answer& answer) {
+  if (const auto* failure = std::get_if<Fault>(&answer.result)) return fault(*failure, run);
+  if (!meets_minimum(capabilities)) {
+    Judgement j;
+    j.why = "the controller announces less than kind, line and one of point and axes";
+    return j;
+  }
+  if (answer.missing) return missing_field(*answer.missing, run);
+  const fuzz::JudgeOptions options{capabilities.fields, capabilities.resolution};
+  Judgement j;
+  if (const auto* text = std::get_if<TextEvents>(&answer.result))
+    j.verdict = fuzz::judge(c, run, *text, options);
+  else
+    j.verdict = fuzz::judge(c, run, std::get<FastEvents>(answer.result), options);
+  j.result = result_of(j.verdict.outcome);
+  if (j.result == Result::differs) {
+    j.difference = j.verdict.difference;
+    // A difference in an event that rests on no clause of its own belongs to what was applied before it.
+    if (j.difference && !j.difference->clause) j.difference->clause = last_clause(run, j.difference->event);
+  }
+  if (j.result == Result::undecided) j.why = j.verdict.undecided;
+  if (j.result == Result::nothing_judged) j.why = "the program makes no value that is judged";
+  return j;
+}
+
+Judgement judge_case(Subject& subject, const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
+                     std::optional<std::chrono::milliseconds> patience) {
+  if (std::string why = why_not_applicable(capabilities, c); !why.empty()) {
+    Judgement j;
+    j.result = Result::not_applicable;
+    j.why = std::move(why);
+    return j;
+  }
+  return judge_answer(capabilities, c, run, subject.run(c, patience));
+}
+
+}  // namespace toolcomp::certify

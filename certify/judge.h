@@ -1,0 +1,50 @@
+// One case judged: the subject's answer against what the model permits.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "certify/subject.h"
+#include "fuzz/oracle/verdict.h"
+#include "spec/clauses/clauses.h"
+
+namespace toolcomp::certify {
+
+enum class Result : std::uint8_t {
+  agrees,
+  differs,         // also every fault of the controller
+  undecided,       // by the oracle
+  nothing_judged,  // less than the minimum, or no value at all
+  not_applicable,  // to this controller
+  not_run,         // left out after many faults
+};
+std::string_view name(Result result);
+
+struct Judgement {
+  Result result = Result::nothing_judged;
+  fuzz::Verdict verdict;                       // counts; the difference too
+  std::optional<fuzz::Difference> difference;  // with `differs`
+  std::string errors;                          // standard error, with a fault
+  std::string why;                             // with undecided, nothing_judged, not_applicable
+};
+
+// Two failures with one key are one finding, however different their programs: the section, the clause of the first
+// divergence, and what differs.
+struct FailureKey {
+  std::string section;
+  std::string clause;  // empty: none was applied before the difference
+  std::string kind;
+  friend auto operator<=>(const FailureKey&, const FailureKey&) = default;
+};
+FailureKey key_of(const spec::Case& c, const Judgement& judgement);
+
+// Asks the subject and judges its answer. The clause of a fault is the last one the model applies in the program, of a
+// missing field the last one of its event. InputError of the model passes through: no control could read such a case.
+Judgement judge_case(Subject& subject, const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
+                     std::optional<std::chrono::milliseconds> patience = {});
+// The same with the answer given.
+Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
+                       const Answer& answer);
+
+}  // namespace toolcomp::certify

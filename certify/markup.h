@@ -1,0 +1,16 @@
+// Text inside HTML, XML and SVG.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace toolcomp::certify {
+
+// `text` as character data or as a double-quoted attribute: the five special characters become entities, bytes that are
+// no UTF-8 and control characters that XML 1.0 does not allow become U+FFFD.
+std::string escape(std::string_view text);
+
+// A double as people read it: at most `decimals` decimals, no trailing zeros, never "-0"; "—" where it is not finite.
+std::string plain(double value, int decimals = 3);
+
+}  // namespace toolcomp::certify

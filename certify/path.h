@@ -1,0 +1,41 @@
+// The paths of a run in X, Y and Z as chords, for pictures.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "spec/language/event.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::certify {
+
+using Point3 = std::array<double, 3>;
+
+// One move: its points after the one before (several for an arc).
+struct PathMove {
+  std::vector<Point3> points;
+  bool rapid = false;
+  std::size_t event = 0;  // index of its event
+};
+
+// From `start` through the moves, in order.
+struct Path {
+  Point3 start{};
+  std::vector<PathMove> moves;
+};
+// Whether both go through the same points.
+bool same_course(const Path& a, const Path& b);
+
+// Which position of the events is followed.
+enum class PathOf : std::uint8_t { programmed, point, axes };
+
+// The path of the moves that carry such a position. A coordinate that is not finite leaves its move out.
+Path follow(const spec::Axes& axes, const Point3& start, std::span<const spec::Event<double>> events, PathOf what);
+
+// The start position of a setup in X, Y and Z.
+Point3 start_of(const spec::Setup& setup);
+
+}  // namespace toolcomp::certify

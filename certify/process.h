@@ -1,0 +1,68 @@
+// A command in its own process group, spoken to line by line through pipes.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace toolcomp::certify {
+
+using Clock = std::chrono::steady_clock;
+
+// How an exchange ended.
+enum class Exchange : std::uint8_t {
+  line,       // a whole line came back
+  timed_out,  // it did not, in time
+  closed,     // the process ended or closed its output
+  too_long,   // more than `limit` bytes came without a line end
+};
+
+// The whole process group dies with the object. Not for use from several threads at once.
+class Process {
+ public:
+  // Runs `command` by /bin/sh -c. Throws std::runtime_error if no process can be made.
+  explicit Process(const std::string& command);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  // Sends `line` and a line feed, then waits for one line, kept without its line end in `reply`. Reads while it writes,
+  // so that neither side can block the other with a long line. Memory is bounded by `limit`.
+  Exchange exchange(std::string_view line, std::string& reply, Clock::time_point deadline, std::size_t limit);
+
+  // Kills the group and waits for it; how the process ended: "exit status 3", "killed by signal 11 (Segmentation
+  // fault)". Waits up to `patience` for it to end by itself first.
+  std::string finish(std::chrono::milliseconds patience = std::chrono::milliseconds(0));
+  // The exit status after finish(); -1 if it did not exit by itself.
+  [[nodiscard]] int exit_status() const { return exit_status_; }
+
+  // Bytes that came after the last line: a well-behaved controller leaves none.
+  [[nodiscard]] bool unread() const { return !pending_.empty(); }
+  // The last 4 KiB of standard error.
+  [[nodiscard]] const std::string& errors() const { return errors_; }
+
+ private:
+  bool send(std::string_view& rest);  // false: the process takes no more
+  bool receive(std::size_t limit, Exchange& end);
+  void receive_errors();
+  bool take_line(std::string& reply);
+
+  pid_t pid_ = -1;
+  int in_ = -1;   // to its standard input
+  int out_ = -1;  // from its standard output
+  int err_ = -1;  // from its standard error
+  int exit_status_ = -1;
+  std::string ended_;
+  std::string pending_;
+  std::size_t scanned_ = 0;  // bytes of pending_ known to hold no line end
+  std::string errors_;
+};
+
+// Kills every process group alive. Async-signal-safe: for the handler of an interrupt.
+void kill_processes() noexcept;
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,228 @@
+#include "certify/shrink.h"
+
+#include <algorithm>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "certify/program_text.h"
+#include "spec/language/decimal.h"
+
+namespace toolcomp::certify {
+namespace {
+
+// Everything a candidate is made of; the case is put together from it.
+struct Candidate {
+  TextProgram program;
+  spec::Setup setup;
+  std::uint32_t samples = 0;
+};
+
+std::string table_key(const spec::AxisTable& table) {
+  std::string key;
+  for (const auto& [axis, value] : table) key += axis + to_string(value) + ' ';
+  return key + '|';
+}
+
+// Two candidates with one key are one case: only the parts that shrinking changes count.
+std::string key_of(const Candidate& c) {
+  std::string key = join_program(c.program) + '|' + std::to_string(c.samples) + '|';
+  for (const auto& [id, value] : c.setup.parameters)
+    key += std::to_string(id.number) + '#' + std::to_string(id.bit) + to_string(value) + ' ';
+  for (const auto* offsets : {&c.setup.h, &c.setup.d}) {
+    key += '|';
+    for (const auto& [number, entry] : *offsets)
+      key += std::to_string(number) + ':' + to_string(entry.geometry) + '/' + to_string(entry.wear) + ' ';
+  }
+  key += '|';
+  for (const auto& table : c.setup.workpiece) key += table_key(table);
+  key += table_key(c.setup.position);
+  for (const auto& [number, table] : c.setup.reference) key += std::to_string(number) + table_key(table);
+  return key + table_key(c.setup.floating_reference) + table_key(c.setup.measurement);
+}
+
+class Shrinker {
+ public:
+  Shrinker(const spec::Case& failing, const StillFails& still_fails, const ShrinkOptions& options)
+      : case_(failing), still_fails_(still_fails), options_(options) {
+    case_.expect.clear();
+    case_.has_expect = false;
+    best_ = {split_program(failing.program, failing.dialect), failing.setup, failing.samples};
+    tried_.insert(key_of(best_));
+  }
+
+  Shrunk run() {
+    tidy();
+    do {
+      changed_ = false;
+      blocks();
+      words();
+      setup_entries();
+      digits();
+    } while (changed_ && !exhausted());
+    return {accepted_ ? build(best_) : case_, runs_, !exhausted()};
+  }
+
+ private:
+  [[nodiscard]] bool exhausted() const { return runs_ >= options_.max_runs; }
+
+  [[nodiscard]] spec::Case build(const Candidate& candidate) const {
+    spec::Case c = case_;
+    c.program = join_program(candidate.program);
+    c.setup = candidate.setup;
+    c.samples = candidate.samples;
+    return c;
+  }
+
+  // Keeps the candidate if it still fails.
+  bool attempt(Candidate candidate) {
+    if (exhausted() || candidate.program.empty() || !tried_.insert(key_of(candidate)).second) return false;
+    ++runs_;
+    if (!still_fails_(build(candidate))) return false;
+    best_ = std::move(candidate);
+    changed_ = true;
+    accepted_ = true;
+    return true;
+  }
+
+  // Everything nobody misses, at once: empty lines, comments, sequence numbers, blanks. If that changes the failure,
+  // the words stay and are tried one by one later; a different line count alone must not lose the text as written.
+  void tidy() {
+    Candidate plain = best_;
+    for (TextLine& line : plain.program)
+      std::erase_if(line.words, [&](const std::string& word) {
+        return word.front() == '(' || (case_.dialect != "klartext" && (word.front() == 'N' || word.front() == 'n'));
+      });
+    drop_empty_lines(plain);
+    if (attempt(std::move(plain))) return;
+    Candidate spaced = best_;
+    drop_empty_lines(spaced);
+    // Its key is that of the original, which may differ from it in blanks and empty lines only.
+    tried_.erase(key_of(spaced));
+    attempt(std::move(spaced));
+  }
+
+  static void drop_empty_lines(Candidate& candidate) {
+    std::erase_if(candidate.program, [](const TextLine& line) { return line.words.empty(); });
+  }
+
+  // Leaves out runs of elements, long runs first, from the end: `count` elements now, `without` a candidate with the
+  // elements [begin, begin + size) left out.
+  template <class Count, class Without>
+  void leave_out(Count count, Without without) {
+    for (std::size_t size = count(); size > 0; size /= 2) {
+      for (std::size_t end = count(); end > 0 && !exhausted();) {
+        const std::size_t begin = end > size ? end - size : 0;
+        attempt(without(begin, end - begin));
+        end = std::min(begin, count());
+      }
+    }
+  }
+
+  void blocks() {
+    leave_out([this] { return best_.program.size(); },
+              [this](std::size_t begin, std::size_t size) {
+                Candidate candidate = best_;
+                const auto first = candidate.program.begin() + static_cast<std::ptrdiff_t>(begin);
+                candidate.program.erase(first, first + static_cast<std::ptrdiff_t>(size));
+                return candidate;
+              });
+  }
+
+  void words() {
+    for (std::size_t line = best_.program.size(); line-- > 0;) {
+      const std::size_t lines = best_.program.size();
+      leave_out([this, line, lines] { return best_.program.size() == lines ? best_.program[line].words.size() : 0; },
+                [this, line](std::size_t begin, std::size_t size) {
+                  Candidate candidate = best_;
+                  auto& list = candidate.program[line].words;
+                  const auto first = list.begin() + static_cast<std::ptrdiff_t>(begin);
+                  list.erase(first, first + static_cast<std::ptrdiff_t>(size));
+                  drop_empty_lines(candidate);
+                  return candidate;
+                });
+    }
+  }
+
+  // Every element of the map or vector `member` of a setup, one by one.
+  template <class Member>
+  void entries(Member member) {
+    for (std::size_t i = member(best_.setup).size(); i-- > 0;) {
+      Candidate candidate = best_;
+      auto& table = member(candidate.setup);
+      table.erase(std::next(table.begin(), static_cast<std::ptrdiff_t>(i)));
+      attempt(std::move(candidate));
+    }
+  }
+
+  void setup_entries() {
+    if (best_.samples > 0) {
+      Candidate candidate = best_;
+      candidate.samples = 0;
+      attempt(std::move(candidate));
+    }
+    entries([](spec::Setup& s) -> auto& { return s.parameters; });
+    entries([](spec::Setup& s) -> auto& { return s.h; });
+    entries([](spec::Setup& s) -> auto& { return s.d; });
+    for (std::size_t i = 0; i < best_.setup.workpiece.size(); ++i)
+      entries([i](spec::Setup& s) -> auto& { return s.workpiece.at(i); });
+    entries([](spec::Setup& s) -> auto& { return s.position; });
+    entries([](spec::Setup& s) -> auto& { return s.reference; });
+    entries([](spec::Setup& s) -> auto& { return s.floating_reference; });
+    entries([](spec::Setup& s) -> auto& { return s.measurement; });
+  }
+
+  void digits() {
+    for (std::size_t line = 0; line < best_.program.size(); ++line)
+      for (std::size_t word = 0; word < best_.program[line].words.size(); ++word) {
+        const NumberInWord parts = number_in(best_.program[line].words[word]);
+        if (parts.number.empty()) continue;
+        for (const std::string& number : simpler_numbers(parts.number)) {
+          Candidate candidate = best_;
+          candidate.program[line].words[word] = parts.prefix + number + parts.suffix;
+          if (attempt(std::move(candidate))) break;
+        }
+      }
+    for (std::size_t i = 0; i < best_.setup.h.size(); ++i)
+      offset_digits(
+          [i](spec::Setup& s) -> auto& { return std::next(s.h.begin(), static_cast<std::ptrdiff_t>(i))->second; });
+    for (std::size_t i = 0; i < best_.setup.d.size(); ++i)
+      offset_digits(
+          [i](spec::Setup& s) -> auto& { return std::next(s.d.begin(), static_cast<std::ptrdiff_t>(i))->second; });
+  }
+
+  template <class Entry>
+  void offset_digits(Entry entry) {
+    decimal_digits([entry](spec::Setup& s) -> auto& { return entry(s).geometry; });
+    decimal_digits([entry](spec::Setup& s) -> auto& { return entry(s).wear; });
+  }
+
+  template <class Value>
+  void decimal_digits(Value value) {
+    for (const std::string& number : simpler_numbers(to_string(value(best_.setup)))) {
+      const auto simpler = spec::parse_decimal(number);
+      if (!simpler) continue;
+      Candidate candidate = best_;
+      value(candidate.setup) = *simpler;
+      if (attempt(std::move(candidate))) break;
+    }
+  }
+
+  spec::Case case_;
+  const StillFails& still_fails_;
+  ShrinkOptions options_;
+  Candidate best_;
+  std::unordered_set<std::string> tried_;
+  std::size_t runs_ = 0;
+  bool changed_ = false;
+  bool accepted_ = false;
+};
+
+}  // namespace
+
+Shrunk shrink(const spec::Case& failing, const StillFails& still_fails, const ShrinkOptions& options) {
+  return Shrinker(failing, still_fails, options).run();
+}
+
+}  // namespace toolcomp::certify

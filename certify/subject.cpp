@@ -1,0 +1,43 @@
+#include "certify/subject.h"
+
+#include "fuzz/gen/generator.h"
+#include "fuzz/oracle/verdict.h"
+
+namespace toolcomp::certify {
+namespace {
+
+class BuiltInEngine final : public Subject {
+ public:
+  std::variant<Capabilities, Fault> capabilities() override {
+    Capabilities c;
+    c.name = "toolcomp fast engine";
+    c.version = TOOLCOMP_VERSION;
+    for (const std::string_view section : fuzz::sections()) c.sections.emplace_back(section);
+    c.fields = all_fields();
+    return c;
+  }
+
+  Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> /*patience*/) override {
+    return {fuzz::run_fast(c), {}};
+  }
+};
+
+}  // namespace
+
+std::string name(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::crash:
+      return "crash";
+    case FaultKind::hang:
+      return "hang";
+    case FaultKind::too_long:
+      return "reply too long";
+    case FaultKind::malformed:
+      break;
+  }
+  return "malformed reply";
+}
+
+std::unique_ptr<Subject> built_in_engine() { return std::make_unique<BuiltInEngine>(); }
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,62 @@
+// What is certified: something that turns a case into events.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "certify/capabilities.h"
+#include "fast/engine.h"
+#include "spec/language/case.h"
+
+namespace toolcomp::certify {
+
+enum class FaultKind : std::uint8_t {
+  crash,      // the controller ended before it answered
+  hang,       // no answer in time
+  malformed,  // an answer that breaks the protocol
+  too_long,   // an answer longer than the limit
+};
+// "crash", "hang", "malformed reply", "reply too long": the kind of the finding.
+std::string name(FaultKind kind);
+
+// An answer that is no list of events.
+struct Fault {
+  FaultKind kind{};
+  std::string what;    // for people
+  std::string errors;  // the last of standard error
+};
+
+// A field that was announced, applies to an event, and is not there.
+struct MissingField {
+  std::uint64_t line = 0;
+  std::size_t event = 0;  // index
+  std::string field;
+};
+
+using FastEvents = std::vector<fast::Event>;
+using TextEvents = std::vector<spec::TextEvent>;
+
+struct Answer {
+  std::variant<FastEvents, TextEvents, Fault> result;
+  std::optional<MissingField> missing;  // with events: the first one
+};
+
+// One thread uses a subject at a time.
+class Subject {
+ public:
+  virtual ~Subject() = default;
+  // What the subject says about itself; a fault if it could not be asked.
+  virtual std::variant<Capabilities, Fault> capabilities() = 0;
+  // The subject's answer to a case. `patience` shortens the time-out.
+  virtual Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience = {}) = 0;
+};
+
+// The fast engine in this process: every section and field, in double. InputError of the engine passes through.
+std::unique_ptr<Subject> built_in_engine();
+
+}  // namespace toolcomp::certify
