@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,23 +21,27 @@ enum class Outcome : std::uint8_t { agrees, differs, undecided, nothing_judged }
 // The first difference. Texts are for people; `clause` is the last clause the model applied before it.
 struct Difference {
   std::uint64_t line = 0;
-  std::string kind;      // what differs: "missing event", "extra event", "order", "alarm", "cause", "coordinate", …
-  std::string field;     // "point.X"
+  std::string kind;   // what differs: "missing event", "extra event", "order", "alarm", "cause", "coordinate", …
+  std::string field;  // "point.X"
   std::string expected;
   std::string actual;
-  double deviation_um = 0;  // coordinates
+  double deviation_um = 0;  // linear coordinates: how far outside the enclosure
   std::optional<spec::Clause> clause;
+  spec::ClauseList clauses;  // all clauses of the event concerned
+  std::size_t event = 0;     // index in the list of events, from 0
 };
 
 struct Verdict {
   Outcome outcome = Outcome::nothing_judged;
-  std::optional<Difference> difference;
-  std::uint64_t values = 0;     // judged
-  std::uint64_t decisions = 0;  // of the model, by sign
-  std::uint64_t near_ties = 0;  // decisions inside their band
-  std::uint64_t ties = 0;       // near ties in which the engine took the other, permitted, outcome
-  double worst_ulp = 0;
-  double worst_um = 0;
+  std::optional<Difference> difference;  // also with `undecided`, where a difference could not be settled
+  std::uint64_t values = 0;              // judged: numbers, and the numbers of alarms
+  std::uint64_t numbers = 0;             // judged numbers alone
+  std::uint64_t decisions = 0;           // of the model, by sign
+  std::uint64_t near_ties = 0;           // decisions inside their band
+  std::uint64_t ties = 0;                // near ties in which the engine took the other, permitted, outcome
+  double worst_ulp = 0;   // largest distance outside an enclosure, in the units the policy multiplies by k
+  double worst_um = 0;    // the same of linear coordinates, in micrometres
+  std::string undecided;  // why, where the outcome is `undecided`
 };
 
 // What is judged. The default judges everything, in double.
@@ -49,16 +55,33 @@ struct ModelRun {
   std::vector<model::Event> events;
   model::Recorder recorder{true};
 };
-ModelRun run_model(const spec::Case& c);
+// Outcomes to take, by index of the decision.
+using Forced = std::map<std::size_t, exact::Sign>;
+
+// Both throw spec::InputError for a setup no control could have and for programs that are no text.
+ModelRun run_model(const spec::Case& c, const Forced& forced = {});
 std::vector<fast::Event> run_fast(const spec::Case& c);
 
 // Judges `events` (in double) against the model's permitted runs of the case.
 Verdict judge(const spec::Case& c, std::span<const fast::Event> events, const JudgeOptions& options = {});
 // The same with the model run given, so that its recorder can be used further.
-Verdict judge(const spec::Case& c, const ModelRun& run, std::span<const fast::Event> events, const JudgeOptions& options = {});
+Verdict judge(const spec::Case& c, const ModelRun& run, std::span<const fast::Event> events,
+              const JudgeOptions& options = {});
+// The same for a controller's events: decimal texts are judged as the exact rationals they are. A text that is no
+// decimal number is a difference of kind "malformed number".
+Verdict judge(const spec::Case& c, const ModelRun& run, std::span<const spec::TextEvent> events,
+              const JudgeOptions& options = {});
+
+// |quantity| / scale of a decision; 0 for an exact tie.
+double margin(const model::Decision& decision);
 
 // Runs both engines over a program of any length in bounded memory and judges as it goes; stops at the first
-// difference. `on_block` is called with the number of blocks read, for progress.
+// difference. `on_block` is called with the number of blocks read, for progress. One pass cannot try other outcomes: a
+// difference with a near tie in the last blocks is `undecided`.
 Verdict judge_stream(spec::ProgramReader& program, const spec::Setup& setup, void (*on_block)(std::uint64_t) = nullptr);
+// The same for a program that can be opened again: such a difference is settled by running again with the other
+// outcomes, at most policy::kMaxForks times.
+Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spec::Setup& setup,
+                     void (*on_block)(std::uint64_t) = nullptr);
 
 }  // namespace toolcomp::fuzz

@@ -1,0 +1,217 @@
+#include "fuzz/gen/mutate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fuzz/gen/choices.h"
+#include "fuzz/gen/program_text.h"
+#include "fuzz/gen/setups.h"
+#include "fuzz/gen/vocabulary.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+constexpr std::size_t kMostLines = 64;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// One digit of a word becomes another, or one is put in or taken out.
+void change_digit(Choices& choose, std::string& word) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 1; i < word.size(); ++i)
+    if (is_digit(word[i])) places.push_back(i);
+  if (places.empty()) return;
+  const std::size_t at = places[choose.below(places.size())];
+  const char digit = static_cast<char>('0' + choose.below(10));
+  switch (choose.weighted({60, 20, 20})) {
+    case 0:
+      word[at] = digit;
+      break;
+    case 1:
+      word.insert(at, 1, digit);
+      break;
+    default:
+      if (places.size() > 1) word.erase(at, 1);
+      break;
+  }
+}
+
+void negate(std::string& word) {
+  if (word.size() < 2) return;
+  if (word[1] == '-')
+    word.erase(1, 1);
+  else
+    word.insert(1, "-");
+}
+
+void change_word(Choices& choose, const spec::Setup& setup, Mode mode, WordTexts& line) {
+  const std::size_t at = line.empty() ? 0 : choose.below(line.size());
+  if (line.empty() || choose.chance(20)) {
+    line.insert(line.begin() + static_cast<std::ptrdiff_t>(at), any_word(choose, setup));
+    return;
+  }
+  std::string& word = line[at];
+  if (mode == Mode::unrestricted && choose.chance(25)) {
+    word = odd_word(choose);
+    return;
+  }
+  switch (choose.weighted({45, 15, 15, 10, 15})) {
+    case 0:
+      change_digit(choose, word);
+      break;
+    case 1:
+      negate(word);
+      break;
+    case 2:
+      word = any_word(choose, setup);
+      break;
+    case 3:
+      word = word.substr(0, 1) + boundary_number(choose);
+      break;
+    default:
+      line.erase(line.begin() + static_cast<std::ptrdiff_t>(at));
+      break;
+  }
+}
+
+void change_program(Choices& choose, spec::Case& c, Mode mode) {
+  std::vector<std::string> text = lines(c.program);
+  if (text.empty()) text.emplace_back("G01 X10.");
+  const std::size_t at = choose.below(text.size());
+  const auto place = text.begin() + static_cast<std::ptrdiff_t>(at);
+  switch (choose.weighted({60, 8, 8, 8, 12, 4})) {
+    case 0: {
+      WordTexts line = words(text[at]);
+      change_word(choose, c.setup, mode, line);
+      text[at] = joined_words(line);
+      break;
+    }
+    case 1:
+      text.erase(place);
+      break;
+    case 2:
+      text.insert(place, std::string(text[at]));
+      break;
+    case 3:
+      std::swap(text[at], text[choose.below(text.size())]);
+      break;
+    case 4: {
+      WordTexts line;
+      for (std::size_t n = choose.below(3) + 1; n > 0; --n) line.push_back(any_word(choose, c.setup));
+      text.insert(place, joined_words(line));
+      break;
+    }
+    default: {  // a word moves to another block
+      WordTexts line = words(text[at]);
+      if (line.empty()) break;
+      const std::size_t from = choose.below(line.size());
+      text[choose.below(text.size())] += " " + line[from];
+      break;
+    }
+  }
+  if (text.size() > kMostLines) text.resize(kMostLines);
+  c.program = joined(text);
+}
+
+void change_decimal(Choices& choose, spec::Decimal& value, int decimals) {
+  switch (choose.below(5)) {
+    case 0:
+      value.negative = !value.negative && value.digits != 0;
+      break;
+    case 1:
+      value = decimal(0, 0);
+      break;
+    case 2:
+      value = decimal(choose.between(-99, 99), 0);
+      break;
+    case 3:
+      if (value.digits < 999'999'999) value.digits += 1;
+      break;
+    default:
+      value = decimal(choose.between(-99'999, 99'999), decimals);
+      break;
+  }
+}
+
+// An entry of a map, by chance; the end of an empty one.
+template <class Map>
+auto any_of(Choices& choose, Map& map) {
+  auto it = map.begin();
+  if (!map.empty()) std::advance(it, static_cast<std::ptrdiff_t>(choose.below(map.size())));
+  return it;
+}
+
+void change_parameter(Choices& choose, spec::Setup& setup) {
+  switch (choose.below(4)) {
+    case 0:
+      setup.parameters[{5001, static_cast<int>(choose.one_of<std::int64_t>({0, 1, 2, 3, 6}))}] =
+          spec::decimal(choose.between(0, 1));
+      return;
+    case 1:
+      setup.parameters[{19631, -1}] = decimal(choose.between(-1'000, 90'000), 3);
+      return;
+    default: {
+      const auto parameter = any_of(choose, setup.parameters);
+      if (parameter == setup.parameters.end()) return;
+      if (parameter->first.bit >= 0)
+        parameter->second = spec::decimal(choose.between(0, 1));
+      else if (choose.chance(50))
+        change_decimal(choose, parameter->second, 3);
+      else
+        setup.parameters.erase(parameter);
+      return;
+    }
+  }
+}
+
+void change_setup(Choices& choose, spec::Setup& setup) {
+  const int decimals = increment_decimals(setup);
+  switch (choose.weighted({40, 25, 25, 10})) {
+    case 0:
+      return change_parameter(choose, setup);
+    case 1: {
+      const auto entry = any_of(choose, setup.h);
+      if (entry != setup.h.end()) change_decimal(choose, entry->second.geometry, decimals);
+      return;
+    }
+    case 2: {
+      const auto entry = any_of(choose, setup.d);
+      if (entry != setup.d.end()) change_decimal(choose, entry->second.geometry, decimals);
+      return;
+    }
+    default: {
+      auto& table = choose.chance(50) ? setup.workpiece.front() : setup.position;
+      const auto entry = any_of(choose, table);
+      if (entry != table.end()) change_decimal(choose, entry->second, decimals);
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void mutate(spec::Case& c, Mode mode, ChoiceSource& source) {
+  Choices choose(source);
+  for (std::size_t n = choose.weighted({50, 25, 15, 10}) + 1; n > 0; --n) {
+    if (choose.chance(20))
+      change_setup(choose, c.setup);
+    else
+      change_program(choose, c, mode);
+  }
+}
+
+spec::Case splice(const spec::Case& a, const spec::Case& b, ChoiceSource& source) {
+  Choices choose(source);
+  std::vector<std::string> first = lines(a.program);
+  const std::vector<std::string> second = lines(b.program);
+  first.resize(choose.below(first.size() + 1));
+  const std::size_t from = choose.below(second.size() + 1);
+  first.insert(first.end(), second.begin() + static_cast<std::ptrdiff_t>(from), second.end());
+  if (first.size() > kMostLines) first.resize(kMostLines);
+  spec::Case c = a;
+  c.program = joined(first);
+  return c;
+}
+
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,18 @@
+// Program text as lines of words, for changing it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace toolcomp::fuzz {
+
+using WordTexts = std::vector<std::string>;  // "G01", "X-1.5"; text that is no word keeps its place
+
+std::vector<std::string> lines(std::string_view program);
+std::string joined(const std::vector<std::string>& lines);
+// A word begins at each letter.
+WordTexts words(std::string_view line);
+std::string joined_words(const WordTexts& words);
+
+}  // namespace toolcomp::fuzz

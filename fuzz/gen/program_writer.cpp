@@ -1,0 +1,73 @@
+#include "fuzz/gen/program_writer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "fuzz/gen/setups.h"
+
+namespace toolcomp::fuzz {
+
+ProgramWriter::ProgramWriter(Choices& choose, const spec::Setup& setup)
+    : choose_(choose),
+      setup_(setup),
+      decimals_(increment_decimals(setup)),
+      counts_without_point_(!setup.bit(3401, 0, true)),
+      numbered_(choose.chance(60)) {
+  for (int i = 0; i < decimals_; ++i) one_ *= 10;
+  for (const auto& [letter, value] : setup.position) {
+    auto counts = static_cast<std::int64_t>(value.digits);
+    for (int i = value.decimals; i < decimals_; ++i) counts *= 10;
+    position_[letter] = value.negative ? -counts : counts;
+  }
+}
+
+ProgramWriter& ProgramWriter::word(std::string_view text) {
+  if (!block_.empty()) block_ += ' ';
+  block_ += text;
+  return *this;
+}
+
+ProgramWriter& ProgramWriter::number(char address, std::int64_t counts) {
+  const std::int64_t magnitude = counts < 0 ? -counts : counts;
+  // -0 is a word of its own where the sign of an incremental zero counts.
+  const bool minus = counts < 0 || (counts == 0 && choose_.chance(8));
+  std::string digits = fmt::format("{}{}", minus ? "-" : "", magnitude / one_);
+  std::string fraction = fmt::format("{:0{}}", magnitude % one_, decimals_);
+  if (!choose_.chance(10)) fraction.erase(fraction.find_last_not_of('0') + 1);
+  const bool whole = magnitude % one_ == 0;
+  const bool feed = address == 'F';
+  if (whole && (feed || !counts_without_point_) && choose_.chance(50))
+    return word(fmt::format("{}{}", address, digits));
+  if (!whole && magnitude < one_ && choose_.chance(20)) digits = minus ? "-" : "";
+  return word(fmt::format("{}{}.{}", address, digits, fraction));
+}
+
+ProgramWriter& ProgramWriter::axis(char letter, std::int64_t counts) {
+  std::int64_t& at = position_[letter];
+  at += counts;
+  return number(letter, incremental_ ? counts : at);
+}
+
+void ProgramWriter::end_block() {
+  if (block_.empty()) return;
+  ++blocks_;
+  if (numbered_ && choose_.chance(80)) text_ += fmt::format("N{} ", blocks_ * 10);
+  text_ += block_;
+  text_ += '\n';
+  block_.clear();
+}
+
+std::int64_t ProgramWriter::at(char letter) const {
+  const auto found = position_.find(letter);
+  return found == position_.end() ? 0 : found->second;
+}
+
+Pose ProgramWriter::pose() const {
+  Pose pose;
+  for (const auto& [letter, counts] : position_)
+    if (spec::is_rotary_axis(letter)) pose[letter] = static_cast<double>(counts) / static_cast<double>(one_);
+  return pose;
+}
+
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,15 @@
+// One generator a section: directed cases.
+#pragma once
+
+#include "fuzz/gen/choices.h"
+
+namespace toolcomp::fuzz {
+
+// Setup and program of a mostly valid case with `blocks` blocks or a few fewer.
+spec::Case tool_length_offset(Choices& choose, std::uint32_t blocks);
+spec::Case leading_edge_offset(Choices& choose, std::uint32_t blocks);
+
+// Any words over any setup of the section: valid programs with damage, words at random, look-alike text.
+spec::Case unrestricted(Choices& choose, spec::Case directed, std::uint32_t blocks);
+
+}  // namespace toolcomp::fuzz

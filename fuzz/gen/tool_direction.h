@@ -1,0 +1,28 @@
+// Where the tool of a setup roughly points: generators aim their movements by it. In double, and no part of a verdict.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+
+#include "spec/language/setup.h"
+
+namespace toolcomp::fuzz {
+
+using Direction = std::array<double, 3>;
+
+// Rotary positions in degrees by axis letter.
+using Pose = std::map<char, double>;
+
+// The unit direction from tip to holder at `pose`, by parameters 19680–19699 or 19610–19623; nothing where the setup
+// states no kinematics.
+std::optional<Direction> tool_direction(const spec::Setup& setup, const Pose& pose);
+
+double dot(const Direction& a, const Direction& b);
+Direction cross(const Direction& a, const Direction& b);
+// The unit vector along `v`; `v` must not be zero.
+Direction unit(const Direction& v);
+// `v` turned about the unit vector `axis` by `degrees`, right-handed.
+Direction turned(const Direction& v, const Direction& axis, double degrees);
+
+}  // namespace toolcomp::fuzz

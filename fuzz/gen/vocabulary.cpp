@@ -1,0 +1,96 @@
+#include "fuzz/gen/vocabulary.h"
+
+#include <fmt/format.h>
+
+namespace toolcomp::fuzz {
+
+std::string boundary_number(Choices& choose) {
+  return choose.one_of({"0",
+                        "-0",
+                        "0.",
+                        "-0.",
+                        ".0",
+                        "0.0",
+                        "0.001",
+                        "-0.001",
+                        "0.0001",
+                        "1",
+                        "-1",
+                        "1.",
+                        "-1.",
+                        ".5",
+                        "10.",
+                        "45.",
+                        "90.",
+                        "-90.",
+                        "180.",
+                        "360.",
+                        "359.999",
+                        "999.999",
+                        "1000.",
+                        "99999.999",
+                        "-99999.999",
+                        "999999.999",
+                        "0.00000001",
+                        "99999999",
+                        "123456789012345",
+                        "1.00000000000001"});
+}
+
+std::string any_word(Choices& choose, const spec::Setup& setup) {
+  switch (choose.weighted({30, 30, 12, 10, 8, 10})) {
+    case 0:
+      return fmt::format("G{}", choose.one_of({"00", "01", "02", "03",   "04", "10",   "17", "18",   "19", "20", "21",
+                                               "28", "29", "30", "30.1", "40", "41.3", "43", "43.5", "44", "49", "53",
+                                               "54", "55", "59", "90",   "91", "92",   "94", "0",    "1"}));
+    case 1: {
+      const std::string& letters = setup.axes.letters();
+      const char letter = letters[choose.below(letters.size())];
+      if (choose.chance(30)) return letter + boundary_number(choose);
+      return fmt::format("{}{}.{}", letter, choose.between(-200, 200), choose.chance(60) ? 0 : choose.between(0, 999));
+    }
+    case 2:
+      return fmt::format("{}{}", choose.one_of({'I', 'J', 'K', 'R'}),
+                         choose.chance(40) ? boundary_number(choose) : fmt::format("{}.", choose.between(-20, 20)));
+    case 3:
+      return fmt::format("{}{}", choose.one_of({'H', 'D', 'P', 'L'}), choose.between(0, 13));
+    case 4:
+      return fmt::format("F{}", choose.between(0, 5000));
+    default:
+      return choose.one_of({"M00", "M01", "M02", "M30", "M08", "S1000", "T1", "Q1", "N5", "O1"});
+  }
+}
+
+std::string odd_word(Choices& choose) {
+  const char letter = static_cast<char>('A' + choose.below(26));
+  return letter + std::string(choose.one_of({"",
+                                             "-",
+                                             ".",
+                                             "-.",
+                                             "--1",
+                                             "1-",
+                                             "1.2.3",
+                                             "+5",
+                                             "1e3",
+                                             "12345678901234567890",
+                                             "0x10",
+                                             " 1",
+                                             "1,5",
+                                             "#1",
+                                             "[1+2]",
+                                             "-0",
+                                             "00000000001",
+                                             "G",
+                                             "99",
+                                             "4.",
+                                             "43.4",
+                                             "41.2",
+                                             "1000000000",
+                                             ".0000000000001",
+                                             "(",
+                                             ")",
+                                             "/",
+                                             ";X1"}));
+}
+
+}  // namespace toolcomp::fuzz

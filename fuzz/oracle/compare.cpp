@@ -1,0 +1,273 @@
+#include "fuzz/oracle/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "fuzz/oracle/number.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+using exact::Rational;
+using exact::Real;
+using spec::EventKind;
+
+std::string_view name(EventKind kind) {
+  constexpr std::string_view names[] = {"move", "sample", "alarm", "warning", "setting", "undecided"};
+  return names[static_cast<std::size_t>(kind)];
+}
+std::string_view name(spec::MoveType type) {
+  constexpr std::string_view names[] = {"rapid", "linear", "arc"};
+  return names[static_cast<std::size_t>(type)];
+}
+std::string_view name(spec::Cause cause) {
+  constexpr std::string_view names[] = {"programmed", "start-up",  "corner",    "cancel",
+                                        "pre-turn",   "post-turn", "reference", "measure"};
+  return names[static_cast<std::size_t>(cause)];
+}
+std::string_view name(spec::Plane plane) {
+  constexpr std::string_view names[] = {"XY", "ZX", "YZ"};
+  return names[static_cast<std::size_t>(plane)];
+}
+std::string_view name(spec::ArcDirection direction) { return direction == spec::ArcDirection::cw ? "cw" : "ccw"; }
+
+std::string text_of(const std::optional<std::uint64_t>& n) { return n ? fmt::format("{}", *n) : "none"; }
+
+// Names a field; text is made only for a difference.
+struct Path {
+  std::string_view field;
+  char letter = 0;  // of an axis
+  int index = -1;   // of an array
+
+  [[nodiscard]] std::string text() const {
+    if (letter != 0) return fmt::format("{}.{}", field, letter);
+    return index >= 0 ? fmt::format("{}[{}]", field, index) : std::string(field);
+  }
+};
+
+// The comparison of one pair of events. Every step returns true once a difference is found.
+template <class Number>
+class Comparison {
+ public:
+  Comparison(const Rules& rules, const model::Event& expected, const Scale& scale, const spec::Event<Number>& actual,
+             Tally& tally)
+      : rules_(rules), expected_(expected), actual_(actual), tally_(tally), scale_(scale) {}
+
+  std::optional<Difference> run() {
+    if (event()) {
+      difference_.line = expected_.line;
+      difference_.clauses = expected_.clauses;
+      if (expected_.clauses.size > 0) difference_.clause = expected_.clauses.clause[expected_.clauses.size - 1U];
+      return difference_;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool event() {
+    if (expected_.kind != actual_.kind)
+      return differ("kind", "kind", std::string(name(expected_.kind)), std::string(name(actual_.kind)));
+    // Alarms first by number: "PS5408 instead of PS5407" says more than a line.
+    if ((expected_.kind == EventKind::alarm || expected_.kind == EventKind::warning) && rules_.judges("number")) {
+      ++tally_.values;
+      if (expected_.number != actual_.number)
+        return differ(std::string(name(expected_.kind)), "number", std::string(expected_.number.view()),
+                      std::string(actual_.number.view()));
+    }
+    if (expected_.line != actual_.line)
+      return differ("line", "line", fmt::format("{}", expected_.line), fmt::format("{}", actual_.line));
+    if (rules_.judges("n") && expected_.n != actual_.n)
+      return differ("sequence number", "n", text_of(expected_.n), text_of(actual_.n));
+    switch (expected_.kind) {
+      case EventKind::move:
+        return move();
+      case EventKind::sample:
+        return sample();
+      case EventKind::setting:
+        return setting();
+      case EventKind::alarm:
+      case EventKind::warning:
+      case EventKind::undecided:
+        return false;
+    }
+    return false;
+  }
+
+  bool move() {
+    return named("cause", expected_.cause, actual_.cause) || named("type", expected_.type, actual_.type) ||
+           table("programmed", expected_.programmed, actual_.programmed) ||
+           table("point", expected_.point, actual_.point) || table("axes", expected_.axes, actual_.axes) ||
+           table("machine", expected_.machine, actual_.machine) || tool_axis() || arc() || feed();
+  }
+
+  bool sample() {
+    if (rules_.judges("t") &&
+        (expected_.t_numerator != actual_.t_numerator || expected_.t_denominator != actual_.t_denominator))
+      return differ("sample", "t", fmt::format("{}/{}", expected_.t_numerator, expected_.t_denominator),
+                    fmt::format("{}/{}", actual_.t_numerator, actual_.t_denominator));
+    return table("point", expected_.point, actual_.point) || table("axes", expected_.axes, actual_.axes) || tool_axis();
+  }
+
+  bool setting() {
+    if (rules_.judges("name") && expected_.setting != actual_.setting)
+      return differ("setting", "name", std::string(expected_.setting.view()), std::string(actual_.setting.view()));
+    return rules_.judges("value") && number("setting", {"value"}, expected_.value, actual_.value, 0);
+  }
+
+  bool tool_axis() {
+    if (!rules_.judges("tool_axis") ||
+        absent({"tool_axis"}, expected_.tool_axis.has_value(), actual_.tool_axis.has_value()))
+      return found_;
+    if (!expected_.tool_axis) return false;
+    for (int i = 0; i < 3; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (number("tool axis", {"tool_axis", 0, i}, (*expected_.tool_axis)[at], (*actual_.tool_axis)[at],
+                 rules_.budget().tool_axis, policy::ulp(1)))
+        return true;
+    }
+    return false;
+  }
+
+  bool arc() {
+    const bool any = rules_.judges("center") || rules_.judges("plane") || rules_.judges("direction") ||
+                     rules_.judges("sweep") || rules_.judges("radius");
+    if (!any || absent({"center"}, expected_.arc.has_value(), actual_.arc.has_value())) return found_;
+    if (!expected_.arc) return false;
+    const spec::Arc<Real>& e = *expected_.arc;
+    const spec::Arc<Number>& a = *actual_.arc;
+    if (named("plane", e.plane, a.plane) || named("direction", e.direction, a.direction) ||
+        table("center", e.center, a.center))
+      return true;
+    if (rules_.judges("radius")) {
+      if (absent({"radius"}, e.radius.has_value(), a.radius.has_value())) return true;
+      if (e.radius && (length({"radius", 0, 0}, e.radius->first, a.radius->first) ||
+                       length({"radius", 0, 1}, e.radius->second, a.radius->second)))
+        return true;
+    }
+    if (rules_.judges("sweep")) {
+      if (absent({"sweep"}, e.sweep.has_value(), a.sweep.has_value())) return true;
+      if (e.sweep && number("sweep", {"sweep"}, *e.sweep, *a.sweep, rules_.budget().sweep, policy::ulp(360)))
+        return true;
+    }
+    return false;
+  }
+
+  bool feed() {
+    if (!rules_.judges("feed") || absent({"feed"}, expected_.feed.has_value(), actual_.feed.has_value())) return found_;
+    return expected_.feed && number("feed", {"feed"}, *expected_.feed, *actual_.feed, 0);
+  }
+
+  bool table(std::string_view field, const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a) {
+    if (!rules_.judges(field)) return false;
+    for (std::size_t i = 0; i < rules_.axes().size(); ++i) {
+      const char letter = rules_.axes().letter(i);
+      if (!e.has(i) && !a.has(i)) continue;
+      const Path path{field, letter};
+      if (absent(path, e.has(i), a.has(i))) return true;
+      const bool linear = spec::is_linear_axis(letter);
+      if (linear ? length(path, e[i], a[i])
+                 : number("coordinate", path, e[i], a[i], rules_.budget().coordinate, policy::ulp(approximate(e[i]))))
+        return true;
+    }
+    return false;
+  }
+
+  bool length(const Path& path, const Real& e, const Number& a) {
+    const double unit =
+        policy::ulp(scale_.position) + scale_.condition * (scale_.vector > 0 ? policy::ulp(scale_.vector) : 0);
+    return number("coordinate", path, e, a, rules_.budget().coordinate, unit, true);
+  }
+
+  // k·unit (and the controller's resolution) around the enclosure.
+  bool number(std::string_view kind, const Path& path, const Real& e, const Number& a, double k, double unit = 0,
+              bool linear = false) {
+    ++tally_.values;
+    ++tally_.numbers;
+    const double distance = outside(e, a);
+    if (distance == 0) return false;
+    if (unit > 0) tally_.worst_ulp = std::max(tally_.worst_ulp, distance / unit);
+    if (linear) tally_.worst_um = std::max(tally_.worst_um, distance * rules_.um_per_unit());
+    if (distance <= k * unit + rules_.resolution()) return false;
+    if (linear) difference_.deviation_um = distance * rules_.um_per_unit();
+    return differ(std::string(kind), path.text(), fuzz::text(e), fuzz::text(a));
+  }
+
+  template <class Enumeration>
+  bool named(std::string_view field, Enumeration e, Enumeration a) {
+    return rules_.judges(field) && e != a &&
+           differ(std::string(field), std::string(field), std::string(name(e)), std::string(name(a)));
+  }
+
+  bool absent(const Path& path, bool e, bool a) {
+    if (e == a) return false;
+    return e ? differ("missing field", path.text(), "present", "absent")
+             : differ("extra field", path.text(), "absent", "present");
+  }
+
+  bool differ(std::string kind, std::string field, std::string expected, std::string actual) {
+    difference_.kind = std::move(kind);
+    difference_.field = std::move(field);
+    difference_.expected = std::move(expected);
+    difference_.actual = std::move(actual);
+    return found_ = true;
+  }
+
+  const Rules& rules_;
+  const model::Event& expected_;
+  const spec::Event<Number>& actual_;
+  Tally& tally_;
+  Scale scale_;
+  Difference difference_;
+  bool found_ = false;
+};
+
+}  // namespace
+
+Rules::Rules(const spec::Setup& setup, std::string_view section, const JudgeOptions& options)
+    : budget_(policy::budget(section)), axes_(setup.axes), fields_(options.fields) {
+  constexpr double um_per_mm = 1000;
+  constexpr double um_per_inch = 25400;
+  um_per_unit_ = setup.units == spec::Units::mm ? um_per_mm : um_per_inch;
+  if (options.resolution.empty()) return;
+  const std::optional<Rational> r = parse_number(options.resolution);
+  if (!r || *r < 0) throw std::invalid_argument("resolution \"" + options.resolution + "\" is no decimal number");
+  resolution_ = r->convert_to<double>();
+}
+
+bool Rules::judges(std::string_view field) const {
+  return fields_.empty() || std::find(fields_.begin(), fields_.end(), field) != fields_.end();
+}
+
+template <class Number>
+std::optional<Difference> compare(const Rules& rules, const model::Event& expected, const Scale& scale,
+                                  const spec::Event<Number>& actual, Tally& tally) {
+  return Comparison<Number>(rules, expected, scale, actual, tally).run();
+}
+template std::optional<Difference> compare(const Rules&, const model::Event&, const Scale&, const spec::Event<double>&,
+                                           Tally&);
+template std::optional<Difference> compare(const Rules&, const model::Event&, const Scale&,
+                                           const spec::Event<Rational>&, Tally&);
+
+template <class Number>
+std::string describe(const spec::Event<Number>& event) {
+  switch (event.kind) {
+    case EventKind::move:
+      return fmt::format("{} move, {}, line {}", name(event.type), name(event.cause), event.line);
+    case EventKind::sample:
+      return fmt::format("sample {}/{} of line {}", event.t_numerator, event.t_denominator, event.line);
+    case EventKind::setting:
+      return fmt::format("setting {} in line {}", event.setting.view(), event.line);
+    case EventKind::alarm:
+    case EventKind::warning:
+    case EventKind::undecided:
+      return fmt::format("{} {} in line {}", name(event.kind), event.number.view(), event.line);
+  }
+  return {};
+}
+template std::string describe(const spec::Event<Real>&);
+template std::string describe(const spec::Event<double>&);
+template std::string describe(const spec::Event<Rational>&);
+
+}  // namespace toolcomp::fuzz

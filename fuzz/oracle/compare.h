@@ -1,0 +1,51 @@
+// One expected event against one actual event, by the policy table.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "fuzz/oracle/condition.h"
+#include "fuzz/oracle/policy.h"
+#include "fuzz/oracle/verdict.h"
+
+namespace toolcomp::fuzz {
+
+// Which fields are judged and how far numbers may lie; the same for every event of a case.
+class Rules {
+ public:
+  // Throws std::invalid_argument for a resolution that is no decimal number.
+  Rules(const spec::Setup& setup, std::string_view section, const JudgeOptions& options);
+
+  [[nodiscard]] bool judges(std::string_view field) const;
+  [[nodiscard]] const policy::Budget& budget() const { return budget_; }
+  [[nodiscard]] const spec::Axes& axes() const { return axes_; }
+  // 0: the actual numbers are doubles.
+  [[nodiscard]] double resolution() const { return resolution_; }
+  [[nodiscard]] double um_per_unit() const { return um_per_unit_; }
+
+ private:
+  policy::Budget budget_;
+  spec::Axes axes_;
+  std::vector<std::string> fields_;
+  double resolution_ = 0;
+  double um_per_unit_ = 0;
+};
+
+// What was judged, summed over a run.
+struct Tally {
+  std::uint64_t values = 0;
+  std::uint64_t numbers = 0;
+  double worst_ulp = 0;
+  double worst_um = 0;
+};
+
+// The first difference between the two, or nothing. `Number` is double or exact::Rational.
+template <class Number>
+std::optional<Difference> compare(const Rules& rules, const model::Event& expected, const Scale& scale,
+                                  const spec::Event<Number>& actual, Tally& tally);
+
+// "move (linear, programmed) of line 5": what stands in differences about whole events.
+template <class Number>
+std::string describe(const spec::Event<Number>& event);
+
+}  // namespace toolcomp::fuzz

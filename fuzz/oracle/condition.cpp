@@ -1,0 +1,111 @@
+#include "fuzz/oracle/condition.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fuzz/oracle/number.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+constexpr std::uint32_t kAngleRange = 19631;
+constexpr double kRadiansPerDegree = 0.017453292519943295;
+
+double value(const spec::Decimal& d) { return static_cast<double>(d.digits) * std::pow(10.0, -d.decimals); }
+
+double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
+
+std::array<double, 3> difference(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+// Of the angle between a and the unit vector b.
+double sine(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  const std::array<double, 3> cross = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return length(cross) / length(a);
+}
+
+}  // namespace
+
+Conditions::Conditions(const spec::Setup& setup)
+    : index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')} {
+  for (std::size_t i = 0; i < setup.axes.size(); ++i) linear_[i] = spec::is_linear_axis(setup.axes.letter(i));
+  const auto table = [this](const spec::AxisTable& values) {
+    for (const auto& [axis, number] : values)
+      if (spec::is_linear_axis(axis)) setup_scale_ = std::max(setup_scale_, value(number));
+  };
+  for (const spec::AxisTable& origin : setup.workpiece) table(origin);
+  for (const auto& entry : setup.reference) table(entry.second);
+  table(setup.floating_reference);
+  table(setup.position);
+  for (const auto* memory : {&setup.h, &setup.d})
+    for (const auto& entry : *memory)
+      setup_scale_ = std::max(setup_scale_, value(entry.second.geometry) + value(entry.second.wear));
+  const double range = setup.parameter(kAngleRange) ? value(*setup.parameter(kAngleRange)) : 1.0;
+  const bool positive = !setup.parameter(kAngleRange) || !setup.parameter(kAngleRange)->negative;
+  // A hair below, so that a pair the model did not classify is never left out here.
+  if (positive) smallest_sine_ = std::sin(std::min(range, 90.0) * kRadiansPerDegree) * (1 - 0x1p-30);
+  position_ = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto start = setup.position.find("XYZ"[i]);
+    if (start != setup.position.end()) position_[i] = value(start->second) * (start->second.negative ? -1 : 1);
+  }
+}
+
+Conditions::Vector Conditions::vector(const spec::AxisValues<model::Real>& values) const {
+  Vector v{};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (index_[i] != spec::Axes::kNone && values.has(index_[i])) v[i] = approximate(values[index_[i]]);
+  return v;
+}
+
+double Conditions::condition(std::span<const model::Event> window, const Vector& at, const Vector& tool) const {
+  double worst = 1;
+  const auto pair = [&](const Vector& movement) {
+    if (length(movement) == 0) return;
+    const double s = sine(movement, tool);
+    if (s > 0 && s >= smallest_sine_) worst = std::max(worst, 1 / s);
+  };
+  pair(difference(at, position_));
+  for (std::size_t i = 1; i < window.size(); ++i) {
+    if (window[i].kind != spec::EventKind::move) continue;
+    const Vector movement = difference(vector(window[i].programmed), at);
+    pair(movement);
+    if (length(movement) != 0) break;
+  }
+  return worst;
+}
+
+Scale Conditions::next(std::span<const model::Event> window) {
+  const model::Event& event = window.front();
+  Scale scale{setup_scale_, 0, 1};
+  if (event.kind != spec::EventKind::move && event.kind != spec::EventKind::sample) return scale;
+  const auto include = [&](const spec::AxisValues<model::Real>& values) {
+    for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
+      if (linear_[i] && values.has(i)) scale.position = std::max(scale.position, std::fabs(approximate(values[i])));
+  };
+  include(event.programmed);
+  include(event.point);
+  include(event.axes);
+  include(event.machine);
+  if (event.arc) include(event.arc->center);
+  if (event.kind != spec::EventKind::move) return scale;
+
+  const Vector at = vector(event.programmed);
+  const Vector compensation = difference(vector(event.point), at);
+  scale.vector = length(compensation);
+  if (scale.vector > 0) {
+    Vector tool{0, 0, 1};
+    if (event.tool_axis)
+      for (std::size_t i = 0; i < 3; ++i) tool[i] = approximate((*event.tool_axis)[i]);
+    scale.condition = condition(window, at, tool);
+    const bool kept = length(difference(compensation, vector_)) <= 0x1p-30 * (scale.vector + scale.position);
+    if (kept) scale.condition = std::max(scale.condition, condition_);
+  }
+  position_ = at;
+  vector_ = compensation;
+  condition_ = scale.condition;
+  return scale;
+}
+
+}  // namespace toolcomp::fuzz

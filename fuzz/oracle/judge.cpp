@@ -1,0 +1,354 @@
+// Verdicts on whole lists of events, with the outcomes the specification permits near ties.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <set>
+
+#include "fuzz/oracle/compare.h"
+#include "fuzz/oracle/number.h"
+#include "fuzz/oracle/verdict.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+using exact::Rational;
+using exact::Sign;
+using spec::EventKind;
+
+// How far one run of the model agrees with the actual events.
+struct Agreement {
+  std::optional<Difference> difference;
+  bool undecided = false;  // the run itself ends undecided, and everything before agrees
+  Tally tally;
+};
+
+// Whether two events agree out of their places, without a trace in the tally.
+template <class Number>
+bool same(const Rules& rules, const spec::Setup& setup, const model::Event& expected,
+          const spec::Event<Number>& actual) {
+  Tally unused;
+  const Scale scale = Conditions(setup).next({&expected, 1});
+  return !compare(rules, expected, scale, actual, unused);
+}
+
+// A whole event that has no partner; clauses are those of the event the model has there, or had last.
+template <class Number>
+Difference unpaired(const std::vector<model::Event>& expected, std::span<const spec::Event<Number>> actual,
+                    std::size_t i, std::string kind) {
+  Difference d;
+  d.kind = std::move(kind);
+  d.field = "event";
+  d.expected = i < expected.size() ? describe(expected[i]) : "no more events";
+  d.actual = i < actual.size() ? describe(actual[i]) : "no more events";
+  d.line = i < expected.size() ? expected[i].line : actual[i].line;
+  if (!expected.empty()) {
+    d.clauses = expected[std::min(i, expected.size() - 1)].clauses;
+    if (d.clauses.size > 0) d.clause = d.clauses.clause[d.clauses.size - 1U];
+  }
+  return d;
+}
+
+// The kind of a difference at event i as a reader of both lists would put it: an event too few, too many, or swapped.
+template <class Number>
+Difference name_difference(const Rules& rules, const spec::Setup& setup, const std::vector<model::Event>& expected,
+                           std::span<const spec::Event<Number>> actual, std::size_t i, Difference found) {
+  const bool more_expected = i + 1 < expected.size();
+  const bool more_actual = i + 1 < actual.size();
+  if (more_expected && more_actual && same(rules, setup, expected[i], actual[i + 1]) &&
+      same(rules, setup, expected[i + 1], actual[i]))
+    return unpaired(expected, actual, i, "order");
+  if (expected.size() > actual.size() && more_expected && same(rules, setup, expected[i + 1], actual[i]))
+    return unpaired(expected, actual, i, "missing event");
+  if (actual.size() > expected.size() && more_actual && same(rules, setup, expected[i], actual[i + 1]))
+    return unpaired(expected, actual, i, "extra event");
+  return found;
+}
+
+template <class Number>
+Agreement agreement(const Rules& rules, const spec::Setup& setup, const std::vector<model::Event>& expected,
+                    std::span<const spec::Event<Number>> actual) {
+  Agreement result;
+  Conditions conditions(setup);
+  for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
+    if (i < expected.size() && expected[i].kind == EventKind::undecided) {
+      result.undecided = true;
+      return result;
+    }
+    if (i >= expected.size()) {
+      result.difference = unpaired(expected, actual, i, "extra event");
+    } else if (i >= actual.size()) {
+      result.difference = unpaired(expected, actual, i, "missing event");
+    } else {
+      const Scale scale = conditions.next(std::span(expected).subspan(i));
+      result.difference = compare(rules, expected[i], scale, actual[i], result.tally);
+      if (result.difference) result.difference = name_difference(rules, setup, expected, actual, i, *result.difference);
+    }
+    if (result.difference) {
+      result.difference->event = i;
+      return result;
+    }
+  }
+  return result;
+}
+
+// The shortest linear movement of the moves next to a decision's line, for the band of a controller.
+double shortest_move(const std::vector<model::Event>& events, const spec::Axes& axes, std::uint64_t line) {
+  constexpr std::uint64_t neighbourhood = 4;  // lines
+  double shortest = 0;
+  const model::Event* before = nullptr;
+  for (const model::Event& event : events) {
+    if (event.kind != EventKind::move) continue;
+    if (before != nullptr && event.line + neighbourhood >= line && event.line <= line + neighbourhood) {
+      double square = 0;
+      for (std::size_t i = 0; i < axes.size(); ++i)
+        if (event.programmed.has(i) && before->programmed.has(i))
+          square += std::pow(approximate(event.programmed[i] - before->programmed[i]), 2);
+      const double length = std::sqrt(square);
+      if (length > 0 && (shortest == 0 || length < shortest)) shortest = length;
+    }
+    before = &event;
+  }
+  return shortest;
+}
+
+// The model's permitted runs of one case against one list of actual events.
+template <class Number>
+class Judge {
+ public:
+  Judge(const spec::Case& c, std::span<const spec::Event<Number>> actual, const JudgeOptions& options)
+      : case_(c), actual_(actual), rules_(c.setup, c.section, options) {}
+
+  Verdict verdict(const ModelRun& run) {
+    Verdict v;
+    v.decisions = run.recorder.decision_count();
+    v.near_ties = near_ties(run, {}).size();
+    Agreement first = agreement(rules_, case_.setup, run.events, actual_);
+    if (first.undecided) return undecided(v, first, "the model could not decide this case");
+    if (!first.difference) return agrees(v, first);
+    return search(v, run, std::move(first));
+  }
+
+ private:
+  // A run that differs, and the forced outcomes it came from. The one that agrees longest is followed first.
+  struct Node {
+    Forced forced;
+    Difference difference;
+    std::vector<std::size_t> decisions;  // near ties, those closest to the difference first
+    std::vector<Sign> taken;
+  };
+  struct Later {
+    bool operator()(const Node& a, const Node& b) const {
+      if (a.difference.event != b.difference.event) return a.difference.event < b.difference.event;
+      return a.forced.size() > b.forced.size();
+    }
+  };
+
+  // Indices of the decisions inside their band and not forced yet.
+  std::vector<std::size_t> near_ties(const ModelRun& run, const Forced& forced) const {
+    std::vector<std::size_t> result;
+    const auto& decisions = run.recorder.decisions();
+    for (std::size_t i = 0; i < decisions.size(); ++i) {
+      if (forced.contains(i)) continue;
+      const double band = rules_.resolution() > 0
+                              ? policy::controller_band(rules_.resolution(),
+                                                        shortest_move(run.events, case_.setup.axes, decisions[i].line))
+                              : policy::kDoubleBand;
+      if (margin(decisions[i]) <= band) result.push_back(i);
+    }
+    return result;
+  }
+
+  Node node(const ModelRun& run, Forced forced, Difference difference) const {
+    Node n{std::move(forced), std::move(difference), {}, {}};
+    n.decisions = near_ties(run, n.forced);
+    const auto& all = run.recorder.decisions();
+    const auto distance = [&](std::size_t i) {
+      const std::uint64_t line = all[i].line;
+      return line > n.difference.line ? line - n.difference.line : n.difference.line - line;
+    };
+    std::stable_sort(n.decisions.begin(), n.decisions.end(),
+                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    for (const std::size_t i : n.decisions) n.taken.push_back(all[i].outcome);
+    return n;
+  }
+
+  // A fork is followed where it moves the first difference on, or changes what the model expects there. So a chain of
+  // decisions that each explain one more event is found, whatever its length.
+  static bool worth_following(const Difference& child, const Difference& parent) {
+    if (child.event != parent.event) return child.event > parent.event;
+    return child.kind != parent.kind || child.field != parent.field || child.expected != parent.expected;
+  }
+
+  Verdict search(Verdict v, const ModelRun& run, Agreement first) {
+    const Difference& original = *first.difference;
+    std::priority_queue<Node, std::vector<Node>, Later> open;
+    std::set<Forced> seen;
+    std::size_t forks = 0;
+    open.push(node(run, {}, original));
+    while (!open.empty()) {
+      const Node parent = open.top();
+      open.pop();
+      for (std::size_t d = 0; d < parent.decisions.size(); ++d)
+        for (const Sign outcome : {-parent.taken[d], Sign::zero, Sign::positive, Sign::negative}) {
+          if (outcome == parent.taken[d]) continue;
+          Forced forced = parent.forced;
+          forced[parent.decisions[d]] = outcome;
+          if (!seen.insert(forced).second) continue;
+          if (++forks > policy::kMaxForks) return undecided(v, first, "more than 64 combinations of near ties");
+          const std::optional<ModelRun> fork = permitted(forced);
+          if (!fork) continue;
+          Agreement a = agreement(rules_, case_.setup, fork->events, actual_);
+          if (a.undecided) continue;
+          if (!a.difference) {
+            v.ties = forced.size();
+            return agrees(v, a);
+          }
+          if (worth_following(*a.difference, parent.difference))
+            open.push(node(*fork, std::move(forced), *std::move(a.difference)));
+        }
+    }
+    v.outcome = Outcome::differs;
+    v.difference = original;
+    take(v, first.tally);
+    return v;
+  }
+
+  // The forced run, if it yields finite vectors: the model throws where it would divide by zero or find no direction.
+  std::optional<ModelRun> permitted(const Forced& forced) const {
+    try {
+      return run_model(case_, forced);
+    } catch (const std::exception&) {
+      return std::nullopt;
+    }
+  }
+
+  static void take(Verdict& v, const Tally& tally) {
+    v.values = tally.values;
+    v.numbers = tally.numbers;
+    v.worst_ulp = tally.worst_ulp;
+    v.worst_um = tally.worst_um;
+  }
+  static Verdict agrees(Verdict v, const Agreement& a) {
+    take(v, a.tally);
+    v.outcome = v.values > 0 ? Outcome::agrees : Outcome::nothing_judged;
+    return v;
+  }
+  static Verdict undecided(Verdict v, const Agreement& a, std::string why) {
+    take(v, a.tally);
+    v.outcome = Outcome::undecided;
+    v.difference = a.difference;
+    v.undecided = std::move(why);
+    return v;
+  }
+
+  const spec::Case& case_;
+  std::span<const spec::Event<Number>> actual_;
+  Rules rules_;
+};
+
+using TextTable = spec::AxisValues<spec::NumberText>;
+using RationalTable = spec::AxisValues<Rational>;
+
+// A controller's event with its texts read; the field of the first text that is no number goes to `bad`.
+class Reading {
+ public:
+  Reading(const spec::Axes& axes, const Rules& rules) : axes_(axes), rules_(rules) {}
+
+  spec::Event<Rational> event(const spec::TextEvent& e) {
+    spec::Event<Rational> r;
+    r.kind = e.kind;
+    r.line = e.line;
+    r.n = e.n;
+    r.type = e.type;
+    r.cause = e.cause;
+    r.number = e.number;
+    r.setting = e.setting;
+    r.t_numerator = e.t_numerator;
+    r.t_denominator = e.t_denominator;
+    table("programmed", e.programmed, r.programmed);
+    table("point", e.point, r.point);
+    table("axes", e.axes, r.axes);
+    table("machine", e.machine, r.machine);
+    if (e.tool_axis) {
+      r.tool_axis.emplace();
+      for (std::size_t i = 0; i < 3; ++i) (*r.tool_axis)[i] = number("tool_axis", (*e.tool_axis)[i]);
+    }
+    if (e.arc) {
+      r.arc.emplace();
+      r.arc->plane = e.arc->plane;
+      r.arc->direction = e.arc->direction;
+      table("center", e.arc->center, r.arc->center);
+      if (e.arc->sweep) r.arc->sweep = number("sweep", *e.arc->sweep);
+      if (e.arc->radius)
+        r.arc->radius = std::pair(number("radius", e.arc->radius->first), number("radius", e.arc->radius->second));
+    }
+    if (e.feed) r.feed = number("feed", *e.feed);
+    if (e.kind == EventKind::setting) r.value = number("value", e.value);
+    return r;
+  }
+  [[nodiscard]] const std::optional<Difference>& bad() const { return bad_; }
+
+ private:
+  Rational number(std::string_view field, const spec::NumberText& text) {
+    const std::optional<Rational> value = parse_number(text.v);
+    if (value) return *value;
+    if (!bad_ && rules_.judges(field)) {
+      bad_.emplace();
+      bad_->kind = "malformed number";
+      bad_->field = field;
+      bad_->expected = "a decimal number";
+      bad_->actual = text.v;
+    }
+    return 0;
+  }
+  void table(std::string_view field, const TextTable& from, RationalTable& to) {
+    for (std::size_t i = 0; i < axes_.size(); ++i)
+      if (from.has(i)) to.set(i, number(field, from[i]));
+  }
+
+  const spec::Axes& axes_;
+  const Rules& rules_;
+  std::optional<Difference> bad_;
+};
+
+}  // namespace
+
+double margin(const model::Decision& decision) {
+  const double scale = std::fabs(approximate(decision.scale));
+  const exact::DoubleEnclosure q = decision.quantity.double_enclosure();
+  const double least = q.lower > 0 ? q.lower : q.upper < 0 ? -q.upper : 0;
+  if (least == 0) return 0;
+  return scale > 0 ? least / scale : 1;
+}
+
+Verdict judge(const spec::Case& c, const ModelRun& run, std::span<const fast::Event> events,
+              const JudgeOptions& options) {
+  return Judge<double>(c, events, options).verdict(run);
+}
+
+Verdict judge(const spec::Case& c, std::span<const fast::Event> events, const JudgeOptions& options) {
+  return judge(c, run_model(c), events, options);
+}
+
+Verdict judge(const spec::Case& c, const ModelRun& run, std::span<const spec::TextEvent> events,
+              const JudgeOptions& options) {
+  const Rules rules(c.setup, c.section, options);
+  Reading reading(c.setup.axes, rules);
+  std::vector<spec::Event<Rational>> actual;
+  actual.reserve(events.size());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    actual.push_back(reading.event(events[i]));
+    if (!reading.bad()) continue;
+    Verdict v;
+    v.outcome = Outcome::differs;
+    v.difference = reading.bad();
+    v.difference->line = events[i].line;
+    v.difference->event = i;
+    return v;
+  }
+  return Judge<Rational>(c, actual, options).verdict(run);
+}
+
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,27 @@
+// Distances between an exact value and a number an engine or a controller gave.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/exact/real.h"
+
+namespace toolcomp::fuzz {
+
+// How far `actual` lies outside the enclosure of `exact`, rounded up; 0 inside, infinity for NaN and infinities.
+double outside(const exact::Real& exact, double actual);
+double outside(const exact::Real& exact, const exact::Rational& actual);
+
+// The value to double precision, for scales and conditions.
+double approximate(const exact::Real& exact);
+
+// For people: 15 decimals of an exact value, the shortest text of a double, the decimals of a rational.
+std::string text(const exact::Real& exact);
+std::string text(double actual);
+std::string text(const exact::Rational& actual);
+
+// A decimal number as JSON writes it ("-0.5", "1e-7"), exactly; nothing for other text and for exponents beyond ±400.
+std::optional<exact::Rational> parse_number(std::string_view text);
+
+}  // namespace toolcomp::fuzz

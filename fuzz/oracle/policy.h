@@ -1,0 +1,72 @@
+// The one policy table: how far a value may lie from the exact one, and when a decision counts as a near tie.
+//
+//   output                                        rule
+//   kinds and order of events, lines, n, types,   equal exactly
+//   causes, planes, directions, alarm numbers,
+//   names of settings, which axes are present
+//   linear coordinates, centres, radii            inside the enclosure widened by
+//                                                 k · (ulp(scale) + condition · ulp(|compensation vector|))
+//   rotary axes                                   … by k · ulp(value)
+//   tool axis                                     … by k · ulp(1)
+//   sweeps                                        … by k · ulp(360) · condition
+//   feeds, values of settings                     … by nothing: one of the two doubles that enclose the exact value
+//   any number of a controller of resolution r    … by r more, so that truncating, rounding up and to nearest all pass
+//   a decision by sign                            as the exact sign; the other outcomes are permitted where
+//                                                 |quantity| <= band · scale and the model yields finite vectors for
+//                                                 them
+//
+// No other tolerance exists in the repository.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+namespace toolcomp::fuzz::policy {
+
+// Multiples of an ulp granted to a section's outputs. Each is the number of roundings of a straightforward evaluation
+// in double precision, not a fit to one engine; the worst value seen is printed by every campaign and stands far below.
+struct Budget {
+  std::string_view section;
+  double coordinate;  // sums of programmed position, vector, length offset and workpiece origin
+  double tool_axis;   // two rotations and a normalisation
+  double sweep;       // a difference of two arc tangents in degrees
+};
+inline constexpr Budget kBudgets[] = {
+    {"fanuc/tool-length-offset", 8, 16, 16},
+    {"fanuc/leading-edge-offset", 16, 16, 16},
+};
+// For a program that belongs to no section: the widest row.
+inline constexpr Budget kAnySection = {"", 16, 16, 16};
+
+constexpr const Budget& budget(std::string_view section) {
+  for (const Budget& row : kBudgets)
+    if (row.section == section) return row;
+  return kAnySection;
+}
+
+// Relative half width of a near tie for an engine in double precision. Decisions are signs of polynomials of degree
+// four or less, of fewer than 32 terms, in inputs that carry a few roundings each (decimals, sines and cosines). Their
+// error is below 32 · 4 · 4 roundings of 2^-53 of the scale, 2^-44; 2^-40 leaves a factor of 16 for less careful
+// orders.
+inline constexpr double kDoubleBand = 0x1p-40;
+
+// The same for a controller that computes with lengths of resolution r (setup units) and angles of resolution r
+// degrees: a direction over the shortest move next to the decision is known to 2·r/length, a tool direction to
+// r·pi/180, and a predicate of degree four quadruples either.
+inline double controller_band(double resolution, double shortest_move) {
+  constexpr double radians_per_degree = 0.017453292519943295;
+  const double direction = shortest_move > 0 ? 2 * resolution / shortest_move : 1;
+  return std::fmin(1.0, kDoubleBand + 4 * (direction + resolution * radians_per_degree));
+}
+
+// Runs of the model with forced outcomes before a verdict is "could not decide".
+inline constexpr std::size_t kMaxForks = 64;
+
+// The distance of neighbouring doubles at |x|; of the smallest normal number at 0.
+inline double ulp(double x) {
+  constexpr double smallest = 0x1p-1022;
+  return std::ldexp(1.0, std::ilogb(std::fmax(std::fabs(x), smallest)) - 52);
+}
+
+}  // namespace toolcomp::fuzz::policy

@@ -1,0 +1,251 @@
+// Both engines in step over a program of any length.
+#include <algorithm>
+#include <deque>
+#include <memory>
+
+#include "fuzz/oracle/compare.h"
+#include "fuzz/oracle/verdict.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+using exact::Sign;
+using spec::EventKind;
+
+// Blocks between two fresh recorders, so that the decisions kept stay bounded.
+constexpr std::uint64_t kEpoch = 256;
+// Events an engine may be behind the other, and those needed to know the next movement (both look-aheads are shorter).
+constexpr std::size_t kMaxLag = 64;
+constexpr std::size_t kWindow = 8;
+
+// A decision of a streamed run: epochs have their own recorders, so indices count from the start of one.
+struct Place {
+  std::uint64_t epoch = 0;
+  std::size_t index = 0;
+  friend auto operator<=>(const Place&, const Place&) = default;
+};
+using Choices = std::map<Place, Sign>;
+
+template <class Number>
+class Queue final : public spec::EventSink<Number> {
+ public:
+  void on(const spec::Event<Number>& event) override { events.push_back(event); }
+  std::deque<spec::Event<Number>> events;
+};
+
+// One pass. Decisions of the current and the previous epoch are kept.
+class Pass {
+ public:
+  Pass(const spec::Setup& setup, const Choices& choices)
+      : rules_(setup, {}, {}),
+        conditions_(setup),
+        choices_(choices),
+        model_(setup, recorder_, expected_),
+        fast_(setup, actual_) {
+    begin_epoch();
+  }
+
+  Verdict run(spec::ProgramReader& program, void (*on_block)(std::uint64_t)) {
+    const auto block = std::make_unique<spec::Block>();
+    std::uint64_t blocks = 0;
+    while (!done() && !(model_.stopped() && fast_.stopped()) && program.next(*block)) {
+      if (blocks != 0 && blocks % kEpoch == 0) {
+        end_epoch();
+        begin_epoch();
+      }
+      model_.block(*block);
+      fast_.block(*block);
+      if (on_block != nullptr)
+        on_block(++blocks);
+      else
+        ++blocks;
+      compare_pairs(kWindow);
+    }
+    if (!done()) {
+      model_.end();
+      fast_.end();
+      compare_pairs(0);
+      leftovers();
+    }
+    count(recorder_);
+    verdict_.values = tally_.values;
+    verdict_.numbers = tally_.numbers;
+    verdict_.worst_ulp = tally_.worst_ulp;
+    verdict_.worst_um = tally_.worst_um;
+    if (verdict_.difference)
+      verdict_.outcome = Outcome::differs;
+    else if (undecided_)
+      verdict_.outcome = Outcome::undecided, verdict_.undecided = "the model could not decide this program";
+    else
+      verdict_.outcome = tally_.values > 0 ? Outcome::agrees : Outcome::nothing_judged;
+    return verdict_;
+  }
+
+  // Near ties of the last two epochs with the outcomes taken, the latest first.
+  [[nodiscard]] std::vector<std::pair<Place, Sign>> near_ties() const {
+    std::vector<std::pair<Place, Sign>> result;
+    collect(recorder_, epoch_, result);
+    if (previous_) collect(*previous_, epoch_ - 1, result);
+    return result;
+  }
+  [[nodiscard]] std::size_t events() const { return compared_; }
+
+ private:
+  [[nodiscard]] bool done() const { return verdict_.difference || undecided_; }
+
+  void begin_epoch() {
+    for (auto it = choices_.lower_bound({epoch_, 0}); it != choices_.end() && it->first.epoch == epoch_; ++it)
+      recorder_.force(it->first.index, it->second);
+  }
+  void end_epoch() {
+    count(recorder_);
+    previous_ = std::move(recorder_);
+    recorder_ = model::Recorder(true);
+    ++epoch_;
+  }
+
+  void count(const model::Recorder& recorder) {
+    verdict_.decisions += recorder.decision_count();
+    for (const model::Decision& d : recorder.decisions())
+      if (margin(d) <= policy::kDoubleBand) ++verdict_.near_ties;
+  }
+
+  void collect(const model::Recorder& recorder, std::uint64_t epoch,
+               std::vector<std::pair<Place, Sign>>& result) const {
+    const auto& decisions = recorder.decisions();
+    for (std::size_t i = decisions.size(); i-- > 0;)
+      if (!choices_.contains({epoch, i}) && margin(decisions[i]) <= policy::kDoubleBand)
+        result.emplace_back(Place{epoch, i}, decisions[i].outcome);
+  }
+
+  // Compares while both sides have an event and the model's next `window` events are known.
+  void compare_pairs(std::size_t window) {
+    while (!done() && !expected_.events.empty() && !actual_.events.empty() && expected_.events.size() > window) {
+      if (expected_.events.front().kind == EventKind::undecided) {
+        undecided_ = true;
+        return;
+      }
+      window_.assign(expected_.events.begin(), expected_.events.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                              expected_.events.size(), kWindow)));
+      const Scale scale = conditions_.next(window_);
+      verdict_.difference = compare(rules_, window_.front(), scale, actual_.events.front(), tally_);
+      if (verdict_.difference) {
+        verdict_.difference->event = compared_;
+        return;
+      }
+      ++compared_;
+      expected_.events.pop_front();
+      actual_.events.pop_front();
+    }
+    if (done()) return;
+    if (expected_.events.size() > actual_.events.size() + kMaxLag ||
+        actual_.events.size() > expected_.events.size() + kMaxLag)
+      leftovers();
+  }
+
+  void leftovers() {
+    if (done() || (expected_.events.empty() && actual_.events.empty())) return;
+    const bool extra = expected_.events.size() < actual_.events.size();
+    if (!extra && expected_.events[actual_.events.size()].kind == EventKind::undecided) {
+      undecided_ = true;
+      return;
+    }
+    Difference d;
+    d.event = compared_;
+    d.kind = extra ? "extra event" : "missing event";
+    d.field = "event";
+    if (extra) {
+      const fast::Event& event = actual_.events[expected_.events.size()];
+      d.line = event.line;
+      d.expected = "no more events";
+      d.actual = describe(event);
+    } else {
+      const model::Event& event = expected_.events[actual_.events.size()];
+      d.line = event.line;
+      d.clauses = event.clauses;
+      if (event.clauses.size > 0) d.clause = event.clauses.clause[event.clauses.size - 1U];
+      d.expected = describe(event);
+      d.actual = "no more events";
+    }
+    verdict_.difference = d;
+  }
+
+  Rules rules_;
+  Conditions conditions_;
+  const Choices& choices_;
+  model::Recorder recorder_{true};
+  std::optional<model::Recorder> previous_;
+  std::uint64_t epoch_ = 0;
+  Queue<model::Real> expected_;
+  Queue<double> actual_;
+  model::Engine model_;
+  fast::Engine fast_;
+  std::vector<model::Event> window_;
+  Tally tally_;
+  std::size_t compared_ = 0;
+  bool undecided_ = false;
+  Verdict verdict_;
+};
+
+constexpr std::string_view kNearTie = "a difference beside a near tie, in a program that can be read only once";
+
+}  // namespace
+
+Verdict judge_stream(spec::ProgramReader& program, const spec::Setup& setup, void (*on_block)(std::uint64_t)) {
+  const Choices none;
+  Pass pass(setup, none);
+  Verdict v = pass.run(program, on_block);
+  if (v.outcome == Outcome::differs && !pass.near_ties().empty()) {
+    v.outcome = Outcome::undecided;
+    v.undecided = kNearTie;
+  }
+  return v;
+}
+
+Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spec::Setup& setup,
+                     void (*on_block)(std::uint64_t)) {
+  // Depth first along the chain of forks that each move the difference on; the first pass is the one without choices.
+  struct Task {
+    Choices choices;
+    std::size_t beyond;  // events a fork must agree in to be followed
+  };
+  std::vector<Task> tasks = {{{}, 0}};
+  std::optional<Verdict> first;
+  std::size_t passes = 0;
+  while (!tasks.empty()) {
+    const Task task = std::move(tasks.back());
+    tasks.pop_back();
+    if (passes++ > policy::kMaxForks) {
+      first->outcome = Outcome::undecided;
+      first->undecided = "more than 64 combinations of near ties";
+      return *first;
+    }
+    spec::ProgramReader program = open();
+    std::optional<Pass> pass;
+    Verdict v;
+    try {
+      pass.emplace(setup, task.choices);
+      v = pass->run(program, first ? nullptr : on_block);
+    } catch (const std::exception&) {
+      if (!first) throw;
+      continue;  // the forced outcome has no finite vectors
+    }
+    if (first && v.outcome == Outcome::undecided) continue;
+    if (v.outcome != Outcome::differs) {
+      v.ties = task.choices.size();
+      return v;
+    }
+    if (!first) first = v;
+    if (!task.choices.empty() && pass->events() <= task.beyond) continue;
+    const auto ties = pass->near_ties();
+    for (auto tie = ties.rbegin(); tie != ties.rend(); ++tie)
+      for (const Sign outcome : {Sign::negative, Sign::zero, Sign::positive})
+        if (outcome != tie->second) {
+          tasks.push_back({task.choices, pass->events()});
+          tasks.back().choices[tie->first] = outcome;
+        }
+  }
+  return *first;
+}
+
+}  // namespace toolcomp::fuzz
