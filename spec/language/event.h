@@ -40,6 +40,14 @@ struct ClauseList {
   }
 };
 
+// Undecided only: which outcomes of the decision the specification permits.
+struct PermittedOutcomes {
+  bool positive = false;
+  bool negative = false;
+  bool tie = false;
+  friend bool operator==(const PermittedOutcomes&, const PermittedOutcomes&) = default;
+};
+
 // A plain value: copying one does not allocate if copying Number does not. Fields that do not belong to `kind` are
 // left at their defaults.
 template <class Number>
@@ -62,6 +70,9 @@ struct Event {
   // alarm, warning, undecided
   Name number;               // PS0041, DIR_CHANGE_AT_STARTUP; undecided: the clause id
   const char* message = "";  // static text
+
+  // undecided
+  PermittedOutcomes permitted;
 
   // setting
   Name setting;  // "H1", "H1.wear"

@@ -1,5 +1,8 @@
 #include "spec/language/json_text.h"
 
+#include <array>
+#include <charconv>
+
 namespace toolcomp::spec {
 
 std::size_t utf8_length(std::string_view text) {
@@ -55,6 +58,12 @@ void append_json_string(std::string& out, std::string_view text) {
     text.remove_prefix(length);
   }
   out += '"';
+}
+
+void append_integer(std::string& out, std::uint64_t value) {
+  std::array<char, 20> digits;  // of 2^64 - 1
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  out.append(digits.data(), end);
 }
 
 }  // namespace toolcomp::spec

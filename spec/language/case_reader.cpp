@@ -1,0 +1,66 @@
+#include "spec/language/case_format.h"
+#include "spec/language/event_document.h"
+#include "spec/language/setup_document.h"
+
+namespace toolcomp::spec {
+namespace {
+
+using document::Kind;
+using document::Node;
+using document::Reader;
+
+constexpr std::uint64_t kMaxSamples = 1'000'000;
+
+const Node& required(const Node& node, std::string_view key, const Reader& read) {
+  const Node* found = node.find(key);
+  if (found == nullptr) read.fail(node.at, "case: without " + std::string(key));
+  return *found;
+}
+
+void read_dialect(const Node& node, const Reader& read, Case& c) {
+  if (read.choice(node, "dialect", {"fanuc", "klartext"}) == 1)
+    read.fail(node.at, "dialect: \"klartext\" is not built yet; expected \"fanuc\"");
+  c.dialect = node.text;
+}
+
+CaseSource source_from(const Node& node, const Reader& read) {
+  read.keys(node, "source", {"generator", "version", "seed"});
+  CaseSource source;
+  if (const Node* generator = node.find("generator")) source.generator = read.string(*generator, "generator");
+  if (const Node* version = node.find("version")) source.version = read.string(*version, "version");
+  if (const Node* seed = node.find("seed")) source.seed = read.string(*seed, "seed");
+  return source;
+}
+
+}  // namespace
+
+Case read_case(std::string_view text, const std::string& file) {
+  const Node root = document::parse_json(text, file);
+  const Reader read(file);
+  Case c;
+  read.keys(root, "case",
+            {"case", "id", "section", "comment", "clauses", "flags", "dialect", "setup", "program", "samples", "source",
+             "expect"});
+  (void)read.integer(required(root, "case", read), "case", 1, 1);
+  if (const Node* id = root.find("id")) c.id = read.string(*id, "id");
+  if (const Node* section = root.find("section")) c.section = read.string(*section, "section");
+  if (const Node* comment = root.find("comment")) c.comment = read.string(*comment, "comment");
+  if (const Node* clauses = root.find("clauses")) c.clauses = read.strings(*clauses, "clauses");
+  if (const Node* flags = root.find("flags")) c.flags = read.strings(*flags, "flags");
+  if (const Node* dialect = root.find("dialect")) read_dialect(*dialect, read, c);
+  c.setup = setup_from(required(root, "setup", read), read);
+  c.program = read.string(required(root, "program", read), "program");
+  if (const Node* samples = root.find("samples"))
+    c.samples = static_cast<std::uint32_t>(read.integer(*samples, "samples", 0, kMaxSamples));
+  if (const Node* source = root.find("source")) c.source = source_from(*source, read);
+  if (const Node* expect = root.find("expect")) {
+    read.expect(*expect, Kind::array, "expect");
+    c.has_expect = true;
+    c.expect.reserve(expect->items.size());
+    for (const Node& item : expect->items)
+      c.expect.push_back(event_from(item, read, c.setup.axes, Strictness::of_cases).event);
+  }
+  return c;
+}
+
+}  // namespace toolcomp::spec

@@ -1,0 +1,155 @@
+#include "spec/language/case_format.h"
+
+namespace toolcomp::spec {
+
+std::string_view case_schema() {
+  return R"schema({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "$id": "case.schema.json",
+  "title": "Case",
+  "description": "A program with its setup and what a run of it is to yield: golden vectors, findings, requests to controllers.",
+  "type": "object",
+  "additionalProperties": false,
+  "required": ["case", "setup", "program"],
+  "properties": {
+    "case": { "description": "Version of this format.", "const": 1 },
+    "id": { "type": "string" },
+    "section": { "description": "The manual section, such as fanuc/leading-edge-offset.", "type": "string" },
+    "comment": { "type": "string" },
+    "clauses": { "description": "Ids of the clauses the case is about.", "type": "array", "items": { "type": "string" } },
+    "flags": { "description": "What is special about the case.", "type": "array", "items": { "type": "string" } },
+    "dialect": { "description": "Language of the program. klartext is not built yet.", "enum": ["fanuc"], "default": "fanuc" },
+    "setup": { "$ref": "setup.schema.json" },
+    "program": { "description": "The text, line feeds included.", "type": "string" },
+    "samples": { "description": "Samples of each move at t = 1/samples, 2/samples, …", "type": "integer", "minimum": 0, "maximum": 1000000, "default": 0 },
+    "source": {
+      "description": "What made the case.",
+      "type": "object", "additionalProperties": false,
+      "properties": { "generator": { "type": "string" }, "version": { "type": "string" }, "seed": { "type": "string" } }
+    },
+    "expect": { "description": "The events, in order.", "type": "array", "items": { "$ref": "event.schema.json" } }
+  }
+}
+)schema";
+}
+
+std::string_view event_schema() {
+  return R"schema({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "$id": "event.schema.json",
+  "title": "Event",
+  "description": "What a run yields. Lengths in the units of the setup, angles in degrees.",
+  "type": "object",
+  "required": ["kind", "line"],
+  "oneOf": [
+    { "$ref": "#/$defs/move" }, { "$ref": "#/$defs/sample" }, { "$ref": "#/$defs/alarm" },
+    { "$ref": "#/$defs/setting" }, { "$ref": "#/$defs/undecided" }
+  ],
+  "$defs": {
+    "move": {
+      "type": "object", "additionalProperties": false,
+      "required": ["kind", "line", "type", "cause"],
+      "dependentRequired": {
+        "center": ["plane", "direction"], "plane": ["center"], "direction": ["center"], "sweep": ["center"], "radius": ["center"]
+      },
+      "properties": {
+        "kind": { "const": "move" },
+        "line": { "$ref": "#/$defs/count" },
+        "n": { "$ref": "#/$defs/count" },
+        "type": { "enum": ["rapid", "linear", "arc"] },
+        "cause": { "enum": ["programmed", "start-up", "corner", "cancel", "pre-turn", "post-turn", "reference", "measure"] },
+        "programmed": { "description": "The programmed end point, absolute, workpiece coordinates.", "$ref": "#/$defs/axis_values" },
+        "point": { "description": "The compensated tool point, before length offset.", "$ref": "#/$defs/axis_values" },
+        "axes": { "description": "What the axes are sent to, workpiece coordinates.", "$ref": "#/$defs/axis_values" },
+        "machine": { "description": "The same in machine coordinates.", "$ref": "#/$defs/axis_values" },
+        "tool_axis": { "description": "From tip to holder, unit.", "$ref": "#/$defs/vector" },
+        "center": { "$ref": "#/$defs/axis_values" },
+        "plane": { "enum": ["XY", "ZX", "YZ"] },
+        "direction": { "enum": ["cw", "ccw"] },
+        "sweep": { "description": "Of the tool's own arc, above 0, up to 360.", "$ref": "#/$defs/number" },
+        "radius": { "description": "At start and end, where they differ.", "type": "array", "items": { "$ref": "#/$defs/number" }, "minItems": 2, "maxItems": 2 },
+        "feed": { "$ref": "#/$defs/number" },
+        "clauses": { "$ref": "#/$defs/clauses" }
+      }
+    },
+    "sample": {
+      "type": "object", "additionalProperties": false,
+      "required": ["kind", "line", "t"],
+      "properties": {
+        "kind": { "const": "sample" },
+        "line": { "$ref": "#/$defs/count" },
+        "n": { "$ref": "#/$defs/count" },
+        "t": { "description": "How far along the move.", "type": "string", "pattern": "^[0-9]+/[1-9][0-9]*$" },
+        "point": { "$ref": "#/$defs/axis_values" },
+        "axes": { "$ref": "#/$defs/axis_values" },
+        "machine": { "$ref": "#/$defs/axis_values" },
+        "tool_axis": { "$ref": "#/$defs/vector" },
+        "clauses": { "$ref": "#/$defs/clauses" }
+      }
+    },
+    "alarm": {
+      "type": "object", "additionalProperties": false,
+      "required": ["kind", "number", "line"],
+      "properties": {
+        "kind": { "enum": ["alarm", "warning"] },
+        "number": { "description": "Such as PS0041, or a name of ours.", "type": "string", "maxLength": 47 },
+        "line": { "$ref": "#/$defs/count" },
+        "n": { "$ref": "#/$defs/count" },
+        "message": { "type": "string" },
+        "clauses": { "$ref": "#/$defs/clauses" }
+      }
+    },
+    "setting": {
+      "type": "object", "additionalProperties": false,
+      "required": ["kind", "name", "value", "line"],
+      "properties": {
+        "kind": { "const": "setting" },
+        "name": { "description": "Such as H1 or H1.wear.", "type": "string", "maxLength": 47 },
+        "value": { "$ref": "#/$defs/number" },
+        "line": { "$ref": "#/$defs/count" },
+        "n": { "$ref": "#/$defs/count" },
+        "clauses": { "$ref": "#/$defs/clauses" }
+      }
+    },
+    "undecided": {
+      "type": "object", "additionalProperties": false,
+      "required": ["kind", "line", "clause"],
+      "properties": {
+        "kind": { "const": "undecided" },
+        "line": { "$ref": "#/$defs/count" },
+        "n": { "$ref": "#/$defs/count" },
+        "clause": { "type": "string", "maxLength": 47 },
+        "permitted": { "type": "array", "items": { "enum": ["positive", "negative", "tie"] } },
+        "clauses": { "$ref": "#/$defs/clauses" }
+      }
+    },
+    "count": { "type": "integer", "minimum": 0 },
+    "clauses": { "type": "array", "items": { "type": "string" } },
+    "number": {
+      "oneOf": [
+        { "type": "number" },
+        { "$ref": "#/$defs/digits" },
+        {
+          "description": "The exact result lies in [v - r, v + r]; q is the result itself, where it is rational.",
+          "type": "object", "additionalProperties": false, "required": ["v"],
+          "properties": {
+            "v": { "oneOf": [{ "type": "number" }, { "$ref": "#/$defs/digits" }] },
+            "r": { "oneOf": [{ "type": "number", "minimum": 0 }, { "$ref": "#/$defs/digits" }] },
+            "q": { "type": "string", "pattern": "^-?[0-9]+(/0*[1-9][0-9]*)?$" }
+          }
+        }
+      ]
+    },
+    "digits": { "type": "string", "pattern": "^[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?$" },
+    "axis_values": {
+      "description": "By axis letter.",
+      "type": "object", "additionalProperties": false,
+      "patternProperties": { "^[ABCUVWXYZ]$": { "$ref": "#/$defs/number" } }
+    },
+    "vector": { "type": "array", "items": { "$ref": "#/$defs/number" }, "minItems": 3, "maxItems": 3 }
+  }
+}
+)schema";
+}
+
+}  // namespace toolcomp::spec

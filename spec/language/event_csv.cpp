@@ -1,0 +1,38 @@
+#include "spec/language/event_csv.h"
+
+namespace toolcomp::spec {
+
+void append_csv_text(std::string& out, std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    out += text;
+    return;
+  }
+  out += '"';
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  out += '"';
+}
+
+void append_csv_header(std::string& out, const Axes& axes) {
+  const auto columns = [&](std::string_view field, bool linear_only) {
+    for (const char letter : axes.letters()) {
+      if (linear_only && !is_linear_axis(letter)) continue;
+      out += field;
+      out += '.';
+      out += letter;
+      out += ',';
+    }
+  };
+  out += "kind,line,n,type,cause,";
+  columns("programmed", true);
+  columns("point", true);
+  columns("axes", false);
+  columns("machine", false);
+  out += "tool_axis.i,tool_axis.j,tool_axis.k,";
+  columns("center", true);
+  out += "plane,direction,sweep,radius.start,radius.end,feed,number,message,name,value,t,clauses\n";
+}
+
+}  // namespace toolcomp::spec

@@ -1,0 +1,109 @@
+// Events as CSV (RFC 4180, lines end with a line feed): one row an event, one column a number. Nothing allocates but
+// the text itself.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "spec/language/event.h"
+#include "spec/language/event_names.h"
+#include "spec/language/json_text.h"
+
+namespace toolcomp::spec {
+
+// Appends `text`, in quotes where it holds a comma, a quote or a line feed.
+void append_csv_text(std::string& out, std::string_view text);
+
+// The names of the columns for a setup with these axes: kind, line, n, type, cause, programmed.X, …
+void append_csv_header(std::string& out, const Axes& axes);
+
+// Writes the columns of one event.
+template <class Number, class AppendNumber>
+class EventCsv {
+ public:
+  EventCsv(std::string& out, const Axes& axes, const AppendNumber& append_number)
+      : out_(out), axes_(axes), append_number_(append_number) {}
+
+  void write(const Event<Number>& event) {
+    const bool move = event.kind == EventKind::move;
+    out_ += name(event.kind);
+    next();
+    append_integer(out_, event.line);
+    next();
+    if (event.n) append_integer(out_, *event.n);
+    next();
+    if (move) out_ += name(event.type);
+    next();
+    if (move) out_ += name(event.cause);
+    next();
+    values(event.programmed, true);
+    values(event.point, true);
+    values(event.axes, false);
+    values(event.machine, false);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (event.tool_axis) append_number_(out_, (*event.tool_axis)[i]);
+      next();
+    }
+    arc(event.arc);
+    if (event.feed) append_number_(out_, *event.feed);
+    next();
+    append_csv_text(out_, event.number.view());
+    next();
+    append_csv_text(out_, event.message);
+    next();
+    append_csv_text(out_, event.setting.view());
+    next();
+    if (event.kind == EventKind::setting) append_number_(out_, event.value);
+    next();
+    if (event.kind == EventKind::sample) {
+      append_integer(out_, event.t_numerator);
+      out_ += '/';
+      append_integer(out_, event.t_denominator);
+    }
+    next();
+    for (std::size_t i = 0; i < event.clauses.size; ++i) {
+      if (i != 0) out_ += ' ';
+      out_ += info(event.clauses.clause[i]).id;
+    }
+    out_ += '\n';
+  }
+
+ private:
+  void next() { out_ += ','; }
+
+  void values(const AxisValues<Number>& values, bool linear_only) {
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+      if (linear_only && !is_linear_axis(axes_.letter(axis))) continue;
+      if (values.has(axis)) append_number_(out_, values[axis]);
+      next();
+    }
+  }
+
+  void arc(const std::optional<Arc<Number>>& arc) {
+    values(arc ? arc->center : AxisValues<Number>{}, true);
+    if (arc) out_ += name(arc->plane);
+    next();
+    if (arc) out_ += name(arc->direction);
+    next();
+    if (arc && arc->sweep) append_number_(out_, *arc->sweep);
+    next();
+    if (arc && arc->radius) append_number_(out_, arc->radius->first);
+    next();
+    if (arc && arc->radius) append_number_(out_, arc->radius->second);
+    next();
+  }
+
+  std::string& out_;
+  const Axes& axes_;
+  const AppendNumber& append_number_;
+};
+
+// Appends the event as one row with its line feed; append_number(out, value) appends one number.
+template <class Number, class AppendNumber>
+void append_event_csv(std::string& out, const Event<Number>& event, const Axes& axes,
+                      const AppendNumber& append_number) {
+  EventCsv<Number, AppendNumber>(out, axes, append_number).write(event);
+}
+
+}  // namespace toolcomp::spec

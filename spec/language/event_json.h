@@ -1,0 +1,185 @@
+// Events as JSON lines (contract, "Events"). Nothing allocates but the text itself.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "spec/language/event.h"
+#include "spec/language/event_names.h"
+#include "spec/language/json_text.h"
+
+namespace toolcomp::spec {
+
+// Writes the fields of one event in the order of the contract.
+template <class Number, class AppendNumber>
+class EventJson {
+ public:
+  EventJson(std::string& out, const Axes& axes, const AppendNumber& append_number)
+      : out_(out), axes_(axes), append_number_(append_number) {}
+
+  void write(const Event<Number>& event) {
+    out_ += "{\"kind\":\"";
+    out_ += name(event.kind);
+    out_ += '"';
+    switch (event.kind) {
+      case EventKind::move:
+        place(event);
+        move(event);
+        break;
+      case EventKind::sample:
+        place(event);
+        sample(event);
+        break;
+      case EventKind::alarm:
+      case EventKind::warning:
+        text("number", event.number.view());
+        place(event);
+        if (*event.message != '\0') text("message", event.message);
+        break;
+      case EventKind::setting:
+        text("name", event.setting.view());
+        number("value", event.value);
+        place(event);
+        break;
+      case EventKind::undecided:
+        place(event);
+        text("clause", event.number.view());
+        permitted(event.permitted);
+        break;
+    }
+    clauses(event.clauses);
+    out_ += '}';
+  }
+
+ private:
+  void key(std::string_view field) {
+    out_ += ",\"";
+    out_ += field;
+    out_ += "\":";
+  }
+  void text(std::string_view field, std::string_view value) {
+    key(field);
+    append_json_string(out_, value);
+  }
+  void number(std::string_view field, const Number& value) {
+    key(field);
+    append_number_(out_, value);
+  }
+
+  void place(const Event<Number>& event) {
+    key("line");
+    append_integer(out_, event.line);
+    if (!event.n) return;
+    key("n");
+    append_integer(out_, *event.n);
+  }
+
+  void values(std::string_view field, const AxisValues<Number>& values) {
+    if (values.empty()) return;
+    key(field);
+    char separator = '{';
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+      if (!values.has(axis)) continue;
+      out_ += separator;
+      out_ += '"';
+      out_ += axes_.letter(axis);
+      out_ += "\":";
+      append_number_(out_, values[axis]);
+      separator = ',';
+    }
+    out_ += '}';
+  }
+
+  void tool_axis(const Event<Number>& event) {
+    if (!event.tool_axis) return;
+    key("tool_axis");
+    char separator = '[';
+    for (const Number& component : *event.tool_axis) {
+      out_ += separator;
+      append_number_(out_, component);
+      separator = ',';
+    }
+    out_ += ']';
+  }
+
+  void arc(const Arc<Number>& arc) {
+    values("center", arc.center);
+    text("plane", name(arc.plane));
+    text("direction", name(arc.direction));
+    if (arc.sweep) number("sweep", *arc.sweep);
+    if (!arc.radius) return;
+    key("radius");
+    out_ += '[';
+    append_number_(out_, arc.radius->first);
+    out_ += ',';
+    append_number_(out_, arc.radius->second);
+    out_ += ']';
+  }
+
+  void move(const Event<Number>& event) {
+    text("type", name(event.type));
+    text("cause", name(event.cause));
+    values("programmed", event.programmed);
+    values("point", event.point);
+    values("axes", event.axes);
+    values("machine", event.machine);
+    tool_axis(event);
+    if (event.arc) arc(*event.arc);
+    if (event.feed) number("feed", *event.feed);
+  }
+
+  void sample(const Event<Number>& event) {
+    key("t");
+    out_ += '"';
+    append_integer(out_, event.t_numerator);
+    out_ += '/';
+    append_integer(out_, event.t_denominator);
+    out_ += '"';
+    values("point", event.point);
+    values("axes", event.axes);
+    values("machine", event.machine);
+    tool_axis(event);
+  }
+
+  void permitted(const PermittedOutcomes& outcomes) {
+    key("permitted");
+    char separator = '[';
+    const auto add = [&](bool is_permitted, std::string_view outcome) {
+      if (!is_permitted) return;
+      out_ += separator;
+      append_json_string(out_, outcome);
+      separator = ',';
+    };
+    add(outcomes.positive, "positive");
+    add(outcomes.negative, "negative");
+    add(outcomes.tie, "tie");
+    if (separator == '[') out_ += '[';
+    out_ += ']';
+  }
+
+  void clauses(const ClauseList& list) {
+    if (list.size == 0) return;
+    key("clauses");
+    for (std::size_t i = 0; i < list.size; ++i) {
+      out_ += i == 0 ? '[' : ',';
+      append_json_string(out_, info(list.clause[i]).id);
+    }
+    out_ += ']';
+  }
+
+  std::string& out_;
+  const Axes& axes_;
+  const AppendNumber& append_number_;
+};
+
+// Appends the event as one JSON object without a line feed; append_number(out, value) appends one number as a JSON
+// value. Empty maps and an empty clause list are left out.
+template <class Number, class AppendNumber>
+void append_event_json(std::string& out, const Event<Number>& event, const Axes& axes,
+                       const AppendNumber& append_number) {
+  EventJson<Number, AppendNumber>(out, axes, append_number).write(event);
+}
+
+}  // namespace toolcomp::spec

@@ -1,0 +1,297 @@
+#include <limits>
+#include <string>
+
+#include "spec/language/event_document.h"
+#include "spec/language/event_names.h"
+#include "spec/language/number_text.h"
+
+namespace toolcomp::spec {
+namespace {
+
+using document::Kind;
+using document::Member;
+using document::Node;
+using document::quoted;
+using document::Reader;
+
+constexpr std::uint64_t kAnyInteger = 999'999'999'999'999'999;
+
+class EventReader {
+ public:
+  EventReader(const Reader& read, const Axes& axes, Strictness strictness)
+      : read_(read), axes_(axes), strict_(strictness == Strictness::of_cases) {}
+
+  EventWithFields event(const Node& node) {
+    read_.expect(node, Kind::table, "event");
+    for (const Member& member : node.members) {
+      const std::optional<Field> field = find_field(member.name);
+      if (field) {
+        result_.fields.add(*field);
+        read_field(*field, member.value);
+      } else if (strict_) {
+        read_.fail(member.at, "event: unknown field " + quoted(member.name));
+      }
+    }
+    demand(node, Field::kind);
+    demand(node, Field::line);
+    if (strict_) complete(node);
+    return std::move(result_);
+  }
+
+ private:
+  void demand(const Node& node, Field field) const {
+    if (!result_.fields.has(field)) read_.fail(node.at, "event: without " + std::string(field_name(field)));
+  }
+
+  // What a kind of event cannot be without, in a case.
+  void complete(const Node& node) const {
+    const TextEvent& event = result_.event;
+    switch (event.kind) {
+      case EventKind::move:
+        demand(node, Field::type);
+        demand(node, Field::cause);
+        if (event.arc) {
+          demand(node, Field::center);
+          demand(node, Field::plane);
+          demand(node, Field::direction);
+        }
+        break;
+      case EventKind::sample:
+        demand(node, Field::t);
+        break;
+      case EventKind::alarm:
+      case EventKind::warning:
+        demand(node, Field::number);
+        break;
+      case EventKind::setting:
+        demand(node, Field::name);
+        demand(node, Field::value);
+        break;
+      case EventKind::undecided:
+        demand(node, Field::clause);
+        break;
+    }
+  }
+
+  template <class Enum>
+  Enum choice(const Node& node, Field field) const {
+    const std::string& text = read_.string(node, field_name(field));
+    if (const std::optional<Enum> value = from_name<Enum>(text)) return *value;
+    std::string known;
+    for (const std::string_view each : kNames<Enum>) known.append(known.empty() ? "" : ", ").append(each);
+    read_.fail(node.at,
+               std::string(field_name(field)) + ": unknown value " + quoted(text) + "; expected one of " + known);
+  }
+
+  Name short_text(const Node& node, Field field) const {
+    const std::string& text = read_.string(node, field_name(field));
+    if (text.size() > Name::kCapacity)
+      read_.fail(node.at,
+                 std::string(field_name(field)) + ": longer than " + std::to_string(Name::kCapacity) + " characters");
+    return {text};
+  }
+
+  std::string number_part(const Node& node, Field field) const {
+    const bool number = node.kind == Kind::number || node.kind == Kind::string;
+    if (!number || !is_number_text(node.text)) not_a_number(node, field);
+    return node.text;
+  }
+
+  [[noreturn]] void not_a_number(const Node& node, Field field) const {
+    const std::string found =
+        node.kind == Kind::string ? quoted(node.text) : std::string(document::describe(node.kind));
+    read_.fail(node.at, std::string(field_name(field)) + ": expected a number, found " + found);
+  }
+
+  NumberText number(const Node& node, Field field) const {
+    NumberText value;
+    if (node.kind != Kind::table) {
+      value.v = number_part(node, field);
+      return value;
+    }
+    if (strict_) read_.keys(node, field_name(field), {"v", "r", "q"});
+    const Node* v = node.find("v");
+    if (v == nullptr) read_.fail(node.at, std::string(field_name(field)) + ": a number without v");
+    value.v = number_part(*v, field);
+    if (const Node* r = node.find("r")) {
+      value.r = number_part(*r, field);
+      if (value.r.front() == '-') read_.fail(r->at, std::string(field_name(field)) + ": a radius below 0");
+    }
+    if (const Node* q = node.find("q")) {
+      value.q = read_.string(*q, field_name(field));
+      if (!is_fraction(value.q))
+        read_.fail(q->at, std::string(field_name(field)) + ": q is a fraction such as \"-3/4\"");
+    }
+    return value;
+  }
+
+  // [-]digits[/digits], the denominator not 0.
+  static bool is_fraction(std::string_view text) {
+    if (text.starts_with('-')) text.remove_prefix(1);
+    const auto digits = [](std::string_view part) {
+      return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return digits(text);
+    const std::string_view denominator = text.substr(slash + 1);
+    return digits(text.substr(0, slash)) && digits(denominator) &&
+           denominator.find_first_not_of('0') != std::string_view::npos;
+  }
+
+  AxisValues<NumberText> values(const Node& node, Field field) const {
+    read_.expect(node, Kind::table, field_name(field));
+    AxisValues<NumberText> result;
+    for (const Member& member : node.members) {
+      const std::size_t axis = member.name.size() == 1 ? axes_.index(member.name[0]) : Axes::kNone;
+      if (axis != Axes::kNone)
+        result.set(axis, number(member.value, field));
+      else if (strict_)
+        read_.fail(member.at, std::string(field_name(field)) + ": " + quoted(member.name) + " is no axis of the setup");
+    }
+    return result;
+  }
+
+  template <std::size_t N>
+  std::array<NumberText, N> numbers(const Node& node, Field field) const {
+    read_.expect(node, Kind::array, field_name(field));
+    if (node.items.size() != N)
+      read_.fail(node.at, std::string(field_name(field)) + ": expected " + std::to_string(N) + " numbers");
+    std::array<NumberText, N> result;
+    for (std::size_t i = 0; i < N; ++i) result[i] = number(node.items[i], field);
+    return result;
+  }
+
+  ClauseList clauses(const Node& node) const {
+    ClauseList list;
+    read_.expect(node, Kind::array, "clauses");
+    for (const Node& item : node.items) {
+      const std::optional<Clause> clause = find_clause(read_.string(item, "clauses"));
+      if (clause)
+        list.add(*clause);
+      else if (strict_)
+        read_.fail(item.at, "clauses: unknown clause " + quoted(item.text));
+    }
+    return list;
+  }
+
+  PermittedOutcomes permitted(const Node& node) const {
+    PermittedOutcomes outcomes;
+    read_.expect(node, Kind::array, "permitted");
+    for (const Node& item : node.items) {
+      const std::size_t outcome = read_.choice(item, "permitted", {"positive", "negative", "tie"});
+      (outcome == 0 ? outcomes.positive : outcome == 1 ? outcomes.negative : outcomes.tie) = true;
+    }
+    return outcomes;
+  }
+
+  void read_t(const Node& node) {
+    const std::string& text = read_.string(node, "t");
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    const std::optional<Decimal> numerator = parse_decimal(std::string_view(text).substr(0, slash));
+    const std::optional<Decimal> denominator =
+        slash == text.size() ? std::optional(decimal(1)) : parse_decimal(std::string_view(text).substr(slash + 1));
+    const auto part = [](const std::optional<Decimal>& value) {
+      return value && !value->point && !value->negative && value->digits <= std::numeric_limits<std::uint32_t>::max();
+    };
+    if (!part(numerator) || !part(denominator) || denominator->is_zero())
+      read_.fail(node.at, "t: expected a fraction such as \"1/4\"");
+    result_.event.t_numerator = static_cast<std::uint32_t>(numerator->digits);
+    result_.event.t_denominator = static_cast<std::uint32_t>(denominator->digits);
+  }
+
+  Arc<NumberText>& arc() {
+    if (!result_.event.arc) result_.event.arc.emplace();
+    return *result_.event.arc;
+  }
+
+  void read_field(Field field, const Node& node) {
+    TextEvent& event = result_.event;
+    switch (field) {
+      case Field::kind:
+        event.kind = choice<EventKind>(node, field);
+        break;
+      case Field::line:
+        event.line = read_.integer(node, "line", 0, kAnyInteger);
+        break;
+      case Field::n:
+        event.n = read_.integer(node, "n", 0, kAnyInteger);
+        break;
+      case Field::type:
+        event.type = choice<MoveType>(node, field);
+        break;
+      case Field::cause:
+        event.cause = choice<Cause>(node, field);
+        break;
+      case Field::programmed:
+        event.programmed = values(node, field);
+        break;
+      case Field::point:
+        event.point = values(node, field);
+        break;
+      case Field::axes:
+        event.axes = values(node, field);
+        break;
+      case Field::machine:
+        event.machine = values(node, field);
+        break;
+      case Field::tool_axis:
+        event.tool_axis = numbers<3>(node, field);
+        break;
+      case Field::center:
+        arc().center = values(node, field);
+        break;
+      case Field::plane:
+        arc().plane = choice<Plane>(node, field);
+        break;
+      case Field::direction:
+        arc().direction = choice<ArcDirection>(node, field);
+        break;
+      case Field::sweep:
+        arc().sweep = number(node, field);
+        break;
+      case Field::radius: {
+        auto [start, end] = numbers<2>(node, field);
+        arc().radius.emplace(std::move(start), std::move(end));
+        break;
+      }
+      case Field::feed:
+        event.feed = number(node, field);
+        break;
+      case Field::number:
+      case Field::clause:
+        event.number = short_text(node, field);
+        break;
+      case Field::message:
+        (void)read_.string(node, "message");
+        break;
+      case Field::name:
+        event.setting = short_text(node, field);
+        break;
+      case Field::value:
+        event.value = number(node, field);
+        break;
+      case Field::t:
+        read_t(node);
+        break;
+      case Field::permitted:
+        event.permitted = permitted(node);
+        break;
+      case Field::clauses:
+        event.clauses = clauses(node);
+        break;
+    }
+  }
+
+  const Reader& read_;
+  const Axes& axes_;
+  bool strict_;
+  EventWithFields result_;
+};
+
+}  // namespace
+
+EventWithFields event_from(const Node& node, const Reader& read, const Axes& axes, Strictness strictness) {
+  return EventReader(read, axes, strictness).event(node);
+}
+
+}  // namespace toolcomp::spec

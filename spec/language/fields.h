@@ -1,0 +1,64 @@
+// The fields of events by name: which of them an event has, which a controller announces.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace toolcomp::spec {
+
+enum class Field : std::uint8_t {
+  kind,
+  line,
+  n,
+  type,
+  cause,
+  programmed,
+  point,
+  axes,
+  machine,
+  tool_axis,
+  center,
+  plane,
+  direction,
+  sweep,
+  radius,
+  feed,
+  number,
+  message,
+  name,
+  value,
+  t,
+  clause,
+  permitted,
+  clauses,
+};
+inline constexpr std::array<std::string_view, 24> kFieldNames{
+    "kind",    "line",      "n",      "type",  "cause",     "programmed", "point",     "axes",
+    "machine", "tool_axis", "center", "plane", "direction", "sweep",      "radius",    "feed",
+    "number",  "message",   "name",   "value", "t",         "clause",     "permitted", "clauses"};
+
+constexpr std::string_view field_name(Field field) { return kFieldNames[static_cast<std::size_t>(field)]; }
+constexpr std::optional<Field> find_field(std::string_view name) {
+  const auto found = std::ranges::find(kFieldNames, name);
+  if (found == kFieldNames.end()) return std::nullopt;
+  return static_cast<Field>(found - kFieldNames.begin());
+}
+
+// A set of fields.
+class FieldSet {
+ public:
+  [[nodiscard]] bool has(Field field) const { return set_[static_cast<std::size_t>(field)]; }
+  void add(Field field) { set_.set(static_cast<std::size_t>(field)); }
+  [[nodiscard]] bool empty() const { return set_.none(); }
+  friend bool operator==(const FieldSet&, const FieldSet&) = default;
+
+ private:
+  std::bitset<kFieldNames.size()> set_;
+};
+
+}  // namespace toolcomp::spec
