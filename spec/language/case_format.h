@@ -1,10 +1,12 @@
-// Cases as JSON (contract, "Case"): read, and written in a stable form.
+// Cases as JSON (contract, "Case"), read and written in a stable form, and the answers of controllers.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "spec/language/case.h"
+#include "spec/language/fields.h"
 
 namespace toolcomp::spec {
 
@@ -16,6 +18,17 @@ Case read_case(std::string_view text, const std::string& file);
 std::string write_case(const Case& c);
 // … or all in one line without a line feed.
 std::string write_case_line(const Case& c);
+
+// What a controller answers to a case (contract, "Controller under test").
+struct Reply {
+  std::string id;
+  std::vector<TextEvent> events;
+  std::vector<FieldSet> fields;  // of each event: which fields the answer gives
+};
+
+// Reads such an answer, one line. Fields that the contract does not know are ignored; `id`, `events`, and in each event
+// `kind` and `line` must be there. Throws InputError that says what is malformed. `file` is for messages.
+Reply read_reply(std::string_view line, const Axes& axes, const std::string& file);
 
 // JSON Schemas (draft 2020-12) of cases and of events: corpus/schema.
 std::string_view case_schema();

@@ -63,4 +63,23 @@ Case read_case(std::string_view text, const std::string& file) {
   return c;
 }
 
+Reply read_reply(std::string_view line, const Axes& axes, const std::string& file) {
+  const Node root = document::parse_json(line, file);
+  const Reader read(file);
+  read.expect(root, Kind::table, "reply");
+  const Node* id = root.find("id");
+  const Node* events = root.find("events");
+  if (id == nullptr) read.fail(root.at, "reply: without id");
+  if (events == nullptr) read.fail(root.at, "reply: without events");
+  read.expect(*events, Kind::array, "events");
+  Reply reply;
+  reply.id = read.string(*id, "id");
+  for (const Node& item : events->items) {
+    EventWithFields each = event_from(item, read, axes, Strictness::of_replies);
+    reply.events.push_back(std::move(each.event));
+    reply.fields.push_back(each.fields);
+  }
+  return reply;
+}
+
 }  // namespace toolcomp::spec

@@ -1,10 +1,11 @@
-// The compensated path as a plain program: G00 G01 G02 G03 with axis words, all compensation worked in.
+// The compensated path as a plain program: G00 G01 G02 G03 with axis words, all compensation worked in. Nothing
+// allocates but the text itself.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "spec/language/event.h"
 #include "spec/language/event_names.h"
@@ -13,42 +14,47 @@
 
 namespace toolcomp::spec {
 
-// Writes the `axes` of every move, absolute, in the workpiece coordinate system the move was made in (events do not say
-// when G54 to G59 change: a program that changes them needs its own origins set). Alarms, warnings and settings become
-// comments; samples are left out. Number needs a binary minus, for the I J K of arcs.
+// What a program needs before the first event, and after the last.
+void append_gcode_begin(std::string& out, Units units);
+void append_gcode_end(std::string& out);
+
+// What the writer keeps between events: the tool point, from which I J K of an arc are counted. Begin with where the
+// program starts, or empty: then an arc that comes first has no I J K for the axes whose start is unknown.
+template <class Number>
+struct GcodeState {
+  AxisValues<Number> point;
+};
+
+// Writes one event as one line.
 template <class Number, class AppendNumber>
-class GcodeWriter {
+class EventGcode {
  public:
-  // `start` is where the first move starts, for the I J K of an arc that comes first.
-  GcodeWriter(const Setup& setup, const AxisValues<Number>& start, AppendNumber append_number)
-      : axes_(setup.axes), units_(setup.units), at_(start), append_number_(std::move(append_number)) {}
+  EventGcode(std::string& out, const Axes& axes, const AppendNumber& append_number, GcodeState<Number>& state)
+      : out_(out), axes_(axes), append_number_(append_number), state_(state) {}
 
-  void begin(std::string& out) const { out += units_ == Units::mm ? "%\nG90 G94 G21\n" : "%\nG90 G94 G20\n"; }
-  void end(std::string& out) const { out += "M30\n%\n"; }
-
-  void write(std::string& out, const Event<Number>& event) {
+  void write(const Event<Number>& event) {
     switch (event.kind) {
       case EventKind::move:
-        move(out, event);
+        move(event);
         break;
       case EventKind::alarm:
       case EventKind::warning:
-        open_comment(out, event, event.number.view());
-        if (*event.message != '\0') out += ": ";
-        comment_text(out, event.message);
-        out += ")\n";
+        open_comment(event, event.number.view());
+        if (*event.message != '\0') out_ += ": ";
+        comment_text(event.message);
+        out_ += ")\n";
         break;
       case EventKind::setting:
-        open_comment(out, event, event.setting.view());
-        out += " = ";
-        append_number_(out, event.value);
-        out += ")\n";
+        open_comment(event, event.setting.view());
+        out_ += " = ";
+        append_number_(out_, event.value);
+        out_ += ")\n";
         break;
       case EventKind::undecided:
-        open_comment(out, event, "undecided");
-        out += ": ";
-        comment_text(out, event.number.view());
-        out += ")\n";
+        open_comment(event, "undecided");
+        out_ += ": ";
+        comment_text(event.number.view());
+        out_ += ")\n";
         break;
       case EventKind::sample:
         break;
@@ -56,61 +62,73 @@ class GcodeWriter {
   }
 
  private:
-  void word(std::string& out, char address, const Number& value) const {
-    out += ' ';
-    out += address;
-    append_number_(out, value);
+  void word(char address, const Number& value) {
+    out_ += ' ';
+    out_ += address;
+    append_number_(out_, value);
   }
 
-  void move(std::string& out, const Event<Number>& event) {
+  void move(const Event<Number>& event) {
     if (event.n) {
-      out += 'N';
-      append_integer(out, *event.n);
-      out += ' ';
+      out_ += 'N';
+      append_integer(out_, *event.n);
+      out_ += ' ';
     }
     const bool arc = event.type == MoveType::arc && event.arc;
-    out += arc ? arc_code(*event.arc) : event.type == MoveType::rapid ? "G00" : "G01";
+    out_ += arc ? arc_code(*event.arc) : event.type == MoveType::rapid ? "G00" : "G01";
     for (std::size_t axis = 0; axis < axes_.size(); ++axis)
-      if (event.axes.has(axis)) word(out, axes_.letter(axis), event.axes[axis]);
-    if (arc) center(out, *event.arc);
-    if (event.feed && event.type != MoveType::rapid) word(out, 'F', *event.feed);
-    out += '\n';
+      if (event.axes.has(axis)) word(axes_.letter(axis), event.axes[axis]);
+    if (arc) center(*event.arc);
+    if (event.feed && event.type != MoveType::rapid) word('F', *event.feed);
+    out_ += '\n';
     for (std::size_t axis = 0; axis < axes_.size(); ++axis)
-      if (event.point.has(axis)) at_.set(axis, event.point[axis]);
+      if (event.point.has(axis)) state_.point.set(axis, event.point[axis]);
   }
 
-  // The centre belongs to `point`; so does the start it is counted from.
-  void center(std::string& out, const Arc<Number>& arc) const {
+  // The centre belongs to `point`, and so does the start that I J K are counted from: the difference is the same for
+  // the axes.
+  void center(const Arc<Number>& arc) {
     constexpr std::string_view kLetters = "XYZ";
     constexpr std::string_view kAddresses = "IJK";
     for (std::size_t i = 0; i < kLetters.size(); ++i) {
       const std::size_t axis = axes_.index(kLetters[i]);
       const bool in_plane = name(arc.plane).find(kLetters[i]) != std::string_view::npos;
-      if (in_plane && axis < axes_.size() && arc.center.has(axis) && at_.has(axis))
-        word(out, kAddresses[i], arc.center[axis] - at_[axis]);
+      if (in_plane && axis < axes_.size() && arc.center.has(axis) && state_.point.has(axis))
+        word(kAddresses[i], arc.center[axis] - state_.point[axis]);
     }
   }
 
   static std::string_view arc_code(const Arc<Number>& arc) {
-    constexpr std::string_view kCodes[2][3] = {{"G17 G02", "G18 G02", "G19 G02"}, {"G17 G03", "G18 G03", "G19 G03"}};
-    return kCodes[static_cast<std::size_t>(arc.direction)][static_cast<std::size_t>(arc.plane)];
+    constexpr std::array<std::string_view, 3> kClockwise{"G17 G02", "G18 G02", "G19 G02"};
+    constexpr std::array<std::string_view, 3> kCounterClockwise{"G17 G03", "G18 G03", "G19 G03"};
+    const auto plane = static_cast<std::size_t>(arc.plane);
+    return arc.direction == ArcDirection::cw ? kClockwise[plane] : kCounterClockwise[plane];
   }
 
-  void open_comment(std::string& out, const Event<Number>& event, std::string_view what) const {
-    out += "(line ";
-    append_integer(out, event.line);
-    out += ": ";
-    comment_text(out, what);
+  void open_comment(const Event<Number>& event, std::string_view what) {
+    out_ += "(line ";
+    append_integer(out_, event.line);
+    out_ += ": ";
+    comment_text(what);
   }
-  // Text that cannot end the comment.
-  static void comment_text(std::string& out, std::string_view text) {
-    for (const char c : text) out += c == '(' ? '[' : c == ')' ? ']' : c;
+  // Brackets, so that the text cannot end the comment.
+  void comment_text(std::string_view text) {
+    for (const char c : text) out_ += c == '(' ? '[' : c == ')' ? ']' : c;
   }
 
-  Axes axes_;
-  Units units_;
-  AxisValues<Number> at_;  // of the tool point
-  AppendNumber append_number_;
+  std::string& out_;
+  const Axes& axes_;
+  const AppendNumber& append_number_;
+  GcodeState<Number>& state_;
 };
+
+// Appends the event as one line: a move to its `axes`, absolute, in the workpiece coordinate system it was made in
+// (events do not say when G54 to G59 change); alarms, warnings and settings as comments; nothing for a sample.
+// append_number(out, value) appends one number without exponent. Number needs a minus, for I J K.
+template <class Number, class AppendNumber>
+void append_event_gcode(std::string& out, const Event<Number>& event, const Axes& axes,
+                        const AppendNumber& append_number, GcodeState<Number>& state) {
+  EventGcode<Number, AppendNumber>(out, axes, append_number, state).write(event);
+}
 
 }  // namespace toolcomp::spec

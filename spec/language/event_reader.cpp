@@ -1,5 +1,9 @@
+#include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "spec/language/event_document.h"
 #include "spec/language/event_names.h"
@@ -43,33 +47,38 @@ class EventReader {
     if (!result_.fields.has(field)) read_.fail(node.at, "event: without " + std::string(field_name(field)));
   }
 
-  // What a kind of event cannot be without, in a case.
+  // What a kind of event must have, in a case, and what it may have.
+  struct Shape {
+    std::initializer_list<Field> required;
+    std::initializer_list<Field> optional;
+  };
+  static const Shape& shape(EventKind kind) {
+    using enum Field;
+    static const std::array<Shape, kNames<EventKind>.size()> shapes{{
+        {{type, cause},
+         {n, programmed, point, axes, machine, tool_axis, center, plane, direction, sweep, radius, feed, clauses}},
+        {{t}, {n, point, axes, machine, tool_axis, clauses}},
+        {{number}, {n, message, clauses}},
+        {{number}, {n, message, clauses}},
+        {{name, value}, {n, clauses}},
+        {{clause}, {n, permitted, clauses}},
+    }};
+    return shapes[static_cast<std::size_t>(kind)];
+  }
+
   void complete(const Node& node) const {
-    const TextEvent& event = result_.event;
-    switch (event.kind) {
-      case EventKind::move:
-        demand(node, Field::type);
-        demand(node, Field::cause);
-        if (event.arc) {
-          demand(node, Field::center);
-          demand(node, Field::plane);
-          demand(node, Field::direction);
-        }
-        break;
-      case EventKind::sample:
-        demand(node, Field::t);
-        break;
-      case EventKind::alarm:
-      case EventKind::warning:
-        demand(node, Field::number);
-        break;
-      case EventKind::setting:
-        demand(node, Field::name);
-        demand(node, Field::value);
-        break;
-      case EventKind::undecided:
-        demand(node, Field::clause);
-        break;
+    const Shape& expected = shape(result_.event.kind);
+    for (const Field field : expected.required) demand(node, field);
+    if (result_.event.arc)
+      for (const Field field : {Field::center, Field::plane, Field::direction}) demand(node, field);
+    for (const Member& member : node.members) {
+      const Field field = *find_field(member.name);
+      const auto in = [field](std::initializer_list<Field> list) {
+        return std::ranges::find(list, field) != list.end();
+      };
+      if (field != Field::kind && field != Field::line && !in(expected.required) && !in(expected.optional))
+        read_.fail(member.at, "event: " + quoted(member.name) + " does not belong to " +
+                                  std::string(spec::name(result_.event.kind)) + " events");
     }
   }
 
