@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <limits>
 #include <string>
 #include <utility>
@@ -49,36 +48,35 @@ class EventReader {
 
   // What a kind of event must have, in a case, and what it may have.
   struct Shape {
-    std::initializer_list<Field> required;
-    std::initializer_list<Field> optional;
+    FieldSet required;
+    FieldSet optional;
   };
   static const Shape& shape(EventKind kind) {
-    using enum Field;
+    using F = Field;
     static const std::array<Shape, kNames<EventKind>.size()> shapes{{
-        {{type, cause},
-         {n, programmed, point, axes, machine, tool_axis, center, plane, direction, sweep, radius, feed, clauses}},
-        {{t}, {n, point, axes, machine, tool_axis, clauses}},
-        {{number}, {n, message, clauses}},
-        {{number}, {n, message, clauses}},
-        {{name, value}, {n, clauses}},
-        {{clause}, {n, permitted, clauses}},
+        {{F::kind, F::line, F::type, F::cause},
+         {F::n, F::programmed, F::point, F::axes, F::machine, F::tool_axis, F::center, F::plane, F::direction, F::sweep,
+          F::radius, F::feed, F::clauses}},
+        {{F::kind, F::line, F::t}, {F::n, F::point, F::axes, F::machine, F::tool_axis, F::clauses}},
+        {{F::kind, F::line, F::number}, {F::n, F::message, F::clauses}},
+        {{F::kind, F::line, F::number}, {F::n, F::message, F::clauses}},
+        {{F::kind, F::line, F::name, F::value}, {F::n, F::clauses}},
+        {{F::kind, F::line, F::clause}, {F::n, F::permitted, F::clauses}},
     }};
     return shapes[static_cast<std::size_t>(kind)];
   }
 
   void complete(const Node& node) const {
     const Shape& expected = shape(result_.event.kind);
-    for (const Field field : expected.required) demand(node, field);
+    for (std::size_t i = 0; i < kFieldNames.size(); ++i)
+      if (expected.required.has(static_cast<Field>(i))) demand(node, static_cast<Field>(i));
     if (result_.event.arc)
       for (const Field field : {Field::center, Field::plane, Field::direction}) demand(node, field);
     for (const Member& member : node.members) {
       const Field field = *find_field(member.name);
-      const auto in = [field](std::initializer_list<Field> list) {
-        return std::ranges::find(list, field) != list.end();
-      };
-      if (field != Field::kind && field != Field::line && !in(expected.required) && !in(expected.optional))
+      if (!expected.required.has(field) && !expected.optional.has(field))
         read_.fail(member.at, "event: " + quoted(member.name) + " does not belong to " +
-                                  std::string(spec::name(result_.event.kind)) + " events");
+                                  std::string(name(result_.event.kind)) + " events");
     }
   }
 

@@ -6,6 +6,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 
@@ -52,6 +53,10 @@ constexpr std::optional<Field> find_field(std::string_view name) {
 // A set of fields.
 class FieldSet {
  public:
+  FieldSet() = default;
+  FieldSet(std::initializer_list<Field> fields) {
+    for (const Field field : fields) add(field);
+  }
   [[nodiscard]] bool has(Field field) const { return set_[static_cast<std::size_t>(field)]; }
   void add(Field field) { set_.set(static_cast<std::size_t>(field)); }
   [[nodiscard]] bool empty() const { return set_.none(); }
