@@ -183,7 +183,8 @@ Setup random_setup(Choices& choose, Kinematics wanted) {
     if (choose.chance(40)) origin = table(choose, setup, 70);
   if (choose.chance(40)) setup.position = table(choose, setup, 60);
   for (int number = 1; number <= 4; ++number)
-    if (choose.chance(30)) setup.reference[number] = table(choose, setup, 70);
+    if (choose.chance(30))
+      if (spec::AxisTable point = table(choose, setup, 70); !point.empty()) setup.reference[number] = std::move(point);
   if (choose.chance(20)) setup.floating_reference = table(choose, setup, 70);
   return setup;
 }

@@ -31,6 +31,9 @@ struct Difference {
   std::size_t event = 0;     // index in the list of events, from 0
 };
 
+// "line 5, point.X: 3.5 expected, 3.25 given, 250000 um off (fanuc.leading-edge.…)".
+std::string explain(const Difference& difference);
+
 struct Verdict {
   Outcome outcome = Outcome::nothing_judged;
   std::optional<Difference> difference;  // also with `undecided`, where a difference could not be settled

@@ -1,0 +1,71 @@
+// The built-in fuzzing driver, guided by the model's recorder.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fuzz/gen/generator.h"
+#include "fuzz/oracle/trial.h"
+
+namespace toolcomp::fuzz {
+
+// What a campaign has done so far.
+struct CampaignProgress {
+  std::uint64_t executions = 0;
+  double seconds = 0;
+  std::uint64_t features = 0;
+  std::uint64_t findings = 0;  // distinct
+};
+
+// Distinct by section, kind and clause of the first divergence.
+struct Finding {
+  spec::Case input;  // source.seed replays its generation
+  Difference difference;
+  std::uint64_t executions = 0;  // of the same key
+  std::uint64_t first = 0;       // execution of its job at which it was found, from 1
+};
+
+struct CampaignOptions {
+  std::vector<std::string> sections;  // empty: all
+  std::vector<Mode> modes = {Mode::directed};
+  double seconds = 60;     // where runs is 0
+  std::uint64_t runs = 0;  // executions in all
+  unsigned jobs = 1;       // threads; each has its own engines and corpus
+  std::uint64_t seed = 1;
+  std::size_t max_findings = 100;  // distinct ones, then the campaign ends
+  // What is tested, one for each job; empty: the fast engine.
+  std::function<Subject(unsigned job)> subject;
+  // Called about once a second, from one thread.
+  std::function<void(const CampaignProgress&)> progress;
+  // Called for each distinct finding as it is made, never at the same time from two threads; what it throws ends the
+  // campaign.
+  std::function<void(const Finding&)> on_finding;
+};
+
+struct CampaignResult {
+  std::uint64_t executions = 0;
+  double seconds = 0;
+  double per_second_per_core = 0;
+  std::array<std::uint64_t, kAcceptances> acceptance{};
+  std::vector<model::ClauseCount> clauses;  // summed over all executions
+  std::uint64_t features = 0;               // distinct clause × outcome × margin bins
+  std::uint64_t decisions = 0;
+  std::uint64_t near_ties = 0;
+  std::uint64_t ties = 0;
+  std::uint64_t values = 0;
+  double worst_ulp = 0;
+  double worst_um = 0;
+  std::vector<Finding> findings;  // by job, then by when they were found
+
+  [[nodiscard]] double accepted_share() const;
+};
+
+// Runs until `seconds` are over or `runs` executions are done. With one job and `runs`, the same seed gives the same
+// result but for times. Throws std::invalid_argument for an unknown section.
+CampaignResult run_campaign(const CampaignOptions& options);
+
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,36 @@
+// One case through both engines and the judge.
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "fuzz/oracle/verdict.h"
+
+namespace toolcomp::fuzz {
+
+// Why a case was not accepted: executions are counted by it, none is dropped silently.
+enum class Acceptance : std::uint8_t {
+  accepted,     // at least one number was judged
+  no_number,    // the run ended before the first move
+  no_setup,     // a setup no control could have; both engines refuse it
+  no_text,      // bytes that are no program text
+  not_decided,  // the oracle could not decide
+};
+inline constexpr std::size_t kAcceptances = 5;
+std::string_view name(Acceptance acceptance);
+
+struct Trial {
+  Acceptance acceptance = Acceptance::no_text;
+  Verdict verdict;
+  ModelRun run;
+  [[nodiscard]] bool found() const { return verdict.outcome == Outcome::differs; }
+};
+
+// Judges what a subject does with a case. The default is the fast engine.
+using Subject = std::function<Verdict(const spec::Case&, const ModelRun&)>;
+
+// Refusal of a setup by one engine alone, and an exception out of an engine, are differences ("setup", "exception").
+Trial try_case(const spec::Case& c);
+Trial try_case(const spec::Case& c, const Subject& subject);
+
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,94 @@
+#include "fuzz/targets/twin.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <span>
+#include <string>
+
+#include "fuzz/campaign/features.h"
+#include "fuzz/gen/encode.h"
+#include "fuzz/gen/mutate.h"
+#include "fuzz/oracle/trial.h"
+
+namespace {
+
+using namespace toolcomp::fuzz;
+
+// libFuzzer reads this section as more coverage and zeroes it before each run. It must be in an object of the
+// executable itself: from a shared library it would be lost.
+__attribute__((section("__libfuzzer_extra_counters"))) std::array<std::uint8_t, kFeatures> g_counters;
+
+// Directed cases are made to be judged: a target below this share tests its own generator's mistakes.
+constexpr double kFloor = 0.85;
+// Fewer executions say nothing about a share (replays, minimisation).
+constexpr std::uint64_t kEnough = 2000;
+constexpr int kBelowFloor = 76;
+
+std::array<std::uint64_t, kAcceptances> g_acceptance;
+Mode g_mode = Mode::directed;
+
+void report() {
+  std::uint64_t all = 0;
+  for (const std::uint64_t n : g_acceptance) all += n;
+  if (all == 0) return;
+  const double share = static_cast<double>(g_acceptance[0]) / static_cast<double>(all);
+  std::string text = fmt::format("acceptance: {:.1f} % of {} executions", 100 * share, all);
+  for (std::size_t i = 1; i < kAcceptances; ++i)
+    if (g_acceptance.at(i) != 0) text += fmt::format(", {} {}", name(static_cast<Acceptance>(i)), g_acceptance.at(i));
+  fmt::print(stderr, "{}\n", text);
+  if (g_mode == Mode::directed && all >= kEnough && share < kFloor) {
+    fmt::print(stderr, "acceptance is below its floor of {:.0f} %\n", 100 * kFloor);
+    std::fflush(nullptr);
+    std::_Exit(kBelowFloor);
+  }
+}
+
+std::size_t put(const toolcomp::spec::Case& c, std::uint8_t* out, std::size_t most) {
+  const std::string bytes = encode(c);
+  if (bytes.size() > most) return 0;
+  std::memcpy(out, bytes.data(), bytes.size());
+  return bytes.size();
+}
+
+}  // namespace
+
+namespace toolcomp::fuzz {
+
+int initialize_target(std::string_view, Mode mode) {
+  g_mode = mode;
+  return std::atexit(report);
+}
+
+void run_target(std::string_view section, Mode, const std::uint8_t* data, std::size_t size) {
+  const spec::Case c = decode(section, as_text({data, size}));
+  const Trial trial = try_case(c);
+  ++g_acceptance.at(static_cast<std::size_t>(trial.acceptance));
+  count_features(trial.run.recorder, g_counters);
+  if (!trial.found()) return;
+  fmt::print(stderr, "\nDIFFERENCE {}\n{}\n", explain(*trial.verdict.difference), encode(c));
+  std::abort();
+}
+
+std::size_t mutate_input(std::string_view section, Mode mode, std::uint8_t* data, std::size_t size, std::size_t most,
+                         unsigned seed) {
+  SeededSource source(seed);
+  spec::Case c = decode(section, as_text({data, size}));
+  if (c.program.empty() || source.below(8) == 0)
+    c = generate(section, mode, source);
+  else
+    mutate(c, mode, source);
+  const std::size_t length = put(c, data, most);
+  return length > 0 ? length : size;
+}
+
+std::size_t cross_inputs(std::string_view section, const std::uint8_t* a, std::size_t a_size, const std::uint8_t* b,
+                         std::size_t b_size, std::uint8_t* out, std::size_t most, unsigned seed) {
+  SeededSource source(seed);
+  return put(splice(decode(section, as_text({a, a_size})), decode(section, as_text({b, b_size})), source), out, most);
+}
+
+}  // namespace toolcomp::fuzz
