@@ -26,13 +26,20 @@ int diff(const DiffOptions& options) {
   spec::ProgramReader reader = program.reader();
   const fuzz::Verdict verdict = fuzz::judge_stream(reader, program.setup(), &Progress::count);
   if (verdict.difference) print_difference(*verdict.difference, program.path());
-  std::cerr << fmt::format("{} values judged, {} decisions, {} near ties, {} ties; worst {:.3g} ulp, {:.3g} µm\n", verdict.values,
-                           verdict.decisions, verdict.near_ties, verdict.ties, verdict.worst_ulp, verdict.worst_um);
+  std::cerr << fmt::format("{} values judged, {} decisions, {} near ties, {} ties; worst {:.3g} ulp, {:.3g} µm\n",
+                           verdict.values, verdict.decisions, verdict.near_ties, verdict.ties, verdict.worst_ulp,
+                           verdict.worst_um);
   switch (verdict.outcome) {
-    case fuzz::Outcome::agrees: return kAgrees;
-    case fuzz::Outcome::differs: return kDiffers;
-    case fuzz::Outcome::undecided: std::cerr << "could not decide\n"; return kUndecided;
-    case fuzz::Outcome::nothing_judged: std::cerr << "nothing to judge\n"; return kUndecided;
+    case fuzz::Outcome::agrees:
+      return kAgrees;
+    case fuzz::Outcome::differs:
+      return kDiffers;
+    case fuzz::Outcome::undecided:
+      std::cerr << "could not decide\n";
+      return kUndecided;
+    case fuzz::Outcome::nothing_judged:
+      std::cerr << "nothing to judge\n";
+      return kUndecided;
   }
   return kSelfCheckFailed;
 }

@@ -1,4 +1,5 @@
-// toolcomp explain: block by block, the clauses applied, each decision with its exact value and the double nearest to it.
+// toolcomp explain: block by block, the clauses applied, each decision with its exact value and the double nearest to
+// it.
 #include <fmt/format.h>
 
 #include <deque>
@@ -25,18 +26,24 @@ struct Collector final : spec::EventSink<Number> {
 
 std::string_view outcome_text(const spec::ClauseInfo& clause, exact::Sign outcome) {
   switch (outcome) {
-    case exact::Sign::positive: return clause.positive;
-    case exact::Sign::negative: return clause.negative;
-    case exact::Sign::zero: return clause.tie;
+    case exact::Sign::positive:
+      return clause.positive;
+    case exact::Sign::negative:
+      return clause.negative;
+    case exact::Sign::zero:
+      return clause.tie;
   }
   return {};
 }
 
 std::string_view comparison(exact::Sign outcome) {
   switch (outcome) {
-    case exact::Sign::positive: return "> 0";
-    case exact::Sign::negative: return "< 0";
-    case exact::Sign::zero: return "= 0";
+    case exact::Sign::positive:
+      return "> 0";
+    case exact::Sign::negative:
+      return "< 0";
+    case exact::Sign::zero:
+      return "= 0";
   }
   return {};
 }
@@ -132,14 +139,16 @@ class Explanation {
         model::append_number(out, value, options_.digits);
       });
       fmt::print("  exact   {}", text);
-      if (event.kind == spec::EventKind::alarm || event.kind == spec::EventKind::warning) fmt::print("          {}\n", event.message);
+      if (event.kind == spec::EventKind::alarm || event.kind == spec::EventKind::warning)
+        fmt::print("          {}\n", event.message);
       if (event.clauses.size > 0) fmt::print("  clauses applied\n");
       for (std::size_t i = 0; i < event.clauses.size; ++i) print_clause(spec::info(event.clauses.clause[i]));
     }
     for (const auto& event : fast_) {
       if (event.line != source.line) continue;
       std::string text;
-      spec::append_event_json(text, event, axes_, [](std::string& out, double value) { fast::append_number(out, value); });
+      spec::append_event_json(text, event, axes_,
+                              [](std::string& out, double value) { fast::append_number(out, value); });
       fmt::print("  double  {}", text);
     }
     fmt::print("\n");

@@ -14,17 +14,20 @@ namespace {
 
 using namespace toolcomp;  // NOLINT(google-build-using-namespace): the top of the program
 
-const std::map<std::string, cli::EngineName> kEngines{{"model", cli::EngineName::model}, {"fast", cli::EngineName::fast}};
-const std::map<std::string, cli::Format> kFormats{{"jsonl", cli::Format::jsonl},
-                                                  {"csv", cli::Format::csv},
-                                                  {"gcode", cli::Format::gcode},
-                                                  {"svg", cli::Format::svg}};
+const std::map<std::string, cli::EngineName> kEngines{{"model", cli::EngineName::model},
+                                                      {"fast", cli::EngineName::fast}};
+const std::map<std::string, cli::Format> kFormats{
+    {"jsonl", cli::Format::jsonl}, {"csv", cli::Format::csv}, {"gcode", cli::Format::gcode}, {"svg", cli::Format::svg}};
 
 // One parser, one action: each verb adds its options and leaves the call to make in `action`.
 class CommandLine {
  public:
-  CommandLine() : app_("An exact reference of CNC tool compensation, a fast engine certified against it, and the harness that certifies.\n"
-                       "Exit status: 0 agrees, 1 a difference was found, 2 bad usage or input, 3 could not be decided, 4 self-check failed.") {
+  CommandLine()
+      : app_(
+            "An exact reference of CNC tool compensation, a fast engine certified against it, and the harness that "
+            "certifies.\n"
+            "Exit status: 0 agrees, 1 a difference was found, 2 bad usage or input, 3 could not be decided, 4 "
+            "self-check failed.") {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", "toolcomp " TOOLCOMP_VERSION);
     add_run();
@@ -71,18 +74,23 @@ class CommandLine {
     sub->add_option("--samples", run_.samples, "Samples inside each block run under tool center point control");
   }
   void add_diff() {
-    CLI::App* sub = verb("diff", "Model against fast; the first difference explained", [this] { return cli::diff(diff_); });
+    CLI::App* sub =
+        verb("diff", "Model against fast; the first difference explained", [this] { return cli::diff(diff_); });
     add_program(sub, diff_.program, diff_.setup);
   }
   void add_explain() {
-    CLI::App* sub = verb("explain", "Block by block: clauses, decisions, exact and double values", [this] { return cli::explain(explain_); });
+    CLI::App* sub = verb("explain", "Block by block: clauses, decisions, exact and double values",
+                         [this] { return cli::explain(explain_); });
     add_program(sub, explain_.program, explain_.setup);
-    sub->add_option("--block", explain_.block, "Only the block with this sequence number, or on this line if none has it");
+    sub->add_option("--block", explain_.block,
+                    "Only the block with this sequence number, or on this line if none has it");
     sub->add_option("--digits", explain_.digits, "Decimals printed")->check(CLI::Range(0, 1000));
   }
   void add_certify() {
-    CLI::App* sub = verb("certify", "Certify a controller, or a recorded trace, and write a report", [this] { return cli::certify(certify_); });
-    sub->add_option("inputs", certify_.inputs, "Cases and programs to add to the golden corpus and generated cases, or to judge instead of them");
+    CLI::App* sub = verb("certify", "Certify a controller, or a recorded trace, and write a report",
+                         [this] { return cli::certify(certify_); });
+    sub->add_option("inputs", certify_.inputs,
+                    "Cases and programs to add to the golden corpus and generated cases, or to judge instead of them");
     sub->add_option("--controller", certify_.controller, "Command that speaks the controller protocol");
     sub->add_option("--trace", certify_.trace, "CSV of recorded axis positions of one run of one program");
     sub->add_option("--setup", certify_.setup, "Setup of the programs; without it, setup.toml beside each");
@@ -111,8 +119,11 @@ class CommandLine {
     sub->add_option("--timeout", replay_.timeout, "Seconds the case may take")->check(CLI::PositiveNumber);
   }
   void add_corpus() {
-    CLI::App* sub = verb("corpus", "The golden corpus: generate, check, lint, diff", [this] { return cli::corpus(corpus_); });
-    sub->add_option("verb", corpus_.verb, "generate, check, lint or diff")->required()->check(CLI::IsMember({"generate", "check", "lint", "diff"}));
+    CLI::App* sub =
+        verb("corpus", "The golden corpus: generate, check, lint, diff", [this] { return cli::corpus(corpus_); });
+    sub->add_option("verb", corpus_.verb, "generate, check, lint or diff")
+        ->required()
+        ->check(CLI::IsMember({"generate", "check", "lint", "diff"}));
     sub->add_option("against", corpus_.against, "diff: the folder of the other corpus");
     add_sections(sub, corpus_.sections);
     sub->add_option("--dir", corpus_.directory, "Folder of the corpus (default: corpus/golden of the source tree)");
@@ -121,19 +132,26 @@ class CommandLine {
     sub->add_option("--seed", corpus_.seed, "Seed of every random choice");
   }
   void add_spec() {
-    CLI::App* sub = verb("spec", "The clauses: list, show, trace, coverage, sections", [this] { return cli::spec(spec_); });
-    sub->add_option("verb", spec_.verb, "list, show, trace, coverage or sections")->required()->check(CLI::IsMember({"list", "show", "trace", "coverage", "sections"}));
+    CLI::App* sub =
+        verb("spec", "The clauses: list, show, trace, coverage, sections", [this] { return cli::spec(spec_); });
+    sub->add_option("verb", spec_.verb, "list, show, trace, coverage or sections")
+        ->required()
+        ->check(CLI::IsMember({"list", "show", "trace", "coverage", "sections"}));
     sub->add_option("id", spec_.id, "show: the clause");
     sub->add_option("--dir", spec_.directory, "Source tree (trace) or corpus (coverage); default: where it was built");
     sub->add_flag("--json", spec_.json, "JSON instead of text");
   }
   void add_serve() {
-    CLI::App* sub = verb("serve", "Speak the controller protocol on standard input and output", [this] { return cli::serve(serve_); });
+    CLI::App* sub = verb("serve", "Speak the controller protocol on standard input and output",
+                         [this] { return cli::serve(serve_); });
     sub->add_option("--engine", serve_, "model or fast")->required()->transform(CLI::CheckedTransformer(kEngines));
   }
   void add_config() {
-    CLI::App* sub = verb("config", "Setups and cases: example, schema, check FILE", [this] { return cli::config(config_); });
-    sub->add_option("verb", config_.verb, "example, schema or check")->required()->check(CLI::IsMember({"example", "schema", "check"}));
+    CLI::App* sub =
+        verb("config", "Setups and cases: example, schema, check FILE", [this] { return cli::config(config_); });
+    sub->add_option("verb", config_.verb, "example, schema or check")
+        ->required()
+        ->check(CLI::IsMember({"example", "schema", "check"}));
     sub->add_option("file", config_.file, "check: the setup or case");
     sub->add_option("--control", config_.control, "fanuc or heidenhain")->check(CLI::IsMember({"fanuc", "heidenhain"}));
   }

@@ -54,7 +54,8 @@ Program::Program(const std::string& path, const std::string& setup) : path_(path
 
 spec::ProgramReader Program::reader() const {
   auto source = is_case_ ? spec::text_source(case_.program) : spec::file_source(path_);
-  return {std::move(source), case_.setup.axes, {.file = spec::display_name(path_), .block_skip = case_.setup.block_skip}};
+  return {
+      std::move(source), case_.setup.axes, {.file = spec::display_name(path_), .block_skip = case_.setup.block_skip}};
 }
 
 spec::Case Program::as_case() const {

@@ -15,8 +15,8 @@ namespace toolcomp::cli {
 // A program of any length with its setup. A case's program is held in memory, a program file is streamed.
 class Program {
  public:
-  // `path` names a case (its first character is `{`) or a program; "-" is standard input. `setup` names a setup file, TOML
-  // or JSON by its ending; empty: setup.toml beside the program. Throws spec::InputError.
+  // `path` names a case (its first character is `{`) or a program; "-" is standard input. `setup` names a setup file,
+  // TOML or JSON by its ending; empty: setup.toml beside the program. Throws spec::InputError.
   Program(const std::string& path, const std::string& setup);
 
   [[nodiscard]] const spec::Setup& setup() const { return case_.setup; }

@@ -30,10 +30,17 @@ class Printer final : public spec::EventSink<Number> {
   void on(const spec::Event<Number>& event) override {
     const spec::Axes& axes = program_.setup().axes;
     switch (format_) {
-      case Format::jsonl: spec::append_event_json(buffer_, event, axes, append_); break;
-      case Format::csv: spec::append_event_csv(buffer_, event, axes, append_); break;
-      case Format::gcode: spec::append_event_gcode(buffer_, event, axes, append_); break;
-      case Format::svg: break;
+      case Format::jsonl:
+        spec::append_event_json(buffer_, event, axes, append_);
+        break;
+      case Format::csv:
+        spec::append_event_csv(buffer_, event, axes, append_);
+        break;
+      case Format::gcode:
+        spec::append_event_gcode(buffer_, event, axes, append_);
+        break;
+      case Format::svg:
+        break;
     }
     if (buffer_.size() > kFlushAt) flush();
     if (event.kind == spec::EventKind::undecided) undecided_ = true;
@@ -105,7 +112,9 @@ int run(const RunOptions& options) {
     return sink.status();
   }
   model::Recorder recorder;
-  const auto append = [&options](std::string& out, const exact::Real& value) { model::append_number(out, value, options.digits); };
+  const auto append = [&options](std::string& out, const exact::Real& value) {
+    model::append_number(out, value, options.digits);
+  };
   Printer<exact::Real, decltype(append)> sink(program, options.format, append);
   model::Engine engine(program.setup(), recorder, sink);
   feed(program, engine, sink);

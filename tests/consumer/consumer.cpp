@@ -43,7 +43,8 @@ int main() {
   Moves<double> fast;
   toolcomp::fast::Engine engine(s, fast);
   run(engine, s);
-  const bool right = exact.z.size() == 2 && exact.z[0] == 120 && exact.z[1] == 130 && fast.z == std::vector<double>{120, 130};
+  const bool right =
+      exact.z.size() == 2 && exact.z[0] == 120 && exact.z[1] == 130 && fast.z == std::vector<double>{120, 130};
   std::cout << (right ? "the installed engines agree with the manual\n" : "the installed engines are wrong\n");
   return right ? 0 : 1;
 }

@@ -1,0 +1,120 @@
+// `toolcomp run`: the manual's programs through both engines, as a user runs them.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/command_line/command.h"
+
+namespace {
+
+using nlohmann::json;
+using toolcomp::test::Folder;
+using toolcomp::test::Outcome;
+using toolcomp::test::toolcomp;
+
+const std::string kExamples = TOOLCOMP_SOURCE_DIR "/examples/fanuc/";
+
+class Run : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(BothEngines, Run, testing::Values("model", "fast"),
+                         [](const auto& info) { return info.param; });
+
+// Fact sheet 14.1.1, worked example 1 (H1 = -4): the Z values by sequence number.
+TEST_P(Run, ThreeHoleBoring) {
+  const Outcome outcome = toolcomp("run " + kExamples + "three-hole-boring/three-holes.nc --engine " + GetParam());
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::map<int, double> expected{{2, -36}, {3, -57}, {5, -36}, {7, -77}, {8, -36}, {10, -61}, {12, 0}};
+  std::map<int, double> z;
+  for (const json& event : outcome.events()) z[event.at("n")] = event.at("axes").at("Z");
+  for (const auto& [n, value] : expected) EXPECT_EQ(z.at(n), value) << "N" << n;
+  EXPECT_EQ(outcome.events().back().at("axes").at("X"), 0);
+}
+
+// Fact sheet 14.1.1, worked example 2: H1 = 20, H2 = 30 give 120, then 130.
+TEST_P(Run, OffsetsReplaceAndDoNotAccumulate) {
+  const Folder folder;
+  const std::string setup = folder.write("setup.toml", "control = \"fanuc\"\n[offsets.H]\n1 = 20\n2 = \"30\"\n");
+  const std::string program = folder.write("p.nc", "G90 G43 Z100. H1\nG90 G43 Z100. H2\nM30\n");
+  const Outcome outcome = toolcomp("run " + program + " --setup " + setup + " --engine " + GetParam());
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(outcome.events().size(), 2U);
+  EXPECT_EQ(outcome.events()[0].at("axes").at("Z"), 120);
+  EXPECT_EQ(outcome.events()[1].at("axes").at("Z"), 130);
+}
+
+// 3D sheet, LE1 and LE2: VT (±3/5, 0, 4/5), VM (100, 0, 0), R = 10 give VC (∓8, 0, 6).
+TEST_P(Run, LeadingEdgeOfALeaningTool) {
+  const Folder folder;
+  const std::string setup = folder.write("setup.toml", "control = \"fanuc\"\n[offsets.D]\n1 = 10\n");
+  for (const auto& [i, x] : std::map<std::string, double>{{"3", -8}, {"-3", 8}}) {
+    const std::string program = folder.write(
+        "p.nc", "G90 G00 G43.5 Z0 I" + i + " K4 H0\nG41.3 D1\nG01 X100. I" + i + " K4 F100\nX200.\nG40\nM30\n");
+    const Outcome outcome = toolcomp("run " + program + " --setup " + setup + " --engine " + GetParam());
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto events = outcome.events();
+    ASSERT_EQ(events.size(), 5U) << outcome.out;
+    EXPECT_EQ(events[1].at("cause"), "start-up");
+    EXPECT_EQ(events[1].at("point"), (json{{"X", x}, {"Y", 0}, {"Z", 6}}));
+    EXPECT_EQ(events[2].at("point"), (json{{"X", 100 + x}, {"Y", 0}, {"Z", 6}}));
+    EXPECT_EQ(events[3].at("point"), (json{{"X", 200 + x}, {"Y", 0}, {"Z", 6}}));
+    EXPECT_EQ(events[4].at("cause"), "cancel");
+    EXPECT_EQ(events[4].at("point"), (json{{"X", 200}, {"Y", 0}, {"Z", 0}}));
+  }
+}
+
+// 3D sheet, LE5: B = 15, C = 30 (C carries B), VM (40, -10, 5), R = 6.
+TEST_P(Run, LeadingEdgeFromRotaryAxes) {
+  const Folder folder;
+  const std::string setup =
+      folder.write("setup.toml",
+                   "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\", \"C\"]\n[parameters]\n"
+                   "19680 = 2\n19681 = 5\n19682 = 3\n19686 = 4\n19687 = 2\n[offsets.D]\n1 = 6\n");
+  const std::string program = folder.write("p.nc", "G90 G01 B15. C30. F100\nG41.3 D1\nX40. Y-10. Z5.\nG40\nM30\n");
+  const Outcome outcome = toolcomp("run " + program + " --setup " + setup + " --digits 18 --engine " + GetParam());
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json start = outcome.events().at(1);
+  EXPECT_EQ(start.at("cause"), "start-up");
+  EXPECT_DOUBLE_EQ(start.at("point").at("X"), -5.635045313286906622);
+  EXPECT_DOUBLE_EQ(start.at("point").at("Y"), 1.759957600658339579);
+  EXPECT_DOUBLE_EQ(start.at("point").at("Z"), 1.071827206730734610);
+  if (GetParam() == "model") {
+    EXPECT_NE(outcome.out.find("\"X\":-5.635045313286906622"), std::string::npos) << "every printed digit";
+    EXPECT_NE(outcome.out.find("0.224143868042013381"), std::string::npos) << outcome.out;
+  }
+}
+
+TEST_P(Run, TheExamplesRun) {
+  for (const char* program : {"length-offset-of-any-axis/shaft.nc", "wavy-strip-rotary-head/wavy-strip.nc",
+                              "inclined-faces-tool-vector/faces.nc"}) {
+    const Outcome outcome = toolcomp("run " + kExamples + program + " --engine " + GetParam());
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "") << program;
+    EXPECT_EQ(outcome.out.find("\"alarm\""), std::string::npos) << program;
+    EXPECT_EQ(outcome.out.find("-0,"), std::string::npos) << "minus zero is never printed";
+  }
+}
+
+TEST(RunFormats, CsvGcodeAndSvg) {
+  const std::string program = kExamples + "three-hole-boring/three-holes.nc";
+  const Outcome csv = toolcomp("run " + program + " --format csv");
+  EXPECT_EQ(csv.status, 0);
+  EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'), 12) << "a header and eleven moves";
+  const Outcome gcode = toolcomp("run " + program + " --format gcode");
+  EXPECT_EQ(gcode.status, 0);
+  EXPECT_NE(gcode.out.find("Z-57"), std::string::npos) << gcode.out;
+  const Outcome svg = toolcomp("run " + program + " --format svg");
+  EXPECT_EQ(svg.status, 0);
+  EXPECT_TRUE(svg.out.starts_with("<svg")) << svg.out.substr(0, 100);
+}
+
+TEST(RunDigits, RoundsCorrectly) {
+  const Folder folder;
+  const std::string setup = folder.write("setup.toml", "control = \"fanuc\"\nunits = \"inch\"\n");
+  // 1 mm in an inch setup is 5/127 inch.
+  const std::string program = folder.write("p.nc", "G21 G00 X1.\n");
+  const Outcome outcome = toolcomp("run " + program + " --setup " + setup + " --digits 40");
+  EXPECT_NE(outcome.out.find("\"X\":0.0393700787401574803149606299212598425197,"), std::string::npos) << outcome.out;
+}
+
+}  // namespace
