@@ -125,8 +125,11 @@ void apply(Setup& setup, const Line& line) {
       put(setup.position, first, line.word[2]);
       break;
     case 'r':
-      if (const auto n = whole(first, 4); n && *n > 0)
-        put(setup.reference[static_cast<int>(*n)], line.word[2], line.word[3]);
+      if (const auto n = whole(first, 4); n && *n > 0) {
+        AxisTable& point = setup.reference[static_cast<int>(*n)];
+        put(point, line.word[2], line.word[3]);
+        if (point.empty()) setup.reference.erase(static_cast<int>(*n));
+      }
       break;
     case 'f':
       put(setup.floating_reference, first, line.word[2]);

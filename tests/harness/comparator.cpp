@@ -1,0 +1,409 @@
+// The comparator must see every kind of wrong answer. Events here are made by hand: no engine is involved.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fuzz/oracle/policy.h"
+#include "fuzz/oracle/verdict.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+using exact::Rational;
+using exact::Real;
+using spec::AxisValues;
+
+constexpr std::size_t kAxes = 4;  // X Y Z C
+
+template <class Number>
+AxisValues<Number> values(std::initializer_list<Number> numbers) {
+  AxisValues<Number> v;
+  std::size_t axis = 0;
+  for (const Number& n : numbers) v.set(axis++, n);
+  return v;
+}
+
+// Numbers that are exact in double: eighths.
+template <class Number>
+Number eighths(int n) {
+  return Number(n) / Number(8);
+}
+
+// One event of each kind, every field in use.
+template <class Number>
+std::vector<spec::Event<Number>> events() {
+  using Event = spec::Event<Number>;
+  const auto e = [](int n) { return eighths<Number>(n); };
+  std::vector<Event> list;
+
+  Event rapid;
+  rapid.line = 1;
+  rapid.type = spec::MoveType::rapid;
+  rapid.cause = spec::Cause::reference;
+  rapid.programmed = values<Number>({e(80), e(-16), e(5)});
+  rapid.point = values<Number>({e(80), e(-16), e(5)});
+  rapid.axes = values<Number>({e(80), e(-16), e(5), e(240)});
+  rapid.machine = values<Number>({e(880), e(784), e(-795), e(240)});
+  list.push_back(rapid);
+
+  Event linear;
+  linear.line = 2;
+  linear.n = 20;
+  linear.programmed = values<Number>({e(800), e(0), e(0)});
+  linear.point = values<Number>({e(736), e(0), e(48)});
+  linear.axes = values<Number>({e(736), e(0), e(148), e(720)});
+  linear.tool_axis = {Number(3) / Number(8), Number(0), Number(5) / Number(8)};  // the length is not judged
+  linear.feed = Number(1000);
+  list.push_back(linear);
+
+  Event arc;
+  arc.line = 3;
+  arc.n = 30;
+  arc.type = spec::MoveType::arc;
+  arc.programmed = values<Number>({e(880), e(80), e(0)});
+  arc.point = values<Number>({e(880), e(80), e(0)});
+  arc.axes = values<Number>({e(880), e(80), e(0), e(720)});
+  arc.arc.emplace();
+  arc.arc->center.set(0, e(800));
+  arc.arc->center.set(1, e(80));
+  arc.arc->plane = spec::Plane::xy;
+  arc.arc->direction = spec::ArcDirection::ccw;
+  arc.arc->sweep = Number(90);
+  arc.arc->radius = std::pair(e(80), e(88));
+  arc.feed = Number(500);
+  list.push_back(arc);
+
+  Event sample;
+  sample.kind = spec::EventKind::sample;
+  sample.line = 4;
+  sample.t_numerator = 1;
+  sample.t_denominator = 4;
+  sample.point = values<Number>({e(8), e(16), e(24)});
+  sample.axes = values<Number>({e(8), e(16), e(24), e(32)});
+  sample.tool_axis = {Number(0), Number(0), Number(1)};
+  list.push_back(sample);
+
+  Event setting;
+  setting.kind = spec::EventKind::setting;
+  setting.line = 5;
+  setting.setting = "H1.wear";
+  setting.value = e(-4);
+  list.push_back(setting);
+
+  Event warning;
+  warning.kind = spec::EventKind::warning;
+  warning.line = 6;
+  warning.number = "ARC_PLANE_MISMATCH";
+  list.push_back(warning);
+
+  Event alarm;
+  alarm.kind = spec::EventKind::alarm;
+  alarm.line = 6;
+  alarm.number = "PS5407";
+  list.push_back(alarm);
+  return list;
+}
+
+spec::Case plain_case() {
+  spec::Case c;
+  c.section = "fanuc/leading-edge-offset";
+  c.setup.axes = spec::Axes("XYZC");
+  return c;
+}
+
+ModelRun expected() {
+  ModelRun run;
+  run.events = events<Real>();
+  return run;
+}
+
+Verdict verdict(const std::vector<fast::Event>& actual, const JudgeOptions& options = {}) {
+  return judge(plain_case(), expected(), actual, options);
+}
+
+// A wrong answer, and the field in which it is wrong; empty: the list itself.
+struct Wrong {
+  std::string what;
+  std::string field;
+  std::function<void(std::vector<fast::Event>&)> apply;
+};
+
+constexpr double kNanometre = 1e-6;  // mm
+constexpr double kSmall = 1e-9;      // a value this far off is far outside the policy (some 1e-14)
+
+std::vector<Wrong> wrong_answers() {
+  std::vector<Wrong> list = {
+      {"first event dropped", "", [](auto& e) { e.erase(e.begin()); }},
+      {"middle event dropped", "", [](auto& e) { e.erase(e.begin() + 2); }},
+      {"last event dropped", "", [](auto& e) { e.pop_back(); }},
+      {"all events dropped", "", [](auto& e) { e.clear(); }},
+      {"event doubled", "", [](auto& e) { e.insert(e.begin() + 1, fast::Event(e[1])); }},
+      {"event added at the end", "", [](auto& e) { e.push_back(fast::Event(e[1])); }},
+      {"two events swapped", "", [](auto& e) { std::swap(e[1], e[2]); }},
+      {"kind", "", [](auto& e) { e[3].kind = spec::EventKind::move; }},
+      {"alarm becomes warning", "", [](auto& e) { e[6].kind = spec::EventKind::warning; }},
+      {"line of a move", "", [](auto& e) { e[1].line = 3; }},
+      {"line of an alarm", "", [](auto& e) { e[6].line = 7; }},
+      {"sequence number changed", "n", [](auto& e) { e[1].n = 21; }},
+      {"sequence number lost", "n", [](auto& e) { e[1].n.reset(); }},
+      {"type", "type", [](auto& e) { e[1].type = spec::MoveType::rapid; }},
+      {"cause", "cause", [](auto& e) { e[1].cause = spec::Cause::cancel; }},
+      {"alarm number", "number", [](auto& e) { e[6].number = "PS5408"; }},
+      {"warning number", "number", [](auto& e) { e[5].number = "OTHER"; }},
+      {"tool axis lost", "tool_axis", [](auto& e) { e[1].tool_axis.reset(); }},
+      {"tool axis turned round", "tool_axis", [](auto& e) { (*e[1].tool_axis)[0] = -(*e[1].tool_axis)[0]; }},
+      {"tool axis slightly off", "tool_axis", [](auto& e) { (*e[1].tool_axis)[2] += kSmall; }},
+      {"tool axis where there is none", "tool_axis", [](auto& e) { e[0].tool_axis = {0.0, 0.0, 1.0}; }},
+      {"tool axis of a sample", "tool_axis", [](auto& e) { (*e[3].tool_axis)[1] = kSmall; }},
+      {"centre", "center", [](auto& e) { e[2].arc->center.value[1] += kSmall; }},
+      {"centre of one axis only", "center", [](auto& e) { e[2].arc->center.clear(1); }},
+      {"plane", "plane", [](auto& e) { e[2].arc->plane = spec::Plane::zx; }},
+      {"direction", "direction", [](auto& e) { e[2].arc->direction = spec::ArcDirection::cw; }},
+      {"sweep", "sweep", [](auto& e) { *e[2].arc->sweep += kSmall; }},
+      {"sweep a full turn more", "sweep", [](auto& e) { *e[2].arc->sweep += 360; }},
+      {"sweep lost", "sweep", [](auto& e) { e[2].arc->sweep.reset(); }},
+      {"start radius", "radius", [](auto& e) { e[2].arc->radius->first += kSmall; }},
+      {"end radius", "radius", [](auto& e) { e[2].arc->radius->second += kSmall; }},
+      {"radius lost", "radius", [](auto& e) { e[2].arc->radius.reset(); }},
+      {"feed", "feed", [](auto& e) { *e[1].feed += kSmall; }},
+      {"feed lost", "feed", [](auto& e) { e[1].feed.reset(); }},
+      {"feed of a rapid move", "feed", [](auto& e) { e[0].feed = 100; }},
+      {"t of a sample", "t", [](auto& e) { e[3].t_numerator = 3; }},
+      {"name of a setting", "name", [](auto& e) { e[4].setting = "H1.geometry"; }},
+      {"value of a setting", "value", [](auto& e) { e[4].value += kSmall; }},
+  };
+  // Every number of every table: off by a little, with the other sign, not finite, and left out.
+  using Table = AxisValues<double> fast::Event::*;
+  const std::pair<std::string, Table> tables[] = {{"programmed", &fast::Event::programmed},
+                                                  {"point", &fast::Event::point},
+                                                  {"axes", &fast::Event::axes},
+                                                  {"machine", &fast::Event::machine}};
+  const std::vector<fast::Event> good = events<double>();
+  for (const auto& [name, table] : tables)
+    for (std::size_t i = 0; i < good.size(); ++i)
+      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const AxisValues<double>& v = good[i].*table;
+        const std::string what = name + "[" + std::to_string(axis) + "] of event " + std::to_string(i);
+        const auto change = [&](const std::string& how, const std::function<void(AxisValues<double>&)>& apply) {
+          list.push_back({what + how, name, [i, table = table, apply](auto& e) { apply(e[i].*table); }});
+        };
+        if (!v.has(axis)) {
+          if (good[i].kind == spec::EventKind::move && !v.empty())
+            change(" too many", [axis](auto& t) { t.set(axis, 0); });
+          continue;
+        }
+        change(" 1e-9 off", [axis](auto& t) { t.value[axis] += kSmall; });
+        change(" 1e-9 under", [axis](auto& t) { t.value[axis] -= kSmall; });
+        change(" a nanometre off", [axis](auto& t) { t.value[axis] += kNanometre; });
+        if (v[axis] != 0) change(" negated", [axis](auto& t) { t.value[axis] = -t.value[axis]; });
+        change(" not a number", [axis](auto& t) { t.value[axis] = std::numeric_limits<double>::quiet_NaN(); });
+        change(" infinite", [axis](auto& t) { t.value[axis] = std::numeric_limits<double>::infinity(); });
+        change(" lost", [axis](auto& t) { t.clear(axis); });
+      }
+  return list;
+}
+
+std::vector<std::string> all_fields() {
+  return {"n",     "type",      "cause", "programmed", "point", "axes", "machine", "tool_axis", "center",
+          "plane", "direction", "sweep", "radius",     "feed",  "t",    "number",  "name",      "value"};
+}
+
+TEST(Comparator, AcceptsTheSameEvents) {
+  const Verdict v = verdict(events<double>());
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : "");
+  // Rapid 3+3+4+4; linear 3+3+4, tool axis 3, feed; arc 3+3+4, centre 2, sweep, radii 2, feed; sample 3+4+3; a setting
+  // and the numbers of a warning and an alarm.
+  EXPECT_EQ(v.values, 14U + 14U + 16U + 10U + 3U);
+  EXPECT_EQ(v.numbers, v.values - 2);
+  EXPECT_EQ(v.worst_ulp, 0);
+}
+
+TEST(Comparator, SeesEveryWrongAnswer) {
+  for (const Wrong& wrong : wrong_answers()) {
+    std::vector<fast::Event> actual = events<double>();
+    wrong.apply(actual);
+    const Verdict v = verdict(actual);
+    EXPECT_EQ(v.outcome, Outcome::differs) << wrong.what;
+    ASSERT_TRUE(v.difference) << wrong.what;
+    EXPECT_FALSE(v.difference->kind.empty()) << wrong.what;
+    EXPECT_NE(v.difference->expected, v.difference->actual) << wrong.what;
+  }
+}
+
+// The battery above measures the comparator only if it would miss something with a step left out: one that skips a
+// field is caught for every field.
+TEST(Comparator, TheWrongAnswersCatchAComparatorThatSkipsAField) {
+  for (const std::string& skipped : all_fields()) {
+    JudgeOptions options;
+    for (const std::string& field : all_fields())
+      if (field != skipped) options.fields.push_back(field);
+    std::size_t missed = 0;
+    for (const Wrong& wrong : wrong_answers()) {
+      std::vector<fast::Event> actual = events<double>();
+      wrong.apply(actual);
+      const bool seen = verdict(actual, options).outcome == Outcome::differs;
+      if (!seen) {
+        ++missed;
+        EXPECT_EQ(wrong.field, skipped) << wrong.what;
+      }
+    }
+    EXPECT_GT(missed, 0U) << "no wrong answer depends on " << skipped;
+  }
+}
+
+TEST(Comparator, NamesWhatDiffers) {
+  const auto difference = [](const std::function<void(std::vector<fast::Event>&)>& apply) {
+    std::vector<fast::Event> actual = events<double>();
+    apply(actual);
+    return *verdict(actual).difference;
+  };
+  EXPECT_EQ(difference([](auto& e) { e.erase(e.begin() + 1); }).kind, "missing event");
+  EXPECT_EQ(difference([](auto& e) { e.insert(e.begin(), e[2]); }).kind, "extra event");
+  EXPECT_EQ(difference([](auto& e) { std::swap(e[0], e[1]); }).kind, "order");
+  EXPECT_EQ(difference([](auto& e) { e.pop_back(); }).kind, "missing event");
+  EXPECT_EQ(difference([](auto& e) { e[6].number = "PS5408"; }).kind, "alarm");
+  const Difference d = difference([](auto& e) { e[1].point.value[2] += 0.25; });
+  EXPECT_EQ(d.kind, "coordinate");
+  EXPECT_EQ(d.field, "point.Z");
+  EXPECT_EQ(d.line, 2U);
+  EXPECT_EQ(d.event, 1U);
+  EXPECT_EQ(d.expected, "6");
+  EXPECT_EQ(d.actual, "6.25");
+  EXPECT_NEAR(d.deviation_um, 250, 1e-9);
+}
+
+// Half the granted roundings pass, twice as many do not: the tolerance is the policy's, not a round figure.
+TEST(Comparator, GrantsWhatThePolicySays) {
+  const double k = policy::budget("fanuc/leading-edge-offset").coordinate;
+  // Event 1: the largest linear value is 100, its vector (-8, 0, 6) is 10 long, the angle of VM and VT is 59°, so the
+  // condition lies between 1 and 2.
+  const double least = policy::ulp(100) + policy::ulp(10);
+  const double most = policy::ulp(100) + 2 * policy::ulp(10);
+  for (const double sign : {-1.0, 1.0}) {
+    std::vector<fast::Event> actual = events<double>();
+    actual[1].point.value[0] += sign * k / 2 * least;
+    EXPECT_EQ(verdict(actual).outcome, Outcome::agrees);
+    EXPECT_GT(verdict(actual).worst_ulp, k / 4);
+    actual = events<double>();
+    actual[1].point.value[0] += sign * 2 * k * most;
+    EXPECT_EQ(verdict(actual).outcome, Outcome::differs);
+  }
+}
+
+// A whole list as a controller prints it.
+std::vector<spec::TextEvent> as_text(const std::function<std::string(double)>& print) {
+  std::vector<spec::TextEvent> list;
+  const auto table = [&](const AxisValues<double>& from) {
+    AxisValues<spec::NumberText> to;
+    for (std::size_t i = 0; i < kAxes; ++i)
+      if (from.has(i)) to.set(i, {print(from[i]), {}, {}});
+    return to;
+  };
+  for (const fast::Event& e : events<double>()) {
+    spec::TextEvent t;
+    t.kind = e.kind;
+    t.line = e.line;
+    t.n = e.n;
+    t.type = e.type;
+    t.cause = e.cause;
+    t.number = e.number;
+    t.setting = e.setting;
+    t.t_numerator = e.t_numerator;
+    t.t_denominator = e.t_denominator;
+    t.programmed = table(e.programmed);
+    t.point = table(e.point);
+    t.axes = table(e.axes);
+    t.machine = table(e.machine);
+    if (e.tool_axis) {
+      t.tool_axis.emplace();
+      for (std::size_t i = 0; i < 3; ++i) (*t.tool_axis)[i].v = print((*e.tool_axis)[i]);
+    }
+    if (e.arc) {
+      t.arc.emplace();
+      t.arc->center = table(e.arc->center);
+      t.arc->plane = e.arc->plane;
+      t.arc->direction = e.arc->direction;
+      t.arc->sweep = spec::NumberText{print(*e.arc->sweep), {}, {}};
+      t.arc->radius = std::pair(spec::NumberText{print(e.arc->radius->first), {}, {}},
+                                spec::NumberText{print(e.arc->radius->second), {}, {}});
+    }
+    if (e.feed) t.feed = spec::NumberText{print(*e.feed), {}, {}};
+    if (e.kind == spec::EventKind::setting) t.value.v = print(e.value);
+    list.push_back(std::move(t));
+  }
+  return list;
+}
+
+std::string three_decimals(double x) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f", x);
+  return text;
+}
+std::string two_decimals(double x) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f", x);
+  return text;
+}
+std::string exponent(double x) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.17e", x);
+  return text;
+}
+
+TEST(Comparator, JudgesTextsExactly) {
+  const spec::Case c = plain_case();
+  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(as_text(three_decimals))).outcome, Outcome::agrees);
+  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(as_text(exponent))).outcome, Outcome::agrees);
+  // 1e-20 is no double's distance from 100, and is seen all the same where the policy grants nothing: a feed.
+  std::vector<spec::TextEvent> events = as_text(three_decimals);
+  events[1].feed->v = "1000.00000000000000000001";
+  const Verdict v = judge(c, expected(), std::span<const spec::TextEvent>(events));
+  ASSERT_EQ(v.outcome, Outcome::differs);
+  EXPECT_EQ(v.difference->field, "feed");
+}
+
+TEST(Comparator, AResolutionGrantsOneIncrement) {
+  const spec::Case c = plain_case();
+  const std::vector<spec::TextEvent> coarse = as_text(two_decimals);  // eighths lose 0.005
+  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(coarse)).outcome, Outcome::differs);
+  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, "0.01"}).outcome, Outcome::agrees);
+  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, "0.001"}).outcome, Outcome::differs);
+  EXPECT_THROW(judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, "fine"}), std::invalid_argument);
+}
+
+TEST(Comparator, ATextThatIsNoNumberIsADifference) {
+  for (const std::string text : {"", "1,5", "0x10", "nan", "1e999", "--1", "1.", ".5", "1 ", "1e"}) {
+    std::vector<spec::TextEvent> events = as_text(three_decimals);
+    events[1].point.value[0].v = text;
+    const Verdict v = judge(plain_case(), expected(), std::span<const spec::TextEvent>(events));
+    ASSERT_EQ(v.outcome, Outcome::differs) << text;
+    EXPECT_EQ(v.difference->kind, "malformed number") << text;
+    EXPECT_EQ(v.difference->line, 2U) << text;
+  }
+}
+
+TEST(Comparator, NothingJudgedIsNoAgreement) {
+  ModelRun nothing;
+  EXPECT_EQ(judge(plain_case(), nothing, std::span<const fast::Event>()).outcome, Outcome::nothing_judged);
+  // Only fields that no event has.
+  ModelRun one;
+  one.events = {events<Real>()[1]};
+  const std::vector<fast::Event> actual = {events<double>()[1]};
+  EXPECT_EQ(judge(plain_case(), one, actual, {{"sweep"}, {}}).outcome, Outcome::nothing_judged);
+}
+
+TEST(Comparator, AnUndecidedModelIsUndecidedButNotBeforeADifference) {
+  ModelRun run = expected();
+  run.events[4].kind = spec::EventKind::undecided;
+  std::vector<fast::Event> actual = events<double>();
+  EXPECT_EQ(judge(plain_case(), run, actual).outcome, Outcome::undecided);
+  actual[1].point.value[0] += 1;
+  EXPECT_EQ(judge(plain_case(), run, actual).outcome, Outcome::differs);
+}
+
+}  // namespace
+}  // namespace toolcomp::fuzz
