@@ -1,0 +1,203 @@
+// Events as JSON, CSV and G-code: the fields of the contract in its order, hand-written expectations.
+#include "spec/language/event_format.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "spec/language/event_map.h"
+#include "spec/language/number_text.h"
+
+namespace {
+
+using namespace toolcomp::spec;
+
+const Axes kAxes("XYZB");
+
+AxisValues<double> values(std::initializer_list<std::pair<char, double>> list) {
+  AxisValues<double> result;
+  for (const auto& [letter, value] : list) result.set(kAxes.index(letter), value);
+  return result;
+}
+
+Event<double> line_move() {
+  Event<double> event;
+  event.line = 5;
+  event.n = 30;
+  event.programmed = values({{'X', 10}, {'Y', -0.0}, {'Z', 0.1}});
+  event.point = values({{'X', 10}, {'Y', 1.5}, {'Z', 0.1}});
+  event.axes = values({{'X', 10}, {'Y', 1.5}, {'Z', 4.1}, {'B', 90}});
+  event.feed = 250;
+  return event;
+}
+
+Event<double> arc_move() {
+  Event<double> event;
+  event.line = 6;
+  event.type = MoveType::arc;
+  event.cause = Cause::corner;
+  event.point = values({{'X', 15}, {'Y', 6.5}, {'Z', 0.1}});
+  event.axes = values({{'X', 15}, {'Y', 6.5}, {'Z', 4.1}, {'B', 90}});
+  event.arc = Arc<double>{.center = values({{'X', 10}, {'Y', 6.5}}),
+                          .plane = Plane::xy,
+                          .direction = ArcDirection::ccw,
+                          .sweep = 90,
+                          .radius = std::pair(5.0, 5.5)};
+  return event;
+}
+
+std::string json(const Event<double>& event) {
+  std::string out;
+  append_event_json(out, event, kAxes, append_shortest);
+  return out;
+}
+std::string csv(const Event<double>& event) {
+  std::string out;
+  append_event_csv(out, event, kAxes, append_shortest);
+  return out;
+}
+
+TEST(EventJson, LineMove) {
+  EXPECT_EQ(
+      json(line_move()),
+      R"({"kind":"move","line":5,"n":30,"type":"linear","cause":"programmed","programmed":{"X":10,"Y":0,"Z":0.1},)"
+      R"("point":{"X":10,"Y":1.5,"Z":0.1},"axes":{"X":10,"Y":1.5,"Z":4.1,"B":90},"feed":250})");
+}
+
+TEST(EventJson, ArcMove) {
+  EXPECT_EQ(json(arc_move()),
+            R"({"kind":"move","line":6,"type":"arc","cause":"corner","point":{"X":15,"Y":6.5,"Z":0.1},)"
+            R"("axes":{"X":15,"Y":6.5,"Z":4.1,"B":90},"center":{"X":10,"Y":6.5},"plane":"XY","direction":"ccw",)"
+            R"("sweep":90,"radius":[5,5.5]})");
+}
+
+TEST(EventJson, MachineAndToolAxis) {
+  Event<double> event;
+  event.line = 1;
+  event.type = MoveType::rapid;
+  event.cause = Cause::reference;
+  event.machine = values({{'Z', 300}});
+  event.tool_axis = {0.6, 0.0, 0.8};
+  EXPECT_EQ(
+      json(event),
+      R"({"kind":"move","line":1,"type":"rapid","cause":"reference","machine":{"Z":300},"tool_axis":[0.6,0,0.8]})");
+}
+
+TEST(EventJson, Others) {
+  Event<double> alarm;
+  alarm.kind = EventKind::alarm;
+  alarm.line = 3;
+  alarm.n = 7;
+  alarm.number = "PS0041";
+  alarm.message = "a \"cut\"";
+  EXPECT_EQ(json(alarm), R"({"kind":"alarm","number":"PS0041","line":3,"n":7,"message":"a \"cut\""})");
+
+  Event<double> setting;
+  setting.kind = EventKind::setting;
+  setting.line = 4;
+  setting.setting = "H1";
+  setting.value = -4;
+  EXPECT_EQ(json(setting), R"({"kind":"setting","name":"H1","value":-4,"line":4})");
+
+  Event<double> sample;
+  sample.kind = EventKind::sample;
+  sample.line = 9;
+  sample.t_numerator = 1;
+  sample.t_denominator = 4;
+  sample.axes = values({{'X', 1}});
+  EXPECT_EQ(json(sample), R"({"kind":"sample","line":9,"t":"1/4","axes":{"X":1}})");
+
+  Event<double> undecided;
+  undecided.kind = EventKind::undecided;
+  undecided.line = 2;
+  undecided.number = "a.clause";
+  undecided.permitted = {.positive = true, .negative = false, .tie = true};
+  EXPECT_EQ(json(undecided), R"({"kind":"undecided","line":2,"clause":"a.clause","permitted":["positive","tie"]})");
+  undecided.permitted = {};
+  EXPECT_EQ(json(undecided), R"({"kind":"undecided","line":2,"clause":"a.clause","permitted":[]})");
+}
+
+TEST(EventCsv, HeaderAndRowsHaveTheSameColumns) {
+  std::string header;
+  append_csv_header(header, kAxes);
+  EXPECT_EQ(
+      header,
+      "kind,line,n,type,cause,programmed.X,programmed.Y,programmed.Z,point.X,point.Y,point.Z,axes.X,axes.Y,axes.Z,"
+      "axes.B,machine.X,machine.Y,machine.Z,machine.B,tool_axis.i,tool_axis.j,tool_axis.k,center.X,center.Y,"
+      "center.Z,plane,direction,sweep,radius.start,radius.end,feed,number,message,name,value,t,clauses\n");
+  EXPECT_EQ(csv(line_move()),
+            "move,5,30,linear,programmed,10,0,0.1,10,1.5,0.1,10,1.5,4.1,90,,,,,,,,,,,,,,,,250,,,,,,\n");
+  EXPECT_EQ(csv(arc_move()), "move,6,,arc,corner,,,,15,6.5,0.1,15,6.5,4.1,90,,,,,,,,10,6.5,,XY,ccw,90,5,5.5,,,,,,,\n");
+  Event<double> alarm;
+  alarm.kind = EventKind::alarm;
+  alarm.number = "PS0041";
+  alarm.message = "a \"cut\", no more";
+  const std::string row = csv(alarm);
+  EXPECT_NE(row.find(",PS0041,\"a \"\"cut\"\", no more\",,,,\n"), std::string::npos) << row;
+}
+
+TEST(EventGcode, ThePathAsAProgram) {
+  std::string out;
+  GcodeState<double> state;
+  append_gcode_begin(out, Units::mm);
+  Event<double> rapid = line_move();
+  rapid.type = MoveType::rapid;
+  rapid.n.reset();
+  Event<double> alarm;
+  alarm.kind = EventKind::alarm;
+  alarm.line = 7;
+  alarm.number = "PS0023";
+  alarm.message = "radius (R) cannot be";
+  for (const Event<double>& event : {rapid, line_move(), arc_move(), alarm})
+    append_event_gcode(out, event, kAxes, append_shortest_fixed, state);
+  append_gcode_end(out);
+  // I J from the tool point (10, 1.5) of the move before to the centre (10, 6.5).
+  EXPECT_EQ(out,
+            "%\nG90 G94 G21\n"
+            "G00 X10 Y1.5 Z4.1 B90\n"
+            "N30 G01 X10 Y1.5 Z4.1 B90 F250\n"
+            "G17 G03 X15 Y6.5 Z4.1 B90 I0 J5\n"
+            "(line 7: PS0023: radius [R] cannot be)\n"
+            "M30\n%\n");
+}
+
+TEST(EventNames, GoBothWays) {
+  EXPECT_EQ(name(Cause::pre_turn), "pre-turn");
+  EXPECT_EQ(from_name<Cause>("start-up"), Cause::start_up);
+  EXPECT_EQ(from_name<Cause>("startup"), std::nullopt);
+  const auto round = []<class Enum>(Enum) {
+    for (std::size_t i = 0; i < kNames<Enum>.size(); ++i)
+      EXPECT_EQ(from_name<Enum>(name(static_cast<Enum>(i))), static_cast<Enum>(i));
+  };
+  round(EventKind{});
+  round(MoveType{});
+  round(Cause{});
+  round(Plane{});
+  round(ArcDirection{});
+}
+
+TEST(EventMap, EveryNumberIsMappedAndNothingElse) {
+  Event<double> event = arc_move();
+  event.programmed = values({{'Z', 3}});
+  event.machine = values({{'B', 4}});
+  event.tool_axis = {1.0, 2.0, 3.0};
+  event.feed = 7;
+  const auto mapped = map_numbers<int>(event, [](double value) { return static_cast<int>(value * 10); });
+  std::string out;
+  append_event_json(out, mapped, kAxes, [](std::string& text, int value) { text += std::to_string(value); });
+  EXPECT_EQ(
+      out,
+      R"({"kind":"move","line":6,"type":"arc","cause":"corner","programmed":{"Z":30},"point":{"X":150,"Y":65,"Z":1},)"
+      R"("axes":{"X":150,"Y":65,"Z":41,"B":900},"machine":{"B":40},"tool_axis":[10,20,30],)"
+      R"("center":{"X":100,"Y":65},"plane":"XY","direction":"ccw","sweep":900,"radius":[50,55],"feed":70})");
+  Event<double> setting;
+  setting.kind = EventKind::setting;
+  setting.value = 2.5;
+  EXPECT_EQ((map_numbers<int>(setting, [](double value) { return static_cast<int>(value * 10); }).value), 25);
+}
+
+TEST(Names, AreShortEnoughToBeKept) {
+  for (const ClauseInfo& clause : clauses()) EXPECT_LE(clause.id.size(), Name::kCapacity) << clause.id;
+}
+
+}  // namespace

@@ -1,0 +1,237 @@
+// Setups: every key, every error with its position (counted by hand), and both formats alike.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "spec/language/input_error.h"
+#include "spec/language/setup_format.h"
+
+namespace {
+
+using namespace toolcomp::spec;
+namespace spec = toolcomp::spec;  // spec::Setup inside tests, where Setup is a member of testing::Test
+
+Setup toml(std::string_view text) { return read_setup_toml(text, "f.toml"); }
+Setup json(std::string_view text) { return read_setup_json(text, "f.json"); }
+
+std::string toml_error(std::string_view text) {
+  try {
+    toml(text);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+std::string json_error(std::string_view text) {
+  try {
+    json(text);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+constexpr std::string_view kToml = R"(
+control = "fanuc"
+units = "inch"
+axes = ["X", "Z", "B"]
+increment = "IS-C"
+cutter_compensation = "B"
+block_skip = true
+[parameters]
+"5001#2" = true
+"5001#3" = "0"
+19631 = 1.50
+19680 = "2"
+[offsets]
+memory = "B"
+count = 99
+[offsets.H]
+1 = -4.0
+2 = { geometry = "120", wear = -0.25 }
+[offsets.D]
+99 = 5
+[workpiece.G54]
+X = -0
+[workpiece.G59]
+B = 1_000.5
+[position]
+Z = +100
+[reference.1]
+X = 0.001
+[reference.4]
+X = 4
+[reference.floating]
+Z = 7
+[measurement]
+Z = "198.0"
+)";
+
+constexpr std::string_view kJson = R"({
+  "control": "fanuc", "units": "inch", "axes": ["X", "Z", "B"], "increment": "IS-C",
+  "cutter_compensation": "B", "block_skip": true,
+  "parameters": { "5001#2": true, "5001#3": "0", "19631": 1.50, "19680": "2" },
+  "offsets": { "memory": "B", "count": 99,
+    "H": { "1": -4.0, "2": { "geometry": "120", "wear": -0.25 } }, "D": { "99": 5 } },
+  "workpiece": { "G54": { "X": -0 }, "G59": { "B": 1000.5 } },
+  "position": { "Z": "+100" },
+  "reference": { "1": { "X": 0.001 }, "4": { "X": 4 }, "floating": { "Z": 7 } },
+  "measurement": { "Z": "198.0" }
+})";
+
+TEST(Setup, EveryKeyIsRead) {
+  const spec::Setup setup = toml(kToml);
+  EXPECT_EQ(setup.units, Units::inch);
+  EXPECT_EQ(setup.axes.letters(), "XZB");
+  EXPECT_EQ(setup.increment, IncrementSystem::is_c);
+  EXPECT_EQ(setup.cutter_compensation, CutterCompensationType::b);
+  EXPECT_TRUE(setup.block_skip);
+  EXPECT_EQ(setup.parameter(19631), (Decimal{150, 2, false, true}));
+  EXPECT_EQ(setup.parameter(19680), decimal(2));
+  EXPECT_TRUE(setup.bit(5001, 2));
+  EXPECT_FALSE(setup.bit(5001, 3, true));
+  EXPECT_EQ(setup.memory, OffsetMemory::b);
+  EXPECT_EQ(setup.offset_count, 99U);
+  EXPECT_EQ(setup.h.at(1).geometry, (Decimal{40, 1, true, true}));
+  EXPECT_EQ(setup.h.at(2).geometry, decimal(120));
+  EXPECT_EQ(setup.h.at(2).wear, (Decimal{25, 2, true, true}));
+  EXPECT_EQ(setup.d.at(99).geometry, decimal(5));
+  EXPECT_EQ(setup.workpiece[0].at('X'), (Decimal{0, 0, true, false}));  // the sign of -0 stays
+  EXPECT_EQ(setup.workpiece[5].at('B'), (Decimal{10005, 1, false, true}));
+  EXPECT_EQ(setup.position.at('Z'), decimal(100));
+  EXPECT_EQ(setup.reference.at(1).at('X'), (Decimal{1, 3, false, true}));
+  EXPECT_EQ(setup.reference.at(4).at('X'), decimal(4));
+  EXPECT_EQ(setup.floating_reference.at('Z'), decimal(7));
+  EXPECT_EQ(setup.measurement.at('Z'), (Decimal{1980, 1, false, true}));
+}
+
+TEST(Setup, TomlAndJsonOfTheSameSetupReadEqual) { EXPECT_EQ(toml(kToml), json(kJson)); }
+
+TEST(Setup, NothingIsTheDefault) {
+  EXPECT_EQ(toml(""), spec::Setup{});
+  EXPECT_EQ(json("{}"), spec::Setup{});
+}
+
+TEST(Setup, RoundTrips) {
+  const spec::Setup setup = toml(kToml);
+  EXPECT_EQ(toml(write_setup_toml(setup)), setup);
+  EXPECT_EQ(json(write_setup_json(setup)), setup);
+  EXPECT_EQ(write_setup_json(setup).find('\n'), std::string::npos);
+  EXPECT_EQ(toml(write_setup_toml({})), spec::Setup{});
+  EXPECT_EQ(json(write_setup_json({})), spec::Setup{});
+}
+
+TEST(Setup, ExampleReads) {
+  const spec::Setup setup = toml(setup_example(Control::fanuc));
+  EXPECT_EQ(setup.axes.letters(), "XYZBC");
+  EXPECT_EQ(setup.h.at(2).wear, (Decimal{25, 2, true, true}));
+  EXPECT_THROW((void)setup_example(Control::heidenhain), InputError);
+}
+
+TEST(Setup, BitsComeFromTheirOwnKeyFirst) {
+  const spec::Setup setup = toml("[parameters]\n5001 = 5\n\"5001#0\" = 0\n5002 = 1.5\n");
+  EXPECT_FALSE(setup.bit(5001, 0));
+  EXPECT_FALSE(setup.bit(5001, 1));
+  EXPECT_TRUE(setup.bit(5001, 2));
+  EXPECT_TRUE(setup.bit(5002, 0, true));  // no integer: not given
+  EXPECT_TRUE(setup.bit(5003, 0, true));
+  EXPECT_FALSE(setup.bit(5003, 0));
+  EXPECT_EQ(setup.parameter(5003), std::nullopt);
+}
+
+TEST(Setup, OffsetMemoryFollowsTheEntries) {
+  EXPECT_EQ(toml("[offsets.H]\n1 = 2").memory, OffsetMemory::a);
+  EXPECT_EQ(toml("[offsets.D]\n1 = { wear = 2 }").memory, OffsetMemory::c);
+  EXPECT_EQ(toml("offsets.memory = \"C\"\n[offsets.H]\n1 = 2").memory, OffsetMemory::c);
+}
+
+TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
+  EXPECT_EQ(toml_error("units = \"cm\""), "f.toml:1:9: units: unknown value \"cm\"; expected one of mm, inch");
+  EXPECT_EQ(toml_error("\n unit = 1"),
+            "f.toml:2:2: setup: unknown key \"unit\"; expected one of control, units, axes, increment, "
+            "cutter_compensation, block_skip, parameters, offsets, workpiece, position, reference, measurement");
+  EXPECT_EQ(toml_error("axes = [\"X\", \"Q\"]"),
+            "f.toml:1:14: axes: \"Q\" is no axis; expected one of A B C U V W X Y Z");
+  EXPECT_EQ(toml_error("axes = [\"X\", \"X\"]"), "f.toml:1:14: axes: axis X is given twice");
+  EXPECT_EQ(toml_error("axes = []"), "f.toml:1:8: axes: expected at least one axis");
+  EXPECT_EQ(toml_error("axes = \"XYZ\""), "f.toml:1:8: axes: expected an array, found a string");
+  EXPECT_EQ(toml_error("block_skip = 1"), "f.toml:1:14: block_skip: expected true or false, found a number");
+  EXPECT_EQ(toml_error("[parameters]\n\"5001#8\" = 1"),
+            "f.toml:2:1: parameters: \"5001#8\" is no parameter; expected a number up to 99999, or number#bit with a "
+            "bit from 0 to 7");
+  EXPECT_EQ(toml_error("[parameters]\n05001 = 1").substr(0, 24), "f.toml:2:1: parameters: ");
+  EXPECT_EQ(toml_error("[parameters]\n\"5001#2\" = 2"), "f.toml:2:12: 5001#2: a bit is 0 or 1, found \"2\"");
+  EXPECT_EQ(toml_error("[parameters]\n5001 = true"),
+            "f.toml:2:8: 5001: expected a decimal number, found true or false");
+  EXPECT_EQ(toml_error("[offsets.H]\n0 = 1"),
+            "f.toml:2:1: offsets.H: \"0\" is no offset number; expected 1 to offsets.count = 400");
+  EXPECT_EQ(toml_error("offsets.count = 32\n[offsets.D]\n33 = 1"),
+            "f.toml:3:1: offsets.D: \"33\" is no offset number; expected 1 to offsets.count = 32");
+  EXPECT_EQ(toml_error("offsets.count = 1000"),
+            "f.toml:1:17: offsets.count: expected an integer from 1 to 999, found \"1000\"");
+  EXPECT_EQ(toml_error("offsets.memory = \"A\"\n[offsets.H]\n1 = { wear = 1 }"),
+            "f.toml:3:5: offsets: memory A has one value an entry; expected a number, or memory B or C");
+  EXPECT_EQ(toml_error("[offsets.H]\n1 = { ware = 1 }"),
+            "f.toml:2:7: offsets.H.1: unknown key \"ware\"; expected one of geometry, wear");
+  EXPECT_EQ(toml_error("[position]\nB = 1"), "f.toml:2:1: position: \"B\" is no axis of this setup; its axes are XYZ");
+  EXPECT_EQ(toml_error("[workpiece.G53]\nX = 1").substr(0, 35), "f.toml:1:12: workpiece: unknown key");
+  EXPECT_EQ(toml_error("[reference.5]\nX = 1").substr(0, 35), "f.toml:1:12: reference: unknown key");
+}
+
+TEST(Setup, NumbersAreExactOrRefused) {
+  EXPECT_EQ(toml_error("[position]\nX = 1e5"),
+            "f.toml:2:5: position.X: \"1e5\" has an exponent; expected a plain decimal number such as 0.001");
+  EXPECT_EQ(json_error("{\"position\": {\"X\": 1E5}}"),
+            "f.json:1:20: position.X: \"1E5\" has an exponent; expected a plain decimal number such as 0.001");
+  EXPECT_EQ(toml_error("[position]\nX = 123456789.0123456789"),
+            "f.toml:2:5: position.X: \"123456789.0123456789\" has more than 18 digits");
+  EXPECT_EQ(toml_error("[position]\nX = \"1,5\""),
+            "f.toml:2:5: position.X: \"1,5\" is not a decimal number such as -4.0");
+  for (const char* number : {"inf", "nan", "0x10", "0b1", "2024-01-01"})
+    EXPECT_NE(toml_error("[position]\nX = " + std::string(number)).find("f.toml:2:"), std::string::npos) << number;
+  // Eighteen digits survive where a double keeps seventeen.
+  EXPECT_EQ(toml("[position]\nX = 0.123456789012345678").position.at('X'),
+            (Decimal{123'456'789'012'345'678, 18, false, true}));
+}
+
+TEST(Setup, ColumnsCountBytes) {
+  // The ä of the first value is bytes 19 and 20, so the second key begins at byte 24.
+  EXPECT_EQ(toml_error("[offsets.H]\n1 = { geometry = \"ä\", ware = 1 }"),
+            "f.toml:2:24: offsets.H.1: unknown key \"ware\"; expected one of geometry, wear");
+  EXPECT_EQ(json_error("{\"offsets\":{\"H\":{\"1\":{\"geometry\":\"ä\",\"ware\":1}}}}").substr(0, 14),
+            "f.json:1:42: o");
+}
+
+TEST(Setup, ControlsThatAreNotBuiltSaySo) {
+  EXPECT_EQ(toml_error("control = \"heidenhain\"\n[[tool]]\nR = 3"),
+            "f.toml:1:11: control: the sections of \"heidenhain\" are not built yet; expected \"fanuc\"");
+  EXPECT_EQ(toml_error("[[tool]]\nR = 3"), "f.toml:1:3: setup: \"tool\" belongs to control \"heidenhain\"");
+  EXPECT_EQ(toml_error("[[correction.tcs]]").substr(12), "setup: \"correction\" belongs to control \"heidenhain\"");
+}
+
+TEST(Setup, MalformedTextHasItsPosition) {
+  EXPECT_EQ(toml_error("units = \"mm\"\nunits = \"mm\"").substr(0, 9), "f.toml:2:");
+  EXPECT_EQ(toml_error("a = = 1").substr(0, 12), "f.toml:1:5: ");
+  EXPECT_EQ(json_error("{\n  \"units\": }"), "f.json:2:12: expected a JSON value");
+  EXPECT_EQ(json_error("{\"units\": \"mm\",\n \"units\": \"mm\"}"), "f.json:2:2: \"units\" is given twice");
+  EXPECT_EQ(json_error("[]"), "f.json:1:1: setup: expected a table, found an array");
+  EXPECT_EQ(json_error(""), "f.json:1:1: expected a JSON value");
+}
+
+TEST(Setup, DeepNestingIsRefused) {
+  std::string keys = "a";
+  for (int i = 0; i < 100'000; ++i) keys += ".a";
+  EXPECT_EQ(toml_error(keys + " = 1"), "f.toml:1:1: a line with more than 100 points");
+  EXPECT_NE(toml_error("a = " + std::string(100'000, '[')).find("f.toml:1:"), std::string::npos);
+  EXPECT_EQ(json_error(std::string(100'000, '[')), "f.json:1:66: nested too deep");
+}
+
+TEST(Setup, SchemaFileIsTheSchema) {
+  std::ifstream file(TOOLCOMP_SOURCE_DIR "/corpus/schema/setup.schema.json", std::ios::binary);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), setup_schema());
+}
+
+}  // namespace
