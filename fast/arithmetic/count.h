@@ -1,0 +1,84 @@
+// Exact numbers of a program: whole counts of a unit in which every word and every setup value is whole.
+#pragma once
+
+#include <cstdint>
+
+#include "fast/arithmetic/int128.h"
+#include "spec/language/decimal.h"
+
+namespace toolcomp::fast {
+
+// What one unit of a word is worth in setup units.
+enum class Factor : std::uint8_t {
+  one,
+  inch_to_mm,  // 127/5
+  mm_to_inch,  // 5/127
+};
+
+// A length in setup units or an angle in degrees, exactly: small / 10^6 + rest / (127 * 10^18).
+// 127 * 10^18 makes every decimal of 18 places whole, in both systems: a word of 15 places times 25.4 needs 16 places,
+// divided by 25.4 = 127/5 it needs 15 and the factor 127. `small` carries the usual program (six places, up to 9e9), so
+// that the nearest double is one division; `rest` carries everything else. The pair is not unique: compare with ==.
+// Range: |value| <= 2^125 / (127 * 10^18), about 3.3e17. The engine tests in_range() whenever a position is made;
+// sums of a few terms in range cannot wrap around in 128 bits.
+class Count {
+ public:
+  static constexpr std::int64_t kSmallPerOne = 1'000'000;
+  static constexpr std::int64_t kRestPerSmall = 127'000'000'000'000;
+  static constexpr Int128 kRestPerOne = static_cast<Int128>(kRestPerSmall) * kSmallPerOne;
+  static constexpr std::int64_t kSmallLimit = std::int64_t{1} << 53;  // beyond it `small` would not be a double
+  static constexpr Int128 kLimit = static_cast<Int128>(1) << 125;
+
+  constexpr Count() = default;
+  // `value` with `shift` further decimals (least input increments), times `factor`. |value| must be below 1e17.
+  static Count of(const spec::Decimal& value, Factor factor = Factor::one, int shift = 0);
+  // The count nearest to units / (127 * 10^18).
+  static constexpr Count of_units(Int128 units) { return {0, units}; }
+
+  // The value in units of 1 / (127 * 10^18).
+  [[nodiscard]] constexpr Int128 units() const { return rest_ + static_cast<Int128>(small_) * kRestPerSmall; }
+  // The value in units of 10^-6, if is_small().
+  [[nodiscard]] constexpr std::int64_t small() const { return small_; }
+  [[nodiscard]] constexpr bool is_small() const { return rest_ == 0; }
+  [[nodiscard]] constexpr bool is_zero() const { return is_small() ? small_ == 0 : units() == 0; }
+  [[nodiscard]] constexpr bool in_range() const { return is_small() || (units() <= kLimit && units() >= -kLimit); }
+  // The double nearest to the value (ties to even).
+  [[nodiscard]] double nearest() const {
+    // Both operands are whole doubles, so the one rounding of the quotient is the nearest double.
+    if (is_small()) [[likely]]
+      return static_cast<double>(small_) / static_cast<double>(kSmallPerOne);
+    return nearest_of_units();
+  }
+
+  constexpr Count operator-() const { return {-small_, -rest_}; }
+  constexpr Count& operator+=(const Count& other) {
+    small_ += other.small_;
+    rest_ += other.rest_;
+    if (small_ > kSmallLimit || small_ < -kSmallLimit) [[unlikely]] {
+      rest_ += static_cast<Int128>(small_) * kRestPerSmall;
+      small_ = 0;
+    }
+    return *this;
+  }
+  constexpr Count& operator-=(const Count& other) { return *this += -other; }
+  friend constexpr Count operator+(Count a, const Count& b) { return a += b; }
+  friend constexpr Count operator-(Count a, const Count& b) { return a -= b; }
+  friend constexpr bool operator==(const Count& a, const Count& b) {
+    return a.is_small() && b.is_small() ? a.small_ == b.small_ : a.units() == b.units();
+  }
+  friend constexpr bool operator<(const Count& a, const Count& b) {
+    return a.is_small() && b.is_small() ? a.small_ < b.small_ : a.units() < b.units();
+  }
+
+ private:
+  constexpr Count(std::int64_t small, Int128 rest) : small_(small), rest_(rest) {}
+  [[nodiscard]] double nearest_of_units() const;
+
+  std::int64_t small_ = 0;
+  Int128 rest_ = 0;
+};
+
+// True if |value| < 1e17, so that Count::of can hold it.
+bool fits_count(const spec::Decimal& value);
+
+}  // namespace toolcomp::fast

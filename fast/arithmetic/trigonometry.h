@@ -1,0 +1,24 @@
+// Sine and cosine of angles in degrees, reduced exactly: multiples of 90 degrees are exact.
+#pragma once
+
+#include "fast/arithmetic/count.h"
+#include "fast/arithmetic/double_double.h"
+
+namespace toolcomp::fast {
+
+template <class Number>
+struct SineCosine {
+  Number sine;
+  Number cosine;
+};
+
+// Relative error of each at most kTrigonometryError, given a libm whose sin and cos are within 1 ulp on
+// [-pi/4, pi/4]; zero exactly where the true value is zero.
+SineCosine<double> sine_cosine(const Count& degrees);
+inline constexpr double kTrigonometryError = 6 * 0x1p-53;
+
+// The same in double-double, relative error at most kFineTrigonometryError; uses no libm.
+SineCosine<DoubleDouble> fine_sine_cosine(const Count& degrees);
+inline constexpr double kFineTrigonometryError = 0x1p-100;
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,256 @@
+#include "fast/kinematics/kinematics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fast/fault.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::fast {
+namespace {
+
+[[noreturn]] void refuse(std::uint32_t number, const std::string& why) {
+  throw spec::InputError("setup", 0, 0, "parameters.\"" + std::to_string(number) + "\": " + why);
+}
+
+// The parameter as a whole number in [low, high]; absent is 0.
+int whole_parameter(const spec::Setup& setup, std::uint32_t number, int low, int high) {
+  const auto value = setup.parameter(number);
+  if (!value) return 0;
+  std::uint64_t digits = value->digits;
+  unsigned decimals = value->decimals;
+  while (decimals > 0 && digits % 10 == 0) {
+    digits /= 10;
+    --decimals;
+  }
+  if (decimals > 0) refuse(number, "must be a whole number");
+  if (digits > 1000) refuse(number, "is out of range");
+  const int whole = value->negative ? -static_cast<int>(digits) : static_cast<int>(digits);
+  if (whole < low || whole > high)
+    refuse(number, "must be from " + std::to_string(low) + " to " + std::to_string(high));
+  return whole;
+}
+
+// An angle in degrees; absent is 0.
+Count angle_parameter(const spec::Setup& setup, std::uint32_t number) {
+  const auto value = setup.parameter(number);
+  if (!value) return {};
+  if (!fits_count(*value)) refuse(number, "is too large");
+  return Count::of(*value);
+}
+
+// The index of the controlled axis a parameter names, which must be rotary.
+std::size_t rotary_parameter(const spec::Setup& setup, std::uint32_t number) {
+  const int axis = whole_parameter(setup, number, 0, static_cast<int>(setup.axes.size()));
+  if (axis == 0) refuse(number, "must name a rotary axis");
+  const auto index = static_cast<std::size_t>(axis - 1);
+  if (!spec::is_rotary_axis(setup.axes.letter(index))) refuse(number, "names an axis that is not rotary");
+  return index;
+}
+
+// 0, 1, 2 for X, Y, Z: the linear axis a parameter names; -1 for 0.
+int linear_parameter(const spec::Setup& setup, std::uint32_t number) {
+  const int axis = whole_parameter(setup, number, 0, static_cast<int>(setup.axes.size()));
+  if (axis == 0) return -1;
+  const char letter = setup.axes.letter(static_cast<std::size_t>(axis - 1));
+  if (letter < 'X' || letter > 'Z') refuse(number, "must name X, Y or Z");
+  return letter - 'X';
+}
+
+FineVector cross(const FineVector& a, const FineVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+DoubleDouble dot(const FineVector& a, const FineVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+FineVector operator*(const FineVector& a, const DoubleDouble& b) { return {a[0] * b, a[1] * b, a[2] * b}; }
+FineVector operator-(const FineVector& a, const FineVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+FineVector unit_vector(int axis) {
+  FineVector e{};
+  e[static_cast<std::size_t>(axis)] = {1, 0};
+  return e;
+}
+
+// v0 = cosRA sinRB e1 - sinRA e2 + cosRA cosRB e3 for the cyclic triple that ends with axis `third`.
+FineVector tilted(const Count& ra, const Count& rb, int third) {
+  const auto a = fine_sine_cosine(ra);
+  const auto b = fine_sine_cosine(rb);
+  FineVector v{};
+  v[static_cast<std::size_t>((third + 1) % 3)] = a.cosine * b.sine;
+  v[static_cast<std::size_t>((third + 2) % 3)] = -a.sine;
+  v[static_cast<std::size_t>(third)] = a.cosine * b.cosine;
+  return v;
+}
+
+// The direction codes of 19682 and 19687: 1 X, 2 Y, 3 Z, 4 to 6 inclined by 19683 or 19688.
+FineVector axis_direction(const spec::Setup& setup, std::uint32_t number) {
+  const int code = whole_parameter(setup, number, 1, 6);
+  if (code == 0) refuse(number, "must be from 1 to 6");
+  if (code <= 3) return unit_vector(code - 1);
+  const auto a = fine_sine_cosine(angle_parameter(setup, number + 1));
+  if (code == 4) return {a.cosine, a.sine, DoubleDouble{}};
+  if (code == 5) return {DoubleDouble{}, a.cosine, a.sine};
+  return {a.sine, DoubleDouble{}, a.cosine};
+}
+
+}  // namespace
+
+Kinematics::Kinematics(const spec::Setup& setup) {
+  const int type = whole_parameter(setup, 19680, 0, 21);
+  if (type != 0) {
+    if (type != 2 && type != 12 && type != 21) refuse(19680, "must be 0, 2, 12 or 21");
+    from_unit_type(setup, type);
+  } else if (whole_parameter(setup, 19610, 0, static_cast<int>(setup.axes.size())) != 0) {
+    from_axis_groups(setup);
+  }
+}
+
+void Kinematics::from_unit_type(const spec::Setup& setup, int type) {
+  defined_ = true;
+  type_ = type;
+  std::array<RotaryAxis, 2> axis;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::uint32_t base = i == 0 ? 19681 : 19686;
+    if (setup.bit(19696, static_cast<int>(i))) {
+      if (type == 2) refuse(19696, "a tool rotation machine with a hypothetical axis is not supported");
+      if (whole_parameter(setup, base, 0, 0) != 0) refuse(base, "must be 0 for a hypothetical axis");
+      axis[i].reference = -angle_parameter(setup, base + 4);
+    } else {
+      axis[i].index = rotary_parameter(setup, base);
+    }
+    axis[i].axis = axis_direction(setup, base + 1);
+    axis[i].reversed = whole_parameter(setup, base + 3, 0, 1) == 1;
+  }
+  if (axis[0].index != RotaryAxis::kNone && axis[0].index == axis[1].index) refuse(19686, "names the same axis as 19681");
+  // A table turns the work, so the direction seen from the work turns the other way.
+  if (type == 12) axis[0].reversed = !axis[0].reversed;
+  if (type != 2) axis[1].reversed = !axis[1].reversed;
+  inner_ = type == 2 ? axis[1] : axis[0];
+  outer_ = type == 2 ? axis[0] : axis[1];
+  if (fault(Fault::rotary_order_swapped)) std::swap(inner_, outer_);
+  const int vertical = whole_parameter(setup, 19697, 0, 3);
+  expand(tilted(angle_parameter(setup, 19698), angle_parameter(setup, 19699), vertical == 0 ? 2 : vertical - 1));
+}
+
+void Kinematics::from_axis_groups(const spec::Setup& setup) {
+  defined_ = true;
+  const auto group = [&](std::uint32_t base, std::uint32_t reference) {
+    RotaryAxis rotary;
+    rotary.index = rotary_parameter(setup, base);
+    rotary.reference = angle_parameter(setup, reference);
+    const int first = linear_parameter(setup, base + 1);
+    const int second = linear_parameter(setup, base + 2);
+    const int third = linear_parameter(setup, base + 3);
+    if (first < 0) refuse(base + 1, "must name a linear axis");
+    if (second < 0 || second == first) refuse(base + 2, "must name another linear axis");
+    const FineVector normal = cross(unit_vector(first), unit_vector(second));
+    const Count inclination = angle_parameter(setup, base + 4);
+    if (inclination.is_zero()) {
+      if (third == first || third == second) refuse(base + 3, "must name the third linear axis");
+      rotary.axis = normal;
+      return rotary;
+    }
+    if (third < 0 || dot(normal, unit_vector(third)).hi <= 0)
+      refuse(base + 3, "linear axes 1, 2, 3 of an inclined rotary axis must be right-handed");
+    const auto a = fine_sine_cosine(inclination);
+    rotary.axis = {};
+    rotary.axis[static_cast<std::size_t>(first)] = a.sine;
+    rotary.axis[static_cast<std::size_t>(third)] = a.cosine;
+    return rotary;
+  };
+  inner_ = group(19610, 19620);
+  if (whole_parameter(setup, 19615, 0, static_cast<int>(setup.axes.size())) != 0)
+    outer_ = group(19615, 19621);
+  else
+    outer_.axis = unit_vector(2);
+  if (inner_.index == outer_.index) refuse(19615, "names the same axis as 19610");
+  if (fault(Fault::rotary_order_swapped)) std::swap(inner_, outer_);
+  expand(tilted(angle_parameter(setup, 19622), angle_parameter(setup, 19623), 2));
+}
+
+void Kinematics::expand(const FineVector& v0) {
+  // R(a, t) x = (a.x) a + cos t (x - (a.x) a) + sin t (a x x)
+  const auto parts = [](const FineVector& a, const FineVector& x) {
+    const FineVector along = a * dot(a, x);
+    return std::array<FineVector, 3>{along, x - along, cross(a, x)};
+  };
+  const auto inner = parts(inner_.axis, v0);
+  std::array<double, 3> magnitude{};
+  std::array<int, 3> count{};
+  whole_terms_ = true;
+  for (std::uint8_t i = 0; i < 3; ++i) {
+    const auto outer = parts(outer_.axis, inner[i]);
+    for (std::uint8_t j = 0; j < 3; ++j)
+      for (std::uint8_t k = 0; k < 3; ++k) {
+        const DoubleDouble& c = outer[j][k];
+        if (c.hi == 0) continue;
+        terms_.push_back({c.hi, k, i, j, c});
+        magnitude[k] += std::abs(c.hi);
+        ++count[k];
+        if (c.lo != 0 || std::abs(c.hi) != 1) whole_terms_ = false;
+      }
+  }
+  // Each term: coefficient u, two trigonometric values, two products 2u; each further term of a component one addition.
+  constexpr double u = 0x1p-53;
+  for (std::size_t k = 0; k < 3; ++k) {
+    error_ = std::max(error_, (2 * kTrigonometryError + (3 + std::max(0, count[k] - 1)) * u) * magnitude[k] * 1.001);
+    fine_error_ = std::max(fine_error_, magnitude[k] * 0x1p-98);
+  }
+}
+
+Count Kinematics::angle(const RotaryAxis& axis, const std::array<Count, spec::kMaxAxes>& position) {
+  const Count turned = axis.index == RotaryAxis::kNone ? -axis.reference : position[axis.index] - axis.reference;
+  return axis.reversed ? -turned : turned;
+}
+
+void Kinematics::direct(const std::array<Count, spec::kMaxAxes>& position, Direction& direction) {
+  direction.angle = {angle(inner_, position), angle(outer_, position)};
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!fresh_ || !(direction.angle[i] == last_[i])) {
+      trigonometry_[i] = sine_cosine(direction.angle[i]);
+      last_[i] = direction.angle[i];
+    }
+  fresh_ = true;
+  const std::array<double, 3> inner{1, trigonometry_[0].cosine, trigonometry_[0].sine};
+  const std::array<double, 3> outer{1, trigonometry_[1].cosine, trigonometry_[1].sine};
+  std::array<double, 3> sum{};
+  unsigned nonzero = 0;
+  for (const Term& term : terms_) {
+    const double value = term.coefficient * inner[term.inner] * outer[term.outer];
+    sum[term.component] += value;
+    nonzero |= static_cast<unsigned>(value != 0) << term.component;
+  }
+  direction.unit = {sum[0], sum[1], sum[2]};
+  direction.zero = static_cast<std::uint8_t>(~nonzero & 7U);
+  direction.error = error_;
+  // With whole coefficients and angles that are multiples of 90 the direction is an axis.
+  const auto whole = [](const SineCosine<double>& t) { return t.sine == 0 || t.cosine == 0; };
+  direction.is_whole = whole_terms_ && whole(trigonometry_[0]) && whole(trigonometry_[1]);
+  if (direction.is_whole) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      direction.whole[k] = static_cast<Int128>(sum[k]);
+      if (direction.whole[k] == 0) direction.zero = static_cast<std::uint8_t>(direction.zero | 1U << k);
+    }
+    direction.error = 0;
+  }
+}
+
+FineVector Kinematics::refine(const Direction& direction) const {
+  FineVector sum{};
+  if (direction.is_whole) {
+    FineVector v;
+    for (std::size_t k = 0; k < 3; ++k) v[k] = to_double_double(direction.whole[k]);
+    const DoubleDouble norm = sqrt(dot(v, v));
+    for (std::size_t k = 0; k < 3; ++k) sum[k] = v[k] / norm;
+    return sum;
+  }
+  const auto i = fine_sine_cosine(direction.angle[0]);
+  const auto o = fine_sine_cosine(direction.angle[1]);
+  const std::array<DoubleDouble, 3> inner{DoubleDouble{1, 0}, i.cosine, i.sine};
+  const std::array<DoubleDouble, 3> outer{DoubleDouble{1, 0}, o.cosine, o.sine};
+  for (const Term& term : terms_)
+    sum[term.component] = sum[term.component] + term.fine * inner[term.inner] * outer[term.outer];
+  return sum;
+}
+
+}  // namespace toolcomp::fast

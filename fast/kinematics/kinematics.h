@@ -1,0 +1,74 @@
+// Tool direction from rotary axes (3D sheet 1.2 and part 9, posture sheet 3 and 17).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "fast/arithmetic/double_double.h"
+#include "fast/arithmetic/trigonometry.h"
+#include "fast/kinematics/direction.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::fast {
+
+using FineVector = std::array<DoubleDouble, 3>;
+
+// One rotary axis of the chain: turns by sign * (position - reference) about `axis`.
+struct RotaryAxis {
+  static constexpr std::size_t kNone = spec::kMaxAxes;
+  std::size_t index = kNone;  // of the setup; kNone: the angle is fixed (hypothetical axis, or none)
+  FineVector axis;            // unit
+  bool reversed = false;
+  Count reference;  // degrees; the fixed angle is -reference
+};
+
+// The rotary axes of a setup and the direction they give the tool:
+//   V(inner, outer) = R(outer.axis, outer angle) R(inner.axis, inner angle) v0.
+// Expanded, V is a sum of constant vectors times {1, cos, sin} of the inner and of the outer angle; the constants are
+// made once, in double-double, and only those that are not zero are kept.
+class Kinematics {
+ public:
+  // Throws spec::InputError, naming the parameter, for parameters that describe no machine.
+  explicit Kinematics(const spec::Setup& setup);
+
+  // Whether the setup has kinematics at all (19680 or 19610 not 0).
+  [[nodiscard]] bool defined() const { return defined_; }
+  // Whether the direction depends on this axis of the setup.
+  [[nodiscard]] bool turns_with(std::size_t axis) const { return inner_.index == axis || outer_.index == axis; }
+  // The machine unit type 19680 (0: none, or the parameters 19610 ff.).
+  [[nodiscard]] int type() const { return type_; }
+
+  // Sets `direction` for the axis positions (degrees, by axis index of the setup).
+  void direct(const std::array<Count, spec::kMaxAxes>& position, Direction& direction);
+  // The unit vector in double-double, each component within fine_error().
+  [[nodiscard]] FineVector refine(const Direction& direction) const;
+  [[nodiscard]] double fine_error() const { return fine_error_; }
+
+ private:
+  struct Term {
+    double coefficient;
+    std::uint8_t component, inner, outer;  // which of {1, cos, sin}
+    DoubleDouble fine;
+  };
+
+  void from_unit_type(const spec::Setup& setup, int type);
+  void from_axis_groups(const spec::Setup& setup);
+  void expand(const FineVector& v0);
+  [[nodiscard]] static Count angle(const RotaryAxis& axis, const std::array<Count, spec::kMaxAxes>& position);
+
+  bool defined_ = false;
+  int type_ = 0;
+  RotaryAxis inner_;
+  RotaryAxis outer_;
+  std::vector<Term> terms_;
+  bool whole_terms_ = false;  // every coefficient is 0 or +-1
+  double error_ = 0;
+  double fine_error_ = 0x1p-98;
+  std::array<SineCosine<double>, 2> trigonometry_{};  // of the angles computed last
+  std::array<Count, 2> last_;
+  bool fresh_ = false;
+};
+
+}  // namespace toolcomp::fast

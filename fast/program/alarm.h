@@ -1,0 +1,38 @@
+// The alarms of the control: number and text.
+#pragma once
+
+namespace toolcomp::fast {
+
+struct Alarm {
+  const char* number = nullptr;  // nullptr: no alarm
+  const char* message = "";
+  explicit operator bool() const { return number != nullptr; }
+};
+
+namespace alarm {
+
+inline constexpr Alarm kNone{};
+inline constexpr Alarm kUnknownCode{"PS0010", "G code not available"};
+inline constexpr Alarm kLengthAxes{"PS0015", "G49 with three or more offset axes"};
+inline constexpr Alarm kArcRadius{"PS0023", "arc radius or centre that cannot be"};
+inline constexpr Alarm kLengthAxisMissing{"PS0027", "no axis, or a second axis, for tool length offset type C"};
+inline constexpr Alarm kOffsetValue{"PS0029", "offset value too large"};
+inline constexpr Alarm kOffsetNumber{"PS0030", "offset number out of range"};
+inline constexpr Alarm kWriteNumber{"PS0031", "G10: offset number out of range"};
+inline constexpr Alarm kWriteValue{"PS0032", "G10: offset value out of range"};
+inline constexpr Alarm kReferenceNumber{"PS0046", "G30: P must be 2, 3 or 4"};
+inline constexpr Alarm kLeadingEdgeFormat{"PS5406", "movement or stop in the G41.3 or G40 block"};
+inline constexpr Alarm kLeadingEdgeCommand{"PS5407", "command not possible in G41.3, or no movement after it"};
+inline constexpr Alarm kLeadingEdgeStart{"PS5408", "G41.3 cannot start here"};
+inline constexpr Alarm kToolDirection{"PS5421", "rotary word or zero direction under G43.5"};
+inline constexpr Alarm kForbiddenInCompensation{"FORBIDDEN_IN_3D_COMPENSATION", "command not allowed in the G41.3 mode"};
+inline constexpr Alarm kForbiddenUnderDirection{"FORBIDDEN_UNDER_TOOL_DIRECTION", "command not allowed under G43.5"};
+inline constexpr Alarm kLengthExclusion{"LENGTH_OFFSET_EXCLUSION", "length offset and G43.5 exclude each other"};
+inline constexpr Alarm kDirectionFormat{"TOOL_DIRECTION_FORMAT", "G43.5, or its G49, where it may not stand"};
+inline constexpr Alarm kLeanAngle{"LEAN_ANGLE_NOT_BUILT", "Q under G43.5 is not supported"};
+inline constexpr Alarm kKinematics{"KINEMATICS_NOT_BUILT", "G43.5 is not supported for this machine"};
+inline constexpr Alarm kRange{"POSITION_RANGE", "position beyond 3e17"};
+
+}  // namespace alarm
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,87 @@
+#include "fast/program/arc.h"
+
+#include <cmath>
+
+#include "fast/arithmetic/double_double.h"
+#include "fast/arithmetic/trigonometry.h"
+#include "fast/arithmetic/wide.h"
+
+namespace toolcomp::fast {
+namespace {
+
+const DoubleDouble kUnitsPerOne = to_double_double(Count::kRestPerOne);
+
+// The polar angle of (x, y), not both zero, in degrees within (0, 360]: exact at multiples of 90, elsewhere rounded
+// from about 100 bits. atan2 gives a start; one step of the angle addition formula in double-double gives the rest.
+double positive_angle(const DoubleDouble& x, const DoubleDouble& y) {
+  if (y.hi == 0) return x.hi > 0 ? 360 : 180;
+  if (x.hi == 0) return y.hi > 0 ? 90 : 270;
+  constexpr DoubleDouble kDegrees{0x1.ca5dc1a63c1f8p+5, -0x1.1e7ab456405f9p-49};  // 180 / pi
+  double first = std::atan2(y.hi, x.hi) * kDegrees.hi;
+  if (first < 0) first += 360;
+  const Count start = Count::of_units(static_cast<Int128>(first * kUnitsPerOne.hi));
+  const auto t = fine_sine_cosine(start);
+  const DoubleDouble rest = (y * t.cosine - x * t.sine) / (x * t.cosine + y * t.sine);
+  return to_double(to_double_double(start.units()) / kUnitsPerOne + rest * kDegrees);
+}
+
+DoubleDouble length_of(const DoubleDouble& squared_units) { return sqrt(squared_units) / kUnitsPerOne; }
+
+}  // namespace
+
+Alarm arc_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+                    const std::array<Count, 2>& to_center, bool clockwise, ArcGeometry& arc) {
+  if (to_center[0].is_zero() && to_center[1].is_zero()) return alarm::kArcRadius;
+  std::array<Wide, 2> from;
+  std::array<Wide, 2> to;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Count center = start[i] + to_center[i];
+    if (!center.in_range()) return alarm::kRange;
+    arc.center[i] = center.nearest();
+    from[i] = Wide((-to_center[i]).units());
+    to[i] = Wide((end[i] - center).units());
+  }
+  const Wide start_square = from[0] * from[0] + from[1] * from[1];
+  const Wide end_square = to[0] * to[0] + to[1] * to[1];
+  arc.radius.reset();
+  if ((start_square - end_square).sign() != 0)
+    arc.radius = {to_double(length_of(start_square.to_double_double())),
+                  to_double(length_of(end_square.to_double_double()))};
+  arc.sweep.reset();
+  if (end_square.sign() != 0) {
+    const Wide turn = from[0] * to[1] - from[1] * to[0];
+    arc.sweep = positive_angle((from[0] * to[0] + from[1] * to[1]).to_double_double(),
+                               (clockwise ? -turn : turn).to_double_double());
+  }
+  return alarm::kNone;
+}
+
+Alarm arc_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2>& end, const Count& radius,
+                    bool clockwise, ArcGeometry& arc) {
+  const std::array<Int128, 2> chord{(end[0] - start[0]).units(), (end[1] - start[1]).units()};
+  const Wide chord_square = Wide(chord[0]) * Wide(chord[0]) + Wide(chord[1]) * Wide(chord[1]);
+  if (chord_square.sign() == 0) return alarm::kArcRadius;
+  // 4 h^2 = 4 R^2 - chord^2, h the distance of the centre from the chord.
+  const Wide height_square = Wide(4) * Wide(radius.units()) * Wide(radius.units()) - chord_square;
+  if (height_square.sign() < 0) return alarm::kArcRadius;
+  const DoubleDouble chord_length = sqrt(chord_square.to_double_double());
+  const DoubleDouble height = sqrt(height_square.to_double_double());
+  const bool larger = radius < Count();
+  // The centre lies left of the chord for a smaller arc counterclockwise or a larger one clockwise.
+  const DoubleDouble side = height / chord_length * (clockwise == larger ? 0.5 : -0.5);
+  const std::array<DoubleDouble, 2> normal{-to_double_double(chord[1]), to_double_double(chord[0])};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const DoubleDouble middle = to_double_double(start[i].units() + end[i].units()) * 0.5;
+    arc.center[i] = to_double((middle + normal[i] * side) / kUnitsPerOne);
+  }
+  arc.radius.reset();
+  if (height.hi == 0) {
+    arc.sweep = 180;
+  } else {
+    const double minor = 2 * positive_angle(height, chord_length);
+    arc.sweep = larger ? 2 * positive_angle(-height, chord_length) : minor;
+  }
+  return alarm::kNone;
+}
+
+}  // namespace toolcomp::fast

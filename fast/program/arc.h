@@ -1,0 +1,28 @@
+// Arcs G02 G03 in the selected plane: centre, sweep, radii.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "fast/arithmetic/count.h"
+#include "fast/program/alarm.h"
+
+namespace toolcomp::fast {
+
+struct ArcGeometry {
+  std::array<double, 2> center{};               // absolute, setup units
+  std::optional<double> sweep;                  // degrees, in (0, 360]; none where the end lies in the centre
+  std::optional<std::pair<double, double>> radius;  // start and end, where they differ
+};
+
+// The arc from `start` to `end` round start + `to_center`. PS0023 where `to_center` is zero.
+Alarm arc_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+                    const std::array<Count, 2>& to_center, bool clockwise, ArcGeometry& arc);
+
+// The arc from `start` to `end` of the given radius: at most 180 degrees if it is positive, the larger one if negative.
+// PS0023 where there is none, or where start and end are the same.
+Alarm arc_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2>& end, const Count& radius,
+                    bool clockwise, ArcGeometry& arc);
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,68 @@
+// The words of one block by what they command: one G code per modal group, one value per letter.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "spec/language/axes.h"
+#include "spec/language/block.h"
+
+namespace toolcomp::fast {
+
+// G codes in tenths: G43.5 is 435. 0 (which is G00) is told from none by kNone.
+using Code = std::int16_t;
+inline constexpr Code kNone = -1;
+
+// A block taken apart. Of several codes of a group, and of several words of one letter, the last one counts.
+// Points into the block it was made from.
+class Words {
+ public:
+  enum : std::uint8_t { kMotion, kPlane, kDistance, kUnits, kCompensation, kLength, kWorkpiece, kOneShot, kFeedMode, kGroups };
+
+  // Codes the control does not have set unsupported().
+  Words(const spec::Block& block, const spec::Axes& axes);
+
+  // The code of a group, or kNone.
+  [[nodiscard]] Code code(std::size_t group) const { return code_[group]; }
+  [[nodiscard]] bool unsupported() const { return unsupported_; }
+  [[nodiscard]] bool has(char letter) const { return (letters_ >> (letter - 'A') & 1U) != 0; }
+  [[nodiscard]] bool has_any(std::uint32_t letters) const { return (letters_ & letters) != 0; }
+  // Only where has(letter).
+  [[nodiscard]] const spec::Decimal& operator[](char letter) const { return *value_[static_cast<std::size_t>(letter - 'A')]; }
+  // Bit i: axis i of the setup has a word.
+  [[nodiscard]] std::uint16_t axes() const { return axes_; }
+  [[nodiscard]] const spec::Decimal& axis(std::size_t index) const { return *axis_value_[index]; }
+  // A word other than N and O.
+  [[nodiscard]] bool any() const { return any_; }
+  // M00 M01 M02 M30, which keep the control from reading ahead.
+  [[nodiscard]] bool suppresses_look_ahead() const { return stop_ || end_; }
+  // M02 M30.
+  [[nodiscard]] bool ends_program() const { return end_; }
+
+  // The set of letters for has_any().
+  static constexpr std::uint32_t set_of(const char* letters) {
+    std::uint32_t set = 0;
+    for (; *letters != 0; ++letters) set |= std::uint32_t{1} << (*letters - 'A');
+    return set;
+  }
+
+ private:
+  void g_word(const spec::Decimal& value);
+  void m_word(const spec::Decimal& value);
+
+  std::array<Code, kGroups> code_;
+  std::array<const spec::Decimal*, 26> value_;  // set where letters_ has the bit
+  std::array<const spec::Decimal*, spec::kMaxAxes> axis_value_;
+  std::uint32_t letters_ = 0;
+  std::uint16_t axes_ = 0;
+  bool any_ = false;
+  bool unsupported_ = false;
+  bool stop_ = false;
+  bool end_ = false;
+};
+
+// The whole number a decimal is, if it is one not above `limit`; otherwise limit + 1.
+std::uint32_t whole_number(const spec::Decimal& value, std::uint32_t limit);
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,163 @@
+#include "fast/tool_length_offset/tool_length_offset.h"
+
+#include <bit>
+
+#include "fast/fault.h"
+
+namespace toolcomp::fast {
+namespace {
+
+constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
+
+}  // namespace
+
+ToolLengthOffset::ToolLengthOffset(const spec::Setup& setup)
+    : ofh_(setup.bit(5001, 2)),
+      tal_(setup.bit(5001, 3)),
+      evo_(setup.bit(5001, 6)),
+      axes_(setup.axes.size()),
+      z_(setup.axes.index('Z')) {
+  if (setup.bit(5001, 0))
+    type_ = Type::c;
+  else if (setup.bit(5001, 1))
+    type_ = Type::b;
+}
+
+ToolLengthOffset::Mode ToolLengthOffset::mode_after(Code code) const {
+  switch (code) {
+    case 430:
+      return Mode::plus;
+    case 440:
+      return fault(Fault::g44_as_g43) ? Mode::plus : Mode::minus;
+    case 435:
+      return Mode::along_tool;
+    case 490:
+      return Mode::off;
+    default:
+      return mode_;
+  }
+}
+
+void ToolLengthOffset::touch() {
+  if (touched_) return;
+  touched_ = true;
+  offset_before_ = offset_;
+  length_before_ = length_;
+}
+
+bool ToolLengthOffset::changed() const {
+  return touched_ && !(offset_ == offset_before_ && length_ == length_before_);
+}
+
+void ToolLengthOffset::set(std::size_t axis, const Count& value) {
+  touch();
+  offset_[axis] = fault(Fault::offset_accumulates) ? offset_[axis] + value : value;
+  live_ = static_cast<std::uint16_t>(offset_[axis].is_zero() ? live_ & ~bit(axis) : live_ | bit(axis));
+}
+
+void ToolLengthOffset::cancel(std::size_t axis) {
+  if (fault(Fault::g53_keeps_offset)) return;
+  set(axis, fault(Fault::offset_accumulates) ? -offset_[axis] : Count());
+  if ((last_ & bit(axis)) != 0 && (mode_ == Mode::plus || mode_ == Mode::minus)) cancelled_ = true;
+}
+
+Alarm ToolLengthOffset::restore(const Words& words, const OffsetMemory& memory) {
+  if (!cancelled_ && !edited_) return alarm::kNone;
+  if (type_ == Type::c || !evo_ || mode_ == Mode::off) return alarm::kNone;
+  // A start-up or cancel block of cutter compensation puts the restoration off.
+  if (cancelled_ && words.code(Words::kCompensation) != kNone && !fault(Fault::restore_in_g40)) return alarm::kNone;
+  const Count value = memory.h(number_);
+  if (!memory.fits(value)) return alarm::kOffsetValue;
+  cancelled_ = false;
+  edited_ = false;
+  if (mode_ == Mode::along_tool) {
+    touch();
+    length_ = value;
+    return alarm::kNone;
+  }
+  const std::uint16_t axes = fault(Fault::restore_any_axis) ? static_cast<std::uint16_t>((1U << axes_) - 1U) : last_;
+  for (std::size_t axis = 0; axis < axes_; ++axis)
+    if ((axes & bit(axis)) != 0) set(axis, signed_value(value, mode_));
+  return alarm::kNone;
+}
+
+std::uint16_t ToolLengthOffset::affected(const Words& words, Code code, std::size_t normal) const {
+  switch (type_) {
+    case Type::a:
+      return z_ == spec::Axes::kNone ? std::uint16_t{0} : bit(z_);
+    case Type::b:
+      return normal == spec::Axes::kNone ? std::uint16_t{0} : bit(normal);
+    case Type::c:
+      break;
+  }
+  return code == kNone ? last_ : words.axes();
+}
+
+Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, std::size_t normal) {
+  const Code code = words.code(Words::kLength);
+  const bool has_h = words.has('H');
+  if (code == kNone && !has_h) [[likely]]
+    return alarm::kNone;
+
+  if (code == 490) {
+    if (std::popcount(live_) >= 3 && !fault(Fault::g49_any_number)) return alarm::kLengthAxes;
+    touch();
+    for (std::size_t axis = 0; axis < axes_; ++axis) {
+      if (fault(Fault::g49_z_only) && axis != z_) continue;
+      offset_[axis] = Count();
+      live_ = static_cast<std::uint16_t>(live_ & ~bit(axis));
+    }
+    length_ = Count();
+    last_ = 0;
+    cancelled_ = edited_ = false;
+  }
+
+  // Which number holds: an H word of any block, or with OFH = 1 of a block with G43, G44 (or G43.5) only; there a first
+  // G43 without H means H0.
+  const bool sets = code == 430 || code == 440 || code == 435;
+  const bool ofh = ofh_ && !fault(Fault::h_modal_under_ofh);
+  std::uint32_t number = number_;
+  bool takes = false;
+  if (has_h && (!ofh || sets)) {
+    number = whole_number(words['H'], memory.count());
+    takes = true;
+  } else if (ofh && sets && mode_ == Mode::off) {
+    number = 0;
+  }
+  const Mode mode = mode_after(code);
+  if (code == 490 || mode == Mode::off || (!takes && !sets)) {
+    number_ = number;
+    mode_ = mode;
+    return alarm::kNone;
+  }
+
+  const std::uint16_t axes = mode == Mode::along_tool ? std::uint16_t{0} : affected(words, code, normal);
+  if (type_ == Type::c && sets && mode != Mode::along_tool && !(tal_ || fault(Fault::tal_ignored))) {
+    // One axis at a time, unless TAL allows more.
+    if (std::popcount(axes) > 1 || (live_ & ~axes) != 0) return alarm::kLengthAxisMissing;
+  }
+  if (type_ == Type::c && sets && mode != Mode::along_tool && axes == 0) return alarm::kLengthAxisMissing;
+  // While a cancelled vector waits, a block of cutter compensation start-up or cancel only stores the number.
+  if (cancelled_ && words.code(Words::kCompensation) != kNone) {
+    number_ = number;
+    mode_ = mode;
+    return alarm::kNone;
+  }
+  const Count value = memory.h(number);
+  if (!memory.fits(value)) return alarm::kOffsetValue;
+  number_ = number;
+  mode_ = mode;
+  cancelled_ = edited_ = false;
+  if (mode == Mode::along_tool) {
+    touch();
+    length_ = value;
+    last_ = 0;
+    return alarm::kNone;
+  }
+  for (std::size_t axis = 0; axis < axes_; ++axis)
+    if ((axes & bit(axis)) != 0) set(axis, signed_value(value, mode));
+  last_ = axes;
+  return alarm::kNone;
+}
+
+}  // namespace toolcomp::fast

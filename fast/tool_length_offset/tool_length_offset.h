@@ -1,0 +1,73 @@
+// Tool length offset G43 G44 G49 and its H rules (chapter 14.1.1), cancellation and restoration (14.1.2).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "fast/arithmetic/count.h"
+#include "fast/program/alarm.h"
+#include "fast/program/words.h"
+#include "fast/tool_length_offset/offset_memory.h"
+#include "spec/language/axes.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::fast {
+
+// The length-offset vector, one signed value per axis, and the rules that change it. Also keeps the length L that
+// G43.5 lays along the tool direction, because it follows the same H rules.
+class ToolLengthOffset {
+ public:
+  enum class Mode : std::uint8_t { off, plus, minus, along_tool };  // G49, G43, G44, G43.5
+
+  explicit ToolLengthOffset(const spec::Setup& setup);
+
+  [[nodiscard]] Mode mode() const { return mode_; }
+  [[nodiscard]] const Count& operator[](std::size_t axis) const { return offset_[axis]; }
+  [[nodiscard]] const Count& length() const { return length_; }  // under G43.5
+  [[nodiscard]] std::uint16_t live() const { return live_; }     // axes whose offset is not 0
+  // Whether the vector, or L, differs from what it was at begin_block().
+  [[nodiscard]] bool changed() const;
+  void begin_block() { touched_ = false; }
+  // The mode after a block with this code of group 08.
+  [[nodiscard]] Mode mode_after(Code code) const;
+
+  // The restoration that becomes due at any block with words (EVO).
+  Alarm restore(const Words& words, const OffsetMemory& memory);
+  // G43 G44 G43.5 G49 and H of a block; `normal` is the axis normal to the plane in force. On an alarm nothing changes.
+  Alarm apply(const Words& words, const OffsetMemory& memory, std::size_t normal);
+  // G53, G28, G30, G30.1 on this axis: its vector goes to 0, the mode stays.
+  void cancel(std::size_t axis);
+  // G10 changed the value of an H number.
+  void edited(std::uint32_t number) { edited_ |= number == number_ && mode_ != Mode::off; }
+
+ private:
+  enum class Type : std::uint8_t { a, b, c };
+
+  void touch();
+  void set(std::size_t axis, const Count& value);
+  [[nodiscard]] Count signed_value(const Count& value, Mode mode) const { return mode == Mode::minus ? -value : value; }
+  [[nodiscard]] std::uint16_t affected(const Words& words, Code code, std::size_t normal) const;
+
+  Type type_ = Type::a;
+  bool ofh_ = false;
+  bool tal_ = false;
+  bool evo_ = false;
+  std::size_t axes_;
+  std::size_t z_;
+
+  Mode mode_ = Mode::off;
+  std::uint32_t number_ = 0;  // H
+  std::uint16_t last_ = 0;    // axes offset last
+  std::uint16_t live_ = 0;
+  bool cancelled_ = false;  // an axis of last_ waits for its vector
+  bool edited_ = false;
+  std::array<Count, spec::kMaxAxes> offset_;
+  Count length_;
+
+  // The values at begin_block(), kept when the first of them is written.
+  bool touched_ = false;
+  std::array<Count, spec::kMaxAxes> offset_before_;
+  Count length_before_;
+};
+
+}  // namespace toolcomp::fast
