@@ -1,11 +1,13 @@
 #include "certify/capabilities.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "spec/language/fields.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -158,8 +160,13 @@ std::string write_capabilities(const Capabilities& capabilities) {
 }
 
 std::vector<std::string> all_fields() {
-  return {"kind",   "line",  "n",         "type",  "cause",  "programmed", "point",  "axes", "machine", "tool_axis",
-          "center", "plane", "direction", "sweep", "radius", "feed",       "number", "name", "value",   "t"};
+  // What people read or the model alone knows is not judged.
+  constexpr std::array not_judged{spec::Field::message, spec::Field::clause, spec::Field::permitted,
+                                  spec::Field::clauses};
+  std::vector<std::string> fields;
+  for (const std::string_view field : spec::kFieldNames)
+    if (std::ranges::find(not_judged, spec::find_field(field)) == not_judged.end()) fields.emplace_back(field);
+  return fields;
 }
 
 std::vector<std::string> fields_not_judged(const Capabilities& capabilities) {

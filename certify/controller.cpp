@@ -1,7 +1,7 @@
 #include "certify/controller.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <array>
 #include <span>
 #include <utility>
 
@@ -14,33 +14,38 @@ namespace {
 // A process whose output has ended is given this long to end itself, so that its exit status can be told.
 constexpr std::chrono::milliseconds kEndPatience{2000};
 
-// Fields that every event of a kind has and whose absence the reader of events cannot show: it fills in a default.
-std::span<const std::string_view> fields_of(std::string_view kind) {
-  static constexpr std::array<std::string_view, 2> move{"type", "cause"};
-  static constexpr std::array<std::string_view, 1> sample{"t"};
-  static constexpr std::array<std::string_view, 1> alarm{"number"};
-  static constexpr std::array<std::string_view, 2> setting{"name", "value"};
-  if (kind == "move") return move;
-  if (kind == "sample") return sample;
-  if (kind == "alarm" || kind == "warning") return alarm;
-  if (kind == "setting") return setting;
+using spec::Field;
+
+// Fields that every event of a kind has. Those that only some have are missed by the verdict, which knows the event
+// that is expected.
+std::span<const Field> fields_of(spec::EventKind kind) {
+  static constexpr std::array move{Field::type, Field::cause};
+  static constexpr std::array sample{Field::t};
+  static constexpr std::array alarm{Field::number};
+  static constexpr std::array setting{Field::name, Field::value};
+  switch (kind) {
+    case spec::EventKind::move:
+      return move;
+    case spec::EventKind::sample:
+      return sample;
+    case spec::EventKind::alarm:
+    case spec::EventKind::warning:
+      return alarm;
+    case spec::EventKind::setting:
+      return setting;
+    case spec::EventKind::undecided:
+      break;
+  }
   return {};
 }
 
-bool announced(const Capabilities& capabilities, std::string_view field) {
-  return std::ranges::find(capabilities.fields, field) != capabilities.fields.end();
-}
-
-std::optional<MissingField> find_missing(const Capabilities& capabilities, std::string_view line) {
-  const auto json = nlohmann::json::parse(line, nullptr, false);
-  if (!json.is_object() || !json.contains("events")) return std::nullopt;
-  std::size_t index = 0;
-  for (const auto& event : json["events"]) {
-    for (const std::string_view field : fields_of(event.value("kind", "")))
-      if (announced(capabilities, field) && !event.contains(field))
-        return MissingField{event.value("line", std::uint64_t{0}), index, std::string(field)};
-    ++index;
-  }
+std::optional<MissingField> find_missing(const Capabilities& capabilities, const spec::Reply& reply) {
+  for (std::size_t i = 0; i < reply.events.size(); ++i)
+    for (const Field field : fields_of(reply.events[i].kind)) {
+      const std::string_view name = spec::field_name(field);
+      const bool announced = std::ranges::find(capabilities.fields, name) != capabilities.fields.end();
+      if (announced && !reply.fields[i].has(field)) return MissingField{reply.events[i].line, i, std::string(name)};
+    }
   return std::nullopt;
 }
 
@@ -122,7 +127,8 @@ Answer Controller::run(const spec::Case& c, std::optional<std::chrono::milliseco
     spec::Reply read = spec::read_reply(line, c.setup.axes, "reply");
     if (read.id != c.id)
       return {fault(FaultKind::malformed, "an answer to " + excerpt(read.id) + " instead of " + excerpt(c.id)), {}};
-    return {std::move(read.events), find_missing(*capabilities_, line)};
+    auto missing = find_missing(*capabilities_, read);
+    return {std::move(read.events), std::move(missing)};
   } catch (const spec::InputError& error) {
     return {fault(FaultKind::malformed, error.message() + ": " + excerpt(line)), {}};
   }

@@ -28,8 +28,7 @@ class Controller final : public Subject {
   std::variant<Capabilities, Fault> capabilities() override;
   Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience = {}) override;
 
-  // The longest time an answer took so far.
-  [[nodiscard]] std::chrono::milliseconds slowest() const { return slowest_; }
+  [[nodiscard]] std::chrono::milliseconds slowest() const override { return slowest_; }
 
  private:
   std::optional<Fault> start();

@@ -54,6 +54,8 @@ class Subject {
   virtual std::variant<Capabilities, Fault> capabilities() = 0;
   // The subject's answer to a case. `patience` shortens the time-out.
   virtual Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience = {}) = 0;
+  // The longest time an answer took so far.
+  [[nodiscard]] virtual std::chrono::milliseconds slowest() const { return std::chrono::milliseconds(0); }
 };
 
 // The fast engine in this process: every section and field, in double. InputError of the engine passes through.

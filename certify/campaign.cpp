@@ -1,0 +1,418 @@
+#include "certify/campaign.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include "certify/convert.h"
+#include "certify/files.h"
+#include "certify/program_text.h"
+#include "certify/shrink.h"
+#include "corpus/sha256.h"
+#include "fuzz/gen/generator.h"
+#include "spec/language/input_error.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::certify {
+namespace {
+
+// After this many hangs, or faults of any kind, in one section its remaining cases are not run.
+constexpr unsigned kMostHangs = 3;
+constexpr unsigned kMostFaults = 40;
+constexpr std::size_t kMostUnsettled = 100;
+// Every fourth generated case is unrestricted: mostly alarms.
+constexpr std::uint64_t kUnrestrictedEvery = 4;
+
+// Mixes two numbers so that neighbours have nothing in common.
+std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
+  fuzz::SeededSource source(a);
+  return source.below(UINT64_MAX) ^ fuzz::SeededSource(b ^ 0x5bd1e995).below(UINT64_MAX);
+}
+
+std::uint64_t number_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
+// What remains of one judged case.
+struct CaseResult {
+  Result result = Result::not_run;
+  Origin origin = Origin::own;
+  std::string section;
+  std::string setup;  // JSON
+  fuzz::Verdict verdict;
+  FailureKey key;
+  std::string id;
+  std::string why;
+};
+
+bool is_fault(const FailureKey& key) {
+  for (const FaultKind kind : {FaultKind::crash, FaultKind::hang, FaultKind::malformed, FaultKind::too_long})
+    if (key.kind == name(kind)) return true;
+  return false;
+}
+
+// The time-out while shrinking: short, because a hanging controller uses it up again and again.
+std::chrono::milliseconds short_patience(const Subject& subject, std::chrono::milliseconds timeout) {
+  return std::min(timeout, std::chrono::milliseconds(250) + 20 * subject.slowest());
+}
+
+class Campaign {
+ public:
+  explicit Campaign(const CampaignOptions& options) : options_(options) {
+    for (const std::string_view section : fuzz::sections())
+      if (options.sections.empty() || std::ranges::find(options.sections, section) != options.sections.end())
+        sections_.emplace_back(section);
+    for (const std::string& section : options.sections)
+      if (std::ranges::find(sections_, section) == sections_.end())
+        throw spec::InputError("--section", 0, 0, "unknown section " + section);
+    total_ = options.cases.size() + sections_.size() * options.generated;
+    certificate_.clauses.resize(spec::kClauseCount);
+  }
+
+  Certificate run() {
+    certificate_.self_check = self_check();
+    identify();
+    const std::unique_ptr<Subject> first = subject_of(options_.controller, options_.timeout);
+    const auto capabilities = first->capabilities();
+    if (const auto* failure = std::get_if<Fault>(&capabilities)) {
+      cannot_be_asked(*first, *failure);
+      return std::move(certificate_);
+    }
+    certificate_.subject = std::get<Capabilities>(capabilities);
+    results_.resize(total_);
+    run_all(*first);
+    summarize();
+    shrink_all(*first);
+    return std::move(certificate_);
+  }
+
+ private:
+  struct Faults {
+    std::atomic<unsigned> hangs{0};
+    std::atomic<unsigned> all{0};
+  };
+
+  void identify() {
+    Identity& id = certificate_.identity;
+    id.tool = std::string("toolcomp ") + TOOLCOMP_VERSION;
+    try {
+      id.tool_hash = corpus::sha256_file("/proc/self/exe");
+    } catch (const spec::InputError&) {
+      id.tool_hash.clear();
+    }
+    id.clause_hash = clause_set_hash();
+    id.corpus = options_.corpus;
+    id.corpus_hash = options_.corpus_hash;
+    id.seed = options_.seed;
+    id.generated = options_.generated;
+    id.controller = options_.controller;
+  }
+
+  [[nodiscard]] CaseInput case_at(std::size_t index) const {
+    if (index < options_.cases.size()) return options_.cases[index];
+    index -= options_.cases.size();
+    return {generated_case(sections_[index / options_.generated], options_.seed, index % options_.generated),
+            Origin::generated};
+  }
+
+  // No capabilities, so nothing can be judged: one finding, on a case of the first section.
+  void cannot_be_asked(Subject& subject, const Fault& failure) {
+    if (total_ == 0) throw spec::InputError("certify", 0, 0, "no cases to judge");
+    const CaseInput input = case_at(0);
+    const Judgement j = judge_answer({}, input.c, fuzz::run_model(input.c), {failure, {}});
+    certificate_.sections.push_back({});
+    SectionResult& section = certificate_.sections.back();
+    section.section = input.c.section;
+    ++section.cases[static_cast<std::size_t>(input.origin)];
+    ++section.results[static_cast<std::size_t>(Result::differs)];
+    certificate_.findings.push_back(finding(subject, {}, input.c, key_of(input.c, j)));
+  }
+
+  Finding finding(Subject& subject, const Capabilities& capabilities, const spec::Case& c,
+                  const FailureKey& key) const {
+    Finding f = make_finding(subject, capabilities, c, key, options_.shrink_runs, options_.timeout);
+    f.controller = options_.controller;
+    f.seed = std::to_string(options_.seed);
+    f.tool = certificate_.identity.tool;
+    return f;
+  }
+
+  void run_all(Subject& first) {
+    std::vector<std::jthread> helpers;
+    for (unsigned job = 1; job < options_.jobs; ++job)
+      helpers.emplace_back([this] {
+        const std::unique_ptr<Subject> subject = subject_of(options_.controller, options_.timeout);
+        work(*subject);
+      });
+    work(first);
+    helpers.clear();  // joins
+    if (error_) std::rethrow_exception(error_);
+  }
+
+  void work(Subject& subject) {
+    std::vector<model::ClauseCount> clauses(spec::kClauseCount);
+    try {
+      for (std::size_t index = 0; (index = next_++) < total_;) {
+        results_[index] = judge(subject, case_at(index), clauses);
+        report_progress();
+      }
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      // The error of the earliest case would need all cases: any is as good, and ends the campaign.
+      if (!error_) error_ = std::current_exception();
+      next_ = total_;
+    }
+    const std::scoped_lock lock(mutex_);
+    for (std::size_t i = 0; i < clauses.size(); ++i) {
+      certificate_.clauses[i].reached += clauses[i].reached;
+      certificate_.clauses[i].positive += clauses[i].positive;
+      certificate_.clauses[i].negative += clauses[i].negative;
+      certificate_.clauses[i].tie += clauses[i].tie;
+    }
+  }
+
+  CaseResult judge(Subject& subject, const CaseInput& input, std::vector<model::ClauseCount>& clauses) {
+    const spec::Case& c = input.c;
+    CaseResult r;
+    r.origin = input.origin;
+    r.section = c.section;
+    r.id = c.id;
+    Faults& faults = faults_of(c.section);
+    if (faults.hangs >= kMostHangs || faults.all >= kMostFaults) {
+      r.why = "left out after repeated faults";
+      return r;
+    }
+    const Capabilities& capabilities = certificate_.subject;
+    if (std::string why = why_not_applicable(capabilities, c); !why.empty()) {
+      r.result = Result::not_applicable;
+      r.why = std::move(why);
+      return r;
+    }
+    const fuzz::ModelRun run = fuzz::run_model(c);
+    // A controller that has hung before is not waited for that long again.
+    std::optional<std::chrono::milliseconds> patience;
+    if (faults.hangs > 0) patience = short_patience(subject, options_.timeout);
+    Judgement j = judge_answer(capabilities, c, run, subject.run(c, patience));
+    r.result = j.result;
+    r.key = key_of(c, j);
+    r.why = std::move(j.why);
+    r.setup = spec::write_setup_json(c.setup);
+    r.verdict = std::move(j.verdict);
+    if (j.result == Result::differs && is_fault(r.key)) {
+      ++faults.all;
+      if (r.key.kind == name(FaultKind::hang)) ++faults.hangs;
+    }
+    for (std::size_t i = 0; i < clauses.size(); ++i) {
+      const model::ClauseCount& count = run.recorder.counts()[i];
+      clauses[i].reached += count.reached;
+      clauses[i].positive += count.positive;
+      clauses[i].negative += count.negative;
+      clauses[i].tie += count.tie;
+    }
+    return r;
+  }
+
+  Faults& faults_of(const std::string& section) {
+    const std::scoped_lock lock(mutex_);
+    return faults_[section];
+  }
+
+  void report_progress() {
+    if (!options_.progress) return;
+    const std::scoped_lock lock(mutex_);
+    options_.progress(++done_, total_);
+  }
+
+  SectionResult& section_of(const std::string& name) {
+    const auto found = std::ranges::find(certificate_.sections, name, &SectionResult::section);
+    if (found != certificate_.sections.end()) return *found;
+    certificate_.sections.push_back({});
+    certificate_.sections.back().section = name;
+    return certificate_.sections.back();
+  }
+
+  void summarize() {
+    // Sections in the order of the contract, then programs of the user's own.
+    for (const std::string_view section : fuzz::sections())
+      if (std::ranges::any_of(results_, [&](const CaseResult& r) { return r.section == section; }))
+        section_of(std::string(section));
+    std::set<std::string> setups;
+    for (const CaseResult& r : results_) {
+      SectionResult& s = section_of(r.section);
+      ++s.cases[static_cast<std::size_t>(r.origin)];
+      ++s.results[static_cast<std::size_t>(r.result)];
+      s.values += r.verdict.values;
+      s.decisions += r.verdict.decisions;
+      s.near_ties += r.verdict.near_ties;
+      s.ties += r.verdict.ties;
+      // The distance of a wrong answer is a finding, not a rounding error.
+      if (r.result == Result::agrees) {
+        s.worst_ulp = std::max(s.worst_ulp, r.verdict.worst_ulp);
+        s.worst_um = std::max(s.worst_um, r.verdict.worst_um);
+      }
+      if (!r.setup.empty()) setups.insert(r.setup);
+      const bool settled =
+          r.result == Result::agrees || r.result == Result::differs || r.result == Result::not_applicable;
+      if (!settled && certificate_.unsettled.size() < kMostUnsettled)
+        certificate_.unsettled.push_back({r.id, r.section, r.result, r.why});
+    }
+    corpus::Sha256 hash;
+    for (const std::string& setup : setups) {
+      hash.update(setup);
+      hash.update("\n");
+    }
+    certificate_.identity.setup_hash = hash.hex();
+    certificate_.identity.setups = setups.size();
+  }
+
+  void shrink_all(Subject& subject) {
+    std::map<FailureKey, std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < results_.size(); ++i)
+      if (results_[i].result == Result::differs) groups[results_[i].key].push_back(i);
+    for (const auto& [key, indices] : groups) {
+      // The smallest program of the group is the shortest way down.
+      std::optional<std::pair<std::pair<std::size_t, std::size_t>, std::size_t>> best;
+      for (const std::size_t i : indices) {
+        const std::string program = case_at(i).c.program;
+        const std::pair size{std::pair{count_blocks(program), program.size()}, i};
+        if (!best || size < *best) best = size;
+      }
+      Finding f = finding(subject, certificate_.subject, case_at(best->second).c, key);
+      f.occurrences = indices.size();
+      certificate_.findings.push_back(std::move(f));
+    }
+  }
+
+  const CampaignOptions& options_;
+  std::vector<std::string> sections_;
+  std::size_t total_ = 0;
+  Certificate certificate_;
+  std::vector<CaseResult> results_;
+  std::atomic<std::size_t> next_{0};
+  std::uint64_t done_ = 0;
+  std::mutex mutex_;
+  std::map<std::string, Faults> faults_;
+  std::exception_ptr error_;
+};
+
+FastEvents in_double(const Answer& answer) {
+  if (const auto* fast = std::get_if<FastEvents>(&answer.result)) return *fast;
+  FastEvents events;
+  if (const auto* text = std::get_if<TextEvents>(&answer.result))
+    for (const spec::TextEvent& event : *text) events.push_back(certify::in_double(event));
+  return events;
+}
+
+// One candidate of the shrinker, judged afresh; nothing if no control could read it.
+std::optional<Judgement> judge_candidate(Subject& subject, const Capabilities& capabilities, const spec::Case& c,
+                                         std::optional<std::chrono::milliseconds> patience) {
+  try {
+    const fuzz::ModelRun run = fuzz::run_model(c);
+    return judge_case(subject, capabilities, c, run, patience);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+// A controller that cannot say hello fails every case alike.
+std::optional<Judgement> judge_silent(Subject& subject, const spec::Case& c,
+                                      std::optional<std::chrono::milliseconds> patience) {
+  try {
+    const fuzz::ModelRun run = fuzz::run_model(c);
+    return judge_answer({}, c, run, subject.run(c, patience));
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+spec::Case generated_case(std::string_view section, std::uint64_t seed, std::uint64_t index) {
+  fuzz::SeededSource source(mix(mix(seed, number_of(section)), index));
+  const fuzz::Mode mode =
+      index % kUnrestrictedEvery == kUnrestrictedEvery - 1 ? fuzz::Mode::unrestricted : fuzz::Mode::directed;
+  spec::Case c = fuzz::generate(section, mode, source);
+  std::string id(section);
+  std::ranges::replace(id, '/', '.');
+  c.id = id + ".seed-" + std::to_string(seed) + "." + std::to_string(index);
+  c.source = {"toolcomp certify", TOOLCOMP_VERSION, std::to_string(seed) + ":" + std::to_string(index)};
+  return c;
+}
+
+Finding make_finding(Subject& subject, const Capabilities& capabilities, const spec::Case& failing,
+                     const FailureKey& key, std::size_t max_runs, std::chrono::milliseconds timeout) {
+  const bool silent = capabilities.fields.empty();
+  const auto judged = [&](const spec::Case& c, std::optional<std::chrono::milliseconds> patience) {
+    return silent ? judge_silent(subject, c, patience) : judge_candidate(subject, capabilities, c, patience);
+  };
+  const auto fails = [&](const spec::Case& c, std::optional<std::chrono::milliseconds> patience) {
+    const auto j = judged(c, patience);
+    return j && j->result == Result::differs && key_of(c, *j) == key;
+  };
+  const std::chrono::milliseconds patience = short_patience(subject, timeout);
+  // Each run that hangs costs the whole patience.
+  const std::size_t runs = key.kind == name(FaultKind::hang) ? std::min<std::size_t>(max_runs, 100) : max_runs;
+  Shrunk shrunk = shrink(failing, [&](const spec::Case& c) { return fails(c, patience); }, {runs});
+  Finding f;
+  // What looks like a hang under a short time-out must be one under the real one.
+  const bool confirmed = shrunk.smallest.program == failing.program || fails(shrunk.smallest, timeout);
+  f.smallest = confirmed ? std::move(shrunk.smallest) : failing;
+  f.smallest.expect.clear();
+  f.smallest.has_expect = false;
+  f.key = key;
+  f.first_case = failing.id;
+  f.runs = shrunk.runs;
+  f.complete = shrunk.complete && confirmed;
+
+  const fuzz::ModelRun run = fuzz::run_model(f.smallest);
+  for (const model::Event& event : run.events) f.expected_events.push_back(certify::in_double(event));
+  const Answer answer = subject.run(f.smallest, timeout);
+  f.actual_events = in_double(answer);
+  const Judgement j = judge_answer(capabilities, f.smallest, run, answer);
+  if (j.difference) {
+    f.line = j.difference->line;
+    f.field = j.difference->field;
+    f.expected = j.difference->expected;
+    f.actual = j.difference->actual;
+    f.deviation_um = j.difference->deviation_um;
+    f.event = j.difference->event;
+  }
+  f.errors = j.errors;
+  return f;
+}
+
+Certificate certify(const CampaignOptions& options) { return Campaign(options).run(); }
+
+std::string self_check() {
+  spec::Case c;
+  c.id = "self-check";
+  c.section = "fanuc/tool-length-offset";
+  c.setup.h[1] = {spec::decimal(20), {}};
+  c.program = "G90 G43 Z100. H1\nG01 X10. Y5. F100\n";
+  const fuzz::ModelRun run = fuzz::run_model(c);
+  TextEvents events;
+  constexpr int kDigits = 40;
+  for (const model::Event& event : run.events) events.push_back(in_text(event, kDigits));
+  const auto judged = [&](const TextEvents& answer) { return fuzz::judge(c, run, answer).outcome; };
+  if (events.size() != 2 || events[0].axes[2].v != "120") return "Z100 with an offset of 20 is not 120";
+  if (judged(events) != fuzz::Outcome::agrees) return "the model's own events are not accepted";
+  TextEvents fewer(events.begin(), events.end() - 1);
+  if (judged(fewer) != fuzz::Outcome::differs) return "a missing event is not noticed";
+  TextEvents moved = events;
+  moved[1].axes.set(2, {"120.001", {}, {}});
+  if (judged(moved) != fuzz::Outcome::differs) return "a deviation of a micrometre is not noticed";
+  if (corpus::sha256("abc") != "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad")
+    return "SHA-256 is wrong";
+  return {};
+}
+
+}  // namespace toolcomp::certify

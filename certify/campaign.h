@@ -1,0 +1,52 @@
+// Certification: many cases through one controller, and what came of it.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "certify/certificate.h"
+#include "spec/language/case.h"
+
+namespace toolcomp::certify {
+
+struct CaseInput {
+  spec::Case c;
+  Origin origin = Origin::own;
+};
+
+struct CampaignOptions {
+  std::string controller;             // command; empty: the fast engine in this process
+  std::vector<std::string> sections;  // of the generated cases; empty: every section that is built
+  std::vector<CaseInput> cases;       // judged first
+  std::uint32_t generated = 200;      // cases a section
+  std::uint64_t seed = 1;
+  std::chrono::milliseconds timeout{10'000};  // for one answer
+  unsigned jobs = 1;                          // controllers side by side
+  std::size_t shrink_runs = 2000;             // executions a finding may take
+  std::string corpus = "none";                // version of the golden corpus, for the certificate
+  std::string corpus_hash;                    // of its manifest
+  // Called with the cases done and their number, from one thread at a time.
+  std::function<void(std::uint64_t, std::uint64_t)> progress;
+};
+
+// Judges every case, groups the failures by section, clause and kind, and shrinks the smallest of each group. Case k of
+// a section is the same for the same seed, however many jobs. After repeated hangs or faults in a section its other
+// cases are not run (and the certificate says so). Throws spec::InputError for cases no control could read, for an
+// unknown section, and for a command that cannot be run.
+Certificate certify(const CampaignOptions& options);
+
+// Generated case `index` of a section under a seed: the cases a certification uses.
+spec::Case generated_case(std::string_view section, std::uint64_t seed, std::uint64_t index);
+
+// Shrinks one failing case and describes it. `failing` fails with `key` under `subject`.
+Finding make_finding(Subject& subject, const Capabilities& capabilities, const spec::Case& failing,
+                     const FailureKey& key, std::size_t max_runs, std::chrono::milliseconds timeout);
+
+// Judges a small case whose answer is known: the model's own events must agree, and must not once one is dropped or a
+// coordinate is off by a micrometre. What went wrong, or empty.
+std::string self_check();
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,79 @@
+#include "certify/certificate.h"
+
+#include <algorithm>
+#include <array>
+
+#include "corpus/sha256.h"
+
+namespace toolcomp::certify {
+namespace {
+
+bool names_section(const Certificate& certificate, std::string_view section) {
+  return std::ranges::any_of(certificate.sections, [&](const SectionResult& s) { return s.section == section; });
+}
+
+template <class Wanted>
+std::vector<spec::Clause> select(const Certificate& certificate, Wanted wanted) {
+  std::vector<spec::Clause> selected;
+  for (std::size_t i = 0; i < spec::clauses().size() && i < certificate.clauses.size(); ++i)
+    if (wanted(spec::clauses()[i], certificate.clauses[i])) selected.push_back(static_cast<spec::Clause>(i));
+  return selected;
+}
+
+}  // namespace
+
+std::vector<spec::Clause> clauses_not_exercised(const Certificate& certificate) {
+  return select(certificate, [&](const spec::ClauseInfo& clause, const model::ClauseCount& count) {
+    return count.reached == 0 && clause.testable && clause.replaced_by.empty() &&
+           clause.kind != spec::ClauseKind::note && names_section(certificate, clause.section);
+  });
+}
+
+std::vector<spec::Clause> open_clauses_relied_on(const Certificate& certificate) {
+  return select(certificate, [](const spec::ClauseInfo& clause, const model::ClauseCount& count) {
+    return clause.kind == spec::ClauseKind::open && count.reached > 0;
+  });
+}
+
+int exit_status(const Certificate& certificate) {
+  if (!certificate.self_check.empty()) return 4;
+  if (!certificate.findings.empty()) return 1;
+  std::uint64_t values = 0;
+  for (const SectionResult& s : certificate.sections) {
+    values += s.values;
+    const std::uint64_t applicable = s.total() - s.count(Result::not_applicable);
+    if (s.count(Result::undecided) > 0 || (applicable > 0 && s.values == 0)) return 3;
+  }
+  return values > 0 ? 0 : 3;
+}
+
+std::string_view verdict(const Certificate& certificate) {
+  switch (exit_status(certificate)) {
+    case 0:
+      return "conforms";
+    case 1:
+      return "does not conform";
+    case 4:
+      return "self-check failed";
+    default:
+      return "not decided";
+  }
+}
+
+std::string_view kind_name(spec::ClauseKind kind) {
+  constexpr std::array<std::string_view, 5> names{"normative", "parameter", "alarm", "open", "note"};
+  return names.at(static_cast<std::size_t>(kind));
+}
+
+std::string clause_set_hash() {
+  corpus::Sha256 hash;
+  for (const spec::ClauseInfo& c : spec::clauses())
+    for (const std::string_view part : {c.id, c.section, kind_name(c.kind), c.text, c.formula, c.parameters,
+                                        c.alternatives, c.positive, c.negative, c.tie, c.unreachable, c.replaced_by}) {
+      hash.update(part);
+      hash.update(std::string_view("\0", 1));
+    }
+  return hash.hex();
+}
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,86 @@
+// What a certification established, for reports.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "certify/capabilities.h"
+#include "certify/finding.h"
+#include "certify/judge.h"
+#include "model/recorder.h"
+
+namespace toolcomp::certify {
+
+// Where a case came from.
+enum class Origin : std::uint8_t { golden, generated, own };
+
+// The sums of one section. Lengths in micrometres.
+struct SectionResult {
+  std::string section;                     // empty: programs of the user's own
+  std::array<std::uint64_t, 3> cases{};    // by origin
+  std::array<std::uint64_t, 6> results{};  // by Result
+  std::uint64_t values = 0;                // judged
+  std::uint64_t decisions = 0;             // of the model, by sign
+  std::uint64_t near_ties = 0;             // decisions inside their band
+  std::uint64_t ties = 0;                  // near ties in which the other, permitted, outcome was taken
+  double worst_ulp = 0;                    // in the units the verdict policy multiplies by its k
+  double worst_um = 0;
+
+  [[nodiscard]] std::uint64_t count(Result result) const { return results[static_cast<std::size_t>(result)]; }
+  [[nodiscard]] std::uint64_t count(Origin origin) const { return cases[static_cast<std::size_t>(origin)]; }
+  [[nodiscard]] std::uint64_t total() const { return cases[0] + cases[1] + cases[2]; }
+};
+
+// A case that is no verdict, and why.
+struct Unsettled {
+  std::string id;
+  std::string section;
+  Result result{};
+  std::string why;
+};
+
+// Everything that went in, so that the same can be done again. Hashes are SHA-256 in hexadecimal.
+struct Identity {
+  std::string tool;          // name and version
+  std::string tool_hash;     // of the running executable; empty where it cannot be read
+  std::string clause_hash;   // of every clause with its text
+  std::string corpus;        // version of the golden corpus, "none" without one
+  std::string corpus_hash;   // of its manifest
+  std::string setup_hash;    // of all setups that were judged, sorted
+  std::uint64_t setups = 0;  // different ones
+  std::uint64_t seed = 0;
+  std::uint32_t generated = 0;  // cases a section
+  std::string controller;       // command; empty: the built-in fast engine
+};
+
+struct Certificate {
+  Identity identity;
+  Capabilities subject;
+  std::vector<SectionResult> sections;
+  std::vector<model::ClauseCount> clauses;  // by clause, of the cases that were judged
+  std::vector<Finding> findings;            // by section, clause, kind
+  std::vector<Unsettled> unsettled;         // the first hundred
+  std::string self_check;                   // what failed; empty: nothing
+};
+
+// Normative, parameter and alarm clauses of the certificate's sections that can be tested and were not reached.
+std::vector<spec::Clause> clauses_not_exercised(const Certificate& certificate);
+// Open clauses that were reached: results that rest on a definition of ours.
+std::vector<spec::Clause> open_clauses_relied_on(const Certificate& certificate);
+
+// 4 a self-check failed; 1 a finding; 3 the oracle could not decide a case, or a section that applies had no value
+// judged; else 0.
+int exit_status(const Certificate& certificate);
+// "conforms", "does not conform", "not decided", "self-check failed".
+std::string_view verdict(const Certificate& certificate);
+
+std::string_view kind_name(spec::ClauseKind kind);
+
+// SHA-256 of the clause set as built.
+std::string clause_set_hash();
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,16 @@
+// Events of the model and of controllers over numbers that can be drawn and compared.
+#pragma once
+
+#include "model/engine.h"
+#include "spec/language/case.h"
+#include "spec/language/event.h"
+
+namespace toolcomp::certify {
+
+// For pictures and distances: the middle of the enclosure, the text as a double (NaN where it is no number).
+spec::Event<double> in_double(const model::Event& event);
+spec::Event<double> in_double(const spec::TextEvent& event);
+// As a controller would report it: decimals of `digits` places.
+spec::TextEvent in_text(const model::Event& event, int digits);
+
+}  // namespace toolcomp::certify

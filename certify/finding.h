@@ -1,0 +1,65 @@
+// A finding: the smallest case that shows a difference, with everything needed to judge it again.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "certify/judge.h"
+#include "spec/language/case.h"
+
+namespace toolcomp::certify {
+
+struct Finding {
+  spec::Case smallest;     // as shrunk
+  FailureKey key;          // its section is that of the case
+  std::uint64_t line = 0;  // of the program, where they part
+  std::string field;       // "point.X"
+  std::string expected;    // for people
+  std::string actual;
+  double deviation_um = 0;        // linear coordinates
+  std::string errors;             // the last of the controller's standard error, with a fault
+  std::string controller;         // the command; empty: the built-in fast engine
+  std::string seed;               // of the campaign
+  std::string tool;               // name and version of what found it
+  std::string first_case;         // id of the case it was shrunk from
+  std::uint64_t occurrences = 1;  // cases with the same key
+  std::size_t runs = 0;           // executions that shrinking took
+  bool complete = true;           // nothing simpler fails in the same way
+
+  // For the report's picture, not written to the file.
+  std::vector<spec::Event<double>> expected_events;
+  std::vector<spec::Event<double>> actual_events;
+  std::optional<std::size_t> event;  // index of the first difference
+};
+
+// {"finding":1, "case":{…}, "kind":…, "clause":…, …}: one JSON object a file, with a line feed at its end.
+std::string write_finding(const Finding& finding);
+// Reads a finding, or a bare case as a finding without a kind. Throws spec::InputError; unknown keys are errors.
+Finding read_finding(std::string_view text, const std::string& file);
+
+struct ReplayOptions {
+  std::optional<std::string> controller;  // instead of the finding's own; empty: the built-in engine
+  std::chrono::milliseconds timeout{10'000};
+};
+struct Replay {
+  Finding finding;      // as read
+  Judgement judgement;  // of now
+  FailureKey key;       // of now
+  [[nodiscard]] bool reproduced() const { return judgement.result == Result::differs && key == finding.key; }
+};
+// Judges the case of a finding again. Throws spec::InputError for a file that is no finding or case.
+Replay replay(const std::filesystem::path& file, const ReplayOptions& options = {});
+
+// The subject a command names: a controller, or the built-in engine if it is empty.
+std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::milliseconds timeout);
+
+// Exit status of one judged case (contract): 0 agrees, 1 differs, 3 anything that is no verdict.
+int exit_status(Result result);
+
+}  // namespace toolcomp::certify
