@@ -1,0 +1,24 @@
+// toolcomp replay: a finding, judged again.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <iostream>
+
+#include "certify/finding.h"
+#include "cli/difference.h"
+#include "cli/verbs.h"
+
+namespace toolcomp::cli {
+
+int replay(const ReplayOptions& options) {
+  certify::ReplayOptions how;
+  if (!options.controller.empty()) how.controller = options.controller;
+  how.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000));
+  const certify::Replay replay = certify::replay(options.finding, how);
+  fmt::print("{}\n", replay.finding.smallest.program);
+  if (replay.judgement.verdict.difference) print_difference(*replay.judgement.verdict.difference, options.finding);
+  std::cerr << certify::name(replay.judgement.result) << (replay.reproduced() ? ", as in the finding" : "") << '\n';
+  return certify::exit_status(replay.judgement.result);
+}
+
+}  // namespace toolcomp::cli
