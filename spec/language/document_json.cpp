@@ -160,7 +160,7 @@ class Parser {
     std::vector<const Member*> sorted;
     sorted.reserve(node.members.size());
     for (const Member& member : node.members) sorted.push_back(&member);
-    std::ranges::stable_sort(sorted, {}, [](const Member* m) { return std::string_view(m->name); });
+    std::ranges::sort(sorted, {}, [](const Member* m) { return std::pair(std::string_view(m->name), m); });
     const auto twice =
         std::ranges::adjacent_find(sorted, {}, [](const Member* m) { return std::string_view(m->name); });
     if (twice == sorted.end()) return;

@@ -202,7 +202,7 @@ TEST(Setup, ColumnsCountBytes) {
   EXPECT_EQ(toml_error("[offsets.H]\n1 = { geometry = \"ä\", ware = 1 }"),
             "f.toml:2:24: offsets.H.1: unknown key \"ware\"; expected one of geometry, wear");
   EXPECT_EQ(json_error("{\"offsets\":{\"H\":{\"1\":{\"geometry\":\"ä\",\"ware\":1}}}}").substr(0, 14),
-            "f.json:1:42: o");
+            "f.json:1:39: o");
 }
 
 TEST(Setup, ControlsThatAreNotBuiltSaySo) {

@@ -1,0 +1,51 @@
+// Any bytes as a case and as the reply of a controller: read or refused; the text of what is read is a fixed point of
+// reading and writing, in both layouts.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "spec/language/case_format.h"
+#include "spec/language/input_error.h"
+
+namespace {
+
+using namespace toolcomp::spec;
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+void as_case(std::string_view text) {
+  Case c;
+  try {
+    c = read_case(text, "case");
+  } catch (const InputError& error) {
+    require(error.line() != 0);
+    return;
+  }
+  const std::string line = write_case_line(c);
+  require(line.find('\n') == std::string::npos);
+  require(write_case_line(read_case(line, "again")) == line);
+  require(write_case_line(read_case(write_case(c), "again")) == line);
+}
+
+void as_reply(std::string_view text) {
+  try {
+    const Reply reply = read_reply(text, Axes("XYZ"), "reply");
+    require(reply.events.size() == reply.fields.size());
+  } catch (const InputError& error) {
+    require(error.line() != 0);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  // NOLINTNEXTLINE(*-reinterpret-cast): bytes as characters
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  as_case(text);
+  as_reply(text);
+  return 0;
+}
