@@ -1,6 +1,7 @@
 // The exact reference engine: blocks in, events out.
 #pragma once
 
+#include <exception>
 #include <memory>
 
 #include "model/exact/real.h"
@@ -13,6 +14,13 @@ namespace toolcomp::model {
 
 using Event = spec::Event<Real>;
 using EventSink = spec::EventSink<Real>;
+
+// A forced outcome (Recorder::force) led to a vector that does not exist: that outcome is not permitted. Leaves
+// Engine::block and Engine::end; the engine is of no use afterwards.
+class NotFinite : public std::exception {
+ public:
+  [[nodiscard]] const char* what() const noexcept override { return "the forced outcome leads to no finite vector"; }
+};
 
 // Runs one program, block by block, in memory bounded by the look-ahead. After an alarm or the end of the program
 // (M02, M30) further blocks are ignored. A decision that cannot be certified ends the run with an `undecided` event.

@@ -46,7 +46,7 @@ class Recorder {
 
   // The certified sign of `quantity`, recorded under `clause`; or the forced outcome. Throws exact::Undecided.
   Sign decide(Clause clause, const Real& quantity, const Real& scale);
-  // A decision by a fact; returns `fact`.
+  // A decision by a fact; returns `fact`. The clause belongs to the event where the fact holds.
   bool decide(Clause clause, bool fact);
   // A clause without alternatives was applied.
   void reach(Clause clause);
@@ -57,15 +57,23 @@ class Recorder {
   // The clauses applied since the last call, for the event they produced.
   spec::ClauseList take_clauses();
 
+  // The line given last.
+  [[nodiscard]] std::uint64_t line() const { return line_; }
+  // The clause applied last; after exact::Undecided, the one that could not be decided.
+  [[nodiscard]] Clause latest() const { return latest_; }
+
   [[nodiscard]] const std::vector<ClauseCount>& counts() const { return counts_; }
   [[nodiscard]] const std::vector<Decision>& decisions() const { return decisions_; }
   [[nodiscard]] std::size_t decision_count() const { return next_; }
 
  private:
+  ClauseCount& applied(Clause clause);
+
   std::vector<ClauseCount> counts_;
   std::vector<Decision> decisions_;
   std::map<std::size_t, Sign> forced_;
   spec::ClauseList applied_;
+  Clause latest_{};
   std::uint64_t line_ = 0;
   std::size_t next_ = 0;
   bool keep_;

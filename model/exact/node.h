@@ -12,7 +12,7 @@
 
 namespace toolcomp::exact {
 
-enum class Kind : std::uint8_t { rational, sine, cosine, negation, sum, difference, product, quotient, root };
+enum class Kind : std::uint8_t { rational, sine, cosine, negation, sum, difference, product, quotient, root, arctangent };
 
 /// What is known of a node's sign beyond its enclosure.
 enum class Knowledge : std::uint8_t { none, negative, positive, nonzero, undecided };

@@ -223,6 +223,15 @@ Real sin_degrees(const Rational& degrees) {
   return cosine_at((q.quarter + 3) % 4, q.degrees);
 }
 
+Real arctangent_degrees(const Real& tangent) {
+  Node* const x = Node::of(tangent);
+  // The only rational tangents of rational degrees.
+  if (is_zero(x)) return {};
+  if (is_integer(*x, 1)) return 45;
+  if (is_integer(*x, -1)) return -45;
+  return operation(Kind::arctangent, x);
+}
+
 Real square(const Real& a) { return a * a; }
 
 }  // namespace toolcomp::exact

@@ -87,6 +87,8 @@ Real operator/(const Real& a, const Real& b);
 Real sqrt(const Real& a);
 Real sin_degrees(const Rational& degrees);
 Real cos_degrees(const Rational& degrees);
+// The angle of this tangent, in degrees between -90 and 90. For results: a sum with it is never proven to be zero.
+Real arctangent_degrees(const Real& tangent);
 Real square(const Real& a);
 
 inline Sign sign(const Real& a) { return a.sign(); }

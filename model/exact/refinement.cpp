@@ -19,6 +19,7 @@ std::int64_t cost(const Node& node, mpfr_prec_t precision) {
   switch (node.kind) {
     case Kind::sine:
     case Kind::cosine:
+    case Kind::arctangent:
       return 10 + limbs * limbs;
     case Kind::rational:
       return 2 + limbs * limbs / 16;
@@ -98,6 +99,9 @@ void enclose(Interval& result, const Node& node, const Interval* left, const Int
       break;
     case Kind::root:
       root(result, *left);
+      break;
+    case Kind::arctangent:
+      arctangent_degrees(result, *left);
       break;
   }
 }

@@ -87,4 +87,10 @@ void sine_and_cosine(Interval* sine, Interval* cosine, const mpq_t degrees) {
   if (cosine != nullptr) set(*cosine, entry.cosine);
 }
 
+void arctangent_degrees(Interval& result, const Interval& tangent) {
+  constexpr unsigned long turn = 360;
+  mpfr_atanu(result.lower, tangent.lower, turn, MPFR_RNDD);
+  mpfr_atanu(result.upper, tangent.upper, turn, MPFR_RNDU);
+}
+
 }  // namespace toolcomp::exact

@@ -1,4 +1,4 @@
-// Enclosures of sines and cosines of rational degrees.
+// Enclosures of sines and cosines of rational degrees, and of arc tangents.
 #pragma once
 
 #include "model/exact/interval.h"
@@ -8,5 +8,8 @@ namespace toolcomp::exact {
 /// Encloses sin and cos of `degrees` at the precision of the results. Arb computes both together; the last angles are
 /// remembered at base_precision, so that asking for sine and cosine one after the other costs one computation.
 void sine_and_cosine(Interval* sine, Interval* cosine, const mpq_t degrees);
+
+/// Encloses the angle of a tangent, in degrees.
+void arctangent_degrees(Interval& result, const Interval& tangent);
 
 }  // namespace toolcomp::exact

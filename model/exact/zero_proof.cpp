@@ -89,6 +89,8 @@ class Proof {
         return quotient(of(node.left), of(node.right), sign_of(*node.right));
       case Kind::root:
         return root(of(node.left));
+      case Kind::arctangent:
+        break;
     }
     throw OutOfWork{};
   }

@@ -1,0 +1,269 @@
+#include "model/engine.h"
+
+#include <string>
+#include <utility>
+
+#include "model/kinematics/program_direction.h"
+#include "model/leading_edge_offset/leading_edge_offset.h"
+#include "model/program/alarm.h"
+#include "model/program/interpreter.h"
+#include "model/program/offset_memory.h"
+#include "model/tool_length_offset/tool_length_offset.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::model {
+namespace {
+
+// The setup, once it is known to be one this engine can run.
+const spec::Setup& checked(const spec::Setup& setup) {
+  if (setup.control != spec::Control::fanuc) throw spec::InputError("setup", 0, 0, "control: this engine runs FANUC programs");
+  for (const char letter : {'X', 'Y', 'Z'})
+    if (!setup.axes.has(letter)) throw spec::InputError("setup", 0, 0, std::string("axes: ") + letter + " is missing");
+  return setup;
+}
+
+bool is_reference_return(OneShot code) {
+  return code == OneShot::reference || code == OneShot::other_reference || code == OneShot::floating_reference;
+}
+
+bool goes_by_machine_coordinates(OneShot code) { return is_reference_return(code) || code == OneShot::machine_coordinates; }
+
+void append(spec::ClauseList& list, const spec::ClauseList& more) {
+  for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
+}
+
+}  // namespace
+
+// The stages of one run, and the order in which a block passes through them: interpretation, length offset, leading edge
+// offset, events. The length offset is decided when the block is read, so that its alarms are known before the leading
+// edge offset looks at the block; both only add to the programmed end, so the order does not show in the coordinates.
+struct Engine::State {
+  State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink)
+      : setup(checked(given)),
+        recorder(the_recorder),
+        sink(the_sink),
+        interpreter(setup, recorder),
+        memory(setup, recorder),
+        direction(setup, recorder),
+        length(setup, memory, recorder),
+        edge(setup, recorder, [this](const Step& step, const Move& move, const Vector& vector) { report(step, move, vector); }) {}
+
+  void run(const spec::Block& block);
+  void finish();
+  // Runs `work`, and ends the run where it raises an alarm or cannot decide.
+  template <class Work>
+  void guarded(const Work& work);
+  void fail(const Alarm& alarm);
+
+  Step step(const Command& command);
+  [[nodiscard]] Move move(const Command& command, const ProgramDirection::Marks& tip, const Leg& leg,
+                          const LengthVector& offset, bool machine);
+  [[nodiscard]] LengthCommand length_command(const Command& command, const std::vector<Leg>& legs) const;
+
+  void report(const Step& step, const Move& move, const Vector& vector);
+  void report(const Alarm& alarm, const spec::ClauseList& clauses);
+  void report(const Step& step, const OffsetSetting& setting);
+  void report_undecided();
+
+  spec::Setup setup;
+  Recorder& recorder;
+  EventSink& sink;
+  Interpreter interpreter;
+  OffsetMemory memory;
+  ProgramDirection direction;
+  ToolLengthOffset length;
+  LeadingEdgeOffset edge;
+  std::uint64_t line = 0;  // of the block being interpreted
+  std::optional<std::uint64_t> n;
+  std::optional<OffsetWrite> pending_write;  // of a G10 block, until its step is through
+  bool stopped = false;
+};
+
+Engine::Engine(const spec::Setup& setup, Recorder& recorder, EventSink& sink)
+    : state_(std::make_unique<State>(setup, recorder, sink)) {}
+Engine::~Engine() = default;
+
+void Engine::block(const spec::Block& block) {
+  if (!state_->stopped) state_->guarded([&] { state_->run(block); });
+}
+
+void Engine::end() {
+  if (!state_->stopped) state_->guarded([&] { state_->finish(); });
+}
+
+bool Engine::stopped() const { return state_->stopped; }
+
+template <class Work>
+void Engine::State::guarded(const Work& work) {
+  try {
+    work();
+  } catch (const Alarm& alarm) {
+    fail(alarm);
+  } catch (const exact::Undecided&) {
+    stopped = true;
+    report_undecided();
+  }
+}
+
+// What is held goes out as if nothing followed; where nothing may follow, the block held is at fault before this one.
+void Engine::State::fail(const Alarm& alarm) {
+  stopped = true;
+  const spec::ClauseList clauses = recorder.take_clauses();
+  try {
+    edge.finish();
+    report(alarm, clauses);
+  } catch (const Alarm& earlier) {
+    report(earlier, recorder.take_clauses());
+  }
+}
+
+void Engine::State::finish() {
+  edge.finish();
+  stopped = true;
+}
+
+void Engine::State::run(const spec::Block& block) {
+  line = block.line;
+  n = block.n;
+  recorder.at(line);
+  const Command command = interpreter.read(block);
+  const Step next = step(command);
+  std::optional<OffsetWrite> write;
+  std::swap(write, pending_write);
+  edge.take(next);
+  if (write) report(next, memory.write(*write));
+  if (recorder.decide(Clause::fanuc_program_end, command.codes.ends_program)) finish();
+}
+
+// Everything about a block but its compensation vector. The alarms of a command are found here, in this order.
+Step Engine::State::step(const Command& command) {
+  const Numbers& numbers = interpreter.numbers();
+  const ProgramDirection::Marks tip = direction.read(command, length, edge.concerns(command), numbers);
+  const bool moves = command.axes != 0 || (tip.tip_control && command.direction);
+  const LeadingEdgeOffset::Marks marks = edge.read(command, moves, memory);
+  if (command.codes.one_shot == OneShot::data) pending_write = memory.read_write(command.words, numbers, command.incremental);
+  if (tip.ends) {
+    recorder.reach(Clause::fanuc_tool_direction_end);
+    interpreter.shift_position(Real(length.vector().along_tool) * direction.now().unit);
+  }
+  std::vector<Leg> legs = interpreter.legs(command, tip.tip_control, tip.starts);
+  const LengthPlan plan = length.plan(length_command(command, legs));
+  if (legs.empty() && !tip.ends && recorder.decide(Clause::fanuc_length_offset_move_without_axis_word, plan.changed))
+    legs.push_back(interpreter.stay(command));
+
+  Step step;
+  step.line = line;
+  step.n = n;
+  const bool machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
+  for (const Leg& leg : legs) {
+    const bool on_way = is_reference_return(command.codes.one_shot) && &leg == &legs.front();
+    step.moves.push_back(move(command, tip, leg, on_way ? plan.on_way : plan.at_end, machine));
+  }
+  interpreter.arrive(command, legs);
+  if (edge.concerns(command)) {
+    const Leg rest = interpreter.stay(command);
+    step.rest = step.moves.empty() ? move(command, tip, rest, plan.at_end, machine) : step.moves.back();
+    step.rest.leg = rest;
+  }
+  step.has_word = command.codes.any;
+  step.stops_look_ahead = command.codes.stops_look_ahead;
+  step.edge = marks.edge;
+  step.radius = marks.radius;
+  if (edge.concerns(command) && marks.edge == EdgeCommand::none)
+    step.travels = !recorder.decide(Clause::fanuc_leading_edge_no_movement, legs.empty() || is_zero(legs.front().travel));
+  step.clauses = recorder.take_clauses();
+  return step;
+}
+
+LengthCommand Engine::State::length_command(const Command& command, const std::vector<Leg>& legs) const {
+  LengthCommand result;
+  result.code = command.codes.length;
+  result.h = command.codes.h;
+  result.plane = command.plane;
+  result.axes = command.axes;
+  result.cutter_code = command.codes.compensation == Compensation::cancel;
+  if (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot)) result.cancelled = command.axes;
+  return result;
+}
+
+Move Engine::State::move(const Command& command, const ProgramDirection::Marks& tip, const Leg& leg,
+                         const LengthVector& offset, bool machine) {
+  Move result;
+  result.leg = leg;
+  result.tool = direction.at(command, tip, leg.end, interpreter.numbers());
+  for (std::size_t i = 0; i < setup.axes.size(); ++i) {
+    Real& length_on_axis = result.length.at(i);
+    length_on_axis = offset.axis.at(i);
+    const char letter = setup.axes.letter(i);
+    if (offset.along_tool != 0 && is_space_axis(letter))
+      length_on_axis += Real(offset.along_tool) * component(result.tool.unit, space_index(letter));
+  }
+  if (machine) {
+    auto& zero = result.zero.emplace();
+    for (std::size_t i = 0; i < setup.axes.size(); ++i) zero.at(i) = interpreter.work().zero(i).value();
+  }
+  if (interpreter.feed()) result.feed = *interpreter.feed();
+  return result;
+}
+
+void Engine::State::report(const Step& step, const Move& move, const Vector& vector) {
+  Event event;
+  event.kind = spec::EventKind::move;
+  event.line = step.line;
+  event.n = step.n;
+  event.type = move.leg.type;
+  event.cause = move.leg.cause;
+  for (std::size_t i = 0; i < setup.axes.size(); ++i) {
+    const char letter = setup.axes.letter(i);
+    Real at = move.leg.end.at(i).value();
+    if (spec::is_linear_axis(letter)) {
+      event.programmed.set(i, at);
+      if (is_space_axis(letter)) at += component(vector, space_index(letter));
+      event.point.set(i, at);
+    }
+    const Real axis = at + move.length.at(i);
+    event.axes.set(i, axis);
+    if (move.zero) event.machine.set(i, axis + move.zero->at(i));
+  }
+  if (move.tool.reported) event.tool_axis = {move.tool.unit.x, move.tool.unit.y, move.tool.unit.z};
+  event.arc = move.leg.arc;
+  if (event.type != spec::MoveType::rapid) event.feed = move.feed;
+  event.clauses = step.clauses;
+  sink.on(event);
+}
+
+void Engine::State::report(const Step& step, const OffsetSetting& setting) {
+  Event event;
+  event.kind = spec::EventKind::setting;
+  event.line = step.line;
+  event.n = step.n;
+  event.setting = setting.name;
+  event.value = setting.value;
+  event.clauses = step.clauses;
+  append(event.clauses, recorder.take_clauses());
+  sink.on(event);
+}
+
+void Engine::State::report(const Alarm& alarm, const spec::ClauseList& clauses) {
+  Event event;
+  event.kind = spec::EventKind::alarm;
+  event.line = alarm.line != 0 ? alarm.line : line;
+  event.n = alarm.line != 0 ? alarm.n : n;
+  event.number = alarm.number;
+  event.message = alarm.message;
+  event.clauses = clauses;
+  sink.on(event);
+}
+
+void Engine::State::report_undecided() {
+  Event event;
+  event.kind = spec::EventKind::undecided;
+  event.line = recorder.line();
+  if (event.line == line) event.n = n;
+  event.number = spec::info(recorder.latest()).id;
+  event.message = "a decision of this clause could not be certified";
+  event.clauses = recorder.take_clauses();
+  sink.on(event);
+}
+
+}  // namespace toolcomp::model

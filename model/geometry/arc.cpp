@@ -1,0 +1,85 @@
+#include "model/geometry/arc.h"
+
+#include "model/engine.h"
+#include "model/program/alarm.h"
+
+namespace toolcomp::model {
+namespace {
+
+PlanePoint operator+(const PlanePoint& a, const PlanePoint& b) { return {a[0] + b[0], a[1] + b[1]}; }
+PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) { return {a[0] - b[0], a[1] - b[1]}; }
+PlanePoint operator*(const Real& k, const PlanePoint& a) { return {k * a[0], k * a[1]}; }
+Real dot(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[0] + a[1] * b[1]; }
+Real cross(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+constexpr const char* kNoArc = "no arc of this radius joins start and end";
+
+// The angle turned through, of which `sine` and `cosine` are multiples by one positive factor. `side` is the sign of the
+// sine; where that is zero the turn is a half or a whole one.
+Real sweep(const Real& sine, const Real& cosine, Sign side) {
+  const Sign ahead = cosine.sign();
+  if (side == Sign::zero) return ahead == Sign::negative ? 180 : 360;
+  if (ahead == Sign::zero) return side == Sign::positive ? 90 : 270;
+  const int turned = ahead == Sign::negative ? 180 : side == Sign::positive ? 0 : 360;
+  Real angle = turned + exact::arctangent_degrees(sine / cosine);
+  if (angle.sign() != Sign::positive) throw NotFinite();  // only a forced side turns by nothing
+  return angle;
+}
+
+}  // namespace
+
+ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, const PlanePoint& to_center,
+                          spec::ArcDirection direction) {
+  ArcGeometry arc;
+  arc.center = start + to_center;
+  const PlanePoint travel = end - start;
+  const bool closed = travel[0].sign() == Sign::zero && travel[1].sign() == Sign::zero;
+  if (recorder.decide(Clause::fanuc_program_arc_full_circle, closed)) {
+    arc.sweep = 360;
+    return arc;
+  }
+  const PlanePoint from = start - arc.center;
+  const PlanePoint to = end - arc.center;
+  const Real start_radius2 = dot(from, from);
+  const Real end_radius2 = dot(to, to);
+  const bool ends_in_center = end_radius2.sign() == Sign::zero;
+  if (!recorder.decide(Clause::fanuc_program_arc_ends_in_center, ends_in_center)) {
+    const Real left_turn = cross(from, to);
+    const Real sine = direction == spec::ArcDirection::ccw ? left_turn : -left_turn;
+    const Sign side = recorder.decide(Clause::fanuc_program_arc_sweep, sine, sqrt(start_radius2 * end_radius2));
+    arc.sweep = sweep(sine, dot(from, to), side);
+  }
+  const Real growth = end_radius2 - start_radius2;
+  if (recorder.decide(Clause::fanuc_program_arc_spiral, growth, end_radius2 + start_radius2) != Sign::zero)
+    arc.radius = {sqrt(start_radius2), sqrt(end_radius2)};
+  return arc;
+}
+
+ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, const Real& radius,
+                          spec::ArcDirection direction) {
+  const PlanePoint chord = end - start;
+  const Real chord2 = dot(chord, chord);
+  if (chord2.sign() == Sign::zero || radius.sign() == Sign::zero)
+    raise(recorder, Clause::fanuc_program_arc_radius_without_chord, "PS0023", kNoArc);
+
+  // The centre lies on the perpendicular bisector, at height h over the chord: h² = radius² − chord²/4.
+  const Real radius2 = square(radius);
+  const Real four_h2 = 4 * radius2 - chord2;
+  const Sign reach = recorder.decide(Clause::fanuc_program_arc_radius, four_h2, 4 * radius2 + chord2);
+  if (reach == Sign::negative) throw Alarm("PS0023", kNoArc);
+  if (reach == Sign::positive && four_h2.sign() != Sign::positive) throw NotFinite();
+  const Real height = reach == Sign::zero ? Real(0) : sqrt(four_h2 / (4 * chord2));  // h over the chord's length
+
+  const bool larger = recorder.decide(Clause::fanuc_program_arc_larger, radius.sign() == Sign::negative);
+  const bool center_left = (direction == spec::ArcDirection::ccw) != larger;
+  const PlanePoint left{-chord[1], chord[0]};
+  ArcGeometry arc;
+  arc.center = start + Real(exact::Rational(1, 2)) * chord + (center_left ? height : -height) * left;
+  const Sign side = reach == Sign::zero ? Sign::zero : larger ? Sign::negative : Sign::positive;
+  const Real sine = (larger ? -height : height) * chord2;
+  const Real cosine = radius2 - chord2 / 2;
+  arc.sweep = side == Sign::zero ? Real(180) : sweep(sine, cosine, side);
+  return arc;
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,31 @@
+// The arc of a G02 or G03 block in its plane.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "model/exact/real.h"
+#include "model/recorder.h"
+#include "spec/language/event.h"
+
+namespace toolcomp::model {
+
+// First and second axis of the plane: X Y, Z X or Y Z. Setup units.
+using PlanePoint = std::array<Real, 2>;
+
+struct ArcGeometry {
+  PlanePoint center;
+  std::optional<Real> sweep;                    // degrees, over 0 up to 360; absent where an end lies in the centre
+  std::optional<std::pair<Real, Real>> radius;  // at start and end, where they differ
+};
+
+// By the vector from start to centre (I J K), not zero. Start and end alike: a full circle.
+ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, const PlanePoint& to_center,
+                          spec::ArcDirection direction);
+
+// By R: positive for the arc up to a half circle, negative for the larger one. Throws Alarm PS0023 where there is none.
+ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, const Real& radius,
+                          spec::ArcDirection direction);
+
+}  // namespace toolcomp::model

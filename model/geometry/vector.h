@@ -1,0 +1,24 @@
+// Vectors in X, Y, Z over exact numbers.
+#pragma once
+
+#include <cstddef>
+
+#include "model/exact/vector.h"
+
+namespace toolcomp::model {
+
+using exact::Rational;
+using exact::Real;
+using exact::Sign;
+
+using Vector = exact::Vector3;
+
+// 0, 1, 2 for X, Y, Z.
+inline Real& component(Vector& v, std::size_t i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
+inline const Real& component(const Vector& v, std::size_t i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
+
+// The component an axis letter names; X, Y or Z only.
+constexpr bool is_space_axis(char letter) { return letter >= 'X' && letter <= 'Z'; }
+constexpr std::size_t space_index(char letter) { return static_cast<std::size_t>(letter - 'X'); }
+
+}  // namespace toolcomp::model

@@ -1,0 +1,96 @@
+// From words to movements: modal groups, absolute positions, planes, arcs, workpiece offsets.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "model/program/codes.h"
+#include "model/program/coordinate.h"
+#include "model/program/number.h"
+#include "model/program/step.h"
+#include "model/program/work_coordinates.h"
+#include "model/recorder.h"
+#include "spec/language/block.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model {
+
+using AxisMask = std::uint16_t;  // bit i: controlled axis i
+
+// A block with the modal words in force in it. Points into the block it was made of.
+struct Command {
+  Words words;
+  Codes codes;
+  Motion motion = Motion::rapid;
+  spec::Plane plane = spec::Plane::xy;
+  bool incremental = false;
+  AxisMask axes = 0;        // axes commanded; none where the letters mean something else (G04, G10)
+  bool direction = false;   // I, J or K
+  [[nodiscard]] bool is_arc_motion() const { return motion == Motion::arc_cw || motion == Motion::arc_ccw; }
+};
+
+// Interprets blocks one after the other and keeps the programmed position. Clauses: fanuc.program.*.
+class Interpreter {
+ public:
+  Interpreter(const spec::Setup& setup, Recorder& recorder);
+
+  // Reads the words and updates the modal groups. Throws Alarm for a block that cannot be read, PS0010, PS0030.
+  Command read(const spec::Block& block);
+
+  // Where the block goes. `tip_control`: G43.5 is in force in it, I J K are a tool direction and alone make a move;
+  // `always`: it makes a move even without. Throws Alarm PS0023 or PS0046. The position stays until arrive().
+  std::vector<Leg> legs(const Command& command, bool tip_control, bool always);
+  // A leg that stays where the block starts, or after arrive() where it ended.
+  [[nodiscard]] Leg stay(const Command& command) const;
+  // After the block: its end, and what G92 redefines.
+  void arrive(const Command& command, const std::vector<Leg>& legs);
+
+  // The position at which G49 leaves the axes: X Y Z shift by `vector`.
+  void shift_position(const Vector& vector);
+
+  [[nodiscard]] const Position& position() const { return position_; }
+  [[nodiscard]] const WorkCoordinates& work() const { return work_; }
+  [[nodiscard]] const Numbers& numbers() const { return numbers_; }
+  [[nodiscard]] const std::optional<Rational>& feed() const { return feed_; }
+
+ private:
+  [[nodiscard]] AxisMask axis_words(const Words& words) const;
+  [[nodiscard]] Rational word(const Command& command, std::size_t axis) const;
+  [[nodiscard]] Leg ordinary(const Command& command, spec::MoveType type) const;
+  // Ends an axis of the leg at `to`, `travel` away from where the block starts.
+  void go(Leg& leg, std::size_t axis, const Coordinate& to, const Real& travel) const;
+  void go(Leg& leg, std::size_t axis, const Coordinate& to) const { go(leg, axis, to, (to - position_.at(axis)).value()); }
+  [[nodiscard]] std::optional<spec::Arc<Real>> arc(const Command& command, const Leg& leg, bool tip_control);
+  [[nodiscard]] Leg machine_leg(const Command& command) const;
+  [[nodiscard]] std::vector<Leg> reference_legs(const Command& command);
+  [[nodiscard]] std::vector<Leg> return_legs(const Command& command) const;
+  [[nodiscard]] const Rational& reference(const Command& command, std::size_t axis) const;
+
+  const spec::Setup& setup_;
+  Recorder& recorder_;
+  spec::Axes axes_;
+  Numbers numbers_;
+  WorkCoordinates work_;
+  Position position_;
+  std::array<std::optional<Coordinate>, spec::kMaxAxes> intermediate_;  // of the last G28 or G30
+  std::optional<Rational> feed_;
+  Motion motion_ = Motion::rapid;
+  spec::Plane plane_ = spec::Plane::xy;
+  bool incremental_ = false;
+};
+
+// First and second axis letters of a plane, and their letters of the arc's centre.
+struct PlaneLetters {
+  char first, second, first_center, second_center;
+};
+constexpr PlaneLetters letters(spec::Plane plane) {
+  switch (plane) {
+    case spec::Plane::zx: return {'Z', 'X', 'K', 'I'};
+    case spec::Plane::yz: return {'Y', 'Z', 'J', 'K'};
+    case spec::Plane::xy: break;
+  }
+  return {'X', 'Y', 'I', 'J'};
+}
+
+}  // namespace toolcomp::model
