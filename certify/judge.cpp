@@ -15,10 +15,17 @@ std::optional<spec::Clause> last_clause(const fuzz::ModelRun& run, std::size_t l
   return std::nullopt;
 }
 
-Judgement fault(const Fault& fault, const fuzz::ModelRun& run) {
+// The difference of an answer that is judged without the oracle.
+Judgement differs(fuzz::Difference difference) {
   Judgement j;
   j.result = Result::differs;
-  j.errors = fault.errors;
+  j.verdict.outcome = fuzz::Outcome::differs;
+  j.verdict.difference = difference;
+  j.difference = std::move(difference);
+  return j;
+}
+
+Judgement fault(const Fault& fault, const fuzz::ModelRun& run) {
   fuzz::Difference d;
   d.kind = name(fault.kind);
   d.field = "reply";
@@ -26,13 +33,12 @@ Judgement fault(const Fault& fault, const fuzz::ModelRun& run) {
   d.actual = fault.what;
   d.line = run.events.empty() ? 0 : run.events.back().line;
   d.clause = last_clause(run, run.events.size());
-  j.difference = std::move(d);
+  Judgement j = differs(std::move(d));
+  j.errors = fault.errors;
   return j;
 }
 
 Judgement missing_field(const MissingField& missing, const fuzz::ModelRun& run) {
-  Judgement j;
-  j.result = Result::differs;
   fuzz::Difference d;
   d.kind = "missing field";
   d.field = missing.field;
@@ -41,8 +47,7 @@ Judgement missing_field(const MissingField& missing, const fuzz::ModelRun& run) 
   d.expected = "announced in the capabilities";
   d.actual = "absent";
   d.clause = last_clause(run, missing.event);
-  j.difference = std::move(d);
-  return j;
+  return differs(std::move(d));
 }
 
 Result result_of(fuzz::Outcome outcome) {

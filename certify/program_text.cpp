@@ -126,6 +126,7 @@ std::vector<std::string> simpler_numbers(std::string_view number) {
   propose(candidates, number, "0");
   propose(candidates, number, minus + "1");
   if (!significant.empty()) {
+    propose(candidates, number, minus + "1" + std::string(significant.size() - 1, '0'));
     propose(candidates, number, minus + significant.substr(0, 1));
     propose(candidates, number, minus + significant.substr(0, 1) + std::string(significant.size() - 1, '0'));
     propose(candidates, number, minus + significant);

@@ -103,7 +103,8 @@ class Follower {
     return places;
   }
 
-  // The sample lies further on, but a corner before it was not reached: told once, and followed on from there.
+  // The sample lies further on, but a corner before it was not reached, or a curve not followed: told once, and
+  // followed on from there.
   Places missed_corner(const TraceSample& sample, const AxisPoint& p) {
     constexpr std::size_t kLookAhead = 64;  // corners
     if (places_.empty()) return {};
@@ -144,7 +145,16 @@ class Follower {
       }
       if (piece.corner) ++corners;
     }
-    const double distance = std::max(least.linear, least.rotary);
+    double distance = std::max(least.linear, least.rotary);
+    // On the path, but before what was reached already.
+    const bool behind = part_near(space_, pieces_[nearest].begin, pieces_[nearest].end, p).has_value();
+    if (behind && !places_.empty()) {
+      nearest = places_.begin()->first;
+      const PathPiece& piece = pieces_[nearest];
+      const double t = closest(space_, piece.begin, piece.end, p, std::min(1.0, places_.begin()->second));
+      const Distance back = distance_at(space_, piece.begin, piece.end, t, p);
+      distance = std::max(back.linear, back.rotary);
+    }
     if (off_run_ && run_ < result_.findings.size()) {
       TraceFinding& run = result_.findings[run_];
       ++run.samples;
@@ -161,7 +171,7 @@ class Follower {
     off_run_ = true;
     run_ = result_.findings.size();
     TraceFinding finding;
-    finding.kind = "off the path";
+    finding.kind = behind ? "out of order" : "off the path";
     finding.sample = sample.line;
     finding.line = pieces_[nearest].line;
     finding.n = pieces_[nearest].n;

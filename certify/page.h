@@ -1,0 +1,28 @@
+// Pieces of a self-contained HTML page.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace toolcomp::certify {
+
+// The page around `body`, which is HTML. `title` is text.
+std::string page(std::string_view title, std::string_view body);
+
+// A table of HTML cells; the first row is the header. Columns from `numbers_from` on are numbers, aligned right.
+using Row = std::vector<std::string>;
+std::string table(const std::vector<Row>& rows, std::size_t numbers_from = SIZE_MAX);
+
+// A program with line numbers; `marked` is the line that is pointed at, 0 for none.
+std::string listing(std::string_view program, std::uint64_t marked);
+
+// A list of names and values, both HTML.
+std::string facts(const std::vector<Row>& rows);
+
+// "PASS"-like badge of a verdict: good, bad or open.
+enum class Tone : std::uint8_t { good, bad, open };
+std::string badge(std::string_view text, Tone tone);
+
+}  // namespace toolcomp::certify

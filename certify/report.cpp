@@ -1,0 +1,286 @@
+#include "certify/report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "certify/files.h"
+#include "certify/markup.h"
+
+namespace toolcomp::certify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json clause_ids(const std::vector<spec::Clause>& clauses) {
+  Json ids = Json::array();
+  for (const spec::Clause clause : clauses) ids.push_back(spec::info(clause).id);
+  return ids;
+}
+
+Json to_json(const SectionResult& s) {
+  Json json;
+  json["section"] = s.section;
+  json["cases"] = {
+      {"golden", s.count(Origin::golden)}, {"generated", s.count(Origin::generated)}, {"own", s.count(Origin::own)}};
+  for (std::size_t i = 0; i < s.results.size(); ++i)
+    json["results"][std::string(name(static_cast<Result>(i)))] = s.results.at(i);
+  json["values"] = s.values;
+  json["decisions"] = s.decisions;
+  json["near_ties"] = s.near_ties;
+  json["ties"] = s.ties;
+  json["worst_um"] = s.worst_um;
+  json["worst_ulp"] = s.worst_ulp;
+  return json;
+}
+
+Json to_json(const Finding& f, std::size_t index) {
+  Json json;
+  json["file"] = "findings/" + file_name(f, index);
+  json["section"] = f.key.section;
+  json["clause"] = f.key.clause.empty() ? Json() : Json(f.key.clause);
+  json["kind"] = f.key.kind;
+  json["line"] = f.line;
+  json["field"] = f.field;
+  json["expected"] = f.expected;
+  json["actual"] = f.actual;
+  json["deviation_um"] = f.deviation_um;
+  json["occurrences"] = f.occurrences;
+  json["first_case"] = f.first_case;
+  json["program"] = f.smallest.program;
+  json["shrink_runs"] = f.runs;
+  json["shrink_complete"] = f.complete;
+  return json;
+}
+
+std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+// One test case; `inside` is XML.
+std::string test_case(std::string_view group, std::string_view name, const std::string& inside) {
+  const std::string head = fmt::format("    <testcase classname=\"{}\" name=\"{}\"", escape(group), escape(name));
+  return inside.empty() ? head + "/>\n" : head + ">" + inside + "</testcase>\n";
+}
+
+std::string failure(const Finding& f) {
+  return fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>", escape(f.key.kind), escape(explanation(f)),
+                     escape(f.smallest.program));
+}
+
+struct Suite {
+  std::string cases;
+  std::size_t tests = 0;
+  std::size_t failures = 0;
+  std::size_t errors = 0;
+  std::size_t skipped = 0;
+
+  void add(std::string_view group, std::string_view name, const std::string& inside) {
+    ++tests;
+    failures += inside.find("<failure") == std::string::npos ? 0 : 1;
+    errors += inside.find("<error") == std::string::npos ? 0 : 1;
+    skipped += inside.find("<skipped") == std::string::npos ? 0 : 1;
+    cases += test_case(group, name, inside);
+  }
+  [[nodiscard]] std::string xml(std::string_view name) const {
+    return fmt::format(
+        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n{}  </testsuite>\n",
+        escape(name), tests, failures, errors, skipped, cases);
+  }
+};
+
+constexpr std::string_view kXmlHead =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"toolcomp certify\">\n";
+
+// The findings of a section on a clause (empty: on none).
+std::string failures_of(const Certificate& c, std::string_view section, std::string_view clause) {
+  std::string out;
+  for (const Finding& f : c.findings)
+    if (f.key.section == section && f.key.clause == clause) out += failure(f);
+  return out;
+}
+
+Suite suite_of(const Certificate& c, const SectionResult& s) {
+  Suite suite;
+  std::string group = s.section.empty() ? "own programs" : s.section;
+  std::vector<std::string_view> named{""};
+  for (std::size_t i = 0; i < spec::clauses().size() && i < c.clauses.size(); ++i) {
+    const spec::ClauseInfo& info = spec::clauses()[i];
+    if (info.section != s.section || !info.testable || info.kind == spec::ClauseKind::note || !info.replaced_by.empty())
+      continue;
+    std::string inside = failures_of(c, s.section, info.id);
+    if (inside.empty() && c.clauses[i].reached == 0) inside = "<skipped message=\"not exercised\"/>";
+    suite.add(group, info.id, inside);
+    named.push_back(info.id);
+  }
+  // Findings on clauses of another section, or on none.
+  for (const Finding& f : c.findings)
+    if (f.key.section == s.section && (f.key.clause.empty() || std::ranges::find(named, f.key.clause) == named.end()))
+      suite.add(group, f.key.clause.empty() ? "no clause: " + f.key.kind : f.key.clause, failure(f));
+  const std::uint64_t undecided = s.count(Result::undecided);
+  suite.add(group, "decided",
+            undecided == 0
+                ? ""
+                : fmt::format("<error type=\"undecided\" message=\"{} cases could not be decided\"/>", undecided));
+  suite.add(group, "judged", s.values > 0 ? "" : "<error type=\"nothing judged\" message=\"no value was judged\"/>");
+  return suite;
+}
+
+void remove_old_findings(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) return;
+  std::vector<std::filesystem::path> old;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string file = entry.path().filename().string();
+    const bool ours = file.size() > 3 && file[0] >= '0' && file[0] <= '9' && file[1] >= '0' && file[1] <= '9' &&
+                      file.ends_with(".json");
+    if (ours) old.push_back(entry.path());
+  }
+  for (const auto& path : old) std::filesystem::remove(path);
+}
+
+}  // namespace
+
+std::string file_name(const Finding& finding, std::size_t index) {
+  std::string kind;
+  for (const char c : finding.key.kind) kind += (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '-';
+  return fmt::format("{:02}-{}.json", index + 1, kind);
+}
+
+std::string explanation(const Finding& f) {
+  const std::string& kind = f.key.kind;
+  if (kind == "crash") return "The controller " + f.actual + ".";
+  if (kind == "hang") return "The controller gives " + f.actual + ".";
+  if (kind == "malformed reply") return "The controller's answer breaks the protocol: " + f.actual + ".";
+  if (kind == "reply too long") return "The controller gives " + f.actual + ".";
+  const std::string place = "Line " + std::to_string(f.line) + ": ";
+  if (kind == "missing field")
+    return place + f.field + " is announced in the capabilities and missing in event " +
+           std::to_string(f.event.value_or(0) + 1) + ".";
+  if (kind == "missing event") return place + "the event " + f.expected + " is missing; there is " + f.actual + ".";
+  if (kind == "extra event") return place + "there is " + f.actual + " where the specification has " + f.expected + ".";
+  if (kind == "order") return place + "the events come in another order: " + f.actual + " before " + f.expected + ".";
+  std::string text = place + f.field + " is " + f.actual + " and should be " + f.expected;
+  if (f.deviation_um != 0) text += fmt::format(" ({:.3g} µm off)", f.deviation_um);
+  return text + ".";
+}
+
+std::string json_report(const Certificate& c) {
+  Json json;
+  json["certificate"] = 1;
+  json["verdict"] = verdict(c);
+  json["exit_status"] = exit_status(c);
+  json["self_check"] = c.self_check.empty() ? "passed" : c.self_check;
+  const Identity& id = c.identity;
+  json["identity"] = {{"tool", id.tool},
+                      {"tool_sha256", id.tool_hash},
+                      {"clauses_sha256", id.clause_hash},
+                      {"corpus", id.corpus},
+                      {"corpus_sha256", id.corpus_hash},
+                      {"setups", id.setups},
+                      {"setups_sha256", id.setup_hash},
+                      {"seed", id.seed},
+                      {"generated", id.generated},
+                      {"command", id.controller}};
+  json["controller"] = {{"name", c.subject.name},
+                        {"version", c.subject.version},
+                        {"sections", c.subject.sections},
+                        {"resolution", c.subject.resolution},
+                        {"fields", c.subject.fields},
+                        {"fields_not_judged", fields_not_judged(c.subject)},
+                        {"setup", c.subject.setup.empty() ? Json::object() : Json::parse(c.subject.setup)}};
+  json["sections"] = Json::array();
+  for (const SectionResult& s : c.sections) json["sections"].push_back(to_json(s));
+  json["findings"] = Json::array();
+  for (std::size_t i = 0; i < c.findings.size(); ++i) json["findings"].push_back(to_json(c.findings[i], i));
+  json["unsettled"] = Json::array();
+  for (const Unsettled& u : c.unsettled)
+    json["unsettled"].push_back({{"id", u.id}, {"section", u.section}, {"result", name(u.result)}, {"why", u.why}});
+  json["clauses"] = Json::object();
+  for (std::size_t i = 0; i < spec::clauses().size() && i < c.clauses.size(); ++i) {
+    const model::ClauseCount& n = c.clauses[i];
+    if (n.reached > 0)
+      json["clauses"][std::string(spec::clauses()[i].id)] = {
+          {"reached", n.reached}, {"positive", n.positive}, {"negative", n.negative}, {"tie", n.tie}};
+  }
+  json["clauses_not_exercised"] = clause_ids(clauses_not_exercised(c));
+  json["open_clauses_relied_on"] = clause_ids(open_clauses_relied_on(c));
+  return dump(json);
+}
+
+std::string junit_report(const Certificate& c) {
+  std::string out(kXmlHead);
+  for (const SectionResult& s : c.sections) out += suite_of(c, s).xml(s.section.empty() ? "own programs" : s.section);
+  if (!c.self_check.empty()) {
+    Suite harness;
+    harness.add("harness", "self-check",
+                fmt::format("<error type=\"self-check\" message=\"{}\"/>", escape(c.self_check)));
+    out += harness.xml("harness");
+  }
+  return out + "</testsuites>\n";
+}
+
+std::vector<std::filesystem::path> write_report(const Certificate& c, const std::filesystem::path& folder) {
+  remove_old_findings(folder / "findings");
+  std::vector<std::filesystem::path> paths;
+  for (std::size_t i = 0; i < c.findings.size(); ++i) {
+    paths.push_back(folder / "findings" / file_name(c.findings[i], i));
+    write_file(paths.back(), write_finding(c.findings[i]));
+  }
+  write_file(folder / "certificate.json", json_report(c));
+  write_file(folder / "junit.xml", junit_report(c));
+  write_file(folder / "index.html", html_report(c));
+  return paths;
+}
+
+std::string json_report(const TraceReport& report) {
+  const TraceResult& r = report.result;
+  Json json;
+  json["trace"] = 1;
+  json["exit_status"] = exit_status(r);
+  json["file"] = report.file;
+  json["tolerance"] = report.options.tolerance;
+  json["recorded"] = r.recorded;
+  json["not_recorded"] = r.not_recorded;
+  json["samples"] = r.samples;
+  json["samples_off"] = r.off;
+  json["corners"] = r.corners;
+  json["corners_missed"] = r.corners_missed;
+  json["moves_not_judged_inside"] = r.not_judged_moves;
+  json["worst"] = r.worst;
+  json["worst_rotary"] = r.worst_rotary;
+  json["worst_sample"] = r.worst_sample;
+  json["undecided"] = r.undecided;
+  json["findings_total"] = r.findings_total;
+  json["findings"] = Json::array();
+  for (const TraceFinding& f : r.findings) {
+    Json finding{
+        {"kind", f.kind}, {"sample", f.sample}, {"samples", f.samples}, {"line", f.line}, {"distance", f.distance}};
+    if (f.n) finding["n"] = *f.n;
+    for (std::size_t i = 0; i < report.c.setup.axes.size(); ++i)
+      if (f.at.has(i)) finding["at"][std::string(1, report.c.setup.axes.letter(i))] = f.at[i];
+    json["findings"].push_back(std::move(finding));
+  }
+  return dump(json);
+}
+
+std::string junit_report(const TraceReport& report) {
+  Suite suite;
+  for (const TraceFinding& f : report.result.findings)
+    suite.add("trace", fmt::format("{} at sample line {}", f.kind, f.sample),
+              fmt::format("<failure type=\"{}\" message=\"program line {}, distance {}\"/>", escape(f.kind), f.line,
+                          plain(f.distance, 9)));
+  if (exit_status(report.result) == 3)
+    suite.add("trace", "judged",
+              fmt::format("<error type=\"nothing judged\" message=\"{}\"/>", escape(report.result.undecided)));
+  else
+    suite.add("trace", "judged", "");
+  return std::string(kXmlHead) + suite.xml(report.file) + "</testsuites>\n";
+}
+
+void write_report(const TraceReport& report, const std::filesystem::path& folder) {
+  remove_old_findings(folder / "findings");
+  write_file(folder / "certificate.json", json_report(report));
+  write_file(folder / "junit.xml", junit_report(report));
+  write_file(folder / "index.html", html_report(report));
+}
+
+}  // namespace toolcomp::certify

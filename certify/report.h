@@ -1,0 +1,41 @@
+// The report of a certification: a page for people, JUnit XML and JSON for machines, a file for every finding.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "certify/certificate.h"
+#include "certify/trace.h"
+
+namespace toolcomp::certify {
+
+// One self-contained HTML page: no external resource, no script; readable on a phone and on paper, light and dark.
+std::string html_report(const Certificate& certificate);
+// A test suite a section, a test case a clause: failed with findings, skipped if not exercised.
+std::string junit_report(const Certificate& certificate);
+// Everything the page says, without the pictures.
+std::string json_report(const Certificate& certificate);
+
+// index.html, junit.xml, certificate.json and findings/NN-KIND.json in `folder`; finding files of an earlier report
+// there are removed. Returns the paths of the findings. Throws std::runtime_error for a folder that cannot be written.
+std::vector<std::filesystem::path> write_report(const Certificate& certificate, const std::filesystem::path& folder);
+
+// The same for a trace of program `c`, recorded in `file`.
+struct TraceReport {
+  spec::Case c;
+  std::string file;
+  TraceOptions options;
+  TraceResult result;
+};
+std::string html_report(const TraceReport& report);
+std::string junit_report(const TraceReport& report);
+std::string json_report(const TraceReport& report);
+void write_report(const TraceReport& report, const std::filesystem::path& folder);
+
+// The name of a finding's file: "01-hang.json".
+std::string file_name(const Finding& finding, std::size_t index);
+// One or two sentences on what differs.
+std::string explanation(const Finding& finding);
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,221 @@
+// The page of a certificate.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "certify/markup.h"
+#include "certify/page.h"
+#include "certify/path_svg.h"
+#include "certify/report.h"
+#include "fuzz/oracle/policy.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::certify {
+namespace {
+
+std::string code(std::string_view text) { return "<code>" + escape(text) + "</code>"; }
+
+std::string count(std::uint64_t n) { return std::to_string(n); }
+
+std::string section_name(std::string_view section) { return section.empty() ? "own programs" : std::string(section); }
+
+// A distance that may be far below a micrometre.
+std::string small(double value) { return value == 0 ? "0" : fmt::format("{:.3g}", value); }
+
+Tone tone_of(const Certificate& c) {
+  const int status = exit_status(c);
+  return status == 0 ? Tone::good : status == 3 ? Tone::open : Tone::bad;
+}
+
+std::string list_of(const std::vector<std::string>& items) {
+  std::string out;
+  for (const std::string& item : items) out += (out.empty() ? "" : ", ") + code(item);
+  return out.empty() ? "none" : out;
+}
+
+std::string subject_name(const Certificate& c) {
+  if (c.subject.name.empty()) return c.identity.controller.empty() ? "the built-in fast engine" : c.identity.controller;
+  return c.subject.version.empty() ? c.subject.name : c.subject.name + " " + c.subject.version;
+}
+
+std::string summary(const Certificate& c) {
+  SectionResult all;
+  for (const SectionResult& s : c.sections) {
+    for (std::size_t i = 0; i < all.cases.size(); ++i) all.cases.at(i) += s.cases.at(i);
+    for (std::size_t i = 0; i < all.results.size(); ++i) all.results.at(i) += s.results.at(i);
+    all.values += s.values;
+    all.ties += s.ties;
+    all.near_ties += s.near_ties;
+    all.worst_ulp = std::max(all.worst_ulp, s.worst_ulp);
+    all.worst_um = std::max(all.worst_um, s.worst_um);
+  }
+  std::string out =
+      "<h1>Certificate of " + escape(subject_name(c)) + "</h1>\n<p>" + badge(verdict(c), tone_of(c)) + "</p>\n";
+  if (!c.self_check.empty())
+    out += "<p class=\"bad\">The harness failed its own check: " + escape(c.self_check) + ".</p>\n";
+  out += fmt::format(
+      "<p>{} cases of {} section{} were judged against the exact model: {} agree, {} differ in {} finding{}, {} could "
+      "not be "
+      "decided. {} values were compared; the worst that was accepted lies {} µm ({} ulp) outside its exact "
+      "enclosure.</p>\n",
+      all.total(), c.sections.size(), c.sections.size() == 1 ? "" : "s", all.count(Result::agrees),
+      all.count(Result::differs), c.findings.size(), c.findings.size() == 1 ? "" : "s", all.count(Result::undecided),
+      all.values, small(all.worst_um), small(all.worst_ulp));
+  out +=
+      "<nav><a href=\"#sections\">Sections</a><a href=\"#findings\">Findings</a><a href=\"#clauses\">Clauses</a>"
+      "<a href=\"#identity\">Identity</a></nav>\n";
+  return out;
+}
+
+std::string sections(const Certificate& c) {
+  std::vector<Row> rows{{"section", "golden", "generated", "own", "agree", "differ", "undecided", "nothing judged",
+                         "not applicable", "not run", "values", "decisions", "near ties", "ties", "worst µm",
+                         "worst ulp", "permitted ulp"}};
+  for (const SectionResult& s : c.sections)
+    rows.push_back({code(section_name(s.section)), count(s.count(Origin::golden)), count(s.count(Origin::generated)),
+                    count(s.count(Origin::own)), count(s.count(Result::agrees)), count(s.count(Result::differs)),
+                    count(s.count(Result::undecided)), count(s.count(Result::nothing_judged)),
+                    count(s.count(Result::not_applicable)), count(s.count(Result::not_run)), count(s.values),
+                    count(s.decisions), count(s.near_ties), count(s.ties), small(s.worst_um), small(s.worst_ulp),
+                    plain(fuzz::policy::budget(s.section).coordinate)});
+  std::string out = "<h2 id=\"sections\">Sections</h2>\n" + table(rows, 1);
+  out +=
+      "<p class=\"soft\">A near tie is a decision whose exact margin lies inside the band that double precision (or "
+      "the controller's "
+      "resolution) cannot resolve; a tie is one where the controller took the other, permitted, outcome.</p>\n";
+  if (c.unsettled.empty()) return out;
+  std::vector<Row> unsettled{{"case", "section", "result", "why"}};
+  for (const Unsettled& u : c.unsettled)
+    unsettled.push_back({code(u.id), code(section_name(u.section)), escape(name(u.result)), escape(u.why)});
+  return out + "<h3>Cases without a verdict</h3>\n" + table(unsettled);
+}
+
+std::string clause_words(const Finding& f) {
+  const auto clause = spec::find_clause(f.key.clause);
+  if (!clause) return "<p>No clause was applied before the difference.</p>\n";
+  const spec::ClauseInfo& info = spec::info(*clause);
+  std::string source(info.document);
+  if (!info.page.empty()) source += ", page " + std::string(info.page);
+  return "<p>Clause " + code(info.id) + " <span class=\"soft\">(" + escape(kind_name(info.kind)) +
+         (source.empty() ? "" : "; " + escape(source)) + ")</span>: " + escape(info.text) + "</p>\n";
+}
+
+std::string finding(const Finding& f, std::size_t index) {
+  std::string out = fmt::format("<article id=\"finding-{}\">\n<h3>{}. {} <span class=\"soft\">in {}</span></h3>\n",
+                                index + 1, index + 1, escape(f.key.kind), escape(section_name(f.key.section)));
+  out += "<p>" + escape(explanation(f)) + "</p>\n" + clause_words(f);
+  std::vector<Row> rows{{"field", code(f.field)}, {"expected", code(f.expected)}, {"actual", code(f.actual)}};
+  if (f.deviation_um != 0) rows.push_back({"deviation", escape(small(f.deviation_um)) + " µm"});
+  rows.push_back({"cases", fmt::format("{}, the first {}", f.occurrences, code(f.first_case))});
+  rows.push_back({"judge again", code("toolcomp replay findings/" + file_name(f, index))});
+  out += facts(rows);
+  out += listing(f.smallest.program, f.line);
+  out += "<details><summary>Setup</summary><pre>" + escape(spec::write_setup_toml(f.smallest.setup)) +
+         "</pre></details>\n";
+  if (!f.errors.empty())
+    out +=
+        "<details><summary>Standard error of the controller</summary><pre>" + escape(f.errors) + "</pre></details>\n";
+  PathOptions options = path_options(f.smallest.setup);
+  options.other = f.actual_events;
+  options.marked = f.event;
+  out += path_svg(f.expected_events, f.smallest.setup.axes, options);
+  if (!f.complete) out += "<p class=\"soft\">Shrinking was ended by its budget: a smaller program may fail too.</p>\n";
+  return out + "</article>\n";
+}
+
+std::string findings(const Certificate& c) {
+  std::string out = "<h2 id=\"findings\">Findings</h2>\n";
+  if (c.findings.empty()) return out + "<p>None.</p>\n";
+  std::vector<Row> rows{{"", "section", "clause of first divergence", "kind", "cases"}};
+  for (std::size_t i = 0; i < c.findings.size(); ++i) {
+    const Finding& f = c.findings[i];
+    rows.push_back({fmt::format("<a href=\"#finding-{0}\">{0}</a>", i + 1), code(section_name(f.key.section)),
+                    f.key.clause.empty() ? "—" : code(f.key.clause), escape(f.key.kind), count(f.occurrences)});
+  }
+  out += table(rows, 4);
+  for (std::size_t i = 0; i < c.findings.size(); ++i) out += finding(c.findings[i], i);
+  return out;
+}
+
+std::string outcome(const spec::ClauseInfo& clause, std::uint64_t n, spec::ClauseOutcomes least) {
+  return clause.outcomes <= least ? count(n) : std::string("·");
+}
+
+// The clauses of one section with their outcomes.
+std::string clause_table(const Certificate& c, std::string_view section) {
+  std::vector<Row> rows{{"clause", "kind", "text", "reached", "+ / true", "− / false", "tie"}};
+  std::size_t reached = 0;
+  for (std::size_t i = 0; i < spec::clauses().size() && i < c.clauses.size(); ++i) {
+    const spec::ClauseInfo& info = spec::clauses()[i];
+    if (info.section != section || !info.replaced_by.empty()) continue;
+    const model::ClauseCount& n = c.clauses[i];
+    reached += n.reached > 0 ? 1 : 0;
+    std::string text = escape(info.text);
+    if (!info.formula.empty()) text += " <code>" + escape(info.formula) + "</code>";
+    if (!info.testable) text += " <span class=\"soft\">(not testable: " + escape(info.reason) + ")</span>";
+    rows.push_back({code(info.id), escape(kind_name(info.kind)), text,
+                    n.reached > 0 ? count(n.reached) : "<span class=\"open\">0</span>",
+                    outcome(info, n.positive, spec::ClauseOutcomes::fact),
+                    outcome(info, n.negative, spec::ClauseOutcomes::fact),
+                    outcome(info, n.tie, spec::ClauseOutcomes::sign)});
+  }
+  if (rows.size() == 1) return {};
+  return fmt::format("<details open=\"open\"><summary>{}: {} of {} clauses exercised</summary>\n", code(section),
+                     reached, rows.size() - 1) +
+         table(rows, 3) + "</details>\n";
+}
+
+std::string clause_list(std::string_view title, std::string_view note, const std::vector<spec::Clause>& clauses) {
+  std::string out = "<h3>" + escape(title) + "</h3>\n";
+  if (clauses.empty()) return out + "<p>None.</p>\n";
+  out += "<p class=\"soft\">" + escape(note) + "</p>\n<ul>\n";
+  for (const spec::Clause clause : clauses)
+    out += "<li>" + code(spec::info(clause).id) + ": " + escape(spec::info(clause).text) + "</li>\n";
+  return out + "</ul>\n";
+}
+
+std::string clauses(const Certificate& c) {
+  std::string out = "<h2 id=\"clauses\">Clauses</h2>\n";
+  std::vector<std::string_view> shown;
+  for (std::size_t i = 0; i < spec::clauses().size() && i < c.clauses.size(); ++i) {
+    const std::string_view section = spec::clauses()[i].section;
+    const bool named = std::ranges::find(c.sections, section, &SectionResult::section) != c.sections.end();
+    if ((named || c.clauses[i].reached > 0) && std::ranges::find(shown, section) == shown.end())
+      shown.push_back(section);
+  }
+  for (const std::string_view section : shown) out += clause_table(c, section);
+  out += clause_list("Clauses not exercised", "Nothing is said about these.", clauses_not_exercised(c));
+  return out + clause_list("Open clauses relied on", "The manual is silent; the result rests on a definition of ours.",
+                           open_clauses_relied_on(c));
+}
+
+std::string identity(const Certificate& c) {
+  const Identity& id = c.identity;
+  const std::string golden =
+      id.corpus_hash.empty() ? escape(id.corpus) : escape(id.corpus) + " " + code(id.corpus_hash);
+  return "<h2 id=\"identity\">Identity</h2>\n" +
+         facts({{"tool", escape(id.tool) + " " + code(id.tool_hash)},
+                {"clause set", code(id.clause_hash)},
+                {"golden corpus", golden},
+                {"setups", fmt::format("{} different ones {}", id.setups, code(id.setup_hash))},
+                {"seed", count(id.seed) + fmt::format(", {} generated cases a section", id.generated)},
+                {"controller",
+                 escape(subject_name(c)) + (id.controller.empty() ? " (in process)" : " " + code(id.controller))},
+                {"sections announced", list_of(c.subject.sections)},
+                {"resolution", c.subject.resolution.empty() ? "double precision" : code(c.subject.resolution)},
+                {"fields judged", list_of(c.subject.fields)},
+                {"fields not judged", list_of(fields_not_judged(c.subject))},
+                {"fixed settings", c.subject.setup.empty() ? "none" : code(c.subject.setup)}}) +
+         "<p class=\"soft\">Hashes are SHA-256. The same tool, seed and corpus give the same certificate.</p>\n";
+}
+
+}  // namespace
+
+std::string html_report(const Certificate& certificate) {
+  return page("toolcomp certificate: " + std::string(verdict(certificate)),
+              summary(certificate) + sections(certificate) + findings(certificate) + clauses(certificate) +
+                  identity(certificate));
+}
+
+}  // namespace toolcomp::certify

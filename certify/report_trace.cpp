@@ -1,0 +1,69 @@
+// The page of a judged trace.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "certify/markup.h"
+#include "certify/page.h"
+#include "certify/path_svg.h"
+#include "certify/report.h"
+
+namespace toolcomp::certify {
+namespace {
+
+std::string place(const spec::Axes& axes, const spec::AxisValues<double>& values) {
+  std::string out;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (values.has(i)) out += (out.empty() ? "" : " ") + std::string(1, axes.letter(i)) + plain(values[i], 6);
+  return out;
+}
+
+std::string findings(const TraceReport& report) {
+  const TraceResult& r = report.result;
+  if (r.findings_total == 0) return "<p>None.</p>\n";
+  std::vector<Row> rows{{"kind", "program", "position", "CSV line", "samples", "distance"}};
+  for (const TraceFinding& f : r.findings)
+    rows.push_back({escape(f.kind), f.n ? fmt::format("N{} (line {})", *f.n, f.line) : fmt::format("line {}", f.line),
+                    "<code>" + escape(place(report.c.setup.axes, f.at)) + "</code>", std::to_string(f.sample),
+                    std::to_string(f.samples), plain(f.distance, 6)});
+  std::string out = table(rows, 3);
+  if (r.findings_total > r.findings.size())
+    out += fmt::format("<p class=\"soft\">The first {} of {}.</p>\n", r.findings.size(), r.findings_total);
+  return out;
+}
+
+}  // namespace
+
+std::string html_report(const TraceReport& report) {
+  const TraceResult& r = report.result;
+  const spec::Setup& setup = report.c.setup;
+  const std::string unit = setup.units == spec::Units::mm ? "mm" : "inch";
+  const int status = exit_status(r);
+  const std::string_view verdict = status == 0 ? "conforms" : status == 1 ? "does not conform" : "not decided";
+  std::string body = "<h1>Trace " + escape(report.file) + "</h1>\n<p>" +
+                     badge(verdict, status == 0   ? Tone::good
+                                    : status == 1 ? Tone::bad
+                                                  : Tone::open) +
+                     "</p>\n";
+  if (!r.undecided.empty()) body += "<p>" + escape(r.undecided) + ".</p>\n";
+  body += fmt::format(
+      "<p>{} samples were judged against the exact path with a tolerance of {} {}: {} lie off it, {} of {} corners "
+      "were not "
+      "reached.</p>\n",
+      r.samples, plain(report.options.tolerance, 9), unit, r.off, r.corners_missed, r.corners);
+  body += "<h2>Findings</h2>\n" + findings(report);
+  body += "<h2>Path</h2>\n" + path_svg(r.events, setup.axes, path_options(setup));
+  std::uint64_t marked = r.findings.empty() ? 0 : r.findings.front().line;
+  body += listing(report.c.program, marked);
+  body +=
+      "<h2>Figures</h2>\n" +
+      facts({{"axes judged", escape(r.recorded)},
+             {"axes not recorded, not judged", r.not_recorded.empty() ? "none" : escape(r.not_recorded)},
+             {"largest accepted distance", fmt::format("{} {} (CSV line {})", plain(r.worst, 9), unit, r.worst_sample)},
+             {"largest accepted distance of a rotary axis", plain(r.worst_rotary, 9) + " degrees"},
+             {"moves judged at their ends only", std::to_string(r.not_judged_moves)},
+             {"tool", "toolcomp " TOOLCOMP_VERSION}});
+  return page("toolcomp trace: " + std::string(verdict), body);
+}
+
+}  // namespace toolcomp::certify
