@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "fuzz/campaign/features.h"
+#include "fuzz/campaign/summary.h"
 #include "fuzz/gen/mutate.h"
 
 namespace toolcomp::fuzz {
@@ -44,7 +45,6 @@ class Job {
  public:
   Job(Shared& shared, unsigned number)
       : shared_(shared), number_(number), reached_(kFeatures, false), sections_(shared.options.sections) {
-    result_.clauses.resize(spec::kClauseCount);
     if (shared.options.subject) subject_ = shared.options.subject(number);
   }
 
@@ -83,23 +83,7 @@ class Job {
 
   void execute(spec::Case c) {
     Trial trial = try_case(c, subject_);
-    ++result_.executions;
-    ++result_.acceptance.at(static_cast<std::size_t>(trial.acceptance));
-    result_.decisions += trial.verdict.decisions;
-    result_.near_ties += trial.verdict.near_ties;
-    result_.ties += trial.verdict.ties;
-    result_.values += trial.verdict.values;
-    if (!trial.found()) {
-      result_.worst_ulp = std::max(result_.worst_ulp, trial.verdict.worst_ulp);
-      result_.worst_um = std::max(result_.worst_um, trial.verdict.worst_um);
-    }
-    const auto& counts = trial.run.recorder.counts();
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      result_.clauses[i].reached += counts[i].reached;
-      result_.clauses[i].positive += counts[i].positive;
-      result_.clauses[i].negative += counts[i].negative;
-      result_.clauses[i].tie += counts[i].tie;
-    }
+    add(result_, trial);
     if (trial.found()) return record(std::move(c), *trial.verdict.difference);
     bool fresh = false;
     for (const std::uint32_t feature : features(trial.run.recorder))
@@ -148,25 +132,6 @@ void run_guarded(Shared& shared, Job& job, std::uint64_t runs, std::exception_pt
     failure = std::current_exception();
     shared.stop = true;
   }
-}
-
-void add(CampaignResult& total, CampaignResult& part) {
-  total.executions += part.executions;
-  total.decisions += part.decisions;
-  total.near_ties += part.near_ties;
-  total.ties += part.ties;
-  total.values += part.values;
-  total.features = std::max(total.features, part.features);
-  total.worst_ulp = std::max(total.worst_ulp, part.worst_ulp);
-  total.worst_um = std::max(total.worst_um, part.worst_um);
-  for (std::size_t i = 0; i < kAcceptances; ++i) total.acceptance.at(i) += part.acceptance.at(i);
-  for (std::size_t i = 0; i < part.clauses.size(); ++i) {
-    total.clauses[i].reached += part.clauses[i].reached;
-    total.clauses[i].positive += part.clauses[i].positive;
-    total.clauses[i].negative += part.clauses[i].negative;
-    total.clauses[i].tie += part.clauses[i].tie;
-  }
-  std::move(part.findings.begin(), part.findings.end(), std::back_inserter(total.findings));
 }
 
 void report_progress(const Shared& shared, const std::atomic<unsigned>& running) {
@@ -218,12 +183,11 @@ CampaignResult run_campaign(const CampaignOptions& given) {
     if (failure) std::rethrow_exception(failure);
 
   CampaignResult total;
-  total.clauses.resize(spec::kClauseCount);
-  for (CampaignResult& part : parts) add(total, part);
-  total.seconds = shared.seconds();
-  if (total.seconds > 0)
-    total.per_second_per_core =
-        static_cast<double>(total.executions) / total.seconds / static_cast<double>(options.jobs);
+  for (CampaignResult& part : parts) {
+    part.seconds = shared.seconds();
+    part.cores = 1;
+    add(total, part);
+  }
   return total;
 }
 

@@ -49,6 +49,7 @@ struct CampaignOptions {
 struct CampaignResult {
   std::uint64_t executions = 0;
   double seconds = 0;
+  double cores = 0;  // threads or processes side by side
   double per_second_per_core = 0;
   std::array<std::uint64_t, kAcceptances> acceptance{};
   std::vector<model::ClauseCount> clauses;  // summed over all executions

@@ -20,6 +20,16 @@ constexpr Counts kRational[] = {{3, 0, 4}, {4, 0, 3}, {0, 3, 4}, {5, 0, 12},   {
                                 {2, 3, 6}, {1, 4, 8}, {2, 6, 9}, {4, 4, 7},    {6, 6, 7},      {20, 0, 21},
                                 {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {12, 15, 16}, {400, 0, 39999}};
 
+// Directions at exactly 45, 60, 30 and 90 degrees: with 19631 one of Niven's angles they lie on the end of a range.
+struct Pair {
+  Counts tool;
+  Counts movement;
+};
+constexpr Pair kNiven[] = {{{0, 0, 1}, {1, 0, 1}},  {{0, 0, 1}, {0, -1, -1}}, {{1, 1, 0}, {1, 0, 1}},
+                           {{1, 0, 1}, {-1, 1, 0}}, {{1, 1, 0}, {2, 1, 1}},   {{0, 1, 1}, {-1, -1, -2}},
+                           {{3, 0, 4}, {1, 0, 7}},  {{0, 3, 4}, {5, 4, -3}},  {{1, 2, 2}, {2, 1, -2}},
+                           {{0, 4, 3}, {0, 7, -1}}};
+
 class LeadingEdge {
  public:
   LeadingEdge(Choices& choose, spec::Case& c) : choose_(choose), case_(c), write_(choose, c.setup) {
@@ -37,7 +47,7 @@ class LeadingEdge {
   }
 
  private:
-  enum class Kind : std::uint8_t { any, parallel, perpendicular, threshold, reversal, tiny, huge, normal };
+  enum class Kind : std::uint8_t { any, parallel, perpendicular, threshold, reversal, tiny, huge, niven, normal };
 
   void preamble() {
     if (choose_.chance(4) && case_.setup.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
@@ -157,9 +167,13 @@ class LeadingEdge {
       for (std::int64_t& x : d) x = choose_.between(-write_.one(), write_.one());
     }
     if (d == Counts{}) d[2] = write_.one();
+    words_of(d, 1);
+  }
+
+  void words_of(const Counts& d, std::int64_t factor) {
     tool_ = unit({static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])});
     for (std::size_t i = 0; i < 3; ++i)
-      if (d[i] != 0 || choose_.chance(30)) write_.number("IJK"[i], d[i]);
+      if (d[i] != 0 || choose_.chance(30)) write_.number("IJK"[i], d[i] * factor);
   }
 
   void rotate(bool all) {
@@ -208,9 +222,10 @@ class LeadingEdge {
   }
 
   void movement(Kind kind) {
-    if (kind == Kind::any) kind = static_cast<Kind>(1 + choose_.weighted({10, 14, 14, 8, 5, 3, 46}));
+    if (kind == Kind::any) kind = static_cast<Kind>(1 + choose_.weighted({10, 14, 12, 8, 5, 3, 6, 42}));
+    if (kind == Kind::niven && !tool_words_) kind = Kind::threshold;
     const bool turn = choose_.chance(20);
-    if (turn && tool_words_) direction();
+    if (turn && tool_words_ && kind != Kind::niven) direction();
     const double one = static_cast<double>(write_.one());
     const double length = one * static_cast<double>(choose_.between(1, 100));
     const Direction t = tool();
@@ -242,6 +257,13 @@ class LeadingEdge {
       case Kind::huge:
         for (std::int64_t& x : move) x = choose_.between(-9'000 * write_.one(), 9'000 * write_.one());
         break;
+      case Kind::niven: {
+        const Pair& pair = choose_.one_of(kNiven);
+        words_of(pair.tool, write_.one());
+        const std::int64_t factor = choose_.between(1, 30) * (choose_.chance(50) ? write_.one() : 1);
+        for (std::size_t i = 0; i < 3; ++i) move[i] = pair.movement[i] * factor;
+        break;
+      }
       case Kind::any:
       case Kind::normal:
         for (std::int64_t& x : move)

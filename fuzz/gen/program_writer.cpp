@@ -30,17 +30,16 @@ ProgramWriter& ProgramWriter::word(std::string_view text) {
 
 ProgramWriter& ProgramWriter::number(char address, std::int64_t counts) {
   const std::int64_t magnitude = counts < 0 ? -counts : counts;
+  const std::int64_t whole = magnitude / one_;
   // -0 is a word of its own where the sign of an incremental zero counts.
-  const bool minus = counts < 0 || (counts == 0 && choose_.chance(8));
-  std::string digits = fmt::format("{}{}", minus ? "-" : "", magnitude / one_);
+  const std::string_view sign = counts < 0 || (counts == 0 && choose_.chance(8)) ? "-" : "";
   std::string fraction = fmt::format("{:0{}}", magnitude % one_, decimals_);
   if (!choose_.chance(10)) fraction.erase(fraction.find_last_not_of('0') + 1);
-  const bool whole = magnitude % one_ == 0;
-  const bool feed = address == 'F';
-  if (whole && (feed || !counts_without_point_) && choose_.chance(50))
-    return word(fmt::format("{}{}", address, digits));
-  if (!whole && magnitude < one_ && choose_.chance(20)) digits = minus ? "-" : "";
-  return word(fmt::format("{}{}.{}", address, digits, fraction));
+  const bool no_point = magnitude % one_ == 0 && (address == 'F' || !counts_without_point_) && choose_.chance(50);
+  if (no_point) return word(fmt::format("{}{}{}", address, sign, whole));
+  if (whole == 0 && !fraction.empty() && choose_.chance(20))
+    return word(fmt::format("{}{}.{}", address, sign, fraction));
+  return word(fmt::format("{}{}{}.{}", address, sign, whole, fraction));
 }
 
 ProgramWriter& ProgramWriter::axis(char letter, std::int64_t counts) {

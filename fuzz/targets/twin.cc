@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <span>
 #include <string>
 
 #include "fuzz/campaign/features.h"
+#include "fuzz/campaign/summary.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/mutate.h"
 #include "fuzz/oracle/trial.h"
@@ -28,19 +31,28 @@ constexpr double kFloor = 0.85;
 constexpr std::uint64_t kEnough = 2000;
 constexpr int kBelowFloor = 76;
 
-std::array<std::uint64_t, kAcceptances> g_acceptance;
+CampaignResult g_result;
 Mode g_mode = Mode::directed;
+std::chrono::steady_clock::time_point g_start;
+
+// To the file named by TOOLCOMP_FUZZ_STATISTICS, if it is set.
+void write_statistics() {
+  g_result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - g_start).count();
+  g_result.cores = 1;
+  if (const char* path = std::getenv("TOOLCOMP_FUZZ_STATISTICS"))  // NOLINT(concurrency-mt-unsafe): one thread
+    std::ofstream(path) << write_summary(g_result);
+}
 
 void report() {
-  std::uint64_t all = 0;
-  for (const std::uint64_t n : g_acceptance) all += n;
-  if (all == 0) return;
-  const double share = static_cast<double>(g_acceptance[0]) / static_cast<double>(all);
-  std::string text = fmt::format("acceptance: {:.1f} % of {} executions", 100 * share, all);
+  if (g_result.executions == 0) return;
+  write_statistics();
+  std::string text =
+      fmt::format("acceptance: {:.1f} % of {} executions", 100 * g_result.accepted_share(), g_result.executions);
   for (std::size_t i = 1; i < kAcceptances; ++i)
-    if (g_acceptance.at(i) != 0) text += fmt::format(", {} {}", name(static_cast<Acceptance>(i)), g_acceptance.at(i));
-  fmt::print(stderr, "{}\n", text);
-  if (g_mode == Mode::directed && all >= kEnough && share < kFloor) {
+    if (g_result.acceptance.at(i) != 0)
+      text += fmt::format(", {} {}", name(static_cast<Acceptance>(i)), g_result.acceptance.at(i));
+  fmt::print(stderr, "{}\nworst {:.3g} ulp, {:.3g} um\n", text, g_result.worst_ulp, g_result.worst_um);
+  if (g_mode == Mode::directed && g_result.executions >= kEnough && g_result.accepted_share() < kFloor) {
     fmt::print(stderr, "acceptance is below its floor of {:.0f} %\n", 100 * kFloor);
     std::fflush(nullptr);
     std::_Exit(kBelowFloor);
@@ -60,15 +72,17 @@ namespace toolcomp::fuzz {
 
 int initialize_target(std::string_view, Mode mode) {
   g_mode = mode;
+  g_start = std::chrono::steady_clock::now();
   return std::atexit(report);
 }
 
 void run_target(std::string_view section, Mode, const std::uint8_t* data, std::size_t size) {
   const spec::Case c = decode(section, as_text({data, size}));
   const Trial trial = try_case(c);
-  ++g_acceptance.at(static_cast<std::size_t>(trial.acceptance));
+  add(g_result, trial);
   count_features(trial.run.recorder, g_counters);
   if (!trial.found()) return;
+  write_statistics();
   fmt::print(stderr, "\nDIFFERENCE {}\n{}\n", explain(*trial.verdict.difference), encode(c));
   std::abort();
 }

@@ -1,0 +1,168 @@
+#include "fuzz/campaign/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <ostream>
+#include <sstream>
+
+namespace toolcomp::fuzz {
+namespace {
+
+using model::ClauseCount;
+
+void add(ClauseCount& total, const ClauseCount& part) {
+  total.reached += part.reached;
+  total.positive += part.positive;
+  total.negative += part.negative;
+  total.tie += part.tie;
+}
+
+void add(std::vector<ClauseCount>& total, const std::vector<ClauseCount>& part) {
+  total.resize(spec::kClauseCount);
+  for (std::size_t i = 0; i < part.size(); ++i) add(total[i], part[i]);
+}
+
+// An outcome a clause can have, with how often it was seen.
+struct OutcomeSeen {
+  std::string_view name;
+  std::uint64_t count;
+};
+
+std::vector<OutcomeSeen> outcomes(const spec::ClauseInfo& clause, const ClauseCount& count) {
+  std::vector<OutcomeSeen> all;
+  switch (clause.outcomes) {
+    case spec::ClauseOutcomes::reach:
+      all = {{"reached", count.reached}};
+      break;
+    case spec::ClauseOutcomes::fact:
+      all = {{"true", count.positive}, {"false", count.negative}};
+      break;
+    case spec::ClauseOutcomes::sign:
+      all = {{"positive", count.positive}, {"negative", count.negative}, {"tie", count.tie}};
+      break;
+  }
+  std::erase_if(all, [&](const OutcomeSeen& o) {
+    return ("\n" + std::string(clause.unreachable) + "\n").find("\n" + std::string(o.name) + "\n") != std::string::npos;
+  });
+  return all;
+}
+
+}  // namespace
+
+void add(CampaignResult& total, const Trial& trial) {
+  ++total.executions;
+  ++total.acceptance.at(static_cast<std::size_t>(trial.acceptance));
+  const Verdict& v = trial.verdict;
+  total.decisions += v.decisions;
+  total.near_ties += v.near_ties;
+  total.ties += v.ties;
+  total.values += v.values;
+  // What is outside the policy is a finding, not a figure of merit.
+  if (!trial.found()) {
+    total.worst_ulp = std::max(total.worst_ulp, v.worst_ulp);
+    total.worst_um = std::max(total.worst_um, v.worst_um);
+  }
+  add(total.clauses, trial.run.recorder.counts());
+}
+
+void add(CampaignResult& total, const CampaignResult& part) {
+  total.executions += part.executions;
+  total.seconds = std::max(total.seconds, part.seconds);
+  total.cores += part.cores;
+  total.decisions += part.decisions;
+  total.near_ties += part.near_ties;
+  total.ties += part.ties;
+  total.values += part.values;
+  total.features = std::max(total.features, part.features);
+  total.worst_ulp = std::max(total.worst_ulp, part.worst_ulp);
+  total.worst_um = std::max(total.worst_um, part.worst_um);
+  for (std::size_t i = 0; i < kAcceptances; ++i) total.acceptance.at(i) += part.acceptance.at(i);
+  add(total.clauses, part.clauses);
+  total.findings.insert(total.findings.end(), part.findings.begin(), part.findings.end());
+  if (total.seconds > 0 && total.cores > 0)
+    total.per_second_per_core = static_cast<double>(total.executions) / total.seconds / total.cores;
+}
+
+std::string write_summary(const CampaignResult& r) {
+  std::string out;
+  const auto line = [&out](std::string_view name, auto value) {
+    fmt::format_to(std::back_inserter(out), "{} {}\n", name, value);
+  };
+  line("executions", r.executions);
+  line("seconds", r.seconds);
+  line("cores", r.cores);
+  line("decisions", r.decisions);
+  line("near_ties", r.near_ties);
+  line("ties", r.ties);
+  line("values", r.values);
+  line("features", r.features);
+  line("worst_ulp", r.worst_ulp);
+  line("worst_um", r.worst_um);
+  for (std::size_t i = 0; i < kAcceptances; ++i) line(fmt::format("acceptance {}", i), r.acceptance.at(i));
+  for (std::size_t i = 0; i < r.clauses.size(); ++i) {
+    const ClauseCount& c = r.clauses[i];
+    if (c.reached != 0)
+      fmt::format_to(std::back_inserter(out), "clause {} {} {} {} {}\n", spec::info(static_cast<spec::Clause>(i)).id,
+                     c.reached, c.positive, c.negative, c.tie);
+  }
+  return out;
+}
+
+CampaignResult read_summary(std::string_view text) {
+  CampaignResult r;
+  r.clauses.resize(spec::kClauseCount);
+  std::istringstream in{std::string(text)};
+  std::string line;
+  while (std::getline(in, line)) {
+    std::istringstream words(line);
+    std::string name;
+    words >> name;
+    if (name == "executions") words >> r.executions;
+    if (name == "seconds") words >> r.seconds;
+    if (name == "cores") words >> r.cores;
+    if (name == "decisions") words >> r.decisions;
+    if (name == "near_ties") words >> r.near_ties;
+    if (name == "ties") words >> r.ties;
+    if (name == "values") words >> r.values;
+    if (name == "features") words >> r.features;
+    if (name == "worst_ulp") words >> r.worst_ulp;
+    if (name == "worst_um") words >> r.worst_um;
+    if (name == "acceptance") {
+      std::size_t index = 0;
+      std::uint64_t count = 0;
+      if (words >> index >> count && index < kAcceptances) r.acceptance.at(index) = count;
+    }
+    if (name == "clause") {
+      std::string id;
+      ClauseCount c;
+      words >> id >> c.reached >> c.positive >> c.negative >> c.tie;
+      if (const auto clause = spec::find_clause(id)) r.clauses[static_cast<std::size_t>(*clause)] = c;
+    }
+  }
+  if (r.seconds > 0 && r.cores > 0) r.per_second_per_core = static_cast<double>(r.executions) / r.seconds / r.cores;
+  return r;
+}
+
+void print_outcomes(std::ostream& out, std::string_view section, const std::vector<ClauseCount>& clauses) {
+  std::size_t seen = 0;
+  std::size_t all = 0;
+  std::string missing;
+  for (std::size_t i = 0; i < clauses.size(); ++i) {
+    const spec::ClauseInfo& clause = spec::info(static_cast<spec::Clause>(i));
+    if (clause.section != section || !clause.testable || clause.kind == spec::ClauseKind::note) continue;
+    for (const OutcomeSeen& outcome : outcomes(clause, clauses[i])) {
+      ++all;
+      if (outcome.count != 0)
+        ++seen;
+      else
+        missing += fmt::format("    {} {}\n", clause.id, outcome.name);
+    }
+  }
+  out << fmt::format("  clause outcomes reached: {} of {}\n", seen, all);
+  if (!missing.empty()) out << "  not reached:\n" << missing;
+}
+
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,27 @@
+// Results of campaigns: added up, passed between processes, printed.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/campaign/campaign.h"
+
+namespace toolcomp::fuzz {
+
+// One execution more.
+void add(CampaignResult& total, const Trial& trial);
+// The sums of both; features and worst values are the larger ones, findings follow each other. Time is the longer one
+// and the rate that of all executions over it: parts run side by side.
+void add(CampaignResult& total, const CampaignResult& part);
+
+// Everything but findings, as lines of names and numbers.
+std::string write_summary(const CampaignResult& result);
+// Reads it back; lines it does not know are left out.
+CampaignResult read_summary(std::string_view text);
+
+// How many clauses and outcomes of a section were reached, and those that were not.
+void print_outcomes(std::ostream& out, std::string_view section, const std::vector<model::ClauseCount>& clauses);
+
+}  // namespace toolcomp::fuzz
