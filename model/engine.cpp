@@ -16,9 +16,7 @@ namespace {
 
 // The setup, once it is known to be one this engine can run.
 const spec::Setup& checked(const spec::Setup& setup) {
-  if (setup.control != spec::Control::fanuc) throw spec::InputError("setup", 0, 0, "control: this engine runs FANUC programs");
-  for (const char letter : {'X', 'Y', 'Z'})
-    if (!setup.axes.has(letter)) throw spec::InputError("setup", 0, 0, std::string("axes: ") + letter + " is missing");
+  if (setup.control != spec::Control::fanuc) throw spec::InputError("setup", 0, 0, "control: only \"fanuc\" is built");
   return setup;
 }
 
@@ -26,7 +24,9 @@ bool is_reference_return(OneShot code) {
   return code == OneShot::reference || code == OneShot::other_reference || code == OneShot::floating_reference;
 }
 
-bool goes_by_machine_coordinates(OneShot code) { return is_reference_return(code) || code == OneShot::machine_coordinates; }
+bool goes_by_machine_coordinates(OneShot code) {
+  return is_reference_return(code) || code == OneShot::machine_coordinates;
+}
 
 void append(spec::ClauseList& list, const spec::ClauseList& more) {
   for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
@@ -34,9 +34,10 @@ void append(spec::ClauseList& list, const spec::ClauseList& more) {
 
 }  // namespace
 
-// The stages of one run, and the order in which a block passes through them: interpretation, length offset, leading edge
-// offset, events. The length offset is decided when the block is read, so that its alarms are known before the leading
-// edge offset looks at the block; both only add to the programmed end, so the order does not show in the coordinates.
+// The stages of one run, and the order in which a block passes through them: interpretation, length offset, leading
+// edge offset, events. The length offset is decided when the block is read, so that its alarms are known before the
+// leading edge offset looks at the block; both only add to the programmed end, so the order does not show in the
+// coordinates.
 struct Engine::State {
   State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink)
       : setup(checked(given)),
@@ -46,7 +47,8 @@ struct Engine::State {
         memory(setup, recorder),
         direction(setup, recorder),
         length(setup, memory, recorder),
-        edge(setup, recorder, [this](const Step& step, const Move& move, const Vector& vector) { report(step, move, vector); }) {}
+        edge(setup, recorder,
+             [this](const Step& step, const Move& move, const Vector& vector) { report(step, move, vector); }) {}
 
   void run(const spec::Block& block);
   void finish();
@@ -141,7 +143,8 @@ Step Engine::State::step(const Command& command) {
   const ProgramDirection::Marks tip = direction.read(command, length, edge.concerns(command), numbers);
   const bool moves = command.axes != 0 || (tip.tip_control && command.direction);
   const LeadingEdgeOffset::Marks marks = edge.read(command, moves, memory);
-  if (command.codes.one_shot == OneShot::data) pending_write = memory.read_write(command.words, numbers, command.incremental);
+  if (command.codes.one_shot == OneShot::data)
+    pending_write = memory.read_write(command.words, numbers, command.incremental);
   if (tip.ends) {
     recorder.reach(Clause::fanuc_tool_direction_end);
     interpreter.shift_position(Real(length.vector().along_tool) * direction.now().unit);
@@ -170,7 +173,8 @@ Step Engine::State::step(const Command& command) {
   step.edge = marks.edge;
   step.radius = marks.radius;
   if (edge.concerns(command) && marks.edge == EdgeCommand::none)
-    step.travels = !recorder.decide(Clause::fanuc_leading_edge_no_movement, legs.empty() || is_zero(legs.front().travel));
+    step.travels =
+        !recorder.decide(Clause::fanuc_leading_edge_no_movement, legs.empty() || is_zero(legs.front().travel));
   step.clauses = recorder.take_clauses();
   return step;
 }
@@ -261,6 +265,7 @@ void Engine::State::report_undecided() {
   event.line = recorder.line();
   if (event.line == line) event.n = n;
   event.number = spec::info(recorder.latest()).id;
+  event.permitted = {true, true, true};
   event.message = "a decision of this clause could not be certified";
   event.clauses = recorder.take_clauses();
   sink.on(event);

@@ -8,8 +8,8 @@
 
 namespace toolcomp::model {
 
-// Appends the value correctly rounded to `digits` decimals, half to even, without trailing zeros and never as -0. Throws
-// exact::Undecided where the digits cannot be certified.
+// Appends the value correctly rounded to `digits` decimals, half to even, without trailing zeros and never as -0.
+// Throws exact::Undecided where the digits cannot be certified.
 void append_number(std::string& out, const Real& value, int digits);
 
 // The value as golden vectors hold it: v correctly rounded to `digits` decimals, r half a unit of the last of them (0

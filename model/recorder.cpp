@@ -13,9 +13,15 @@ Sign Recorder::decide(Clause clause, const Real& quantity, const Real& scale) {
   else
     outcome = quantity.sign();
   switch (outcome) {
-    case Sign::positive: ++count.positive; break;
-    case Sign::negative: ++count.negative; break;
-    case Sign::zero: ++count.tie; break;
+    case Sign::positive:
+      ++count.positive;
+      break;
+    case Sign::negative:
+      ++count.negative;
+      break;
+    case Sign::zero:
+      ++count.tie;
+      break;
   }
   if (keep_) decisions_.push_back({clause, line_, quantity, scale, outcome});
   return outcome;

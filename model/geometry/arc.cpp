@@ -14,8 +14,8 @@ Real cross(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1]
 
 constexpr const char* kNoArc = "no arc of this radius joins start and end";
 
-// The angle turned through, of which `sine` and `cosine` are multiples by one positive factor. `side` is the sign of the
-// sine; where that is zero the turn is a half or a whole one.
+// The angle turned through, of which `sine` and `cosine` are multiples by one positive factor. `side` is the sign of
+// the sine; where that is zero the turn is a half or a whole one.
 Real sweep(const Real& sine, const Real& cosine, Sign side) {
   const Sign ahead = cosine.sign();
   if (side == Sign::zero) return ahead == Sign::negative ? 180 : 360;
@@ -28,8 +28,8 @@ Real sweep(const Real& sine, const Real& cosine, Sign side) {
 
 }  // namespace
 
-ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, const PlanePoint& to_center,
-                          spec::ArcDirection direction) {
+ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& end,
+                          const PlanePoint& to_center, spec::ArcDirection direction) {
   ArcGeometry arc;
   arc.center = start + to_center;
   const PlanePoint travel = end - start;

@@ -21,8 +21,8 @@ struct ArcGeometry {
 };
 
 // By the vector from start to centre (I J K), not zero. Start and end alike: a full circle.
-ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, const PlanePoint& to_center,
-                          spec::ArcDirection direction);
+ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& end,
+                          const PlanePoint& to_center, spec::ArcDirection direction);
 
 // By R: positive for the arc up to a half circle, negative for the larger one. Throws Alarm PS0023 where there is none.
 ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, const Real& radius,

@@ -11,7 +11,8 @@ Rational direction_word(const Command& command, char letter, const Numbers& numb
 }
 
 Vector direction_words(const Command& command, const Numbers& numbers) {
-  return {direction_word(command, 'I', numbers), direction_word(command, 'J', numbers), direction_word(command, 'K', numbers)};
+  return {direction_word(command, 'I', numbers), direction_word(command, 'J', numbers),
+          direction_word(command, 'K', numbers)};
 }
 
 bool leaves_the_path(OneShot code) { return code != OneShot::none && code != OneShot::dwell && code != OneShot::data; }

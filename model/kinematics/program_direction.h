@@ -13,7 +13,8 @@ namespace toolcomp::model {
 class ProgramDirection {
  public:
   // Throws spec::InputError for parameters that make no sense.
-  ProgramDirection(const spec::Setup& setup, Recorder& recorder) : kinematics_(setup), recorder_(recorder), axes_(setup.axes) {}
+  ProgramDirection(const spec::Setup& setup, Recorder& recorder)
+      : kinematics_(setup), recorder_(recorder), axes_(setup.axes) {}
 
   // What a block means under G43.5.
   struct Marks {
@@ -30,7 +31,8 @@ class ProgramDirection {
   const Direction& at(const Command& command, const Marks& marks, const Position& end, const Numbers& numbers);
 
  private:
-  void restrict(const Command& command, const ToolLengthOffset& length, bool edge, const Marks& marks, const Numbers& numbers);
+  void restrict(const Command& command, const ToolLengthOffset& length, bool edge, const Marks& marks,
+                const Numbers& numbers);
   [[nodiscard]] bool has_rotary_word(const Command& command) const;
   [[nodiscard]] const Direction& of_pose(const Position& position);
 

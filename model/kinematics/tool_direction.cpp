@@ -21,13 +21,15 @@ Rational value(const spec::Setup& setup, std::uint32_t parameter, const Rational
 std::size_t whole(const spec::Setup& setup, std::uint32_t parameter, int least, int greatest, int otherwise = 0) {
   const Rational given = value(setup, parameter, otherwise);
   if (denominator(given) != 1 || given < least || given > greatest)
-    refuse(parameter, "a whole number from " + std::to_string(least) + " to " + std::to_string(greatest) + " must stand here");
+    refuse(parameter,
+           "a whole number from " + std::to_string(least) + " to " + std::to_string(greatest) + " must stand here");
   return static_cast<std::size_t>(numerator(given));
 }
 
 std::size_t rotary_axis(const spec::Setup& setup, std::uint32_t parameter) {
   const std::size_t number = whole(setup, parameter, 1, static_cast<int>(setup.axes.size()));
-  if (!spec::is_rotary_axis(setup.axes.letter(number - 1))) refuse(parameter, "this controlled axis is not a rotary axis");
+  if (!spec::is_rotary_axis(setup.axes.letter(number - 1)))
+    refuse(parameter, "this controlled axis is not a rotary axis");
   return number - 1;
 }
 

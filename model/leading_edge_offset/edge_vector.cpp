@@ -5,7 +5,8 @@
 
 namespace toolcomp::model {
 
-EdgeRules::EdgeRules(const Rational& fluctuation, Recorder& recorder) : recorder_(recorder), exact_only_(fluctuation <= 0), overlapping_(fluctuation >= 45) {
+EdgeRules::EdgeRules(const Rational& fluctuation, Recorder& recorder)
+    : recorder_(recorder), exact_only_(fluctuation <= 0), overlapping_(fluctuation >= 45) {
   // By the double angle, whose cosine is rational where the squares are.
   const Real cosine_of_double = exact::cos_degrees(exact_only_ ? Rational(0) : Rational(2 * fluctuation));
   cosine2_ = (1 + cosine_of_double) / 2;
@@ -52,8 +53,10 @@ EdgeVector EdgeRules::next(const EdgeVector& before, const Vector& movement, con
     case EdgeAngle::across:
       recorder_.decide(Clause::fanuc_leading_edge_across_keeps_sense, before.sense == Sense::backward);
       return vector(before.sense, movement, tool, radius);
-    case EdgeAngle::forward: return vector(Sense::backward, movement, tool, radius);
-    case EdgeAngle::back: return vector(Sense::forward, movement, tool, radius);
+    case EdgeAngle::forward:
+      return vector(Sense::backward, movement, tool, radius);
+    case EdgeAngle::back:
+      return vector(Sense::forward, movement, tool, radius);
   }
   return before;
 }
@@ -70,8 +73,10 @@ EdgeVector EdgeRules::first(const Vector& movement, const Direction& tool, const
       const bool backward = recorder_.decide(Clause::fanuc_leading_edge_start_across, found.lean != Sign::negative);
       return vector(backward ? Sense::backward : Sense::forward, movement, tool, radius);
     }
-    case EdgeAngle::forward: return vector(Sense::backward, movement, tool, radius);
-    case EdgeAngle::back: break;
+    case EdgeAngle::forward:
+      return vector(Sense::backward, movement, tool, radius);
+    case EdgeAngle::back:
+      break;
   }
   return vector(Sense::forward, movement, tool, radius);
 }

@@ -46,7 +46,8 @@ class EdgeRules {
   [[nodiscard]] EdgeVector first(const Vector& movement, const Direction& tool, const Rational& radius) const;
 
  private:
-  [[nodiscard]] EdgeVector vector(Sense sense, const Vector& movement, const Direction& tool, const Rational& radius) const;
+  [[nodiscard]] EdgeVector vector(Sense sense, const Vector& movement, const Direction& tool,
+                                  const Rational& radius) const;
 
   Recorder& recorder_;
   bool exact_only_;

@@ -12,7 +12,8 @@ namespace {
 Rational fluctuation(const spec::Setup& setup) {
   const std::optional<spec::Decimal> given = setup.parameter(19631);
   const Rational degrees = given ? plain(*given) : Rational(1);
-  if (degrees > 90 || degrees < -90) throw spec::InputError("setup", 0, 0, "parameters.19631: an angle from -90 to 90 must stand here");
+  if (degrees > 90 || degrees < -90)
+    throw spec::InputError("setup", 0, 0, "parameters.19631: an angle from -90 to 90 must stand here");
   return degrees;
 }
 
@@ -38,10 +39,13 @@ LeadingEdgeOffset::Marks LeadingEdgeOffset::read(const Command& command, bool mo
   number_ = number(command);
   Marks marks;
   if (codes.compensation == Compensation::leading_edge) {
-    if (moves || codes.stops_look_ahead) raise(recorder_, Clause::fanuc_leading_edge_start_format, "PS5406", kStartFormat);
+    if (moves || codes.stops_look_ahead)
+      raise(recorder_, Clause::fanuc_leading_edge_start_format, "PS5406", kStartFormat);
     if (command.is_arc_motion())
-      raise(recorder_, Clause::fanuc_leading_edge_start_in_arc_mode, "PS5408", "leading edge offset started in G02 or G03");
-    if (active_) raise(recorder_, Clause::fanuc_leading_edge_repeated, "PS5407", "G41.3 while the leading edge offset is on");
+      raise(recorder_, Clause::fanuc_leading_edge_start_in_arc_mode, "PS5408",
+            "leading edge offset started in G02 or G03");
+    if (active_)
+      raise(recorder_, Clause::fanuc_leading_edge_repeated, "PS5407", "G41.3 while the leading edge offset is on");
     if (!recorder_.decide(Clause::fanuc_leading_edge_start_with_d0, number_ == 0)) marks.edge = EdgeCommand::start;
   } else if (active_) {
     const bool by_number = recorder_.decide(Clause::fanuc_leading_edge_d0_cancels, codes.d == 0U);

@@ -16,8 +16,8 @@ class Alarm : public std::exception {
   Alarm(spec::Name alarm_number, const char* text) : number(alarm_number), message(text) {}
   [[nodiscard]] const char* what() const noexcept override { return message; }
 
-  spec::Name number;      // PS0027, TOOL_DIRECTION_FORMAT
-  const char* message;    // static text
+  spec::Name number;       // PS0027, TOOL_DIRECTION_FORMAT
+  const char* message;     // static text
   std::uint64_t line = 0;  // of the block at fault; 0: the block being interpreted
   std::optional<std::uint64_t> n;
 };

@@ -28,35 +28,67 @@ class Reader {
   // False if the code is not supported.
   bool read(std::uint64_t code) {
     switch (code) {
-      case 0: return group(codes_.motion, Motion::rapid);
-      case 10: return group(codes_.motion, Motion::linear);
-      case 20: return group(codes_.motion, Motion::arc_cw);
-      case 30: return group(codes_.motion, Motion::arc_ccw);
-      case 40: return one_shot(OneShot::dwell);
-      case 100: return one_shot(OneShot::data);
-      case 170: return group(codes_.plane, spec::Plane::xy);
-      case 180: return group(codes_.plane, spec::Plane::zx);
-      case 190: return group(codes_.plane, spec::Plane::yz);
-      case 200: return group(codes_.units, spec::Units::inch);
-      case 210: return group(codes_.units, spec::Units::mm);
-      case 280: return one_shot(OneShot::reference);
-      case 290: return one_shot(OneShot::from_reference);
-      case 300: return one_shot(OneShot::other_reference);
-      case 301: return one_shot(OneShot::floating_reference);
-      case 400: return group(codes_.compensation, Compensation::cancel);
-      case 413: return group(codes_.compensation, Compensation::leading_edge);
-      case 430: return group(codes_.length, LengthCode::plus);
-      case 435: return group(codes_.length, LengthCode::tool_direction);
-      case 440: return group(codes_.length, LengthCode::minus);
-      case 490: return group(codes_.length, LengthCode::cancel);
-      case 530: return one_shot(OneShot::machine_coordinates);
-      case 540: case 550: case 560: case 570: case 580: case 590:
+      case 0:
+        return group(codes_.motion, Motion::rapid);
+      case 10:
+        return group(codes_.motion, Motion::linear);
+      case 20:
+        return group(codes_.motion, Motion::arc_cw);
+      case 30:
+        return group(codes_.motion, Motion::arc_ccw);
+      case 40:
+        return one_shot(OneShot::dwell);
+      case 100:
+        return one_shot(OneShot::data);
+      case 170:
+        return group(codes_.plane, spec::Plane::xy);
+      case 180:
+        return group(codes_.plane, spec::Plane::zx);
+      case 190:
+        return group(codes_.plane, spec::Plane::yz);
+      case 200:
+        return group(codes_.units, spec::Units::inch);
+      case 210:
+        return group(codes_.units, spec::Units::mm);
+      case 280:
+        return one_shot(OneShot::reference);
+      case 290:
+        return one_shot(OneShot::from_reference);
+      case 300:
+        return one_shot(OneShot::other_reference);
+      case 301:
+        return one_shot(OneShot::floating_reference);
+      case 400:
+        return group(codes_.compensation, Compensation::cancel);
+      case 413:
+        return group(codes_.compensation, Compensation::leading_edge);
+      case 430:
+        return group(codes_.length, LengthCode::plus);
+      case 435:
+        return group(codes_.length, LengthCode::tool_direction);
+      case 440:
+        return group(codes_.length, LengthCode::minus);
+      case 490:
+        return group(codes_.length, LengthCode::cancel);
+      case 530:
+        return one_shot(OneShot::machine_coordinates);
+      case 540:
+      case 550:
+      case 560:
+      case 570:
+      case 580:
+      case 590:
         return group(codes_.workpiece, static_cast<std::size_t>((code - 540) / 10));
-      case 900: return group(codes_.incremental, false);
-      case 910: return group(codes_.incremental, true);
-      case 920: return one_shot(OneShot::shift);
-      case 940: return true;  // feed per minute, the only kind
-      default: return false;
+      case 900:
+        return group(codes_.incremental, false);
+      case 910:
+        return group(codes_.incremental, true);
+      case 920:
+        return one_shot(OneShot::shift);
+      case 940:
+        return true;  // feed per minute, the only kind
+      default:
+        return false;
     }
   }
 
@@ -81,10 +113,15 @@ void read_m(const spec::Decimal& value, Codes& codes) {
   codes.auxiliary = true;
   switch (value.digits) {
     case 2:
-    case 30: codes.ends_program = true; [[fallthrough]];
+    case 30:
+      codes.ends_program = true;
+      [[fallthrough]];
     case 0:
-    case 1: codes.stops_look_ahead = true; break;
-    default: break;
+    case 1:
+      codes.stops_look_ahead = true;
+      break;
+    default:
+      break;
   }
 }
 

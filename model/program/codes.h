@@ -13,10 +13,10 @@
 
 namespace toolcomp::model {
 
-enum class Motion : std::uint8_t { rapid, linear, arc_cw, arc_ccw };                       // group 01: G00–G03
-enum class Compensation : std::uint8_t { cancel, leading_edge };                           // group 07: G40, G41.3
-enum class LengthCode : std::uint8_t { plus, minus, tool_direction, cancel };              // group 08: G43 G44 G43.5 G49
-enum class OneShot : std::uint8_t {                                                        // group 00
+enum class Motion : std::uint8_t { rapid, linear, arc_cw, arc_ccw };           // group 01: G00–G03
+enum class Compensation : std::uint8_t { cancel, leading_edge };               // group 07: G40, G41.3
+enum class LengthCode : std::uint8_t { plus, minus, tool_direction, cancel };  // group 08: G43 G44 G43.5 G49
+enum class OneShot : std::uint8_t {                                            // group 00
   none,
   dwell,                // G04
   data,                 // G10
@@ -40,23 +40,23 @@ class Words {
   std::array<const spec::Decimal*, 26> word_{};
 };
 
-// What a block says in G, M, H and D words; groups it does not mention are absent. Of several codes of one group the last
-// counts.
+// What a block says in G, M, H and D words; groups it does not mention are absent. Of several codes of one group the
+// last counts.
 struct Codes {
   OneShot one_shot = OneShot::none;
   std::optional<Motion> motion;
-  std::optional<spec::Plane> plane;               // group 02
-  std::optional<bool> incremental;                // group 03
-  std::optional<spec::Units> units;               // group 06
-  std::optional<Compensation> compensation;       // group 07
-  std::optional<LengthCode> length;               // group 08
-  std::optional<std::size_t> workpiece;           // group 14: 0 for G54 … 5 for G59
-  std::optional<std::uint32_t> h;                 // offset numbers
+  std::optional<spec::Plane> plane;          // group 02
+  std::optional<bool> incremental;           // group 03
+  std::optional<spec::Units> units;          // group 06
+  std::optional<Compensation> compensation;  // group 07
+  std::optional<LengthCode> length;          // group 08
+  std::optional<std::size_t> workpiece;      // group 14: 0 for G54 … 5 for G59
+  std::optional<std::uint32_t> h;            // offset numbers
   std::optional<std::uint32_t> d;
-  bool stops_look_ahead = false;                  // M00 M01 M02 M30
-  bool ends_program = false;                      // M02 M30
-  bool auxiliary = false;                         // an M, S or T word
-  bool any = false;                               // a word other than O
+  bool stops_look_ahead = false;  // M00 M01 M02 M30
+  bool ends_program = false;      // M02 M30
+  bool auxiliary = false;         // an M, S or T word
+  bool any = false;               // a word other than O
 };
 
 // Throws Alarm: PS0010 for the first code that is not supported, PS0030 for an offset number beyond the memory.

@@ -13,12 +13,13 @@ using exact::Rational;
 using exact::Real;
 
 // A rational, and apart from it an irrational rest. Programs and setups give rationals only; a rest appears where G49
-// ends G43.5 and the tool's length along an inclined axis becomes part of the position, or in what is measured from such
-// a position (G92). Setup units, or degrees.
+// ends G43.5 and the tool's length along an inclined axis becomes part of the position, or in what is measured from
+// such a position (G92). Setup units, or degrees.
 class Coordinate {
  public:
   Coordinate() = default;
-  Coordinate(Rational value) : rational_(std::move(value)) {}  // NOLINT(google-explicit-constructor): every rational is one
+  Coordinate(Rational value)
+      : rational_(std::move(value)) {}  // NOLINT(google-explicit-constructor): every rational is one
   explicit Coordinate(const Real& value) {
     if (value.is_rational())
       rational_ = value.rational();

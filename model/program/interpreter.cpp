@@ -9,7 +9,9 @@ bool in(AxisMask mask, std::size_t axis) { return (mask >> axis & 1U) != 0; }
 AxisMask bit(std::size_t axis) { return static_cast<AxisMask>(1U << axis); }
 
 // The kind of a straight move under a code of group 01.
-spec::MoveType straight(Motion motion) { return motion == Motion::rapid ? spec::MoveType::rapid : spec::MoveType::linear; }
+spec::MoveType straight(Motion motion) {
+  return motion == Motion::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
+}
 
 bool is_reference_return(OneShot code) {
   return code == OneShot::reference || code == OneShot::other_reference || code == OneShot::floating_reference;
@@ -94,12 +96,14 @@ Leg Interpreter::machine_leg(const Command& command) const {
 
 const Rational& Interpreter::reference(const Command& command, std::size_t axis) const {
   switch (command.codes.one_shot) {
-    case OneShot::floating_reference: return work_.floating_reference(axis);
+    case OneShot::floating_reference:
+      return work_.floating_reference(axis);
     case OneShot::other_reference: {
       const spec::Decimal* const p = command.words.find('P');
       return work_.reference(p == nullptr ? 2 : static_cast<std::size_t>(p->digits), axis);
     }
-    default: return work_.reference(1, axis);
+    default:
+      return work_.reference(1, axis);
   }
 }
 
@@ -153,12 +157,17 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   const bool center = command.direction && !tip_control;
   const bool travels = in(command.axes, first) || in(command.axes, second);
   if (r == nullptr && !center) {
-    if (travels) raise(recorder_, Clause::fanuc_program_arc_without_center, "PS0023", "an arc without radius or centre");
+    if (travels)
+      raise(recorder_, Clause::fanuc_program_arc_without_center, "PS0023", "an arc without radius or centre");
     recorder_.reach(Clause::fanuc_program_arc_without_plane_words);
     return std::nullopt;
   }
-  const PlanePoint start{position_.at(first).value(), position_.at(second).value()};
-  const PlanePoint end{leg.end.at(first).value(), leg.end.at(second).value()};
+  // A machine without an axis of the plane stands at 0 in it.
+  const auto at = [](const Position& position, std::size_t axis) {
+    return axis == spec::Axes::kNone ? Real(0) : position.at(axis).value();
+  };
+  const PlanePoint start{at(position_, first), at(position_, second)};
+  const PlanePoint end{at(leg.end, first), at(leg.end, second)};
   spec::Arc<Real> arc;
   arc.plane = command.plane;
   arc.direction = command.motion == Motion::arc_cw ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
@@ -177,8 +186,8 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
       throw Alarm("PS0023", "an arc whose centre is its start");
     geometry = arc_by_center(recorder_, start, end, {to_first, to_second}, arc.direction);
   }
-  arc.center.set(first, geometry.center[0]);
-  arc.center.set(second, geometry.center[1]);
+  if (first != spec::Axes::kNone) arc.center.set(first, geometry.center[0]);
+  if (second != spec::Axes::kNone) arc.center.set(second, geometry.center[1]);
   arc.sweep = geometry.sweep;
   arc.radius = geometry.radius;
   return arc;
@@ -194,14 +203,16 @@ std::vector<Leg> Interpreter::legs(const Command& command, bool tip_control, boo
   const bool goes = command.axes != 0;
   if (one_shot == OneShot::from_reference) return goes ? return_legs(command) : std::vector<Leg>{};
   if (one_shot == OneShot::machine_coordinates) {
-    if (!goes || recorder_.decide(Clause::fanuc_program_machine_coordinates_incremental, command.incremental)) return {};
+    if (!goes || recorder_.decide(Clause::fanuc_program_machine_coordinates_incremental, command.incremental))
+      return {};
     return {machine_leg(command)};
   }
   if (one_shot == OneShot::shift || one_shot == OneShot::dwell || one_shot == OneShot::data) {
     return always ? std::vector{stay(command)} : std::vector<Leg>{};
   }
   Leg leg = ordinary(command, straight(command.motion));
-  if (command.is_arc_motion() && (goes || command.direction || command.words.has('R'))) leg.arc = arc(command, leg, tip_control);
+  if (command.is_arc_motion() && (goes || command.direction || command.words.has('R')))
+    leg.arc = arc(command, leg, tip_control);
   if (leg.arc) leg.type = spec::MoveType::arc;
   if (goes || leg.arc || always || (tip_control && command.direction)) return {leg};
   return {};

@@ -25,8 +25,8 @@ struct Command {
   Motion motion = Motion::rapid;
   spec::Plane plane = spec::Plane::xy;
   bool incremental = false;
-  AxisMask axes = 0;        // axes commanded; none where the letters mean something else (G04, G10)
-  bool direction = false;   // I, J or K
+  AxisMask axes = 0;       // axes commanded; none where the letters mean something else (G04, G10)
+  bool direction = false;  // I, J or K
   [[nodiscard]] bool is_arc_motion() const { return motion == Motion::arc_cw || motion == Motion::arc_ccw; }
 };
 
@@ -60,7 +60,9 @@ class Interpreter {
   [[nodiscard]] Leg ordinary(const Command& command, spec::MoveType type) const;
   // Ends an axis of the leg at `to`, `travel` away from where the block starts.
   void go(Leg& leg, std::size_t axis, const Coordinate& to, const Real& travel) const;
-  void go(Leg& leg, std::size_t axis, const Coordinate& to) const { go(leg, axis, to, (to - position_.at(axis)).value()); }
+  void go(Leg& leg, std::size_t axis, const Coordinate& to) const {
+    go(leg, axis, to, (to - position_.at(axis)).value());
+  }
   [[nodiscard]] std::optional<spec::Arc<Real>> arc(const Command& command, const Leg& leg, bool tip_control);
   [[nodiscard]] Leg machine_leg(const Command& command) const;
   [[nodiscard]] std::vector<Leg> reference_legs(const Command& command);
@@ -86,9 +88,12 @@ struct PlaneLetters {
 };
 constexpr PlaneLetters letters(spec::Plane plane) {
   switch (plane) {
-    case spec::Plane::zx: return {'Z', 'X', 'K', 'I'};
-    case spec::Plane::yz: return {'Y', 'Z', 'J', 'K'};
-    case spec::Plane::xy: break;
+    case spec::Plane::zx:
+      return {'Z', 'X', 'K', 'I'};
+    case spec::Plane::yz:
+      return {'Y', 'Z', 'J', 'K'};
+    case spec::Plane::xy:
+      break;
   }
   return {'X', 'Y', 'I', 'J'};
 }

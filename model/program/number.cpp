@@ -13,9 +13,12 @@ Integer power_of_ten(unsigned exponent) {
 
 Rational least_increment(spec::IncrementSystem system) {
   switch (system) {
-    case spec::IncrementSystem::is_a: return {1, 100};
-    case spec::IncrementSystem::is_b: return {1, 1000};
-    case spec::IncrementSystem::is_c: return {1, 10000};
+    case spec::IncrementSystem::is_a:
+      return {1, 100};
+    case spec::IncrementSystem::is_b:
+      return {1, 1000};
+    case spec::IncrementSystem::is_c:
+      return {1, 10000};
   }
   return {1, 1000};
 }

@@ -11,18 +11,24 @@ namespace {
 Rational geometry_limit(const spec::Setup& setup) {
   const bool mm = setup.units == spec::Units::mm;
   switch (setup.increment) {
-    case spec::IncrementSystem::is_a: return mm ? Rational(99999, 100) : Rational(99999, 1000);
-    case spec::IncrementSystem::is_b: return mm ? Rational(999999, 1000) : Rational(999999, 10000);
-    case spec::IncrementSystem::is_c: return mm ? Rational(9999999, 10000) : Rational(9999999, 100000);
+    case spec::IncrementSystem::is_a:
+      return mm ? Rational(99999, 100) : Rational(99999, 1000);
+    case spec::IncrementSystem::is_b:
+      return mm ? Rational(999999, 1000) : Rational(999999, 10000);
+    case spec::IncrementSystem::is_c:
+      return mm ? Rational(9999999, 10000) : Rational(9999999, 100000);
   }
   return 0;
 }
 Rational wear_limit(const spec::Setup& setup) {
   const bool mm = setup.units == spec::Units::mm;
   switch (setup.increment) {
-    case spec::IncrementSystem::is_a: return mm ? Rational(9999, 100) : Rational(9999, 1000);
-    case spec::IncrementSystem::is_b: return mm ? Rational(99999, 1000) : Rational(99999, 10000);
-    case spec::IncrementSystem::is_c: return mm ? Rational(999999, 10000) : Rational(999999, 100000);
+    case spec::IncrementSystem::is_a:
+      return mm ? Rational(9999, 100) : Rational(9999, 1000);
+    case spec::IncrementSystem::is_b:
+      return mm ? Rational(99999, 1000) : Rational(99999, 10000);
+    case spec::IncrementSystem::is_c:
+      return mm ? Rational(999999, 10000) : Rational(999999, 100000);
   }
   return 0;
 }
@@ -61,7 +67,8 @@ OffsetMemory::OffsetMemory(const spec::Setup& setup, Recorder& recorder)
       wear_limit_(wear_limit(setup)) {
   const auto fill = [this](Table& table, const std::map<std::uint32_t, spec::OffsetEntry>& from) {
     for (const auto& [number, entry] : from)
-      table.insert_or_assign(number, Entry{plain(entry.geometry), kind_ == spec::OffsetMemory::a ? Rational(0) : plain(entry.wear)});
+      table.insert_or_assign(
+          number, Entry{plain(entry.geometry), kind_ == spec::OffsetMemory::a ? Rational(0) : plain(entry.wear)});
   };
   // Where H and D share their numbers, each reads its own entry where the setup gives it one.
   if (kind_ != spec::OffsetMemory::c) {
@@ -89,7 +96,8 @@ Rational OffsetMemory::applied(const Table& table, std::uint32_t number) const {
   return value;
 }
 
-std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Numbers& numbers, bool incremental) const {
+std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Numbers& numbers,
+                                                    bool incremental) const {
   OffsetWrite write = offset_kind(words, kind_).value();  // read_codes has refused others
   write.add = incremental;
   const spec::Decimal* const p = words.find('P');
@@ -102,7 +110,8 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
   if (!recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr)) return std::nullopt;
   write.value = numbers.length(*r);
   const Rational& limit = write.wear ? wear_limit_ : geometry_limit_;
-  const bool too_large = (write.h && magnitude(written(h_, write)) > limit) || (write.d && magnitude(written(d_, write)) > limit);
+  const bool too_large =
+      (write.h && magnitude(written(h_, write)) > limit) || (write.d && magnitude(written(d_, write)) > limit);
   if (recorder_.decide(Clause::fanuc_memory_g10_range, too_large))
     throw Alarm("PS0032", "G10 with a value beyond the range of the memory");
   return write;

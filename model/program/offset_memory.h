@@ -32,8 +32,8 @@ struct OffsetSetting {
 // Which table and value the L of G10 names, or nothing if this memory has no such L. Number and value are not read.
 std::optional<OffsetWrite> offset_kind(const Words& words, spec::OffsetMemory memory);
 
-// Offsets by number, setup units. Number 0 is always 0. Memory A has one value a number, B geometry and wear, both shared
-// by H and D; C has geometry and wear for each. Clauses: fanuc.memory.*.
+// Offsets by number, setup units. Number 0 is always 0. Memory A has one value a number, B geometry and wear, both
+// shared by H and D; C has geometry and wear for each. Clauses: fanuc.memory.*.
 class OffsetMemory {
  public:
   OffsetMemory(const spec::Setup& setup, Recorder& recorder);
@@ -44,7 +44,8 @@ class OffsetMemory {
   [[nodiscard]] Rational d(std::uint32_t number) const { return applied(d_, number); }
 
   // The G10 block; throws Alarm PS0031 or PS0032. Nothing is written yet.
-  [[nodiscard]] std::optional<OffsetWrite> read_write(const Words& words, const Numbers& numbers, bool incremental) const;
+  [[nodiscard]] std::optional<OffsetWrite> read_write(const Words& words, const Numbers& numbers,
+                                                      bool incremental) const;
   // Writes, and says what stands there now.
   OffsetSetting write(const OffsetWrite& write);
 

@@ -18,7 +18,7 @@ namespace toolcomp::model {
 struct Leg {
   spec::MoveType type = spec::MoveType::linear;
   spec::Cause cause = spec::Cause::programmed;
-  Position end;  // programmed, workpiece coordinates
+  Position end;   // programmed, workpiece coordinates
   Vector travel;  // X Y Z, from where the block starts
   std::optional<spec::Arc<Real>> arc;
 };
@@ -26,9 +26,10 @@ struct Leg {
 // A leg with everything the length offset and the tool direction say about its end.
 struct Move {
   Leg leg;
-  std::array<Real, spec::kMaxAxes> length;       // length offset, by axis
-  Direction tool;                                // at the end
-  std::optional<std::array<Real, spec::kMaxAxes>> zero;  // machine coordinate of the workpiece zero, where it is reported
+  std::array<Real, spec::kMaxAxes> length;  // length offset, by axis
+  Direction tool;                           // at the end
+  std::optional<std::array<Real, spec::kMaxAxes>>
+      zero;  // machine coordinate of the workpiece zero, where it is reported
   std::optional<Real> feed;
 };
 

@@ -19,10 +19,14 @@ class WorkCoordinates {
   // What `position` becomes when the system changes and the machine stays.
   void select(std::size_t system, Position& position);
   // G92: `from` is now called `to`, in every system.
-  void shift(std::size_t axis, const Coordinate& from, const Coordinate& to) { shift_[axis] = shift_[axis] + (from - to); }
+  void shift(std::size_t axis, const Coordinate& from, const Coordinate& to) {
+    shift_[axis] = shift_[axis] + (from - to);
+  }
 
   // Machine coordinate of reference position 1 (G28), 2, 3, 4 (G30).
-  [[nodiscard]] const Rational& reference(std::size_t number, std::size_t axis) const { return reference_.at(number - 1)[axis]; }
+  [[nodiscard]] const Rational& reference(std::size_t number, std::size_t axis) const {
+    return reference_.at(number - 1)[axis];
+  }
   // Of the floating reference position (G30.1).
   [[nodiscard]] const Rational& floating_reference(std::size_t axis) const { return reference_[4][axis]; }
 

@@ -16,7 +16,9 @@ ToolLengthOffset::ToolLengthOffset(const spec::Setup& setup, const OffsetMemory&
     : memory_(memory),
       recorder_(recorder),
       axes_(setup.axes),
-      type_(setup.bit(5001, 0) ? Type::c : setup.bit(5001, 1) ? Type::b : Type::a),
+      type_(setup.bit(5001, 0)   ? Type::c
+            : setup.bit(5001, 1) ? Type::b
+                                 : Type::a),
       ofh_(setup.bit(5001, 2)),
       tal_(setup.bit(5001, 3)),
       evo_(setup.bit(5001, 6)) {}
@@ -72,7 +74,8 @@ AxisMask ToolLengthOffset::affected(const LengthCommand& command, bool sets_mode
     case Type::b:
       recorder_.reach(Clause::fanuc_length_offset_type_b);
       return letter(command.plane == spec::Plane::xy ? 'Z' : command.plane == spec::Plane::zx ? 'Y' : 'X');
-    case Type::c: break;
+    case Type::c:
+      break;
   }
   recorder_.reach(Clause::fanuc_length_offset_type_c);
   if (sets_mode) return named_axes(command);
@@ -109,7 +112,8 @@ void ToolLengthOffset::next_block(const LengthCommand& command) {
   }
   AxisMask axes = last_;
   const bool waits = command.cutter_code && (axes & cancelled_) != 0;
-  if (recorder_.decide(Clause::fanuc_length_offset_not_restored_with_cutter_code, waits)) axes = without(axes, cancelled_);
+  if (recorder_.decide(Clause::fanuc_length_offset_not_restored_with_cutter_code, waits))
+    axes = without(axes, cancelled_);
   if ((axes & cancelled_) != 0) recorder_.reach(Clause::fanuc_length_offset_restored_in_next_block);
   apply(axes);
 }

@@ -1,5 +1,5 @@
-// Tool length offset: G43, G44, G49 and H, types A, B and C, and what G53, G28, G30 and G30.1 do to it. G43.5 shares its
-// modal group and its H rules; its length lies along the tool.
+// Tool length offset: G43, G44, G49 and H, types A, B and C, and what G53, G28, G30 and G30.1 do to it. G43.5 shares
+// its modal group and its H rules; its length lies along the tool.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@ struct LengthCommand {
   std::optional<LengthCode> code;
   std::optional<std::uint32_t> h;
   spec::Plane plane = spec::Plane::xy;
-  AxisMask axes = 0;          // axis words
-  bool cutter_code = false;   // G40 (G41, G42) in the block: no vector comes back in it
-  AxisMask cancelled = 0;     // axes that G53, G28, G30 or G30.1 sends to a machine position
+  AxisMask axes = 0;         // axis words
+  bool cutter_code = false;  // G40 (G41, G42) in the block: no vector comes back in it
+  AxisMask cancelled = 0;    // axes that G53, G28, G30 or G30.1 sends to a machine position
 };
 
 // The offset in force: what is added to each axis, and under G43.5 along the tool. Setup units.

@@ -1,0 +1,78 @@
+// Runs a program in the exact engine and gives its events as short lines, so that a test reads like the sheet it is
+// typed in from.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/engine.h"
+#include "model/recorder.h"
+#include "spec/language/event_names.h"
+#include "spec/language/program_reader.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::test {
+
+struct Collector final : model::EventSink {
+  void on(const model::Event& event) override { events.push_back(event); }
+  std::vector<model::Event> events;
+};
+
+struct Run {
+  spec::Setup setup;
+  model::Recorder recorder{true};
+  Collector sink;
+
+  const std::vector<model::Event>& events() const { return sink.events; }
+};
+
+// `force`: one decision by sign and the outcome it is made to have.
+inline Run run(std::string_view setup, std::string_view program, std::pair<std::size_t, exact::Sign>* force = nullptr) {
+  Run result{spec::read_setup_toml(setup, "setup.toml"), model::Recorder(true), {}};
+  if (force != nullptr) result.recorder.force(force->first, force->second);
+  spec::ProgramReader reader(spec::text_source(program), result.setup.axes);
+  model::Engine engine(result.setup, result.recorder, result.sink);
+  spec::Block block;
+  while (!engine.stopped() && reader.next(block)) engine.block(block);
+  engine.end();
+  return result;
+}
+
+inline std::string text(const spec::AxisValues<exact::Real>& values, const spec::Axes& axes, int digits) {
+  std::string line;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (values.has(i)) line += (line.empty() ? "" : " ") + std::string(1, axes.letter(i)) + values[i].decimal(digits);
+  return line;
+}
+
+// What a line shows of a move.
+enum class Show { axes, point, machine };
+
+// "2 rapid X0 Y0 Z-36"; causes other than programmed behind: "5 linear X1 (start-up)". Alarms: "7 PS0027"; settings:
+// "3 H1=12".
+inline std::vector<std::string> lines(const Run& run, Show show = Show::axes, int digits = 15) {
+  std::vector<std::string> result;
+  for (const model::Event& event : run.events()) {
+    std::string line = std::to_string(event.line) + ' ';
+    switch (event.kind) {
+      case spec::EventKind::move: {
+        const auto& values = show == Show::axes ? event.axes : show == Show::point ? event.point : event.machine;
+        line += std::string(spec::name(event.type)) + ' ' + text(values, run.setup.axes, digits);
+        if (event.cause != spec::Cause::programmed) line += " (" + std::string(spec::name(event.cause)) + ')';
+        break;
+      }
+      case spec::EventKind::setting:
+        line += std::string(event.setting.view()) + '=' + event.value.decimal(digits);
+        break;
+      default:
+        line += event.number.view();
+    }
+    result.push_back(line);
+  }
+  return result;
+}
+
+using Lines = std::vector<std::string>;
+
+}  // namespace toolcomp::test
