@@ -148,7 +148,7 @@ Proof. intros H E; apply H; unfold parallel in E; rewrite E; reflexivity. Qed.
 Example VC_length_instance : norm (VC (-1) (-10) (Vec 100 0 0) (Vec (3/5) 0 (4/5))) = Rabs (-10).
 Proof. apply VC_length; [lra | apply not_parallel_y; cbn; lra]. Qed.
 
-(** fanuc.leading-edge.forward: where the tool leans forward and the offset is positive, VC points backward. *)
+(** fanuc.leading-edge.sign: where the tool leans forward and the offset is positive, VC points backward. *)
 Theorem VC_backward r VM VT : 0 < r -> 0 < dot VM VT -> ~ parallel VM VT -> dot (VC_oblique r VM VT) VM < 0.
 Proof.
   intros Hr Hd H. pose proof (norm_pos _ (V_nonzero VM VT H)) as P. pose proof (cross_pos VM VT H) as Q.
@@ -160,7 +160,7 @@ Qed.
 Example VC_backward_instance : dot (VC_oblique 10 (Vec 100 0 0) (Vec (3/5) 0 (4/5))) (Vec 100 0 0) < 0.
 Proof. apply VC_backward; [lra | unfold dot; cbn; lra | apply not_parallel_y; cbn; lra]. Qed.
 
-(** fanuc.leading-edge.backward: where the tool leans backward and the offset is positive, VC points forward. *)
+(** fanuc.leading-edge.sign: where the tool leans backward and the offset is positive, VC points forward. *)
 Theorem VC_forward r VM VT : 0 < r -> dot VM VT < 0 -> ~ parallel VM VT -> 0 < dot (VC_oblique r VM VT) VM.
 Proof.
   intros Hr Hd H. pose proof (norm_pos _ (V_nonzero VM VT H)) as P. pose proof (cross_pos VM VT H) as Q.
@@ -206,7 +206,7 @@ Proof.
   destruct (Rlt_dec (a * dot VM VT) 0), (Rlt_dec (dot VM VT) 0); auto; exfalso; nra.
 Qed.
 
-(** fanuc.leading-edge.vector: the length given to the tool direction does not matter. *)
+(** fanuc.tool-direction.given-directly: the length given to the tool direction does not matter. *)
 Theorem VC_tool_scaled r k VM VT : 0 < k -> VC_oblique r VM (scale k VT) = VC_oblique r VM VT.
 Proof.
   intro H. unfold VC_oblique. rewrite (sense_positive k VM VT); auto using dot_scale_r.
@@ -242,7 +242,7 @@ Example VC_rigid_motion_instance :
   VC_oblique 10 (move m (Vec 100 0 0)) (move m (Vec 3 0 4)) = move m (VC_oblique 10 (Vec 100 0 0) (Vec 3 0 4)).
 Proof. intro m; apply VC_rigid_motion; unfold m, rigid, dot; cbn; repeat split; lra. Qed.
 
-(** fanuc.leading-edge.vector: a negative offset value reverses the vector. *)
+(** fanuc.leading-edge.negative-radius: a negative offset value reverses the vector. *)
 Theorem VC_offset_negated s r VM VT : VC s (- r) VM VT = opp (VC s r VM VT).
 Proof. unfold VC, opp; rewrite scale_scale; f_equal; unfold Rdiv; ring. Qed.
 
@@ -257,7 +257,7 @@ Proof. unfold VC, Rdiv; rewrite Rmult_0_r, Rmult_0_l; apply scale_zero_l. Qed.
 Example VC_offset_zero_instance : VC 1 0 (Vec 100 0 0) (Vec 3 0 4) = zero.
 Proof. apply VC_offset_zero. Qed.
 
-(** fanuc.leading-edge.ninety: across a right angle the vector jumps by twice the offset value, so history decides. *)
+(** fanuc.leading-edge.across-keeps-sense: across a right angle the vector jumps by twice the offset value, so history decides. *)
 Theorem VC_jump r VM VT : ~ parallel VM VT -> norm (sub (VC 1 r VM VT) (VC (-1) r VM VT)) = 2 * Rabs r.
 Proof.
   intro H. replace (sub (VC 1 r VM VT) (VC (-1) r VM VT)) with (scale 2 (VC 1 r VM VT)).
@@ -294,7 +294,7 @@ Proof.
   - assert (0 < cos (angle VM VT)) by (apply cos_gt_0; pose proof PI_half; lra). nra.
 Qed.
 
-(** fanuc.leading-edge.zero: the test with products and squares is the manual's range from 0 to the parameter. *)
+(** fanuc.leading-edge.near-0: the test with products and squares is the manual's range from 0 to the parameter. *)
 Theorem along_is_angle delta VM VT : 0 <= delta < PI / 2 -> VM <> zero -> VT <> zero ->
   (classify delta VM VT = along <-> angle VM VT <= delta).
 Proof.
@@ -319,7 +319,33 @@ Qed.
 Example along_is_angle_instance : classify 0 (Vec 60 0 80) (Vec 3 0 4) = along <-> angle (Vec 60 0 80) (Vec 3 0 4) <= 0.
 Proof. apply along_is_angle; [pose proof PI_half; lra | |]; intro E; injection E; intros; lra. Qed.
 
-(** fanuc.leading-edge.ninety: for a parameter below 45 degrees the test is the manual's range of 90 degrees plus or
+Lemma classify_opp delta VM VT : classify delta (opp VM) VT = along <-> classify delta VM VT = against.
+Proof.
+  unfold classify. replace (dot (opp VM) VT) with (- dot VM VT) by vec_ring.
+  replace (dot (opp VM) (opp VM)) with (dot VM VM) by vec_ring. rewrite <- Rsqr_neg.
+  destruct (Rlt_dec 0 (- dot VM VT)), (Rlt_dec 0 (dot VM VT)), (Rlt_dec (dot VM VT) 0), (Rlt_dec (- dot VM VT) 0);
+    try lra; repeat destruct Rle_dec; split; intro; try discriminate; auto.
+Qed.
+
+Lemma angle_opp VM VT : angle (opp VM) VT = PI - angle VM VT.
+Proof.
+  unfold angle. rewrite norm_opp. replace (dot (opp VM) VT) with (- dot VM VT) by vec_ring.
+  rewrite <- acos_opp. f_equal. unfold Rdiv; ring.
+Qed.
+
+(** fanuc.leading-edge.near-180: the same test with the sign turned is the range that ends at 180 degrees. *)
+Theorem against_is_angle delta VM VT : 0 <= delta < PI / 2 -> VM <> zero -> VT <> zero ->
+  (classify delta VM VT = against <-> PI - delta <= angle VM VT).
+Proof.
+  intros D A B. rewrite <- classify_opp, along_is_angle, angle_opp; auto; [lra |].
+  intro E; apply A. destruct VM as [a b c]; unfold opp, scale, zero in *; cbn in E; injection E; intros; f_equal; lra.
+Qed.
+
+Example against_is_angle_instance :
+  classify 0 (Vec (-60) 0 (-80)) (Vec 3 0 4) = against <-> PI - 0 <= angle (Vec (-60) 0 (-80)) (Vec 3 0 4).
+Proof. apply against_is_angle; [pose proof PI_half; lra | |]; intro E; injection E; intros; lra. Qed.
+
+(** fanuc.leading-edge.near-90: for a parameter below 45 degrees the test is the manual's range of 90 degrees plus or
     minus the parameter. *)
 Theorem square_is_angle delta VM VT : 0 <= delta < PI / 4 -> VM <> zero -> VT <> zero ->
   (classify delta VM VT = square <-> PI / 2 - delta <= angle VM VT <= PI / 2 + delta).
@@ -366,7 +392,7 @@ Proof. apply square_is_angle; [pose proof PI_half; lra | |]; intro E; injection 
 
 (** * Runs of blocks *)
 
-(** fanuc.leading-edge.kept: any number of blocks near 0 or 180 degrees keeps the vector from before them. *)
+(** fanuc.leading-edge.kept-along-the-tool: any number of blocks near 0 or 180 degrees keeps the vector from before them. *)
 Theorem run_along_keeps delta r pairs s :
   Forall (fun p => classify delta (fst p) (snd p) = along \/ classify delta (fst p) (snd p) = against) pairs ->
   run delta r pairs s = s.
@@ -388,7 +414,7 @@ Proof.
     apply classify_along_0; unfold dot, Rsqr; cbn; lra.
 Qed.
 
-(** fanuc.leading-edge.ninety: a run of blocks near 90 degrees keeps the sense from before it, and each vector is that
+(** fanuc.leading-edge.across-keeps-sense: a run of blocks near 90 degrees keeps the sense from before it, and each vector is that
     of its own pair. *)
 Theorem run_square_sense delta r pairs VM VT s :
   Forall (fun p => classify delta (fst p) (snd p) = square) (pairs ++ [(VM, VT)]) ->
@@ -408,7 +434,7 @@ Proof.
     unfold classify, dot; cbn; do 2 (destruct Rlt_dec; [lra |]); reflexivity.
 Qed.
 
-(** fanuc.leading-edge.ninety: away from 90 degrees the sense that is carried on is the one the manual reads off the
+(** fanuc.leading-edge.across-keeps-sense: away from 90 degrees the sense that is carried on is the one the manual reads off the
     previous vector: backward exactly where that vector points against its movement. *)
 Theorem history_is_direction delta r VM VT s : 0 < r -> classify delta VM VT = oblique -> ~ parallel VM VT ->
   let s' := step delta r s (VM, VT) in

@@ -49,7 +49,7 @@ Proof.
   ring [C].
 Qed.
 
-(** fanuc.tool-direction.rotation: rotary axes keep the length of the tool direction, so it stays a unit vector. *)
+(** fanuc.tool-direction.mechanism: rotary axes keep the length of the tool direction, so it stays a unit vector. *)
 Theorem tool_direction_unit first theta second phi v0 :
   dot first first = 1 -> dot second second = 1 -> norm (tool_direction first theta second phi v0) = norm v0.
 Proof. intros A B; unfold tool_direction, norm; rewrite !rotate_dot by auto; reflexivity. Qed.
@@ -57,21 +57,21 @@ Proof. intros A B; unfold tool_direction, norm; rewrite !rotate_dot by auto; ref
 Example tool_direction_unit_instance theta phi : norm (tool_direction (Vec 0 1 0) theta (Vec (3/5) 0 (4/5)) phi ez) = norm ez.
 Proof. apply tool_direction_unit; unfold dot; cbn; lra. Qed.
 
-(** fanuc.tool-direction.rotation: with C carrying B and the tool along Z, VT = (sin b cos c, sin b sin c, cos b). *)
+(** fanuc.tool-direction.mechanism: with C carrying B and the tool along Z, VT = (sin b cos c, sin b sin c, cos b). *)
 Theorem tool_direction_BC b c : tool_direction ey b ez c ez = Vec (sin b * cos c) (sin b * sin c) (cos b).
 Proof. rotation; f_equal; ring. Qed.
 
 Example tool_direction_BC_instance : tool_direction ey (PI / 2) ez 0 ez = ex.
 Proof. rewrite tool_direction_BC, sin_PI2, cos_PI2, sin_0, cos_0; unfold ex; f_equal; ring. Qed.
 
-(** fanuc.tool-direction.rotation: with C carrying A and the tool along Z, VT = (sin a sin c, -sin a cos c, cos a). *)
+(** fanuc.tool-direction.mechanism: with C carrying A and the tool along Z, VT = (sin a sin c, -sin a cos c, cos a). *)
 Theorem tool_direction_AC a c : tool_direction ex a ez c ez = Vec (sin a * sin c) (- sin a * cos c) (cos a).
 Proof. rotation; f_equal; ring. Qed.
 
 Example tool_direction_AC_instance : tool_direction ex (PI / 2) ez 0 ez = opp ey.
 Proof. rewrite tool_direction_AC, sin_PI2, cos_PI2, sin_0, cos_0; unfold opp, ey, scale; cbn; f_equal; ring. Qed.
 
-(** fanuc.tool-direction.reference: the reference angles RA and RB give v0 = (cos RA sin RB, -sin RA, cos RA cos RB)
+(** fanuc.tool-direction.older-tool-axis: the reference angles RA and RB give v0 = (cos RA sin RB, -sin RA, cos RA cos RB)
     when RA is the rotation about axis 1 and RB, about axis 2, follows it. *)
 Theorem reference_direction_components ra rb :
   reference_direction ra rb = Vec (cos ra * sin rb) (- sin ra) (cos ra * cos rb).
@@ -80,7 +80,7 @@ Proof. rotation; f_equal; ring. Qed.
 Example reference_direction_components_instance : reference_direction 0 (PI / 2) = ex.
 Proof. rewrite reference_direction_components, sin_PI2, cos_PI2, sin_0, cos_0; unfold ex; f_equal; ring. Qed.
 
-(** fanuc.tool-direction.rotation: an axis turned by a and then by b is turned by a + b. *)
+(** fanuc.tool-direction.mechanism: an axis turned by a and then by b is turned by a + b. *)
 Theorem rotate_twice k a b v : dot k k = 1 -> rotate k b (rotate k a v) = rotate k (a + b) v.
 Proof.
   intro K. unfold rotate.

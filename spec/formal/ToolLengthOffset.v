@@ -71,7 +71,7 @@ Ltac cases := unfold target; cbn; unfold set; cbn; repeat destruct axis_eq; subs
 
 (** * The offset vector *)
 
-(** fanuc.length.effect: the axis is sent to the programmed position plus (G43) or minus (G44) the offset value. *)
+(** fanuc.length-offset.direction: the axis is sent to the programmed position plus (G43) or minus (G44) the offset value. *)
 Theorem target_of_offset s g a v : target (step s (Offset g a v)) a = programmed s a + signed g v.
 Proof. cases. Qed.
 
@@ -80,7 +80,7 @@ Example target_of_offset_instance :
   target (step (State (fun _ => 100) (fun _ => 0) None) (Offset G43 Z 20)) Z = 120.
 Proof. rewrite target_of_offset; cbn; lra. Qed.
 
-(** fanuc.length.replace: a new offset value replaces the old one, it is not added. *)
+(** fanuc.length-offset.replaces: a new offset value replaces the old one, it is not added. *)
 Theorem offset_replaces s g g' a v v' : same (step (step s (Offset g a v)) (Offset g' a v')) (step s (Offset g' a v')).
 Proof. repeat split; intros; cases. Qed.
 
@@ -94,7 +94,7 @@ Proof.
   specialize (E Z). unfold target. rewrite E. split; cases.
 Qed.
 
-(** fanuc.length.effect: G44 with a value is G43 with its negative. *)
+(** fanuc.length-offset.direction: G44 with a value is G43 with its negative. *)
 Theorem G44_is_G43_of_negative s a v : step s (Offset G44 a v) = step s (Offset G43 a (- v)).
 Proof. reflexivity. Qed.
 
@@ -102,7 +102,7 @@ Example G44_is_G43_of_negative_instance :
   target (step (State (fun _ => -30) (fun _ => 0) None) (Offset G44 Z 7)) Z = -37.
 Proof. rewrite G44_is_G43_of_negative; cases. Qed.
 
-(** fanuc.length.axes: the offsets of two axes do not disturb one another, in whichever order they are given. *)
+(** fanuc.length-offset.type-b: the offsets of two axes do not disturb one another, in whichever order they are given. *)
 Theorem axes_commute s g h a b v w : a <> b -> forall c,
   target (run [Offset g a v; Offset h b w] s) c = target (run [Offset h b w; Offset g a v] s) c.
 Proof. intros H c; cases. Qed.
@@ -128,7 +128,7 @@ Proof.
   all: apply IH; intro b; cbn; try destruct (last s); cbn; apply H.
 Qed.
 
-(** fanuc.length.cancel: whatever offsets a program used, after G49 the axes are where they would be without them. *)
+(** fanuc.length-offset.cancel: whatever offsets a program used, after G49 the axes are where they would be without them. *)
 Theorem cancel_restores p s a : target (run (p ++ [CancelAll]) s) a = programmed (run (motions p) s) a.
 Proof.
   rewrite run_app; unfold target; cbn. rewrite Rplus_0_r. apply programmed_by_motions; reflexivity.
@@ -138,7 +138,7 @@ Example cancel_restores_instance s :
   target (run ([Offset G43 Z 20; Absolute Z 100; Offset G43 Z 30] ++ [CancelAll]) s) Z = 100.
 Proof. rewrite cancel_restores; cases. Qed.
 
-(** fanuc.length.h0: H0 clears the offset of its axis and of no other. *)
+(** fanuc.length-offset.cancel: H0 clears the offset of its axis and of no other. *)
 Theorem cancel_axis s a b :
   offset (step s (CancelAxis a)) b = if axis_eq a b then 0 else offset s b.
 Proof. cases. Qed.
@@ -155,7 +155,7 @@ Proof.
   apply andb_prop in H; destruct H as [C P]; rewrite IH by auto. destruct c; try discriminate; reflexivity.
 Qed.
 
-(** fanuc.length.effect: while no offset command comes, the whole path is shifted by one fixed vector. *)
+(** fanuc.length-offset.direction: while no offset command comes, the whole path is shifted by one fixed vector. *)
 Theorem offset_is_translation p s a : forallb is_motion p = true ->
   target (run p s) a - programmed (run p s) a = target s a - programmed s a.
 Proof. intro H; unfold target; rewrite run_motions by auto; lra. Qed.
@@ -189,7 +189,7 @@ Proof.
   apply IH. destruct H as (P & O & L); repeat split; cbn; auto; intro b. cases. rewrite P; lra.
 Qed.
 
-(** fanuc.length.effect: a program in G90 and the same program in G91 send the axes to the same places. *)
+(** fanuc.length-offset.direction: a program in G90 and the same program in G91 send the axes to the same places. *)
 Theorem absolute_is_incremental p s a : target (run (incremental s p) s) a = target (run p s) a.
 Proof.
   destruct (incremental_same p s s (same_refl s)) as (P & O & _); unfold target; rewrite P, O; reflexivity.
@@ -215,7 +215,7 @@ Proof.
   destruct (in_dec axis_eq a named), (in_dec axis_eq a (b :: named)), (axis_eq b a); cbn in *; auto; exfalso; intuition.
 Qed.
 
-(** fanuc.length.restore.last: of the axes that a reference return cancelled only the one offset last comes back. *)
+(** fanuc.length-offset.restored-last-only: of the axes that a reference return cancelled only the one offset last comes back. *)
 Theorem only_last_restored named s a b g v : last s = Some b ->
   offset (run (map CancelAxis named ++ [Restore g v]) s) a =
   if axis_eq b a then signed g v else if in_dec axis_eq a named then 0 else offset s a.
@@ -233,7 +233,7 @@ Proof. intros s s'; subst s'; rewrite !(only_last_restored [X; Z] s _ Z) by refl
 
 (** * The manual's three holes *)
 
-(** fanuc.length.effect: the positions of Z in the chapter's boring program with H1 = -4 and a start at 0. *)
+(** fanuc.length-offset.direction: the positions of Z in the chapter's boring program with H1 = -4 and a start at 0. *)
 Theorem three_holes :
   let n2 := [Offset G43 Z (-4); Incremental Z (-32)] in
   let n3 := n2 ++ [Incremental Z (-21)] in
