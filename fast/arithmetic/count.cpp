@@ -13,7 +13,6 @@ constexpr auto kPowers = [] {
   for (std::size_t i = 1; i < power.size(); ++i) power[i] = power[i - 1] * 10;
   return power;
 }();
-constexpr int kSmallPlaces = 6;
 constexpr int kPlaces = 18;
 
 int bit_length(UInt128 x) {
@@ -28,18 +27,13 @@ bool fits_count(const spec::Decimal& value) {
   return value.decimals > 0 || value.digits < kPowers[17];
 }
 
-Count Count::of(const spec::Decimal& value, Factor factor, int shift) {
-  const int places = value.decimals + shift;
-  // The usual case: whole in 10^-6, and small enough for a double.
-  const int small_places = factor == Factor::inch_to_mm ? places + 1 : places;
-  if (small_places <= kSmallPlaces && factor != Factor::mm_to_inch) [[likely]] {
-    const std::uint64_t scale =
-        kPowers[static_cast<std::size_t>(kSmallPlaces - small_places)] * (factor == Factor::inch_to_mm ? 254U : 1U);
-    const UInt128 small = static_cast<UInt128>(value.digits) * scale;
-    if (small <= static_cast<UInt128>(kSmallLimit)) [[likely]] {
-      const auto magnitude = static_cast<std::int64_t>(small);
-      return {value.negative ? -magnitude : magnitude, 0};
-    }
+Count Count::of_units(const spec::Decimal& value, Factor factor, int places) {
+  // Whole in 10^-6 after all: 25.4 adds one place and 254 to the digits.
+  const bool inch = factor == Factor::inch_to_mm;
+  if (factor != Factor::mm_to_inch && places <= kSmallPlaces - (inch ? 1 : 0) && value.digits <= kSmallDigits / 254) {
+    const spec::Decimal whole{value.digits * (inch ? 254U : 1U), static_cast<std::uint8_t>(places + (inch ? 1 : 0)),
+                              value.negative, true};
+    if (const std::int64_t small = small_of(whole); small != kNotSmall) return {small, 0};
   }
   // digits * 10^(18 - places) * 127 * factor; 25.4 * 127 = 2 * 127^2 / 10, 127 / 25.4 = 5.
   Int128 units = static_cast<Int128>(value.digits);

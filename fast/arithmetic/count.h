@@ -1,6 +1,8 @@
 // Exact numbers of a program: whole counts of a unit in which every word and every setup value is whole.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "fast/arithmetic/int128.h"
@@ -29,9 +31,18 @@ class Count {
   static constexpr std::int64_t kSmallLimit = std::int64_t{1} << 53;  // beyond it `small` would not be a double
   static constexpr Int128 kLimit = static_cast<Int128>(1) << 125;
 
+  static constexpr int kSmallPlaces = 6;
+  static constexpr std::array<std::int64_t, 7> kSmallPower{1, 10, 100, 1'000, 10'000, 100'000, 1'000'000};
+  static constexpr std::uint64_t kSmallDigits = 9'000'000'000'000;  // times 10^6 below 2^63
+
   constexpr Count() = default;
   // `value` with `shift` further decimals (least input increments), times `factor`. |value| must be below 1e17.
-  static Count of(const spec::Decimal& value, Factor factor = Factor::one, int shift = 0);
+  static Count of(const spec::Decimal& value, Factor factor = Factor::one, int shift = 0) {
+    if (factor == Factor::one && shift == 0) [[likely]]
+      if (const std::int64_t small = small_of(value); small != kNotSmall) [[likely]]
+        return {small, 0};
+    return of_units(value, factor, value.decimals + shift);
+  }
   // The count nearest to units / (127 * 10^18).
   static constexpr Count of_units(Int128 units) { return {0, units}; }
 
@@ -49,6 +60,31 @@ class Count {
       return static_cast<double>(small_) / static_cast<double>(kSmallPerOne);
     return nearest_of_units();
   }
+
+  // The double nearest to a + b.
+  [[nodiscard]] static double nearest_sum(const Count& a, const Count& b) {
+    const std::int64_t sum = a.small_ + b.small_;
+    if (a.is_small() && b.is_small() && sum <= kSmallLimit && sum >= -kSmallLimit) [[likely]]
+      return static_cast<double>(sum) / static_cast<double>(kSmallPerOne);
+    return (a + b).nearest();
+  }
+  // *this = small / 10^6, |small| <= kSmallLimit. Writing the parts apart keeps the processor from waiting for them
+  // when they are read back at once.
+  constexpr void set_small(std::int64_t small) {
+    small_ = small;
+    rest_ = 0;
+  }
+  // The word as units of 10^-6, if it is a usual one; otherwise kNotSmall.
+  static constexpr std::int64_t small_of(const spec::Decimal& value) {
+    if (value.decimals > kSmallPlaces || value.digits > kSmallDigits) [[unlikely]]
+      return kNotSmall;
+    const auto magnitude =
+        static_cast<std::int64_t>(value.digits) * kSmallPower[static_cast<std::size_t>(kSmallPlaces - value.decimals)];
+    if (magnitude > kSmallLimit) [[unlikely]]
+      return kNotSmall;
+    return value.negative ? -magnitude : magnitude;
+  }
+  static constexpr std::int64_t kNotSmall = INT64_MIN;
 
   constexpr Count operator-() const { return {-small_, -rest_}; }
   constexpr Count& operator+=(const Count& other) {
@@ -73,6 +109,7 @@ class Count {
  private:
   constexpr Count(std::int64_t small, Int128 rest) : small_(small), rest_(rest) {}
   [[nodiscard]] double nearest_of_units() const;
+  static Count of_units(const spec::Decimal& value, Factor factor, int places);
 
   std::int64_t small_ = 0;
   Int128 rest_ = 0;

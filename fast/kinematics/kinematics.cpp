@@ -235,22 +235,30 @@ void Kinematics::direct(const std::array<Count, spec::kMaxAxes>& position, Direc
   }
 }
 
-FineVector Kinematics::refine(const Direction& direction) const {
-  FineVector sum{};
+const FineVector& Kinematics::refine(const Direction& direction) const {
+  if (refined_.valid && refined_.is_whole == direction.is_whole &&
+      (direction.is_whole ? refined_.whole == direction.whole : refined_.angle == direction.angle))
+    return refined_.unit;
+  refined_.valid = true;
+  refined_.is_whole = direction.is_whole;
+  refined_.whole = direction.whole;
+  refined_.angle = direction.angle;
+  FineVector& unit = refined_.unit;
   if (direction.is_whole) {
     FineVector v;
     for (std::size_t k = 0; k < 3; ++k) v[k] = to_double_double(direction.whole[k]);
     const DoubleDouble norm = sqrt(dot(v, v));
-    for (std::size_t k = 0; k < 3; ++k) sum[k] = v[k] / norm;
-    return sum;
+    for (std::size_t k = 0; k < 3; ++k) unit[k] = v[k] / norm;
+    return unit;
   }
   const auto i = fine_sine_cosine(direction.angle[0]);
   const auto o = fine_sine_cosine(direction.angle[1]);
   const std::array<DoubleDouble, 3> inner{DoubleDouble{1, 0}, i.cosine, i.sine};
   const std::array<DoubleDouble, 3> outer{DoubleDouble{1, 0}, o.cosine, o.sine};
+  unit = {};
   for (const Term& term : terms_)
-    sum[term.component] = sum[term.component] + term.fine * inner[term.inner] * outer[term.outer];
-  return sum;
+    unit[term.component] = unit[term.component] + term.fine * inner[term.inner] * outer[term.outer];
+  return unit;
 }
 
 }  // namespace toolcomp::fast

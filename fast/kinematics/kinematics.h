@@ -43,7 +43,7 @@ class Kinematics {
   // Sets `direction` for the axis positions (degrees, by axis index of the setup).
   void direct(const std::array<Count, spec::kMaxAxes>& position, Direction& direction);
   // The unit vector in double-double, each component within fine_error().
-  [[nodiscard]] FineVector refine(const Direction& direction) const;
+  [[nodiscard]] const FineVector& refine(const Direction& direction) const;
   [[nodiscard]] double fine_error() const { return fine_error_; }
 
  private:
@@ -69,6 +69,15 @@ class Kinematics {
   std::array<SineCosine<double>, 2> trigonometry_{};  // of the angles computed last
   std::array<Count, 2> last_;
   bool fresh_ = false;
+  // The direction refined last: a tool that stands still is refined once.
+  struct Refined {
+    bool valid = false;
+    bool is_whole = false;
+    std::array<Int128, 3> whole{};
+    std::array<Count, 2> angle;
+    FineVector unit{};
+  };
+  mutable Refined refined_;
 };
 
 }  // namespace toolcomp::fast

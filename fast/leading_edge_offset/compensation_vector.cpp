@@ -36,6 +36,9 @@ double fine_bound(const Kinematics& kinematics, const Displacement& m, const Dir
   return 3 * direction * m.value.norm() + 4 * m.slack;
 }
 
+// How far the square of d or |c| in doubles may be from the truth, over |m|^2 (compensation_vector.h, level 1).
+double square_bound(const Direction& v) { return 5 * (v.error + 4 * u) + 8 * u; }
+
 bool drop_fine_level() { return fault(Fault::no_double_double); }
 
 }  // namespace
@@ -81,9 +84,10 @@ int CompensationVector::dot_sign(const Kinematics& kinematics, const Displacemen
 int CompensationVector::compare(const Kinematics& kinematics, const Displacement& m, const Direction& v, Side side,
                                 const Square& limit) {
   const double square = m.value.squaredNorm();
-  const double left = side == Side::dot ? std::pow(m.value.dot(v.unit), 2) : m.value.cross(v.unit).squaredNorm();
+  const double d = m.value.dot(v.unit);
+  const double left = side == Side::dot ? d * d : m.value.cross(v.unit).squaredNorm();
   const double estimate = left - limit.value * square;
-  const double bound = (5 * (v.error + 4 * u) + 8 * u) * square;
+  const double bound = square_bound(v) * square;
   if (m.slack == 0 || drop_fine_level()) {
     if (estimate > bound) return 1;
     if (estimate < -bound) return -1;
@@ -94,8 +98,8 @@ int CompensationVector::compare(const Kinematics& kinematics, const Displacement
     const WideVector tool = wide(v.whole);
     Wide squared;
     if (side == Side::dot) {
-      const Wide d = dot(movement, tool);
-      squared = d * d;
+      const Wide product = dot(movement, tool);
+      squared = product * product;
     } else {
       const WideVector c = cross(movement, tool);
       squared = dot(c, c);
@@ -106,8 +110,8 @@ int CompensationVector::compare(const Kinematics& kinematics, const Displacement
   const FineVector tool = kinematics.refine(v);
   DoubleDouble squared;
   if (side == Side::dot) {
-    const DoubleDouble d = dot(movement, tool);
-    squared = d * d;
+    const DoubleDouble product = dot(movement, tool);
+    squared = product * product;
   } else {
     const FineVector c = cross(movement, tool);
     squared = dot(c, c);
@@ -135,25 +139,43 @@ AngleClass CompensationVector::classify(const Kinematics& kinematics, const Disp
   return sign > 0 ? AngleClass::below_90 : AngleClass::above_90;
 }
 
-Eigen::Vector3d CompensationVector::backward(const Kinematics& kinematics, const Displacement& m, const Direction& v) {
+Lean CompensationVector::lean(const Kinematics& kinematics, const Displacement& m, const Direction& v) const {
+  const double square = m.value.squaredNorm();
+  const double d = m.value.dot(v.unit);
+  const double d2 = d * d;
   const Eigen::Vector3d c = m.value.cross(v.unit);
+  const double c2 = c.squaredNorm();
+  Lean lean;
+  // Level 1 for the usual angle: away from 0 and 180, from the limits about 90, and with a certain sign. The first two
+  // are certain by more than the bound of d^2, so the sign of d is certain if d^2 itself exceeds it.
+  const double bound = square_bound(v) * square;
+  const double off_axis = wide_ ? cosine_.value * square - d2 : c2 - sine_.value * square;
+  const double off_right = wide_ ? cosine_.value * square - c2 : d2 - sine_.value * square;
+  if (off_axis > bound && off_right > bound && d2 > bound && m.slack == 0) [[likely]]
+    lean.angle = d > 0 ? AngleClass::below_90 : AngleClass::above_90;
+  else
+    lean.angle = classify(kinematics, m, v);
+  if (lean.angle == AngleClass::near_0 || lean.angle == AngleClass::near_180) return lean;
   // Cancellation in the product grows as the movement nears the tool direction: beyond 30 degrees it costs at most a
   // factor 2, nearer the product is made without it.
-  if (4 * c.squaredNorm() >= m.value.squaredNorm()) [[likely]] {
-    const Eigen::Vector3d w = c.cross(v.unit);
-    return w / w.norm();
-  }
-  Eigen::Vector3d w;
+  if (4 * c2 >= square) [[likely]]
+    lean.backward = c.cross(v.unit);
+  else
+    lean.backward = fine_backward(kinematics, m, v);
+  lean.norm = lean.backward.norm();
+  return lean;
+}
+
+Eigen::Vector3d CompensationVector::fine_backward(const Kinematics& kinematics, const Displacement& m,
+                                                  const Direction& v) {
   if (is_exact(m, v)) {
     const WideVector tool = wide(v.whole);
     const WideVector exact = cross(cross(wide(m.whole), tool), tool);
-    w = {exact[kX].to_double(), exact[kY].to_double(), exact[kZ].to_double()};
-  } else {
-    const FineVector tool = kinematics.refine(v);
-    const FineVector refined = cross(cross(fine(m), tool), tool);
-    w = {refined[kX].hi, refined[kY].hi, refined[kZ].hi};
+    return {exact[kX].to_double(), exact[kY].to_double(), exact[kZ].to_double()};
   }
-  return w / w.norm();
+  const FineVector tool = kinematics.refine(v);
+  const FineVector refined = cross(cross(fine(m), tool), tool);
+  return {refined[kX].hi, refined[kY].hi, refined[kZ].hi};
 }
 
 }  // namespace toolcomp::fast

@@ -14,6 +14,13 @@ namespace toolcomp::fast {
 // The angle between movement and tool direction, by the ranges of parameter 19631.
 enum class AngleClass : std::uint8_t { near_0, near_180, near_90, below_90, above_90 };
 
+// How a movement stands to the tool.
+struct Lean {
+  AngleClass angle = AngleClass::near_90;
+  Eigen::Vector3d backward{0, 0, 0};  // along (VM x VT) x VT; not set near 0 and 180 degrees
+  double norm = 1;                    // of `backward`
+};
+
 // Decisions go through three levels, each used only where the one before cannot tell:
 //  1. doubles with the bounds below;
 //  2. whole numbers of 512 bits, where movement and tool direction are whole and the limit is 0, 30, 45, 60 or 90
@@ -31,12 +38,9 @@ class CompensationVector {
   // `limit`: 19631 in degrees, at most 90; 0 or less classifies exact 0, 90 and 180 only.
   explicit CompensationVector(const spec::Decimal& limit);
 
-  [[nodiscard]] AngleClass classify(const Kinematics& kinematics, const Displacement& m, const Direction& v) const;
+  [[nodiscard]] Lean lean(const Kinematics& kinematics, const Displacement& m, const Direction& v) const;
   // The sign of M.V.
   [[nodiscard]] static int dot_sign(const Kinematics& kinematics, const Displacement& m, const Direction& v);
-  // (M x V) x V as a unit vector. M is not parallel to V.
-  [[nodiscard]] static Eigen::Vector3d backward(const Kinematics& kinematics, const Displacement& m,
-                                                const Direction& v);
 
  private:
   // A squared sine or cosine.
@@ -49,6 +53,11 @@ class CompensationVector {
   // The sign of (M.V)^2 or |M x V|^2 minus limit * |M|^2 |V|^2.
   static int compare(const Kinematics& kinematics, const Displacement& m, const Direction& v, Side side,
                      const Square& limit);
+
+  [[nodiscard]] AngleClass classify(const Kinematics& kinematics, const Displacement& m, const Direction& v) const;
+  // (M x V) x V without the cancellation that doubles suffer near 0 and 180 degrees.
+  [[nodiscard]] static Eigen::Vector3d fine_backward(const Kinematics& kinematics, const Displacement& m,
+                                                     const Direction& v);
 
   Square sine_;
   Square cosine_;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "fast/arithmetic/count.h"
 
@@ -19,21 +19,22 @@ struct Displacement {
   double slack = 0;
 };
 
-// The displacement of X, Y, Z by `delta`.
-inline void set(Displacement& displacement, const std::array<Count, 3>& delta, double slack) {
-  const bool small = slack == 0 && delta[0].is_small() && delta[1].is_small() && delta[2].is_small();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    if (small) [[likely]] {
-      displacement.whole[i] = delta[i].small();
-      displacement.value[k] = static_cast<double>(delta[i].small());
-    } else {
-      displacement.whole[i] = delta[i].units();
-      displacement.value[k] = static_cast<double>(displacement.whole[i]);
-    }
-  }
+// From `from` to `to` (X, Y, Z).
+inline void set_difference(Displacement& displacement, const std::array<Count, 3>& from, const std::array<Count, 3>& to,
+                           double slack) {
+  bool small = slack == 0;
+  for (std::size_t i = 0; i < 3; ++i) small = small && from[i].is_small() && to[i].is_small();
   displacement.slack = slack;
-  displacement.zero = displacement.value.cwiseAbs().maxCoeff() <= slack;
+  displacement.zero = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    // The difference of two whole doubles is below 2^54 and still a double up to its last bit: convert, do not assume.
+    const Int128 whole = small ? Int128{to[i].small() - from[i].small()} : to[i].units() - from[i].units();
+    const double value =
+        small ? static_cast<double>(to[i].small() - from[i].small()) : static_cast<double>(whole);
+    displacement.whole[i] = whole;
+    displacement.value[static_cast<Eigen::Index>(i)] = value;
+    if (value > slack || value < -slack) displacement.zero = false;
+  }
 }
 
 }  // namespace toolcomp::fast

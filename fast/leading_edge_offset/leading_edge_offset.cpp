@@ -44,6 +44,7 @@ void LeadingEdgeOffset::send(Move& move, const Eigen::Vector3d& vector) {
       if (axis == spec::Axes::kNone) continue;
       event.point.value[axis] += vector[static_cast<Eigen::Index>(i)];
       event.axes.value[axis] += vector[static_cast<Eigen::Index>(i)];
+      event.machine.value[axis] += vector[static_cast<Eigen::Index>(i)];  // read only where present
     }
   sink_.on(event);
 }
@@ -54,8 +55,8 @@ void LeadingEdgeOffset::send_held() {
 }
 
 Alarm LeadingEdgeOffset::update(const Displacement& displacement, const Direction& direction, double radius) {
-  const AngleClass angle = compensation_.classify(kinematics_, displacement, direction);
-  switch (angle) {
+  const Lean lean = compensation_.lean(kinematics_, displacement, direction);
+  switch (lean.angle) {
     case AngleClass::near_0:
     case AngleClass::near_180:
       // The vector is kept; a start-up has none to keep.
@@ -72,8 +73,8 @@ Alarm LeadingEdgeOffset::update(const Displacement& displacement, const Directio
       backward_ = fault(Fault::above_90_not_reversed) ? 1 : -1;
       break;
   }
-  const double sense = fault(Fault::vector_sign) ? -backward_ : backward_;
-  vector_ = CompensationVector::backward(kinematics_, displacement, direction) * (sense * radius);
+  const int sense = fault(Fault::vector_sign) ? -backward_ : backward_;
+  vector_ = lean.backward * (sense * radius / lean.norm);
   return alarm::kNone;
 }
 
@@ -92,7 +93,7 @@ Alarm LeadingEdgeOffset::block(bool own, bool moving) {
   if (starting_) {
     if (!moving) return alarm::kLeadingEdgeCommand;
     const Move& start = ring_[held_[0]];
-    if (const Alarm a = update(move.displacement, start.direction, start.radius)) return a;
+    if (const Alarm a = update(move.displacement, *start.direction, start.radius)) return a;
     starting_ = false;
     send_held();
     hold();
@@ -103,7 +104,7 @@ Alarm LeadingEdgeOffset::block(bool own, bool moving) {
       const Move& former = ring_[held_[0]];
       const bool turned = fault(Fault::turned_direction_at_still_block) && held_count_ > 1;
       const Displacement& way = fault(Fault::own_movement) ? former.displacement : move.displacement;
-      update(way, turned ? ring_[held_[1]].direction : former.direction,
+      update(way, turned ? *ring_[held_[1]].direction : *former.direction,
              fault(Fault::radius_of_next_block) ? ring_[free_].radius : former.radius);
       send_held();
     }
@@ -124,7 +125,7 @@ Alarm LeadingEdgeOffset::block(bool own, bool moving) {
   }
   if (fault(Fault::second_still_block_recomputed)) {
     const Move& former = ring_[held_[0]];
-    update(former.displacement, former.direction, former.radius);
+    update(former.displacement, *former.direction, former.radius);
   }
   send_held();
   if (own) send_compensated();
@@ -143,7 +144,7 @@ Alarm LeadingEdgeOffset::finish() {
   if (held_count_ > 0) {
     // The last moving block has no next one: its own movement serves.
     const Move& former = ring_[held_[0]];
-    update(former.displacement, former.direction, former.radius);
+    update(former.displacement, *former.direction, former.radius);
   }
   send_held();
   return alarm::kNone;

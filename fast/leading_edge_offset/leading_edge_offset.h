@@ -18,9 +18,9 @@ namespace toolcomp::fast {
 // `point` and `axes` when the move is sent on.
 struct Move {
   Event event;
-  Displacement displacement;  // of the block; set only while the mode is on
-  Direction direction;        // at the end of the block; set only while the mode is on
-  double radius = 0;          // offset value in force in the block
+  Displacement displacement;             // of the block; set only while the mode is on
+  const Direction* direction = nullptr;  // at the end of the block; set only while the mode is on
+  double radius = 0;                     // offset value in force in the block
 };
 
 // Look-ahead: a start-up move, or a moving block and one block without movement after it. A second block without

@@ -13,6 +13,7 @@ namespace alarm {
 
 inline constexpr Alarm kNone{};
 inline constexpr Alarm kUnknownCode{"PS0010", "G code not available"};
+inline constexpr Alarm kUnknownList{"PS0010", "this use of G10 is not available"};
 inline constexpr Alarm kLengthAxes{"PS0015", "G49 with three or more offset axes"};
 inline constexpr Alarm kArcRadius{"PS0023", "arc radius or centre that cannot be"};
 inline constexpr Alarm kLengthAxisMissing{"PS0027", "no axis, or a second axis, for tool length offset type C"};

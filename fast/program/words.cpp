@@ -8,18 +8,27 @@ Words::Words(const spec::Block& block, const spec::Axes& axes) {  // NOLINT: arr
     const char letter = word.address;
     if (letter == 'G') {
       g_word(word.value);
+      plain_ = false;
     } else {
       const auto bit = static_cast<std::size_t>(letter - 'A');
       letters_ |= std::uint32_t{1} << bit;
       value_[bit] = &word.value;
       if (letter == 'M') {
         m_word(word.value);
+        plain_ = false;
       } else if (const std::size_t axis = axes.index(letter); axis != spec::Axes::kNone) {
         axes_ = static_cast<std::uint16_t>(axes_ | 1U << axis);
         axis_value_[axis] = &word.value;
+      } else if (letter != 'F') {
+        plain_ = false;
       }
     }
     any_ |= letter != 'O' && letter != 'N';
+  }
+  if (plain_) return;
+  if (code_[kOneShot] == 40 || code_[kOneShot] == 100) {
+    letters_ &= ~set_of("ABCIJKUVWXYZ");
+    axes_ = 0;
   }
 }
 

@@ -30,7 +30,10 @@ class Words {
   [[nodiscard]] bool has_any(std::uint32_t letters) const { return (letters_ & letters) != 0; }
   // Only where has(letter).
   [[nodiscard]] const spec::Decimal& operator[](char letter) const { return *value_[static_cast<std::size_t>(letter - 'A')]; }
-  // Bit i: axis i of the setup has a word.
+  // Only axis words and F: nothing of the modal state changes but the feed.
+  [[nodiscard]] bool plain() const { return plain_; }
+  // Bit i: axis i of the setup has a position. In a block with G04 or G10 axis letters and I J K are data of that code:
+  // there the block has none of them.
   [[nodiscard]] std::uint16_t axes() const { return axes_; }
   [[nodiscard]] const spec::Decimal& axis(std::size_t index) const { return *axis_value_[index]; }
   // A word other than N and O.
@@ -57,6 +60,7 @@ class Words {
   std::uint32_t letters_ = 0;
   std::uint16_t axes_ = 0;
   bool any_ = false;
+  bool plain_ = true;
   bool unsupported_ = false;
   bool stop_ = false;
   bool end_ = false;

@@ -71,30 +71,31 @@ OffsetMemory::OffsetMemory(const spec::Setup& setup) : kind_(setup.memory), coun
   fill(setup.d, d_, 'D');
 }
 
-OffsetMemory::Write OffsetMemory::write(std::uint32_t list, std::uint32_t number, const Count& value, bool add) {
-  Write result;
+bool OffsetMemory::has_list(std::uint32_t list) const {
+  if (list == 1 || list == 11) return true;
+  if (list == 10) return kind_ != spec::OffsetMemory::a;
+  return kind_ == spec::OffsetMemory::c && (list == 12 || list == 13);
+}
+
+OffsetMemory::Write OffsetMemory::plan(std::uint32_t list, std::uint32_t number, const Count& value, bool add) const {
+  Write write{alarm::kNone, list, number, value};
   if (number == 0 || number > count_) {
-    result.alarm = alarm::kWriteNumber;
-    return result;
+    write.alarm = alarm::kWriteNumber;
+    return write;
   }
-  if (list == 1) list = 11;
-  const bool shared = kind_ != spec::OffsetMemory::c;
-  const bool to_d = !shared && list >= 12;
-  const bool to_wear = kind_ != spec::OffsetMemory::a && (list == 11 || list == 13);
-  Entry& entry = to_d ? d_[number] : h_[number];
-  Count& cell = to_wear ? entry.wear : entry.geometry;
-  const Count stored = add ? cell + value : value;
-  if (!within(stored, to_wear ? wear_limit_ : geometry_limit_)) {
-    result.alarm = alarm::kWriteValue;
-    return result;
-  }
-  cell = stored;
-  if (shared) (to_wear ? d_[number].wear : d_[number].geometry) = stored;
-  result.setting = name(to_d ? 'D' : 'H', number,
-                        kind_ == spec::OffsetMemory::a ? "" : (to_wear ? ".wear" : ".geometry"));
-  result.value = stored;
-  result.changes_h = !to_d;
-  return result;
+  const Entry& entry = in_d(list) ? d_[number] : h_[number];
+  if (add) write.value += in_wear(list) ? entry.wear : entry.geometry;
+  if (!within(write.value, in_wear(list) ? wear_limit_ : geometry_limit_)) write.alarm = alarm::kWriteValue;
+  return write;
+}
+
+spec::Name OffsetMemory::store(const Write& write) {
+  const bool wear = in_wear(write.list);
+  const auto put = [&](Entry& entry) { (wear ? entry.wear : entry.geometry) = write.value; };
+  if (!in_d(write.list)) put(h_[write.number]);
+  if (in_d(write.list) || kind_ != spec::OffsetMemory::c) put(d_[write.number]);
+  return name(in_d(write.list) ? 'D' : 'H', write.number,
+              kind_ == spec::OffsetMemory::a ? "" : (wear ? ".wear" : ".geometry"));
 }
 
 }  // namespace toolcomp::fast

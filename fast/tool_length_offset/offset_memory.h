@@ -24,15 +24,21 @@ class OffsetMemory {
   // Whether an effective value is within the range of the memory.
   [[nodiscard]] bool fits(const Count& value) const { return within(value, geometry_limit_); }
 
-  // One G10 write.
+  // Whether this memory has the L of a G10 block: A L11; B L10 geometry, L11 wear; C L10 to L13; L1 is L11.
+  [[nodiscard]] bool has_list(std::uint32_t list) const;
+  // One G10 write, checked: what it would store and where.
   struct Write {
-    Alarm alarm;
-    spec::Name setting;  // "H1", "D2.wear"
-    Count value;         // stored
-    bool changes_h = false;
+    Alarm alarm;  // PS0031, PS0032
+    std::uint32_t list = 0;
+    std::uint32_t number = 0;
+    Count value;
   };
-  // G10 L P R: sets, or adds to, one stored value. Nothing is written where there is an alarm.
-  Write write(std::uint32_t list, std::uint32_t number, const Count& value, bool add);
+  // G10 L P R: `value` replaces the stored one, or is added to it.
+  [[nodiscard]] Write plan(std::uint32_t list, std::uint32_t number, const Count& value, bool add) const;
+  // Stores a plan without alarm; the name of what was set: "H1", "D2.wear".
+  spec::Name store(const Write& write);
+  // Whether the plan changes what h() gives.
+  [[nodiscard]] bool changes_h(const Write& write) const { return !in_d(write.list); }
 
  private:
   struct Entry {
@@ -40,6 +46,11 @@ class OffsetMemory {
     Count wear;
   };
   [[nodiscard]] static bool within(const Count& value, const Count& limit) { return !(limit < value) && !(value < -limit); }
+
+  [[nodiscard]] bool in_d(std::uint32_t list) const { return kind_ == spec::OffsetMemory::c && list >= 12; }
+  [[nodiscard]] bool in_wear(std::uint32_t list) const {
+    return kind_ != spec::OffsetMemory::a && (list == 1 || list == 11 || list == 13);
+  }
 
   spec::OffsetMemory kind_;
   std::uint32_t count_;

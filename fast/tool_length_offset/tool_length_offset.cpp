@@ -17,6 +17,8 @@ ToolLengthOffset::ToolLengthOffset(const spec::Setup& setup)
       evo_(setup.bit(5001, 6)),
       axes_(setup.axes.size()),
       z_(setup.axes.index('Z')) {
+  for (std::size_t axis = 0; axis < axes_; ++axis)
+    if (spec::is_linear_axis(setup.axes.letter(axis))) linear_ = static_cast<std::uint16_t>(linear_ | bit(axis));
   if (setup.bit(5001, 0))
     type_ = Type::c;
   else if (setup.bit(5001, 1))
@@ -56,26 +58,29 @@ void ToolLengthOffset::set(std::size_t axis, const Count& value) {
 }
 
 void ToolLengthOffset::cancel(std::size_t axis) {
-  if (fault(Fault::g53_keeps_offset)) return;
-  set(axis, fault(Fault::offset_accumulates) ? -offset_[axis] : Count());
-  if ((last_ & bit(axis)) != 0 && (mode_ == Mode::plus || mode_ == Mode::minus)) cancelled_ = true;
+  if ((live_ & bit(axis)) == 0 || fault(Fault::g53_keeps_offset)) return;
+  touch();
+  offset_[axis] = Count();
+  live_ = static_cast<std::uint16_t>(live_ & ~bit(axis));
+  taken_ = static_cast<std::uint16_t>(taken_ | bit(axis));
 }
 
 Alarm ToolLengthOffset::restore(const Words& words, const OffsetMemory& memory) {
-  if (!cancelled_ && !edited_) return alarm::kNone;
-  if (type_ == Type::c || !evo_ || mode_ == Mode::off) return alarm::kNone;
-  // A start-up or cancel block of cutter compensation puts the restoration off.
-  if (cancelled_ && words.code(Words::kCompensation) != kNone && !fault(Fault::restore_in_g40)) return alarm::kNone;
+  if (!pending() || type_ == Type::c || !evo_ || mode_ == Mode::off) return alarm::kNone;
+  // A block with G40 puts the restoration off, but not an edited value.
+  const bool back = (taken_ & last_) != 0 && (words.code(Words::kCompensation) != 400 || fault(Fault::restore_in_g40));
+  if (!back && !edited_) return alarm::kNone;
   const Count value = memory.h(number_);
   if (!memory.fits(value)) return alarm::kOffsetValue;
-  cancelled_ = false;
   edited_ = false;
   if (mode_ == Mode::along_tool) {
     touch();
     length_ = value;
     return alarm::kNone;
   }
-  const std::uint16_t axes = fault(Fault::restore_any_axis) ? static_cast<std::uint16_t>((1U << axes_) - 1U) : last_;
+  std::uint16_t axes = back ? last_ : static_cast<std::uint16_t>(last_ & ~taken_);
+  if (back && fault(Fault::restore_any_axis)) axes = static_cast<std::uint16_t>(axes | taken_);
+  taken_ = static_cast<std::uint16_t>(taken_ & ~axes);
   for (std::size_t axis = 0; axis < axes_; ++axis)
     if ((axes & bit(axis)) != 0) set(axis, signed_value(value, mode_));
   return alarm::kNone;
@@ -90,7 +95,7 @@ std::uint16_t ToolLengthOffset::affected(const Words& words, Code code, std::siz
     case Type::c:
       break;
   }
-  return code == kNone ? last_ : words.axes();
+  return code == kNone ? last_ : static_cast<std::uint16_t>(words.axes() & linear_);
 }
 
 Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, std::size_t normal) {
@@ -108,8 +113,8 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
       live_ = static_cast<std::uint16_t>(live_ & ~bit(axis));
     }
     length_ = Count();
-    last_ = 0;
-    cancelled_ = edited_ = false;
+    last_ = taken_ = 0;
+    edited_ = false;
   }
 
   // Which number holds: an H word of any block, or with OFH = 1 of a block with G43, G44 (or G43.5) only; there a first
@@ -137,8 +142,8 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
     if (std::popcount(axes) > 1 || (live_ & ~axes) != 0) return alarm::kLengthAxisMissing;
   }
   if (type_ == Type::c && sets && mode != Mode::along_tool && axes == 0) return alarm::kLengthAxisMissing;
-  // While a cancelled vector waits, a block of cutter compensation start-up or cancel only stores the number.
-  if (cancelled_ && words.code(Words::kCompensation) != kNone) {
+  // Where it would bring back a vector that was taken away, a block with G40 only stores number and mode.
+  if ((taken_ & axes) != 0 && words.code(Words::kCompensation) == 400) {
     number_ = number;
     mode_ = mode;
     return alarm::kNone;
@@ -147,13 +152,14 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
   if (!memory.fits(value)) return alarm::kOffsetValue;
   number_ = number;
   mode_ = mode;
-  cancelled_ = edited_ = false;
+  edited_ = false;
   if (mode == Mode::along_tool) {
     touch();
     length_ = value;
-    last_ = 0;
+    last_ = taken_ = 0;
     return alarm::kNone;
   }
+  taken_ = static_cast<std::uint16_t>(taken_ & ~axes);
   for (std::size_t axis = 0; axis < axes_; ++axis)
     if ((axes & bit(axis)) != 0) set(axis, signed_value(value, mode));
   last_ = axes;

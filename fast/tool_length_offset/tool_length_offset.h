@@ -28,6 +28,8 @@ class ToolLengthOffset {
   // Whether the vector, or L, differs from what it was at begin_block().
   [[nodiscard]] bool changed() const;
   void begin_block() { touched_ = false; }
+  // Whether restore() may have something to do.
+  [[nodiscard]] bool pending() const { return taken_ != 0 || edited_; }
   // The mode after a block with this code of group 08.
   [[nodiscard]] Mode mode_after(Code code) const;
 
@@ -53,13 +55,14 @@ class ToolLengthOffset {
   bool tal_ = false;
   bool evo_ = false;
   std::size_t axes_;
+  std::uint16_t linear_ = 0;
   std::size_t z_;
 
   Mode mode_ = Mode::off;
   std::uint32_t number_ = 0;  // H
   std::uint16_t last_ = 0;    // axes offset last
   std::uint16_t live_ = 0;
-  bool cancelled_ = false;  // an axis of last_ waits for its vector
+  std::uint16_t taken_ = 0;   // axes whose vector G53 or a reference return took away
   bool edited_ = false;
   std::array<Count, spec::kMaxAxes> offset_;
   Count length_;

@@ -1,0 +1,86 @@
+// Moves in machine coordinates and what shifts the coordinates: G53, G28, G30, G30.1, G29, G92, G54 to G59.
+#include "fast/fault.h"
+#include "fast/program/interpreter.h"
+
+namespace toolcomp::fast {
+
+Alarm Interpreter::send_rapid(spec::Cause cause, bool with_machine) {
+  if (kinematics_.defined()) turn();
+  if (const Alarm a = refresh()) return a;
+  Event& event = leading_edge_.next().event;
+  fill(event, spec::MoveType::rapid, cause);
+  if (with_machine) fill_machine(event);
+  leading_edge_.pass();
+  return alarm::kNone;
+}
+
+// A named axis at machine position `machine`: its length offset is taken away, its workpiece position is what is left.
+Alarm Interpreter::place_at_machine(std::size_t axis, const Count& machine) {
+  length_.cancel(axis);
+  rounded_ = static_cast<Mask>((rounded_ & ~bit(axis)) | (shift_rounded_ & bit(axis)));
+  return place(axis, machine - machine_origin(axis));
+}
+
+Alarm Interpreter::to_machine_position(const Words& words) {
+  if (const Alarm a = for_each_axis(words.axes(), [&](std::size_t axis) {
+        return place_at_machine(axis, value(words.axis(axis), (linear_ & bit(axis)) != 0, inch_program_));
+      }))
+    return a;
+  return send_rapid(spec::Cause::programmed, true);
+}
+
+Alarm Interpreter::to_reference(const Words& words) {
+  if (const Alarm a = for_each_axis(words.axes(), [&](std::size_t axis) {
+        if (!incremental_) rounded_ = static_cast<Mask>(rounded_ & ~bit(axis));
+        intermediate_[axis] = target(words, axis);
+        return place(axis, intermediate_[axis]);
+      }))
+    return a;
+  has_intermediate_ = static_cast<Mask>(has_intermediate_ | words.axes());
+  intermediate_rounded_ = static_cast<Mask>((intermediate_rounded_ & ~words.axes()) | (rounded_ & words.axes()));
+  if (const Alarm a = send_rapid(spec::Cause::reference, true)) return a;
+  const Positions& reference = reference_[reference_point(words)];
+  if (const Alarm a = for_each_axis(
+          words.axes(), [&](std::size_t axis) { return place_at_machine(axis, reference[axis]); }))
+    return a;
+  return send_rapid(spec::Cause::reference, true);
+}
+
+Alarm Interpreter::from_reference(const Words& words) {
+  const auto through = static_cast<Mask>(words.axes() & has_intermediate_);
+  if (const Alarm a = for_each_axis(through, [&](std::size_t axis) { return place(axis, intermediate_[axis]); }))
+    return a;
+  rounded_ = static_cast<Mask>((rounded_ & ~through) | (intermediate_rounded_ & through));
+  if (const Alarm a = send_rapid(spec::Cause::programmed, false)) return a;
+  if (const Alarm a = for_each_axis(words.axes(), [&](std::size_t axis) { return place(axis, target(words, axis)); }))
+    return a;
+  if (!incremental_) rounded_ = static_cast<Mask>(rounded_ & ~words.axes());
+  return send_rapid(spec::Cause::programmed, false);
+}
+
+// The machine stays where it is: the programmed position shifts by the difference of the origins.
+void Interpreter::select_workpiece(Code code) {
+  const auto chosen = static_cast<std::size_t>((code - 540) / 10);
+  for (std::size_t axis = 0; axis < count_; ++axis) {
+    programmed_[axis] += origin_[workpiece_][axis] - origin_[chosen][axis];
+    programmed_value_[axis] = programmed_[axis].nearest();
+  }
+  workpiece_ = chosen;
+  stale_ = all_;
+  if (kinematics_.defined()) turn();
+}
+
+Alarm Interpreter::shift_coordinates(const Words& words) {
+  const Alarm a = for_each_axis(words.axes(), [&](std::size_t axis) {
+    const Count word = value(words.axis(axis), (linear_ & bit(axis)) != 0, inch_program_);
+    shift_[axis] += programmed_[axis] - word;
+    if (!shift_[axis].in_range()) return alarm::kRange;
+    return place(axis, word);
+  });
+  shift_rounded_ = static_cast<Mask>(shift_rounded_ | (rounded_ & words.axes()));
+  rounded_ = static_cast<Mask>(rounded_ & ~words.axes());
+  if (kinematics_.defined()) turn();
+  return a;
+}
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,160 @@
+// Own moves of blocks and the events they make: the path every block takes.
+#include "fast/fault.h"
+#include "fast/program/interpreter.h"
+
+namespace toolcomp::fast {
+
+Factor Interpreter::factor(bool inch_program) const {
+  if (inch_program == inch_setup_) return Factor::one;
+  return inch_program ? Factor::inch_to_mm : Factor::mm_to_inch;
+}
+
+Count Interpreter::value(const spec::Decimal& word, bool linear, bool inch_program) const {
+  int places = 0;
+  if (counts_increments_ && !word.point)
+    places = increment_places_ + (linear && inch_program && !fault(Fault::inch_increment) ? 1 : 0);
+  return Count::of(word, linear && !fault(Fault::inch_not_converted) ? factor(inch_program) : Factor::one, places);
+}
+
+Count Interpreter::target(const Words& words, std::size_t axis) const {
+  const Count word = value(words.axis(axis), (linear_ & bit(axis)) != 0, inch_program_);
+  if (!incremental_) return word;
+  if (fault(Fault::incremental_from_offset_position)) return programmed_[axis] + length_[axis] + word;
+  return programmed_[axis] + word;
+}
+
+Alarm Interpreter::place(std::size_t axis, const Count& position) {
+  if (!position.in_range()) return alarm::kRange;
+  programmed_[axis] = position;
+  programmed_value_[axis] = position.nearest();
+  stale_ = static_cast<Mask>(stale_ | bit(axis));
+  return alarm::kNone;
+}
+
+// The usual word without a detour: a position of at most six places, as it is written.
+inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
+  if (plain_words_ && !incremental_) [[likely]]
+    if (const std::int64_t small = Count::small_of(words.axis(axis)); small != Count::kNotSmall) [[likely]] {
+      programmed_[axis].set_small(small);
+      programmed_value_[axis] = static_cast<double>(small) / static_cast<double>(Count::kSmallPerOne);
+      stale_ = static_cast<Mask>(stale_ | bit(axis));
+      return alarm::kNone;
+    }
+  return place(axis, target(words, axis));
+}
+
+Alarm Interpreter::refresh() {
+  const Alarm a = for_each_axis(stale_, [this](std::size_t axis) {
+    axes_value_[axis] = programmed_value_[axis];
+    if ((length_.live() & bit(axis)) != 0) {
+      if (!(programmed_[axis] + length_[axis]).in_range()) return alarm::kRange;
+      axes_value_[axis] = Count::nearest_sum(programmed_[axis], length_[axis]);
+    }
+    return alarm::kNone;
+  });
+  stale_ = 0;
+  return a;
+}
+
+void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
+  event.line = line_;
+  event.n = n_;
+  event.type = type;
+  event.cause = cause;
+  event.programmed.present = linear_;
+  event.point.present = linear_;
+  event.axes.present = all_;
+  event.machine.present = 0;
+  for (std::size_t axis = 0; axis < count_; ++axis) {
+    event.programmed.value[axis] = programmed_value_[axis];
+    event.point.value[axis] = programmed_value_[axis];
+    event.axes.value[axis] = axes_value_[axis];
+  }
+  event.arc.reset();
+  if (type == spec::MoveType::rapid)
+    event.feed.reset();
+  else
+    event.feed = feed_;
+  const bool along = along_tool();
+  if (!along && !kinematics_.defined()) return event.tool_axis.reset();
+  const Eigen::Vector3d& unit = directions_[direction_].unit;
+  event.tool_axis.emplace(std::array<double, 3>{unit[0] + 0.0, unit[1] + 0.0, unit[2] + 0.0});  // never -0
+  if (!along) return;
+  fill_machine(event);
+  const double length = length_.length().nearest();
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (xyz_[i] == spec::Axes::kNone) continue;
+    const double offset = length * unit[static_cast<Eigen::Index>(i)];
+    event.axes.value[xyz_[i]] += offset;
+    event.machine.value[xyz_[i]] += offset;
+  }
+}
+
+void Interpreter::fill_machine(Event& event) const {
+  event.machine.present = all_;
+  for (std::size_t axis = 0; axis < count_; ++axis)
+    event.machine.value[axis] = (programmed_[axis] + length_[axis] + machine_origin(axis)).nearest();
+}
+
+Alarm Interpreter::motion(const Words& words, Compensation compensation, bool own, bool extra,
+                          const std::optional<spec::Arc<double>>& arc) {
+  const Mask axes = own ? words.axes() : Mask{0};
+  const bool compensated = compensation == Compensation::stays;
+  std::array<Count, 3> from;
+  Mask rounded = rounded_;
+  if (compensated)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (xyz_[i] != spec::Axes::kNone) from[i] = programmed_[xyz_[i]];
+
+  if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
+  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
+  if ((axes & turning_) != 0) turn();
+  if (const Alarm a = refresh()) return a;
+
+  constexpr std::uint32_t kDirectionLetters = Words::set_of("IJK");
+  const bool event = axes != 0 || extra || arc || (own && along_tool() && words.has_any(kDirectionLetters));
+  // A start or cancel move takes a change of the length offset along; the block makes no second move.
+  if (event && (compensation == Compensation::off || compensated)) {
+    Event& move = leading_edge_.next().event;
+    fill(move, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
+    if (arc) move.arc = arc;
+  }
+  switch (compensation) {
+    case Compensation::off:
+      if (event) leading_edge_.pass();
+      return alarm::kNone;
+    case Compensation::stays: {
+      std::array<Count, 3> to;
+      Mask xyz = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        if (xyz_[i] != spec::Axes::kNone) {
+          to[i] = programmed_[xyz_[i]];
+          xyz = static_cast<Mask>(xyz | bit(xyz_[i]));
+        }
+      rounded = static_cast<Mask>((rounded | rounded_) & axes & xyz);
+      Move& move = leading_edge_.next();
+      set_difference(move.displacement, from, to, rounded != 0 ? 2 : 0);
+      move.direction = &directions_[direction_];
+      move.radius = radius_;
+      // The only alarms here are those of the start-up move.
+      if (const Alarm a = leading_edge_.block(event, !move.displacement.zero)) raise_at_start(a);
+      return alarm::kNone;
+    }
+    case Compensation::starts: {
+      Move& move = leading_edge_.next();
+      fill(move.event, straight(), spec::Cause::start_up);
+      move.direction = &directions_[direction_];
+      move.radius = radius_;
+      leading_edge_.start();
+      return alarm::kNone;
+    }
+    case Compensation::cancels:
+      if (const Alarm a = leading_edge_.finish()) return a;
+      fill(leading_edge_.next().event, straight(), spec::Cause::cancel);
+      leading_edge_.cancel();
+      return alarm::kNone;
+  }
+  return alarm::kNone;
+}
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,69 @@
+// The tool direction in force: from the rotary axes, or from I J K under G43.5.
+#include <cmath>
+
+#include "fast/arithmetic/wide.h"
+#include "fast/program/interpreter.h"
+
+namespace toolcomp::fast {
+namespace {
+
+// The square root of a sum of three squares, if it is whole.
+std::optional<Int128> whole_length(const std::array<Int128, 3>& v) {
+  const Wide square = Wide(v[0]) * Wide(v[0]) + Wide(v[1]) * Wide(v[1]) + Wide(v[2]) * Wide(v[2]);
+  const DoubleDouble root = sqrt(square.to_double_double());
+  const Int128 whole = static_cast<Int128>(root.hi) + static_cast<Int128>(std::nearbyint(root.lo));
+  if ((square - Wide(whole) * Wide(whole)).sign() != 0) return std::nullopt;
+  return whole;
+}
+
+}  // namespace
+
+Direction& Interpreter::new_direction() {
+  direction_ = static_cast<std::uint8_t>((direction_ + 1U) % directions_.size());
+  return directions_[direction_];
+}
+
+// The rotary axes stand at programmed_. Under G43.5 they do not move.
+void Interpreter::turn() { kinematics_.direct(programmed_, new_direction()); }
+
+// A block under G43.5: I J K, of which missing ones are 0, or the direction in force.
+void Interpreter::direct(const Words& words) {
+  if (!words.has_any(Words::set_of("IJK"))) return;
+  std::array<Count, 3> component;
+  bool small = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const char letter = static_cast<char>('I' + i);
+    if (words.has(letter)) component[i] = value(words[letter], true, inch_program_);
+    small = small && component[i].is_small();
+  }
+  std::array<Int128, 3> whole;
+  for (std::size_t i = 0; i < 3; ++i) whole[i] = small ? Int128{component[i].small()} : component[i].units();
+  new_direction() = whole_direction(whole);
+}
+
+// G49 after G43.5: the programmed position becomes that of the axes, P + L V. It is exact where |V| is whole and L V_i a
+// multiple of the unit; elsewhere it is rounded to the unit, 8e-21, and the axis is marked.
+void Interpreter::end_tool_direction() {
+  const Direction& tool = directions_[direction_];
+  const Int128 length = length_.length().units();
+  const std::optional<Int128> norm = tool.is_whole ? whole_length(tool.whole) : std::nullopt;
+  const FineVector unit = kinematics_.refine(tool);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = xyz_[i];
+    if (axis == spec::Axes::kNone) continue;
+    const DoubleDouble along = to_double_double(length) * unit[i];
+    const Int128 units = static_cast<Int128>(along.hi) + static_cast<Int128>(std::nearbyint(along.lo));
+    // Two terms within the range: the next position is checked.
+    programmed_[axis] += Count::of_units(units);
+    programmed_value_[axis] = programmed_[axis].nearest();
+    const bool exact = length == 0 || (norm && (Wide(units) * Wide(*norm) - Wide(length) * Wide(tool.whole[i])).sign() == 0);
+    if (!exact) rounded_ = static_cast<Mask>(rounded_ | bit(axis));
+  }
+  stale_ = all_;
+  if (kinematics_.defined())
+    turn();
+  else
+    new_direction() = Direction{};
+}
+
+}  // namespace toolcomp::fast
