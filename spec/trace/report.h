@@ -1,0 +1,32 @@
+// What `toolcomp spec` prints: every function returns the whole text, ending with a line feed.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spec/trace/coverage.h"
+#include "spec/trace/trace.h"
+
+namespace toolcomp::spec {
+
+enum class ReportFormat : std::uint8_t { text, json };  // JSON: one document
+
+// Every clause: id, kind and text; JSON: everything the clause files say.
+std::string list_clauses(ReportFormat format);
+
+// One clause in full. Throws InputError for an id that does not exist; the message names the nearest ones.
+std::string show_clause(std::string_view id, ReportFormat format);
+
+// The sections and how many clauses of which kind each has.
+std::string list_sections(ReportFormat format);
+
+// The trace table (indexed by Clause): what marks, tests, proves and exercises each clause.
+std::string show_trace(std::span<const ClauseTrace> table, ReportFormat format);
+
+// The outcomes of every clause (indexed by Clause) that `runs` runs exercised, and those they did not.
+std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t runs, ReportFormat format);
+
+}  // namespace toolcomp::spec

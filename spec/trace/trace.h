@@ -1,0 +1,38 @@
+// Where each clause is found: in the model that obeys it, the tests, the theorems, the golden vectors.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "spec/clauses/clauses.h"
+
+namespace toolcomp::spec {
+
+// A file, relative to the source tree, and the line of the first mention.
+struct Mention {
+  std::string file;
+  std::size_t line = 0;
+};
+
+// Everything that names one clause.
+struct ClauseTrace {
+  std::vector<Mention> model;         // files of the model that mark it, by name
+  std::vector<Mention> tests;         // files of tests that name it
+  std::vector<std::string> theorems;  // "LeadingEdgeOffset.V_components", in the order of the files
+  std::vector<std::string> vectors;   // ids of golden vectors that state it or whose expected events rest on it
+};
+
+// The source tree the tool was built from.
+std::filesystem::path default_source();
+
+// The trace of every clause, indexed by Clause. Throws InputError if `source` is no source tree (has no spec/clauses),
+// or if a golden vector is no case.
+std::vector<ClauseTrace> trace(const std::filesystem::path& source = default_source());
+
+// Must some decision of the model mark it? Not notes, not what is testable = false, not what is replaced.
+bool needs_mark(const ClauseInfo& clause);
+
+}  // namespace toolcomp::spec
