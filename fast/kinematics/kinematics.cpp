@@ -121,7 +121,8 @@ void Kinematics::from_unit_type(const spec::Setup& setup, int type) {
     axis[i].axis = axis_direction(setup, base + 1);
     axis[i].reversed = whole_parameter(setup, base + 3, 0, 1) == 1;
   }
-  if (axis[0].index != RotaryAxis::kNone && axis[0].index == axis[1].index) refuse(19686, "names the same axis as 19681");
+  if (axis[0].index != RotaryAxis::kNone && axis[0].index == axis[1].index)
+    refuse(19686, "names the same axis as 19681");
   // A table turns the work, so the direction seen from the work turns the other way.
   if (type == 12) axis[0].reversed = !axis[0].reversed;
   if (type != 2) axis[1].reversed = !axis[1].reversed;

@@ -125,16 +125,16 @@ int CompensationVector::compare(const Kinematics& kinematics, const Displacement
 
 AngleClass CompensationVector::classify(const Kinematics& kinematics, const Displacement& m, const Direction& v) const {
   // A squared sine tells small angles apart, a squared cosine large ones: use the one that is at most 1/2.
-  const int parallel = wide_ ? -compare(kinematics, m, v, Side::dot, cosine_)
-                             : compare(kinematics, m, v, Side::cross, sine_);
+  const int parallel =
+      wide_ ? -compare(kinematics, m, v, Side::dot, cosine_) : compare(kinematics, m, v, Side::cross, sine_);
   const bool open = fault(Fault::open_range);
   const bool is_parallel = open ? parallel < 0 : parallel <= 0;
   const int sign = dot_sign(kinematics, m, v);
   if (is_parallel && sign > 0) return AngleClass::near_0;
   if (is_parallel && sign < 0) return AngleClass::near_180;
   if (sign == 0) return AngleClass::near_90;
-  const int square = wide_ ? -compare(kinematics, m, v, Side::cross, cosine_)
-                           : compare(kinematics, m, v, Side::dot, sine_);
+  const int square =
+      wide_ ? -compare(kinematics, m, v, Side::cross, cosine_) : compare(kinematics, m, v, Side::dot, sine_);
   if (open ? square < 0 : square <= 0) return AngleClass::near_90;
   return sign > 0 ? AngleClass::below_90 : AngleClass::above_90;
 }

@@ -29,8 +29,7 @@ inline void set_difference(Displacement& displacement, const std::array<Count, 3
   for (std::size_t i = 0; i < 3; ++i) {
     // The difference of two whole doubles is below 2^54 and still a double up to its last bit: convert, do not assume.
     const Int128 whole = small ? Int128{to[i].small() - from[i].small()} : to[i].units() - from[i].units();
-    const double value =
-        small ? static_cast<double>(to[i].small() - from[i].small()) : static_cast<double>(whole);
+    const double value = small ? static_cast<double>(to[i].small() - from[i].small()) : static_cast<double>(whole);
     displacement.whole[i] = whole;
     displacement.value[static_cast<Eigen::Index>(i)] = value;
     if (value > slack || value < -slack) displacement.zero = false;

@@ -52,7 +52,10 @@ class LeadingEdgeOffset {
   [[nodiscard]] const std::optional<std::uint64_t>& start_n() const { return start_n_; }
 
  private:
-  void hold() { held_[held_count_++] = free_; take_free(); }
+  void hold() {
+    held_[held_count_++] = free_;
+    take_free();
+  }
   void take_free();
   void send(Move& move, const Eigen::Vector3d& vector);
   void send_held();

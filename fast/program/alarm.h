@@ -26,7 +26,8 @@ inline constexpr Alarm kLeadingEdgeFormat{"PS5406", "movement or stop in the G41
 inline constexpr Alarm kLeadingEdgeCommand{"PS5407", "command not possible in G41.3, or no movement after it"};
 inline constexpr Alarm kLeadingEdgeStart{"PS5408", "G41.3 cannot start here"};
 inline constexpr Alarm kToolDirection{"PS5421", "rotary word or zero direction under G43.5"};
-inline constexpr Alarm kForbiddenInCompensation{"FORBIDDEN_IN_3D_COMPENSATION", "command not allowed in the G41.3 mode"};
+inline constexpr Alarm kForbiddenInCompensation{"FORBIDDEN_IN_3D_COMPENSATION",
+                                                "command not allowed in the G41.3 mode"};
 inline constexpr Alarm kForbiddenUnderDirection{"FORBIDDEN_UNDER_TOOL_DIRECTION", "command not allowed under G43.5"};
 inline constexpr Alarm kLengthExclusion{"LENGTH_OFFSET_EXCLUSION", "length offset and G43.5 exclude each other"};
 inline constexpr Alarm kDirectionFormat{"TOOL_DIRECTION_FORMAT", "G43.5, or its G49, where it may not stand"};

@@ -11,8 +11,8 @@
 namespace toolcomp::fast {
 
 struct ArcGeometry {
-  std::array<double, 2> center{};               // absolute, setup units
-  std::optional<double> sweep;                  // degrees, in (0, 360]; none where the end lies in the centre
+  std::array<double, 2> center{};                   // absolute, setup units
+  std::optional<double> sweep;                      // degrees, in (0, 360]; none where the end lies in the centre
   std::optional<std::pair<double, double>> radius;  // start and end, where they differ
 };
 

@@ -135,13 +135,12 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   if (const Alarm a = length_.apply(words, memory_, normal_axis())) return a;
   if (length_.changed()) stale_ = all_;
   // G43.5 always makes its move; the G49 that ends it makes none.
-  const bool extra = words.code(Words::kLength) == 435 ||
-                     (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
+  const bool extra =
+      words.code(Words::kLength) == 435 || (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
   if (plan.along) direct(words);
 
   d_ = plan.d;
-  if (plan.compensation == Compensation::starts ||
-      (plan.compensation == Compensation::stays && words.has('D')))
+  if (plan.compensation == Compensation::starts || (plan.compensation == Compensation::stays && words.has('D')))
     radius_ = memory_.d(d_).nearest();
   if (words.suppresses_look_ahead() &&
       (plan.compensation == Compensation::stays || plan.compensation == Compensation::cancels))

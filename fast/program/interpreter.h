@@ -39,7 +39,7 @@ class Interpreter {
     Compensation compensation = Compensation::off;
     std::uint32_t d = 0;
     Code motion = 0;
-    bool along = false;      // G43.5 is in force after the block
+    bool along = false;       // G43.5 is in force after the block
     bool ends_along = false;  // G49 ends it
     OffsetMemory::Write write;
     bool writes = false;

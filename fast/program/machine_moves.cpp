@@ -40,8 +40,8 @@ Alarm Interpreter::to_reference(const Words& words) {
   intermediate_rounded_ = static_cast<Mask>((intermediate_rounded_ & ~words.axes()) | (rounded_ & words.axes()));
   if (const Alarm a = send_rapid(spec::Cause::reference, true)) return a;
   const Positions& reference = reference_[reference_point(words)];
-  if (const Alarm a = for_each_axis(
-          words.axes(), [&](std::size_t axis) { return place_at_machine(axis, reference[axis]); }))
+  if (const Alarm a =
+          for_each_axis(words.axes(), [&](std::size_t axis) { return place_at_machine(axis, reference[axis]); }))
     return a;
   return send_rapid(spec::Cause::reference, true);
 }

@@ -41,8 +41,8 @@ void Interpreter::direct(const Words& words) {
   new_direction() = whole_direction(whole);
 }
 
-// G49 after G43.5: the programmed position becomes that of the axes, P + L V. It is exact where |V| is whole and L V_i a
-// multiple of the unit; elsewhere it is rounded to the unit, 8e-21, and the axis is marked.
+// G49 after G43.5: the programmed position becomes that of the axes, P + L V. It is exact where |V| is whole and L V_i
+// a multiple of the unit; elsewhere it is rounded to the unit, 8e-21, and the axis is marked.
 void Interpreter::end_tool_direction() {
   const Direction& tool = directions_[direction_];
   const Int128 length = length_.length().units();
@@ -56,7 +56,8 @@ void Interpreter::end_tool_direction() {
     // Two terms within the range: the next position is checked.
     programmed_[axis] += Count::of_units(units);
     programmed_value_[axis] = programmed_[axis].nearest();
-    const bool exact = length == 0 || (norm && (Wide(units) * Wide(*norm) - Wide(length) * Wide(tool.whole[i])).sign() == 0);
+    const bool exact =
+        length == 0 || (norm && (Wide(units) * Wide(*norm) - Wide(length) * Wide(tool.whole[i])).sign() == 0);
     if (!exact) rounded_ = static_cast<Mask>(rounded_ | bit(axis));
   }
   stale_ = all_;

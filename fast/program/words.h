@@ -18,7 +18,18 @@ inline constexpr Code kNone = -1;
 // Points into the block it was made from.
 class Words {
  public:
-  enum : std::uint8_t { kMotion, kPlane, kDistance, kUnits, kCompensation, kLength, kWorkpiece, kOneShot, kFeedMode, kGroups };
+  enum : std::uint8_t {
+    kMotion,
+    kPlane,
+    kDistance,
+    kUnits,
+    kCompensation,
+    kLength,
+    kWorkpiece,
+    kOneShot,
+    kFeedMode,
+    kGroups
+  };
 
   // Codes the control does not have set unsupported().
   Words(const spec::Block& block, const spec::Axes& axes);
@@ -29,7 +40,9 @@ class Words {
   [[nodiscard]] bool has(char letter) const { return (letters_ >> (letter - 'A') & 1U) != 0; }
   [[nodiscard]] bool has_any(std::uint32_t letters) const { return (letters_ & letters) != 0; }
   // Only where has(letter).
-  [[nodiscard]] const spec::Decimal& operator[](char letter) const { return *value_[static_cast<std::size_t>(letter - 'A')]; }
+  [[nodiscard]] const spec::Decimal& operator[](char letter) const {
+    return *value_[static_cast<std::size_t>(letter - 'A')];
+  }
   // Only axis words and F: nothing of the modal state changes but the feed.
   [[nodiscard]] bool plain() const { return plain_; }
   // Bit i: axis i of the setup has a position. In a block with G04 or G10 axis letters and I J K are data of that code:

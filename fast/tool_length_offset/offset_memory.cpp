@@ -21,7 +21,8 @@ Count nines(int digits, int decimals) {
 
 Count entry_value(const spec::Decimal& value, char table, std::uint32_t number) {
   if (!fits_count(value))
-    throw spec::InputError("setup", 0, 0, std::string("offsets.") + table + "." + std::to_string(number) + ": too large");
+    throw spec::InputError("setup", 0, 0,
+                           std::string("offsets.") + table + "." + std::to_string(number) + ": too large");
   return Count::of(value);
 }
 

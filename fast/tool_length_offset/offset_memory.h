@@ -45,7 +45,9 @@ class OffsetMemory {
     Count geometry;
     Count wear;
   };
-  [[nodiscard]] static bool within(const Count& value, const Count& limit) { return !(limit < value) && !(value < -limit); }
+  [[nodiscard]] static bool within(const Count& value, const Count& limit) {
+    return !(limit < value) && !(value < -limit);
+  }
 
   [[nodiscard]] bool in_d(std::uint32_t list) const { return kind_ == spec::OffsetMemory::c && list >= 12; }
   [[nodiscard]] bool in_wear(std::uint32_t list) const {

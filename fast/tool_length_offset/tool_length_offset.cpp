@@ -47,9 +47,7 @@ void ToolLengthOffset::touch() {
   length_before_ = length_;
 }
 
-bool ToolLengthOffset::changed() const {
-  return touched_ && !(offset_ == offset_before_ && length_ == length_before_);
-}
+bool ToolLengthOffset::changed() const { return touched_ && !(offset_ == offset_before_ && length_ == length_before_); }
 
 void ToolLengthOffset::set(std::size_t axis, const Count& value) {
   touch();

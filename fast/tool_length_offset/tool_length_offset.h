@@ -62,7 +62,7 @@ class ToolLengthOffset {
   std::uint32_t number_ = 0;  // H
   std::uint16_t last_ = 0;    // axes offset last
   std::uint16_t live_ = 0;
-  std::uint16_t taken_ = 0;   // axes whose vector G53 or a reference return took away
+  std::uint16_t taken_ = 0;  // axes whose vector G53 or a reference return took away
   bool edited_ = false;
   std::array<Count, spec::kMaxAxes> offset_;
   Count length_;

@@ -83,7 +83,8 @@ class Numbers {
   // A number with three decimals in [-limit, limit).
   std::string next(int limit) {
     state_ = state_ * 6364136223846793005U + 1442695040888963407U;
-    const auto thousandths = static_cast<std::int64_t>((state_ >> 33U) % static_cast<std::uint64_t>(2000 * limit)) - 1000 * limit;
+    const auto thousandths =
+        static_cast<std::int64_t>((state_ >> 33U) % static_cast<std::uint64_t>(2000 * limit)) - 1000 * limit;
     std::string text = thousandths < 0 ? "-" : "";
     const std::int64_t magnitude = thousandths < 0 ? -thousandths : thousandths;
     text += std::to_string(magnitude / 1000) + ".";
@@ -119,8 +120,8 @@ void run(benchmark::State& state, std::string_view setup_text, const std::string
   }
   if (engine.stopped()) state.SkipWithError("alarm");
   const auto n = static_cast<double>(blocks.size());
-  state.counters["s/block"] = benchmark::Counter(
-      n, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["s/block"] =
+      benchmark::Counter(n, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void tool_length_offset(benchmark::State& state) {
@@ -158,8 +159,7 @@ BENCHMARK(leading_edge_rotary_words);
 void leading_edge_ijk(benchmark::State& state) {
   Numbers numbers;
   std::string body;
-  for (int i = 0; i < kBlocks; ++i)
-    body += xyz(numbers) + " I" + numbers.next(1) + " J" + numbers.next(1) + " K1.\n";
+  for (int i = 0; i < kBlocks; ++i) body += xyz(numbers) + " I" + numbers.next(1) + " J" + numbers.next(1) + " K1.\n";
   run(state, kThreeAxes, "G90 G01 F1000. G43.5 H1 I0 J0 K1.\nG41.3 D1\n", body);
 }
 BENCHMARK(leading_edge_ijk);
@@ -194,8 +194,8 @@ void text_to_path(benchmark::State& state) {
     engine.end();
     benchmark::DoNotOptimize(printer.bytes());
   }
-  state.counters["s/block"] = benchmark::Counter(
-      kBlocks, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["s/block"] =
+      benchmark::Counter(kBlocks, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(text_to_path);
 
@@ -212,8 +212,8 @@ void text_to_path_three_axes(benchmark::State& state) {
     engine.end();
     benchmark::DoNotOptimize(printer.bytes());
   }
-  state.counters["s/block"] = benchmark::Counter(
-      kBlocks, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["s/block"] =
+      benchmark::Counter(kBlocks, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(text_to_path_three_axes);
 

@@ -19,7 +19,8 @@ std::string setup(const std::string& parameters = "") {
 
 // C about Z carries B about Y.
 std::string head(const std::string& parameters = "") {
-  return "control=\"fanuc\"\nunits=\"mm\"\naxes=[\"X\",\"Y\",\"Z\",\"B\",\"C\"]\n[parameters]\n\"19680\"=2\n\"19681\"=5\n"
+  return "control=\"fanuc\"\nunits=\"mm\"\naxes=[\"X\",\"Y\",\"Z\",\"B\",\"C\"]\n[parameters]\n\"19680\"=2\n\"19681\"="
+         "5\n"
          "\"19682\"=3\n\"19686\"=4\n\"19687\"=2\n" +
          parameters + "\n[offsets.H]\n1=20\n[offsets.D]\n1=10\n2=6\n";
 }

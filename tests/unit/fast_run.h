@@ -13,7 +13,8 @@ namespace toolcomp::fast {
 
 class ProgramRun final : public EventSink {
  public:
-  ProgramRun(std::string_view setup_toml, std::string_view program) : ProgramRun(spec::read_setup_toml(setup_toml, "setup"), program) {}
+  ProgramRun(std::string_view setup_toml, std::string_view program)
+      : ProgramRun(spec::read_setup_toml(setup_toml, "setup"), program) {}
   ProgramRun(const spec::Setup& setup, std::string_view program) : axes_(setup.axes) {
     Engine engine(setup, *this);
     spec::ProgramReader reader(spec::text_source(program), setup.axes);

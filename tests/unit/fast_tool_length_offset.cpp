@@ -48,7 +48,8 @@ TEST(ToolLengthOffset, NumberAloneByOfh) {
 }
 
 TEST(ToolLengthOffset, Incremental) {
-  EXPECT_EQ(ProgramRun(setup("", "[offsets.H]\n1=5\n2=8\n"), "G91 G43 Z-10 H1\nZ-10 H2\n").axis_path('Z'), (Path{-5, -12}));
+  EXPECT_EQ(ProgramRun(setup("", "[offsets.H]\n1=5\n2=8\n"), "G91 G43 Z-10 H1\nZ-10 H2\n").axis_path('Z'),
+            (Path{-5, -12}));
 }
 
 TEST(ToolLengthOffset, TypeC) {

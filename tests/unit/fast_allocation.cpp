@@ -1,0 +1,100 @@
+// Nothing allocates per block: neither the reader nor the engine, in either section.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "fast/engine.h"
+#include "spec/language/program_reader.h"
+#include "spec/language/setup_format.h"
+
+namespace {
+
+std::size_t allocations = 0;
+
+void* counted(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace toolcomp::fast {
+namespace {
+
+class Counter final : public EventSink {
+ public:
+  void on(const Event& event) override {
+    ++events;
+    moves += event.kind == spec::EventKind::move ? 1 : 0;
+  }
+  std::size_t events = 0;
+  std::size_t moves = 0;
+};
+
+constexpr const char* kSetup =
+    "control=\"fanuc\"\nunits=\"mm\"\naxes=[\"X\",\"Y\",\"Z\",\"B\",\"C\"]\n[parameters]\n\"19680\"=2\n\"19681\"=5\n"
+    "\"19682\"=3\n\"19686\"=4\n\"19687\"=2\n[offsets.H]\n1=20\n2=30\n[offsets.D]\n1=10\n2=6\n";
+
+// Runs `head` once and `body` until 10,000 blocks are done; the allocations after construction.
+void expect_no_allocation(const std::string& head, const std::string& body, std::size_t events_a_block) {
+  std::string program = head;
+  std::size_t blocks = 0;
+  while (blocks < 10'000) {
+    program += body;
+    for (const char c : body) blocks += c == '\n' ? 1 : 0;
+  }
+  const spec::Setup setup = spec::read_setup_toml(kSetup, "setup");
+  Counter counter;
+  Engine engine(setup, counter);
+  spec::ProgramReader reader(spec::text_source(program), setup.axes);
+  spec::Block block;
+  const std::size_t before = allocations;
+  while (reader.next(block)) engine.block(block);
+  engine.end();
+  EXPECT_EQ(allocations, before);
+  EXPECT_GE(counter.moves, events_a_block * 10'000 / 2);
+}
+
+TEST(Allocation, CounterCounts) {
+  const std::size_t before = allocations;
+  delete new int(3);  // NOLINT(cppcoreguidelines-owning-memory)
+  EXPECT_EQ(allocations, before + 1);
+}
+
+TEST(Allocation, ToolLengthOffset) {
+  expect_no_allocation("G90 G01 F100\n",
+                       "G43 Z10 H1\nX1.5 Y2.25\nZ0.123456789012 H2\nG44\nG53 X0\nG28 Z5\nG10 L11 P2 R30.5\nG02 X5 Y5 "
+                       "R40\nG03 X0 Y0 I-3 J2\nG20 G91 G01 X0.001\nG21 G90 G49\n",
+                       1);
+}
+
+TEST(Allocation, LeadingEdgeOffset) {
+  expect_no_allocation("G90 G01 F100 B30\n",
+                       "G41.3 D1\nX100 B45\nX110 Z-10\nB20 C30\nY40 D2\nM08\nM09\nX0 Y0 Z0 B0 C0\nX1\nG40\n"
+                       "G43.5 H1 I1 J2 K3\nG41.3 D1\nX3 Y6 Z9.000000001\nX5 I0 J0 K1\nX0 Y0 Z0\nG40\nG49\nB30\n",
+                       1);
+}
+
+TEST(Allocation, Alarms) {
+  const spec::Setup setup = spec::read_setup_toml(kSetup, "setup");
+  Counter counter;
+  Engine engine(setup, counter);
+  spec::ProgramReader reader(spec::text_source("G01 B30\nG41.3 D1\nX1\nG41.3\n"), setup.axes);
+  spec::Block block;
+  const std::size_t before = allocations;
+  while (reader.next(block)) engine.block(block);
+  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(counter.events, 4U);
+}
+
+}  // namespace
+}  // namespace toolcomp::fast

@@ -1,0 +1,125 @@
+// Sines and cosines of the fast engine, and those of the C library it rests on, against MPFR with 300 bits.
+// link: mpfr gmp
+#include "fast/arithmetic/trigonometry.h"
+
+#include <gtest/gtest.h>
+#include <mpfr.h>
+
+#include <cmath>
+#include <random>
+
+namespace toolcomp::fast {
+namespace {
+
+// MPFR numbers of 300 bits.
+class Exact {
+ public:
+  Exact() { mpfr_init2(x_, 300); }
+  Exact(const Exact&) = delete;
+  Exact& operator=(const Exact&) = delete;
+  ~Exact() { mpfr_clear(x_); }
+  mpfr_ptr get() { return x_; }
+  // |*this - (hi + lo)| / |*this|
+  double relative_error(double hi, double lo = 0) {
+    Exact difference;
+    mpfr_sub_d(difference.get(), x_, hi, MPFR_RNDN);
+    mpfr_sub_d(difference.get(), difference.get(), lo, MPFR_RNDN);
+    mpfr_div(difference.get(), difference.get(), x_, MPFR_RNDN);
+    return std::abs(mpfr_get_d(difference.get(), MPFR_RNDN));
+  }
+
+ private:
+  mpfr_t x_;
+};
+
+void sine_cosine_of(const Count& degrees, Exact& sine, Exact& cosine) {
+  const Int128 turn = 360 * Count::kRestPerOne;
+  const Int128 units = degrees.units() % turn;
+  Exact angle;
+  Exact scale;
+  // Two exact halves of the whole number.
+  mpfr_set_si(angle.get(), static_cast<long>(units >> 40), MPFR_RNDN);
+  mpfr_mul_2ui(angle.get(), angle.get(), 40, MPFR_RNDN);
+  mpfr_add_si(angle.get(), angle.get(), static_cast<long>(units & ((Int128{1} << 40) - 1)), MPFR_RNDN);
+  mpfr_const_pi(scale.get(), MPFR_RNDN);
+  mpfr_mul(angle.get(), angle.get(), scale.get(), MPFR_RNDN);
+  mpfr_set_str(scale.get(), "22860000000000000000000", 10, MPFR_RNDN);  // 180 * 127e18
+  mpfr_div(angle.get(), angle.get(), scale.get(), MPFR_RNDN);
+  mpfr_sin_cos(sine.get(), cosine.get(), angle.get(), MPFR_RNDN);
+}
+
+Count random_angle(std::mt19937_64& random) {
+  spec::Decimal value;
+  value.digits = random() % 1'000'000'000'000'000;
+  value.decimals = static_cast<std::uint8_t>(random() % 16);
+  value.negative = random() % 2 == 0;
+  if (random() % 2 == 0) value.digits /= 1'000'000;
+  return Count::of(value);
+}
+
+TEST(Trigonometry, WithinTheStatedErrors) {
+  std::mt19937_64 random(1);
+  double worst = 0;
+  double worst_fine = 0;
+  Exact sine;
+  Exact cosine;
+  for (int i = 0; i < 100'000; ++i) {
+    const Count angle = random_angle(random);
+    sine_cosine_of(angle, sine, cosine);
+    if (mpfr_cmpabs_ui(sine.get(), 0) == 0) continue;
+    const auto t = sine_cosine(angle);
+    const auto f = fine_sine_cosine(angle);
+    if (t.sine != 0) worst = std::max(worst, sine.relative_error(t.sine));
+    if (t.cosine != 0) worst = std::max(worst, cosine.relative_error(t.cosine));
+    if (f.sine.hi != 0) worst_fine = std::max(worst_fine, sine.relative_error(f.sine.hi, f.sine.lo));
+    if (f.cosine.hi != 0) worst_fine = std::max(worst_fine, cosine.relative_error(f.cosine.hi, f.cosine.lo));
+  }
+  RecordProperty("worst_ulp_double", std::to_string(worst * 0x1p53));
+  RecordProperty("worst_log2_fine", std::to_string(std::log2(worst_fine)));
+  EXPECT_LE(worst, kTrigonometryError);
+  EXPECT_LE(worst_fine, kFineTrigonometryError);
+}
+
+TEST(Trigonometry, MultiplesOfNinetyAreExact) {
+  for (int quarter = -9; quarter <= 9; ++quarter)
+    for (const Count& turn : {Count(), Count::of({360'000'000, 0, false, false})}) {
+      const Count angle = Count::of(spec::decimal(90 * quarter)) + turn;
+      const int q = ((quarter % 4) + 4) % 4;
+      const double sine = q == 1 ? 1 : (q == 3 ? -1 : 0);
+      const double cosine = q == 0 ? 1 : (q == 2 ? -1 : 0);
+      EXPECT_EQ(sine_cosine(angle).sine, sine) << quarter;
+      EXPECT_EQ(sine_cosine(angle).cosine, cosine) << quarter;
+      EXPECT_EQ(fine_sine_cosine(angle).sine.hi, sine) << quarter;
+      EXPECT_EQ(fine_sine_cosine(angle).cosine.hi, cosine) << quarter;
+      EXPECT_EQ(fine_sine_cosine(angle).sine.lo, 0) << quarter;
+      EXPECT_EQ(fine_sine_cosine(angle).cosine.lo, 0) << quarter;
+    }
+}
+
+// The assumption about the C library: sin and cos on [-pi/4, pi/4] within 1 ulp.
+TEST(Trigonometry, LibraryIsWithinOneUlp) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> mantissa(0.5, 1);
+  Exact exact;
+  Exact argument;
+  double worst = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    const double x = std::ldexp(mantissa(random), -static_cast<int>(random() % 30)) * 0.7853981633974483;
+    mpfr_set_d(argument.get(), x, MPFR_RNDN);
+    const auto check = [&](double value) {
+      const double ulp = std::nextafter(value, 2) - value;
+      Exact difference;
+      mpfr_sub_d(difference.get(), exact.get(), value, MPFR_RNDN);
+      worst = std::max(worst, std::abs(mpfr_get_d(difference.get(), MPFR_RNDN)) / ulp);
+    };
+    mpfr_sin(exact.get(), argument.get(), MPFR_RNDN);
+    check(std::sin(x));
+    mpfr_cos(exact.get(), argument.get(), MPFR_RNDN);
+    check(std::cos(x));
+  }
+  RecordProperty("worst_ulp", std::to_string(worst));
+  EXPECT_LE(worst, 1);
+}
+
+}  // namespace
+}  // namespace toolcomp::fast
