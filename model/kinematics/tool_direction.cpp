@@ -71,6 +71,9 @@ Kinematics::Kinematics(const spec::Setup& setup) {
   const Rational type = value(setup, 19680);
   if (type != 0 && type != 2 && type != 12 && type != 21)
     refuse(19680, "0 (none), 2 (tool rotation), 12 (table rotation) or 21 (mixed) must stand here");
+  tip_control_built_ = type == 0 || type == 2;
+  for (const std::uint32_t offset : {19666U, 19709U, 19710U, 19711U, 19712U, 19713U, 19714U})
+    if (value(setup, offset) != 0) tip_control_built_ = false;
   if (type != 0)
     read_19680(setup);
   else if (value(setup, 19610) != 0)
@@ -111,10 +114,6 @@ void Kinematics::read_19680(const spec::Setup& setup) {
   const std::size_t third = whole(setup, 19697, 1, 3, 3) - 1;
   const Vector leaning = turned(coordinate_axis(third), (third + 1) % 3, value(setup, 19698));
   reference_ = turned(leaning, (third + 2) % 3, value(setup, 19699));
-
-  tip_control_built_ = head;
-  for (const std::uint32_t offset : {19666U, 19709U, 19710U, 19711U, 19712U, 19713U, 19714U})
-    if (value(setup, offset) != 0) tip_control_built_ = false;
 }
 
 // V = R2(second group) · R1(first group) · reference direction, each from its reference angle.
