@@ -312,23 +312,19 @@ FastEvents in_double(const Answer& answer) {
   return events;
 }
 
-// One candidate of the shrinker, judged afresh; nothing if no control could read it.
+// A candidate of the shrinker, judged afresh; nothing if no control could read it. A controller that cannot even say
+// hello has no capabilities and fails every case alike.
 std::optional<Judgement> judge_candidate(Subject& subject, const Capabilities& capabilities, const spec::Case& c,
-                                         std::optional<std::chrono::milliseconds> patience) {
+                                         const FailureKey& key, std::optional<std::chrono::milliseconds> patience) {
   try {
     const fuzz::ModelRun run = fuzz::run_model(c);
+    // A fault costs a restart, a hang its time-out: no need to see it once more where the clause is another anyway.
+    if (is_fault(key)) {
+      const auto clause = clause_of_fault(run);
+      if (key.clause != (clause ? spec::info(*clause).id : std::string_view())) return std::nullopt;
+    }
+    if (capabilities.fields.empty()) return judge_answer(capabilities, c, run, subject.run(c, patience));
     return judge_case(subject, capabilities, c, run, patience);
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-}
-
-// A controller that cannot say hello fails every case alike.
-std::optional<Judgement> judge_silent(Subject& subject, const spec::Case& c,
-                                      std::optional<std::chrono::milliseconds> patience) {
-  try {
-    const fuzz::ModelRun run = fuzz::run_model(c);
-    return judge_answer({}, c, run, subject.run(c, patience));
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -350,12 +346,8 @@ spec::Case generated_case(std::string_view section, std::uint64_t seed, std::uin
 
 Finding make_finding(Subject& subject, const Capabilities& capabilities, const spec::Case& failing,
                      const FailureKey& key, std::size_t max_runs, std::chrono::milliseconds timeout) {
-  const bool silent = capabilities.fields.empty();
-  const auto judged = [&](const spec::Case& c, std::optional<std::chrono::milliseconds> patience) {
-    return silent ? judge_silent(subject, c, patience) : judge_candidate(subject, capabilities, c, patience);
-  };
   const auto fails = [&](const spec::Case& c, std::optional<std::chrono::milliseconds> patience) {
-    const auto j = judged(c, patience);
+    const auto j = judge_candidate(subject, capabilities, c, key, patience);
     return j && j->result == Result::differs && key_of(c, *j) == key;
   };
   const std::chrono::milliseconds patience = short_patience(subject, timeout);

@@ -89,10 +89,10 @@ std::variant<std::string, Fault> Controller::exchange(std::string_view line, std
   return reply;
 }
 
-std::optional<Fault> Controller::start() {
+std::optional<Fault> Controller::start(std::chrono::milliseconds timeout) {
   if (process_) return std::nullopt;
   process_ = std::make_unique<Process>(options_.command);
-  auto reply = exchange(R"({"hello":1})", options_.timeout);
+  auto reply = exchange(R"({"hello":1})", timeout);
   if (auto* failure = std::get_if<Fault>(&reply)) {
     // What a shell says of a command that is not there; only the first time, because later it was there.
     if (failure->kind == FaultKind::crash && !capabilities_ && (exit_status_ == 126 || exit_status_ == 127))
@@ -110,17 +110,18 @@ std::optional<Fault> Controller::start() {
 
 std::variant<Capabilities, Fault> Controller::capabilities() {
   if (!capabilities_) {
-    if (auto failure = start()) return std::move(*failure);
+    if (auto failure = start(options_.timeout)) return std::move(*failure);
   }
   return *capabilities_;
 }
 
 Answer Controller::run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience) {
-  if (auto failure = start()) return {std::move(*failure), {}};
+  const std::chrono::milliseconds timeout = patience.value_or(options_.timeout);
+  if (auto failure = start(timeout)) return {std::move(*failure), {}};
   spec::Case request = c;
   request.expect.clear();
   request.has_expect = false;
-  auto reply = exchange(spec::write_case_line(request), patience.value_or(options_.timeout));
+  auto reply = exchange(spec::write_case_line(request), timeout);
   if (auto* failure = std::get_if<Fault>(&reply)) return {std::move(*failure), {}};
   const std::string& line = std::get<std::string>(reply);
   try {

@@ -31,7 +31,7 @@ class Controller final : public Subject {
   [[nodiscard]] std::chrono::milliseconds slowest() const override { return slowest_; }
 
  private:
-  std::optional<Fault> start();
+  std::optional<Fault> start(std::chrono::milliseconds timeout);
   // One line there and one line back; anything else is a fault and ends the process.
   std::variant<std::string, Fault> exchange(std::string_view line, std::chrono::milliseconds timeout);
   Fault fault(FaultKind kind, std::string what, std::chrono::milliseconds wait_for_end = std::chrono::milliseconds(0));

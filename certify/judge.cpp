@@ -32,7 +32,7 @@ Judgement fault(const Fault& fault, const fuzz::ModelRun& run) {
   d.expected = "one line with the id and the events of the case";
   d.actual = fault.what;
   d.line = run.events.empty() ? 0 : run.events.back().line;
-  d.clause = last_clause(run, run.events.size());
+  d.clause = clause_of_fault(run);
   Judgement j = differs(std::move(d));
   j.errors = fault.errors;
   return j;
@@ -83,6 +83,8 @@ std::string_view name(Result result) {
   }
   return "not run";
 }
+
+std::optional<spec::Clause> clause_of_fault(const fuzz::ModelRun& run) { return last_clause(run, run.events.size()); }
 
 FailureKey key_of(const spec::Case& c, const Judgement& judgement) {
   FailureKey key;

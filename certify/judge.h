@@ -39,8 +39,11 @@ struct FailureKey {
 };
 FailureKey key_of(const spec::Case& c, const Judgement& judgement);
 
-// Asks the subject and judges its answer. The clause of a fault is the last one the model applies in the program, of a
-// missing field the last one of its event. InputError of the model passes through: no control could read such a case.
+// The clause a fault in this program is laid to: the last one the model applies.
+std::optional<spec::Clause> clause_of_fault(const fuzz::ModelRun& run);
+
+// Asks the subject and judges its answer. The clause of a missing field is the last one of its event. InputError of the
+// model passes through: no control could read such a case.
 Judgement judge_case(Subject& subject, const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
                      std::optional<std::chrono::milliseconds> patience = {});
 // The same with the answer given.

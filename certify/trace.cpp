@@ -116,7 +116,6 @@ class Follower {
         ++corners;
         if (!passes(pieces_[i], last_, p)) missed.push_back(i);
       }
-      if (missed.empty()) continue;
       const PathPiece& piece = pieces_[i + 1];
       // A move whose inside is not judged accepts everything: no proof that the corner before it was passed.
       if (piece.ends_only) continue;
@@ -124,6 +123,7 @@ class Follower {
         result_.corners_missed += missed.size();
         for (const std::size_t corner : missed)
           add(corner_finding("corner not reached", pieces_[corner], sample.line, p));
+        if (missed.empty()) add(corner_finding("move left out", pieces_[i], sample.line, p));
         return {{i + 1, near->first}};
       }
     }

@@ -191,7 +191,7 @@ std::optional<std::pair<double, double>> part_near(const PathSpace& space, const
       if (std::fabs(off) > tolerance) return std::nullopt;
       continue;
     }
-    const auto [from, to] = std::minmax((off - tolerance) / d, (off + tolerance) / d);
+    const auto [from, to] = std::minmax({(off - tolerance) / d, (off + tolerance) / d});
     low = std::max(low, from);
     high = std::min(high, to);
   }

@@ -1,0 +1,184 @@
+// Controllers that break in every way the harness must survive: each gives the right typed finding, shrunk to a program
+// a machinist can key in, and replay reproduces it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "certify/campaign.h"
+#include "certify/program_text.h"
+#include "certify/report.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::certify {
+namespace {
+
+using std::chrono::milliseconds;
+
+std::string faulty(const std::string& fault, const std::string& text = "") {
+  std::string command = std::string("'") + TOOLCOMP_BINARY_DIR + "/toolcomp_faulty_controller' " + fault;
+  return text.empty() ? command : command + " '" + text + "'";
+}
+
+CampaignOptions options(const std::string& controller) {
+  CampaignOptions o;
+  o.controller = controller;
+  o.sections = {"fanuc/tool-length-offset"};
+  o.generated = 40;
+  o.timeout = milliseconds(1500);
+  return o;
+}
+
+std::filesystem::path folder(const std::string& name) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / ("toolcomp-" + name);
+  std::filesystem::remove_all(path);
+  return path;
+}
+
+const SectionResult& section(const Certificate& c) { return c.sections.at(0); }
+
+TEST(Controller, TheFastEngineThroughThePipeConforms) {
+  const Certificate c = certify(options(faulty("none")));
+  EXPECT_EQ(exit_status(c), 0) << json_report(c);
+  EXPECT_EQ(section(c).count(Origin::generated), 40U);
+  EXPECT_GT(section(c).values, 1000U);
+  EXPECT_EQ(c.subject.name, "faulty controller");
+}
+
+struct Misbehaviour {
+  const char* fault;
+  const char* kind;  // of the finding; "" for any difference of events
+  std::size_t most_blocks;
+};
+class Misbehaves : public testing::TestWithParam<Misbehaviour> {};
+
+TEST_P(Misbehaves, GivesATypedFindingThatReplayReproduces) {
+  const Misbehaviour& m = GetParam();
+  const CampaignOptions o = options(faulty(m.fault));
+  const Certificate c = certify(o);
+  EXPECT_EQ(exit_status(c), 1);
+  ASSERT_FALSE(c.findings.empty());
+  const auto paths = write_report(c, folder(m.fault));
+  ASSERT_EQ(paths.size(), c.findings.size());
+  for (std::size_t i = 0; i < c.findings.size(); ++i) {
+    const Finding& f = c.findings[i];
+    if (*m.kind != '\0') EXPECT_EQ(f.key.kind, m.kind);
+    EXPECT_TRUE(spec::find_clause(f.key.clause)) << f.key.clause << " in\n" << f.smallest.program;
+    EXPECT_LE(count_blocks(f.smallest.program), m.most_blocks) << f.smallest.program;
+    EXPECT_GE(count_blocks(f.smallest.program), 1U);
+    EXPECT_NE(f.actual, "");
+    // A hang is waited for again and again: one replay says enough.
+    if (i > 0 && std::string(m.kind) == "hang") continue;
+    ReplayOptions how;
+    how.timeout = o.timeout;
+    const Replay again = replay(paths[i], how);
+    EXPECT_TRUE(again.reproduced()) << again.key.clause << " " << again.key.kind << "\n" << f.smallest.program;
+    EXPECT_EQ(exit_status(again.judgement.result), 1);
+    // The built-in engine does not have the fault.
+    how.controller = "";
+    EXPECT_EQ(exit_status(replay(paths[i], how).judgement.result), 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Faults, Misbehaves,
+    testing::Values(Misbehaviour{"flip-sign", "", 3}, Misbehaviour{"drop-event", "missing event", 3},
+                    Misbehaviour{"hang", "hang", 3}, Misbehaviour{"rubbish", "malformed reply", 3},
+                    Misbehaviour{"exit", "crash", 3}, Misbehaviour{"abort", "crash", 3},
+                    Misbehaviour{"long-line", "reply too long", 3}, Misbehaviour{"wrong-id", "malformed reply", 3},
+                    Misbehaviour{"no-events", "malformed reply", 3}, Misbehaviour{"missing-field", "missing field", 3},
+                    Misbehaviour{"missing-axes", "", 3}, Misbehaviour{"hello-rubbish", "malformed reply", 3},
+                    Misbehaviour{"hello-hang", "hang", 3}),
+    [](const auto& info) {
+      std::string name = info.param.fault;
+      std::ranges::replace(name, '-', '_');
+      return name;
+    });
+
+TEST(Controller, StandardErrorOfACrashIsKept) {
+  const Certificate c = certify(options(faulty("exit")));
+  ASSERT_FALSE(c.findings.empty());
+  EXPECT_NE(c.findings[0].errors.find("servo not ready"), std::string::npos);
+  EXPECT_NE(c.findings[0].actual.find("exit status 3"), std::string::npos);
+}
+
+// One fault in some programs does not spoil the verdict on the others.
+TEST(Controller, IsRestartedAfterACrash) {
+  const Certificate c = certify(options(faulty("exit", "G49")));
+  EXPECT_GT(section(c).count(Result::agrees), 0U);
+  EXPECT_GT(section(c).count(Result::differs), 0U);
+  for (const Finding& f : c.findings) EXPECT_NE(f.smallest.program.find("G49"), std::string::npos);
+}
+
+TEST(Controller, RepeatedHangsEndASectionEarly) {
+  const Certificate c = certify(options(faulty("hang")));
+  EXPECT_EQ(section(c).count(Result::differs), 3U);
+  EXPECT_EQ(section(c).count(Result::not_run), 37U);
+}
+
+TEST(Controller, LessThanTheMinimumIsNeverAPass) {
+  const Certificate c = certify(options(faulty("less-than-minimum")));
+  EXPECT_TRUE(c.findings.empty());
+  EXPECT_EQ(section(c).values, 0U);
+  EXPECT_EQ(exit_status(c), 3);
+}
+
+// What is not announced is not judged, and the certificate says so.
+TEST(Controller, FieldsThatAreNotAnnouncedAreNotJudged) {
+  const Certificate c = certify(options(faulty("no-type")));
+  EXPECT_EQ(exit_status(c), 0) << json_report(c);
+  EXPECT_EQ(fields_not_judged(c.subject), std::vector<std::string>{"type"});
+}
+
+TEST(Controller, ItsResolutionIsHonoured) { EXPECT_EQ(exit_status(certify(options(faulty("coarse")))), 0); }
+
+TEST(Controller, CasesAgainstItsFixedSetupDoNotApply) {
+  const Certificate c = certify(options(faulty("fixed-setup")));
+  EXPECT_GT(section(c).count(Result::not_applicable), 0U);
+  EXPECT_TRUE(c.findings.empty());
+}
+
+TEST(Controller, SectionsItDoesNotAnnounceDoNotApply) {
+  CampaignOptions o = options(faulty("one-section"));
+  o.sections = {"fanuc/leading-edge-offset"};
+  const Certificate c = certify(o);
+  EXPECT_EQ(section(c).count(Result::not_applicable), section(c).total());
+  EXPECT_EQ(exit_status(c), 3);
+}
+
+TEST(Controller, ACommandThatIsNotThereIsBadUsage) {
+  EXPECT_THROW(certify(options("/nowhere/controller")), spec::InputError);
+}
+
+// The same seed gives the same certificate, with one job or three.
+TEST(Controller, TheCertificateIsDeterministic) {
+  CampaignOptions one = options(faulty("drop-event"));
+  CampaignOptions three = one;
+  three.jobs = 3;
+  const Certificate a = certify(one);
+  EXPECT_EQ(json_report(a), json_report(certify(one)));
+  EXPECT_EQ(json_report(a), json_report(certify(three)));
+}
+
+TEST(Controller, AnUnknownSectionIsBadUsage) {
+  CampaignOptions o = options("");
+  o.sections = {"fanuc/no-such-section"};
+  EXPECT_THROW(certify(o), spec::InputError);
+}
+
+TEST(Controller, TheBuiltInEngineConforms) {
+  CampaignOptions o = options("");
+  o.sections.clear();
+  std::uint64_t done = 0;
+  o.progress = [&done](std::uint64_t now, std::uint64_t) { done = now; };
+  const Certificate c = certify(o);
+  EXPECT_EQ(exit_status(c), 0) << json_report(c);
+  EXPECT_EQ(c.sections.size(), 2U);
+  EXPECT_EQ(done, 80U);
+  EXPECT_EQ(c.self_check, "");
+}
+
+}  // namespace
+}  // namespace toolcomp::certify

@@ -1,0 +1,114 @@
+// What controllers say of themselves.
+#include "certify/capabilities.h"
+
+#include <gtest/gtest.h>
+
+#include "spec/language/input_error.h"
+
+namespace toolcomp::certify {
+namespace {
+
+const std::string kWhole =
+    R"({"name":"CNC","version":"3","protocol":1,"sections":["fanuc/tool-length-offset"],"fields":["kind","line","axes"],)"
+    R"("resolution":"0.001","setup":{"units":"inch"},"vendor":"ignored"})";
+
+TEST(Capabilities, AreReadWhole) {
+  const Capabilities c = read_capabilities(kWhole);
+  EXPECT_EQ(c.name, "CNC");
+  EXPECT_EQ(c.version, "3");
+  EXPECT_EQ(c.sections, std::vector<std::string>{"fanuc/tool-length-offset"});
+  EXPECT_EQ(c.fields.size(), 3U);
+  EXPECT_EQ(c.resolution, "0.001");
+  EXPECT_EQ(c.setup, R"({"units":"inch"})");
+  EXPECT_TRUE(meets_minimum(c));
+}
+
+TEST(Capabilities, AreWrittenAsTheyAreRead) {
+  const Capabilities c = read_capabilities(kWhole);
+  const Capabilities again = read_capabilities(write_capabilities(c));
+  EXPECT_EQ(again.name, c.name);
+  EXPECT_EQ(again.fields, c.fields);
+  EXPECT_EQ(again.resolution, c.resolution);
+  EXPECT_EQ(again.setup, c.setup);
+}
+
+TEST(Capabilities, RefuseWhatIsNone) {
+  for (const char* line :
+       {"", "hello", "[1]", "{}", R"({"protocol":2})", R"({"protocol":1,"name":7})",
+        R"({"protocol":1,"fields":"axes"})", R"({"protocol":1,"sections":[1]})", R"({"protocol":1,"resolution":"0"})",
+        R"({"protocol":1,"resolution":"-1"})", R"({"protocol":1,"resolution":"fine"})", R"({"protocol":1,"setup":[]})",
+        R"({"protocol":1,"setup":{"colour":1}})"})
+    EXPECT_THROW(read_capabilities(line), spec::InputError) << line;
+}
+
+TEST(Capabilities, TheMinimumIsKindLineAndAPosition) {
+  const auto with = [](std::vector<std::string> fields) {
+    Capabilities c;
+    c.fields = std::move(fields);
+    return meets_minimum(c);
+  };
+  EXPECT_TRUE(with({"kind", "line", "point"}));
+  EXPECT_TRUE(with({"axes", "line", "kind"}));
+  EXPECT_FALSE(with({"kind", "line", "programmed"}));
+  EXPECT_FALSE(with({"kind", "axes"}));
+  EXPECT_FALSE(with({}));
+}
+
+Capabilities fixed(const std::string& setup) {
+  return read_capabilities(R"({"protocol":1,"sections":["s"],"fields":["kind","line","axes"],"setup":)" + setup + "}");
+}
+
+spec::Case a_case() {
+  spec::Case c;
+  c.section = "s";
+  c.setup.axes = spec::Axes("XYZBC");
+  c.setup.parameters[{5001, 2}] = spec::decimal(1);
+  c.setup.h[1] = {spec::decimal(20), {}};
+  return c;
+}
+
+bool applies(const std::string& setup, const spec::Case& c = a_case()) {
+  return why_not_applicable(fixed(setup), c).empty();
+}
+
+TEST(Capabilities, ACaseAppliesUnlessItContradictsAFixedSetting) {
+  EXPECT_TRUE(applies("{}"));
+  EXPECT_TRUE(applies(R"({"units":"mm"})"));
+  EXPECT_FALSE(applies(R"({"units":"inch"})"));
+  EXPECT_TRUE(applies(R"({"axes":["X","Y","Z","B","C"]})"));
+  EXPECT_FALSE(applies(R"({"axes":["X","Y","Z"]})"));
+  EXPECT_TRUE(applies(R"({"parameters":{"5001#2":1}})"));
+  EXPECT_FALSE(applies(R"({"parameters":{"5001#2":0}})"));
+  EXPECT_TRUE(applies(R"({"parameters":{"5001":4}})"));
+  EXPECT_TRUE(applies(R"({"offsets":{"H":{"1":"20.0"}}})"));
+  EXPECT_FALSE(applies(R"({"offsets":{"H":{"1":"21"}}})"));
+}
+
+TEST(Capabilities, WhatACaseLeavesOpenCountsAsItsDefault) {
+  EXPECT_TRUE(applies(R"({"parameters":{"5001#0":0}})"));
+  EXPECT_FALSE(applies(R"({"parameters":{"5001#0":1}})"));
+  EXPECT_TRUE(applies(R"({"parameters":{"3401#0":1}})"));
+  EXPECT_FALSE(applies(R"({"parameters":{"3401#0":0}})"));
+  EXPECT_TRUE(applies(R"({"parameters":{"19697":3}})"));
+  EXPECT_TRUE(applies(R"({"workpiece":{"G54":{"X":"0.000"}}})"));
+  EXPECT_FALSE(applies(R"({"workpiece":{"G54":{"X":5}}})"));
+}
+
+TEST(Capabilities, ASectionMustBeAnnounced) {
+  spec::Case c = a_case();
+  c.section = "another";
+  EXPECT_FALSE(applies("{}", c));
+  c.section.clear();  // a program of the user's own
+  EXPECT_TRUE(applies("{}", c));
+}
+
+TEST(Capabilities, NamesWhatIsNotJudged) {
+  Capabilities c;
+  c.fields = all_fields();
+  EXPECT_TRUE(fields_not_judged(c).empty());
+  std::erase(c.fields, "feed");
+  EXPECT_EQ(fields_not_judged(c), std::vector<std::string>{"feed"});
+}
+
+}  // namespace
+}  // namespace toolcomp::certify

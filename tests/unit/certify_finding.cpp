@@ -1,0 +1,110 @@
+// Finding files: written, read back, refused.
+#include "certify/finding.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "certify/files.h"
+#include "spec/language/case_format.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::certify {
+namespace {
+
+Finding example() {
+  Finding f;
+  f.smallest.id = "fanuc.tool-length-offset.seed-1.7";
+  f.smallest.section = "fanuc/tool-length-offset";
+  f.smallest.program = "G43 Z1 H1\n";
+  f.smallest.setup.h[1] = {*spec::parse_decimal("-0.10"), {}};
+  f.key = {"fanuc/tool-length-offset", std::string(spec::clauses()[0].id), "coordinate"};
+  f.line = 1;
+  f.field = "axes.Z";
+  f.expected = "0.9 \"exact\"\n<b>";
+  f.actual = "1.1";
+  f.deviation_um = 200;
+  f.errors = "servo \x01\xff not ready";
+  f.controller = "./cnc --option 'a b'";
+  f.seed = "1";
+  f.tool = "toolcomp 0.1.0";
+  f.first_case = "fanuc.tool-length-offset.seed-1.3";
+  f.occurrences = 12;
+  return f;
+}
+
+TEST(FindingFile, IsReadAsItWasWritten) {
+  const Finding f = example();
+  const Finding again = read_finding(write_finding(f), "finding.json");
+  EXPECT_EQ(spec::write_case(again.smallest), spec::write_case(f.smallest));
+  EXPECT_EQ(again.key, f.key);
+  EXPECT_EQ(again.line, f.line);
+  EXPECT_EQ(again.field, f.field);
+  EXPECT_EQ(again.expected, f.expected);
+  EXPECT_EQ(again.actual, f.actual);
+  EXPECT_EQ(again.deviation_um, f.deviation_um);
+  EXPECT_EQ(again.controller, f.controller);
+  EXPECT_EQ(again.seed, f.seed);
+  EXPECT_EQ(again.tool, f.tool);
+  EXPECT_EQ(again.first_case, f.first_case);
+  EXPECT_EQ(again.occurrences, f.occurrences);
+}
+
+// Digits must not pass through a double on their way: 0.1 as written, however many digits follow.
+TEST(FindingFile, KeepsTheDigitsOfItsCase) {
+  std::string text = write_finding(example());
+  const std::size_t at = text.find("\"-0.10\"");
+  ASSERT_NE(at, std::string::npos) << text;
+  text.replace(at, 7, "-0.100000000000000001");
+  EXPECT_EQ(to_string(read_finding(text, "f").smallest.setup.h.at(1).geometry), "-0.100000000000000001");
+}
+
+TEST(FindingFile, IsValidJsonWhateverTheControllerPrinted) {
+  EXPECT_FALSE(nlohmann::json::parse(write_finding(example()), nullptr, false).is_discarded());
+}
+
+TEST(FindingFile, ABareCaseWillDo) {
+  const Finding f = read_finding(spec::write_case(example().smallest), "case.json");
+  EXPECT_EQ(f.smallest.program, "G43 Z1 H1\n");
+  EXPECT_EQ(f.key.kind, "");
+}
+
+TEST(FindingFile, RefusesWhatIsNone) {
+  for (const char* text :
+       {"", "[]", "{\"finding\":1}", "{\"finding\":2,\"case\":{}}", "{\"finding\":1,\"case\":{},\"colour\":1}",
+        "{\"finding\":1,\"kind\":3,\"case\":{}}", "{\"finding\":1,\"line\":-1,\"case\":{}}", "not json"})
+    EXPECT_THROW(read_finding(text, "f.json"), spec::InputError) << text;
+}
+
+TEST(FindingFile, ReplayOfAMissingFileIsBadInput) { EXPECT_THROW(replay("/nowhere/finding.json"), spec::InputError); }
+
+// What the built-in engine does right is not reproduced.
+TEST(FindingFile, ReplayJudgesAgain) {
+  Finding f = example();
+  f.controller.clear();
+  const auto path = std::filesystem::path(testing::TempDir()) / "toolcomp-replay.json";
+  write_file(path, write_finding(f));
+  const Replay r = replay(path);
+  EXPECT_EQ(r.judgement.result, Result::agrees);
+  EXPECT_FALSE(r.reproduced());
+  EXPECT_EQ(exit_status(r.judgement.result), 0);
+}
+
+TEST(Files, AreWrittenWholeOrNotAtAll) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "toolcomp-files";
+  std::filesystem::remove_all(folder);
+  write_file(folder / "deep" / "file", "one");
+  write_file(folder / "deep" / "file", "two");
+  EXPECT_EQ(read_file(folder / "deep" / "file"), "two");
+  std::size_t entries = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder / "deep")) ++entries;
+  EXPECT_EQ(entries, 1U);
+  EXPECT_THROW(write_file(folder / "deep", "over a folder"), std::runtime_error);
+  EXPECT_THROW(read_file(folder / "none"), spec::InputError);
+  EXPECT_THROW(read_file(folder), spec::InputError);
+  EXPECT_THROW(read_file(folder / "deep" / "file", 2), spec::InputError);
+}
+
+}  // namespace
+}  // namespace toolcomp::certify

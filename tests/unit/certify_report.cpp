@@ -1,0 +1,285 @@
+// Reports: well-formed, escaped, complete.
+#include "certify/report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "certify/campaign.h"
+#include "certify/convert.h"
+#include "certify/files.h"
+#include "certify/markup.h"
+#include "certify/path_svg.h"
+#include "fuzz/oracle/verdict.h"
+
+namespace toolcomp::certify {
+namespace {
+
+// Reads XML far enough to know that every element is closed, in order, that attributes are quoted and once each, and
+// that no bare `<` or `&` is left. What is wrong, or empty. HTML written as XML passes but for its doctype and its
+// <style>.
+std::string malformed(std::string text) {
+  static const std::regex kProlog(R"(^(<\?xml[^>]*\?>|<!DOCTYPE html>)\s*)");
+  text = std::regex_replace(text, kProlog, "");
+  std::vector<std::string> open;
+  std::size_t i = 0;
+  static const std::regex kEntity(R"(&(amp|lt|gt|quot|#39);)");
+  static const std::regex kTag(R"(^<(/?)([a-zA-Z][a-zA-Z0-9]*)((\s+[a-zA-Z][-a-zA-Z]*="[^"<]*")*)\s*(/?)>)");
+  while (i < text.size()) {
+    if (text[i] == '<') {
+      std::smatch tag;
+      const std::string rest = text.substr(i, std::min<std::size_t>(text.size() - i, text.find('>', i) - i + 1));
+      if (!std::regex_search(rest, tag, kTag)) return "bad tag: " + rest.substr(0, 80);
+      const std::string name = tag[2];
+      if (tag[1].length() > 0) {
+        if (open.empty() || open.back() != name) return "closed but not open: " + name;
+        open.pop_back();
+      } else if (tag[5].length() == 0) {
+        open.push_back(name);
+      }
+      i += static_cast<std::size_t>(tag[0].length());
+    } else if (text[i] == '&') {
+      std::smatch entity;
+      const std::string rest = text.substr(i, 8);
+      if (!std::regex_search(rest, entity, kEntity) || entity.position() != 0) return "bare &: " + rest;
+      i += static_cast<std::size_t>(entity[0].length());
+    } else {
+      if (open.empty() && text[i] != '\n' && text[i] != ' ') return "text outside the root";
+      ++i;
+    }
+  }
+  return open.empty() ? "" : "never closed: " + open.back();
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// A certificate with one finding whose texts are hostile.
+Certificate example() {
+  Certificate c;
+  c.identity = {"toolcomp 0.1.0", "aaaa", clause_set_hash(), "1.2.3", "bbbb", "cccc", 4, 17, 200, "./cnc '<script>'"};
+  c.subject.name = "CNC <3000> & \"Co\"";
+  c.subject.fields = {"kind", "line", "axes"};
+  c.subject.sections = {"fanuc/tool-length-offset"};
+  c.subject.resolution = "0.001";
+  c.clauses.resize(spec::kClauseCount);
+  c.sections.push_back({});
+  SectionResult& s = c.sections.back();
+  s.section = "fanuc/tool-length-offset";
+  s.cases = {3, 200, 0};
+  s.results = {202, 1, 0, 0, 0, 0};
+  s.values = 4321;
+  s.ties = 5;
+  s.near_ties = 7;
+  s.worst_um = 0.25;
+  s.worst_ulp = 1.5;
+  Finding f;
+  f.smallest.section = s.section;
+  f.smallest.setup.h[1] = {spec::decimal(20), {}};
+  f.smallest.program = "N10 G90 G43 Z100. H1 (a <b> & \"c\")\nN20 G01 X10. Y5. F100\n";
+  for (std::size_t i = 0; i < spec::kClauseCount; ++i)
+    if (spec::clauses()[i].section == s.section) {
+      c.clauses[i] = {9, 4, 5, 0};
+      f.key.clause = spec::clauses()[i].id;
+      break;
+    }
+  f.key.section = s.section;
+  f.key.kind = "coordinate";
+  f.line = 1;
+  f.field = "axes.Z";
+  f.expected = "120";
+  f.actual = "-120";
+  f.deviation_um = 240000;
+  f.errors = "]]> </pre><script>alert(1)</script>";
+  f.first_case = "fanuc.tool-length-offset.seed-17.3";
+  for (const model::Event& event : fuzz::run_model(f.smallest).events) f.expected_events.push_back(in_double(event));
+  f.actual_events = f.expected_events;
+  f.actual_events.at(0).axes.set(2, -120);
+  f.event = 0;
+  c.findings.push_back(f);
+  return c;
+}
+
+TEST(Report, HtmlIsWellFormedAndSelfContained) {
+  const std::string html = html_report(example());
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_FALSE(has(html, "<script"));
+  EXPECT_FALSE(has(html, "<link"));
+  EXPECT_FALSE(has(html, "src="));
+  EXPECT_FALSE(has(html, "href=\"http"));
+  EXPECT_FALSE(has(html, "url("));
+  EXPECT_TRUE(has(html, "prefers-color-scheme:dark"));
+  EXPECT_TRUE(has(html, "@media print"));
+  EXPECT_TRUE(has(html, "width=device-width"));
+}
+
+TEST(Report, HtmlSaysEverythingACertificateMust) {
+  const Certificate c = example();
+  const std::string html = html_report(c);
+  for (const std::string& part : {std::string("does not conform"),
+                                  c.identity.clause_hash,
+                                  std::string("aaaa"),
+                                  std::string("bbbb"),
+                                  std::string("cccc"),
+                                  std::string("1.2.3"),
+                                  std::string("17, 200 generated"),
+                                  std::string("0.001"),
+                                  std::string("tool_axis"),
+                                  std::string("0.25"),
+                                  std::string("1.5"),
+                                  std::string("4321"),
+                                  c.findings[0].key.clause,
+                                  std::string("2.4e+05 µm"),
+                                  std::string("<svg"),
+                                  std::string("toolcomp replay findings/01-coordinate.json"),
+                                  std::string("Clauses not exercised"),
+                                  std::string("Open clauses relied on"),
+                                  std::string("CNC &lt;3000&gt; &amp; &quot;Co&quot;"),
+                                  std::string("N10 G90 G43 Z100. H1 (a &lt;b&gt; &amp; &quot;c&quot;)")})
+    EXPECT_TRUE(has(html, part)) << part;
+  // Every clause of the section with its text.
+  for (const spec::ClauseInfo& clause : spec::clauses())
+    if (clause.section == "fanuc/tool-length-offset" && clause.replaced_by.empty())
+      EXPECT_TRUE(has(html, escape(clause.text))) << clause.id;
+}
+
+TEST(Report, JunitHasACaseForEveryClause) {
+  const std::string xml = junit_report(example());
+  EXPECT_EQ(malformed(xml), "");
+  EXPECT_TRUE(has(xml, "failures=\"1\""));
+  EXPECT_TRUE(has(xml, "<skipped"));
+  for (const spec::ClauseInfo& clause : spec::clauses())
+    if (clause.section == "fanuc/tool-length-offset" && clause.testable && clause.kind != spec::ClauseKind::note &&
+        clause.replaced_by.empty())
+      EXPECT_TRUE(has(xml, "name=\"" + std::string(clause.id) + "\"")) << clause.id;
+}
+
+TEST(Report, JsonIsComplete) {
+  const auto json = nlohmann::json::parse(json_report(example()));
+  EXPECT_EQ(json["verdict"], "does not conform");
+  EXPECT_EQ(json["exit_status"], 1);
+  EXPECT_EQ(json["identity"]["seed"], 17);
+  EXPECT_EQ(json["sections"][0]["values"], 4321);
+  EXPECT_EQ(json["findings"][0]["file"], "findings/01-coordinate.json");
+  EXPECT_FALSE(json["clauses_not_exercised"].empty());
+  EXPECT_FALSE(json["controller"]["fields_not_judged"].empty());
+}
+
+TEST(Report, IsWrittenWithItsFindingsAndWithoutThoseOfBefore) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "toolcomp-report";
+  std::filesystem::remove_all(folder);
+  Certificate c = example();
+  EXPECT_EQ(write_report(c, folder).size(), 1U);
+  EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "junit.xml"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "certificate.json"));
+  EXPECT_EQ(read_finding(read_file(folder / "findings" / "01-coordinate.json"), "f").key, c.findings[0].key);
+  c.findings.clear();
+  EXPECT_TRUE(write_report(c, folder).empty());
+  EXPECT_FALSE(std::filesystem::exists(folder / "findings" / "01-coordinate.json"));
+}
+
+TEST(Report, VerdictsAndExitStatuses) {
+  Certificate c = example();
+  EXPECT_EQ(exit_status(c), 1);
+  c.findings.clear();
+  EXPECT_EQ(exit_status(c), 0);
+  c.sections[0].results[static_cast<std::size_t>(Result::undecided)] = 1;
+  EXPECT_EQ(exit_status(c), 3);
+  c.sections[0].results[static_cast<std::size_t>(Result::undecided)] = 0;
+  c.sections[0].values = 0;
+  EXPECT_EQ(exit_status(c), 3);
+  c.self_check = "broken";
+  EXPECT_EQ(exit_status(c), 4);
+  EXPECT_EQ(exit_status(Certificate{}), 3);
+}
+
+TEST(Report, OfATraceIsWellFormed) {
+  TraceReport report;
+  report.c.program = "G90 G01 X10. F100 (<&>)\nY10.\n";
+  report.file = "trace <1>.csv";
+  report.options.tolerance = 0.01;
+  std::istringstream csv("X,Y\n0,0\n5,1\n10,0\n10,9\n");
+  report.result = judge_trace(report.c, csv, report.file, report.options);
+  const std::string html = html_report(report);
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_TRUE(has(html, "off the path"));
+  EXPECT_TRUE(has(html, "end not reached"));
+  EXPECT_EQ(malformed(junit_report(report)), "");
+  EXPECT_EQ(nlohmann::json::parse(json_report(report))["findings_total"], 2);
+}
+
+TEST(Markup, EscapesWhatMarkupMeans) {
+  EXPECT_EQ(escape("<a b=\"c\" d='e'>&"), "&lt;a b=&quot;c&quot; d=&#39;e&#39;&gt;&amp;");
+  EXPECT_EQ(escape("µ\n\t"), "µ\n\t");
+  EXPECT_EQ(escape(std::string("a\x01\xff\0b", 5)),
+            "a\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD"
+            "b");
+  EXPECT_EQ(escape("\xEF\xBF\xBF"), "\xEF\xBF\xBD");
+}
+
+TEST(Markup, PlainNumbers) {
+  EXPECT_EQ(plain(1.5), "1.5");
+  EXPECT_EQ(plain(-0.0001), "0");
+  EXPECT_EQ(plain(100), "100");
+  EXPECT_EQ(plain(2.0 / 3), "0.667");
+}
+
+std::vector<spec::Event<double>> events(const spec::Case& c) {
+  std::vector<spec::Event<double>> result;
+  for (const model::Event& event : fuzz::run_model(c).events) result.push_back(in_double(event));
+  return result;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST(PathSvg, DrawsBothPathsFromAboveAndFromTheSide) {
+  spec::Case c;
+  c.setup.h[1] = {spec::decimal(20), {}};
+  c.program = "N10 G90 G43 Z100. H1\nN20 G01 X10. F100\n";
+  const std::string svg = path_svg(events(c), c.setup.axes);
+  EXPECT_EQ(malformed(svg), "");
+  EXPECT_EQ(count(svg, "tp-paper\""), 2U);  // X and Z only: no axonometric view
+  EXPECT_TRUE(has(svg, "axes, with length offset"));
+  EXPECT_TRUE(has(svg, ">N20</text>"));
+  EXPECT_TRUE(has(svg, "<title>N20 X10 Y0 Z100</title>"));
+  EXPECT_FALSE(has(svg, "nan"));
+}
+
+TEST(PathSvg, ShowsACornerViewOfASolidPathAndAController) {
+  spec::Case c;
+  c.program = "G90 G01 X10. F100\nY10.\nZ-5.\nG17 G02 X0 Y0 I-5. J-5.\n";
+  auto expected = events(c);
+  auto actual = expected;
+  actual[1].axes.set(1, 12);
+  PathOptions options = path_options(c.setup);
+  options.other = actual;
+  options.other_name = "CNC <1>";
+  options.marked = 1;
+  const std::string svg = path_svg(expected, c.setup.axes, options);
+  EXPECT_EQ(malformed(svg), "");
+  EXPECT_EQ(count(svg, "tp-paper\""), 3U);
+  EXPECT_EQ(count(svg, "\"tp-mark\""), 3U);
+  EXPECT_TRUE(has(svg, "CNC &lt;1&gt;"));
+}
+
+TEST(PathSvg, SurvivesEmptyAndDegeneratePaths) {
+  EXPECT_EQ(malformed(path_svg({}, spec::Axes("XYZ"))), "");
+  spec::Case c;
+  c.program = "G90 G01 X0 F100\n";
+  const std::string svg = path_svg(events(c), c.setup.axes);
+  EXPECT_EQ(malformed(svg), "");
+  EXPECT_FALSE(has(svg, "nan"));
+  auto broken = events(c);
+  broken[0].axes.set(0, std::nan(""));
+  EXPECT_FALSE(has(path_svg(broken, c.setup.axes), "nan"));
+}
+
+}  // namespace
+}  // namespace toolcomp::certify
