@@ -14,7 +14,8 @@ namespace toolcomp::exact {
 class Circle {
  public:
   /// The coarsest circle with 360 degrees that holds all angles whose denominators divide `denominator`.
-  /// Throws OutOfWork if it does not fit a machine word or has prime factors that are too large.
+  /// Throws OutOfWork if it does not fit a machine word (angles of more than 15 decimals) or has a prime factor above
+  /// 1000.
   explicit Circle(const Integer& denominator);
 
   [[nodiscard]] std::int64_t order() const { return order_; }

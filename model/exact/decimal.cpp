@@ -3,12 +3,13 @@
 
 #include "model/exact/node.h"
 #include "model/exact/refinement.h"
+#include "model/exact/sign.h"
 
 namespace toolcomp::exact {
 namespace {
 
 // Bounds are for people and verdicts, never for decisions: they may cost more than a decision.
-constexpr std::int64_t readout_work = 2'000'000;
+constexpr std::int64_t readout_work = 250'000;
 constexpr mpfr_prec_t greatest_readout_precision = mpfr_prec_t{1} << 18;
 
 Rational rational_of(const mpfr_t x) {
@@ -64,31 +65,34 @@ Integer half_to_even(const Rational& x) {
   return n;
 }
 
+// In size. Spares making a rational of 2^-1e9.
+bool is_below_a_quarter(const mpfr_t x) { return mpfr_zero_p(x) != 0 || mpfr_get_exp(x) < -1; }
+
 // x rounded to the nearest integer, ties to even.
 Integer rounded(const Real& x) {
   if (x.is_rational()) return half_to_even(x.rational());
   Node& node = *Node::of(x);
-  const auto shifted_floor = [](const mpfr_t end) { return floor(rational_of(end) + Rational(1, 2)); };
+  const auto nearest = [](const Rational& end) { return floor(end + Rational(1, 2)); };
   Work work(readout_work);
   try {
     for (mpfr_prec_t precision = base_precision; precision <= greatest_readout_precision; precision *= 2) {
       if (precision > base_precision) refine(node, precision, work);
       const Interval& bounds = node.best_enclosure();
       if (!is_finite(bounds)) continue;
-      const Integer low = shifted_floor(bounds.lower);
-      const Integer high = shifted_floor(bounds.upper);
-      // In between, or at, a tie lies that the value may be; it is decided once nothing else can be.
-      if (low == high && Rational(low) - Rational(1, 2) != rational_of(bounds.lower)) return low;
-      if (high - low <= 1) {
-        const Rational tie = Rational(high) - Rational(1, 2);
-        switch ((x - Real(tie)).sign()) {
-          case Sign::negative:
-            return high - 1;
-          case Sign::positive:
-            return high;
-          case Sign::zero:
-            return half_to_even(tie);
-        }
+      if (is_below_a_quarter(bounds.lower) && is_below_a_quarter(bounds.upper)) return 0;
+      const Rational low = rational_of(bounds.lower);
+      const Rational high = rational_of(bounds.upper);
+      if (high - low >= Rational(1, 2)) continue;
+      // At most one tie lies within such bounds, and the value may be just there.
+      const Rational tie = Rational(nearest(high)) - Rational(1, 2);
+      if (low > tie) return nearest(high);
+      switch ((x - Real(tie)).sign()) {
+        case Sign::negative:
+          return nearest(high) - 1;
+        case Sign::positive:
+          return nearest(high);
+        case Sign::zero:
+          return half_to_even(tie);
       }
     }
   } catch (const OutOfWork&) {
@@ -114,16 +118,21 @@ std::string digits_of(Integer scaled, int digits) {
 }  // namespace
 
 Enclosure Real::enclosure(int bits) const {
-  if (is_rational() || try_decide(*node_) == Sign::zero) return {rational(), rational()};
-  const Interval& bounds = narrowed(*node_, bits);
+  if (is_rational()) return {rational(), rational()};
+  const auto known = try_decide(*node_);
+  if (known == Sign::zero) return {};
+  // Around a zero that is not proven there is no relative width to be had.
+  const Interval& bounds = known ? narrowed(*node_, bits) : node_->best_enclosure();
   if (!is_finite(bounds)) throw Undecided();
   return {rational_of(bounds.lower), rational_of(bounds.upper)};
 }
 
 DoubleEnclosure Real::double_enclosure() const {
   if (node_ == nullptr) return {};
-  if (!is_rational()) try_decide(*node_);
-  const Interval& bounds = is_rational() ? node_->base_enclosure() : narrowed(*node_, 64);
+  const bool known = try_decide(*node_).has_value();
+  const Interval& bounds = is_rational() ? node_->base_enclosure()
+                           : known       ? narrowed(*node_, 64)
+                                         : node_->best_enclosure();
   return {mpfr_get_d(bounds.lower, MPFR_RNDD), mpfr_get_d(bounds.upper, MPFR_RNDU)};
 }
 

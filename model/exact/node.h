@@ -12,7 +12,18 @@
 
 namespace toolcomp::exact {
 
-enum class Kind : std::uint8_t { rational, sine, cosine, negation, sum, difference, product, quotient, root, arctangent };
+enum class Kind : std::uint8_t {
+  rational,
+  sine,
+  cosine,
+  negation,
+  sum,
+  difference,
+  product,
+  quotient,
+  root,
+  arctangent
+};
 
 /// What is known of a node's sign beyond its enclosure.
 enum class Knowledge : std::uint8_t { none, negative, positive, nonzero, undecided };

@@ -7,6 +7,7 @@
 
 #include "model/exact/node.h"
 #include "model/exact/refinement.h"
+#include "model/exact/sign.h"
 #include "model/exact/trigonometry.h"
 
 namespace toolcomp::exact {

@@ -13,10 +13,4 @@ void enclose(Interval& result, const Node& node, const Interval* left, const Int
 /// base_precision with the result. Throws OutOfWork; what was done until then stays valid.
 void refine(Node& node, mpfr_prec_t precision, Work& work);
 
-/// The certified sign. Throws Undecided.
-Sign decide(Node& node);
-
-/// The certified sign, or none where decide would throw.
-std::optional<Sign> try_decide(Node& node);
-
 }  // namespace toolcomp::exact

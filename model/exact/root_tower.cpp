@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <utility>
 
 #include "model/exact/trigonometry.h"
@@ -77,26 +78,19 @@ Element RootTower::root_of(const Element& radicand) {
 }
 
 Element RootTower::add(const Element& a, const Element& b) {
-  Element sum;
-  auto x = a.begin();
-  auto y = b.begin();
-  while (x != a.end() || y != b.end()) {
-    if (y == b.end() || (x != a.end() && x->roots < y->roots)) {
-      sum.push_back(*x++);
-    } else if (x == a.end() || y->roots < x->roots) {
-      sum.push_back(*y++);
-    } else {
-      CosineSum factor = exact::add(x->factor, y->factor, work_);
-      if (!factor.empty()) sum.push_back({x->roots, std::move(factor)});
-      ++x;
-      ++y;
+  Element terms;
+  terms.reserve(a.size() + b.size());
+  for (const Element* part : {&a, &b}) {
+    for (const RootTerm& term : *part) {
+      work_.spend(1 + static_cast<std::int64_t>(term.factor.size()));
+      terms.push_back(term);
     }
   }
-  return sum;
+  return collected(std::move(terms));
 }
 
 Element RootTower::multiply(const Element& a, const Element& b) {
-  Element product;
+  Element terms;
   for (const RootTerm& x : a) {
     for (const RootTerm& y : b) {
       CosineSum factor = exact::multiply(circle_, x.factor, y.factor, work_);
@@ -107,10 +101,25 @@ Element RootTower::multiply(const Element& a, const Element& b) {
         const auto index = static_cast<std::size_t>(std::countr_zero(squared));
         term = multiply(term, roots_[index].radicand);
       }
-      product = add(product, term);
+      std::move(term.begin(), term.end(), std::back_inserter(terms));
     }
   }
-  return product;
+  return collected(std::move(terms));
+}
+
+Element RootTower::collected(Element terms) {
+  std::sort(terms.begin(), terms.end(), [](const RootTerm& x, const RootTerm& y) { return x.roots < y.roots; });
+  Element sum;
+  for (RootTerm& term : terms) {
+    if (sum.empty() || sum.back().roots != term.roots) {
+      if (!sum.empty() && sum.back().factor.empty()) sum.pop_back();
+      sum.push_back(std::move(term));
+    } else {
+      sum.back().factor = exact::add(sum.back().factor, term.factor, work_);
+    }
+  }
+  if (!sum.empty() && sum.back().factor.empty()) sum.pop_back();
+  return sum;
 }
 
 void RootTower::multiply_by(Element& a, const Integer& factor) {
@@ -123,10 +132,16 @@ bool RootTower::root_vanishes(std::size_t index) {
   return *roots_[index].zero;
 }
 
-bool RootTower::vanishes(const Element& e) {
+Element RootTower::pruned(Element e) {
+  std::erase_if(e, [this](const RootTerm& term) { return exact::vanishes(circle_, term.factor, work_); });
+  return e;
+}
+
+bool RootTower::vanishes(const Element& unpruned) {
+  const Element e = pruned(unpruned);
   if (e.empty()) return true;
   const Roots used = used_roots(e);
-  if (used == 0) return exact::vanishes(circle_, e.front().factor, work_);
+  if (used == 0) return false;  // a single sum, which was not pruned
   if (const Roots common = common_roots(e); common != 0) {
     if (vanishes(without(e, common))) return true;
     for (Roots left = common; left != 0; left &= left - 1)

@@ -49,8 +49,12 @@ class RootTower {
     std::optional<bool> zero;
   };
 
+  /// Adds up the terms with the same roots.
+  Element collected(Element terms);
+  /// Without the terms whose factors are zero.
+  Element pruned(Element e);
   bool root_vanishes(std::size_t index);
-  bool opposite(const Element& whole, const Element& without);
+  bool opposite(const Element& whole, const Element& rest);
   void enclose(Interval& result, const Element& e);
   void enclose(Interval& result, const CosineSum& sum);
 

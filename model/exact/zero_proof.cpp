@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "model/exact/refinement.h"
 #include "model/exact/root_tower.h"
+#include "model/exact/sign.h"
 
 namespace toolcomp::exact {
 namespace {
@@ -61,11 +61,20 @@ class Proof {
 
   bool vanishes(const std::vector<Node*>& operands_first) {
     fractions_.reserve(operands_first.size());
-    for (const Node* node : operands_first) fractions_.push_back(fraction(*node));
-    return tower_.vanishes(fractions_.back().numerator);
+    for (const Node* node : operands_first) {
+      fractions_.push_back(fraction(*node));
+      // Zeros inside are found where they arise: carried along they would grow.
+      if (may_be_zero(*node) && tower_.vanishes(fractions_.back().numerator)) fractions_.back() = {};
+    }
+    return fractions_.back().numerator.empty();
   }
 
  private:
+  static bool may_be_zero(const Node& node) {
+    return (node.kind == Kind::sum || node.kind == Kind::difference) && !certain_sign(node.enclosure) &&
+           node.knowledge == Knowledge::none;
+  }
+
   const Fraction& of(const Node* node) const { return fractions_[node->index]; }
 
   Fraction fraction(const Node& node) {

@@ -1,0 +1,115 @@
+// A sign is read off the enclosure, else off a finer one, else zero is proven, else a still finer enclosure is tried.
+#include "model/exact/sign.h"
+
+#include <vector>
+
+#include "model/exact/refinement.h"
+#include "model/exact/zero_proof.h"
+
+namespace toolcomp::exact {
+namespace {
+
+// About 5 ms each.
+constexpr std::int64_t refinement_work = 60'000;
+constexpr std::int64_t proof_work = 60'000;
+// Near misses that are not ties are told from them here, before a proof is tried.
+constexpr mpfr_prec_t precision_before_proof = 256;
+// Far below any difference of program decimals; the work ends earlier except for the smallest expressions.
+constexpr mpfr_prec_t greatest_precision = mpfr_prec_t{1} << 20;
+
+// What can be told without work.
+std::optional<Sign> at_hand(const Node& node) {
+  if (node.is_rational()) return static_cast<Sign>(mpq_sgn(node.value));
+  if (auto sign = certain_sign(node.enclosure)) return sign;
+  if (node.knowledge == Knowledge::positive) return Sign::positive;
+  if (node.knowledge == Knowledge::negative) return Sign::negative;
+  return std::nullopt;
+}
+
+bool is_open(const Node& node) { return !at_hand(node) && node.knowledge != Knowledge::undecided; }
+
+// The sign of these is that of their operands.
+bool is_factored(const Node& node) {
+  switch (node.kind) {
+    case Kind::negation:
+    case Kind::product:
+    case Kind::quotient:
+    case Kind::root:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void remember(Node& node, std::optional<Sign> sign) {
+  if (!sign)
+    node.knowledge = Knowledge::undecided;
+  else if (*sign == Sign::zero)
+    node.become_zero();
+  else
+    node.knowledge = *sign == Sign::positive ? Knowledge::positive : Knowledge::negative;
+}
+
+std::optional<Sign> sign_at(Node& node, mpfr_prec_t precision, Work& work) {
+  refine(node, precision, work);
+  return certain_sign(*node.refined);
+}
+
+std::optional<Sign> sign_of_sum(Node& node) {
+  Work work(refinement_work);
+  try {
+    if (auto sign = sign_at(node, precision_before_proof, work)) return sign;
+  } catch (const OutOfWork&) {
+    // The proof has its own budget.
+  }
+  switch (prove_zero(node, proof_work)) {
+    case ZeroProof::zero:
+      return Sign::zero;
+    case ZeroProof::nonzero:
+      node.knowledge = Knowledge::nonzero;
+      break;
+    case ZeroProof::none:
+      break;
+  }
+  try {
+    for (mpfr_prec_t precision = 2 * precision_before_proof; precision <= greatest_precision; precision *= 2)
+      if (auto sign = sign_at(node, precision, work)) return sign;
+  } catch (const OutOfWork&) {
+    // Undecided.
+  }
+  return std::nullopt;
+}
+
+std::optional<Sign> sign_of_factor(Node& node) {
+  if (is_open(node) && !is_factored(node)) remember(node, sign_of_sum(node));
+  return at_hand(node);
+}
+
+std::optional<Sign> sign_of_factors(const Node& node) {
+  const auto left = sign_of_factor(*node.left);
+  if (node.kind == Kind::root || left == Sign::zero) return left;
+  if (node.kind == Kind::negation) return left ? std::optional(-*left) : std::nullopt;
+  const auto right = sign_of_factor(*node.right);
+  if (right == Sign::zero) return right;
+  if (!left || !right) return std::nullopt;
+  return *left == *right ? Sign::positive : Sign::negative;
+}
+
+}  // namespace
+
+std::optional<Sign> try_decide(Node& node) {
+  if (auto sign = at_hand(node)) return sign;
+  if (!is_open(node)) return std::nullopt;
+  if (!is_factored(node)) return sign_of_factor(node);
+  std::vector<Node*> products;
+  operands_first(&node, products, [](const Node& n) { return is_factored(n) && is_open(n); });
+  for (Node* product : products) remember(*product, sign_of_factors(*product));
+  return at_hand(node);
+}
+
+Sign decide(Node& node) {
+  if (auto sign = try_decide(node)) return *sign;
+  throw Undecided();
+}
+
+}  // namespace toolcomp::exact
