@@ -47,7 +47,18 @@ class LeadingEdge {
   }
 
  private:
-  enum class Kind : std::uint8_t { any, parallel, perpendicular, threshold, reversal, tiny, huge, niven, normal };
+  enum class Kind : std::uint8_t {
+    any,
+    parallel,
+    perpendicular,
+    threshold,
+    reversal,
+    tiny,
+    huge,
+    niven,
+    multiple,
+    normal
+  };
 
   void preamble() {
     if (choose_.chance(4) && case_.setup.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
@@ -64,9 +75,9 @@ class LeadingEdge {
           fmt::format("H{}", choose_.between(0, static_cast<std::int64_t>(case_.setup.h.size()))));
       direction();
       tool_words_ = true;
-    } else if (kinematic && choose_.chance(80)) {
-      rotate(true);
-      linear({choose_.between(-20, 20) * write_.one(), 0, 0});
+    } else {
+      if (kinematic && choose_.chance(80)) rotate(true);
+      linear({choose_.between(1, 20) * write_.one(), 0, 0});
     }
     write_.end_block();
   }
@@ -91,7 +102,9 @@ class LeadingEdge {
       case 1:
         return rotation_only();
       case 2:
-        return no_movement();
+        no_movement();
+        if (choose_.chance(40)) rotation_only();
+        return;
       case 3:
         offset_number();
         return choose_.chance(70) ? movement(Kind::any) : write_.end_block();
@@ -164,13 +177,15 @@ class LeadingEdge {
       const std::int64_t factor = choose_.chance(50) ? write_.one() : choose_.one_of<std::int64_t>({1, 10, 100});
       for (std::int64_t& x : d) x *= factor;
     } else {
-      for (std::int64_t& x : d) x = choose_.between(-write_.one(), write_.one());
+      const std::int64_t most = choose_.chance(60) ? write_.one() : 9'999 * write_.one();
+      for (std::int64_t& x : d) x = choose_.between(-most, most);
     }
     if (d == Counts{}) d[2] = write_.one();
     words_of(d, 1);
   }
 
   void words_of(const Counts& d, std::int64_t factor) {
+    tool_counts_ = d;
     tool_ = unit({static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])});
     for (std::size_t i = 0; i < 3; ++i)
       if (d[i] != 0 || choose_.chance(30)) write_.number("IJK"[i], d[i] * factor);
@@ -222,8 +237,9 @@ class LeadingEdge {
   }
 
   void movement(Kind kind) {
-    if (kind == Kind::any) kind = static_cast<Kind>(1 + choose_.weighted({10, 14, 12, 8, 5, 3, 6, 42}));
+    if (kind == Kind::any) kind = static_cast<Kind>(1 + choose_.weighted({10, 14, 12, 8, 5, 3, 6, 4, 38}));
     if (kind == Kind::niven && !tool_words_) kind = Kind::threshold;
+    if (kind == Kind::multiple && !tool_words_) kind = Kind::parallel;
     const bool turn = choose_.chance(20);
     if (turn && tool_words_ && kind != Kind::niven) direction();
     const double one = static_cast<double>(write_.one());
@@ -264,6 +280,12 @@ class LeadingEdge {
         for (std::size_t i = 0; i < 3; ++i) move[i] = pair.movement[i] * factor;
         break;
       }
+      case Kind::multiple: {  // exactly along the tool, in numbers whose products no double holds
+        const std::int64_t factor = choose_.one_of<std::int64_t>({-3, -1, 1, 2, 7});
+        for (std::size_t i = 0; i < 3; ++i) move[i] = tool_counts_[i] * factor;
+        if (move == Counts{}) move[2] = write_.one();
+        break;
+      }
       case Kind::any:
       case Kind::normal:
         for (std::int64_t& x : move)
@@ -291,6 +313,7 @@ class LeadingEdge {
   ProgramWriter write_;
   std::string rotary_;
   Direction tool_ = {0, 0, 1};
+  Counts tool_counts_{};  // I J K as last written
   Counts last_{};
   bool tool_words_ = false;  // under G43.5
   bool compensated_once_ = false;

@@ -33,6 +33,10 @@ ProgramWriter& ProgramWriter::number(char address, std::int64_t counts) {
   const std::int64_t whole = magnitude / one_;
   // -0 is a word of its own where the sign of an incremental zero counts.
   const std::string_view sign = counts < 0 || (counts == 0 && choose_.chance(8)) ? "-" : "";
+  // Least input increments: of linear words alone, degrees have other ones in inch programs.
+  const bool linear = std::string_view("XYZUVWIJKR").find(address) != std::string_view::npos;
+  if (linear && counts_without_point_ && choose_.chance(40))
+    return word(fmt::format("{}{}{}", address, sign, magnitude));
   std::string fraction = fmt::format("{:0{}}", magnitude % one_, decimals_);
   if (!choose_.chance(10)) fraction.erase(fraction.find_last_not_of('0') + 1);
   const bool no_point = magnitude % one_ == 0 && (address == 'F' || !counts_without_point_) && choose_.chance(50);

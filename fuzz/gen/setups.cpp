@@ -164,12 +164,12 @@ Setup random_setup(Choices& choose, Kinematics wanted) {
                      spec::IncrementSystem::is_c, spec::IncrementSystem::is_a});
   const bool five = wanted == Kinematics::always || choose.chance(35);
   setup.axes = spec::Axes(five ? choose.one_of({"XYZBC", "XYZBC", "XYZAC", "XYZAB", "XYZABC", "ZYXCB", "XYZUVWABC"})
-                               : choose.one_of({"XYZ", "XYZ", "XYZB", "XYZUVW", "YZX", "XZ"}));
+                               : choose.one_of({"XYZ", "XYZ", "XYZB", "XYZUVW", "YZX"}));
   if (five && (wanted == Kinematics::always ? choose.chance(90) : choose.chance(50))) kinematics(choose, setup);
   angle_range(choose, setup);
   for (const int bit : {0, 1, 2, 3, 6})
     if (choose.chance(40)) set_bit(setup, 5001, bit, choose.chance(70));
-  if (choose.chance(10)) set_bit(setup, 3401, 0, choose.chance(30));
+  if (choose.chance(12)) set_bit(setup, 3401, 0, choose.chance(30));
 
   setup.memory =
       choose.one_of({spec::OffsetMemory::a, spec::OffsetMemory::a, spec::OffsetMemory::b, spec::OffsetMemory::c});

@@ -28,7 +28,7 @@ class LengthOffset {
     if (choose_.chance(4) && case_.setup.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
     if (choose_.chance(60)) switch_mode();
     if (choose_.chance(30)) write_.word("G01").number('F', choose_.between(1, 50) * 100 * write_.one());
-    if (choose_.chance(60)) move();
+    if (choose_.chance(75)) move();
     write_.end_block();
     if (kinematic && choose_.chance(6)) return along_tool_axis(blocks);
     while (write_.blocks() < blocks) block();
@@ -38,7 +38,7 @@ class LengthOffset {
 
  private:
   void block() {
-    switch (choose_.weighted({24, 8, 8, 5, 22, 5, 5, 5, 4, 3, 3, 3, 3, 2})) {
+    switch (choose_.weighted({24, 8, 8, 5, 22, 5, 5, 5, 4, 3, 3, 3, 3, 2, 2})) {
       case 0:
         return offset();
       case 1:
@@ -69,9 +69,11 @@ class LengthOffset {
       case 12:
         write_.word(choose_.one_of({"G04 P500", "M08", "S1000", "T1", "G40", "D1", "G40 X5.", "M00", "G30.1 Z0"}));
         return write_.end_block();
-      default:
+      case 13:
         write_.word(choose_.one_of({"H999", "G43 H33", "G10 L11 P0 R1.", "G10 L10 P1 R99999.", "G43", "G28"}));
         return write_.end_block();
+      default:
+        return several_axes();
     }
   }
 
@@ -147,6 +149,20 @@ class LengthOffset {
     }
     if (choose_.chance(90)) number();
     write_.end_block();
+  }
+
+  // Offsets on two or three axes, then their end: type B by planes, type C by axis words.
+  void several_axes() {
+    if (type_ == Type::a || !case_.setup.axes.has('X') || !case_.setup.axes.has('Y')) return offset();
+    const std::string_view normals = "ZYX";
+    for (std::size_t i = choose_.below(2); i < normals.size(); ++i) {
+      write_.word(type_ == Type::b ? fmt::format("G{} G43", 17 + i) : std::string("G43"));
+      if (type_ == Type::c) travel(normals[i]);
+      write_.word(fmt::format("H{}", choose_.between(1, static_cast<std::int64_t>(case_.setup.h.size()))));
+      write_.end_block();
+    }
+    write_.word(choose_.one_of({"G49", "G49", "H0", "G28"}));
+    finish(choose_.chance(50));
   }
 
   void lone_number() {

@@ -1,0 +1,48 @@
+#include "fuzz/faults/faults.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+constexpr std::string_view kLength = "fanuc/tool-length-offset";
+constexpr std::string_view kEdge = "fanuc/leading-edge-offset";
+
+constexpr SeededFault kFaults[] = {
+    {"g44_as_g43", kLength,
+     "fanuc.length-offset.type-a fanuc.length-offset.type-b fanuc.length-offset.type-c fanuc.length-offset.replaces",
+     500},
+    {"offset_accumulates", kLength, "fanuc.length-offset.replaces", 500},
+    {"h_modal_under_ofh", kLength, "fanuc.length-offset.ofh fanuc.length-offset.ofh-lone-number", 2000},
+    {"g49_z_only", kLength, "fanuc.length-offset.cancel", 2000},
+    {"g49_any_number", kLength, "fanuc.length-offset.cancel-three-axes", 10'000},
+    {"tal_ignored", kLength, "fanuc.length-offset.type-c", 500},
+    {"zero_move_missing", kLength, "fanuc.length-offset.move-without-axis-word", 500},
+    {"g53_keeps_offset", kLength, "fanuc.length-offset.machine-position-cancels", 500},
+    {"restore_any_axis", kLength, "fanuc.length-offset.restored-in-next-block fanuc.length-offset.restored-by-number",
+     2000},
+    {"restore_in_g40", kLength, "fanuc.length-offset.not-restored-with-cutter-code", 10'000},
+    {"incremental_from_offset_position", kLength, "fanuc.program.incremental", 500},
+    {"inch_not_converted", kLength, "fanuc.program.units", 2000},
+    {"feed_not_converted", kLength, "fanuc.program.units", 5000},
+    {"inch_increment", kLength, "fanuc.program.least-increments", 10'000},
+    {"vector_sign", kEdge, "fanuc.leading-edge.vector", 500},
+    {"above_90_not_reversed", kEdge, "fanuc.leading-edge.sign", 500},
+    {"own_movement", kEdge, "fanuc.leading-edge.vector fanuc.leading-edge.kept-along-the-tool", 500},
+    {"radius_of_next_block", kEdge, "fanuc.leading-edge.vector", 5000},
+    {"rotary_order_swapped", kEdge, "fanuc.tool-direction.of-pose", 500},
+    {"open_range", kEdge,
+     "fanuc.leading-edge.kept-along-the-tool fanuc.leading-edge.start-along-the-tool "
+     "fanuc.leading-edge.across-keeps-sense",
+     5000},
+    {"right_angle_without_history", kEdge, "fanuc.leading-edge.across-keeps-sense fanuc.leading-edge.near-90", 500},
+    {"second_still_block_recomputed", kEdge, "fanuc.leading-edge.two-blocks-without-movement", 10'000},
+    {"turned_direction_at_still_block", kEdge, "fanuc.leading-edge.one-block-without-movement", 2000},
+    {"no_double_double", kEdge, "fanuc.leading-edge.kept-along-the-tool fanuc.leading-edge.start-along-the-tool",
+     20'000},
+    {"cancel_keeps_vector", kEdge, "fanuc.leading-edge.cancel", 500},
+};
+
+}  // namespace
+
+std::span<const SeededFault> seeded_faults() { return kFaults; }
+
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,159 @@
+// Near ties: the other outcome of a decision inside its band is permitted, outside it is a difference. The wrong
+// answers are the model's own, with the decision forced: a controller whose arithmetic errs would give just these.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "fuzz/oracle/number.h"
+#include "fuzz/oracle/policy.h"
+#include "fuzz/oracle/verdict.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+using exact::Sign;
+using spec::Clause;
+
+// A tool leaning by I : K towards a movement along X, offset 10, no fluctuation range.
+spec::Case leaning(const std::string& i, const std::string& range = "0") {
+  spec::Case c;
+  c.section = "fanuc/leading-edge-offset";
+  c.setup.d[1].geometry = spec::decimal(10);
+  c.setup.parameters[{19631, -1}] = *spec::parse_decimal(range);
+  c.program = "G91 G01 F100 G43.5 H0 I" + i + " K1.\nG41.3 D1\nX100.\nX50.\nG40\n";
+  return c;
+}
+
+fast::Event rounded(const model::Event& e) {
+  const auto table = [](const spec::AxisValues<model::Real>& from) {
+    spec::AxisValues<double> to;
+    for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
+      if (from.has(i)) to.set(i, approximate(from[i]));
+    return to;
+  };
+  fast::Event f;
+  f.kind = e.kind;
+  f.line = e.line;
+  f.n = e.n;
+  f.type = e.type;
+  f.cause = e.cause;
+  f.number = e.number;
+  f.programmed = table(e.programmed);
+  f.point = table(e.point);
+  f.axes = table(e.axes);
+  f.machine = table(e.machine);
+  if (e.tool_axis) {
+    f.tool_axis.emplace();
+    for (std::size_t i = 0; i < 3; ++i) (*f.tool_axis)[i] = approximate((*e.tool_axis)[i]);
+  }
+  if (e.feed) f.feed = approximate(*e.feed);
+  return f;
+}
+
+std::vector<fast::Event> rounded(const ModelRun& run) {
+  std::vector<fast::Event> events;
+  for (const model::Event& e : run.events) events.push_back(rounded(e));
+  return events;
+}
+
+// Every decision of `clause` takes the opposite outcome.
+Forced opposite(const ModelRun& run, Clause clause) {
+  Forced forced;
+  const auto& decisions = run.recorder.decisions();
+  for (std::size_t i = 0; i < decisions.size(); ++i)
+    if (decisions[i].clause == clause) forced[i] = -decisions[i].outcome;
+  return forced;
+}
+
+TEST(NearTies, InsideTheBandTheOtherOutcomeIsPermittedAndCounted) {
+  // The lean is 1e-13 of a right angle's: |VM·VT| / (|VM| |VT|) = 1e-13 < 2^-40 = 9.1e-13.
+  const spec::Case c = leaning("0.0000000000001");
+  const ModelRun run = run_model(c);
+  const std::vector<fast::Event> other = rounded(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
+  ASSERT_NE(other[1].point.value[0], rounded(run)[1].point.value[0]);  // -10 and +10
+  const Verdict v = judge(c, run, other);
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  EXPECT_GE(v.ties, 1U);
+  EXPECT_GE(v.near_ties, v.ties);
+  // The exact answer is right as well, and no tie was needed.
+  EXPECT_EQ(judge(c, run, rounded(run)).outcome, Outcome::agrees);
+  EXPECT_EQ(judge(c, run, rounded(run)).ties, 0U);
+}
+
+TEST(NearTies, OutsideTheBandTheOtherOutcomeIsADifference) {
+  // 1e-11 > 2^-40.
+  const spec::Case c = leaning("0.00000000001");
+  const ModelRun run = run_model(c);
+  const Verdict v = judge(c, run, rounded(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign))));
+  ASSERT_EQ(v.outcome, Outcome::differs);
+  EXPECT_EQ(v.difference->field, "point.X");
+  EXPECT_NEAR(v.difference->deviation_um, 20'000, 1);
+}
+
+TEST(NearTies, OneWrongEventInAnOtherwisePermittedListIsADifference) {
+  const spec::Case c = leaning("0.0000000000001");
+  const ModelRun run = run_model(c);
+  std::vector<fast::Event> other = rounded(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
+  other[2].point.value[2] += 0.001;
+  EXPECT_EQ(judge(c, run, other).outcome, Outcome::differs);
+  // Neither outcome: the vector of a run is one of the two, not something between.
+  other = rounded(run);
+  other[1].point.value[0] = 0;
+  EXPECT_EQ(judge(c, run, other).outcome, Outcome::differs);
+}
+
+// An exact tie has no finite vector on its other side: a tool along the movement, classified as not along.
+TEST(NearTies, AnOutcomeWithoutFiniteVectorsIsNotPermitted) {
+  spec::Case c = leaning("0");
+  c.program = "G91 G01 F100 G43.5 H0 K1.\nG41.3 D1\nX100. Z10.\nZ50.\nX10.\nG40\n";
+  const ModelRun run = run_model(c);
+  bool tried = false;
+  const auto& decisions = run.recorder.decisions();
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    if (decisions[i].clause != Clause::fanuc_leading_edge_near_0 || margin(decisions[i]) != 0) continue;
+    tried = true;
+    EXPECT_THROW(run_model(c, {{i, Sign::negative}}), std::exception);
+  }
+  EXPECT_TRUE(tried);
+  std::vector<fast::Event> wrong = rounded(run);
+  wrong[2].point.value[0] += 3;
+  EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
+}
+
+// A controller of resolution 0.001 cannot know the lean of 1e-7 over a movement of 100 (its band is some 1e-4); one in
+// double can.
+TEST(NearTies, ACoarserControllerHasAWiderBand) {
+  const spec::Case c = leaning("0.0000001");
+  const ModelRun run = run_model(c);
+  const std::vector<fast::Event> other = rounded(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
+  EXPECT_EQ(judge(c, run, other).outcome, Outcome::differs);
+  EXPECT_EQ(judge(c, run, other, {{}, "0.001"}).outcome, Outcome::agrees);
+  EXPECT_GT(policy::controller_band(0.001, 100), 1e-5);
+  EXPECT_LT(policy::controller_band(0.001, 100), 1e-3);
+}
+
+// Many independent near ties in one program: each event is explained by its own decision, so a chain of forks finds the
+// one list among 2^n.
+TEST(NearTies, AChainOfTiesIsFollowed) {
+  spec::Case c = leaning("0.0000000000001");
+  c.program = "G91 G01 F100 G43.5 H0 I0.0000000000001 K1.\nG41.3 D1\n";
+  for (int i = 0; i < 6; ++i) c.program += i % 2 == 0 ? "X100.\n" : "X-50.\n";
+  c.program += "G40\n";
+  const ModelRun run = run_model(c);
+  const Verdict v = judge(c, run, rounded(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign))));
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  EXPECT_GT(v.ties, 3U);
+}
+
+// A program that can be opened again settles the same question while streaming; one that is read once cannot.
+TEST(NearTies, StreamsAreDecidedByRunningAgain) {
+  const spec::Case c = leaning("0.0000000000001");
+  const auto open = [&] { return spec::ProgramReader(spec::text_source(c.program), c.setup.axes); };
+  EXPECT_EQ(judge_stream(open, c.setup).outcome, Outcome::agrees);
+  spec::ProgramReader once = open();
+  EXPECT_EQ(judge_stream(once, c.setup).outcome, Outcome::agrees);
+}
+
+}  // namespace
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,97 @@
+// link: toolcomp_fuzz_faulty
+// The harness measured: every seeded fault of the fast engine must be found by its section's directed generator, within
+// its budget, with a first divergence that rests on the clause the fault breaks. `./dev mutants` prints the table.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "fast/fault.h"
+#include "fuzz/faults/faults.h"
+#include "fuzz/gen/generator.h"
+#include "fuzz/oracle/trial.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+constexpr std::string_view kNames[] = {
+    "none",
+#define TOOLCOMP_FAULT(name, description) #name,
+#include "fast/faults.inc"
+#undef TOOLCOMP_FAULT
+};
+
+// A fault in force while this lives.
+class Active {
+ public:
+  explicit Active(std::string_view name) {
+    for (std::size_t i = 0; i < std::size(kNames); ++i)
+      if (kNames[i] == name) fast::active_fault = static_cast<fast::Fault>(i);
+  }
+  ~Active() { fast::active_fault = fast::Fault::none; }
+  Active(const Active&) = delete;
+  Active& operator=(const Active&) = delete;
+};
+
+spec::Case fresh(std::string_view section, std::uint64_t seed) {
+  SeededSource source(seed);
+  return generate(section, Mode::directed, source);
+}
+
+bool rests_on(const Difference& difference, std::string_view ids) {
+  for (std::uint8_t i = 0; i < difference.clauses.size; ++i) {
+    const std::string_view id = spec::info(difference.clauses.clause[i]).id;
+    for (std::size_t at = ids.find(id); at != std::string_view::npos; at = ids.find(id, at + 1))
+      if (at + id.size() == ids.size() || ids[at + id.size()] == ' ') return true;
+  }
+  return false;
+}
+
+TEST(SeededFaults, TheListIsComplete) {
+  ASSERT_EQ(seeded_faults().size() + 1, std::size(kNames));
+  EXPECT_GE(seeded_faults().size(), 12U);
+  for (std::size_t i = 0; i < seeded_faults().size(); ++i) {
+    const SeededFault& fault = seeded_faults()[i];
+    EXPECT_EQ(fault.name, kNames[i + 1]);
+    std::string ids(fault.clauses);
+    for (std::size_t at = 0; at < ids.size();) {
+      const std::size_t end = std::min(ids.find(' ', at), ids.size());
+      EXPECT_TRUE(spec::find_clause(ids.substr(at, end - at))) << ids.substr(at, end - at);
+      at = end + 1;
+    }
+  }
+}
+
+// No fault, no finding: what the faults are measured against.
+TEST(SeededFaults, TheSoundEngineAgrees) {
+  for (const std::string_view section : sections())
+    for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+      const Trial t = try_case(fresh(section, seed));
+      ASSERT_FALSE(t.found()) << section << " seed " << seed << ": " << explain(*t.verdict.difference);
+    }
+}
+
+TEST(SeededFaults, EachIsFoundWithinItsBudgetUnderItsClause) {
+  fmt::print("{:34}{:28}{:>8}{:>8}  {}\n", "fault", "section", "found", "budget", "first divergence");
+  for (const SeededFault& fault : seeded_faults()) {
+    std::uint64_t found = 0;
+    std::string what;
+    for (std::uint64_t seed = 1; seed <= fault.budget && found == 0; ++seed) {
+      const spec::Case c = fresh(fault.section, seed);
+      const Trial t = [&] {
+        const Active active(fault.name);
+        return try_case(c);
+      }();
+      if (!t.found() || !rests_on(*t.verdict.difference, fault.clauses)) continue;
+      found = seed;
+      what = explain(*t.verdict.difference);
+    }
+    fmt::print("{:34}{:28}{:>8}{:>8}  {}\n", fault.name, fault.section, found == 0 ? "never" : fmt::format("{}", found),
+               fault.budget, what);
+    EXPECT_NE(found, 0U) << fault.name << " is not found in " << fault.budget << " executions";
+  }
+}
+
+}  // namespace
+}  // namespace toolcomp::fuzz

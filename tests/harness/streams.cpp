@@ -1,0 +1,82 @@
+// Judging while reading: long programs, and the same verdicts as on whole cases.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "fuzz/gen/encode.h"
+#include "fuzz/gen/generator.h"
+#include "fuzz/oracle/trial.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+TEST(Streams, GiveTheVerdictOfTheWholeCase) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed)
+    for (const std::string_view section : sections()) {
+      SeededSource source(seed);
+      const spec::Case c = generate(section, Mode::directed, source, 40);
+      const Trial whole = try_case(c);
+      if (whole.acceptance != Acceptance::accepted) continue;
+      const Verdict v = judge_stream(
+          [&] {
+            return spec::ProgramReader(spec::text_source(c.program), c.setup.axes, {"program", c.setup.block_skip});
+          },
+          c.setup);
+      EXPECT_EQ(v.outcome, whole.verdict.outcome) << encode(c);
+      if (v.outcome != Outcome::agrees) continue;
+      EXPECT_EQ(v.values, whole.verdict.values) << encode(c);
+      EXPECT_EQ(v.decisions, whole.verdict.decisions) << encode(c);
+      EXPECT_EQ(v.near_ties, whole.verdict.near_ties) << encode(c);
+    }
+}
+
+// Blocks in changing directions, made as they are read.
+class Endless final : public spec::ByteSource {
+ public:
+  explicit Endless(int blocks) : blocks_(blocks) {}
+  std::size_t read(char* buffer, std::size_t size) override {
+    std::size_t n = 0;
+    while (n < size) {
+      if (at_ == line_.size()) {
+        if (made_ == blocks_) return n;
+        at_ = 0;
+        line_ = next();
+        ++made_;
+      }
+      buffer[n++] = line_[at_++];
+    }
+    return n;
+  }
+
+ private:
+  [[nodiscard]] std::string next() const {
+    if (made_ == 0) return "G91 G01 F100 G43.5 H0 I3. K4.\n";
+    if (made_ == 1) return "G41.3 D1\n";
+    return "X" + std::to_string(made_ % 7) + ".1 Y-" + std::to_string(made_ % 5) + ".3 Z0.7\n";
+  }
+
+  int blocks_;
+  int made_ = 0;
+  std::string line_;
+  std::size_t at_ = 0;
+};
+
+std::size_t g_most_nodes = 0;
+
+// Twenty thousand blocks: the exact nodes are bounded by the look-ahead and the decisions kept.
+TEST(Streams, HoldNoMoreThanTheirWindow) {
+  constexpr int blocks = 20'000;
+  spec::Setup setup;
+  setup.d[1].geometry = spec::decimal(10);
+  spec::ProgramReader program(std::make_unique<Endless>(blocks), setup.axes);
+  const Verdict v =
+      judge_stream(program, setup, [](std::uint64_t) { g_most_nodes = std::max(g_most_nodes, exact::live_nodes()); });
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  EXPECT_GT(v.values, 9U * blocks);
+  EXPECT_LT(g_most_nodes, 100'000U);
+}
+
+}  // namespace
+}  // namespace toolcomp::fuzz
