@@ -1,0 +1,156 @@
+// The clause files: what every clause must state, and that the model reaches every outcome a clause has.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/unit/model_run.h"
+
+namespace {
+
+using namespace toolcomp;
+
+TEST(Clauses, StateTheirSource) {
+  for (const spec::ClauseInfo& clause : spec::clauses()) {
+    static const std::vector<std::string_view> kProvenances{"manual",   "sister-manual", "other-vendor",
+                                                            "geometry", "recollection",  "ours"};
+    EXPECT_NE(std::ranges::find(kProvenances, clause.provenance), kProvenances.end()) << clause.id;
+    EXPECT_EQ(clause.id.substr(0, 6), "fanuc.") << clause.id;
+    // Nobody may read our word, or our memory, as the manual's.
+    const bool ours = clause.provenance == "ours" || clause.provenance == "recollection";
+    EXPECT_TRUE(!ours || clause.kind == spec::ClauseKind::open) << clause.id;
+    EXPECT_TRUE(clause.kind != spec::ClauseKind::open || !clause.alternatives.empty()) << clause.id;
+    EXPECT_TRUE(ours || clause.provenance == "geometry" || !clause.document.empty() ||
+                clause.section == "fanuc/program")
+        << clause.id;
+    EXPECT_TRUE(clause.kind != spec::ClauseKind::parameter || !clause.parameters.empty()) << clause.id;
+    EXPECT_TRUE(clause.testable || !clause.reason.empty()) << clause.id;
+    EXPECT_TRUE(clause.unreachable.empty() || !clause.unreachable_reason.empty()) << clause.id;
+    // Whoever reads an explanation must learn what an outcome means.
+    const bool decides = clause.testable && clause.outcomes != spec::ClauseOutcomes::reach;
+    EXPECT_TRUE(!decides || (!clause.positive.empty() && !clause.negative.empty())) << clause.id;
+    EXPECT_TRUE(!decides || clause.outcomes != spec::ClauseOutcomes::sign || !clause.tie.empty()) << clause.id;
+  }
+}
+
+TEST(Clauses, FitIntoAName) {
+  for (const spec::ClauseInfo& clause : spec::clauses())
+    EXPECT_LE(clause.id.size(), spec::Name::kCapacity) << clause.id;
+}
+
+const std::string kXyz = "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\"]\n";
+const std::string kOffsets = "[offsets.H]\n1 = 10\n2 = 20\n5 = 1000\n[offsets.D]\n1 = 10\n2 = -5\n";
+std::string setup(const std::string& parameters) { return kXyz + "[parameters]\n" + parameters + kOffsets; }
+
+struct Program {
+  std::string setup;
+  std::string text;
+};
+
+// One line for each group of outcomes; programs end at their first alarm.
+std::vector<Program> programs() {
+  const std::string plain = setup("");
+  const std::string b = setup("\"5001#1\" = 1\n");
+  const std::string c = setup("\"5001#0\" = 1\n");
+  const std::string tal = setup("\"5001#0\" = 1\n\"5001#3\" = 1\n");
+  const std::string ofh = setup("\"5001#2\" = 1\n");
+  const std::string evo = setup("\"5001#6\" = 1\n");
+  const std::string head = setup("19680 = 2\n19681 = 4\n19682 = 2\n19686 = 5\n19687 = 3\n");
+  const std::string machine =
+      "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\", \"C\"]\n[parameters]\n19680 = 2\n"
+      "19681 = 4\n19682 = 2\n19686 = 5\n19687 = 3\n";
+  std::vector<Program> list{
+      // Units, numbers, codes
+      {plain, "G20 X1 Y1 F5\nG21 X1 X2 G91 G90\nG91 X1\nM30\n"},
+      {setup("\"3401#0\" = 0\n"), "X1\nG04 X1\n"},
+      {plain, "X1.2.3\n"},
+      {plain, "G99\n"},
+      {plain, "H401\n"},
+      // Arcs
+      {plain, "X10\nG03 X0 Y10 I-10\nX10 Y0 J-10\nX20 I-10\nX10 I-20\nI-10\nX-10 I-10\nX5 I10\nX0 Y0 I-5\nZ5\n"},
+      {plain, "X10\nG03 X0 Y10 R10 I3\nX10 Y0 R-10\nX0 R5\nX10 R4\n"},
+      {plain, "G03 X10\n"},
+      {plain, "G03 X10 I0\n"},
+      {plain, "G03 R10\n"},
+      // Coordinates
+      {plain, "G55 X1\nG92 X5\nG53 X1\nG91 G53 X1\nG28\nG28 X1\nG29 X1 Y1\nG90 G29 X2\nG30 P3 X1\nG30 P7 X1\n"},
+      // Memory
+      {plain, "G10 L11 P1 R1\nG91 G10 L11 P1 R1\nG10 L11 P1\nG10 L11 P1 R9999\n"},
+      {plain, "G10 L11 P0 R1\n"},
+      {plain, "G10 L9\n"},
+      {plain, "G43 H5\n"},
+      // Length offset
+      {plain, "H1\nG43 Z0\nG44 H2\nG44\nH0\nG49\n"},
+      {b, "G19 G43 H1\nG18 G43 H1\nG17 G43 H1\nG49\n"},
+      {c, "G43 X1 H1\nH2\nG43 Y1 H1\n"},
+      {c, "G43 H1\n"},
+      {tal, "G43 X1 Y1 H1\n"},
+      {ofh, "G43 Z0\nG43 H1\nG43\nH2\n"},
+      {evo, "G43 Z0 H1\nX1\nG53 Z0\nG40\nX1\nG53 X0\nG53 Z0\nG40 H2\nG53 Z0\nH1\n"},
+      // Directions
+      {machine, "B30.\nG43.5\nI1\nG49\n"},
+      {plain, "X1\nG43.5\nG43\n"},
+      {plain, "G43.5\nG28 X0\n"},
+      {setup("19666 = 1\n"), "G43.5\n"},
+      {plain, "G43.5 Q1\n"},
+      {plain, "G02 G43.5\n"},
+      {plain, "G43.5 B1\n"},
+      {plain, "G43.5 I0\n"},
+      // Leading edge
+      {plain,
+       "G43.5 I3 K4\nG41.3 D1\nG01 X100\nX130 Z40\nX100 Z0\nY50\nX150\nM08\nX200 D2\nM08\nM09\nX0 I-3 "
+       "K4\nX50\nY0\nY5\nM00\nX0\nG40\n"},
+      {plain, "G43.5 I3 K4\nG41.3 D1\nG01 X100\nD0\nG41.3 D0\n"},
+      {plain, "G43.5 I1 K1000\nG41.3 D1\nG01 X100\n"},
+      {plain, "G43.5 I-1 K1000\nG41.3 D1\nG01 X100\n"},
+      {plain, "G43.5 I1\nG41.3 D1\nX100\n"},
+      {setup("19631 = 0\n"), "G43.5 I3 K4\nG41.3 D1\nX100\nG40\n"},
+      {setup("19631 = 45\n"), "G43.5 I1 K1\nG41.3 D1\nX100\n"},
+      {setup("19631 = 45\n"), "G43.5 I1 K1\nG41.3 D1\nX-100\n"},
+      {setup("19631 = 30\n"), "G43.5 I1 J1 K0\nG41.3 D1\nX100\nG91 X-10 Z-10\nG40\n"},
+      {plain, "G41.3 D1 X1\n"},
+      {plain, "G02\nG41.3 D1\n"},
+      {plain, "G41.3 D1\nM08\n"},
+      {plain, "G41.3 D1\nX1\nG41.3\n"},
+      {plain, "G41.3 D1\nX1\nG02\n"},
+      {plain, "G41.3 D1\nX1\nG54\n"},
+      {plain, "G41.3 D1\nX1\nG40 X2\n"},
+  };
+  return list;
+}
+
+TEST(Clauses, EveryOutcomeIsReached) {
+  std::vector<model::ClauseCount> total(spec::kClauseCount);
+  for (const Program& program : programs()) {
+    const test::Run done = test::run(program.setup, program.text);
+    for (std::size_t i = 0; i < total.size(); ++i) {
+      const model::ClauseCount& count = done.recorder.counts()[i];
+      total[i].reached += count.reached;
+      total[i].positive += count.positive;
+      total[i].negative += count.negative;
+      total[i].tie += count.tie;
+    }
+  }
+  for (std::size_t i = 0; i < total.size(); ++i) {
+    const spec::ClauseInfo& clause = spec::clauses()[i];
+    const auto expect = [&clause](const char* outcome, std::uint64_t count) {
+      const bool unreachable = clause.unreachable.find(outcome) != std::string_view::npos;
+      EXPECT_EQ(count == 0, unreachable) << clause.id << ": " << outcome;
+    };
+    if (!clause.testable) {
+      EXPECT_EQ(total[i].reached, 0U) << clause.id;
+    } else if (clause.outcomes == spec::ClauseOutcomes::reach) {
+      EXPECT_GT(total[i].reached, 0U) << clause.id;
+    } else if (clause.outcomes == spec::ClauseOutcomes::fact) {
+      expect("true", total[i].positive);
+      expect("false", total[i].negative);
+    } else {
+      expect("positive", total[i].positive);
+      expect("negative", total[i].negative);
+      expect("tie", total[i].tie);
+    }
+  }
+}
+
+}  // namespace
