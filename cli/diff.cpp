@@ -3,8 +3,8 @@
 
 #include <iostream>
 
-#include "cli/program.h"
 #include "cli/difference.h"
+#include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "fuzz/oracle/verdict.h"

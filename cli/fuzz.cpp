@@ -70,7 +70,8 @@ Plan plan_of(const FuzzOptions& options) {
   if (plan.sections.empty())
     for (const std::string_view section : fuzz::sections()) plan.sections.emplace_back(section);
   for (const std::string& section : plan.sections)
-    if (std::ranges::find(fuzz::sections(), section) == fuzz::sections().end()) usage("no section " + section + "; `toolcomp spec sections` lists them");
+    if (std::ranges::find(fuzz::sections(), section) == fuzz::sections().end())
+      usage("no section " + section + "; `toolcomp spec sections` lists them");
   if (options.runs > 0 && !options.duration.empty()) usage("--for or --runs, not both");
   plan.runs = options.runs;
   if (plan.runs == 0) plan.seconds = seconds_of(options.duration.empty() ? "60s" : options.duration);
@@ -87,11 +88,14 @@ void write_finding(const fuzz::Finding& found, std::size_t index, const FuzzOpti
     const fuzz::ModelRun run = fuzz::run_model(found.input);
     const certify::Judgement judgement = certify::judge_case(*subject, *able, found.input, run);
     if (judgement.result == certify::Result::differs)
-      finding = certify::make_finding(*subject, *able, found.input, certify::key_of(found.input, judgement), 2000, timeout);
+      finding =
+          certify::make_finding(*subject, *able, found.input, certify::key_of(found.input, judgement), 2000, timeout);
   }
   if (finding.key.kind.empty()) {
     finding.smallest = found.input;
-    finding.key = {found.input.section, found.difference.clause ? std::string(spec::info(*found.difference.clause).id) : "", found.difference.kind};
+    finding.key = {found.input.section,
+                   found.difference.clause ? std::string(spec::info(*found.difference.clause).id) : "",
+                   found.difference.kind};
     finding.line = found.difference.line;
     finding.field = found.difference.field;
     finding.expected = found.difference.expected;
@@ -109,13 +113,15 @@ fuzz::Subject controller_subject(const FuzzOptions& options) {
   const auto timeout = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000));
   const std::shared_ptr<certify::Subject> subject = certify::subject_of(options.controller, timeout);
   const auto capabilities = subject->capabilities();
-  if (const auto* fault = std::get_if<certify::Fault>(&capabilities)) usage("the controller cannot be used: " + fault->what);
-  return [subject, able = std::get<certify::Capabilities>(capabilities)](const spec::Case& c, const fuzz::ModelRun& run) {
-    certify::Judgement judgement = certify::judge_case(*subject, able, c, run);
-    if (judgement.difference) judgement.verdict.difference = judgement.difference;
-    if (judgement.result == certify::Result::differs) judgement.verdict.outcome = fuzz::Outcome::differs;
-    return judgement.verdict;
-  };
+  if (const auto* fault = std::get_if<certify::Fault>(&capabilities))
+    usage("the controller cannot be used: " + fault->what);
+  return
+      [subject, able = std::get<certify::Capabilities>(capabilities)](const spec::Case& c, const fuzz::ModelRun& run) {
+        certify::Judgement judgement = certify::judge_case(*subject, able, c, run);
+        if (judgement.difference) judgement.verdict.difference = judgement.difference;
+        if (judgement.result == certify::Result::differs) judgement.verdict.outcome = fuzz::Outcome::differs;
+        return judgement.verdict;
+      };
 }
 
 fuzz::CampaignResult built_in(const std::string& section, const Plan& plan, const FuzzOptions& options) {
@@ -128,7 +134,8 @@ fuzz::CampaignResult built_in(const std::string& section, const Plan& plan, cons
   campaign.seed = options.seed;
   if (!options.controller.empty()) campaign.subject = [&options](unsigned) { return controller_subject(options); };
   campaign.progress = [](const fuzz::CampaignProgress& p) {
-    Progress::line(fmt::format("{} executions, {:.0f} s, {} features, {} findings", p.executions, p.seconds, p.features, p.findings));
+    Progress::line(fmt::format("{} executions, {:.0f} s, {} features, {} findings", p.executions, p.seconds, p.features,
+                               p.findings));
   };
   return fuzz::run_campaign(campaign);
 }
@@ -153,21 +160,26 @@ fuzz::CampaignResult clang_targets(const std::string& section, const Plan& plan,
       // Half the time for each twin where they run one after the other.
       const std::uint64_t seconds = side_by_side ? plan.seconds : (plan.seconds + 1) / 2;
       const std::uint64_t runs = (plan.runs + 2 * copies - 1) / (2 * copies);
-      script += fmt::format("TOOLCOMP_FUZZ_STATISTICS='{0}' '{1}' -seed={2} {3} -artifact_prefix='{4}/' -use_value_profile=0 -max_len=16384 '{4}/corpus' >'{4}/log' 2>&1 {5}\n",
-                            statistics.back().string(), (target_folder() / name).string(), options.seed * 1000 + job + 1,
-                            plan.runs > 0 ? fmt::format("-runs={}", runs) : fmt::format("-max_total_time={}", seconds),
-                            folder.string(), side_by_side ? "&" : "");
+      script += fmt::format(
+          "TOOLCOMP_FUZZ_STATISTICS='{0}' '{1}' -seed={2} {3} -artifact_prefix='{4}/' -use_value_profile=0 "
+          "-max_len=16384 '{4}/corpus' >'{4}/log' 2>&1 {5}\n",
+          statistics.back().string(), (target_folder() / name).string(), options.seed * 1000 + job + 1,
+          plan.runs > 0 ? fmt::format("-runs={}", runs) : fmt::format("-max_total_time={}", seconds), folder.string(),
+          side_by_side ? "&" : "");
     }
   }
   script += "wait\n";
   const fs::path file = work / "run";
   certify::write_file(file, script);
-  Progress::line(fmt::format("{}: {}", section, plan.runs > 0 ? fmt::format("{} runs", plan.runs) : fmt::format("{} s", plan.seconds)));
-  if (std::system(fmt::format("/bin/sh '{}'", file.string()).c_str()) != 0) usage("the fuzz targets cannot be run");  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
+  Progress::line(fmt::format("{}: {}", section,
+                             plan.runs > 0 ? fmt::format("{} runs", plan.runs) : fmt::format("{} s", plan.seconds)));
+  if (std::system(fmt::format("/bin/sh '{}'", file.string()).c_str()) != 0)
+    usage("the fuzz targets cannot be run");  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
 
   fuzz::CampaignResult sum;
   for (std::size_t i = 0; i < statistics.size(); ++i) {
-    if (!fs::exists(statistics[i])) throw std::runtime_error("a fuzz target left no statistics:\n" + certify::read_file(artifacts[i] / "log"));
+    if (!fs::exists(statistics[i]))
+      throw std::runtime_error("a fuzz target left no statistics:\n" + certify::read_file(artifacts[i] / "log"));
     fuzz::add(sum, fuzz::read_summary(certify::read_file(statistics[i])));
     for (const auto& entry : fs::directory_iterator(artifacts[i])) {
       const std::string name = entry.path().filename();
@@ -186,14 +198,16 @@ fuzz::CampaignResult clang_targets(const std::string& section, const Plan& plan,
 }
 
 void print_summary(const std::string& section, const fuzz::CampaignResult& result, bool clang) {
-  fmt::print("{}: {} executions in {:.1f} s, {:.0f} executions/s a core ({})\n", section, result.executions, result.seconds,
-             result.per_second_per_core, clang ? "clang targets" : "built-in driver");
+  fmt::print("{}: {} executions in {:.1f} s, {:.0f} executions/s a core ({})\n", section, result.executions,
+             result.seconds, result.per_second_per_core, clang ? "clang targets" : "built-in driver");
   fmt::print("  accepted {:.1f} %", 100 * result.accepted_share());
   for (std::size_t i = 1; i < fuzz::kAcceptances; ++i)
-    if (result.acceptance.at(i) > 0) fmt::print(", {} {}", result.acceptance.at(i), fuzz::name(static_cast<fuzz::Acceptance>(i)));
-  fmt::print("\n  {} values judged, {} decisions, {} near ties, {} ties ({:.4f} % of decisions)\n", result.values, result.decisions,
-             result.near_ties, result.ties,
-             result.decisions == 0 ? 0 : 100 * static_cast<double>(result.ties) / static_cast<double>(result.decisions));
+    if (result.acceptance.at(i) > 0)
+      fmt::print(", {} {}", result.acceptance.at(i), fuzz::name(static_cast<fuzz::Acceptance>(i)));
+  fmt::print(
+      "\n  {} values judged, {} decisions, {} near ties, {} ties ({:.4f} % of decisions)\n", result.values,
+      result.decisions, result.near_ties, result.ties,
+      result.decisions == 0 ? 0 : 100 * static_cast<double>(result.ties) / static_cast<double>(result.decisions));
   fmt::print("  worst deviation {:.3g} ulp, {:.3g} µm\n", result.worst_ulp, result.worst_um);
   fuzz::print_outcomes(std::cout, section, result.clauses);
 }
@@ -207,9 +221,11 @@ int fuzz(const FuzzOptions& options) {
   bool nothing_judged = false;
   bool undecided = false;
   for (const std::string& section : plan.sections) {
-    const bool clang = options.controller.empty() && fs::exists(target_folder() / target_name(section, fuzz::Mode::directed));
+    const bool clang =
+        options.controller.empty() && fs::exists(target_folder() / target_name(section, fuzz::Mode::directed));
     const Progress progress("executions");
-    const fuzz::CampaignResult result = clang ? clang_targets(section, plan, options) : built_in(section, plan, options);
+    const fuzz::CampaignResult result =
+        clang ? clang_targets(section, plan, options) : built_in(section, plan, options);
     print_summary(section, result, clang);
     for (const fuzz::Finding& finding : result.findings) write_finding(finding, findings++, options);
     nothing_judged = nothing_judged || result.values == 0;

@@ -89,14 +89,16 @@ class CommandLine {
   void add_certify() {
     CLI::App* sub = verb("certify", "Certify a controller, or a recorded trace, and write a report",
                          [this] { return cli::certify(certify_); });
-    sub->add_option("inputs", certify_.inputs,
-                    "Cases and programs to add to the golden corpus and generated cases, or to judge instead of them");
+    sub->add_option(
+        "inputs", certify_.inputs,
+        "Cases, files of cases (.jsonl) and programs to judge; without them, the golden corpus and generated cases");
     sub->add_option("--controller", certify_.controller, "Command that speaks the controller protocol");
     sub->add_option("--trace", certify_.trace, "CSV of recorded axis positions of one run of one program");
     sub->add_option("--setup", certify_.setup, "Setup of the programs; without it, setup.toml beside each");
     add_sections(sub, certify_.sections);
     sub->add_option("--report", certify_.report, "Folder of the report");
-    sub->add_option("--cases", certify_.cases, "Generated cases a section");
+    sub->add_option("--cases", certify_.cases, "Generated cases a section (default: 200, none with inputs)");
+    sub->add_option("--corpus", certify_.corpus, "Folder of the golden corpus, to be judged besides the inputs");
     sub->add_option("--seed", certify_.seed, "Seed of every random choice");
     sub->add_option("--timeout", certify_.timeout, "Seconds a case may take")->check(CLI::PositiveNumber);
     sub->add_option("--tolerance", certify_.tolerance, "Trace: greatest distance from the exact path, setup units");

@@ -49,7 +49,8 @@ struct CertifyOptions {
   std::vector<std::string> inputs;
   std::string setup;
   std::string report = "report";
-  std::uint32_t cases = 200;
+  std::optional<std::uint32_t> cases;  // generated, a section
+  std::string corpus;                  // folder of the golden corpus, to be judged besides cases named
   std::uint64_t seed = 1;
   double timeout = 10;
   std::string tolerance;

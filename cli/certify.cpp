@@ -1,0 +1,122 @@
+// toolcomp certify: a controller or a recorded trace against the exact model, and a report.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+#include "certify/campaign.h"
+#include "certify/report.h"
+#include "certify/trace.h"
+#include "cli/program.h"
+#include "cli/progress.h"
+#include "cli/verbs.h"
+#include "corpus/golden.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/case_format.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void usage(const std::string& message) { throw spec::InputError("toolcomp certify", 0, 0, message); }
+
+// A case, a file of cases (one JSON line each), or a program.
+std::vector<spec::Case> read_inputs(const CertifyOptions& options) {
+  std::vector<spec::Case> cases;
+  for (const std::string& path : options.inputs) {
+    if (fs::path(path).extension() == ".jsonl") {
+      for (spec::Case& c : corpus::read_cases(path)) cases.push_back(std::move(c));
+    } else {
+      const bool json = fs::path(path).extension() == ".json";
+      cases.push_back(Program(path, json ? std::string() : options.setup).as_case());
+    }
+  }
+  return cases;
+}
+
+int certify_trace(const CertifyOptions& options) {
+  if (options.inputs.size() != 1) usage("--trace judges one program: name it");
+  if (options.tolerance.empty()) usage("--trace needs --tolerance");
+  certify::TraceReport report;
+  report.c = read_inputs(options).front();
+  report.file = options.trace;
+  try {
+    report.options.tolerance = std::stod(options.tolerance);
+  } catch (const std::exception&) {
+    usage("--tolerance takes a length");
+  }
+  std::ifstream csv(options.trace);
+  if (!csv) throw spec::InputError(options.trace, 0, 0, "cannot be read");
+  report.result = certify::judge_trace(report.c, csv, options.trace, report.options);
+  certify::write_report(report, options.report);
+  fmt::print("{} samples, {} off the path, {} of {} corners missed, worst accepted {:.6g}\n", report.result.samples,
+             report.result.off, report.result.corners_missed, report.result.corners, report.result.worst);
+  for (const certify::TraceFinding& finding : report.result.findings)
+    fmt::print("{}:{}: {} of line {} by {:.6g}\n", options.trace, finding.sample, finding.kind, finding.line,
+               finding.distance);
+  return certify::exit_status(report.result);
+}
+
+void print(const certify::Certificate& certificate, const std::vector<fs::path>& findings, const std::string& report) {
+  for (const certify::SectionResult& section : certificate.sections)
+    fmt::print(
+        "{:<34} {:>6} cases, {:>6} agree, {:>4} differ, {:>4} undecided, {:>8} values, {} ties, worst {:.3g} ulp "
+        "{:.3g} µm\n",
+        section.section.empty() ? "programs" : section.section, section.total(), section.count(certify::Result::agrees),
+        section.count(certify::Result::differs), section.count(certify::Result::undecided), section.values,
+        section.ties, section.worst_ulp, section.worst_um);
+  for (const certify::Unsettled& unsettled : certificate.unsettled)
+    std::cerr << unsettled.id << ": " << certify::name(unsettled.result)
+              << (unsettled.why.empty() ? "" : ", " + unsettled.why) << '\n';
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    const certify::Finding& finding = certificate.findings[i];
+    fmt::print("\nFINDING {} {} ({} cases)\n  {}\n{}  toolcomp replay {}\n", finding.key.kind, finding.key.clause,
+               finding.occurrences, certify::explanation(finding), finding.smallest.program, findings[i].string());
+  }
+  if (!certificate.self_check.empty()) std::cerr << "self-check failed: " << certificate.self_check << '\n';
+  fmt::print("{}; seed {}; {}\n", certify::verdict(certificate), certificate.identity.seed,
+             (fs::path(report) / "index.html").string());
+}
+
+}  // namespace
+
+int certify(const CertifyOptions& options) {
+  if (options.controller.empty() == options.trace.empty()) usage("name a --controller or a --trace");
+  if (!options.trace.empty()) return certify_trace(options);
+
+  certify::CampaignOptions campaign;
+  campaign.controller = options.controller;
+  campaign.sections = options.sections;
+  campaign.seed = options.seed;
+  campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
+  for (spec::Case& c : read_inputs(options)) campaign.cases.push_back({std::move(c), certify::Origin::own});
+  // Cases named are judged alone, unless the corpus or generated cases are asked for too.
+  const bool alone = !options.inputs.empty();
+  campaign.generated = options.cases.value_or(alone ? 0 : 200);
+  if (!alone || !options.corpus.empty()) {
+    const fs::path folder = options.corpus.empty() ? corpus::default_folder() : fs::path(options.corpus);
+    for (spec::Case& c : corpus::read_golden(folder)) {
+      const bool wanted =
+          options.sections.empty() || std::ranges::find(options.sections, c.section) != options.sections.end();
+      if (wanted) campaign.cases.push_back({std::move(c), certify::Origin::golden});
+    }
+    const corpus::Manifest manifest = corpus::read_manifest(folder);
+    campaign.corpus = manifest.version;
+    campaign.corpus_hash = manifest.hash;
+  }
+  const Progress progress("cases");
+  campaign.progress = [](std::uint64_t done, std::uint64_t all) {
+    Progress::line(fmt::format("{} of {} cases", done, all));
+  };
+  const certify::Certificate certificate = certify::certify(campaign);
+  const std::vector<fs::path> findings = certify::write_report(certificate, options.report);
+  print(certificate, findings, options.report);
+  return certify::exit_status(certificate);
+}
+
+}  // namespace toolcomp::cli
