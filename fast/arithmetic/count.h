@@ -57,15 +57,20 @@ class Count {
   [[nodiscard]] double nearest() const {
     // Both operands are whole doubles, so the one rounding of the quotient is the nearest double.
     if (is_small()) [[likely]]
-      return static_cast<double>(small_) / static_cast<double>(kSmallPerOne);
+      return nearest_small(small_);
     return nearest_of_units();
   }
 
+  // The same for plain counts of 10^-6.
+  static constexpr bool is_small(std::int64_t small) { return small <= kSmallLimit && small >= -kSmallLimit; }
+  static constexpr double nearest_small(std::int64_t small) {
+    return static_cast<double>(small) / static_cast<double>(kSmallPerOne);
+  }
   // The double nearest to a + b.
   [[nodiscard]] static double nearest_sum(const Count& a, const Count& b) {
     const std::int64_t sum = a.small_ + b.small_;
-    if (a.is_small() && b.is_small() && sum <= kSmallLimit && sum >= -kSmallLimit) [[likely]]
-      return static_cast<double>(sum) / static_cast<double>(kSmallPerOne);
+    if (a.is_small() && b.is_small() && is_small(sum)) [[likely]]
+      return nearest_small(sum);
     return (a + b).nearest();
   }
   // *this = small / 10^6, |small| <= kSmallLimit. Writing the parts apart keeps the processor from waiting for them

@@ -24,8 +24,8 @@ Vector cross(const Vector& a, const Vector& b) {
 
 using WideVector = std::array<Wide, 3>;
 WideVector wide(const std::array<Int128, 3>& v) { return {Wide(v[kX]), Wide(v[kY]), Wide(v[kZ])}; }
-FineVector fine(const Displacement& m) {
-  return {to_double_double(m.whole[kX]), to_double_double(m.whole[kY]), to_double_double(m.whole[kZ])};
+FineVector fine(const std::array<Int128, 3>& v) {
+  return {to_double_double(v[kX]), to_double_double(v[kY]), to_double_double(v[kZ])};
 }
 
 bool is_exact(const Displacement& m, const Direction& v) { return v.is_whole && m.slack == 0; }
@@ -76,7 +76,7 @@ int CompensationVector::dot_sign(const Kinematics& kinematics, const Displacemen
   }
   if (drop_fine_level()) return d > 0 ? 1 : -1;
   if (is_exact(m, v)) return dot(wide(m.whole), wide(v.whole)).sign();
-  const double refined = dot(fine(m), kinematics.refine(v)).hi;
+  const double refined = dot(fine(m.whole), kinematics.refine(v)).hi;
   if (std::abs(refined) <= fine_bound(kinematics, m, v)) return 0;
   return refined > 0 ? 1 : -1;
 }
@@ -106,7 +106,7 @@ int CompensationVector::compare(const Kinematics& kinematics, const Displacement
     }
     return (squared * Wide(4) - dot(movement, movement) * dot(tool, tool) * Wide(limit.quarters)).sign();
   }
-  const FineVector movement = fine(m);
+  const FineVector movement = fine(m.whole);
   const FineVector tool = kinematics.refine(v);
   DoubleDouble squared;
   if (side == Side::dot) {
@@ -161,20 +161,22 @@ Lean CompensationVector::lean(const Kinematics& kinematics, const Displacement& 
   if (4 * c2 >= square) [[likely]]
     lean.backward = c.cross(v.unit);
   else
-    lean.backward = fine_backward(kinematics, m, v);
+    lean.backward = fine_backward(kinematics, m, v, std::sqrt(c2 / square));
   lean.norm = lean.backward.norm();
   return lean;
 }
 
 Eigen::Vector3d CompensationVector::fine_backward(const Kinematics& kinematics, const Displacement& m,
-                                                  const Direction& v) {
-  if (is_exact(m, v)) {
+                                                  const Direction& v, double sine) {
+  // Double-double loses as many of its 98 bits as the sine has leading zeros: enough down to 2^-30 for a double. Below
+  // that whole numbers are exact; a direction from rotary axes has no better numbers, nor could it use them.
+  if (is_exact(m, v) && sine < 0x1p-30) {
     const WideVector tool = wide(v.whole);
     const WideVector exact = cross(cross(wide(m.whole), tool), tool);
     return {exact[kX].to_double(), exact[kY].to_double(), exact[kZ].to_double()};
   }
-  const FineVector tool = kinematics.refine(v);
-  const FineVector refined = cross(cross(fine(m), tool), tool);
+  const FineVector tool = v.is_whole ? fine(v.whole) : kinematics.refine(v);
+  const FineVector refined = cross(cross(fine(m.whole), tool), tool);
   return {refined[kX].hi, refined[kY].hi, refined[kZ].hi};
 }
 

@@ -56,8 +56,9 @@ class CompensationVector {
 
   [[nodiscard]] AngleClass classify(const Kinematics& kinematics, const Displacement& m, const Direction& v) const;
   // (M x V) x V without the cancellation that doubles suffer near 0 and 180 degrees.
+  // `sine` is about |M x V| / |M||V|.
   [[nodiscard]] static Eigen::Vector3d fine_backward(const Kinematics& kinematics, const Displacement& m,
-                                                     const Direction& v);
+                                                     const Direction& v, double sine);
 
   Square sine_;
   Square cosine_;

@@ -31,13 +31,19 @@ Alarm Interpreter::place(std::size_t axis, const Count& position) {
   return alarm::kNone;
 }
 
-// The usual word without a detour: a position of at most six places, as it is written.
+// The usual word without a detour: a position of at most six places, as it is written, with an offset of as many.
 inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
   if (plain_words_ && !incremental_) [[likely]]
     if (const std::int64_t small = Count::small_of(words.axis(axis)); small != Count::kNotSmall) [[likely]] {
       programmed_[axis].set_small(small);
-      programmed_value_[axis] = static_cast<double>(small) / static_cast<double>(Count::kSmallPerOne);
-      stale_ = static_cast<Mask>(stale_ | bit(axis));
+      const double position = Count::nearest_small(small);
+      programmed_value_[axis] = position;
+      if ((length_.live() & bit(axis)) == 0)
+        axes_value_[axis] = position;
+      else if (const std::int64_t sum = small + length_[axis].small(); length_[axis].is_small() && Count::is_small(sum))
+        axes_value_[axis] = Count::nearest_small(sum);
+      else
+        stale_ = static_cast<Mask>(stale_ | bit(axis));
       return alarm::kNone;
     }
   return place(axis, target(words, axis));
@@ -109,7 +115,8 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
   if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
   if ((axes & turning_) != 0) turn();
-  if (const Alarm a = refresh()) return a;
+  if (stale_ != 0)
+    if (const Alarm a = refresh()) return a;
 
   constexpr std::uint32_t kDirectionLetters = Words::set_of("IJK");
   const bool event = axes != 0 || extra || arc || (own && along_tool() && words.has_any(kDirectionLetters));

@@ -40,26 +40,31 @@ ToolLengthOffset::Mode ToolLengthOffset::mode_after(Code code) const {
   }
 }
 
-void ToolLengthOffset::touch() {
-  if (touched_) return;
-  touched_ = true;
-  offset_before_ = offset_;
-  length_before_ = length_;
+bool ToolLengthOffset::changed() const {
+  if ((touched_ & kLength) != 0 && !(length_ == length_before_)) return true;
+  for (unsigned rest = touched_ & ~static_cast<unsigned>(kLength); rest != 0; rest &= rest - 1) {
+    const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
+    if (!(offset_[axis] == offset_before_[axis])) return true;
+  }
+  return false;
 }
 
-bool ToolLengthOffset::changed() const { return touched_ && !(offset_ == offset_before_ && length_ == length_before_); }
-
 void ToolLengthOffset::set(std::size_t axis, const Count& value) {
-  touch();
-  offset_[axis] = fault(Fault::offset_accumulates) ? offset_[axis] + value : value;
+  if ((touched_ & bit(axis)) == 0) offset_before_[axis] = offset_[axis];
+  touched_ = static_cast<std::uint16_t>(touched_ | bit(axis));
+  offset_[axis] = fault(Fault::offset_accumulates) && !value.is_zero() ? offset_[axis] + value : value;
   live_ = static_cast<std::uint16_t>(offset_[axis].is_zero() ? live_ & ~bit(axis) : live_ | bit(axis));
+}
+
+void ToolLengthOffset::set_length(const Count& value) {
+  if ((touched_ & kLength) == 0) length_before_ = length_;
+  touched_ = static_cast<std::uint16_t>(touched_ | kLength);
+  length_ = value;
 }
 
 void ToolLengthOffset::cancel(std::size_t axis) {
   if ((live_ & bit(axis)) == 0 || fault(Fault::g53_keeps_offset)) return;
-  touch();
-  offset_[axis] = Count();
-  live_ = static_cast<std::uint16_t>(live_ & ~bit(axis));
+  set(axis, Count());
   taken_ = static_cast<std::uint16_t>(taken_ | bit(axis));
 }
 
@@ -72,8 +77,7 @@ Alarm ToolLengthOffset::restore(const Words& words, const OffsetMemory& memory) 
   if (!memory.fits(value)) return alarm::kOffsetValue;
   edited_ = false;
   if (mode_ == Mode::along_tool) {
-    touch();
-    length_ = value;
+    set_length(value);
     return alarm::kNone;
   }
   std::uint16_t axes = back ? last_ : static_cast<std::uint16_t>(last_ & ~taken_);
@@ -104,13 +108,9 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
 
   if (code == 490) {
     if (std::popcount(live_) >= 3 && !fault(Fault::g49_any_number)) return alarm::kLengthAxes;
-    touch();
-    for (std::size_t axis = 0; axis < axes_; ++axis) {
-      if (fault(Fault::g49_z_only) && axis != z_) continue;
-      offset_[axis] = Count();
-      live_ = static_cast<std::uint16_t>(live_ & ~bit(axis));
-    }
-    length_ = Count();
+    for (std::size_t axis = 0; axis < axes_; ++axis)
+      if ((live_ & bit(axis)) != 0 && (axis == z_ || !fault(Fault::g49_z_only))) set(axis, Count());
+    set_length(Count());
     last_ = taken_ = 0;
     edited_ = false;
   }
@@ -152,8 +152,7 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
   mode_ = mode;
   edited_ = false;
   if (mode == Mode::along_tool) {
-    touch();
-    length_ = value;
+    set_length(value);
     last_ = taken_ = 0;
     return alarm::kNone;
   }

@@ -27,7 +27,7 @@ class ToolLengthOffset {
   [[nodiscard]] std::uint16_t live() const { return live_; }     // axes whose offset is not 0
   // Whether the vector, or L, differs from what it was at begin_block().
   [[nodiscard]] bool changed() const;
-  void begin_block() { touched_ = false; }
+  void begin_block() { touched_ = 0; }
   // Whether restore() may have something to do.
   [[nodiscard]] bool pending() const { return taken_ != 0 || edited_; }
   // The mode after a block with this code of group 08.
@@ -45,8 +45,8 @@ class ToolLengthOffset {
  private:
   enum class Type : std::uint8_t { a, b, c };
 
-  void touch();
   void set(std::size_t axis, const Count& value);
+  void set_length(const Count& value);
   [[nodiscard]] Count signed_value(const Count& value, Mode mode) const { return mode == Mode::minus ? -value : value; }
   [[nodiscard]] std::uint16_t affected(const Words& words, Code code, std::size_t normal) const;
 
@@ -67,8 +67,9 @@ class ToolLengthOffset {
   std::array<Count, spec::kMaxAxes> offset_;
   Count length_;
 
-  // The values at begin_block(), kept when the first of them is written.
-  bool touched_ = false;
+  // What was written since begin_block(), one bit an axis and kLength, and the values from before.
+  static constexpr std::uint16_t kLength = 1U << spec::kMaxAxes;
+  std::uint16_t touched_ = 0;
   std::array<Count, spec::kMaxAxes> offset_before_;
   Count length_before_;
 };

@@ -16,7 +16,8 @@ namespace {
 
 using namespace toolcomp;
 
-constexpr int kBlocks = 1000;
+// Few enough to stay in the cache: a reader fills one block again and again.
+constexpr int kBlocks = 100;
 
 // C-B tool rotation head: C (about Z) carries B (about Y).
 constexpr std::string_view kSetup = R"(
