@@ -48,17 +48,20 @@ class FileSource final : public ByteSource {
   FileSource(const FileSource&) = delete;
   FileSource& operator=(const FileSource&) = delete;
   ~FileSource() override {
-    if (file_ != stdin) std::fclose(file_);
+    if (file_ != stdin) (void)std::fclose(file_);  // read only: nothing is lost
   }
   std::size_t read(char* buffer, std::size_t size) override {
+    if (ended_) return 0;
     const std::size_t count = std::fread(buffer, 1, size, file_);
-    if (count == 0 && std::ferror(file_) != 0) cannot_be_read(path_);  // a folder, for one, opens but cannot be read
+    ended_ = count < size;
+    if (ended_ && std::ferror(file_) != 0) cannot_be_read(path_);  // a folder, for one, opens but cannot be read
     return count;
   }
 
  private:
   std::string path_;
   std::FILE* file_;
+  bool ended_ = false;
 };
 
 }  // namespace

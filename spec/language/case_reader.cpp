@@ -19,7 +19,7 @@ const Node& required(const Node& node, std::string_view key, const Reader& read)
 
 void read_dialect(const Node& node, const Reader& read, Case& c) {
   if (read.choice(node, "dialect", {"fanuc", "klartext"}) == 1)
-    read.fail(node.at, "dialect: \"klartext\" is not built yet; expected \"fanuc\"");
+    read.fail(node.at, R"(dialect: "klartext" is not built yet; expected "fanuc")");
   c.dialect = node.text;
 }
 

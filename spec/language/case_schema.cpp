@@ -92,7 +92,7 @@ std::string_view event_schema() {
       "required": ["kind", "number", "line"],
       "properties": {
         "kind": { "enum": ["alarm", "warning"] },
-        "number": { "description": "Such as PS0041, or a name of ours.", "type": "string", "maxLength": 47 },
+        "number": { "description": "Such as PS0041, or a name of ours.", "type": "string", "maxLength": 63 },
         "line": { "$ref": "#/$defs/count" },
         "n": { "$ref": "#/$defs/count" },
         "message": { "type": "string" },
@@ -104,7 +104,7 @@ std::string_view event_schema() {
       "required": ["kind", "name", "value", "line"],
       "properties": {
         "kind": { "const": "setting" },
-        "name": { "description": "Such as H1 or H1.wear.", "type": "string", "maxLength": 47 },
+        "name": { "description": "Such as H1 or H1.wear.", "type": "string", "maxLength": 63 },
         "value": { "$ref": "#/$defs/number" },
         "line": { "$ref": "#/$defs/count" },
         "n": { "$ref": "#/$defs/count" },
@@ -118,7 +118,7 @@ std::string_view event_schema() {
         "kind": { "const": "undecided" },
         "line": { "$ref": "#/$defs/count" },
         "n": { "$ref": "#/$defs/count" },
-        "clause": { "type": "string", "maxLength": 47 },
+        "clause": { "type": "string", "maxLength": 63 },
         "permitted": { "type": "array", "items": { "enum": ["positive", "negative", "tie"] } },
         "clauses": { "$ref": "#/$defs/clauses" }
       }

@@ -96,6 +96,7 @@ std::uint64_t Reader::integer(const Node& node, std::string_view name, std::uint
 std::vector<std::string> Reader::strings(const Node& node, std::string_view name) const {
   expect(node, Kind::array, name);
   std::vector<std::string> list;
+  list.reserve(node.items.size());
   for (const Node& item : node.items) list.push_back(string(item, name));
   return list;
 }

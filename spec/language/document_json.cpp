@@ -193,7 +193,10 @@ class Parser {
     constexpr std::string_view kNames = "\"\\/bfnrt";
     constexpr std::string_view kBytes = "\"\\/\b\f\n\r\t";
     const int name = peek();
-    if (name == 'u') return unicode(out);
+    if (name == 'u') {
+      unicode(out);
+      return;
+    }
     const std::size_t index = name < 0 ? std::string_view::npos : kNames.find(static_cast<char>(name));
     if (index == std::string_view::npos) fail("an unknown escape in a string");
     out += kBytes[index];

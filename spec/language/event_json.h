@@ -20,7 +20,7 @@ class EventJson {
       : out_(out), axes_(axes), append_number_(append_number) {}
 
   void write(const Event<Number>& event) {
-    out_ += "{\"kind\":\"";
+    out_ += R"({"kind":")";
     out_ += name(event.kind);
     out_ += '"';
     switch (event.kind) {

@@ -45,7 +45,7 @@ inline constexpr std::array<std::string_view, 24> kFieldNames{
 
 constexpr std::string_view field_name(Field field) { return kFieldNames[static_cast<std::size_t>(field)]; }
 constexpr std::optional<Field> find_field(std::string_view name) {
-  const auto found = std::ranges::find(kFieldNames, name);
+  const auto* const found = std::ranges::find(kFieldNames, name);
   if (found == kFieldNames.end()) return std::nullopt;
   return static_cast<Field>(found - kFieldNames.begin());
 }

@@ -62,7 +62,7 @@ void append_json_string(std::string& out, std::string_view text) {
 
 void append_integer(std::string& out, std::uint64_t value) {
   std::array<char, 20> digits;  // of 2^64 - 1
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   out.append(digits.data(), end);
 }
 

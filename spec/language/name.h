@@ -12,7 +12,7 @@ namespace toolcomp::spec {
 // At most kCapacity characters; longer text is cut (no name of the specification is longer; a test checks it).
 class Name {
  public:
-  static constexpr std::size_t kCapacity = 47;
+  static constexpr std::size_t kCapacity = 63;
 
   constexpr Name() = default;
   constexpr Name(std::string_view text)  // NOLINT(google-explicit-constructor): a name is text

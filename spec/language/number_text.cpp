@@ -52,7 +52,10 @@ bool is_json_number(std::string_view text) {
 
 void append_shortest(std::string& out, double value) {
   std::array<char, 32> text;
-  if (value == 0 || !std::isfinite(value)) return append(out, value, std::chars_format::general);
+  if (value == 0 || !std::isfinite(value)) {
+    append(out, value, std::chars_format::general);
+    return;
+  }
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
   out.append(text.data(), result.ptr);
 }

@@ -12,7 +12,7 @@
 namespace toolcomp::spec {
 namespace {
 
-constexpr std::size_t kBufferSize = 64 * 1024;
+constexpr std::size_t kBufferSize = 65536;
 constexpr int kMaxProgramDigits = 15;  // one more raises PS0003
 constexpr int kEnd = -1;
 
@@ -99,9 +99,10 @@ struct ProgramReader::State {
 
   // One block, up to and with what ends it; false if it has no word but N and no alarm.
   bool read_block(Block& block);
-  void read_word(Block& block, char letter);
-  void read_slash(Block& block);
-  void raise(Block& block, std::uint32_t column, const char* number, const char* message);
+  // These return whether all is well; after a fault the rest of the block is behind.
+  bool read_word(Block& block, char letter);
+  bool read_slash(Block& block);
+  bool raise(Block& block, std::uint32_t column, const char* number, const char* message);
   void skip_comment();
   void skip_block();
   void end_line();
@@ -133,11 +134,12 @@ bool ProgramReader::State::refill() {
   return !exhausted;
 }
 
-// Keeps the first fault; the rest of the block is not read as words.
-void ProgramReader::State::raise(Block& block, std::uint32_t column, const char* number, const char* message) {
+// Attaches the fault; the rest of the block is not read as words.
+bool ProgramReader::State::raise(Block& block, std::uint32_t column, const char* number, const char* message) {
   block.alarm = ReadAlarm{number, column, message};
   started = true;
   skip_block();
+  return false;
 }
 
 void ProgramReader::State::refuse(int byte) {
@@ -179,7 +181,10 @@ void ProgramReader::State::skip_comment() {
   for (;;) {
     const int byte = peek();
     if (byte == kEnd || byte == '\n') return;
-    if (byte == 0x1A) return end_file();
+    if (byte == 0x1A) {
+      end_file();
+      return;
+    }
     if (byte < 0x80 && kKinds[static_cast<std::size_t>(byte)] == Kind::bad) refuse(byte);
     take();
     if (byte == ')') return;
@@ -210,17 +215,18 @@ void ProgramReader::State::skip_block() {
 }
 
 // At the / that begins a block: the switch number, and the whole block where blocks are to be skipped.
-void ProgramReader::State::read_slash(Block& block) {
+bool ProgramReader::State::read_slash(Block& block) {
   if (block.size != 0 || block.n) return raise(block, column(), "PS0004", "/ stands only at the head of a block");
   started = true;
   take();
   const int byte = peek();
   if (byte >= '1' && byte <= '9') take();
   if (options.block_skip) skip_block();
+  return true;
 }
 
 // An address, whose letter peek() still shows, and its number.
-void ProgramReader::State::read_word(Block& block, char letter) {
+bool ProgramReader::State::read_word(Block& block, char letter) {
   const std::uint32_t start = column();
   const Address admitted = address[static_cast<unsigned char>(letter)];
   if (!admitted.known) return raise(block, start, "PS0009", "this letter is no address of this control");
@@ -260,6 +266,7 @@ void ProgramReader::State::read_word(Block& block, char letter) {
     block.n = value.digits;
   else
     block.word[block.size++] = {letter, value, start};
+  return true;
 }
 
 bool ProgramReader::State::read_block(Block& block) {

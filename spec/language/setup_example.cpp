@@ -62,7 +62,7 @@ Z = "198.0"
 
 std::string_view setup_example(Control control) {
   if (control == Control::heidenhain)
-    throw InputError("setup", 0, 0, "the sections of control \"heidenhain\" are not built yet; expected \"fanuc\"");
+    throw InputError("setup", 0, 0, R"(the sections of control "heidenhain" are not built yet; expected "fanuc")");
   return kFanuc;
 }
 

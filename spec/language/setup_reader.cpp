@@ -149,7 +149,7 @@ void read_reference(const Node& node, const Reader& read, Setup& setup) {
 Control control_from(const Node& node, const Reader& read) {
   const auto control = static_cast<Control>(read.choice(node, "control", {"fanuc", "heidenhain"}));
   if (control == Control::heidenhain)
-    read.fail(node.at, "control: the sections of \"heidenhain\" are not built yet; expected \"fanuc\"");
+    read.fail(node.at, R"(control: the sections of "heidenhain" are not built yet; expected "fanuc")");
   return control;
 }
 

@@ -56,12 +56,14 @@ std::vector<Table> tables(const Setup& setup, Format format) {
   };
   const auto entries = [&](const std::map<std::uint32_t, OffsetEntry>& memory) {
     std::vector<Pair> pairs;
+    pairs.reserve(memory.size());
     for (const auto& [index, value] : memory)
       pairs.emplace_back(key(std::to_string(index), true), entry(value, format));
     return pairs;
   };
   const auto axes = [&](const AxisTable& table) {
     std::vector<Pair> pairs;
+    pairs.reserve(table.size());
     for (const auto& [letter, value] : table) pairs.emplace_back(key(std::string(1, letter), true), number(value));
     return pairs;
   };
@@ -116,12 +118,15 @@ class Members {
 
 std::string write_setup_toml(const Setup& setup) {
   std::string text;
-  for (const auto& [key, value] : plain_keys(setup)) text += key + " = " + value + '\n';
+  const auto write = [&text](const std::vector<Pair>& pairs) {
+    for (const auto& [key, value] : pairs) text.append(key).append(" = ").append(value).append(1, '\n');
+  };
+  write(plain_keys(setup));
   text += "\n[offsets]\nmemory = " + name(kMemories, setup.memory) + '\n';
   text += "count = " + std::to_string(setup.offset_count) + '\n';
   for (const Table& table : tables(setup, Format::toml)) {
     text += "\n[" + table.group + (table.group.empty() ? "" : ".") + table.name + "]\n";
-    for (const auto& [key, value] : table.pairs) text += key + " = " + value + '\n';
+    write(table.pairs);
   }
   return text;
 }

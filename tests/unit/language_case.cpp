@@ -14,6 +14,7 @@
 namespace {
 
 using namespace toolcomp::spec;
+using namespace std::string_view_literals;
 
 std::string error(std::string_view text) {
   try {
@@ -121,7 +122,7 @@ TEST(Case, EmptyPartsAreLeftOut) {
 
 TEST(Case, ProgramsKeepEveryByteJsonCanCarry) {
   Case c;
-  c.program = std::string("\0\x01\"\\/\b\f\n\r\t\x7F (\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80)", 25);
+  c.program = "\0\x01\"\\/\b\f\n\r\t\x7F (\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80)"sv;
   EXPECT_EQ(read_case(write_case(c), "c").program, c.program);
   c.program = "(\xE4)";  // Latin-1: JSON has no byte for it
   EXPECT_EQ(read_case(write_case(c), "c").program, "(\xEF\xBF\xBD)");
@@ -160,8 +161,8 @@ TEST(Case, EventsHaveTheFieldsOfTheirKind) {
             "kind: unknown value \"motion\"; expected one of move, sample, alarm, warning, setting, undecided");
   EXPECT_EQ(event_error(R"({"kind":"alarm","number":"A","line":1,"clauses":["no.such.clause"]})"),
             "clauses: unknown clause \"no.such.clause\"");
-  EXPECT_EQ(event_error(R"({"kind":"alarm","line":1,"number":")" + std::string(48, 'A') + "\"}"),
-            "number: longer than 47 characters");
+  EXPECT_EQ(event_error(R"({"kind":"alarm","line":1,"number":")" + std::string(64, 'A') + "\"}"),
+            "number: longer than 63 characters");
 }
 
 TEST(Case, NumbersAreNumbers) {
