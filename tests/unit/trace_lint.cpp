@@ -117,7 +117,7 @@ TEST_F(LinterFaults, Outcomes) {
              "unreachable outcomes and their reason belong together");
   expect_one(clause("fanuc.x.a", sign + "unreachable = [\"never\"]\nunreachable_reason = \"So.\""),
              "never is no outcome");
-  expect_one(clause("fanuc.x." + std::string(48, 'a'), sign), "too long for an `undecided` event");
+  expect_one(clause("fanuc.x." + std::string(64, 'a'), sign), "too long for an `undecided` event");
 }
 
 TEST_F(LinterFaults, Parameters) {

@@ -1,0 +1,82 @@
+#include "corpus/golden.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <string_view>
+
+#include "corpus/files.h"
+#include "spec/language/case_format.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::corpus {
+namespace {
+
+// Appends the vectors of one file. `name` stands in messages and in the vectors.
+void read_into(std::vector<Vector>& vectors, const std::filesystem::path& file, const std::string& name) {
+  const std::string bytes = read_file(file);
+  std::size_t number = 0;
+  for (std::size_t begin = 0; begin < bytes.size();) {
+    const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
+    ++number;
+    if (end > begin) {
+      Vector vector{name, number, bytes.substr(begin, end - begin), {}};
+      try {
+        vector.c = spec::read_case(vector.text, name);
+      } catch (const spec::InputError& error) {
+        throw spec::InputError(file.string(), number, error.column(), error.message());
+      }
+      vectors.push_back(std::move(vector));
+    }
+    begin = end + 1;
+  }
+}
+
+}  // namespace
+
+std::filesystem::path default_folder() { return std::filesystem::path(TOOLCOMP_SOURCE_DIR) / "corpus" / "golden"; }
+
+bool Selection::wants(const std::string& section) const {
+  return sections.empty() || std::ranges::find(sections, section) != sections.end();
+}
+
+void set_shard(Selection& selection, const std::string& shard) {
+  const char* const end = shard.data() + shard.size();
+  const auto first = std::from_chars(shard.data(), end, selection.index);
+  const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
+  const auto second = std::from_chars(slash ? first.ptr + 1 : end, end, selection.count);
+  if (!slash || second.ec != std::errc() || second.ptr != end || selection.index < 1 ||
+      selection.index > selection.count)
+    throw spec::InputError("--shard", 0, 0, "a shard is I/N with 1 <= I <= N");
+}
+
+std::vector<Vector> read_vectors(const std::filesystem::path& folder, const Selection& selection) {
+  const Manifest manifest = read_manifest(folder);
+  for (const std::string& section : selection.sections)
+    if (std::ranges::none_of(manifest.files, [&](const ManifestFile& file) { return file.section == section; }))
+      throw spec::InputError(folder.string(), 0, 0, "no vectors of section " + section);
+  std::vector<Vector> all;
+  for (const ManifestFile& file : manifest.files)
+    if (selection.wants(file.section)) read_into(all, folder / file.file, file.file);
+  if (selection.count == 1) return all;
+  std::vector<Vector> selected;
+  for (std::size_t i = selection.index - 1; i < all.size(); i += selection.count) selected.push_back(std::move(all[i]));
+  return selected;
+}
+
+std::vector<spec::Case> read_cases(const std::filesystem::path& file) {
+  std::vector<Vector> vectors;
+  read_into(vectors, file, file.filename().string());
+  std::vector<spec::Case> cases;
+  cases.reserve(vectors.size());
+  for (Vector& vector : vectors) cases.push_back(std::move(vector.c));
+  return cases;
+}
+
+std::vector<spec::Case> read_golden(const std::filesystem::path& folder) {
+  std::vector<spec::Case> cases;
+  for (Vector& vector : read_vectors(folder)) cases.push_back(std::move(vector.c));
+  return cases;
+}
+
+}  // namespace toolcomp::corpus

@@ -1,0 +1,44 @@
+// The golden corpus: vectors in files of one case a line, in a folder a section, pinned by a manifest.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "corpus/manifest.h"
+#include "spec/language/case.h"
+
+namespace toolcomp::corpus {
+
+// corpus/golden of the source tree the tool was built from.
+std::filesystem::path default_folder();
+
+// A vector and where it stands.
+struct Vector {
+  std::string file;      // relative to the corpus, with '/'
+  std::size_t line = 0;  // from 1
+  std::string text;      // as it stands
+  spec::Case c;
+};
+
+// Which vectors: of these sections (all if empty), and of those every `count`-th, from the `index`-th.
+struct Selection {
+  std::vector<std::string> sections;
+  std::size_t index = 1;  // 1 … count
+  std::size_t count = 1;
+
+  [[nodiscard]] bool wants(const std::string& section) const;
+};
+// Reads "I/N"; throws spec::InputError for anything else.
+void set_shard(Selection& selection, const std::string& shard);
+
+// The selected vectors, by file and line. Throws spec::InputError (naming file and line) for what is no case, for a
+// folder without manifest, and for a section that the corpus does not have.
+std::vector<Vector> read_vectors(const std::filesystem::path& folder, const Selection& selection = {});
+
+// The cases of one file (one JSON object a line; empty lines are skipped), and of the whole corpus.
+std::vector<spec::Case> read_cases(const std::filesystem::path& file);
+std::vector<spec::Case> read_golden(const std::filesystem::path& folder);
+
+}  // namespace toolcomp::corpus
