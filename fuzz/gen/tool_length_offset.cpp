@@ -161,8 +161,31 @@ class LengthOffset {
       write_.word(fmt::format("H{}", choose_.between(1, static_cast<std::int64_t>(case_.setup.h.size()))));
       write_.end_block();
     }
-    write_.word(choose_.one_of({"G49", "G49", "H0", "G28"}));
-    finish(choose_.chance(50));
+    if (choose_.chance(60)) {
+      write_.word(choose_.one_of({"G49", "G49", "H0"}));
+      return finish(choose_.chance(50));
+    }
+    absolute_once();
+    write_.word(choose_.one_of({"G28", "G53"}));
+    for (const char letter : normals)
+      if (choose_.chance(80)) travel(letter);
+    write_.end_block();
+    restoration();
+  }
+
+  // The block after a cancellation: what brings the vector back, or not yet.
+  void restoration() {
+    switch (choose_.below(5)) {
+      case 0:
+        write_.word(choose_.one_of({"G40", "G40", "D0"}));
+        return finish(true);
+      case 1:
+        return lone_number();
+      case 2:
+        return offset();
+      default:
+        return finish(true);
+    }
   }
 
   void lone_number() {
@@ -189,6 +212,7 @@ class LengthOffset {
     write_.word("G53");
     move();
     write_.end_block();
+    if (choose_.chance(50)) restoration();
   }
 
   void reference() {
@@ -212,6 +236,7 @@ class LengthOffset {
     }
     if (choose_.chance(90)) move();
     write_.end_block();
+    if (choose_.chance(40)) restoration();
   }
 
   void memory() {

@@ -64,7 +64,9 @@ TEST_P(Misbehaves, GivesATypedFindingThatReplayReproduces) {
   ASSERT_EQ(paths.size(), c.findings.size());
   for (std::size_t i = 0; i < c.findings.size(); ++i) {
     const Finding& f = c.findings[i];
-    if (*m.kind != '\0') EXPECT_EQ(f.key.kind, m.kind);
+    if (*m.kind != '\0') {
+      EXPECT_EQ(f.key.kind, m.kind);
+    }
     EXPECT_TRUE(spec::find_clause(f.key.clause)) << f.key.clause << " in\n" << f.smallest.program;
     EXPECT_LE(count_blocks(f.smallest.program), m.most_blocks) << f.smallest.program;
     EXPECT_GE(count_blocks(f.smallest.program), 1U);
@@ -91,8 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"no-events", "malformed reply", 3}, Misbehaviour{"missing-field", "missing field", 3},
                     Misbehaviour{"missing-axes", "", 3}, Misbehaviour{"hello-rubbish", "malformed reply", 3},
                     Misbehaviour{"hello-hang", "hang", 3}),
-    [](const auto& info) {
-      std::string name = info.param.fault;
+    [](const auto& test) {
+      std::string name = test.param.fault;
       std::ranges::replace(name, '-', '_');
       return name;
     });

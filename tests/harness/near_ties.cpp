@@ -146,14 +146,5 @@ TEST(NearTies, AChainOfTiesIsFollowed) {
   EXPECT_GT(v.ties, 3U);
 }
 
-// A program that can be opened again settles the same question while streaming; one that is read once cannot.
-TEST(NearTies, StreamsAreDecidedByRunningAgain) {
-  const spec::Case c = leaning("0.0000000000001");
-  const auto open = [&] { return spec::ProgramReader(spec::text_source(c.program), c.setup.axes); };
-  EXPECT_EQ(judge_stream(open, c.setup).outcome, Outcome::agrees);
-  spec::ProgramReader once = open();
-  EXPECT_EQ(judge_stream(once, c.setup).outcome, Outcome::agrees);
-}
-
 }  // namespace
 }  // namespace toolcomp::fuzz

@@ -1,3 +1,4 @@
+// link: toolcomp_fuzz_faulty
 // Judging while reading: long programs, and the same verdicts as on whole cases.
 #include <gtest/gtest.h>
 
@@ -5,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "fast/fault.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/trial.h"
@@ -76,6 +78,35 @@ TEST(Streams, HoldNoMoreThanTheirWindow) {
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GT(v.values, 9U * blocks);
   EXPECT_LT(g_most_nodes, 100'000U);
+}
+
+// The fault takes a lean away from the movement for one towards it: the other outcome of a decision by sign. Within the
+// band of a near tie that is permitted, which a program that can be opened again shows and one read once cannot.
+TEST(Streams, SettleNearTiesByRunningAgain) {
+  const auto program = [](const std::string& lean) {
+    return "G91 G01 F100 G43.5 H0 I-" + lean + " K1.\nG41.3 D1\nX100.\nX50.\nG40\n";
+  };
+  spec::Setup setup;
+  setup.d[1].geometry = spec::decimal(10);
+  setup.parameters[{19631, -1}] = spec::decimal(0);
+  const auto reader = [&](const std::string& text) { return spec::ProgramReader(spec::text_source(text), setup.axes); };
+  const std::string inside = program("0.0000000000001");
+  const std::string outside = program("0.00000000001");
+
+  fast::active_fault = fast::Fault::above_90_not_reversed;
+  const Verdict settled = judge_stream([&] { return reader(inside); }, setup);
+  spec::ProgramReader once = reader(inside);
+  const Verdict open = judge_stream(once, setup);
+  const Verdict wrong = judge_stream([&] { return reader(outside); }, setup);
+  fast::active_fault = fast::Fault::none;
+
+  EXPECT_EQ(settled.outcome, Outcome::agrees)
+      << (settled.difference ? explain(*settled.difference) : settled.undecided);
+  EXPECT_GT(settled.ties, 0U);
+  EXPECT_EQ(open.outcome, Outcome::undecided);
+  EXPECT_EQ(wrong.outcome, Outcome::differs);
+  spec::ProgramReader sound = reader(inside);
+  EXPECT_EQ(judge_stream(sound, setup).outcome, Outcome::agrees);
 }
 
 }  // namespace
