@@ -1,0 +1,57 @@
+#include "corpus/check.h"
+
+#include "corpus/vector.h"
+
+namespace toolcomp::corpus {
+namespace {
+
+// What is wrong with a subject's answer to a vector; empty if nothing is. An undecided one is counted.
+std::string judged(const fuzz::Trial& trial, CheckResult& result) {
+  switch (trial.verdict.outcome) {
+    case fuzz::Outcome::agrees:
+      return {};
+    case fuzz::Outcome::undecided:
+      ++result.undecided;
+      return {};
+    case fuzz::Outcome::nothing_judged:
+      return "nothing could be judged";
+    case fuzz::Outcome::differs:
+      break;
+  }
+  return trial.verdict.difference ? fuzz::explain(*trial.verdict.difference) : "differs";
+}
+
+}  // namespace
+
+CheckResult check(const CheckOptions& options) {
+  CheckResult result;
+  const std::vector<Vector> vectors = read_vectors(options.folder, options.selection);
+  for (const Vector& vector : vectors) {
+    const fuzz::Trial trial = options.subject ? fuzz::try_case(vector.c, options.subject) : fuzz::try_case(vector.c);
+    ++result.vectors;
+    result.values += trial.verdict.values;
+    result.ties += trial.verdict.ties;
+    std::string wrong = options.subject ? judged(trial, result) : verify(vector.c, trial);
+    if (!wrong.empty()) result.failures.push_back({vector.file, vector.line, vector.c.id, std::move(wrong)});
+    if (options.progress) options.progress(result.vectors, vectors.size());
+  }
+  return result;
+}
+
+Coverage coverage(const std::filesystem::path& folder, const Selection& selection) {
+  Coverage sum{std::vector<spec::OutcomeCounts>(spec::kClauseCount), 0};
+  for (const Vector& vector : read_vectors(folder, selection)) {
+    const fuzz::ModelRun run = fuzz::run_model(vector.c);
+    ++sum.vectors;
+    for (std::size_t i = 0; i < sum.counts.size(); ++i) {
+      const model::ClauseCount& count = run.recorder.counts()[i];
+      sum.counts[i].reached += count.reached;
+      sum.counts[i].positive += count.positive;
+      sum.counts[i].negative += count.negative;
+      sum.counts[i].tie += count.tie;
+    }
+  }
+  return sum;
+}
+
+}  // namespace toolcomp::corpus

@@ -1,0 +1,51 @@
+// Runs golden vectors: through both engines, or through a controller.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "corpus/golden.h"
+#include "fuzz/oracle/trial.h"
+#include "spec/trace/coverage.h"
+
+namespace toolcomp::corpus {
+
+// A vector that did not hold.
+struct Failure {
+  std::string file;
+  std::size_t line = 0;
+  std::string id;
+  std::string what;
+};
+
+struct CheckResult {
+  std::uint64_t vectors = 0;
+  std::uint64_t values = 0;     // numbers and alarms judged
+  std::uint64_t ties = 0;       // the other, permitted, side of a near tie was taken
+  std::uint64_t undecided = 0;  // neither agreed nor failed
+  std::vector<Failure> failures;
+};
+
+struct CheckOptions {
+  std::filesystem::path folder = default_folder();
+  Selection selection;
+  // Judged instead of both engines; empty: the model must give every vector again to the letter, and the fast engine
+  // must agree with it.
+  fuzz::Subject subject;
+  std::function<void(std::uint64_t done, std::uint64_t all)> progress;
+};
+
+// Throws spec::InputError for a corpus that cannot be read.
+CheckResult check(const CheckOptions& options);
+
+// The clause outcomes that the selected vectors exercise in the model, by Clause, and how many vectors there are.
+struct Coverage {
+  std::vector<spec::OutcomeCounts> counts;
+  std::uint64_t vectors = 0;
+};
+Coverage coverage(const std::filesystem::path& folder = default_folder(), const Selection& selection = {});
+
+}  // namespace toolcomp::corpus

@@ -1,0 +1,33 @@
+// Inputs written by hand: the worked examples of the manuals, and one program for each rule that chance seldom meets.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace toolcomp::corpus {
+
+// The comment says where the example is from and what it must give, in words and figures worked out by hand; a test
+// holds the vectors to them.
+struct Example {
+  std::string_view comment;
+  std::string_view setup;  // TOML
+  std::string_view program;
+};
+
+// A file of vectors made of examples.
+struct ExampleFile {
+  std::string_view section;
+  std::string_view name;  // "examples": golden/SECTION/examples.jsonl
+  std::span<const Example> examples;
+};
+
+// Every such file of every section, in the order of the contract.
+std::span<const ExampleFile> example_files();
+
+// Defined in examples/SECTION.cpp.
+std::span<const Example> tool_length_offset_examples();
+std::span<const Example> tool_length_offset_rules();
+std::span<const Example> leading_edge_offset_examples();
+std::span<const Example> leading_edge_offset_rules();
+
+}  // namespace toolcomp::corpus

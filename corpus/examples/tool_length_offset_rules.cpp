@@ -1,0 +1,8 @@
+// Tool length offset: one program for each rule that generated programs seldom meet.
+#include "corpus/examples.h"
+
+namespace toolcomp::corpus {
+
+std::span<const Example> tool_length_offset_rules() { return {}; }
+
+}  // namespace toolcomp::corpus

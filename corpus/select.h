@@ -1,0 +1,25 @@
+// Chooses, among generated cases, those that together reach the most.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "spec/language/case.h"
+
+namespace toolcomp::corpus {
+
+struct SelectOptions {
+  std::uint64_t seed = 1;
+  std::size_t vectors = 200;      // at least
+  std::size_t candidates = 6000;  // to choose from
+};
+
+// Vectors of one section, complete: first those that reach a clause, an outcome or a margin of decision that none
+// before them reached, in the order they were generated; then, if those are fewer than `vectors`, the first of the
+// rest. Cases that can be no vector (nothing decided, nothing judged) are passed over; one on which the engines differ
+// comes back without expected events, for the writer to refuse.
+std::vector<spec::Case> select(std::string_view section, const SelectOptions& options);
+
+}  // namespace toolcomp::corpus
