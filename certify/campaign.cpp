@@ -25,7 +25,9 @@ namespace {
 
 // After this many hangs, or faults of any kind, in one section its remaining cases are not run.
 constexpr unsigned kMostHangs = 3;
-constexpr unsigned kMostFaults = 40;
+constexpr unsigned kMostFaults = 20;
+// Programs of a faulty controller that shrinking tries again: each costs a restart, a hang its time-out.
+constexpr std::size_t kMostFaultyRuns = 60;
 constexpr std::size_t kMostUnsettled = 100;
 // Every fourth generated case is unrestricted: mostly alarms.
 constexpr std::uint64_t kUnrestrictedEvery = 4;
@@ -62,7 +64,7 @@ bool is_fault(const FailureKey& key) {
 
 // The time-out while shrinking: short, because a hanging controller uses it up again and again.
 std::chrono::milliseconds short_patience(const Subject& subject, std::chrono::milliseconds timeout) {
-  return std::min(timeout, std::chrono::milliseconds(250) + 20 * subject.slowest());
+  return std::min(timeout, std::chrono::milliseconds(200) + 20 * subject.slowest());
 }
 
 class Campaign {
@@ -81,7 +83,7 @@ class Campaign {
   Certificate run() {
     certificate_.self_check = self_check();
     identify();
-    const std::unique_ptr<Subject> first = subject_of(options_.controller, options_.timeout);
+    const std::unique_ptr<Subject> first = subject_of(options_.controller, options_.timeout, options_.reply_limit);
     const auto capabilities = first->capabilities();
     if (const auto* failure = std::get_if<Fault>(&capabilities)) {
       cannot_be_asked(*first, *failure);
@@ -150,7 +152,8 @@ class Campaign {
     std::vector<std::jthread> helpers;
     for (unsigned job = 1; job < options_.jobs; ++job)
       helpers.emplace_back([this] {
-        const std::unique_ptr<Subject> subject = subject_of(options_.controller, options_.timeout);
+        const std::unique_ptr<Subject> subject =
+            subject_of(options_.controller, options_.timeout, options_.reply_limit);
         work(*subject);
       });
     work(first);
@@ -351,9 +354,15 @@ Finding make_finding(Subject& subject, const Capabilities& capabilities, const s
     return j && j->result == Result::differs && key_of(c, *j) == key;
   };
   const std::chrono::milliseconds patience = short_patience(subject, timeout);
-  // Each run that hangs costs the whole patience.
-  const std::size_t runs = key.kind == name(FaultKind::hang) ? std::min<std::size_t>(max_runs, 100) : max_runs;
-  Shrunk shrunk = shrink(failing, [&](const spec::Case& c) { return fails(c, patience); }, {runs});
+  const bool faulty = is_fault(key);
+  std::size_t faulty_runs = 0;
+  const auto still_fails = [&](const spec::Case& c) {
+    if (faulty && faulty_runs == kMostFaultyRuns) return false;
+    const bool failed = fails(c, patience);
+    if (failed) ++faulty_runs;
+    return failed;
+  };
+  Shrunk shrunk = shrink(failing, still_fails, {max_runs});
   Finding f;
   // What looks like a hang under a short time-out must be one under the real one.
   const bool confirmed = shrunk.smallest.program == failing.program || fails(shrunk.smallest, timeout);
@@ -363,7 +372,7 @@ Finding make_finding(Subject& subject, const Capabilities& capabilities, const s
   f.key = key;
   f.first_case = failing.id;
   f.runs = shrunk.runs;
-  f.complete = shrunk.complete && confirmed;
+  f.complete = shrunk.complete && confirmed && !(faulty && faulty_runs == kMostFaultyRuns);
 
   const fuzz::ModelRun run = fuzz::run_model(f.smallest);
   for (const model::Event& event : run.events) f.expected_events.push_back(certify::in_double(event));

@@ -24,6 +24,7 @@ struct CampaignOptions {
   std::uint32_t generated = 200;      // cases a section
   std::uint64_t seed = 1;
   std::chrono::milliseconds timeout{10'000};  // for one answer
+  std::size_t reply_limit = kReplyLimit;      // bytes of one answer
   unsigned jobs = 1;                          // controllers side by side
   std::size_t shrink_runs = 2000;             // executions a finding may take
   std::string corpus = "none";                // version of the golden corpus, for the certificate

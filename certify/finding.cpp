@@ -136,11 +136,13 @@ Finding read_finding(std::string_view text, const std::string& file) {
   return finding;
 }
 
-std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::milliseconds timeout) {
+std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::milliseconds timeout,
+                                    std::size_t reply_limit) {
   if (controller.empty()) return built_in_engine();
   ControllerOptions options;
   options.command = controller;
   options.timeout = timeout;
+  options.reply_limit = reply_limit;
   return std::make_unique<Controller>(std::move(options));
 }
 

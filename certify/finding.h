@@ -57,7 +57,9 @@ struct Replay {
 Replay replay(const std::filesystem::path& file, const ReplayOptions& options = {});
 
 // The subject a command names: a controller, or the built-in engine if it is empty.
-std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::milliseconds timeout);
+inline constexpr std::size_t kReplyLimit = std::size_t{64} << 20;  // bytes
+std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::milliseconds timeout,
+                                    std::size_t reply_limit = kReplyLimit);
 
 // Exit status of one judged case (contract): 0 agrees, 1 differs, 3 anything that is no verdict.
 int exit_status(Result result);

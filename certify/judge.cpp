@@ -6,13 +6,14 @@
 namespace toolcomp::certify {
 namespace {
 
-// The last clause among those of the events before and at `last`.
+// The last clause among those of the events before and at `last`; where none was applied, a move is wrong that is
+// nothing but its block's own.
 std::optional<spec::Clause> last_clause(const fuzz::ModelRun& run, std::size_t last) {
   for (std::size_t i = std::min(last + 1, run.events.size()); i-- > 0;) {
     const spec::ClauseList& list = run.events[i].clauses;
     if (list.size > 0) return list.clause[list.size - 1U];
   }
-  return std::nullopt;
+  return spec::find_clause("fanuc.program.own-move");
 }
 
 // The difference of an answer that is judged without the oracle.

@@ -56,7 +56,9 @@ class Misbehaves : public testing::TestWithParam<Misbehaviour> {};
 
 TEST_P(Misbehaves, GivesATypedFindingThatReplayReproduces) {
   const Misbehaviour& m = GetParam();
-  const CampaignOptions o = options(faulty(m.fault));
+  CampaignOptions o = options(faulty(m.fault));
+  // 200 MB come: the default limit would read a third of them each time.
+  if (std::string(m.fault) == "long-line") o.reply_limit = std::size_t{4} << 20;
   const Certificate c = certify(o);
   EXPECT_EQ(exit_status(c), 1);
   ASSERT_FALSE(c.findings.empty());
@@ -71,8 +73,8 @@ TEST_P(Misbehaves, GivesATypedFindingThatReplayReproduces) {
     EXPECT_LE(count_blocks(f.smallest.program), m.most_blocks) << f.smallest.program;
     EXPECT_GE(count_blocks(f.smallest.program), 1U);
     EXPECT_NE(f.actual, "");
-    // A hang is waited for again and again: one replay says enough.
-    if (i > 0 && std::string(m.kind) == "hang") continue;
+    // These are waited for: one replay says enough.
+    if (i > 0 && (std::string(m.kind) == "hang" || std::string(m.kind) == "reply too long")) continue;
     ReplayOptions how;
     how.timeout = o.timeout;
     const Replay again = replay(paths[i], how);

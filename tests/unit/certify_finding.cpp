@@ -57,7 +57,7 @@ TEST(FindingFile, KeepsTheDigitsOfItsCase) {
   const std::size_t at = text.find("\"-0.10\"");
   ASSERT_NE(at, std::string::npos) << text;
   text.replace(at, 7, "-0.100000000000000001");
-  EXPECT_EQ(to_string(read_finding(text, "f").smallest.setup.h.at(1).geometry), "-0.100000000000000001");
+  EXPECT_EQ(to_string(read_finding(text, "f").smallest.setup.h.at(1).geometry), "-.100000000000000001");
 }
 
 TEST(FindingFile, IsValidJsonWhateverTheControllerPrinted) {

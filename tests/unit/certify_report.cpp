@@ -141,8 +141,9 @@ TEST(Report, HtmlSaysEverythingACertificateMust) {
     EXPECT_TRUE(has(html, part)) << part;
   // Every clause of the section with its text.
   for (const spec::ClauseInfo& clause : spec::clauses())
-    if (clause.section == "fanuc/tool-length-offset" && clause.replaced_by.empty())
+    if (clause.section == "fanuc/tool-length-offset" && clause.replaced_by.empty()) {
       EXPECT_TRUE(has(html, escape(clause.text))) << clause.id;
+    }
 }
 
 TEST(Report, JunitHasACaseForEveryClause) {
@@ -152,8 +153,9 @@ TEST(Report, JunitHasACaseForEveryClause) {
   EXPECT_TRUE(has(xml, "<skipped"));
   for (const spec::ClauseInfo& clause : spec::clauses())
     if (clause.section == "fanuc/tool-length-offset" && clause.testable && clause.kind != spec::ClauseKind::note &&
-        clause.replaced_by.empty())
+        clause.replaced_by.empty()) {
       EXPECT_TRUE(has(xml, "name=\"" + std::string(clause.id) + "\"")) << clause.id;
+    }
 }
 
 TEST(Report, JsonIsComplete) {
