@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,8 +13,8 @@
 #include "certify/campaign.h"
 #include "certify/files.h"
 #include "certify/finding.h"
-#include "certify/process.h"
 #include "certify/report.h"
+#include "cli/controller.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "fuzz/campaign/campaign.h"
@@ -109,21 +108,6 @@ void write_finding(const fuzz::Finding& found, std::size_t index, const FuzzOpti
   fmt::print("  {}\n  toolcomp replay {}\n", certify::explanation(finding), path.string());
 }
 
-fuzz::Subject controller_subject(const FuzzOptions& options) {
-  const auto timeout = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000));
-  const std::shared_ptr<certify::Subject> subject = certify::subject_of(options.controller, timeout);
-  const auto capabilities = subject->capabilities();
-  if (const auto* fault = std::get_if<certify::Fault>(&capabilities))
-    usage("the controller cannot be used: " + fault->what);
-  return
-      [subject, able = std::get<certify::Capabilities>(capabilities)](const spec::Case& c, const fuzz::ModelRun& run) {
-        certify::Judgement judgement = certify::judge_case(*subject, able, c, run);
-        if (judgement.difference) judgement.verdict.difference = judgement.difference;
-        if (judgement.result == certify::Result::differs) judgement.verdict.outcome = fuzz::Outcome::differs;
-        return judgement.verdict;
-      };
-}
-
 fuzz::CampaignResult built_in(const std::string& section, const Plan& plan, const FuzzOptions& options) {
   fuzz::CampaignOptions campaign;
   campaign.sections = {section};
@@ -132,7 +116,8 @@ fuzz::CampaignResult built_in(const std::string& section, const Plan& plan, cons
   campaign.runs = plan.runs;
   campaign.jobs = options.jobs;
   campaign.seed = options.seed;
-  if (!options.controller.empty()) campaign.subject = [&options](unsigned) { return controller_subject(options); };
+  if (!options.controller.empty())
+    campaign.subject = [&options](unsigned) { return controller_subject(options.controller, options.timeout); };
   campaign.progress = [](const fuzz::CampaignProgress& p) {
     Progress::line(fmt::format("{} executions, {:.0f} s, {} features, {} findings", p.executions, p.seconds, p.features,
                                p.findings));

@@ -10,6 +10,7 @@
 #include "fast/print.h"
 #include "model/engine.h"
 #include "model/print.h"
+#include "model/program/number.h"
 #include "spec/language/event_format.h"
 
 namespace toolcomp::cli {
@@ -19,11 +20,13 @@ namespace {
 template <class Number, class AppendNumber>
 class Printer final : public spec::EventSink<Number> {
  public:
-  Printer(const Program& program, Format format, AppendNumber append)
-      : program_(program), format_(format), append_(std::move(append)) {
+  // `start`: where the program starts, linear axes.
+  Printer(const Program& program, Format format, AppendNumber append, const spec::AxisValues<Number>& start)
+      : program_(program), format_(format), append_(std::move(append)), gcode_{start} {
     if (format_ == Format::csv) spec::append_csv_header(buffer_, program_.setup().axes);
+    if (format_ == Format::gcode) spec::append_gcode_begin(buffer_, program_.setup().units);
   }
-  ~Printer() override { flush(); }
+  ~Printer() override = default;
   Printer(const Printer&) = delete;
   Printer& operator=(const Printer&) = delete;
 
@@ -37,7 +40,7 @@ class Printer final : public spec::EventSink<Number> {
         spec::append_event_csv(buffer_, event, axes, append_);
         break;
       case Format::gcode:
-        spec::append_event_gcode(buffer_, event, axes, append_);
+        spec::append_event_gcode(buffer_, event, axes, append_, gcode_);
         break;
       case Format::svg:
         break;
@@ -51,6 +54,10 @@ class Printer final : public spec::EventSink<Number> {
   }
 
   void reading(const spec::Block& block) { recent_.add(block); }
+  void end() {
+    if (format_ == Format::gcode) spec::append_gcode_end(buffer_);
+    flush();
+  }
   void flush() {
     std::cout.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     buffer_.clear();
@@ -63,6 +70,7 @@ class Printer final : public spec::EventSink<Number> {
   Format format_;
   AppendNumber append_;
   std::string buffer_;
+  spec::GcodeState<Number> gcode_;
   RecentBlocks recent_;
   bool undecided_ = false;
 };
@@ -82,16 +90,30 @@ void feed(const Program& program, Engine& engine, Sink& sink) {
     throw;
   }
   engine.end();
-  sink.flush();
+  sink.end();
 }
 
-template <class Engine, class Number>
+template <class Number>
 struct Collector final : spec::EventSink<Number> {
   std::vector<spec::Event<Number>> events;
   void on(const spec::Event<Number>& event) override { events.push_back(event); }
   void reading(const spec::Block&) {}
   void flush() {}
+  void end() {}
 };
+
+// The start of the setup, linear axes, by way of `number`.
+template <class Number, class NumberOf>
+spec::AxisValues<Number> start_of(const spec::Setup& setup, NumberOf number) {
+  spec::AxisValues<Number> start;
+  for (std::size_t axis = 0; axis < setup.axes.size(); ++axis) {
+    const char letter = setup.axes.letter(axis);
+    if (!spec::is_linear_axis(letter)) continue;
+    const auto given = setup.position.find(letter);
+    start.set(axis, number(given == setup.position.end() ? spec::Decimal{} : given->second));
+  }
+  return start;
+}
 
 }  // namespace
 
@@ -100,13 +122,15 @@ int run(const RunOptions& options) {
   if (options.engine == EngineName::fast) {
     const auto append = [](std::string& out, double value) { fast::append_number(out, value); };
     if (options.format == Format::svg) {
-      Collector<fast::Engine, double> sink;
+      Collector<double> sink;
       fast::Engine engine(program.setup(), sink);
       feed(program, engine, sink);
-      std::cout << certify::path_svg(sink.events, program.setup().axes) << '\n';
+      std::cout << certify::path_svg(sink.events, program.setup().axes, certify::path_options(program.setup())) << '\n';
       return kAgrees;
     }
-    Printer<double, decltype(append)> sink(program, options.format, append);
+    const auto start =
+        start_of<double>(program.setup(), [](const spec::Decimal& d) { return std::stod(spec::to_string(d)); });
+    Printer<double, decltype(append)> sink(program, options.format, append, start);
     fast::Engine engine(program.setup(), sink);
     feed(program, engine, sink);
     return sink.status();
@@ -115,7 +139,9 @@ int run(const RunOptions& options) {
   const auto append = [&options](std::string& out, const exact::Real& value) {
     model::append_number(out, value, options.digits);
   };
-  Printer<exact::Real, decltype(append)> sink(program, options.format, append);
+  const auto start =
+      start_of<exact::Real>(program.setup(), [](const spec::Decimal& d) { return exact::Real(model::plain(d)); });
+  Printer<exact::Real, decltype(append)> sink(program, options.format, append, start);
   model::Engine engine(program.setup(), recorder, sink);
   feed(program, engine, sink);
   return sink.status();

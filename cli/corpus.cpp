@@ -1,0 +1,93 @@
+// toolcomp corpus: the golden corpus.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "cli/controller.h"
+#include "cli/progress.h"
+#include "cli/verbs.h"
+#include "corpus/check.h"
+#include "corpus/diff.h"
+#include "corpus/generate.h"
+#include "corpus/lint.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const CorpusOptions& options) {
+  return options.directory.empty() ? corpus::default_folder() : fs::path(options.directory);
+}
+
+corpus::Selection selection_of(const CorpusOptions& options) {
+  corpus::Selection selection;
+  selection.sections = options.sections;
+  if (!options.shard.empty()) corpus::set_shard(selection, options.shard);
+  return selection;
+}
+
+int generate(const CorpusOptions& options) {
+  corpus::GenerateOptions how;
+  how.folder = folder_of(options);
+  how.sections = options.sections;
+  how.seed = options.seed;
+  const Progress progress("vectors");
+  how.progress = [](const std::string& file, std::size_t vectors) {
+    Progress::line(fmt::format("{}: {} vectors", file, vectors));
+  };
+  const corpus::GenerateResult result = corpus::generate(how);
+  for (const corpus::Rejection& rejection : result.rejected)
+    fmt::print("{}.rej:{}: {}\n", rejection.file, rejection.line, rejection.why);
+  if (!result.rejected.empty()) return kSelfCheckFailed;
+  fmt::print("seed {}; {} vectors; corpus {}\n", options.seed, result.vectors, result.version);
+  return kAgrees;
+}
+
+int check(const CorpusOptions& options) {
+  corpus::CheckOptions how;
+  how.folder = folder_of(options);
+  how.selection = selection_of(options);
+  if (!options.controller.empty()) how.subject = controller_subject(options.controller, 10);
+  const Progress progress("vectors");
+  how.progress = [](std::uint64_t done, std::uint64_t) { Progress::count(done); };
+  const corpus::CheckResult result = corpus::check(how);
+  for (const corpus::Failure& failure : result.failures)
+    fmt::print("{}:{}: {}: {}\n", failure.file, failure.line, failure.id, failure.what);
+  fmt::print("{} vectors, {} values judged, {} ties, {} undecided, {} failures\n", result.vectors, result.values,
+             result.ties, result.undecided, result.failures.size());
+  if (!result.failures.empty()) return kDiffers;
+  return result.undecided > 0 || result.values == 0 ? kUndecided : kAgrees;
+}
+
+int lint(const CorpusOptions& options) {
+  const std::vector<std::string> breaches = corpus::lint(folder_of(options));
+  for (const std::string& breach : breaches) fmt::print("{}\n", breach);
+  return breaches.empty() ? kAgrees : kDiffers;
+}
+
+int diff(const CorpusOptions& options) {
+  if (options.against.empty())
+    throw spec::InputError("toolcomp corpus diff", 0, 0, "name the folder of the other corpus");
+  const std::vector<spec::Case> before = corpus::read_golden(options.against);
+  const std::vector<spec::Case> after = corpus::read_golden(folder_of(options));
+  const std::vector<corpus::Change> changes = corpus::diff(before, after);
+  for (const corpus::Change& change : changes) fmt::print("{}\n", corpus::to_string(change));
+  const corpus::Version version = corpus::parse_version(corpus::read_manifest(options.against).version);
+  fmt::print("{} changes; version {} becomes {}\n", changes.size(), corpus::to_string(version),
+             corpus::to_string(corpus::raised(version, changes)));
+  return changes.empty() ? kAgrees : kDiffers;
+}
+
+}  // namespace
+
+int corpus(const CorpusOptions& options) {
+  if (options.verb == "generate") return generate(options);
+  if (options.verb == "check") return check(options);
+  if (options.verb == "lint") return lint(options);
+  return diff(options);
+}
+
+}  // namespace toolcomp::cli
