@@ -45,7 +45,7 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
     plan.write = memory_.plan(list, number, plan.writes ? value(words['R'], true, inch) : Count(), add);
     if (plan.write.alarm) return plan.write.alarm;
   }
-  if (one_shot == 300 && reference_point(words) == 0) return alarm::kReferenceNumber;
+  if (one_shot == 300 && words.axes() != 0 && reference_point(words) == 0) return alarm::kReferenceNumber;
   return alarm::kNone;
 }
 
@@ -73,10 +73,10 @@ Alarm Interpreter::check_leading_edge(const Words& words, const Plan& plan) cons
   const bool active = leading_edge_.active();
   const bool code = words.code(Words::kCompensation) == 413;
   const bool moves = words.axes() != 0 || (plan.along && words.has_any(kDirectionLetters));
-  // The format of a G41.3 block counts with D0 too, where it starts nothing.
-  if (!active && code && (moves || words.suppresses_look_ahead())) return alarm::kLeadingEdgeFormat;
+  // The format of a G41.3 block counts where it starts nothing too: with D0, or in the mode.
+  if (code && (moves || words.suppresses_look_ahead())) return alarm::kLeadingEdgeFormat;
   if (plan.compensation == Compensation::cancels && moves) return alarm::kLeadingEdgeFormat;
-  if (!active && code && plan.motion > 10) return alarm::kLeadingEdgeStart;
+  if (code && plan.motion > 10) return alarm::kLeadingEdgeStart;
   if (active && (code || plan.motion > 10)) return alarm::kLeadingEdgeCommand;
   if (plan.compensation != Compensation::starts && plan.compensation != Compensation::stays) return alarm::kNone;
   if (words.code(Words::kOneShot) != kNone || words.code(Words::kWorkpiece) != kNone ||

@@ -169,7 +169,7 @@ Alarm Interpreter::write_offset(const OffsetMemory::Write& write) {
   notice_.line = line_;
   notice_.n = n_;
   notice_.setting = memory_.store(write);
-  notice_.value = write.value.nearest();
+  notice_.value = memory_.value(write).nearest();
   if (memory_.changes_h(write)) length_.edited(write.number);
   sink_.on(notice_);
   return alarm::kNone;

@@ -79,22 +79,29 @@ bool OffsetMemory::has_list(std::uint32_t list) const {
 }
 
 OffsetMemory::Write OffsetMemory::plan(std::uint32_t list, std::uint32_t number, const Count& value, bool add) const {
-  Write write{alarm::kNone, list, number, value};
+  Write write{alarm::kNone, list, number, value, value};
   if (number == 0 || number > count_) {
     write.alarm = alarm::kWriteNumber;
     return write;
   }
-  const Entry& entry = in_d(list) ? d_[number] : h_[number];
-  if (add) write.value += in_wear(list) ? entry.wear : entry.geometry;
-  if (!within(write.value, in_wear(list) ? wear_limit_ : geometry_limit_)) write.alarm = alarm::kWriteValue;
+  const bool wear = in_wear(list);
+  const auto stored = [&](const Entry& entry) -> const Count& { return wear ? entry.wear : entry.geometry; };
+  if (add) {
+    write.h += stored(h_[number]);
+    write.d += stored(d_[number]);
+  }
+  const Count& limit = wear ? wear_limit_ : geometry_limit_;
+  const bool to_h = !in_d(list);
+  const bool to_d = in_d(list) || kind_ != spec::OffsetMemory::c;
+  if ((to_h && !within(write.h, limit)) || (to_d && !within(write.d, limit))) write.alarm = alarm::kWriteValue;
   return write;
 }
 
 spec::Name OffsetMemory::store(const Write& write) {
   const bool wear = in_wear(write.list);
-  const auto put = [&](Entry& entry) { (wear ? entry.wear : entry.geometry) = write.value; };
-  if (!in_d(write.list)) put(h_[write.number]);
-  if (in_d(write.list) || kind_ != spec::OffsetMemory::c) put(d_[write.number]);
+  const auto put = [&](Entry& entry, const Count& value) { (wear ? entry.wear : entry.geometry) = value; };
+  if (!in_d(write.list)) put(h_[write.number], write.h);
+  if (in_d(write.list) || kind_ != spec::OffsetMemory::c) put(d_[write.number], write.d);
   return name(in_d(write.list) ? 'D' : 'H', write.number,
               kind_ == spec::OffsetMemory::a ? "" : (wear ? ".wear" : ".geometry"));
 }

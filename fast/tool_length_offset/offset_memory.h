@@ -31,12 +31,15 @@ class OffsetMemory {
     Alarm alarm;  // PS0031, PS0032
     std::uint32_t list = 0;
     std::uint32_t number = 0;
-    Count value;
+    Count h;  // of the H table, or the one table of memories A and B
+    Count d;  // of the D table: differs from h only where a setup gave both in memory A or B
   };
   // G10 L P R: `value` replaces the stored one, or is added to it.
   [[nodiscard]] Write plan(std::uint32_t list, std::uint32_t number, const Count& value, bool add) const;
   // Stores a plan without alarm; the name of what was set: "H1", "D2.wear".
   spec::Name store(const Write& write);
+  // The value that a plan stores, for its event.
+  [[nodiscard]] const Count& value(const Write& write) const { return in_d(write.list) ? write.d : write.h; }
   // Whether the plan changes what h() gives.
   [[nodiscard]] bool changes_h(const Write& write) const { return !in_d(write.list); }
 
