@@ -2,8 +2,8 @@
 // it.
 #include <fmt/format.h>
 
-#include <deque>
 #include <iostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -60,7 +60,7 @@ std::string exact_text(const exact::Real& value, int digits) {
 }
 
 void print_clause(const spec::ClauseInfo& clause) {
-  fmt::print("    {}  [{}]\n      {}\n", clause.id,
+  fmt::print("  clause   {}  [{}]\n      {}\n", clause.id,
              clause.kind == spec::ClauseKind::open ? "open: our definition" : clause.provenance, clause.text);
   if (!clause.formula.empty()) fmt::print("      {}\n", clause.formula);
 }
@@ -130,26 +130,30 @@ class Explanation {
 
   void print_block(const Source& source) const {
     fmt::print("line {}: {}\n", source.line, source.text);
-    for (const model::Decision& decision : decisions_)
-      if (decision.line == source.line) print_decision(decision, options_.digits);
+    std::set<spec::Clause> decided;  // explained with their decisions
+    for (const model::Decision& decision : decisions_) {
+      if (decision.line != source.line) continue;
+      decided.insert(decision.clause);
+      print_decision(decision, options_.digits);
+    }
     for (const auto& event : exact_) {
       if (event.line != source.line) continue;
       std::string text;
       spec::append_event_json(text, event, axes_, [this](std::string& out, const exact::Real& value) {
         model::append_number(out, value, options_.digits);
       });
-      fmt::print("  exact   {}", text);
+      fmt::print("  exact   {}\n", text);
       if (event.kind == spec::EventKind::alarm || event.kind == spec::EventKind::warning)
         fmt::print("          {}\n", event.message);
-      if (event.clauses.size > 0) fmt::print("  clauses applied\n");
-      for (std::size_t i = 0; i < event.clauses.size; ++i) print_clause(spec::info(event.clauses.clause[i]));
+      for (std::size_t i = 0; i < event.clauses.size; ++i)
+        if (!decided.contains(event.clauses.clause[i])) print_clause(spec::info(event.clauses.clause[i]));
     }
     for (const auto& event : fast_) {
       if (event.line != source.line) continue;
       std::string text;
       spec::append_event_json(text, event, axes_,
                               [](std::string& out, double value) { fast::append_number(out, value); });
-      fmt::print("  double  {}", text);
+      fmt::print("  double  {}\n", text);
     }
     fmt::print("\n");
   }

@@ -83,12 +83,16 @@ void write_finding(const fuzz::Finding& found, std::size_t index, const FuzzOpti
   const auto subject = certify::subject_of(options.controller, timeout);
   const auto capabilities = subject->capabilities();
   certify::Finding finding;
-  if (const auto* able = std::get_if<certify::Capabilities>(&capabilities)) {
-    const fuzz::ModelRun run = fuzz::run_model(found.input);
-    const certify::Judgement judgement = certify::judge_case(*subject, *able, found.input, run);
-    if (judgement.result == certify::Result::differs)
-      finding =
-          certify::make_finding(*subject, *able, found.input, certify::key_of(found.input, judgement), 2000, timeout);
+  try {
+    if (const auto* able = std::get_if<certify::Capabilities>(&capabilities)) {
+      const fuzz::ModelRun run = fuzz::run_model(found.input);
+      const certify::Judgement judgement = certify::judge_case(*subject, *able, found.input, run);
+      if (judgement.result == certify::Result::differs)
+        finding =
+            certify::make_finding(*subject, *able, found.input, certify::key_of(found.input, judgement), 2000, timeout);
+    }
+  } catch (const spec::InputError&) {
+    // One engine refuses the setup and the other does not: there is no run to shrink.
   }
   if (finding.key.kind.empty()) {
     finding.smallest = found.input;

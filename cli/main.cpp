@@ -175,7 +175,6 @@ class CommandLine {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::ios::sync_with_stdio(false);
   try {
     CommandLine command_line;
     return command_line.execute(argc, argv);

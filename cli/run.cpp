@@ -35,6 +35,7 @@ class Printer final : public spec::EventSink<Number> {
     switch (format_) {
       case Format::jsonl:
         spec::append_event_json(buffer_, event, axes, append_);
+        buffer_ += '\n';
         break;
       case Format::csv:
         spec::append_event_csv(buffer_, event, axes, append_);
