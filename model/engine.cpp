@@ -15,7 +15,7 @@ namespace toolcomp::model {
 namespace {
 
 // The setup, once it is known to be one this engine can run.
-const spec::Setup& checked(const spec::Setup& setup) {
+spec::Setup checked(const spec::Setup& setup) {
   if (setup.control != spec::Control::fanuc) throw spec::InputError("setup", 0, 0, "control: only \"fanuc\" is built");
   return setup;
 }
@@ -150,6 +150,7 @@ Step Engine::State::step(const Command& command) {
     interpreter.shift_position(Real(length.vector().along_tool) * direction.now().unit);
   }
   std::vector<Leg> legs = interpreter.legs(command, tip.tip_control, tip.starts);
+  const bool machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
   const LengthPlan plan = length.plan(length_command(command, legs));
   if (legs.empty() && !tip.ends && recorder.decide(Clause::fanuc_length_offset_move_without_axis_word, plan.changed))
     legs.push_back(interpreter.stay(command));
@@ -157,7 +158,6 @@ Step Engine::State::step(const Command& command) {
   Step step;
   step.line = line;
   step.n = n;
-  const bool machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
   for (const Leg& leg : legs) {
     const bool on_way = is_reference_return(command.codes.one_shot) && &leg == &legs.front();
     step.moves.push_back(move(command, tip, leg, on_way ? plan.on_way : plan.at_end, machine));
@@ -185,6 +185,7 @@ LengthCommand Engine::State::length_command(const Command& command, const std::v
   result.h = command.codes.h;
   result.plane = command.plane;
   result.axes = command.axes;
+  result.has_word = command.codes.any;
   result.cutter_code = command.codes.compensation == Compensation::cancel;
   if (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot)) result.cancelled = command.axes;
   return result;

@@ -1,5 +1,6 @@
 #include "model/kinematics/tool_direction.h"
 
+#include <algorithm>
 #include <string>
 
 #include "model/program/number.h"
@@ -152,9 +153,7 @@ void Kinematics::read_19610(const spec::Setup& setup) {
 }
 
 bool Kinematics::turns(std::size_t axis) const {
-  for (const Turn& turn : turns_)
-    if (turn.axis == axis) return true;
-  return false;
+  return std::ranges::any_of(turns_, [axis](const Turn& turn) { return turn.axis == axis; });
 }
 
 Vector Kinematics::Turn::apply(const Vector& v, const Position& position) const {

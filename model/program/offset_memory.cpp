@@ -107,7 +107,8 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
   write.number = static_cast<std::uint32_t>(numerator(number));
 
   const spec::Decimal* const r = words.find('R');
-  if (!recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr)) return std::nullopt;
+  recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr);
+  if (r == nullptr) return std::nullopt;
   write.value = numbers.length(*r);
   const Rational& limit = write.wear ? wear_limit_ : geometry_limit_;
   const bool too_large =

@@ -1,5 +1,6 @@
 #include "model/tool_length_offset/tool_length_offset.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "model/program/alarm.h"
@@ -28,9 +29,7 @@ AxisMask ToolLengthOffset::letter(char axis) const {
 }
 
 bool ToolLengthOffset::axis_offset() const {
-  for (const Rational& offset : vector_.axis)
-    if (offset != 0) return true;
-  return false;
+  return std::ranges::any_of(vector_.axis, [](const Rational& offset) { return offset != 0; });
 }
 
 bool ToolLengthOffset::take_number(const LengthCommand& command, bool sets_mode) {
@@ -124,8 +123,7 @@ LengthPlan ToolLengthOffset::plan(const LengthCommand& command) {
   const bool number_counts = take_number(command, sets_mode);
 
   if (command.code == LengthCode::cancel) {
-    int offset_axes = 0;
-    for (const Rational& offset : vector_.axis) offset_axes += offset != 0 ? 1 : 0;
+    const auto offset_axes = std::ranges::count_if(vector_.axis, [](const Rational& offset) { return offset != 0; });
     if (recorder_.decide(Clause::fanuc_length_offset_cancel_three_axes, offset_axes >= 3))
       throw Alarm("PS0015", "G49 with three or more axes offset");
     recorder_.reach(Clause::fanuc_length_offset_cancel);
@@ -146,7 +144,7 @@ LengthPlan ToolLengthOffset::plan(const LengthCommand& command) {
         recorder_.reach(Clause::fanuc_length_offset_restored_by_number);
       apply(axes);
     }
-  } else if (active()) {
+  } else if (active() && command.has_word) {
     next_block(command);
   }
 

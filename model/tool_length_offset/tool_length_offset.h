@@ -20,6 +20,7 @@ struct LengthCommand {
   std::optional<std::uint32_t> h;
   spec::Plane plane = spec::Plane::xy;
   AxisMask axes = 0;         // axis words
+  bool has_word = true;      // a word other than N and O
   bool cutter_code = false;  // G40 (G41, G42) in the block: no vector comes back in it
   AxisMask cancelled = 0;    // axes that G53, G28, G30 or G30.1 sends to a machine position
 };

@@ -152,11 +152,20 @@ TEST(ModelLengthOffset, TypeCComesBackWithItsNumber) {
                    "2 rapid X0 Y0 Z0 W0 B0 (reference)", "3 rapid X5 Y0 Z0 W0 B0", "4 rapid X15 Y0 Z0 W0 B0"}));
 }
 
-// H after the vector was taken away acts by the plane of its block; the axis offset last stays without.
+// H after the vector was taken away acts by the plane of its block, and nothing else comes back with it, whatever EVO
+// is: the axis offset last is then another one.
 TEST(ModelLengthOffset, NumberAfterwardsGoesByThePlane) {
-  EXPECT_EQ(moves(std::string(kTypeB) + kEvo, "G17 G43 Z0 H1\nG53 Z0\nG19 H2\nY1\n"),
-            (Lines{"1 rapid X0 Y0 Z10 W0 B0", "2 rapid X0 Y0 Z0 W0 B0", "3 rapid X20 Y0 Z0 W0 B0",
-                   "4 rapid X20 Y1 Z0 W0 B0"}));
+  for (const char* parameters : {"\"5001#1\" = 1\n", "\"5001#1\" = 1\n\"5001#6\" = 1\n"})
+    EXPECT_EQ(moves(parameters, "G17 G43 Z0 H1\nG53 Z0\nG19 H2\nY1\n"),
+              (Lines{"1 rapid X0 Y0 Z10 W0 B0", "2 rapid X0 Y0 Z0 W0 B0", "3 rapid X20 Y0 Z0 W0 B0",
+                     "4 rapid X20 Y1 Z0 W0 B0"}));
+}
+
+// A program number is no block; G43.5 takes the place of G43, so nothing comes back with it.
+TEST(ModelLengthOffset, BlocksThatRestoreNothing) {
+  EXPECT_EQ(moves(kEvo, "G43 Z0 H1\nG53 Z0\nO7\nX1\n"),
+            (Lines{"1 rapid X0 Y0 Z10 W0 B0", "2 rapid X0 Y0 Z0 W0 B0", "4 rapid X1 Y0 Z10 W0 B0"}));
+  EXPECT_EQ(moves(kEvo, "G43 Z0 H1\nG53 Z0\nG43.5 H2\n").back(), "3 rapid X0 Y0 Z20 W0 B0");
 }
 
 // 1.5 inch + 10 mm = 48.1 mm; 20 mm + 0.5 inch = 100/127 + 1/2 inch: the offset is in the units of the setup.
