@@ -18,8 +18,8 @@ constexpr SeededFault kFaults[] = {
     {"zero_move_missing", kLength, "fanuc.length-offset.move-without-axis-word", 500},
     {"g53_keeps_offset", kLength, "fanuc.length-offset.machine-position-cancels", 500},
     {"restore_any_axis", kLength, "fanuc.length-offset.restored-in-next-block fanuc.length-offset.restored-by-number",
-     2000},
-    {"restore_in_g40", kLength, "fanuc.length-offset.not-restored-with-cutter-code", 10'000},
+     10'000},
+    {"restore_in_g40", kLength, "fanuc.length-offset.not-restored-with-cutter-code", 20'000},
     {"incremental_from_offset_position", kLength, "fanuc.program.incremental", 500},
     {"inch_not_converted", kLength, "fanuc.program.units", 2000},
     {"feed_not_converted", kLength, "fanuc.program.units", 5000},
@@ -37,7 +37,7 @@ constexpr SeededFault kFaults[] = {
     {"second_still_block_recomputed", kEdge, "fanuc.leading-edge.two-blocks-without-movement", 10'000},
     {"turned_direction_at_still_block", kEdge, "fanuc.leading-edge.one-block-without-movement", 2000},
     {"no_double_double", kEdge, "fanuc.leading-edge.kept-along-the-tool fanuc.leading-edge.start-along-the-tool",
-     20'000},
+     40'000},
     {"cancel_keeps_vector", kEdge, "fanuc.leading-edge.cancel", 500},
 };
 

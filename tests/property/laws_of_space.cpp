@@ -1,5 +1,6 @@
 // Laws that hold for every program: motions of space, units, ways to write the same program. Cases come from the
-// generators; equality is exact in the model, and the fast engine must agree with the model on the changed case too.
+// generators; equality is that of exact values in the model, and the fast engine must agree with the model on the
+// changed case too.
 #include "tests/property/support.h"
 
 namespace toolcomp::laws {
