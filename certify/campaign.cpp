@@ -27,7 +27,7 @@ namespace {
 constexpr unsigned kMostHangs = 3;
 constexpr unsigned kMostFaults = 20;
 // Programs of a faulty controller that shrinking tries again: each costs a restart, a hang its time-out.
-constexpr std::size_t kMostFaultyRuns = 60;
+constexpr std::size_t kMostFaultyRuns = 40;
 constexpr std::size_t kMostUnsettled = 100;
 // Every fourth generated case is unrestricted: mostly alarms.
 constexpr std::uint64_t kUnrestrictedEvery = 4;
@@ -64,7 +64,7 @@ bool is_fault(const FailureKey& key) {
 
 // The time-out while shrinking: short, because a hanging controller uses it up again and again.
 std::chrono::milliseconds short_patience(const Subject& subject, std::chrono::milliseconds timeout) {
-  return std::min(timeout, std::chrono::milliseconds(200) + 20 * subject.slowest());
+  return std::min(timeout, std::chrono::milliseconds(200) + 10 * subject.slowest());
 }
 
 class Campaign {

@@ -12,6 +12,8 @@
 namespace toolcomp::certify {
 namespace {
 
+constexpr std::size_t kFewestAxes = 3;
+
 // Everything a candidate is made of; the case is put together from it.
 struct Candidate {
   TextProgram program;
@@ -27,7 +29,7 @@ std::string table_key(const spec::AxisTable& table) {
 
 // Two candidates with one key are one case: only the parts that shrinking changes count.
 std::string key_of(const Candidate& c) {
-  std::string key = join_program(c.program) + '|' + std::to_string(c.samples) + '|';
+  std::string key = join_program(c.program) + '|' + std::to_string(c.samples) + '|' + c.setup.axes.letters() + '|';
   for (const auto& [id, value] : c.setup.parameters)
     key += std::to_string(id.number) + '#' + std::to_string(id.bit) + to_string(value) + ' ';
   for (const auto* offsets : {&c.setup.h, &c.setup.d}) {
@@ -145,14 +147,26 @@ class Shrinker {
     }
   }
 
-  // Every element of the map or vector `member` of a setup, one by one.
+  // The entries of one map of the setup.
   template <class Member>
   void entries(Member member) {
-    for (std::size_t i = member(best_.setup).size(); i-- > 0;) {
+    leave_out([this, member] { return member(best_.setup).size(); },
+              [this, member](std::size_t begin, std::size_t size) {
+                Candidate candidate = best_;
+                auto& table = member(candidate.setup);
+                const auto first = std::next(table.begin(), static_cast<std::ptrdiff_t>(begin));
+                table.erase(first, std::next(first, static_cast<std::ptrdiff_t>(size)));
+                return candidate;
+              });
+  }
+
+  // Axes from the last on, so that the others keep their numbers, down to the three of any machine.
+  void axes() {
+    while (best_.setup.axes.size() > kFewestAxes) {
       Candidate candidate = best_;
-      auto& table = member(candidate.setup);
-      table.erase(std::next(table.begin(), static_cast<std::ptrdiff_t>(i)));
-      attempt(std::move(candidate));
+      const std::string& letters = best_.setup.axes.letters();
+      candidate.setup.axes = spec::Axes(std::string_view(letters).substr(0, letters.size() - 1));
+      if (!attempt(std::move(candidate))) return;
     }
   }
 
@@ -171,6 +185,7 @@ class Shrinker {
     entries([](spec::Setup& s) -> auto& { return s.reference; });
     entries([](spec::Setup& s) -> auto& { return s.floating_reference; });
     entries([](spec::Setup& s) -> auto& { return s.measurement; });
+    axes();
   }
 
   void digits() {

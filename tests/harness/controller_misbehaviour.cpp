@@ -102,7 +102,9 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(Controller, StandardErrorOfACrashIsKept) {
-  const Certificate c = certify(options(faulty("exit")));
+  CampaignOptions o = options(faulty("exit"));
+  o.shrink_runs = 0;
+  const Certificate c = certify(o);
   ASSERT_FALSE(c.findings.empty());
   EXPECT_NE(c.findings[0].errors.find("servo not ready"), std::string::npos);
   EXPECT_NE(c.findings[0].actual.find("exit status 3"), std::string::npos);
@@ -117,7 +119,9 @@ TEST(Controller, IsRestartedAfterACrash) {
 }
 
 TEST(Controller, RepeatedHangsEndASectionEarly) {
-  const Certificate c = certify(options(faulty("hang")));
+  CampaignOptions o = options(faulty("hang"));
+  o.shrink_runs = 0;
+  const Certificate c = certify(o);
   EXPECT_EQ(section(c).count(Result::differs), 3U);
   EXPECT_EQ(section(c).count(Result::not_run), 37U);
 }

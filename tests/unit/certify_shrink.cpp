@@ -56,6 +56,7 @@ TEST(Shrink, LeavesOutSetupEntriesThatDoNotMatter) {
   c.setup.position['X'] = spec::decimal(9);
   c.setup.workpiece[1]['Z'] = spec::decimal(-300);
   c.samples = 8;
+  c.setup.axes = spec::Axes("XYZBC");
   const auto fails = [](const spec::Case& candidate) {
     return candidate.setup.h.contains(2) && candidate.setup.parameters.contains({5001, 2}) &&
            contains(candidate.program, "H2");
@@ -70,6 +71,7 @@ TEST(Shrink, LeavesOutSetupEntriesThatDoNotMatter) {
   EXPECT_TRUE(s.smallest.setup.position.empty());
   EXPECT_TRUE(s.smallest.setup.workpiece[1].empty());
   EXPECT_EQ(s.smallest.samples, 0U);
+  EXPECT_EQ(s.smallest.setup.axes.letters(), "XYZ");
 }
 
 TEST(Shrink, OneBlockAlwaysStays) {
