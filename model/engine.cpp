@@ -45,7 +45,7 @@ struct Engine::State {
         sink(the_sink),
         interpreter(setup, recorder),
         memory(setup, recorder),
-        direction(setup, recorder),
+        direction(setup, recorder, interpreter.position()),
         length(setup, memory, recorder),
         edge(setup, recorder,
              [this](const Step& step, const Move& move, const Vector& vector) { report(step, move, vector); }) {}

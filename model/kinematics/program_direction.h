@@ -12,9 +12,9 @@ namespace toolcomp::model {
 // Follows G43.5 from its block to the G49 that ends it. Clauses: fanuc.tool-direction.*.
 class ProgramDirection {
  public:
-  // Throws spec::InputError for parameters that make no sense.
-  ProgramDirection(const spec::Setup& setup, Recorder& recorder)
-      : kinematics_(setup), recorder_(recorder), axes_(setup.axes) {}
+  // The direction in force first is that of the start pose. Throws spec::InputError for parameters that make no sense.
+  ProgramDirection(const spec::Setup& setup, Recorder& recorder, const Position& start)
+      : kinematics_(setup), recorder_(recorder), axes_(setup.axes), direction_(of_pose(start)) {}
 
   // What a block means under G43.5.
   struct Marks {
@@ -39,9 +39,9 @@ class ProgramDirection {
   Kinematics kinematics_;
   Recorder& recorder_;
   spec::Axes axes_;
-  Direction direction_;
-  Direction pose_direction_;
   std::optional<Position> pose_;  // of pose_direction_
+  Direction pose_direction_;
+  Direction direction_;  // made by of_pose: declared behind what that needs
 };
 
 }  // namespace toolcomp::model

@@ -128,13 +128,15 @@ void Kinematics::read_19610(const spec::Setup& setup) {
     if (one == two) refuse(first + 2, "linear axes 1 and 2 are the same");
     const bool right_handed = two == (one + 1) % 3;
     const Rational inclination = value(setup, first + 4);
+    const bool third_given = inclination != 0 || value(setup, first + 3) != 0;
+    if (third_given && linear_axis(setup, first + 3) != 3 - one - two)
+      refuse(first + 3, "linear axes 1, 2 and 3 are not three axes");
     if (inclination == 0) {
       // Turns linear axis 1 toward linear axis 2.
       turn.about = 3 - one - two;
       turn.sense = right_handed ? 1 : -1;
       return turn;
     }
-    if (linear_axis(setup, first + 3) != 3 - one - two) refuse(first + 3, "linear axes 1, 2 and 3 are not three axes");
     if (!right_handed) refuse(first + 3, "linear axes 1, 2 and 3 of an inclined rotary axis must be right-handed");
     turn.about = 3;
     component(turn.line, one) = exact::sin_degrees(inclination);

@@ -49,6 +49,22 @@ TEST(ModelToolDirection, OrthogonalHeads) {
   EXPECT_EQ(axis(machine(2, 4, 1, 5, 2), "A30. B60.\n"), "0.866025403784439 -0.25 0.433012701892219");
 }
 
+// G43.5 without I J K in the first block: nothing has moved yet, the direction is that of the start pose.
+TEST(ModelToolDirection, TheStartPoseIsInForceFirst) {
+  EXPECT_EQ(axis(machine(2, 6, 3, 5, 2), "G43.5\n"), "0 0 1");
+  EXPECT_EQ(axis(machine(2, 6, 3, 5, 2, "19697 = 1\n"), "G43.5\n"), "1 0 0");
+  EXPECT_EQ(axis(machine(2, 6, 3, 5, 2) + "[position]\nB = 90\n", "G43.5\n"), "1 0 0");
+}
+
+// Linear axis 3 of a rotary axis may be left out where nothing depends on it, but not contradict the other two.
+TEST(ModelToolDirection, LinearAxisThreeIsTheRemainingOne) {
+  const std::string group = "19610 = 6\n19611 = 1\n19612 = 2\n";
+  EXPECT_EQ(axis(setup(group), "C10.\n"), "0 0 1");
+  EXPECT_EQ(axis(setup(group + "19613 = 3\n"), "C10.\n"), "0 0 1");
+  EXPECT_THROW(axis(setup(group + "19613 = 1\n"), "C10.\n"), spec::InputError);
+  EXPECT_THROW(axis(setup(group + "19613 = 4\n"), "C10.\n"), spec::InputError);
+}
+
 // Quarter turns are exact.
 TEST(ModelToolDirection, QuarterTurns) {
   EXPECT_EQ(axis(machine(2, 6, 3, 5, 2), "B90. C180.\n"), "-1 0 0");
