@@ -178,6 +178,7 @@ class LengthOffset {
     switch (choose_.below(5)) {
       case 0:
         write_.word(choose_.one_of({"G40", "G40", "D0"}));
+        if (choose_.chance(40)) number();
         return finish(true);
       case 1:
         return lone_number();

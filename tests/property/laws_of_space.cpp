@@ -145,10 +145,14 @@ void inches(std::string_view section) {
   c.setup.units = spec::Units::mm;
   c.setup.parameters.erase({3401, 0});
   // Offsets stay inside the memory's range after scaling, and no word of the program writes them or changes units.
+  const auto shorten = [](spec::Decimal& value, std::uint64_t most) {
+    for (int n = value.decimals; n > 0; --n) most *= 10;
+    value.digits %= most;
+  };
   for (auto* memory : {&c.setup.h, &c.setup.d})
     for (auto& [number, entry] : *memory) {
-      if (entry.geometry.digits > 15'000) entry.geometry.digits %= 15'000;
-      if (entry.wear.digits > 1'500) entry.wear.digits %= 1'500;
+      shorten(entry.geometry, 15);
+      shorten(entry.wear, 1);
     }
   RC_PRE(!has_word(c.program, [](const std::string& w) { return is_one_of(w, {"G10", "G20", "G21"}); }));
   mapped(c, in_inches(c), in_mm, 1);
