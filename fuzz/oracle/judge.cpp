@@ -168,8 +168,8 @@ class Judge {
       const std::uint64_t line = all[i].line;
       return line > n.difference.line ? line - n.difference.line : n.difference.line - line;
     };
-    std::stable_sort(n.decisions.begin(), n.decisions.end(),
-                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    std::sort(n.decisions.begin(), n.decisions.end(),
+              [&](std::size_t a, std::size_t b) { return std::pair(distance(a), a) < std::pair(distance(b), b); });
     for (const std::size_t i : n.decisions) n.taken.push_back(all[i].outcome);
     return n;
   }
