@@ -68,7 +68,8 @@ char* write_number(char* to, double value) {
   const double magnitude = std::abs(value);
   const double scaled = magnitude * kSmall;
   if (scaled < kMost) {
-    const auto whole = static_cast<std::int64_t>(scaled + 0.5);
+    // A wrong guess is found out by the division.
+    const auto whole = static_cast<std::int64_t>(scaled + 0.5);  // NOLINT(bugprone-incorrect-roundings)
     if (static_cast<double>(whole) / kSmall == magnitude) {
       if (value < 0) *to++ = '-';
       return write_millionths(to, static_cast<std::uint64_t>(whole));

@@ -101,7 +101,7 @@ SineCosine<double> sine_cosine(const Count& degrees) {
   }
   const auto [quarter, remainder] = reduce(degrees.units(), kQuarter);
   constexpr double kRadiansPerUnit = 0x1.4c4780a1fb529p-73;  // pi / (180 * 127e18)
-  const double r = static_cast<double>(remainder);
+  const auto r = static_cast<double>(remainder);
   return turned(near(r * kRadiansPerUnit, 0), quarter);
 }
 

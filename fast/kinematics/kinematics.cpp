@@ -129,7 +129,7 @@ void Kinematics::from_unit_type(const spec::Setup& setup, int type) {
   inner_ = type == 2 ? axis[1] : axis[0];
   outer_ = type == 2 ? axis[0] : axis[1];
   if (fault(Fault::rotary_order_swapped)) std::swap(inner_, outer_);
-  const int vertical = whole_parameter(setup, 19697, 0, 3);
+  const int vertical = whole_parameter(setup, 19697, 1, 3);
   expand(tilted(angle_parameter(setup, 19698), angle_parameter(setup, 19699), vertical == 0 ? 2 : vertical - 1));
 }
 

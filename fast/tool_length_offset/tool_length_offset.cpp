@@ -70,7 +70,7 @@ void ToolLengthOffset::cancel(std::size_t axis) {
 
 Alarm ToolLengthOffset::restore(const Words& words, const OffsetMemory& memory) {
   if (!pending() || type_ == Type::c || !evo_ || mode_ == Mode::off) return alarm::kNone;
-  // A block with a length code, or an H that counts, has its own say.
+  // A block with a length code, or an H that counts, acts by them alone.
   if (words.code(Words::kLength) != kNone || (words.has('H') && !ofh_)) return alarm::kNone;
   // A block with G40 puts the restoration off, but not an edited value.
   const bool back = (taken_ & last_) != 0 && (words.code(Words::kCompensation) != 400 || fault(Fault::restore_in_g40));

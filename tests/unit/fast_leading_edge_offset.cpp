@@ -167,6 +167,16 @@ TEST(LeadingEdge, LengthOffsetAlongTheTool) {
   EXPECT_EQ(run.axis(4, 'Z'), 16);
 }
 
+TEST(LeadingEdge, DirectionOfThePoseWithoutWords) {
+  // By hand: G43.5 without I J K takes the direction of B90: the tool lies along X, L = 20.
+  const ProgramRun run(head(), "B90\nG43.5 H1\nI0 J1 K0\nG49\nB90 X30\n");
+  EXPECT_EQ(run.axis(1, 'X'), 20);
+  EXPECT_EQ(run.axis(1, 'Z'), 0);
+  EXPECT_EQ(run.axis(2, 'Y'), 20);
+  EXPECT_EQ(run.programmed(3, 'Y'), 20);
+  EXPECT_EQ((*run.events[3].tool_axis)[0], 1);
+}
+
 TEST(LeadingEdge, LengthChangeWithStartAndCancelIsOneMove) {
   const ProgramRun run(head(), "B30\nG41.3 D1 G43 H1\nG01 X100\nG40 G49\n");
   ASSERT_EQ(run.events.size(), 4U);

@@ -156,6 +156,21 @@ TEST(OffsetMemory, EditedValueByEvo) {
   EXPECT_EQ(later.axis_path('Z'), (Path{20, 20, 25}));
 }
 
+TEST(OffsetMemory, EditedValueLeavesBlocksWithNumbersAlone) {
+  // By hand: the edited H1 is not brought in by a block that has an H of its own.
+  const ProgramRun run(setup("\"5001#1\"=1\n\"5001#6\"=1", kWorkZero),
+                       "G90 G43 Z0 H1\nG10 L11 P1 R25\nG18 G43 Y0 H2\n");
+  EXPECT_EQ(run.axis_path('Z'), (Path{20, 20}));
+  EXPECT_EQ(run.axis_path('Y'), (Path{0, 4}));
+}
+
+TEST(OffsetMemory, AddsToBothTablesOfASharedMemory) {
+  // By hand: H4 = 17, D4 = -948.251; -72.377 leaves H4 in range and D4 beyond -999.999.
+  const std::string s = setup("", "[offsets.H]\n4=17\n5=17\n[offsets.D]\n4=\"-948.251\"\n");
+  EXPECT_EQ(ProgramRun(s, "G91 G10 L11 P4 R-72.377\n").alarm(), "PS0032@1");
+  EXPECT_EQ(ProgramRun(s, "G91 G10 L11 P5 R-72.377\n").events[0].value, -55.377);
+}
+
 TEST(Program, UnitsAndIncrements) {
   // By hand: 1 inch = 25.4 mm; IS-B counts 0.001 mm, in inch programs 0.0001 inch.
   const ProgramRun inch(setup("", ""), "G20 G01 X1 F10\nG21 X1\n");
