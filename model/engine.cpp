@@ -163,6 +163,7 @@ Step Engine::State::step(const Command& command) {
     step.moves.push_back(move(command, tip, leg, on_way ? plan.on_way : plan.at_end, machine));
   }
   interpreter.arrive(command, legs);
+  if (!tip.tip_control) direction.follow(interpreter.position());
   if (edge.concerns(command)) {
     const Leg rest = interpreter.stay(command);
     step.rest = step.moves.empty() ? move(command, tip, rest, plan.at_end, machine) : step.moves.back();

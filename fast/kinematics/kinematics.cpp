@@ -129,8 +129,8 @@ void Kinematics::from_unit_type(const spec::Setup& setup, int type) {
   inner_ = type == 2 ? axis[1] : axis[0];
   outer_ = type == 2 ? axis[0] : axis[1];
   if (fault(Fault::rotary_order_swapped)) std::swap(inner_, outer_);
-  const int vertical = whole_parameter(setup, 19697, 1, 3);
-  expand(tilted(angle_parameter(setup, 19698), angle_parameter(setup, 19699), vertical == 0 ? 2 : vertical - 1));
+  const int vertical = setup.parameter(19697) ? whole_parameter(setup, 19697, 1, 3) : 3;
+  expand(tilted(angle_parameter(setup, 19698), angle_parameter(setup, 19699), vertical - 1));
 }
 
 void Kinematics::from_axis_groups(const spec::Setup& setup) {

@@ -80,7 +80,7 @@ Alarm Interpreter::check_leading_edge(const Words& words, const Plan& plan) cons
   if (active && (code || plan.motion > 10)) return alarm::kLeadingEdgeCommand;
   if (plan.compensation != Compensation::starts && plan.compensation != Compensation::stays) return alarm::kNone;
   if (words.code(Words::kOneShot) != kNone || words.code(Words::kWorkpiece) != kNone ||
-      words.code(Words::kUnits) != kNone || (words.axes() != 0 && words.has_any(kAuxiliaryLetters)))
+      words.code(Words::kUnits) != kNone || (moves && words.has_any(kAuxiliaryLetters)))
     return alarm::kForbiddenInCompensation;
   if (plan.compensation == Compensation::starts || words.has('D'))
     if (!memory_.fits(memory_.d(plan.d))) return alarm::kOffsetValue;

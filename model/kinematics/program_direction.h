@@ -29,6 +29,8 @@ class ProgramDirection {
   [[nodiscard]] const Direction& now() const { return direction_; }
   // At the end of a leg of the block, from which on it is in force.
   const Direction& at(const Command& command, const Marks& marks, const Position& end, const Numbers& numbers);
+  // After a block outside G43.5: the direction follows the programmed position also where only its zero has changed.
+  void follow(const Position& position) { direction_ = of_pose(position); }
 
  private:
   void restrict(const Command& command, const ToolLengthOffset& length, bool edge, const Marks& marks,

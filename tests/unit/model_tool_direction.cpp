@@ -56,6 +56,13 @@ TEST(ModelToolDirection, TheStartPoseIsInForceFirst) {
   EXPECT_EQ(axis(machine(2, 6, 3, 5, 2) + "[position]\nB = 90\n", "G43.5\n"), "1 0 0");
 }
 
+// B at 30 degrees of G54 is at 0 of a G55 that lies 30 degrees further: VT follows the programmed coordinate.
+TEST(ModelToolDirection, FollowsTheProgrammedCoordinate) {
+  const std::string work = machine(2, 6, 3, 5, 2) + "[workpiece.G55]\nB = 30\n";
+  EXPECT_EQ(axis(work, "B30.\nG55\nX1.\n"), "0 0 1");
+  EXPECT_EQ(axis(work, "B30.\nG55\nG43.5\n"), "0 0 1");
+}
+
 // Linear axis 3 of a rotary axis may be left out where nothing depends on it, but not contradict the other two.
 TEST(ModelToolDirection, LinearAxisThreeIsTheRemainingOne) {
   const std::string group = "19610 = 6\n19611 = 1\n19612 = 2\n";
