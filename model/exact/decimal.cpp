@@ -41,7 +41,7 @@ const Interval& narrowed(Node& node, int bits) {
       refine(node, precision, work);
     }
   } catch (const OutOfWork&) {
-    // What there is encloses the value, too.
+    return node.best_enclosure();  // wider, but holds the value, too
   }
   return node.best_enclosure();
 }
@@ -96,7 +96,7 @@ Integer rounded(const Real& x) {
       }
     }
   } catch (const OutOfWork&) {
-    // Undecided.
+    throw Undecided();
   }
   throw Undecided();
 }

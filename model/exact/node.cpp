@@ -44,11 +44,14 @@ struct ThreadEnd {
   }
 };
 
-void grow() {
+// A new chunk's nodes, linked; the pool has none free.
+Node* grow() {
   thread_local const ThreadEnd at_end;
   auto* const chunk = new Chunk;
   chunk->previous = std::exchange(pool.chunks, chunk);
-  for (Node& node : chunk->nodes) node.next = std::exchange(pool.free, &node);
+  Node* first = nullptr;
+  for (Node& node : chunk->nodes) node.next = std::exchange(first, &node);
+  return first;
 }
 
 void trim(mpz_ptr z) {
@@ -82,8 +85,8 @@ void Node::become_zero() {
 }
 
 Node* new_node(Kind kind) {
-  if (pool.free == nullptr) grow();
-  Node* const node = std::exchange(pool.free, pool.free->next);
+  Node* const node = pool.free != nullptr ? pool.free : grow();
+  pool.free = node->next;
   ++pool.live;
   node->references = 1;
   node->kind = kind;

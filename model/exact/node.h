@@ -26,7 +26,7 @@ enum class Kind : std::uint8_t {
 };
 
 /// What is known of a node's sign beyond its enclosure.
-enum class Knowledge : std::uint8_t { none, negative, positive, nonzero, undecided };
+enum class Knowledge : std::uint8_t { none, negative, positive, undecided };
 
 /// One value. Rational 0 is the null pointer; a node proven zero becomes a rational with value 0.
 struct Node {

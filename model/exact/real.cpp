@@ -117,6 +117,7 @@ Real::Real(const Real& other) : node_(other.node_) {
 }
 Real::Real(Real&& other) noexcept : node_(std::exchange(other.node_, nullptr)) {}
 Real& Real::operator=(const Real& other) {
+  if (this == &other) return *this;
   if (other.node_ != nullptr) ++other.node_->references;
   if (node_ != nullptr) release(node_);
   node_ = other.node_;

@@ -24,6 +24,7 @@ const Interval* refined_or_null(const Node* node) { return node == nullptr ? nul
 }  // namespace
 
 void enclose(Interval& result, const Node& node, const Interval* left, const Interval* right) {
+  // NOLINTBEGIN(clang-analyzer-core.NonNullParamChecker): an operation has the operands its kind needs
   switch (node.kind) {
     case Kind::rational:
       set(result, node.value);
@@ -59,6 +60,7 @@ void enclose(Interval& result, const Node& node, const Interval* left, const Int
       arctangent_degrees(result, *left);
       break;
   }
+  // NOLINTEND(clang-analyzer-core.NonNullParamChecker)
 }
 
 void refine(Node& root, mpfr_prec_t precision, Work& work) {

@@ -9,8 +9,8 @@ namespace toolcomp::exact {
 /// Sets the enclosure of an operation from those of its operands.
 void enclose(Interval& result, const Node& node, const Interval* left, const Interval* right);
 
-/// Recomputes `node` and everything below it at `precision`, where not done before, and narrows the enclosures at
+/// Recomputes `root` and everything below it at `precision`, where not done before, and narrows the enclosures at
 /// base_precision with the result. Throws OutOfWork; what was done until then stays valid.
-void refine(Node& node, mpfr_prec_t precision, Work& work);
+void refine(Node& root, mpfr_prec_t precision, Work& work);
 
 }  // namespace toolcomp::exact

@@ -39,9 +39,9 @@ class RootTower {
   Element multiply(const Element& a, const Element& b);
   void multiply_by(Element& a, const Integer& factor);
 
-  /// Whether an element is zero, decided completely: with s the last root in e = A + B s, e is zero if and only if
+  /// Whether an element e is zero, decided completely: with s the last root in e = A + B s, e is zero if and only if
   /// A*A = B*B*s*s and A, B s have opposite signs or are both zero.
-  bool vanishes(const Element& e);
+  bool vanishes(const Element& unpruned);
 
  private:
   struct Root {

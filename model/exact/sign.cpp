@@ -50,34 +50,24 @@ void remember(Node& node, std::optional<Sign> sign) {
     node.knowledge = *sign == Sign::positive ? Knowledge::positive : Knowledge::negative;
 }
 
-std::optional<Sign> sign_at(Node& node, mpfr_prec_t precision, Work& work) {
-  refine(node, precision, work);
-  return certain_sign(*node.refined);
+std::optional<Sign> refined_sign(Node& node, mpfr_prec_t first, mpfr_prec_t last, Work& work) {
+  try {
+    for (mpfr_prec_t precision = first; precision <= last; precision *= 2) {
+      refine(node, precision, work);
+      if (auto sign = certain_sign(*node.refined)) return sign;
+    }
+  } catch (const OutOfWork&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 std::optional<Sign> sign_of_sum(Node& node) {
   Work work(refinement_work);
-  try {
-    if (auto sign = sign_at(node, precision_before_proof, work)) return sign;
-  } catch (const OutOfWork&) {
-    // The proof has its own budget.
-  }
-  switch (prove_zero(node, proof_work)) {
-    case ZeroProof::zero:
-      return Sign::zero;
-    case ZeroProof::nonzero:
-      node.knowledge = Knowledge::nonzero;
-      break;
-    case ZeroProof::none:
-      break;
-  }
-  try {
-    for (mpfr_prec_t precision = 2 * precision_before_proof; precision <= greatest_precision; precision *= 2)
-      if (auto sign = sign_at(node, precision, work)) return sign;
-  } catch (const OutOfWork&) {
-    // Undecided.
-  }
-  return std::nullopt;
+  if (auto sign = refined_sign(node, precision_before_proof, precision_before_proof, work)) return sign;
+  // Whether the work for that sufficed or not: the proof has its own.
+  if (prove_zero(node, proof_work) == ZeroProof::zero) return Sign::zero;
+  return refined_sign(node, 2 * precision_before_proof, greatest_precision, work);
 }
 
 std::optional<Sign> sign_of_factor(Node& node) {

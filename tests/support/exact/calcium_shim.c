@@ -3,6 +3,10 @@
 #include <calcium/ca.h>
 #include <stdlib.h>
 
+/* Exported by the library though not declared in its header. ca_check_is_zero goes on to factor polynomials, which for
+   sines of decimal degrees can take minutes and has not decided any more of them. */
+truth_t ca_check_is_zero_no_factoring(const ca_t x, ca_ctx_t context);
+
 struct calcium_machine {
   ca_ctx_t context;
   ca_ptr numbers;
@@ -87,7 +91,7 @@ void calcium_root(calcium_machine* machine, int to, int a) {
    exponentials. The caller knows it; so the sign is read off the real part, and zero is asked for by itself. */
 enum calcium_sign calcium_sign_of(calcium_machine* machine, int a) {
   ca_srcptr x = machine->numbers + a;
-  switch (ca_check_is_zero(x, machine->context)) {
+  switch (ca_check_is_zero_no_factoring(x, machine->context)) {
     case T_TRUE:
       return calcium_zero;
     case T_UNKNOWN:
