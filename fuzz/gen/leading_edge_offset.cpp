@@ -68,8 +68,12 @@ class LeadingEdge {
     }
     if (choose_.chance(70)) write_.word("G01").number('F', choose_.between(1, 50) * 100 * write_.one());
     const bool kinematic = tool_direction(case_.setup, {}).has_value();
-    if (choose_.chance(kinematic ? 25 : 75)) {
+    // Tables have no G43.5 yet: an alarm, seldom wanted.
+    const auto type = case_.setup.parameter(19680);
+    const bool table = type && (type->digits == 12 || type->digits == 21);
+    if (choose_.chance(table ? 4 : kinematic ? 30 : 75)) {
       // G43.5 has its own block: direction by I J K from here on.
+      if (choose_.chance(60)) linear({choose_.between(1, 20) * write_.one(), 0, 0});
       write_.end_block();
       write_.word("G43.5").word(
           fmt::format("H{}", choose_.between(0, static_cast<std::int64_t>(case_.setup.h.size()))));

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <span>
 
 #include "fuzz/gen/choices.h"
 #include "fuzz/gen/program_text.h"
@@ -47,7 +49,9 @@ void negate(std::string& word) {
 
 void change_word(Choices& choose, const spec::Setup& setup, Mode mode, WordTexts& line) {
   const std::size_t at = line.empty() ? 0 : choose.below(line.size());
-  if (line.empty() || choose.chance(20)) {
+  // Words of any group end a valid program early more often than not: few of them in directed changes.
+  const bool free = mode == Mode::unrestricted || choose.chance(10);
+  if (line.empty() || (free && choose.chance(20))) {
     line.insert(line.begin() + static_cast<std::ptrdiff_t>(at), any_word(choose, setup));
     return;
   }
@@ -64,7 +68,10 @@ void change_word(Choices& choose, const spec::Setup& setup, Mode mode, WordTexts
       negate(word);
       break;
     case 2:
-      word = any_word(choose, setup);
+      if (free)
+        word = any_word(choose, setup);
+      else
+        change_digit(choose, word);
       break;
     case 3:
       word = word.substr(0, 1) + boundary_number(choose);
@@ -80,7 +87,9 @@ void change_program(Choices& choose, spec::Case& c, Mode mode) {
   if (text.empty()) text.emplace_back("G01 X10.");
   const std::size_t at = choose.below(text.size());
   const auto place = text.begin() + static_cast<std::ptrdiff_t>(at);
-  switch (choose.weighted({60, 8, 8, 8, 12, 4})) {
+  constexpr int directed[] = {70, 8, 8, 8, 2, 4};
+  constexpr int unrestricted[] = {60, 8, 8, 8, 12, 4};
+  switch (choose.weighted(mode == Mode::directed ? std::span(directed) : std::span(unrestricted))) {
     case 0: {
       WordTexts line = words(text[at]);
       change_word(choose, c.setup, mode, line);
@@ -142,11 +151,17 @@ auto any_of(Choices& choose, Map& map) {
   return it;
 }
 
-void change_parameter(Choices& choose, spec::Setup& setup) {
+// Angles of kinematics: any value is a control that could exist; numbers of axes and types are not.
+bool is_angle(std::uint32_t parameter) {
+  constexpr std::uint32_t angles[] = {19614, 19619, 19620, 19621, 19622, 19623, 19631,
+                                      19683, 19685, 19688, 19690, 19698, 19699};
+  return std::find(std::begin(angles), std::end(angles), parameter) != std::end(angles);
+}
+
+void change_parameter(Choices& choose, Mode mode, spec::Setup& setup) {
   switch (choose.below(4)) {
     case 0:
-      setup.parameters[{5001, static_cast<int>(choose.one_of<std::int64_t>({0, 1, 2, 3, 6}))}] =
-          spec::decimal(choose.between(0, 1));
+      setup.parameters[{5001, choose.one_of({0, 1, 2, 3, 6})}] = spec::decimal(choose.between(0, 1));
       return;
     case 1:
       setup.parameters[{19631, -1}] = decimal(choose.between(-1'000, 90'000), 3);
@@ -154,8 +169,12 @@ void change_parameter(Choices& choose, spec::Setup& setup) {
     default: {
       const auto parameter = any_of(choose, setup.parameters);
       if (parameter == setup.parameters.end()) return;
+      const bool angle = is_angle(parameter->first.number);
+      if (mode == Mode::directed && !angle && parameter->first.number != 5001) return;
       if (parameter->first.bit >= 0)
         parameter->second = spec::decimal(choose.between(0, 1));
+      else if (angle && mode == Mode::directed)
+        parameter->second = decimal(choose.between(-90'000, 90'000), 3);
       else if (choose.chance(50))
         change_decimal(choose, parameter->second, 3);
       else
@@ -165,11 +184,11 @@ void change_parameter(Choices& choose, spec::Setup& setup) {
   }
 }
 
-void change_setup(Choices& choose, spec::Setup& setup) {
+void change_setup(Choices& choose, Mode mode, spec::Setup& setup) {
   const int decimals = increment_decimals(setup);
   switch (choose.weighted({40, 25, 25, 10})) {
     case 0:
-      return change_parameter(choose, setup);
+      return change_parameter(choose, mode, setup);
     case 1: {
       const auto entry = any_of(choose, setup.h);
       if (entry != setup.h.end()) change_decimal(choose, entry->second.geometry, decimals);
@@ -193,9 +212,10 @@ void change_setup(Choices& choose, spec::Setup& setup) {
 
 void mutate(spec::Case& c, Mode mode, ChoiceSource& source) {
   Choices choose(source);
-  for (std::size_t n = choose.weighted({50, 25, 15, 10}) + 1; n > 0; --n) {
+  const std::size_t most = mode == Mode::directed ? 2 : 4;
+  for (std::size_t n = choose.below(most) + 1; n > 0; --n) {
     if (choose.chance(20))
-      change_setup(choose, c.setup);
+      change_setup(choose, mode, c.setup);
     else
       change_program(choose, c, mode);
   }

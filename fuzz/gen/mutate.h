@@ -5,7 +5,7 @@
 
 namespace toolcomp::fuzz {
 
-// One to four small changes; directed changes use the words of the section and keep numbers well formed.
+// Up to four small changes; directed ones are two at most, keep numbers well formed and mostly the words as they are.
 void mutate(spec::Case& c, Mode mode, ChoiceSource& source);
 // Setup and first blocks of `a` with last blocks of `b`.
 spec::Case splice(const spec::Case& a, const spec::Case& b, ChoiceSource& source);
