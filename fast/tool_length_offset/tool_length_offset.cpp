@@ -63,7 +63,8 @@ void ToolLengthOffset::set_length(const Count& value) {
 }
 
 void ToolLengthOffset::cancel(std::size_t axis) {
-  if ((live_ & bit(axis)) == 0 || fault(Fault::g53_keeps_offset)) return;
+  // An axis whose offset is 0 just now is taken away too: an H number may give it a value later.
+  if (((live_ | last_) & bit(axis)) == 0 || fault(Fault::g53_keeps_offset)) return;
   set(axis, Count());
   taken_ = static_cast<std::uint16_t>(taken_ | bit(axis));
 }
