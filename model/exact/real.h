@@ -53,7 +53,7 @@ class Real {
   // Requires is_rational().
   [[nodiscard]] Rational rational() const;
 
-  // Bounds of relative width about 2^-bits (exact for rationals).
+  // Bounds of relative width about 2^-bits (exact for rationals, wider if undecided; Undecided if there are none).
   [[nodiscard]] Enclosure enclosure(int bits = 100) const;
   [[nodiscard]] DoubleEnclosure double_enclosure() const;
   // Correctly rounded to `digits` decimals (half to even), trailing zeros removed, never "-0". Throws Undecided.
@@ -63,13 +63,13 @@ class Real {
   friend Real operator+(const Real& a, const Real& b);
   friend Real operator-(const Real& a, const Real& b);
   friend Real operator*(const Real& a, const Real& b);
-  friend Real operator/(const Real& a, const Real& b);  // b must not be zero (its sign is certified)
+  friend Real operator/(const Real& a, const Real& b);  // std::domain_error if b is zero; its sign is certified
   Real& operator+=(const Real& b) { return *this = *this + b; }
   Real& operator-=(const Real& b) { return *this = *this - b; }
   Real& operator*=(const Real& b) { return *this = *this * b; }
   Real& operator/=(const Real& b) { return *this = *this / b; }
 
-  friend Real sqrt(const Real& a);  // a must not be negative (its sign is certified)
+  friend Real sqrt(const Real& a);  // std::domain_error if a is negative; its sign is certified
   friend Real sin_degrees(const Rational& degrees);
   friend Real cos_degrees(const Rational& degrees);
 
