@@ -135,14 +135,13 @@ LengthPlan ToolLengthOffset::plan(const LengthCommand& command) {
       last_ = cancelled_ = 0;
       vector_.along_tool = memory_.h(number_);
     } else if (!recorder_.decide(Clause::fanuc_length_offset_number_while_cancelled, !active())) {
-      AxisMask axes = affected(command, sets_mode);
+      const AxisMask axes = affected(command, sets_mode);
       const bool waits = command.cutter_code && (axes & cancelled_) != 0;
-      last_ = axes;
-      if (recorder_.decide(Clause::fanuc_length_offset_number_only_stored, waits))
-        axes = without(axes, cancelled_);
-      else if (!starts && (axes & cancelled_) != 0)
-        recorder_.reach(Clause::fanuc_length_offset_restored_by_number);
-      apply(axes);
+      if (!recorder_.decide(Clause::fanuc_length_offset_number_only_stored, waits)) {
+        if (!starts && (axes & cancelled_) != 0) recorder_.reach(Clause::fanuc_length_offset_restored_by_number);
+        last_ = axes;
+        apply(axes);
+      }
     }
   } else if (active() && command.has_word) {
     next_block(command);

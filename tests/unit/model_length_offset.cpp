@@ -161,6 +161,16 @@ TEST(ModelLengthOffset, NumberAfterwardsGoesByThePlane) {
                      "4 rapid X20 Y1 Z0 W0 B0"}));
 }
 
+// Type C on X and Z, of which G53 takes Z away: the number of a G40 block is stored for both, X keeps its vector. The
+// same where the offset taken away is 0 just now.
+TEST(ModelLengthOffset, StoredMeansStoredForEveryAxis) {
+  const std::string type_c = "\"5001#0\" = 1\n\"5001#3\" = 1\n";
+  EXPECT_EQ(moves(type_c, "G43 X0 Z0 H1\nG53 Z0\nG40 H2 Y0\nH2\n"),
+            (Lines{"1 rapid X10 Y0 Z10 W0 B0", "2 rapid X10 Y0 Z0 W0 B0", "3 rapid X10 Y0 Z0 W0 B0",
+                   "4 rapid X20 Y0 Z20 W0 B0"}));
+  EXPECT_EQ(moves("", "G43 Z0\nG53 Z0\nG40 H1 Z0\n").back(), "3 rapid X0 Y0 Z0 W0 B0");
+}
+
 // A program number is no block; G43.5 takes the place of G43, so nothing comes back with it.
 TEST(ModelLengthOffset, BlocksThatRestoreNothing) {
   EXPECT_EQ(moves(kEvo, "G43 Z0 H1\nG53 Z0\nO7\nX1\n"),
