@@ -1,0 +1,46 @@
+// Golden vectors as lemmas of Coq: what the formal specification says about them, proved without the model.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "spec/language/case.h"
+
+namespace toolcomp::corpus {
+
+// One lemma; its name says vector and line.
+struct Lemma {
+  std::string name;
+  std::string text;           // statement and proof
+  bool by_intervals = false;  // dear: rotary axes and roots; else by computation over Q
+};
+
+// What can be said about one vector by the formal specification of its section; nothing where it uses more than that
+// covers (alarms, G10, changes of units, …: the functions below say what). Everything is read from setup, program and
+// expected events: nothing is taken from the engines.
+//   leading edge    a move whose vector is made of the next movement: the class of the angle, the sense, and that the
+//                   recorded point is the programmed point plus VC to within its radius, or exactly;
+//   length offset   a whole program of G43 G44 G49 H and straight moves, types A and B: every position of the axes.
+std::vector<Lemma> leading_edge_lemmas(const spec::Case& c);
+std::vector<Lemma> length_offset_lemmas(const spec::Case& c);
+
+struct ProofOptions {
+  std::size_t computed = 40;  // lemmas a section, at most
+  std::size_t intervals = 8;  // the same, by intervals
+  std::size_t a_vector = 2;   // of one vector
+};
+
+struct ProofFile {
+  std::filesystem::path file;
+  std::size_t vectors = 0;
+  std::size_t lemmas = 0;
+};
+
+// Writes one Coq file a section into `output`, for proofs/check to prove. Sections without a formal specification have
+// none.
+std::vector<ProofFile> write_proofs(const std::filesystem::path& corpus, const std::filesystem::path& output,
+                                    const ProofOptions& options = {});
+
+}  // namespace toolcomp::corpus
