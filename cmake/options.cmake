@@ -34,6 +34,6 @@ toolcomp_system_headers(Eigen3::Eigen)
 # toolcomp_library(NAME DEPENDENCIES…): a static library of the .cpp files in and below the current folder.
 function(toolcomp_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
-  add_library(${name} STATIC ${sources} ${PROJECT_SOURCE_DIR}/cmake/empty.cpp)
+  add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC toolcomp_options ${ARGN})
 endfunction()

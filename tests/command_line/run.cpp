@@ -18,7 +18,7 @@ const std::string kExamples = TOOLCOMP_SOURCE_DIR "/examples/fanuc/";
 
 class Run : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(BothEngines, Run, testing::Values("model", "fast"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& engine) { return engine.param; });
 
 // Fact sheet 14.1.1, worked example 1 (H1 = -4): the Z values by sequence number.
 TEST_P(Run, ThreeHoleBoring) {

@@ -61,7 +61,9 @@ TEST(Inventory, EveryTargetHasSeedsAndEverySeedFolderATarget) {
     EXPECT_GT(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 0) << name;
   }
   for (const auto& entry : fs::directory_iterator(root() / "corpus/seeds"))
-    if (entry.is_directory()) EXPECT_TRUE(targets().contains(entry.path().filename())) << entry.path();
+    if (entry.is_directory()) {
+      EXPECT_TRUE(targets().contains(entry.path().filename())) << entry.path();
+    }
 }
 
 TEST(Inventory, EverySeedOfASectionIsACaseOnWhichTheEnginesAgree) {
@@ -72,7 +74,9 @@ TEST(Inventory, EverySeedOfASectionIsACaseOnWhichTheEnginesAgree) {
         EXPECT_FALSE(c.program.empty()) << entry.path();
         const Trial t = try_case(c);
         EXPECT_FALSE(t.found()) << entry.path() << ": " << explain(*t.verdict.difference);
-        if (mode == Mode::directed) EXPECT_EQ(t.acceptance, Acceptance::accepted) << entry.path();
+        if (mode == Mode::directed) {
+          EXPECT_EQ(t.acceptance, Acceptance::accepted) << entry.path();
+        }
       }
 }
 

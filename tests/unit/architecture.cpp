@@ -31,7 +31,8 @@ std::vector<fs::path> sources(const std::string& room) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(kSource / room)) {
     const std::string extension = entry.path().extension();
-    if (extension == ".h" || extension == ".cpp" || extension == ".c" || extension == ".inc") files.push_back(entry.path());
+    if (extension == ".h" || extension == ".cpp" || extension == ".c" || extension == ".inc")
+      files.push_back(entry.path());
   }
   return files;
 }

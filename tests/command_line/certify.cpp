@@ -1,0 +1,125 @@
+// `toolcomp certify`, `fuzz`, `replay`, `explain`, `spec` and `corpus` as a user runs them.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/command_line/command.h"
+
+namespace {
+
+using nlohmann::json;
+using toolcomp::test::Folder;
+using toolcomp::test::Outcome;
+using toolcomp::test::toolcomp;
+
+const std::string kTool = TOOLCOMP_BINARY_DIR "/toolcomp";
+const std::string kServe = kTool + " serve --engine fast";
+const std::string kExamples = TOOLCOMP_SOURCE_DIR "/examples/fanuc/";
+
+// A wrapper around the fast engine; every answer to a case passes through the sed script.
+std::string wrapper(const Folder& folder, const std::string& name, const std::string& script) {
+  return "sh " + folder.write(name, kServe + " | sed -u '" + script + "'\n");
+}
+
+TEST(Certify, TheFastEngineConforms) {
+  const Folder folder;
+  const Outcome outcome = toolcomp("certify --controller '" + kServe + "' --report " + folder.path("report"));
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path("report/index.html")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("report/junit.xml")));
+  const json certificate = json::parse(toolcomp::test::read(folder.path("report/certificate.json")));
+  EXPECT_TRUE(certificate.is_object());
+}
+
+// Every fault gives exit status 1 and a finding that replays.
+class Faults : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+INSTANTIATE_TEST_SUITE_P(Wrappers, Faults,
+                         testing::Values(std::pair{"flips_a_sign", R"(s/"axes":{"X":-/"axes":{"X":/)"},
+                                         std::pair{"drops_an_event",
+                                                   R"(s/{"kind":"move","line":3,[^}]*}[^}]*}[^}]*}[^}]*},//)"},
+                                         std::pair{"prints_rubbish", R"(s/"events":/"events"=/)"}),
+                         [](const auto& fault) { return fault.param.first; });
+
+TEST_P(Faults, AreFound) {
+  const Folder folder;
+  const std::string controller = wrapper(folder, "controller.sh", GetParam().second);
+  const Outcome outcome = toolcomp("certify --controller '" + controller +
+                                   "' --cases 60 --corpus " TOOLCOMP_SOURCE_DIR "/corpus/golden --timeout 3 --report " +
+                                   folder.path("report"));
+  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
+  const std::filesystem::path findings = folder.path("report/findings");
+  ASSERT_TRUE(std::filesystem::exists(findings));
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(findings)) {
+    const json finding = json::parse(toolcomp::test::read(entry.path()));
+    EXPECT_FALSE(finding.at("clause").get<std::string>().empty());
+    if (count++ == 0) {
+      EXPECT_EQ(toolcomp("replay " + entry.path().string()).status, 1);
+      EXPECT_EQ(toolcomp("replay " + entry.path().string() + " --controller '" + kServe + "'").status, 0)
+          << "the engine itself is right";
+    }
+  }
+  EXPECT_GT(count, 0U);
+}
+
+TEST(Certify, AHangIsAFinding) {
+  const Folder folder;
+  const std::string controller =
+      "sh " + folder.write("hang.sh", "read hello\n" + kServe + " <<E\n{\"hello\":1}\nE\nsleep 600\n");
+  const Outcome outcome = toolcomp("certify --controller '" + controller +
+                                   "' --section fanuc/leading-edge-offset --cases 1 --timeout 0.5 --report " +
+                                   folder.path("report") + " " + kExamples + "three-hole-boring/three-holes.nc");
+  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("hang"), std::string::npos) << outcome.out;
+}
+
+TEST(Fuzz, SameSeedSameBytes) {
+  const std::string arguments =
+      "fuzz --section fanuc/leading-edge-offset --runs 400 --seed 7 --controller '" + kServe + "'";
+  const auto without_times = [](std::string text) {
+    return text.erase(text.find(" in "), text.find("(built-in") - text.find(" in "));
+  };
+  const Outcome first = toolcomp(arguments);
+  EXPECT_EQ(first.status, 0) << first.out << first.err;
+  EXPECT_EQ(without_times(first.out), without_times(toolcomp(arguments).out));
+}
+
+TEST(Explain, ABlockNearNinetyDegrees) {
+  const Outcome outcome = toolcomp("explain " + kExamples + "inclined-faces-tool-vector/faces.nc --block 80");
+  EXPECT_EQ(outcome.status, 0);
+  for (const char* words : {"fanuc.leading-edge.near-90", "counts as 90", "exact ", "double ", "N80 X20.0 I1 J0 K100"})
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << '\n' << outcome.out;
+  EXPECT_EQ(toolcomp("explain " + kExamples + "inclined-faces-tool-vector/faces.nc --block 999").status, 2);
+}
+
+TEST(Spec, ListsShowsAndTraces) {
+  EXPECT_NE(toolcomp("spec list").out.find("fanuc.leading-edge.near-90"), std::string::npos);
+  EXPECT_NE(toolcomp("spec show fanuc.leading-edge.near-90").out.find("19631"), std::string::npos);
+  EXPECT_EQ(toolcomp("spec show fanuc.nothing").status, 2);
+  EXPECT_NE(toolcomp("spec trace").out.find("model/"), std::string::npos);
+}
+
+TEST(Corpus, ChecksAndLints) {
+  const Outcome check = toolcomp("corpus check");
+  EXPECT_EQ(check.status, 0) << check.out << check.err;
+  const Outcome lint = toolcomp("corpus lint");
+  EXPECT_EQ(lint.status, 0) << lint.out;
+  EXPECT_EQ(toolcomp("corpus diff " TOOLCOMP_SOURCE_DIR "/corpus/golden").status, 0);
+}
+
+// Generation is byte-identical for a seed: what is in the tree is what the generator makes.
+TEST(Corpus, GeneratesWhatIsInTheTree) {
+  const Folder folder;
+  const Outcome outcome = toolcomp("corpus generate --seed 1 --dir " + folder.path("golden"));
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(TOOLCOMP_SOURCE_DIR "/corpus/golden")) {
+    if (!entry.is_regular_file()) continue;
+    ++files;
+    const auto name = std::filesystem::relative(entry.path(), TOOLCOMP_SOURCE_DIR "/corpus/golden");
+    EXPECT_EQ(toolcomp::test::read(entry.path()), toolcomp::test::read(folder.path("golden") / name)) << name;
+  }
+  EXPECT_GE(files, 5U);
+}
+
+}  // namespace

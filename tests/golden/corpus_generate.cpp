@@ -1,0 +1,128 @@
+// Generation: the same seed gives the same bytes on every compiler (the corpus in the tree was written by another run
+// than this one), and what cannot be right is refused.
+#include "corpus/generate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "corpus/files.h"
+#include "corpus/lint.h"
+#include "corpus/select.h"
+#include "corpus/vector.h"
+#include "spec/language/input_error.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::corpus {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Generation : public testing::Test {
+ protected:
+  void SetUp() override {
+    options_.folder = fs::path(testing::TempDir()) /
+                      (std::string("generate_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(options_.folder);
+  }
+  void TearDown() override { fs::remove_all(options_.folder); }
+
+  // Few and quick.
+  void little() {
+    options_.vectors = 5;
+    options_.candidates = 20;
+    options_.sections = {"fanuc/leading-edge-offset"};
+  }
+
+  GenerateOptions options_;
+};
+
+TEST_F(Generation, GivesTheCorpusOfTheTreeByteForByte) {
+  const Manifest manifest = read_manifest(default_folder());
+  options_.seed = std::stoull(manifest.seed);
+  options_.version = manifest.version;
+  const GenerateResult result = generate(options_);
+  for (const Rejection& rejection : result.rejected)
+    ADD_FAILURE() << rejection.file << ':' << rejection.line << ": " << rejection.why;
+  for (const ManifestFile& file : manifest.files)
+    EXPECT_TRUE(read_file(options_.folder / file.file) == read_file(default_folder() / file.file))
+        << file.file << " differs; toolcomp corpus generate, then toolcomp corpus diff, tell how";
+  EXPECT_TRUE(read_file(options_.folder / "manifest.json") == read_file(default_folder() / "manifest.json"));
+}
+
+TEST_F(Generation, IsClean) {
+  little();
+  EXPECT_TRUE(generate(options_).rejected.empty());
+  EXPECT_TRUE(lint(options_.folder).empty());
+}
+
+TEST_F(Generation, AgainLeavesTheVersion) {
+  little();
+  EXPECT_EQ(generate(options_).version, "1.0.0");
+  EXPECT_EQ(generate(options_).version, "1.0.0");
+  options_.candidates = 30;  // the first twenty are the same: vectors are added, some may be chosen otherwise
+  const std::string version = generate(options_).version;
+  EXPECT_TRUE(version == "1.1.0" || version == "2.0.0") << version;
+  options_.version = "7.8.9";
+  EXPECT_EQ(generate(options_).version, "7.8.9");
+}
+
+TEST_F(Generation, AnotherSeedGivesOtherVectors) {
+  little();
+  const auto one = select("fanuc/leading-edge-offset", {1, 5, 20});
+  const auto two = select("fanuc/leading-edge-offset", {2, 5, 20});
+  ASSERT_GE(one.size(), 5U);
+  ASSERT_GE(two.size(), 5U);
+  for (const spec::Case& a : one)
+    EXPECT_TRUE(std::ranges::none_of(two, [&](const spec::Case& b) { return a.id == b.id; })) << a.id;
+}
+
+TEST_F(Generation, OneSectionLeavesTheFilesOfOthers) {
+  little();
+  generate(options_);
+  options_.sections = {"fanuc/tool-length-offset"};
+  generate(options_);
+  const Manifest manifest = read_manifest(options_.folder);
+  EXPECT_EQ(manifest.files.size(), 6U);
+  EXPECT_TRUE(lint(options_.folder).empty());
+}
+
+TEST_F(Generation, UnknownSection) {
+  options_.sections = {"fanuc/no-such-section"};
+  EXPECT_THROW(generate(options_), spec::InputError);
+  EXPECT_FALSE(fs::exists(options_.folder / "manifest.json"));
+}
+
+// What both engines refuse, or nobody can decide, is no vector.
+TEST(Vectors, NotEverythingCanBeOne) {
+  spec::Case c;
+  c.section = "fanuc/leading-edge-offset";
+  c.setup = spec::read_setup_toml("control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n", "setup");
+  c.program = "(nothing)\n";
+  EXPECT_EQ(complete(c), "nothing could be judged");
+  c.program = std::string("X1\0\n", 4);
+  EXPECT_EQ(complete(c), "the program is no text");
+  c.setup.parameters[{19631, -1}] = spec::decimal(91);
+  c.program = "X1\n";
+  EXPECT_EQ(complete(c), "no control could have this setup");
+}
+
+TEST(Vectors, TheIdBelongsToTheQuestion) {
+  spec::Case c;
+  c.section = "fanuc/leading-edge-offset";
+  c.program = "X1\n";
+  const std::string id = vector_id(c);
+  EXPECT_TRUE(id.starts_with("fanuc.leading-edge-offset."));
+  c.comment = "Words do not matter.";
+  EXPECT_EQ(vector_id(c), id);
+  c.program = "X2\n";
+  EXPECT_NE(vector_id(c), id);
+  c.program = "X1\n";
+  c.samples = 4;
+  EXPECT_NE(vector_id(c), id);
+}
+
+}  // namespace
+}  // namespace toolcomp::corpus
