@@ -356,6 +356,16 @@ bool describe(Finding& f, Subject& subject, const Capabilities& capabilities, sp
   return j.result == Result::differs && key_of(f.smallest, j) == f.key;
 }
 
+// Could a control have this setup, and is the program text?
+bool possible(const spec::Case& c) {
+  try {
+    fuzz::run_model(c);
+    return true;
+  } catch (const spec::InputError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 spec::Case generated_case(std::string_view section, std::uint64_t seed, std::uint64_t index) {
@@ -363,6 +373,8 @@ spec::Case generated_case(std::string_view section, std::uint64_t seed, std::uin
   const fuzz::Mode mode =
       index % kUnrestrictedEvery == kUnrestrictedEvery - 1 ? fuzz::Mode::unrestricted : fuzz::Mode::directed;
   spec::Case c = fuzz::generate(section, mode, source);
+  // A setup that no control could have cannot be given to a controller: another one is drawn.
+  while (!possible(c)) c = fuzz::generate(section, mode, source);
   std::string id(section);
   std::ranges::replace(id, '/', '.');
   c.id = id + ".seed-" + std::to_string(seed) + "." + std::to_string(index);

@@ -1,5 +1,6 @@
 // toolcomp run: the events of one program, as they come.
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "model/print.h"
 #include "model/program/number.h"
 #include "spec/language/event_format.h"
+#include "spec/language/event_map.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -94,14 +96,33 @@ void feed(const Program& program, Engine& engine, Sink& sink) {
   sink.end();
 }
 
+// Keeps the events for a picture, in double.
 template <class Number>
 struct Collector final : spec::EventSink<Number> {
-  std::vector<spec::Event<Number>> events;
-  void on(const spec::Event<Number>& event) override { events.push_back(event); }
+  std::vector<spec::Event<double>> events;
+  void on(const spec::Event<Number>& event) override {
+    events.push_back(spec::map_numbers<double>(event, [](const Number& value) { return nearest(value); }));
+  }
   void reading(const spec::Block&) {}
   void flush() {}
   void end() {}
+
+  static double nearest(double value) { return value; }
+  static double nearest(const exact::Real& value) {
+    const exact::DoubleEnclosure enclosure = value.double_enclosure();
+    return enclosure.lower / 2 + enclosure.upper / 2;
+  }
 };
+
+// The path as a picture; `make` makes the engine over a sink.
+template <class Number, class Make>
+int draw(const Program& program, const Make& make) {
+  Collector<Number> sink;
+  const auto engine = make(sink);
+  feed(program, *engine, sink);
+  std::cout << certify::path_svg(sink.events, program.setup().axes, certify::path_options(program.setup())) << '\n';
+  return kAgrees;
+}
 
 // The start of the setup, linear axes, by way of `number`.
 template <class Number, class NumberOf>
@@ -122,13 +143,8 @@ int run(const RunOptions& options) {
   const Program program(options.program, options.setup);
   if (options.engine == EngineName::fast) {
     const auto append = [](std::string& out, double value) { fast::append_number(out, value); };
-    if (options.format == Format::svg) {
-      Collector<double> sink;
-      fast::Engine engine(program.setup(), sink);
-      feed(program, engine, sink);
-      std::cout << certify::path_svg(sink.events, program.setup().axes, certify::path_options(program.setup())) << '\n';
-      return kAgrees;
-    }
+    if (options.format == Format::svg)
+      return draw<double>(program, [&](auto& sink) { return std::make_unique<fast::Engine>(program.setup(), sink); });
     const auto start =
         start_of<double>(program.setup(), [](const spec::Decimal& d) { return std::stod(spec::to_string(d)); });
     Printer<double, decltype(append)> sink(program, options.format, append, start);
@@ -137,6 +153,9 @@ int run(const RunOptions& options) {
     return sink.status();
   }
   model::Recorder recorder;
+  if (options.format == Format::svg)
+    return draw<exact::Real>(
+        program, [&](auto& sink) { return std::make_unique<model::Engine>(program.setup(), recorder, sink); });
   const auto append = [&options](std::string& out, const exact::Real& value) {
     model::append_number(out, value, options.digits);
   };

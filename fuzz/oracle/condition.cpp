@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fuzz/oracle/number.h"
+#include "fuzz/oracle/policy.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -44,7 +45,7 @@ Conditions::Conditions(const spec::Setup& setup)
   const double range = setup.parameter(kAngleRange) ? value(*setup.parameter(kAngleRange)) : 1.0;
   const bool positive = !setup.parameter(kAngleRange) || !setup.parameter(kAngleRange)->negative;
   // A hair below, so that a pair the model did not classify is never left out here.
-  if (positive) smallest_sine_ = std::sin(std::min(range, 90.0) * kRadiansPerDegree) * (1 - 0x1p-30);
+  if (positive) smallest_sine_ = std::sin(std::min(range, 90.0) * kRadiansPerDegree) * (1 - policy::kSlack);
   position_ = {};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto start = setup.position.find("XYZ"[i]);
@@ -99,7 +100,7 @@ Scale Conditions::next(std::span<const model::Event> window) {
     if (event.tool_axis)
       for (std::size_t i = 0; i < 3; ++i) tool[i] = approximate((*event.tool_axis)[i]);
     scale.condition = condition(window, at, tool);
-    const bool kept = length(difference(compensation, vector_)) <= 0x1p-30 * (scale.vector + scale.position);
+    const bool kept = length(difference(compensation, vector_)) <= policy::kSlack * (scale.vector + scale.position);
     if (kept) scale.condition = std::max(scale.condition, condition_);
   }
   position_ = at;

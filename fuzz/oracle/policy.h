@@ -60,6 +60,9 @@ inline double controller_band(double resolution, double shortest_move) {
   return std::fmin(1.0, kDoubleBand + 4 * (direction + resolution * radians_per_degree));
 }
 
+// The oracle estimates condition numbers in double: its estimates are widened by this share, far above their rounding.
+inline constexpr double kSlack = 0x1p-30;
+
 // Runs of the model with forced outcomes before a verdict is "could not decide".
 inline constexpr std::size_t kMaxForks = 64;
 

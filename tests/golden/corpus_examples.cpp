@@ -140,8 +140,8 @@ TEST(LengthOffsetVectors, Arcs) {
 
 TEST(LeadingEdgeVectors, Sheet) {
   expect("fanuc/leading-edge-offset",
-         {{"LE1", {"1 X0 Y0 Z0", "2 X-8 Y0 Z6", "3 X92 Y0 Z6", "4 X100 Y0 Z0"}},
-          {"LE2", {"1 X0 Y0 Z0", "2 X8 Y0 Z6", "3 X108 Y0 Z6", "4 X100 Y0 Z0"}},
+         {{"LE1:", {"1 X0 Y0 Z0", "2 X-8 Y0 Z6", "3 X92 Y0 Z6", "4 X100 Y0 Z0"}},
+          {"LE2:", {"1 X0 Y0 Z0", "2 X8 Y0 Z6", "3 X108 Y0 Z6", "4 X100 Y0 Z0"}},
           {"LE5: B 15",
            {"1 X0 Y0 Z0", "2 X-5.635045313286907 Y1.75995760065834 Z1.071827206730735",
             "3 X34.364954686713093 Y-8.24004239934166 Z6.071827206730735", "4 X40 Y-10 Z5"}},

@@ -81,6 +81,8 @@ TEST(Architecture, NoToleranceOutsideThePolicy) {
   for (const std::string room : {"fuzz", "certify", "corpus", "cli"}) {
     for (const fs::path& file : sources(room)) {
       if (file.filename() == "policy.h") continue;
+      // Proofs are sought in double and checked by Coq: what is too near a boundary is only not sought.
+      if (file.parent_path().filename() == "proofs") continue;
       EXPECT_FALSE(std::regex_search(code_of(read(file)), small_literal)) << file;
     }
   }
