@@ -139,7 +139,7 @@ bool is_made_by(const spec::TextEvent& event, const spec::TextEvent& next) {
 std::optional<Rational> square_root(const Rational& value) {
   const exact::Integer above = sqrt(exact::Integer(numerator(value)));
   const exact::Integer below = sqrt(exact::Integer(denominator(value)));
-  const Rational root(above, below);
+  Rational root(above, below);
   if (root * root != value) return std::nullopt;
   return root;
 }

@@ -19,7 +19,7 @@ class FormalCheck : public testing::Test {
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "source");
     // Two files are enough, and quick.
-    for (const char* file : {"Vectors.v", "ToolLengthOffset.v", "allowed_axioms.txt"})
+    for (const char* file : {"Vectors.v", "ToolLengthOffset.v", "allowed_axioms.txt", "README.md"})
       fs::copy(kSource / file, folder_ / "source" / file);
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -51,7 +51,13 @@ const std::string kInstance = "Example truth_instance : True.\nProof. exact trut
 
 TEST_F(FormalCheck, AcceptsAGoodTheorem) {
   append(kTheorem + kInstance);
+  std::ofstream(folder_ / "source/README.md", std::ios::app) << "* `truth`\n";
   EXPECT_EQ(check(), 0) << messages();
+}
+
+TEST_F(FormalCheck, RefusesATheoremThatIsNotListed) {
+  append(kTheorem + kInstance);
+  expect_refused("README.md does not list truth");
 }
 
 TEST_F(FormalCheck, RefusesATheoremWithoutInstance) {
