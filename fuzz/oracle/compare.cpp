@@ -113,7 +113,7 @@ class Comparison {
   bool setting() {
     if (rules_.judges("name") && expected_.setting != actual_.setting)
       return differ("setting", "name", std::string(expected_.setting.view()), std::string(actual_.setting.view()));
-    return rules_.judges("value") && number("setting", {"value"}, expected_.value, actual_.value, 0);
+    return rules_.judges("value") && converted("setting", {"value"}, expected_.value, actual_.value);
   }
 
   bool tool_axis() {
@@ -156,7 +156,7 @@ class Comparison {
 
   bool feed() {
     if (!rules_.judges("feed") || absent({"feed"}, expected_.feed.has_value(), actual_.feed.has_value())) return found_;
-    return expected_.feed && number("feed", {"feed"}, *expected_.feed, *actual_.feed, 0);
+    return expected_.feed && converted("feed", {"feed"}, *expected_.feed, *actual_.feed);
   }
 
   bool table(std::string_view field, const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a) {
@@ -178,6 +178,12 @@ class Comparison {
     const double unit =
         policy::ulp(scale_.position) + scale_.condition * (scale_.vector > 0 ? policy::ulp(scale_.vector) : 0);
     return number("coordinate", path, e, a, rules_.budget().coordinate, unit, true);
+  }
+
+  // A number of the program, at most converted to the units of the setup.
+  bool converted(std::string_view kind, const Path& path, const Real& e, const Number& a) {
+    constexpr bool is_text = !std::is_same_v<Number, double>;
+    return number(kind, path, e, a, is_text ? policy::kConvertedText : 0, is_text ? policy::ulp(approximate(e)) : 0);
   }
 
   // k·unit (and the controller's resolution) around the enclosure.

@@ -9,7 +9,9 @@
 //   rotary axes                                   … by k · ulp(value)
 //   tool axis                                     … by k · ulp(1)
 //   sweeps                                        … by k · ulp(360) · condition
-//   feeds, values of settings                     … by nothing: one of the two doubles that enclose the exact value
+//   feeds, values of settings                     … by nothing: one of the two doubles that enclose the exact value; a
+//                                                 controller's text by 1.5 · ulp(value): the shortest text of such a
+//                                                 double
 //   any number of a controller of resolution r    … by r more, so that truncating, rounding up and to nearest all pass
 //   a decision by sign                            as the exact sign; the other outcomes are permitted where
 //                                                 |quantity| <= band · scale and the model yields finite vectors for
@@ -44,6 +46,9 @@ constexpr const Budget& budget(std::string_view section) {
     if (row.section == section) return row;
   return kAnySection;
 }
+
+// The shortest decimal text of a double is at most half an ulp away from it, and the double one from the exact value.
+inline constexpr double kConvertedText = 1.5;
 
 // Relative half width of a near tie for an engine in double precision. Decisions are signs of polynomials of degree
 // four or less, of fewer than 32 terms, in inputs that carry a few roundings each (decimals, sines and cosines). Their
