@@ -46,9 +46,9 @@ void add_arc(std::vector<Point3>& points, const Point3& a, const Point3& b, cons
              const spec::Axes& axes) {
   const auto [u, v, w] = axes_of(arc.plane);
   const Point3 center = moved(axes, a, arc.center);
-  const auto polar = [&, u = u, v = v](const Point3& p) {
-    const double x = p[u] - center[u];
-    const double y = p[v] - center[v];
+  const auto polar = [&, first = u, second = v](const Point3& p) {
+    const double x = p[first] - center[first];
+    const double y = p[second] - center[second];
     return std::pair(std::hypot(x, y), std::atan2(y, x));
   };
   const auto [radius_a, angle_a] = polar(a);
