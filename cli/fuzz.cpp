@@ -112,12 +112,14 @@ void write_finding(const fuzz::Finding& found, std::size_t index, const FuzzOpti
   fmt::print("  {}\n  toolcomp replay {}\n", certify::explanation(finding), path.string());
 }
 
-fuzz::CampaignResult built_in(const std::string& section, const Plan& plan, const FuzzOptions& options) {
+// Half the time and half the runs for each twin.
+fuzz::CampaignResult built_in(const std::string& section, fuzz::Mode mode, const Plan& plan,
+                              const FuzzOptions& options) {
   fuzz::CampaignOptions campaign;
   campaign.sections = {section};
-  campaign.modes = {fuzz::Mode::directed, fuzz::Mode::unrestricted};
-  campaign.seconds = static_cast<double>(plan.seconds);
-  campaign.runs = plan.runs;
+  campaign.modes = {mode};
+  campaign.seconds = static_cast<double>(plan.seconds) / 2;
+  campaign.runs = (plan.runs + 1) / 2;
   campaign.jobs = options.jobs;
   campaign.seed = options.seed;
   if (!options.controller.empty())
@@ -129,66 +131,75 @@ fuzz::CampaignResult built_in(const std::string& section, const Plan& plan, cons
   return fuzz::run_campaign(campaign);
 }
 
-// One libFuzzer process for each twin, side by side where there are jobs enough.
-fuzz::CampaignResult clang_targets(const std::string& section, const Plan& plan, const FuzzOptions& options) {
-  const fs::path work = fs::temp_directory_path() / fmt::format("toolcomp-fuzz-{}", ::getpid());
-  fs::create_directories(work);
+// What a process of libFuzzer left behind: its statistics, and inputs that did not pass.
+void collect(const fs::path& folder, const std::string& section, fuzz::CampaignResult& sum) {
+  const std::size_t before = sum.findings.size();
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    if (!name.starts_with("crash-") && !name.starts_with("timeout-") && !name.starts_with("oom-")) continue;
+    fuzz::Finding finding;
+    finding.input = fuzz::decode(section, certify::read_file(entry.path()));
+    finding.input.section = section;
+    finding.input.id = name;
+    finding.difference.kind = name.substr(0, name.find('-'));
+    finding.executions = 1;
+    sum.findings.push_back(finding);
+  }
+  if (const fs::path statistics = folder / "statistics"; fs::exists(statistics))
+    fuzz::add(sum, fuzz::read_summary(certify::read_file(statistics)));
+  else if (sum.findings.size() == before)
+    throw std::runtime_error("a fuzz target ended without a result:\n" + certify::read_file(folder / "log"));
+}
+
+// A folder that goes with the search.
+class WorkFolder {
+ public:
+  WorkFolder() : path_(fs::temp_directory_path() / fmt::format("toolcomp-fuzz-{}", ::getpid())) {
+    fs::create_directories(path_);
+  }
+  ~WorkFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// libFuzzer processes of one twin side by side, one for each job.
+fuzz::CampaignResult clang_targets(const std::string& section, fuzz::Mode mode, const Plan& plan,
+                                   const FuzzOptions& options) {
+  const WorkFolder work;
   const unsigned jobs = std::max(1U, options.jobs);
-  const bool side_by_side = jobs >= 2;
+  const std::string limit = plan.runs > 0 ? fmt::format("-runs={}", (plan.runs + 2 * jobs - 1) / (2 * jobs))
+                                          : fmt::format("-max_total_time={}", (plan.seconds + 1) / 2);
   std::string script;
-  std::vector<fs::path> statistics;
-  std::vector<fs::path> artifacts;
-  for (const fuzz::Mode mode : {fuzz::Mode::directed, fuzz::Mode::unrestricted}) {
-    const std::string name = target_name(section, mode);
-    const unsigned copies = side_by_side ? jobs / 2 + (mode == fuzz::Mode::directed ? jobs % 2 : 0) : 1;
-    for (unsigned job = 0; job < copies; ++job) {
-      const fs::path folder = work / fmt::format("{}-{}", name, job);
-      fs::create_directories(folder / "corpus");
-      statistics.push_back(folder / "statistics.json");
-      artifacts.push_back(folder);
-      // Half the time for each twin where they run one after the other.
-      const std::uint64_t seconds = side_by_side ? plan.seconds : (plan.seconds + 1) / 2;
-      const std::uint64_t runs = (plan.runs + 2 * copies - 1) / (2 * copies);
-      script += fmt::format(
-          "TOOLCOMP_FUZZ_STATISTICS='{0}' '{1}' -seed={2} {3} -artifact_prefix='{4}/' -use_value_profile=0 "
-          "-max_len=16384 '{4}/corpus' >'{4}/log' 2>&1 {5}\n",
-          statistics.back().string(), (target_folder() / name).string(), options.seed * 1000 + job + 1,
-          plan.runs > 0 ? fmt::format("-runs={}", runs) : fmt::format("-max_total_time={}", seconds), folder.string(),
-          side_by_side ? "&" : "");
-    }
+  for (unsigned job = 0; job < jobs; ++job) {
+    const fs::path folder = work.path() / std::to_string(job);
+    fs::create_directories(folder / "corpus");
+    script += fmt::format(
+        "TOOLCOMP_FUZZ_STATISTICS='{0}/statistics' '{1}' -seed={2} {3} -artifact_prefix='{0}/' -max_len=16384 "
+        "'{0}/corpus' >'{0}/log' 2>&1 &\n",
+        folder.string(), (target_folder() / target_name(section, mode)).string(), options.seed * 1000 + job + 1, limit);
   }
   script += "wait\n";
-  const fs::path file = work / "run";
-  certify::write_file(file, script);
-  Progress::line(fmt::format("{}: {}", section,
-                             plan.runs > 0 ? fmt::format("{} runs", plan.runs) : fmt::format("{} s", plan.seconds)));
-  if (std::system(fmt::format("/bin/sh '{}'", file.string()).c_str()) != 0)
+  Progress::line(fmt::format("{}: {}", target_name(section, mode), limit));
+  certify::write_file(work.path() / "run", script);
+  const std::string command = fmt::format("/bin/sh '{}'", (work.path() / "run").string());
+  if (std::system(command.c_str()) != 0)
     usage("the fuzz targets cannot be run");  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
-
   fuzz::CampaignResult sum;
-  for (std::size_t i = 0; i < statistics.size(); ++i) {
-    if (!fs::exists(statistics[i]))
-      throw std::runtime_error("a fuzz target left no statistics:\n" + certify::read_file(artifacts[i] / "log"));
-    fuzz::add(sum, fuzz::read_summary(certify::read_file(statistics[i])));
-    for (const auto& entry : fs::directory_iterator(artifacts[i])) {
-      const std::string name = entry.path().filename();
-      if (!name.starts_with("crash-") && !name.starts_with("timeout-") && !name.starts_with("oom-")) continue;
-      fuzz::Finding finding;
-      finding.input = fuzz::decode(section, certify::read_file(entry.path()));
-      finding.input.section = section;
-      finding.input.id = name;
-      finding.difference.kind = name.substr(0, name.find('-'));
-      finding.executions = 1;
-      sum.findings.push_back(finding);
-    }
-  }
-  fs::remove_all(work);
+  for (unsigned job = 0; job < jobs; ++job) collect(work.path() / std::to_string(job), section, sum);
   return sum;
 }
 
-void print_summary(const std::string& section, const fuzz::CampaignResult& result, bool clang) {
-  fmt::print("{}: {} executions in {:.1f} s, {:.0f} executions/s a core ({})\n", section, result.executions,
-             result.seconds, result.per_second_per_core, clang ? "clang targets" : "built-in driver");
+void print_summary(const std::string& section, fuzz::Mode mode, const fuzz::CampaignResult& result, bool clang) {
+  fmt::print("{}, {}: {} executions in {:.1f} s, {:.0f} executions/s a core ({})\n", section,
+             mode == fuzz::Mode::directed ? "directed" : "unrestricted", result.executions, result.seconds,
+             result.per_second_per_core, clang ? "clang targets" : "built-in driver");
   fmt::print("  accepted {:.1f} %", 100 * result.accepted_share());
   for (std::size_t i = 1; i < fuzz::kAcceptances; ++i)
     if (result.acceptance.at(i) > 0)
@@ -198,7 +209,6 @@ void print_summary(const std::string& section, const fuzz::CampaignResult& resul
       result.decisions, result.near_ties, result.ties,
       result.decisions == 0 ? 0 : 100 * static_cast<double>(result.ties) / static_cast<double>(result.decisions));
   fmt::print("  worst deviation {:.3g} ulp, {:.3g} µm\n", result.worst_ulp, result.worst_um);
-  fuzz::print_outcomes(std::cout, section, result.clauses);
 }
 
 }  // namespace
@@ -213,12 +223,19 @@ int fuzz(const FuzzOptions& options) {
     const bool clang =
         options.controller.empty() && fs::exists(target_folder() / target_name(section, fuzz::Mode::directed));
     const Progress progress("executions");
-    const fuzz::CampaignResult result =
-        clang ? clang_targets(section, plan, options) : built_in(section, plan, options);
-    print_summary(section, result, clang);
-    for (const fuzz::Finding& finding : result.findings) write_finding(finding, findings++, options);
-    nothing_judged = nothing_judged || result.values == 0;
-    undecided = undecided || result.acceptance.at(static_cast<std::size_t>(fuzz::Acceptance::not_decided)) > 0;
+    fuzz::CampaignResult sum;
+    for (const fuzz::Mode mode : {fuzz::Mode::directed, fuzz::Mode::unrestricted}) {
+      const fuzz::CampaignResult result =
+          clang ? clang_targets(section, mode, plan, options) : built_in(section, mode, plan, options);
+      print_summary(section, mode, result, clang);
+      nothing_judged = nothing_judged || result.values == 0;
+      undecided = undecided || result.acceptance.at(static_cast<std::size_t>(fuzz::Acceptance::not_decided)) > 0;
+      fuzz::add(sum, result);
+    }
+    std::fflush(stdout);
+    fuzz::print_outcomes(std::cout, section, sum.clauses);
+    std::cout.flush();
+    for (const fuzz::Finding& finding : sum.findings) write_finding(finding, findings++, options);
   }
   fmt::print("{}\n", findings == 0 ? "no finding" : fmt::format("{} findings", findings));
   if (findings > 0) return kDiffers;

@@ -189,7 +189,7 @@ std::vector<Wrong> wrong_answers() {
         const AxisValues<double>& v = good[i].*table;
         const std::string what = name + "[" + std::to_string(axis) + "] of event " + std::to_string(i);
         const auto change = [&](const std::string& how, const std::function<void(AxisValues<double>&)>& apply) {
-          list.push_back({what + how, name, [i, table = table, apply](auto& e) { apply(e[i].*table); }});
+          list.push_back({what + how, name, [i, member = table, apply](auto& e) { apply(e[i].*member); }});
         };
         if (!v.has(axis)) {
           if (good[i].kind == spec::EventKind::move && !v.empty())
