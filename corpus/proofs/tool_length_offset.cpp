@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "corpus/proofs/program.h"
 #include "corpus/proofs/proofs.h"
@@ -61,9 +62,8 @@ class Translator {
   bool code(const Rational& g) {
     if (g == 90 || g == 91) incremental_ = g == 91;
     if (g == 17 || g == 18 || g == 19) plane_ = static_cast<int>(numerator(g));
-    for (const int known : {0, 1, 17, 18, 19, 43, 44, 49, 90, 91})
-      if (g == known) return true;
-    return false;
+    constexpr std::array kKnown{0, 1, 17, 18, 19, 43, 44, 49, 90, 91};
+    return std::ranges::any_of(kKnown, [&](int known) { return g == known; });
   }
 
   // Type A: Z. Type B: the axis at right angles to the plane.

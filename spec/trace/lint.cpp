@@ -152,11 +152,14 @@ class Linter {
 
   void check_source(const Entry& entry) {
     const toml::table* source = (*entry.table)["source"].as_table();
-    if (source == nullptr) return breach(entry, "a source is missing");
+    if (source == nullptr) {
+      breach(entry, "a source is missing");
+      return;
+    }
     const std::string provenance = text(*source, "provenance");
-    if (!one_of(provenance, {"manual", "sister-manual", "recollection", "geometry", "ours"}))
-      return breach(entry, "the source needs a provenance: manual, sister-manual, recollection, geometry or ours");
-    if (provenance == "manual" || provenance == "sister-manual")
+    require(entry, one_of(provenance, {"manual", "sister-manual", "other-vendor", "recollection", "geometry", "ours"}),
+            "the source needs a provenance: manual, sister-manual, other-vendor, recollection, geometry or ours");
+    if (one_of(provenance, {"manual", "sister-manual", "other-vendor"}))
       require(entry, !text(*source, "document").empty() && !text(*source, "page").empty(),
               "a manual is named with document and page");
     if (provenance == "ours")

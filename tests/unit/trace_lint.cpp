@@ -88,7 +88,7 @@ TEST_F(LinterFaults, Text) {
 TEST_F(LinterFaults, Source) {
   expect_one("[[clause]]\nid = \"fanuc.x.a\"\nkind = \"note\"\ntext = \"One.\"\n", "a source is missing");
   expect_one(clause("fanuc.x.a", "", R"({ document = "D" })"),
-             "the source needs a provenance: manual, sister-manual, recollection, geometry or ours");
+             "the source needs a provenance: manual, sister-manual, other-vendor, recollection, geometry or ours");
   expect_one(clause("fanuc.x.a", "", R"({ document = "D", provenance = "manual" })"),
              "a manual is named with document and page");
   expect_one(clause("fanuc.x.a", "", R"({ provenance = "ours" })"), "a definition of ours is not normative");
