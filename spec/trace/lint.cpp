@@ -185,7 +185,8 @@ class Linter {
   }
 
   void check_replacement(const Entry& entry) {
-    for (const std::string_view id : split(text(*entry.table, "replaced_by"), " ")) {
+    const std::string replaced_by = text(*entry.table, "replaced_by");
+    for (const std::string_view id : split(replaced_by, " ")) {
       if (id.empty()) continue;
       const auto found = by_id_.find(std::string(id));
       if (found == by_id_.end())
