@@ -182,8 +182,12 @@ class Comparison {
 
   // A number of the program, at most converted to the units of the setup.
   bool converted(std::string_view kind, const Path& path, const Real& e, const Number& a) {
-    constexpr bool is_text = !std::is_same_v<Number, double>;
-    return number(kind, path, e, a, is_text ? policy::kConvertedText : 0, is_text ? policy::ulp(approximate(e)) : 0);
+    if constexpr (!std::is_same_v<Number, double>) {
+      const exact::DoubleEnclosure doubles = e.double_enclosure();
+      if (doubles.lower < doubles.upper)
+        return number(kind, path, e, a, policy::kConvertedText, policy::ulp(approximate(e)));
+    }
+    return number(kind, path, e, a, 0);
   }
 
   // k·unit (and the controller's resolution) around the enclosure.

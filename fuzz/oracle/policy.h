@@ -10,8 +10,8 @@
 //   tool axis                                     … by k · ulp(1)
 //   sweeps                                        … by k · ulp(360) · condition
 //   feeds, values of settings                     … by nothing: one of the two doubles that enclose the exact value; a
-//                                                 controller's text by 1.5 · ulp(value): the shortest text of such a
-//                                                 double
+//                                                 controller's text by 1.5 · ulp(value) where the value is no double:
+//                                                 the shortest text of one of the two
 //   any number of a controller of resolution r    … by r more, so that truncating, rounding up and to nearest all pass
 //   a decision by sign                            as the exact sign; the other outcomes are permitted where
 //                                                 |quantity| <= band · scale and the model yields finite vectors for
