@@ -280,7 +280,8 @@ class LeadingEdge {
       case Kind::niven: {
         const Pair& pair = choose_.one_of(kNiven);
         words_of(pair.tool, write_.one());
-        const std::int64_t factor = choose_.between(1, 30) * (choose_.chance(50) ? write_.one() : 1);
+        const std::int64_t unit = choose_.chance(50) ? write_.one() : 1;
+        const std::int64_t factor = choose_.between(1, 30) * unit;
         for (std::size_t i = 0; i < 3; ++i) move[i] = pair.movement[i] * factor;
         break;
       }

@@ -37,6 +37,7 @@ std::string boundary_number(Choices& choose) {
                         "1.00000000000001"});
 }
 
+// One choice a statement: the order in which arguments are evaluated differs between compilers.
 std::string any_word(Choices& choose, const spec::Setup& setup) {
   switch (choose.weighted({30, 30, 12, 10, 8, 10})) {
     case 0:
@@ -47,13 +48,18 @@ std::string any_word(Choices& choose, const spec::Setup& setup) {
       const std::string& letters = setup.axes.letters();
       const char letter = letters[choose.below(letters.size())];
       if (choose.chance(30)) return letter + boundary_number(choose);
-      return fmt::format("{}{}.{}", letter, choose.between(-200, 200), choose.chance(60) ? 0 : choose.between(0, 999));
+      const auto whole = choose.between(-200, 200);
+      const auto decimals = choose.chance(60) ? 0 : choose.between(0, 999);
+      return fmt::format("{}{}.{}", letter, whole, decimals);
     }
-    case 2:
-      return fmt::format("{}{}", choose.one_of({'I', 'J', 'K', 'R'}),
-                         choose.chance(40) ? boundary_number(choose) : fmt::format("{}.", choose.between(-20, 20)));
-    case 3:
-      return fmt::format("{}{}", choose.one_of({'H', 'D', 'P', 'L'}), choose.between(0, 13));
+    case 2: {
+      const char letter = choose.one_of({'I', 'J', 'K', 'R'});
+      return letter + (choose.chance(40) ? boundary_number(choose) : fmt::format("{}.", choose.between(-20, 20)));
+    }
+    case 3: {
+      const char letter = choose.one_of({'H', 'D', 'P', 'L'});
+      return fmt::format("{}{}", letter, choose.between(0, 13));
+    }
     case 4:
       return fmt::format("F{}", choose.between(0, 5000));
     default:
