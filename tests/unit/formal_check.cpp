@@ -1,5 +1,6 @@
 // The check of the formal specification can fail: one spoilt copy for each thing it looks for.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -15,7 +16,8 @@ class FormalCheck : public testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::path(testing::TempDir()) /
-              (std::string("formal_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+              (std::string("formal_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
+               std::to_string(::getpid()));
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "source");
     // Two files are enough, and quick.

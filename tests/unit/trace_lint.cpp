@@ -4,6 +4,7 @@
 #include "spec/trace/lint.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -26,7 +27,8 @@ TEST(ClauseLinter, OurClausesAreClean) {
 class LinterFaults : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name() /
+              std::to_string(::getpid());
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "fanuc");
     std::ofstream(folder_ / "published.txt") << published_;

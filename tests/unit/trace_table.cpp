@@ -3,6 +3,7 @@
 #include "spec/trace/trace.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -56,7 +57,7 @@ TEST(Trace, EveryTheoremCitesAClause) {
 class SmallTree : public testing::Test {
  protected:
   void SetUp() override {
-    root_ = fs::path(testing::TempDir()) / "trace_small_tree";
+    root_ = fs::path(testing::TempDir()) / ("trace_small_tree_" + std::to_string(::getpid()));
     fs::remove_all(root_);
     write("spec/clauses/fanuc/x.toml", "");
   }
