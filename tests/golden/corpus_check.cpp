@@ -3,6 +3,7 @@
 #include "corpus/check.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -83,7 +84,8 @@ class SmallCorpus : public testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::path(testing::TempDir()) /
-              (std::string("corpus_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+              (std::string("corpus_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
+               std::to_string(::getpid()));
     fs::remove_all(folder_);
     text_ = read_file(default_folder() / kFile);
     put(text_);
@@ -222,7 +224,7 @@ TEST(CorpusVersion, Text) {
 }
 
 TEST(CorpusManifest, ReadsWhatItWrites) {
-  const fs::path folder = fs::path(testing::TempDir()) / "corpus_manifest";
+  const fs::path folder = fs::path(testing::TempDir()) / ("corpus_manifest_" + std::to_string(::getpid()));
   Manifest manifest;
   manifest.version = "1.2.3";
   manifest.generator = "g";

@@ -3,6 +3,7 @@
 #include "corpus/generate.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -24,7 +25,8 @@ class Generation : public testing::Test {
  protected:
   void SetUp() override {
     options_.folder = fs::path(testing::TempDir()) /
-                      (std::string("generate_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+                      (std::string("generate_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
+                       std::to_string(::getpid()));
     fs::remove_all(options_.folder);
   }
   void TearDown() override { fs::remove_all(options_.folder); }

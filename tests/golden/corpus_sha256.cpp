@@ -1,7 +1,9 @@
 // Expected digests: the examples of FIPS 180-4 (NIST, "Secure Hash Standard — example values"), and sha256sum for the
 // lengths around the padding boundary.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <fstream>
 #include <string>
 
@@ -38,10 +40,11 @@ TEST(Sha256, DoesNotDependOnHowTheTextIsCut) {
 }
 
 TEST(Sha256, FileAndMissingFile) {
-  const std::string path = testing::TempDir() + "sha256_test";
+  const std::string path = testing::TempDir() + "sha256_test_" + std::to_string(::getpid());
   std::ofstream(path, std::ios::binary) << "abc";
   EXPECT_EQ(sha256_file(path), sha256("abc"));
   EXPECT_THROW(sha256_file(path + ".missing"), spec::InputError);
+  std::remove(path.c_str());
 }
 
 }  // namespace
