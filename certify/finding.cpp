@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "certify/controller.h"
-#include "certify/files.h"
+#include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
 
@@ -148,7 +148,7 @@ std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::
 
 Replay replay(const std::filesystem::path& file, const ReplayOptions& options) {
   Replay result;
-  result.finding = read_finding(read_file(file), file.string());
+  result.finding = read_finding(spec::read_file(file), file.string());
   const spec::Case& c = result.finding.smallest;
   const fuzz::ModelRun run = fuzz::run_model(c);
   const std::unique_ptr<Subject> subject =

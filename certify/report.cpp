@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "certify/files.h"
 #include "certify/markup.h"
+#include "spec/language/file_writer.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -223,11 +223,11 @@ std::vector<std::filesystem::path> write_report(const Certificate& c, const std:
   std::vector<std::filesystem::path> paths;
   for (std::size_t i = 0; i < c.findings.size(); ++i) {
     paths.push_back(folder / "findings" / file_name(c.findings[i], i));
-    write_file(paths.back(), write_finding(c.findings[i]));
+    spec::write_file(paths.back(), write_finding(c.findings[i]));
   }
-  write_file(folder / "certificate.json", json_report(c));
-  write_file(folder / "junit.xml", junit_report(c));
-  write_file(folder / "index.html", html_report(c));
+  spec::write_file(folder / "certificate.json", json_report(c));
+  spec::write_file(folder / "junit.xml", junit_report(c));
+  spec::write_file(folder / "index.html", html_report(c));
   return paths;
 }
 
@@ -278,9 +278,9 @@ std::string junit_report(const TraceReport& report) {
 
 void write_report(const TraceReport& report, const std::filesystem::path& folder) {
   remove_old_findings(folder / "findings");
-  write_file(folder / "certificate.json", json_report(report));
-  write_file(folder / "junit.xml", junit_report(report));
-  write_file(folder / "index.html", html_report(report));
+  spec::write_file(folder / "certificate.json", json_report(report));
+  spec::write_file(folder / "junit.xml", junit_report(report));
+  spec::write_file(folder / "index.html", html_report(report));
 }
 
 }  // namespace toolcomp::certify

@@ -2,7 +2,9 @@
 // it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -97,9 +99,10 @@ class Explanation {
     }
     model.end();
     fast.end();
-    decisions_ = recorder.decisions();
-    exact_ = std::move(exact_events.events);
-    fast_ = std::move(fast_events.events);
+    for (const model::Decision& decision : recorder.decisions()) lines_[decision.line].decisions.push_back(decision);
+    for (auto& event : exact_events.events) lines_[event.line].exact.push_back(std::move(event));
+    for (auto& event : fast_events.events) lines_[event.line].fast.push_back(std::move(event));
+    numbered_ = std::ranges::any_of(blocks_, [&](const Source& source) { return source.n == options_.block; });
   }
 
   int print() const {
@@ -120,24 +123,29 @@ class Explanation {
     std::optional<std::uint64_t> n;
     std::string text;
   };
+  // Everything that belongs to one line of the program.
+  struct Line {
+    std::vector<model::Decision> decisions;
+    std::vector<spec::Event<exact::Real>> exact;
+    std::vector<spec::Event<double>> fast;
+  };
 
   [[nodiscard]] bool wanted(const Source& source) const {
     if (!options_.block) return true;
-    bool numbered = false;
-    for (const Source& other : blocks_) numbered = numbered || other.n == options_.block;
-    return numbered ? source.n == options_.block : source.line == *options_.block;
+    return numbered_ ? source.n == options_.block : source.line == *options_.block;
   }
 
   void print_block(const Source& source) const {
     fmt::print("line {}: {}\n", source.line, source.text);
+    const auto found = lines_.find(source.line);
+    const Line nothing;
+    const Line& line = found == lines_.end() ? nothing : found->second;
     std::set<spec::Clause> decided;  // explained with their decisions
-    for (const model::Decision& decision : decisions_) {
-      if (decision.line != source.line) continue;
+    for (const model::Decision& decision : line.decisions) {
       decided.insert(decision.clause);
       print_decision(decision, options_.digits);
     }
-    for (const auto& event : exact_) {
-      if (event.line != source.line) continue;
+    for (const auto& event : line.exact) {
       std::string text;
       spec::append_event_json(text, event, axes_, [this](std::string& out, const exact::Real& value) {
         model::append_number(out, value, options_.digits);
@@ -148,8 +156,7 @@ class Explanation {
       for (std::size_t i = 0; i < event.clauses.size; ++i)
         if (!decided.contains(event.clauses.clause[i])) print_clause(spec::info(event.clauses.clause[i]));
     }
-    for (const auto& event : fast_) {
-      if (event.line != source.line) continue;
+    for (const auto& event : line.fast) {
       std::string text;
       spec::append_event_json(text, event, axes_,
                               [](std::string& out, double value) { fast::append_number(out, value); });
@@ -161,9 +168,8 @@ class Explanation {
   const ExplainOptions& options_;
   spec::Axes axes_;
   std::vector<Source> blocks_;
-  std::vector<model::Decision> decisions_;
-  std::vector<spec::Event<exact::Real>> exact_;
-  std::vector<spec::Event<double>> fast_;
+  std::map<std::uint64_t, Line> lines_;
+  bool numbered_ = false;  // the block asked for is a sequence number
 };
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "certify/campaign.h"
-#include "certify/files.h"
 #include "certify/finding.h"
 #include "certify/report.h"
 #include "cli/controller.h"
@@ -22,6 +21,7 @@
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
 #include "spec/language/byte_source.h"
+#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
@@ -107,7 +107,7 @@ void write_finding(const fuzz::Finding& found, std::size_t index, const FuzzOpti
   finding.seed = std::to_string(options.seed);
   finding.occurrences = found.executions;
   const fs::path path = fs::path(options.findings) / certify::file_name(finding, index);
-  certify::write_file(path, certify::write_finding(finding));
+  spec::write_file(path, certify::write_finding(finding));
   fmt::print("FINDING {}\n{}", path.string(), finding.smallest.program);
   fmt::print("  {}\n  toolcomp replay {}\n", certify::explanation(finding), path.string());
 }
@@ -138,7 +138,7 @@ void collect(const fs::path& folder, const std::string& section, fuzz::CampaignR
     const std::string name = entry.path().filename();
     if (!name.starts_with("crash-") && !name.starts_with("timeout-") && !name.starts_with("oom-")) continue;
     fuzz::Finding finding;
-    finding.input = fuzz::decode(section, certify::read_file(entry.path()));
+    finding.input = fuzz::decode(section, spec::read_file(entry.path()));
     finding.input.section = section;
     finding.input.id = name;
     finding.difference.kind = name.substr(0, name.find('-'));
@@ -146,9 +146,9 @@ void collect(const fs::path& folder, const std::string& section, fuzz::CampaignR
     sum.findings.push_back(finding);
   }
   if (const fs::path statistics = folder / "statistics"; fs::exists(statistics))
-    fuzz::add(sum, fuzz::read_summary(certify::read_file(statistics)));
+    fuzz::add(sum, fuzz::read_summary(spec::read_file(statistics)));
   else if (sum.findings.size() == before)
-    throw std::runtime_error("a fuzz target ended without a result:\n" + certify::read_file(folder / "log"));
+    throw std::runtime_error("a fuzz target ended without a result:\n" + spec::read_file(folder / "log"));
 }
 
 // A folder that goes with the search.
@@ -187,7 +187,7 @@ fuzz::CampaignResult clang_targets(const std::string& section, fuzz::Mode mode, 
   }
   script += "wait\n";
   Progress::line(fmt::format("{}: {}", target_name(section, mode), limit));
-  certify::write_file(work.path() / "run", script);
+  spec::write_file(work.path() / "run", script);
   const std::string command = fmt::format("/bin/sh '{}'", (work.path() / "run").string());
   if (std::system(command.c_str()) != 0)
     usage("the fuzz targets cannot be run");  // NOLINT(cert-env33-c,concurrency-mt-unsafe)

@@ -5,12 +5,12 @@
 
 #include "corpus/diff.h"
 #include "corpus/examples.h"
-#include "corpus/files.h"
 #include "corpus/select.h"
 #include "corpus/sha256.h"
 #include "corpus/vector.h"
 #include "fuzz/gen/generator.h"
 #include "spec/language/case_format.h"
+#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -81,7 +81,7 @@ class Writer {
     const fs::path path = options_.folder / file;
     fs::path refused = path;
     refused += ".rej";
-    write_file(refused, text);
+    spec::write_file(refused, text);
     const std::size_t before = result_.rejected.size();
     std::size_t line = 0;
     for (const spec::Case& c : read_again(refused, cases.size(), file)) {
@@ -115,7 +115,7 @@ class Writer {
     for (const auto& [name, file] : files_) manifest.files.push_back(file);
     manifest.version = next_version(manifest);
     result_.version = manifest.version;
-    write_file(options_.folder / "manifest.json", write_manifest(manifest));
+    spec::write_file(options_.folder / "manifest.json", write_manifest(manifest));
   }
 
   std::string next_version(const Manifest& manifest) {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "corpus/files.h"
+#include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 // Appends the vectors of one file. `name` stands in messages and in the vectors.
 void read_into(std::vector<Vector>& vectors, const std::filesystem::path& file, const std::string& name) {
-  const std::string bytes = read_file(file);
+  const std::string bytes = spec::read_file(file);
   std::size_t number = 0;
   for (std::size_t begin = 0; begin < bytes.size();) {
     const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());

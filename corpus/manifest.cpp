@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "corpus/files.h"
 #include "corpus/sha256.h"
+#include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::corpus {
@@ -41,7 +41,7 @@ Version parse_version(std::string_view text) {
 
 Manifest read_manifest(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "manifest.json";
-  const std::string text = read_file(file);
+  const std::string text = spec::read_file(file);
   Manifest manifest;
   try {
     const auto json = nlohmann::json::parse(text);

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "corpus/files.h"
 #include "corpus/golden.h"
+#include "spec/language/file_writer.h"
 
 namespace toolcomp::corpus {
 namespace {
@@ -41,7 +41,7 @@ ProofFile write(const Section& section, const std::vector<Vector>& vectors, cons
     written.lemmas += taken;
     if (taken != 0) ++written.vectors;
   }
-  write_file(written.file, text);
+  spec::write_file(written.file, text);
   return written;
 }
 

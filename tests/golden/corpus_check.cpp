@@ -13,11 +13,12 @@
 #include <vector>
 
 #include "corpus/diff.h"
-#include "corpus/files.h"
 #include "corpus/lint.h"
 #include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
+#include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
+#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::corpus {
@@ -87,18 +88,18 @@ class SmallCorpus : public testing::Test {
               (std::string("corpus_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
                std::to_string(::getpid()));
     fs::remove_all(folder_);
-    text_ = read_file(default_folder() / kFile);
+    text_ = spec::read_file(default_folder() / kFile);
     put(text_);
   }
   void TearDown() override { fs::remove_all(folder_); }
 
   // The file and a manifest that fits it.
   void put(const std::string& text) {
-    write_file(folder_ / kFile, text);
+    spec::write_file(folder_ / kFile, text);
     Manifest manifest;
     const auto vectors = static_cast<std::size_t>(std::ranges::count(text, '\n'));
     manifest.files = {{kFile, "fanuc/leading-edge-offset", vectors, sha256(text)}};
-    write_file(folder_ / "manifest.json", write_manifest(manifest));
+    spec::write_file(folder_ / "manifest.json", write_manifest(manifest));
   }
   // The text with the first `from` replaced.
   [[nodiscard]] std::string replaced(const std::string& from, const std::string& to) const {
@@ -150,7 +151,7 @@ TEST_F(SmallCorpus, WrongClausesAndFlagsFail) {
 }
 
 TEST_F(SmallCorpus, LintFindsForeignFiles) {
-  write_file(folder_ / "fanuc/leading-edge-offset/examples.jsonl.rej", "");
+  spec::write_file(folder_ / "fanuc/leading-edge-offset/examples.jsonl.rej", "");
   EXPECT_EQ(lint(folder_), std::vector<std::string>{std::string(kFile) + ".rej: does not belong to the corpus"});
 }
 
@@ -230,14 +231,14 @@ TEST(CorpusManifest, ReadsWhatItWrites) {
   manifest.generator = "g";
   manifest.seed = "7";
   manifest.files = {{"a/b.jsonl", "a", 4, sha256("x")}};
-  write_file(folder / "manifest.json", write_manifest(manifest));
+  spec::write_file(folder / "manifest.json", write_manifest(manifest));
   const Manifest read = read_manifest(folder);
   EXPECT_EQ(read.version, "1.2.3");
   EXPECT_EQ(read.seed, "7");
   EXPECT_EQ(read.files, manifest.files);
   EXPECT_EQ(read.hash, sha256(write_manifest(manifest)));
   for (const char* bad : {"", "{", "{}", R"({"corpus":2})", R"({"corpus":1,"version":"x"})"}) {
-    write_file(folder / "manifest.json", bad);
+    spec::write_file(folder / "manifest.json", bad);
     EXPECT_THROW(read_manifest(folder), spec::InputError) << bad;
   }
   fs::remove_all(folder);

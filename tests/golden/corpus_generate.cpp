@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <string>
 
-#include "corpus/files.h"
 #include "corpus/lint.h"
 #include "corpus/select.h"
 #include "corpus/vector.h"
+#include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -49,9 +49,10 @@ TEST_F(Generation, GivesTheCorpusOfTheTreeByteForByte) {
   for (const Rejection& rejection : result.rejected)
     ADD_FAILURE() << rejection.file << ':' << rejection.line << ": " << rejection.why;
   for (const ManifestFile& file : manifest.files)
-    EXPECT_TRUE(read_file(options_.folder / file.file) == read_file(default_folder() / file.file))
+    EXPECT_TRUE(spec::read_file(options_.folder / file.file) == spec::read_file(default_folder() / file.file))
         << file.file << " differs; toolcomp corpus generate, then toolcomp corpus diff, tell how";
-  EXPECT_TRUE(read_file(options_.folder / "manifest.json") == read_file(default_folder() / "manifest.json"));
+  EXPECT_TRUE(spec::read_file(options_.folder / "manifest.json") ==
+              spec::read_file(default_folder() / "manifest.json"));
 }
 
 TEST_F(Generation, IsClean) {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "corpus/files.h"
 #include "corpus/golden.h"
+#include "spec/language/file_writer.h"
 
 namespace toolcomp::corpus {
 namespace {
@@ -60,11 +60,11 @@ TEST(GoldenProofs, CoqRefusesAWrongVector) {
     c.expect[1].point.value[1].v = v;
     const std::vector<Lemma> lemmas = leading_edge_lemmas(c);
     ASSERT_FALSE(lemmas.empty());
-    write_file(folder / "GoldenOne.v",
-               "From Coq Require Import Reals Lra List.\n"
-               "From Toolcomp Require Import Vectors LeadingEdgeOffset ToolLengthOffset ToolDirection Golden.\n"
-               "Open Scope R_scope.\n" +
-                   lemmas.front().text);
+    spec::write_file(folder / "GoldenOne.v",
+                     "From Coq Require Import Reals Lra List.\n"
+                     "From Toolcomp Require Import Vectors LeadingEdgeOffset ToolLengthOffset ToolDirection Golden.\n"
+                     "Open Scope R_scope.\n" +
+                         lemmas.front().text);
   };
   write("7.071067811865475");
   EXPECT_EQ(run(quoted(kCheck) + ' ' + quoted(folder)), 0);

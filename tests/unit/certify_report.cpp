@@ -10,10 +10,10 @@
 
 #include "certify/campaign.h"
 #include "certify/convert.h"
-#include "certify/files.h"
 #include "certify/markup.h"
 #include "certify/path_svg.h"
 #include "fuzz/oracle/verdict.h"
+#include "spec/language/byte_source.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -177,7 +177,7 @@ TEST(Report, IsWrittenWithItsFindingsAndWithoutThoseOfBefore) {
   EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
   EXPECT_TRUE(std::filesystem::exists(folder / "junit.xml"));
   EXPECT_TRUE(std::filesystem::exists(folder / "certificate.json"));
-  EXPECT_EQ(read_finding(read_file(folder / "findings" / "01-coordinate.json"), "f").key, c.findings[0].key);
+  EXPECT_EQ(read_finding(spec::read_file(folder / "findings" / "01-coordinate.json"), "f").key, c.findings[0].key);
   c.findings.clear();
   EXPECT_TRUE(write_report(c, folder).empty());
   EXPECT_FALSE(std::filesystem::exists(folder / "findings" / "01-coordinate.json"));

@@ -1,0 +1,13 @@
+// Files written so that no half of one is ever seen.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace toolcomp::spec {
+
+// Writes beside `path` and renames, so that a reader sees the old file or the whole new one. Makes the folder. Throws
+// std::runtime_error naming the file; nothing is left behind then.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace toolcomp::spec
