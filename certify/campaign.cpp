@@ -16,6 +16,7 @@
 #include "certify/shrink.h"
 #include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
+#include "model/engine.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
