@@ -57,9 +57,8 @@ struct CaseResult {
 };
 
 bool is_fault(const FailureKey& key) {
-  for (const FaultKind kind : {FaultKind::crash, FaultKind::hang, FaultKind::malformed, FaultKind::too_long})
-    if (key.kind == name(kind)) return true;
-  return false;
+  constexpr std::array kFaults = {FaultKind::crash, FaultKind::hang, FaultKind::malformed, FaultKind::too_long};
+  return std::ranges::any_of(kFaults, [&](FaultKind kind) { return key.kind == name(kind); });
 }
 
 // The time-out while shrinking: short, because a hanging controller uses it up again and again.
@@ -395,8 +394,9 @@ Finding make_finding(Subject& subject, const Capabilities& capabilities, const s
   const std::chrono::milliseconds patience = short_patience(subject, timeout);
   const bool faulty = is_fault(key);
   std::size_t faulty_runs = 0;
+  const auto given_up = [&] { return faulty && faulty_runs == kMostFaultyRuns; };
   const auto still_fails = [&](const spec::Case& c) {
-    if (faulty && faulty_runs == kMostFaultyRuns) return false;
+    if (given_up()) return false;
     const bool failed = fails(c, patience);
     if (failed) ++faulty_runs;
     return failed;
@@ -406,7 +406,7 @@ Finding make_finding(Subject& subject, const Capabilities& capabilities, const s
   f.key = key;
   f.first_case = failing.id;
   f.runs = shrunk.runs;
-  f.complete = shrunk.complete && !(faulty && faulty_runs == kMostFaultyRuns);
+  f.complete = shrunk.complete && !given_up();
   // What looks like a hang under a short time-out must be one under the real one; else the case stays as it was.
   if (!describe(f, subject, capabilities, std::move(shrunk.smallest), timeout)) {
     f.complete = false;
