@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "certify/process.h"
 #include "cli/verbs.h"
 #include "spec/language/input_error.h"
 
@@ -172,9 +173,17 @@ class CommandLine {
   cli::ConfigOptions config_;
 };
 
+// Controllers run in process groups of their own, which the terminal's interrupt does not reach.
+void interrupted(int signal) {
+  certify::kill_processes();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, interrupted);
   try {
     CommandLine command_line;
     return command_line.execute(argc, argv);
