@@ -21,6 +21,13 @@ inline constexpr Alarm kOffsetValue{"PS0029", "offset value too large"};
 inline constexpr Alarm kOffsetNumber{"PS0030", "offset number out of range"};
 inline constexpr Alarm kWriteNumber{"PS0031", "G10: offset number out of range"};
 inline constexpr Alarm kWriteValue{"PS0032", "G10: offset value out of range"};
+inline constexpr Alarm kNoIntersection{"PS0033", "no intersection in cutter compensation"};
+inline constexpr Alarm kArcAtStartOrCancel{"PS0034", "arc where cutter compensation starts or ends"};
+inline constexpr Alarm kCornerArc{"PS0035", "G39 outside cutter compensation, or without a direction"};
+inline constexpr Alarm kPlaneChange{"PS0037", "change of plane in cutter compensation"};
+inline constexpr Alarm kArcCenter{"PS0038", "arc centre in its start or end"};
+inline constexpr Alarm kInterference{"PS0041", "interference in cutter compensation"};
+inline constexpr Alarm kToolOffsetInCutter{"PS0042", "G45 to G48 in cutter compensation"};
 inline constexpr Alarm kReferenceNumber{"PS0046", "G30: P must be 2, 3 or 4"};
 inline constexpr Alarm kLeadingEdgeFormat{"PS5406", "movement or stop in the G41.3 or G40 block"};
 inline constexpr Alarm kLeadingEdgeCommand{"PS5407", "command not possible in G41.3, or no movement after it"};
@@ -28,6 +35,10 @@ inline constexpr Alarm kLeadingEdgeStart{"PS5408", "G41.3 cannot start here"};
 inline constexpr Alarm kToolDirection{"PS5421", "rotary word or zero direction under G43.5"};
 inline constexpr Alarm kForbiddenInCompensation{"FORBIDDEN_IN_3D_COMPENSATION",
                                                 "command not allowed in the G41.3 mode"};
+inline constexpr Alarm kForbiddenInCutterCompensation{"FORBIDDEN_IN_CUTTER_COMPENSATION",
+                                                      "command not allowed in cutter compensation"};
+inline constexpr Alarm kDirectionChangeAtStart{"DIR_CHANGE_AT_STARTUP",
+                                               "change of side in the start-up block or the one after it"};
 inline constexpr Alarm kForbiddenUnderDirection{"FORBIDDEN_UNDER_TOOL_DIRECTION", "command not allowed under G43.5"};
 inline constexpr Alarm kLengthExclusion{"LENGTH_OFFSET_EXCLUSION", "length offset and G43.5 exclude each other"};
 inline constexpr Alarm kDirectionFormat{"TOOL_DIRECTION_FORMAT", "G43.5, or its G49, where it may not stand"};

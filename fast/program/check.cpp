@@ -25,7 +25,10 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
   plan.ends_along = along_tool() && length == 490;
   const Code code = words.code(Words::kCompensation);
   const bool active = leading_edge_.active();
-  const bool after = (code == kNone ? active : code == 413) && plan.d != 0;
+  // G41 and G42 do not end leading edge offset, they are forbidden in it.
+  const bool cutter_code = code == 410 || code == 420;
+  plan.cutter = cutter_code || one_shot == 390 || cutter_active();
+  const bool after = (code == kNone || (active && cutter_code) ? active : code == 413) && plan.d != 0;
   if (after)
     plan.compensation = active ? Compensation::stays : Compensation::starts;
   else
@@ -35,6 +38,8 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
     if (const Alarm a = check_tool_direction(words, plan)) return a;
   if (active || code == 413)
     if (const Alarm a = check_leading_edge(words, plan)) return a;
+  if (plan.cutter)
+    if (const Alarm a = check_cutter(words, plan)) return a;
 
   if (one_shot == 100) {
     const std::uint32_t number = words.has('P') ? whole_number(words['P'], memory_.count()) : 0;
@@ -54,7 +59,9 @@ Alarm Interpreter::check_tool_direction(const Words& words, const Plan& plan) co
   const Code one_shot = words.code(Words::kOneShot);
   const bool ijk = words.has_any(kDirectionLetters);
   const bool forbidden = one_shot != kNone && one_shot != 40 && one_shot != 100;
-  if (plan.along && (forbidden || words.code(Words::kWorkpiece) != kNone)) return alarm::kForbiddenUnderDirection;
+  const bool cutter = words.code(Words::kCompensation) == 410 || words.code(Words::kCompensation) == 420;
+  if (plan.along && (forbidden || cutter || words.code(Words::kWorkpiece) != kNone))
+    return alarm::kForbiddenUnderDirection;
   if (along_tool() && (length == 430 || length == 440)) return alarm::kLengthExclusion;
   if (length == 435 && length_.live() != 0) return alarm::kLengthExclusion;
   if (length == 435 && (kinematics_.type() == 12 || kinematics_.type() == 21 || head_offsets_))
@@ -78,12 +85,47 @@ Alarm Interpreter::check_leading_edge(const Words& words, const Plan& plan) cons
   if (plan.compensation == Compensation::cancels && moves) return alarm::kLeadingEdgeFormat;
   if (code && plan.motion > 10) return alarm::kLeadingEdgeStart;
   if (active && (code || plan.motion > 10)) return alarm::kLeadingEdgeCommand;
+  if (active && (words.code(Words::kCompensation) == 410 || words.code(Words::kCompensation) == 420))
+    return alarm::kForbiddenInCompensation;
   if (plan.compensation != Compensation::starts && plan.compensation != Compensation::stays) return alarm::kNone;
   if (words.code(Words::kOneShot) != kNone || words.code(Words::kWorkpiece) != kNone ||
       words.code(Words::kUnits) != kNone || (moves && words.has_any(kAuxiliaryLetters)))
     return alarm::kForbiddenInCompensation;
   if (plan.compensation == Compensation::starts || words.has('D'))
     if (!memory_.fits(memory_.d(plan.d))) return alarm::kOffsetValue;
+  return alarm::kNone;
+}
+
+// The alarms of cutter compensation that words and state alone show (clause fanuc.program.alarm-order).
+Alarm Interpreter::check_cutter(const Words& words, const Plan& plan) const {
+  const Code code = words.code(Words::kCompensation);
+  const Code one_shot = words.code(Words::kOneShot);
+  const Code plane = words.code(Words::kPlane);
+  const bool active = cutter_active();
+  if (code == 413 || words.code(Words::kLength) == 435) return alarm::kForbiddenInCutterCompensation;
+  const spec::Plane selected = plane == kNone ? plane_ : plane_of(plane);
+  if (active && selected != plane_) return alarm::kPlaneChange;
+  if (active && one_shot >= 450 && one_shot <= 480) return alarm::kToolOffsetInCutter;
+
+  const std::optional<OffsetNumber> commanded = commanded_number(words);
+  CutterCommand command;
+  command.word = cutter_side(code);
+  command.corner_arc = one_shot == 390;
+  const std::array<std::size_t, 2> axis = plane_axes(selected);
+  for (std::size_t i = 0; i < 2; ++i) {
+    command.plane_word |= axis[i] != spec::Axes::kNone && (words.axes() & bit(axis[i])) != 0;
+    command.direction |= words.has(direction_letter(selected, i));
+  }
+  command.axis_word = words.axes() != 0;
+  command.arc = plan.motion > 10 && one_shot == kNone &&
+                (command.plane_word || words.has('R') || words.has_any(kDirectionLetters));
+  command.d_word = commanded.has_value();
+  command.d = commanded.value_or(cutter_number_).number;
+  if (const Alarm a = is_b_ ? cutter_b_.check(command) : cutter_c_.check(command)) return a;
+
+  // The value is applied where the number is commanded, where compensation starts, and after an edit.
+  if (commanded || !active || (evr_ && cutter_edited_))
+    if (!memory_.fits(cutter_value(commanded.value_or(cutter_number_)))) return alarm::kOffsetValue;
   return alarm::kNone;
 }
 

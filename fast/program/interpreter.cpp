@@ -19,8 +19,13 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink)
       length_(setup),
       sink_(sink),
       leading_edge_(setup, kinematics_, sink),
+      is_b_(setup.cutter_compensation == spec::CutterCompensationType::b),
+      cutter_b_(setup, sink),
+      cutter_c_(setup, sink),
       inch_program_(inch_setup_),
-      plain_words_(!counts_increments_) {
+      plain_words_(!counts_increments_),
+      ofh_(setup.bit(5001, 2)),
+      evr_(setup.bit(5001, 4)) {
   if (setup.control != spec::Control::fanuc)
     throw spec::InputError("setup", 0, 0, "control: only \"fanuc\" programs can be run");
   for (std::size_t axis = 0; axis < count_; ++axis) {
@@ -55,7 +60,7 @@ void Interpreter::block(const spec::Block& block) {
   line_ = block.line;
   n_ = block.n;
   if (block.alarm) [[unlikely]] {
-    if (leading_edge_.active() && leading_edge_.release()) return raise_at_start(alarm::kLeadingEdgeCommand);
+    if (release_held()) return;
     return send_alarm(block.alarm->number, block.alarm->message, line_, n_);
   }
   const Words words(block, axes_);
@@ -69,14 +74,25 @@ void Interpreter::block(const spec::Block& block) {
 
 void Interpreter::end() {
   if (stopped_) return;
-  if (leading_edge_.active() && leading_edge_.release()) raise_at_start(alarm::kLeadingEdgeCommand);
+  if (release_held()) return;
   stopped_ = true;
 }
 
-// A command alarm: what is held goes out as if the block and everything after it were absent. A start-up that still
-// waits for a movement is then itself at fault.
+bool Interpreter::release_held() {
+  if (leading_edge_.active() && leading_edge_.release()) {
+    raise_at_start(alarm::kLeadingEdgeCommand);
+    return true;
+  }
+  if (!cutter_active()) return false;
+  const StageEnd held = is_b_ ? cutter_b_.release() : cutter_c_.release();
+  if (held) end_run(held);
+  return stopped_;
+}
+
+// A command alarm: what is held goes out as if the block and everything after it were absent. A block held may then
+// itself be at fault.
 void Interpreter::raise(const Alarm& alarm) {
-  if (leading_edge_.active() && leading_edge_.release()) return raise_at_start(alarm::kLeadingEdgeCommand);
+  if (release_held()) return;
   send_alarm(alarm.number, alarm.message, line_, n_);
 }
 
@@ -85,9 +101,9 @@ void Interpreter::raise_at_start(const Alarm& alarm) {
 }
 
 void Interpreter::send_alarm(const spec::Name& number, const char* message, std::uint64_t line,
-                             const std::optional<std::uint64_t>& n) {
+                             const std::optional<std::uint64_t>& n, spec::EventKind kind) {
   stopped_ = true;
-  notice_.kind = spec::EventKind::alarm;
+  notice_.kind = kind;
   notice_.number = number;
   notice_.message = message;
   notice_.line = line;
@@ -95,11 +111,18 @@ void Interpreter::send_alarm(const spec::Name& number, const char* message, std:
   sink_.on(notice_);
 }
 
+void Interpreter::end_run(const StageEnd& end) {
+  if (end.undecided == nullptr) return send_alarm(end.alarm.number, end.alarm.message, end.line, end.n);
+  send_alarm(end.undecided, "", end.line, end.n, spec::EventKind::undecided);
+}
+
 Alarm Interpreter::run(const Words& words) {
   // The usual block: positions and F, and nothing that waits for a block to come.
   if (words.plain() && motion_ <= 10 && !along_tool() && !length_.pending()) [[likely]] {
     set_feed(words);
-    return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
+    if (!cutter_active()) [[likely]]
+      return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
+    if (!(evr_ && cutter_edited_)) return cutter_move(words);
   }
   Plan plan;
   if (const Alarm a = check(words, plan)) return a;
@@ -114,8 +137,7 @@ void Interpreter::set_feed(const Words& words) {
 // Everything is allowed but what depends on positions (arcs) and on the length offset, whose alarms come last.
 Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   motion_ = plan.motion;
-  if (const Code code = words.code(Words::kPlane); code != kNone)
-    plane_ = code == 170 ? spec::Plane::xy : (code == 180 ? spec::Plane::zx : spec::Plane::yz);
+  if (const Code code = words.code(Words::kPlane); code != kNone) plane_ = plane_of(code);
   if (const Code code = words.code(Words::kDistance); code != kNone) incremental_ = code == 910;
   if (const Code code = words.code(Words::kUnits); code != kNone) {
     inch_program_ = code == 200;
@@ -128,7 +150,7 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   const Code one_shot = words.code(Words::kOneShot);
   std::optional<spec::Arc<double>> arc;
   if (one_shot == kNone && motion_ > 10)
-    if (const Alarm a = plan_arc(words, arc)) return a;
+    if (const Alarm a = plan_arc(words, arc, plan.cutter ? &cutter_next() : nullptr)) return a;
 
   length_.begin_block();
   if (const Alarm a = length_.restore(words, memory_)) return a;
@@ -146,6 +168,14 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
       (plan.compensation == Compensation::stays || plan.compensation == Compensation::cancels))
     if (const Alarm a = leading_edge_.release()) return a;
 
+  in_cutter_ = plan.cutter;
+  if (const std::optional<OffsetNumber> number = commanded_number(words)) cutter_number_ = *number;
+  if (in_cutter_) {
+    begin_cutter(words);
+    CutterBlock& block = cutter_next();
+    block.sets = plan.writes;
+    if (plan.writes) store_offset(plan.write, block.setting, block.setting_value);
+  }
   if (words.axes() != 0) switch (one_shot) {
       case 280:
       case 300:
@@ -159,20 +189,26 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
       default:
         break;
     }
+  if (in_cutter_) return one_shot == 920 ? shift_in_cutter(words, extra) : cutter_motion(words, one_shot, extra, arc);
   if (const Alarm a = motion(words, plan.compensation, one_shot == kNone, extra, arc)) return a;
   if (one_shot == 920) return shift_coordinates(words);
-  return plan.writes ? write_offset(plan.write) : alarm::kNone;
+  if (plan.writes) write_offset(plan.write);
+  return alarm::kNone;
 }
 
-Alarm Interpreter::write_offset(const OffsetMemory::Write& write) {
+void Interpreter::store_offset(const OffsetMemory::Write& write, spec::Name& name, double& stored) {
+  name = memory_.store(write);
+  stored = memory_.value(write).nearest();
+  if (memory_.changes_h(write)) length_.edited(write.number);
+  cutter_edited_ = true;
+}
+
+void Interpreter::write_offset(const OffsetMemory::Write& write) {
   notice_.kind = spec::EventKind::setting;
   notice_.line = line_;
   notice_.n = n_;
-  notice_.setting = memory_.store(write);
-  notice_.value = memory_.value(write).nearest();
-  if (memory_.changes_h(write)) length_.edited(write.number);
+  store_offset(write, notice_.setting, notice_.value);
   sink_.on(notice_);
-  return alarm::kNone;
 }
 
 }  // namespace toolcomp::fast

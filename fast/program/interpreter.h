@@ -6,10 +6,13 @@
 #include <optional>
 
 #include "fast/arithmetic/count.h"
+#include "fast/cutter_compensation_b/cutter_compensation_b.h"
+#include "fast/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/engine.h"
 #include "fast/kinematics/kinematics.h"
 #include "fast/leading_edge_offset/leading_edge_offset.h"
 #include "fast/program/alarm.h"
+#include "fast/program/cutter_block.h"
 #include "fast/program/words.h"
 #include "fast/tool_length_offset/offset_memory.h"
 #include "fast/tool_length_offset/tool_length_offset.h"
@@ -34,6 +37,11 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   using Mask = std::uint16_t;  // bit i: axis i
   // What a block does to leading edge offset.
   enum class Compensation : std::uint8_t { off, starts, stays, cancels };
+  // A number of the cutter: D, or H where 5001#2 = 1.
+  struct OffsetNumber {
+    std::uint32_t number = 0;
+    bool from_h = false;
+  };
   // What the words of a block say about it, before anything is changed.
   struct Plan {
     Compensation compensation = Compensation::off;
@@ -41,6 +49,7 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
     Code motion = 0;
     bool along = false;       // G43.5 is in force after the block
     bool ends_along = false;  // G49 ends it
+    bool cutter = false;      // the block passes cutter compensation
     OffsetMemory::Write write;
     bool writes = false;
   };
@@ -50,16 +59,20 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   [[nodiscard]] Alarm run(const Words& words);
   [[nodiscard]] Alarm apply(const Words& words, const Plan& plan);
   void set_feed(const Words& words);
-  [[nodiscard]] Alarm write_offset(const OffsetMemory::Write& write);
+  void write_offset(const OffsetMemory::Write& write);
+  void store_offset(const OffsetMemory::Write& write, spec::Name& name, double& stored);
   void raise(const Alarm& alarm);
   void raise_at_start(const Alarm& alarm);
+  // Everything a stage holds goes out; true if that ended the run.
+  [[nodiscard]] bool release_held();
   void send_alarm(const spec::Name& number, const char* message, std::uint64_t line,
-                  const std::optional<std::uint64_t>& n);
+                  const std::optional<std::uint64_t>& n, spec::EventKind kind = spec::EventKind::alarm);
 
   // check.cpp: the alarms of commands, in their order.
   [[nodiscard]] Alarm check(const Words& words, Plan& plan) const;
   [[nodiscard]] Alarm check_tool_direction(const Words& words, const Plan& plan) const;
   [[nodiscard]] Alarm check_leading_edge(const Words& words, const Plan& plan) const;
+  [[nodiscard]] Alarm check_cutter(const Words& words, const Plan& plan) const;
   [[nodiscard]] std::uint32_t reference_point(const Words& words) const;
 
   // motion.cpp: own moves and their events. `own` words are positions; `extra`: a move even without them.
@@ -78,7 +91,9 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   }
 
   // arc_words.cpp
-  [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc) const;
+  // `exact`: where cutter compensation wants the arc's numbers, or nullptr.
+  [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, CutterBlock* exact) const;
+  [[nodiscard]] std::array<std::size_t, 2> plane_axes(spec::Plane plane) const;
   [[nodiscard]] std::size_t normal_axis() const;
 
   // machine_moves.cpp: G53, G28, G30, G30.1, G29, G92, G54 to G59.
@@ -86,10 +101,29 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   [[nodiscard]] Alarm to_reference(const Words& words);
   [[nodiscard]] Alarm from_reference(const Words& words);
   [[nodiscard]] Alarm place_at_machine(std::size_t axis, const Count& machine);
-  [[nodiscard]] Alarm send_rapid(spec::Cause cause, bool with_machine);
+  // The next rapid move, named `motion` to cutter compensation.
+  [[nodiscard]] Alarm send_rapid(spec::Cause cause, bool with_machine, CutterMotion motion);
   [[nodiscard]] Alarm shift_coordinates(const Words& words);
+  [[nodiscard]] Alarm shift_in_cutter(const Words& words, bool extra);
   void select_workpiece(Code code);
   [[nodiscard]] Count machine_origin(std::size_t axis) const { return origin_[workpiece_][axis] + shift_[axis]; }
+
+  // cutter.cpp: blocks that pass cutter compensation B or C.
+  [[nodiscard]] bool cutter_active() const { return is_b_ ? cutter_b_.active() : cutter_c_.active(); }
+  [[nodiscard]] CutterBlock& cutter_next() { return is_b_ ? cutter_b_.next() : cutter_c_.next(); }
+  [[nodiscard]] std::optional<OffsetNumber> commanded_number(const Words& words) const;
+  [[nodiscard]] Count cutter_value(const OffsetNumber& number) const {
+    return number.from_h ? memory_.h(number.number) : memory_.d(number.number);
+  }
+  [[nodiscard]] static CutterSide cutter_side(Code code);
+  void begin_cutter(const Words& words);
+  void start_cutter_leg(const Words& words, CutterSide word, bool d_word);
+  [[nodiscard]] Alarm cutter_move(const Words& words);
+  [[nodiscard]] Alarm corner_direction(const Words& words, CutterBlock& block) const;
+  [[nodiscard]] Alarm cutter_motion(const Words& words, Code one_shot, bool extra,
+                                    const std::optional<spec::Arc<double>>& arc);
+  [[nodiscard]] Alarm send_cutter(CutterBlock& block);
+  void end_run(const StageEnd& end);
 
   // tool_direction.cpp: rotary axes and G43.5.
   void turn();
@@ -119,6 +153,9 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   ToolLengthOffset length_;
   EventSink& sink_;
   LeadingEdgeOffset leading_edge_;
+  bool is_b_;  // cutter compensation B, not C
+  CutterCompensationB cutter_b_;
+  CutterCompensationC cutter_c_;
 
   // Modal state.
   Code motion_ = 0;
@@ -129,6 +166,13 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   std::size_t workpiece_ = 0;
   std::uint32_t d_ = 0;
   double radius_ = 0;  // of D, when it was applied
+  bool ofh_;           // 5001#2: an H number counts for the cutter too
+  bool evr_;           // 5001#4: an edited cutter value counts from the next block on
+  CutterSide cutter_side_ = CutterSide::off;
+  OffsetNumber cutter_number_;
+  Count cutter_offset_;  // of that number, when it was applied
+  bool cutter_edited_ = false;
+  bool in_cutter_ = false;  // this block passes cutter compensation
   std::optional<double> feed_;
 
   // Positions.
@@ -162,6 +206,22 @@ Alarm for_each_axis(std::uint16_t mask, Function f) {
   for (unsigned rest = mask; rest != 0; rest &= rest - 1)
     if (const Alarm a = f(static_cast<std::size_t>(__builtin_ctz(rest)))) return a;
   return alarm::kNone;
+}
+
+// G17 G18 G19.
+constexpr spec::Plane plane_of(Code code) {
+  return code == 170 ? spec::Plane::xy : (code == 180 ? spec::Plane::zx : spec::Plane::yz);
+}
+
+// Which of X Y Z (0, 1, 2) is axis i (0, 1) of a plane: XY, ZX, YZ.
+constexpr std::size_t in_plane(spec::Plane plane, std::size_t i) {
+  const std::size_t first = plane == spec::Plane::xy ? 0 : (plane == spec::Plane::zx ? 2 : 1);
+  return (first + i) % 3;
+}
+
+// The letter I J K of that axis.
+constexpr char direction_letter(spec::Plane plane, std::size_t i) {
+  return static_cast<char>('I' + static_cast<int>(in_plane(plane, i)));
 }
 
 // The mask of one axis.
