@@ -1,11 +1,15 @@
 #include "model/engine.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 
+#include "model/cutter_compensation_b/cutter_compensation_b.h"
+#include "model/cutter_compensation_c/cutter_compensation_c.h"
 #include "model/kinematics/program_direction.h"
 #include "model/leading_edge_offset/leading_edge_offset.h"
 #include "model/program/alarm.h"
+#include "model/program/cutter_words.h"
 #include "model/program/interpreter.h"
 #include "model/program/offset_memory.h"
 #include "model/tool_length_offset/tool_length_offset.h"
@@ -32,12 +36,20 @@ void append(spec::ClauseList& list, const spec::ClauseList& more) {
   for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
 }
 
+// The stage that the setup asks for.
+std::unique_ptr<CutterCompensation> cutter_compensation(const spec::Setup& setup, Recorder& recorder,
+                                                        CutterCompensation::Output output) {
+  if (setup.cutter_compensation == spec::CutterCompensationType::b)
+    return std::make_unique<CutterCompensationB>(setup, recorder, std::move(output));
+  return std::make_unique<CutterCompensationC>(setup, recorder, std::move(output));
+}
+
 }  // namespace
 
 // The stages of one run, and the order in which a block passes through them: interpretation, length offset, leading
-// edge offset, events. The length offset is decided when the block is read, so that its alarms are known before the
-// leading edge offset looks at the block; both only add to the programmed end, so the order does not show in the
-// coordinates.
+// edge offset, cutter compensation, events. The length offset is decided when the block is read, so that its alarms are
+// known before a stage of compensation looks at the block; all of them only add to the programmed end, so the order
+// does not show in the coordinates.
 struct Engine::State {
   State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink)
       : setup(checked(given)),
@@ -47,11 +59,14 @@ struct Engine::State {
         memory(setup, recorder),
         direction(setup, recorder, interpreter.position()),
         length(setup, memory, recorder),
-        edge(setup, recorder,
-             [this](const Step& step, const Move& move, const Vector& vector) { report(step, move, vector); }) {}
+        edge(setup, recorder, [this](const Step& step) { cutter->take(step); }),
+        cutter_words(setup, memory),
+        cutter(cutter_compensation(setup, recorder, [this](const Step& step) { report(step); })) {}
 
   void run(const spec::Block& block);
   void finish();
+  // What the stages hold goes out as if nothing followed.
+  void release();
   // Runs `work`, and ends the run where it raises an alarm or cannot decide.
   template <class Work>
   void guarded(const Work& work);
@@ -62,9 +77,11 @@ struct Engine::State {
                           const LengthVector& offset, bool machine);
   [[nodiscard]] LengthCommand length_command(const Command& command, const std::vector<Leg>& legs) const;
 
-  void report(const Step& step, const Move& move, const Vector& vector);
-  void report(const Alarm& alarm, const spec::ClauseList& clauses);
+  void report(const Step& step);
+  void report(const Step& step, const Move& move);
   void report(const Step& step, const OffsetSetting& setting);
+  void report(const Alarm& alarm, const spec::ClauseList& clauses);
+  void report(const LeftOpen& open);
   void report_undecided();
 
   spec::Setup setup;
@@ -75,9 +92,11 @@ struct Engine::State {
   ProgramDirection direction;
   ToolLengthOffset length;
   LeadingEdgeOffset edge;
+  CutterWords cutter_words;
+  std::unique_ptr<CutterCompensation> cutter;
   std::uint64_t line = 0;  // of the block being interpreted
   std::optional<std::uint64_t> n;
-  std::optional<OffsetWrite> pending_write;  // of a G10 block, until its step is through
+  std::optional<OffsetWrite> pending_write;  // of a G10 block, until its step is made
   bool stopped = false;
 };
 
@@ -101,6 +120,9 @@ void Engine::State::guarded(const Work& work) {
     work();
   } catch (const Alarm& alarm) {
     fail(alarm);
+  } catch (const LeftOpen& open) {
+    stopped = true;
+    report(open);
   } catch (const exact::Undecided&) {
     stopped = true;
     report_undecided();
@@ -111,16 +133,19 @@ void Engine::State::guarded(const Work& work) {
 void Engine::State::fail(const Alarm& alarm) {
   stopped = true;
   const spec::ClauseList clauses = recorder.take_clauses();
-  try {
-    edge.finish();
+  guarded([&] {
+    release();
     report(alarm, clauses);
-  } catch (const Alarm& earlier) {
-    report(earlier, recorder.take_clauses());
-  }
+  });
+}
+
+void Engine::State::release() {
+  edge.finish();
+  cutter->finish();
 }
 
 void Engine::State::finish() {
-  edge.finish();
+  release();
   stopped = true;
 }
 
@@ -129,11 +154,13 @@ void Engine::State::run(const spec::Block& block) {
   n = block.n;
   recorder.at(line);
   const Command command = interpreter.read(block);
-  const Step next = step(command);
-  std::optional<OffsetWrite> write;
-  std::swap(write, pending_write);
+  Step next = step(command);
+  if (pending_write) {
+    next.setting = memory.write(*pending_write);
+    next.setting->clauses = recorder.take_clauses();
+    pending_write.reset();
+  }
   edge.take(next);
-  if (write) report(next, memory.write(*write));
   if (recorder.decide(Clause::fanuc_program_end, command.codes.ends_program)) finish();
 }
 
@@ -143,6 +170,8 @@ Step Engine::State::step(const Command& command) {
   const ProgramDirection::Marks tip = direction.read(command, length, edge.concerns(command), numbers);
   const bool moves = command.axes != 0 || (tip.tip_control && command.direction);
   const LeadingEdgeOffset::Marks marks = edge.read(command, moves, memory);
+  std::optional<CutterBlock> cutter_block = cutter_words.read(command, interpreter);
+  if (cutter_block) cutter->read(*cutter_block);
   if (command.codes.one_shot == OneShot::data)
     pending_write = memory.read_write(command.words, numbers, command.incremental);
   if (tip.ends) {
@@ -150,6 +179,7 @@ Step Engine::State::step(const Command& command) {
     interpreter.shift_position(Real(length.vector().along_tool) * direction.now().unit);
   }
   std::vector<Leg> legs = interpreter.legs(command, tip.tip_control, tip.starts);
+  if (cutter_block) cutter_words.add_movement(*cutter_block, interpreter.stay(command), legs);
   const bool machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
   const LengthPlan plan = length.plan(length_command(command, legs));
   if (legs.empty() && !tip.ends && recorder.decide(Clause::fanuc_length_offset_move_without_axis_word, plan.changed))
@@ -164,7 +194,7 @@ Step Engine::State::step(const Command& command) {
   }
   interpreter.arrive(command, legs);
   if (!tip.tip_control) direction.follow(interpreter.position());
-  if (edge.concerns(command)) {
+  if (edge.concerns(command) || cutter_block) {
     const Leg rest = interpreter.stay(command);
     step.rest = step.moves.empty() ? move(command, tip, rest, plan.at_end, machine) : step.moves.back();
     step.rest.leg = rest;
@@ -173,6 +203,7 @@ Step Engine::State::step(const Command& command) {
   step.stops_look_ahead = command.codes.stops_look_ahead;
   step.edge = marks.edge;
   step.radius = marks.radius;
+  step.cutter = std::move(cutter_block);
   if (edge.concerns(command) && marks.edge == EdgeCommand::none)
     step.travels =
         !recorder.decide(Clause::fanuc_leading_edge_no_movement, legs.empty() || is_zero(legs.front().travel));
@@ -187,7 +218,7 @@ LengthCommand Engine::State::length_command(const Command& command, const std::v
   result.plane = command.plane;
   result.axes = command.axes;
   result.has_word = command.codes.any;
-  result.cutter_code = command.codes.compensation == Compensation::cancel;
+  result.cutter_code = command.codes.compensation && *command.codes.compensation != Compensation::leading_edge;
   if (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot)) result.cancelled = command.axes;
   return result;
 }
@@ -212,7 +243,12 @@ Move Engine::State::move(const Command& command, const ProgramDirection::Marks& 
   return result;
 }
 
-void Engine::State::report(const Step& step, const Move& move, const Vector& vector) {
+void Engine::State::report(const Step& step) {
+  for (const Move& move : step.moves) report(step, move);
+  if (step.setting) report(step, *step.setting);
+}
+
+void Engine::State::report(const Step& step, const Move& move) {
   Event event;
   event.kind = spec::EventKind::move;
   event.line = step.line;
@@ -221,10 +257,10 @@ void Engine::State::report(const Step& step, const Move& move, const Vector& vec
   event.cause = move.leg.cause;
   for (std::size_t i = 0; i < setup.axes.size(); ++i) {
     const char letter = setup.axes.letter(i);
-    Real at = move.leg.end.at(i).value();
+    Real at = move.leg.actual(i).value();
     if (spec::is_linear_axis(letter)) {
-      event.programmed.set(i, at);
-      if (is_space_axis(letter)) at += component(vector, space_index(letter));
+      event.programmed.set(i, move.leg.end.at(i).value());
+      if (is_space_axis(letter)) at += component(move.offset, space_index(letter));
       event.point.set(i, at);
     }
     const Real axis = at + move.length.at(i);
@@ -246,7 +282,7 @@ void Engine::State::report(const Step& step, const OffsetSetting& setting) {
   event.setting = setting.name;
   event.value = setting.value;
   event.clauses = step.clauses;
-  append(event.clauses, recorder.take_clauses());
+  append(event.clauses, setting.clauses);
   sink.on(event);
 }
 
@@ -258,6 +294,18 @@ void Engine::State::report(const Alarm& alarm, const spec::ClauseList& clauses) 
   event.number = alarm.number;
   event.message = alarm.message;
   event.clauses = clauses;
+  sink.on(event);
+}
+
+void Engine::State::report(const LeftOpen& open) {
+  Event event;
+  event.kind = spec::EventKind::undecided;
+  event.line = open.line != 0 ? open.line : line;
+  event.n = open.line != 0 ? open.n : n;
+  event.number = spec::info(open.clause).id;
+  event.permitted = {true, true, true};
+  event.message = open.message;
+  event.clauses = recorder.take_clauses();
   sink.on(event);
 }
 

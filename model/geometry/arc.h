@@ -1,18 +1,14 @@
 // The arc of a G02 or G03 block in its plane.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <utility>
 
-#include "model/exact/real.h"
+#include "model/geometry/plane.h"
 #include "model/recorder.h"
 #include "spec/language/event.h"
 
 namespace toolcomp::model {
-
-// First and second axis of the plane: X Y, Z X or Y Z. Setup units.
-using PlanePoint = std::array<Real, 2>;
 
 struct ArcGeometry {
   PlanePoint center;

@@ -58,16 +58,32 @@ class Reader {
         return one_shot(OneShot::other_reference);
       case 301:
         return one_shot(OneShot::floating_reference);
+      case 370:
+        return one_shot(OneShot::measure);
+      case 390:
+        return one_shot(OneShot::corner_arc);
       case 400:
         return group(codes_.compensation, Compensation::cancel);
+      case 410:
+        return group(codes_.compensation, Compensation::left);
       case 413:
         return group(codes_.compensation, Compensation::leading_edge);
+      case 420:
+        return group(codes_.compensation, Compensation::right);
       case 430:
         return group(codes_.length, LengthCode::plus);
       case 435:
         return group(codes_.length, LengthCode::tool_direction);
       case 440:
         return group(codes_.length, LengthCode::minus);
+      case 450:
+        return one_shot(OneShot::increase);
+      case 460:
+        return one_shot(OneShot::decrease);
+      case 470:
+        return one_shot(OneShot::double_increase);
+      case 480:
+        return one_shot(OneShot::double_decrease);
       case 490:
         return group(codes_.length, LengthCode::cancel);
       case 530:

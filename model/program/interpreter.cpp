@@ -207,16 +207,19 @@ std::vector<Leg> Interpreter::legs(const Command& command, bool tip_control, boo
       return {};
     return {machine_leg(command)};
   }
+  if (one_shot == OneShot::corner_arc) return {};
   if (one_shot == OneShot::shift || one_shot == OneShot::dwell || one_shot == OneShot::data) {
     return always ? std::vector{stay(command)} : std::vector<Leg>{};
   }
-  Leg leg = ordinary(command, straight(command.motion));
+  Leg leg = toward(command);
   if (command.is_arc_motion() && (goes || command.direction || command.words.has('R')))
     leg.arc = arc(command, leg, tip_control);
   if (leg.arc) leg.type = spec::MoveType::arc;
   if (goes || leg.arc || always || (tip_control && command.direction)) return {leg};
   return {};
 }
+
+Leg Interpreter::toward(const Command& command) const { return ordinary(command, straight(command.motion)); }
 
 Leg Interpreter::stay(const Command& command) const {
   Leg leg;

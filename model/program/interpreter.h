@@ -43,6 +43,8 @@ class Interpreter {
   std::vector<Leg> legs(const Command& command, bool tip_control, bool always);
   // A leg that stays where the block starts, or after arrive() where it ended.
   [[nodiscard]] Leg stay(const Command& command) const;
+  // The straight leg to where the axis words of the block point, moving or not.
+  [[nodiscard]] Leg toward(const Command& command) const;
   // After the block: its end, and what G92 redefines.
   void arrive(const Command& command, const std::vector<Leg>& legs);
 
@@ -81,21 +83,5 @@ class Interpreter {
   spec::Plane plane_ = spec::Plane::xy;
   bool incremental_ = false;
 };
-
-// First and second axis letters of a plane, and their letters of the arc's centre.
-struct PlaneLetters {
-  char first, second, first_center, second_center;
-};
-constexpr PlaneLetters letters(spec::Plane plane) {
-  switch (plane) {
-    case spec::Plane::zx:
-      return {'Z', 'X', 'K', 'I'};
-    case spec::Plane::yz:
-      return {'Y', 'Z', 'J', 'K'};
-    case spec::Plane::xy:
-      break;
-  }
-  return {'X', 'Y', 'I', 'J'};
-}
 
 }  // namespace toolcomp::model

@@ -130,7 +130,7 @@ OffsetSetting OffsetMemory::write(const OffsetWrite& write) {
   if (write.d) d_[write.number].part(write.wear) = d;
   std::string name = (write.h ? "H" : "D") + std::to_string(write.number);
   if (kind_ != spec::OffsetMemory::a) name += write.wear ? ".wear" : ".geometry";
-  return {spec::Name(name), write.h ? h : d};
+  return {spec::Name(name), write.h ? h : d, {}};
 }
 
 }  // namespace toolcomp::model

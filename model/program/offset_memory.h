@@ -25,8 +25,9 @@ struct OffsetWrite {
 
 // One entry as it now is, for the event.
 struct OffsetSetting {
-  spec::Name name;  // "H1", "D7.wear"
-  Rational value;   // setup units
+  spec::Name name;           // "H1", "D7.wear"
+  Rational value;            // setup units
+  spec::ClauseList clauses;  // applied in writing it
 };
 
 // Which table and value the L of G10 names, or nothing if this memory has no such L. Number and value are not read.
