@@ -171,7 +171,10 @@ Step Engine::State::step(const Command& command) {
   const bool moves = command.axes != 0 || (tip.tip_control && command.direction);
   const LeadingEdgeOffset::Marks marks = edge.read(command, moves, memory);
   std::optional<CutterBlock> cutter_block = cutter_words.read(command, interpreter);
-  if (cutter_block) cutter->read(*cutter_block);
+  if (cutter_block) {
+    cutter->read(*cutter_block);
+    cutter_words.add_value(*cutter_block);
+  }
   if (command.codes.one_shot == OneShot::data)
     pending_write = memory.read_write(command.words, numbers, command.incremental);
   if (tip.ends) {

@@ -21,7 +21,7 @@ class CutterCompensation {
   CutterCompensation(const CutterCompensation&) = delete;
   CutterCompensation& operator=(const CutterCompensation&) = delete;
 
-  // The alarms that the words of a block raise, before its movement is known: `words` has no movement yet. Throws
+  // The alarms that the words of a block raise, before its movement and the value of its number are known. Throws
   // Alarm; the block is then not taken.
   virtual void read(const CutterBlock& words) = 0;
   // The step after read() of its block; its `cutter` may be absent. An Alarm without a line is one of this step: what

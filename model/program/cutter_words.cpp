@@ -16,6 +16,9 @@ CutterSide side_of(Compensation code) {
   return CutterSide::none;
 }
 
+// The block moves by its code of group 01.
+bool is_path(OneShot code) { return code == OneShot::none || is_tool_offset(code); }
+
 PlaneMotion motion_of(const CutterBlock& block, const std::vector<Leg>& legs) {
   if (legs.empty()) return PlaneMotion::none;
   switch (block.one_shot) {
@@ -85,22 +88,32 @@ std::optional<CutterBlock> CutterWords::read(const Command& command, const Inter
   block.side = side_;
   seen_ = seen_ || side_ != CutterSide::none;
   take_number(codes, block);
+  block.plane = command.plane;
+  block.plane_changed = command.plane != plane_;
+  plane_ = command.plane;
   if (!seen_) return std::nullopt;
 
   block.number = number_;
-  if (side_ != CutterSide::none) {
-    if (block.number_given || block.before == CutterSide::none || evr_)
-      offset_ = of_h_ ? memory_.h(number_) : memory_.d(number_);
-    block.offset = offset_;
-  }
   block.one_shot = codes.one_shot;
   block.direction = direction(command, interpreter);
-  block.plane = command.plane;
   const PlaneLetters in_plane = letters(command.plane);
   block.word = {has_word(command, in_plane.first), has_word(command, in_plane.second)};
+  block.axis_word = command.axes != 0;
   block.arc_mode = command.is_arc_motion();
+  block.arc_words = block.arc_mode && is_path(codes.one_shot) &&
+                    (block.has_plane_word() || command.direction || command.words.has('R'));
+  block.excluded = codes.one_shot == OneShot::measure || codes.compensation == Compensation::leading_edge ||
+                   codes.length == LengthCode::tool_direction;
+  block.is_block = command.is_block;
   block.changes_workpiece_system = codes.workpiece.has_value();
   return block;
+}
+
+void CutterWords::add_value(CutterBlock& block) {
+  if (block.side == CutterSide::none) return;
+  if (block.number_given || block.before == CutterSide::none || evr_)
+    offset_ = of_h_ ? memory_.h(number_) : memory_.d(number_);
+  block.offset = offset_;
 }
 
 PlanePoint CutterWords::point(spec::Plane plane, const Leg& leg) const {

@@ -17,9 +17,11 @@ class CutterWords {
  public:
   CutterWords(const spec::Setup& setup, const OffsetMemory& memory);
 
-  // What the block says, without its movement; nothing before the first G41 or G42 of the program. Throws Alarm PS0029.
+  // What the block says, without the value of its number and its movement; nothing before the first G41 or G42 of the
+  // program.
   [[nodiscard]] std::optional<CutterBlock> read(const Command& command, const Interpreter& interpreter);
-
+  // The value in force at the end of the block. Throws Alarm PS0029.
+  void add_value(CutterBlock& block);
   // Its movement: from where the block starts (a leg that stays there) along its legs.
   void add_movement(CutterBlock& block, const Leg& start, const std::vector<Leg>& legs) const;
 
@@ -36,6 +38,7 @@ class CutterWords {
   bool evr_;  // 5001#4: an edited value counts from the next block on
   bool seen_ = false;
   CutterSide side_ = CutterSide::none;
+  spec::Plane plane_ = spec::Plane::xy;
   std::uint32_t number_ = 0;
   bool of_h_ = false;  // the number came with H
   Rational offset_;    // of the number in force, as it was when it was taken

@@ -27,6 +27,7 @@ struct Command {
   bool incremental = false;
   AxisMask axes = 0;       // axes commanded; none where the letters mean something else (G04, G10)
   bool direction = false;  // I, J or K
+  bool is_block = true;    // any word, N and O included
   [[nodiscard]] bool is_arc_motion() const { return motion == Motion::arc_cw || motion == Motion::arc_ccw; }
 };
 
