@@ -21,6 +21,9 @@ class CutterCompensationC {
   // From the block with G41 or G42 on, until the vector of a block with G40 is removed and nothing is held. While it is
   // not active and a block has no G41 or G42, blocks pass without this stage.
   [[nodiscard]] bool active() const { return active_; }
+  // Compensation is wanted (G41 or G42 and a number other than 0), or its vector is not removed yet: PS0037, PS0042 and
+  // the exclusion of other modes rest on it.
+  [[nodiscard]] bool on() const { return active_; }
   // PS0035, then PS0034: the alarms that follow from the words and the state alone, before anything is changed (plane
   // change, G45 to G48, other modes and the range of the value are tested by the caller). Asked while active, and at a
   // block with G39, G41 or G42.

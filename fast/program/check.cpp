@@ -102,10 +102,11 @@ Alarm Interpreter::check_cutter(const Words& words, const Plan& plan) const {
   const Code one_shot = words.code(Words::kOneShot);
   const Code plane = words.code(Words::kPlane);
   const bool active = cutter_active();
-  if (code == 413 || words.code(Words::kLength) == 435) return alarm::kForbiddenInCutterCompensation;
+  const bool on = is_b_ ? cutter_b_.active() : cutter_c_.on();
+  if (on && (code == 413 || words.code(Words::kLength) == 435)) return alarm::kForbiddenInCutterCompensation;
   const spec::Plane selected = plane == kNone ? plane_ : plane_of(plane);
-  if (active && selected != plane_) return alarm::kPlaneChange;
-  if (active && one_shot >= 450 && one_shot <= 480) return alarm::kToolOffsetInCutter;
+  if (on && selected != plane_) return alarm::kPlaneChange;
+  if (on && one_shot >= 450 && one_shot <= 480) return alarm::kToolOffsetInCutter;
 
   const std::optional<OffsetNumber> commanded = commanded_number(words);
   CutterCommand command;

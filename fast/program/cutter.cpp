@@ -63,7 +63,7 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
   }
 }
 
-// The usual block: positions and F.
+// The usual block: positions and F, or nothing but its number.
 Alarm Interpreter::cutter_move(const Words& words) {
   start_cutter_leg(words, CutterSide::unchanged, false);
   return cutter_motion(words, kNone, false, std::nullopt);

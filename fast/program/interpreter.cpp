@@ -66,7 +66,12 @@ void Interpreter::block(const spec::Block& block) {
   const Words words(block, axes_);
   if (words.unsupported()) [[unlikely]]
     return raise(alarm::kUnknownCode);
-  if (!words.any()) return;
+  if (!words.any()) {
+    // A sequence or program number alone is a block without movement where blocks are counted.
+    if (!cutter_active()) return;
+    if (const Alarm a = cutter_move(words)) raise(a);
+    return;
+  }
   if (const Alarm a = run(words)) [[unlikely]]
     return raise(a);
   if (words.ends_program()) end();

@@ -227,4 +227,22 @@ constexpr char direction_letter(spec::Plane plane, std::size_t i) {
 // The mask of one axis.
 constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
 
+// The usual word without a detour: a position of at most six places, as it is written, with an offset of as many.
+inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
+  if (plain_words_ && !incremental_) [[likely]]
+    if (const std::int64_t small = Count::small_of(words.axis(axis)); small != Count::kNotSmall) [[likely]] {
+      programmed_[axis].set_small(small);
+      const double position = Count::nearest_small(small);
+      programmed_value_[axis] = position;
+      if ((length_.live() & bit(axis)) == 0)
+        axes_value_[axis] = position;
+      else if (const std::int64_t sum = small + length_[axis].small(); length_[axis].is_small() && Count::is_small(sum))
+        axes_value_[axis] = Count::nearest_small(sum);
+      else
+        stale_ = static_cast<Mask>(stale_ | bit(axis));
+      return alarm::kNone;
+    }
+  return place(axis, target(words, axis));
+}
+
 }  // namespace toolcomp::fast

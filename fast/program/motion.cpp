@@ -31,24 +31,6 @@ Alarm Interpreter::place(std::size_t axis, const Count& position) {
   return alarm::kNone;
 }
 
-// The usual word without a detour: a position of at most six places, as it is written, with an offset of as many.
-inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
-  if (plain_words_ && !incremental_) [[likely]]
-    if (const std::int64_t small = Count::small_of(words.axis(axis)); small != Count::kNotSmall) [[likely]] {
-      programmed_[axis].set_small(small);
-      const double position = Count::nearest_small(small);
-      programmed_value_[axis] = position;
-      if ((length_.live() & bit(axis)) == 0)
-        axes_value_[axis] = position;
-      else if (const std::int64_t sum = small + length_[axis].small(); length_[axis].is_small() && Count::is_small(sum))
-        axes_value_[axis] = Count::nearest_small(sum);
-      else
-        stale_ = static_cast<Mask>(stale_ | bit(axis));
-      return alarm::kNone;
-    }
-  return place(axis, target(words, axis));
-}
-
 Alarm Interpreter::refresh() {
   const Alarm a = for_each_axis(stale_, [this](std::size_t axis) {
     axes_value_[axis] = programmed_value_[axis];

@@ -1,0 +1,156 @@
+#include "fast/geometry/path.h"
+
+#include "fast/arithmetic/wide.h"
+
+namespace toolcomp::fast {
+namespace {
+
+constexpr double kDegrees = 57.29577951308232;
+
+// Differences as whole numbers: of 10^-6 where all terms are, else of 1 / (127 * 10^18).
+struct Whole {
+  bool fine = false;
+  [[nodiscard]] Int128 operator()(const Count& value) const { return fine ? value.units() : Int128{value.small()}; }
+  [[nodiscard]] Int128 difference(const Count& to, const Count& from) const {
+    return fine ? to.units() - from.units() : Int128{to.small() - from.small()};
+  }
+  [[nodiscard]] double per_one() const {
+    return fine ? static_cast<double>(Count::kRestPerOne) : static_cast<double>(Count::kSmallPerOne);
+  }
+};
+
+bool is_small(const std::array<Count, 2>& v) { return v[0].is_small() && v[1].is_small(); }
+
+void set_travel(PlanePath& path, const Heading& chord) {
+  path.length = chord.norm / path.unit;
+  path.travel = {static_cast<double>(chord.whole[0]) / path.unit, static_cast<double>(chord.whole[1]) / path.unit};
+}
+
+// The angle from a to b, in degrees within (0, 360]; `turned` the exact sign of a x b.
+double positive_angle(double cosine, double sine, int turned) {
+  if (turned == 0) return cosine > 0 ? 360 : 180;
+  const double angle = std::atan2(sine, cosine) * kDegrees;
+  return turned < 0 ? angle + 360 : angle;
+}
+
+}  // namespace
+
+void set_line(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end) {
+  const Whole whole{!(is_small(start) && is_small(end))};
+  path.arc = false;
+  path.sigma = 0;
+  path.spiral = false;
+  path.semicircle = false;
+  path.by_radius = false;
+  path.center_in_end = false;
+  path.fine_units = whole.fine;
+  path.unit = whole.per_one();
+  path.start = whole_heading({whole.difference(end[0], start[0]), whole.difference(end[1], start[1])});
+  path.end = path.start;
+  path.length = path.start.norm / path.unit;
+  path.travel = path.start.unit * path.length;
+}
+
+void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+             const std::array<Count, 2>& to_center, bool clockwise) {
+  const Whole whole{!(is_small(start) && is_small(end) && is_small(to_center))};
+  path.arc = true;
+  path.sigma = clockwise ? -1 : 1;
+  path.by_radius = false;
+  path.fine_units = whole.fine;
+  path.unit = whole.per_one();
+  const std::array<Int128, 2> travel{whole.difference(end[0], start[0]), whole.difference(end[1], start[1])};
+  // From the centre; the tangent is that turned left (counterclockwise) or right.
+  const std::array<Int128, 2> from{-whole(to_center[0]), -whole(to_center[1])};
+  const std::array<Int128, 2> to{from[0] + travel[0], from[1] + travel[1]};
+  const Int128 sigma = path.sigma;
+  path.start = whole_heading({-sigma * from[1], sigma * from[0]});
+  path.radius_start = path.start.norm / path.unit;
+  path.from_center_start = {static_cast<double>(from[0]) / path.unit, static_cast<double>(from[1]) / path.unit};
+  path.from_center_end = {static_cast<double>(to[0]) / path.unit, static_cast<double>(to[1]) / path.unit};
+  path.travel = {static_cast<double>(travel[0]) / path.unit, static_cast<double>(travel[1]) / path.unit};
+  path.length = fast::length(path.travel);
+  path.center_in_end = to[0] == 0 && to[1] == 0;
+  path.spiral = true;
+  path.semicircle = false;
+  path.sweep = 0;
+  if (path.center_in_end) {
+    path.end = path.start;
+    path.radius_end = 0;
+    return;
+  }
+  path.end = whole_heading({-sigma * to[1], sigma * to[0]});
+  path.radius_end = path.end.norm / path.unit;
+  int turned = 0;
+  double sine = 0;
+  double cosine = 0;
+  if (path.start.small && path.end.small) {
+    const Int128 c = sigma * (from[0] * to[1] - from[1] * to[0]);
+    turned = c > 0 ? 1 : (c < 0 ? -1 : 0);
+    sine = static_cast<double>(c);
+    cosine = static_cast<double>(from[0] * to[0] + from[1] * to[1]);
+    path.spiral = from[0] * from[0] + from[1] * from[1] != to[0] * to[0] + to[1] * to[1];
+  } else {
+    const std::array<Wide, 4> w{Wide(from[0]), Wide(from[1]), Wide(to[0]), Wide(to[1])};
+    const Wide c = Wide(sigma) * (w[0] * w[3] - w[1] * w[2]);
+    turned = c.sign();
+    sine = c.to_double();
+    cosine = (w[0] * w[2] + w[1] * w[3]).to_double();
+    path.spiral = (w[0] * w[0] + w[1] * w[1] - w[2] * w[2] - w[3] * w[3]).sign() != 0;
+  }
+  if (!path.spiral) path.radius_end = path.radius_start;
+  path.semicircle = turned <= 0;
+  path.sweep = positive_angle(cosine, sine, turned);
+}
+
+void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+                       const Count& radius, bool clockwise) {
+  const Whole whole{!(is_small(start) && is_small(end) && radius.is_small())};
+  path.arc = true;
+  path.sigma = clockwise ? -1 : 1;
+  path.by_radius = true;
+  path.spiral = false;
+  path.center_in_end = false;
+  path.fine_units = whole.fine;
+  path.unit = whole.per_one();
+  const Int128 r = whole(radius);
+  path.radius_whole = r < 0 ? -r : r;
+  const std::array<Int128, 2> chord{whole.difference(end[0], start[0]), whole.difference(end[1], start[1])};
+  const ChordHeadings arc = chord_headings(chord, r, clockwise);
+  path.start = arc.start;
+  path.end = arc.end;
+  path.radius_start = path.radius_end = arc.radius / path.unit;
+  const double sigma = path.sigma;
+  path.from_center_start = left_of(path.start.unit) * (-sigma * path.radius_start);
+  path.from_center_end = left_of(path.end.unit) * (-sigma * path.radius_end);
+  set_travel(path, whole_heading(chord));
+  path.semicircle = r < 0 || arc.half;
+  path.sweep = arc.half ? 180 : 2 * kDegrees * std::atan2(path.length * path.unit, arc.height);
+}
+
+DoubleDouble fine_radius(const PlanePath& path, bool at_end) {
+  const DoubleDouble unit =
+      path.fine_units ? to_double_double(Count::kRestPerOne) : DoubleDouble{static_cast<double>(Count::kSmallPerOne), 0};
+  if (path.by_radius) return to_double_double(path.radius_whole) / unit;
+  const auto& v = at_end ? path.end.whole : path.start.whole;
+  return sqrt((Wide(v[0]) * Wide(v[0]) + Wide(v[1]) * Wide(v[1])).to_double_double()) / unit;
+}
+
+int compare_radius(const PlanePath& path, bool at_end, const Count& offset) {
+  const double radius = at_end ? path.radius_end : path.radius_start;
+  const double value = offset.nearest();
+  // Both are within a few roundings of 2^-53.
+  if (std::abs(radius - value) > 0x1p-48 * radius) return radius > value ? 1 : -1;
+  const auto in_units = [&](const Int128& whole) { return path.fine_units ? whole : whole * Count::kRestPerSmall; };
+  if (path.by_radius) {
+    const Int128 difference = in_units(path.radius_whole) - offset.units();
+    return difference > 0 ? 1 : (difference < 0 ? -1 : 0);
+  }
+  const auto& v = at_end ? path.end.whole : path.start.whole;
+  const Wide x(in_units(v[0]));
+  const Wide y(in_units(v[1]));
+  const Wide d(offset.units());
+  return (x * x + y * y - d * d).sign();
+}
+
+}  // namespace toolcomp::fast
