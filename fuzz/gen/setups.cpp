@@ -241,7 +241,8 @@ Setup random_cutter_setup(Choices& choose, spec::CutterCompensationType type) {
       set(setup, 5010, decimal(choose.between(0, 3 * power_of_ten(decimals)), decimals));
     }
   }
-  if (choose.chance(70)) setup.workpiece.front().clear();
+  if (choose.chance(75))
+    for (spec::AxisTable& origin : setup.workpiece) origin.clear();
   const std::int64_t numbers = choose.between(2, 4);
   setup.d.clear();
   for (std::int64_t n = 1; n <= numbers; ++n) {

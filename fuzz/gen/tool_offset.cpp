@@ -17,7 +17,7 @@ class ToolOffset {
     if (choose_.chance(3) && case_.setup.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
     if (choose_.chance(50)) switch_mode();
     if (choose_.chance(50)) write_.word("G01").number('F', choose_.between(1, 50) * 100 * write_.one());
-    if (choose_.chance(30)) number();
+    if (choose_.chance(65)) number();
     if (choose_.chance(60)) travel();
     write_.end_block();
     while (write_.blocks() < blocks) block();
@@ -102,10 +102,11 @@ class ToolOffset {
   void travel() {
     const std::string& letters = case_.setup.axes.letters();
     const std::size_t axes = choose_.weighted({50, 35, 15}) + 1;
+    std::string used;
     for (std::size_t i = 0; i < axes; ++i) {
-      // Repeated letters are seldom, and the last word counts.
       const char letter = choose_.chance(75) ? "XYZ"[choose_.below(3)] : letters[choose_.below(letters.size())];
-      if (!case_.setup.axes.has(letter)) continue;
+      if (!case_.setup.axes.has(letter) || used.find(letter) != std::string::npos) continue;
+      used += letter;
       const std::int64_t counts = distance();
       if (write_.incremental() && counts == 0 && choose_.chance(40))
         write_.word(fmt::format("{}{}", letter, choose_.one_of({"-0", "-0.", "-.0", "0", "-0.0"})));
