@@ -12,7 +12,9 @@
 #include "model/program/cutter_words.h"
 #include "model/program/interpreter.h"
 #include "model/program/offset_memory.h"
+#include "model/tool_length_measurement/tool_length_measurement.h"
 #include "model/tool_length_offset/tool_length_offset.h"
+#include "model/tool_offset/tool_offset.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::model {
@@ -46,10 +48,10 @@ std::unique_ptr<CutterCompensation> cutter_compensation(const spec::Setup& setup
 
 }  // namespace
 
-// The stages of one run, and the order in which a block passes through them: interpretation, length offset, leading
-// edge offset, cutter compensation, events. The length offset is decided when the block is read, so that its alarms are
-// known before a stage of compensation looks at the block; all of them only add to the programmed end, so the order
-// does not show in the coordinates.
+// The stages of one run, and the order in which a block passes through them: interpretation, tool offset, length offset
+// (and its measurement), leading edge offset, cutter compensation, events. The length offset is decided when the block
+// is read, so that its alarms are known before a stage of compensation looks at the block; all of them only add to the
+// programmed end, so the order does not show in the coordinates.
 struct Engine::State {
   State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink)
       : setup(checked(given)),
@@ -60,7 +62,9 @@ struct Engine::State {
         direction(setup, recorder, interpreter.position()),
         length(setup, memory, recorder),
         edge(setup, recorder, [this](const Step& step) { cutter->take(step); }),
-        cutter_words(setup, memory),
+        tool_offset(setup, memory, recorder),
+        measurement(setup, recorder),
+        cutter_words(setup, memory, recorder),
         cutter(cutter_compensation(setup, recorder, [this](const Step& step) { report(step); })) {}
 
   void run(const spec::Block& block);
@@ -75,6 +79,8 @@ struct Engine::State {
   Step step(const Command& command);
   [[nodiscard]] Move move(const Command& command, const ProgramDirection::Marks& tip, const Leg& leg,
                           const LengthVector& offset, bool machine);
+  std::vector<Leg> measure(const Command& command, const Leg& leg, const LengthPlan& plan, Step& step);
+  void stand_where_measured(const Leg& leg, std::size_t axis);
   [[nodiscard]] LengthCommand length_command(const Command& command, const std::vector<Leg>& legs) const;
 
   void report(const Step& step);
@@ -92,6 +98,8 @@ struct Engine::State {
   ProgramDirection direction;
   ToolLengthOffset length;
   LeadingEdgeOffset edge;
+  ToolOffset tool_offset;
+  ToolLengthMeasurement measurement;
   CutterWords cutter_words;
   std::unique_ptr<CutterCompensation> cutter;
   std::uint64_t line = 0;  // of the block being interpreted
@@ -175,6 +183,11 @@ Step Engine::State::step(const Command& command) {
     cutter->read(*cutter_block);
     cutter_words.add_value(*cutter_block);
   }
+  const bool measures = command.codes.one_shot == OneShot::measure;
+  if (measures) {
+    const bool cutter_on = cutter_block && (cutter->on() || cutter->wanted(*cutter_block));
+    measurement.read(command, length.number(), cutter_on);
+  }
   if (command.codes.one_shot == OneShot::data)
     pending_write = memory.read_write(command.words, numbers, command.incremental);
   if (tip.ends) {
@@ -182,25 +195,33 @@ Step Engine::State::step(const Command& command) {
     interpreter.shift_position(Real(length.vector().along_tool) * direction.now().unit);
   }
   std::vector<Leg> legs = interpreter.legs(command, tip.tip_control, tip.starts);
-  if (cutter_block) cutter_words.add_movement(*cutter_block, interpreter.stay(command), legs);
+  const Leg start = cutter_block ? tool_offset.shifted(interpreter.stay(command)) : Leg();
+  tool_offset.apply(command, interpreter, cutter_words.number(),
+                    {command.codes.h.value_or(length.number()), length.axis_mode(command.codes.length)}, legs);
+  if (cutter_block) cutter_words.add_movement(*cutter_block, start, legs);
   const bool machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
   const LengthPlan plan = length.plan(length_command(command, legs));
   if (legs.empty() && !tip.ends && recorder.decide(Clause::fanuc_length_offset_move_without_axis_word, plan.changed))
-    legs.push_back(interpreter.stay(command));
+    legs.push_back(tool_offset.shifted(interpreter.stay(command)));
 
   Step step;
+  if (measures) legs = measure(command, legs.front(), plan, step);
   step.line = line;
   step.n = n;
   for (const Leg& leg : legs) {
     const bool on_way = is_reference_return(command.codes.one_shot) && &leg == &legs.front();
     step.moves.push_back(move(command, tip, leg, on_way ? plan.on_way : plan.at_end, machine));
+    if (leg.cause == spec::Cause::measure)
+      if (const auto feed = measurement.feed()) step.moves.back().feed = *feed;
   }
   interpreter.arrive(command, legs);
+  if (measures) stand_where_measured(legs.back(), measurement.axis(command));
   if (!tip.tip_control) direction.follow(interpreter.position());
   if (edge.concerns(command) || cutter_block) {
-    const Leg rest = interpreter.stay(command);
+    const Leg rest = tool_offset.shifted(interpreter.stay(command));
     step.rest = step.moves.empty() ? move(command, tip, rest, plan.at_end, machine) : step.moves.back();
     step.rest.leg = rest;
+    if (cutter_block) step.rest.zero.reset();
   }
   step.has_word = command.codes.any;
   step.stops_look_ahead = command.codes.stops_look_ahead;
@@ -212,6 +233,24 @@ Step Engine::State::step(const Command& command) {
         !recorder.decide(Clause::fanuc_leading_edge_no_movement, legs.empty() || is_zero(legs.front().travel));
   step.clauses = recorder.take_clauses();
   return step;
+}
+
+// The legs of a G37 block, and what it writes or the alarm it ends with.
+std::vector<Leg> Engine::State::measure(const Command& command, const Leg& leg, const LengthPlan& plan, Step& step) {
+  const std::size_t axis = measurement.axis(command);
+  const MeasurementStart start{plan.at_end.axis.at(axis), tool_offset.shift(axis), length.minus()};
+  Measurement measured = measurement.measure(command, interpreter.position(), leg, start);
+  if (measured.in_zone)
+    pending_write = memory.measured(length.number(), measured.difference);
+  else
+    step.alarm = Alarm("PS0080", "G37: the approach-end signal came too early or not at all");
+  return std::move(measured.legs);
+}
+
+// The programmed position is where the measurement has stopped, the shift of the tool offset apart.
+void Engine::State::stand_where_measured(const Leg& leg, std::size_t axis) {
+  const Rational by = leg.shift->at(axis) - tool_offset.shift(axis);
+  interpreter.stand(axis, leg.end.at(axis) + Coordinate(by));
 }
 
 LengthCommand Engine::State::length_command(const Command& command, const std::vector<Leg>& legs) const {
@@ -249,6 +288,10 @@ Move Engine::State::move(const Command& command, const ProgramDirection::Marks& 
 void Engine::State::report(const Step& step) {
   for (const Move& move : step.moves) report(step, move);
   if (step.setting) report(step, *step.setting);
+  if (step.alarm) {
+    stopped = true;
+    report(*step.alarm, step.clauses);
+  }
 }
 
 void Engine::State::report(const Step& step, const Move& move) {

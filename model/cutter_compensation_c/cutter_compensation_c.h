@@ -12,6 +12,7 @@ class CutterCompensationC : public CutterCompensation {
  public:
   CutterCompensationC(const spec::Setup& setup, Recorder& recorder, Output output);
 
+  [[nodiscard]] bool on() const override { return false; }
   void read(const CutterBlock& words) override;
   void take(const Step& step) override;
   void finish() override;

@@ -175,6 +175,10 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
       codes.auxiliary = true;
     }
   }
+  const bool side = codes.compensation == Compensation::left || codes.compensation == Compensation::right;
+  if (side && words.has('I') && words.has('J') && words.has('K') &&
+      setup.cutter_compensation == spec::CutterCompensationType::c)
+    raise(recorder, Clause::fanuc_cutter_c_three_dimensional, "PS0010", "three-dimensional compensation is not built");
   if (codes.one_shot == OneShot::data && !offset_kind(words, setup.memory))
     raise(recorder, Clause::fanuc_memory_g10_kind, "PS0010", "G10 with an L that this offset memory does not have");
   codes.h = offset_number(words.find('H'), setup, recorder);

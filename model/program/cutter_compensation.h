@@ -21,8 +21,12 @@ class CutterCompensation {
   CutterCompensation(const CutterCompensation&) = delete;
   CutterCompensation& operator=(const CutterCompensation&) = delete;
 
-  // The alarms that the words of a block raise, before its movement and the value of its number are known. Throws
-  // Alarm; the block is then not taken.
+  // Cutter compensation is on before the next block that is read (fanuc.cutter.on).
+  [[nodiscard]] virtual bool on() const = 0;
+  // It is on after a block with these words, unless a vector holds it on anyway.
+  [[nodiscard]] virtual bool wanted(const CutterBlock& words) const { return words.side != CutterSide::none; }
+  // The alarms that the words of a block raise, before its movement and the value of its number are known: first
+  // check(). Throws Alarm; the block is then not taken.
   virtual void read(const CutterBlock& words) = 0;
   // The step after read() of its block; its `cutter` may be absent. An Alarm without a line is one of this step: what
   // is held goes out by finish(). An Alarm with a line belongs to an earlier block; what may go out before it has gone.
@@ -31,6 +35,8 @@ class CutterCompensation {
   virtual void finish() = 0;
 
  protected:
+  // The alarms that B and C share. Throws Alarm PS0028, PS0037, FORBIDDEN_IN_CUTTER_COMPENSATION or PS0042.
+  void check(const CutterBlock& words) const;
   [[nodiscard]] Recorder& recorder() const { return recorder_; }
   void emit(const Step& step) const { output_(step); }
 

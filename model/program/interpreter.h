@@ -49,6 +49,8 @@ class Interpreter {
   // After the block: its end, and what G92 redefines.
   void arrive(const Command& command, const std::vector<Leg>& legs);
 
+  // An axis stands elsewhere than its word said: where G37 has stopped it.
+  void stand(std::size_t axis, const Coordinate& at) { position_.at(axis) = at; }
   // The position at which G49 leaves the axes: X Y Z shift by `vector`.
   void shift_position(const Vector& vector);
 

@@ -39,7 +39,10 @@ Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) 
 
 std::optional<OffsetWrite> offset_kind(const Words& words, spec::OffsetMemory memory) {
   const spec::Decimal* const l = words.find('L');
-  const std::uint64_t kind = l == nullptr ? 0 : l->digits == 1 ? 11 : l->digits;
+  return offset_kind(l == nullptr ? 0 : l->digits == 1 ? 11 : l->digits, memory);
+}
+
+std::optional<OffsetWrite> offset_kind(std::uint64_t kind, spec::OffsetMemory memory) {
   OffsetWrite write;
   switch (memory) {
     case spec::OffsetMemory::a:
@@ -115,6 +118,15 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
       (write.h && magnitude(written(h_, write)) > limit) || (write.d && magnitude(written(d_, write)) > limit);
   if (recorder_.decide(Clause::fanuc_memory_g10_range, too_large))
     throw Alarm("PS0032", "G10 with a value beyond the range of the memory");
+  return write;
+}
+
+OffsetWrite OffsetMemory::measured(std::uint32_t number, const Rational& difference) const {
+  OffsetWrite write = offset_kind(11, kind_).value();  // every memory has an L11
+  recorder_.decide(Clause::fanuc_length_measurement_store, write.wear);
+  write.add = true;
+  write.number = number;
+  write.value = difference;
   return write;
 }
 

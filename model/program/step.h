@@ -9,6 +9,7 @@
 #include "model/geometry/arc.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/tool_direction.h"
+#include "model/program/alarm.h"
 #include "model/program/codes.h"
 #include "model/program/coordinate.h"
 #include "model/program/offset_memory.h"
@@ -70,13 +71,26 @@ struct CutterBlock {
   CutterSide side = CutterSide::none;    // and at its end
   OneShot one_shot = OneShot::none;      // G39, G92 …
   bool number_given = false;             // a D word, or with OFH = 1 an H word
-  std::uint32_t number = 0;              // offset number in force at the end of the block; 0 cancels
+  std::uint32_t number_before = 0;       // offset number in force before the block
+  std::uint32_t number = 0;              // and at its end
   Rational offset;                       // its signed value; 0 while `side` is none
   std::optional<PlanePoint> direction;   // I J (K I, J K) that are no arc's centre, an absent letter 0; of G39 also X Y
+  bool direction_letters = false;        // it was given by I J K
+  bool three_dimensional = false;        // all of I, J and K
   spec::Plane plane = spec::Plane::xy;   // in force at the end of the block
+  bool plane_changed = false;            // against the block before
+  bool lacks_axis = false;               // the machine has no axis of a letter of the plane
   std::array<bool, 2> word{};            // an axis word of the first, of the second axis of the plane
+  bool axis_word = false;                // of whatever axis
+  bool axis_word_outside = false;        // of an axis outside the plane
   bool arc_mode = false;                 // G02 or G03 in force
+  bool arc_words = false;                // an arc by its words: G02 or G03 in force, no other code of group 00, and an
+                                         // axis word of the plane or I J K or R
+  std::optional<Rational> radius;        // of such an arc, where R gives it
+  bool leading_edge = false;             // G41.3
+  bool tool_direction = false;           // G43.5
   bool changes_workpiece_system = false;  // G54–G59
+  bool is_block = true;                   // any word, N and O included
 
   // The movement.
   PlaneMotion motion = PlaneMotion::none;
@@ -105,8 +119,9 @@ struct Step {
   bool stops_look_ahead = false;
   EdgeCommand edge = EdgeCommand::none;
   Rational radius;  // offset of the D number in force at the end of the block, where the leading edge offset is active
-  std::optional<CutterBlock> cutter;     // from the first G41 or G42 of a program on
+  std::optional<CutterBlock> cutter;     // from the first G41, G42 or G39 of a program on
   std::optional<OffsetSetting> setting;  // written at the end of the block
+  std::optional<Alarm> alarm;            // that shows by its motion, once its moves are made
   spec::ClauseList clauses;
 };
 
