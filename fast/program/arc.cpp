@@ -11,8 +11,11 @@ namespace {
 
 const DoubleDouble kUnitsPerOne = to_double_double(Count::kRestPerOne);
 
-// The polar angle of (x, y), not both zero, in degrees within (0, 360]: exact at multiples of 90, elsewhere rounded
-// from about 100 bits. atan2 gives a start; one step of the angle addition formula in double-double gives the rest.
+DoubleDouble length_of(const DoubleDouble& squared_units) { return sqrt(squared_units) / kUnitsPerOne; }
+
+}  // namespace
+
+// atan2 gives a start; one step of the angle addition formula in double-double gives the rest.
 double positive_angle(const DoubleDouble& x, const DoubleDouble& y) {
   if (y.hi == 0) return x.hi > 0 ? 360 : 180;
   if (x.hi == 0) return y.hi > 0 ? 90 : 270;
@@ -24,10 +27,6 @@ double positive_angle(const DoubleDouble& x, const DoubleDouble& y) {
   const DoubleDouble rest = (y * t.cosine - x * t.sine) / (x * t.cosine + y * t.sine);
   return to_double(to_double_double(start.units()) / kUnitsPerOne + rest * kDegrees);
 }
-
-DoubleDouble length_of(const DoubleDouble& squared_units) { return sqrt(squared_units) / kUnitsPerOne; }
-
-}  // namespace
 
 Alarm arc_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
                     const std::array<Count, 2>& to_center, bool clockwise, ArcGeometry& arc) {

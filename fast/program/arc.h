@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fast/arithmetic/count.h"
+#include "fast/arithmetic/double_double.h"
 #include "fast/program/alarm.h"
 
 namespace toolcomp::fast {
@@ -15,6 +16,18 @@ struct ArcGeometry {
   std::optional<double> sweep;                      // degrees, in (0, 360]; none where the end lies in the centre
   std::optional<std::pair<double, double>> radius;  // start and end, where they differ
 };
+
+// The words of an arc, exactly.
+struct ArcWords {
+  bool clockwise = false;
+  bool by_radius = false;
+  std::array<Count, 2> to_center{};  // I J K of the plane, where !by_radius
+  Count radius;                      // R, where by_radius
+};
+
+// The polar angle of (x, y), not both zero, in degrees within (0, 360]: exact at multiples of 90, elsewhere rounded
+// from about 100 bits. With x = a . b and y = a x b it is the sweep from a to b counterclockwise.
+double positive_angle(const DoubleDouble& x, const DoubleDouble& y);
 
 // The arc from `start` to `end` round start + `to_center`. PS0023 where `to_center` is zero.
 Alarm arc_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& end,

@@ -14,7 +14,7 @@ std::array<std::size_t, 2> Interpreter::plane_axes(spec::Plane plane) const {
 }
 
 // An axis of the plane, I J K or R make an arc; anything else under G02 or G03 is straight.
-Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, CutterBlock* exact) const {
+Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words) const {
   const std::array<std::size_t, 2> plane = plane_axes(plane_);
   std::array<Count, 2> start;
   std::array<Count, 2> end;
@@ -24,9 +24,9 @@ Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>
     const std::size_t axis = plane[i];
     const char letter = direction_letter(plane_, i);
     if (axis != spec::Axes::kNone) {
-      start[i] = end[i] = programmed_[axis];
+      start[i] = end[i] = actual(axis);
       if ((words.axes() & bit(axis)) != 0) {
-        end[i] = target(words, axis);
+        end[i] = target(words, axis) + tool_offset_[axis];
         is_arc = true;
       }
     }
@@ -41,12 +41,7 @@ Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>
   const Alarm a = by_radius ? arc_by_radius(start, end, radius, clockwise, geometry)
                             : arc_by_center(start, end, to_center, clockwise, geometry);
   if (a) return a;
-  if (exact != nullptr) {
-    exact->clockwise = clockwise;
-    exact->by_radius = by_radius;
-    exact->to_center = to_center;
-    exact->radius = radius;
-  }
+  arc_words = {clockwise, by_radius, to_center, radius};
   arc.emplace();
   arc->plane = plane_;
   arc->direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;

@@ -26,11 +26,12 @@ CutterSide Interpreter::cutter_side(Code code) {
 // What the codes and numbers of a block say to the stage, and where its path starts. cutter_number_ is taken already.
 void Interpreter::begin_cutter(const Words& words) {
   const bool d_word = commanded_number(words).has_value();
-  if (!cutter_active() || d_word || (evr_ && cutter_edited_)) {
+  const CutterSide word = cutter_side(words.code(Words::kCompensation));
+  const bool begins = cutter_side_ == CutterSide::off && word != CutterSide::off && word != CutterSide::unchanged;
+  if (begins || d_word || (evr_ && cutter_edited_)) {
     cutter_offset_ = cutter_value(cutter_number_);
     cutter_edited_ = false;
   }
-  const CutterSide word = cutter_side(words.code(Words::kCompensation));
   if (word != CutterSide::unchanged) cutter_side_ = word;
   start_cutter_leg(words, word, d_word);
 }
@@ -50,7 +51,7 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
   block.has_direction = false;
   for (std::size_t i = 0; i < 2; ++i) {
     const std::size_t axis = block.axis[i];
-    block.start[i] = axis == spec::Axes::kNone ? Count() : programmed_[axis];
+    block.start[i] = actual(axis);
     if (axis != spec::Axes::kNone && (words.axes() & bit(axis)) != 0)
       block.named = static_cast<std::uint8_t>(block.named | 1U << i);
     const char letter = direction_letter(plane_, i);
@@ -66,11 +67,12 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
 // The usual block: positions and F, or nothing but its number.
 Alarm Interpreter::cutter_move(const Words& words) {
   start_cutter_leg(words, CutterSide::unchanged, false);
-  return cutter_motion(words, kNone, false, std::nullopt);
+  return cutter_motion(words, kNone, false, std::nullopt, ArcWords{});
 }
 
-// G39 with axis words: they are a direction, from the current point.
+// G39 with axis words and without I J K: the words are a direction, from the current point.
 Alarm Interpreter::corner_direction(const Words& words, CutterBlock& block) const {
+  if (block.has_direction) return alarm::kNone;
   for (std::size_t i = 0; i < 2; ++i) {
     if ((block.named >> i & 1U) == 0) continue;
     const Count to = target(words, block.axis[i]);
@@ -82,9 +84,9 @@ Alarm Interpreter::corner_direction(const Words& words, CutterBlock& block) cons
 }
 
 Alarm Interpreter::cutter_motion(const Words& words, Code one_shot, bool extra,
-                                 const std::optional<spec::Arc<double>>& arc) {
+                                 const std::optional<spec::Arc<double>>& arc, const ArcWords& arc_words) {
   CutterBlock& block = cutter_next();
-  const Mask axes = one_shot == kNone ? words.axes() : Mask{0};
+  const Mask axes = one_shot == kNone || words.is_tool_offset() ? words.axes() : Mask{0};
   if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
   if ((axes & turning_) != 0) turn();
@@ -95,11 +97,15 @@ Alarm Interpreter::cutter_motion(const Words& words, Code one_shot, bool extra,
   fill(block.event, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
   if (arc) {
     block.event.arc = arc;
+    block.clockwise = arc_words.clockwise;
+    block.by_radius = arc_words.by_radius;
+    block.to_center = arc_words.to_center;
+    block.radius = arc_words.radius;
     block.motion = CutterMotion::arc;
   } else if (one_shot == 390) {
     if (const Alarm a = corner_direction(words, block)) return a;
     block.motion = CutterMotion::corner_arc;
-  } else if (one_shot != kNone || block.named == 0) {
+  } else if (axes == 0 || block.named == 0) {
     block.named = 0;
     block.motion = CutterMotion::still;
   } else {
@@ -109,8 +115,7 @@ Alarm Interpreter::cutter_motion(const Words& words, Code one_shot, bool extra,
 }
 
 Alarm Interpreter::send_cutter(CutterBlock& block) {
-  for (std::size_t i = 0; i < 2; ++i)
-    block.end[i] = block.axis[i] == spec::Axes::kNone ? Count() : programmed_[block.axis[i]];
+  for (std::size_t i = 0; i < 2; ++i) block.end[i] = actual(block.axis[i]);
   if (block.motion == CutterMotion::line && block.start[0] == block.end[0] && block.start[1] == block.end[1])
     block.motion = CutterMotion::zero;
   if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);

@@ -73,13 +73,16 @@ struct CutterBlock {
 // What the words of a block command, before anything is changed: for the alarms that follow from words and state alone.
 struct CutterCommand {
   CutterSide word = CutterSide::unchanged;
-  bool arc = false;         // G02 or G03 in force, and an axis word of the plane or I J K or R
-  bool corner_arc = false;  // G39
-  bool plane_word = false;  // an axis word of the plane
-  bool direction = false;   // a letter I J K of the plane
-  bool axis_word = false;   // any axis word
-  bool d_word = false;      // an offset number is commanded
-  std::uint32_t d = 0;      // the number in force in the block
+  bool arc = false;           // G02 or G03 in force, and an axis word of the plane or I J K or R
+  bool corner_arc = false;    // G39
+  bool axis_word = false;     // any axis word
+  bool plane_word = false;    // one of the plane
+  bool outside_word = false;  // one outside the plane
+  bool letters = false;       // a letter I J K of the plane
+  bool letters_zero = false;  // there are such letters, and all are 0
+  bool no_direction = false;  // of G39: neither letters nor axis words of the plane, or what they give is zero
+  bool d_word = false;        // an offset number is commanded
+  std::uint32_t d = 0;        // the number in force in the block
 };
 
 // How a stage ends a run: by an alarm at a block, or by a case the specification leaves open. Usually neither.

@@ -17,6 +17,8 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink)
       kinematics_(setup),
       memory_(setup),
       length_(setup),
+      tool_offset_(setup),
+      measurement_(setup),
       sink_(sink),
       leading_edge_(setup, kinematics_, sink),
       is_b_(setup.cutter_compensation == spec::CutterCompensationType::b),
@@ -154,8 +156,12 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
 
   const Code one_shot = words.code(Words::kOneShot);
   std::optional<spec::Arc<double>> arc;
-  if (one_shot == kNone && motion_ > 10)
-    if (const Alarm a = plan_arc(words, arc, plan.cutter ? &cutter_next() : nullptr)) return a;
+  ArcWords arc_words;
+  if ((one_shot == kNone || words.is_tool_offset()) && motion_ > 10)
+    if (const Alarm a = plan_arc(words, arc, arc_words)) return a;
+  Shifts shifts;
+  if (words.is_tool_offset())
+    if (const Alarm a = plan_tool_offset(words, arc_words, arc, shifts)) return a;
 
   length_.begin_block();
   if (const Alarm a = length_.restore(words, memory_)) return a;
@@ -181,6 +187,12 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
     block.sets = plan.writes;
     if (plan.writes) store_offset(plan.write, block.setting, block.setting_value);
   }
+  if (const Alarm a = for_each_axis(shifts.axes, [&](std::size_t axis) {
+        tool_offset_.add(axis, shifts.by[axis]);
+        return tool_offset_[axis].in_range() ? alarm::kNone : alarm::kRange;
+      }))
+    return a;
+
   if (words.axes() != 0) switch (one_shot) {
       case 280:
       case 300:
@@ -191,11 +203,15 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
       case 530:
         if (!incremental_) return to_machine_position(words);
         break;
+      case 370:
+        return measure(words);
       default:
         break;
     }
-  if (in_cutter_) return one_shot == 920 ? shift_in_cutter(words, extra) : cutter_motion(words, one_shot, extra, arc);
-  if (const Alarm a = motion(words, plan.compensation, one_shot == kNone, extra, arc)) return a;
+  if (in_cutter_)
+    return one_shot == 920 ? shift_in_cutter(words, extra) : cutter_motion(words, one_shot, extra, arc, arc_words);
+  const bool own = one_shot == kNone || words.is_tool_offset();
+  if (const Alarm a = motion(words, plan.compensation, own, extra, arc)) return a;
   if (one_shot == 920) return shift_coordinates(words);
   if (plan.writes) write_offset(plan.write);
   return alarm::kNone;

@@ -12,10 +12,13 @@
 #include "fast/kinematics/kinematics.h"
 #include "fast/leading_edge_offset/leading_edge_offset.h"
 #include "fast/program/alarm.h"
+#include "fast/program/arc.h"
 #include "fast/program/cutter_block.h"
 #include "fast/program/words.h"
+#include "fast/tool_length_measurement/tool_length_measurement.h"
 #include "fast/tool_length_offset/offset_memory.h"
 #include "fast/tool_length_offset/tool_length_offset.h"
+#include "fast/tool_offset/tool_offset.h"
 #include "spec/language/block.h"
 #include "spec/language/setup.h"
 
@@ -73,6 +76,8 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   [[nodiscard]] Alarm check_tool_direction(const Words& words, const Plan& plan) const;
   [[nodiscard]] Alarm check_leading_edge(const Words& words, const Plan& plan) const;
   [[nodiscard]] Alarm check_cutter(const Words& words, const Plan& plan) const;
+  [[nodiscard]] Alarm check_measurement(const Words& words) const;
+  [[nodiscard]] bool stays(const Words& words, unsigned axes) const;
   [[nodiscard]] std::uint32_t reference_point(const Words& words) const;
 
   // motion.cpp: own moves and their events. `own` words are positions; `extra`: a move even without them.
@@ -91,8 +96,7 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   }
 
   // arc_words.cpp
-  // `exact`: where cutter compensation wants the arc's numbers, or nullptr.
-  [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, CutterBlock* exact) const;
+  [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words) const;
   [[nodiscard]] std::array<std::size_t, 2> plane_axes(spec::Plane plane) const;
   [[nodiscard]] std::size_t normal_axis() const;
 
@@ -110,20 +114,44 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
 
   // cutter.cpp: blocks that pass cutter compensation B or C.
   [[nodiscard]] bool cutter_active() const { return is_b_ ? cutter_b_.active() : cutter_c_.active(); }
+  // G41 or G42 is in force after the codes of the block.
+  [[nodiscard]] bool cutter_in_force(const Words& words) const {
+    const CutterSide word = cutter_side(words.code(Words::kCompensation));
+    return (word == CutterSide::unchanged ? cutter_side_ : word) != CutterSide::off;
+  }
+  // And with a number: 0 is none in C.
+  [[nodiscard]] bool cutter_wanted(const Words& words) const {
+    return cutter_in_force(words) && (is_b_ || commanded_number(words).value_or(cutter_number_).number != 0);
+  }
+  [[nodiscard]] bool cutter_on() const { return is_b_ ? cutter_b_.active() : cutter_c_.on(); }
   [[nodiscard]] CutterBlock& cutter_next() { return is_b_ ? cutter_b_.next() : cutter_c_.next(); }
   [[nodiscard]] std::optional<OffsetNumber> commanded_number(const Words& words) const;
   [[nodiscard]] Count cutter_value(const OffsetNumber& number) const {
     return number.from_h ? memory_.h(number.number) : memory_.d(number.number);
   }
   [[nodiscard]] static CutterSide cutter_side(Code code);
+  // Where an axis stands, with the shift of G45 to G48 and without length offset; 0 for an axis that is not there.
+  [[nodiscard]] Count actual(std::size_t axis) const {
+    return axis == spec::Axes::kNone ? Count() : programmed_[axis] + tool_offset_[axis];
+  }
   void begin_cutter(const Words& words);
   void start_cutter_leg(const Words& words, CutterSide word, bool d_word);
   [[nodiscard]] Alarm cutter_move(const Words& words);
   [[nodiscard]] Alarm corner_direction(const Words& words, CutterBlock& block) const;
   [[nodiscard]] Alarm cutter_motion(const Words& words, Code one_shot, bool extra,
-                                    const std::optional<spec::Arc<double>>& arc);
+                                    const std::optional<spec::Arc<double>>& arc, const ArcWords& arc_words);
   [[nodiscard]] Alarm send_cutter(CutterBlock& block);
   void end_run(const StageEnd& end);
+
+  // one_shot_moves.cpp: G45 to G48, G37.
+  struct Shifts {  // what G45 to G48 add to the shift of the axes of the block
+    Mask axes = 0;
+    Positions by;
+  };
+  [[nodiscard]] Alarm plan_tool_offset(const Words& words, const ArcWords& arc_words,
+                                       std::optional<spec::Arc<double>>& arc, Shifts& shifts) const;
+  [[nodiscard]] Alarm measure(const Words& words);
+  [[nodiscard]] Alarm send_measuring_move(std::size_t axis, const Count& to, double commanded, bool measuring);
 
   // tool_direction.cpp: rotary axes and G43.5.
   void turn();
@@ -151,6 +179,8 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   Kinematics kinematics_;
   OffsetMemory memory_;
   ToolLengthOffset length_;
+  ToolOffset tool_offset_;
+  ToolLengthMeasurement measurement_;
   EventSink& sink_;
   LeadingEdgeOffset leading_edge_;
   bool is_b_;  // cutter compensation B, not C
@@ -234,8 +264,10 @@ inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
       programmed_[axis].set_small(small);
       const double position = Count::nearest_small(small);
       programmed_value_[axis] = position;
-      if ((length_.live() & bit(axis)) == 0)
+      if (((length_.live() | tool_offset_.live()) & bit(axis)) == 0)
         axes_value_[axis] = position;
+      else if ((tool_offset_.live() & bit(axis)) != 0)
+        stale_ = static_cast<Mask>(stale_ | bit(axis));
       else if (const std::int64_t sum = small + length_[axis].small(); length_[axis].is_small() && Count::is_small(sum))
         axes_value_[axis] = Count::nearest_small(sum);
       else

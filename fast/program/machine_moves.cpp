@@ -25,6 +25,7 @@ Alarm Interpreter::send_rapid(spec::Cause cause, bool with_machine, CutterMotion
 // A named axis at machine position `machine`: its length offset is taken away, its workpiece position is what is left.
 Alarm Interpreter::place_at_machine(std::size_t axis, const Count& machine) {
   length_.cancel(axis);
+  if ((tool_offset_.live() & bit(axis)) != 0) tool_offset_.clear(axis);
   rounded_ = static_cast<Mask>((rounded_ & ~bit(axis)) | (shift_rounded_ & bit(axis)));
   return place(axis, machine - machine_origin(axis));
 }

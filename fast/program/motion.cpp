@@ -1,4 +1,6 @@
 // Own moves of blocks and the events they make: the path every block takes.
+#include <bit>
+
 #include "fast/fault.h"
 #include "fast/program/interpreter.h"
 
@@ -34,9 +36,10 @@ Alarm Interpreter::place(std::size_t axis, const Count& position) {
 Alarm Interpreter::refresh() {
   const Alarm a = for_each_axis(stale_, [this](std::size_t axis) {
     axes_value_[axis] = programmed_value_[axis];
-    if ((length_.live() & bit(axis)) != 0) {
-      if (!(programmed_[axis] + length_[axis]).in_range()) return alarm::kRange;
-      axes_value_[axis] = Count::nearest_sum(programmed_[axis], length_[axis]);
+    if (((length_.live() | tool_offset_.live()) & bit(axis)) != 0) {
+      const Count position = actual(axis) + length_[axis];
+      if (!position.in_range()) return alarm::kRange;
+      axes_value_[axis] = position.nearest();
     }
     return alarm::kNone;
   });
@@ -58,6 +61,11 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
     event.point.value[axis] = programmed_value_[axis];
     event.axes.value[axis] = axes_value_[axis];
   }
+  if (tool_offset_.live() != 0) [[unlikely]]
+    for (unsigned rest = tool_offset_.live(); rest != 0; rest &= rest - 1) {
+      const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
+      event.point.value[axis] = actual(axis).nearest();
+    }
   event.arc.reset();
   if (type == spec::MoveType::rapid)
     event.feed.reset();
@@ -81,7 +89,7 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
 void Interpreter::fill_machine(Event& event) const {
   event.machine.present = all_;
   for (std::size_t axis = 0; axis < count_; ++axis)
-    event.machine.value[axis] = (programmed_[axis] + length_[axis] + machine_origin(axis)).nearest();
+    event.machine.value[axis] = (actual(axis) + length_[axis] + machine_origin(axis)).nearest();
 }
 
 Alarm Interpreter::motion(const Words& words, Compensation compensation, bool own, bool extra,
