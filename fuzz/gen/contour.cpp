@@ -299,7 +299,7 @@ Segment Contour::any_radius_arc() {
 Segment Contour::movement() { return choose_.chance(64) ? line() : arc(); }
 
 Segments Contour::shape() {
-  switch (choose_.weighted({16, 10, 14, 20, 14, 12, 8, 10})) {
+  switch (choose_.weighted({16, 10, 14, 20, 14, 12, 8, 8, 10})) {
     case 0:
       return groove();
     case 1:
@@ -314,6 +314,8 @@ Segments Contour::shape() {
       return tangent_arcs();
     case 6:
       return concentric();
+    case 7:
+      return radial_arc();
     default:
       return circle();
   }
@@ -413,13 +415,15 @@ Segments Contour::tangent_line_arc() {
   return all;
 }
 
-// Two arcs whose offset circles touch at an inner corner: centres (a, b)·s and (a, -b)·s, radius c·s, offset (c - b)·s.
+// Two arcs whose offset circles touch at an inner corner: centres (a, -b)·s and (a, b)·s, radius c·s; from outside with
+// two arcs of one sense and the offset (c - b)·s, from inside with arcs of both senses and the offset b·s.
 Segments Contour::tangent_arcs() {
   constexpr std::int64_t triples[][3] = {{4, 3, 5}, {3, 4, 5}, {12, 5, 13}, {8, 15, 17}, {5, 12, 13}};
   const auto& t = choose_.one_of(triples);
-  const std::int64_t s = std::max<std::int64_t>(1, reach() / (t[2] - t[1]));
+  const bool outside = choose_.chance(60);
+  const std::int64_t s = std::max<std::int64_t>(1, reach() / (outside ? t[2] - t[1] : t[1]));
   const PlaneCounts u = axis_direction();
-  const PlaneCounts v = left() ? left_of(u) : right_of(u);
+  const PlaneCounts v = left() == outside ? left_of(u) : right_of(u);
   const PlaneCounts first = (t[0] * s) * u - (t[1] * s) * v;
   PlaneCounts second = (t[0] * s) * u + (t[1] * s) * v;
   if (choose_.chance(40)) nudge(second, choose_.one_of<std::int64_t>({-1, 1}));
@@ -428,8 +432,22 @@ Segments Contour::tangent_arcs() {
   const PlaneCounts from = clockwise ? left_of(-first) : right_of(-first);
   Segments all;
   all.push_back(arc_about(-from, -first, clockwise));
-  all.push_back(arc_about(second, choose_.one_of({left_of(-second), second, right_of(-second)}), clockwise));
+  all.push_back(arc_about(second, choose_.one_of({left_of(-second), second, right_of(-second)}), clockwise == outside));
   return all;
+}
+
+// Out along a radius, an arc of twice the offset on the inside, back along a radius: each end of the tool's arc lies a
+// quarter turn on, so that its sweep is half a turn less.
+Segments Contour::radial_arc() {
+  const PlaneCounts out = axis_direction();
+  const std::int64_t r = std::max<std::int64_t>(1, 2 * reach() + choose_.one_of<std::int64_t>({-1, 0, 0, 0, 1}));
+  const bool clockwise = !left();
+  const PlaneCounts end = r * choose_.one_of({out, -out, left_of(out), right_of(out)});
+  Segments s;
+  s.push_back(line_along(choose_.between(4, 12) * 5 * one_ * out));
+  s.push_back(arc_about(-r * out, end, clockwise));
+  s.push_back(line_along(parallel(-end, choose_.between(4, 12) * 5 * one_)));
+  return s;
 }
 
 // Two arcs about one centre: on, or back.
@@ -464,7 +482,14 @@ Contour::OmissionCorner Contour::omission_corner() {
   OmissionCorner corner;
   corner.segments.push_back(line_along(choose_.between(4, 12) * 5 * one_ * on));
   const PlaneCounts next = p.x * on + p.y * away;
-  corner.segments.push_back(line_along(parallel(next, choose_.between(4, 12) * 5 * one_)));
+  if (choose_.chance(60)) {
+    corner.segments.push_back(line_along(parallel(next, choose_.between(4, 12) * 5 * one_)));
+  } else {
+    const bool clockwise = choose_.chance(50);
+    const PlaneCounts center = parallel(clockwise ? right_of(next) : left_of(next), choose_.between(4, 12) * 5 * one_);
+    const PlaneCounts end = choose_.one_of({left_of(-center), center, right_of(-center), -center});
+    corner.segments.push_back(arc_about(center, end, clockwise));
+  }
   // From Q1 = r(N1 + t1) to Q2 = r(N2 - t2), with t1 = (1, 0), N1 = (0, 1) and t2 = (x, -y) / |p|.
   const double r = static_cast<double>(reach()) / length_of(p);
   const double whole = length_of(p);

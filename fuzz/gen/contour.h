@@ -50,8 +50,8 @@ class Contour {
   Segment movement();
   // Several movements: grooves, steps, tight arcs, tangent intersections, concentric arcs, whole circles.
   Segments shape();
-  // A line and a corner of two vectors after it; the distance between them along the first and the second axis, the
-  // larger of the two, is what the limit of parameter 5010 would have to be to drop one.
+  // A line and a corner of two vectors after it, before a line or an arc; the distance between them along the first and
+  // the second axis, the larger of the two, is what the limit of parameter 5010 would have to be to drop one.
   struct OmissionCorner {
     Segments segments;
     std::int64_t distance = 0;
@@ -89,6 +89,7 @@ class Contour {
   Segments tight_arc();
   Segments tangent_line_arc();
   Segments tangent_arcs();
+  Segments radial_arc();
   Segments concentric();
   Segments circle();
 

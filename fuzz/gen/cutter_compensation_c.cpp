@@ -61,6 +61,8 @@ class CompensationC : CutterProgram {
       case 5:  // I J mean nothing here
         segment(contour_.line());
         direction_words();
+        // Of all three of I, J and K: three-dimensional compensation, which is not built.
+        if (choose_.chance(25)) write_.word("I1. J2. K3.");
         return write_.end_block();
       case 6:  // a block without movement behind it, or two
         straight();

@@ -229,7 +229,7 @@ Setup random_setup(Choices& choose, Kinematics wanted) {
 Setup random_cutter_setup(Choices& choose, spec::CutterCompensationType type) {
   Setup setup = random_setup(choose, Kinematics::none);
   setup.cutter_compensation = type;
-  if (!setup.axes.has('X') || !setup.axes.has('Z')) setup.axes = spec::Axes("XYZ");
+  if (choose.chance(2)) setup.axes = spec::Axes(choose.one_of({"XZ", "XY", "XZB"}));  // not every plane
   for (const int bit : {4, 5})
     if (choose.chance(20)) set_bit(setup, 5001, bit, choose.chance(70));
   if (type == spec::CutterCompensationType::c) {

@@ -202,6 +202,10 @@ class ToolOffset {
 
   // Other ways to move, modes in which the codes do not belong, and the length offset beside them.
   void seldom() {
+    if (case_.setup.bit(5001, 5) && choose_.chance(40)) {  // the number by H, which needs the length offset cancelled
+      write_.word(choose_.one_of({"G43 H1", "G44 H1"}));
+      return write_.end_block();
+    }
     const std::string_view text = choose_.one_of({"G53 X0 Z0",   "G28 X0",       "G29 X10. Y5.",
                                                   "G92 X0 Y0",   "G54",          "G55",
                                                   "G43 H1",      "G49",          "H1",
