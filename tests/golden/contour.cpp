@@ -76,7 +76,9 @@ TEST(Contour, IsClosedAndItsArcsAreCircles) {
     }
     bool cancels = false;
     for (const spec::Word& word : block.words()) cancels = cancels || (word.address == 'G' && word.value.digits == 40);
-    if (cancels) EXPECT_EQ(at, first) << "the contour closes";
+    if (cancels) {
+      EXPECT_EQ(at, first) << "the contour closes";
+    }
     at = end;
   }
   EXPECT_GT(circles, kBlocks / 5);
