@@ -9,7 +9,8 @@
 namespace toolcomp::fast {
 
 // The direction of a line, or of the tangent of an arc at one of its ends.
-//  - Lines and arcs given by their centre: parallel to `whole`, a vector of whole numbers. The length of `whole` is that
+//  - Lines and arcs given by their centre: parallel to `whole`, a vector of whole numbers. The length of `whole` is
+//  that
 //    of the line, or the radius at that end.
 //  - Arcs given by their radius: the chord, `whole`, turned by half the sweep; cosine of it height / 2R, sine
 //    |chord| / 2R, with height = (+-) sqrt(4 R^2 - chord^2). Not rational, so `exact` is false.
@@ -32,9 +33,9 @@ Heading whole_heading(const std::array<Int128, 2>& whole);
 struct ChordHeadings {
   Heading start;
   Heading end;
-  double height = 0;    // 2 h, negative for the larger arc; in the unit of the chord
-  double radius = 0;    // |R|, the same
-  bool half = false;    // h = 0
+  double height = 0;  // 2 h, negative for the larger arc; in the unit of the chord
+  double radius = 0;  // |R|, the same
+  bool half = false;  // h = 0
 };
 ChordHeadings chord_headings(const std::array<Int128, 2>& chord, const Int128& radius, bool clockwise);
 

@@ -45,7 +45,8 @@ void set_line(PlanePath& path, const std::array<Count, 2>& start, const std::arr
   path.center_in_end = false;
   path.fine_units = whole.fine;
   path.unit = whole.per_one();
-  path.start = whole_heading({whole.difference(end[0], start[0]), whole.difference(end[1], start[1])});
+  path.whole = {whole.difference(end[0], start[0]), whole.difference(end[1], start[1])};
+  path.start = whole_heading(path.whole);
   path.end = path.start;
   path.length = path.start.norm / path.unit;
   path.travel = path.start.unit * path.length;
@@ -60,6 +61,7 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
   path.fine_units = whole.fine;
   path.unit = whole.per_one();
   const std::array<Int128, 2> travel{whole.difference(end[0], start[0]), whole.difference(end[1], start[1])};
+  path.whole = travel;
   // From the centre; the tangent is that turned left (counterclockwise) or right.
   const std::array<Int128, 2> from{-whole(to_center[0]), -whole(to_center[1])};
   const std::array<Int128, 2> to{from[0] + travel[0], from[1] + travel[1]};
@@ -116,6 +118,7 @@ void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const
   const Int128 r = whole(radius);
   path.radius_whole = r < 0 ? -r : r;
   const std::array<Int128, 2> chord{whole.difference(end[0], start[0]), whole.difference(end[1], start[1])};
+  path.whole = chord;
   const ChordHeadings arc = chord_headings(chord, r, clockwise);
   path.start = arc.start;
   path.end = arc.end;
@@ -128,9 +131,22 @@ void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const
   path.sweep = arc.half ? 180 : 2 * kDegrees * std::atan2(path.length * path.unit, arc.height);
 }
 
+namespace {
+
+DoubleDouble fine_unit_of(const PlanePath& path) {
+  return path.fine_units ? to_double_double(Count::kRestPerOne)
+                         : DoubleDouble{static_cast<double>(Count::kSmallPerOne), 0};
+}
+
+}  // namespace
+
+Vector2<DoubleDouble> fine_travel(const PlanePath& path) {
+  const DoubleDouble unit = fine_unit_of(path);
+  return {to_double_double(path.whole[0]) / unit, to_double_double(path.whole[1]) / unit};
+}
+
 DoubleDouble fine_radius(const PlanePath& path, bool at_end) {
-  const DoubleDouble unit =
-      path.fine_units ? to_double_double(Count::kRestPerOne) : DoubleDouble{static_cast<double>(Count::kSmallPerOne), 0};
+  const DoubleDouble unit = fine_unit_of(path);
   if (path.by_radius) return to_double_double(path.radius_whole) / unit;
   const auto& v = at_end ? path.end.whole : path.start.whole;
   return sqrt((Wide(v[0]) * Wide(v[0]) + Wide(v[1]) * Wide(v[1])).to_double_double()) / unit;

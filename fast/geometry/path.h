@@ -16,8 +16,9 @@ struct PlanePath {
   int sigma = 0;  // arcs: +1 counterclockwise (G03), -1 clockwise
   Heading start;  // tangents
   Heading end;
-  Vector2<double> travel;  // from start to end
-  double length = 0;       // of `travel`
+  std::array<Int128, 2> whole{};  // from start to end
+  Vector2<double> travel;         // the same in setup units
+  double length = 0;              // of `travel`
   // Arcs.
   Vector2<double> from_center_start;  // start - centre
   Vector2<double> from_center_end;    // end - centre
@@ -28,10 +29,10 @@ struct PlanePath {
   double sweep = 0;         // degrees, in (0, 360]
   bool center_in_end = false;
 
-  double unit = 1;                  // whole numbers of the headings in a setup unit
-  bool fine_units = false;          // ... is that of Count::units(), not 10^-6
-  bool by_radius = false;           // the radius is that of an R word: Heading::radius (half circles: see radius_whole)
-  Int128 radius_whole = 0;          // by_radius: |R| in units
+  double unit = 1;          // whole numbers of the headings in a setup unit
+  bool fine_units = false;  // ... is that of Count::units(), not 10^-6
+  bool by_radius = false;   // the radius is that of an R word: Heading::radius (half circles: see radius_whole)
+  Int128 radius_whole = 0;  // by_radius: |R| in units
 };
 
 // A line. `travel` is not zero.
@@ -43,6 +44,8 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
 void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
                        const Count& radius, bool clockwise);
 
+// From start to end to about 100 bits.
+Vector2<DoubleDouble> fine_travel(const PlanePath& path);
 // The radius at the start or the end to about 100 bits.
 DoubleDouble fine_radius(const PlanePath& path, bool at_end);
 // The sign of (radius at that end) - offset, exactly; offset >= 0.
