@@ -36,8 +36,8 @@ PlanePoint begun_before(const PathEnd& latter);
 // fanuc.cutter-c.offset-radius-at-a-corner.
 bool have_offset_paths(Recorder& recorder, const PathEnd& former, const PathEnd& latter);
 
-// I: where the offset paths meet, each with its own offset: the meeting point that goes to the corner as the offset goes
-// to 0. The tangents are not parallel, and there are offset paths. Nothing where they do not meet. Clauses:
+// I: where the offset paths meet, each with its own offset: the meeting point that goes to the corner as the offset
+// goes to 0. The tangents are not parallel, and there are offset paths. Nothing where they do not meet. Clauses:
 // fanuc.cutter-c.line-meets-arc, line-arc-point, circles-apart, circles-nested, arc-arc-point.
 std::optional<PlanePoint> paths_meet(Recorder& recorder, const PathEnd& former, const PathEnd& latter);
 

@@ -61,8 +61,8 @@ std::optional<PlanePoint> circles_meet(Recorder& recorder, const PathEnd& former
   const Sign nested = recorder.decide(Clause::fanuc_cutter_c_circles_nested, e2 - difference2, e2 + difference2);
   if (nested == Sign::negative) return std::nullopt;
 
-  const Sign q = recorder.decide(Clause::fanuc_cutter_c_arc_arc_point, cross(center1, center2),
-                                 former.heading.length * sqrt(e2));
+  const Sign q =
+      recorder.decide(Clause::fanuc_cutter_c_arc_arc_point, cross(center1, center2), former.heading.length * sqrt(e2));
   const bool touch = apart == Sign::zero || nested == Sign::zero;
   const Real w = touch ? Real(0) : side(q) * root((sum2 - e2) * (e2 - difference2));
   const Real u = e2 + former.radius2() - latter.radius2();

@@ -36,9 +36,7 @@ Sweep ToolArcRun::programmed() const {
   return sweep;
 }
 
-Real ToolArcRun::radii() const {
-  return path_.start.heading.length * path_.end.heading.length * sqrt(start2_ * end2_);
-}
+Real ToolArcRun::radii() const { return path_.start.heading.length * path_.end.heading.length * sqrt(start2_ * end2_); }
 
 const Sweep& ToolArcRun::sweep() {
   if (sweep_) return *sweep_;

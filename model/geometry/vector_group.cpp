@@ -51,7 +51,6 @@ std::optional<CornerClass> CornerRules::detour(const PathEnd& former, const Path
 }
 
 VectorGroup CornerRules::start_up(const PathEnd& former, const PathEnd& latter) const {
-  if (former.offset == 0) return zero(recorder_);
   const auto kind = detour(former, latter, !latter.is_arc());
   if (!kind) return {p2(latter)};
   if (*kind == CornerClass::inner || *kind == CornerClass::straight) {
@@ -64,7 +63,6 @@ VectorGroup CornerRules::start_up(const PathEnd& former, const PathEnd& latter) 
 }
 
 VectorGroup CornerRules::cancel(const PathEnd& former, const PathEnd& latter) const {
-  if (former.offset == 0) return zero(recorder_);
   const auto kind = detour(former, latter, !former.is_arc());
   if (!kind) return {p1(former)};
   if (*kind == CornerClass::inner || *kind == CornerClass::straight) {
@@ -77,7 +75,6 @@ VectorGroup CornerRules::cancel(const PathEnd& former, const PathEnd& latter) co
 }
 
 std::optional<VectorGroup> CornerRules::offset_mode(const PathEnd& former, const PathEnd& latter) const {
-  if (former.offset == 0) return zero(recorder_);
   const CornerClass kind = classify(recorder_, former, latter);
   switch (kind) {
     case CornerClass::straight:
@@ -100,20 +97,18 @@ std::optional<VectorGroup> CornerRules::offset_mode(const PathEnd& former, const
 }
 
 VectorGroup CornerRules::cancel_along(const PathEnd& former, const PlanePoint& direction) const {
-  if (former.offset == 0) return zero(recorder_);
   PathEnd line;
   line.heading = heading(direction);
   line.offset = former.offset;
-  const Sign turn = recorder_.decide(Clause::fanuc_cutter_c_cancel_direction_parallel,
-                                     cross(former.heading.along, line.heading.along),
-                                     former.heading.length * line.heading.length);
+  const Sign turn =
+      recorder_.decide(Clause::fanuc_cutter_c_cancel_direction_parallel,
+                       cross(former.heading.along, line.heading.along), former.heading.length * line.heading.length);
   if (turn != Sign::zero && have_offset_paths(recorder_, former, line))
     if (const auto meeting = paths_meet(recorder_, former, line)) return one(*meeting);
   return {p1(former)};
 }
 
 VectorGroup CornerRules::direction_change(const PathEnd& former, const PathEnd& latter) const {
-  if (former.offset == 0) return zero(recorder_);
   const Sign turn = recorder_.decide(Clause::fanuc_cutter_c_direction_change_parallel,
                                      cross(former.heading.along, latter.heading.along),
                                      former.heading.length * latter.heading.length);

@@ -25,8 +25,8 @@ struct CornerVector {
 // At least one vector, at most four.
 using VectorGroup = std::vector<CornerVector>;
 
-// The rules that make the vectors of one corner out of the block that ends there and the one that starts there. With an
-// offset of 0 at the end of `former` the group is the vector 0 (fanuc.cutter-c.value-zero).
+// The rules that make the vectors of one corner out of the block that ends there and the one that starts there. The
+// offset at the end of `former` is not 0 (but for square_to).
 class CornerRules {
  public:
   // Parameters 5003#0 and 5010.
@@ -43,7 +43,7 @@ class CornerRules {
   [[nodiscard]] VectorGroup cancel_along(const PathEnd& former, const PlanePoint& direction) const;
   // The side changes; `latter.offset` is the opposite of `former.offset`. Clauses: fanuc.cutter-c.direction-change-*.
   [[nodiscard]] VectorGroup direction_change(const PathEnd& former, const PathEnd& latter) const;
-  // P1 alone.
+  // P1 alone; of an offset of 0 the vector 0 (fanuc.cutter-c.value-zero).
   [[nodiscard]] VectorGroup square_to(const PathEnd& former) const;
 
   // No. 5010: a vector that differs from the last one kept by no more than the limit in both coordinates is dropped.

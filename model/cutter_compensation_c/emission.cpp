@@ -1,0 +1,88 @@
+// Steps with the moves and vectors they get.
+#include <utility>
+
+#include "model/cutter_compensation_c/cutter_compensation_c.h"
+#include "model/program/alarm.h"
+
+namespace toolcomp::model {
+namespace {
+
+void append(spec::ClauseList& list, const spec::ClauseList& more) {
+  for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
+}
+
+// The place where the step starts, in the coordinates it is programmed in.
+Position start_of(const Step& step, const Position& before, const spec::Axes& axes) {
+  if (!step.cutter->changes_workpiece_system) return before;
+  Position start = before;
+  const Leg& leg = step.moves.front().leg;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (is_space_axis(axes.letter(i)))
+      start.at(i) = leg.end.at(i) - Coordinate(component(leg.travel, space_index(axes.letter(i))));
+  return start;
+}
+
+}  // namespace
+
+Vector CutterCompensationC::in_space_of(const Step& step, const PlanePoint& vector) const {
+  return in_space(step.cutter->plane, vector);
+}
+
+void CutterCompensationC::send(const Step& step) {
+  Step out = step;
+  append(out.clauses, recorder().take_clauses());
+  place_ = step.rest;
+  CutterCompensation::emit(out);
+}
+
+void CutterCompensationC::emit_at_head(Step& step) {
+  for (Move& move : step.moves) move.offset = in_space_of(step, here_.front().vector);
+  send(step);
+}
+
+void CutterCompensationC::emit_without_vector(Step& step) { send(step); }
+
+void CutterCompensationC::emit_change_alone(Step& step, spec::Cause cause, bool changes) {
+  const bool takes_along = recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, step.cutter->axis_word);
+  if (step.moves.empty() && changes) step.moves.push_back(step.rest);
+  if (!step.moves.empty() && (takes_along || changes)) step.moves.front().leg.cause = cause;
+  emit_at_head(step);
+}
+
+// From head to head at the corner where the step starts: before its own move, everything else as before it.
+void CutterCompensationC::insert_corner_moves(Step& step) {
+  if (here_.size() < 2) return;
+  const Move& own = step.moves.front();
+  Move move = place_;
+  move.leg.type = own.leg.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
+  move.leg.cause = spec::Cause::corner;
+  move.leg.end = start_of(step, place_.leg.end, axes_);
+  move.feed = own.feed;
+  move.zero = own.zero;
+  std::vector<Move> moves;
+  moves.reserve(here_.size() - 1 + step.moves.size());
+  for (std::size_t i = 1; i < here_.size(); ++i) {
+    move.offset = in_space_of(step, here_[i].vector);
+    moves.push_back(move);
+  }
+  for (Move& other : step.moves) moves.push_back(std::move(other));
+  step.moves = std::move(moves);
+}
+
+void CutterCompensationC::raise_held(Clause clause, spec::Name number, const char* message) {
+  recorder().reach(clause);
+  Alarm alarm(number, message);
+  alarm.line = held_->step.line;
+  alarm.n = held_->step.n;
+  held_.reset();
+  between_.clear();
+  throw Alarm(alarm);
+}
+
+// The blocks before go out as if this one were absent.
+void CutterCompensationC::leave_open_at(Step& now, Clause clause, const char* message) {
+  end_before(now);
+  leave_open(recorder(), clause, message);
+}
+
+}  // namespace toolcomp::model
