@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kDegrees = 57.29577951308232;
 
-bool moves(const CutterBlock& block) { return block.motion == CutterMotion::line || block.motion == CutterMotion::arc; }
-
 // The offset to the left of a heading, or to its right.
 void set_normal(CornerGroup& group, const PlanePath& path, const Heading& heading, int side, const Count& offset,
                 double r) {
