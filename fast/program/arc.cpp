@@ -13,7 +13,39 @@ const DoubleDouble kUnitsPerOne = to_double_double(Count::kRestPerOne);
 
 DoubleDouble length_of(const DoubleDouble& squared_units) { return sqrt(squared_units) / kUnitsPerOne; }
 
+// An arc by radius.
+struct ByRadius {
+  std::array<DoubleDouble, 2> from_middle;  // the centre, from the middle of the chord
+  DoubleDouble chord_length;
+  DoubleDouble height;  // twice the distance of the centre from the chord
+};
+
+ByRadius by_radius(const std::array<Int128, 2>& chord, const Wide& chord_square, const Wide& height_square,
+                   bool clockwise, bool larger) {
+  ByRadius arc;
+  arc.chord_length = sqrt(chord_square.to_double_double());
+  arc.height = sqrt(height_square.to_double_double());
+  // The centre lies left of the chord for a smaller arc counterclockwise or a larger one clockwise.
+  const DoubleDouble side = arc.height / arc.chord_length * (clockwise == larger ? 0.5 : -0.5);
+  arc.from_middle = {-to_double_double(chord[1]) * side, to_double_double(chord[0]) * side};
+  return arc;
+}
+
 }  // namespace
+
+std::array<DoubleDouble, 2> fine_center(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+                                        const ArcWords& words) {
+  if (!words.by_radius)
+    return {to_double_double(words.to_center[0].units()), to_double_double(words.to_center[1].units())};
+  const std::array<Int128, 2> chord{(end[0] - start[0]).units(), (end[1] - start[1]).units()};
+  const Wide chord_square = Wide(chord[0]) * Wide(chord[0]) + Wide(chord[1]) * Wide(chord[1]);
+  const Wide radius(words.radius.units());
+  const Wide height_square = Wide(4) * radius * radius - chord_square;
+  const ByRadius arc = by_radius(chord, chord_square, height_square, words.clockwise, words.radius < Count());
+  std::array<DoubleDouble, 2> center;
+  for (std::size_t i = 0; i < 2; ++i) center[i] = to_double_double(chord[i]) * 0.5 + arc.from_middle[i];
+  return center;
+}
 
 // atan2 gives a start; one step of the angle addition formula in double-double gives the rest.
 double positive_angle(const DoubleDouble& x, const DoubleDouble& y) {
@@ -63,22 +95,18 @@ Alarm arc_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2
   // 4 h^2 = 4 R^2 - chord^2, h the distance of the centre from the chord.
   const Wide height_square = Wide(4) * Wide(radius.units()) * Wide(radius.units()) - chord_square;
   if (height_square.sign() < 0) return alarm::kArcRadius;
-  const DoubleDouble chord_length = sqrt(chord_square.to_double_double());
-  const DoubleDouble height = sqrt(height_square.to_double_double());
   const bool larger = radius < Count();
-  // The centre lies left of the chord for a smaller arc counterclockwise or a larger one clockwise.
-  const DoubleDouble side = height / chord_length * (clockwise == larger ? 0.5 : -0.5);
-  const std::array<DoubleDouble, 2> normal{-to_double_double(chord[1]), to_double_double(chord[0])};
+  const ByRadius made = by_radius(chord, chord_square, height_square, clockwise, larger);
   for (std::size_t i = 0; i < 2; ++i) {
     const DoubleDouble middle = to_double_double(start[i].units() + end[i].units()) * 0.5;
-    arc.center[i] = to_double((middle + normal[i] * side) / kUnitsPerOne);
+    arc.center[i] = to_double((middle + made.from_middle[i]) / kUnitsPerOne);
   }
   arc.radius.reset();
-  if (height.hi == 0) {
+  if (made.height.hi == 0) {
     arc.sweep = 180;
   } else {
-    const double minor = 2 * positive_angle(height, chord_length);
-    arc.sweep = larger ? 2 * positive_angle(-height, chord_length) : minor;
+    const double minor = 2 * positive_angle(made.height, made.chord_length);
+    arc.sweep = larger ? 2 * positive_angle(-made.height, made.chord_length) : minor;
   }
   return alarm::kNone;
 }

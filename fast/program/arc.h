@@ -25,6 +25,11 @@ struct ArcWords {
   Count radius;                      // R, where by_radius
 };
 
+// The centre from the start, in units of 1 / (127 * 10^18): exact with I J K, with R within 2^-100 of the chord or R.
+// Only for arcs that are.
+std::array<DoubleDouble, 2> fine_center(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+                                        const ArcWords& words);
+
 // The polar angle of (x, y), not both zero, in degrees within (0, 360]: exact at multiples of 90, elsewhere rounded
 // from about 100 bits. With x = a . b and y = a x b it is the sweep from a to b counterclockwise.
 double positive_angle(const DoubleDouble& x, const DoubleDouble& y);

@@ -145,7 +145,7 @@ Alarm Interpreter::check_cutter(const Words& words, const Plan& plan) const {
   if (const Alarm a = is_b_ ? cutter_b_.check(command) : cutter_c_.check(command)) return a;
 
   // The value is read where the number is given, where G41 or G42 comes into force, and after an edit.
-  const bool reads = commanded || (in_force && cutter_side_ == CutterSide::off) || (evr_ && cutter_edited_);
+  const bool reads = commanded || (in_force && cutter_side_ == CutterSide::off) || takes_edited_value();
   if (in_force && reads && !memory_.fits(cutter_value(commanded.value_or(cutter_number_)))) return alarm::kOffsetValue;
   return alarm::kNone;
 }

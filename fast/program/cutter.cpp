@@ -28,7 +28,7 @@ void Interpreter::begin_cutter(const Words& words) {
   const bool d_word = commanded_number(words).has_value();
   const CutterSide word = cutter_side(words.code(Words::kCompensation));
   const bool begins = cutter_side_ == CutterSide::off && word != CutterSide::off && word != CutterSide::unchanged;
-  if (begins || d_word || (evr_ && cutter_edited_)) {
+  if (begins || d_word || takes_edited_value()) {
     cutter_offset_ = cutter_value(cutter_number_);
     cutter_edited_ = false;
   }
@@ -94,6 +94,8 @@ Alarm Interpreter::cutter_motion(const Words& words, Code one_shot, bool extra,
     if (const Alarm a = refresh()) return a;
 
   block.own = axes != 0 || extra || arc;
+  block.axis_word = axes != 0;
+  block.feed = feed_;
   fill(block.event, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
   if (arc) {
     block.event.arc = arc;

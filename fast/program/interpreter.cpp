@@ -129,7 +129,7 @@ Alarm Interpreter::run(const Words& words) {
     set_feed(words);
     if (!cutter_active()) [[likely]]
       return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
-    if (!(evr_ && cutter_edited_)) return cutter_move(words);
+    if (!takes_edited_value()) return cutter_move(words);
   }
   Plan plan;
   if (const Alarm a = check(words, plan)) return a;

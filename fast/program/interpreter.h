@@ -9,6 +9,7 @@
 #include "fast/cutter_compensation_b/cutter_compensation_b.h"
 #include "fast/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/engine.h"
+#include "fast/fault.h"
 #include "fast/kinematics/kinematics.h"
 #include "fast/leading_edge_offset/leading_edge_offset.h"
 #include "fast/program/alarm.h"
@@ -130,6 +131,10 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
     return number.from_h ? memory_.h(number.number) : memory_.d(number.number);
   }
   [[nodiscard]] static CutterSide cutter_side(Code code);
+  // Whether this block takes an edited value of the cutter into force (EVR).
+  [[nodiscard]] bool takes_edited_value() const {
+    return cutter_edited_ && (evr_ || fault(Fault::edited_cutter_value_at_once));
+  }
   // Where an axis stands, with the shift of G45 to G48 and without length offset; 0 for an axis that is not there.
   [[nodiscard]] Count actual(std::size_t axis) const {
     return axis == spec::Axes::kNone ? Count() : programmed_[axis] + tool_offset_[axis];

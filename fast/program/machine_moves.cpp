@@ -12,6 +12,8 @@ Alarm Interpreter::send_rapid(spec::Cause cause, bool with_machine, CutterMotion
     fill(block.event, spec::MoveType::rapid, cause);
     if (with_machine) fill_machine(block.event);
     block.own = true;
+    block.axis_word = true;
+    block.feed = feed_;
     block.motion = motion;
     return send_cutter(block);
   }
@@ -90,6 +92,8 @@ Alarm Interpreter::shift_in_cutter(const Words& words, bool extra) {
   if (const Alarm a = refresh()) return a;
   fill(block.event, straight(), spec::Cause::programmed);
   block.own = extra;
+  block.axis_word = false;
+  block.feed = feed_;
   block.motion = CutterMotion::shift;
   return send_cutter(block);
 }

@@ -96,6 +96,11 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
                           const std::optional<spec::Arc<double>>& arc) {
   const Mask axes = own ? words.axes() : Mask{0};
   const bool compensated = compensation == Compensation::stays;
+  if (fault(Fault::shift_lost) && !incremental_ && !words.is_tool_offset())
+    (void)for_each_axis(axes, [this](std::size_t axis) {
+      tool_offset_.clear(axis);
+      return alarm::kNone;
+    });
   std::array<Count, 3> from;
   Mask rounded = rounded_;
   if (compensated)
