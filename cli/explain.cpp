@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/explanation.h"
 #include "cli/program.h"
 #include "cli/verbs.h"
 #include "fast/engine.h"
@@ -82,7 +83,8 @@ void print_decision(const model::Decision& decision, int digits) {
 // Everything explained about one program, printed in the order of its blocks.
 class Explanation {
  public:
-  Explanation(const Program& program, const ExplainOptions& options) : options_(options), axes_(program.setup().axes) {
+  Explanation(const Program& program, const ExplainOptions& options)
+      : options_(options), setup_(program.setup()), axes_(setup_.axes) {
     model::Recorder recorder(true);
     Collector<exact::Real> exact_events;
     Collector<double> fast_events;
@@ -136,7 +138,8 @@ class Explanation {
       decided.insert(decision.clause);
       print_decision(decision, options_.digits);
     }
-    for (const auto& event : exact_) {
+    for (std::size_t event_index = 0; event_index < exact_.size(); ++event_index) {
+      const auto& event = exact_[event_index];
       if (event.line != source.line) continue;
       std::string text;
       spec::append_event_json(text, event, axes_, [this](std::string& out, const exact::Real& value) {
@@ -147,6 +150,7 @@ class Explanation {
         fmt::print("          {}\n", event.message);
       for (std::size_t i = 0; i < event.clauses.size; ++i)
         if (!decided.contains(event.clauses.clause[i])) print_clause(spec::info(event.clauses.clause[i]));
+      print_words(event_index);
     }
     for (const auto& event : fast_) {
       if (event.line != source.line) continue;
@@ -158,7 +162,18 @@ class Explanation {
     fmt::print("\n");
   }
 
+  // In words: the corner at the end of an own move, what G37 may be off.
+  void print_words(std::size_t index) const {
+    const model::Event& event = exact_[index];
+    if (event.kind != spec::EventKind::move) return;
+    if (event.cause == spec::Cause::measure) fmt::print("  measured {}\n", measuring_words(setup_, options_.digits));
+    if (event.cause == spec::Cause::corner && !event.arc) return;
+    const std::string corner = corner_words(exact_, index, axes_, options_.digits);
+    if (!corner.empty()) fmt::print("  corner   {}\n", corner);
+  }
+
   const ExplainOptions& options_;
+  const spec::Setup& setup_;
   spec::Axes axes_;
   std::vector<Source> blocks_;
   std::vector<model::Decision> decisions_;
