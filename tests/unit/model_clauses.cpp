@@ -48,6 +48,77 @@ struct Program {
   std::string text;
 };
 
+// G45 to G48.
+std::vector<Program> tool_offset_programs() {
+  const std::string plain = setup("");
+  const std::string tph = setup("\"5001#5\" = 1\n");
+  return {
+      {plain, "G45 X100 B1 D1\nG48 X0\nG47\nG45 X0\nG91 G46 X0\nX-0\nG46 X-0\nG53 X0\nG90 G53 Y0\nG53 X0 Y0\n"},
+      {plain, "G91 G45 G02 X30 Y-30 J-30 D1\nG46 X10 Y-10 J-10\nG45 X9 Y-9 J-9 D2\nG45 X4 Y-4 J-4\n"},
+      {plain, "G91 G45 G02 X30 Y0 I15 D1\n"},
+      {tph, "G45 X1 H1\nG43 G45 X1\n"},
+      {plain, "G41 G45\n"},
+  };
+}
+
+// G37.
+std::vector<Program> measurement_programs() {
+  const auto at = [](const std::string& parameters, const std::string& signal) {
+    return setup(parameters) + "[position]\nZ = 300\n" + (signal.empty() ? "" : "[measurement]\nZ = " + signal + "\n");
+  };
+  const auto memory_c = [](const std::string& signal) {
+    return "control = \"fanuc\"\naxes = [\"Z\"]\n[parameters]\n6241 = 100\n[offsets]\nmemory = \"C\"\n[offsets.H]\n1 = "
+           "1\n"
+           "[position]\nZ = 300\n[measurement]\nZ = " +
+           signal + "\n";
+  };
+  return {
+      {at("", "198"), "H1\nG37 Z200\n"},
+      {at("", "188"), "G44 Z300 H1\nG00 Z230\nG37 Z200\n"},
+      {memory_c("205"), "H1\nZ220\nG37 Z200\n"},
+      {memory_c("195"), "H1\nZ210\nG37 Z200\n"},
+      {at("", "220"), "H1\nG37 Z200\n"},
+      {at("", "230"), "H1\nG37 Z200\n"},
+      {at("", "190"), "H1\nG37 Z200\n"},
+      {at("", ""), "H1\nG37 Z200\n"},
+      {at("", ""), "H1\nG37 Z300\n"},
+      {at("6254 = 20\n", ""), "H1\nG37 Z300\n"},
+      {at("", ""), "H1\nG43 G37 Z200\n"},
+      {at("", ""), "G37 Z200 H1\n"},
+      {at("", ""), "G37 Z200\n"},
+      {at("", ""), "H1\nG37\n"},
+      {at("", ""), "H1\nG41 D1\nG37 Z200\n"},
+  };
+}
+
+// Cutter compensation B.
+std::vector<Program> cutter_b_programs() {
+  const auto b = [](const std::string& parameters) { return "cutter_compensation = \"B\"\n" + setup(parameters); };
+  const std::string plain = b("");
+  const std::string on = "G01 G41 X40 D1\n";
+  return {
+      {plain, "G41 Z1 D1\nX40\nX40\nX50 I1\nX50 I0\nG41 X60\nG42 X70 D1\nX80 D2\nX90 D0\nG10 L11 P1 R1\nG40\n"},
+      {plain, on + "G03 X60 Y20 J20\nX40 Y20 I-10\nG02 X60 I10\nG03 J20\nX40 Y40 R-30\nG40\n"},
+      {plain, on + "G03 X50 Y10 J10\n"},
+      {plain, on + "G02 X60 I10\nG01 X70\nG02 X100 I15\nG03 X110 I5\nX120 I5\n"},
+      {plain, on + "G39 J1\nG39 J1\nG91 G39 X1\nG42\nG39 I-1\nG53 X1\nG90 G53 Z1\nG53 X1\nG40 X5\n"},
+      {plain, "G41 D1\nG40 X5\n"},
+      {plain, "G41 X5 D0\nG02 G40 X9 R2\nG40\n"},
+      {plain, on + "G40\nG41 X50\nG02 G40 X60 R5\n"},
+      {plain, "G41 X5 D0\nG40\n"},
+      {plain, on + "G03 X50 I10\n"},
+      {plain, on + "G03 G41 X50 I5\n"},
+      {plain, on + "G03 X50 I5 D2\n"},
+      {plain, "G41 D1\nG03 X50 I5\n"},
+      {plain, "G39\n"},
+      {b("\"5001#2\" = 1\n"), "G41 X5 H1\n"},
+      {plain, "G41 X5 H1\n"},
+      {plain, on + "G18\n"},
+      {plain, on + "G41.3\n"},
+      {"control = \"fanuc\"\naxes = [\"X\"]\n", "G41\n"},
+  };
+}
+
 // One line for each group of outcomes; programs end at their first alarm.
 std::vector<Program> programs() {
   const std::string plain = setup("");
@@ -117,6 +188,8 @@ std::vector<Program> programs() {
       {plain, "G41.3 D1\nX1\nG54\n"},
       {plain, "G41.3 D1\nX1\nG40 X2\n"},
   };
+  for (const auto& more : {tool_offset_programs(), measurement_programs(), cutter_b_programs()})
+    list.insert(list.end(), more.begin(), more.end());
   return list;
 }
 
