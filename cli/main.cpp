@@ -140,6 +140,8 @@ class CommandLine {
     sub->add_option("--out", corpus_.out, "contour: the program to write; its setup goes beside it, ending in .toml");
     sub->add_option("--blocks", corpus_.contour.blocks, "contour: how many lines and arcs")
         ->check(CLI::Range(corpus::kLeastContour, std::size_t{100'000'000}));
+    sub->add_option("--arcs", corpus_.contour.arcs, "contour: how many of 100 blocks are arcs (default: 40)")
+        ->check(CLI::Range(0, 100));
     sub->add_option("--variant", corpus_.contour.variant, "contour: pocket, island or tight (ends in PS0041)")
         ->transform(CLI::CheckedTransformer(kVariants));
     sub->add_option("--place", corpus_.contour.place, "contour, tight: the place that raises PS0041, arc or groove")

@@ -134,9 +134,8 @@ class Writer {
  private:
   // Which blocks take two samples and may be arcs.
   void choose_blocks() {
-    constexpr std::uint64_t kArcs = 40;  // of 100
     for (std::size_t i = 0; i < options_.blocks; ++i) {
-      wide_.push_back(source_.below(100) < kArcs);
+      wide_.push_back(source_.below(100) < options_.arcs);
       samples_ += wide_.back() ? 2 : 1;
     }
   }
