@@ -50,8 +50,8 @@ void add_outer(CornerGroup& group) {
 }
 
 bool offset_circles_exist(const Corner& corner) {
-  if (offset_radius_sign(*corner.first, true, corner.first_side, corner.offset) < 0) return false;
-  return corner.second == nullptr || offset_radius_sign(*corner.second, false, corner.second_side, corner.offset) >= 0;
+  if (offset_radius_sign(*corner.first, true, corner.first_side, *corner.offset) < 0) return false;
+  return corner.second == nullptr || offset_radius_sign(*corner.second, false, corner.second_side, *corner.offset) >= 0;
 }
 
 // False where there is no intersection.

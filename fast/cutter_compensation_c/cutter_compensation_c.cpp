@@ -20,7 +20,7 @@ void set_normal(CornerGroup& group, const PlanePath& path, const Heading& headin
   corner.next = &heading;
   corner.first_side = side;
   corner.second_side = side;
-  corner.offset = offset;
+  corner.offset = &offset;
   corner.r = r;
   if (r == 0)
     group.clear();
@@ -74,20 +74,27 @@ void CutterCompensationC::set_path(CompensatedPath& to, const CutterBlock& block
 void CutterCompensationC::set_offset(CompensatedPath& to, const CutterBlock& block) {
   const bool late = fault(Fault::c_offset_one_corner_late) && mode_ == Mode::on;
   const Count& offset = late ? late_offset_ : block.offset;
+  if (!(offset == value_)) {
+    value_ = offset;
+    magnitude_ = offset < Count() ? -offset : offset;
+    r_ = magnitude_.nearest();
+  }
   to.side = side_of(block);
-  to.offset = offset < Count() ? -offset : offset;
-  to.r = to.offset.nearest();
-  late_offset_ = block.offset;
+  to.offset = magnitude_;
+  to.r = r_;
+  if (fault(Fault::c_offset_one_corner_late)) late_offset_ = block.offset;
 }
 
 StageEnd CutterCompensationC::block() {
   Slot& slot = ring_[next_];
   CutterBlock& block = slot.block;
-  slot.before = position_;
   for (std::size_t axis = 0; axis < axes_; ++axis) {
+    slot.before.programmed[axis] = position_.programmed[axis];
+    slot.before.axes[axis] = position_.axes[axis];
     position_.programmed[axis] = block.event.programmed.value[axis];
     position_.axes[axis] = block.event.axes.value[axis];
   }
+  slot.before.tool_axis = position_.tool_axis;
   position_.tool_axis = block.event.tool_axis;
   before_ = side_;
   side_ = block.side;
@@ -144,7 +151,7 @@ StageEnd CutterCompensationC::first_block(CutterBlock& block) {
   CompensatedPath& to = new_path();
   set_path(to, block);
   set_offset(to, block);
-  start_.clear();
+  at_start().clear();
   mode_ = Mode::on;
   fresh_ = false;
   checked_ = false;
@@ -162,9 +169,9 @@ StageEnd CutterCompensationC::next_block(CutterBlock& block) {
   if (mode_ == Mode::waits_for_block) {
     if (to.side != waiting_side_) return refuse(block, alarm::kDirectionChangeAtStart);
     finish_start(to);
-    start_ = vector_;
+    at_start() = vector_;
     start_side_ = waiting_side_;
-    start_offset_ = waiting_offset_;
+    start_offset_ = &waiting_offset_;
     mode_ = Mode::on;
   } else {
     if (after_start_ && to.side != last_->side) return refuse(block, alarm::kDirectionChangeAtStart);
@@ -173,7 +180,7 @@ StageEnd CutterCompensationC::next_block(CutterBlock& block) {
     const CornerRule rule =
         repeated ? CornerRule::repeated : (starts_up_ ? CornerRule::start_up : CornerRule::ordinary);
     start_side_ = to.side;
-    start_offset_ = last_->offset;
+    start_offset_ = &last_->offset;
     if (const StageEnd end = join(to, to.path.start, rule)) return end;
   }
   checked_ = !fresh_;
@@ -210,7 +217,7 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
     heading = &to.direction;
   }
   if (const StageEnd end = join(to, *heading, rule)) return end;
-  send_corner_moves(ring_[next_], start_);
+  send_corner_moves(ring_[next_], at_start());
   block.event.cause = spec::Cause::cancel;
   vector_.clear();
   mode_ = Mode::off;
@@ -222,30 +229,31 @@ StageEnd CutterCompensationC::join(const CompensatedPath& to, const Heading& hea
   switch (held_) {
     case Held::nothing:
     case Held::start:
-      start_ = vector_;
+      at_start() = vector_;
       return {};
     case Held::corner_arc:
       send_corner_arc(ring_[first_].block, to.path.start);
       send_behind(vector_.front().vector);
-      start_ = vector_;
+      at_start() = vector_;
       return {};
     case Held::path:
       break;
   }
-  Corner& corner = end_.corner;
+  CornerGroup& group = at_end();
+  Corner& corner = group.corner;
   corner.first = &last_->path;
   corner.second = rule == CornerRule::direction ? nullptr : &to.path;
-  corner.last = &last_->path.end;
+  corner.last = &last_->path.end();
   corner.next = &heading;
   corner.first_side = last_->side;
   corner.second_side = to.side;
-  corner.offset = last_->offset;
+  corner.offset = &last_->offset;
   corner.r = last_->r;
   corner.turn = turn(*corner.last, *corner.next);
-  end_.cleared = 0;
-  if (!make_group(end_, rule, parameters_)) return at_fault(ring_[first_], alarm::kNoIntersection);
+  group.cleared = 0;
+  if (!make_group(group, rule, parameters_)) return at_fault(ring_[first_], alarm::kNoIntersection);
   if (const StageEnd end = finish()) return end;
-  start_ = end_;
+  group_ ^= 1U;
   return {};
 }
 
@@ -255,8 +263,8 @@ StageEnd CutterCompensationC::finish() {
   const PlanePath& path = last_->path;
   bool arc = path.arc;
   if (checked_ && !parameters_.no_interference) {
-    const CheckedBlock checked{&path, start_side_, start_offset_, last_->side, last_->offset};
-    switch (check_interference(checked, start_, end_)) {
+    const CheckedBlock checked{&path, start_side_, start_offset_, last_->side, &last_->offset};
+    switch (check_interference(checked, at_start(), at_end())) {
       case Interference::none:
         break;
       case Interference::straightened:
@@ -268,15 +276,13 @@ StageEnd CutterCompensationC::finish() {
         return at_fault(slot, alarm::kInterference);
     }
   }
-  send_corner_moves(slot, start_);
+  send_corner_moves(slot, at_start());
   if (arc && block.event.arc) {
-    const ToolArc tool = tool_arc(path, start_.back().vector, end_.front().vector);
+    const ToolArc tool = tool_arc(path, at_start().back().vector, at_end().front().vector);
     block.event.arc->sweep = tool.sweep;
     block.event.arc->radius = tool.radius;
   }
-  vector_ = end_;
-  vector_.size = 1;
-  const Vector2<double>& vector = vector_.front().vector;
+  const Vector2<double>& vector = at_end().front().vector;
   send(block, vector, true);
   send_behind(vector);
   return {};
@@ -287,8 +293,9 @@ StageEnd CutterCompensationC::release() {
     case Held::nothing:
       return {};
     case Held::path:
-      set_normal(end_, last_->path, last_->path.end, last_->side, last_->offset, last_->r);
-      along_ = &last_->path.end;
+      set_normal(at_end(), last_->path, last_->path.end(), last_->side, last_->offset, last_->r);
+      along_ = &last_->path.end();
+      vector_ = at_end();  // one vector: the check has none to drop
       return finish();
     case Held::corner_arc: {
       // No next block: no arc, but what else the block changes.
@@ -319,11 +326,11 @@ StageEnd CutterCompensationC::still_block(CutterBlock& block) {
     case Mode::off:
       if (!(parameters_.acts_alone && code && asked)) break;
       mode_ = Mode::waits_for_block;
+      fresh_ = false;
       held_ = Held::start;
       waiting_side_ = side_of(block);
       waiting_offset_ = block.offset < Count() ? -block.offset : block.offset;
       still_ = 0;
-      late_offset_ = block.offset;
       hold();
       return {};
     case Mode::waits_for_block:
@@ -399,6 +406,7 @@ void CutterCompensationC::send_corner_arc(CutterBlock& block, const Heading& hea
   Event& event = block.event;
   event.type = spec::MoveType::arc;
   event.cause = spec::Cause::corner;
+  event.feed = block.feed;  // also under G00
   spec::Arc<double>& arc = event.arc.emplace();
   arc.plane = block.plane;
   const bool clockwise = last_->side > 0;

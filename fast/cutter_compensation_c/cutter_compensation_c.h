@@ -83,11 +83,11 @@ class CutterCompensationC {
   StageEnd refuse(const CutterBlock& block, const Alarm& alarm);
   StageEnd undecide(const CutterBlock& block, const char* clause);
 
-  // The corner between what is held, or the vector in force, and `to`; leaves the vectors there in start_.
+  // The corner between what is held, or the vector in force, and `to`; leaves the vectors there in at_start().
   StageEnd join(const CompensatedPath& to, const Heading& heading, CornerRule rule);
-  // The path that is held goes out, and the blocks behind it. It ends with end_, which may lose vectors by that.
+  // The path that is held goes out, and the blocks behind it. It ends with at_end(), which may lose vectors by that.
   StageEnd finish();
-  // From `to` on: it starts with the vectors of start_.
+  // From `to` on: it starts with the vectors of at_start().
   void hold_path(const CompensatedPath& to, bool starts_up);
   StageEnd at_fault(const Slot& slot, const Alarm& alarm) const;
   // The move of a G39 block, to the vector perpendicular to `heading`.
@@ -140,19 +140,23 @@ class CutterCompensationC {
   std::uint8_t clears_ = 0;   // components that the move to the reference position removes
 
   // Of the path that is held.
-  CornerGroup start_;  // vectors at its start
-  CornerGroup end_;    // vectors at its end
+  [[nodiscard]] CornerGroup& at_start() { return groups_[group_]; }     // vectors at its start
+  [[nodiscard]] CornerGroup& at_end() { return groups_[1U - group_]; }  // vectors at its end
+  std::array<CornerGroup, 2> groups_;
+  std::uint8_t group_ = 0;
   bool starts_up_ = false;
   bool checked_ = false;
   int start_side_ = 1;  // of the corner at its start
-  Count start_offset_;
+  const Count* start_offset_ = nullptr;
   int waiting_side_ = 1;  // of the lone G41 or G42 that is held
   Count waiting_offset_;
-  double waiting_r_ = 0;
 
   std::array<Heading, 2> directions_;  // of the last two G39
   std::uint8_t direction_ = 0;
-  Count late_offset_;               // of the block before
+  Count late_offset_;  // of the block before
+  Count value_;        // the value that came last, its magnitude and that as a double
+  Count magnitude_;
+  double r_ = 0;
   CornerGroup vector_;              // in force behind what is held or, if nothing is, now: one vector
   const Heading* along_ = nullptr;  // the direction vector_ is perpendicular to, where it is
   Event corner_move_;

@@ -36,9 +36,9 @@ double tool_sweep(const PlanePath& path, const Vector2<double>& v, const Vector2
 bool arc_interferes(const CheckedBlock& block, const Vector2<double>& v, const Vector2<double>& w) {
   const PlanePath& path = *block.path;
   if (!fault(Fault::c_negative_radius_unnoticed)) {
-    const int start = offset_radius_sign(path, false, block.start_side, block.start_offset);
+    const int start = offset_radius_sign(path, false, block.start_side, *block.start_offset);
     if (start <= 0) return start < 0;
-    const int end = offset_radius_sign(path, true, block.end_side, block.end_offset);
+    const int end = offset_radius_sign(path, true, block.end_side, *block.end_offset);
     if (end <= 0) return end < 0;
   }
   if (in_center(path.from_center_start, v) || in_center(path.from_center_end, w)) return false;
@@ -46,22 +46,29 @@ bool arc_interferes(const CheckedBlock& block, const Vector2<double>& v, const V
   return std::abs(tool_sweep(path, v, w) - path.sweep) > 180 + kEqualAngle;
 }
 
+// At least the length.
+double extent(const Vector2<double>& v) { return std::abs(v.x) + std::abs(v.y); }
+
 // Whether the tool goes against the programmed direction, of which exactly 90 degrees is no case.
 bool line_interferes(const PlanePath& path, const CornerGroup& start, std::size_t v, const CornerGroup& end,
                      std::size_t w) {
   const Vector2<double> shift = end.head[w].vector - start.head[v].vector;
-  const double product = path.length * path.length + dot(path.travel, shift);
-  const double scale = path.length * (path.length + length(end.head[w].vector) + length(start.head[v].vector));
-  if (std::abs(product) > 0x1p-46 * scale) return product < 0;
+  const double square = path.length * path.length;
+  const double product = square + dot(path.travel, shift);
+  const double bound = 0x1p-46 * (square + path.length * (extent(end.head[w].vector) + extent(start.head[v].vector)));
+  if (std::abs(product) > bound) [[likely]]
+    return product < 0;
   const Vector2<DoubleDouble> travel = fine_travel(path);
   const DoubleDouble fine = dot(travel, travel + end.fine(w) - start.fine(v));
-  if (fault(Fault::c_right_angle_interferes)) return fine.hi <= 0x1p-88 * scale;
-  return fine.hi < -0x1p-88 * scale;
+  if (fault(Fault::c_right_angle_interferes)) return fine.hi <= 0x1p-42 * bound;
+  return fine.hi < -0x1p-42 * bound;
 }
 
 }  // namespace
 
 Interference check_interference(const CheckedBlock& block, CornerGroup& start, CornerGroup& end) {
+  if (start.size == 1 && end.size == 1 && !block.path->arc) [[likely]]
+    return line_interferes(*block.path, start, 0, end, 0) ? Interference::alarm : Interference::none;
   const std::size_t m = start.size;
   const std::size_t n = end.size;
   const std::size_t pairs = std::max(m, n);

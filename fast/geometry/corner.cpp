@@ -47,8 +47,7 @@ Numbers<double> numbers(const Corner& corner) {
   n.t2 = corner.next->unit;
   n.c = corner.turn.c;
   n.k = corner.turn.k;
-  n.plus = corner.turn.plus;
-  n.minus = corner.turn.minus;
+  complete(n);
   n.turned = corner.turn.cross;
   n.r = corner.r;
   n.rho = corner.first_side * corner.r;
@@ -67,7 +66,7 @@ Numbers<DoubleDouble> fine_numbers(const Corner& corner) {
   n.c = n.turned == 0 ? DoubleDouble{} : cross(n.t1, n.t2);
   n.k = corner.turn.dot == 0 ? DoubleDouble{} : dot(n.t1, n.t2);
   complete(n);
-  n.r = to_double_double(corner.offset.units()) / to_double_double(Count::kRestPerOne);
+  n.r = to_double_double(corner.offset->units()) / to_double_double(Count::kRestPerOne);
   n.rho = signed_by(corner.first_side, n.r);
   n.rho2 = signed_by(corner.second_side, n.r);
   const auto curvature = [&](const PlanePath* path, bool at_end) {
@@ -151,7 +150,7 @@ Vector2<double> nearest(const Vector2<DoubleDouble>& v) { return {to_double(v.x)
 
 Vector2<double> head_vector(const Corner& corner, HeadKind kind) {
   const Vector2<double>& t1 = corner.last->unit;
-  const Vector2<double>& t2 = corner.next != nullptr ? corner.next->unit : t1;
+  const Vector2<double>& t2 = corner.next->unit;
   const double rho = corner.first_side * corner.r;
   switch (kind) {
     case HeadKind::zero:
@@ -166,7 +165,7 @@ Vector2<double> head_vector(const Corner& corner, HeadKind kind) {
       return left_of(t2) * rho - t2 * corner.r;
     case HeadKind::tangents_meet: {
       const Turn& turn = corner.turn;
-      const double along = turn.k >= 0 ? turn.c / turn.plus : turn.minus / turn.c;
+      const double along = turn.k >= 0 ? turn.c / (1 + turn.k) : (1 - turn.k) / turn.c;
       return (left_of(t1) - t1 * along) * rho;
     }
     case HeadKind::paths_meet:
@@ -189,11 +188,6 @@ Vector2<double> head_vector(const Corner& corner, HeadKind kind) {
 
 Vector2<DoubleDouble> fine_head_vector(const Corner& corner, HeadKind kind) {
   if (kind == HeadKind::zero) return {};
-  if (corner.next == nullptr) {
-    const Vector2<DoubleDouble> n1 = left_of(fine_unit(*corner.last));
-    const DoubleDouble r = to_double_double(corner.offset.units()) / to_double_double(Count::kRestPerOne);
-    return n1 * (corner.first_side < 0 ? -r : r);
-  }
   const Numbers<DoubleDouble> n = fine_numbers(corner);
   switch (kind) {
     case HeadKind::zero:

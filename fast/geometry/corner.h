@@ -31,7 +31,7 @@ struct Corner {
   const Heading* next = nullptr;      // the tangent of the latter path
   int first_side = 1;                 // +1: the tool is left of the path
   int second_side = 1;
-  Count offset;  // r >= 0, setup units
+  const Count* offset = nullptr;  // r >= 0, setup units
   double r = 0;
   Turn turn;
 };

@@ -31,17 +31,6 @@ DoubleDouble height_of(const std::array<Int128, 2>& chord, const Int128& radius)
   return sqrt((Wide(4) * Wide(radius) * Wide(radius) - dot_of(chord, chord)).to_double_double());
 }
 
-// 1 + k and 1 - k: the smaller one from c^2 = (1 + k)(1 - k).
-void complete(Turn& turn) {
-  if (turn.k >= 0) {
-    turn.plus = 1 + turn.k;
-    turn.minus = turn.c * turn.c / turn.plus;
-  } else {
-    turn.minus = 1 - turn.k;
-    turn.plus = turn.c * turn.c / turn.minus;
-  }
-}
-
 }  // namespace
 
 Heading whole_heading(const std::array<Int128, 2>& whole) {
@@ -49,15 +38,12 @@ Heading whole_heading(const std::array<Int128, 2>& whole) {
   heading.whole = whole;
   heading.narrow = within(whole, kNarrow);
   heading.small = heading.narrow || within(whole, kSmall);
-  double x = 0;
-  double y = 0;
   if (heading.narrow) {
-    x = static_cast<double>(static_cast<std::int64_t>(whole[0]));
-    y = static_cast<double>(static_cast<std::int64_t>(whole[1]));
-  } else {
-    x = static_cast<double>(whole[0]);
-    y = static_cast<double>(whole[1]);
+    set_narrow_heading(heading, static_cast<std::int64_t>(whole[0]), static_cast<std::int64_t>(whole[1]));
+    return heading;
   }
+  const auto x = static_cast<double>(whole[0]);
+  const auto y = static_cast<double>(whole[1]);
   heading.norm = y == 0 ? std::abs(x) : (x == 0 ? std::abs(y) : std::sqrt(x * x + y * y));
   heading.unit = {x / heading.norm, y / heading.norm};
   return heading;
@@ -123,9 +109,9 @@ Turn turn(const Heading& first, const Heading& second) {
     const std::int64_t k = x1 * x2 + y1 * y2;
     result.cross = sign_of(c);
     result.dot = sign_of(k);
-    const double norms = first.norm * second.norm;
-    result.c = static_cast<double>(c) / norms;
-    result.k = static_cast<double>(k) / norms;
+    const double norms = 1 / (first.norm * second.norm);
+    result.c = static_cast<double>(c) * norms;
+    result.k = static_cast<double>(k) * norms;
   } else if (first.exact && second.exact) {
     double c = 0;
     double k = 0;
@@ -161,7 +147,6 @@ Turn turn(const Heading& first, const Heading& second) {
     result.cross = result.c > 0 ? 1 : (result.c < 0 ? -1 : 0);
     result.dot = result.k > 0 ? 1 : (result.k < 0 ? -1 : 0);
   }
-  complete(result);
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "fast/arithmetic/int128.h"
 #include "fast/geometry/vector2.h"
@@ -28,6 +29,16 @@ struct Heading {
 
 // The heading along `whole`, not zero.
 Heading whole_heading(const std::array<Int128, 2>& whole);
+// The same, made in place, for numbers below 2^31.
+inline void set_narrow_heading(Heading& heading, std::int64_t x, std::int64_t y) {
+  heading.whole = {x, y};
+  heading.exact = heading.narrow = heading.small = true;
+  const auto dx = static_cast<double>(x);
+  const auto dy = static_cast<double>(y);
+  const double square = dx * dx + dy * dy;
+  heading.norm = std::sqrt(square);  // exact where one of them is 0
+  heading.unit = {dx / heading.norm, dy / heading.norm};
+}
 
 // The tangents of an arc of radius `radius` over `chord` at its start and end; 4 R^2 >= chord^2.
 struct ChordHeadings {
@@ -48,8 +59,6 @@ struct Turn {
   int dot = 0;    // the sign of k, exact
   double c = 0;
   double k = 1;
-  double plus = 2;   // 1 + k without cancellation
-  double minus = 0;  // 1 - k
 };
 
 // Signs are exact for exact headings. Otherwise doubles decide outside 2^-48, double-double outside 2^-94, and what is

@@ -21,6 +21,8 @@ struct Whole {
 
 bool is_small(const std::array<Count, 2>& v) { return v[0].is_small() && v[1].is_small(); }
 
+bool is_narrow(std::int64_t x) { return x < (std::int64_t{1} << 31) && x > -(std::int64_t{1} << 31); }
+
 void set_travel(PlanePath& path, const Heading& chord) {
   path.length = chord.norm / path.unit;
   path.travel = {static_cast<double>(chord.whole[0]) / path.unit, static_cast<double>(chord.whole[1]) / path.unit};
@@ -36,20 +38,27 @@ double positive_angle(double cosine, double sine, int turned) {
 }  // namespace
 
 void set_line(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end) {
-  const Whole whole{!(is_small(start) && is_small(end))};
   path.arc = false;
-  path.sigma = 0;
-  path.spiral = false;
-  path.semicircle = false;
   path.by_radius = false;
   path.center_in_end = false;
-  path.fine_units = whole.fine;
-  path.unit = whole.per_one();
-  path.whole = {whole.difference(end[0], start[0]), whole.difference(end[1], start[1])};
-  path.start = whole_heading(path.whole);
-  path.end = path.start;
-  path.length = path.start.norm / path.unit;
-  path.travel = path.start.unit * path.length;
+  if (is_small(start) && is_small(end)) [[likely]] {
+    const std::int64_t x = end[0].small() - start[0].small();
+    const std::int64_t y = end[1].small() - start[1].small();
+    path.fine_units = false;
+    path.unit = static_cast<double>(Count::kSmallPerOne);
+    if (is_narrow(x) && is_narrow(y)) [[likely]] {
+      set_narrow_heading(path.start, x, y);
+      path.travel = {static_cast<double>(x) / path.unit, static_cast<double>(y) / path.unit};
+      path.length = path.start.norm / path.unit;
+      return;
+    }
+    path.start = whole_heading({x, y});
+  } else {
+    path.fine_units = true;
+    path.unit = static_cast<double>(Count::kRestPerOne);
+    path.start = whole_heading({end[0].units() - start[0].units(), end[1].units() - start[1].units()});
+  }
+  set_travel(path, path.start);
 }
 
 void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
@@ -77,16 +86,16 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
   path.semicircle = false;
   path.sweep = 0;
   if (path.center_in_end) {
-    path.end = path.start;
+    path.arc_end = path.start;
     path.radius_end = 0;
     return;
   }
-  path.end = whole_heading({-sigma * to[1], sigma * to[0]});
-  path.radius_end = path.end.norm / path.unit;
+  path.arc_end = whole_heading({-sigma * to[1], sigma * to[0]});
+  path.radius_end = path.arc_end.norm / path.unit;
   int turned = 0;
   double sine = 0;
   double cosine = 0;
-  if (path.start.small && path.end.small) {
+  if (path.start.small && path.arc_end.small) {
     const Int128 c = sigma * (from[0] * to[1] - from[1] * to[0]);
     turned = c > 0 ? 1 : (c < 0 ? -1 : 0);
     sine = static_cast<double>(c);
@@ -121,11 +130,11 @@ void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const
   path.whole = chord;
   const ChordHeadings arc = chord_headings(chord, r, clockwise);
   path.start = arc.start;
-  path.end = arc.end;
+  path.arc_end = arc.end;
   path.radius_start = path.radius_end = arc.radius / path.unit;
   const double sigma = path.sigma;
   path.from_center_start = left_of(path.start.unit) * (-sigma * path.radius_start);
-  path.from_center_end = left_of(path.end.unit) * (-sigma * path.radius_end);
+  path.from_center_end = left_of(path.arc_end.unit) * (-sigma * path.radius_end);
   set_travel(path, whole_heading(chord));
   path.semicircle = r < 0 || arc.half;
   path.sweep = arc.half ? 180 : 2 * kDegrees * std::atan2(path.length * path.unit, arc.height);
@@ -142,13 +151,14 @@ DoubleDouble fine_unit_of(const PlanePath& path) {
 
 Vector2<DoubleDouble> fine_travel(const PlanePath& path) {
   const DoubleDouble unit = fine_unit_of(path);
-  return {to_double_double(path.whole[0]) / unit, to_double_double(path.whole[1]) / unit};
+  const std::array<Int128, 2>& whole = path.arc ? path.whole : path.start.whole;
+  return {to_double_double(whole[0]) / unit, to_double_double(whole[1]) / unit};
 }
 
 DoubleDouble fine_radius(const PlanePath& path, bool at_end) {
   const DoubleDouble unit = fine_unit_of(path);
   if (path.by_radius) return to_double_double(path.radius_whole) / unit;
-  const auto& v = at_end ? path.end.whole : path.start.whole;
+  const auto& v = at_end ? path.arc_end.whole : path.start.whole;
   return sqrt((Wide(v[0]) * Wide(v[0]) + Wide(v[1]) * Wide(v[1])).to_double_double()) / unit;
 }
 
@@ -162,7 +172,7 @@ int compare_radius(const PlanePath& path, bool at_end, const Count& offset) {
     const Int128 difference = in_units(path.radius_whole) - offset.units();
     return difference > 0 ? 1 : (difference < 0 ? -1 : 0);
   }
-  const auto& v = at_end ? path.end.whole : path.start.whole;
+  const auto& v = at_end ? path.arc_end.whole : path.start.whole;
   const Wide x(in_units(v[0]));
   const Wide y(in_units(v[1]));
   const Wide d(offset.units());

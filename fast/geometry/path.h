@@ -13,11 +13,12 @@ namespace toolcomp::fast {
 // not depend on where the path lies.
 struct PlanePath {
   bool arc = false;
-  int sigma = 0;  // arcs: +1 counterclockwise (G03), -1 clockwise
-  Heading start;  // tangents
-  Heading end;
-  std::array<Int128, 2> whole{};  // from start to end
-  Vector2<double> travel;         // the same in setup units
+  int sigma = 0;    // arcs: +1 counterclockwise (G03), -1 clockwise
+  Heading start;    // tangents
+  Heading arc_end;  // of an arc
+  [[nodiscard]] const Heading& end() const { return arc ? arc_end : start; }
+  std::array<Int128, 2> whole{};  // arcs: from start to end; lines: that of `start`
+  Vector2<double> travel;         // from start to end, setup units
   double length = 0;              // of `travel`
   // Arcs.
   Vector2<double> from_center_start;  // start - centre
@@ -35,7 +36,7 @@ struct PlanePath {
   Int128 radius_whole = 0;  // by_radius: |R| in units
 };
 
-// A line. `travel` is not zero.
+// A line of some length.
 void set_line(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end);
 // An arc round start + to_center, which is not zero.
 void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
