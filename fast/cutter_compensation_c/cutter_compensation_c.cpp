@@ -179,9 +179,9 @@ StageEnd CutterCompensationC::next_block(CutterBlock& block) {
     const bool repeated = repeated_ && !fault(Fault::c_repeated_ignored);
     const CornerRule rule =
         repeated ? CornerRule::repeated : (starts_up_ ? CornerRule::start_up : CornerRule::ordinary);
+    if (const StageEnd end = join(to, to.path.start, rule)) return end;
     start_side_ = to.side;
     start_offset_ = &last_->offset;
-    if (const StageEnd end = join(to, to.path.start, rule)) return end;
   }
   checked_ = !fresh_;
   fresh_ = false;
@@ -206,7 +206,8 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
   if (last_ != nullptr) to.side = last_->side;
   CornerRule rule = CornerRule::cancel;
   const Heading* heading = &to.path.start;
-  if (repeated_) {
+  const bool code = block.word == CutterSide::left || block.word == CutterSide::right;
+  if (repeated_ || (code && block.word == before_)) {
     rule = CornerRule::repeated;
   } else if (block.word == CutterSide::off && block.has_direction &&
              !(block.direction[0].is_zero() && block.direction[1].is_zero())) {
@@ -281,11 +282,30 @@ StageEnd CutterCompensationC::finish() {
     const ToolArc tool = tool_arc(path, at_start().back().vector, at_end().front().vector);
     block.event.arc->sweep = tool.sweep;
     block.event.arc->radius = tool.radius;
+    if (lies_on_offset_circle()) block.event.arc->radius.reset();
   }
   const Vector2<double>& vector = at_end().front().vector;
   send(block, vector, true);
   send_behind(vector);
   return {};
+}
+
+// Both ends of the arc that is held lie on one offset circle, whatever the rounding of its vectors.
+bool CutterCompensationC::lies_on_offset_circle() {
+  if (last_->path.spiral || !(*start_offset_ == last_->offset) || start_side_ != last_->side) return false;
+  const CornerGroup& start = at_start();
+  const CornerGroup& end = at_end();
+  const auto meets = [](HeadKind kind) { return kind == HeadKind::paths_meet || kind == HeadKind::paths_cross; };
+  const Heading* from = &last_->path.start;
+  const Heading* to = &last_->path.end();
+  const Turn& turned = start.corner.turn;
+  const bool on_both_normals = turned.cross == 0 && turned.dot > 0;
+  const HeadKind first = start.back().kind;
+  const bool at_start_of_it = start.corner.next == from && (meets(first) || first == HeadKind::second_normal ||
+                                                            (first == HeadKind::first_normal && on_both_normals));
+  const bool at_end_of_it =
+      meets(end.front().kind) || (end.front().kind == HeadKind::first_normal && end.corner.last == to);
+  return at_start_of_it && at_end_of_it;
 }
 
 StageEnd CutterCompensationC::release() {

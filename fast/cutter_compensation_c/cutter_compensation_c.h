@@ -87,6 +87,7 @@ class CutterCompensationC {
   StageEnd join(const CompensatedPath& to, const Heading& heading, CornerRule rule);
   // The path that is held goes out, and the blocks behind it. It ends with at_end(), which may lose vectors by that.
   StageEnd finish();
+  [[nodiscard]] bool lies_on_offset_circle();
   // From `to` on: it starts with the vectors of at_start().
   void hold_path(const CompensatedPath& to, bool starts_up);
   StageEnd at_fault(const Slot& slot, const Alarm& alarm) const;
