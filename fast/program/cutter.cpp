@@ -13,6 +13,7 @@ std::optional<Interpreter::OffsetNumber> Interpreter::commanded_number(const Wor
 CutterSide Interpreter::cutter_side(Code code) {
   switch (code) {
     case 400:
+    case 413:  // of the same group
       return CutterSide::off;
     case 410:
       return CutterSide::left;
@@ -68,6 +69,18 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
 Alarm Interpreter::cutter_move(const Words& words) {
   start_cutter_leg(words, CutterSide::unchanged, false);
   return cutter_motion(words, kNone, false, std::nullopt, ArcWords{});
+}
+
+// A G40, or a G41.3 in place of G41, that has nothing to remove: the stage learns of it, the block goes its own way.
+void Interpreter::retire_cutter() {
+  CutterBlock& block = cutter_next();
+  fill(block.event, straight(), spec::Cause::programmed);
+  block.own = false;
+  block.axis_word = false;
+  block.named = 0;
+  block.motion = CutterMotion::still;
+  (void)send_cutter(block);
+  in_cutter_ = false;
 }
 
 // G39 with axis words and without I J K: the words are a direction, from the current point.

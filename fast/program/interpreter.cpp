@@ -186,6 +186,8 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
     CutterBlock& block = cutter_next();
     block.sets = plan.writes;
     if (plan.writes) store_offset(plan.write, block.setting, block.setting_value);
+    if (words.code(Words::kCompensation) == 413) retire_cutter();
+    if (stopped_) return alarm::kNone;
   }
   if (const Alarm a = for_each_axis(shifts.axes, [&](std::size_t axis) {
         tool_offset_.add(axis, shifts.by[axis]);

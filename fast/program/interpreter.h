@@ -142,6 +142,7 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   void begin_cutter(const Words& words);
   void start_cutter_leg(const Words& words, CutterSide word, bool d_word);
   [[nodiscard]] Alarm cutter_move(const Words& words);
+  void retire_cutter();
   [[nodiscard]] Alarm corner_direction(const Words& words, CutterBlock& block) const;
   [[nodiscard]] Alarm cutter_motion(const Words& words, Code one_shot, bool extra,
                                     const std::optional<spec::Arc<double>>& arc, const ArcWords& arc_words);

@@ -65,13 +65,7 @@ Alarm Interpreter::send_measuring_move(std::size_t axis, const Count& to, double
 
 Alarm Interpreter::measure(const Words& words) {
   if (in_cutter_) {
-    // A G40 that has nothing to remove: the stage learns of it.
-    CutterBlock& block = cutter_next();
-    fill(block.event, straight(), spec::Cause::programmed);
-    block.own = false;
-    block.named = 0;
-    block.motion = CutterMotion::still;
-    if (const Alarm a = send_cutter(block)) return a;
+    retire_cutter();
     if (stopped_) return alarm::kNone;
   }
   const auto axis = static_cast<std::size_t>(std::countr_zero(words.axes()));
