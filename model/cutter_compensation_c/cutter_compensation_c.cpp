@@ -173,9 +173,10 @@ void CutterCompensationC::take_without_motion(Step& now) {
     count_ += recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.has_plane_word()) ? 2 : 1;
   }
   append(now.clauses, recorder().take_clauses());
-  between_.push_back(now);
+  const std::uint64_t line = now.line;
+  between_.push_back(std::move(now));
   if (count_ >= 2) end_without_corner(Clause::fanuc_cutter_c_two_non_motion_blocks);
-  recorder().at(now.line);
+  recorder().at(line);
 }
 
 // G40 or number 0 in a block that does not move in the plane.

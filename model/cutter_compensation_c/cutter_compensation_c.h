@@ -99,7 +99,8 @@ class CutterCompensationC : public CutterCompensation {
   void emit_change_alone(Step& step, spec::Cause cause, bool changes);
   void insert_corner_moves(Step& step);
   [[nodiscard]] Vector in_space_of(const Step& step, const PlanePoint& vector) const;
-  void send(const Step& step);
+  // The step is of no use afterwards.
+  void send(Step& step);
   [[noreturn]] void raise_held(Clause clause, spec::Name number, const char* message);
   [[noreturn]] void leave_open_at(Step& now, Clause clause, const char* message);
 

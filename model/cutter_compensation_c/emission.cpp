@@ -28,11 +28,10 @@ Vector CutterCompensationC::in_space_of(const Step& step, const PlanePoint& vect
   return in_space(step.cutter->plane, vector);
 }
 
-void CutterCompensationC::send(const Step& step) {
-  Step out = step;
-  append(out.clauses, recorder().take_clauses());
-  place_ = step.rest;
-  CutterCompensation::emit(out);
+void CutterCompensationC::send(Step& step) {
+  append(step.clauses, recorder().take_clauses());
+  emit(step);
+  place_ = std::move(step.rest);
 }
 
 void CutterCompensationC::emit_at_head(Step& step) {
