@@ -56,8 +56,7 @@ LeadingEdgeOffset::Marks LeadingEdgeOffset::read(const Command& command, bool mo
     if (command.is_arc_motion())
       raise(recorder_, Clause::fanuc_leading_edge_arc, "PS5407", "G02 or G03 while the leading edge offset is on");
   }
-  const bool cutter = codes.compensation == Compensation::left || codes.compensation == Compensation::right;
-  if (marks.edge == EdgeCommand::start || (active_ && (marks.edge == EdgeCommand::none || cutter))) {
+  if (marks.edge == EdgeCommand::start || (active_ && marks.edge == EdgeCommand::none)) {
     forbid(command, moves);
     marks.radius = memory.d(number_);
     recorder_.decide(Clause::fanuc_leading_edge_number_changed, active_ && codes.d.has_value());
