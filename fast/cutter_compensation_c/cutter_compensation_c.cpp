@@ -20,6 +20,8 @@ void set_normal(CornerGroup& group, const PlanePath& path, const Heading& headin
   corner.next = &heading;
   corner.first_side = side;
   corner.second_side = side;
+  corner.turn = {};
+  corner.turn.dot = 1;
   corner.offset = &offset;
   corner.r = r;
   if (r == 0)
