@@ -11,6 +11,7 @@ namespace toolcomp::model {
 struct CutterOffset {
   int side = 1;  // 1 left of the path, -1 right
   Rational distance;
+  Rational value;  // as the memory has it, with its sign
 
   [[nodiscard]] Rational left() const { return side * distance; }
 };

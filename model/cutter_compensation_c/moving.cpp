@@ -43,7 +43,7 @@ void CutterCompensationC::make_corner(Step& now, const OffsetPath& path, const C
     case Held::Kind::start_up:
     case Held::Kind::moving:
       recorder().decide(Clause::fanuc_cutter_c_one_non_motion_block, count_ == 1);
-      recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, offset.distance != held_->offset.distance);
+      recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, offset.value != held_->offset.value);
       release(group_before(path, offset));
       break;
     case Held::Kind::lone_start:
