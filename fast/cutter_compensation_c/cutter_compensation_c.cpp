@@ -163,7 +163,56 @@ StageEnd CutterCompensationC::first_block(CutterBlock& block) {
   return {};
 }
 
+bool CutterCompensationC::next_line(CutterBlock& block) {
+  CornerGroup& start = at_start();
+  if (held_ != Held::path || !checked_ || parameters_.no_interference || repeated_ || start.size != 1 ||
+      block.motion != CutterMotion::line || block.word != CutterSide::unchanged || last_->path.arc ||
+      !(block.offset == value_) || !(last_->offset == magnitude_) || r_ == 0)
+    return false;
+  const int side = side_of(block);
+  const Heading& last = last_->path.start;
+  if (side != last_->side || !last.narrow || fault(Fault::c_perpendicular_for_intersection) ||
+      fault(Fault::c_offset_one_corner_late))
+    return false;
+  CompensatedPath& to = paths_[(path_ + 1U) % paths_.size()];
+  set_line(to.path, block.start, block.end);
+  const Heading& next = to.path.start;
+  if (!next.narrow) return false;
+  CornerGroup& end = at_end();
+  const Turn turned = turn(last, next);
+  // An inner or an obtuse corner.
+  if (turned.cross == 0 || (side * turned.cross < 0 && turned.dot <= 0)) return false;
+  const double along = turned.dot >= 0 ? turned.c / (1 + turned.k) : (1 - turned.k) / turned.c;
+  const Vector2<double> vector = (left_of(last.unit) - last.unit * along) * (side * r_);
+  const Vector2<double>& from = start.front().vector;
+  const double length = last_->path.length;
+  const double product = length + dot(last.unit, vector - from);
+  const double extent = std::abs(vector.x) + std::abs(vector.y) + std::abs(from.x) + std::abs(from.y);
+  if (product <= 0x1p-46 * (length + extent)) return false;
+
+  send(ring_[first_].block, vector, true);
+  send_behind(vector);
+  path_ = static_cast<std::uint8_t>((path_ + 1U) % paths_.size());
+  end.head[0] = {vector, HeadKind::tangents_meet};
+  end.size = 1;
+  end.cleared = 0;
+  end.corner = {&last_->path, &to.path, &last, &next, side, side, &last_->offset, r_, turned};
+  group_ ^= 1U;
+  start_side_ = side;
+  start_offset_ = &last_->offset;
+  to.side = side;
+  to.offset = magnitude_;
+  to.r = r_;
+  last_ = &to;
+  hold();
+  held_ = Held::path;
+  still_ = 0;
+  return true;
+}
+
 StageEnd CutterCompensationC::next_block(CutterBlock& block) {
+  if (next_line(block)) [[likely]]
+    return {};
   CompensatedPath& to = new_path();
   set_path(to, block);
   if (to.path.center_in_end) return refuse(block, alarm::kArcCenter);

@@ -74,6 +74,9 @@ class CutterCompensationC {
   // block() by kinds of blocks.
   StageEnd moving_block(CutterBlock& block);
   StageEnd first_block(CutterBlock& block);
+  // The usual case of next_block() without a detour: two lines, one vector at both ends of the former. False, and
+  // nothing done, where it is any other.
+  bool next_line(CutterBlock& block);
   StageEnd next_block(CutterBlock& block);
   StageEnd cancel_block(CutterBlock& block);
   StageEnd still_block(CutterBlock& block);

@@ -48,8 +48,9 @@ void set_line(PlanePath& path, const std::array<Count, 2>& start, const std::arr
     path.unit = static_cast<double>(Count::kSmallPerOne);
     if (is_narrow(x) && is_narrow(y)) [[likely]] {
       set_narrow_heading(path.start, x, y);
-      path.travel = {static_cast<double>(x) / path.unit, static_cast<double>(y) / path.unit};
-      path.length = path.start.norm / path.unit;
+      constexpr double kOne = 1.0 / static_cast<double>(Count::kSmallPerOne);
+      path.travel = {static_cast<double>(x) * kOne, static_cast<double>(y) * kOne};
+      path.length = path.start.norm * kOne;
       return;
     }
     path.start = whole_heading({x, y});
