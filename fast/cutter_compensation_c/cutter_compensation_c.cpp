@@ -30,6 +30,26 @@ void set_normal(CornerGroup& group, const PlanePath& path, const Heading& headin
     group.set(HeadKind::first_normal);
 }
 
+void set_arc_path(PlanePath& path, const CutterBlock& block) {
+  if (block.by_radius)
+    set_arc_by_radius(path, block.start, block.end, block.radius, block.clockwise);
+  else
+    set_arc(path, block.start, block.end, block.to_center, block.clockwise);
+}
+
+// Centre, sweep and radii of the event; plane and direction stand in it.
+void set_arc_numbers(CutterBlock& block, const PlanePath& path, const ToolArc& tool) {
+  spec::Arc<double>& arc = *block.event.arc;
+  const std::array<double, 2> from_center{path.from_center_start.x, path.from_center_start.y};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (block.axis[i] == spec::Axes::kNone) continue;
+    arc.center.set(block.axis[i], block.by_radius ? block.start[i].nearest() - from_center[i]
+                                                  : Count::nearest_sum(block.start[i], block.to_center[i]));
+  }
+  arc.sweep = tool.sweep;
+  arc.radius = tool.radius;
+}
+
 }  // namespace
 
 CutterCompensationC::CutterCompensationC(const spec::Setup& setup, EventSink& sink)
@@ -65,12 +85,10 @@ int CutterCompensationC::side_of(const CutterBlock& block) {
 }
 
 void CutterCompensationC::set_path(CompensatedPath& to, const CutterBlock& block) {
-  if (block.motion != CutterMotion::arc)
-    set_line(to.path, block.start, block.end);
-  else if (block.by_radius)
-    set_arc_by_radius(to.path, block.start, block.end, block.radius, block.clockwise);
+  if (block.motion == CutterMotion::arc)
+    set_arc_path(to.path, block);
   else
-    set_arc(to.path, block.start, block.end, block.to_center, block.clockwise);
+    set_line(to.path, block.start, block.end);
 }
 
 void CutterCompensationC::set_offset(CompensatedPath& to, const CutterBlock& block) {
@@ -136,6 +154,11 @@ StageEnd CutterCompensationC::moving_block(CutterBlock& block) {
   switch (mode_) {
     case Mode::off:
       if (asked) return first_block(block);
+      if (block.motion == CutterMotion::arc) {
+        PlanePath& path = paths_[0].path;  // no corner refers to any
+        set_arc_path(path, block);
+        set_arc_numbers(block, path, programmed_arc(path));
+      }
       send(block);
       return {};
     case Mode::waits_for_block:
@@ -329,11 +352,10 @@ StageEnd CutterCompensationC::finish() {
     }
   }
   send_corner_moves(slot, at_start());
-  if (arc && block.event.arc) {
-    const ToolArc tool = tool_arc(path, at_start().back().vector, at_end().front().vector);
-    block.event.arc->sweep = tool.sweep;
-    block.event.arc->radius = tool.radius;
-    if (lies_on_offset_circle()) block.event.arc->radius.reset();
+  if (arc) {
+    ToolArc tool = tool_arc(path, at_start().back().vector, at_end().front().vector);
+    if (lies_on_offset_circle()) tool.radius.reset();
+    set_arc_numbers(block, path, tool);
   }
   const Vector2<double>& vector = at_end().front().vector;
   send(block, vector, true);

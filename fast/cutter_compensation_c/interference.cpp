@@ -95,6 +95,13 @@ Interference check_interference(const CheckedBlock& block, CornerGroup& start, C
   return result == Interference::straightened && arc ? Interference::none : result;
 }
 
+ToolArc programmed_arc(const PlanePath& path) {
+  ToolArc arc;
+  if (!path.center_in_end) arc.sweep = path.sweep;
+  if (path.spiral) arc.radius = {path.radius_start, path.radius_end};
+  return arc;
+}
+
 ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w) {
   ToolArc arc;
   if (!in_center(path.from_center_start, v) && !in_center(path.from_center_end, w)) arc.sweep = tool_sweep(path, v, w);

@@ -33,6 +33,8 @@ struct ToolArc {
   std::optional<double> sweep;                      // degrees; none where an end lies in the centre
   std::optional<std::pair<double, double>> radius;  // where they differ
 };
+// The arc as programmed.
+ToolArc programmed_arc(const PlanePath& path);
 ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w);
 
 }  // namespace toolcomp::fast
