@@ -60,6 +60,38 @@ double positive_angle(const DoubleDouble& x, const DoubleDouble& y) {
   return to_double(to_double_double(start.units()) / kUnitsPerOne + rest * kDegrees);
 }
 
+Alarm center_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& to_center,
+                       std::array<double, 2>& center) {
+  if (to_center[0].is_zero() && to_center[1].is_zero()) return alarm::kArcRadius;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Count sum = start[i] + to_center[i];
+    if (!sum.in_range()) return alarm::kRange;
+    center[i] = sum.nearest();
+  }
+  return alarm::kNone;
+}
+
+Alarm center_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2>& end, const Count& radius,
+                       bool clockwise, std::array<double, 2>& center) {
+  const std::array<Count, 2> chord{end[0] - start[0], end[1] - start[1]};
+  if (!(chord[0].is_small() && chord[1].is_small() && radius.is_small())) {
+    ArcGeometry arc;
+    const Alarm a = arc_by_radius(start, end, radius, clockwise, arc);
+    center = arc.center;
+    return a;
+  }
+  // The one difference that can cancel is exact; the rest is within a few ulp of the longest of its terms.
+  const auto square = [](const Count& value) { return static_cast<Int128>(value.small()) * value.small(); };
+  const Int128 chord_square = square(chord[0]) + square(chord[1]);
+  const Int128 height_square = 4 * square(radius) - chord_square;
+  if (chord_square == 0 || height_square < 0) return alarm::kArcRadius;
+  const double ratio = std::sqrt(static_cast<double>(height_square) / static_cast<double>(chord_square));
+  const double side = clockwise == (radius.small() < 0) ? 0.5 * ratio : -0.5 * ratio;
+  center[0] = start[0].nearest() + (0.5 * chord[0].nearest() - chord[1].nearest() * side);
+  center[1] = start[1].nearest() + (0.5 * chord[1].nearest() + chord[0].nearest() * side);
+  return alarm::kNone;
+}
+
 Alarm arc_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
                     const std::array<Count, 2>& to_center, bool clockwise, ArcGeometry& arc) {
   if (to_center[0].is_zero() && to_center[1].is_zero()) return alarm::kArcRadius;

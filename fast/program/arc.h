@@ -34,6 +34,13 @@ std::array<DoubleDouble, 2> fine_center(const std::array<Count, 2>& start, const
 // from about 100 bits. With x = a . b and y = a x b it is the sweep from a to b counterclockwise.
 double positive_angle(const DoubleDouble& x, const DoubleDouble& y);
 
+// The alarms of the two functions below and the centre in doubles (by radius: within a few ulp of the radius and the
+// coordinates), without sweep and radii.
+Alarm center_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& to_center,
+                       std::array<double, 2>& center);
+Alarm center_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2>& end, const Count& radius,
+                       bool clockwise, std::array<double, 2>& center);
+
 // The arc from `start` to `end` round start + `to_center`. PS0023 where `to_center` is zero.
 Alarm arc_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& end,
                     const std::array<Count, 2>& to_center, bool clockwise, ArcGeometry& arc);

@@ -14,7 +14,8 @@ std::array<std::size_t, 2> Interpreter::plane_axes(spec::Plane plane) const {
 }
 
 // An axis of the plane, I J K or R make an arc; anything else under G02 or G03 is straight.
-Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words) const {
+Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
+                            bool with_geometry) const {
   const std::array<std::size_t, 2> plane = plane_axes(plane_);
   std::array<Count, 2> start;
   std::array<Count, 2> end;
@@ -37,11 +38,16 @@ Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>
   const bool clockwise = motion_ == 20;
   const bool by_radius = words.has('R');
   const Count radius = by_radius ? value(words['R'], true, inch_program_) : Count();
-  ArcGeometry geometry;
-  const Alarm a = by_radius ? arc_by_radius(start, end, radius, clockwise, geometry)
-                            : arc_by_center(start, end, to_center, clockwise, geometry);
-  if (a) return a;
   arc_words = {clockwise, by_radius, to_center, radius};
+  ArcGeometry geometry;
+  Alarm a;
+  if (with_geometry)
+    a = by_radius ? arc_by_radius(start, end, radius, clockwise, geometry)
+                  : arc_by_center(start, end, to_center, clockwise, geometry);
+  else
+    a = by_radius ? center_by_radius(start, end, radius, clockwise, geometry.center)
+                  : center_by_center(start, to_center, geometry.center);
+  if (a) return a;
   arc.emplace();
   arc->plane = plane_;
   arc->direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;

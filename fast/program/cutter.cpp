@@ -71,7 +71,8 @@ Alarm Interpreter::cutter_move(const Words& words) {
   return cutter_motion(words, kNone, false, std::nullopt, ArcWords{});
 }
 
-// A G40, or a G41.3 in place of G41, that has nothing to remove: the stage learns of it, the block goes its own way.
+// A code that cutter compensation does not touch where nothing is wanted or to be removed (G37, G45 to G48, G41.3): the
+// stage learns of a G40 in the block, which then goes its own way.
 void Interpreter::retire_cutter() {
   CutterBlock& block = cutter_next();
   fill(block.event, straight(), spec::Cause::programmed);
@@ -99,7 +100,7 @@ Alarm Interpreter::corner_direction(const Words& words, CutterBlock& block) cons
 Alarm Interpreter::cutter_motion(const Words& words, Code one_shot, bool extra,
                                  const std::optional<spec::Arc<double>>& arc, const ArcWords& arc_words) {
   CutterBlock& block = cutter_next();
-  const Mask axes = one_shot == kNone || words.is_tool_offset() ? words.axes() : Mask{0};
+  const Mask axes = one_shot == kNone ? words.axes() : Mask{0};
   if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
   if ((axes & turning_) != 0) turn();

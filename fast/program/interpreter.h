@@ -97,7 +97,9 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   }
 
   // arc_words.cpp
-  [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words) const;
+  // Without `geometry` the arc has its centre, but neither sweep nor radii: cutter compensation C makes its own.
+  [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
+                               bool geometry) const;
   [[nodiscard]] std::array<std::size_t, 2> plane_axes(spec::Plane plane) const;
   [[nodiscard]] std::size_t normal_axis() const;
 
