@@ -34,16 +34,16 @@ CutterCompensationC::CutterCompensationC(const spec::Setup& setup, Recorder& rec
       checks_(!setup.bit(5008, 0)),
       here_{CornerVector{}} {}
 
-bool CutterCompensationC::is_wanted(const CutterBlock& block) const {
-  return block.side != CutterSide::none && block.number != 0;
+bool CutterCompensationC::wanted(const CutterBlock& words) const {
+  return words.side != CutterSide::none && words.number != 0;
 }
 
 void CutterCompensationC::read(const CutterBlock& words) {
   check(words);
   if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
   if (!words.arc_words) return;
-  const bool starts = is_wanted(words) && (state_ == State::off || state_ == State::waiting) && !held_;
-  const bool cancels = !is_wanted(words) && (state_ == State::on || state_ == State::leaving);
+  const bool starts = wanted(words) && (state_ == State::off || state_ == State::waiting) && !held_;
+  const bool cancels = !wanted(words) && (state_ == State::on || state_ == State::leaving);
   if (starts || cancels)
     raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
           "cutter compensation started or cancelled in an arc");
@@ -53,7 +53,7 @@ void CutterCompensationC::check_corner_arc(const CutterBlock& words) const {
   const bool has_vector = state_ == State::on && (held_ || made_by_move_);
   const bool other_number = words.number_given && words.number != words.number_before;
   const bool no_direction = words.direction && is_zero(*words.direction);
-  if (!is_wanted(words) || !has_vector || has_side_word(words) || words.axis_word || other_number || no_direction)
+  if (!wanted(words) || !has_vector || has_side_word(words) || words.axis_word || other_number || no_direction)
     raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, "PS0035", "G39 where no corner arc can be");
 }
 
@@ -93,6 +93,7 @@ void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
 void CutterCompensationC::start_up(Step& now) {
   recorder().reach(Clause::fanuc_cutter_c_start_up);
   const CutterOffset offset = offset_of(recorder(), *now.cutter);
+  unchecked_ = false;
   state_ = State::on;
   hold(now, Held::Kind::start_up, offset, path_of(*now.cutter, offset, offset.distance));
   started_ = offset;
@@ -100,6 +101,7 @@ void CutterCompensationC::start_up(Step& now) {
 
 void CutterCompensationC::start_alone(Step& now) {
   const CutterOffset offset = offset_of(recorder(), *now.cutter);
+  unchecked_ = false;
   hold(now, Held::Kind::lone_start, offset, {});
   started_ = offset;
 }
@@ -170,7 +172,8 @@ void CutterCompensationC::take_without_motion(Step& now) {
   const bool counts = block.is_block;
   if (counts) {
     repeated_ = repeated_ || (has_side_word(block) && *block.code == block.before);
-    count_ += recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.has_plane_word()) ? 2 : 1;
+    count_ +=
+        recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel) ? 2 : 1;
   }
   append(now.clauses, recorder().take_clauses());
   const std::uint64_t line = now.line;

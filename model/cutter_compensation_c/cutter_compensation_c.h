@@ -23,6 +23,7 @@ class CutterCompensationC : public CutterCompensation {
   CutterCompensationC(const spec::Setup& setup, Recorder& recorder, Output output);
 
   [[nodiscard]] bool on() const override { return state_ != State::off; }
+  [[nodiscard]] bool wanted(const CutterBlock& words) const override;
   void read(const CutterBlock& words) override;
   void take(const Step& step) override;
   void finish() override;
@@ -51,7 +52,6 @@ class CutterCompensationC : public CutterCompensation {
   };
 
   // cutter_compensation_c.cpp: which block is what, and what is held goes out.
-  [[nodiscard]] bool is_wanted(const CutterBlock& block) const;
   void take_while_off(Step& now, bool wanted, bool moves);
   void take_while_on(Step& now, bool wanted, bool moves);
   void take_without_motion(Step& now);

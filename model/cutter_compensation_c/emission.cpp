@@ -11,6 +11,11 @@ void append(spec::ClauseList& list, const spec::ClauseList& more) {
   for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
 }
 
+// The words of an ignored G53 are none.
+bool has_axis_word(const CutterBlock& block) {
+  return block.axis_word && !(block.one_shot == OneShot::machine_coordinates && block.motion == PlaneMotion::none);
+}
+
 // The place where the step starts, in the coordinates it is programmed in.
 Position start_of(const Step& step, const Position& before, const spec::Axes& axes) {
   if (!step.cutter->changes_workpiece_system) return before;
@@ -42,9 +47,9 @@ void CutterCompensationC::emit_at_head(Step& step) {
 void CutterCompensationC::emit_without_vector(Step& step) { send(step); }
 
 void CutterCompensationC::emit_change_alone(Step& step, spec::Cause cause, bool changes) {
-  const bool takes_along = recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, step.cutter->axis_word);
+  recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, has_axis_word(*step.cutter));
   if (step.moves.empty() && changes) step.moves.push_back(step.rest);
-  if (!step.moves.empty() && (takes_along || changes)) step.moves.front().leg.cause = cause;
+  if (!step.moves.empty()) step.moves.front().leg.cause = cause;
   emit_at_head(step);
 }
 
@@ -57,7 +62,7 @@ void CutterCompensationC::insert_corner_moves(Step& step) {
   move.leg.cause = spec::Cause::corner;
   move.leg.end = start_of(step, place_.leg.end, axes_);
   move.feed = own.feed;
-  move.zero = own.zero;
+  move.zero.reset();
   std::vector<Move> moves;
   moves.reserve(here_.size() - 1 + step.moves.size());
   for (std::size_t i = 1; i < here_.size(); ++i) {
