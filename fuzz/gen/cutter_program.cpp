@@ -210,7 +210,8 @@ void CutterProgram::machine_block() {
   if (axes == 0 || axes == 2) letters += second();
   if (axes == 3 || axes == 4) letters += normal();
   for (const char letter : letters) {
-    write_.axis(letter, choose_.between(-8, 8) * 10 * write_.one());
+    const std::int64_t way = choose_.chance(12) ? 0 : choose_.between(-8, 8) * 10 * write_.one();
+    write_.axis(letter, way);
     if (kind == 0) write_.place(letter, write_.at(letter) - table_value(case_.setup.workpiece.front(), letter));
     if (kind == 1 || kind == 2) write_.place(letter, reference(static_cast<int>(kind), letter));
   }
