@@ -152,7 +152,10 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   }
   set_feed(words);
   if (plan.ends_along) end_tool_direction();
-  if (const Code code = words.code(Words::kWorkpiece); code != kNone) select_workpiece(code);
+  if (const Code code = words.code(Words::kWorkpiece); code != kNone) {
+    select_workpiece(code);
+    if (plan.cutter) rename_in_cutter();
+  }
 
   const Code one_shot = words.code(Words::kOneShot);
   std::optional<spec::Arc<double>> arc;

@@ -111,6 +111,7 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   // The next rapid move, named `motion` to cutter compensation.
   [[nodiscard]] Alarm send_rapid(spec::Cause cause, bool with_machine, CutterMotion motion);
   [[nodiscard]] Alarm shift_coordinates(const Words& words);
+  void rename_in_cutter();
   [[nodiscard]] Alarm shift_in_cutter(const Words& words, bool extra);
   void select_workpiece(Code code);
   [[nodiscard]] Count machine_origin(std::size_t axis) const { return origin_[workpiece_][axis] + shift_[axis]; }

@@ -85,17 +85,31 @@ void Interpreter::select_workpiece(Code code) {
   if (kinematics_.defined()) turn();
 }
 
-// G92 in cutter compensation: the stage is told where the block began and what the position is called after it.
+// G92 in cutter compensation: the stage is told where the block began and what the position is called after it. A move
+// that the block makes has the coordinates from before; the way back of a G40 in B those after.
 Alarm Interpreter::shift_in_cutter(const Words& words, bool extra) {
   CutterBlock& block = cutter_next();
-  if (const Alarm a = shift_coordinates(words)) return a;
   if (const Alarm a = refresh()) return a;
   fill(block.event, straight(), spec::Cause::programmed);
+  if (const Alarm a = shift_coordinates(words)) return a;
+  if (is_b_ && block.word == CutterSide::off) {
+    if (const Alarm a = refresh()) return a;
+    fill(block.event, straight(), spec::Cause::programmed);
+  }
   block.own = extra;
   block.axis_word = false;
   block.feed = feed_;
   block.motion = CutterMotion::shift;
-  return send_cutter(block);
+  if (const Alarm a = send_cutter(block)) return a;
+  rename_in_cutter();
+  return alarm::kNone;
+}
+
+// The position is called otherwise from here on: the corner before the next move too.
+void Interpreter::rename_in_cutter() {
+  if (is_b_ || stopped_) return;
+  cutter_c_.next().event.programmed.value = programmed_value_;
+  cutter_c_.rebase();
 }
 
 Alarm Interpreter::shift_coordinates(const Words& words) {
