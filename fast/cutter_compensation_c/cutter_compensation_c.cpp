@@ -337,9 +337,11 @@ StageEnd CutterCompensationC::finish() {
   CutterBlock& block = slot.block;
   const PlanePath& path = last_->path;
   bool arc = path.arc;
+  ToolArc tool;
+  if (arc) tool = tool_arc(path, at_start().back().vector, at_end().front().vector, lies_on_offset_circle());
   if (checked_ && !parameters_.no_interference) {
     const CheckedBlock checked{&path, start_side_, start_offset_, last_->side, &last_->offset};
-    switch (check_interference(checked, at_start(), at_end())) {
+    switch (check_interference(checked, tool, at_start(), at_end())) {
       case Interference::none:
         break;
       case Interference::straightened:
@@ -352,11 +354,7 @@ StageEnd CutterCompensationC::finish() {
     }
   }
   send_corner_moves(slot, at_start());
-  if (arc) {
-    ToolArc tool = tool_arc(path, at_start().back().vector, at_end().front().vector);
-    if (lies_on_offset_circle()) tool.radius.reset();
-    set_arc_numbers(block, path, tool);
-  }
+  if (arc) set_arc_numbers(block, path, tool);
   const Vector2<double>& vector = at_end().front().vector;
   send(block, vector, true);
   send_behind(vector);

@@ -13,41 +13,48 @@ constexpr double kDegrees = 57.29577951308232;
 constexpr double kEqual = 0x1p-46;
 constexpr double kEqualAngle = 0x1p-40;
 
+// At least the length, at most twice of it.
+double extent(const Vector2<double>& v) { return std::abs(v.x) + std::abs(v.y); }
+
 // The angle in degrees, -180 to 180, by which v turns a seen from the centre; exactly 0 where v is radial.
 double turned_by(const Vector2<double>& a, const Vector2<double>& v) {
   const double sine = cross(a, v);
   const double cosine = dot(a, a + v);
-  if (std::abs(sine) <= 0x1p-48 * length(a) * length(v)) return cosine >= 0 ? 0 : 180;
+  if (std::abs(sine) <= 0x1p-49 * extent(a) * extent(v)) return cosine >= 0 ? 0 : 180;
   return std::atan2(sine, cosine) * kDegrees;
-}
-
-bool in_center(const Vector2<double>& a, const Vector2<double>& v) {
-  return length(a + v) <= kEqual * (length(a) + length(v));
 }
 
 // Heads on one ray from the centre are a whole turn.
 double tool_sweep(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w) {
-  double sweep = path.sweep + path.sigma * (turned_by(path.from_center_end, w) - turned_by(path.from_center_start, v));
+  const Vector2<double> a = path.from_center_start + v;
+  const Vector2<double> b = path.from_center_end + w;
+  const double sine = path.sigma * cross(a, b);
+  const double size = extent(a) * extent(b);
+  // Away from a half and a whole turn, and from the centre: at once.
+  if (std::abs(sine) > 0x1p-10 * size && 16 * size > extent(path.from_center_start) * extent(path.from_center_end)) {
+    const double angle = std::atan2(sine, dot(a, b)) * kDegrees;
+    return angle < 0 ? angle + 360 : angle;
+  }
+  double sweep =
+      programmed_sweep(path) + path.sigma * (turned_by(path.from_center_end, w) - turned_by(path.from_center_start, v));
   if (sweep < -kEqualAngle) sweep += 360;
   if (sweep > 360 + kEqualAngle) sweep -= 360;
   return sweep <= kEqualAngle || sweep > 360 ? 360 : sweep;
 }
 
-bool arc_interferes(const CheckedBlock& block, const Vector2<double>& v, const Vector2<double>& w) {
+bool arc_interferes(const CheckedBlock& block, const ToolArc& arc) {
   const PlanePath& path = *block.path;
   if (!fault(Fault::c_negative_radius_unnoticed)) {
     const int start = offset_radius_sign(path, false, block.start_side, *block.start_offset);
-    if (start <= 0) return start < 0;
     const int end = offset_radius_sign(path, true, block.end_side, *block.end_offset);
-    if (end <= 0) return end < 0;
+    if (start < 0 || end < 0) return true;
+    if (start == 0 || end == 0) return false;
   }
-  if (in_center(path.from_center_start, v) || in_center(path.from_center_end, w)) return false;
-  if (fault(Fault::c_sweep_unchecked)) return false;
-  return std::abs(tool_sweep(path, v, w) - path.sweep) > 180 + kEqualAngle;
+  if (!arc.sweep || fault(Fault::c_sweep_unchecked)) return false;
+  // Both up to 180 degrees, or both over it, never differ by more.
+  if ((*arc.sweep > 180) == path.over_half) return false;
+  return std::abs(*arc.sweep - programmed_sweep(path)) > 180 + kEqualAngle;
 }
-
-// At least the length.
-double extent(const Vector2<double>& v) { return std::abs(v.x) + std::abs(v.y); }
 
 // Whether the tool goes against the programmed direction, of which exactly 90 degrees is no case.
 bool line_interferes(const PlanePath& path, const CornerGroup& start, std::size_t v, const CornerGroup& end,
@@ -66,7 +73,7 @@ bool line_interferes(const PlanePath& path, const CornerGroup& start, std::size_
 
 }  // namespace
 
-Interference check_interference(const CheckedBlock& block, CornerGroup& start, CornerGroup& end) {
+Interference check_interference(const CheckedBlock& block, const ToolArc& tool, CornerGroup& start, CornerGroup& end) {
   if (start.size == 1 && end.size == 1 && !block.path->arc) [[likely]]
     return line_interferes(*block.path, start, 0, end, 0) ? Interference::alarm : Interference::none;
   const std::size_t m = start.size;
@@ -78,8 +85,9 @@ Interference check_interference(const CheckedBlock& block, CornerGroup& start, C
   for (std::size_t q = 0; q < pairs; ++q) {
     const std::size_t v = m > q ? m - q - 1 : 0;
     const std::size_t w = std::min(q, n - 1) - dropped;
-    const bool interferes = arc ? arc_interferes(block, start.head[v].vector, end.head[w].vector)
-                                : line_interferes(*block.path, start, v, end, w);
+    // Only the first pair is tested as an arc.
+    const bool interferes =
+        arc ? q == 0 && arc_interferes(block, tool) : line_interferes(*block.path, start, v, end, w);
     if (!interferes) break;
     if (q + 1 == pairs) return Interference::alarm;
     if (arc) {
@@ -97,19 +105,21 @@ Interference check_interference(const CheckedBlock& block, CornerGroup& start, C
 
 ToolArc programmed_arc(const PlanePath& path) {
   ToolArc arc;
-  if (!path.center_in_end) arc.sweep = path.sweep;
+  if (!path.center_in_end) arc.sweep = programmed_sweep(path);
   if (path.spiral) arc.radius = {path.radius_start, path.radius_end};
   return arc;
 }
 
-ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w) {
+ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w, bool on_circle) {
   ToolArc arc;
-  if (!in_center(path.from_center_start, v) && !in_center(path.from_center_end, w)) arc.sweep = tool_sweep(path, v, w);
-  const double start = length(path.from_center_start + v);
-  const double end = length(path.from_center_end + w);
-  if (!fault(Fault::c_spiral_as_circle) &&
-      std::abs(start - end) > kEqual * (path.radius_start + path.radius_end + length(v) + length(w)))
-    arc.radius = {start, end};
+  const Vector2<double> a = path.from_center_start + v;
+  const Vector2<double> b = path.from_center_end + w;
+  const double size = path.radius_start + path.radius_end + extent(v) + extent(w);
+  if (extent(a) > kEqual * size && extent(b) > kEqual * size) arc.sweep = tool_sweep(path, v, w);
+  if (on_circle || fault(Fault::c_spiral_as_circle)) return arc;
+  const double start = length(a);
+  const double end = length(b);
+  if (std::abs(start - end) > kEqual * size) arc.radius = {start, end};
   return arc;
 }
 

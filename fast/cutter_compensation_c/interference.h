@@ -25,16 +25,18 @@ enum class Interference : std::uint8_t {
   alarm,         // PS0041
 };
 
-// Drops the vectors that interfere from the end of `start` and the beginning of `end`.
-Interference check_interference(const CheckedBlock& block, CornerGroup& start, CornerGroup& end);
-
 // The arc from start + v to end + w.
 struct ToolArc {
   std::optional<double> sweep;                      // degrees; none where an end lies in the centre
   std::optional<std::pair<double, double>> radius;  // where they differ
 };
+// `on_circle`: the heads are known to lie on one circle about the centre.
+ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w, bool on_circle);
 // The arc as programmed.
 ToolArc programmed_arc(const PlanePath& path);
-ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w);
+
+// Drops the vectors that interfere from the end of `start` and the beginning of `end`. `arc`: of an arc, that between
+// the last of `start` and the first of `end`.
+Interference check_interference(const CheckedBlock& block, const ToolArc& arc, CornerGroup& start, CornerGroup& end);
 
 }  // namespace toolcomp::fast

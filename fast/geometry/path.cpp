@@ -28,13 +28,6 @@ void set_travel(PlanePath& path, const Heading& chord) {
   path.travel = {static_cast<double>(chord.whole[0]) / path.unit, static_cast<double>(chord.whole[1]) / path.unit};
 }
 
-// The angle from a to b, in degrees within (0, 360]; `turned` the exact sign of a x b.
-double positive_angle(double cosine, double sine, int turned) {
-  if (turned == 0) return cosine > 0 ? 360 : 180;
-  const double angle = std::atan2(sine, cosine) * kDegrees;
-  return turned < 0 ? angle + 360 : angle;
-}
-
 }  // namespace
 
 void set_line(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end) {
@@ -85,7 +78,7 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
   path.center_in_end = to[0] == 0 && to[1] == 0;
   path.spiral = true;
   path.semicircle = false;
-  path.sweep = 0;
+  path.over_half = false;
   if (path.center_in_end) {
     path.arc_end = path.start;
     path.radius_end = 0;
@@ -93,26 +86,31 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
   }
   path.arc_end = whole_heading({-sigma * to[1], sigma * to[0]});
   path.radius_end = path.arc_end.norm / path.unit;
-  int turned = 0;
-  double sine = 0;
-  double cosine = 0;
-  if (path.start.small && path.arc_end.small) {
+  if (path.start.narrow && path.arc_end.narrow) [[likely]] {
+    const std::array<std::int64_t, 2> p{static_cast<std::int64_t>(from[0]), static_cast<std::int64_t>(from[1])};
+    const std::array<std::int64_t, 2> q{static_cast<std::int64_t>(to[0]), static_cast<std::int64_t>(to[1])};
+    const std::int64_t c = path.sigma * (p[0] * q[1] - p[1] * q[0]);
+    path.turned = c > 0 ? 1 : (c < 0 ? -1 : 0);
+    path.sine = static_cast<double>(c);
+    path.cosine = static_cast<double>(p[0] * q[0] + p[1] * q[1]);
+    path.spiral = p[0] * p[0] + p[1] * p[1] != q[0] * q[0] + q[1] * q[1];
+  } else if (path.start.small && path.arc_end.small) {
     const Int128 c = sigma * (from[0] * to[1] - from[1] * to[0]);
-    turned = c > 0 ? 1 : (c < 0 ? -1 : 0);
-    sine = static_cast<double>(c);
-    cosine = static_cast<double>(from[0] * to[0] + from[1] * to[1]);
+    path.turned = c > 0 ? 1 : (c < 0 ? -1 : 0);
+    path.sine = static_cast<double>(c);
+    path.cosine = static_cast<double>(from[0] * to[0] + from[1] * to[1]);
     path.spiral = from[0] * from[0] + from[1] * from[1] != to[0] * to[0] + to[1] * to[1];
   } else {
     const std::array<Wide, 4> w{Wide(from[0]), Wide(from[1]), Wide(to[0]), Wide(to[1])};
     const Wide c = Wide(sigma) * (w[0] * w[3] - w[1] * w[2]);
-    turned = c.sign();
-    sine = c.to_double();
-    cosine = (w[0] * w[2] + w[1] * w[3]).to_double();
+    path.turned = c.sign();
+    path.sine = c.to_double();
+    path.cosine = (w[0] * w[2] + w[1] * w[3]).to_double();
     path.spiral = (w[0] * w[0] + w[1] * w[1] - w[2] * w[2] - w[3] * w[3]).sign() != 0;
   }
   if (!path.spiral) path.radius_end = path.radius_start;
-  path.semicircle = turned <= 0;
-  path.sweep = positive_angle(cosine, sine, turned);
+  path.semicircle = path.turned <= 0;
+  path.over_half = path.turned < 0 || (path.turned == 0 && path.cosine > 0);
 }
 
 void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
@@ -138,7 +136,10 @@ void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const
   path.from_center_end = left_of(path.arc_end.unit) * (-sigma * path.radius_end);
   set_travel(path, whole_heading(chord));
   path.semicircle = r < 0 || arc.half;
-  path.sweep = arc.half ? 180 : 2 * kDegrees * std::atan2(path.length * path.unit, arc.height);
+  path.over_half = r < 0 && !arc.half;
+  path.turned = arc.half ? 0 : 1;
+  path.sine = path.length * path.unit;
+  path.cosine = arc.height;
 }
 
 namespace {
@@ -149,6 +150,13 @@ DoubleDouble fine_unit_of(const PlanePath& path) {
 }
 
 }  // namespace
+
+double programmed_sweep(const PlanePath& path) {
+  if (path.by_radius) return path.turned == 0 ? 180 : 2 * std::atan2(path.sine, path.cosine) * kDegrees;
+  if (path.turned == 0) return path.cosine > 0 ? 360 : 180;
+  const double angle = std::atan2(path.sine, path.cosine) * kDegrees;
+  return path.turned < 0 ? angle + 360 : angle;
+}
 
 Vector2<DoubleDouble> fine_travel(const PlanePath& path) {
   const DoubleDouble unit = fine_unit_of(path);

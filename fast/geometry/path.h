@@ -27,8 +27,13 @@ struct PlanePath {
   double radius_end = 0;
   bool spiral = false;      // the radii differ
   bool semicircle = false;  // 180 degrees or more
-  double sweep = 0;         // degrees, in (0, 360]
+  bool over_half = false;   // more than 180 degrees
   bool center_in_end = false;
+
+  // The sweep has this sine and cosine (of any length); arcs by R: its half. `turned` is the exact sign of the sine.
+  double sine = 0;
+  double cosine = 1;
+  int turned = 0;
 
   double unit = 1;          // whole numbers of the headings in a setup unit
   bool fine_units = false;  // ... is that of Count::units(), not 10^-6
@@ -45,6 +50,8 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
 void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
                        const Count& radius, bool clockwise);
 
+// The sweep of an arc whose end is not its centre, in degrees within (0, 360].
+double programmed_sweep(const PlanePath& path);
 // From start to end to about 100 bits.
 Vector2<DoubleDouble> fine_travel(const PlanePath& path);
 // The radius at the start or the end to about 100 bits.
