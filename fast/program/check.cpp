@@ -30,7 +30,7 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
   plan.along = length == 435 || (along_tool() && length != 490);
   plan.ends_along = along_tool() && length == 490;
   const bool active = leading_edge_.active();
-  // G41 and G42 do not end leading edge offset, they are forbidden in it.
+  // G41 and G42 do not end leading edge offset, they are forbidden in it; with number 0 it ends.
   plan.cutter = cutter_code || one_shot == 390 || cutter_active();
   const bool after = (code == kNone || (active && cutter_code) ? active : code == 413) && plan.d != 0;
   if (after)
@@ -91,9 +91,9 @@ Alarm Interpreter::check_leading_edge(const Words& words, const Plan& plan) cons
   if (plan.compensation == Compensation::cancels && moves) return alarm::kLeadingEdgeFormat;
   if (code && plan.motion > 10) return alarm::kLeadingEdgeStart;
   if (active && (code || plan.motion > 10)) return alarm::kLeadingEdgeCommand;
-  if (active && (words.code(Words::kCompensation) == 410 || words.code(Words::kCompensation) == 420))
-    return alarm::kForbiddenInCompensation;
   if (plan.compensation != Compensation::starts && plan.compensation != Compensation::stays) return alarm::kNone;
+  const Code compensation = words.code(Words::kCompensation);
+  if (compensation == 410 || compensation == 420) return alarm::kForbiddenInCompensation;
   if (words.code(Words::kOneShot) != kNone || words.code(Words::kWorkpiece) != kNone ||
       words.code(Words::kUnits) != kNone || (moves && words.has_any(kAuxiliaryLetters)))
     return alarm::kForbiddenInCompensation;

@@ -1,4 +1,6 @@
 // Blocks that pass cutter compensation, B or C: what the stage is told about each.
+#include <bit>
+
 #include "fast/program/interpreter.h"
 
 namespace toolcomp::fast {
@@ -65,10 +67,50 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
   }
 }
 
-// The usual block: positions and F, or nothing but its number.
+// The usual block: positions and F, or nothing but its number. What begin_cutter(), cutter_motion() and send_cutter()
+// do for any block, without the detours.
 Alarm Interpreter::cutter_move(const Words& words) {
-  start_cutter_leg(words, CutterSide::unchanged, false);
-  return cutter_motion(words, kNone, false, std::nullopt, ArcWords{});
+  const std::array<std::size_t, 2> plane = plane_axes(plane_);
+  if (plane[0] == spec::Axes::kNone || plane[1] == spec::Axes::kNone || tool_offset_.live() != 0) [[unlikely]] {
+    start_cutter_leg(words, CutterSide::unchanged, false);
+    return cutter_motion(words, kNone, false, std::nullopt, ArcWords{});
+  }
+  CutterBlock& block = cutter_next();
+  const Mask axes = words.axes();
+  block.sets = false;
+  block.word = CutterSide::unchanged;
+  block.side = cutter_side_;
+  block.d_word = false;
+  block.d = cutter_number_.number;
+  block.offset = cutter_offset_;
+  block.plane = plane_;
+  block.axis = plane;
+  block.has_direction = false;
+  block.axis_word = axes != 0;
+  block.feed = feed_;
+  block.own = axes != 0;
+  block.start[0] = programmed_[plane[0]];
+  block.start[1] = programmed_[plane[1]];
+  for (unsigned rest = axes; rest != 0; rest &= rest - 1)
+    if (const Alarm a = place_word(words, static_cast<std::size_t>(std::countr_zero(rest)))) return a;
+  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
+  if ((axes & turning_) != 0) turn();
+  if (stale_ != 0)
+    if (const Alarm a = refresh()) return a;
+  const Count& first = programmed_[plane[0]];
+  const Count& second = programmed_[plane[1]];
+  block.end[0] = first;
+  block.end[1] = second;
+  block.named = static_cast<std::uint8_t>((axes >> plane[0] & 1U) | (axes >> plane[1] & 1U) << 1U);
+  if (block.named == 0)
+    block.motion = CutterMotion::still;
+  else if (block.start[0] == first && block.start[1] == second)
+    block.motion = CutterMotion::zero;
+  else
+    block.motion = CutterMotion::line;
+  fill(block.event, straight(), spec::Cause::programmed);
+  if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);
+  return alarm::kNone;
 }
 
 // A code that cutter compensation does not touch where nothing is wanted or to be removed (G37, G45 to G48, G41.3): the

@@ -161,9 +161,7 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   std::optional<spec::Arc<double>> arc;
   ArcWords arc_words;
   if ((one_shot == kNone || words.is_tool_offset()) && motion_ > 10)
-    if (const Alarm a =
-            plan_arc(words, arc, arc_words, !plan.cutter || is_b_ || !cutter_c_.on() || words.is_tool_offset()))
-      return a;
+    if (const Alarm a = plan_arc(words, arc, arc_words, !makes_tool_arc(words))) return a;
   Shifts shifts;
   if (words.is_tool_offset())
     if (const Alarm a = plan_tool_offset(words, arc_words, arc, shifts)) return a;
@@ -191,7 +189,8 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
     CutterBlock& block = cutter_next();
     block.sets = plan.writes;
     if (plan.writes) store_offset(plan.write, block.setting, block.setting_value);
-    if (words.code(Words::kCompensation) == 413 || words.is_tool_offset()) retire_cutter();
+    if (words.code(Words::kCompensation) == 413 || words.is_tool_offset() || plan.compensation == Compensation::cancels)
+      retire_cutter();
     if (stopped_) return alarm::kNone;
   }
   if (const Alarm a = for_each_axis(shifts.axes, [&](std::size_t axis) {

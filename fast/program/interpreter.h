@@ -97,7 +97,7 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   }
 
   // arc_words.cpp
-  // Without `geometry` the arc has its centre, but neither sweep nor radii: cutter compensation C makes its own.
+  // Without `geometry` the arc has its centre, but neither sweep nor radii.
   [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
                                bool geometry) const;
   [[nodiscard]] std::array<std::size_t, 2> plane_axes(spec::Plane plane) const;
@@ -122,6 +122,11 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   [[nodiscard]] bool cutter_in_force(const Words& words) const {
     const CutterSide word = cutter_side(words.code(Words::kCompensation));
     return (word == CutterSide::unchanged ? cutter_side_ : word) != CutterSide::off;
+  }
+  // The sweep and the radii of an arc are made by cutter compensation, for the tool.
+  [[nodiscard]] bool makes_tool_arc(const Words& words) const {
+    if (words.is_tool_offset()) return false;
+    return is_b_ ? cutter_b_.active() && words.code(Words::kCompensation) == kNone : cutter_c_.on();
   }
   // And with a number: 0 is none in C.
   [[nodiscard]] bool cutter_wanted(const Words& words) const {

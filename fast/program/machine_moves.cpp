@@ -86,13 +86,13 @@ void Interpreter::select_workpiece(Code code) {
 }
 
 // G92 in cutter compensation: the stage is told where the block began and what the position is called after it. A move
-// that the block makes has the coordinates from before; the way back of a G40 in B those after.
+// that the block makes has the coordinates from before; with a code of compensation those after.
 Alarm Interpreter::shift_in_cutter(const Words& words, bool extra) {
   CutterBlock& block = cutter_next();
   if (const Alarm a = refresh()) return a;
   fill(block.event, straight(), spec::Cause::programmed);
   if (const Alarm a = shift_coordinates(words)) return a;
-  if (is_b_ && block.word == CutterSide::off) {
+  if (is_b_ ? block.word == CutterSide::off : block.word != CutterSide::unchanged) {
     if (const Alarm a = refresh()) return a;
     fill(block.event, straight(), spec::Cause::programmed);
   }
