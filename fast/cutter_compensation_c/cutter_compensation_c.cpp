@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "fast/cutter_compensation_c/interference.h"
 #include "fast/fault.h"
 
 namespace toolcomp::fast {
@@ -338,7 +337,7 @@ StageEnd CutterCompensationC::finish() {
   const PlanePath& path = last_->path;
   bool arc = path.arc;
   ToolArc tool;
-  if (arc) tool = tool_arc(path, at_start().back().vector, at_end().front().vector, lies_on_offset_circle());
+  if (arc) tool = tool_arc(path, at_start().back().vector, at_end().front().vector, compare_radii());
   if (checked_ && !parameters_.no_interference) {
     const CheckedBlock checked{&path, start_side_, start_offset_, last_->side, &last_->offset};
     switch (check_interference(checked, tool, at_start(), at_end())) {
@@ -361,22 +360,37 @@ StageEnd CutterCompensationC::finish() {
   return {};
 }
 
-// Both ends of the arc that is held lie on one offset circle, whatever the rounding of its vectors.
-bool CutterCompensationC::lies_on_offset_circle() {
-  if (last_->path.spiral || !(*start_offset_ == last_->offset) || start_side_ != last_->side) return false;
-  const CornerGroup& start = at_start();
-  const CornerGroup& end = at_end();
+// How the distances of the heads from the centre of the arc that is held compare, by what the vectors are: exactly,
+// where it can be told so.
+Radii CutterCompensationC::compare_radii() {
+  if (!(*start_offset_ == last_->offset) || start_side_ != last_->side) return Radii::unknown;
+  enum class Place : std::uint8_t { on_circle, off_circle, unknown };
+  const auto radial = [](bool on) { return on ? Place::on_circle : Place::off_circle; };
+  const auto same = [](const Heading& a, const Heading& b) {
+    const Turn turned = turn(a, b);
+    return turned.cross == 0 && turned.dot > 0;
+  };
   const auto meets = [](HeadKind kind) { return kind == HeadKind::paths_meet || kind == HeadKind::paths_cross; };
-  const Heading* from = &last_->path.start;
-  const Heading* to = &last_->path.end();
-  const Turn& turned = start.corner.turn;
-  const bool on_both_normals = turned.cross == 0 && turned.dot > 0;
-  const HeadKind first = start.back().kind;
-  const bool at_start_of_it = start.corner.next == from && (meets(first) || first == HeadKind::second_normal ||
-                                                            (first == HeadKind::first_normal && on_both_normals));
-  const bool at_end_of_it =
-      meets(end.front().kind) || (end.front().kind == HeadKind::first_normal && end.corner.last == to);
-  return at_start_of_it && at_end_of_it;
+  const Corner& from = at_start().corner;
+  const Corner& to = at_end().corner;
+  const HeadKind first = at_start().back().kind;
+  const HeadKind last = at_end().front().kind;
+  Place start = Place::unknown;
+  if (meets(first) || first == HeadKind::second_normal)
+    start = Place::on_circle;
+  else if (first == HeadKind::first_normal)
+    start = radial(same(*from.last, last_->path.start));
+  else if (last_->r == 0)
+    start = Place::on_circle;
+  if (at_start().cleared != 0) return Radii::unknown;
+  Place end = Place::unknown;
+  if (meets(last) || last == HeadKind::first_normal || last_->r == 0)
+    end = Place::on_circle;
+  else if (last == HeadKind::second_normal)
+    end = radial(to.turn.cross == 0 && to.turn.dot < 0);
+  if (start == Place::on_circle && end == Place::on_circle) return last_->path.spiral ? Radii::differ : Radii::agree;
+  if (last_->path.spiral || start == Place::unknown || end == Place::unknown || start == end) return Radii::unknown;
+  return Radii::differ;
 }
 
 StageEnd CutterCompensationC::release() {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fast/cutter_compensation_c/corner_group.h"
+#include "fast/cutter_compensation_c/interference.h"
 #include "fast/engine.h"
 #include "fast/geometry/path.h"
 #include "fast/program/cutter_block.h"
@@ -90,7 +91,7 @@ class CutterCompensationC {
   StageEnd join(const CompensatedPath& to, const Heading& heading, CornerRule rule);
   // The path that is held goes out, and the blocks behind it. It ends with at_end(), which may lose vectors by that.
   StageEnd finish();
-  [[nodiscard]] bool lies_on_offset_circle();
+  [[nodiscard]] Radii compare_radii();
   // From `to` on: it starts with the vectors of at_start().
   void hold_path(const CompensatedPath& to, bool starts_up);
   StageEnd at_fault(const Slot& slot, const Alarm& alarm) const;

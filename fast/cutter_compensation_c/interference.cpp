@@ -110,16 +110,16 @@ ToolArc programmed_arc(const PlanePath& path) {
   return arc;
 }
 
-ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w, bool on_circle) {
+ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w, Radii radii) {
   ToolArc arc;
   const Vector2<double> a = path.from_center_start + v;
   const Vector2<double> b = path.from_center_end + w;
   const double size = path.radius_start + path.radius_end + extent(v) + extent(w);
   if (extent(a) > kEqual * size && extent(b) > kEqual * size) arc.sweep = tool_sweep(path, v, w);
-  if (on_circle || fault(Fault::c_spiral_as_circle)) return arc;
+  if (radii == Radii::agree || fault(Fault::c_spiral_as_circle)) return arc;
   const double start = length(a);
   const double end = length(b);
-  if (std::abs(start - end) > kEqual * size) arc.radius = {start, end};
+  if (radii == Radii::differ || std::abs(start - end) > kEqual * size) arc.radius = {start, end};
   return arc;
 }
 

@@ -30,8 +30,9 @@ struct ToolArc {
   std::optional<double> sweep;                      // degrees; none where an end lies in the centre
   std::optional<std::pair<double, double>> radius;  // where they differ
 };
-// `on_circle`: the heads are known to lie on one circle about the centre.
-ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w, bool on_circle);
+// How the distances of the two heads from the centre compare, where it is known without computing them.
+enum class Radii : std::uint8_t { agree, differ, unknown };
+ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w, Radii radii);
 // The arc as programmed.
 ToolArc programmed_arc(const PlanePath& path);
 
