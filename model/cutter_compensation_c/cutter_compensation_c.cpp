@@ -7,10 +7,6 @@
 namespace toolcomp::model {
 namespace {
 
-void append(spec::ClauseList& list, const spec::ClauseList& more) {
-  for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
-}
-
 bool is_machine_move(PlaneMotion motion) {
   return motion == PlaneMotion::machine_coordinates || motion == PlaneMotion::reference ||
          motion == PlaneMotion::from_reference;

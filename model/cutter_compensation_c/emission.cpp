@@ -7,27 +7,16 @@
 namespace toolcomp::model {
 namespace {
 
-void append(spec::ClauseList& list, const spec::ClauseList& more) {
-  for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
-}
-
 // The words of an ignored G53 are none.
 bool has_axis_word(const CutterBlock& block) {
   return block.axis_word && !(block.one_shot == OneShot::machine_coordinates && block.motion == PlaneMotion::none);
 }
 
-// The place where the step starts, in the coordinates it is programmed in.
-Position start_of(const Step& step, const Position& before, const spec::Axes& axes) {
-  if (!step.cutter->changes_workpiece_system) return before;
-  Position start = before;
-  const Leg& leg = step.moves.front().leg;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (is_space_axis(axes.letter(i)))
-      start.at(i) = leg.end.at(i) - Coordinate(component(leg.travel, space_index(axes.letter(i))));
-  return start;
-}
-
 }  // namespace
+
+void CutterCompensationC::append(spec::ClauseList& list, const spec::ClauseList& more) {
+  for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
+}
 
 Vector CutterCompensationC::in_space_of(const Step& step, const PlanePoint& vector) const {
   return in_space(step.cutter->plane, vector);
@@ -60,7 +49,8 @@ void CutterCompensationC::insert_corner_moves(Step& step) {
   Move move = place_;
   move.leg.type = own.leg.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
   move.leg.cause = spec::Cause::corner;
-  move.leg.end = start_of(step, place_.leg.end, axes_);
+  // In the coordinates of the block that owns the move.
+  if (step.cutter->position) move.leg.end = *step.cutter->position;
   move.feed = own.feed;
   move.zero.reset();
   std::vector<Move> moves;

@@ -6,14 +6,6 @@
 #include "model/program/alarm.h"
 
 namespace toolcomp::model {
-namespace {
-
-void append(spec::ClauseList& list, const spec::ClauseList& more) {
-  for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
-}
-
-}  // namespace
-
 void CutterCompensationC::take_moving(Step& now) {
   const CutterBlock& block = *now.cutter;
   if (block.arc && !block.arc->sweep)

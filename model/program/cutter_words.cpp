@@ -145,6 +145,7 @@ void CutterWords::add_movement(CutterBlock& block, const Leg& start, const std::
   block.end = legs.empty() ? block.start : point(block.plane, legs.back());
   block.motion = motion_of(block, legs);
   for (const Leg& leg : legs) block.ends.push_back(point(block.plane, leg));
+  if (block.changes_workpiece_system) block.position = start.end;
   if (block.motion != PlaneMotion::arc) return;
   const spec::Arc<Real>& arc = *legs.front().arc;
   const PlaneLetters in_plane = letters(block.plane);

@@ -97,6 +97,8 @@ struct CutterBlock {
   PlanePoint start;
   std::vector<PlanePoint> ends;  // one for each of the step's moves
   PlanePoint end;                // of the block
+  // The programmed position of every axis where the block starts, if the workpiece system changes in it.
+  std::optional<Position> position;
   // With PlaneMotion::arc: sweep and radii as programmed; full circle: start and end alike, sweep 360.
   std::optional<ArcGeometry> arc;
   spec::ArcDirection arc_direction = spec::ArcDirection::cw;

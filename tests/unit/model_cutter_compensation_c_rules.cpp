@@ -198,6 +198,10 @@ TEST(ModelCutterCRules, WorkpieceSystemChangedOnTheWay) {
   EXPECT_EQ(points(started("G55 X-90 Y-40\n"), "", "[workpiece.G55]\nX = 100\n"),
             (Lines{"1 linear X20 Y10 Z0 (start-up)", "2 linear X50 Y10 Z0", "3 linear X-46 Y2 Z0 (corner)",
                    "3 linear X-82 Y-46 Z0"}));
+  // A rotary axis has its new coordinate there too.
+  const std::string rotary =
+      "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\"]\n[offsets.D]\n1 = 10\n[workpiece.G55]\nB = 90\n";
+  EXPECT_EQ(test::lines(run(rotary, started("G55 X10 Y-40\n")))[2], "3 linear X54 Y2 Z0 B-90 (corner)");
 }
 
 TEST(ModelCutterCRules, InterferenceNamesTheBlock) {
