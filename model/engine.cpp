@@ -178,6 +178,7 @@ Step Engine::State::step(const Command& command) {
   const ProgramDirection::Marks tip = direction.read(command, length, edge.concerns(command), numbers);
   const bool moves = command.axes != 0 || (tip.tip_control && command.direction);
   const LeadingEdgeOffset::Marks marks = edge.read(command, moves, memory);
+  interpreter.select_workpiece_system(command);
   std::optional<CutterBlock> cutter_block = cutter_words.read(command, interpreter);
   if (cutter_block) {
     cutter->read(*cutter_block);

@@ -194,11 +194,13 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   return arc;
 }
 
+void Interpreter::select_workpiece_system(const Command& command) {
+  if (!command.codes.workpiece) return;
+  recorder_.reach(Clause::fanuc_program_workpiece_system);
+  work_.select(*command.codes.workpiece, position_);
+}
+
 std::vector<Leg> Interpreter::legs(const Command& command, bool tip_control, bool always) {
-  if (command.codes.workpiece) {
-    recorder_.reach(Clause::fanuc_program_workpiece_system);
-    work_.select(*command.codes.workpiece, position_);
-  }
   const OneShot one_shot = command.codes.one_shot;
   if (is_reference_return(one_shot)) return reference_legs(command);
   const bool goes = command.axes != 0;
@@ -213,6 +215,7 @@ std::vector<Leg> Interpreter::legs(const Command& command, bool tip_control, boo
     return always ? std::vector{stay(command)} : std::vector<Leg>{};
   }
   Leg leg = toward(command);
+  if (one_shot == OneShot::measure) return {leg};
   if (command.is_arc_motion() && (goes || command.direction || command.words.has('R')))
     leg.arc = arc(command, leg, tip_control);
   if (leg.arc) leg.type = spec::MoveType::arc;

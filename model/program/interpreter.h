@@ -39,6 +39,8 @@ class Interpreter {
   // Reads the words and updates the modal groups. Throws Alarm for a block that cannot be read, PS0010, PS0030.
   Command read(const spec::Block& block);
 
+  // G54 to G59: the position is called by the new system from here on.
+  void select_workpiece_system(const Command& command);
   // Where the block goes. `tip_control`: G43.5 is in force in it, I J K are a tool direction and alone make a move;
   // `always`: it makes a move even without. Throws Alarm PS0023 or PS0046. The position stays until arrive().
   std::vector<Leg> legs(const Command& command, bool tip_control, bool always);

@@ -94,6 +94,9 @@ TEST(ModelCutterCompensationB, CornerArcDirections) {
   // The same direction, and number 0: no arc.
   EXPECT_EQ(heads("G01 G41 X40 D1\nG39 I5\n"), (Lines{"1 linear X40 Y10 Z0 (start-up)"}));
   EXPECT_EQ(heads("G01 G41 X40 D0\nG39 J5\n"), (Lines{"1 linear X40 Y0 Z0 (start-up)"}));
+  // The point is one of the system that the block selects: from -60 in G55 towards -50, along +X; in G54 along -X.
+  EXPECT_EQ(heads("G01 G41 Y40 D1\nG39 G55 X-50\n", "", "[workpiece.G55]\nX = 60\n").at(1),
+            "2 arc X-60 Y50 Z0 (corner)");
   // Under G00 the arc carries F.
   const test::Run rapid = run(setup(kTen), "F100 G41 X40 D1\nG39 J5\n");
   EXPECT_EQ(rapid.events().at(1).feed->decimal(3), "100");

@@ -67,6 +67,10 @@ TEST(ModelToolLengthMeasurement, StartOnTheCommandedCoordinateIsLeftOpen) {
   EXPECT_EQ(made.events().at(0).kind, spec::EventKind::undecided);
 }
 
+TEST(ModelToolLengthMeasurement, IsNoArcUnderG02) {
+  EXPECT_EQ(measured("198", "G02 H1\nG37 Z200\n"), (Lines{"2 rapid X0 Z220", "2 linear X0 Z198 (measure)", "2 H1=13"}));
+}
+
 TEST(ModelToolLengthMeasurement, StandsWhereItHasStopped) {
   EXPECT_EQ(measured("198", "H1\nG37 Z200\nG91 Z10\n").back(), "3 rapid X0 Z208");
 }
