@@ -671,7 +671,9 @@ void CutterCompensationC::send_corner_moves(const Slot& slot, const CornerGroup&
   for (std::size_t i = 1; i < group.size; ++i) {
     for (std::size_t axis = 0; axis < axes_; ++axis) {
       corner_move_.programmed.value[axis] = slot.before.programmed[axis];
-      corner_move_.point.value[axis] = slot.before.programmed[axis];
+      // The shift of G45 to G48 does not change while compensation is on.
+      corner_move_.point.value[axis] =
+          slot.before.programmed[axis] + (event.point.value[axis] - event.programmed.value[axis]);
       corner_move_.axes.value[axis] = slot.before.axes[axis];
     }
     add(corner_move_, slot.block, group.head[i].vector);
