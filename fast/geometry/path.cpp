@@ -55,12 +55,55 @@ void set_line(PlanePath& path, const std::array<Count, 2>& start, const std::arr
   set_travel(path, path.start);
 }
 
+namespace {
+
+// set_arc() in numbers below 2^31, the usual ones: without 128 bits.
+void set_narrow_arc(PlanePath& path, const std::array<std::int64_t, 2>& from, const std::array<std::int64_t, 2>& to) {
+  constexpr double kOne = static_cast<double>(Count::kSmallPerOne);
+  const std::int64_t sigma = path.sigma;
+  const auto vector = [](const std::array<std::int64_t, 2>& v) {
+    return Vector2<double>{static_cast<double>(v[0]) / kOne, static_cast<double>(v[1]) / kOne};
+  };
+  set_narrow_heading(path.start, -sigma * from[1], sigma * from[0]);
+  set_narrow_heading(path.arc_end, -sigma * to[1], sigma * to[0]);
+  path.from_center_start = vector(from);
+  path.from_center_end = vector(to);
+  const std::array<std::int64_t, 2> travel{to[0] - from[0], to[1] - from[1]};
+  path.whole = {travel[0], travel[1]};
+  path.travel = vector(travel);
+  path.length = fast::length(path.travel);
+  const std::int64_t sine = sigma * (from[0] * to[1] - from[1] * to[0]);
+  path.turned = sine > 0 ? 1 : (sine < 0 ? -1 : 0);
+  path.sine = static_cast<double>(sine);
+  path.cosine = static_cast<double>(from[0] * to[0] + from[1] * to[1]);
+  path.spiral = from[0] * from[0] + from[1] * from[1] != to[0] * to[0] + to[1] * to[1];
+  path.radius_start = path.start.norm / kOne;
+  path.radius_end = path.spiral ? path.arc_end.norm / kOne : path.radius_start;
+  path.semicircle = path.turned <= 0;
+  path.over_half = path.turned < 0 || (path.turned == 0 && path.cosine > 0);
+}
+
+}  // namespace
+
 void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
              const std::array<Count, 2>& to_center, bool clockwise) {
   const Whole whole{!(is_small(start) && is_small(end) && is_small(to_center))};
   path.arc = true;
   path.sigma = clockwise ? -1 : 1;
   path.by_radius = false;
+  if (!whole.fine) [[likely]] {
+    const std::array<std::int64_t, 2> to{end[0].small() - start[0].small() - to_center[0].small(),
+                                         end[1].small() - start[1].small() - to_center[1].small()};
+    const std::array<std::int64_t, 2> from{-to_center[0].small(), -to_center[1].small()};
+    if (is_narrow(from[0]) && is_narrow(from[1]) && is_narrow(to[0]) && is_narrow(to[1]) && (to[0] != 0 || to[1] != 0))
+        [[likely]] {
+      path.fine_units = false;
+      path.unit = whole.per_one();
+      path.center_in_end = false;
+      set_narrow_arc(path, from, to);
+      return;
+    }
+  }
   path.fine_units = whole.fine;
   path.unit = whole.per_one();
   const std::array<Int128, 2> travel{whole.difference(end[0], start[0]), whole.difference(end[1], start[1])};
@@ -86,15 +129,7 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
   }
   path.arc_end = whole_heading({-sigma * to[1], sigma * to[0]});
   path.radius_end = path.arc_end.norm / path.unit;
-  if (path.start.narrow && path.arc_end.narrow) [[likely]] {
-    const std::array<std::int64_t, 2> p{static_cast<std::int64_t>(from[0]), static_cast<std::int64_t>(from[1])};
-    const std::array<std::int64_t, 2> q{static_cast<std::int64_t>(to[0]), static_cast<std::int64_t>(to[1])};
-    const std::int64_t c = path.sigma * (p[0] * q[1] - p[1] * q[0]);
-    path.turned = c > 0 ? 1 : (c < 0 ? -1 : 0);
-    path.sine = static_cast<double>(c);
-    path.cosine = static_cast<double>(p[0] * q[0] + p[1] * q[1]);
-    path.spiral = p[0] * p[0] + p[1] * p[1] != q[0] * q[0] + q[1] * q[1];
-  } else if (path.start.small && path.arc_end.small) {
+  if (path.start.small && path.arc_end.small) {
     const Int128 c = sigma * (from[0] * to[1] - from[1] * to[0]);
     path.turned = c > 0 ? 1 : (c < 0 ? -1 : 0);
     path.sine = static_cast<double>(c);
