@@ -170,18 +170,6 @@ void angle_range(Choices& choose, Setup& setup) {
   }
 }
 
-// The tables name no axis that the setup does not have.
-void without_absent_axes(Setup& setup) {
-  const auto clean = [&](spec::AxisTable& table) {
-    std::erase_if(table, [&](const auto& entry) { return !setup.axes.has(entry.first); });
-  };
-  for (spec::AxisTable& origin : setup.workpiece) clean(origin);
-  clean(setup.position);
-  for (auto& [number, point] : setup.reference) clean(point);
-  std::erase_if(setup.reference, [](const auto& point) { return point.second.empty(); });
-  clean(setup.floating_reference);
-}
-
 }  // namespace
 
 Decimal decimal(std::int64_t count, int decimals) {
