@@ -72,9 +72,10 @@ Alarm CutterCompensationC::check(const CutterCommand& command) const {
 
 void CutterCompensationC::rebase() {
   const Event& event = next().event;
+  Position& position = positions_[position_];
   for (std::size_t axis = 0; axis < axes_; ++axis) {
-    position_.axes[axis] += event.programmed.value[axis] - position_.programmed[axis];
-    position_.programmed[axis] = event.programmed.value[axis];
+    position.axes[axis] += event.programmed.value[axis] - position.programmed[axis];
+    position.programmed[axis] = event.programmed.value[axis];
   }
 }
 
@@ -105,16 +106,14 @@ void CutterCompensationC::set_offset(CompensatedPath& to, const CutterBlock& blo
 }
 
 StageEnd CutterCompensationC::block() {
-  Slot& slot = ring_[next_];
-  CutterBlock& block = slot.block;
+  CutterBlock& block = next();
+  position_ ^= 1U;
+  Position& position = positions_[position_];
   for (std::size_t axis = 0; axis < axes_; ++axis) {
-    slot.before.programmed[axis] = position_.programmed[axis];
-    slot.before.axes[axis] = position_.axes[axis];
-    position_.programmed[axis] = block.event.programmed.value[axis];
-    position_.axes[axis] = block.event.axes.value[axis];
+    position.programmed[axis] = block.event.programmed.value[axis];
+    position.axes[axis] = block.event.axes.value[axis];
   }
-  slot.before.tool_axis = position_.tool_axis;
-  position_.tool_axis = block.event.tool_axis;
+  position.tool_axis = block.event.tool_axis;
   before_ = side_;
   side_ = block.side;
   number_ = block.d;
@@ -266,6 +265,7 @@ StageEnd CutterCompensationC::next_block(CutterBlock& block) {
 void CutterCompensationC::hold_path(const CompensatedPath& to, bool starts_up) {
   last_ = &to;
   starts_up_ = starts_up;
+  if (at_start().size > 1) ring_[next_].before = positions_[position_ ^ 1U];
   hold();
   held_ = Held::path;
   still_ = 0;
@@ -291,6 +291,7 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
     heading = &to.direction;
   }
   if (const StageEnd end = join(to, *heading, rule)) return end;
+  if (at_start().size > 1) ring_[next_].before = positions_[position_ ^ 1U];
   send_corner_moves(ring_[next_], at_start());
   block.event.cause = spec::Cause::cancel;
   vector_.clear();
@@ -388,8 +389,14 @@ Radii CutterCompensationC::compare_radii() {
     end = Place::on_circle;
   else if (last == HeadKind::second_normal)
     end = radial(to.turn.cross == 0 && to.turn.dot < 0);
-  if (start == Place::on_circle && end == Place::on_circle) return last_->path.spiral ? Radii::differ : Radii::agree;
-  if (last_->path.spiral || start == Place::unknown || end == Place::unknown || start == end) return Radii::unknown;
+  const PlanePath& path = last_->path;
+  if (start == Place::on_circle && end == Place::on_circle) {
+    if (!path.spiral) return Radii::agree;
+    // Unless one end has run through the centre.
+    const bool through = path.sigma == last_->side && (path.radius_start <= last_->r || path.radius_end <= last_->r);
+    return through ? Radii::unknown : Radii::differ;
+  }
+  if (path.spiral || start == Place::unknown || end == Place::unknown || start == end) return Radii::unknown;
   return Radii::differ;
 }
 

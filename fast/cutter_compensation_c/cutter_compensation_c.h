@@ -128,7 +128,8 @@ class CutterCompensationC {
   std::uint8_t first_ = 0;  // slots held: first_ … , held_count_ of them
   std::uint8_t held_count_ = 0;
   Held held_ = Held::nothing;
-  Position position_;  // where the block before ended
+  std::array<Position, 2> positions_;  // where the block before ended, and this one
+  std::uint8_t position_ = 0;          // the latter
 
   std::array<CompensatedPath, 4> paths_;  // of the block held, the ones before and after it
   std::uint8_t path_ = 0;
