@@ -24,14 +24,15 @@ struct Expected {
   Rows rows;
 };
 
-// `digits` (a decimal with 15 places at most) rounded to `places`, ties away from zero; -0 is 0.
-inline std::string rounded(const std::string& value, std::size_t places) {
+// A decimal rounded to `places`, ties up or down; -0 is 0.
+inline std::string rounded(const std::string& value, std::size_t places, bool ties_up = true) {
   const bool negative = value.starts_with('-');
   const std::size_t point = value.find('.');
   std::string whole = value.substr(negative ? 1 : 0, point - (negative ? 1 : 0));
   std::string part = point == std::string::npos ? "" : value.substr(point + 1);
   part.resize(std::max(part.size(), places + 1), '0');
-  const bool up = part[places] >= '5';
+  const bool tie = part[places] == '5' && part.find_first_not_of('0', places + 1) == std::string::npos;
+  const bool up = part[places] >= '5' && (ties_up || !tie);
   std::string all = "0" + whole + part.substr(0, places);
   for (std::size_t i = all.size(); up && i > 0; --i) {
     if (all[i - 1] != '9') {
@@ -55,13 +56,16 @@ inline std::vector<std::string> tokens(const std::string& row) {
   return list;
 }
 
-// The actual value printed as the token expected in its place is; a token with few decimals means itself exactly.
+// The actual value printed as the token expected in its place is; a token with few decimals means itself exactly. The
+// actual value is itself rounded to 15 places, so that what looks like a tie may have been either side of it.
 inline std::string as(const std::string& actual, const std::vector<std::string>& row, std::size_t place) {
   constexpr std::size_t kAll = 15;
   constexpr std::size_t kRounded = 9;  // a token with as many decimals is a rounded number
   const std::size_t point = place < row.size() ? row[place].find('.') : std::string::npos;
   const std::size_t places = point == std::string::npos ? 0 : row[place].size() - point - 1;
-  return rounded(actual, places >= kRounded ? places : kAll);
+  if (places < kRounded) return rounded(actual, kAll);
+  const std::string down = rounded(actual, places, false);
+  return down == row[place] ? down : rounded(actual, places);
 }
 
 inline char cause_letter(spec::Cause cause) {
