@@ -1,6 +1,9 @@
 #include "certify/page.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string_view>
 
 #include "certify/markup.h"
 
@@ -42,9 +45,9 @@ std::string table(const std::vector<Row>& rows, std::size_t numbers_from) {
     if (r == 0) out += "<thead>";
     if (r == 1) out += "<tbody>";
     out += "<tr>";
-    const std::string cell = r == 0 ? "th" : "td";
+    const std::string_view cell = r == 0 ? "th" : "td";
     for (std::size_t c = 0; c < rows[r].size(); ++c)
-      out += "<" + cell + (c >= numbers_from ? " class=\"n\">" : ">") + rows[r][c] + "</" + cell + ">";
+      out += fmt::format("<{0}{1}>{2}</{0}>", cell, c >= numbers_from ? R"( class="n")" : "", rows[r][c]);
     out += "</tr>";
     if (r == 0) out += "</thead>";
     out += '\n';

@@ -41,9 +41,10 @@ Point3 moved(const spec::Axes& axes, Point3 from, const spec::AxisValues<double>
   return from;
 }
 
-// Chords from `a` to `b` around the centre; radius and height change evenly with the angle.
+// Chords from `a` to `b` around the centre; radius and height change evenly with the angle. The event's sweep is that
+// of the tool's own arc: the programmed one goes by its ends alone.
 void add_arc(std::vector<Point3>& points, const Point3& a, const Point3& b, const spec::Arc<double>& arc,
-             const spec::Axes& axes) {
+             const spec::Axes& axes, bool own) {
   const auto [u, v, w] = axes_of(arc.plane);
   const Point3 center = moved(axes, a, arc.center);
   const auto polar = [&, first = u, second = v](const Point3& p) {
@@ -55,7 +56,7 @@ void add_arc(std::vector<Point3>& points, const Point3& a, const Point3& b, cons
   const auto [radius_b, angle_b] = polar(b);
   const bool ccw = arc.direction == spec::ArcDirection::ccw;
   double sweep = ccw ? angle_b - angle_a : angle_a - angle_b;
-  if (arc.sweep) {
+  if (arc.sweep && own) {
     sweep = *arc.sweep * std::numbers::pi / 180;
   } else if (sweep <= 0) {
     sweep += 2 * std::numbers::pi;
@@ -89,6 +90,7 @@ Path follow(const spec::Axes& axes, const Point3& start, std::span<const spec::E
   Path path;
   path.start = start;
   Point3 at = start;
+  Point3 tool = start;
   for (std::size_t i = 0; i < events.size(); ++i) {
     const spec::Event<double>& event = events[i];
     if (event.kind != spec::EventKind::move || position(event, what).empty()) continue;
@@ -96,7 +98,10 @@ Path follow(const spec::Axes& axes, const Point3& start, std::span<const spec::E
     PathMove move;
     move.rapid = event.type == spec::MoveType::rapid;
     move.event = i;
-    if (event.arc) add_arc(move.points, at, end, *event.arc, axes);
+    const Point3 tool_end = moved(axes, tool, event.point);
+    const bool own = what != PathOf::programmed || event.point.empty() || (at == tool && end == tool_end);
+    tool = tool_end;
+    if (event.arc) add_arc(move.points, at, end, *event.arc, axes, own);
     move.points.push_back(end);
     if (!std::ranges::all_of(move.points, finite)) continue;
     path.moves.push_back(std::move(move));

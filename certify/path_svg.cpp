@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <ranges>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -120,10 +122,19 @@ class Panel {
     std::string lines;
     if (!view_.solid) {
       const double half = kPanel / 2 / scale_;
-      for (double x = std::ceil((middle_.first - half) / step) * step; x <= middle_.first + half; x += step)
-        lines += fmt::format("M{0:.2f} 0V{1}", kPanel / 2 + (x - middle_.first) * scale_, kPanel);
-      for (double y = std::ceil((middle_.second - half) / step) * step; y <= middle_.second + half; y += step)
-        lines += fmt::format("M0 {0:.2f}H{1}", kPanel / 2 - (y - middle_.second) * scale_, kPanel);
+      const auto first_line = [&](double middle) {
+        return static_cast<std::int64_t>(std::ceil((middle - half) / step));
+      };
+      const auto last_line = [&](double middle) {
+        return static_cast<std::int64_t>(std::floor((middle + half) / step));
+      };
+      const auto at = [&](std::int64_t line, double middle) {
+        return (static_cast<double>(line) * step - middle) * scale_;
+      };
+      for (std::int64_t line = first_line(middle_.first); line <= last_line(middle_.first); ++line)
+        lines += fmt::format("M{0:.2f} 0V{1}", kPanel / 2 + at(line, middle_.first), kPanel);
+      for (std::int64_t line = first_line(middle_.second); line <= last_line(middle_.second); ++line)
+        lines += fmt::format("M0 {0:.2f}H{1}", kPanel / 2 - at(line, middle_.second), kPanel);
     }
     std::string out = lines.empty() ? "" : fmt::format("<path class=\"tp-grid\" d=\"{}\"/>\n", lines);
     out +=
@@ -143,7 +154,7 @@ class Panel {
       if (dx == 0 && dy == 0) continue;
       const double x = view_.solid ? 34 : 12;
       const double y = kPanel - (view_.solid ? 24 : 12);
-      out += fmt::format("<path class=\"tp-cross\" d=\"M{} {}l{:.1f} {:.1f}\"/>", x, y, dx, dy);
+      out += fmt::format(R"(<path class="tp-cross" d="M{} {}l{:.1f} {:.1f}"/>)", x, y, dx, dy);
       out += fmt::format("<text class=\"tp-note\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + dx * 1.25 - 3,
                          y + dy * 1.25 + 4, names[i]);
     }
@@ -195,10 +206,10 @@ class Panel {
     for (const PathMove& move : layer.path.moves) {
       const Point2 p = place(move.points.back());
       const std::string label = label_of(events[move.event]);
-      out += fmt::format("<circle class=\"tp-end\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"2\"><title>{} {}</title></circle>",
+      out += fmt::format(R"(<circle class="tp-end" cx="{:.2f}" cy="{:.2f}" r="2"><title>{} {}</title></circle>)",
                          p.first, p.second, escape(label), coordinates(move.points.back()));
       if (labels < kMostLabels && std::hypot(p.first - last.first, p.second - last.second) > 14) {
-        out += fmt::format("<text class=\"tp-label\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>", p.first + 4, p.second - 4,
+        out += fmt::format(R"(<text class="tp-label" x="{:.2f}" y="{:.2f}">{}</text>)", p.first + 4, p.second - 4,
                            escape(label));
         last = p;
         ++labels;
@@ -209,9 +220,9 @@ class Panel {
   }
 
   [[nodiscard]] std::string mark(const std::vector<Layer>& layers, std::size_t event) const {
-    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
-      if (layer->style == "tp-other") continue;
-      for (const PathMove& move : layer->path.moves)
+    for (const Layer& layer : std::views::reverse(layers)) {
+      if (layer.style == "tp-other") continue;
+      for (const PathMove& move : layer.path.moves)
         if (move.event == event) {
           const Point2 p = place(move.points.back());
           return fmt::format("<circle class=\"tp-mark\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"8\"/>\n", p.first, p.second);

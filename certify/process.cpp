@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,6 +10,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <stdexcept>
 #include <thread>
@@ -157,7 +157,7 @@ Process::Process(const std::string& command) {
 
 Process::~Process() { finish(); }
 
-bool Process::send(std::string_view& rest) {
+bool Process::send(std::string_view& rest) const {
   const NoSigpipe guard;
   const ssize_t n = ::write(in_, rest.data(), rest.size());
   if (n >= 0) {

@@ -46,7 +46,7 @@ class Process {
   [[nodiscard]] const std::string& errors() const { return errors_; }
 
  private:
-  bool send(std::string_view& rest);  // false: the process takes no more
+  [[nodiscard]] bool send(std::string_view& rest) const;  // false: the process takes no more
   bool receive(std::size_t limit, Exchange& end);
   void receive_errors();
   bool take_line(std::string& reply);

@@ -58,12 +58,12 @@ std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error
 
 // One test case; `inside` is XML.
 std::string test_case(std::string_view group, std::string_view name, const std::string& inside) {
-  const std::string head = fmt::format("    <testcase classname=\"{}\" name=\"{}\"", escape(group), escape(name));
+  const std::string head = fmt::format(R"(    <testcase classname="{}" name="{}")", escape(group), escape(name));
   return inside.empty() ? head + "/>\n" : head + ">" + inside + "</testcase>\n";
 }
 
 std::string failure(const Finding& f) {
-  return fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>", escape(f.key.kind), escape(explanation(f)),
+  return fmt::format(R"(<failure type="{}" message="{}">{}</failure>)", escape(f.key.kind), escape(explanation(f)),
                      escape(f.smallest.program));
 }
 
@@ -120,8 +120,8 @@ Suite suite_of(const Certificate& c, const SectionResult& s) {
   suite.add(group, "decided",
             undecided == 0
                 ? ""
-                : fmt::format("<error type=\"undecided\" message=\"{} cases could not be decided\"/>", undecided));
-  suite.add(group, "judged", s.values > 0 ? "" : "<error type=\"nothing judged\" message=\"no value was judged\"/>");
+                : fmt::format(R"(<error type="undecided" message="{} cases could not be decided"/>)", undecided));
+  suite.add(group, "judged", s.values > 0 ? "" : R"(<error type="nothing judged" message="no value was judged"/>)");
   return suite;
 }
 
@@ -212,7 +212,7 @@ std::string junit_report(const Certificate& c) {
   if (!c.self_check.empty()) {
     Suite harness;
     harness.add("harness", "self-check",
-                fmt::format("<error type=\"self-check\" message=\"{}\"/>", escape(c.self_check)));
+                fmt::format(R"(<error type="self-check" message="{}"/>)", escape(c.self_check)));
     out += harness.xml("harness");
   }
   return out + "</testsuites>\n";
@@ -266,11 +266,11 @@ std::string junit_report(const TraceReport& report) {
   Suite suite;
   for (const TraceFinding& f : report.result.findings)
     suite.add("trace", fmt::format("{} at sample line {}", f.kind, f.sample),
-              fmt::format("<failure type=\"{}\" message=\"program line {}, distance {}\"/>", escape(f.kind), f.line,
+              fmt::format(R"(<failure type="{}" message="program line {}, distance {}"/>)", escape(f.kind), f.line,
                           plain(f.distance, 9)));
   if (exit_status(report.result) == 3)
     suite.add("trace", "judged",
-              fmt::format("<error type=\"nothing judged\" message=\"{}\"/>", escape(report.result.undecided)));
+              fmt::format(R"(<error type="nothing judged" message="{}"/>)", escape(report.result.undecided)));
   else
     suite.add("trace", "judged", "");
   return std::string(kXmlHead) + suite.xml(report.file) + "</testsuites>\n";

@@ -87,7 +87,10 @@ class Builder {
     const auto [first, second] = letters.at(static_cast<std::size_t>(arc.plane));
     const std::size_t u = axes_.index(first);
     const std::size_t v = axes_.index(second);
-    if (u == spec::Axes::kNone || v == spec::Axes::kNone || !arc.sweep) return add_piece(piece, end);
+    if (u == spec::Axes::kNone || v == spec::Axes::kNone || !arc.sweep) {
+      add_piece(piece, end);
+      return;
+    }
     // The centre of the axes' circle: that of the tool point, moved by the length offset.
     const auto center = [&](std::size_t axis) {
       const double offset = event.point.has(axis) && event.axes.has(axis) ? event.axes[axis] - event.point[axis] : 0;

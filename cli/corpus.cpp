@@ -8,9 +8,11 @@
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "corpus/check.h"
+#include "corpus/contour.h"
 #include "corpus/diff.h"
 #include "corpus/generate.h"
 #include "corpus/lint.h"
+#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
@@ -81,12 +83,29 @@ int diff(const CorpusOptions& options) {
   return changes.empty() ? kAgrees : kDiffers;
 }
 
+int contour(const CorpusOptions& options) {
+  if (options.out.empty()) throw spec::InputError("toolcomp corpus contour", 0, 0, "name the program to write: --out");
+  corpus::ContourOptions how = options.contour;
+  how.seed = options.seed;
+  const corpus::Contour made = corpus::make_contour(how);
+  const fs::path program = fs::absolute(options.out);
+  fs::path setup = program;
+  setup.replace_extension(".toml");
+  if (setup == program) throw spec::InputError(options.out, 0, 0, "the ending .toml is that of the setup beside it");
+  spec::write_file(setup, made.setup);
+  spec::write_file(program, made.program);
+  fmt::print("seed {}; {} lines, {} arcs; setup {}\n", options.seed, made.lines, made.arcs, setup.string());
+  if (made.alarm_line) fmt::print("{} arcs that lose vectors; PS0041 at line {}\n", made.dropped, *made.alarm_line);
+  return kAgrees;
+}
+
 }  // namespace
 
 int corpus(const CorpusOptions& options) {
   if (options.verb == "generate") return generate(options);
   if (options.verb == "check") return check(options);
   if (options.verb == "lint") return lint(options);
+  if (options.verb == "contour") return contour(options);
   return diff(options);
 }
 

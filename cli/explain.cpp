@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/explanation.h"
 #include "cli/program.h"
 #include "cli/verbs.h"
 #include "fast/engine.h"
@@ -84,7 +85,8 @@ void print_decision(const model::Decision& decision, int digits) {
 // Everything explained about one program, printed in the order of its blocks.
 class Explanation {
  public:
-  Explanation(const Program& program, const ExplainOptions& options) : options_(options), axes_(program.setup().axes) {
+  Explanation(const Program& program, const ExplainOptions& options)
+      : options_(options), setup_(program.setup()), axes_(setup_.axes) {
     model::Recorder recorder(true);
     Collector<exact::Real> exact_events;
     Collector<double> fast_events;
@@ -100,7 +102,8 @@ class Explanation {
     model.end();
     fast.end();
     for (const model::Decision& decision : recorder.decisions()) lines_[decision.line].decisions.push_back(decision);
-    for (auto& event : exact_events.events) lines_[event.line].exact.push_back(std::move(event));
+    exact_ = std::move(exact_events.events);
+    for (std::size_t i = 0; i < exact_.size(); ++i) lines_[exact_[i].line].exact.push_back(i);
     for (auto& event : fast_events.events) lines_[event.line].fast.push_back(std::move(event));
     numbered_ = std::ranges::any_of(blocks_, [&](const Source& source) { return source.n == options_.block; });
   }
@@ -126,7 +129,7 @@ class Explanation {
   // Everything that belongs to one line of the program.
   struct Line {
     std::vector<model::Decision> decisions;
-    std::vector<spec::Event<exact::Real>> exact;
+    std::vector<std::size_t> exact;  // indices of events
     std::vector<spec::Event<double>> fast;
   };
 
@@ -145,7 +148,8 @@ class Explanation {
       decided.insert(decision.clause);
       print_decision(decision, options_.digits);
     }
-    for (const auto& event : line.exact) {
+    for (const std::size_t index : line.exact) {
+      const model::Event& event = exact_[index];
       std::string text;
       spec::append_event_json(text, event, axes_, [this](std::string& out, const exact::Real& value) {
         model::append_number(out, value, options_.digits);
@@ -155,6 +159,7 @@ class Explanation {
         fmt::print("          {}\n", event.message);
       for (std::size_t i = 0; i < event.clauses.size; ++i)
         if (!decided.contains(event.clauses.clause[i])) print_clause(spec::info(event.clauses.clause[i]));
+      print_words(index);
     }
     for (const auto& event : line.fast) {
       std::string text;
@@ -165,9 +170,21 @@ class Explanation {
     fmt::print("\n");
   }
 
+  // In words: the corner at the end of an own move, what G37 may be off.
+  void print_words(std::size_t index) const {
+    const model::Event& event = exact_[index];
+    if (event.kind != spec::EventKind::move) return;
+    if (event.cause == spec::Cause::measure) fmt::print("  measured {}\n", measuring_words(setup_, options_.digits));
+    if (event.cause == spec::Cause::corner && !event.arc) return;
+    const std::string corner = corner_words(exact_, index, axes_, options_.digits);
+    if (!corner.empty()) fmt::print("  corner   {}\n", corner);
+  }
+
   const ExplainOptions& options_;
+  const spec::Setup& setup_;
   spec::Axes axes_;
   std::vector<Source> blocks_;
+  std::vector<model::Event> exact_;
   std::map<std::uint64_t, Line> lines_;
   bool numbered_ = false;  // the block asked for is a sequence number
 };

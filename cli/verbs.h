@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "corpus/contour.h"
+
 namespace toolcomp::cli {
 
 // Exit status (contract). Several causes at once: 4 before 2 before 1 before 3.
@@ -77,13 +79,15 @@ struct ReplayOptions {
 int replay(const ReplayOptions& options);
 
 struct CorpusOptions {
-  std::string verb;  // generate, check, lint, diff
+  std::string verb;  // generate, check, lint, diff, contour
   std::vector<std::string> sections;
   std::string directory;
   std::string shard;  // "I/N"
   std::string controller;
   std::string against;  // diff: the other corpus
   std::uint64_t seed = 1;
+  corpus::ContourOptions contour;
+  std::string out;  // contour: the program; its setup stands beside it, ending in .toml
 };
 int corpus(const CorpusOptions& options);
 

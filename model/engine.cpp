@@ -1,14 +1,20 @@
 #include "model/engine.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 
+#include "model/cutter_compensation_b/cutter_compensation_b.h"
+#include "model/cutter_compensation_c/cutter_compensation_c.h"
 #include "model/kinematics/program_direction.h"
 #include "model/leading_edge_offset/leading_edge_offset.h"
 #include "model/program/alarm.h"
+#include "model/program/cutter_words.h"
 #include "model/program/interpreter.h"
 #include "model/program/offset_memory.h"
+#include "model/tool_length_measurement/tool_length_measurement.h"
 #include "model/tool_length_offset/tool_length_offset.h"
+#include "model/tool_offset/tool_offset.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::model {
@@ -32,12 +38,20 @@ void append(spec::ClauseList& list, const spec::ClauseList& more) {
   for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
 }
 
+// The stage that the setup asks for.
+std::unique_ptr<CutterCompensation> cutter_compensation(const spec::Setup& setup, Recorder& recorder,
+                                                        CutterCompensation::Output output) {
+  if (setup.cutter_compensation == spec::CutterCompensationType::b)
+    return std::make_unique<CutterCompensationB>(setup, recorder, std::move(output));
+  return std::make_unique<CutterCompensationC>(setup, recorder, std::move(output));
+}
+
 }  // namespace
 
-// The stages of one run, and the order in which a block passes through them: interpretation, length offset, leading
-// edge offset, events. The length offset is decided when the block is read, so that its alarms are known before the
-// leading edge offset looks at the block; both only add to the programmed end, so the order does not show in the
-// coordinates.
+// The stages of one run, and the order in which a block passes through them: interpretation, tool offset, length offset
+// (and its measurement), leading edge offset, cutter compensation, events. The length offset is decided when the block
+// is read, so that its alarms are known before a stage of compensation looks at the block; all of them only add to the
+// programmed end, so the order does not show in the coordinates.
 struct Engine::State {
   State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink)
       : setup(checked(given)),
@@ -47,11 +61,16 @@ struct Engine::State {
         memory(setup, recorder),
         direction(setup, recorder, interpreter.position()),
         length(setup, memory, recorder),
-        edge(setup, recorder,
-             [this](const Step& step, const Move& move, const Vector& vector) { report(step, move, vector); }) {}
+        edge(setup, recorder, [this](const Step& step) { cutter->take(step); }),
+        tool_offset(setup, memory, recorder),
+        measurement(setup, recorder),
+        cutter_words(setup, memory, recorder),
+        cutter(cutter_compensation(setup, recorder, [this](const Step& step) { report(step); })) {}
 
   void run(const spec::Block& block);
   void finish();
+  // What the stages hold goes out as if nothing followed.
+  void release();
   // Runs `work`, and ends the run where it raises an alarm or cannot decide.
   template <class Work>
   void guarded(const Work& work);
@@ -60,11 +79,15 @@ struct Engine::State {
   Step step(const Command& command);
   [[nodiscard]] Move move(const Command& command, const ProgramDirection::Marks& tip, const Leg& leg,
                           const LengthVector& offset, bool machine);
+  std::vector<Leg> measure(const Command& command, const Leg& leg, const LengthPlan& plan, Step& step);
+  void stand_where_measured(const Leg& leg, std::size_t axis);
   [[nodiscard]] LengthCommand length_command(const Command& command, const std::vector<Leg>& legs) const;
 
-  void report(const Step& step, const Move& move, const Vector& vector);
-  void report(const Alarm& alarm, const spec::ClauseList& clauses);
+  void report(const Step& step);
+  void report(const Step& step, const Move& move);
   void report(const Step& step, const OffsetSetting& setting);
+  void report(const Alarm& alarm, const spec::ClauseList& clauses);
+  void report(const LeftOpen& open);
   void report_undecided();
 
   spec::Setup setup;
@@ -75,9 +98,13 @@ struct Engine::State {
   ProgramDirection direction;
   ToolLengthOffset length;
   LeadingEdgeOffset edge;
+  ToolOffset tool_offset;
+  ToolLengthMeasurement measurement;
+  CutterWords cutter_words;
+  std::unique_ptr<CutterCompensation> cutter;
   std::uint64_t line = 0;  // of the block being interpreted
   std::optional<std::uint64_t> n;
-  std::optional<OffsetWrite> pending_write;  // of a G10 block, until its step is through
+  std::optional<OffsetWrite> pending_write;  // of a G10 block, until its step is made
   bool stopped = false;
 };
 
@@ -101,6 +128,9 @@ void Engine::State::guarded(const Work& work) {
     work();
   } catch (const Alarm& alarm) {
     fail(alarm);
+  } catch (const LeftOpen& open) {
+    stopped = true;
+    report(open);
   } catch (const exact::Undecided&) {
     stopped = true;
     report_undecided();
@@ -111,16 +141,19 @@ void Engine::State::guarded(const Work& work) {
 void Engine::State::fail(const Alarm& alarm) {
   stopped = true;
   const spec::ClauseList clauses = recorder.take_clauses();
-  try {
-    edge.finish();
+  guarded([&] {
+    release();
     report(alarm, clauses);
-  } catch (const Alarm& earlier) {
-    report(earlier, recorder.take_clauses());
-  }
+  });
+}
+
+void Engine::State::release() {
+  edge.finish();
+  cutter->finish();
 }
 
 void Engine::State::finish() {
-  edge.finish();
+  release();
   stopped = true;
 }
 
@@ -129,11 +162,13 @@ void Engine::State::run(const spec::Block& block) {
   n = block.n;
   recorder.at(line);
   const Command command = interpreter.read(block);
-  const Step next = step(command);
-  std::optional<OffsetWrite> write;
-  std::swap(write, pending_write);
+  Step next = step(command);
+  if (pending_write) {
+    next.setting = memory.write(*pending_write);
+    next.setting->clauses = recorder.take_clauses();
+    pending_write.reset();
+  }
   edge.take(next);
-  if (write) report(next, memory.write(*write));
   if (recorder.decide(Clause::fanuc_program_end, command.codes.ends_program)) finish();
 }
 
@@ -143,6 +178,17 @@ Step Engine::State::step(const Command& command) {
   const ProgramDirection::Marks tip = direction.read(command, length, edge.concerns(command), numbers);
   const bool moves = command.axes != 0 || (tip.tip_control && command.direction);
   const LeadingEdgeOffset::Marks marks = edge.read(command, moves, memory);
+  interpreter.select_workpiece_system(command);
+  std::optional<CutterBlock> cutter_block = cutter_words.read(command, interpreter);
+  if (cutter_block) {
+    cutter->read(*cutter_block);
+    cutter_words.add_value(*cutter_block);
+  }
+  const bool measures = command.codes.one_shot == OneShot::measure;
+  if (measures) {
+    const bool cutter_on = cutter_block && (cutter->on() || cutter->wanted(*cutter_block));
+    measurement.read(command, length.number(), cutter_on);
+  }
   if (command.codes.one_shot == OneShot::data)
     pending_write = memory.read_write(command.words, numbers, command.incremental);
   if (tip.ends) {
@@ -150,34 +196,62 @@ Step Engine::State::step(const Command& command) {
     interpreter.shift_position(Real(length.vector().along_tool) * direction.now().unit);
   }
   std::vector<Leg> legs = interpreter.legs(command, tip.tip_control, tip.starts);
+  const Leg start = cutter_block ? tool_offset.shifted(interpreter.stay(command)) : Leg();
+  tool_offset.apply(command, interpreter, cutter_words.number(),
+                    {command.codes.h.value_or(length.number()), length.axis_mode(command.codes.length)}, legs);
+  if (cutter_block) cutter_words.add_movement(*cutter_block, start, legs);
   const bool machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
   const LengthPlan plan = length.plan(length_command(command, legs));
   if (legs.empty() && !tip.ends && recorder.decide(Clause::fanuc_length_offset_move_without_axis_word, plan.changed))
-    legs.push_back(interpreter.stay(command));
+    legs.push_back(tool_offset.shifted(interpreter.stay(command)));
 
   Step step;
+  if (measures) legs = measure(command, legs.front(), plan, step);
   step.line = line;
   step.n = n;
   for (const Leg& leg : legs) {
     const bool on_way = is_reference_return(command.codes.one_shot) && &leg == &legs.front();
     step.moves.push_back(move(command, tip, leg, on_way ? plan.on_way : plan.at_end, machine));
+    if (leg.cause == spec::Cause::measure)
+      if (const auto feed = measurement.feed()) step.moves.back().feed = *feed;
   }
   interpreter.arrive(command, legs);
+  if (measures) stand_where_measured(legs.back(), measurement.axis(command));
   if (!tip.tip_control) direction.follow(interpreter.position());
-  if (edge.concerns(command)) {
-    const Leg rest = interpreter.stay(command);
+  if (edge.concerns(command) || cutter_block) {
+    const Leg rest = tool_offset.shifted(interpreter.stay(command));
     step.rest = step.moves.empty() ? move(command, tip, rest, plan.at_end, machine) : step.moves.back();
     step.rest.leg = rest;
+    if (cutter_block) step.rest.zero.reset();
   }
   step.has_word = command.codes.any;
   step.stops_look_ahead = command.codes.stops_look_ahead;
   step.edge = marks.edge;
   step.radius = marks.radius;
+  step.cutter = std::move(cutter_block);
   if (edge.concerns(command) && marks.edge == EdgeCommand::none)
     step.travels =
         !recorder.decide(Clause::fanuc_leading_edge_no_movement, legs.empty() || is_zero(legs.front().travel));
   step.clauses = recorder.take_clauses();
   return step;
+}
+
+// The legs of a G37 block, and what it writes or the alarm it ends with.
+std::vector<Leg> Engine::State::measure(const Command& command, const Leg& leg, const LengthPlan& plan, Step& step) {
+  const std::size_t axis = measurement.axis(command);
+  const MeasurementStart start{plan.at_end.axis.at(axis), tool_offset.shift(axis), length.minus()};
+  Measurement measured = measurement.measure(command, interpreter.position(), leg, start);
+  if (measured.in_zone)
+    pending_write = memory.measured(length.number(), measured.difference);
+  else
+    step.alarm = Alarm("PS0080", "G37: the approach-end signal came too early or not at all");
+  return std::move(measured.legs);
+}
+
+// The programmed position is where the measurement has stopped, the shift of the tool offset apart.
+void Engine::State::stand_where_measured(const Leg& leg, std::size_t axis) {
+  const Rational by = leg.shift->at(axis) - tool_offset.shift(axis);
+  interpreter.stand(axis, leg.end.at(axis) + Coordinate(by));
 }
 
 LengthCommand Engine::State::length_command(const Command& command, const std::vector<Leg>& legs) const {
@@ -187,7 +261,7 @@ LengthCommand Engine::State::length_command(const Command& command, const std::v
   result.plane = command.plane;
   result.axes = command.axes;
   result.has_word = command.codes.any;
-  result.cutter_code = command.codes.compensation == Compensation::cancel;
+  result.cutter_code = command.codes.compensation && *command.codes.compensation != Compensation::leading_edge;
   if (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot)) result.cancelled = command.axes;
   return result;
 }
@@ -212,7 +286,16 @@ Move Engine::State::move(const Command& command, const ProgramDirection::Marks& 
   return result;
 }
 
-void Engine::State::report(const Step& step, const Move& move, const Vector& vector) {
+void Engine::State::report(const Step& step) {
+  for (const Move& move : step.moves) report(step, move);
+  if (step.setting) report(step, *step.setting);
+  if (step.alarm) {
+    stopped = true;
+    report(*step.alarm, step.clauses);
+  }
+}
+
+void Engine::State::report(const Step& step, const Move& move) {
   Event event;
   event.kind = spec::EventKind::move;
   event.line = step.line;
@@ -221,10 +304,10 @@ void Engine::State::report(const Step& step, const Move& move, const Vector& vec
   event.cause = move.leg.cause;
   for (std::size_t i = 0; i < setup.axes.size(); ++i) {
     const char letter = setup.axes.letter(i);
-    Real at = move.leg.end.at(i).value();
+    Real at = move.leg.actual(i).value();
     if (spec::is_linear_axis(letter)) {
-      event.programmed.set(i, at);
-      if (is_space_axis(letter)) at += component(vector, space_index(letter));
+      event.programmed.set(i, move.leg.end.at(i).value());
+      if (is_space_axis(letter)) at += component(move.offset, space_index(letter));
       event.point.set(i, at);
     }
     const Real axis = at + move.length.at(i);
@@ -246,7 +329,7 @@ void Engine::State::report(const Step& step, const OffsetSetting& setting) {
   event.setting = setting.name;
   event.value = setting.value;
   event.clauses = step.clauses;
-  append(event.clauses, recorder.take_clauses());
+  append(event.clauses, setting.clauses);
   sink.on(event);
 }
 
@@ -258,6 +341,18 @@ void Engine::State::report(const Alarm& alarm, const spec::ClauseList& clauses) 
   event.number = alarm.number;
   event.message = alarm.message;
   event.clauses = clauses;
+  sink.on(event);
+}
+
+void Engine::State::report(const LeftOpen& open) {
+  Event event;
+  event.kind = spec::EventKind::undecided;
+  event.line = open.line != 0 ? open.line : line;
+  event.n = open.line != 0 ? open.n : n;
+  event.number = spec::info(open.clause).id;
+  event.permitted = {true, true, true};
+  event.message = open.message;
+  event.clauses = recorder.take_clauses();
   sink.on(event);
 }
 

@@ -8,6 +8,12 @@ std::span<const ExampleFile> example_files() {
   static const std::array kFiles{
       ExampleFile{"fanuc/tool-length-offset", "examples", tool_length_offset_examples()},
       ExampleFile{"fanuc/tool-length-offset", "rules", tool_length_offset_rules()},
+      ExampleFile{"fanuc/tool-length-measurement", "examples", tool_length_measurement_examples()},
+      ExampleFile{"fanuc/tool-offset", "examples", tool_offset_examples()},
+      ExampleFile{"fanuc/cutter-compensation-b", "examples", cutter_compensation_b_examples()},
+      ExampleFile{"fanuc/cutter-compensation-c", "examples", cutter_compensation_c_examples()},
+      ExampleFile{"fanuc/cutter-compensation-c", "examples-corners", cutter_compensation_c_corners()},
+      ExampleFile{"fanuc/cutter-compensation-c", "examples-checks", cutter_compensation_c_checks()},
       ExampleFile{"fanuc/leading-edge-offset", "examples", leading_edge_offset_examples()},
       ExampleFile{"fanuc/leading-edge-offset", "rules", leading_edge_offset_rules()},
   };

@@ -2,6 +2,7 @@
 From Coq Require Import Reals Lra List.
 From Interval Require Import Tactic.
 From Toolcomp Require Import Vectors LeadingEdgeOffset ToolLengthOffset ToolDirection.
+From Toolcomp Require CutterCompensationC.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -98,3 +99,88 @@ Proof. intros; subst; reflexivity. Qed.
 (** The positions are sums of the program's own decimals. *)
 Ltac by_sums :=
   cbn; unfold target, set; cbn; repeat (apply cons_equal; [apply place_equal; lra |]); reflexivity.
+
+(** * Cutter compensation C *)
+
+Definition unit u := scale (/ norm u) u.
+
+(** The group between two lines that go along [a] and [b], of any length. *)
+Definition corner rho a b := CutterCompensationC.group rho (unit a) (unit b).
+
+Lemma norm_inverse u : 0 < dot u u -> 0 < / norm u.
+Proof. intro H; apply Rinv_0_lt_compat, sqrt_lt_R0, H. Qed.
+
+Lemma turn_unit a b :
+  CutterCompensationC.turn (unit a) (unit b) = / norm a * / norm b * CutterCompensationC.turn a b.
+Proof. unfold CutterCompensationC.turn, unit, scale; cbn [vx vy vz]; ring. Qed.
+
+Lemma dot_unit a b : dot (unit a) (unit b) = / norm a * / norm b * dot a b.
+Proof. unfold unit; rewrite dot_scale_l, dot_scale_r; ring. Qed.
+
+Lemma corner_meets rho a b : 0 < dot a a -> 0 < dot b b ->
+  0 < rho * CutterCompensationC.turn a b \/ 0 <= dot a b ->
+  corner rho a b = [CutterCompensationC.M rho (unit a) (unit b)].
+Proof.
+  intros A B H; unfold corner, CutterCompensationC.group.
+  pose proof (Rmult_lt_0_compat _ _ (norm_inverse a A) (norm_inverse b B)) as P.
+  rewrite turn_unit, dot_unit. destruct Rlt_dec as [T | T]; [reflexivity |].
+  destruct Rle_dec as [D | D]; [reflexivity | exfalso].
+  destruct H as [H | H].
+  - apply T. rewrite <- Rmult_assoc, (Rmult_comm rho), Rmult_assoc. apply Rmult_lt_0_compat; auto.
+  - apply D, Rmult_le_pos; lra.
+Qed.
+
+Lemma corner_acute rho a b : 0 < dot a a -> 0 < dot b b ->
+  rho * CutterCompensationC.turn a b <= 0 -> dot a b < 0 ->
+  corner rho a b = [CutterCompensationC.Q1 rho (unit a); CutterCompensationC.Q2 rho (unit b)].
+Proof.
+  intros A B H K; unfold corner, CutterCompensationC.group.
+  pose proof (Rmult_lt_0_compat _ _ (norm_inverse a A) (norm_inverse b B)) as P.
+  rewrite turn_unit, dot_unit. destruct Rlt_dec as [T | T].
+  - exfalso. rewrite <- Rmult_assoc, (Rmult_comm rho), Rmult_assoc in T.
+    assert (0 <= / norm a * / norm b * - (rho * CutterCompensationC.turn a b)) by (apply Rmult_le_pos; lra). lra.
+  - destruct Rle_dec as [D | D]; [exfalso | reflexivity].
+    assert (0 < / norm a * / norm b * - dot a b) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.
+
+Ltac vectors :=
+  unfold CutterCompensationC.M, CutterCompensationC.Q1, CutterCompensationC.Q2, CutterCompensationC.perpendicular,
+    CutterCompensationC.left, unit, sub, opp, add, scale; cbn [vx vy vz].
+
+(** The class of a corner, by signs of rational numbers. *)
+Ltac by_signs := unfold CutterCompensationC.turn, dot; cbn [vx vy vz]; lra.
+Ltac meets := apply corner_meets; [by_signs | by_signs | first [left; by_signs | right; by_signs]].
+Ltac acute := apply corner_acute; by_signs.
+
+(** A head whose blocks have the rational lengths [m] and [n]; or by intervals. *)
+Ltac by_lengths a m b n :=
+  vectors; rewrite ?(norm_is a m), ?(norm_is b n) by (unfold dot; cbn [vx vy vz]; lra);
+  unfold dot; cbn [vx vy vz]; rewrite ?(Rabs_right _), ?(Rabs_left _) by lra; field; lra.
+Ltac head_by_intervals :=
+  unfold recorded; vectors; unfold norm, dot; cbn [vx vy vz]; interval with (i_prec 90).
+
+(** * Tool offset, tool length measurement, cutter compensation B *)
+From Toolcomp Require ToolOffset ToolLengthMeasurement CutterCompensationB.
+
+Ltac magnitude := first [rewrite Rabs_R0 | rewrite Rabs_right by lra | rewrite Rabs_left by lra | idtac].
+
+(** One block on one axis. *)
+Ltac by_offset_step :=
+  unfold ToolOffset.step, ToolOffset.sense, ToolOffset.travel, ToolOffset.lengthening;
+  cbn [ToolOffset.programmed ToolOffset.actual];
+  repeat (destruct Rlt_dec; try lra); magnitude; f_equal; lra.
+
+(** The outcome of a measurement, and the value written. *)
+Ltac by_measuring :=
+  unfold ToolLengthMeasurement.measure, ToolLengthMeasurement.touched, ToolLengthMeasurement.measuring_start,
+    ToolLengthMeasurement.sense;
+  magnitude; repeat (destruct Rlt_dec; try lra); repeat (destruct Rle_dec; try lra); f_equal; lra.
+Ltac by_adding := unfold ToolLengthMeasurement.measured; lra.
+
+(** A vector of type B, where the length [m] of its direction is rational, and where it is not. *)
+Ltac in_components := unfold norm, scale, dot, CutterCompensationB.left; cbn [vx vy vz].
+Ltac by_length m :=
+  unfold CutterCompensationB.side_offset, CutterCompensationB.V; rewrite (norm_is _ m) by (in_components; lra);
+  in_components; lra.
+Ltac by_root :=
+  unfold recorded, CutterCompensationB.side_offset, CutterCompensationB.V; in_components; interval with (i_prec 90).

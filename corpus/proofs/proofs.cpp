@@ -15,7 +15,11 @@ struct Section {
 };
 constexpr Section kSections[] = {
     {"fanuc/tool-length-offset", "GoldenToolLengthOffset.v", length_offset_lemmas},
+    {"fanuc/tool-length-measurement", "GoldenToolLengthMeasurement.v", length_measurement_lemmas},
+    {"fanuc/tool-offset", "GoldenToolOffset.v", tool_offset_lemmas},
+    {"fanuc/cutter-compensation-b", "GoldenCutterCompensationB.v", cutter_b_lemmas},
     {"fanuc/leading-edge-offset", "GoldenLeadingEdgeOffset.v", leading_edge_lemmas},
+    {"fanuc/cutter-compensation-c", "GoldenCutterCompensationC.v", cutter_compensation_c_lemmas},
 };
 
 ProofFile write(const Section& section, const std::vector<Vector>& vectors, const std::filesystem::path& output,
@@ -24,6 +28,7 @@ ProofFile write(const Section& section, const std::vector<Vector>& vectors, cons
   std::string text = fmt::format(
       "(** Generated from the golden vectors of {}. *)\nFrom Coq Require Import Reals Lra List.\n"
       "From Toolcomp Require Import Vectors LeadingEdgeOffset ToolLengthOffset ToolDirection Golden.\n"
+      "From Toolcomp Require ToolLengthMeasurement ToolOffset CutterCompensationB CutterCompensationC.\n"
       "Import ListNotations.\nOpen Scope R_scope.\n",
       section.section);
   std::size_t computed = 0;

@@ -22,9 +22,19 @@ struct Lemma {
 // expected events: nothing is taken from the engines.
 //   leading edge    a move whose vector is made of the next movement: the class of the angle, the sense, and that the
 //                   recorded point is the programmed point plus VC to within its radius, or exactly;
-//   length offset   a whole program of G43 G44 G49 H and straight moves, types A and B: every position of the axes.
+//   length offset   a whole program of G43 G44 G49 H and straight moves, types A and B: every position of the axes;
+//   G37             the first measurement of a program: where it ends, and the value written or the alarm;
+//   G45 to G48      a block on one axis: the programmed and the actual position after it;
+//   cutter B        a straight block in the XY plane: that the recorded point is the programmed one plus the vector;
+//   cutter C        a corner of two lines in the offset mode, XY plane: its class, and that the recorded heads are
+//   those
+//                   of the class, exactly where the lengths of both lines are rational.
 std::vector<Lemma> leading_edge_lemmas(const spec::Case& c);
 std::vector<Lemma> length_offset_lemmas(const spec::Case& c);
+std::vector<Lemma> length_measurement_lemmas(const spec::Case& c);
+std::vector<Lemma> tool_offset_lemmas(const spec::Case& c);
+std::vector<Lemma> cutter_b_lemmas(const spec::Case& c);
+std::vector<Lemma> cutter_compensation_c_lemmas(const spec::Case& c);
 
 struct ProofOptions {
   std::size_t computed = 40;  // lemmas a section, at most

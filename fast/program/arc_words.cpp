@@ -9,21 +9,25 @@ std::size_t Interpreter::normal_axis() const {
   return plane_ == spec::Plane::zx ? xyz_[1] : xyz_[0];
 }
 
+std::array<std::size_t, 2> Interpreter::plane_axes(spec::Plane plane) const {
+  return {xyz_[in_plane(plane, 0)], xyz_[in_plane(plane, 1)]};
+}
+
 // An axis of the plane, I J K or R make an arc; anything else under G02 or G03 is straight.
-Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc) const {
-  const std::size_t first = plane_ == spec::Plane::xy ? 0 : (plane_ == spec::Plane::zx ? 2 : 1);
-  const std::array<std::size_t, 2> in_plane{first, (first + 1) % 3};  // of X, Y, Z
+Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
+                            bool with_geometry) const {
+  const std::array<std::size_t, 2> plane = plane_axes(plane_);
   std::array<Count, 2> start;
   std::array<Count, 2> end;
   std::array<Count, 2> to_center;
   bool is_arc = words.has('R') || words.has_any(Words::set_of("IJK"));
   for (std::size_t i = 0; i < 2; ++i) {
-    const std::size_t axis = xyz_[in_plane[i]];
-    const char letter = static_cast<char>('I' + in_plane[i]);
+    const std::size_t axis = plane[i];
+    const char letter = direction_letter(plane_, i);
     if (axis != spec::Axes::kNone) {
-      start[i] = end[i] = programmed_[axis];
+      start[i] = end[i] = actual(axis);
       if ((words.axes() & bit(axis)) != 0) {
-        end[i] = target(words, axis);
+        end[i] = target(words, axis) + tool_offset_[axis];
         is_arc = true;
       }
     }
@@ -32,17 +36,23 @@ Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>
   if (!is_arc) return alarm::kNone;
   if (!end[0].in_range() || !end[1].in_range()) return alarm::kRange;
   const bool clockwise = motion_ == 20;
+  const bool by_radius = words.has('R');
+  const Count radius = by_radius ? value(words['R'], true, inch_program_) : Count();
+  arc_words = {clockwise, by_radius, to_center, radius};
   ArcGeometry geometry;
-  const Alarm a = words.has('R')
-                      ? arc_by_radius(start, end, value(words['R'], true, inch_program_), clockwise, geometry)
-                      : arc_by_center(start, end, to_center, clockwise, geometry);
+  Alarm a;
+  if (with_geometry)
+    a = by_radius ? arc_by_radius(start, end, radius, clockwise, geometry)
+                  : arc_by_center(start, end, to_center, clockwise, geometry);
+  else
+    a = by_radius ? center_by_radius(start, end, radius, clockwise, geometry.center)
+                  : center_by_center(start, to_center, geometry.center);
   if (a) return a;
   arc.emplace();
   arc->plane = plane_;
   arc->direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   for (std::size_t i = 0; i < 2; ++i)
-    if (const std::size_t axis = xyz_[in_plane[i]]; axis != spec::Axes::kNone)
-      arc->center.set(axis, geometry.center[i]);
+    if (plane[i] != spec::Axes::kNone) arc->center.set(plane[i], geometry.center[i]);
   arc->sweep = geometry.sweep;
   arc->radius = geometry.radius;
   return alarm::kNone;

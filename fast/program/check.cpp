@@ -1,4 +1,6 @@
 // The alarms of commands, in the order of the specification (clause fanuc.program.alarm-order).
+#include <bit>
+
 #include "fast/fault.h"
 #include "fast/program/interpreter.h"
 
@@ -12,6 +14,10 @@ constexpr std::uint32_t kAuxiliaryLetters = Words::set_of("MST");
 
 Alarm Interpreter::check(const Words& words, Plan& plan) const {
   const Code one_shot = words.code(Words::kOneShot);
+  const Code code = words.code(Words::kCompensation);
+  const bool cutter_code = code == 410 || code == 420;
+  // Three-dimensional tool compensation is not built.
+  if (cutter_code && !is_b_ && words.has('I') && words.has('J') && words.has('K')) return alarm::kUnknownCode;
   const std::uint32_t list = words.has('L') ? whole_number(words['L'], 99) : 100;
   if (one_shot == 100 && !memory_.has_list(list)) return alarm::kUnknownList;
 
@@ -23,9 +29,10 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
   const Code length = words.code(Words::kLength);
   plan.along = length == 435 || (along_tool() && length != 490);
   plan.ends_along = along_tool() && length == 490;
-  const Code code = words.code(Words::kCompensation);
   const bool active = leading_edge_.active();
-  const bool after = (code == kNone ? active : code == 413) && plan.d != 0;
+  // G41 and G42 do not end leading edge offset, they are forbidden in it; with number 0 it ends.
+  plan.cutter = cutter_code || one_shot == 390 || cutter_active();
+  const bool after = (code == kNone || (active && cutter_code) ? active : code == 413) && plan.d != 0;
   if (after)
     plan.compensation = active ? Compensation::stays : Compensation::starts;
   else
@@ -35,7 +42,11 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
     if (const Alarm a = check_tool_direction(words, plan)) return a;
   if (active || code == 413)
     if (const Alarm a = check_leading_edge(words, plan)) return a;
+  if (plan.cutter)
+    if (const Alarm a = check_cutter(words, plan)) return a;
 
+  if (one_shot == 370)
+    if (const Alarm a = check_measurement(words)) return a;
   if (one_shot == 100) {
     const std::uint32_t number = words.has('P') ? whole_number(words['P'], memory_.count()) : 0;
     plan.writes = words.has('R');
@@ -54,7 +65,9 @@ Alarm Interpreter::check_tool_direction(const Words& words, const Plan& plan) co
   const Code one_shot = words.code(Words::kOneShot);
   const bool ijk = words.has_any(kDirectionLetters);
   const bool forbidden = one_shot != kNone && one_shot != 40 && one_shot != 100;
-  if (plan.along && (forbidden || words.code(Words::kWorkpiece) != kNone)) return alarm::kForbiddenUnderDirection;
+  const bool cutter = words.code(Words::kCompensation) == 410 || words.code(Words::kCompensation) == 420;
+  if (plan.along && (forbidden || cutter || words.code(Words::kWorkpiece) != kNone))
+    return alarm::kForbiddenUnderDirection;
   if (along_tool() && (length == 430 || length == 440)) return alarm::kLengthExclusion;
   if (length == 435 && length_.live() != 0) return alarm::kLengthExclusion;
   if (length == 435 && (kinematics_.type() == 12 || kinematics_.type() == 21 || head_offsets_))
@@ -79,12 +92,88 @@ Alarm Interpreter::check_leading_edge(const Words& words, const Plan& plan) cons
   if (code && plan.motion > 10) return alarm::kLeadingEdgeStart;
   if (active && (code || plan.motion > 10)) return alarm::kLeadingEdgeCommand;
   if (plan.compensation != Compensation::starts && plan.compensation != Compensation::stays) return alarm::kNone;
+  const Code compensation = words.code(Words::kCompensation);
+  if (compensation == 410 || compensation == 420) return alarm::kForbiddenInCompensation;
   if (words.code(Words::kOneShot) != kNone || words.code(Words::kWorkpiece) != kNone ||
       words.code(Words::kUnits) != kNone || (moves && words.has_any(kAuxiliaryLetters)))
     return alarm::kForbiddenInCompensation;
   if (plan.compensation == Compensation::starts || words.has('D'))
     if (!memory_.fits(memory_.d(plan.d))) return alarm::kOffsetValue;
   return alarm::kNone;
+}
+
+// The alarms of cutter compensation that words and state alone show (clause fanuc.program.alarm-order).
+Alarm Interpreter::check_cutter(const Words& words, const Plan& plan) const {
+  const Code code = words.code(Words::kCompensation);
+  const Code one_shot = words.code(Words::kOneShot);
+  const Code plane = words.code(Words::kPlane);
+  const bool on = cutter_on();
+  const CutterSide word = cutter_side(code);
+  const bool in_force = cutter_in_force(words);
+  const spec::Plane selected = plane == kNone ? plane_ : plane_of(plane);
+  const std::array<std::size_t, 2> axis = plane_axes(selected);
+  if (in_force && (axis[0] == spec::Axes::kNone || axis[1] == spec::Axes::kNone)) return alarm::kPlaneAxis;
+  if (on && selected != plane_) return alarm::kPlaneChange;
+  if ((on && code == 413) || ((on || in_force) && words.code(Words::kLength) == 435))
+    return alarm::kForbiddenInCutterCompensation;
+  if (words.is_tool_offset() && (on || cutter_wanted(words))) return alarm::kToolOffsetInCutter;
+
+  const std::optional<OffsetNumber> commanded = commanded_number(words);
+  Mask in_plane = 0;
+  for (const std::size_t i : axis)
+    if (i != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(i));
+  CutterCommand command;
+  command.word = word;
+  command.corner_arc = one_shot == 390;
+  command.axis_word = words.axes() != 0;
+  command.plane_word = (words.axes() & in_plane) != 0;
+  command.outside_word = (words.axes() & ~in_plane) != 0;
+  command.letters_zero = true;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const char letter = direction_letter(selected, i);
+    if (!words.has(letter)) continue;
+    command.letters = true;
+    command.letters_zero &= words[letter].is_zero();
+  }
+  command.letters_zero &= command.letters;
+  command.no_direction =
+      command.letters ? command.letters_zero : (!command.plane_word || stays(words, words.axes() & in_plane));
+  command.arc = plan.motion > 10 && one_shot == kNone &&
+                (command.plane_word || words.has('R') || words.has_any(kDirectionLetters));
+  command.d_word = commanded.has_value();
+  command.d = commanded.value_or(cutter_number_).number;
+  if (const Alarm a = is_b_ ? cutter_b_.check(command) : cutter_c_.check(command)) return a;
+
+  // The value is read where the number is given, where G41 or G42 comes into force, and after an edit.
+  const bool reads = commanded || (in_force && cutter_side_ == CutterSide::off) || takes_edited_value();
+  if (in_force && reads && !memory_.fits(cutter_value(commanded.value_or(cutter_number_)))) return alarm::kOffsetValue;
+  return alarm::kNone;
+}
+
+// The alarms of G37, in their order.
+Alarm Interpreter::check_measurement(const Words& words) const {
+  if (words.code(Words::kLength) != kNone) return alarm::kMeasurementFormat;
+  if (words.has('H')) return alarm::kMeasurementNumberInBlock;
+  if (length_.number() == 0) return alarm::kMeasurementNumberZero;
+  const bool add = words.code(Words::kDistance) == kNone ? incremental_ : words.code(Words::kDistance) == 910;
+  if (add || std::popcount(words.axes()) != 1 || (words.axes() & linear_) == 0) return alarm::kMeasurementAxis;
+  if (cutter_on() || cutter_wanted(words)) return alarm::kMeasurementInCutter;
+  return measurement_.parameters();
+}
+
+// Whether the axis words in `axes` name the position at which the axes stand, or in G91 no travel.
+bool Interpreter::stays(const Words& words, unsigned axes) const {
+  const bool add = words.code(Words::kDistance) == kNone ? incremental_ : words.code(Words::kDistance) == 910;
+  const bool inch = words.code(Words::kUnits) == kNone ? inch_program_ : words.code(Words::kUnits) == 200;
+  const Code system = words.code(Words::kWorkpiece);
+  const std::size_t chosen = system == kNone ? workpiece_ : static_cast<std::size_t>((system - 540) / 10);
+  for (; axes != 0; axes &= axes - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(axes));
+    const Count word = value(words.axis(axis), (linear_ & bit(axis)) != 0, inch);
+    const Count position = programmed_[axis] + origin_[workpiece_][axis] - origin_[chosen][axis];
+    if (add ? !word.is_zero() : !(word == position)) return false;
+  }
+  return true;
 }
 
 // The index of the reference position that G28, G30 or G30.1 means; 0 where P of G30 means none.

@@ -17,10 +17,17 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink)
       kinematics_(setup),
       memory_(setup),
       length_(setup),
+      tool_offset_(setup),
+      measurement_(setup),
       sink_(sink),
       leading_edge_(setup, kinematics_, sink),
+      is_b_(setup.cutter_compensation == spec::CutterCompensationType::b),
+      cutter_b_(setup, sink),
+      cutter_c_(setup, sink),
       inch_program_(inch_setup_),
-      plain_words_(!counts_increments_) {
+      plain_words_(!counts_increments_),
+      ofh_(setup.bit(5001, 2)),
+      evr_(setup.bit(5001, 4)) {
   if (setup.control != spec::Control::fanuc)
     throw spec::InputError("setup", 0, 0, "control: only \"fanuc\" programs can be run");
   for (std::size_t axis = 0; axis < count_; ++axis) {
@@ -55,13 +62,18 @@ void Interpreter::block(const spec::Block& block) {
   line_ = block.line;
   n_ = block.n;
   if (block.alarm) [[unlikely]] {
-    if (leading_edge_.active() && leading_edge_.release()) return raise_at_start(alarm::kLeadingEdgeCommand);
+    if (release_held()) return;
     return send_alarm(block.alarm->number, block.alarm->message, line_, n_);
   }
   const Words words(block, axes_);
   if (words.unsupported()) [[unlikely]]
     return raise(alarm::kUnknownCode);
-  if (!words.any()) return;
+  if (!words.any()) {
+    // A sequence or program number alone is a block without movement where blocks are counted.
+    if (!cutter_active()) return;
+    if (const Alarm a = cutter_move(words)) raise(a);
+    return;
+  }
   if (const Alarm a = run(words)) [[unlikely]]
     return raise(a);
   if (words.ends_program()) end();
@@ -69,14 +81,25 @@ void Interpreter::block(const spec::Block& block) {
 
 void Interpreter::end() {
   if (stopped_) return;
-  if (leading_edge_.active() && leading_edge_.release()) raise_at_start(alarm::kLeadingEdgeCommand);
+  if (release_held()) return;
   stopped_ = true;
 }
 
-// A command alarm: what is held goes out as if the block and everything after it were absent. A start-up that still
-// waits for a movement is then itself at fault.
+bool Interpreter::release_held() {
+  if (leading_edge_.active() && leading_edge_.release()) {
+    raise_at_start(alarm::kLeadingEdgeCommand);
+    return true;
+  }
+  if (!cutter_active()) return false;
+  const StageEnd held = is_b_ ? cutter_b_.release() : cutter_c_.release();
+  if (held) end_run(held);
+  return stopped_;
+}
+
+// A command alarm: what is held goes out as if the block and everything after it were absent. A block held may then
+// itself be at fault.
 void Interpreter::raise(const Alarm& alarm) {
-  if (leading_edge_.active() && leading_edge_.release()) return raise_at_start(alarm::kLeadingEdgeCommand);
+  if (release_held()) return;
   send_alarm(alarm.number, alarm.message, line_, n_);
 }
 
@@ -85,9 +108,9 @@ void Interpreter::raise_at_start(const Alarm& alarm) {
 }
 
 void Interpreter::send_alarm(const spec::Name& number, const char* message, std::uint64_t line,
-                             const std::optional<std::uint64_t>& n) {
+                             const std::optional<std::uint64_t>& n, spec::EventKind kind) {
   stopped_ = true;
-  notice_.kind = spec::EventKind::alarm;
+  notice_.kind = kind;
   notice_.number = number;
   notice_.message = message;
   notice_.line = line;
@@ -95,11 +118,18 @@ void Interpreter::send_alarm(const spec::Name& number, const char* message, std:
   sink_.on(notice_);
 }
 
+void Interpreter::end_run(const StageEnd& end) {
+  if (end.undecided == nullptr) return send_alarm(end.alarm.number, end.alarm.message, end.line, end.n);
+  send_alarm(end.undecided, "", end.line, end.n, spec::EventKind::undecided);
+}
+
 Alarm Interpreter::run(const Words& words) {
   // The usual block: positions and F, and nothing that waits for a block to come.
   if (words.plain() && motion_ <= 10 && !along_tool() && !length_.pending()) [[likely]] {
     set_feed(words);
-    return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
+    if (!cutter_active()) [[likely]]
+      return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
+    if (!takes_edited_value()) return cutter_move(words);
   }
   Plan plan;
   if (const Alarm a = check(words, plan)) return a;
@@ -114,8 +144,7 @@ void Interpreter::set_feed(const Words& words) {
 // Everything is allowed but what depends on positions (arcs) and on the length offset, whose alarms come last.
 Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   motion_ = plan.motion;
-  if (const Code code = words.code(Words::kPlane); code != kNone)
-    plane_ = code == 170 ? spec::Plane::xy : (code == 180 ? spec::Plane::zx : spec::Plane::yz);
+  if (const Code code = words.code(Words::kPlane); code != kNone) plane_ = plane_of(code);
   if (const Code code = words.code(Words::kDistance); code != kNone) incremental_ = code == 910;
   if (const Code code = words.code(Words::kUnits); code != kNone) {
     inch_program_ = code == 200;
@@ -123,12 +152,19 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   }
   set_feed(words);
   if (plan.ends_along) end_tool_direction();
-  if (const Code code = words.code(Words::kWorkpiece); code != kNone) select_workpiece(code);
+  if (const Code code = words.code(Words::kWorkpiece); code != kNone) {
+    select_workpiece(code);
+    if (plan.cutter) rename_in_cutter();
+  }
 
   const Code one_shot = words.code(Words::kOneShot);
   std::optional<spec::Arc<double>> arc;
-  if (one_shot == kNone && motion_ > 10)
-    if (const Alarm a = plan_arc(words, arc)) return a;
+  ArcWords arc_words;
+  if ((one_shot == kNone || words.is_tool_offset()) && motion_ > 10)
+    if (const Alarm a = plan_arc(words, arc, arc_words, !makes_tool_arc(words))) return a;
+  Shifts shifts;
+  if (words.is_tool_offset())
+    if (const Alarm a = plan_tool_offset(words, arc_words, arc, shifts)) return a;
 
   length_.begin_block();
   if (const Alarm a = length_.restore(words, memory_)) return a;
@@ -146,6 +182,23 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
       (plan.compensation == Compensation::stays || plan.compensation == Compensation::cancels))
     if (const Alarm a = leading_edge_.release()) return a;
 
+  in_cutter_ = plan.cutter;
+  if (const std::optional<OffsetNumber> number = commanded_number(words)) cutter_number_ = *number;
+  if (in_cutter_) {
+    begin_cutter(words);
+    CutterBlock& block = cutter_next();
+    block.sets = plan.writes;
+    if (plan.writes) store_offset(plan.write, block.setting, block.setting_value);
+    if (words.code(Words::kCompensation) == 413 || words.is_tool_offset() || plan.compensation == Compensation::cancels)
+      retire_cutter();
+    if (stopped_) return alarm::kNone;
+  }
+  if (const Alarm a = for_each_axis(shifts.axes, [&](std::size_t axis) {
+        tool_offset_.add(axis, shifts.by[axis]);
+        return tool_offset_[axis].in_range() ? alarm::kNone : alarm::kRange;
+      }))
+    return a;
+
   if (words.axes() != 0) switch (one_shot) {
       case 280:
       case 300:
@@ -156,23 +209,33 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
       case 530:
         if (!incremental_) return to_machine_position(words);
         break;
+      case 370:
+        return measure(words);
       default:
         break;
     }
-  if (const Alarm a = motion(words, plan.compensation, one_shot == kNone, extra, arc)) return a;
+  if (in_cutter_)
+    return one_shot == 920 ? shift_in_cutter(words, extra) : cutter_motion(words, one_shot, extra, arc, arc_words);
+  const bool own = one_shot == kNone || words.is_tool_offset();
+  if (const Alarm a = motion(words, plan.compensation, own, extra, arc)) return a;
   if (one_shot == 920) return shift_coordinates(words);
-  return plan.writes ? write_offset(plan.write) : alarm::kNone;
+  if (plan.writes) write_offset(plan.write);
+  return alarm::kNone;
 }
 
-Alarm Interpreter::write_offset(const OffsetMemory::Write& write) {
+void Interpreter::store_offset(const OffsetMemory::Write& write, spec::Name& name, double& stored) {
+  name = memory_.store(write);
+  stored = memory_.value(write).nearest();
+  if (memory_.changes_h(write)) length_.edited(write.number);
+  cutter_edited_ = true;
+}
+
+void Interpreter::write_offset(const OffsetMemory::Write& write) {
   notice_.kind = spec::EventKind::setting;
   notice_.line = line_;
   notice_.n = n_;
-  notice_.setting = memory_.store(write);
-  notice_.value = memory_.value(write).nearest();
-  if (memory_.changes_h(write)) length_.edited(write.number);
+  store_offset(write, notice_.setting, notice_.value);
   sink_.on(notice_);
-  return alarm::kNone;
 }
 
 }  // namespace toolcomp::fast

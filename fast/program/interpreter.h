@@ -6,13 +6,20 @@
 #include <optional>
 
 #include "fast/arithmetic/count.h"
+#include "fast/cutter_compensation_b/cutter_compensation_b.h"
+#include "fast/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/engine.h"
+#include "fast/fault.h"
 #include "fast/kinematics/kinematics.h"
 #include "fast/leading_edge_offset/leading_edge_offset.h"
 #include "fast/program/alarm.h"
+#include "fast/program/arc.h"
+#include "fast/program/cutter_block.h"
 #include "fast/program/words.h"
+#include "fast/tool_length_measurement/tool_length_measurement.h"
 #include "fast/tool_length_offset/offset_memory.h"
 #include "fast/tool_length_offset/tool_length_offset.h"
+#include "fast/tool_offset/tool_offset.h"
 #include "spec/language/block.h"
 #include "spec/language/setup.h"
 
@@ -34,6 +41,11 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   using Mask = std::uint16_t;  // bit i: axis i
   // What a block does to leading edge offset.
   enum class Compensation : std::uint8_t { off, starts, stays, cancels };
+  // A number of the cutter: D, or H where 5001#2 = 1.
+  struct OffsetNumber {
+    std::uint32_t number = 0;
+    bool from_h = false;
+  };
   // What the words of a block say about it, before anything is changed.
   struct Plan {
     Compensation compensation = Compensation::off;
@@ -41,6 +53,7 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
     Code motion = 0;
     bool along = false;       // G43.5 is in force after the block
     bool ends_along = false;  // G49 ends it
+    bool cutter = false;      // the block passes cutter compensation
     OffsetMemory::Write write;
     bool writes = false;
   };
@@ -50,16 +63,22 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   [[nodiscard]] Alarm run(const Words& words);
   [[nodiscard]] Alarm apply(const Words& words, const Plan& plan);
   void set_feed(const Words& words);
-  [[nodiscard]] Alarm write_offset(const OffsetMemory::Write& write);
+  void write_offset(const OffsetMemory::Write& write);
+  void store_offset(const OffsetMemory::Write& write, spec::Name& name, double& stored);
   void raise(const Alarm& alarm);
   void raise_at_start(const Alarm& alarm);
+  // Everything a stage holds goes out; true if that ended the run.
+  [[nodiscard]] bool release_held();
   void send_alarm(const spec::Name& number, const char* message, std::uint64_t line,
-                  const std::optional<std::uint64_t>& n);
+                  const std::optional<std::uint64_t>& n, spec::EventKind kind = spec::EventKind::alarm);
 
   // check.cpp: the alarms of commands, in their order.
   [[nodiscard]] Alarm check(const Words& words, Plan& plan) const;
   [[nodiscard]] Alarm check_tool_direction(const Words& words, const Plan& plan) const;
   [[nodiscard]] Alarm check_leading_edge(const Words& words, const Plan& plan) const;
+  [[nodiscard]] Alarm check_cutter(const Words& words, const Plan& plan) const;
+  [[nodiscard]] Alarm check_measurement(const Words& words) const;
+  [[nodiscard]] bool stays(const Words& words, unsigned axes) const;
   [[nodiscard]] std::uint32_t reference_point(const Words& words) const;
 
   // motion.cpp: own moves and their events. `own` words are positions; `extra`: a move even without them.
@@ -78,7 +97,10 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   }
 
   // arc_words.cpp
-  [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc) const;
+  // Without `geometry` the arc has its centre, but neither sweep nor radii.
+  [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
+                               bool geometry) const;
+  [[nodiscard]] std::array<std::size_t, 2> plane_axes(spec::Plane plane) const;
   [[nodiscard]] std::size_t normal_axis() const;
 
   // machine_moves.cpp: G53, G28, G30, G30.1, G29, G92, G54 to G59.
@@ -86,10 +108,64 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   [[nodiscard]] Alarm to_reference(const Words& words);
   [[nodiscard]] Alarm from_reference(const Words& words);
   [[nodiscard]] Alarm place_at_machine(std::size_t axis, const Count& machine);
-  [[nodiscard]] Alarm send_rapid(spec::Cause cause, bool with_machine);
+  // The next rapid move, named `motion` to cutter compensation.
+  [[nodiscard]] Alarm send_rapid(spec::Cause cause, bool with_machine, CutterMotion motion);
   [[nodiscard]] Alarm shift_coordinates(const Words& words);
+  void rename_in_cutter();
+  [[nodiscard]] Alarm shift_in_cutter(const Words& words, bool extra);
   void select_workpiece(Code code);
   [[nodiscard]] Count machine_origin(std::size_t axis) const { return origin_[workpiece_][axis] + shift_[axis]; }
+
+  // cutter.cpp: blocks that pass cutter compensation B or C.
+  [[nodiscard]] bool cutter_active() const { return is_b_ ? cutter_b_.active() : cutter_c_.active(); }
+  // G41 or G42 is in force after the codes of the block.
+  [[nodiscard]] bool cutter_in_force(const Words& words) const {
+    const CutterSide word = cutter_side(words.code(Words::kCompensation));
+    return (word == CutterSide::unchanged ? cutter_side_ : word) != CutterSide::off;
+  }
+  // The sweep and the radii of an arc are made by cutter compensation, for the tool.
+  [[nodiscard]] bool makes_tool_arc(const Words& words) const {
+    if (words.is_tool_offset()) return false;
+    return is_b_ ? cutter_b_.active() && words.code(Words::kCompensation) == kNone : cutter_c_.on();
+  }
+  // And with a number: 0 is none in C.
+  [[nodiscard]] bool cutter_wanted(const Words& words) const {
+    return cutter_in_force(words) && (is_b_ || commanded_number(words).value_or(cutter_number_).number != 0);
+  }
+  [[nodiscard]] bool cutter_on() const { return is_b_ ? cutter_b_.active() : cutter_c_.on(); }
+  [[nodiscard]] CutterBlock& cutter_next() { return is_b_ ? cutter_b_.next() : cutter_c_.next(); }
+  [[nodiscard]] std::optional<OffsetNumber> commanded_number(const Words& words) const;
+  [[nodiscard]] Count cutter_value(const OffsetNumber& number) const {
+    return number.from_h ? memory_.h(number.number) : memory_.d(number.number);
+  }
+  [[nodiscard]] static CutterSide cutter_side(Code code);
+  // Whether this block takes an edited value of the cutter into force (EVR).
+  [[nodiscard]] bool takes_edited_value() const {
+    return cutter_edited_ && (evr_ || fault(Fault::edited_cutter_value_at_once));
+  }
+  // Where an axis stands, with the shift of G45 to G48 and without length offset; 0 for an axis that is not there.
+  [[nodiscard]] Count actual(std::size_t axis) const {
+    return axis == spec::Axes::kNone ? Count() : programmed_[axis] + tool_offset_[axis];
+  }
+  void begin_cutter(const Words& words);
+  void start_cutter_leg(const Words& words, CutterSide word, bool d_word);
+  [[nodiscard]] Alarm cutter_move(const Words& words);
+  void retire_cutter();
+  [[nodiscard]] Alarm corner_direction(const Words& words, CutterBlock& block) const;
+  [[nodiscard]] Alarm cutter_motion(const Words& words, Code one_shot, bool extra,
+                                    const std::optional<spec::Arc<double>>& arc, const ArcWords& arc_words);
+  [[nodiscard]] Alarm send_cutter(CutterBlock& block);
+  void end_run(const StageEnd& end);
+
+  // one_shot_moves.cpp: G45 to G48, G37.
+  struct Shifts {  // what G45 to G48 add to the shift of the axes of the block
+    Mask axes = 0;
+    Positions by;
+  };
+  [[nodiscard]] Alarm plan_tool_offset(const Words& words, const ArcWords& arc_words,
+                                       std::optional<spec::Arc<double>>& arc, Shifts& shifts) const;
+  [[nodiscard]] Alarm measure(const Words& words);
+  [[nodiscard]] Alarm send_measuring_move(std::size_t axis, const Count& to, double commanded, bool measuring);
 
   // tool_direction.cpp: rotary axes and G43.5.
   void turn();
@@ -117,8 +193,13 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   Kinematics kinematics_;
   OffsetMemory memory_;
   ToolLengthOffset length_;
+  ToolOffset tool_offset_;
+  ToolLengthMeasurement measurement_;
   EventSink& sink_;
   LeadingEdgeOffset leading_edge_;
+  bool is_b_;  // cutter compensation B, not C
+  CutterCompensationB cutter_b_;
+  CutterCompensationC cutter_c_;
 
   // Modal state.
   Code motion_ = 0;
@@ -129,6 +210,13 @@ class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): groupe
   std::size_t workpiece_ = 0;
   std::uint32_t d_ = 0;
   double radius_ = 0;  // of D, when it was applied
+  bool ofh_;           // 5001#2: an H number counts for the cutter too
+  bool evr_;           // 5001#4: an edited cutter value counts from the next block on
+  CutterSide cutter_side_ = CutterSide::off;
+  OffsetNumber cutter_number_;
+  Count cutter_offset_;  // of that number, when it was applied
+  bool cutter_edited_ = false;
+  bool in_cutter_ = false;  // this block passes cutter compensation
   std::optional<double> feed_;
 
   // Positions.
@@ -164,7 +252,43 @@ Alarm for_each_axis(std::uint16_t mask, Function f) {
   return alarm::kNone;
 }
 
+// G17 G18 G19.
+constexpr spec::Plane plane_of(Code code) {
+  return code == 170 ? spec::Plane::xy : (code == 180 ? spec::Plane::zx : spec::Plane::yz);
+}
+
+// Which of X Y Z (0, 1, 2) is axis i (0, 1) of a plane: XY, ZX, YZ.
+constexpr std::size_t in_plane(spec::Plane plane, std::size_t i) {
+  const std::size_t first = plane == spec::Plane::xy ? 0 : (plane == spec::Plane::zx ? 2 : 1);
+  return (first + i) % 3;
+}
+
+// The letter I J K of that axis.
+constexpr char direction_letter(spec::Plane plane, std::size_t i) {
+  return static_cast<char>('I' + static_cast<int>(in_plane(plane, i)));
+}
+
 // The mask of one axis.
 constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
+
+// The usual word without a detour: a position of at most six places, as it is written, with an offset of as many.
+inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
+  if (plain_words_ && !incremental_) [[likely]]
+    if (const std::int64_t small = Count::small_of(words.axis(axis)); small != Count::kNotSmall) [[likely]] {
+      programmed_[axis].set_small(small);
+      const double position = Count::nearest_small(small);
+      programmed_value_[axis] = position;
+      if (((length_.live() | tool_offset_.live()) & bit(axis)) == 0)
+        axes_value_[axis] = position;
+      else if ((tool_offset_.live() & bit(axis)) != 0)
+        stale_ = static_cast<Mask>(stale_ | bit(axis));
+      else if (const std::int64_t sum = small + length_[axis].small(); length_[axis].is_small() && Count::is_small(sum))
+        axes_value_[axis] = Count::nearest_small(sum);
+      else
+        stale_ = static_cast<Mask>(stale_ | bit(axis));
+      return alarm::kNone;
+    }
+  return place(axis, target(words, axis));
+}
 
 }  // namespace toolcomp::fast

@@ -4,9 +4,19 @@
 
 namespace toolcomp::fast {
 
-Alarm Interpreter::send_rapid(spec::Cause cause, bool with_machine) {
+Alarm Interpreter::send_rapid(spec::Cause cause, bool with_machine, CutterMotion motion) {
   if (kinematics_.defined()) turn();
   if (const Alarm a = refresh()) return a;
+  if (in_cutter_) {
+    CutterBlock& block = cutter_next();
+    fill(block.event, spec::MoveType::rapid, cause);
+    if (with_machine) fill_machine(block.event);
+    block.own = true;
+    block.axis_word = true;
+    block.feed = feed_;
+    block.motion = motion;
+    return send_cutter(block);
+  }
   Event& event = leading_edge_.next().event;
   fill(event, spec::MoveType::rapid, cause);
   if (with_machine) fill_machine(event);
@@ -17,6 +27,7 @@ Alarm Interpreter::send_rapid(spec::Cause cause, bool with_machine) {
 // A named axis at machine position `machine`: its length offset is taken away, its workpiece position is what is left.
 Alarm Interpreter::place_at_machine(std::size_t axis, const Count& machine) {
   length_.cancel(axis);
+  if ((tool_offset_.live() & bit(axis)) != 0) tool_offset_.clear(axis);
   rounded_ = static_cast<Mask>((rounded_ & ~bit(axis)) | (shift_rounded_ & bit(axis)));
   return place(axis, machine - machine_origin(axis));
 }
@@ -26,7 +37,7 @@ Alarm Interpreter::to_machine_position(const Words& words) {
         return place_at_machine(axis, value(words.axis(axis), (linear_ & bit(axis)) != 0, inch_program_));
       }))
     return a;
-  return send_rapid(spec::Cause::programmed, true);
+  return send_rapid(spec::Cause::programmed, true, CutterMotion::to_machine);
 }
 
 Alarm Interpreter::to_reference(const Words& words) {
@@ -38,12 +49,14 @@ Alarm Interpreter::to_reference(const Words& words) {
     return a;
   has_intermediate_ = static_cast<Mask>(has_intermediate_ | words.axes());
   intermediate_rounded_ = static_cast<Mask>((intermediate_rounded_ & ~words.axes()) | (rounded_ & words.axes()));
-  if (const Alarm a = send_rapid(spec::Cause::reference, true)) return a;
+  if (const Alarm a = send_rapid(spec::Cause::reference, true, CutterMotion::to_intermediate)) return a;
+  if (stopped_) return alarm::kNone;
+  if (in_cutter_) start_cutter_leg(words, CutterSide::unchanged, false);
   const Positions& reference = reference_[reference_point(words)];
   if (const Alarm a =
           for_each_axis(words.axes(), [&](std::size_t axis) { return place_at_machine(axis, reference[axis]); }))
     return a;
-  return send_rapid(spec::Cause::reference, true);
+  return send_rapid(spec::Cause::reference, true, CutterMotion::to_reference);
 }
 
 Alarm Interpreter::from_reference(const Words& words) {
@@ -51,11 +64,13 @@ Alarm Interpreter::from_reference(const Words& words) {
   if (const Alarm a = for_each_axis(through, [&](std::size_t axis) { return place(axis, intermediate_[axis]); }))
     return a;
   rounded_ = static_cast<Mask>((rounded_ & ~through) | (intermediate_rounded_ & through));
-  if (const Alarm a = send_rapid(spec::Cause::programmed, false)) return a;
+  if (const Alarm a = send_rapid(spec::Cause::programmed, false, CutterMotion::from_intermediate)) return a;
+  if (stopped_) return alarm::kNone;
+  if (in_cutter_) start_cutter_leg(words, CutterSide::unchanged, false);
   if (const Alarm a = for_each_axis(words.axes(), [&](std::size_t axis) { return place(axis, target(words, axis)); }))
     return a;
   if (!incremental_) rounded_ = static_cast<Mask>(rounded_ & ~words.axes());
-  return send_rapid(spec::Cause::programmed, false);
+  return send_rapid(spec::Cause::programmed, false, CutterMotion::from_reference);
 }
 
 // The machine stays where it is: the programmed position shifts by the difference of the origins.
@@ -68,6 +83,33 @@ void Interpreter::select_workpiece(Code code) {
   workpiece_ = chosen;
   stale_ = all_;
   if (kinematics_.defined()) turn();
+}
+
+// G92 in cutter compensation: the stage is told where the block began and what the position is called after it. A move
+// that the block makes has the coordinates from before; with a code of compensation those after.
+Alarm Interpreter::shift_in_cutter(const Words& words, bool extra) {
+  CutterBlock& block = cutter_next();
+  if (const Alarm a = refresh()) return a;
+  fill(block.event, straight(), spec::Cause::programmed);
+  if (const Alarm a = shift_coordinates(words)) return a;
+  if (is_b_ ? block.word == CutterSide::off : block.word != CutterSide::unchanged) {
+    if (const Alarm a = refresh()) return a;
+    fill(block.event, straight(), spec::Cause::programmed);
+  }
+  block.own = extra;
+  block.axis_word = false;
+  block.feed = feed_;
+  block.motion = CutterMotion::shift;
+  if (const Alarm a = send_cutter(block)) return a;
+  rename_in_cutter();
+  return alarm::kNone;
+}
+
+// The position is called otherwise from here on: the corner before the next move too.
+void Interpreter::rename_in_cutter() {
+  if (is_b_ || stopped_) return;
+  cutter_c_.next().event.programmed.value = programmed_value_;
+  cutter_c_.rebase();
 }
 
 Alarm Interpreter::shift_coordinates(const Words& words) {

@@ -1,4 +1,6 @@
 // Own moves of blocks and the events they make: the path every block takes.
+#include <bit>
+
 #include "fast/fault.h"
 #include "fast/program/interpreter.h"
 
@@ -31,30 +33,13 @@ Alarm Interpreter::place(std::size_t axis, const Count& position) {
   return alarm::kNone;
 }
 
-// The usual word without a detour: a position of at most six places, as it is written, with an offset of as many.
-inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
-  if (plain_words_ && !incremental_) [[likely]]
-    if (const std::int64_t small = Count::small_of(words.axis(axis)); small != Count::kNotSmall) [[likely]] {
-      programmed_[axis].set_small(small);
-      const double position = Count::nearest_small(small);
-      programmed_value_[axis] = position;
-      if ((length_.live() & bit(axis)) == 0)
-        axes_value_[axis] = position;
-      else if (const std::int64_t sum = small + length_[axis].small(); length_[axis].is_small() && Count::is_small(sum))
-        axes_value_[axis] = Count::nearest_small(sum);
-      else
-        stale_ = static_cast<Mask>(stale_ | bit(axis));
-      return alarm::kNone;
-    }
-  return place(axis, target(words, axis));
-}
-
 Alarm Interpreter::refresh() {
   const Alarm a = for_each_axis(stale_, [this](std::size_t axis) {
     axes_value_[axis] = programmed_value_[axis];
-    if ((length_.live() & bit(axis)) != 0) {
-      if (!(programmed_[axis] + length_[axis]).in_range()) return alarm::kRange;
-      axes_value_[axis] = Count::nearest_sum(programmed_[axis], length_[axis]);
+    if (((length_.live() | tool_offset_.live()) & bit(axis)) != 0) {
+      const Count position = actual(axis) + length_[axis];
+      if (!position.in_range()) return alarm::kRange;
+      axes_value_[axis] = position.nearest();
     }
     return alarm::kNone;
   });
@@ -76,6 +61,11 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
     event.point.value[axis] = programmed_value_[axis];
     event.axes.value[axis] = axes_value_[axis];
   }
+  if (tool_offset_.live() != 0) [[unlikely]]
+    for (unsigned rest = tool_offset_.live(); rest != 0; rest &= rest - 1) {
+      const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
+      event.point.value[axis] = actual(axis).nearest();
+    }
   event.arc.reset();
   if (type == spec::MoveType::rapid)
     event.feed.reset();
@@ -99,13 +89,18 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
 void Interpreter::fill_machine(Event& event) const {
   event.machine.present = all_;
   for (std::size_t axis = 0; axis < count_; ++axis)
-    event.machine.value[axis] = (programmed_[axis] + length_[axis] + machine_origin(axis)).nearest();
+    event.machine.value[axis] = (actual(axis) + length_[axis] + machine_origin(axis)).nearest();
 }
 
 Alarm Interpreter::motion(const Words& words, Compensation compensation, bool own, bool extra,
                           const std::optional<spec::Arc<double>>& arc) {
   const Mask axes = own ? words.axes() : Mask{0};
   const bool compensated = compensation == Compensation::stays;
+  if (fault(Fault::shift_lost) && !incremental_ && !words.is_tool_offset())
+    (void)for_each_axis(axes, [this](std::size_t axis) {
+      tool_offset_.clear(axis);
+      return alarm::kNone;
+    });
   std::array<Count, 3> from;
   Mask rounded = rounded_;
   if (compensated)

@@ -58,6 +58,12 @@ void Words::g_word(const spec::Decimal& value) {
     case 290:
     case 300:
     case 301:
+    case 370:
+    case 390:
+    case 450:
+    case 460:
+    case 470:
+    case 480:
     case 530:
     case 920:
       group = kOneShot;
@@ -72,7 +78,9 @@ void Words::g_word(const spec::Decimal& value) {
       group = kUnits;
       break;
     case 400:
+    case 410:
     case 413:
+    case 420:
       group = kCompensation;
       break;
     case 430:

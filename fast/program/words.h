@@ -49,6 +49,8 @@ class Words {
   // there the block has none of them.
   [[nodiscard]] std::uint16_t axes() const { return axes_; }
   [[nodiscard]] const spec::Decimal& axis(std::size_t index) const { return *axis_value_[index]; }
+  // G45 to G48.
+  [[nodiscard]] bool is_tool_offset() const { return code_[kOneShot] >= 450 && code_[kOneShot] <= 480; }
   // A word other than N and O.
   [[nodiscard]] bool any() const { return any_; }
   // M00 M01 M02 M30, which keep the control from reading ahead.

@@ -9,6 +9,11 @@ namespace {
 
 constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
 
+bool holds_cutter_code(const Words& words) {
+  const Code code = words.code(Words::kCompensation);
+  return code == 400 || code == 410 || code == 420;
+}
+
 }  // namespace
 
 ToolLengthOffset::ToolLengthOffset(const spec::Setup& setup)
@@ -73,8 +78,8 @@ Alarm ToolLengthOffset::restore(const Words& words, const OffsetMemory& memory) 
   if (!pending() || type_ == Type::c || !evo_ || mode_ == Mode::off) return alarm::kNone;
   // A block with a length code, or an H that counts, acts by them alone.
   if (words.code(Words::kLength) != kNone || (words.has('H') && !ofh_)) return alarm::kNone;
-  // A block with G40 puts the restoration off, but not an edited value.
-  const bool back = (taken_ & last_) != 0 && (words.code(Words::kCompensation) != 400 || fault(Fault::restore_in_g40));
+  // A block with G40, G41 or G42 puts the restoration off, but not an edited value.
+  const bool back = (taken_ & last_) != 0 && (!holds_cutter_code(words) || fault(Fault::restore_in_g40));
   if (!back && !edited_) return alarm::kNone;
   const Count value = memory.h(number_);
   if (!memory.fits(value)) return alarm::kOffsetValue;
@@ -143,8 +148,8 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
     if (std::popcount(axes) > 1 || (live_ & ~axes) != 0) return alarm::kLengthAxisMissing;
   }
   if (type_ == Type::c && sets && mode != Mode::along_tool && axes == 0) return alarm::kLengthAxisMissing;
-  // Where it would bring back a vector that was taken away, a block with G40 only stores number and mode.
-  if ((taken_ & axes) != 0 && words.code(Words::kCompensation) == 400) {
+  // Where it would bring back a vector that was taken away, a block with G40, G41 or G42 only stores number and mode.
+  if ((taken_ & axes) != 0 && holds_cutter_code(words)) {
     number_ = number;
     mode_ = mode;
     return alarm::kNone;

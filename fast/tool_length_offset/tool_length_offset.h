@@ -23,8 +23,9 @@ class ToolLengthOffset {
 
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] const Count& operator[](std::size_t axis) const { return offset_[axis]; }
-  [[nodiscard]] const Count& length() const { return length_; }  // under G43.5
-  [[nodiscard]] std::uint16_t live() const { return live_; }     // axes whose offset is not 0
+  [[nodiscard]] const Count& length() const { return length_; }   // under G43.5
+  [[nodiscard]] std::uint32_t number() const { return number_; }  // H
+  [[nodiscard]] std::uint16_t live() const { return live_; }      // axes whose offset is not 0
   // Whether the vector, or L, differs from what it was at begin_block().
   [[nodiscard]] bool changed() const;
   void begin_block() { touched_ = 0; }

@@ -158,19 +158,38 @@ bool is_angle(std::uint32_t parameter) {
   return std::find(std::begin(angles), std::end(angles), parameter) != std::end(angles);
 }
 
+// Vector omission; deceleration distance and permitted zone of G37.
+bool is_length(std::uint32_t parameter) { return parameter == 5010 || parameter == 6251 || parameter == 6254; }
+
+// Bits: any value is a control that could exist.
+bool is_choice(std::uint32_t parameter) { return parameter == 5001 || parameter == 5003 || parameter == 5008; }
+
 void change_parameter(Choices& choose, Mode mode, spec::Setup& setup) {
-  switch (choose.below(4)) {
-    case 0:
-      setup.parameters[{5001, choose.one_of({0, 1, 2, 3, 6})}] = spec::decimal(choose.between(0, 1));
+  switch (choose.below(5)) {
+    case 0: {
+      const int bit = choose.one_of({0, 1, 2, 3, 4, 5, 6});
+      setup.parameters[{5001, bit}] = spec::decimal(choose.between(0, 1));
       return;
+    }
     case 1:
       setup.parameters[{19631, -1}] = decimal(choose.between(-1'000, 90'000), 3);
       return;
+    case 2: {
+      constexpr spec::ParameterId bits[] = {{5003, 0}, {5003, 1}, {5003, 2}, {5008, 0}};
+      const spec::ParameterId bit = choose.one_of(bits);
+      setup.parameters[bit] = spec::decimal(choose.between(0, 1));
+      return;
+    }
     default: {
       const auto parameter = any_of(choose, setup.parameters);
       if (parameter == setup.parameters.end()) return;
       const bool angle = is_angle(parameter->first.number);
-      if (mode == Mode::directed && !angle && parameter->first.number != 5001) return;
+      if (mode == Mode::directed && is_length(parameter->first.number)) {
+        if (!parameter->second.negative && parameter->second.digits < 99'999'999)
+          parameter->second.digits += choose.below(3);
+        return;
+      }
+      if (mode == Mode::directed && !angle && !is_choice(parameter->first.number)) return;
       if (parameter->first.bit >= 0)
         parameter->second = spec::decimal(choose.between(0, 1));
       else if (angle && mode == Mode::directed)
@@ -200,7 +219,7 @@ void change_setup(Choices& choose, Mode mode, spec::Setup& setup) {
       return;
     }
     default: {
-      auto& table = choose.chance(50) ? setup.workpiece.front() : setup.position;
+      auto& table = *choose.one_of({&setup.workpiece.front(), &setup.position, &setup.measurement});
       const auto entry = any_of(choose, table);
       if (entry != table.end()) change_decimal(choose, entry->second, decimals);
       return;

@@ -42,6 +42,36 @@ spec::OffsetEntry entry(Choices& choose, const Setup& setup) {
   return e;
 }
 
+// Radii of some millimetres (tenths of inches), of any decimals, negative, zero; seldom one a contour has no room for.
+spec::OffsetEntry cutter_offset(Choices& choose, const Setup& setup) {
+  const int decimals = increment_decimals(setup);
+  const std::int64_t one = power_of_ten(decimals);
+  const std::int64_t sign = choose.chance(15) ? -1 : 1;
+  std::int64_t counts = 0;
+  switch (choose.weighted({66, 20, 5, 4, 5})) {
+    case 0:
+      counts = choose.between(1, 12) * one;
+      break;
+    case 1:
+      counts = choose.between(1, 12 * one);
+      break;
+    case 2:
+      break;
+    case 3:
+      counts = choose.between(1, 3);
+      break;
+    default:
+      counts = choose.between(12, 90) * one;
+      break;
+  }
+  spec::OffsetEntry e{decimal(sign * counts, decimals), {}};
+  if (setup.memory != spec::OffsetMemory::a && choose.chance(40)) {
+    const std::int64_t wear = choose.between(-one / 2, one / 2);
+    e.wear = decimal(wear, decimals);
+  }
+  return e;
+}
+
 Decimal coordinate(Choices& choose, const Setup& setup) {
   const int decimals = increment_decimals(setup);
   const std::int64_t one = power_of_ten(decimals);
@@ -156,17 +186,24 @@ int increment_decimals(const Setup& setup) {
   return setup.units == spec::Units::mm ? mm : mm + 1;
 }
 
+std::int64_t counts_of(const Decimal& value, const Setup& setup) {
+  std::int64_t counts = static_cast<std::int64_t>(value.digits);
+  for (int i = value.decimals; i < increment_decimals(setup); ++i) counts *= 10;
+  for (int i = value.decimals; i > increment_decimals(setup); --i) counts /= 10;
+  return value.negative ? -counts : counts;
+}
+
 Setup random_setup(Choices& choose, Kinematics wanted) {
   Setup setup;
   if (choose.chance(20)) setup.units = spec::Units::inch;
   setup.increment =
       choose.one_of({spec::IncrementSystem::is_b, spec::IncrementSystem::is_b, spec::IncrementSystem::is_b,
                      spec::IncrementSystem::is_c, spec::IncrementSystem::is_a});
-  const bool five = wanted == Kinematics::always || choose.chance(35);
+  const bool five = wanted == Kinematics::always || (wanted == Kinematics::maybe && choose.chance(35));
   setup.axes = spec::Axes(five ? choose.one_of({"XYZBC", "XYZBC", "XYZAC", "XYZAB", "XYZABC", "ZYXCB", "XYZUVWABC"})
                                : choose.one_of({"XYZ", "XYZ", "XYZB", "XYZUVW", "YZX"}));
   if (five && (wanted == Kinematics::always ? choose.chance(90) : choose.chance(50))) kinematics(choose, setup);
-  angle_range(choose, setup);
+  if (wanted != Kinematics::none) angle_range(choose, setup);
   for (const int bit : {0, 1, 2, 3, 6})
     if (choose.chance(40)) set_bit(setup, 5001, bit, choose.chance(70));
   if (choose.chance(12)) set_bit(setup, 3401, 0, choose.chance(30));
@@ -186,6 +223,52 @@ Setup random_setup(Choices& choose, Kinematics wanted) {
     if (choose.chance(30))
       if (spec::AxisTable point = table(choose, setup, 70); !point.empty()) setup.reference[number] = std::move(point);
   if (choose.chance(20)) setup.floating_reference = table(choose, setup, 70);
+  return setup;
+}
+
+namespace {
+
+// What no setup may name: axes the machine does not have.
+void drop_absent_axes(Setup& setup) {
+  const auto drop = [&setup](spec::AxisTable& table) {
+    std::erase_if(table, [&setup](const auto& entry) { return !setup.axes.has(entry.first); });
+  };
+  for (spec::AxisTable& origin : setup.workpiece) drop(origin);
+  for (auto& entry : setup.reference) drop(entry.second);
+  std::erase_if(setup.reference, [](const auto& entry) { return entry.second.empty(); });
+  for (spec::AxisTable* const table : {&setup.position, &setup.floating_reference, &setup.measurement}) drop(*table);
+}
+
+}  // namespace
+
+Setup random_cutter_setup(Choices& choose, spec::CutterCompensationType type) {
+  Setup setup = random_setup(choose, Kinematics::none);
+  setup.cutter_compensation = type;
+  if (choose.chance(2)) {  // not every plane
+    setup.axes = spec::Axes(choose.one_of({"XZ", "XY", "XZB"}));
+    drop_absent_axes(setup);
+  }
+  for (const int bit : {4, 5})
+    if (choose.chance(20)) set_bit(setup, 5001, bit, choose.chance(70));
+  if (type == spec::CutterCompensationType::c) {
+    for (const int bit : {0, 1, 2})
+      if (choose.chance(50)) set_bit(setup, 5003, bit, choose.chance(75));
+    if (choose.chance(35)) set_bit(setup, 5008, 0, choose.chance(75));
+    if (choose.chance(15)) {
+      const int decimals = increment_decimals(setup);
+      set(setup, 5010, decimal(choose.between(0, 3 * power_of_ten(decimals)), decimals));
+    }
+  }
+  if (choose.chance(75))
+    for (spec::AxisTable& origin : setup.workpiece) origin.clear();
+  const std::int64_t numbers = choose.between(2, 4);
+  setup.d.clear();
+  for (std::int64_t n = 1; n <= numbers; ++n) {
+    spec::OffsetEntry& e = setup.d[static_cast<std::uint32_t>(n)];
+    e = cutter_offset(choose, setup);
+    // Where both tables give a number each address reads its own; with OFH H counts for the cutter too.
+    if (choose.chance(50)) setup.h[static_cast<std::uint32_t>(n)] = cutter_offset(choose, setup);
+  }
   return setup;
 }
 

@@ -41,9 +41,10 @@ std::string boundary_number(Choices& choose) {
 std::string any_word(Choices& choose, const spec::Setup& setup) {
   switch (choose.weighted({30, 30, 12, 10, 8, 10})) {
     case 0:
-      return fmt::format("G{}", choose.one_of({"00", "01", "02", "03",   "04", "10",   "17", "18",   "19", "20", "21",
-                                               "28", "29", "30", "30.1", "40", "41.3", "43", "43.5", "44", "49", "53",
-                                               "54", "55", "59", "90",   "91", "92",   "94", "0",    "1"}));
+      return fmt::format("G{}", choose.one_of({"00",   "01", "02",   "03",   "04", "10", "17", "18", "19", "20", "21",
+                                               "28",   "29", "30",   "30.1", "37", "39", "40", "41", "41", "42", "42",
+                                               "41.3", "43", "43.5", "44",   "45", "46", "47", "48", "49", "53", "54",
+                                               "55",   "59", "90",   "91",   "92", "94", "0",  "1"}));
     case 1: {
       const std::string& letters = setup.axes.letters();
       const char letter = letters[choose.below(letters.size())];

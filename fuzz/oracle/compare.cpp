@@ -70,7 +70,9 @@ class Comparison {
     if (expected_.kind != actual_.kind)
       return differ("kind", "kind", std::string(name(expected_.kind)), std::string(name(actual_.kind)));
     // Alarms first by number: "PS5408 instead of PS5407" says more than a line.
-    if ((expected_.kind == EventKind::alarm || expected_.kind == EventKind::warning) && rules_.judges("number")) {
+    const bool numbered = expected_.kind == EventKind::alarm || expected_.kind == EventKind::warning ||
+                          expected_.kind == EventKind::undecided;
+    if (numbered && rules_.judges("number")) {
       ++tally_.values;
       if (expected_.number != actual_.number)
         return differ(std::string(name(expected_.kind)), "number", std::string(expected_.number.view()),
@@ -142,14 +144,15 @@ class Comparison {
       return true;
     if (rules_.judges("radius")) {
       if (absent({"radius"}, e.radius.has_value(), a.radius.has_value())) return true;
-      if (e.radius && (length({"radius", 0, 0}, e.radius->first, a.radius->first) ||
+      if (e.radius && (length({"radius", 0, 0}, e.radius->first, a.radius->first, scale_.start) ||
                        length({"radius", 0, 1}, e.radius->second, a.radius->second)))
         return true;
     }
     if (rules_.judges("sweep")) {
       if (absent({"sweep"}, e.sweep.has_value(), a.sweep.has_value())) return true;
-      if (e.sweep && number("sweep", {"sweep"}, *e.sweep, *a.sweep, rules_.budget().sweep, policy::ulp(360)))
-        return true;
+      constexpr double degrees = 57.29577951308232;  // in a radian
+      const double unit = policy::ulp(360) + degrees * scale_.turn;
+      if (e.sweep && number("sweep", {"sweep"}, *e.sweep, *a.sweep, rules_.budget().sweep, unit)) return true;
     }
     return false;
   }
@@ -174,9 +177,10 @@ class Comparison {
     return false;
   }
 
-  bool length(const Path& path, const Real& e, const Number& a) {
-    const double unit =
-        policy::ulp(scale_.position) + scale_.condition * (scale_.vector > 0 ? policy::ulp(scale_.vector) : 0);
+  // `error`: of what else the length is made of.
+  bool length(const Path& path, const Real& e, const Number& a, double error = 0) {
+    const double own = scale_.condition * (scale_.vector > 0 ? policy::ulp(scale_.vector) : 0);
+    const double unit = policy::ulp(scale_.position) + std::max(own, error);
     return number("coordinate", path, e, a, rules_.budget().coordinate, unit, true);
   }
 
@@ -259,6 +263,13 @@ template std::optional<Difference> compare(const Rules&, const model::Event&, co
                                            Tally&);
 template std::optional<Difference> compare(const Rules&, const model::Event&, const Scale&,
                                            const spec::Event<Rational>&, Tally&);
+
+bool left_open(const model::Event& event) {
+  if (event.kind != EventKind::undecided) return false;
+  const auto clause = spec::find_clause(event.number.view());
+  return clause && spec::info(*clause).kind == spec::ClauseKind::open &&
+         spec::info(*clause).outcomes != spec::ClauseOutcomes::sign;
+}
 
 template <class Number>
 std::string describe(const spec::Event<Number>& event) {

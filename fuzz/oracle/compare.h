@@ -44,6 +44,9 @@ template <class Number>
 std::optional<Difference> compare(const Rules& rules, const model::Event& expected, const Scale& scale,
                                   const spec::Event<Number>& actual, Tally& tally);
 
+// An undecided event of the model where the specification leaves a case open, not one where a tie was not certified.
+bool left_open(const model::Event& event);
+
 // "move (linear, programmed) of line 5": what stands in differences about whole events.
 template <class Number>
 std::string describe(const spec::Event<Number>& event);

@@ -20,10 +20,19 @@ std::array<double, 3> difference(const std::array<double, 3>& a, const std::arra
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
+std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 // Of the angle between a and the unit vector b.
-double sine(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  const std::array<double, 3> cross = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  return length(cross) / length(a);
+double sine(const std::array<double, 3>& a, const std::array<double, 3>& b) { return length(cross(a, b)) / length(a); }
+
+// Whether v lies in the plane of a and the unit vector b, whose angle has the sine s, as far as doubles can tell.
+bool coplanar(const std::array<double, 3>& v, const std::array<double, 3>& a, const std::array<double, 3>& b,
+              double s) {
+  const std::array<double, 3> normal = cross(a, b);
+  const double out = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
+  return std::fabs(out) <= (policy::kSlack + 0x1p-46 / s) * length(v) * length(normal);
 }
 
 }  // namespace
@@ -51,21 +60,16 @@ Conditions::Conditions(const spec::Setup& setup)
     const auto start = setup.position.find("XYZ"[i]);
     if (start != setup.position.end()) position_[i] = value(start->second) * (start->second.negative ? -1 : 1);
   }
+  point_ = position_;
 }
 
-Conditions::Vector Conditions::vector(const spec::AxisValues<model::Real>& values) const {
-  Vector v{};
-  for (std::size_t i = 0; i < 3; ++i)
-    if (index_[i] != spec::Axes::kNone && values.has(index_[i])) v[i] = approximate(values[index_[i]]);
-  return v;
-}
-
-double Conditions::condition(std::span<const model::Event> window, const Vector& at, const Vector& tool) const {
+double Conditions::condition(std::span<const model::Event> window, const Vector& at, const Vector& tool,
+                             const Vector& compensation) const {
   double worst = 1;
   const auto pair = [&](const Vector& movement) {
     if (length(movement) == 0) return;
     const double s = sine(movement, tool);
-    if (s > 0 && s >= smallest_sine_) worst = std::max(worst, 1 / s);
+    if (s > 0 && s >= smallest_sine_ && coplanar(compensation, movement, tool, s)) worst = std::max(worst, 1 / s);
   };
   pair(difference(at, position_));
   for (std::size_t i = 1; i < window.size(); ++i) {
@@ -93,20 +97,52 @@ Scale Conditions::next(std::span<const model::Event> window) {
   if (event.kind != spec::EventKind::move) return scale;
 
   const Vector at = vector(event.programmed);
-  const Vector compensation = difference(vector(event.point), at);
+  const Vector point = vector(event.point);
+  if (event.cause == spec::Cause::start_up) {
+    // There is no vector before it: a reference return in the mode may have taken the shift away.
+    shift_ = difference(point_, position_);
+    compensated_ = true;
+  }
+  if (!compensated_) shift_ = difference(point, at);
+  const Vector compensation = difference(difference(point, at), shift_);
+  const double noise = policy::kSlack * scale.position;  // of three differences of doubles, far below any vector
   scale.vector = length(compensation);
-  if (scale.vector > 0) {
+  corners_.follow(event, index_, position_, shift_);
+  if (scale.vector > noise * 0x1p-16) {
     Vector tool{0, 0, 1};
     if (event.tool_axis)
       for (std::size_t i = 0; i < 3; ++i) tool[i] = approximate((*event.tool_axis)[i]);
-    scale.condition = condition(window, at, tool);
-    const bool kept = length(difference(compensation, vector_)) <= policy::kSlack * (scale.vector + scale.position);
+    scale.condition = condition(window, at, tool, compensation);
+    const bool kept = length(difference(compensation, vector_)) <= policy::kSlack * scale.vector + noise;
     if (kept) scale.condition = std::max(scale.condition, condition_);
+    scale.condition =
+        std::max(scale.condition, 1 + corners_.error(window, index_, compensation, shift_) / scale.vector);
+  } else {
+    scale.vector = 0;
   }
+  if (event.arc) arc(event, compensation, scale);
+  if (event.cause == spec::Cause::cancel) compensated_ = false;
   position_ = at;
+  point_ = point;
   vector_ = compensation;
   condition_ = scale.condition;
   return scale;
+}
+
+void Conditions::arc(const model::Event& event, const Vector& compensation, Scale& scale) const {
+  const double before = length(vector_);
+  if (before > 0) scale.start = condition_ * policy::ulp(before);
+  if (before == 0 && length(compensation) == 0) return;
+  const Vector center = vector(event.arc->center);
+  Vector from = difference(point_, center);
+  Vector to = difference(vector(event.point), center);
+  constexpr std::array<std::size_t, 3> normal = {2, 1, 0};  // of X Y, Z X, Y Z
+  from.at(normal.at(static_cast<std::size_t>(event.arc->plane))) = 0;
+  to.at(normal.at(static_cast<std::size_t>(event.arc->plane))) = 0;
+  const double error = policy::ulp(scale.position);
+  const double own = scale.vector > 0 ? scale.condition * policy::ulp(scale.vector) : 0;
+  if (length(from) > 0) scale.turn += (error + scale.start) / length(from);
+  if (length(to) > 0) scale.turn += (error + own) / length(to);
 }
 
 }  // namespace toolcomp::fuzz

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "fuzz/oracle/corner.h"
 #include "model/engine.h"
 #include "spec/language/setup.h"
 
@@ -14,14 +15,22 @@ struct Scale {
   double position = 0;   // the largest linear magnitude that enters the event's coordinates
   double vector = 0;     // length of the compensation vector
   double condition = 1;  // error of the vector over error of the directions it is made of
+  double start = 0;      // the same product of the vector with which an arc begins
+  double turn = 0;  // arcs with a vector: sum over both ends of one unit of length over their distance to the centre
 };
 
 // Follows the events of one run, in order.
 //
+// The vector is what `point` lies off `programmed`, less the shift that G45 to G48 left there before the compensation
+// started: between a cancel and a start-up all of it is shift.
+//
 // A leading edge vector is R · V/|V| with V = (VM × VT) × VT: an error of the directions VM and VT turns it by that
 // error over sin(VM, VT). VM is the next movement, before a cancel the block's own; a vector that is kept keeps its
 // condition. Which of the two made the vector is not asked: the worse counts. Pairs inside the ranges of parameter
-// 19631 made none.
+// 19631 made none, and neither did pairs in whose plane the vector does not lie. Corners of cutter compensation: see
+// corner.h. Whatever fits counts, and the worst of it.
+//
+// The sweep of an arc with a vector turns by the errors of its ends over their distances from the centre.
 class Conditions {
  public:
   explicit Conditions(const spec::Setup& setup);
@@ -29,9 +38,11 @@ class Conditions {
   Scale next(std::span<const model::Event> window);
 
  private:
-  using Vector = std::array<double, 3>;
-  [[nodiscard]] double condition(std::span<const model::Event> window, const Vector& at, const Vector& tool) const;
-  [[nodiscard]] Vector vector(const spec::AxisValues<model::Real>& values) const;
+  using Vector = Space;
+  [[nodiscard]] double condition(std::span<const model::Event> window, const Vector& at, const Vector& tool,
+                                 const Vector& compensation) const;
+  [[nodiscard]] Vector vector(const spec::AxisValues<model::Real>& values) const { return space_of(values, index_); }
+  void arc(const model::Event& event, const Vector& compensation, Scale& scale) const;
 
   std::array<std::size_t, 3> index_;  // of X Y Z; Axes::kNone
   std::array<bool, spec::kMaxAxes> linear_{};
@@ -40,6 +51,10 @@ class Conditions {
   Vector position_{};         // programmed, of the event before
   Vector vector_{};           // compensation, of the event before
   double condition_ = 1;      // of vector_
+  Vector point_{};            // of the event before
+  Vector shift_{};            // of point against programmed where there is no vector
+  bool compensated_ = false;  // from a start-up to a cancel
+  Corners corners_;
 };
 
 }  // namespace toolcomp::fuzz

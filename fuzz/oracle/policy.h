@@ -8,7 +8,8 @@
 //                                                 k · (ulp(scale) + condition · ulp(|compensation vector|))
 //   rotary axes                                   … by k · ulp(value)
 //   tool axis                                     … by k · ulp(1)
-//   sweeps                                        … by k · ulp(360) · condition
+//   sweeps                                        … by k · (ulp(360) + error of each end of a compensated arc over
+//                                                 its distance from the centre, in degrees)
 //   feeds, values of settings                     … by nothing: one of the two doubles that enclose the exact value; a
 //                                                 controller's text by 1.5 · ulp(value) where the value is no double:
 //                                                 the shortest text of one of the two
@@ -36,10 +37,19 @@ struct Budget {
 };
 inline constexpr Budget kBudgets[] = {
     {"fanuc/tool-length-offset", 8, 16, 16},
+    // Sums of decimals, as the length offset.
+    {"fanuc/tool-length-measurement", 8, 16, 16},
+    {"fanuc/tool-offset", 8, 16, 16},
+    // A normalised normal times the offset (two squares, sum, root, quotient, product), the programmed position and the
+    // length offset; the end of an arc twice that, for its sweep.
+    {"fanuc/cutter-compensation-b", 16, 16, 16},
+    // Two such normals, their product, sum and quotient; with arcs the distance of the centre, two squares, a root, the
+    // same again for a second circle: 28 roundings in the longest chain.
+    {"fanuc/cutter-compensation-c", 32, 16, 32},
     {"fanuc/leading-edge-offset", 16, 16, 16},
 };
 // For a program that belongs to no section: the widest row.
-inline constexpr Budget kAnySection = {"", 16, 16, 16};
+inline constexpr Budget kAnySection = {"", 32, 16, 32};
 
 constexpr const Budget& budget(std::string_view section) {
   for (const Budget& row : kBudgets)

@@ -121,7 +121,7 @@ class Pass {
   // Compares while both sides have an event and the model's next `window` events are known.
   void compare_pairs(std::size_t window) {
     while (!done() && !expected_.events.empty() && !actual_.events.empty() && expected_.events.size() > window) {
-      if (expected_.events.front().kind == EventKind::undecided) {
+      if (expected_.events.front().kind == EventKind::undecided && !left_open(expected_.events.front())) {
         undecided_ = true;
         return;
       }
@@ -146,7 +146,8 @@ class Pass {
   void leftovers() {
     if (done() || (expected_.events.empty() && actual_.events.empty())) return;
     const bool extra = expected_.events.size() < actual_.events.size();
-    if (!extra && expected_.events[actual_.events.size()].kind == EventKind::undecided) {
+    const auto unsettled = [](const model::Event& e) { return e.kind == EventKind::undecided && !left_open(e); };
+    if (!extra && unsettled(expected_.events[actual_.events.size()])) {
       undecided_ = true;
       return;
     }

@@ -14,9 +14,9 @@ Real cross(const PlanePoint& a, const PlanePoint& b) { return a[0] * b[1] - a[1]
 
 constexpr const char* kNoArc = "no arc of this radius joins start and end";
 
-// The angle turned through, of which `sine` and `cosine` are multiples by one positive factor. `side` is the sign of
-// the sine; where that is zero the turn is a half or a whole one.
-Real sweep(const Real& sine, const Real& cosine, Sign side) {
+}  // namespace
+
+Real swept_angle(const Real& sine, const Real& cosine, Sign side) {
   const Sign ahead = cosine.sign();
   if (side == Sign::zero) return ahead == Sign::negative ? 180 : 360;
   if (ahead == Sign::zero) return side == Sign::positive ? 90 : 270;
@@ -25,8 +25,6 @@ Real sweep(const Real& sine, const Real& cosine, Sign side) {
   if (angle.sign() != Sign::positive) throw NotFinite();  // only a forced side turns by nothing
   return angle;
 }
-
-}  // namespace
 
 ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& end,
                           const PlanePoint& to_center, spec::ArcDirection direction) {
@@ -47,7 +45,7 @@ ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const Pla
     const Real left_turn = cross(from, to);
     const Real sine = direction == spec::ArcDirection::ccw ? left_turn : -left_turn;
     const Sign side = recorder.decide(Clause::fanuc_program_arc_sweep, sine, sqrt(start_radius2 * end_radius2));
-    arc.sweep = sweep(sine, dot(from, to), side);
+    arc.sweep = swept_angle(sine, dot(from, to), side);
   }
   const Real growth = end_radius2 - start_radius2;
   if (recorder.decide(Clause::fanuc_program_arc_spiral, growth, end_radius2 + start_radius2) != Sign::zero)
@@ -78,7 +76,7 @@ ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const Pla
   const Sign side = reach == Sign::zero ? Sign::zero : larger ? Sign::negative : Sign::positive;
   const Real sine = (larger ? -height : height) * chord2;
   const Real cosine = radius2 - chord2 / 2;
-  arc.sweep = side == Sign::zero ? Real(180) : sweep(sine, cosine, side);
+  arc.sweep = side == Sign::zero ? Real(180) : swept_angle(sine, cosine, side);
   return arc;
 }
 

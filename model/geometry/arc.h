@@ -1,18 +1,14 @@
 // The arc of a G02 or G03 block in its plane.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <utility>
 
-#include "model/exact/real.h"
+#include "model/geometry/plane.h"
 #include "model/recorder.h"
 #include "spec/language/event.h"
 
 namespace toolcomp::model {
-
-// First and second axis of the plane: X Y, Z X or Y Z. Setup units.
-using PlanePoint = std::array<Real, 2>;
 
 struct ArcGeometry {
   PlanePoint center;
@@ -27,5 +23,10 @@ ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const Pla
 // By R: positive for the arc up to a half circle, negative for the larger one. Throws Alarm PS0023 where there is none.
 ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, const Real& radius,
                           spec::ArcDirection direction);
+
+// The angle turned through in degrees, over 0 up to 360, of which `sine` and `cosine` are multiples by one positive
+// factor. `side` is the sign of the sine as decided; where that is zero the turn is a half or a whole one. Throws
+// NotFinite where a forced side leaves no turn.
+Real swept_angle(const Real& sine, const Real& cosine, Sign side);
 
 }  // namespace toolcomp::model

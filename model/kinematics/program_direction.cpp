@@ -39,7 +39,8 @@ ProgramDirection::Marks ProgramDirection::read(const Command& command, const Too
 void ProgramDirection::restrict(const Command& command, const ToolLengthOffset& length, bool edge, const Marks& marks,
                                 const Numbers& numbers) {
   const Codes& codes = command.codes;
-  if (marks.tip_control && (leaves_the_path(codes.one_shot) || codes.workpiece))
+  const bool cutter = codes.compensation == Compensation::left || codes.compensation == Compensation::right;
+  if (marks.tip_control && (leaves_the_path(codes.one_shot) || codes.workpiece || cutter))
     raise(recorder_, Clause::fanuc_tool_direction_forbidden, "FORBIDDEN_UNDER_TOOL_DIRECTION",
           "a command that is not allowed while G43.5 is in force");
   const bool axis_offset_code = codes.length == LengthCode::plus || codes.length == LengthCode::minus;

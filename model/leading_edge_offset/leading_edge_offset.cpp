@@ -66,7 +66,8 @@ LeadingEdgeOffset::Marks LeadingEdgeOffset::read(const Command& command, bool mo
 
 void LeadingEdgeOffset::forbid(const Command& command, bool moves) {
   const Codes& codes = command.codes;
-  const bool code = codes.one_shot != OneShot::none || codes.workpiece || codes.units;
+  const bool cutter = codes.compensation == Compensation::left || codes.compensation == Compensation::right;
+  const bool code = codes.one_shot != OneShot::none || codes.workpiece || codes.units || cutter;
   if (code || (codes.auxiliary && moves))
     raise(recorder_, Clause::fanuc_leading_edge_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
           "a command that is not allowed while the leading edge offset is on");
@@ -78,7 +79,7 @@ void LeadingEdgeOffset::take(const Step& step) {
     vector_ = {};
     held_ = step;
   } else if (!active_) {
-    emit(step);
+    output_(step);
   } else if (step.edge == EdgeCommand::cancel) {
     take_cancel(step);
   } else if (step.travels) {
@@ -146,9 +147,7 @@ void LeadingEdgeOffset::take_cancel(const Step& step) {
   recorder_.reach(Clause::fanuc_leading_edge_cancel);
   Step cancel = step;
   append(cancel.clauses, recorder_.take_clauses());
-  Move back = step.rest;
-  back.leg.cause = spec::Cause::cancel;
-  output_(cancel, back, vector_.vector);
+  emit(cancel, spec::Cause::cancel);
 }
 
 void LeadingEdgeOffset::finish() {
@@ -162,9 +161,7 @@ void LeadingEdgeOffset::finish() {
 void LeadingEdgeOffset::release(const Step* now) {
   append(held_->clauses, recorder_.take_clauses());
   if (starting_) {
-    Move there = held_->rest;
-    there.leg.cause = spec::Cause::start_up;
-    output_(*held_, there, vector_.vector);
+    emit(*held_, spec::Cause::start_up);
     starting_ = false;
   } else {
     emit(*held_);
@@ -176,7 +173,17 @@ void LeadingEdgeOffset::release(const Step* now) {
 }
 
 void LeadingEdgeOffset::emit(const Step& step) {
-  for (const Move& move : step.moves) output_(step, move, vector_.vector);
+  Step out = step;
+  for (Move& move : out.moves) move.offset = vector_.vector;
+  output_(out);
+}
+
+void LeadingEdgeOffset::emit(const Step& step, spec::Cause inserted) {
+  Step out = step;
+  out.moves = {step.rest};
+  out.moves.front().leg.cause = inserted;
+  out.moves.front().offset = vector_.vector;
+  output_(out);
 }
 
 void LeadingEdgeOffset::start_alarm(Clause clause, spec::Name alarm, const char* message) {

@@ -18,8 +18,8 @@ namespace toolcomp::model {
 // Takes steps in order and gives every move its compensation vector. Clauses: fanuc.leading-edge.*.
 class LeadingEdgeOffset {
  public:
-  // Receives the moves in order; the vector is added to X Y Z of the move's end.
-  using Output = std::function<void(const Step& step, const Move& move, const Vector& vector)>;
+  // Receives the steps in order, with the vector of every move (Move::offset).
+  using Output = std::function<void(const Step& step)>;
 
   // Throws spec::InputError naming parameter 19631.
   LeadingEdgeOffset(const spec::Setup& setup, Recorder& recorder, Output output);
@@ -49,7 +49,9 @@ class LeadingEdgeOffset {
   void take_other(const Step& step);
   // The blocks held go out: the moving one (or the start) with the vector now in force, those behind it too.
   void release(const Step* now);
+  // The step as it is, with the vector in force; or with one move instead, inserted where it ends.
   void emit(const Step& step);
+  void emit(const Step& step, spec::Cause inserted);
   // Decisions from here on belong to the block held.
   void decide_held() { recorder_.at(held_->line); }
   [[noreturn]] void start_alarm(Clause clause, spec::Name alarm, const char* message);

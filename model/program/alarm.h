@@ -22,6 +22,24 @@ class Alarm : public std::exception {
   std::optional<std::uint64_t> n;
 };
 
+// The specification leaves open what a block does: the run ends with an `undecided` event that names the clause.
+class LeftOpen : public std::exception {
+ public:
+  LeftOpen(Clause left_open_by, const char* text) : clause(left_open_by), message(text) {}
+  [[nodiscard]] const char* what() const noexcept override { return message; }
+
+  Clause clause;
+  const char* message;     // static text: what is left open
+  std::uint64_t line = 0;  // of the block; 0: the block being interpreted
+  std::optional<std::uint64_t> n;
+};
+
+// Applies the clause that leaves it open, and ends the run there.
+[[noreturn]] inline void leave_open(Recorder& recorder, Clause clause, const char* message) {
+  recorder.reach(clause);
+  throw LeftOpen(clause, message);
+}
+
 // Applies the clause that states the alarm, and raises it.
 [[noreturn]] inline void raise(Recorder& recorder, Clause clause, spec::Name number, const char* message) {
   recorder.reach(clause);

@@ -58,16 +58,32 @@ class Reader {
         return one_shot(OneShot::other_reference);
       case 301:
         return one_shot(OneShot::floating_reference);
+      case 370:
+        return one_shot(OneShot::measure);
+      case 390:
+        return one_shot(OneShot::corner_arc);
       case 400:
         return group(codes_.compensation, Compensation::cancel);
+      case 410:
+        return group(codes_.compensation, Compensation::left);
       case 413:
         return group(codes_.compensation, Compensation::leading_edge);
+      case 420:
+        return group(codes_.compensation, Compensation::right);
       case 430:
         return group(codes_.length, LengthCode::plus);
       case 435:
         return group(codes_.length, LengthCode::tool_direction);
       case 440:
         return group(codes_.length, LengthCode::minus);
+      case 450:
+        return one_shot(OneShot::increase);
+      case 460:
+        return one_shot(OneShot::decrease);
+      case 470:
+        return one_shot(OneShot::double_increase);
+      case 480:
+        return one_shot(OneShot::double_decrease);
       case 490:
         return group(codes_.length, LengthCode::cancel);
       case 530:
@@ -159,6 +175,10 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
       codes.auxiliary = true;
     }
   }
+  const bool side = codes.compensation == Compensation::left || codes.compensation == Compensation::right;
+  if (side && words.has('I') && words.has('J') && words.has('K') &&
+      setup.cutter_compensation == spec::CutterCompensationType::c)
+    raise(recorder, Clause::fanuc_cutter_c_three_dimensional, "PS0010", "three-dimensional compensation is not built");
   if (codes.one_shot == OneShot::data && !offset_kind(words, setup.memory))
     raise(recorder, Clause::fanuc_memory_g10_kind, "PS0010", "G10 with an L that this offset memory does not have");
   codes.h = offset_number(words.find('H'), setup, recorder);

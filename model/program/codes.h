@@ -14,7 +14,7 @@
 namespace toolcomp::model {
 
 enum class Motion : std::uint8_t { rapid, linear, arc_cw, arc_ccw };           // group 01: G00–G03
-enum class Compensation : std::uint8_t { cancel, leading_edge };               // group 07: G40, G41.3
+enum class Compensation : std::uint8_t { cancel, left, right, leading_edge };  // group 07: G40, G41, G42, G41.3
 enum class LengthCode : std::uint8_t { plus, minus, tool_direction, cancel };  // group 08: G43 G44 G43.5 G49
 enum class OneShot : std::uint8_t {                                            // group 00
   none,
@@ -24,9 +24,18 @@ enum class OneShot : std::uint8_t {                                            /
   from_reference,       // G29
   other_reference,      // G30
   floating_reference,   // G30.1
+  measure,              // G37
+  corner_arc,           // G39
+  increase,             // G45
+  decrease,             // G46
+  double_increase,      // G47
+  double_decrease,      // G48
   machine_coordinates,  // G53
   shift                 // G92
 };
+
+// G45–G48.
+constexpr bool is_tool_offset(OneShot code) { return code >= OneShot::increase && code <= OneShot::double_decrease; }
 
 // The last word of each address.
 class Words {

@@ -44,6 +44,7 @@ Command Interpreter::read(const spec::Block& block) {
   if (codes.motion) motion_ = *codes.motion;
   if (codes.plane) plane_ = *codes.plane;
   if (codes.incremental) incremental_ = *codes.incremental;
+  command.is_block = block.size != 0 || block.n;
   command.motion = motion_;
   command.plane = plane_;
   command.incremental = incremental_;
@@ -193,11 +194,13 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   return arc;
 }
 
+void Interpreter::select_workpiece_system(const Command& command) {
+  if (!command.codes.workpiece) return;
+  recorder_.reach(Clause::fanuc_program_workpiece_system);
+  work_.select(*command.codes.workpiece, position_);
+}
+
 std::vector<Leg> Interpreter::legs(const Command& command, bool tip_control, bool always) {
-  if (command.codes.workpiece) {
-    recorder_.reach(Clause::fanuc_program_workpiece_system);
-    work_.select(*command.codes.workpiece, position_);
-  }
   const OneShot one_shot = command.codes.one_shot;
   if (is_reference_return(one_shot)) return reference_legs(command);
   const bool goes = command.axes != 0;
@@ -207,16 +210,20 @@ std::vector<Leg> Interpreter::legs(const Command& command, bool tip_control, boo
       return {};
     return {machine_leg(command)};
   }
+  if (one_shot == OneShot::corner_arc) return {};
   if (one_shot == OneShot::shift || one_shot == OneShot::dwell || one_shot == OneShot::data) {
     return always ? std::vector{stay(command)} : std::vector<Leg>{};
   }
-  Leg leg = ordinary(command, straight(command.motion));
+  Leg leg = toward(command);
+  if (one_shot == OneShot::measure) return {leg};
   if (command.is_arc_motion() && (goes || command.direction || command.words.has('R')))
     leg.arc = arc(command, leg, tip_control);
   if (leg.arc) leg.type = spec::MoveType::arc;
   if (goes || leg.arc || always || (tip_control && command.direction)) return {leg};
   return {};
 }
+
+Leg Interpreter::toward(const Command& command) const { return ordinary(command, straight(command.motion)); }
 
 Leg Interpreter::stay(const Command& command) const {
   Leg leg;

@@ -27,6 +27,7 @@ struct Command {
   bool incremental = false;
   AxisMask axes = 0;       // axes commanded; none where the letters mean something else (G04, G10)
   bool direction = false;  // I, J or K
+  bool is_block = true;    // any word, N and O included
   [[nodiscard]] bool is_arc_motion() const { return motion == Motion::arc_cw || motion == Motion::arc_ccw; }
 };
 
@@ -38,14 +39,20 @@ class Interpreter {
   // Reads the words and updates the modal groups. Throws Alarm for a block that cannot be read, PS0010, PS0030.
   Command read(const spec::Block& block);
 
+  // G54 to G59: the position is called by the new system from here on.
+  void select_workpiece_system(const Command& command);
   // Where the block goes. `tip_control`: G43.5 is in force in it, I J K are a tool direction and alone make a move;
   // `always`: it makes a move even without. Throws Alarm PS0023 or PS0046. The position stays until arrive().
   std::vector<Leg> legs(const Command& command, bool tip_control, bool always);
   // A leg that stays where the block starts, or after arrive() where it ended.
   [[nodiscard]] Leg stay(const Command& command) const;
+  // The straight leg to where the axis words of the block point, moving or not.
+  [[nodiscard]] Leg toward(const Command& command) const;
   // After the block: its end, and what G92 redefines.
   void arrive(const Command& command, const std::vector<Leg>& legs);
 
+  // An axis stands elsewhere than its word said: where G37 has stopped it.
+  void stand(std::size_t axis, const Coordinate& at) { position_.at(axis) = at; }
   // The position at which G49 leaves the axes: X Y Z shift by `vector`.
   void shift_position(const Vector& vector);
 
@@ -81,21 +88,5 @@ class Interpreter {
   spec::Plane plane_ = spec::Plane::xy;
   bool incremental_ = false;
 };
-
-// First and second axis letters of a plane, and their letters of the arc's centre.
-struct PlaneLetters {
-  char first, second, first_center, second_center;
-};
-constexpr PlaneLetters letters(spec::Plane plane) {
-  switch (plane) {
-    case spec::Plane::zx:
-      return {'Z', 'X', 'K', 'I'};
-    case spec::Plane::yz:
-      return {'Y', 'Z', 'J', 'K'};
-    case spec::Plane::xy:
-      break;
-  }
-  return {'X', 'Y', 'I', 'J'};
-}
 
 }  // namespace toolcomp::model

@@ -39,7 +39,10 @@ Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) 
 
 std::optional<OffsetWrite> offset_kind(const Words& words, spec::OffsetMemory memory) {
   const spec::Decimal* const l = words.find('L');
-  const std::uint64_t kind = l == nullptr ? 0 : l->digits == 1 ? 11 : l->digits;
+  return offset_kind(l == nullptr ? 0 : l->digits == 1 ? 11 : l->digits, memory);
+}
+
+std::optional<OffsetWrite> offset_kind(std::uint64_t kind, spec::OffsetMemory memory) {
   OffsetWrite write;
   switch (memory) {
     case spec::OffsetMemory::a:
@@ -118,6 +121,15 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
   return write;
 }
 
+OffsetWrite OffsetMemory::measured(std::uint32_t number, const Rational& difference) const {
+  OffsetWrite write = offset_kind(11, kind_).value();  // every memory has an L11
+  recorder_.decide(Clause::fanuc_length_measurement_store, write.wear);
+  write.add = true;
+  write.number = number;
+  write.value = difference;
+  return write;
+}
+
 Rational OffsetMemory::written(const Table& table, const OffsetWrite& write) const {
   return write.add ? entry(table, write.number).part(write.wear) + write.value : write.value;
 }
@@ -130,7 +142,7 @@ OffsetSetting OffsetMemory::write(const OffsetWrite& write) {
   if (write.d) d_[write.number].part(write.wear) = d;
   std::string name = (write.h ? "H" : "D") + std::to_string(write.number);
   if (kind_ != spec::OffsetMemory::a) name += write.wear ? ".wear" : ".geometry";
-  return {spec::Name(name), write.h ? h : d};
+  return {spec::Name(name), write.h ? h : d, {}};
 }
 
 }  // namespace toolcomp::model

@@ -25,12 +25,14 @@ struct OffsetWrite {
 
 // One entry as it now is, for the event.
 struct OffsetSetting {
-  spec::Name name;  // "H1", "D7.wear"
-  Rational value;   // setup units
+  spec::Name name;           // "H1", "D7.wear"
+  Rational value;            // setup units
+  spec::ClauseList clauses;  // applied in writing it
 };
 
 // Which table and value the L of G10 names, or nothing if this memory has no such L. Number and value are not read.
 std::optional<OffsetWrite> offset_kind(const Words& words, spec::OffsetMemory memory);
+std::optional<OffsetWrite> offset_kind(std::uint64_t l, spec::OffsetMemory memory);
 
 // Offsets by number, setup units. Number 0 is always 0. Memory A has one value a number, B geometry and wear, both
 // shared by H and D; C has geometry and wear for each. Clauses: fanuc.memory.*.
@@ -46,6 +48,8 @@ class OffsetMemory {
   // The G10 block; throws Alarm PS0031 or PS0032. Nothing is written yet.
   [[nodiscard]] std::optional<OffsetWrite> read_write(const Words& words, const Numbers& numbers,
                                                       bool incremental) const;
+  // What a measured difference is added to: as G10 L11 would for H.
+  [[nodiscard]] OffsetWrite measured(std::uint32_t number, const Rational& difference) const;
   // Writes, and says what stands there now.
   OffsetSetting write(const OffsetWrite& write);
 

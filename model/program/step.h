@@ -9,23 +9,35 @@
 #include "model/geometry/arc.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/tool_direction.h"
+#include "model/program/alarm.h"
+#include "model/program/codes.h"
 #include "model/program/coordinate.h"
+#include "model/program/offset_memory.h"
 #include "spec/language/event.h"
 
 namespace toolcomp::model {
 
-// Where a move goes, before compensation.
+// Where a move goes, before compensation; a stage of compensation may change type, cause and arc.
 struct Leg {
   spec::MoveType type = spec::MoveType::linear;
   spec::Cause cause = spec::Cause::programmed;
   Position end;   // programmed, workpiece coordinates
-  Vector travel;  // X Y Z, from where the block starts
+  Vector travel;  // X Y Z, from where the block starts, tool offset included
+  // Arcs: centre in actual coordinates (programmed + shift), sweep and radii of the tool's own arc.
   std::optional<spec::Arc<Real>> arc;
+  // By axis, actual minus programmed position at the end: tool offset G45–G48, or where a measuring move stopped.
+  std::optional<std::array<Rational, spec::kMaxAxes>> shift;
+
+  // Where the tool is at the end, before compensation and length offset.
+  [[nodiscard]] Coordinate actual(std::size_t axis) const {
+    return shift ? end.at(axis) + Coordinate(shift->at(axis)) : end.at(axis);
+  }
 };
 
-// A leg with everything the length offset and the tool direction say about its end.
+// A leg with everything that length offset, tool direction and compensation say about its end.
 struct Move {
   Leg leg;
+  Vector offset;                            // compensation vector at the end, X Y Z
   std::array<Real, spec::kMaxAxes> length;  // length offset, by axis
   Direction tool;                           // at the end
   std::optional<std::array<Real, spec::kMaxAxes>>
@@ -36,17 +48,82 @@ struct Move {
 // What a block says to the leading edge offset.
 enum class EdgeCommand : std::uint8_t { none, start, cancel };
 
+// G40, G41, G42: where the tool runs, seen in the direction of travel.
+enum class CutterSide : std::uint8_t { none, left, right };
+
+// What a block does in the plane of cutter compensation.
+enum class PlaneMotion : std::uint8_t {
+  none,         // no axis word of the plane; G39
+  zero_travel,  // an axis word of the plane, and no travel in it
+  line,
+  arc,                  // G02, G03; a full circle too
+  machine_coordinates,  // G53, whatever axes it names
+  reference,            // G28, G30, G30.1, whatever axes they name: two moves
+  from_reference        // G29, whatever axes it names: two moves
+};
+
+// What a block says to cutter compensation B and C. Plane coordinates (first and second axis of the block's plane,
+// setup units), tool offset G45–G48 included, before compensation.
+struct CutterBlock {
+  // The words.
+  std::optional<CutterSide> code;        // the G40, G41 or G42 word
+  CutterSide before = CutterSide::none;  // group 07 in force before the block
+  CutterSide side = CutterSide::none;    // and at its end
+  OneShot one_shot = OneShot::none;      // G39, G92 …
+  bool number_given = false;             // a D word, or with OFH = 1 an H word
+  std::uint32_t number_before = 0;       // offset number in force before the block
+  std::uint32_t number = 0;              // and at its end
+  Rational offset;                       // its signed value; 0 while `side` is none
+  std::optional<PlanePoint> direction;   // I J (K I, J K) that are no arc's centre, an absent letter 0; of G39 also X Y
+  bool direction_letters = false;        // it was given by I J K
+  bool three_dimensional = false;        // all of I, J and K
+  spec::Plane plane = spec::Plane::xy;   // in force at the end of the block
+  bool plane_changed = false;            // against the block before
+  bool lacks_axis = false;               // the machine has no axis of a letter of the plane
+  std::array<bool, 2> word{};            // an axis word of the first, of the second axis of the plane
+  bool axis_word = false;                // of whatever axis
+  bool axis_word_outside = false;        // of an axis outside the plane
+  bool arc_mode = false;                 // G02 or G03 in force
+  bool arc_words = false;                // an arc by its words: G02 or G03 in force, no other code of group 00, and an
+                                         // axis word of the plane or I J K or R
+  std::optional<Rational> radius;        // of such an arc, where R gives it
+  bool leading_edge = false;             // G41.3
+  bool tool_direction = false;           // G43.5
+  bool changes_workpiece_system = false;  // G54–G59
+  bool is_block = true;                   // any word, N and O included
+
+  // The movement.
+  PlaneMotion motion = PlaneMotion::none;
+  PlanePoint start;
+  std::vector<PlanePoint> ends;  // one for each of the step's moves
+  PlanePoint end;                // of the block
+  // The programmed position of every axis where the block starts, if the workpiece system changes in it.
+  std::optional<Position> position;
+  // With PlaneMotion::arc: sweep and radii as programmed; full circle: start and end alike, sweep 360.
+  std::optional<ArcGeometry> arc;
+  spec::ArcDirection arc_direction = spec::ArcDirection::cw;
+
+  [[nodiscard]] bool has_plane_word() const { return word[0] || word[1]; }
+};
+
 // A block ready to be compensated.
 struct Step {
   std::uint64_t line = 0;
   std::optional<std::uint64_t> n;
-  std::vector<Move> moves;  // in order: none, one, or the two of a reference return
-  Move rest;                // the place where the block ends, for a move inserted there; its type is that of group 01
-  bool has_word = false;    // a word other than N and O
-  bool travels = false;     // a linear movement, X Y Z
+  // In order: none, one, or the two of a reference return or of a measurement. Behind a stage of compensation also the
+  // moves it inserts.
+  std::vector<Move> moves;
+  // The place where the block ends, for a move inserted there; its type is that of group 01. Present where the leading
+  // edge offset is on, and with `cutter`.
+  Move rest;
+  bool has_word = false;  // a word other than N and O
+  bool travels = false;   // a linear movement, X Y Z
   bool stops_look_ahead = false;
   EdgeCommand edge = EdgeCommand::none;
   Rational radius;  // offset of the D number in force at the end of the block, where the leading edge offset is active
+  std::optional<CutterBlock> cutter;     // from the first G41, G42 or G39 of a program on
+  std::optional<OffsetSetting> setting;  // written at the end of the block
+  std::optional<Alarm> alarm;            // that shows by its motion, once its moves are made
   spec::ClauseList clauses;
 };
 

@@ -47,6 +47,15 @@ class ToolLengthOffset {
   LengthPlan plan(const LengthCommand& command);
 
   [[nodiscard]] const LengthVector& vector() const { return vector_; }
+  // The number in force.
+  [[nodiscard]] std::uint32_t number() const { return number_; }
+  // G44 is in force.
+  [[nodiscard]] bool minus() const { return mode_ == LengthCode::minus; }
+  // G43 or G44 is in force once a block with this code, or none, has been read.
+  [[nodiscard]] bool axis_mode(const std::optional<LengthCode>& code) const {
+    const LengthCode mode = code.value_or(mode_);
+    return mode == LengthCode::plus || mode == LengthCode::minus;
+  }
   // G43.5 is in force.
   [[nodiscard]] bool tip_control() const { return mode_ == LengthCode::tool_direction; }
   // Some axis is offset by G43 or G44.

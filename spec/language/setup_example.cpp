@@ -12,7 +12,7 @@ control = "fanuc"                     # [fanuc]
 units = "mm"                          # [mm] or inch: of this file, the results, and programs before G20 or G21
 axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z] controlled axes 1, 2, 3, …: the numbers that 19681 and 19686 mean
 increment = "IS-B"                    # [IS-B] least input increment 0.001; IS-A 0.01, IS-C 0.0001
-cutter_compensation = "C"             # [C] or B
+cutter_compensation = "C"             # [C] or B: which section G39 to G42 are
 block_skip = false                    # [false] true: blocks that begin with / are skipped
 
 [parameters]                          # by number; bits as "number#bit"
@@ -21,7 +21,17 @@ block_skip = false                    # [false] true: blocks that begin with / a
 "5001#1" = 0
 "5001#2" = 0                          # OFH: how G43, G44 and H act
 "5001#3" = 0                          # TAL: offset along several axes
-"5001#6" = 0                          # EVO: when a changed offset value takes effect
+"5001#4" = 0                          # EVR: when a changed value of cutter compensation takes effect
+"5001#5" = 0                          # TPH: G45 to G48 take their number from D; 1: from H
+"5001#6" = 0                          # EVO: when a changed length offset value takes effect
+"5003#0" = 0                          # SUP: type A of start-up and cancel in cutter compensation C; 1: type B
+"5003#1" = 0                          # SUV: 1: a lone G41, G42 or G40 moves the tool
+"5003#2" = 0                          # CCN: 1: the mode goes on after G28, G30 and G53
+"5008#0" = 0                          # CNI: interference check; 1: none
+5010 = 0                              # corner movements up to this length on either axis are left out
+6241 = 100                            # G37: measuring feed [F in force] …
+6251 = 20                             # … from this distance before the commanded coordinate [20 mm] …
+6254 = 5                              # … and the signal may be off by this much [5 mm]
 19631 = "1.0"                         # range of angles (degrees) taken as 0, 90 or 180 by the leading edge offset
 19680 = 2                             # kinematics: 2 tool rotation, 12 table rotation, 21 mixed, 0 none
 19681 = 5                             # master rotary axis: controlled axis 5 (C) …
@@ -54,7 +64,7 @@ Z = 300
 [reference.floating]                  # G30.1
 Z = 250
 
-[measurement]                         # G37: where the approach-end signal comes on
+[measurement]                         # G37: axis positions where the approach-end signal comes on, workpiece coordinates
 Z = "198.0"
 )toml";
 

@@ -19,7 +19,7 @@ std::string_view setup_schema() {
       "minItems": 1, "maxItems": 9, "uniqueItems": true, "default": ["X", "Y", "Z"]
     },
     "increment": { "description": "Increment system: what one unit of a number without point is, with 3401#0 = 0.", "enum": ["IS-A", "IS-B", "IS-C"], "default": "IS-B" },
-    "cutter_compensation": { "description": "Type of cutter compensation (chapter 14.4).", "enum": ["B", "C"], "default": "C" },
+    "cutter_compensation": { "description": "Whether G39 to G42 are cutter compensation B (chapter 14.4) or C (14.5, 14.6).", "enum": ["B", "C"], "default": "C" },
     "block_skip": { "description": "Blocks that begin with / are skipped.", "type": "boolean", "default": false },
     "parameters": {
       "description": "Parameters by number, bits by number#bit.",
@@ -56,7 +56,7 @@ std::string_view setup_schema() {
         "4": { "$ref": "#/$defs/axis_values" }, "floating": { "$ref": "#/$defs/axis_values" }
       }
     },
-    "measurement": { "description": "G37: where the approach-end signal comes on, in workpiece coordinates without offsets.", "$ref": "#/$defs/axis_values" }
+    "measurement": { "description": "G37: axis positions where the approach-end signal comes on, in workpiece coordinates without offsets; none: it never comes.", "$ref": "#/$defs/axis_values" }
   },
   "$defs": {
     "decimal": {

@@ -128,6 +128,9 @@ TEST(Setup, ExampleReads) {
   const spec::Setup setup = toml(setup_example(Control::fanuc));
   EXPECT_EQ(setup.axes.letters(), "XYZBC");
   EXPECT_EQ(setup.h.at(2).wear, (Decimal{25, 2, true, true}));
+  EXPECT_EQ(setup.cutter_compensation, CutterCompensationType::c);
+  for (const std::uint32_t number : {5010U, 6241U, 6251U, 6254U}) EXPECT_TRUE(setup.parameter(number)) << number;
+  EXPECT_EQ(setup.measurement.at('Z'), (Decimal{1980, 1, false, true}));
   EXPECT_THROW((void)setup_example(Control::heidenhain), InputError);
 }
 
@@ -146,6 +149,22 @@ TEST(Setup, OffsetMemoryFollowsTheEntries) {
   EXPECT_EQ(toml("[offsets.H]\n1 = 2").memory, OffsetMemory::a);
   EXPECT_EQ(toml("[offsets.D]\n1 = { wear = 2 }").memory, OffsetMemory::c);
   EXPECT_EQ(toml("offsets.memory = \"C\"\n[offsets.H]\n1 = 2").memory, OffsetMemory::c);
+}
+
+TEST(Setup, TypeOfCutterCompensation) {
+  EXPECT_EQ(toml("").cutter_compensation, CutterCompensationType::c);
+  EXPECT_EQ(toml("cutter_compensation = \"B\"").cutter_compensation, CutterCompensationType::b);
+  EXPECT_EQ(toml_error("cutter_compensation = \"A\""),
+            "f.toml:1:23: cutter_compensation: unknown value \"A\"; expected one of B, C");
+  EXPECT_EQ(toml_error("cutter_compensation = 1").substr(0, 12), "f.toml:1:23:");
+}
+
+TEST(Setup, MeasurementNamesAxesOfTheSetup) {
+  EXPECT_TRUE(toml("").measurement.empty());
+  EXPECT_EQ(toml("[measurement]\nX = -0.5\nZ = 198").measurement.at('X'), (Decimal{5, 1, true, true}));
+  EXPECT_EQ(toml_error("[measurement]\nW = 1"),
+            "f.toml:2:1: measurement: \"W\" is no axis of this setup; its axes are XYZ");
+  EXPECT_EQ(toml_error("measurement = 198").substr(0, 9), "f.toml:1:");
 }
 
 TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {

@@ -48,6 +48,158 @@ struct Program {
   std::string text;
 };
 
+// G45 to G48.
+std::vector<Program> tool_offset_programs() {
+  const std::string plain = setup("");
+  const std::string tph = setup("\"5001#5\" = 1\n");
+  return {
+      {plain, "G45 X100 B1 D1\nG48 X0\nG47\nG45 X0\nG91 G46 X0\nX-0\nG46 X-0\nG53 X0\nG90 G53 Y0\nG53 X0 Y0\n"},
+      {plain, "G91 G45 G02 X30 Y-30 J-30 D1\nG46 X10 Y-10 J-10\nG45 X9 Y-9 J-9 D2\nG45 X4 Y-4 J-4\n"},
+      {plain, "G91 G45 G02 X30 Y0 I15 D1\n"},
+      {tph, "G45 X1 H1\nG43 G45 X1\n"},
+      {plain, "G41 G45 D1\n"},
+  };
+}
+
+// G37.
+std::vector<Program> measurement_programs() {
+  const auto at = [](const std::string& parameters, const std::string& signal) {
+    return setup(parameters) + "[position]\nZ = 300\n" + (signal.empty() ? "" : "[measurement]\nZ = " + signal + "\n");
+  };
+  const auto memory_c = [](const std::string& signal) {
+    return "control = \"fanuc\"\naxes = [\"Z\"]\n[parameters]\n6241 = 100\n[offsets]\nmemory = \"C\"\n[offsets.H]\n1 = "
+           "1\n"
+           "[position]\nZ = 300\n[measurement]\nZ = " +
+           signal + "\n";
+  };
+  return {
+      {at("", "198"), "H1\nG37 Z200\n"},
+      {at("", "188"), "G44 Z300 H1\nG00 Z230\nG37 Z200\n"},
+      {memory_c("205"), "H1\nZ220\nG37 Z200\n"},
+      {memory_c("195"), "H1\nZ210\nG37 Z200\n"},
+      {at("", "220"), "H1\nG37 Z200\n"},
+      {at("", "230"), "H1\nG37 Z200\n"},
+      {at("", "190"), "H1\nG37 Z200\n"},
+      {at("", ""), "H1\nG37 Z200\n"},
+      {at("", ""), "H1\nG37 Z300\n"},
+      {at("6254 = 20\n", ""), "H1\nG37 Z300\n"},
+      {at("", ""), "H1\nG43 G37 Z200\n"},
+      {at("", ""), "G37 Z200 H1\n"},
+      {at("", ""), "G37 Z200\n"},
+      {at("", ""), "H1\nG37\n"},
+      {at("", ""), "H1\nG41 D1\nG37 Z200\n"},
+  };
+}
+
+// Cutter compensation B.
+std::vector<Program> cutter_b_programs() {
+  const auto b = [](const std::string& parameters) { return "cutter_compensation = \"B\"\n" + setup(parameters); };
+  const std::string plain = b("");
+  const std::string on = "G01 G41 X40 D1\n";
+  return {
+      {plain, "G41 Z1 D1\nX40\nX40\nX50 I1\nX50 I0\nG41 X60\nG42 X70 D1\nX80 D2\nX90 D0\nG10 L11 P1 R1\nG40\n"},
+      {plain, on + "G03 X60 Y20 J20\nX40 Y20 I-10\nG02 X60 I10\nG03 J20\nX40 Y40 R-30\nG40\n"},
+      {plain, on + "G03 X50 Y10 J10\n"},
+      {plain, on + "G02 X60 I10\nG01 X70\nG02 X100 I15\nG03 X110 I5\nX120 I5\n"},
+      {plain, on + "G39 J1\nG39 J1\nG91 G39 X1\nG42\nG39 I-1\nG53 X1\nG90 G53 Z1\nG53 X1\nG40 X5\n"},
+      {plain, "G41 D1\nG40 X5\n"},
+      {plain, "G41 X5 D0\nG02 G40 X9 R2\nG40\n"},
+      {plain, on + "G40\nG41 X50\nG02 G40 X60 R5\n"},
+      {plain, "G41 X5 D0\nG40\n"},
+      {plain, on + "G03 X50 I10\n"},
+      {plain, on + "G03 G41 X50 I5\n"},
+      {plain, on + "G03 X50 I5 D2\n"},
+      {plain, "G41 D1\nG03 X50 I5\n"},
+      {plain, "G39\n"},
+      {b("\"5001#2\" = 1\n"), "G41 X5 H1\n"},
+      {plain, "G41 X5 H1\n"},
+      {plain, on + "G18\n"},
+      {plain, on + "G41.3\n"},
+      {"control = \"fanuc\"\naxes = [\"X\"]\n", "G41\n"},
+  };
+}
+
+// Cutter compensation C. The first two lines start along X with offset 10, the start-up and a block of the mode.
+std::vector<Program> cutter_c_programs() {
+  const auto c = [](const std::string& parameters) {
+    return kXyz + "[parameters]\n" + parameters +
+           "[offsets.D]\n1 = 10\n2 = -5\n3 = 0\n4 = 15\n5 = 2\n6 = 20\n7 = 25\n[position]\nX = -20\n";
+  };
+  const std::string a = c("");
+  const std::string b = c("\"5003#0\" = 1\n");
+  const std::string at_once = c("\"5003#1\" = 1\n");
+  const std::string goes_on = c("\"5003#2\" = 1\n");
+  const std::string unchecked = c("\"5008#0\" = 1\n");
+  const std::string on = "G01 G41 X0 D1\nX40\n";
+  // An arc of radius 50 about (-40, -30) to the origin.
+  const auto arcs = [](const std::string& number) {
+    return "G00 X10 Y-60\nG01 G41 Y-30 " + number + "\nG03 X0 Y0 R50\n";
+  };
+  return {
+      // Corners of lines
+      {a, on + "Y30\nX80\nX120\nX120 Y-30\nX100 Y-60\nX120 Y-30\nG40 X200\n"},
+      {a, on + "M05\nX64 Y32\nM05\nM09\nX90\nG91 X0\nG90 X120 Y40\nX150 D2\nX180\n"},
+      {c("5010 = 10\n"), on + "Y-30\nX20\nX40\nG02 X60 Y-60 I20 J-10\n"},
+      {c("5010 = 20\n"), on + "X0\n"},
+      {a, on + "G02 X-30 Y-10 I-30 J-40\n"},
+      {a, on + "G02 I-30 J-40\n"},
+      // Arcs
+      {a, on + "G03 X0 Y80 I-40 J30\n"},
+      {a, on + "G02 X60 Y-40 I-30 J-40\nG01 X60 Y-80\nG02 X40 Y-100 I-20\nG03 X0 Y-100 I-20 J-5\n"},
+      {a, on + "G03 X-40 Y20 I-40 J-30\n"},
+      {unchecked, "G01 G41 X0 D4\nX40\nG03 X-40 Y20 I-40 J-30\n"},
+      {unchecked, on + "G03 X40 Y6 I-3 J4\nG01 X80\n"},
+      {a, on + "G03 X50 Y10 J10\nX60 Y20 J10\nX60 Y40 J10\n"},
+      {unchecked, on + "G03 X60 Y20 J20 D4\nX60 Y60 R20\n"},
+      {unchecked, on + "G03 X40 Y16 I-6 J8\nG01 X80\n"},
+      {unchecked, "G01 G41 X40 Y0 D1\nX0\n"},
+      // Arcs that meet, touch, or do not
+      {unchecked, arcs("D1") + "G03 X-10 Y-30 I40 J-30\n"},
+      {unchecked, arcs("D4") + "G03 X-10 Y-30 I40 J-30\n"},
+      {unchecked, arcs("D5") + "G03 X-10 Y-30 I40 J-30\n"},
+      {unchecked, "G00 X-10 Y-60\nG01 G42 Y-30 D5\nG02 X0 Y0 R50\nG02 X10 Y-30 I-40 J-30\n"},
+      {unchecked, arcs("D6") + "G02 X-40 Y-40 I-40\n"},
+      {unchecked, arcs("D7") + "G02 X-40 Y-40 I-40\n"},
+      // Start-up and cancel of type B
+      {b, "G01 G41 X40 D1\nY30\nG40 X80\n"},
+      {b, "G01 G41 X40 D1\nY-30\nG40 X80\n"},
+      {b, "G01 G41 X40 D1\nY-30\nG40 X0\n"},
+      {b, "G01 G41 X40 D1\nX10 Y-40\nG40 X40 Y20\n"},
+      {b, "G01 G41 X40 D1\nX-40\nG40 X10\n"},
+      {a, on + "G40 Y30 J5\n"},
+      {a, on + "G40 Y30 J-5\n"},
+      {a, on + "G40 Y30 I5\n"},
+      {at_once, "G41 D1\nX40\nX80\nG40\nX90\nG41 Z1\nX80\nG40 Z2\nG41\nG40\n"},
+      {a, "G41 D1\nX40\nX80\nG40\nX90\nG41 D1 X80\nG40\nG41\n"},
+      {a, "G02 G41 X40 D1 I20\n"},
+      {a, "G41 G02 X40 D0 I20\nG41 I1 J1 K1\n"},
+      {a, "G01 G41 X40 D3\nX80\nG42 X0\nD1 X40\nX80\n"},
+      // Change of direction, repetition
+      {a, on + "G42 Y30\nG41 X80\nG42 X120 Y-30\nG41 X160 Y-60\nX200\nG41 Y0\n"},
+      {a, on + "G42 G03 X0 Y80 I-40 J30\n"},
+      {a, on + "G42 X80\n"},
+      {a, "G01 G41 X40 D1\nG42 Y30\n"},
+      // Interference
+      {a, on + "Y15\nX0\n"},
+      {a, on + "Y20\nX0\n"},
+      {a, on + "G03 X50 I5\nG01 Y-20\n"},
+      {a, on + "X35.2 Y-6.4\nX80\n"},
+      {a, on + "G03 X-41.5 Y58 I-40 J30\n"},
+      {a, "G00 X60\nG01 G41 X40 D1\nX0\nM05\nM09\nG02 J-5\n"},
+      {a, "G41 G01 X100 D1\nG02 J-60\nG01 G40 X0 Y-200 I-10 J-10\n"},
+      {a, on + "G02 X45 Y5 I5 J5\n"},
+      // G39
+      {a, on + "G39\nX80\nG39 I0 J1\nG39 I0 J-1\nG39 I1 J0\nG39 I0 J-1\nG39\nG40 Y5\n"},
+      {a, on + "G39\nM05\nM09\n"},
+      {a, on + "G39\n"},
+      {a, "G39\n"},
+      // Machine moves
+      {a, on + "G53 Z1\nX80\nG28 X1 Y1\nX40\nG53 X1\nX40\nX20\nG40 X0\n"},
+      {goes_on, on + "G53 X1\nX40\nG28 X1 Y1\nX40\nX50\nG91 G28 X0 Y0\n"},
+      {a, on + "G92 X0\n"},
+  };
+}
+
 // One line for each group of outcomes; programs end at their first alarm.
 std::vector<Program> programs() {
   const std::string plain = setup("");
@@ -117,6 +269,8 @@ std::vector<Program> programs() {
       {plain, "G41.3 D1\nX1\nG54\n"},
       {plain, "G41.3 D1\nX1\nG40 X2\n"},
   };
+  for (const auto& more : {tool_offset_programs(), measurement_programs(), cutter_b_programs(), cutter_c_programs()})
+    list.insert(list.end(), more.begin(), more.end());
   return list;
 }
 

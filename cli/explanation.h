@@ -1,0 +1,21 @@
+// What `toolcomp explain` says of a block besides its clauses and decisions: in words, with exact figures.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "model/engine.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::cli {
+
+// The corner at the end of the block whose own move is events[own]: its heads and vectors (X Y Z as they differ from
+// the programmed corner), and the line of the block they lead to. Empty where there is no compensation vector.
+std::string corner_words(std::span<const model::Event> events, std::size_t own, const spec::Axes& axes, int digits);
+
+// G37: how far the measured position may be off, and how far the tool runs on, at the measuring feed (parameter 6241,
+// in setup units a minute): ERRmax = Fm/60 * Ts/1000 with Ts = 2 ms, Qmax = Fm/60 * 16/1000.
+std::string measuring_words(const spec::Setup& setup, int digits);
+
+}  // namespace toolcomp::cli

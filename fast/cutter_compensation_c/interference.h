@@ -1,0 +1,43 @@
+// The interference check of cutter compensation C and the removal of vectors (chapter 14.6.5), and the tool's own arc.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "fast/arithmetic/count.h"
+#include "fast/cutter_compensation_c/corner_group.h"
+#include "fast/geometry/path.h"
+
+namespace toolcomp::fast {
+
+// A block between the groups at its start and its end.
+struct CheckedBlock {
+  const PlanePath* path = nullptr;
+  int start_side = 1;                   // of the offset at the corner at its start
+  const Count* start_offset = nullptr;  // >= 0
+  int end_side = 1;
+  const Count* end_offset = nullptr;
+};
+
+enum class Interference : std::uint8_t {
+  none,
+  straightened,  // an arc that lost a vector: a straight move
+  alarm,         // PS0041
+};
+
+// The arc from start + v to end + w.
+struct ToolArc {
+  std::optional<double> sweep;                      // degrees; none where an end lies in the centre
+  std::optional<std::pair<double, double>> radius;  // where they differ
+};
+// How the distances of the two heads from the centre compare, where it is known without computing them.
+enum class Radii : std::uint8_t { agree, differ, unknown };
+ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w, Radii radii);
+// The arc as programmed.
+ToolArc programmed_arc(const PlanePath& path);
+
+// Drops the vectors that interfere from the end of `start` and the beginning of `end`. `arc`: of an arc, that between
+// the last of `start` and the first of `end`.
+Interference check_interference(const CheckedBlock& block, const ToolArc& arc, CornerGroup& start, CornerGroup& end);
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,50 @@
+// Vectors at a corner of two offset paths: perpendiculars, intersections, prolongations (chapter 14.6.1 and 14.6.3).
+#pragma once
+
+#include <cstdint>
+
+#include "fast/arithmetic/count.h"
+#include "fast/geometry/heading.h"
+#include "fast/geometry/path.h"
+#include "fast/geometry/vector2.h"
+
+namespace toolcomp::fast {
+
+// What a vector at a corner is. rho is the offset, positive to the left; N the left normal, t the tangent of the former
+// (1) and the latter (2) path, r = |rho|.
+enum class HeadKind : std::uint8_t {
+  zero,
+  first_normal,     // rho1 N1
+  second_normal,    // rho2 N2
+  tangents_meet,    // where the two offset tangents meet
+  first_extended,   // rho N1 + r t1
+  second_extended,  // rho N2 - r t2
+  paths_meet,       // where the two offset paths meet: of two points the one that tends to the corner with rho
+  paths_cross,      // the same where the latter path is offset to the other side
+};
+
+// A corner, with everything its vectors are made of. The paths must outlive it.
+struct Corner {
+  const PlanePath* first = nullptr;
+  const PlanePath* second = nullptr;  // nullptr: a line along `next`
+  const Heading* last = nullptr;      // the tangent of the former path at the corner
+  const Heading* next = nullptr;      // the tangent of the latter path
+  int first_side = 1;                 // +1: the tool is left of the path
+  int second_side = 1;
+  const Count* offset = nullptr;  // r >= 0, setup units
+  double r = 0;
+  Turn turn;
+};
+
+// The vector, from the corner, setup units. paths_meet and paths_cross only where they exist.
+Vector2<double> head_vector(const Corner& corner, HeadKind kind);
+// The same to about 90 bits.
+Vector2<DoubleDouble> fine_head_vector(const Corner& corner, HeadKind kind);
+
+// Whether the offset paths have a common point (tangent contact included), the circles taken whole and with radii that
+// are not negative. Lines that are parallel have none.
+bool offset_paths_meet(const Corner& corner, HeadKind kind);
+// The sign of the radius of the offset circle of a path at one end; 1 for a line.
+int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Count& offset);
+
+}  // namespace toolcomp::fast

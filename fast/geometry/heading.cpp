@@ -1,0 +1,153 @@
+#include "fast/geometry/heading.h"
+
+#include "fast/arithmetic/wide.h"
+
+namespace toolcomp::fast {
+namespace {
+
+constexpr Int128 kNarrow = Int128{1} << 31;
+constexpr Int128 kSmall = Int128{1} << 62;
+constexpr double kTurnBound = 0x1p-48;
+constexpr double kFineTurnBound = 0x1p-94;
+
+bool within(const std::array<Int128, 2>& v, const Int128& limit) {
+  return v[0] < limit && v[0] > -limit && v[1] < limit && v[1] > -limit;
+}
+
+int sign_of(const Int128& value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }
+int sign_of(std::int64_t value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }
+
+Wide cross_of(const std::array<Int128, 2>& a, const std::array<Int128, 2>& b) {
+  return Wide(a[0]) * Wide(b[1]) - Wide(a[1]) * Wide(b[0]);
+}
+Wide dot_of(const std::array<Int128, 2>& a, const std::array<Int128, 2>& b) {
+  return Wide(a[0]) * Wide(b[0]) + Wide(a[1]) * Wide(b[1]);
+}
+
+DoubleDouble squared_length(const std::array<Int128, 2>& v) { return dot_of(v, v).to_double_double(); }
+
+// sqrt(4 R^2 - chord^2) without cancellation.
+DoubleDouble height_of(const std::array<Int128, 2>& chord, const Int128& radius) {
+  return sqrt((Wide(4) * Wide(radius) * Wide(radius) - dot_of(chord, chord)).to_double_double());
+}
+
+}  // namespace
+
+Heading whole_heading(const std::array<Int128, 2>& whole) {
+  Heading heading;
+  heading.whole = whole;
+  heading.narrow = within(whole, kNarrow);
+  heading.small = heading.narrow || within(whole, kSmall);
+  if (heading.narrow) {
+    set_narrow_heading(heading, static_cast<std::int64_t>(whole[0]), static_cast<std::int64_t>(whole[1]));
+    return heading;
+  }
+  const auto x = static_cast<double>(whole[0]);
+  const auto y = static_cast<double>(whole[1]);
+  heading.norm = y == 0 ? std::abs(x) : (x == 0 ? std::abs(y) : std::sqrt(x * x + y * y));
+  heading.unit = {x / heading.norm, y / heading.norm};
+  return heading;
+}
+
+ChordHeadings chord_headings(const std::array<Int128, 2>& chord, const Int128& radius, bool clockwise) {
+  ChordHeadings arc;
+  const bool larger = radius < 0;
+  const Int128 magnitude = larger ? -radius : radius;
+  const Heading along = whole_heading(chord);
+  double height = 0;
+  if (along.small && magnitude < kSmall / 2) {
+    const Int128 square = 4 * magnitude * magnitude - (chord[0] * chord[0] + chord[1] * chord[1]);
+    arc.half = square == 0;
+    height = std::sqrt(static_cast<double>(square));
+  } else {
+    const DoubleDouble fine = height_of(chord, magnitude);
+    arc.half = fine.hi == 0;
+    height = fine.hi;
+  }
+  arc.height = larger ? -height : height;
+  arc.radius = static_cast<double>(magnitude);
+  const double cosine = arc.height / (2 * arc.radius);
+  const double sine = along.norm / (2 * arc.radius);
+  const int left = clockwise ? -1 : 1;
+  for (const int turned : {-left, left}) {
+    Heading& heading = turned == -left ? arc.start : arc.end;
+    if (arc.half) {
+      // The tangents of a half circle are at right angles to its chord.
+      heading = turned > 0 ? whole_heading({-chord[1], chord[0]}) : whole_heading({chord[1], -chord[0]});
+      continue;
+    }
+    heading.whole = chord;
+    heading.exact = false;
+    heading.turned = turned;
+    heading.larger = larger;
+    heading.radius = magnitude;
+    heading.norm = along.norm;
+    heading.unit = along.unit * cosine + left_of(along.unit) * (turned * sine);
+  }
+  return arc;
+}
+
+Vector2<DoubleDouble> fine_unit(const Heading& heading) {
+  const Vector2<DoubleDouble> whole{to_double_double(heading.whole[0]), to_double_double(heading.whole[1])};
+  const DoubleDouble norm = sqrt(squared_length(heading.whole));
+  const Vector2<DoubleDouble> unit{whole.x / norm, whole.y / norm};
+  if (heading.exact) return unit;
+  const DoubleDouble twice = to_double_double(heading.radius) * 2.0;
+  const DoubleDouble height = height_of(heading.whole, heading.radius) / twice;
+  const DoubleDouble sine = norm / twice;
+  return unit * (heading.larger ? -height : height) + left_of(unit) * (heading.turned > 0 ? sine : -sine);
+}
+
+Turn turn(const Heading& first, const Heading& second) {
+  Turn result;
+  if (first.narrow && second.narrow) [[likely]] {
+    const auto x1 = static_cast<std::int64_t>(first.whole[0]);
+    const auto y1 = static_cast<std::int64_t>(first.whole[1]);
+    const auto x2 = static_cast<std::int64_t>(second.whole[0]);
+    const auto y2 = static_cast<std::int64_t>(second.whole[1]);
+    const std::int64_t c = x1 * y2 - y1 * x2;
+    const std::int64_t k = x1 * x2 + y1 * y2;
+    result.cross = sign_of(c);
+    result.dot = sign_of(k);
+    const double norms = 1 / (first.norm * second.norm);
+    result.c = static_cast<double>(c) * norms;
+    result.k = static_cast<double>(k) * norms;
+  } else if (first.exact && second.exact) {
+    double c = 0;
+    double k = 0;
+    if (first.small && second.small) {
+      const Int128 exact_c = first.whole[0] * second.whole[1] - first.whole[1] * second.whole[0];
+      const Int128 exact_k = first.whole[0] * second.whole[0] + first.whole[1] * second.whole[1];
+      result.cross = sign_of(exact_c);
+      result.dot = sign_of(exact_k);
+      c = static_cast<double>(exact_c);
+      k = static_cast<double>(exact_k);
+    } else {
+      const Wide exact_c = cross_of(first.whole, second.whole);
+      const Wide exact_k = dot_of(first.whole, second.whole);
+      result.cross = exact_c.sign();
+      result.dot = exact_k.sign();
+      c = exact_c.to_double();
+      k = exact_k.to_double();
+    }
+    result.c = c / first.norm / second.norm;
+    result.k = k / first.norm / second.norm;
+  } else {
+    result.c = cross(first.unit, second.unit);
+    result.k = dot(first.unit, second.unit);
+    // Near a tangent join or a right angle doubles are not enough, near a tangent join not for the value either.
+    if (std::abs(result.c) < 0x1p-10 || std::abs(result.k) < kTurnBound) {
+      const Vector2<DoubleDouble> t1 = fine_unit(first);
+      const Vector2<DoubleDouble> t2 = fine_unit(second);
+      result.c = cross(t1, t2).hi;
+      result.k = dot(t1, t2).hi;
+      if (std::abs(result.c) < kFineTurnBound) result.c = 0;
+      if (std::abs(result.k) < kFineTurnBound) result.k = 0;
+    }
+    result.cross = result.c > 0 ? 1 : (result.c < 0 ? -1 : 0);
+    result.dot = result.k > 0 ? 1 : (result.k < 0 ? -1 : 0);
+  }
+  return result;
+}
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,183 @@
+// Blocks that pass cutter compensation, B or C: what the stage is told about each.
+#include <bit>
+
+#include "fast/program/interpreter.h"
+
+namespace toolcomp::fast {
+
+// The number a block commands: its D, or with 5001#2 = 1 its H where it has no D.
+std::optional<Interpreter::OffsetNumber> Interpreter::commanded_number(const Words& words) const {
+  if (words.has('D')) return OffsetNumber{whole_number(words['D'], memory_.count()), false};
+  if (ofh_ && words.has('H')) return OffsetNumber{whole_number(words['H'], memory_.count()), true};
+  return std::nullopt;
+}
+
+CutterSide Interpreter::cutter_side(Code code) {
+  switch (code) {
+    case 400:
+    case 413:  // of the same group
+      return CutterSide::off;
+    case 410:
+      return CutterSide::left;
+    case 420:
+      return CutterSide::right;
+    default:
+      return CutterSide::unchanged;
+  }
+}
+
+// What the codes and numbers of a block say to the stage, and where its path starts. cutter_number_ is taken already.
+void Interpreter::begin_cutter(const Words& words) {
+  const bool d_word = commanded_number(words).has_value();
+  const CutterSide word = cutter_side(words.code(Words::kCompensation));
+  const bool begins = cutter_side_ == CutterSide::off && word != CutterSide::off && word != CutterSide::unchanged;
+  if (begins || d_word || takes_edited_value()) {
+    cutter_offset_ = cutter_value(cutter_number_);
+    cutter_edited_ = false;
+  }
+  if (word != CutterSide::unchanged) cutter_side_ = word;
+  start_cutter_leg(words, word, d_word);
+}
+
+// Everything about a move but where it ends. The second move of G28 or G29 commands nothing of its own.
+void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_word) {
+  CutterBlock& block = cutter_next();
+  block.sets = false;
+  block.word = word;
+  block.side = cutter_side_;
+  block.d_word = d_word;
+  block.d = cutter_number_.number;
+  block.offset = cutter_offset_;
+  block.plane = plane_;
+  block.axis = plane_axes(plane_);
+  block.named = 0;
+  block.has_direction = false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t axis = block.axis[i];
+    block.start[i] = actual(axis);
+    if (axis != spec::Axes::kNone && (words.axes() & bit(axis)) != 0)
+      block.named = static_cast<std::uint8_t>(block.named | 1U << i);
+    const char letter = direction_letter(plane_, i);
+    if (words.has(letter)) {
+      block.direction[i] = value(words[letter], true, inch_program_);
+      block.has_direction = true;
+    } else {
+      block.direction[i] = Count();
+    }
+  }
+}
+
+// The usual block: positions and F, or nothing but its number. What begin_cutter(), cutter_motion() and send_cutter()
+// do for any block, without the detours.
+Alarm Interpreter::cutter_move(const Words& words) {
+  const std::array<std::size_t, 2> plane = plane_axes(plane_);
+  if (plane[0] == spec::Axes::kNone || plane[1] == spec::Axes::kNone || tool_offset_.live() != 0) [[unlikely]] {
+    start_cutter_leg(words, CutterSide::unchanged, false);
+    return cutter_motion(words, kNone, false, std::nullopt, ArcWords{});
+  }
+  CutterBlock& block = cutter_next();
+  const Mask axes = words.axes();
+  block.sets = false;
+  block.word = CutterSide::unchanged;
+  block.side = cutter_side_;
+  block.d_word = false;
+  block.d = cutter_number_.number;
+  block.offset = cutter_offset_;
+  block.plane = plane_;
+  block.axis = plane;
+  block.has_direction = false;
+  block.axis_word = axes != 0;
+  block.feed = feed_;
+  block.own = axes != 0;
+  block.start[0] = programmed_[plane[0]];
+  block.start[1] = programmed_[plane[1]];
+  for (unsigned rest = axes; rest != 0; rest &= rest - 1)
+    if (const Alarm a = place_word(words, static_cast<std::size_t>(std::countr_zero(rest)))) return a;
+  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
+  if ((axes & turning_) != 0) turn();
+  if (stale_ != 0)
+    if (const Alarm a = refresh()) return a;
+  const Count& first = programmed_[plane[0]];
+  const Count& second = programmed_[plane[1]];
+  block.end[0] = first;
+  block.end[1] = second;
+  block.named = static_cast<std::uint8_t>((axes >> plane[0] & 1U) | (axes >> plane[1] & 1U) << 1U);
+  if (block.named == 0)
+    block.motion = CutterMotion::still;
+  else if (block.start[0] == first && block.start[1] == second)
+    block.motion = CutterMotion::zero;
+  else
+    block.motion = CutterMotion::line;
+  fill(block.event, straight(), spec::Cause::programmed);
+  if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);
+  return alarm::kNone;
+}
+
+// A code that cutter compensation does not touch where nothing is wanted or to be removed (G37, G45 to G48, G41.3): the
+// stage learns of a G40 in the block, which then goes its own way.
+void Interpreter::retire_cutter() {
+  CutterBlock& block = cutter_next();
+  fill(block.event, straight(), spec::Cause::programmed);
+  block.own = false;
+  block.axis_word = false;
+  block.named = 0;
+  block.motion = CutterMotion::still;
+  (void)send_cutter(block);
+  in_cutter_ = false;
+}
+
+// G39 with axis words and without I J K: the words are a direction, from the current point.
+Alarm Interpreter::corner_direction(const Words& words, CutterBlock& block) const {
+  if (block.has_direction) return alarm::kNone;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if ((block.named >> i & 1U) == 0) continue;
+    const Count to = target(words, block.axis[i]);
+    if (!to.in_range()) return alarm::kRange;
+    block.direction[i] = to - programmed_[block.axis[i]];
+    block.has_direction = true;
+  }
+  return alarm::kNone;
+}
+
+Alarm Interpreter::cutter_motion(const Words& words, Code one_shot, bool extra,
+                                 const std::optional<spec::Arc<double>>& arc, const ArcWords& arc_words) {
+  CutterBlock& block = cutter_next();
+  const Mask axes = one_shot == kNone ? words.axes() : Mask{0};
+  if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
+  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
+  if ((axes & turning_) != 0) turn();
+  if (stale_ != 0)
+    if (const Alarm a = refresh()) return a;
+
+  block.own = axes != 0 || extra || arc;
+  block.axis_word = axes != 0;
+  block.feed = feed_;
+  fill(block.event, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
+  if (arc) {
+    block.event.arc = arc;
+    block.clockwise = arc_words.clockwise;
+    block.by_radius = arc_words.by_radius;
+    block.to_center = arc_words.to_center;
+    block.radius = arc_words.radius;
+    block.motion = CutterMotion::arc;
+  } else if (one_shot == 390) {
+    if (const Alarm a = corner_direction(words, block)) return a;
+    block.motion = CutterMotion::corner_arc;
+  } else if (axes == 0 || block.named == 0) {
+    block.named = 0;
+    block.motion = CutterMotion::still;
+  } else {
+    block.motion = CutterMotion::line;
+  }
+  return send_cutter(block);
+}
+
+Alarm Interpreter::send_cutter(CutterBlock& block) {
+  for (std::size_t i = 0; i < 2; ++i) block.end[i] = actual(block.axis[i]);
+  if (block.motion == CutterMotion::line && block.start[0] == block.end[0] && block.start[1] == block.end[1])
+    block.motion = CutterMotion::zero;
+  if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);
+  return alarm::kNone;
+}
+
+}  // namespace toolcomp::fast

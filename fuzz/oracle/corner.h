@@ -1,0 +1,58 @@
+// How well the end of a compensation vector in a plane is determined, from the exact events around it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "model/engine.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::fuzz {
+
+// X Y Z in setup units, 0 where the setup has no such axis. In double: an estimate, and no part of a verdict by itself.
+using Space = std::array<double, 3>;
+
+// Corners of cutter compensation B and C.
+//
+// A head is determined by two conditions: its distance from the straight line of a block, or from the centre of an arc.
+// An error e of each moves it by their sum over the sine of the angle at which the two offset curves cross. The
+// distance from a line is wrong by the slide of the vector along the line times the error of the line's direction; the
+// distance from a circle by an error of the centre and of the radius. So near a reversal (1 + k → 0) the error grows
+// with the slide, which is what makes the vector long; near a tangent intersection (R'² - h² → 0) with R' over the
+// root. Perpendicular vectors, and those prolonged by r, are determined by one direction, as well as it is.
+//
+// Which kind a head is, and in which plane it was made, is not asked: whatever fits counts, and the worst of it.
+class Corners {
+ public:
+  // The error of the head `window[0]` goes to, in multiples of an error of one unit in one unit of length, beyond that
+  // of the vector's own length. `vector` is its compensation vector, `window` as for Conditions::next, `shift` what
+  // stands between programmed and actual positions without a vector.
+  [[nodiscard]] double error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
+                             const Space& vector, const Space& shift) const;
+  // Takes the movement of `event`, which starts at `from`.
+  void follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Space& from,
+              const Space& shift);
+
+ private:
+  using Flat = std::array<double, 2>;
+  // A movement in one plane, programmed.
+  struct Piece {
+    Flat start{};
+    Flat end{};
+    std::optional<Flat> center;
+  };
+  struct Condition;
+
+  static std::optional<Piece> piece(const model::Event& event, const std::array<std::size_t, 3>& index,
+                                    const Space& from, const Space& shift, std::size_t plane);
+  static std::array<std::optional<Condition>, 2> conditions(const Piece& piece, const Flat& corner, const Flat& vector);
+  static double crossing(const Condition& a, const Condition& b, double length);
+
+  std::array<std::optional<Piece>, 3> before_;  // the latest movement in each plane
+};
+
+// Of X Y Z in the values of an event.
+Space space_of(const spec::AxisValues<model::Real>& values, const std::array<std::size_t, 3>& index);
+
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,233 @@
+// G37, G45 to G48 and cutter compensation B and C: nanoseconds a block under the fast engine and the exact model, one
+// thread, streaming. Blocks are read once beforehand, except in text_to_path.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fast/engine.h"
+#include "fast/print.h"
+#include "model/engine.h"
+#include "spec/language/event_json.h"
+#include "spec/language/program_reader.h"
+#include "spec/language/setup_format.h"
+
+namespace {
+
+using namespace toolcomp;
+
+constexpr std::string_view kSetup = R"(
+control = "fanuc"
+axes = ["X", "Y", "Z"]
+[parameters]
+6241 = 1000
+6251 = 20
+6254 = 5
+[measurement]
+Z = "198.0"
+[offsets.H]
+1 = 15
+[offsets.D]
+1 = "4.95"
+)";
+constexpr std::string_view kB = "cutter_compensation = \"B\"\n";
+
+// Few enough to stay in the cache: a reader fills one block again and again.
+constexpr int kBlocks = 100;
+constexpr int kTextBlocks = 5000;
+
+template <class Number>
+class Path final : public spec::EventSink<Number> {
+ public:
+  void on(const spec::Event<Number>& event) override {
+    ++events_;
+    benchmark::DoNotOptimize(event.axes[0]);
+    if (event.kind == spec::EventKind::alarm) alarm_ = event.number.view();
+  }
+  [[nodiscard]] const std::string& alarm() const { return alarm_; }
+  [[nodiscard]] std::int64_t events() const { return events_; }
+
+ private:
+  std::int64_t events_ = 0;
+  std::string alarm_;
+};
+
+std::vector<spec::Block> read(std::string_view program, const spec::Axes& axes) {
+  spec::ProgramReader reader(spec::text_source(program), axes);
+  std::vector<spec::Block> blocks;
+  for (spec::Block block; reader.next(block);) blocks.push_back(block);
+  return blocks;
+}
+
+struct Program {
+  std::string head;
+  std::string body;  // ends where it starts, so that it can go round
+  bool type_b = false;
+};
+
+template <class Number, class Engine>
+void go_round(benchmark::State& state, const Program& program, const spec::Setup& setup, Engine& engine,
+              const Path<Number>& path) {
+  for (const spec::Block& block : read(program.head, setup.axes)) engine.block(block);
+  const auto blocks = read(program.body, setup.axes);
+  for (auto _ : state)
+    for (const spec::Block& block : blocks) engine.block(block);
+  if (engine.stopped() || path.events() == 0) state.SkipWithError(("stopped: " + path.alarm()).c_str());
+  state.counters["s/block"] = benchmark::Counter(
+      static_cast<double>(blocks.size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+spec::Setup setup_of(const Program& program) {
+  return spec::read_setup_toml((program.type_b ? std::string(kB) : "") + std::string(kSetup), "setup");
+}
+
+void fast_engine(benchmark::State& state, const Program& program) {
+  const spec::Setup setup = setup_of(program);
+  Path<double> path;
+  fast::Engine engine(setup, path);
+  go_round(state, program, setup, engine, path);
+}
+
+void exact_model(benchmark::State& state, const Program& program) {
+  const spec::Setup setup = setup_of(program);
+  Path<exact::Real> path;
+  model::Recorder recorder;
+  model::Engine engine(setup, recorder, path);
+  go_round(state, program, setup, engine, path);
+}
+
+// Points around a wavy ring, counter-clockwise, in thousandths.
+struct Point {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+};
+std::vector<Point> ring(int count, double radius, double wave, int waves) {
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    const double r = radius + wave * std::sin(waves * angle);
+    points.push_back({std::llround(1000 * r * std::cos(angle)), std::llround(1000 * r * std::sin(angle))});
+  }
+  return points;
+}
+
+std::string number(std::int64_t thousandths) {
+  const std::int64_t magnitude = thousandths < 0 ? -thousandths : thousandths;
+  return fmt::format("{}{}.{:03}", thousandths < 0 ? "-" : "", magnitude / 1000, magnitude % 1000);
+}
+std::string words(Point p) { return fmt::format("X{} Y{}", number(p.x), number(p.y)); }
+
+// The start-up runs to the last point, so that the ring closes there. Every `arcs`-th block is an arc (0: none), whose
+// centre lies `flatness` chords from its middle, to the left and to the right in turn.
+Program around(const std::vector<Point>& points, int arcs, bool type_b = false) {
+  constexpr std::int64_t kFlatness = 8;
+  Program program;
+  program.type_b = type_b;
+  const Point last = points.back();
+  program.head = "G90 G17 G01 F1000 " + words({last.x - 20'000, last.y - 1'000}) + "\nG41 D1 " + words(last) + "\n";
+  Point from = last;
+  int n = 0;
+  for (const Point to : points) {
+    ++n;
+    if (arcs == 0 || n % arcs != 0) {
+      program.body += "G01 " + words(to) + "\n";
+    } else {
+      const bool left = n / arcs % 2 == 0;
+      const std::int64_t k = left ? 2 * kFlatness : -2 * kFlatness;
+      // Twice the way to the centre is whole; one more decimal halves it.
+      const Point twice{to.x - from.x - k * (to.y - from.y), to.y - from.y + k * (to.x - from.x)};
+      const auto half = [](std::int64_t v) { return number(v / 2) + (v % 2 == 0 ? "" : "5"); };
+      const auto sign = [](std::int64_t v) { return v == -1 ? "-" : ""; };
+      program.body += fmt::format("{} {} I{}{} J{}{}\n", left ? "G03" : "G02", words(to), sign(twice.x), half(twice.x),
+                                  sign(twice.y), half(twice.y));
+    }
+    from = to;
+  }
+  return program;
+}
+
+Program measurement() {
+  Program program{"G90 G00 H01 Z760.\n", "", false};
+  for (int i = 0; i < kBlocks / 2; ++i) program.body += "G37 Z200.\nG00 Z760.\n";
+  return program;
+}
+Program tool_offset() {
+  Program program{"G91 G01 F1000 D1\n", "", false};
+  for (int i = 0; i < kBlocks / 2; ++i)
+    program.body += fmt::format("G4{} X10.5 Y7.25\nG4{} X-10.5 Y-7.25\n", 5 + i % 4, 5 + i % 4);
+  return program;
+}
+Program cutter_b() { return around(ring(kBlocks, 60, 3, 5), 0, true); }
+Program cutter_b_arcs() { return around(ring(kBlocks, 60, 3, 5), 2, true); }
+// Corners of one intersection, inner and outer.
+Program cutter_c_lines() { return around(ring(kBlocks, 60, 3, 5), 0); }
+// A star: inner corners and acute outer ones of two vectors in turn.
+Program cutter_c_acute() {
+  std::vector<Point> points;
+  const std::vector<Point> inner = ring(kBlocks / 2, 400, 0, 1);
+  const std::vector<Point> outer = ring(kBlocks, 600, 0, 1);
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    points.push_back(inner[i]);
+    points.push_back(outer[2 * i + 1]);
+  }
+  return around(points, 0);
+}
+Program cutter_c_line_and_arc() { return around(ring(kBlocks, 60, 3, 5), 2); }
+Program cutter_c_arcs() { return around(ring(kBlocks, 60, 3, 5), 1); }
+
+#define ROW(program)                                                               \
+  void program##_fast(benchmark::State& state) { fast_engine(state, program()); }  \
+  BENCHMARK(program##_fast)->Name(#program);                                       \
+  void program##_model(benchmark::State& state) { exact_model(state, program()); } \
+  BENCHMARK(program##_model)->Name("model/" #program)
+
+ROW(measurement);
+ROW(tool_offset);
+ROW(cutter_b);
+ROW(cutter_b_arcs);
+ROW(cutter_c_lines);
+ROW(cutter_c_acute);
+ROW(cutter_c_line_and_arc);
+ROW(cutter_c_arcs);
+#undef ROW
+
+class Printer final : public fast::EventSink {
+ public:
+  explicit Printer(const spec::Axes& axes) : axes_(axes) { text_.reserve(4096); }
+  void on(const fast::Event& event) override {
+    text_.clear();
+    spec::append_event_json(text_, event, axes_, fast::append_number);
+    bytes_ += text_.size();
+  }
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+ private:
+  const spec::Axes& axes_;
+  std::string text_;
+  std::size_t bytes_ = 0;
+};
+
+void text_to_path_cutter_c(benchmark::State& state) {
+  const Program contour = around(ring(kTextBlocks, 600, 10, 20), 0);
+  const spec::Setup setup = setup_of(contour);
+  const std::string text = contour.head + contour.body;
+  Printer printer(setup.axes);
+  for (auto _ : state) {
+    fast::Engine engine(setup, printer);
+    spec::ProgramReader reader(spec::text_source(text), setup.axes);
+    for (spec::Block block; reader.next(block);) engine.block(block);
+    engine.end();
+    if (engine.stopped()) state.SkipWithError("alarm");
+    benchmark::DoNotOptimize(printer.bytes());
+  }
+  state.counters["s/block"] =
+      benchmark::Counter(kTextBlocks, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(text_to_path_cutter_c);
+
+}  // namespace

@@ -1,0 +1,160 @@
+// Condition numbers of heads, on events made by hand: expected values are the derivatives of the formulas of the sheet.
+#include "fuzz/oracle/condition.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "fuzz/oracle/policy.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+using exact::Rational;
+using exact::Real;
+
+Real decimal(const std::string& text) {
+  const std::size_t point = text.find('.');
+  if (point == std::string::npos) return Rational(text);
+  std::string digits = text;
+  digits.erase(point, 1);
+  const bool negative = digits[0] == '-';
+  if (negative) digits.erase(0, 1);
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  Rational scale = 1;
+  for (std::size_t i = point + 1; i < text.size(); ++i) scale *= 10;
+  const Rational value = Rational(digits) / scale;
+  return negative ? Real(Rational(-value)) : Real(value);
+}
+
+model::Event move(spec::Cause cause, const std::string& px, const std::string& py, const Real& x, const Real& y) {
+  model::Event e;
+  e.kind = spec::EventKind::move;
+  e.type = spec::MoveType::linear;
+  e.cause = cause;
+  e.programmed.set(0, decimal(px));
+  e.programmed.set(1, decimal(py));
+  e.programmed.set(2, Real(0));
+  e.point.set(0, x);
+  e.point.set(1, y);
+  e.point.set(2, Real(0));
+  e.axes = e.point;
+  return e;
+}
+
+model::Event arc(model::Event e, const std::string& ox, const std::string& oy) {
+  e.type = spec::MoveType::arc;
+  e.arc.emplace();
+  e.arc->center.set(0, decimal(ox));
+  e.arc->center.set(1, decimal(oy));
+  return e;
+}
+
+std::vector<Scale> scales(const std::vector<model::Event>& events) {
+  Conditions conditions{spec::Setup()};
+  std::vector<Scale> all;
+  for (std::size_t i = 0; i < events.size(); ++i) all.push_back(conditions.next(std::span(events).subspan(i)));
+  return all;
+}
+
+constexpr spec::Cause kStart = spec::Cause::start_up;
+constexpr spec::Cause kOwn = spec::Cause::programmed;
+constexpr spec::Cause kCorner = spec::Cause::corner;
+
+// G41 d = 10 along X, then back at an angle θ to straight back: M = r(N1 + N2)/(1 + k), |M| = r·√(2/(1 + k)), and an
+// error of a direction turns into √(2/(1 + k)) of it, relative to |M|.
+TEST(Conditions, OfAnIntersectionNearAReversal) {
+  for (const int n : {10, 1000, 100'000}) {
+    // B = (-n, 1): inner on the left; M from the two line equations: y = 10, x = -(10·√(n² + 1) + 10·n) less 40.
+    const double s = -10 * (std::sqrt(double(n) * n + 1) + n);
+    const Real x = 40 + Real(-10) * (sqrt(Real(n) * Real(n) + 1) + Real(n));
+    const auto list = scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", x, Real(10)),
+                              move(kOwn, std::to_string(40 - 50 * n), "50", Real(0), Real(0))});
+    EXPECT_EQ(list[0].condition, 1);
+    EXPECT_NEAR(list[1].vector, std::hypot(s, 10), 1e-6);
+    const double expected =
+        2 * std::fabs(s) * std::sqrt(double(n) * n + 1) / list[1].vector;  // 2·slide/sin θ, over |M|
+    EXPECT_NEAR(list[1].condition, 1 + expected, 1e-3 * expected);
+  }
+}
+
+// Straight on, or nearly: the intersection hardly slides, whatever the angle.
+TEST(Conditions, OfAnIntersectionNearlyStraightOn) {
+  // B = (n, 1): M = (-r·tan(θ/2), r), tan(θ/2) = 1/(n + √(n² + 1)).
+  for (const int n : {10, 1000, 1'000'000}) {
+    const Real slide = Real(10) / (Real(n) + sqrt(Real(n) * Real(n) + 1));
+    const auto list = scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", 40 - slide, Real(10)),
+                              move(kOwn, std::to_string(40 + 10 * n), "10", Real(0), Real(0))});
+    EXPECT_GE(list[1].condition, 1);
+    EXPECT_LE(list[1].condition, 3);
+  }
+}
+
+// Perpendicular and prolonged vectors are made of one direction.
+TEST(Conditions, OfPerpendicularAndProlongedVectors) {
+  // α = 0.57° at an acute corner: P1, Q1, Q2.
+  const auto list = scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "100", "0", Real(110), Real(10)),
+                            move(kCorner, "100", "0", decimal("110.098995"), decimal("-9.8995")),
+                            move(kOwn, "0", "-1", Real(0), Real(-11))});
+  EXPECT_EQ(list[1].condition, 1);
+  EXPECT_NEAR(list[2].condition, 1, 1e-6);
+}
+
+// Line and arc, G41 r = 10: with the centre at height h over the offset line the meeting point moves by R'/√(R'² - h²)
+// times the errors of centre and radius.
+TEST(Conditions, OfAnIntersectionNearATangent) {
+  // Sheet 14.6.3 #9: (0,0)→(40,0), G03 about (0,30), R = 50, R' = 40, h = 20: q = 34.64.
+  const Real q = sqrt(Real(1200));
+  const auto well = scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", q, Real(10)),
+                            arc(move(kOwn, "0", "80", Real(0), Real(70)), "0", "30")});
+  const double sine = std::sqrt(1200.0) / 40;
+  const double along_line = 40 - std::sqrt(1200.0);
+  const double along_arc = 10 * 0.8 - along_line * 0.6;  // the tangent at the corner is (3, 4)/5
+  const double vector = std::hypot(along_line, 10);
+  EXPECT_NEAR(well[1].condition, 1 + (along_line + along_arc + 90 + vector) / sine / vector, 1e-6);
+  // O = (20, 0), R = 20: R' = 10 touches the offset line; a micrometre more and q² = 10.001² - 10².
+  const Real root = sqrt(decimal("10.001") * decimal("10.001") - 100);
+  const auto close =
+      scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40.001", "0", Real(20) + root, Real(10)),
+              arc(move(kOwn, "20", "20.001", Real(20), decimal("10.001")), "20", "0")});
+  const double half = std::sqrt(10.001 * 10.001 - 100);  // of the chord
+  const double back = 20.001 - half;
+  const double length = std::hypot(back, 10);
+  EXPECT_NEAR(close[1].condition, 1 + (back + 10 + 30.002 + length) / (half / 10.001) / length, 1e-3);
+  EXPECT_GT(close[1].condition, 200);
+}
+
+// G40 with I J: the direction is not in the events, the distance of the head from the corner and the path tells it.
+TEST(Conditions, OfAnIntersectionWithADirectionOfTheCancelBlock) {
+  // A along X to (40, 0), direction (-100, 1), G41 r = 10.
+  const Real x = 40 + Real(-10) * (sqrt(Real(10'001)) + Real(100));
+  model::Event cancel = move(spec::Cause::cancel, "40", "80", Real(40), Real(80));
+  const auto list =
+      scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", x, Real(10)), std::move(cancel)});
+  EXPECT_GT(list[1].condition, 150);
+  EXPECT_LT(list[1].condition, 1500);
+}
+
+// A shift of G45 stands between programmed and actual positions before the start-up: it is no vector.
+TEST(Conditions, AShiftIsNoVector) {
+  const auto list = scales({move(kOwn, "10", "0", Real(15), Real(5)), move(kStart, "20", "0", Real(25), Real(15)),
+                            move(kOwn, "60", "0", Real(65), Real(15)), move(kOwn, "90", "0", Real(95), Real(15))});
+  EXPECT_EQ(list[0].vector, 0);
+  EXPECT_NEAR(list[1].vector, 10, 1e-9);
+  EXPECT_EQ(list[2].condition, 1);
+}
+
+// Short offset arcs turn more for the same error of their ends.
+TEST(Conditions, OfTheSweepOfASmallArc) {
+  // A quarter about (40, 10.001) with R = 10.001, R' = 0.001.
+  const auto list = scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", Real(40), Real(10)),
+                            arc(move(kOwn, "50.001", "10.001", decimal("40.001"), decimal("10.001")), "40", "10.001")});
+  const double unit = policy::ulp(list[2].position) + policy::ulp(10);
+  EXPECT_NEAR(list[2].turn, 2 * unit / 0.001, 0.5 * unit / 0.001);
+  EXPECT_EQ(list[1].turn, 0);
+}
+
+}  // namespace
+}  // namespace toolcomp::fuzz
