@@ -224,12 +224,15 @@ class Writer {
     const bool tight = options_.variant == ContourVariant::tight;
     const std::size_t at = options_.at.value_or(options_.blocks / 2);
     std::size_t next = kEvery / 2;
+    std::size_t last = 0;  // the place before
     std::size_t sample = 0;
     for (std::size_t block = 0; block < options_.blocks; ++block) {
       const Point start = point(sample);
       const std::size_t length = wide_[block] ? 2 : 1;
       const Point end = point(sample + length);
-      const bool place = tight && !wide_[block] && !contour_.alarm_line && block > 2 && flat(sample);
+      // Between lines: beside an arc a corner keeps one more vector, with which the block may still run.
+      const bool place = tight && !contour_.alarm_line && block > last + 2 && !wide_[block] && !wide_[block - 1] &&
+                         block + 1 < options_.blocks && !wide_[block + 1] && flat(sample);
       if (place && block >= at) {
         const std::uint64_t here = lines_;
         if (options_.place == TightPlace::groove) {
@@ -242,6 +245,7 @@ class Writer {
         tight_arc(start, end, 7);
         ++contour_.dropped;
         next = block + kEvery;
+        last = block;
       } else if (const std::int64_t offset = wide_[block] ? circle(sample) : 0; offset != 0) {
         arc_to(start, end, offset);
       } else {

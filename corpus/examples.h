@@ -28,11 +28,15 @@ std::span<const ExampleFile> example_files();
 std::span<const Example> tool_length_offset_examples();
 std::span<const Example> tool_length_offset_rules();
 std::span<const Example> tool_length_measurement_examples();
+std::span<const Example> tool_length_measurement_rules();
 std::span<const Example> tool_offset_examples();
+std::span<const Example> tool_offset_rules();
 std::span<const Example> cutter_compensation_b_examples();
+std::span<const Example> cutter_compensation_b_rules();
 std::span<const Example> cutter_compensation_c_examples();
 std::span<const Example> cutter_compensation_c_corners();
 std::span<const Example> cutter_compensation_c_checks();
+std::span<const Example> cutter_compensation_c_rules();
 std::span<const Example> leading_edge_offset_examples();
 std::span<const Example> leading_edge_offset_rules();
 

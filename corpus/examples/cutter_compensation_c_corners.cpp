@@ -16,9 +16,10 @@ namespace {
 #define ROUND(limit)                                    \
   CUTTER("5010 = \"" limit "\"\n", "1 = 10", "0", "0"), \
       "G17 G90 G01 F100 G41 D1 X15. Y20.\nN5 X30. Y40.\nN6 G02 J-60.\n"
-#define TURN(parameters)                                                                                         \
-  CUTTER(parameters, "1 = 10", "60", "0"), "G17 G90 G01 F100 G41 D1 X100.\nG02 J-60.\nG01 G40 X70. Y-30. I-10. " \
-                                           "J-10.\n"
+#define TURN(parameters)                                                    \
+  CUTTER(parameters, "1 = 10", "60", "0"),                                  \
+      "G17 G90 G01 F100 G41 D1 X100.\nG02 J-60.\nG01 G40 X70. Y-30. I-10. " \
+      "J-10.\n"
 
 constexpr Example kExamples[] = {
     {"14.6.3 #1, inner: (35,10).", A_LINE("X64. Y32.")},

@@ -110,7 +110,7 @@ StageEnd CutterCompensationB::block() {
 // A block with an axis word of the plane: the vector at its end, from I J or the block's own travel.
 void CutterCompensationB::straight() {
   const bool given =
-      block_.has_direction && !(fault(Fault::direction_with_code_only) && block_.word == CutterSide::unchanged);
+      block_.has_direction && (!fault(Fault::direction_with_code_only) || block_.word != CutterSide::unchanged);
   std::array<Count, 2> direction;
   for (std::size_t i = 0; i < 2; ++i) direction[i] = given ? block_.direction[i] : block_.end[i] - block_.start[i];
   if (!direction[0].is_zero() || !direction[1].is_zero()) {
@@ -179,7 +179,10 @@ void CutterCompensationB::corner_arc() {
   const bool same =
       vanishes(new_vector[0] - old_vector[0], scale.hi) && vanishes(new_vector[1] - old_vector[1], scale.hi);
   vector_ = made;
-  if (same) return send(vector_, block_.own);
+  if (same) {
+    send(vector_, block_.own);
+    return;
+  }
   Event& event = block_.event;
   event.type = spec::MoveType::arc;
   event.cause = spec::Cause::corner;

@@ -25,7 +25,7 @@ class CutterCompensationB {
   // Takes next() and sends its move.
   StageEnd block();
   // Nothing is ever held.
-  [[nodiscard]] static StageEnd release() { return {}; }
+  [[nodiscard]] StageEnd release() const { return {}; }
 
  private:
   using Fine = std::array<DoubleDouble, 2>;  // in the plane, units of 1 / (127 * 10^18)

@@ -62,20 +62,24 @@ void Interpreter::block(const spec::Block& block) {
   line_ = block.line;
   n_ = block.n;
   if (block.alarm) [[unlikely]] {
-    if (release_held()) return;
-    return send_alarm(block.alarm->number, block.alarm->message, line_, n_);
+    if (!release_held()) send_alarm(block.alarm->number, block.alarm->message, line_, n_);
+    return;
   }
   const Words words(block, axes_);
-  if (words.unsupported()) [[unlikely]]
-    return raise(alarm::kUnknownCode);
+  if (words.unsupported()) [[unlikely]] {
+    raise(alarm::kUnknownCode);
+    return;
+  }
   if (!words.any()) {
     // A sequence or program number alone is a block without movement where blocks are counted.
     if (!cutter_active()) return;
     if (const Alarm a = cutter_move(words)) raise(a);
     return;
   }
-  if (const Alarm a = run(words)) [[unlikely]]
-    return raise(a);
+  if (const Alarm a = run(words)) [[unlikely]] {
+    raise(a);
+    return;
+  }
   if (words.ends_program()) end();
 }
 
@@ -119,8 +123,10 @@ void Interpreter::send_alarm(const spec::Name& number, const char* message, std:
 }
 
 void Interpreter::end_run(const StageEnd& end) {
-  if (end.undecided == nullptr) return send_alarm(end.alarm.number, end.alarm.message, end.line, end.n);
-  send_alarm(end.undecided, "", end.line, end.n, spec::EventKind::undecided);
+  if (end.undecided == nullptr)
+    send_alarm(end.alarm.number, end.alarm.message, end.line, end.n);
+  else
+    send_alarm(end.undecided, "", end.line, end.n, spec::EventKind::undecided);
 }
 
 Alarm Interpreter::run(const Words& words) {

@@ -72,7 +72,10 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
   else
     event.feed = feed_;
   const bool along = along_tool();
-  if (!along && !kinematics_.defined()) return event.tool_axis.reset();
+  if (!along && !kinematics_.defined()) {
+    event.tool_axis.reset();
+    return;
+  }
   const Eigen::Vector3d& unit = directions_[direction_].unit;
   event.tool_axis.emplace(std::array<double, 3>{unit[0] + 0.0, unit[1] + 0.0, unit[2] + 0.0});  // never -0
   if (!along) return;

@@ -149,9 +149,10 @@ class Comparison {
         return true;
     }
     if (rules_.judges("sweep")) {
-      if (absent({"sweep"}, e.sweep.has_value(), a.sweep.has_value())) return true;
       constexpr double degrees = 57.29577951308232;  // in a radian
       const double unit = policy::ulp(360) + degrees * scale_.turn;
+      if (rules_.budget().sweep * unit >= policy::kUnknownSweep) return false;
+      if (absent({"sweep"}, e.sweep.has_value(), a.sweep.has_value())) return true;
       if (e.sweep && number("sweep", {"sweep"}, *e.sweep, *a.sweep, rules_.budget().sweep, unit)) return true;
     }
     return false;

@@ -9,7 +9,9 @@
 //   rotary axes                                   … by k · ulp(value)
 //   tool axis                                     … by k · ulp(1)
 //   sweeps                                        … by k · (ulp(360) + error of each end of a compensated arc over
-//                                                 its distance from the centre, in degrees)
+//                                                 its distance from the centre, in degrees); neither value nor
+//                                                 presence where that is 90 degrees or more: a head so near the centre
+//                                                 has no direction in double
 //   feeds, values of settings                     … by nothing: one of the two doubles that enclose the exact value; a
 //                                                 controller's text by 1.5 · ulp(value) where the value is no double:
 //                                                 the shortest text of one of the two
@@ -56,6 +58,9 @@ constexpr const Budget& budget(std::string_view section) {
     if (row.section == section) return row;
   return kAnySection;
 }
+
+// Degrees: a sweep with an error of this size is not judged.
+inline constexpr double kUnknownSweep = 90;
 
 // The shortest decimal text of a double is at most half an ulp away from it, and the double one from the exact value.
 inline constexpr double kConvertedText = 1.5;

@@ -42,20 +42,20 @@ std::optional<OffsetWrite> offset_kind(const Words& words, spec::OffsetMemory me
   return offset_kind(l == nullptr ? 0 : l->digits == 1 ? 11 : l->digits, memory);
 }
 
-std::optional<OffsetWrite> offset_kind(std::uint64_t kind, spec::OffsetMemory memory) {
+std::optional<OffsetWrite> offset_kind(std::uint64_t l, spec::OffsetMemory memory) {
   OffsetWrite write;
   switch (memory) {
     case spec::OffsetMemory::a:
-      write.h = write.d = kind == 11;
+      write.h = write.d = l == 11;
       break;
     case spec::OffsetMemory::b:
-      write.h = write.d = kind == 10 || kind == 11;
-      write.wear = kind == 11;
+      write.h = write.d = l == 10 || l == 11;
+      write.wear = l == 11;
       break;
     case spec::OffsetMemory::c:
-      write.h = kind == 10 || kind == 11;
-      write.d = kind == 12 || kind == 13;
-      write.wear = kind == 11 || kind == 13;
+      write.h = l == 10 || l == 11;
+      write.d = l == 12 || l == 13;
+      write.wear = l == 11 || l == 13;
       break;
   }
   if (!write.h && !write.d) return std::nullopt;

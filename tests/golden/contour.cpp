@@ -50,7 +50,7 @@ TEST(Contour, TheSameBytesOnEveryCompiler) {
             "466e5b9b319ed2daffae7531921cd8c828717734613140f99c10eb6817217bba");
   EXPECT_EQ(
       sha256(make_contour({.blocks = 2500, .variant = ContourVariant::tight, .place = TightPlace::groove}).program),
-      "3e01b7e5db5ae7118a6e393832e3ad91385cc7bd7f66be0d43b83d6e91be8809");
+      "81dd5d48070160eefe9fbf50f65c26af428c30808b184851e22d74dd1c6fef9f");
 }
 
 TEST(Contour, IsClosedAndItsArcsAreCircles) {

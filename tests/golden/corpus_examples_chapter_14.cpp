@@ -92,5 +92,42 @@ TEST(CutterBVectors, Sheet) {
           {"14.4, G45 in the mode", {"1 s G1 40 10", "2 PS0042"}}});
 }
 
+TEST(LengthMeasurementVectors, Rules) {
+  expect("fanuc/tool-length-measurement", "rules",
+         {{"The tool stands on", {"2 p G0 0 0 200", "3 fanuc.length-measurement.start-on-the-coordinate"}},
+          {"The block starts at B", {"2 p G0 0 0 220", "3 m G1 0 0 198", "3 H1=13"}},
+          {"The signal comes on exactly", {"2 p G0 0 0 220", "2 PS0080"}},
+          {"G44 is in force, H1 = 15: ", {"1 p G0 0 0 760", "2 p G0 0 0 220", "2 m G1 0 0 213", "2 PS0080"}},
+          {"G44 is in force, H1 = 15, signal", {"1 p G0 0 0 760", "2 p G0 0 0 220", "2 m G1 0 0 198", "2 H1=13"}},
+          {"G43 in the block of G37", {"2 MEASUREMENT_FORMAT"}},
+          {"G37 in cutter compensation", {"2 s G1 50 10", "3 PS0036"}}});
+}
+
+TEST(ToolOffsetVectors, Rules) {
+  expect("fanuc/tool-offset", "rules",
+         {{"TPH = 1", {"1 p G0 54 0"}},
+          {"G53 takes the shift", {"1 p G0 60 0", "2 p G0 0 0", "3 p G0 20 0"}},
+          {"G53 of another axis", {"1 p G0 60 0 0", "2 p G0 60 0 5", "3 p G0 80 0 5"}},
+          {"A quarter of a circle", {"1 p G3 0 0 O 0 0"}},
+          {"A radius below 0", {"1 PS0038"}},
+          {"An arc that is no quarter", {"1 G45_ARC"}},
+          {"A number beyond the memory", {"1 PS0030"}}});
+}
+
+TEST(CutterBVectors, Rules) {
+  // The start-up of the last one: d times the left normal of (40, -10).
+  expect("fanuc/cutter-compensation-b", "rules",
+         {{"I0 J0 is no direction", {"1 s G1 40 10", "2 p G1 40 40"}},
+          {"A travel of zero", {"1 s G1 40 10", "2 p G1 40 10"}},
+          {"The code of the side", {"1 s G1 40 10", "2 p G1 30 30"}},
+          {"A new number in an arc block", {"1 s G1 40 10", "2 PS0034"}},
+          {"A tangent arc of R10", {"1 s G1 40 10", "2 p G3 40 10 O 40 10"}},
+          {"An arc that ends in its centre", {"1 s G1 40 10", "2 PS0038"}},
+          {"G53 of an axis outside", {"1 s G1 40 10 0", "2 p G0 40 10 5", "3 p G1 80 10 5"}},
+          {"The vector (-10, 0) at the end",
+           {"1 s G1 42.42535625036333 -0.298574998546681", "2 p G1 30 10",
+            "3 p G3 80 50 O 40 50 r 41.2310562561766 40"}}});
+}
+
 }  // namespace
 }  // namespace toolcomp::corpus

@@ -228,5 +228,31 @@ TEST(CutterCVectors, ChecksMachinePositionsAndCornerArcs) {
        {"14.6.9, G39 in cancel mode", {"1 p G1 40 0", "2 PS0035"}}});
 }
 
+TEST(CutterCVectors, Rules) {
+  const auto a = [](Rows rows) {
+    rows.insert(rows.begin(), "1 s G1 0 10");
+    return rows;
+  };
+  expect(
+      kSection, "rules",
+      {{"G41 again after a lone G40", a({"2 p G1 40 10", "4 fanuc.cutter-c.restart-before-removal"})},
+       {"Two blocks without motion behind G39", a({"2 p G1 40 10", "3 fanuc.cutter-c.corner-arc-without-next-block"})},
+       {"G39 with the end", a({"2 p G1 40 10"})},
+       {"G92 of an axis", a({"2 p G1 40 10", "3 fanuc.cutter-c.coordinate-shift"})},
+       {"Offset circles that touch from outside",
+        {"1 s G1 2.307692307692308 -5.538461538461538", "2 p G3 6 0 O 0 0", "3 p G3 18.8 -6.4 O 14 0"}},
+       {"Offset circles that touch from inside", {"1 s G1 0 7", "2 p G3 -7 0 O 0 0 w 90", "3 p G2 14 21 O 14 0 w 90"}},
+       {"An offset circle that is its centre alone", a({"2 PS0033"})},
+       {"G40 with I-10 J0", a({"2 p G1 40 10", "3 e G1 40 -30"})},
+       {"G40 with I10 J10", a({"2 p G1 35.85786437626905 10", "3 e G1 80 -30"})},
+       {"G41 with I J K", a({"2 p G1 40 10", "3 PS0010"})},
+       {"An arc that ends in its centre", a({"2 p G1 40 10", "3 PS0038"})},
+       {"G53 of an axis outside the plane", a({"2 p G1 40 10", "3 p G0 40 10 5", "4 p G1 80 10 5"})},
+       {"G53 of one axis of the plane, CCN = 0", a({"2 p G1 40 10", "3 p G0 100 0", "4 s G1 140 10"})},
+       {"G53 of one axis of the plane, CCN = 1", a({"2 p G1 40 10", "3 p G0 100 10", "4 p G1 140 10"})},
+       {"G28 with CCN = 1", a({"2 p G1 40 10", "3 r G0 40 10", "3 r G0 0 0"})},
+       {"The side changes in the block", a({"2 DIR_CHANGE_AT_STARTUP"})}});
+}
+
 }  // namespace
 }  // namespace toolcomp::corpus

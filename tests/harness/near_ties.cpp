@@ -146,5 +146,68 @@ TEST(NearTies, AChainOfTiesIsFollowed) {
   EXPECT_GT(v.ties, 3U);
 }
 
+// A contour of lines under G41 with the offset 10.
+spec::Case contour(const std::string& blocks) {
+  spec::Case c;
+  c.section = "fanuc/cutter-compensation-c";
+  c.setup.d[1].geometry = spec::decimal(10);
+  c.program = "G90 G01 F100 G41 X40. D1\n" + blocks;
+  return c;
+}
+
+// 90 degrees but for 1e-13: one head or two of them, a hair apart.
+TEST(NearTies, ACornerOfAlmostRightAnglesMayHaveTheVectorsOfEither) {
+  const spec::Case c = contour("X80.\nX80.00000000001 Y-100.\nY-200.\nG40 X0\n");
+  const ModelRun run = run_model(c);
+  const ModelRun other = run_model(c, opposite(run, Clause::fanuc_cutter_c_obtuse_or_acute));
+  ASSERT_EQ(other.events.size(), run.events.size() + 1);
+  const Verdict v = judge(c, run, rounded(other));
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  EXPECT_GE(v.ties, 1U);
+  // A degree less is no tie.
+  const spec::Case clear = contour("X80.\nX80.01 Y-100.\nY-200.\nG40 X0\n");
+  const ModelRun sharp = run_model(clear);
+  EXPECT_EQ(
+      judge(clear, sharp, rounded(run_model(clear, opposite(sharp, Clause::fanuc_cutter_c_obtuse_or_acute)))).outcome,
+      Outcome::differs);
+}
+
+// A groove 1e-12 narrower than the tool: PS0041, or not.
+TEST(NearTies, InterferenceByAHairMayBeSeenOrNot) {
+  const spec::Case c = contour("X80.\nY19.999999999999\nX40.\nG40 Y40.\n");
+  const ModelRun run = run_model(c);
+  ASSERT_EQ(run.events.back().number.view(), "PS0041");
+  const ModelRun other = run_model(c, opposite(run, Clause::fanuc_cutter_c_interference_direction));
+  ASSERT_EQ(other.events.back().kind, spec::EventKind::move);
+  const Verdict v = judge(c, run, rounded(other));
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  // A micrometre narrower there is nothing to permit.
+  const spec::Case narrow = contour("X80.\nY19.999\nX40.\nG40 Y40.\n");
+  const ModelRun alarm = run_model(narrow);
+  EXPECT_EQ(
+      judge(narrow, alarm, rounded(run_model(narrow, opposite(alarm, Clause::fanuc_cutter_c_interference_direction))))
+          .outcome,
+      Outcome::differs);
+}
+
+// A change of side on a straight line: paths that are parallel have no intersection, whatever is forced.
+TEST(NearTies, AnIntersectionOfParallelLinesIsNotPermitted) {
+  const spec::Case c = contour("X80.\nG42 X120.\nX160.\nG40 Y40.\n");
+  const ModelRun run = run_model(c);
+  bool tried = false;
+  const auto& decisions = run.recorder.decisions();
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    if (decisions[i].clause != Clause::fanuc_cutter_c_direction_change_parallel) continue;
+    ASSERT_EQ(margin(decisions[i]), 0);
+    tried = true;
+    for (const Sign outcome : {Sign::negative, Sign::positive})
+      EXPECT_THROW(run_model(c, {{i, outcome}}), std::exception);
+  }
+  EXPECT_TRUE(tried);
+  std::vector<fast::Event> wrong = rounded(run);
+  wrong[1].point.value[0] += 1;
+  EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
+}
+
 }  // namespace
 }  // namespace toolcomp::fuzz

@@ -208,7 +208,6 @@ std::vector<Program> programs() {
   const std::string tal = setup("\"5001#0\" = 1\n\"5001#3\" = 1\n");
   const std::string ofh = setup("\"5001#2\" = 1\n");
   const std::string evo = setup("\"5001#6\" = 1\n");
-  const std::string head = setup("19680 = 2\n19681 = 4\n19682 = 2\n19686 = 5\n19687 = 3\n");
   const std::string machine =
       "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\", \"C\"]\n[parameters]\n19680 = 2\n"
       "19681 = 4\n19682 = 2\n19686 = 5\n19687 = 3\n";

@@ -1,0 +1,48 @@
+// Cutter compensation C: one program for each rule that generated programs seldom meet, or that leaves the run
+// undecided.
+#include "corpus/examples.h"
+
+namespace toolcomp::corpus {
+namespace {
+
+#define CUTTER(parameters, d, x, y)                                                                    \
+  "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[parameters]\n" parameters "[offsets.D]\n1 = " d \
+  "\n"                                                                                                 \
+  "[position]\nX = " x "\nY = " y "\n"
+// From (-40, 0), with a head at (0, 10): A from (0, 0) to (40, 0), then the rest.
+#define A_LINE(rest) CUTTER("", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
+#define A_CCN(rest) CUTTER("\"5003#2\" = 1\n", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nX40.\n" rest "\n"
+
+constexpr Example kRules[] = {
+    {"G41 again after a lone G40, before the vector is removed: undecided.", A_LINE("G40\nG41\nX60.")},
+    {"Two blocks without motion behind G39: undecided.", A_LINE("G39\nM05\nM03\nY30.")},
+    {"G39 with the end of the program behind it makes no arc: (40,10).", A_LINE("G39")},
+    {"G92 of an axis of the plane in the mode: undecided.", A_LINE("G92 X0\nX60.")},
+    {"Offset circles that touch from outside: radii 13 and 15, centres 14 apart, offset 7: 6 + 8 = 14, (6,0).",
+     CUTTER("", "7", "-19", "-22"),
+     "G17 G90 G01 F100 G41 D1 X5. Y-12.\nG03 X5. Y12. I-5. J12.\nX23. Y-12. I9. J-12.\n"},
+    {"Offset circles that touch from inside: radii 15 and 13, centres 14 apart, offset 8: 21 - 7 = 14, (-7,0).",
+     CUTTER("", "8", "40", "15"), "G17 G90 G01 F100 G41 D1 X0 Y15.\nG03 X9. Y-12. I0 J-15.\nG02 X14. Y13. I5. J12.\n"},
+    {"An offset circle that is its centre alone, beside the offset line: PS0033 names A.",
+     A_LINE("G03 X28. Y16. I-6. J8.")},
+    {"G40 with I-10 J0, parallel to the line: (40,10).", A_LINE("G40 X40. Y-30. I-10. J0")},
+    {"G40 with I10 J10, 45 degrees to the left: (35.85786437626905,10).", A_LINE("G40 X80. Y-30. I10. J10.")},
+    {"G41 with I J K is three-dimensional: PS0010.", A_LINE("G41 X60. I1. J1. K1.")},
+    {"An arc that ends in its centre: PS0038; A ends perpendicular, (40,10).", A_LINE("G03 X60. Y0 I20. J0")},
+    {"G53 of an axis outside the plane keeps the vector: (40,10) at Z5, then (80,10).", A_LINE("G53 Z5.\nX80.")},
+    {"G53 of one axis of the plane, CCN = 0: both components go: (100,0).", A_LINE("G53 X100.\nX140.")},
+    {"G53 of one axis of the plane, CCN = 1: only its own goes: (100,10).", A_CCN("G53 X100.\nX140.")},
+    {"G28 with CCN = 1 and no way to the intermediate point: (40,10), kept there, then (0,0).", A_CCN("G28 X40. Y0")},
+    {"The side changes in the block after the start-up: it ends perpendicular, (0,10), DIR_CHANGE_AT_STARTUP.",
+     CUTTER("", "10", "-40", "0"), "G17 G90 G01 F100 G41 D1 X0 Y0\nG42 X40. Y30.\n"},
+};
+
+#undef CUTTER
+#undef A_LINE
+#undef A_CCN
+
+}  // namespace
+
+std::span<const Example> cutter_compensation_c_rules() { return kRules; }
+
+}  // namespace toolcomp::corpus

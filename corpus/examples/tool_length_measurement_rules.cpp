@@ -1,0 +1,35 @@
+// Automatic tool length measurement: one program for each rule that generated programs seldom meet, or that leaves the
+// run undecided.
+#include "corpus/examples.h"
+
+namespace toolcomp::corpus {
+namespace {
+
+#define MEASURE(touch)                                                                                  \
+  "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[parameters]\n6241 = 1000\n6251 = 20\n6254 = 5\n" \
+  "[position]\nZ = 760\n[measurement]\nZ = \"" touch "\"\n[offsets.H]\n1 = 15\n[offsets.D]\n1 = 10\n"
+
+constexpr Example kRules[] = {
+    {"The tool stands on the commanded coordinate: undecided after the move to Z200.", MEASURE("198"),
+     "H01\nG00 Z200.\nG37 Z200.\n"},
+    {"The block starts at B: no rapid part, the measuring move goes from 220 to 198.", MEASURE("198"),
+     "H01\nG00 Z220.\nG37 Z200.\n"},
+    {"The signal comes on exactly at the end of the deceleration distance, 220, which is too early: no measuring move, "
+     "PS0080.",
+     MEASURE("220"), "H01\nG37 Z200.\n"},
+    {"G44 is in force, H1 = 15: the coordinate 213 reaches the position 198; 15 + 13 = 28 is written all the same, but "
+     "213 is out of the permitted range: PS0080 at 213.",
+     MEASURE("198"), "G44 H01\nG37 Z200.\n"},
+    {"G44 is in force, H1 = 15, signal at 183: the coordinate 198 is reached, 15 - 2 = 13 is written.", MEASURE("183"),
+     "G44 H01\nG37 Z200.\n"},
+    {"G43 in the block of G37: MEASUREMENT_FORMAT.", MEASURE("198"), "H01\nG43 G37 Z200.\n"},
+    {"G37 in cutter compensation: PS0036.", MEASURE("198"), "H01\nG01 F100 G41 X50. D1\nG37 Z200.\n"},
+};
+
+#undef MEASURE
+
+}  // namespace
+
+std::span<const Example> tool_length_measurement_rules() { return kRules; }
+
+}  // namespace toolcomp::corpus
