@@ -19,9 +19,7 @@ bool is_inner(const Corner& corner) {
   return corner.first_side * corner.turn.cross > 0 || is_straight(corner);
 }
 
-bool is_obtuse(const Corner& corner) {
-  return fault(Fault::c_right_angle_acute) ? corner.turn.dot > 0 : corner.turn.dot >= 0;
-}
+bool is_obtuse(const Corner& corner) { return corner.turn.dot >= 0; }
 
 // An acute corner of two lines under 1 degree: (tan 1 k)^2 > c^2.
 bool is_under_one_degree(const Corner& corner) {

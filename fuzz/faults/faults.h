@@ -10,7 +10,8 @@ namespace toolcomp::fuzz {
 struct SeededFault {
   std::string_view name;     // in fast/faults.inc
   std::string_view section;  // whose directed generator must find it
-  std::string_view clauses;  // ids, separated by spaces: the event of the first divergence rests on one of them
+  std::string_view clauses;  // ids, separated by spaces: the event of the first divergence rests on one of them; empty
+                             // where the clause that is broken leaves no mark
   std::uint64_t budget;      // executions, fresh cases of one seed
 };
 

@@ -132,10 +132,17 @@ Program around(const std::vector<Point>& points, int arcs, bool type_b = false) 
   program.head = "G90 G17 G01 F1000 " + words({last.x - 20'000, last.y - 1'000}) + "\nG41 D1 " + words(last) + "\n";
   Point from = last;
   int n = 0;
+  std::string modal = "G01";
+  // A code of group 01 only where it changes, as programs have it; the first block of the body says it.
+  const auto code = [&](const std::string& wanted) {
+    const bool says = n == 1 || wanted != modal;
+    modal = wanted;
+    return says ? wanted + " " : std::string();
+  };
   for (const Point to : points) {
     ++n;
     if (arcs == 0 || n % arcs != 0) {
-      program.body += "G01 " + words(to) + "\n";
+      program.body += code("G01") + words(to) + "\n";
     } else {
       const bool left = n / arcs % 2 == 0;
       const std::int64_t k = left ? 2 * kFlatness : -2 * kFlatness;
@@ -143,8 +150,8 @@ Program around(const std::vector<Point>& points, int arcs, bool type_b = false) 
       const Point twice{to.x - from.x - k * (to.y - from.y), to.y - from.y + k * (to.x - from.x)};
       const auto half = [](std::int64_t v) { return number(v / 2) + (v % 2 == 0 ? "" : "5"); };
       const auto sign = [](std::int64_t v) { return v == -1 ? "-" : ""; };
-      program.body += fmt::format("{} {} I{}{} J{}{}\n", left ? "G03" : "G02", words(to), sign(twice.x), half(twice.x),
-                                  sign(twice.y), half(twice.y));
+      program.body += fmt::format("{}{} I{}{} J{}{}\n", code(left ? "G03" : "G02"), words(to), sign(twice.x),
+                                  half(twice.x), sign(twice.y), half(twice.y));
     }
     from = to;
   }
@@ -221,8 +228,8 @@ void text_to_path_cutter_c(benchmark::State& state) {
     fast::Engine engine(setup, printer);
     spec::ProgramReader reader(spec::text_source(text), setup.axes);
     for (spec::Block block; reader.next(block);) engine.block(block);
-    engine.end();
     if (engine.stopped()) state.SkipWithError("alarm");
+    engine.end();
     benchmark::DoNotOptimize(printer.bytes());
   }
   state.counters["s/block"] =

@@ -157,7 +157,7 @@ TEST(ExplainChapter14, TheHeadsOfACorner) {
   const std::string program = kExamples + "arc-figure-cutter-compensation-c/arc-figure.nc";
   const Outcome outcome = toolcomp("explain " + program + " --block 8 --digits 9");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* words : {"2 heads to line 11: X1160 Y540 Z0 (vector X10 Y-10), X1157.592566024 Y538.06882482 Z0",
+  for (const char* words : {"2 heads to line 12: X1160 Y540 Z0 (vector X10 Y-10), X1157.592566024 Y538.06882482 Z0",
                             "decision fanuc.cutter-c."})
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << '\n' << outcome.out;
 }
