@@ -63,8 +63,8 @@ class EventGcode {
 
  private:
   void word(char address, const Number& value) {
-    out_ += ' ';
-    out_ += address;
+    const std::array<char, 2> head{' ', address};
+    out_.append(head.data(), head.size());
     append_number_(out_, value);
   }
 
