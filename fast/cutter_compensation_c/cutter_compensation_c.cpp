@@ -367,9 +367,10 @@ Radii CutterCompensationC::compare_radii() {
   if (!(*start_offset_ == last_->offset) || start_side_ != last_->side) return Radii::unknown;
   enum class Place : std::uint8_t { on_circle, off_circle, unknown };
   const auto radial = [](bool on) { return on ? Place::on_circle : Place::off_circle; };
-  const auto same = [](const Heading& a, const Heading& b) {
-    const Turn turned = turn(a, b);
-    return turned.cross == 0 && turned.dot > 0;
+  // The perpendicular to another heading, or on another side: it is of this circle where it is the same vector.
+  const auto same = [&](const Corner& corner) {
+    const Turn turned = turn(*corner.last, last_->path.start);
+    return turned.cross == 0 && (turned.dot > 0) == (corner.first_side == start_side_);
   };
   const auto meets = [](HeadKind kind) { return kind == HeadKind::paths_meet || kind == HeadKind::paths_cross; };
   const Corner& from = at_start().corner;
@@ -380,7 +381,7 @@ Radii CutterCompensationC::compare_radii() {
   if (meets(first) || first == HeadKind::second_normal)
     start = Place::on_circle;
   else if (first == HeadKind::first_normal)
-    start = radial(same(*from.last, last_->path.start));
+    start = radial(same(from));
   else if (last_->r == 0)
     start = Place::on_circle;
   if (at_start().cleared != 0) return Radii::unknown;

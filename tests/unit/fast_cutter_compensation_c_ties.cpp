@@ -53,6 +53,22 @@ TEST(FastCutterCompensationCTies, TurnBackAlongAnArc) {
   expect_path(back, {{0, 5}, {15, 20}, {0, 5}}, "back along the arc");
 }
 
+TEST(FastCutterCompensationCTies, AnArcFromThePerpendicularOfTheOtherSide) {
+  // R = 40 about (-32,24) from the start, clockwise, r = 1: the vector before is to the right of its tangent, 39 from
+  // the centre; the one at its end is to the left, 41 from it. The vector comes from G39, which looks at the arc, or
+  // from the line before, which is tangent to it and ends alone (two blocks without motion).
+  const char* const arc = "G41 G02 X-8 Y56 I-32 J24\nG40 G01 X1";
+  const std::string before[] = {"G91 G42 D3 G01 X1\nX1\nG39\n", "G91 G42 D3 G01 X1\nX-3 Y-4\nX0\n"};
+  for (const std::string& start : before) {
+    const ProgramRun run(setup(0, 0), start + arc);
+    EXPECT_EQ(run.alarm(), "");
+    const Event& tool = run.events.at(run.moves() - 2);
+    ASSERT_TRUE(tool.arc && tool.arc->radius) << start;
+    EXPECT_NEAR(tool.arc->radius->first, 39, 1e-13);
+    EXPECT_NEAR(tool.arc->radius->second, 41, 1e-13);
+  }
+}
+
 TEST(FastCutterCompensationCTies, LongVectors) {
   // 359.998 degrees: s = -10 (1 + cos) / sin = -10 (L + 40) / 0.001, L = sqrt(1600 + 10^-6).
   const ProgramRun spike(setup(-50, 0, "\"5008#0\"=1\n"), "G41 D1 G01 X0\nX40\nX0 Y0.001");
