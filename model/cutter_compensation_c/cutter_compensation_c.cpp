@@ -167,7 +167,7 @@ void CutterCompensationC::take_without_motion(Step& now) {
   const CutterBlock& block = *now.cutter;
   const bool counts = block.is_block;
   if (counts) {
-    repeated_ = repeated_ || (has_side_word(block) && *block.code == block.before);
+    repeated_ = repeated_ || block.repeats_code();
     count_ +=
         recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel) ? 2 : 1;
   }

@@ -29,7 +29,7 @@ CutterOffset CutterCompensationC::next_offset(const CutterBlock& block) {
 void CutterCompensationC::make_corner(Step& now, const OffsetPath& path, const CutterOffset& offset) {
   if (!held_) return;
   const CutterBlock& block = *now.cutter;
-  if (block.code && *block.code != CutterSide::none && *block.code == block.before) repeated_ = true;
+  if (block.repeats_code()) repeated_ = true;
   decide_held(now);
   switch (held_->kind) {
     case Held::Kind::start_up:
@@ -83,6 +83,8 @@ void CutterCompensationC::take_cancel(Step& now) {
   if (held_) {
     const Rational offset = held_->offset.left();
     const OffsetPath path = line_path(block.end - block.start, offset, offset);
+    // A cancel block by number 0 can have the word too.
+    if (block.repeats_code()) repeated_ = true;
     decide_held(now);
     if (held_->kind == Held::Kind::corner_arc) {
       Held held = std::move(*held_);

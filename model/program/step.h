@@ -104,6 +104,8 @@ struct CutterBlock {
   spec::ArcDirection arc_direction = spec::ArcDirection::cw;
 
   [[nodiscard]] bool has_plane_word() const { return word[0] || word[1]; }
+  // A word G41 or G42 equal to the code in force before it.
+  [[nodiscard]] bool repeats_code() const { return code && *code != CutterSide::none && *code == before; }
 };
 
 // A block ready to be compensated.

@@ -97,6 +97,13 @@ TEST(ModelCutterCRules, Repeated) {
   // Between A and the cancel block too.
   EXPECT_EQ(points(started("G41\nG40 Y-30\n"), "\"5003#0\" = 1"),
             (Lines{"1 linear X20 Y10 Z0 (start-up)", "2 linear X40 Y10 Z0", "4 linear X40 Y-30 Z0 (cancel)"}));
+  // In the cancel block itself, which number 0 makes: (40,0) + 10 to the left of +X. Another code is no repetition:
+  // the outer right angle has the heads (10,10) and (10,0).
+  EXPECT_EQ(points(started("G41 D0 Y-30\n"), "\"5003#0\" = 1"),
+            (Lines{"1 linear X20 Y10 Z0 (start-up)", "2 linear X40 Y10 Z0", "3 linear X40 Y-30 Z0 (cancel)"}));
+  EXPECT_EQ(points(started("G42 D0 Y-30\n"), "\"5003#0\" = 1"),
+            (Lines{"1 linear X20 Y10 Z0 (start-up)", "2 linear X50 Y10 Z0", "3 linear X50 Y0 Z0 (corner)",
+                   "3 linear X40 Y-30 Z0 (cancel)"}));
   // A change of the side by the value comes before it.
   EXPECT_EQ(points(started("G41 D3 Y30\n"))[1], "2 linear X50 Y10 Z0");
 }
