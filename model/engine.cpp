@@ -222,7 +222,9 @@ Step Engine::State::step(const Command& command) {
     const Leg rest = tool_offset.shifted(interpreter.stay(command));
     step.rest = step.moves.empty() ? move(command, tip, rest, plan.at_end, machine) : step.moves.back();
     step.rest.leg = rest;
-    if (cutter_block) step.rest.zero.reset();
+    // A move inserted behind G53 or a reference return is no move of that code; under tool centre point control every
+    // move has machine coordinates, and the leading edge offset inserts some even where G41 or G40 came before it.
+    if (!tip.tip_control) step.rest.zero.reset();
   }
   step.has_word = command.codes.any;
   step.stops_look_ahead = command.codes.stops_look_ahead;

@@ -237,6 +237,19 @@ TEST(ModelLeadingEdge, WithLengthOffset) {
             (Lines{"1 rapid X-10 Y0 Z50 B0 C0 (start-up)", "2 linear X90 Y0 Z50 B0 C0"}));
 }
 
+// Under G43.5 every move has machine coordinates, the inserted ones too, also where G41 and G40 came before: the
+// workpiece zero at (1,2,3) added to the points of StartAndCancel.
+TEST(ModelLeadingEdge, MachineCoordinatesBehindCutterCompensation) {
+  const std::string shifted = setup() + "[workpiece.G54]\nX = 1\nY = 2\nZ = 3\n";
+  const std::string program = std::string(kForward) + "G41.3 D1\nG01 X100 F100\nG40\n";
+  EXPECT_EQ(test::lines(run(shifted, program), Show::machine),
+            (Lines{"1 rapid X1 Y2 Z3", "2 rapid X-7 Y2 Z9 (start-up)", "3 linear X93 Y2 Z9",
+                   "4 linear X101 Y2 Z3 (cancel)"}));
+  EXPECT_EQ(test::lines(run(shifted, "G41 D1\nG40\n" + program), Show::machine),
+            (Lines{"3 rapid X1 Y2 Z3", "4 rapid X-7 Y2 Z9 (start-up)", "5 linear X93 Y2 Z9",
+                   "6 linear X101 Y2 Z3 (cancel)"}));
+}
+
 // Rotary axes: VT = (sin B cos C, sin B sin C, cos B) at the end of each block. B30: VC = 10 (-cos 30, 0, sin 30). In
 // the block that turns alone the vector stays; the block before it used the tool before the turn.
 TEST(ModelLeadingEdge, RotaryAxes) {
