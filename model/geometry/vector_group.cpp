@@ -1,5 +1,7 @@
 #include "model/geometry/vector_group.h"
 
+#include <algorithm>
+
 #include "model/program/number.h"
 
 namespace toolcomp::model {
@@ -124,16 +126,16 @@ VectorGroup CornerRules::direction_change(const PathEnd& former, const PathEnd& 
   return {p2(latter)};
 }
 
-// Both coordinates against the limit, by squares.
-bool CornerRules::is_small(const PlanePoint& movement) const {
-  const Rational limit2 = limit_ * limit_;
-  for (const Real& component : movement) {
-    const Real component2 = square(component);
-    const Sign under =
-        recorder_.decide(Clause::fanuc_cutter_c_small_corner_movement, limit2 - component2, limit2 + component2);
-    if (under == Sign::negative) return false;
-  }
-  return true;
+// Both coordinates against the limit, from both sides. The scale is the length of the heads, not that of their
+// difference: heads that nearly coincide are told apart no better than each of them is known. A head of a group is at
+// most the diagonal of the square of the offset long.
+bool CornerRules::is_small(const PlanePoint& movement, const Rational& offset) const {
+  const Rational scale = limit_ + 4 * abs(offset);
+  const auto within = [&](const Real& margin) {
+    return recorder_.decide(Clause::fanuc_cutter_c_small_corner_movement, margin, scale) != Sign::negative;
+  };
+  return std::ranges::all_of(
+      movement, [&](const Real& component) { return within(limit_ - component) && within(limit_ + component); });
 }
 
 void CornerRules::drop_small_movements(VectorGroup& group, const OffsetPath& latter) const {
@@ -150,7 +152,7 @@ void CornerRules::drop_small_movements(VectorGroup& group, const OffsetPath& lat
   if (limit_ < 0) return;
   VectorGroup kept{group.front()};
   for (std::size_t i = 1; i < group.size(); ++i)
-    if (!is_small(group[i].vector - kept.back().vector)) kept.push_back(group[i]);
+    if (!is_small(group[i].vector - kept.back().vector, latter.start.offset)) kept.push_back(group[i]);
   group = kept;
 }
 

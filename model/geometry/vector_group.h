@@ -55,7 +55,8 @@ class CornerRules {
   // The class of a corner of start-up or cancel of type B, or nothing where it has one perpendicular vector as in
   // type A. `to_line`: the block of the offset mode there is a line.
   [[nodiscard]] std::optional<CornerClass> detour(const PathEnd& former, const PathEnd& latter, bool to_line) const;
-  [[nodiscard]] bool is_small(const PlanePoint& movement) const;
+  // `movement`: from head to head of a group made with this offset.
+  [[nodiscard]] bool is_small(const PlanePoint& movement, const Rational& offset) const;
 
   Recorder& recorder_;
   bool type_b_;     // 5003#0, SUP

@@ -211,6 +211,27 @@ TEST(ModelCutterCRules, WorkpieceSystemChangedOnTheWay) {
   EXPECT_EQ(test::lines(run(rotary, started("G55 X10 Y-40\n")))[2], "3 linear X54 Y2 Z0 B-90 (corner)");
 }
 
+// Every decision about a small movement, "quantity of scale".
+Lines small_movements(const std::string& program, const std::string& parameters) {
+  Lines result;
+  const auto seen = run(cutter_setup(parameters), program);
+  for (const model::Decision& decision : seen.recorder.decisions())
+    if (decision.clause == spec::Clause::fanuc_cutter_c_small_corner_movement)
+      result.push_back(decision.quantity.decimal(12) + " of " + decision.scale.decimal(12));
+  return result;
+}
+
+TEST(ModelCutterCRules, MarginOfASmallMovement) {
+  // From +X into a clockwise arc that starts along (4,-3)/5: M = (10/3, 10), P2 = (6, 8), difference (8/3, -2).
+  const std::string corner = started("G91 G02 X10 Y-70 I-30 J-40\n");
+  EXPECT_EQ(small_movements(corner, "5010 = 3"),
+            (Lines{"0.333333333333 of 43", "5.666666666667 of 43", "5 of 43", "1 of 43"}));
+  EXPECT_EQ(small_movements(corner, ""), (Lines{"-2.666666666667 of 40"}));
+  // The arc turns off by 1e-8: 10 sin 1e-8 - 10 tan 0.5e-8 = 5e-8, next to nothing against heads of length 10.
+  EXPECT_EQ(small_movements(started("G91 G02 X99999.998 Y-100000 I-0.001 J-99999.999\n"), ""),
+            (Lines{"-0.00000005 of 40"}));
+}
+
 TEST(ModelCutterCRules, InterferenceNamesTheBlock) {
   // The alarm of the last block comes with the end of the program, before a later alarm of reading.
   EXPECT_EQ(points(started("Y15\nX0\nG02 X1\n")),
