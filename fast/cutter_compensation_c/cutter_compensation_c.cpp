@@ -70,12 +70,12 @@ Alarm CutterCompensationC::check(const CutterCommand& command) const {
   return alarm::kNone;
 }
 
-void CutterCompensationC::rebase() {
-  const Event& event = next().event;
+void CutterCompensationC::set_position(const Event& event) {
   Position& position = positions_[position_];
   for (std::size_t axis = 0; axis < axes_; ++axis) {
-    position.axes[axis] += event.programmed.value[axis] - position.programmed[axis];
     position.programmed[axis] = event.programmed.value[axis];
+    position.point[axis] = event.point.value[axis];
+    position.axes[axis] = event.axes.value[axis];
   }
 }
 
@@ -108,12 +108,8 @@ void CutterCompensationC::set_offset(CompensatedPath& to, const CutterBlock& blo
 StageEnd CutterCompensationC::block() {
   CutterBlock& block = next();
   position_ ^= 1U;
-  Position& position = positions_[position_];
-  for (std::size_t axis = 0; axis < axes_; ++axis) {
-    position.programmed[axis] = block.event.programmed.value[axis];
-    position.axes[axis] = block.event.axes.value[axis];
-  }
-  position.tool_axis = block.event.tool_axis;
+  set_position(block.event);
+  positions_[position_].tool_axis = block.event.tool_axis;
   before_ = side_;
   side_ = block.side;
   number_ = block.d;
@@ -679,9 +675,7 @@ void CutterCompensationC::send_corner_moves(const Slot& slot, const CornerGroup&
   for (std::size_t i = 1; i < group.size; ++i) {
     for (std::size_t axis = 0; axis < axes_; ++axis) {
       corner_move_.programmed.value[axis] = slot.before.programmed[axis];
-      // The shift of G45 to G48 does not change while compensation is on.
-      corner_move_.point.value[axis] =
-          slot.before.programmed[axis] + (event.point.value[axis] - event.programmed.value[axis]);
+      corner_move_.point.value[axis] = slot.before.point[axis];
       corner_move_.axes.value[axis] = slot.before.axes[axis];
     }
     add(corner_move_, slot.block, group.head[i].vector);

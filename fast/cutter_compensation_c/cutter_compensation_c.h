@@ -35,8 +35,9 @@ class CutterCompensationC {
 
   // The block to fill in next. It keeps what it held before: the caller writes every field.
   [[nodiscard]] CutterBlock& next() { return ring_[next_].block; }
-  // The workpiece system changes in the block to come: positions of the corner before it are called as in next().event.
-  void rebase();
+  // The workpiece system changes in the block to come: positions of the corner before it are called as in next().event,
+  // which has them without the vector.
+  void rebase() { set_position(next().event); }
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
   // No further block is known: a block that raises an alarm of its own (absent from the path), or the end of the
@@ -53,9 +54,10 @@ class CutterCompensationC {
   // What is held for the next moving block; the blocks after it are held behind it.
   enum class Held : std::uint8_t { nothing, path, corner_arc, start };
 
-  // Where the block before ended, for corner moves: they keep the other axes there.
+  // Where the block before ended, without vector, for corner moves: they keep the other axes there.
   struct Position {
     std::array<double, spec::kMaxAxes> programmed{};
+    std::array<double, spec::kMaxAxes> point{};
     std::array<double, spec::kMaxAxes> axes{};
     std::optional<std::array<double, 3>> tool_axis;
   };
@@ -117,6 +119,7 @@ class CutterCompensationC {
   void send(CutterBlock& block, const Vector2<double>& vector, bool own);
   void send(CutterBlock& block) { send(block, vector_.front().vector, block.own); }
   void send_corner_moves(const Slot& slot, const CornerGroup& group);
+  void set_position(const Event& event);
   static void add(Event& event, const CutterBlock& block, const Vector2<double>& vector);
 
   EventSink& sink_;

@@ -35,11 +35,18 @@ double tool_sweep(const PlanePath& path, const Vector2<double>& v, const Vector2
     const double angle = std::atan2(sine, dot(a, b)) * kDegrees;
     return angle < 0 ? angle + 360 : angle;
   }
-  double sweep =
-      programmed_sweep(path) + path.sigma * (turned_by(path.from_center_end, w) - turned_by(path.from_center_start, v));
-  if (sweep < -kEqualAngle) sweep += 360;
+  const double programmed = programmed_sweep(path);
+  const double at_start = turned_by(path.from_center_start, v);
+  const double at_end = turned_by(path.from_center_end, w);
+  double sweep = programmed + path.sigma * (at_end - at_start);
+  // A short piece of a huge circle is as exact as its terms; a radial vector adds no error.
+  double terms = programmed;
+  if (at_start != 0) terms += kDegrees * extent(v) / extent(a);
+  if (at_end != 0) terms += kDegrees * extent(w) / extent(b);
+  const double equal = std::min(kEqualAngle, 0x1p-44 * terms);
+  if (sweep < -equal) sweep += 360;
   if (sweep > 360 + kEqualAngle) sweep -= 360;
-  return sweep <= kEqualAngle || sweep > 360 ? 360 : sweep;
+  return sweep <= equal || sweep > 360 ? 360 : sweep;
 }
 
 bool arc_interferes(const CheckedBlock& block, const ToolArc& arc) {

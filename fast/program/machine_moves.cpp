@@ -108,7 +108,13 @@ Alarm Interpreter::shift_in_cutter(const Words& words, bool extra) {
 // The position is called otherwise from here on: the corner before the next move too.
 void Interpreter::rename_in_cutter() {
   if (is_b_ || stopped_) return;
-  cutter_c_.next().event.programmed.value = programmed_value_;
+  Event& event = cutter_c_.next().event;
+  for (std::size_t axis = 0; axis < count_; ++axis) {
+    const Count position = actual(axis);
+    event.programmed.value[axis] = programmed_value_[axis];
+    event.point.value[axis] = position.nearest();
+    event.axes.value[axis] = (position + length_[axis]).nearest();
+  }
   cutter_c_.rebase();
 }
 

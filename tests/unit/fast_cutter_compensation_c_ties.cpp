@@ -69,6 +69,28 @@ TEST(FastCutterCompensationCTies, AnArcFromThePerpendicularOfTheOtherSide) {
   }
 }
 
+TEST(FastCutterCompensationCTies, CornerMovesKeepTheDigitsOfTheShift) {
+  // The tool stands 0.1 beyond the program; straight back after X40 it goes round (40.1,0) from (10,10) to (10,-10)
+  // beside it, however far the next block goes.
+  const ProgramRun run(setup(0, 0), "G45 D4 G01 X1\nG41 D1 X10\nX40\nX-1000000\n");
+  ASSERT_EQ(run.moves(), 5U);
+  EXPECT_EQ(run.events[3].cause, spec::Cause::corner);
+  EXPECT_DOUBLE_EQ(run.point(3, 'X'), 50.1);
+  EXPECT_DOUBLE_EQ(run.point(3, 'Y'), -10);
+}
+
+TEST(FastCutterCompensationCTies, ShortPieceOfAHugeCircle) {
+  // Straight on, 0.8 along a circle of 10^14: a sweep far below what angles of doubles tell from a
+  // whole turn. The vector at the end is (-1, 8e-15).
+  const ProgramRun piece(setup(0, 0), "G91 G41 D3 G01 Y5\nG02 Y0.8 I100000000000000\n");
+  EXPECT_EQ(piece.alarm(), "");
+  ASSERT_EQ(piece.moves(), 2U);
+  ASSERT_TRUE(piece.events[1].arc);
+  EXPECT_NEAR(*piece.events[1].arc->sweep * 1e14, 0.8 * 57.29577951308232, 1e-10);
+  EXPECT_DOUBLE_EQ(piece.point(1, 'X'), -1);
+  EXPECT_DOUBLE_EQ(piece.point(1, 'Y'), 5.8 + 8e-15);
+}
+
 TEST(FastCutterCompensationCTies, LongVectors) {
   // 359.998 degrees: s = -10 (1 + cos) / sin = -10 (L + 40) / 0.001, L = sqrt(1600 + 10^-6).
   const ProgramRun spike(setup(-50, 0, "\"5008#0\"=1\n"), "G41 D1 G01 X0\nX40\nX0 Y0.001");
