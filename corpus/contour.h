@@ -25,8 +25,9 @@ struct ContourOptions {
   std::size_t blocks = 100'000;  // lines and arcs; tight: up to two more for the groove
   ContourVariant variant = ContourVariant::pocket;
   std::uint64_t seed = 1;
-  unsigned arcs = 40;               // of 100 blocks, where the contour is curved enough
-  std::optional<std::size_t> at{};  // tight: the place, the first flat one from this block on (default: the middle)
+  unsigned arcs = 40;  // of 100 blocks, where the contour is curved enough
+  std::optional<std::size_t> at =
+      std::nullopt;  // tight: the place, the first flat one from this block on (default: the middle)
   TightPlace place = TightPlace::arc;
 };
 

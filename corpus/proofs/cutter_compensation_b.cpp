@@ -1,6 +1,7 @@
 // Lemmas about the vectors of cutter compensation B at the ends of straight blocks.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "corpus/proofs/program.h"
@@ -9,16 +10,12 @@
 namespace toolcomp::corpus {
 namespace {
 
-// The first and second axis of the plane in force with their direction letters; only G17 is translated.
+// The codes the formal file knows; only the plane of G17 is translated.
 bool is_covered(const spec::Block& block) {
-  for (const spec::Word& w : block.words()) {
-    if (w.address != 'G') continue;
-    const Rational g = value_of(w.value);
-    if (g != 0 && g != 1 && g != 2 && g != 3 && g != 17 && g != 39 && g != 40 && g != 41 && g != 42 && g != 90 &&
-        g != 91)
-      return false;
-  }
-  return true;
+  constexpr std::array kKnown{0, 1, 2, 3, 17, 39, 40, 41, 42, 90, 91};
+  return std::ranges::all_of(block.words(), [&](const spec::Word& w) {
+    return w.address != 'G' || std::ranges::any_of(kKnown, [&](int known) { return value_of(w.value) == known; });
+  });
 }
 
 // The root of a square of a fraction, or nothing.

@@ -1,6 +1,8 @@
 // Lemmas about measurements: where the motion ends, and the value that is written.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "corpus/proofs/program.h"
 #include "corpus/proofs/proofs.h"
 
@@ -9,13 +11,11 @@ namespace {
 
 // Nothing that shifts coordinates or changes offsets besides G37 itself.
 bool is_covered(const spec::Block& block) {
-  for (const spec::Word& w : block.words()) {
-    if (w.address == 'M' && value_of(w.value) != 30) return false;
-    if (w.address != 'G') continue;
-    const Rational g = value_of(w.value);
-    if (g != 0 && g != 1 && g != 37 && g != 90 && g != 91) return false;
-  }
-  return true;
+  return std::ranges::all_of(block.words(), [](const spec::Word& w) {
+    const Rational code = value_of(w.value);
+    if (w.address == 'M') return code == 30;
+    return w.address != 'G' || code == 0 || code == 1 || code == 37 || code == 90 || code == 91;
+  });
 }
 
 std::optional<Rational> parameter(const spec::Setup& setup, std::uint32_t number) {

@@ -1,6 +1,8 @@
 // Lemmas about single blocks of tool offset: what G45 to G48 make of a travel on one axis.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "corpus/proofs/program.h"
 #include "corpus/proofs/proofs.h"
 
@@ -9,13 +11,12 @@ namespace {
 
 // The words the formal file knows, in a program without length offset and cutter compensation.
 bool is_covered(const spec::Block& block) {
-  for (const spec::Word& w : block.words()) {
-    if (w.address == 'X' || w.address == 'Y' || w.address == 'Z' || w.address == 'D' || w.address == 'F') continue;
+  return std::ranges::all_of(block.words(), [](const spec::Word& w) {
+    if (w.address == 'X' || w.address == 'Y' || w.address == 'Z' || w.address == 'D' || w.address == 'F') return true;
     if (w.address != 'G') return false;
     const Rational g = value_of(w.value);
-    if (g != 0 && g != 1 && g != 17 && g != 90 && g != 91 && (g < 45 || g > 48)) return false;
-  }
-  return true;
+    return g == 0 || g == 1 || g == 17 || g == 90 || g == 91 || (g >= 45 && g <= 48);
+  });
 }
 
 // G45 to G48 of the block, or 0 (none, or more than one).
