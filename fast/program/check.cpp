@@ -53,7 +53,8 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
     // R counts in the units and the mode (G90, G91) of this block.
     const bool inch = words.code(Words::kUnits) == kNone ? inch_program_ : words.code(Words::kUnits) == 200;
     const bool add = words.code(Words::kDistance) == kNone ? incremental_ : words.code(Words::kDistance) == 910;
-    plan.write = memory_.plan(list, number, plan.writes ? value(words['R'], true, inch) : Count(), add);
+    // Without R nothing is stored: 0 in its place passes every range.
+    plan.write = memory_.plan(list, number, plan.writes ? value(words['R'], true, inch) : Count(), plan.writes && add);
     if (plan.write.alarm) return plan.write.alarm;
   }
   if (one_shot == 300 && words.axes() != 0 && reference_point(words) == 0) return alarm::kReferenceNumber;

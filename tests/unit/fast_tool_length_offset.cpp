@@ -168,6 +168,10 @@ TEST(OffsetMemory, AddsToBothTablesOfASharedMemory) {
   // By hand: H4 = 17, D4 = -948.251; -72.377 leaves H4 in range and D4 beyond -999.999.
   const std::string s = setup("", "[offsets.H]\n4=17\n5=17\n[offsets.D]\n4=\"-948.251\"\n");
   EXPECT_EQ(ProgramRun(s, "G91 G10 L11 P4 R-72.377\n").alarm(), "PS0032@1");
+  // Found by fuzzing: without R nothing is stored, so a value that stood there out of range before is no fault of it.
+  const std::string odd = setup("", "[offsets.H]\n2={ geometry = 0, wear = 1000 }\n");
+  EXPECT_EQ(ProgramRun(odd, "G91 G10 L11 P2\n").alarm(), "");
+  EXPECT_EQ(ProgramRun(odd, "G91 G10 L11 P2 R1\n").alarm(), "PS0032@1");
   EXPECT_EQ(ProgramRun(s, "G91 G10 L11 P5 R-72.377\n").events[0].value, -55.377);
 }
 
