@@ -121,8 +121,11 @@ ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<
   ToolArc arc;
   const Vector2<double> a = path.from_center_start + v;
   const Vector2<double> b = path.from_center_end + w;
-  const double size = path.radius_start + path.radius_end + extent(v) + extent(w);
-  if (extent(a) > kEqual * size && extent(b) > kEqual * size) arc.sweep = tool_sweep(path, v, w);
+  // Each end by its own size: a programmed spiral may grow from next to nothing.
+  const double size_start = path.radius_start + extent(v);
+  const double size_end = path.radius_end + extent(w);
+  const double size = size_start + size_end;
+  if (extent(a) > kEqual * size_start && extent(b) > kEqual * size_end) arc.sweep = tool_sweep(path, v, w);
   if (radii == Radii::agree || fault(Fault::c_spiral_as_circle)) return arc;
   const double start = length(a);
   const double end = length(b);

@@ -91,6 +91,18 @@ TEST(FastCutterCompensationCTies, ShortPieceOfAHugeCircle) {
   EXPECT_DOUBLE_EQ(piece.point(1, 'Y'), 5.8 + 8e-15);
 }
 
+TEST(FastCutterCompensationCTies, SpiralFromNextToTheCentre) {
+  // sqrt(100 + 10^-8) - 10 = 5e-10 from the centre at the start, about 90000 at the end; radial vectors leave the
+  // sweep as it is.
+  const ProgramRun run(setup(0, 0), "G41 D1 G01 X-90000\nG03 X0 I0.0001 J10\n");
+  EXPECT_EQ(run.alarm(), "");
+  ASSERT_EQ(run.moves(), 2U);
+  ASSERT_TRUE(run.events[1].arc && run.events[1].arc->sweep && run.events[1].arc->radius);
+  EXPECT_NEAR(*run.events[1].arc->sweep, 90 + (std::atan(1e-5) - std::atan(10 / 89999.9999)) * 57.29577951308232,
+              1e-13);
+  EXPECT_NEAR(run.events[1].arc->radius->first, 5e-10, 1e-14);
+}
+
 TEST(FastCutterCompensationCTies, LongVectors) {
   // 359.998 degrees: s = -10 (1 + cos) / sin = -10 (L + 40) / 0.001, L = sqrt(1600 + 10^-6).
   const ProgramRun spike(setup(-50, 0, "\"5008#0\"=1\n"), "G41 D1 G01 X0\nX40\nX0 Y0.001");
