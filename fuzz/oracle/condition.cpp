@@ -32,7 +32,7 @@ bool coplanar(const std::array<double, 3>& v, const std::array<double, 3>& a, co
               double s) {
   const std::array<double, 3> normal = cross(a, b);
   const double out = v[0] * normal[0] + v[1] * normal[1] + v[2] * normal[2];
-  return std::fabs(out) <= (policy::kSlack + 0x1p-46 / s) * length(v) * length(normal);
+  return std::fabs(out) <= (policy::kSlack + policy::kParallel / s) * length(v) * length(normal);
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ Scale Conditions::next(std::span<const model::Event> window) {
   const double noise = policy::kSlack * scale.position;  // of three differences of doubles, far below any vector
   scale.vector = length(compensation);
   corners_.follow(event, index_, position_, shift_);
-  if (scale.vector > noise * 0x1p-16) {
+  if (scale.vector > noise * policy::kNoVector) {
     Vector tool{0, 0, 1};
     if (event.tool_axis)
       for (std::size_t i = 0; i < 3; ++i) tool[i] = approximate((*event.tool_axis)[i]);

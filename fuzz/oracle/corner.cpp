@@ -33,8 +33,6 @@ Space difference(const Space& a, const Space& b) { return {a[0] - b[0], a[1] - b
 
 // What two estimates that should be the same may differ by, of their size: far above the rounding of either.
 constexpr double kSame = policy::kSlack;
-// Below this sine of the crossing no finite vector of a control's range exists.
-constexpr double kLeastSine = 0x1p-46;
 
 }  // namespace
 
@@ -97,9 +95,9 @@ double Corners::crossing(const Condition& a, const Condition& b, double length) 
   const double size = a.size + b.size;
   if (std::fabs(a.distance - b.distance) > kSame * size) return 0;
   // On a perpendicular of both paths: made of one direction.
-  if (std::max(a.slide, b.slide) <= 0x1p-44 * size) return 0;
+  if (std::max(a.slide, b.slide) <= policy::kEstimateNoise * size) return 0;
   const double sine = std::fabs(cross(a.normal, b.normal));
-  if (sine < kLeastSine) return 0;
+  if (sine < policy::kParallel) return 0;
   const bool circles = a.error > 0 || b.error > 0;
   return (a.slide + b.slide + a.error + b.error + (circles ? length : 0)) / sine;
 }

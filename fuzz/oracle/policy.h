@@ -83,6 +83,16 @@ inline double controller_band(double resolution, double shortest_move) {
 // The oracle estimates condition numbers in double: its estimates are widened by this share, far above their rounding.
 inline constexpr double kSlack = 0x1p-30;
 
+// What an estimate in double may carry of a value that is exactly zero, relative to its terms: a few roundings.
+inline constexpr double kEstimateNoise = 0x1p-44;
+
+// Below this sine two paths count as parallel in an estimate: no finite vector of a control's range lies where they
+// cross.
+inline constexpr double kParallel = 0x1p-46;
+
+// A compensation vector below this share of the noise of its two ends is no vector.
+inline constexpr double kNoVector = 0x1p-16;
+
 // Runs of the model with forced outcomes before a verdict is "could not decide".
 inline constexpr std::size_t kMaxForks = 64;
 

@@ -29,7 +29,7 @@ TEST(Serve, AnswersHelloWithCapabilities) {
     const Capabilities c = read_capabilities(answer(engine, "{ \"hello\" : 1 }"));
     EXPECT_TRUE(meets_minimum(c));
     EXPECT_TRUE(fields_not_judged(c).empty());
-    EXPECT_EQ(c.sections.size(), 2U);
+    EXPECT_EQ(c.sections.size(), 6U);
   }
 }
 
