@@ -1,6 +1,5 @@
 // G37, G45 to G48 and cutter compensation B and C: nanoseconds a block under the fast engine and the exact model, one
 // thread, streaming. Blocks are read once beforehand, except in text_to_path.
-#include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,16 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "fast/engine.h"
-#include "fast/print.h"
-#include "model/engine.h"
-#include "spec/language/event_json.h"
-#include "spec/language/program_reader.h"
-#include "spec/language/setup_format.h"
+#include "tests/bench/rows.h"
 
 namespace {
 
-using namespace toolcomp;
+using namespace toolcomp::bench;
 
 constexpr std::string_view kSetup = R"(
 control = "fanuc"
@@ -36,70 +30,6 @@ Z = "198.0"
 1 = "4.95"
 )";
 constexpr std::string_view kB = "cutter_compensation = \"B\"\n";
-
-// Few enough to stay in the cache: a reader fills one block again and again.
-constexpr int kBlocks = 100;
-constexpr int kTextBlocks = 5000;
-
-template <class Number>
-class Path final : public spec::EventSink<Number> {
- public:
-  void on(const spec::Event<Number>& event) override {
-    ++events_;
-    benchmark::DoNotOptimize(event.axes[0]);
-    if (event.kind == spec::EventKind::alarm) alarm_ = event.number.view();
-  }
-  [[nodiscard]] const std::string& alarm() const { return alarm_; }
-  [[nodiscard]] std::int64_t events() const { return events_; }
-
- private:
-  std::int64_t events_ = 0;
-  std::string alarm_;
-};
-
-std::vector<spec::Block> read(std::string_view program, const spec::Axes& axes) {
-  spec::ProgramReader reader(spec::text_source(program), axes);
-  std::vector<spec::Block> blocks;
-  for (spec::Block block; reader.next(block);) blocks.push_back(block);
-  return blocks;
-}
-
-struct Program {
-  std::string head;
-  std::string body;  // ends where it starts, so that it can go round
-  bool type_b = false;
-};
-
-template <class Number, class Engine>
-void go_round(benchmark::State& state, const Program& program, const spec::Setup& setup, Engine& engine,
-              const Path<Number>& path) {
-  for (const spec::Block& block : read(program.head, setup.axes)) engine.block(block);
-  const auto blocks = read(program.body, setup.axes);
-  for (auto _ : state)
-    for (const spec::Block& block : blocks) engine.block(block);
-  if (engine.stopped() || path.events() == 0) state.SkipWithError(("stopped: " + path.alarm()).c_str());
-  state.counters["s/block"] = benchmark::Counter(
-      static_cast<double>(blocks.size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-}
-
-spec::Setup setup_of(const Program& program) {
-  return spec::read_setup_toml((program.type_b ? std::string(kB) : "") + std::string(kSetup), "setup");
-}
-
-void fast_engine(benchmark::State& state, const Program& program) {
-  const spec::Setup setup = setup_of(program);
-  Path<double> path;
-  fast::Engine engine(setup, path);
-  go_round(state, program, setup, engine, path);
-}
-
-void exact_model(benchmark::State& state, const Program& program) {
-  const spec::Setup setup = setup_of(program);
-  Path<exact::Real> path;
-  model::Recorder recorder;
-  model::Engine engine(setup, recorder, path);
-  go_round(state, program, setup, engine, path);
-}
 
 // Points around a wavy ring, counter-clockwise, in thousandths.
 struct Point {
@@ -127,7 +57,7 @@ std::string words(Point p) { return fmt::format("X{} Y{}", number(p.x), number(p
 Program around(const std::vector<Point>& points, int arcs, bool type_b = false) {
   constexpr std::int64_t kFlatness = 8;
   Program program;
-  program.type_b = type_b;
+  program.setup = (type_b ? std::string(kB) : std::string()) + std::string(kSetup);
   const Point last = points.back();
   program.head = "G90 G17 G01 F1000 " + words({last.x - 20'000, last.y - 1'000}) + "\nG41 D1 " + words(last) + "\n";
   Point from = last;
@@ -159,12 +89,12 @@ Program around(const std::vector<Point>& points, int arcs, bool type_b = false) 
 }
 
 Program measurement() {
-  Program program{"G90 G00 H01 Z760.\n", "", false};
+  Program program{std::string(kSetup), "G90 G00 H01 Z760.\n", ""};
   for (int i = 0; i < kBlocks / 2; ++i) program.body += "G37 Z200.\nG00 Z760.\n";
   return program;
 }
 Program tool_offset() {
-  Program program{"G91 G01 F1000 D1\n", "", false};
+  Program program{std::string(kSetup), "G91 G01 F1000 D1\n", ""};
   for (int i = 0; i < kBlocks / 2; ++i)
     program.body += fmt::format("G4{} X10.5 Y7.25\nG4{} X-10.5 Y-7.25\n", 5 + i % 4, 5 + i % 4);
   return program;
@@ -187,54 +117,14 @@ Program cutter_c_acute() {
 Program cutter_c_line_and_arc() { return around(ring(kBlocks, 60, 3, 5), 2); }
 Program cutter_c_arcs() { return around(ring(kBlocks, 60, 3, 5), 1); }
 
-#define ROW(program)                                                               \
-  void program##_fast(benchmark::State& state) { fast_engine(state, program()); }  \
-  BENCHMARK(program##_fast)->Name(#program);                                       \
-  void program##_model(benchmark::State& state) { exact_model(state, program()); } \
-  BENCHMARK(program##_model)->Name("model/" #program)
-
-ROW(measurement);
-ROW(tool_offset);
-ROW(cutter_b);
-ROW(cutter_b_arcs);
-ROW(cutter_c_lines);
-ROW(cutter_c_acute);
-ROW(cutter_c_line_and_arc);
-ROW(cutter_c_arcs);
-#undef ROW
-
-class Printer final : public fast::EventSink {
- public:
-  explicit Printer(const spec::Axes& axes) : axes_(axes) { text_.reserve(4096); }
-  void on(const fast::Event& event) override {
-    text_.clear();
-    spec::append_event_json(text_, event, axes_, fast::append_number);
-    bytes_ += text_.size();
-  }
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }
-
- private:
-  const spec::Axes& axes_;
-  std::string text_;
-  std::size_t bytes_ = 0;
-};
-
-void text_to_path_cutter_c(benchmark::State& state) {
-  const Program contour = around(ring(kTextBlocks, 600, 10, 20), 0);
-  const spec::Setup setup = setup_of(contour);
-  const std::string text = contour.head + contour.body;
-  Printer printer(setup.axes);
-  for (auto _ : state) {
-    fast::Engine engine(setup, printer);
-    spec::ProgramReader reader(spec::text_source(text), setup.axes);
-    for (spec::Block block; reader.next(block);) engine.block(block);
-    if (engine.stopped()) state.SkipWithError("alarm");
-    engine.end();
-    benchmark::DoNotOptimize(printer.bytes());
-  }
-  state.counters["s/block"] =
-      benchmark::Counter(kTextBlocks, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-}
-BENCHMARK(text_to_path_cutter_c);
+TOOLCOMP_ROW(measurement);
+TOOLCOMP_ROW(tool_offset);
+TOOLCOMP_ROW(cutter_b);
+TOOLCOMP_ROW(cutter_b_arcs);
+TOOLCOMP_ROW(cutter_c_lines);
+TOOLCOMP_ROW(cutter_c_acute);
+TOOLCOMP_ROW(cutter_c_line_and_arc);
+TOOLCOMP_ROW(cutter_c_arcs);
+TOOLCOMP_TEXT_ROW(text_to_path_cutter_c, around(ring(kTextBlocks, 600, 10, 20), 0));
 
 }  // namespace

@@ -1,0 +1,133 @@
+// Rows of the benchmarks: one program under the fast engine and under the exact model, and from text to path.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fast/engine.h"
+#include "fast/print.h"
+#include "model/engine.h"
+#include "spec/language/event_json.h"
+#include "spec/language/program_reader.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::bench {
+
+// Few enough to stay in the cache: a reader fills one block again and again.
+constexpr int kBlocks = 100;
+// Enough to hide the construction of an engine.
+constexpr int kTextBlocks = 5000;
+
+struct Program {
+  std::string setup;  // TOML
+  std::string head;   // run once
+  std::string body;   // run again and again; with cutter compensation it ends where it starts
+};
+
+// Touches what a controller would use.
+template <class Number>
+class Path final : public spec::EventSink<Number> {
+ public:
+  void on(const spec::Event<Number>& event) override {
+    ++events_;
+    benchmark::DoNotOptimize(event.axes[0]);
+    if (event.kind == spec::EventKind::alarm) alarm_ = event.number.view();
+  }
+  [[nodiscard]] const std::string& alarm() const { return alarm_; }
+  [[nodiscard]] std::int64_t events() const { return events_; }
+
+ private:
+  std::int64_t events_ = 0;
+  std::string alarm_;
+};
+
+// Prints every event as `run` does.
+class Printer final : public fast::EventSink {
+ public:
+  explicit Printer(const spec::Axes& axes) : axes_(axes) { text_.reserve(4096); }
+  void on(const fast::Event& event) override {
+    text_.clear();
+    spec::append_event_json(text_, event, axes_, fast::append_number);
+    bytes_ += text_.size();
+  }
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+ private:
+  const spec::Axes& axes_;
+  std::string text_;
+  std::size_t bytes_ = 0;
+};
+
+// `s/block` of the row; items per second are blocks per second.
+inline void count_blocks(benchmark::State& state, std::size_t blocks) {
+  state.counters["s/block"] = benchmark::Counter(
+      static_cast<double>(blocks), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.SetItemsProcessed(static_cast<std::int64_t>(blocks) * state.iterations());
+}
+
+inline std::vector<spec::Block> read(std::string_view program, const spec::Axes& axes) {
+  spec::ProgramReader reader(spec::text_source(program), axes);
+  std::vector<spec::Block> blocks;
+  for (spec::Block block; reader.next(block);) blocks.push_back(block);
+  return blocks;
+}
+
+template <class Number, class Engine>
+void go_round(benchmark::State& state, const Program& program, const spec::Setup& setup, Engine& engine,
+              const Path<Number>& path) {
+  for (const spec::Block& block : read(program.head, setup.axes)) engine.block(block);
+  const auto blocks = read(program.body, setup.axes);
+  for (auto _ : state)
+    for (const spec::Block& block : blocks) engine.block(block);
+  if (engine.stopped() || path.events() == 0) state.SkipWithError(("stopped: " + path.alarm()).c_str());
+  count_blocks(state, blocks.size());
+}
+
+inline void fast_engine(benchmark::State& state, const Program& program) {
+  const spec::Setup setup = spec::read_setup_toml(program.setup, "setup");
+  Path<double> path;
+  fast::Engine engine(setup, path);
+  go_round(state, program, setup, engine, path);
+}
+
+inline void exact_model(benchmark::State& state, const Program& program) {
+  const spec::Setup setup = spec::read_setup_toml(program.setup, "setup");
+  Path<exact::Real> path;
+  model::Recorder recorder;
+  model::Engine engine(setup, recorder, path);
+  go_round(state, program, setup, engine, path);
+}
+
+// The fast engine from the text of a program of kTextBlocks blocks to that of its events.
+inline void from_text(benchmark::State& state, const Program& program) {
+  const spec::Setup setup = spec::read_setup_toml(program.setup, "setup");
+  const std::string text = program.head + program.body;
+  Printer printer(setup.axes);
+  for (auto _ : state) {
+    fast::Engine engine(setup, printer);
+    spec::ProgramReader reader(spec::text_source(text), setup.axes);
+    for (spec::Block block; reader.next(block);) engine.block(block);
+    if (engine.stopped()) state.SkipWithError("alarm");
+    engine.end();
+    benchmark::DoNotOptimize(printer.bytes());
+  }
+  count_blocks(state, kTextBlocks);
+}
+
+}  // namespace toolcomp::bench
+
+// A row for each engine of the program that the function of this name makes.
+// NOLINTBEGIN(cppcoreguidelines-macro-usage)
+#define TOOLCOMP_ROW(program)                                                                       \
+  void program##_fast(benchmark::State& state) { toolcomp::bench::fast_engine(state, program()); }  \
+  BENCHMARK(program##_fast)->Name(#program);                                                        \
+  void program##_model(benchmark::State& state) { toolcomp::bench::exact_model(state, program()); } \
+  BENCHMARK(program##_model)->Name("model/" #program)
+#define TOOLCOMP_TEXT_ROW(name, program)                                             \
+  void name(benchmark::State& state) { toolcomp::bench::from_text(state, program); } \
+  BENCHMARK(name)
+// NOLINTEND(cppcoreguidelines-macro-usage)
