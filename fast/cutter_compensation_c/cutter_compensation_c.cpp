@@ -134,9 +134,12 @@ StageEnd CutterCompensationC::block() {
       clears_ = 0;
       send(block);
       return {};
-    case CutterMotion::shift:
-      if (mode_ != Mode::off && block.named != 0) return undecide(block, "fanuc.cutter-c.coordinate-shift");
+    case CutterMotion::shift: {
+      // A lone G41 or G42 makes no vector where its mode ends in this very block.
+      const bool on = mode_ == Mode::waits_for_block ? wanted(block) : mode_ != Mode::off;
+      if (on && block.named != 0) return undecide(block, "fanuc.cutter-c.coordinate-shift");
       return still_block(block);
+    }
   }
   return {};
 }
