@@ -377,11 +377,9 @@ Radii CutterCompensationC::compare_radii() {
   const HeadKind first = at_start().back().kind;
   const HeadKind last = at_end().front().kind;
   Place start = Place::unknown;
-  if (meets(first) || first == HeadKind::second_normal)
-    start = Place::on_circle;
-  else if (first == HeadKind::first_normal)
+  if (first == HeadKind::first_normal)
     start = radial(same(from));
-  else if (last_->r == 0)
+  else if (meets(first) || first == HeadKind::second_normal || last_->r == 0)
     start = Place::on_circle;
   if (at_start().cleared != 0) return Radii::unknown;
   Place end = Place::unknown;
@@ -510,11 +508,17 @@ StageEnd CutterCompensationC::corner_arc(CutterBlock& block) {
 }
 
 void CutterCompensationC::send_corner_arc(CutterBlock& block, const Heading& heading) {
-  if (last_->r == 0) return send(block);
+  if (last_->r == 0) {
+    send(block);
+    return;
+  }
   const Turn turned = turn(*along_, heading);
   along_ = &heading;
   set_normal(vector_, last_->path, heading, last_->side, last_->offset, last_->r);
-  if (turned.cross == 0 && turned.dot > 0) return send(block);
+  if (turned.cross == 0 && turned.dot > 0) {
+    send(block);
+    return;
+  }
   Event& event = block.event;
   event.type = spec::MoveType::arc;
   event.cause = spec::Cause::corner;

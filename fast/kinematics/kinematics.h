@@ -28,7 +28,7 @@ struct RotaryAxis {
 //   V(inner, outer) = R(outer.axis, outer angle) R(inner.axis, inner angle) v0.
 // Expanded, V is a sum of constant vectors times {1, cos, sin} of the inner and of the outer angle; the constants are
 // made once, in double-double, and only those that are not zero are kept.
-class Kinematics {  // NOLINT(clang-analyzer-optin.performance.Padding): grouped by meaning
+class Kinematics {
  public:
   // Throws spec::InputError, naming the parameter, for parameters that describe no machine.
   explicit Kinematics(const spec::Setup& setup);

@@ -27,7 +27,7 @@ namespace toolcomp::fast {
 
 // Everything the control knows while it runs a program. Positions are exact, in workpiece coordinates without offsets,
 // lengths in setup units, angles in degrees.
-class Interpreter {  // NOLINT(clang-analyzer-optin.performance.Padding): grouped by meaning
+class Interpreter {
  public:
   // Throws spec::InputError for a setup the control could not have.
   Interpreter(const spec::Setup& setup, EventSink& sink);
