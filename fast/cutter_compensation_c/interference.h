@@ -36,8 +36,8 @@ ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<
 // The arc as programmed.
 ToolArc programmed_arc(const PlanePath& path);
 
-// Drops the vectors that interfere from the end of `start` and the beginning of `end`. `arc`: of an arc, that between
+// Drops the vectors that interfere from the end of `start` and the beginning of `end`. `tool`: of an arc, that between
 // the last of `start` and the first of `end`.
-Interference check_interference(const CheckedBlock& block, const ToolArc& arc, CornerGroup& start, CornerGroup& end);
+Interference check_interference(const CheckedBlock& block, const ToolArc& tool, CornerGroup& start, CornerGroup& end);
 
 }  // namespace toolcomp::fast

@@ -59,7 +59,7 @@ namespace {
 
 // set_arc() in numbers below 2^31, the usual ones: without 128 bits.
 void set_narrow_arc(PlanePath& path, const std::array<std::int64_t, 2>& from, const std::array<std::int64_t, 2>& to) {
-  constexpr double kOne = static_cast<double>(Count::kSmallPerOne);
+  constexpr auto kOne = static_cast<double>(Count::kSmallPerOne);
   const std::int64_t sigma = path.sigma;
   const auto vector = [](const std::array<std::int64_t, 2>& v) {
     return Vector2<double>{static_cast<double>(v[0]) / kOne, static_cast<double>(v[1]) / kOne};
