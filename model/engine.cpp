@@ -34,10 +34,6 @@ bool goes_by_machine_coordinates(OneShot code) {
   return is_reference_return(code) || code == OneShot::machine_coordinates;
 }
 
-void append(spec::ClauseList& list, const spec::ClauseList& more) {
-  for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
-}
-
 // The stage that the setup asks for.
 std::unique_ptr<CutterCompensation> cutter_compensation(const spec::Setup& setup, Recorder& recorder,
                                                         CutterCompensation::Output output) {

@@ -8,10 +8,6 @@
 namespace toolcomp::model {
 namespace {
 
-void append(spec::ClauseList& list, const spec::ClauseList& more) {
-  for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
-}
-
 bool changes_number(const CutterBlock& words) { return words.number_given && words.number != words.number_before; }
 
 Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) : value; }

@@ -17,10 +17,6 @@ Rational fluctuation(const spec::Setup& setup) {
   return degrees;
 }
 
-void append(spec::ClauseList& list, const spec::ClauseList& more) {
-  for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
-}
-
 constexpr const char* kStartFormat = "a move, or a code that stops the look-ahead, in the block with G41.3";
 constexpr const char* kCancelFormat = "a move in the block that cancels the leading edge offset";
 constexpr const char* kNoMovement = "the block after G41.3 has no linear movement";
