@@ -10,6 +10,7 @@
 #include "corpus/check.h"
 #include "corpus/contour.h"
 #include "corpus/diff.h"
+#include "corpus/flank.h"
 #include "corpus/generate.h"
 #include "corpus/lint.h"
 #include "spec/language/file_writer.h"
@@ -83,19 +84,50 @@ int diff(const CorpusOptions& options) {
   return changes.empty() ? kAgrees : kDiffers;
 }
 
-int contour(const CorpusOptions& options) {
-  if (options.out.empty()) throw spec::InputError("toolcomp corpus contour", 0, 0, "name the program to write: --out");
-  corpus::ContourOptions how = options.contour;
-  how.seed = options.seed;
-  const corpus::Contour made = corpus::make_contour(how);
+// Writes the program named by --out and its setup beside it, whose place it returns.
+std::string write_program(const CorpusOptions& options, const std::string& text, const std::string& setup_text) {
   const fs::path program = fs::absolute(options.out);
   fs::path setup = program;
   setup.replace_extension(".toml");
   if (setup == program) throw spec::InputError(options.out, 0, 0, "the ending .toml is that of the setup beside it");
-  spec::write_file(setup, made.setup);
-  spec::write_file(program, made.program);
-  fmt::print("seed {}; {} lines, {} arcs; setup {}\n", options.seed, made.lines, made.arcs, setup.string());
+  spec::write_file(setup, setup_text);
+  spec::write_file(program, text);
+  return setup.string();
+}
+
+void expect_program_name(const CorpusOptions& options) {
+  if (options.out.empty())
+    throw spec::InputError("toolcomp corpus " + options.verb, 0, 0, "name the program to write: --out");
+}
+
+void expect_blocks(const CorpusOptions& options, std::size_t least, std::size_t most) {
+  if (options.blocks && (*options.blocks < least || *options.blocks > most))
+    throw spec::InputError("toolcomp corpus " + options.verb, 0, 0, fmt::format("--blocks: {} to {}", least, most));
+}
+
+int contour(const CorpusOptions& options) {
+  constexpr std::size_t kMost = 100'000'000;
+  expect_program_name(options);
+  expect_blocks(options, corpus::kLeastContour, kMost);
+  corpus::ContourOptions how = options.contour;
+  how.blocks = options.blocks.value_or(how.blocks);
+  how.seed = options.seed;
+  const corpus::Contour made = corpus::make_contour(how);
+  const std::string setup = write_program(options, made.program, made.setup);
+  fmt::print("seed {}; {} lines, {} arcs; setup {}\n", options.seed, made.lines, made.arcs, setup);
   if (made.alarm_line) fmt::print("{} arcs that lose vectors; PS0041 at line {}\n", made.dropped, *made.alarm_line);
+  return kAgrees;
+}
+
+int flank(const CorpusOptions& options) {
+  expect_program_name(options);
+  expect_blocks(options, corpus::kLeastFlank, corpus::kMostFlank);
+  corpus::FlankOptions how;
+  how.blocks = options.blocks.value_or(how.blocks);
+  how.tool = options.tool;
+  const corpus::Flank made = corpus::make_flank(how);
+  const std::string setup = write_program(options, made.program, made.setup);
+  fmt::print("{} blocks in {} passes; setup {}\n", how.blocks, made.passes, setup);
   return kAgrees;
 }
 
@@ -106,6 +138,7 @@ int corpus(const CorpusOptions& options) {
   if (options.verb == "check") return check(options);
   if (options.verb == "lint") return lint(options);
   if (options.verb == "contour") return contour(options);
+  if (options.verb == "flank") return flank(options);
   return diff(options);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "corpus/contour.h"
+#include "corpus/flank.h"
 
 namespace toolcomp::cli {
 
@@ -79,7 +80,7 @@ struct ReplayOptions {
 int replay(const ReplayOptions& options);
 
 struct CorpusOptions {
-  std::string verb;  // generate, check, lint, diff, contour
+  std::string verb;  // generate, check, lint, diff, contour, flank
   std::vector<std::string> sections;
   std::string directory;
   std::string shard;  // "I/N"
@@ -87,7 +88,9 @@ struct CorpusOptions {
   std::string against;  // diff: the other corpus
   std::uint64_t seed = 1;
   corpus::ContourOptions contour;
-  std::string out;  // contour: the program; its setup stands beside it, ending in .toml
+  corpus::FlankTool tool = corpus::FlankTool::rotary;
+  std::optional<std::size_t> blocks;  // contour, flank
+  std::string out;                    // contour, flank: the program; its setup stands beside it, ending in .toml
 };
 int corpus(const CorpusOptions& options);
 

@@ -6,12 +6,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "corpus/counts.h"
 #include "fuzz/gen/generator.h"
 
 namespace toolcomp::corpus {
 namespace {
-
-__extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): the attribute needs a typedef
 
 // Coordinates are counts of 1/10,000 mm; centres have hundredths of a count.
 constexpr std::int64_t kMillimetre = 10'000;
@@ -30,13 +29,6 @@ struct Point {
 Wide dot(Point a, Point b) { return static_cast<Wide>(a.x) * b.x + static_cast<Wide>(a.y) * b.y; }
 Wide cross(Point a, Point b) { return static_cast<Wide>(a.x) * b.y - static_cast<Wide>(a.y) * b.x; }
 
-// n / d to the nearest whole number, d > 0.
-std::int64_t nearest(Wide n, Wide d) {
-  const Wide twice = 2 * n + d;
-  const Wide down = twice / (2 * d) - (twice % (2 * d) < 0 ? 1 : 0);
-  return static_cast<std::int64_t>(down);
-}
-
 // The whole root of n >= 0, rounded down.
 std::int64_t root(Wide n) {
   Wide low = 0;
@@ -48,15 +40,9 @@ std::int64_t root(Wide n) {
   return static_cast<std::int64_t>(low);
 }
 
-// "12.5", "-3.": `count` hundredths of a count.
-std::string decimal(std::int64_t count) {
-  constexpr std::uint64_t kOne = 100 * kMillimetre;
-  const std::uint64_t magnitude = count < 0 ? 0 - static_cast<std::uint64_t>(count) : static_cast<std::uint64_t>(count);
-  std::string text = fmt::format("{}{}.{:06}", count < 0 ? "-" : "", magnitude / kOne, magnitude % kOne);
-  while (text.ends_with('0')) text.pop_back();
-  return text;
-}
-std::string coordinate(std::int64_t count) { return decimal(100 * count); }
+// Hundredths of a count.
+std::string fine(std::int64_t count) { return decimal(count, 6); }
+std::string coordinate(std::int64_t count) { return decimal(count, 4); }
 
 // A closed uniform cubic B-spline through the neighbourhood of a square, corner to corner counter-clockwise.
 class Spline {
@@ -166,7 +152,7 @@ class Writer {
       const std::int64_t radius = root(dot(e, e) * (2500 + static_cast<Wide>(offset) * offset));
       text += fmt::format("{} R{}", words(end), coordinate(nearest(radius, 100)));
     } else {
-      text += fmt::format("{} I{} J{}", words(end), decimal(50 * e.x - offset * e.y), decimal(50 * e.y + offset * e.x));
+      text += fmt::format("{} I{} J{}", words(end), fine(50 * e.x - offset * e.y), fine(50 * e.y + offset * e.x));
     }
     line(text);
   }
