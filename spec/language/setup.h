@@ -43,6 +43,7 @@ struct Setup {
   IncrementSystem increment = IncrementSystem::is_b;
   Axes axes;
   CutterCompensationType cutter_compensation = CutterCompensationType::c;
+  bool type_b_without_perpendicular = false;  // fanuc.tool-side.type-b-perpendicular
   bool block_skip = false;
   std::map<ParameterId, Decimal> parameters;
 

@@ -164,8 +164,8 @@ Setup setup_from(const Node& node, const Reader& read) {
     if (member.name == "tool" || member.name == "correction" || member.name == "dr2table")
       read.fail(member.at, "setup: " + quoted(member.name) + " belongs to control \"heidenhain\"");
   read.keys(node, "setup",
-            {"control", "units", "axes", "increment", "cutter_compensation", "block_skip", "parameters", "offsets",
-             "workpiece", "position", "reference", "measurement"});
+            {"control", "units", "axes", "increment", "cutter_compensation", "type_b_without_perpendicular",
+             "block_skip", "parameters", "offsets", "workpiece", "position", "reference", "measurement"});
   if (const Node* axes = node.find("axes")) setup.axes = axes_from(*axes, read);
 
   if (const Node* units = node.find("units"))
@@ -175,6 +175,8 @@ Setup setup_from(const Node& node, const Reader& read) {
   if (const Node* type = node.find("cutter_compensation"))
     setup.cutter_compensation =
         static_cast<CutterCompensationType>(read.choice(*type, "cutter_compensation", {"B", "C"}));
+  if (const Node* without = node.find("type_b_without_perpendicular"))
+    setup.type_b_without_perpendicular = read.boolean(*without, "type_b_without_perpendicular");
   if (const Node* skip = node.find("block_skip")) setup.block_skip = read.boolean(*skip, "block_skip");
   if (const Node* parameters = node.find("parameters")) {
     read.expect(*parameters, Kind::table, "parameters");

@@ -91,13 +91,16 @@ std::string axis_list(const Axes& axes) {
   return '[' + list + ']';
 }
 
+// A second reading of the manual is written only where it is chosen.
 std::vector<Pair> plain_keys(const Setup& setup) {
-  return {{"control", name(kControls, setup.control)},
-          {"units", name(kUnits, setup.units)},
-          {"axes", axis_list(setup.axes)},
-          {"increment", name(kIncrements, setup.increment)},
-          {"cutter_compensation", name(kTypes, setup.cutter_compensation)},
-          {"block_skip", setup.block_skip ? "true" : "false"}};
+  std::vector<Pair> keys{{"control", name(kControls, setup.control)},
+                         {"units", name(kUnits, setup.units)},
+                         {"axes", axis_list(setup.axes)},
+                         {"increment", name(kIncrements, setup.increment)},
+                         {"cutter_compensation", name(kTypes, setup.cutter_compensation)}};
+  if (setup.type_b_without_perpendicular) keys.emplace_back("type_b_without_perpendicular", "true");
+  keys.emplace_back("block_skip", setup.block_skip ? "true" : "false");
+  return keys;
 }
 
 // Members of a JSON object, with commas between them.

@@ -40,6 +40,7 @@ units = "inch"
 axes = ["X", "Z", "B"]
 increment = "IS-C"
 cutter_compensation = "B"
+type_b_without_perpendicular = true
 block_skip = true
 [parameters]
 "5001#2" = true
@@ -72,7 +73,7 @@ Z = "198.0"
 
 constexpr std::string_view kJson = R"({
   "control": "fanuc", "units": "inch", "axes": ["X", "Z", "B"], "increment": "IS-C",
-  "cutter_compensation": "B", "block_skip": true,
+  "cutter_compensation": "B", "type_b_without_perpendicular": true, "block_skip": true,
   "parameters": { "5001#2": true, "5001#3": "0", "19631": 1.50, "19680": "2" },
   "offsets": { "memory": "B", "count": 99,
     "H": { "1": -4.0, "2": { "geometry": "120", "wear": -0.25 } }, "D": { "99": 5 } },
@@ -88,6 +89,7 @@ TEST(Setup, EveryKeyIsRead) {
   EXPECT_EQ(setup.axes.letters(), "XZB");
   EXPECT_EQ(setup.increment, IncrementSystem::is_c);
   EXPECT_EQ(setup.cutter_compensation, CutterCompensationType::b);
+  EXPECT_TRUE(setup.type_b_without_perpendicular);
   EXPECT_TRUE(setup.block_skip);
   EXPECT_EQ(setup.parameter(19631), (Decimal{150, 2, false, true}));
   EXPECT_EQ(setup.parameter(19680), decimal(2));
@@ -171,7 +173,8 @@ TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
   EXPECT_EQ(toml_error("units = \"cm\""), "f.toml:1:9: units: unknown value \"cm\"; expected one of mm, inch");
   EXPECT_EQ(toml_error("\n unit = 1"),
             "f.toml:2:2: setup: unknown key \"unit\"; expected one of control, units, axes, increment, "
-            "cutter_compensation, block_skip, parameters, offsets, workpiece, position, reference, measurement");
+            "cutter_compensation, type_b_without_perpendicular, block_skip, parameters, offsets, workpiece, position, "
+            "reference, measurement");
   EXPECT_EQ(toml_error("axes = [\"X\", \"Q\"]"),
             "f.toml:1:14: axes: \"Q\" is no axis; expected one of A B C U V W X Y Z");
   EXPECT_EQ(toml_error("axes = [\"X\", \"X\"]"), "f.toml:1:14: axes: axis X is given twice");
