@@ -47,12 +47,12 @@ void negate(std::string& word) {
     word.insert(1, "-");
 }
 
-void change_word(Choices& choose, const spec::Setup& setup, Mode mode, WordTexts& line) {
+void change_word(Choices& choose, const spec::Case& c, Mode mode, WordTexts& line) {
   const std::size_t at = line.empty() ? 0 : choose.below(line.size());
   // Words of any group end a valid program early more often than not: few of them in directed changes.
   const bool free = mode == Mode::unrestricted || choose.chance(10);
   if (line.empty() || (free && choose.chance(20))) {
-    line.insert(line.begin() + static_cast<std::ptrdiff_t>(at), any_word(choose, setup));
+    line.insert(line.begin() + static_cast<std::ptrdiff_t>(at), any_word(choose, c.setup, c.section));
     return;
   }
   std::string& word = line[at];
@@ -69,7 +69,7 @@ void change_word(Choices& choose, const spec::Setup& setup, Mode mode, WordTexts
       break;
     case 2:
       if (free)
-        word = any_word(choose, setup);
+        word = any_word(choose, c.setup, c.section);
       else
         change_digit(choose, word);
       break;
@@ -92,7 +92,7 @@ void change_program(Choices& choose, spec::Case& c, Mode mode) {
   switch (choose.weighted(mode == Mode::directed ? std::span(directed) : std::span(unrestricted))) {
     case 0: {
       WordTexts line = words(text[at]);
-      change_word(choose, c.setup, mode, line);
+      change_word(choose, c, mode, line);
       text[at] = joined_words(line);
       break;
     }
@@ -107,7 +107,7 @@ void change_program(Choices& choose, spec::Case& c, Mode mode) {
       break;
     case 4: {
       WordTexts line;
-      for (std::size_t n = choose.below(3) + 1; n > 0; --n) line.push_back(any_word(choose, c.setup));
+      for (std::size_t n = choose.below(3) + 1; n > 0; --n) line.push_back(any_word(choose, c.setup, c.section));
       text.insert(place, joined_words(line));
       break;
     }
@@ -153,16 +153,20 @@ auto any_of(Choices& choose, Map& map) {
 
 // Angles of kinematics: any value is a control that could exist; numbers of axes and types are not.
 bool is_angle(std::uint32_t parameter) {
-  constexpr std::uint32_t angles[] = {19614, 19619, 19620, 19621, 19622, 19623, 19631,
-                                      19683, 19685, 19688, 19690, 19698, 19699};
+  constexpr std::uint32_t angles[] = {6261,  19614, 19619, 19620, 19621, 19622, 19623,
+                                      19631, 19683, 19685, 19688, 19690, 19698, 19699};
   return std::find(std::begin(angles), std::end(angles), parameter) != std::end(angles);
 }
 
-// Vector omission; deceleration distance and permitted zone of G37.
-bool is_length(std::uint32_t parameter) { return parameter == 5010 || parameter == 6251 || parameter == 6254; }
+// Vector omission; deceleration distance and permitted zone of G37; least travel in the compensation plane.
+bool is_length(std::uint32_t parameter) {
+  return parameter == 5010 || parameter == 6251 || parameter == 6254 || parameter == 19630;
+}
 
 // Bits: any value is a control that could exist.
-bool is_choice(std::uint32_t parameter) { return parameter == 5001 || parameter == 5003 || parameter == 5008; }
+bool is_choice(std::uint32_t parameter) {
+  return parameter == 5001 || parameter == 5003 || parameter == 5008 || parameter == 19605;
+}
 
 void change_parameter(Choices& choose, Mode mode, spec::Setup& setup) {
   switch (choose.below(5)) {

@@ -21,6 +21,7 @@ constexpr Generator kGenerators[] = {
     {"fanuc/tool-offset", tool_offset},
     {"fanuc/cutter-compensation-b", cutter_compensation_b},
     {"fanuc/cutter-compensation-c", cutter_compensation_c},
+    {"fanuc/tool-side-compensation", tool_side_compensation},
     {"fanuc/leading-edge-offset", leading_edge_offset},
 };
 constexpr auto kSections = [] {
@@ -42,8 +43,8 @@ spec::Case generate(std::string_view section, Mode mode, ChoiceSource& source, s
   if (generator == std::end(kGenerators))
     throw std::invalid_argument(fmt::format("no generator for section \"{}\"", section));
   spec::Case c = generator->make(choose, blocks);
-  if (mode == Mode::unrestricted) c = unrestricted(choose, std::move(c), blocks);
   c.section = section;
+  if (mode == Mode::unrestricted) c = unrestricted(choose, std::move(c), blocks);
   return c;
 }
 

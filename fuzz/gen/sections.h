@@ -11,6 +11,7 @@ spec::Case tool_length_measurement(Choices& choose, std::uint32_t blocks);
 spec::Case tool_offset(Choices& choose, std::uint32_t blocks);
 spec::Case cutter_compensation_b(Choices& choose, std::uint32_t blocks);
 spec::Case cutter_compensation_c(Choices& choose, std::uint32_t blocks);
+spec::Case tool_side_compensation(Choices& choose, std::uint32_t blocks);
 spec::Case leading_edge_offset(Choices& choose, std::uint32_t blocks);
 
 // Any words over any setup of the section: valid programs with damage, words at random, look-alike text.

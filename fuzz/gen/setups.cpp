@@ -228,6 +228,35 @@ Setup random_setup(Choices& choose, Kinematics wanted) {
 
 namespace {
 
+// Two to four numbers.
+void cutter_offsets(Choices& choose, Setup& setup) {
+  const std::int64_t numbers = choose.between(2, 4);
+  setup.d.clear();
+  for (std::int64_t n = 1; n <= numbers; ++n) {
+    spec::OffsetEntry& e = setup.d[static_cast<std::uint32_t>(n)];
+    e = cutter_offset(choose, setup);
+    // Where both tables give a number each address reads its own; with OFH H counts for the cutter too.
+    if (choose.chance(50)) setup.h[static_cast<std::uint32_t>(n)] = cutter_offset(choose, setup);
+  }
+}
+
+// From which turn of the tool on a change of the compensation plane is checked: the usual 45, 0 that means it, Niven's
+// angles, and any up to a half turn.
+void plane_change_angle(Choices& choose, Setup& setup) {
+  switch (choose.weighted({40, 10, 15, 25, 10})) {
+    case 0:
+      return;
+    case 1:
+      return set(setup, 6261, spec::decimal(choose.one_of<std::int64_t>({0, 45})));
+    case 2:
+      return set(setup, 6261, spec::decimal(choose.one_of<std::int64_t>({30, 60, 90, 120, 135, 180})));
+    case 3:
+      return set(setup, 6261, decimal(choose.between(1, 60'000), 3));
+    default:
+      return set(setup, 6261, decimal(choose.between(60'000, 180'000), 3));
+  }
+}
+
 // What no setup may name: axes the machine does not have.
 void drop_absent_axes(Setup& setup) {
   const auto drop = [&setup](spec::AxisTable& table) {
@@ -261,14 +290,43 @@ Setup random_cutter_setup(Choices& choose, spec::CutterCompensationType type) {
   }
   if (choose.chance(75))
     for (spec::AxisTable& origin : setup.workpiece) origin.clear();
-  const std::int64_t numbers = choose.between(2, 4);
-  setup.d.clear();
-  for (std::int64_t n = 1; n <= numbers; ++n) {
-    spec::OffsetEntry& e = setup.d[static_cast<std::uint32_t>(n)];
-    e = cutter_offset(choose, setup);
-    // Where both tables give a number each address reads its own; with OFH H counts for the cutter too.
-    if (choose.chance(50)) setup.h[static_cast<std::uint32_t>(n)] = cutter_offset(choose, setup);
+  cutter_offsets(choose, setup);
+  return setup;
+}
+
+Setup random_tool_side_setup(Choices& choose) {
+  Setup setup = random_setup(choose, Kinematics::always);
+  if (choose.chance(90)) setup.parameters.erase({19631, -1});
+  for (const int bit : {0, 1, 2})
+    if (choose.chance(45)) set_bit(setup, 5003, bit, choose.chance(75));
+  if (choose.chance(50)) set_bit(setup, 5008, 0, choose.chance(80));
+  if (choose.chance(25)) set_bit(setup, 19605, 5, choose.chance(60));
+  const int decimals = increment_decimals(setup);
+  const std::int64_t one = power_of_ten(decimals);
+  if (choose.chance(12)) set(setup, 5010, decimal(choose.between(0, 4 * one), decimals));
+  plane_change_angle(choose, setup);
+  // Least travel in the plane: parts of a millimetre, or more than most movements.
+  switch (choose.weighted({60, 10, 22, 5, 3})) {
+    case 0:
+      break;
+    case 1:
+      set(setup, 19630, decimal(choose.between(1, 3), decimals));
+      break;
+    case 2:
+      set(setup, 19630, decimal(choose.between(1, 5 * one), decimals));
+      break;
+    case 3:
+      set(setup, 19630, decimal(choose.between(5, 60) * one, decimals));
+      break;
+    default:
+      set(setup, 19630, decimal(-choose.between(0, 5 * one), decimals));
+      break;
   }
+  if (choose.chance(80)) {
+    for (spec::AxisTable& origin : setup.workpiece) origin.clear();
+    setup.position.clear();
+  }
+  cutter_offsets(choose, setup);
   return setup;
 }
 

@@ -15,6 +15,10 @@ spec::Setup random_setup(Choices& choose, Kinematics kinematics);
 // parameters 5001, 5003, 5008, 5010.
 spec::Setup random_cutter_setup(Choices& choose, spec::CutterCompensationType type);
 
+// For tool side compensation: a tool that turns on most machines, the same offsets, parameters 5003, 5008, 5010, 6261,
+// 19605 and 19630.
+spec::Setup random_tool_side_setup(Choices& choose);
+
 // A decimal of `count` units of 10^-decimals.
 spec::Decimal decimal(std::int64_t count, int decimals);
 // Digits behind the point of the least input increment of the setup's units and increment system.

@@ -6,14 +6,14 @@
 namespace toolcomp::fuzz {
 namespace {
 
-std::string random_line(Choices& choose, const spec::Setup& setup) {
+std::string random_line(Choices& choose, const spec::Case& c) {
   if (choose.chance(6))
     return choose.one_of({"%",       "O0001",     "(COMMENT)", "(OPEN",    "/G01 X1.", ";",      "  ",
                           "g01 x1.", "N1",        "N1 N2 X1.", "G1X1Y1Z1", "X1. X2.",  "G90G91", "G 01 X 1.",
                           "*",       "X1.(C)Y2.", "NAN",       "INF",      "X+1.",     "1X"});
   WordTexts line;
   for (std::size_t n = choose.below(5) + 1; n > 0; --n)
-    line.push_back(choose.chance(8) ? odd_word(choose) : any_word(choose, setup));
+    line.push_back(choose.chance(8) ? odd_word(choose) : any_word(choose, c.setup, c.section));
   return joined_words(line);
 }
 
@@ -26,7 +26,7 @@ spec::Case unrestricted(Choices& choose, spec::Case directed, std::uint32_t bloc
       break;
     default: {
       std::vector<std::string> text;
-      while (text.size() < blocks) text.push_back(random_line(choose, directed.setup));
+      while (text.size() < blocks) text.push_back(random_line(choose, directed));
       directed.program = joined(text);
       break;
     }

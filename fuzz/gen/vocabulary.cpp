@@ -37,8 +37,18 @@ std::string boundary_number(Choices& choose) {
                         "1.00000000000001"});
 }
 
+namespace {
+
+std::string tool_side_word(Choices& choose) {
+  return choose.one_of({"G41.2", "G42.2", "G41.2", "G42.2", "G41.6", "G42.6", "G40",  "D1",  "D2",  "Q1",  "Q2",
+                        "Q3",    "Q0",    "Q4",    "G43.5", "G49",   "I1.",   "J-1.", "K1.", "G05", "G96", "G97"});
+}
+
+}  // namespace
+
 // One choice a statement: the order in which arguments are evaluated differs between compilers.
-std::string any_word(Choices& choose, const spec::Setup& setup) {
+std::string any_word(Choices& choose, const spec::Setup& setup, std::string_view section) {
+  if (section == "fanuc/tool-side-compensation" && choose.chance(25)) return tool_side_word(choose);
   switch (choose.weighted({30, 30, 12, 10, 8, 10})) {
     case 0:
       return fmt::format("G{}", choose.one_of({"00",   "01", "02",   "03",   "04", "10", "17", "18", "19", "20", "21",

@@ -108,6 +108,8 @@ Scale Conditions::next(std::span<const model::Event> window) {
   const double noise = policy::kSlack * scale.position;  // of three differences of doubles, far below any vector
   scale.vector = length(compensation);
   corners_.follow(event, index_, position_, shift_);
+  if (event.tool_axis && !tool_plane_) tool_plane_.emplace();
+  if (tool_plane_) tool_plane_->follow(event, index_, position_, shift_);
   if (scale.vector > noise * policy::kNoVector) {
     Vector tool{0, 0, 1};
     if (event.tool_axis)
@@ -115,8 +117,9 @@ Scale Conditions::next(std::span<const model::Event> window) {
     scale.condition = condition(window, at, tool, compensation);
     const bool kept = length(difference(compensation, vector_)) <= policy::kSlack * scale.vector + noise;
     if (kept) scale.condition = std::max(scale.condition, condition_);
-    scale.condition =
-        std::max(scale.condition, 1 + corners_.error(window, index_, compensation, shift_) / scale.vector);
+    double error = corners_.error(window, index_, compensation, shift_);
+    if (tool_plane_) error = std::max(error, tool_plane_->error(window, index_, compensation, tool, shift_));
+    scale.condition = std::max(scale.condition, 1 + error / scale.vector);
   } else {
     scale.vector = 0;
   }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "fuzz/oracle/corner.h"
+#include "fuzz/oracle/tool_plane.h"
 #include "model/engine.h"
 #include "spec/language/setup.h"
 
@@ -28,7 +29,7 @@ struct Scale {
 // error over sin(VM, VT). VM is the next movement, before a cancel the block's own; a vector that is kept keeps its
 // condition. Which of the two made the vector is not asked: the worse counts. Pairs inside the ranges of parameter
 // 19631 made none, and neither did pairs in whose plane the vector does not lie. Corners of cutter compensation: see
-// corner.h. Whatever fits counts, and the worst of it.
+// corner.h; of tool side compensation: see tool_plane.h. Whatever fits counts, and the worst of it.
 //
 // The sweep of an arc with a vector turns by the errors of its ends over their distances from the centre.
 class Conditions {
@@ -55,6 +56,7 @@ class Conditions {
   Vector shift_{};            // of point against programmed where there is no vector
   bool compensated_ = false;  // from a start-up to a cancel
   Corners corners_;
+  std::optional<ToolPlane> tool_plane_;  // machines whose events carry a tool axis
 };
 
 }  // namespace toolcomp::fuzz

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "fuzz/oracle/head.h"
 #include "model/engine.h"
 #include "spec/language/setup.h"
 
@@ -35,21 +36,10 @@ class Corners {
               const Space& shift);
 
  private:
-  using Flat = std::array<double, 2>;
-  // A movement in one plane, programmed.
-  struct Piece {
-    Flat start{};
-    Flat end{};
-    std::optional<Flat> center;
-  };
-  struct Condition;
+  static std::optional<FlatPiece> piece(const model::Event& event, const std::array<std::size_t, 3>& index,
+                                        const Space& from, const Space& shift, std::size_t plane);
 
-  static std::optional<Piece> piece(const model::Event& event, const std::array<std::size_t, 3>& index,
-                                    const Space& from, const Space& shift, std::size_t plane);
-  static std::array<std::optional<Condition>, 2> conditions(const Piece& piece, const Flat& corner, const Flat& vector);
-  static double crossing(const Condition& a, const Condition& b, double length);
-
-  std::array<std::optional<Piece>, 3> before_;  // the latest movement in each plane
+  std::array<std::optional<FlatPiece>, 3> before_;  // the latest movement in each plane
 };
 
 // Of X Y Z in the values of an event.

@@ -1,0 +1,135 @@
+#include "fuzz/oracle/tool_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "fuzz/oracle/policy.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+constexpr std::size_t kBefore = 2;
+constexpr std::size_t kAfter = 3;
+
+double scalar(const Space& a, const Space& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double norm(const Space& a) { return std::hypot(a[0], a[1], a[2]); }
+Space difference(const Space& a, const Space& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Space product(const Space& a, const Space& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// The plane at right angles to the unit vector `tool`, by two of its unit vectors.
+class Plane {
+ public:
+  explicit Plane(const Space& tool) {
+    std::size_t least = 0;
+    for (const std::size_t i : {1U, 2U})
+      if (std::fabs(tool.at(i)) < std::fabs(tool.at(least))) least = i;
+    Space helper{};
+    helper.at(least) = 1;
+    first_ = product(tool, helper);
+    const double size = norm(first_);
+    for (double& x : first_) x /= size;
+    second_ = product(tool, first_);
+  }
+  [[nodiscard]] Flat flat(const Space& v) const { return {scalar(v, first_), scalar(v, second_)}; }
+
+ private:
+  Space first_{};
+  Space second_{};
+};
+
+// A movement as the plane sees it, at one of its ends; nothing where it has no direction there.
+std::optional<FlatPiece> seen(const Plane& plane, const Space& start, const Space& end,
+                              const std::optional<Space>& out) {
+  FlatPiece piece;
+  piece.start = plane.flat(start);
+  piece.end = plane.flat(end);
+  const Space way = out ? *out : difference(end, start);
+  const Flat flat = plane.flat(way);
+  const double sine = length(flat) / norm(way);
+  if (!(sine >= policy::kParallel)) return std::nullopt;
+  if (out) piece.center = piece.end - flat;
+  piece.weight = 1 / sine;
+  return piece;
+}
+
+// What one direction alone makes: a perpendicular, or one prolonged by as much.
+double alone(const HeadCondition& a, double length) {
+  const double noise = std::max(policy::kSlack, policy::kEstimateNoise * a.weight) * length;
+  const bool fits = a.error == 0 && (a.slide <= noise || std::fabs(a.slide - a.distance) <= noise);
+  return fits ? a.weight * length : 0;
+}
+
+}  // namespace
+
+std::optional<ToolPlane::Piece> ToolPlane::piece(const model::Event& event, const std::array<std::size_t, 3>& index,
+                                                 const Space& from, const Space& shift) {
+  const bool inserted = event.cause == spec::Cause::corner;
+  if (event.kind != spec::EventKind::move || inserted) return std::nullopt;
+  Piece p;
+  p.start = from;
+  p.end = space_of(event.programmed, index);
+  if (event.arc) {
+    constexpr std::array<std::size_t, 3> across = {2, 1, 0};  // of X Y, Z X, Y Z
+    p.across = across.at(static_cast<std::size_t>(event.arc->plane));
+    p.center = difference(space_of(event.arc->center, index), shift);
+  }
+  if (!p.center && p.start == p.end) return std::nullopt;
+  return p;
+}
+
+double ToolPlane::error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
+                        const Space& vector, const Space& tool, const Space& shift) const {
+  const Plane plane(tool);
+  const Flat v = plane.flat(vector);
+  const double size = length(v);
+  if (size == 0) return 0;
+  // An end of a piece as the plane sees it, with the conditions it puts on the head there.
+  const auto conditions = [&](const Piece& p, bool at_end) -> std::array<std::optional<HeadCondition>, 2> {
+    const Space& corner = at_end ? p.end : p.start;
+    std::optional<Space> out;
+    if (p.center) {
+      out = difference(corner, *p.center);
+      out->at(p.across) = 0;
+    }
+    // Of an arc only the corner and the centre are asked.
+    const auto flat = p.center ? seen(plane, corner, corner, out) : seen(plane, p.start, p.end, out);
+    if (!flat) return {};
+    return head_conditions(*flat, plane.flat(corner), v);
+  };
+  std::vector<HeadCondition> former;
+  std::vector<HeadCondition> latter;
+  const auto take = [](std::vector<HeadCondition>& to, const std::array<std::optional<HeadCondition>, 2>& found) {
+    for (const auto& c : found)
+      if (c) to.push_back(*c);
+  };
+  for (const Piece& p : before_) take(former, conditions(p, true));
+  Space from = space_of(window.front().programmed, index);
+  std::size_t after = 0;
+  for (std::size_t i = 1; i < window.size() && after < kAfter; ++i) {
+    if (window[i].kind != spec::EventKind::move) continue;
+    if (const auto p = piece(window[i], index, from, shift)) {
+      take(latter, conditions(*p, false));
+      ++after;
+    }
+    from = space_of(window[i].programmed, index);
+  }
+  double worst = 0;
+  for (const auto* side : {&former, &latter})
+    for (const HeadCondition& a : *side) worst = std::max(worst, alone(a, size));
+  for (const HeadCondition& a : former)
+    for (const HeadCondition& b : latter) worst = std::max(worst, crossing(a, b, size));
+  return worst;
+}
+
+void ToolPlane::follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Space& from,
+                       const Space& shift) {
+  if (const auto p = piece(event, index, from, shift)) {
+    before_.push_front(*p);
+    if (before_.size() > kBefore) before_.pop_back();
+  }
+}
+
+}  // namespace toolcomp::fuzz

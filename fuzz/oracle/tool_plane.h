@@ -1,0 +1,50 @@
+// How well the end of a compensation vector is determined in the plane at right angles to the tool.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <optional>
+#include <span>
+
+#include "fuzz/oracle/corner.h"
+#include "fuzz/oracle/head.h"
+
+namespace toolcomp::fuzz {
+
+// Corners of tool side compensation (sheet 2.2 to 2.4).
+//
+// The tool direction T is made of sines and cosines: in double it carries an error e of a few ulps, the movement U
+// none. The projected direction u = U - (U·T) T is |U| sin(U, T) long, and its normal T × U as well: an error of T
+// turns either by e/sin(U, T) within the plane, and by e out of it. So every direction has the weight 1/sin(U, T). A
+// vector made of one of them (perpendicular, or prolonged by r) has that condition; where two offset lines cross, n1·V
+// = r and n2·V = r, an error of n moves the head by weight · slide along the other line over the sine of their angle:
+// near 1 + c = 0 the slide is what makes the vector long, near |u| = 0 the weight grows. The same with the radius of an
+// arc, from the projected centre, in the place of U. A movement nearer to the tool than policy::kParallel has no
+// direction in double; the model's decision on it is a near tie.
+//
+// Which blocks made a vector is not asked: the last two movements before it and the next ones are tried, and the worst
+// of what fits counts.
+class ToolPlane {
+ public:
+  // As Corners::error; `tool` is the unit direction with which the vector was made.
+  [[nodiscard]] double error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
+                             const Space& vector, const Space& tool, const Space& shift) const;
+  // Takes the movement of `event`, which starts at `from`.
+  void follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Space& from,
+              const Space& shift);
+
+ private:
+  // A movement in space, programmed.
+  struct Piece {
+    Space start{};
+    Space end{};
+    std::optional<Space> center;  // of an arc; its coordinate across the arc's plane is not set
+    std::size_t across = 0;       // that coordinate
+  };
+  static std::optional<Piece> piece(const model::Event& event, const std::array<std::size_t, 3>& index,
+                                    const Space& from, const Space& shift);
+
+  std::deque<Piece> before_;  // the last two movements, the latest first
+};
+
+}  // namespace toolcomp::fuzz
