@@ -37,6 +37,8 @@ std::span<const Example> cutter_compensation_c_examples();
 std::span<const Example> cutter_compensation_c_corners();
 std::span<const Example> cutter_compensation_c_checks();
 std::span<const Example> cutter_compensation_c_rules();
+std::span<const Example> tool_side_compensation_examples();
+std::span<const Example> tool_side_compensation_rules();
 std::span<const Example> leading_edge_offset_examples();
 std::span<const Example> leading_edge_offset_rules();
 

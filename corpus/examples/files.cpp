@@ -18,6 +18,8 @@ std::span<const ExampleFile> example_files() {
       ExampleFile{"fanuc/cutter-compensation-c", "examples-corners", cutter_compensation_c_corners()},
       ExampleFile{"fanuc/cutter-compensation-c", "examples-checks", cutter_compensation_c_checks()},
       ExampleFile{"fanuc/cutter-compensation-c", "rules", cutter_compensation_c_rules()},
+      ExampleFile{"fanuc/tool-side-compensation", "examples", tool_side_compensation_examples()},
+      ExampleFile{"fanuc/tool-side-compensation", "rules", tool_side_compensation_rules()},
       ExampleFile{"fanuc/leading-edge-offset", "examples", leading_edge_offset_examples()},
       ExampleFile{"fanuc/leading-edge-offset", "rules", leading_edge_offset_rules()},
   };
