@@ -1,7 +1,7 @@
 // The lines, one letter first:
-//   u mm|inch   i A|B|C   a LETTERS   k b|c   s (block skip)   p NUMBER[#BIT] VALUE   m a|b|c COUNT
-//   h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR   w 54…59 AXIS VALUE   o AXIS VALUE (position)
-//   r 1…4 AXIS VALUE   f AXIS VALUE (floating reference)   t AXIS VALUE (measurement)
+//   u mm|inch   i A|B|C   a LETTERS   k b|c   s (block skip)   x (type B without perpendicular)   p NUMBER[#BIT] VALUE
+//   m a|b|c COUNT h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR   w 54…59 AXIS VALUE   o AXIS VALUE (position) r 1…4
+//   AXIS VALUE   f AXIS VALUE (floating reference)   t AXIS VALUE (measurement)
 #include "fuzz/gen/encode.h"
 
 #include <fmt/format.h>
@@ -104,6 +104,9 @@ void apply(Setup& setup, const Line& line) {
     case 's':
       setup.block_skip = true;
       break;
+    case 'x':
+      setup.type_b_without_perpendicular = true;
+      break;
     case 'p':
       put_parameter(setup, line);
       break;
@@ -165,6 +168,7 @@ std::string encode(const spec::Case& c) {
   if (s.axes.letters() != kDefaultAxes) out += fmt::format("a {}\n", s.axes.letters());
   if (s.cutter_compensation == spec::CutterCompensationType::b) out += "k b\n";
   if (s.block_skip) out += "s\n";
+  if (s.type_b_without_perpendicular) out += "x\n";
   for (const auto& [id, value] : s.parameters)
     out += id.bit < 0 ? fmt::format("p {} {}\n", id.number, spec::to_string(value))
                       : fmt::format("p {}#{} {}\n", id.number, id.bit, spec::to_string(value));

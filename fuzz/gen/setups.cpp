@@ -1,5 +1,6 @@
 #include "fuzz/gen/setups.h"
 
+#include <cstdlib>
 #include <string>
 
 namespace toolcomp::fuzz {
@@ -303,7 +304,7 @@ Setup random_tool_side_setup(Choices& choose) {
   if (choose.chance(25)) set_bit(setup, 19605, 5, choose.chance(60));
   const int decimals = increment_decimals(setup);
   const std::int64_t one = power_of_ten(decimals);
-  if (choose.chance(12)) set(setup, 5010, decimal(choose.between(0, 4 * one), decimals));
+  setup.type_b_without_perpendicular = choose.chance(20);
   plane_change_angle(choose, setup);
   // Least travel in the plane: parts of a millimetre, or more than most movements.
   switch (choose.weighted({60, 10, 22, 5, 3})) {
@@ -327,6 +328,13 @@ Setup random_tool_side_setup(Choices& choose) {
     setup.position.clear();
   }
   cutter_offsets(choose, setup);
+  if (choose.chance(20)) {
+    // Heads lie apart by r at right angles, by 2 r where the path goes straight back.
+    const std::int64_t r = std::abs(counts_of(setup.d.begin()->second.geometry, setup));
+    const std::int64_t about = choose.one_of<std::int64_t>({1, 2}) * r + choose.between(-1, 1);
+    const std::int64_t limit = choose.chance(60) ? about : choose.between(-1, 4 * one);
+    set(setup, 5010, decimal(limit, decimals));
+  }
   return setup;
 }
 

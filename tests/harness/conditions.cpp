@@ -156,5 +156,67 @@ TEST(Conditions, OfTheSweepOfASmallArc) {
   EXPECT_EQ(list[1].turn, 0);
 }
 
+using Triple = std::array<Real, 3>;
+
+// A move of a machine with a tool axis: programmed point, vector, and the tool at the end.
+model::Event beside(spec::Cause cause, const Triple& programmed, const Triple& vector, const Triple& tool) {
+  model::Event e;
+  e.kind = spec::EventKind::move;
+  e.type = spec::MoveType::linear;
+  e.cause = cause;
+  for (std::size_t i = 0; i < 3; ++i) {
+    e.programmed.set(i, programmed[i]);
+    e.point.set(i, programmed[i] + vector[i]);
+  }
+  e.axes = e.point;
+  e.tool_axis = tool;
+  return e;
+}
+
+// A movement of slope n along the tool Z: its projection is 1/√(1 + n²) of it, and an error e of the tool turns its
+// perpendicular by e·√(1 + n²).
+TEST(Conditions, OfAPerpendicularVectorNearTheTool) {
+  const Triple tool = {Real(0), Real(0), Real(1)};
+  const Triple up = {Real(0), Real(10), Real(0)};
+  for (const int n : {0, 10, 1000, 100'000}) {
+    const Triple end = {Real(1), Real(0), Real(n)};
+    const auto list = scales({beside(kStart, end, up, tool)});
+    EXPECT_NEAR(list[0].condition, 1 + std::sqrt(1 + double(n) * n), 1e-6 * (n + 1));
+  }
+}
+
+// The corner of OfAnIntersectionNearAReversal, turned to the plane of the tool (3, 0, 4)/5: X becomes (4, 0, -3)/5.
+TEST(Conditions, OfAnIntersectionNearAReversalBesideATiltedTool) {
+  const Triple tool = {decimal("0.6"), Real(0), decimal("0.8")};
+  const auto turned = [](const Real& x, const Real& y) { return Triple{decimal("0.8") * x, y, decimal("-0.6") * x}; };
+  for (const int n : {10, 1000, 100'000}) {
+    const Real slide = Real(-10) * (sqrt(Real(n) * Real(n) + 1) + Real(n));
+    const double s = -10 * (std::sqrt(double(n) * n + 1) + n);
+    const auto list = scales({beside(kStart, turned(Real(0), Real(0)), turned(Real(0), Real(10)), tool),
+                              beside(kOwn, turned(Real(40), Real(0)), turned(slide, Real(10)), tool),
+                              beside(kOwn, turned(Real(40 - 50 * n), Real(50)), turned(Real(0), Real(0)), tool)});
+    const double expected = 2 * std::fabs(s) * std::sqrt(double(n) * n + 1) / list[1].vector;
+    EXPECT_NEAR(list[1].condition, 1 + expected, 1e-3 * expected);
+  }
+}
+
+// Both lines lean against the tool Z by a slope m: the same corner, each direction known 1/√(1 + m²) as well.
+TEST(Conditions, OfAnIntersectionOfLinesNearTheTool) {
+  const Triple tool = {Real(0), Real(0), Real(1)};
+  const int n = 100;
+  const Real slide = Real(-10) * (sqrt(Real(n) * Real(n) + 1) + Real(n));
+  const auto corner = [&](int m) {
+    const Real rise = Real(40 * m);
+    const auto list =
+        scales({beside(kStart, {Real(0), Real(0), Real(0)}, {Real(0), Real(10), Real(0)}, tool),
+                beside(kOwn, {Real(40), Real(0), rise}, {slide, Real(10), Real(0)}, tool),
+                beside(kOwn, {Real(40 - 40 * n), Real(40), rise + Real(40 * m) * sqrt(Real(n) * Real(n) + 1)},
+                       {Real(0), Real(0), Real(0)}, tool)});
+    return list[1].condition - 1;
+  };
+  const double flat = corner(0);
+  for (const int m : {1, 10, 100}) EXPECT_NEAR(corner(m), flat * std::sqrt(1 + double(m) * m), 1e-3 * flat * m);
+}
+
 }  // namespace
 }  // namespace toolcomp::fuzz

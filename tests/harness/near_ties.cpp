@@ -236,5 +236,72 @@ TEST(NearTies, AnIntersectionOfParallelLinesIsNotPermitted) {
   EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
 }
 
+// Lines beside a tool that leans by I J K, offset 10.
+spec::Case flank(const std::string& blocks) {
+  spec::Case c;
+  c.section = "fanuc/tool-side-compensation";
+  c.setup.d[1].geometry = spec::decimal(10);
+  c.program = blocks;
+  return c;
+}
+
+// In the plane of the tool (3, 0, 4) the second line turns by 90 degrees and 1e-13: one head, or two a hair apart.
+TEST(NearTies, ASideCornerOfAlmostRightAnglesMayHaveTheVectorsOfEither) {
+  const std::string start = "G90 G01 F100 G43.5 H0 I3. K4.\nG41.6 Y50. D1\nY100.\n";
+  const spec::Case c = flank(start + "X80. Y99.99999999999 Z-60.\nX160. Z-120.\nG40 X0\n");
+  const ModelRun run = run_model(c);
+  const ModelRun other = run_model(c, opposite_at_last(run, Clause::fanuc_tool_side_obtuse_or_acute));
+  ASSERT_EQ(other.events.size() + 1, run.events.size());
+  const Verdict v = judge(c, run, rounded(other));
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  EXPECT_GE(v.ties, 1U);
+  // A degree less is no tie.
+  const spec::Case clear = flank(start + "X80. Y99.99 Z-60.\nX160. Z-120.\nG40 X0\n");
+  const ModelRun sharp = run_model(clear);
+  EXPECT_EQ(
+      judge(clear, sharp, rounded(run_model(clear, opposite_at_last(sharp, Clause::fanuc_tool_side_obtuse_or_acute))))
+          .outcome,
+      Outcome::differs);
+}
+
+// The tool turns by 45 degrees less 5e-14 while the path goes back under it: OVERCUT_PLANE_CHANGE, or not.
+TEST(NearTies, AChangeOfThePlaneByAHairLessThanTheLimitMayBeSeenOrNot) {
+  const auto turning = [](const std::string& k) {
+    return flank("G90 G01 F100 G43.5 H0 K1.\nG41.6 X50. D1\nX100.\nX200.\nX150. Z-100. I1. K" + k +
+                 "\nX100. Z-200.\nG40 Z0\n");
+  };
+  const spec::Case c = turning("1.0000000000001");
+  const ModelRun run = run_model(c);
+  ASSERT_EQ(run.events.back().kind, spec::EventKind::move);
+  const ModelRun other = run_model(c, opposite_near_ties(run, Clause::fanuc_tool_side_plane_change_angle));
+  ASSERT_EQ(other.events.back().number.view(), "OVERCUT_PLANE_CHANGE");
+  const Verdict v = judge(c, run, rounded(other));
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  // A thousandth of a degree is no hair.
+  const spec::Case clear = turning("1.00004");
+  const ModelRun apart = run_model(clear);
+  Forced forced;
+  for (std::size_t i = 0; i < apart.recorder.decisions().size(); ++i) {
+    const model::Decision& d = apart.recorder.decisions()[i];
+    if (d.clause == Clause::fanuc_tool_side_plane_change_angle) forced[i] = Sign::positive;
+  }
+  EXPECT_EQ(judge(clear, apart, rounded(run_model(clear, forced))).outcome, Outcome::differs);
+}
+
+// A line along the tool has no direction in the plane, whatever is forced.
+TEST(NearTies, AMovementAlongTheToolIsNotOneInThePlane) {
+  const spec::Case c =
+      flank("G90 G01 F100 G43.5 H0 I3. K4.\nG41.6 Y50. D1\nY100.\nX30. Z40.\nX80. Y120.\nX160.\nG40 X0\n");
+  const ModelRun run = run_model(c);
+  bool tried = false;
+  const auto& decisions = run.recorder.decisions();
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    if (decisions[i].clause != Clause::fanuc_tool_side_along_the_tool || margin(decisions[i]) != 0) continue;
+    tried = true;
+    EXPECT_THROW(run_model(c, {{i, Sign::positive}}), std::exception);
+  }
+  EXPECT_TRUE(tried);
+}
+
 }  // namespace
 }  // namespace toolcomp::fuzz
