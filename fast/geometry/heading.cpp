@@ -88,6 +88,7 @@ ChordHeadings chord_headings(const std::array<Int128, 2>& chord, const Int128& r
 }
 
 Vector2<DoubleDouble> fine_unit(const Heading& heading) {
+  if (heading.seen) return heading.fine;
   const Vector2<DoubleDouble> whole{to_double_double(heading.whole[0]), to_double_double(heading.whole[1])};
   const DoubleDouble norm = sqrt(squared_length(heading.whole));
   const Vector2<DoubleDouble> unit{whole.x / norm, whole.y / norm};

@@ -25,6 +25,9 @@ struct Heading {
   Int128 radius = 0;    // not exact: |R|
   Vector2<double> unit{1, 0};
   double norm = 1;  // |whole|
+  // Seen in a plane that no axis spans: the unit vector itself is all there is.
+  bool seen = false;
+  Vector2<DoubleDouble> fine;
 };
 
 // The heading along `whole`, not zero.

@@ -200,6 +200,7 @@ Vector2<DoubleDouble> fine_travel(const PlanePath& path) {
 }
 
 DoubleDouble fine_radius(const PlanePath& path, bool at_end) {
+  if (path.seen) return path.fine_radius[at_end ? 1 : 0];
   const DoubleDouble unit = fine_unit_of(path);
   if (path.by_radius) return to_double_double(path.radius_whole) / unit;
   const auto& v = at_end ? path.arc_end.whole : path.start.whole;
@@ -211,6 +212,12 @@ int compare_radius(const PlanePath& path, bool at_end, const Count& offset) {
   const double value = offset.nearest();
   // Both are within a few roundings of 2^-53.
   if (std::abs(radius - value) > 0x1p-48 * radius) return radius > value ? 1 : -1;
+  if (path.seen) {
+    const DoubleDouble length = to_double_double(offset.units()) / to_double_double(Count::kRestPerOne);
+    const double difference = (fine_radius(path, at_end) - length).hi;
+    // What double-double cannot tell is a tie.
+    return std::abs(difference) <= 0x1p-90 * radius ? 0 : (difference > 0 ? 1 : -1);
+  }
   const auto in_units = [&](const Int128& whole) { return path.fine_units ? whole : whole * Count::kRestPerSmall; };
   if (path.by_radius) {
     const Int128 difference = in_units(path.radius_whole) - offset.units();

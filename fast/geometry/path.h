@@ -39,6 +39,9 @@ struct PlanePath {
   bool fine_units = false;  // ... is that of Count::units(), not 10^-6
   bool by_radius = false;   // the radius is that of an R word: Heading::radius (half circles: see radius_whole)
   Int128 radius_whole = 0;  // by_radius: |R| in units
+  // Seen in a plane that no axis spans: an arc's radius at either end, setup units.
+  bool seen = false;
+  std::array<DoubleDouble, 2> fine_radius{};
 };
 
 // A line of some length.

@@ -39,8 +39,14 @@ inline constexpr Alarm kLeadingEdgeFormat{"PS5406", "movement or stop in the G41
 inline constexpr Alarm kLeadingEdgeCommand{"PS5407", "command not possible in G41.3, or no movement after it"};
 inline constexpr Alarm kLeadingEdgeStart{"PS5408", "G41.3 cannot start here"};
 inline constexpr Alarm kToolDirection{"PS5421", "rotary word or zero direction under G43.5"};
+inline constexpr Alarm kRotaryWord{"PS5460", "rotary word under G43.5 in tool side compensation"};
 inline constexpr Alarm kForbiddenInCompensation{"FORBIDDEN_IN_3D_COMPENSATION",
-                                                "command not allowed in the G41.3 mode"};
+                                                "command not allowed in the G41.2, G42.2 or G41.3 mode"};
+inline constexpr Alarm kToolSideMode{"TOOL_SIDE_MODE", "G41.2 and G42.2 under G43.5, or G41.6 and G42.6 without it"};
+inline constexpr Alarm kTypeCFormat{"TYPE_C_FORMAT", "movement where type C starts or ends, or none behind its start"};
+inline constexpr Alarm kTreatment{"Q_FORMAT", "Q must be 1, 2 or 3"};
+inline constexpr Alarm kPlaneChangeInterference{"OVERCUT_PLANE_CHANGE",
+                                                "interference where the compensation plane changes"};
 inline constexpr Alarm kForbiddenInCutterCompensation{"FORBIDDEN_IN_CUTTER_COMPENSATION",
                                                       "command not allowed in cutter compensation"};
 inline constexpr Alarm kDirectionChangeAtStart{"DIR_CHANGE_AT_STARTUP",

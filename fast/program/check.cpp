@@ -32,16 +32,23 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
   const bool active = leading_edge_.active();
   // G41 and G42 do not end leading edge offset, they are forbidden in it; with number 0 it ends.
   plan.cutter = cutter_code || one_shot == 390 || cutter_active();
-  const bool after = (code == kNone || (active && cutter_code) ? active : code == 413) && plan.d != 0;
+  const bool after =
+      (code == kNone || (active && (cutter_code || is_tool_side(code))) ? active : code == 413) && plan.d != 0;
   if (after)
     plan.compensation = active ? Compensation::stays : Compensation::starts;
   else
     plan.compensation = active ? Compensation::cancels : Compensation::off;
 
+  const CutterSide side = tool_side(code) == CutterSide::unchanged ? tool_side_word_ : tool_side(code);
+  plan.side_before = tool_side_on();
+  plan.side_after = side != CutterSide::off && commanded_number(words).value_or(cutter_number_).number != 0;
+
   if (length == 435 || along_tool())
     if (const Alarm a = check_tool_direction(words, plan)) return a;
   if (active || code == 413)
     if (const Alarm a = check_leading_edge(words, plan)) return a;
+  if (plan.side_before || plan.side_after || is_tool_side(code))
+    if (const Alarm a = check_tool_side(words, plan)) return a;
   if (plan.cutter)
     if (const Alarm a = check_cutter(words, plan)) return a;
 
@@ -73,11 +80,13 @@ Alarm Interpreter::check_tool_direction(const Words& words, const Plan& plan) co
   if (length == 435 && length_.live() != 0) return alarm::kLengthExclusion;
   if (length == 435 && (kinematics_.type() == 12 || kinematics_.type() == 21 || head_offsets_))
     return alarm::kKinematics;
-  if (plan.along && words.has('Q')) return alarm::kLeanAngle;
-  if ((length == 435 || plan.ends_along) && (leading_edge_.active() || plan.compensation == Compensation::starts))
+  const bool side = plan.side_before || plan.side_after;
+  if (plan.along && words.has('Q') && (length == 435 || !plan.side_after)) return alarm::kLeanAngle;
+  if ((length == 435 || plan.ends_along) &&
+      (leading_edge_.active() || plan.compensation == Compensation::starts || side))
     return alarm::kDirectionFormat;
   if (plan.along && plan.motion > 10 && (length == 435 || ijk)) return alarm::kDirectionFormat;
-  if (plan.along && (words.axes() & rotary_) != 0) return alarm::kToolDirection;
+  if (plan.along && (words.axes() & rotary_) != 0) return side ? alarm::kRotaryWord : alarm::kToolDirection;
   const auto zero = [&](char letter) { return !words.has(letter) || words[letter].is_zero(); };
   if (plan.along && ijk && zero('I') && zero('J') && zero('K')) return alarm::kToolDirection;
   return alarm::kNone;
@@ -94,12 +103,51 @@ Alarm Interpreter::check_leading_edge(const Words& words, const Plan& plan) cons
   if (active && (code || plan.motion > 10)) return alarm::kLeadingEdgeCommand;
   if (plan.compensation != Compensation::starts && plan.compensation != Compensation::stays) return alarm::kNone;
   const Code compensation = words.code(Words::kCompensation);
-  if (compensation == 410 || compensation == 420) return alarm::kForbiddenInCompensation;
+  if (compensation == 410 || compensation == 420 || is_tool_side(compensation)) return alarm::kForbiddenInCompensation;
   if (words.code(Words::kOneShot) != kNone || words.code(Words::kWorkpiece) != kNone ||
       words.code(Words::kUnits) != kNone || (moves && words.has_any(kAuxiliaryLetters)))
     return alarm::kForbiddenInCompensation;
   if (plan.compensation == Compensation::starts || words.has('D'))
     if (!memory_.fits(memory_.d(plan.d))) return alarm::kOffsetValue;
+  return alarm::kNone;
+}
+
+// The alarms of tool side compensation that words and state alone show (clause fanuc.program.alarm-order).
+Alarm Interpreter::check_tool_side(const Words& words, const Plan& plan) const {
+  const Code code = words.code(Words::kCompensation);
+  const Code plane = words.code(Words::kPlane);
+  const spec::Plane selected = plane == kNone ? plane_ : plane_of(plane);
+  const bool before = plan.side_before;
+  const bool after = plan.side_after;
+  if (is_tool_side(code) && (code == 412 || code == 422) == plan.along) return alarm::kToolSideMode;
+  if (before && selected != plane_) return alarm::kPlaneChange;
+
+  const bool letters = words.has_any(kDirectionLetters);
+  const bool moves = words.axes() != 0 || (plan.along && letters);
+  Mask in_plane = 0;
+  for (const std::size_t axis : plane_axes(selected))
+    if (axis != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(axis));
+  const bool arc = plan.motion > 10 && words.code(Words::kOneShot) == kNone &&
+                   ((words.axes() & in_plane) != 0 || words.has('R') || letters);
+  if (after && (words.code(Words::kWorkpiece) != kNone || words.code(Words::kUnits) != kNone ||
+                ((moves || arc) && words.has_any(kAuxiliaryLetters))))
+    return alarm::kForbiddenInCompensation;
+  if ((before || after) && words.code(Words::kOneShot) != kNone) return alarm::kForbiddenInCompensation;
+  if (before && (code == 410 || code == 420 || code == 413)) return alarm::kForbiddenInCompensation;
+  if (after && words.has('Q') && (whole_number(words['Q'], 3) > 3 || words['Q'].is_zero())) return alarm::kTreatment;
+
+  if (tool_side_.type() == StartType::c) {
+    const bool starts = after && !before;
+    if ((starts || (before && !after)) && (moves || plan.motion > 10 || (starts && words.suppresses_look_ahead())))
+      return alarm::kTypeCFormat;
+  } else if (arc && after != tool_side_.active()) {
+    return alarm::kArcAtStartOrCancel;
+  }
+
+  // The value is read where the number is given, where a code comes into force, and after an edit.
+  const std::optional<OffsetNumber> commanded = commanded_number(words);
+  const bool reads = commanded || (after && tool_side_word_ == CutterSide::off) || takes_edited_value();
+  if (after && reads && !memory_.fits(cutter_value(commanded.value_or(cutter_number_)))) return alarm::kOffsetValue;
   return alarm::kNone;
 }
 
@@ -115,7 +163,7 @@ Alarm Interpreter::check_cutter(const Words& words, const Plan& plan) const {
   const std::array<std::size_t, 2> axis = plane_axes(selected);
   if (in_force && (axis[0] == spec::Axes::kNone || axis[1] == spec::Axes::kNone)) return alarm::kPlaneAxis;
   if (on && selected != plane_) return alarm::kPlaneChange;
-  if ((on && code == 413) || ((on || in_force) && words.code(Words::kLength) == 435))
+  if ((on && (code == 413 || is_tool_side(code))) || ((on || in_force) && words.code(Words::kLength) == 435))
     return alarm::kForbiddenInCutterCompensation;
   if (words.is_tool_offset() && (on || cutter_wanted(words))) return alarm::kToolOffsetInCutter;
 

@@ -15,7 +15,11 @@ std::optional<Interpreter::OffsetNumber> Interpreter::commanded_number(const Wor
 CutterSide Interpreter::cutter_side(Code code) {
   switch (code) {
     case 400:
-    case 413:  // of the same group
+    case 412:  // of the same group
+    case 413:
+    case 416:
+    case 422:
+    case 426:
       return CutterSide::off;
     case 410:
       return CutterSide::left;

@@ -24,6 +24,7 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink)
       is_b_(setup.cutter_compensation == spec::CutterCompensationType::b),
       cutter_b_(setup, sink),
       cutter_c_(setup, sink),
+      tool_side_(setup, kinematics_, sink),
       inch_program_(inch_setup_),
       plain_words_(!counts_increments_),
       ofh_(setup.bit(5001, 2)),
@@ -72,8 +73,11 @@ void Interpreter::block(const spec::Block& block) {
   }
   if (!words.any()) {
     // A sequence or program number alone is a block without movement where blocks are counted.
-    if (!cutter_active()) return;
-    if (const Alarm a = cutter_move(words)) raise(a);
+    if (cutter_active()) {
+      if (const Alarm a = cutter_move(words)) raise(a);
+    } else if (tool_side_on()) {
+      if (const Alarm a = tool_side_move(words)) raise(a);
+    }
     return;
   }
   if (const Alarm a = run(words)) [[unlikely]] {
@@ -94,7 +98,9 @@ bool Interpreter::release_held() {
     raise_at_start(alarm::kLeadingEdgeCommand);
     return true;
   }
-  if (!cutter_active()) return false;
+  if (tool_side_.active())
+    if (const StageEnd held = tool_side_.release()) end_run(held);
+  if (stopped_ || !cutter_active()) return stopped_;
   const StageEnd held = is_b_ ? cutter_b_.release() : cutter_c_.release();
   if (held) end_run(held);
   return stopped_;
@@ -133,9 +139,12 @@ Alarm Interpreter::run(const Words& words) {
   // The usual block: positions and F, and nothing that waits for a block to come.
   if (words.plain() && motion_ <= 10 && !along_tool() && !length_.pending()) [[likely]] {
     set_feed(words);
-    if (!cutter_active()) [[likely]]
+    if (tool_side_on()) {
+      if (!takes_edited_value()) return tool_side_move(words);
+    } else if (!cutter_active()) [[likely]]
       return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
-    if (!takes_edited_value()) return cutter_move(words);
+    else if (!takes_edited_value())
+      return cutter_move(words);
   }
   Plan plan;
   if (const Alarm a = check(words, plan)) return a;
@@ -167,7 +176,9 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   std::optional<spec::Arc<double>> arc;
   ArcWords arc_words;
   if ((one_shot == kNone || words.is_tool_offset()) && motion_ > 10)
-    if (const Alarm a = plan_arc(words, arc, arc_words, !makes_tool_arc(words))) return a;
+    if (const Alarm a =
+            plan_arc(words, arc, arc_words, !makes_tool_arc(words) && !(plan.side_before || plan.side_after)))
+      return a;
   Shifts shifts;
   if (words.is_tool_offset())
     if (const Alarm a = plan_tool_offset(words, arc_words, arc, shifts)) return a;
@@ -179,6 +190,7 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   // G43.5 always makes its move; the G49 that ends it makes none.
   const bool extra =
       words.code(Words::kLength) == 435 || (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
+  direction_before_ = direction_;
   if (plan.along) direct(words);
 
   d_ = plan.d;
@@ -195,9 +207,19 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
     CutterBlock& block = cutter_next();
     block.sets = plan.writes;
     if (plan.writes) store_offset(plan.write, block.setting, block.setting_value);
-    if (words.code(Words::kCompensation) == 413 || words.is_tool_offset() || plan.compensation == Compensation::cancels)
+    const Code code = words.code(Words::kCompensation);
+    if (code == 413 || is_tool_side(code) || words.is_tool_offset() || plan.compensation == Compensation::cancels)
       retire_cutter();
     if (stopped_) return alarm::kNone;
+  }
+  begin_tool_side(words);
+  if (plan.side_before || plan.side_after) {
+    if (words.suppresses_look_ahead())
+      if (const StageEnd end = tool_side_.release()) {
+        end_run(end);
+        return alarm::kNone;
+      }
+    return tool_side_motion(words, extra, arc, arc_words);
   }
   if (const Alarm a = for_each_axis(shifts.axes, [&](std::size_t axis) {
         tool_offset_.add(axis, shifts.by[axis]);

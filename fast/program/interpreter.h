@@ -20,6 +20,7 @@
 #include "fast/tool_length_offset/offset_memory.h"
 #include "fast/tool_length_offset/tool_length_offset.h"
 #include "fast/tool_offset/tool_offset.h"
+#include "fast/tool_side_compensation/tool_side_compensation.h"
 #include "spec/language/block.h"
 #include "spec/language/setup.h"
 
@@ -51,9 +52,11 @@ class Interpreter {
     Compensation compensation = Compensation::off;
     std::uint32_t d = 0;
     Code motion = 0;
-    bool along = false;       // G43.5 is in force after the block
-    bool ends_along = false;  // G49 ends it
-    bool cutter = false;      // the block passes cutter compensation
+    bool along = false;        // G43.5 is in force after the block
+    bool ends_along = false;   // G49 ends it
+    bool cutter = false;       // the block passes cutter compensation
+    bool side_before = false;  // tool side compensation is on before the block
+    bool side_after = false;   // and after it
     OffsetMemory::Write write;
     bool writes = false;
   };
@@ -76,6 +79,7 @@ class Interpreter {
   [[nodiscard]] Alarm check(const Words& words, Plan& plan) const;
   [[nodiscard]] Alarm check_tool_direction(const Words& words, const Plan& plan) const;
   [[nodiscard]] Alarm check_leading_edge(const Words& words, const Plan& plan) const;
+  [[nodiscard]] Alarm check_tool_side(const Words& words, const Plan& plan) const;
   [[nodiscard]] Alarm check_cutter(const Words& words, const Plan& plan) const;
   [[nodiscard]] Alarm check_measurement(const Words& words) const;
   [[nodiscard]] bool stays(const Words& words, unsigned axes) const;
@@ -157,6 +161,19 @@ class Interpreter {
   [[nodiscard]] Alarm send_cutter(CutterBlock& block);
   void end_run(const StageEnd& end);
 
+  // tool_side.cpp: blocks that pass tool side compensation.
+  // A code of the section is in force with a number, or a vector is not removed yet.
+  [[nodiscard]] bool tool_side_on() const {
+    return (tool_side_word_ != CutterSide::off && cutter_number_.number != 0) || tool_side_.active();
+  }
+  [[nodiscard]] static CutterSide tool_side(Code code);
+  [[nodiscard]] static bool is_tool_side(Code code) { return code == 412 || code == 416 || code == 422 || code == 426; }
+  void begin_tool_side(const Words& words);
+  void start_tool_side_leg(const Words& words, ToolSideBlock& block);
+  [[nodiscard]] Alarm tool_side_move(const Words& words);
+  [[nodiscard]] Alarm tool_side_motion(const Words& words, bool extra, const std::optional<spec::Arc<double>>& arc,
+                                       const ArcWords& arc_words);
+
   // one_shot_moves.cpp: G45 to G48, G37.
   struct Shifts {  // what G45 to G48 add to the shift of the axes of the block
     Mask axes = 0;
@@ -200,6 +217,7 @@ class Interpreter {
   bool is_b_;  // cutter compensation B, not C
   CutterCompensationB cutter_b_;
   CutterCompensationC cutter_c_;
+  ToolSideCompensation tool_side_;
 
   // Modal state.
   Code motion_ = 0;
@@ -213,6 +231,7 @@ class Interpreter {
   bool ofh_;           // 5001#2: an H number counts for the cutter too
   bool evr_;           // 5001#4: an edited cutter value counts from the next block on
   CutterSide cutter_side_ = CutterSide::off;
+  CutterSide tool_side_word_ = CutterSide::off;
   OffsetNumber cutter_number_;
   Count cutter_offset_;  // of that number, when it was applied
   bool cutter_edited_ = false;
@@ -236,6 +255,7 @@ class Interpreter {
   // Directions live in a ring because held moves refer to theirs: at most three blocks have one at a time.
   std::array<Direction, 4> directions_;
   std::uint8_t direction_ = 0;
+  std::uint8_t direction_before_ = 0;  // where the block started
 
   // The block.
   std::uint64_t line_ = 0;

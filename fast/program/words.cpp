@@ -79,8 +79,12 @@ void Words::g_word(const spec::Decimal& value) {
       break;
     case 400:
     case 410:
+    case 412:
     case 413:
+    case 416:
     case 420:
+    case 422:
+    case 426:
       group = kCompensation;
       break;
     case 430:

@@ -1,0 +1,105 @@
+// Blocks that pass tool side compensation: what the stage is told about each.
+#include <bit>
+
+#include "fast/program/interpreter.h"
+
+namespace toolcomp::fast {
+
+CutterSide Interpreter::tool_side(Code code) {
+  switch (code) {
+    case kNone:
+      return CutterSide::unchanged;
+    case 412:
+    case 416:
+      return CutterSide::left;
+    case 422:
+    case 426:
+      return CutterSide::right;
+    default:
+      return CutterSide::off;  // of the same group
+  }
+}
+
+// The code of a block, and the value of its number. cutter_number_ is taken already.
+void Interpreter::begin_tool_side(const Words& words) {
+  const CutterSide word = tool_side(words.code(Words::kCompensation));
+  const CutterSide before = tool_side_word_;
+  if (word != CutterSide::unchanged) tool_side_word_ = word;
+  tool_side_.next().repeated = word == before && word != CutterSide::off;
+  if (tool_side_word_ == CutterSide::off) return;
+  if (before == CutterSide::off || commanded_number(words) || takes_edited_value()) {
+    cutter_offset_ = cutter_value(cutter_number_);
+    cutter_edited_ = false;
+  }
+}
+
+// Everything about a block but where it ends.
+void Interpreter::start_tool_side_leg(const Words& words, ToolSideBlock& block) {
+  const bool negative = cutter_offset_ < Count();
+  block.wanted = tool_side_word_ != CutterSide::off && cutter_number_.number != 0;
+  block.side = (tool_side_word_ == CutterSide::right) == negative ? 1 : -1;
+  block.offset = negative ? -cutter_offset_ : cutter_offset_;
+  const std::uint32_t q = words.has('Q') ? whole_number(words['Q'], 3) : 0;
+  block.treatment = static_cast<Treatment>(q > 3 ? 0 : q);
+  block.arc = false;
+}
+
+// The usual block: positions and F, or nothing but its number. What begin_tool_side() and tool_side_motion() do for any
+// block, without the detours.
+Alarm Interpreter::tool_side_move(const Words& words) {
+  direction_before_ = direction_;
+  tool_side_.next().repeated = false;
+  return tool_side_motion(words, false, std::nullopt, ArcWords{});
+}
+
+Alarm Interpreter::tool_side_motion(const Words& words, bool extra, const std::optional<spec::Arc<double>>& arc,
+                                    const ArcWords& arc_words) {
+  ToolSideBlock& block = tool_side_.next();
+  const Mask axes = words.axes();
+  start_tool_side_leg(words, block);
+  std::array<Count, 3> from;
+  std::array<Count, 3> to;
+  Mask xyz = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (xyz_[i] != spec::Axes::kNone) {
+      from[i] = programmed_[xyz_[i]];
+      xyz = static_cast<Mask>(xyz | bit(xyz_[i]));
+    }
+  if (arc) {
+    block.arc = true;
+    block.clockwise = arc_words.clockwise;
+    block.by_radius = arc_words.by_radius;
+    block.to_center = arc_words.to_center;
+    block.radius = arc_words.radius;
+    block.axis = plane_axes(plane_);
+    for (std::size_t i = 0; i < 2; ++i) {
+      block.in[i] = in_plane(plane_, i);
+      block.start[i] = actual(block.axis[i]);
+    }
+  }
+
+  Mask rounded = rounded_;
+  for (unsigned rest = axes; rest != 0; rest &= rest - 1)
+    if (const Alarm a = place_word(words, static_cast<std::size_t>(std::countr_zero(rest)))) return a;
+  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
+  if ((axes & turning_) != 0) turn();
+  if (stale_ != 0)
+    if (const Alarm a = refresh()) return a;
+
+  rounded = static_cast<Mask>((rounded | rounded_) & axes & xyz);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (xyz_[i] != spec::Axes::kNone) to[i] = programmed_[xyz_[i]];
+  set_travel(block.travel, from, to, rounded != 0 ? 2 : 0);
+  block.tool = &directions_[direction_];
+  block.tool_before = &directions_[direction_before_];
+  block.own = axes != 0 || extra || arc || (along_tool() && words.has_any(Words::set_of("IJK")));
+  fill(block.event, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
+  if (arc) {
+    block.event.arc = arc;
+    for (std::size_t i = 0; i < 2; ++i) block.end[i] = actual(block.axis[i]);
+  }
+  if (const StageEnd end = tool_side_.block()) end_run(end);
+  return alarm::kNone;
+}
+
+}  // namespace toolcomp::fast

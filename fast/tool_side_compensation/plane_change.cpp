@@ -1,0 +1,64 @@
+#include "fast/tool_side_compensation/plane_change.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "fast/arithmetic/trigonometry.h"
+#include "fast/arithmetic/wide.h"
+#include "fast/fault.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::fast {
+
+PlaneChangeLimit::PlaneChangeLimit(const spec::Setup& setup) {
+  const auto degrees = [](int whole) { return Count::of(spec::decimal(whole)); };
+  Count angle = degrees(45);
+  if (const auto value = setup.parameter(6261); value && !value->is_zero()) {
+    if (!fits_count(*value) || value->negative || degrees(180) < Count::of(*value))
+      throw spec::InputError("setup", 0, 0, "parameters.\"6261\": must be from 0 to 180 degrees");
+    angle = Count::of(*value);
+  }
+  cosine_ = fine_sine_cosine(angle).cosine;
+  constexpr struct {
+    int angle, quarters;
+  } kRational[] = {{30, 3}, {45, 2}, {60, 1}, {90, 0}, {120, -1}, {135, -2}, {150, -3}, {180, -4}};
+  for (const auto& rational : kRational)
+    if (angle == degrees(rational.angle)) {
+      rational_ = true;
+      quarters_ = rational.quarters;
+    }
+}
+
+bool PlaneChangeLimit::reached(const Kinematics& kinematics, const Direction& first, const Direction& second) const {
+  const double product = first.unit.dot(second.unit);
+  const double over = product - cosine_.hi;
+  const double bound = 2 * (first.error + second.error) + 6 * 0x1p-53;
+  if (std::abs(over) > bound) [[likely]]
+    return over < 0;
+  const bool open = fault(Fault::side_tilt_limit_exclusive);
+  if (first.is_whole && second.is_whole && rational_) {
+    Wide dot;
+    Wide square1;
+    Wide square2;
+    for (std::size_t i = 0; i < 3; ++i) {
+      dot = dot + Wide(first.whole[i]) * Wide(second.whole[i]);
+      square1 = square1 + Wide(first.whole[i]) * Wide(first.whole[i]);
+      square2 = square2 + Wide(second.whole[i]) * Wide(second.whole[i]);
+    }
+    // The signs of the cosines are those of dot and of the limit; within them the squares compare.
+    const int sign = dot.sign();
+    const int limit_sign = quarters_ > 0 ? 1 : (quarters_ < 0 ? -1 : 0);
+    if (sign != limit_sign) return sign < limit_sign;
+    const int larger = (dot * dot * Wide(4) - square1 * square2 * Wide(std::abs(quarters_))).sign();
+    const int compared = sign * larger;  // of the cosine with that of the limit
+    return open ? compared < 0 : compared <= 0;
+  }
+  const FineVector a = kinematics.refine(first);  // by value: refining the other one takes its place
+  const FineVector& b = kinematics.refine(second);
+  DoubleDouble refined = -cosine_;
+  for (std::size_t i = 0; i < 3; ++i) refined = refined + a[i] * b[i];
+  const double tie = 8 * kinematics.fine_error() + 0x1p-96;
+  return open ? refined.hi < -tie : refined.hi <= tie;
+}
+
+}  // namespace toolcomp::fast

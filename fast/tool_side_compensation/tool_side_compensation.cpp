@@ -1,0 +1,536 @@
+#include "fast/tool_side_compensation/tool_side_compensation.h"
+
+#include "fast/fault.h"
+
+namespace toolcomp::fast {
+namespace {
+
+void set_arc_path(PlanePath& path, const ToolSideBlock& block) {
+  if (block.by_radius)
+    set_arc_by_radius(path, block.start, block.end, block.radius, block.clockwise);
+  else
+    set_arc(path, block.start, block.end, block.to_center, block.clockwise);
+}
+
+// Centre, sweep and radii of the event; plane and direction stand in it.
+void set_arc_numbers(ToolSideBlock& block, const PlanePath& path, const ToolArc& tool) {
+  spec::Arc<double>& arc = *block.event.arc;
+  const std::array<double, 2> from_center{path.from_center_start.x, path.from_center_start.y};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (block.axis[i] == spec::Axes::kNone) continue;
+    arc.center.set(block.axis[i], block.by_radius ? block.start[i].nearest() - from_center[i]
+                                                  : Count::nearest_sum(block.start[i], block.to_center[i]));
+  }
+  arc.sweep = tool.sweep;
+  arc.radius = tool.radius;
+}
+
+spec::MoveType straight(spec::MoveType type) {
+  return type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
+}
+
+}  // namespace
+
+ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink)
+    : sink_(sink),
+      parameters_(setup),
+      geometry_(kinematics),
+      make_(geometry_, parameters_),
+      xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
+      axes_(setup.axes.size()) {}
+
+void ToolSideCompensation::set_path(SidePath& to, const ToolSideBlock& block) {
+  to.travel = block.travel;
+  to.arc = block.arc;
+  if (block.arc) {
+    set_arc_path(to.flat, block);
+    to.in = block.in;
+    to.normal = 3 - block.in[0] - block.in[1];
+  }
+  to.tool = *block.tool;
+  to.side = fault(Fault::side_handedness) ? -block.side : block.side;
+  if (!(block.offset == value_)) {
+    value_ = block.offset;
+    r_ = value_.nearest();
+  }
+  to.offset = value_;
+  to.r = r_;
+}
+
+// Asked once: behind a block whose end vector is to be made in the plane there, else in the plane of its own end.
+bool ToolSideCompensation::moves(const ToolSideBlock& block) const {
+  if (block.arc) return true;
+  if (block.travel.zero) return false;
+  const Direction* tool = block.tool;
+  if (held_ == Held::path) tool = &last_->tool;
+  if (held_ == Held::start) tool = &start_tool_;
+  if (fault(Fault::side_limit_by_length)) {
+    // The length of the block itself, not of its projection.
+    const double limit = parameters_.no_movement.nearest() * block.travel.unit;
+    if (parameters_.no_movement < Count() || block.travel.square < limit * limit) return limit <= 0;
+    return geometry_.plane(*tool).moves(block.travel, Count());
+  }
+  return geometry_.plane(*tool).moves(block.travel, parameters_.no_movement);
+}
+
+bool ToolSideCompensation::on_edge(const ToolSideBlock& block, const Direction& tool) const {
+  return geometry_.plane(tool).facing(3 - block.in[0] - block.in[1]) == 0;
+}
+
+bool ToolSideCompensation::mismatches(const ToolSideBlock& block) const {
+  if (!block.arc) return false;
+  const std::size_t normal = 3 - block.in[0] - block.in[1];
+  return !geometry_.plane(*block.tool_before).along(normal) || !geometry_.plane(*block.tool).along(normal);
+}
+
+StageEnd ToolSideCompensation::block() {
+  ToolSideBlock& block = next();
+  if (mode_ == Mode::starts) return second_block(block);
+  if (mode_ == Mode::ends && block.wanted) return undecide(block, "fanuc.cutter-c.restart-before-removal");
+  if (next_line(block)) [[likely]]
+    return {};
+  if (mode_ == Mode::off && !block.wanted) {
+    // G40 before anything has moved.
+    if (block.arc) {
+      PlanePath& path = paths_[0].flat;  // no corner refers to any
+      set_arc_path(path, block);
+      set_arc_numbers(block, path, programmed_arc(path));
+    }
+    send(block, {}, block.own);
+    return {};
+  }
+  if (mode_ == Mode::off && parameters_.type == StartType::c) {
+    // Compensation comes into force: the block has no move.
+    mode_ = Mode::starts;
+    held_ = Held::start;
+    still_ = 0;
+    repeated_ = false;
+    start_tool_ = *block.tool;
+    start_side_ = fault(Fault::side_handedness) ? -block.side : block.side;
+    start_offset_ = block.offset;
+    hold();
+    return {};
+  }
+  if (!moves(block)) return still_block(block);
+  switch (mode_) {
+    case Mode::off:
+      return first_block(block);
+    case Mode::on:
+      return block.wanted ? next_block(block) : cancel_block(block);
+    case Mode::ends:
+      return cancel_block(block);
+    case Mode::starts:
+      break;
+  }
+  return {};
+}
+
+// The start-up block of types A and B: straight from where it starts, without a vector, to the first head at its end.
+StageEnd ToolSideCompensation::first_block(ToolSideBlock& block) {
+  SidePath& to = new_path();
+  set_path(to, block);
+  at_start().clear();
+  mode_ = Mode::on;
+  after_start_ = true;
+  block.event.cause = spec::Cause::start_up;
+  start_tool_of_path_ = &to.tool;
+  hold_path(to, true);
+  return {};
+}
+
+// The block right after a start of type C.
+StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
+  const int side = fault(Fault::side_handedness) ? -block.side : block.side;
+  if (!block.wanted || !moves(block) || side != start_side_ ||
+      (block.arc && (on_edge(block, start_tool_) || on_edge(block, *block.tool))))
+    return release();
+  SidePath& to = new_path();
+  set_path(to, block);
+  if (block.arc && to.flat.center_in_end) return release();
+  SideGroup& group = at_start();
+  SideCorner& corner = group.corner;
+  corner.first = &to;
+  corner.second = &to;
+  corner.tool = &start_tool_;
+  corner.first_side = corner.second_side = start_side_;
+  corner.offset = &start_offset_;
+  corner.r = start_offset_.nearest();
+  if (corner.r == 0) {
+    group.clear();
+  } else {
+    (void)geometry_.set_turn(corner);
+    make_.set(group, HeadKind::second_normal);
+  }
+  ToolSideBlock& start = held(0);
+  start.event.cause = spec::Cause::start_up;
+  held_ = Held::nothing;
+  send(start, group.front().vector, start.own || !vector_is_zero());
+  count_ = 0;
+  mode_ = Mode::on;
+  after_start_ = false;
+  start_tool_of_path_ = &start_tool_;
+  hold_path(to, false);
+  keep_without_direction();
+  return {};
+}
+
+bool ToolSideCompensation::next_line(ToolSideBlock& block) {
+  if (mode_ != Mode::on || held_ != Held::path || !block.wanted || block.arc || block.travel.zero || starts_up_ ||
+      after_start_ || repeated_ || block.repeated || treatment_ != Treatment::none || parameters_.no_interference ||
+      last_->arc || waits_ != 0 || !(block.offset == value_) || !(last_->offset == value_) || r_ == 0 ||
+      Count() < parameters_.no_movement || fault(Fault::side_handedness) || fault(Fault::side_tool_at_start) ||
+      fault(Fault::side_turned_tool))
+    return false;
+  SideGroup& start = at_start();
+  if (start.size != 1 || block.side != last_->side) return false;
+  SideGroup& end = at_end();
+  SideCorner& corner = end.corner;
+  const ToolPlane plane(geometry_.plane(last_->tool));
+  if (!plane.quick_turn(last_->travel, block.travel, corner.turn)) return false;
+  const SpaceTurn& turn = corner.turn;
+  const int side = block.side;
+  // Inner corners, but near a reversal, and obtuse ones.
+  if (turn.dot <= 0 && (side * turn.cross <= 0 || turn.k < -0.99)) return false;
+  const double along = turn.dot >= 0 ? turn.c / (1 + turn.k) : (1 - turn.k) / turn.c;
+  const double rho = side > 0 ? r_ : -r_;
+  const Vector3<double> vector = (turn.left1 - turn.ahead1 * along) * rho;
+  const Vector3<double>& from = start.front().vector;
+  const double product = turn.length1 + dot(turn.ahead1, vector - from);
+  const double size = std::abs(vector.x) + std::abs(vector.y) + std::abs(vector.z) + std::abs(from.x) +
+                      std::abs(from.y) + std::abs(from.z);
+  if (product <= 0x1p-42 * (turn.length1 + size)) return false;
+  // Against the movement before the other plane may matter.
+  if (turn.dot <= 0 && !parameters_.no_plane_change) return false;
+  // Along the tool at its own end it would have no direction there.
+  SidePath& to = paths_[(path_ + 1U) % paths_.size()];
+  to.tool = *block.tool;
+  if (!geometry_.plane(to.tool).moves(block.travel, Count())) return false;
+  path_ = static_cast<std::uint8_t>((path_ + 1U) % paths_.size());
+  to.travel = block.travel;
+  to.arc = false;
+  to.side = side;
+  to.offset = value_;
+  to.r = r_;
+
+  corner.first = last_;
+  corner.second = &to;
+  corner.tool = &last_->tool;
+  corner.first_side = corner.second_side = side;
+  corner.offset = &last_->offset;
+  corner.r = r_;
+  corner.flat = false;
+  end.head[0] = {vector, HeadKind::tangents_meet, false};
+  end.size = 1;
+  ToolSideBlock& former = held(0);
+  send(former, vector, true);
+  for (std::uint8_t i = 1; i < count_; ++i) send(held(i), vector, held(i).own);
+  count_ = 0;
+  group_ ^= 1U;
+  start_tool_of_path_ = &last_->tool;
+  start_side_ = side;
+  start_offset_ = value_;
+  treatment_ = block.treatment;
+  last_ = &to;
+  still_ = 0;
+  mismatch_[next_] = false;
+  hold();
+  return true;
+}
+
+StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
+  SidePath& to = new_path();
+  set_path(to, block);
+  if (block.arc && to.flat.center_in_end) return refuse(block, alarm::kArcCenter);
+  if (after_start_ && to.side != last_->side) return refuse(block, alarm::kDirectionChangeAtStart);
+  if (block.arc && ((held_ == Held::path && on_edge(block, last_->tool)) || on_edge(block, *block.tool)))
+    return undecide(block, "fanuc.tool-side.arc-plane");
+  if (held_ == Held::path) {
+    const bool repeated = repeated_ || block.repeated;
+    const CornerRule rule =
+        repeated ? CornerRule::repeated : (starts_up_ ? CornerRule::start_up : CornerRule::ordinary);
+    if (const StageEnd end = join(to, rule)) return end;
+    start_tool_of_path_ = &last_->tool;
+    start_side_ = to.side;
+    start_offset_ = last_->offset;
+  } else {
+    start_tool_of_path_ = &to.tool;
+    start_side_ = to.side;
+    start_offset_ = to.offset;
+  }
+  after_start_ = false;
+  hold_path(to, false);
+  keep_without_direction();
+  return {};
+}
+
+void ToolSideCompensation::hold_path(const SidePath& to, bool starts_up) {
+  last_ = &to;
+  starts_up_ = starts_up;
+  treatment_ = next().treatment;
+  mismatch_[next_] = mismatches(next());
+  hold();
+  held_ = Held::path;
+  still_ = 0;
+  repeated_ = false;
+}
+
+void ToolSideCompensation::keep_without_direction() {
+  if (last_->arc || geometry_.plane(last_->tool).moves(last_->travel, Count())) return;
+  ToolSideBlock& block = held(waits_);
+  pass_corner(&block);
+  make_.keep_last(at_start());
+  send(block, at_start().front().vector, true);
+  free_first();
+  held_ = Held::nothing;
+}
+
+// From the last head of the corner before it straight to its end, without a vector.
+StageEnd ToolSideCompensation::cancel_block(ToolSideBlock& block) {
+  if (held_ == Held::path) {
+    SidePath& to = new_path();
+    set_path(to, block);
+    to.side = last_->side;
+    const bool repeated = repeated_ || block.repeated || starts_up_;
+    if (const StageEnd end = join(to, repeated ? CornerRule::repeated : CornerRule::cancel)) return end;
+    pass_corner(&block);
+  }
+  block.event.cause = spec::Cause::cancel;
+  at_start().clear();
+  mode_ = Mode::off;
+  count_ = 0;
+  send(block, {}, true);
+  return {};
+}
+
+void ToolSideCompensation::set_corner(SideCorner& corner, const SidePath* second) const {
+  corner.first = last_;
+  corner.second = second;
+  corner.tool = &last_->tool;
+  if (fault(Fault::side_tool_at_start)) corner.tool = start_tool_of_path_;
+  if (fault(Fault::side_turned_tool) && count_ > waits_ + 1)
+    corner.tool = ring_[(first_ + waits_ + 1U) % ring_.size()].tool;
+  corner.first_side = last_->side;
+  corner.second_side = second == nullptr ? last_->side : second->side;
+  corner.offset = &last_->offset;
+  corner.r = last_->r;
+}
+
+StageEnd ToolSideCompensation::join(const SidePath& to, CornerRule rule) {
+  SideGroup& group = at_end();
+  set_corner(group.corner, &to);
+  (void)geometry_.set_turn(group.corner);
+  if (!make_.make(group, rule, treatment_)) return at_fault(held(waits_), alarm::kNoIntersection);
+  const bool plane_change = rule == CornerRule::ordinary && treatment_ == Treatment::none && group.corner.r != 0 &&
+                            group.corner.first_side == group.corner.second_side && !parameters_.no_plane_change;
+  if (const StageEnd end = finish(plane_change, &to)) return end;
+  group_ ^= 1U;
+  return {};
+}
+
+StageEnd ToolSideCompensation::finish(bool plane_change, const SidePath* to) {
+  ToolSideBlock& block = held(waits_);
+  const SidePath& path = *last_;
+  const Kinematics& kinematics = geometry_.kinematics();
+  if (plane_change && parameters_.tilt.reached(kinematics, path.tool, to->tool) &&
+      dot_sign(kinematics, path.travel, path.tool, to->travel, to->tool) >= 0 &&
+      dot_sign(kinematics, path.travel, path.tool, to->travel, path.tool) < 0)
+    return at_fault(block, alarm::kPlaneChangeInterference);
+  bool arc = path.arc;
+  ToolArc tool;
+  if (arc) tool = tool_arc(make_, path, at_start(), at_end());
+  if (!starts_up_ && !parameters_.no_interference) {
+    const CheckedSide checked{&path, start_tool_of_path_, start_side_, &start_offset_};
+    switch (check_interference(make_, checked, tool, at_start(), at_end())) {
+      case Interference::none:
+        break;
+      case Interference::straightened:
+        arc = false;
+        block.event.type = spec::MoveType::linear;
+        block.event.arc.reset();
+        break;
+      case Interference::alarm:
+        return at_fault(block, alarm::kInterference);
+    }
+  }
+  pass_corner(&block);
+  if (arc) set_arc_numbers(block, path.flat, tool);
+  if (at_end().size > 1) {
+    corner_move_ = block.event;
+    corner_move_.cause = spec::Cause::corner;
+    corner_move_.type = straight(block.event.type);
+    corner_move_.arc.reset();
+  }
+  warn_once(block);
+  send(block, at_end().front().vector, true);
+  free_first();
+  send_behind();
+  return {};
+}
+
+// The blocks behind the path that has just gone out: at its only vector, or later, at the last of several.
+void ToolSideCompensation::send_behind() {
+  held_ = Held::nothing;
+  if (at_end().size > 1) {
+    waits_ = count_;
+    return;
+  }
+  for (; count_ > 0; free_first()) send(held(0), at_end().front().vector, held(0).own);
+}
+
+void ToolSideCompensation::pass_corner(ToolSideBlock* owner) {
+  SideGroup& group = at_start();
+  std::uint8_t head = 1;
+  if (group.size > 1) {
+    const bool late = fault(Fault::side_stop_owner);
+    while (head < group.size && group.head[head].up_to_stop() && !late) send_corner_moves(nullptr, head);
+  }
+  for (; waits_ > 0; --waits_) {
+    ToolSideBlock& still = held(0);
+    if (still.own)
+      while (head < group.size) send_corner_moves(&still, head);
+    send(still, group.back().vector, still.own);
+    free_first();
+  }
+  if (owner == nullptr || head >= group.size) return;
+  if (count_ > 0 && &held(0) == owner) warn_once(*owner);
+  while (head < group.size) send_corner_moves(owner, head);
+}
+
+// One move, to `head`; nullptr: it belongs to the block before the corner.
+void ToolSideCompensation::send_corner_moves(const ToolSideBlock* owner, std::uint8_t& head) {
+  Event event = corner_move_;
+  if (owner != nullptr) {
+    event.line = owner->event.line;
+    event.n = owner->event.n;
+    event.type = straight(owner->event.type);
+    event.feed = owner->event.feed;
+  }
+  add(event, at_start().head[head].vector);
+  sink_.on(event);
+  ++head;
+}
+
+StageEnd ToolSideCompensation::release() {
+  switch (held_) {
+    case Held::nothing:
+      return {};
+    case Held::start: {
+      mode_ = Mode::off;
+      held_ = Held::nothing;
+      count_ = 0;
+      return at_fault(held(0), alarm::kTypeCFormat);
+    }
+    case Held::path:
+      break;
+  }
+  SideGroup& group = at_end();
+  set_corner(group.corner, nullptr);
+  (void)geometry_.set_turn(group.corner);
+  if (group.corner.r == 0)
+    group.clear();
+  else
+    make_.set(group, HeadKind::first_normal);
+  if (const StageEnd end = finish(false, nullptr)) return end;
+  group_ ^= 1U;
+  return {};
+}
+
+StageEnd ToolSideCompensation::still_block(ToolSideBlock& block) {
+  if (mode_ != Mode::on) {
+    send(block, at_start().front().vector, block.own);
+    return {};
+  }
+  if (!block.wanted) {
+    if (const StageEnd end = release()) return end;
+    return cancel_alone(block);
+  }
+  repeated_ |= block.repeated;
+  if (held_ == Held::nothing) {
+    send(block, at_start().front().vector, block.own);
+    return {};
+  }
+  hold();
+  return ++still_ < 2 ? StageEnd{} : release();
+}
+
+// G40 or number 0 in a block that does not move; what is held is out.
+StageEnd ToolSideCompensation::cancel_alone(ToolSideBlock& block) {
+  const bool zero = vector_is_zero();
+  if (parameters_.type == StartType::c) {
+    block.event.cause = spec::Cause::cancel;
+    at_start().clear();
+    mode_ = Mode::off;
+    send(block, {}, block.own || !zero);
+    return {};
+  }
+  mode_ = zero ? Mode::off : Mode::ends;
+  send(block, at_start().front().vector, block.own);
+  return {};
+}
+
+// The blocks before are given as if this block were absent.
+StageEnd ToolSideCompensation::refuse(const ToolSideBlock& block, const Alarm& alarm) {
+  if (const StageEnd end = release()) return end;
+  StageEnd end;
+  end.alarm = alarm;
+  end.line = block.event.line;
+  end.n = block.event.n;
+  return end;
+}
+
+StageEnd ToolSideCompensation::undecide(const ToolSideBlock& block, const char* clause) {
+  StageEnd end = refuse(block, alarm::kNone);
+  if (!end.alarm) end.undecided = clause;
+  return end;
+}
+
+// Moves of the corner before it that do not belong to the block go out.
+StageEnd ToolSideCompensation::at_fault(const ToolSideBlock& block, const Alarm& alarm) {
+  StageEnd end;
+  end.alarm = alarm;
+  end.line = block.event.line;
+  end.n = block.event.n;
+  if (held_ == Held::path) pass_corner(nullptr);
+  return end;
+}
+
+void ToolSideCompensation::hold() {
+  if (count_ == 0) first_ = next_;
+  ++count_;
+  next_ = static_cast<std::uint8_t>((next_ + 1U) % ring_.size());
+}
+
+void ToolSideCompensation::free_first() {
+  --count_;
+  first_ = static_cast<std::uint8_t>((first_ + 1U) % ring_.size());
+}
+
+void ToolSideCompensation::add(Event& event, const Vector3<double>& vector) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = xyz_[i];
+    if (axis == spec::Axes::kNone) continue;
+    event.point.value[axis] += vector[i];
+    event.axes.value[axis] += vector[i];
+    event.machine.value[axis] += vector[i];  // read only where present
+  }
+}
+
+void ToolSideCompensation::send(ToolSideBlock& block, const Vector3<double>& vector, bool own) {
+  if (!own) return;
+  add(block.event, vector);
+  sink_.on(block.event);
+}
+
+// Before the first move of the path that is held; it is the first one in the ring by then.
+void ToolSideCompensation::warn_once(const ToolSideBlock& block) {
+  if (!mismatch_[first_]) return;
+  mismatch_[first_] = false;
+  notice_.kind = spec::EventKind::warning;
+  notice_.number = "ARC_PLANE_MISMATCH";
+  notice_.message = "the plane of the tool is not that of the arc";
+  notice_.line = block.event.line;
+  notice_.n = block.event.n;
+  sink_.on(notice_);
+}
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,59 @@
+// The movement of a block in X, Y, Z, exactly, with its length.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "fast/arithmetic/count.h"
+#include "fast/geometry/vector3.h"
+
+namespace toolcomp::fast {
+
+struct Travel {
+  // In 10^-6 where all positions are, else in 1 / (127 * 10^18), of a setup unit.
+  std::array<Int128, 3> whole{};
+  Vector3<double> value;  // the doubles nearest to `whole`
+  double square = 0;      // |value|^2
+  double unit = 1;        // whole numbers in a setup unit
+  bool fine_units = false;
+  bool narrow = false;  // products of two components, and sums of three of them, fit into 64 bits
+  bool zero = true;
+  // How far each of `whole` may be from the truth: not 0 only after a G49 that ended G43.5 at an irrational position.
+  double slack = 0;
+  [[nodiscard]] std::array<std::int64_t, 3> small() const {
+    return {static_cast<std::int64_t>(whole[0]), static_cast<std::int64_t>(whole[1]),
+            static_cast<std::int64_t>(whole[2])};
+  }
+};
+
+// From `from` to `to` (X, Y, Z).
+inline void set_travel(Travel& travel, const std::array<Count, 3>& from, const std::array<Count, 3>& to, double slack) {
+  // 3 kNarrow^2 < 2^63.
+  constexpr std::int64_t kNarrow = 1'753'000'000;
+  bool small = slack == 0;
+  for (std::size_t i = 0; i < 3; ++i) small = small && from[i].is_small() && to[i].is_small();
+  travel.slack = slack;
+  travel.fine_units = !small;
+  if (small) [[likely]] {
+    std::array<std::int64_t, 3> d{};
+    for (std::size_t i = 0; i < 3; ++i) d[i] = to[i].small() - from[i].small();
+    travel.narrow = true;
+    for (const std::int64_t x : d) travel.narrow = travel.narrow && x <= kNarrow && x >= -kNarrow;
+    travel.whole = {d[0], d[1], d[2]};
+    travel.value = {static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
+    travel.unit = static_cast<double>(Count::kSmallPerOne);
+    travel.zero = d[0] == 0 && d[1] == 0 && d[2] == 0;
+  } else {
+    for (std::size_t i = 0; i < 3; ++i) travel.whole[i] = to[i].units() - from[i].units();
+    travel.narrow = false;
+    travel.value = {static_cast<double>(travel.whole[0]), static_cast<double>(travel.whole[1]),
+                    static_cast<double>(travel.whole[2])};
+    travel.unit = static_cast<double>(Count::kRestPerOne);
+    travel.zero = true;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (travel.value[i] > slack || travel.value[i] < -slack) travel.zero = false;
+  }
+  travel.square = dot(travel.value, travel.value);
+}
+
+}  // namespace toolcomp::fast
