@@ -287,7 +287,7 @@ class ToolSide {
     if (type_c_) return start_alone();
     side_word(choose_.chance(55) ? 1 : -1);
     if (choose_.chance(95)) number();
-    switch (choose_.weighted({70, 8, 5, 4, 4, 3, 3, 3})) {
+    switch (choose_.weighted({74, 8, 5, 4, 4, 1, 3, 2})) {
       case 0:
         straight();
         return end_of_movement();
@@ -336,7 +336,7 @@ class ToolSide {
       if (choose_.chance(90)) straight_code();
     side_word(choose_.chance(55) ? 1 : -1);
     if (choose_.chance(95)) number();
-    switch (choose_.weighted({88, 4, 4, 4})) {
+    switch (choose_.weighted({94, 2, 2, 2})) {
       case 0:
         write_.end_block();
         return movement();
@@ -397,11 +397,13 @@ class ToolSide {
   }
 
   void other_number() {
-    if (choose_.chance(8))
+    if (choose_.chance(6)) {
       write_.word("D0");
-    else
+      number_ = 0;
+    } else {
       number();
-    if (choose_.chance(15)) write_.end_block();
+    }
+    if (choose_.chance(type_c_ && number_ == 0 ? 90 : 15)) write_.end_block();
     movement();
   }
 
@@ -481,7 +483,7 @@ class ToolSide {
 
   void cancel() {
     if (type_c_) return cancel_alone();
-    switch (choose_.weighted({52, 14, 9, 5, 5, 4, 7, 4})) {
+    switch (choose_.weighted({54, 14, 9, 5, 2, 4, 7, 3})) {
       case 0:
         write_.word("G40");
         straight();
@@ -538,11 +540,10 @@ class ToolSide {
     if (motion_ == "G02" || motion_ == "G03")
       if (choose_.chance(92)) straight_code();
     write_.word(choose_.chance(88) ? "G40" : "D0");
-    if (choose_.chance(5)) {
+    if (choose_.chance(3))
       straight();
-    } else if (choose_.chance(4)) {
+    else if (choose_.chance(2))
       pose_.turn();
-    }
     write_.end_block();
     if (choose_.chance(40)) {
       straight();
