@@ -24,4 +24,22 @@ struct Direction {
 // The direction of a vector of whole numbers, not all zero, each below 2^122.
 Direction whole_direction(const std::array<Int128, 3>& whole);
 
+// The same in place, for numbers up to 2^53.
+inline void set_small_direction(Direction& direction, const std::array<std::int64_t, 3>& whole) {
+  direction.is_whole = true;
+  direction.whole = {whole[0], whole[1], whole[2]};
+  direction.zero =
+      static_cast<std::uint8_t>((whole[0] == 0 ? 1U : 0U) | (whole[1] == 0 ? 2U : 0U) | (whole[2] == 0 ? 4U : 0U));
+  const Eigen::Vector3d v(static_cast<double>(whole[0]), static_cast<double>(whole[1]), static_cast<double>(whole[2]));
+  const bool axis = direction.zero == 0b011 || direction.zero == 0b101 || direction.zero == 0b110;
+  if (axis) {
+    direction.unit = v.cwiseSign();
+    direction.error = 0;
+    return;
+  }
+  // Relative errors: the norm 2.5u, its inverse and the product u each.
+  direction.unit = v * (1 / v.norm());
+  direction.error = 6 * 0x1p-53;
+}
+
 }  // namespace toolcomp::fast

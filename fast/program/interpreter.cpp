@@ -146,6 +146,11 @@ Alarm Interpreter::run(const Words& words) {
     else if (!takes_edited_value())
       return cutter_move(words);
   }
+  if (words.directed() && motion_ <= 10 && along_tool() && tool_side_on() && !length_.pending() &&
+      (words.axes() & rotary_) == 0 && !takes_edited_value() && names_direction(words)) {
+    set_feed(words);
+    return tool_side_move(words);
+  }
   Plan plan;
   if (const Alarm a = check(words, plan)) return a;
   return apply(words, plan);

@@ -187,6 +187,8 @@ class Interpreter {
   // tool_direction.cpp: rotary axes and G43.5.
   void turn();
   void direct(const Words& words);
+  // I J K are not all zero, or none is there.
+  [[nodiscard]] static bool names_direction(const Words& words);
   void end_tool_direction();
   [[nodiscard]] Direction& new_direction();
   [[nodiscard]] bool along_tool() const { return length_.mode() == ToolLengthOffset::Mode::along_tool; }

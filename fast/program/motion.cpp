@@ -91,8 +91,12 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
 
 void Interpreter::fill_machine(Event& event) const {
   event.machine.present = all_;
-  for (std::size_t axis = 0; axis < count_; ++axis)
-    event.machine.value[axis] = (actual(axis) + length_[axis] + machine_origin(axis)).nearest();
+  for (std::size_t axis = 0; axis < count_; ++axis) {
+    const Count& origin = origin_[workpiece_][axis];
+    const bool displaced = !origin.is_zero() || !shift_[axis].is_zero() || (stale_ & bit(axis)) != 0;
+    event.machine.value[axis] =
+        displaced ? (actual(axis) + length_[axis] + machine_origin(axis)).nearest() : axes_value_[axis];
+  }
 }
 
 Alarm Interpreter::motion(const Words& words, Compensation compensation, bool own, bool extra,

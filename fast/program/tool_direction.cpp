@@ -36,9 +36,18 @@ void Interpreter::direct(const Words& words) {
     if (words.has(letter)) component[i] = value(words[letter], true, inch_program_);
     small = small && component[i].is_small();
   }
-  std::array<Int128, 3> whole;
-  for (std::size_t i = 0; i < 3; ++i) whole[i] = small ? Int128{component[i].small()} : component[i].units();
-  new_direction() = whole_direction(whole);
+  Direction& direction = new_direction();
+  if (small) [[likely]] {
+    set_small_direction(direction, {component[0].small(), component[1].small(), component[2].small()});
+    return;
+  }
+  direction = whole_direction({component[0].units(), component[1].units(), component[2].units()});
+}
+
+bool Interpreter::names_direction(const Words& words) {
+  if (!words.has_any(Words::set_of("IJK"))) return true;
+  const auto some = [&](char letter) { return words.has(letter) && !words[letter].is_zero(); };
+  return some('I') || some('J') || some('K');
 }
 
 // G49 after G43.5: the programmed position becomes that of the axes, P + L V. It is exact where |V| is whole and L V_i

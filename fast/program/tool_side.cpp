@@ -44,12 +44,54 @@ void Interpreter::start_tool_side_leg(const Words& words, ToolSideBlock& block) 
   block.arc = false;
 }
 
-// The usual block: positions and F, or nothing but its number. What begin_tool_side() and tool_side_motion() do for any
-// block, without the detours.
+// The usual block: positions, under G43.5 I J K, and F, or nothing but its number. What begin_tool_side() and
+// tool_side_motion() do for any block, without the detours.
 Alarm Interpreter::tool_side_move(const Words& words) {
   direction_before_ = direction_;
-  tool_side_.next().repeated = false;
-  return tool_side_motion(words, false, std::nullopt, ArcWords{});
+  const bool directed = along_tool() && words.has_any(Words::set_of("IJK"));
+  if (directed) direct(words);
+  ToolSideBlock& block = tool_side_.next();
+  block.repeated = false;
+  std::array<std::int64_t, 3> from{};
+  bool small = rounded_ == 0 && tool_offset_.live() == 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = xyz_[i];
+    if (axis == spec::Axes::kNone) continue;
+    small = small && programmed_[axis].is_small();
+    from[i] = programmed_[axis].small();
+  }
+  if (!small) [[unlikely]]
+    return tool_side_motion(words, false, std::nullopt, ArcWords{});
+  const Mask axes = words.axes();
+  start_tool_side_leg(words, block);
+  std::array<Count, 3> start;
+  for (std::size_t i = 0; i < 3; ++i) start[i].set_small(from[i]);
+  for (unsigned rest = axes; rest != 0; rest &= rest - 1)
+    if (const Alarm a = place_word(words, static_cast<std::size_t>(std::countr_zero(rest)))) return a;
+  if ((axes & turning_) != 0) turn();
+  if (stale_ != 0)
+    if (const Alarm a = refresh()) return a;
+  std::array<std::int64_t, 3> way{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = xyz_[i];
+    if (axis == spec::Axes::kNone) continue;
+    small = small && programmed_[axis].is_small();
+    way[i] = programmed_[axis].small() - from[i];
+  }
+  if (small) [[likely]] {
+    set_travel(block.travel, way);
+  } else {
+    std::array<Count, 3> end;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (xyz_[i] != spec::Axes::kNone) end[i] = programmed_[xyz_[i]];
+    set_travel(block.travel, start, end, 0);
+  }
+  block.tool = &directions_[direction_];
+  block.tool_before = &directions_[direction_before_];
+  block.own = axes != 0 || directed;
+  fill(block.event, straight(), spec::Cause::programmed);
+  if (const StageEnd end = tool_side_.block()) end_run(end);
+  return alarm::kNone;
 }
 
 Alarm Interpreter::tool_side_motion(const Words& words, bool extra, const std::optional<spec::Arc<double>>& arc,

@@ -19,7 +19,7 @@ Words::Words(const spec::Block& block, const spec::Axes& axes) {  // NOLINT: arr
       } else if (const std::size_t axis = axes.index(letter); axis != spec::Axes::kNone) {
         axes_ = static_cast<std::uint16_t>(axes_ | 1U << axis);
         axis_value_[axis] = &word.value;
-      } else if (letter != 'F') {
+      } else if (letter != 'F' && (letter < 'I' || letter > 'K')) {
         plain_ = false;
       }
     }

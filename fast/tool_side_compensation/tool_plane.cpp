@@ -68,7 +68,8 @@ bool ToolPlane::moves(const Travel& travel, const Count& limit) const {
   const double error = 4 * (fine_error() + kFine) * std::sqrt(travel.square) + 4 * travel.slack;
   if (refined <= error) return false;
   if (!limited) return true;
-  const DoubleDouble least = to_double_double(limit.units()) * (travel.unit / static_cast<double>(Count::kRestPerOne));
+  const DoubleDouble least =
+      to_double_double(limit.units()) * travel.unit / DoubleDouble{static_cast<double>(Count::kRestPerOne), 0};
   return (dot(left, left) - least * least).hi >= -2 * error * (refined + shortest);
 }
 
@@ -166,19 +167,21 @@ bool ToolPlane::quick_turn(const Travel& first, const Travel& second, SpaceTurn&
   turn.c *= inverse1 * inverse2;
   turn.k = k * (inverse1 * inverse2);
   turn.left1 = w1 * inverse1;
-  turn.left2 = w2 * inverse2;
   turn.ahead1 = fast::cross(turn.left1, v);
-  turn.ahead2 = fast::cross(turn.left2, v);
-  turn.length1 = norm1 / first.unit;
-  turn.length2 = norm2 / second.unit;
+  constexpr double kOne = 1 / static_cast<double>(Count::kSmallPerOne);
+  turn.length1 = norm1 * kOne;
   turn.ill = false;
   return true;
 }
 
 SpaceTurn ToolPlane::turn(const Travel& first, const Travel& second) const {
   SpaceTurn result;
-  if (quick_turn(first, second, result)) [[likely]]
+  if (quick_turn(first, second, result)) [[likely]] {
+    const Vector3<double> w2 = fast::cross(unit(), second.value);
+    result.left2 = w2 * (1 / std::sqrt(fast::dot(w2, w2)));
+    result.ahead2 = fast::cross(result.left2, unit());
     return result;
+  }
   const FineTurn numbers = fine_turn(first, second);
   result.cross = cross_sign(first, second);
   result.dot = dot_sign(first, second);
@@ -189,7 +192,6 @@ SpaceTurn ToolPlane::turn(const Travel& first, const Travel& second) const {
   result.c = result.cross == 0 ? 0 : numbers.c.hi;
   result.k = result.dot == 0 ? 0 : numbers.k.hi;
   result.length1 = numbers.length1.hi;
-  result.length2 = numbers.length2.hi;
   result.ill = true;
   return result;
 }
@@ -197,15 +199,15 @@ SpaceTurn ToolPlane::turn(const Travel& first, const Travel& second) const {
 FineTurn ToolPlane::fine_turn(const Travel& first, const Travel& second) const {
   FineTurn turn;
   const Fine v = fine_unit();
-  const auto leg = [&](const Travel& travel, Fine& left, Fine& ahead, DoubleDouble& length) {
+  const auto leg = [&](const Travel& travel, Fine& left, Fine& ahead) {
     const Fine w = fine_left(travel);
     const DoubleDouble norm = sqrt(fast::dot(w, w));
     left = {w.x / norm, w.y / norm, w.z / norm};
     ahead = fast::cross(left, v);
-    length = norm / DoubleDouble{travel.unit, 0};
+    return norm;
   };
-  leg(first, turn.left1, turn.ahead1, turn.length1);
-  leg(second, turn.left2, turn.ahead2, turn.length2);
+  turn.length1 = leg(first, turn.left1, turn.ahead1) / DoubleDouble{first.unit, 0};
+  (void)leg(second, turn.left2, turn.ahead2);
   turn.c = fast::dot(v, fast::cross(turn.left1, turn.left2));
   turn.k = fast::dot(turn.left1, turn.left2);
   return turn;
@@ -231,7 +233,6 @@ SpaceTurn ToolPlane::straight(const Travel& travel) const {
   result.dot = 1;
   result.left2 = result.left1;
   result.ahead2 = result.ahead1;
-  result.length2 = result.length1;
   return result;
 }
 

@@ -20,15 +20,14 @@ struct SpaceTurn {
   Vector3<double> ahead1;  // unit, along u1
   Vector3<double> left2;
   Vector3<double> ahead2;
-  double length1 = 0;  // |u1|, |u2|, setup units
-  double length2 = 0;
-  bool ill = false;  // doubles lose more than a few bits: take the fine numbers
+  double length1 = 0;  // |u1|, setup units
+  bool ill = false;    // doubles lose more than a few bits: take the fine numbers
 };
 
 // Double-double numbers of the same.
 struct FineTurn {
   Vector3<DoubleDouble> left1, ahead1, left2, ahead2;
-  DoubleDouble c, k, length1, length2;
+  DoubleDouble c, k, length1;
 };
 
 // Decisions go through three levels, each used only where the one before cannot tell:
@@ -50,7 +49,8 @@ class ToolPlane {
   [[nodiscard]] bool moves(const Travel& travel, const Count& limit) const;
   // The turn between two travels that move in the plane.
   [[nodiscard]] SpaceTurn turn(const Travel& first, const Travel& second) const;
-  // The same by doubles alone, for the usual corner. False where they cannot tell, or are not good enough.
+  // The same by doubles alone and without left2 and ahead2, for the usual corner. False where doubles cannot tell, or
+  // are not good enough.
   [[nodiscard]] bool quick_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const;
   [[nodiscard]] FineTurn fine_turn(const Travel& first, const Travel& second) const;
   // Of one travel: left1, ahead1 and length1 (c = 0, k = 1, and the second pair the same).

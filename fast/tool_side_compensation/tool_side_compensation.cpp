@@ -89,6 +89,7 @@ StageEnd ToolSideCompensation::block() {
   if (mode_ == Mode::ends && block.wanted) return undecide(block, "fanuc.cutter-c.restart-before-removal");
   if (next_line(block)) [[likely]]
     return {};
+  keep_without_direction();
   if (mode_ == Mode::off && !block.wanted) {
     // G40 before anything has moved.
     if (block.arc) {
@@ -170,7 +171,6 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   after_start_ = false;
   start_tool_of_path_ = &start_tool_;
   hold_path(to, false);
-  keep_without_direction();
   return {};
 }
 
@@ -201,12 +201,9 @@ bool ToolSideCompensation::next_line(ToolSideBlock& block) {
   if (product <= 0x1p-42 * (turn.length1 + size)) return false;
   // Against the movement before the other plane may matter.
   if (turn.dot <= 0 && !parameters_.no_plane_change) return false;
-  // Along the tool at its own end it would have no direction there.
-  SidePath& to = paths_[(path_ + 1U) % paths_.size()];
-  to.tool = *block.tool;
-  if (!geometry_.plane(to.tool).moves(block.travel, Count())) return false;
-  path_ = static_cast<std::uint8_t>((path_ + 1U) % paths_.size());
+  SidePath& to = new_path();
   to.travel = block.travel;
+  to.tool = *block.tool;
   to.arc = false;
   to.side = side;
   to.offset = value_;
@@ -259,7 +256,6 @@ StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
   }
   after_start_ = false;
   hold_path(to, false);
-  keep_without_direction();
   return {};
 }
 
@@ -275,13 +271,12 @@ void ToolSideCompensation::hold_path(const SidePath& to, bool starts_up) {
 }
 
 void ToolSideCompensation::keep_without_direction() {
-  if (last_->arc || geometry_.plane(last_->tool).moves(last_->travel, Count())) return;
+  if (held_ != Held::path || last_->arc || geometry_.plane(last_->tool).moves(last_->travel, Count())) return;
   ToolSideBlock& block = held(waits_);
   pass_corner(&block);
   make_.keep_last(at_start());
-  send(block, at_start().front().vector, true);
-  free_first();
   held_ = Held::nothing;
+  for (; count_ > 0; free_first()) send(held(0), at_start().front().vector, held(0).own);
 }
 
 // From the last head of the corner before it straight to its end, without a vector.
@@ -411,6 +406,7 @@ void ToolSideCompensation::send_corner_moves(const ToolSideBlock* owner, std::ui
 }
 
 StageEnd ToolSideCompensation::release() {
+  keep_without_direction();
   switch (held_) {
     case Held::nothing:
       return {};

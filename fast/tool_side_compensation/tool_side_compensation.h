@@ -75,7 +75,7 @@ class ToolSideCompensation {
   // The path that is held goes out, up to its first head; at_end() is complete.
   StageEnd finish(bool plane_change, const SidePath* to);
   void hold_path(const SidePath& to, bool starts_up);
-  // Where the travel of the path that is held is along the tool at its end it keeps the vector it starts with.
+  // Where the travel of the path that is held is along the tool at its end it goes out, with the vector it starts with.
   void keep_without_direction();
   // The vectors of the corner at the start of the path go out up to the block `owner` (nullptr: that block is at
   // fault), with the block without movement that waits for the last of them.

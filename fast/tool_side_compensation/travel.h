@@ -26,34 +26,41 @@ struct Travel {
   }
 };
 
-// From `from` to `to` (X, Y, Z).
-inline void set_travel(Travel& travel, const std::array<Count, 3>& from, const std::array<Count, 3>& to, double slack) {
+// By 10^-6 of a setup unit.
+inline void set_travel(Travel& travel, const std::array<std::int64_t, 3>& d) {
   // 3 kNarrow^2 < 2^63.
   constexpr std::int64_t kNarrow = 1'753'000'000;
+  const auto is_narrow = [](std::int64_t x) { return x <= kNarrow && x >= -kNarrow; };
+  travel.slack = 0;
+  travel.fine_units = false;
+  travel.narrow = is_narrow(d[0]) && is_narrow(d[1]) && is_narrow(d[2]);
+  travel.whole = {d[0], d[1], d[2]};
+  travel.value = {static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
+  travel.square = dot(travel.value, travel.value);
+  travel.unit = static_cast<double>(Count::kSmallPerOne);
+  travel.zero = (d[0] | d[1] | d[2]) == 0;
+}
+
+// From `from` to `to` (X, Y, Z).
+inline void set_travel(Travel& travel, const std::array<Count, 3>& from, const std::array<Count, 3>& to, double slack) {
   bool small = slack == 0;
   for (std::size_t i = 0; i < 3; ++i) small = small && from[i].is_small() && to[i].is_small();
-  travel.slack = slack;
-  travel.fine_units = !small;
-  if (small) [[likely]] {
-    std::array<std::int64_t, 3> d{};
-    for (std::size_t i = 0; i < 3; ++i) d[i] = to[i].small() - from[i].small();
-    travel.narrow = true;
-    for (const std::int64_t x : d) travel.narrow = travel.narrow && x <= kNarrow && x >= -kNarrow;
-    travel.whole = {d[0], d[1], d[2]};
-    travel.value = {static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
-    travel.unit = static_cast<double>(Count::kSmallPerOne);
-    travel.zero = d[0] == 0 && d[1] == 0 && d[2] == 0;
-  } else {
-    for (std::size_t i = 0; i < 3; ++i) travel.whole[i] = to[i].units() - from[i].units();
-    travel.narrow = false;
-    travel.value = {static_cast<double>(travel.whole[0]), static_cast<double>(travel.whole[1]),
-                    static_cast<double>(travel.whole[2])};
-    travel.unit = static_cast<double>(Count::kRestPerOne);
-    travel.zero = true;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (travel.value[i] > slack || travel.value[i] < -slack) travel.zero = false;
+  if (small) {
+    set_travel(travel,
+               {to[0].small() - from[0].small(), to[1].small() - from[1].small(), to[2].small() - from[2].small()});
+    return;
   }
+  travel.slack = slack;
+  travel.fine_units = true;
+  travel.narrow = false;
+  for (std::size_t i = 0; i < 3; ++i) travel.whole[i] = to[i].units() - from[i].units();
+  travel.value = {static_cast<double>(travel.whole[0]), static_cast<double>(travel.whole[1]),
+                  static_cast<double>(travel.whole[2])};
   travel.square = dot(travel.value, travel.value);
+  travel.unit = static_cast<double>(Count::kRestPerOne);
+  travel.zero = true;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (travel.value[i] > slack || travel.value[i] < -slack) travel.zero = false;
 }
 
 }  // namespace toolcomp::fast
