@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "certify/convert.h"
+#include "certify/path_svg.h"
 #include "certify/program_text.h"
 #include "certify/shrink.h"
 #include "corpus/sha256.h"
@@ -29,6 +30,7 @@ constexpr unsigned kMostFaults = 20;
 // Programs of a faulty controller that shrinking tries again: each costs a restart, a hang its time-out.
 constexpr std::size_t kMostFaultyRuns = 40;
 constexpr std::size_t kMostUnsettled = 100;
+constexpr std::size_t kMostPictures = 20;
 // Every fourth generated case is unrestricted: mostly alarms.
 constexpr std::uint64_t kUnrestrictedEvery = 4;
 
@@ -54,7 +56,16 @@ struct CaseResult {
   FailureKey key;
   std::string id;
   std::string why;
+  std::string picture;
 };
+
+// The exact path, drawn.
+std::string picture_of(const spec::Case& c, const fuzz::ModelRun& run) {
+  FastEvents events;
+  events.reserve(run.events.size());
+  for (const model::Event& event : run.events) events.push_back(in_double(event));
+  return path_svg(events, c.setup.axes, path_options(c.setup));
+}
 
 bool is_fault(const FailureKey& key) {
   constexpr std::array kFaults = {FaultKind::crash, FaultKind::hang, FaultKind::malformed, FaultKind::too_long};
@@ -164,7 +175,7 @@ class Campaign {
     std::vector<model::ClauseCount> clauses(spec::kClauseCount);
     try {
       for (std::size_t index = 0; (index = next_++) < total_;) {
-        results_[index] = judge(subject, case_at(index), clauses);
+        results_[index] = judge(subject, case_at(index), index < kMostPictures, clauses);
         report_progress();
       }
     } catch (...) {
@@ -182,7 +193,7 @@ class Campaign {
     }
   }
 
-  CaseResult judge(Subject& subject, const CaseInput& input, std::vector<model::ClauseCount>& clauses) {
+  CaseResult judge(Subject& subject, const CaseInput& input, bool draw, std::vector<model::ClauseCount>& clauses) {
     const spec::Case& c = input.c;
     CaseResult r;
     r.origin = input.origin;
@@ -208,6 +219,7 @@ class Campaign {
     r.key = key_of(c, j);
     r.why = std::move(j.why);
     r.setup = spec::write_setup_json(c.setup);
+    if (draw && r.origin == Origin::own) r.picture = picture_of(c, run);
     r.verdict = std::move(j.verdict);
     if (j.result == Result::differs && is_fault(r.key)) {
       ++faults.all;
@@ -262,6 +274,7 @@ class Campaign {
         s.worst_um = std::max(s.worst_um, r.verdict.worst_um);
       }
       if (!r.setup.empty()) setups.insert(r.setup);
+      if (!r.picture.empty()) certificate_.pictures.push_back({r.id, r.picture});
       const bool settled =
           r.result == Result::agrees || r.result == Result::differs || r.result == Result::not_applicable;
       if (!settled && certificate_.unsettled.size() < kMostUnsettled)

@@ -43,6 +43,12 @@ struct Unsettled {
   std::string why;
 };
 
+// The exact path of one of the user's own programs.
+struct Picture {
+  std::string id;
+  std::string svg;
+};
+
 // Everything that went in, so that the same can be done again. Hashes are SHA-256 in hexadecimal.
 struct Identity {
   std::string tool;          // name and version
@@ -64,6 +70,7 @@ struct Certificate {
   std::vector<model::ClauseCount> clauses;  // by clause, of the cases that were judged
   std::vector<Finding> findings;            // by section, clause, kind
   std::vector<Unsettled> unsettled;         // the first hundred
+  std::vector<Picture> pictures;            // of the first programs of the user's own
   std::string self_check;                   // what failed; empty: nothing
 };
 

@@ -4,22 +4,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <ranges>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "certify/markup.h"
+#include "certify/path_detail.h"
+#include "certify/path_view.h"
 
 namespace toolcomp::certify {
 namespace {
 
-constexpr double kPanel = 320;  // width and height of a panel
-constexpr double kMargin = 34;  // around the drawing in a panel
-constexpr double kHeader = 48;  // legend above the panels
+constexpr double kPanel = 320;       // width and height of a panel
+constexpr double kSolidPanel = 480;  // of a path that leaves a plane
+constexpr double kGap = 10;          // between panels
+constexpr double kMargin = 34;       // around the drawing in a panel
+constexpr double kHeader = 48;       // legend above the panels
 constexpr std::size_t kMostLabels = 40;
+constexpr std::size_t kMostLabelsOfALongOne = 10;
+// Long programs: what lies closer together on the paper is not drawn.
+constexpr std::size_t kLong = 500;    // moves
+constexpr double kThinnest = 0.25;    // from point to point of a course
+constexpr double kBetweenEnds = 50;   // from dot to dot
+constexpr double kBetweenTools = 22;  // from tool stroke to tool stroke
+constexpr double kBetweenLabels = 14;
+constexpr double kStroke = 0.08;  // length of a tool stroke, of the path's
 
 struct Layer {
   Path path;
@@ -27,52 +37,12 @@ struct Layer {
   std::string name;
 };
 
-// A projection onto the paper, x to the right and y up.
-struct View {
-  std::string_view title;
-  std::string_view right;
-  std::string_view up;
-  std::array<double, 3> x;
-  std::array<double, 3> y;
-  bool solid = false;  // shows tool directions
-};
-
 constexpr double kCos30 = 0.8660254037844386;
 constexpr View kTop{"top", "X", "Y", {1, 0, 0}, {0, 1, 0}};
 constexpr View kSide{"side", "X", "Z", {1, 0, 0}, {0, 0, 1}};
 constexpr View kCorner{"axonometric", "", "", {kCos30, -kCos30, 0}, {-0.5, -0.5, 1}, true};
 
-using Point2 = std::pair<double, double>;
-
-Point2 project(const View& view, const Point3& p) {
-  Point2 q{0, 0};
-  for (std::size_t i = 0; i < 3; ++i) {
-    q.first += view.x[i] * p[i];
-    q.second += view.y[i] * p[i];
-  }
-  return q;
-}
-
-struct Box {
-  double left = std::numeric_limits<double>::infinity();
-  double right = -left;
-  double bottom = left;
-  double top = -left;
-  void add(const Point2& p) {
-    left = std::min(left, p.first);
-    right = std::max(right, p.first);
-    bottom = std::min(bottom, p.second);
-    top = std::max(top, p.second);
-  }
-};
-
-// The largest of 1, 2, 5 · 10^n of which about five fit into `size`.
-double grid_step(double size) {
-  const double rough = size / 5;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  const double mantissa = rough / power;
-  return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
-}
+double distance(const Point2& a, const Point2& b) { return std::hypot(a.first - b.first, a.second - b.second); }
 
 std::string label_of(const spec::Event<double>& event) {
   return event.n ? fmt::format("N{}", *event.n) : fmt::format("{}", event.line);
@@ -85,7 +55,8 @@ std::string coordinates(const Point3& p) {
 // One panel of the picture.
 class Panel {
  public:
-  Panel(const View& view, const std::vector<Layer>& layers, std::string_view unit) : view_(view), unit_(unit) {
+  Panel(const View& view, const std::vector<Layer>& layers, std::string_view unit, double side)
+      : view_(view), unit_(unit), side_(side) {
     Box box;
     for (const Layer& layer : layers) {
       box.add(project(view, layer.path.start));
@@ -95,14 +66,14 @@ class Panel {
     size_ = std::max({box.right - box.left, box.top - box.bottom});
     // A path that is one point still gets a paper.
     if (!(size_ > 0)) size_ = 1;
-    scale_ = (kPanel - 2 * kMargin) / size_;
+    scale_ = (side_ - 2 * kMargin) / size_;
     middle_ = {(box.left + box.right) / 2, (box.bottom + box.top) / 2};
   }
 
-  [[nodiscard]] std::string draw(double left, const std::vector<Layer>& layers,
+  [[nodiscard]] std::string draw(double left, double top, const std::vector<Layer>& layers,
                                  std::span<const spec::Event<double>> events, const PathOptions& options) const {
-    std::string out = fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n", left, kHeader);
-    out += fmt::format("<rect class=\"tp-paper\" width=\"{0}\" height=\"{0}\"/>\n", kPanel);
+    std::string out = fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n", left, top);
+    out += fmt::format("<rect class=\"tp-paper\" width=\"{0}\" height=\"{0}\"/>\n", side_);
     out += grid();
     for (const Layer& layer : layers) out += course(layer);
     if (view_.solid) out += tools(layers, events);
@@ -114,28 +85,12 @@ class Panel {
  private:
   [[nodiscard]] Point2 place(const Point3& p) const {
     const Point2 q = project(view_, p);
-    return {kPanel / 2 + (q.first - middle_.first) * scale_, kPanel / 2 - (q.second - middle_.second) * scale_};
+    return {side_ / 2 + (q.first - middle_.first) * scale_, side_ / 2 - (q.second - middle_.second) * scale_};
   }
 
   [[nodiscard]] std::string grid() const {
-    const double step = grid_step(size_ * kPanel / (kPanel - 2 * kMargin));
-    std::string lines;
-    if (!view_.solid) {
-      const double half = kPanel / 2 / scale_;
-      const auto first_line = [&](double middle) {
-        return static_cast<std::int64_t>(std::ceil((middle - half) / step));
-      };
-      const auto last_line = [&](double middle) {
-        return static_cast<std::int64_t>(std::floor((middle + half) / step));
-      };
-      const auto at = [&](std::int64_t line, double middle) {
-        return (static_cast<double>(line) * step - middle) * scale_;
-      };
-      for (std::int64_t line = first_line(middle_.first); line <= last_line(middle_.first); ++line)
-        lines += fmt::format("M{0:.2f} 0V{1}", kPanel / 2 + at(line, middle_.first), kPanel);
-      for (std::int64_t line = first_line(middle_.second); line <= last_line(middle_.second); ++line)
-        lines += fmt::format("M0 {0:.2f}H{1}", kPanel / 2 - at(line, middle_.second), kPanel);
-    }
+    const double step = grid_step(side_ / scale_);
+    const std::string lines = view_.solid ? "" : grid_lines(middle_, step, scale_, side_);
     std::string out = lines.empty() ? "" : fmt::format("<path class=\"tp-grid\" d=\"{}\"/>\n", lines);
     out +=
         fmt::format("<text class=\"tp-note\" x=\"6\" y=\"14\">{}{}</text>\n", view_.title,
@@ -153,7 +108,7 @@ class Panel {
       const double dy = -view_.y[i] * length;
       if (dx == 0 && dy == 0) continue;
       const double x = view_.solid ? 34 : 12;
-      const double y = kPanel - (view_.solid ? 24 : 12);
+      const double y = side_ - (view_.solid ? 24 : 12);
       out += fmt::format(R"(<path class="tp-cross" d="M{} {}l{:.1f} {:.1f}"/>)", x, y, dx, dy);
       out += fmt::format("<text class=\"tp-note\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + dx * 1.25 - 3,
                          y + dy * 1.25 + 4, names[i]);
@@ -164,13 +119,20 @@ class Panel {
   [[nodiscard]] std::string course(const Layer& layer) const {
     std::string rapid;
     std::string feed;
-    Point2 from = place(layer.path.start);
+    Point2 drawn = place(layer.path.start);
+    Point2 at = drawn;
+    const std::string* last = nullptr;  // the course that goes on
+    const bool is_long = layer.path.moves.size() > kLong;
     for (const PathMove& move : layer.path.moves) {
       std::string& d = move.rapid ? rapid : feed;
-      d += fmt::format("M{:.2f} {:.2f}", from.first, from.second);
+      if (last != &d) d += fmt::format("M{:.2f} {:.2f}", at.first, at.second);
+      if (last != &d) drawn = at;
+      last = &d;
       for (const Point3& p : move.points) {
-        from = place(p);
-        d += fmt::format("L{:.2f} {:.2f}", from.first, from.second);
+        at = place(p);
+        if (is_long && &move != &layer.path.moves.back() && distance(at, drawn) < kThinnest) continue;
+        d += fmt::format("L{:.2f} {:.2f}", at.first, at.second);
+        drawn = at;
       }
     }
     std::string out;
@@ -179,36 +141,50 @@ class Panel {
     return out;
   }
 
-  // Short strokes from the tool point towards the holder.
+  // Strokes from the tool point towards the holder and, where it is another, from the programmed point to it.
   [[nodiscard]] std::string tools(const std::vector<Layer>& layers, std::span<const spec::Event<double>> events) const {
-    std::string d;
+    std::string strokes;
+    std::string vectors;
     const auto layer = std::ranges::find(layers, "tp-point", &Layer::style);
     const Path& path = layer == layers.end() ? layers.front().path : layer->path;
+    auto programmed = layers.front().path.moves.begin();
+    const auto end = layers.front().path.moves.end();
+    const bool is_long = path.moves.size() > kLong;
+    Point2 last{-1e9, -1e9};
     for (const PathMove& move : path.moves) {
       const auto& axis = events[move.event].tool_axis;
-      if (!axis) continue;
-      const Point3& p = move.points.back();
-      Point3 tip{};
-      for (std::size_t i = 0; i < 3; ++i) tip[i] = p[i] + (*axis)[i] * size_ * 0.08;
-      const Point2 a = place(p);
-      const Point2 b = place(tip);
-      if (std::isfinite(b.first) && std::isfinite(b.second))
-        d += fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", a.first, a.second, b.first, b.second);
+      const Point2 a = place(move.points.back());
+      if (!axis || (is_long && (move.rapid || distance(a, last) < kBetweenTools))) continue;
+      const Point2 b = place(plus(move.points.back(), size_ * kStroke, *axis));
+      if (!std::isfinite(b.first) || !std::isfinite(b.second)) continue;
+      strokes += fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", a.first, a.second, b.first, b.second);
+      last = a;
+      while (programmed != end && programmed->event < move.event) ++programmed;
+      if (layer == layers.end() || programmed == end || programmed->event != move.event) continue;
+      const Point2 p = place(programmed->points.back());
+      vectors += fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", p.first, p.second, a.first, a.second);
     }
-    return d.empty() ? "" : fmt::format("<path class=\"tp-tool\" d=\"{}\"/>\n", d);
+    std::string out;
+    if (!strokes.empty()) out += fmt::format("<path class=\"tp-tool\" d=\"{}\"/>\n", strokes);
+    if (!vectors.empty()) out += fmt::format("<path class=\"tp-vector\" d=\"{}\"/>\n", vectors);
+    return out;
   }
 
   // A dot, a tooltip and, while they can be read, a label where each programmed move ends.
   [[nodiscard]] std::string ends(const Layer& layer, std::span<const spec::Event<double>> events) const {
     std::string out;
     Point2 last{-1e9, -1e9};
-    std::size_t labels = 0;
+    Point2 dot = last;
+    const bool is_long = layer.path.moves.size() > kLong;
+    std::size_t labels = is_long ? kMostLabels - kMostLabelsOfALongOne : 0;
     for (const PathMove& move : layer.path.moves) {
       const Point2 p = place(move.points.back());
+      if (is_long && distance(p, dot) < kBetweenEnds) continue;
+      dot = p;
       const std::string label = label_of(events[move.event]);
       out += fmt::format(R"(<circle class="tp-end" cx="{:.2f}" cy="{:.2f}" r="2"><title>{} {}</title></circle>)",
                          p.first, p.second, escape(label), coordinates(move.points.back()));
-      if (labels < kMostLabels && std::hypot(p.first - last.first, p.second - last.second) > 14) {
+      if (labels < kMostLabels && distance(p, last) > kBetweenLabels) {
         out += fmt::format(R"(<text class="tp-label" x="{:.2f}" y="{:.2f}">{}</text>)", p.first + 4, p.second - 4,
                            escape(label));
         last = p;
@@ -233,6 +209,7 @@ class Panel {
 
   const View& view_;
   std::string_view unit_;
+  double side_;
   double size_ = 1;
   double scale_ = 1;
   Point2 middle_;
@@ -243,10 +220,10 @@ constexpr std::string_view kStyle = R"(<style>
 .tp-note,.tp-label,.tp-legend{font:11px system-ui,sans-serif;fill:#57606a}.tp-label{font-size:9px}
 .tp-path{fill:none;stroke-width:1.6;stroke-linejoin:round}.tp-rapid{stroke-dasharray:5 3}
 .tp-programmed{stroke:#8b949e;stroke-width:3}.tp-point{stroke:#0969da}.tp-axes{stroke:#1a7f37}.tp-other{stroke:#cf222e;stroke-dasharray:2 2}
-.tp-tool{stroke:#9a6700;fill:none}.tp-end{fill:#57606a}.tp-mark{fill:none;stroke:#cf222e;stroke-width:2}
+.tp-tool{stroke:#9a6700;fill:none}.tp-vector,.tp-round{stroke:#bf3989;fill:none}.tp-round{stroke-dasharray:4 3}.tp-end{fill:#57606a}.tp-mark{fill:none;stroke:#cf222e;stroke-width:2}
 @media(prefers-color-scheme:dark){.tp-paper{fill:#0d1117;stroke:#30363d}.tp-grid{stroke:#1b2129}.tp-cross{stroke:#8b949e}
 .tp-note,.tp-label,.tp-legend{fill:#9aa4af}.tp-point{stroke:#58a6ff}.tp-axes{stroke:#3fb950}.tp-other{stroke:#ff7b72}
-.tp-tool{stroke:#d29922}.tp-end{fill:#9aa4af}.tp-mark{stroke:#ff7b72}}
+.tp-tool{stroke:#d29922}.tp-vector,.tp-round{stroke:#f778ba}.tp-end{fill:#9aa4af}.tp-mark{stroke:#ff7b72}}
 </style>
 )";
 
@@ -278,20 +255,34 @@ bool is_solid(const std::vector<Layer>& layers) {
   return used[0] && used[1] && used[2];
 }
 
-std::string legend(const std::vector<Layer>& layers, double width) {
+// Whether any move says where the tool points, and away from Z.
+bool is_tilted(std::span<const spec::Event<double>> events) {
+  return std::ranges::any_of(events, [](const spec::Event<double>& event) {
+    return event.tool_axis && ((*event.tool_axis)[0] != 0 || (*event.tool_axis)[1] != 0);
+  });
+}
+
+std::string legend(const std::vector<Layer>& layers, bool tools, double width) {
+  std::vector<std::pair<std::string, std::string>> entries;  // class, name
+  for (const Layer& layer : layers) entries.emplace_back("tp-path " + layer.style, layer.name);
+  if (tools) {
+    entries.emplace_back("tp-tool", "tool axis");
+    if (std::ranges::find(layers, "tp-point", &Layer::style) != layers.end())
+      entries.emplace_back("tp-vector", "compensation vector");
+  }
   std::string out;
   double x = 6;
   double y = 16;
-  for (const Layer& layer : layers) {
-    const double needed = 40 + 6.2 * static_cast<double>(layer.name.size());
+  for (const auto& [style, name] : entries) {
+    const double needed = 44 + 7 * static_cast<double>(name.size());
     if (x + needed > width && x > 6) {
       x = 6;
       y += 18;
     }
     out += fmt::format(
-        "<path class=\"tp-path {}\" d=\"M{:.1f} {:.1f}h22\"/><text class=\"tp-legend\" x=\"{:.1f}\" "
+        "<path class=\"{}\" d=\"M{:.1f} {:.1f}h22\"/><text class=\"tp-legend\" x=\"{:.1f}\" "
         "y=\"{:.1f}\">{}</text>\n",
-        layer.style, x, y, x + 28, y + 4, escape(layer.name));
+        style, x, y, x + 28, y + 4, escape(name));
     x += needed;
   }
   return out;
@@ -301,22 +292,33 @@ std::string legend(const std::vector<Layer>& layers, double width) {
 
 std::string path_svg(std::span<const spec::Event<double>> events, const spec::Axes& axes, const PathOptions& options) {
   const std::vector<Layer> layers = make_layers(events, axes, options);
+  const bool tilted = is_tilted(events);
+  const bool solid = is_solid(layers) || tilted;
   std::vector<const View*> views{&kTop, &kSide};
-  if (is_solid(layers)) views.push_back(&kCorner);
-  const double width = kPanel * static_cast<double>(views.size()) + 10 * static_cast<double>(views.size() - 1);
-  const double height = kPanel + kHeader;
+  if (solid) views.push_back(&kCorner);
+  const auto point = std::ranges::find(layers, "tp-point", &Layer::style);
+  std::optional<Detail> detail;
+  if (tilted && point != layers.end()) detail = detail_of(events, layers.front().path, point->path, options.marked);
+
+  // Two panels a row.
+  const double side = solid ? kSolidPanel : kPanel;
+  const std::size_t panels = views.size() + (detail ? 1 : 0);
+  const double width = 2 * side + kGap;
+  const double height = kHeader + static_cast<double>((panels + 1) / 2) * (side + kGap) - kGap;
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "role=\"img\" "
       "aria-label=\"programmed and compensated path\">\n",
       width, height);
   out += kStyle;
-  out += legend(layers, width);
-  double left = 0;
-  for (const View* view : views) {
-    out += Panel(*view, layers, options.unit).draw(left, layers, events, options);
-    left += kPanel + 10;
-  }
+  out += legend(layers, tilted, width);
+  const auto left = [&](std::size_t i) { return static_cast<double>(i % 2) * (side + kGap); };
+  const auto top = [&](std::size_t i) { return kHeader + static_cast<double>(i / 2) * (side + kGap); };
+  for (std::size_t i = 0; i < views.size(); ++i)
+    out += Panel(*views[i], layers, options.unit, side).draw(left(i), top(i), layers, events, options);
+  if (detail)
+    out += detail_svg(*detail, layers.front().path, point->path, left(views.size()), top(views.size()), side,
+                      label_of(events[detail->event]), options.unit);
   return out + "</svg>\n";
 }
 

@@ -62,9 +62,9 @@ std::string summary(const Certificate& c) {
       all.total(), c.sections.size(), c.sections.size() == 1 ? "" : "s", all.count(Result::agrees),
       all.count(Result::differs), c.findings.size(), c.findings.size() == 1 ? "" : "s", all.count(Result::undecided),
       all.values, small(all.worst_um), small(all.worst_ulp));
-  out +=
-      "<nav><a href=\"#sections\">Sections</a><a href=\"#findings\">Findings</a><a href=\"#clauses\">Clauses</a>"
-      "<a href=\"#identity\">Identity</a></nav>\n";
+  out += "<nav><a href=\"#sections\">Sections</a><a href=\"#findings\">Findings</a>" +
+         std::string(c.pictures.empty() ? "" : "<a href=\"#programs\">Programs</a>") +
+         "<a href=\"#clauses\">Clauses</a><a href=\"#identity\">Identity</a></nav>\n";
   return out;
 }
 
@@ -135,6 +135,15 @@ std::string findings(const Certificate& c) {
   }
   out += table(rows, 4);
   for (std::size_t i = 0; i < c.findings.size(); ++i) out += finding(c.findings[i], i);
+  return out;
+}
+
+// The exact paths of the user's own programs.
+std::string programs(const Certificate& c) {
+  if (c.pictures.empty()) return {};
+  std::string out =
+      "<h2 id=\"programs\">Programs</h2>\n<p class=\"soft\">The exact paths, as the model gives them.</p>\n";
+  for (const Picture& picture : c.pictures) out += "<h3>" + code(picture.id) + "</h3>\n" + picture.svg;
   return out;
 }
 
@@ -214,8 +223,8 @@ std::string identity(const Certificate& c) {
 
 std::string html_report(const Certificate& certificate) {
   return page("toolcomp certificate: " + std::string(verdict(certificate)),
-              summary(certificate) + sections(certificate) + findings(certificate) + clauses(certificate) +
-                  identity(certificate));
+              summary(certificate) + sections(certificate) + findings(certificate) + programs(certificate) +
+                  clauses(certificate) + identity(certificate));
 }
 
 }  // namespace toolcomp::certify

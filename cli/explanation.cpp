@@ -41,9 +41,15 @@ std::string corner_words(std::span<const model::Event> events, std::size_t own, 
   std::size_t count = heads.empty() ? 0 : 1;
   std::uint64_t next = 0;
   for (std::size_t i = own + 1; i < events.size(); ++i) {
-    if (events[i].kind != spec::EventKind::move || events[i].line == events[own].line) continue;
-    if (next == 0) next = events[i].line;
-    if (events[i].line != next || events[i].cause != spec::Cause::corner || events[i].arc) break;
+    if (events[i].kind != spec::EventKind::move) continue;
+    // Under tool side compensation the corner moves up to the stop point belong to the block itself.
+    const bool before_stop = events[i].line == events[own].line;
+    if (!before_stop && next == 0) next = events[i].line;
+    if (!before_stop && events[i].line != next) break;
+    if (events[i].cause != spec::Cause::corner || events[i].arc) {
+      if (before_stop) continue;
+      break;
+    }
     const std::string more = head(events[i], axes, digits);
     if (more.empty()) break;
     heads += (heads.empty() ? "" : ", ") + more;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "corpus/counts.h"
 
@@ -19,7 +20,7 @@ constexpr std::int64_t kPi = 226'375'608'064'910'080;  // pi of kOne
 constexpr std::int64_t kDirection = 1'000'000;         // I J K
 constexpr std::int64_t kHighest = 24;                  // mm above the hub: first pass
 constexpr std::int64_t kLowest = 2;                    // last pass
-constexpr std::int64_t kRetract = 30;                  // mm along the tool
+constexpr std::int64_t kRetract = 15;                  // mm along the tool
 constexpr std::size_t kMostInAPass = 2'000;            // while there are passes of their own for the rest
 constexpr std::size_t kMostPasses = 20;
 
@@ -137,9 +138,10 @@ class Writer {
     };
     const Pose first = at(0);
     const Pose end = at(n);
-    const Triple entry = beyond(first, at(n / 8));
-    const Triple exit = beyond(end, at(n - n / 8));
+    const Triple entry = beyond(first, at(n / 16));
+    const Triple exit = beyond(end, at(n - n / 16));
     const int code = vector_ ? 6 : 2;
+    if (number == 0) start_ = {retracted(entry, first), first};
     line(fmt::format("(PASS {})", number + 1));
     line(fmt::format("G00 {}{}{}", vector_ && number == 0 ? "G43.5 H0 " : "", words(retracted(entry, first)),
                      tool_words(first)));
@@ -156,8 +158,11 @@ class Writer {
   [[nodiscard]] std::string setup() const {
     const std::string made =
         "# Made with its program by `toolcomp corpus flank`.\ncontrol = \"fanuc\"\nunits = \"mm\"\n";
-    const std::string tool = "[offsets.D]\n1 = \"5.0\"\n";
+    const auto& [x, y, z] = start_.first;
+    std::string tool = fmt::format("[offsets.D]\n1 = \"5.0\"\n[position]\nX = \"{}\"\nY = \"{}\"\nZ = \"{}\"\n",
+                                   decimal(x, 4), decimal(y, 4), decimal(z, 4));
     if (vector_) return made + "axes = [\"X\", \"Y\", \"Z\"]\n" + tool;
+    tool += fmt::format("B = \"{}\"\nC = \"{}\"\n", decimal(start_.second.b, 4), decimal(start_.second.c, 4));
     return made +
            "axes = [\"X\", \"Y\", \"Z\", \"B\", \"C\"]\n[parameters]\n# C (about Z) carries B (about Y)\n"
            "19680 = 2\n19681 = 5\n19682 = 3\n19686 = 4\n19687 = 2\n" +
@@ -166,6 +171,7 @@ class Writer {
 
   const FlankOptions& options_;
   bool vector_;
+  std::pair<Triple, Pose> start_;  // where the program starts
   Flank flank_;
 };
 

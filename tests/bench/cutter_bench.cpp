@@ -2,14 +2,12 @@
 // thread, streaming. Blocks are read once beforehand, except in text_to_path.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tests/bench/rows.h"
+#include "tests/bench/rings.h"
 
 namespace {
 
@@ -29,64 +27,7 @@ Z = "198.0"
 [offsets.D]
 1 = "4.95"
 )";
-constexpr std::string_view kB = "cutter_compensation = \"B\"\n";
-
-// Points around a wavy ring, counter-clockwise, in thousandths.
-struct Point {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
-};
-std::vector<Point> ring(int count, double radius, double wave, int waves) {
-  std::vector<Point> points;
-  for (int i = 0; i < count; ++i) {
-    const double angle = 2 * std::numbers::pi * i / count;
-    const double r = radius + wave * std::sin(waves * angle);
-    points.push_back({std::llround(1000 * r * std::cos(angle)), std::llround(1000 * r * std::sin(angle))});
-  }
-  return points;
-}
-
-std::string number(std::int64_t thousandths) {
-  const std::int64_t magnitude = thousandths < 0 ? -thousandths : thousandths;
-  return fmt::format("{}{}.{:03}", thousandths < 0 ? "-" : "", magnitude / 1000, magnitude % 1000);
-}
-std::string words(Point p) { return fmt::format("X{} Y{}", number(p.x), number(p.y)); }
-
-// The start-up runs to the last point, so that the ring closes there. Every `arcs`-th block is an arc (0: none), whose
-// centre lies `flatness` chords from its middle, to the left and to the right in turn.
-Program around(const std::vector<Point>& points, int arcs, bool type_b = false) {
-  constexpr std::int64_t kFlatness = 8;
-  Program program;
-  program.setup = (type_b ? std::string(kB) : std::string()) + std::string(kSetup);
-  const Point last = points.back();
-  program.head = "G90 G17 G01 F1000 " + words({last.x - 20'000, last.y - 1'000}) + "\nG41 D1 " + words(last) + "\n";
-  Point from = last;
-  int n = 0;
-  std::string modal = "G01";
-  // A code of group 01 only where it changes, as programs have it; the first block of the body says it.
-  const auto code = [&](const std::string& wanted) {
-    const bool says = n == 1 || wanted != modal;
-    modal = wanted;
-    return says ? wanted + " " : std::string();
-  };
-  for (const Point to : points) {
-    ++n;
-    if (arcs == 0 || n % arcs != 0) {
-      program.body += code("G01") + words(to) + "\n";
-    } else {
-      const bool left = n / arcs % 2 == 0;
-      const std::int64_t k = left ? 2 * kFlatness : -2 * kFlatness;
-      // Twice the way to the centre is whole; one more decimal halves it.
-      const Point twice{to.x - from.x - k * (to.y - from.y), to.y - from.y + k * (to.x - from.x)};
-      const auto half = [](std::int64_t v) { return number(v / 2) + (v % 2 == 0 ? "" : "5"); };
-      const auto sign = [](std::int64_t v) { return v == -1 ? "-" : ""; };
-      program.body += fmt::format("{}{} I{}{} J{}{}\n", code(left ? "G03" : "G02"), words(to), sign(twice.x),
-                                  half(twice.x), sign(twice.y), half(twice.y));
-    }
-    from = to;
-  }
-  return program;
-}
+std::string with_b() { return "cutter_compensation = \"B\"\n" + std::string(kSetup); }
 
 Program measurement() {
   Program program{std::string(kSetup), "G90 G00 H01 Z760.\n", ""};
@@ -99,10 +40,10 @@ Program tool_offset() {
     program.body += fmt::format("G4{} X10.5 Y7.25\nG4{} X-10.5 Y-7.25\n", 5 + i % 4, 5 + i % 4);
   return program;
 }
-Program cutter_b() { return around(ring(kBlocks, 60, 3, 5), 0, true); }
-Program cutter_b_arcs() { return around(ring(kBlocks, 60, 3, 5), 2, true); }
+Program cutter_b() { return around(ring(kBlocks, 60, 3, 5), 0, with_b()); }
+Program cutter_b_arcs() { return around(ring(kBlocks, 60, 3, 5), 2, with_b()); }
 // Corners of one intersection, inner and outer.
-Program cutter_c_lines() { return around(ring(kBlocks, 60, 3, 5), 0); }
+Program cutter_c_lines() { return around(ring(kBlocks, 60, 3, 5), 0, std::string(kSetup)); }
 // A star: inner corners and acute outer ones of two vectors in turn.
 Program cutter_c_acute() {
   std::vector<Point> points;
@@ -112,10 +53,10 @@ Program cutter_c_acute() {
     points.push_back(inner[i]);
     points.push_back(outer[2 * i + 1]);
   }
-  return around(points, 0);
+  return around(points, 0, std::string(kSetup));
 }
-Program cutter_c_line_and_arc() { return around(ring(kBlocks, 60, 3, 5), 2); }
-Program cutter_c_arcs() { return around(ring(kBlocks, 60, 3, 5), 1); }
+Program cutter_c_line_and_arc() { return around(ring(kBlocks, 60, 3, 5), 2, std::string(kSetup)); }
+Program cutter_c_arcs() { return around(ring(kBlocks, 60, 3, 5), 1, std::string(kSetup)); }
 
 TOOLCOMP_ROW(measurement);
 TOOLCOMP_ROW(tool_offset);
@@ -125,6 +66,6 @@ TOOLCOMP_ROW(cutter_c_lines);
 TOOLCOMP_ROW(cutter_c_acute);
 TOOLCOMP_ROW(cutter_c_line_and_arc);
 TOOLCOMP_ROW(cutter_c_arcs);
-TOOLCOMP_TEXT_ROW(text_to_path_cutter_c, around(ring(kTextBlocks, 600, 10, 20), 0));
+TOOLCOMP_TEXT_ROW(text_to_path_cutter_c, around(ring(kTextBlocks, 600, 10, 20), 0, std::string(kSetup)));
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Paths of lines and arcs under cutter compensation, written as programs in several ways, and comparison of runs that
-// must be the same up to a motion of the plane.
+// Paths of lines and arcs under cutter compensation and, the same with a tool along Z, tool side compensation, written
+// as programs in several ways, and comparison of runs that must be the same up to a motion of the plane.
 #pragma once
 
 #include <fmt/format.h>
@@ -63,8 +63,9 @@ constexpr Letters kYZ{"G19", {'Y', 'Z'}, {'J', 'K'}};
 struct Writing {
   Letters letters = kXY;
   bool absolute = false;
-  bool right = false;  // G42
-  bool cancel = true;  // a G40 line at the end, along the lead
+  bool right = false;            // G42
+  bool cancel = true;            // a G40 line at the end, along the lead
+  std::string_view suffix = {};  // of G41 and G42
 };
 
 // One block a line: plane and mode, start-up, the segments, cancel.
@@ -77,7 +78,7 @@ inline std::string program(const Path& path, const Writing& how = {}) {
     const PlaneCounts p = how.absolute ? at : travel;
     return fmt::format("{}{} {}{}", how.letters.axis[0], number(p.x), how.letters.axis[1], number(p.y));
   };
-  text += fmt::format("G01 {} D1 {}\n", how.right ? "G42" : "G41", to(path.lead));
+  text += fmt::format("G01 {}{} D1 {}\n", how.right ? "G42" : "G41", how.suffix, to(path.lead));
   for (const Segment& s : path.segments) {
     if (s.kind == Segment::Kind::line) {
       text += fmt::format("G01 {}\n", to(s.travel));
@@ -94,8 +95,11 @@ inline std::string program(const Path& path, const Writing& how = {}) {
   return text;
 }
 
-// The section decides between B and C.
-inline spec::Case make(const std::string& section, const Path& path, const Writing& how = {}) {
+const std::string kToolSide = "fanuc/tool-side-compensation";
+
+// The section decides between B, C and the side of a tool along Z.
+inline spec::Case make(const std::string& section, const Path& path, Writing how = {}) {
+  if (section == kToolSide) how.suffix = ".2";
   spec::Case c;
   c.section = section;
   c.setup.cutter_compensation =
@@ -188,7 +192,7 @@ inline Table next_plane(const spec::Axes& axes, const Table& t) {
   return result;
 }
 
-// The laws that hold for B and C alike; `section` is either.
+// The laws that hold for B, C and the side of a tool along Z alike; `section` is one of them.
 
 inline void mirror_exchanges_sides(const std::string& section, const Writing& how = {}) {
   const Path path = any_path();

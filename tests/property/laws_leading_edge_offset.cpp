@@ -1,47 +1,9 @@
 // Laws of the leading edge offset on paths made for them (3D sheet, 3.1 and part 5): lists of movements with a tool
 // direction each, written out as programs in several ways.
-#include <fmt/format.h>
-
-#include <array>
-#include <vector>
-
-#include "tests/property/support.h"
+#include "tests/property/tool_paths.h"
 
 namespace toolcomp::laws {
 namespace {
-
-using Vector = std::array<std::int64_t, 3>;  // thousandths
-
-// Blocks of a path: a movement that is not zero, and I J K or none.
-struct Leg {
-  Vector movement{};
-  Vector tool{};
-};
-
-std::string number(std::int64_t thousandths) {
-  const std::int64_t magnitude = thousandths < 0 ? -thousandths : thousandths;
-  return fmt::format("{}{}.{:03}", thousandths < 0 ? "-" : "", magnitude / 1000, magnitude % 1000);
-}
-
-std::string words(const char* letters, const Vector& v) {
-  std::string text;
-  for (std::size_t i = 0; i < 3; ++i) text += fmt::format(" {}{}", letters[i], number(v[i]));
-  return text;
-}
-
-rc::Gen<std::int64_t> coordinate() {
-  return rc::gen::weightedOneOf<std::int64_t>(
-      {{2, rc::gen::just<std::int64_t>(0)},
-       {5, rc::gen::map(rc::gen::inRange<std::int64_t>(-40, 41), [](std::int64_t n) { return n * 1000; })},
-       {3, rc::gen::inRange<std::int64_t>(-90'000, 90'001)}});
-}
-
-rc::Gen<Vector> not_zero() {
-  return rc::gen::suchThat(
-      rc::gen::map(rc::gen::tuple(coordinate(), coordinate(), coordinate()),
-                   [](const auto& t) { return Vector{std::get<0>(t), std::get<1>(t), std::get<2>(t)}; }),
-      [](const Vector& v) { return v != Vector{}; });
-}
 
 std::vector<Leg> path(bool turning = true) {
   std::vector<Leg> legs(*rc::gen::inRange<std::size_t>(2, 7));
@@ -53,7 +15,7 @@ std::vector<Leg> path(bool turning = true) {
 spec::Case make(std::int64_t radius, const std::string& range) {
   spec::Case c;
   c.section = "fanuc/leading-edge-offset";
-  c.setup.d[1].geometry = *spec::parse_decimal(number(radius));
+  c.setup.d[1].geometry = *spec::parse_decimal(decimal_of(radius));
   c.setup.parameters[{19631, -1}] = *spec::parse_decimal(range);
   return c;
 }
@@ -72,10 +34,6 @@ std::string program(const std::vector<Leg>& legs, bool absolute) {
   }
   return text + "G40\n";
 }
-
-Table identity(const spec::Axes&, const Table& t) { return t; }
-
-Real vector_of(const model::Event& e, std::size_t axis) { return e.point[axis] - e.programmed[axis]; }
 
 // Every vector: perpendicular to the tool, as long as the offset value, in the plane of tool and movement, and leaning
 // as the formula's sign says. Kept vectors are judged where they were made, so turning tools are left out.
@@ -239,7 +197,7 @@ RC_GTEST_PROP(LawsOfLeadingEdge, HeadAndTableWithTheSameMotionAgree, ()) {
     text += words("XYZ", leg.movement).substr(1);
     if (*rc::gen::arbitrary<bool>())
       text += fmt::format(" B{} C{}", *rc::gen::inRange(-90, 91),
-                          number(*rc::gen::inRange<std::int64_t>(-180'000, 180'001)));
+                          decimal_of(*rc::gen::inRange<std::int64_t>(-180'000, 180'001)));
     text += '\n';
   }
   head.program = table.program = text + "G40\n";

@@ -1,6 +1,6 @@
-// Modal groups G40 to G42 with G39, and G45 to G48, as state machines: random sequences of blocks against plain
-// abstract controls written here. Cutter compensation B moves along the axes, so that every vector is (0, ±d) or (±d,
-// 0); C goes straight on along X, so that every vector is (0, ±d). Numbers are whole thousandths.
+// Modal groups G40 to G42 with G39, G41.2 and G42.2, and G45 to G48, as state machines: random sequences of blocks
+// against plain abstract controls written here. Cutter compensation B moves along the axes, so that every vector is (0,
+// ±d) or (±d, 0); C goes straight on along X, so that every vector is (0, ±d). Numbers are whole thousandths.
 #include <fmt/format.h>
 #include <rapidcheck/state.h>
 
@@ -227,7 +227,8 @@ struct IdleC final : CommandC {
   void show(std::ostream& os) const override { os << "Z1."; }
 };
 
-RC_GTEST_PROP(ModalGroups, CutterCompensationCStraightOn, ()) {
+// `suffix` of G41 and G42: the side of a tool along Z follows the same rules here.
+void straight_on(const std::string& section, const std::string& suffix) {
   ProgramC blocks;
   const auto commands = *rc::state::gen::commands(ControlC(), rc::state::gen::execOneOfWithArgs<MoveC, MoveC, IdleC>());
   rc::state::runAll(commands, ControlC(), blocks);
@@ -244,7 +245,7 @@ RC_GTEST_PROP(ModalGroups, CutterCompensationCStraightOn, ()) {
       expected.push_back({{x, 0}, {x, y}});
       continue;
     }
-    if (b.code != 0) text += fmt::format("G{} ", b.code);
+    if (b.code != 0) text += fmt::format("G{}{} ", b.code, b.code > 40 ? suffix : "");
     text += fmt::format("X{}{}\n", number(b.travel), b.d > 0 ? fmt::format(" D{}", b.d) : "");
     const ControlC before = control;
     const auto step = [](ControlC& c, const BlockC& block) {
@@ -270,8 +271,11 @@ RC_GTEST_PROP(ModalGroups, CutterCompensationCStraightOn, ()) {
                         : !control.wanted && before.wanted ? spec::Cause::cancel
                                                            : spec::Cause::programmed});
   }
-  check("fanuc/cutter-compensation-c", setup(spec::CutterCompensationType::c), text, expected);
+  check(section, setup(spec::CutterCompensationType::c), text, expected);
 }
+
+RC_GTEST_PROP(ModalGroups, CutterCompensationCStraightOn, ()) { straight_on("fanuc/cutter-compensation-c", ""); }
+RC_GTEST_PROP(ModalGroups, ToolSideStraightOn, ()) { straight_on("fanuc/tool-side-compensation", ".2"); }
 
 // G45 to G48 along X: the shift between the programmed and the actual position persists.
 

@@ -1,0 +1,35 @@
+// One place of a compensated path seen along the tool, large enough to measure in.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "certify/path.h"
+#include "spec/language/event.h"
+
+namespace toolcomp::certify {
+
+// The place in the middle of a compensated run, and what its picture needs.
+struct Detail {
+  std::size_t event = 0;  // the move whose end it is
+  Point3 programmed{};    // the end
+  Point3 point{};         // the compensated end
+  Point3 along{};         // unit: from the programmed point towards the holder
+  Point3 travel{};        // unit: the move's direction in the plane of the tool
+  double distance = 0;    // of the compensated end from the programmed line, in that plane: the tool's radius
+};
+
+// The place to show: the end of the move `marked`, or of the middle one, of those that run beside their programmed line
+// with a tool direction. Nothing if there is none.
+std::optional<Detail> detail_of(std::span<const spec::Event<double>> events, const Path& programmed, const Path& point,
+                                std::optional<std::size_t> marked);
+
+// The square panel of `side` at (left, top): the travel goes to the right, what is left of it is up. It shows the
+// programmed and the compensated path next to the place, the tool's circle and the vector. `label` names the place.
+std::string detail_svg(const Detail& detail, const Path& programmed, const Path& point, double left, double top,
+                       double side, std::string_view label, std::string_view unit);
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,53 @@
+// Looking at a path: projections onto the paper, and what fits there.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "certify/path.h"
+
+namespace toolcomp::certify {
+
+// x to the right and y up.
+using Point2 = std::pair<double, double>;
+
+// A projection onto the paper.
+struct View {
+  std::string_view title;
+  std::string_view right;
+  std::string_view up;
+  Point3 x;
+  Point3 y;
+  bool solid = false;  // shows tool directions
+};
+
+inline double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Point3 cross(const Point3& a, const Point3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+// a + k b.
+inline Point3 plus(const Point3& a, double k, const Point3& b) {
+  return {a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]};
+}
+
+inline Point2 project(const View& view, const Point3& p) { return {dot(view.x, p), dot(view.y, p)}; }
+
+struct Box {
+  double left = std::numeric_limits<double>::infinity();
+  double right = -std::numeric_limits<double>::infinity();
+  double bottom = std::numeric_limits<double>::infinity();
+  double top = -std::numeric_limits<double>::infinity();
+  void add(const Point2& p);
+};
+
+// The largest of 1, 2, 5 · 10^n of which about five fit into `size`.
+double grid_step(double size);
+
+// The path data of grid lines `step` apart on a square paper of `side`, its middle showing `middle`, `scale` of paper a
+// unit.
+std::string grid_lines(const Point2& middle, double step, double scale, double side);
+
+}  // namespace toolcomp::certify
