@@ -205,13 +205,24 @@ Count Kinematics::angle(const RotaryAxis& axis, const std::array<Count, spec::kM
 }
 
 void Kinematics::direct(const std::array<Count, spec::kMaxAxes>& position, Direction& direction) {
-  direction.angle = {angle(inner_, position), angle(outer_, position)};
-  for (std::size_t i = 0; i < 2; ++i)
-    if (!fresh_ || !(direction.angle[i] == last_[i])) {
-      trigonometry_[i] = sine_cosine(direction.angle[i]);
-      last_[i] = direction.angle[i];
+  for (std::size_t i = 0; i < 2; ++i) {
+    const RotaryAxis& axis = i == 0 ? inner_ : outer_;
+    Count& turned = direction.angle[i];
+    std::int64_t small = Count::kNotSmall;
+    // The usual angle in place: a count that is put together elsewhere would have to be waited for.
+    if (axis.index != RotaryAxis::kNone && position[axis.index].is_small() && axis.reference.is_small()) [[likely]]
+      small = position[axis.index].small() - axis.reference.small();
+    if (Count::is_small(small)) [[likely]] {
+      if (axis.reversed) small = -small;
+      turned.set_small(small);
+      if (small == last_[i]) continue;
+    } else {
+      small = Count::kNotSmall;
+      turned = angle(axis, position);
     }
-  fresh_ = true;
+    last_[i] = small;
+    trigonometry_[i] = sine_cosine(turned);
+  }
   const std::array<double, 3> inner{1, trigonometry_[0].cosine, trigonometry_[0].sine};
   const std::array<double, 3> outer{1, trigonometry_[1].cosine, trigonometry_[1].sine};
   std::array<double, 3> sum{};

@@ -66,9 +66,8 @@ class Kinematics {
   bool whole_terms_ = false;  // every coefficient is 0 or +-1
   double error_ = 0;
   double fine_error_ = 0x1p-98;
-  std::array<SineCosine<double>, 2> trigonometry_{};  // of the angles computed last
-  std::array<Count, 2> last_;
-  bool fresh_ = false;
+  std::array<SineCosine<double>, 2> trigonometry_{};                      // of the angles computed last
+  std::array<std::int64_t, 2> last_{Count::kNotSmall, Count::kNotSmall};  // of 10^-6, where they are
   // The direction refined last: a tool that stands still is refined once.
   struct Refined {
     bool valid = false;

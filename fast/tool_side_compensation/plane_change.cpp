@@ -18,6 +18,7 @@ PlaneChangeLimit::PlaneChangeLimit(const spec::Setup& setup) {
       throw spec::InputError("setup", 0, 0, "parameters.\"6261\": must be from 0 to 180 degrees");
     angle = Count::of(*value);
   }
+  if (fault(Fault::side_tilt_limit_always_45)) angle = degrees(45);
   cosine_ = fine_sine_cosine(angle).cosine;
   constexpr struct {
     int angle, quarters;
@@ -35,7 +36,6 @@ bool PlaneChangeLimit::reached(const Kinematics& kinematics, const Direction& fi
   const double bound = 2 * (first.error + second.error) + 6 * 0x1p-53;
   if (std::abs(over) > bound) [[likely]]
     return over < 0;
-  const bool open = fault(Fault::side_tilt_limit_exclusive);
   if (first.is_whole && second.is_whole && rational_) {
     Wide dot;
     Wide square1;
@@ -50,15 +50,14 @@ bool PlaneChangeLimit::reached(const Kinematics& kinematics, const Direction& fi
     const int limit_sign = quarters_ > 0 ? 1 : (quarters_ < 0 ? -1 : 0);
     if (sign != limit_sign) return sign < limit_sign;
     const int larger = (dot * dot * Wide(4) - square1 * square2 * Wide(std::abs(quarters_))).sign();
-    const int compared = sign * larger;  // of the cosine with that of the limit
-    return open ? compared < 0 : compared <= 0;
+    return sign * larger <= 0;  // the cosine is not above that of the limit
   }
   const FineVector a = kinematics.refine(first);  // by value: refining the other one takes its place
   const FineVector& b = kinematics.refine(second);
   DoubleDouble refined = -cosine_;
   for (std::size_t i = 0; i < 3; ++i) refined = refined + a[i] * b[i];
   const double tie = 8 * kinematics.fine_error() + 0x1p-96;
-  return open ? refined.hi < -tie : refined.hi <= tie;
+  return refined.hi <= tie;
 }
 
 }  // namespace toolcomp::fast

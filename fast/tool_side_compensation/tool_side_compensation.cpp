@@ -12,6 +12,29 @@ void set_arc_path(PlanePath& path, const ToolSideBlock& block) {
     set_arc(path, block.start, block.end, block.to_center, block.clockwise);
 }
 
+// Field by field: the library's copy of so many bytes takes longer to start than to run.
+void copy(const Travel& from, Travel& to) {
+  for (std::size_t i = 0; i < 3; ++i) to.whole[i] = from.whole[i];
+  to.value.x = from.value.x;
+  to.value.y = from.value.y;
+  to.value.z = from.value.z;
+  to.square = from.square;
+  to.unit = from.unit;
+  to.fine_units = from.fine_units;
+  to.narrow = from.narrow;
+  to.zero = from.zero;
+  to.slack = from.slack;
+}
+void copy(const Direction& from, Direction& to) {
+  for (Eigen::Index i = 0; i < 3; ++i) to.unit[i] = from.unit[i];
+  to.error = from.error;
+  to.is_whole = from.is_whole;
+  to.zero = from.zero;
+  for (std::size_t i = 0; i < 3; ++i) to.whole[i] = from.whole[i];
+  to.angle[0] = from.angle[0];
+  to.angle[1] = from.angle[1];
+}
+
 // Centre, sweep and radii of the event; plane and direction stand in it.
 void set_arc_numbers(ToolSideBlock& block, const PlanePath& path, const ToolArc& tool) {
   spec::Arc<double>& arc = *block.event.arc;
@@ -194,7 +217,7 @@ bool ToolSideCompensation::next_line(ToolSideBlock& block) {
   const double along = turn.dot >= 0 ? turn.c / (1 + turn.k) : (1 - turn.k) / turn.c;
   const double rho = side > 0 ? r_ : -r_;
   const Vector3<double> vector = (turn.left1 - turn.ahead1 * along) * rho;
-  const Vector3<double>& from = start.front().vector;
+  const Vector3<double> from = start.front().vector;
   const double product = turn.length1 + dot(turn.ahead1, vector - from);
   const double size = std::abs(vector.x) + std::abs(vector.y) + std::abs(vector.z) + std::abs(from.x) +
                       std::abs(from.y) + std::abs(from.z);
@@ -202,8 +225,8 @@ bool ToolSideCompensation::next_line(ToolSideBlock& block) {
   // Against the movement before the other plane may matter.
   if (turn.dot <= 0 && !parameters_.no_plane_change) return false;
   SidePath& to = new_path();
-  to.travel = block.travel;
-  to.tool = *block.tool;
+  copy(block.travel, to.travel);
+  copy(*block.tool, to.tool);
   to.arc = false;
   to.side = side;
   to.offset = value_;
@@ -216,7 +239,13 @@ bool ToolSideCompensation::next_line(ToolSideBlock& block) {
   corner.offset = &last_->offset;
   corner.r = r_;
   corner.flat = false;
-  end.head[0] = {vector, HeadKind::tangents_meet, false};
+  // Field by field: a head put together on the stack would have to be waited for.
+  SideHead& head = end.head[0];
+  head.vector.x = vector.x;
+  head.vector.y = vector.y;
+  head.vector.z = vector.z;
+  head.kind = HeadKind::tangents_meet;
+  head.kept = false;
   end.size = 1;
   ToolSideBlock& former = held(0);
   send(former, vector, true);
