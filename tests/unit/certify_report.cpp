@@ -271,6 +271,52 @@ TEST(PathSvg, ShowsACornerViewOfASolidPathAndAController) {
   EXPECT_TRUE(has(svg, "CNC &lt;1&gt;"));
 }
 
+// A tool (3/5, 0, 4/5) that runs along Y, 10 to the left or straight behind its programmed line.
+std::vector<spec::Event<double>> tilted_moves(std::size_t count, const Point3& vector) {
+  std::vector<spec::Event<double>> moves;
+  for (std::size_t i = 1; i <= count; ++i) {
+    spec::Event<double> e;
+    e.line = i;
+    e.tool_axis = {0.6, 0, 0.8};
+    const Point3 end{0, static_cast<double>(i), 0};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      e.programmed.set(axis, end[axis]);
+      e.point.set(axis, end[axis] + vector[axis]);
+      e.axes.set(axis, end[axis] + vector[axis]);
+    }
+    moves.push_back(e);
+  }
+  return moves;
+}
+
+TEST(PathSvg, ShowsOnePlaceAlongATiltedTool) {
+  const std::string svg = path_svg(tilted_moves(9, {-8, 0, 6}), spec::Axes("XYZ"));
+  EXPECT_EQ(malformed(svg), "");
+  EXPECT_EQ(count(svg, "tp-paper\""), 4U);
+  EXPECT_EQ(count(svg, "\"tp-round\""), 1U);
+  EXPECT_TRUE(has(svg, "along the tool at 5,"));
+  EXPECT_TRUE(has(svg, "distance of the lines 10 mm"));
+  EXPECT_TRUE(has(svg, "compensation vector"));
+  PathOptions options;
+  options.marked = 2;
+  EXPECT_TRUE(has(path_svg(tilted_moves(9, {-8, 0, 6}), spec::Axes("XYZ"), options), "along the tool at 3,"));
+}
+
+TEST(PathSvg, AVectorAlongTheTravelHasNoPlaceBesideIt) {
+  const std::string svg = path_svg(tilted_moves(9, {0, -10, 0}), spec::Axes("XYZ"));
+  EXPECT_EQ(malformed(svg), "");
+  EXPECT_EQ(count(svg, "tp-paper\""), 3U);
+}
+
+// What lies closer together than can be seen is left out.
+TEST(PathSvg, LongPathsStaySmall) {
+  constexpr std::size_t kMoves = 20'000;
+  constexpr std::size_t kMost = 150'000;
+  const std::string svg = path_svg(tilted_moves(kMoves, {-8, 0, 6}), spec::Axes("XYZ"));
+  EXPECT_EQ(malformed(svg), "");
+  EXPECT_LT(svg.size(), kMost);
+}
+
 TEST(PathSvg, SurvivesEmptyAndDegeneratePaths) {
   EXPECT_EQ(malformed(path_svg({}, spec::Axes("XYZ"))), "");
   spec::Case c;
