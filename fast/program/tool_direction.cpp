@@ -29,17 +29,23 @@ void Interpreter::turn() { kinematics_.direct(programmed_, new_direction()); }
 // A block under G43.5: I J K, of which missing ones are 0, or the direction in force.
 void Interpreter::direct(const Words& words) {
   if (!words.has_any(Words::set_of("IJK"))) return;
+  Direction& direction = new_direction();
+  std::array<std::int64_t, 3> small{};
+  bool usual = plain_words_;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const char letter = static_cast<char>('I' + i);
+    if (!words.has(letter)) continue;
+    small[i] = Count::small_of(words[letter]);
+    usual = usual && small[i] != Count::kNotSmall;
+  }
+  if (usual) [[likely]] {
+    set_small_direction(direction, small);
+    return;
+  }
   std::array<Count, 3> component;
-  bool small = true;
   for (std::size_t i = 0; i < 3; ++i) {
     const char letter = static_cast<char>('I' + i);
     if (words.has(letter)) component[i] = value(words[letter], true, inch_program_);
-    small = small && component[i].is_small();
-  }
-  Direction& direction = new_direction();
-  if (small) [[likely]] {
-    set_small_direction(direction, {component[0].small(), component[1].small(), component[2].small()});
-    return;
   }
   direction = whole_direction({component[0].units(), component[1].units(), component[2].units()});
 }

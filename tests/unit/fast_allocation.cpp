@@ -1,4 +1,4 @@
-// Nothing allocates per block: neither the reader nor the engine, in either section.
+// Nothing allocates per block: neither the reader nor the engine, in any section.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -82,6 +82,19 @@ TEST(Allocation, LeadingEdgeOffset) {
                        "G41.3 D1\nX100 B45\nX110 Z-10\nB20 C30\nY40 D2\nM08\nM09\nX0 Y0 Z0 B0 C0\nX1\nG40\n"
                        "G43.5 H1 I1 J2 K3\nG41.3 D1\nX3 Y6 Z9.000000001\nX5 I0 J0 K1\nX0 Y0 Z0\nG40\nG49\nB30\n",
                        1);
+}
+
+// Corners of every kind, rotations, blocks without movement, arcs in a plane of their own and in another, tool
+// directions by I J K, numbers beyond 64 bits.
+TEST(Allocation, ToolSideCompensation) {
+  expect_no_allocation(
+      "G90 G01 F100\n",
+      "B0 C0\nG42.2 D1 X10 Y0 Z0\nX100 B30 C10\nX210 Z-10\nB20 C30\nX140 Y90 Z3\nM08\nX-60 Y10\n"
+      "X-50.000000001 Y-99\nG41.2 X60 Y-140 Q1\nG41.2 X190 D2\nM08\nM09\nX200 Y-200 B45 C45\nY-300\nB0 C0\n"
+      "Y-400\nG03 X250 Y-450 R50\nG01 X400\nB10\nG02 X500 Y-550 I0 J-100\nG01 Y-700\nG40 X0\nG43.5 H1 I1 J2 K3\n"
+      "G41.6 D1 X30 Y6 Z9.000000001\nX500 I0 J0 K1\nX400 Y-300 I1 J0.5 K2\nI0.1\nX0 Y0 Z0 I0 J1 K1\nG40 X-50\n"
+      "G49\n",
+      1);
 }
 
 TEST(Allocation, Alarms) {
