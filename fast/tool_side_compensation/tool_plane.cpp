@@ -170,6 +170,7 @@ bool ToolPlane::quick_turn(const Travel& first, const Travel& second, SpaceTurn&
   turn.ahead1 = fast::cross(turn.left1, v);
   constexpr double kOne = 1 / static_cast<double>(Count::kSmallPerOne);
   turn.length1 = norm1 * kOne;
+  turn.length2 = norm2 * kOne;
   turn.ill = false;
   return true;
 }
@@ -192,6 +193,7 @@ SpaceTurn ToolPlane::turn(const Travel& first, const Travel& second) const {
   result.c = result.cross == 0 ? 0 : numbers.c.hi;
   result.k = result.dot == 0 ? 0 : numbers.k.hi;
   result.length1 = numbers.length1.hi;
+  result.length2 = numbers.length2.hi;
   result.ill = true;
   return result;
 }
@@ -207,7 +209,7 @@ FineTurn ToolPlane::fine_turn(const Travel& first, const Travel& second) const {
     return norm;
   };
   turn.length1 = leg(first, turn.left1, turn.ahead1) / DoubleDouble{first.unit, 0};
-  (void)leg(second, turn.left2, turn.ahead2);
+  turn.length2 = leg(second, turn.left2, turn.ahead2) / DoubleDouble{second.unit, 0};
   turn.c = fast::dot(v, fast::cross(turn.left1, turn.left2));
   turn.k = fast::dot(turn.left1, turn.left2);
   return turn;
@@ -233,6 +235,7 @@ SpaceTurn ToolPlane::straight(const Travel& travel) const {
   result.dot = 1;
   result.left2 = result.left1;
   result.ahead2 = result.ahead1;
+  result.length2 = result.length1;
   return result;
 }
 

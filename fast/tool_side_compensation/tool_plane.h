@@ -20,14 +20,15 @@ struct SpaceTurn {
   Vector3<double> ahead1;  // unit, along u1
   Vector3<double> left2;
   Vector3<double> ahead2;
-  double length1 = 0;  // |u1|, setup units
-  bool ill = false;    // doubles lose more than a few bits: take the fine numbers
+  double length1 = 0;  // |u1|, |u2|, setup units
+  double length2 = 0;
+  bool ill = false;  // doubles lose more than a few bits: take the fine numbers
 };
 
 // Double-double numbers of the same.
 struct FineTurn {
   Vector3<DoubleDouble> left1, ahead1, left2, ahead2;
-  DoubleDouble c, k, length1;
+  DoubleDouble c, k, length1, length2;
 };
 
 // Decisions go through three levels, each used only where the one before cannot tell:

@@ -60,7 +60,7 @@ ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinem
       geometry_(kinematics),
       make_(geometry_, parameters_),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
-      axes_(setup.axes.size()) {}
+      shortest_(parameters_.no_movement.nearest() * (1 + 0x1p-40)) {}
 
 void ToolSideCompensation::set_path(SidePath& to, const ToolSideBlock& block) {
   to.travel = block.travel;
@@ -201,8 +201,8 @@ bool ToolSideCompensation::next_line(ToolSideBlock& block) {
   if (mode_ != Mode::on || held_ != Held::path || !block.wanted || block.arc || block.travel.zero || starts_up_ ||
       after_start_ || repeated_ || block.repeated || treatment_ != Treatment::none || parameters_.no_interference ||
       last_->arc || waits_ != 0 || !(block.offset == value_) || !(last_->offset == value_) || r_ == 0 ||
-      Count() < parameters_.no_movement || fault(Fault::side_handedness) || fault(Fault::side_tool_at_start) ||
-      fault(Fault::side_turned_tool))
+      fault(Fault::side_handedness) || fault(Fault::side_tool_at_start) || fault(Fault::side_turned_tool) ||
+      fault(Fault::side_limit_by_length))
     return false;
   SideGroup& start = at_start();
   if (start.size != 1 || block.side != last_->side) return false;
@@ -211,6 +211,7 @@ bool ToolSideCompensation::next_line(ToolSideBlock& block) {
   const ToolPlane plane(geometry_.plane(last_->tool));
   if (!plane.quick_turn(last_->travel, block.travel, corner.turn)) return false;
   const SpaceTurn& turn = corner.turn;
+  if (turn.length2 <= shortest_) return false;
   const int side = block.side;
   // Inner corners, but near a reversal, and obtuse ones.
   if (turn.dot <= 0 && (side * turn.cross <= 0 || turn.k < -0.99)) return false;

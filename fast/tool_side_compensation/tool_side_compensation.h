@@ -99,7 +99,7 @@ class ToolSideCompensation {
   SideGeometry geometry_;
   SideGroups make_;
   std::array<std::size_t, 3> xyz_;
-  std::size_t axes_;
+  double shortest_;  // longer travels move for certain (No. 19630)
 
   // Held: a block that waits for the last vector of the corner before the path (waits_ 0 or 1), the path or a start of
   // type C, and blocks without movement behind it.
