@@ -15,6 +15,8 @@
 #include "model/tool_length_measurement/tool_length_measurement.h"
 #include "model/tool_length_offset/tool_length_offset.h"
 #include "model/tool_offset/tool_offset.h"
+#include "model/tool_side_compensation/tool_side_compensation.h"
+#include "model/tool_side_compensation/tool_side_words.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::model {
@@ -45,7 +47,8 @@ std::unique_ptr<CutterCompensation> cutter_compensation(const spec::Setup& setup
 }  // namespace
 
 // The stages of one run, and the order in which a block passes through them: interpretation, tool offset, length offset
-// (and its measurement), leading edge offset, cutter compensation, events. The length offset is decided when the block
+// (and its measurement), leading edge offset, cutter compensation, tool side compensation, events; of the three
+// compensations one at most is on. The length offset is decided when the block
 // is read, so that its alarms are known before a stage of compensation looks at the block; all of them only add to the
 // programmed end, so the order does not show in the coordinates.
 struct Engine::State {
@@ -61,7 +64,9 @@ struct Engine::State {
         tool_offset(setup, memory, recorder),
         measurement(setup, recorder),
         cutter_words(setup, memory, recorder),
-        cutter(cutter_compensation(setup, recorder, [this](const Step& step) { report(step); })) {}
+        cutter(cutter_compensation(setup, recorder, [this](const Step& step) { tool_side.take(step); })),
+        tool_side_words(setup, memory, recorder),
+        tool_side(setup, recorder, [this](const Step& step) { report(step); }) {}
 
   void run(const spec::Block& block);
   void finish();
@@ -82,6 +87,7 @@ struct Engine::State {
   void report(const Step& step);
   void report(const Step& step, const Move& move);
   void report(const Step& step, const OffsetSetting& setting);
+  void report(const Step& step, const Warning& warning);
   void report(const Alarm& alarm, const spec::ClauseList& clauses);
   void report(const LeftOpen& open);
   void report_undecided();
@@ -98,6 +104,8 @@ struct Engine::State {
   ToolLengthMeasurement measurement;
   CutterWords cutter_words;
   std::unique_ptr<CutterCompensation> cutter;
+  ToolSideWords tool_side_words;
+  ToolSideCompensation tool_side;
   std::uint64_t line = 0;  // of the block being interpreted
   std::optional<std::uint64_t> n;
   std::optional<OffsetWrite> pending_write;  // of a G10 block, until its step is made
@@ -146,6 +154,7 @@ void Engine::State::fail(const Alarm& alarm) {
 void Engine::State::release() {
   edge.finish();
   cutter->finish();
+  tool_side.finish();
 }
 
 void Engine::State::finish() {
@@ -171,9 +180,16 @@ void Engine::State::run(const spec::Block& block) {
 // Everything about a block but its compensation vector. The alarms of a command are found here, in this order.
 Step Engine::State::step(const Command& command) {
   const Numbers& numbers = interpreter.numbers();
-  const ProgramDirection::Marks tip = direction.read(command, length, edge.concerns(command), numbers);
+  const ProgramDirection::Compensated compensated{edge.concerns(command), tool_side.on(),
+                                                  tool_side_words.wanted(command)};
+  const ProgramDirection::Marks tip = direction.read(command, length, compensated, numbers);
   const bool moves = command.axes != 0 || (tip.tip_control && command.direction);
   const LeadingEdgeOffset::Marks marks = edge.read(command, moves, memory);
+  std::optional<ToolSideBlock> side_block = tool_side_words.read(command, tip.tip_control, interpreter);
+  if (side_block) {
+    tool_side.read(*side_block);
+    tool_side_words.add_value(*side_block);
+  }
   interpreter.select_workpiece_system(command);
   std::optional<CutterBlock> cutter_block = cutter_words.read(command, interpreter);
   if (cutter_block) {
@@ -214,7 +230,7 @@ Step Engine::State::step(const Command& command) {
   interpreter.arrive(command, legs);
   if (measures) stand_where_measured(legs.back(), measurement.axis(command));
   if (!tip.tip_control) direction.follow(interpreter.position());
-  if (edge.concerns(command) || cutter_block) {
+  if (edge.concerns(command) || cutter_block || side_block) {
     const Leg rest = tool_offset.shifted(interpreter.stay(command));
     step.rest = step.moves.empty() ? move(command, tip, rest, plan.at_end, machine) : step.moves.back();
     step.rest.leg = rest;
@@ -227,6 +243,7 @@ Step Engine::State::step(const Command& command) {
   step.edge = marks.edge;
   step.radius = marks.radius;
   step.cutter = std::move(cutter_block);
+  step.side = std::move(side_block);
   if (edge.concerns(command) && marks.edge == EdgeCommand::none)
     step.travels =
         !recorder.decide(Clause::fanuc_leading_edge_no_movement, legs.empty() || is_zero(legs.front().travel));
@@ -259,7 +276,8 @@ LengthCommand Engine::State::length_command(const Command& command, const std::v
   result.plane = command.plane;
   result.axes = command.axes;
   result.has_word = command.codes.any;
-  result.cutter_code = command.codes.compensation && *command.codes.compensation != Compensation::leading_edge;
+  const std::optional<Compensation>& code = command.codes.compensation;
+  result.cutter_code = code && (*code == Compensation::cancel || is_cutter_side(*code));
   if (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot)) result.cancelled = command.axes;
   return result;
 }
@@ -285,6 +303,7 @@ Move Engine::State::move(const Command& command, const ProgramDirection::Marks& 
 }
 
 void Engine::State::report(const Step& step) {
+  if (step.warning) report(step, *step.warning);
   for (const Move& move : step.moves) report(step, move);
   if (step.setting) report(step, *step.setting);
   if (step.alarm) {
@@ -328,6 +347,17 @@ void Engine::State::report(const Step& step, const OffsetSetting& setting) {
   event.value = setting.value;
   event.clauses = step.clauses;
   append(event.clauses, setting.clauses);
+  sink.on(event);
+}
+
+void Engine::State::report(const Step& step, const Warning& warning) {
+  Event event;
+  event.kind = spec::EventKind::warning;
+  event.line = step.line;
+  event.n = step.n;
+  event.number = warning.number;
+  event.message = warning.message;
+  event.clauses = warning.clauses;
   sink.on(event);
 }
 

@@ -2,13 +2,6 @@
 
 namespace toolcomp::model {
 
-CutterOffset offset_of(Recorder& recorder, const CutterBlock& block) {
-  const int of_code = block.side == CutterSide::left ? 1 : -1;
-  const Rational distance = abs(block.offset);
-  const Sign decided = recorder.decide(Clause::fanuc_cutter_side, Rational(of_code * block.offset), distance);
-  return {decided == Sign::zero ? of_code : static_cast<int>(decided), distance, block.offset};
-}
-
 OffsetPath path_of(const CutterBlock& block, const CutterOffset& own, const Rational& distance_before) {
   const Rational at_start = own.side * distance_before;
   if (block.motion != PlaneMotion::arc) return line_path(block.end - block.start, at_start, own.left());

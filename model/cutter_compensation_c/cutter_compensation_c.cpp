@@ -88,7 +88,7 @@ void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
 
 void CutterCompensationC::start_up(Step& now) {
   recorder().reach(Clause::fanuc_cutter_c_start_up);
-  const CutterOffset offset = offset_of(recorder(), *now.cutter);
+  const CutterOffset offset = offset_of(recorder(), now.cutter->side, now.cutter->offset);
   unchecked_ = false;
   state_ = State::on;
   hold(now, Held::Kind::start_up, offset, path_of(*now.cutter, offset, offset.distance));
@@ -96,7 +96,7 @@ void CutterCompensationC::start_up(Step& now) {
 }
 
 void CutterCompensationC::start_alone(Step& now) {
-  const CutterOffset offset = offset_of(recorder(), *now.cutter);
+  const CutterOffset offset = offset_of(recorder(), now.cutter->side, now.cutter->offset);
   unchecked_ = false;
   hold(now, Held::Kind::lone_start, offset, {});
   started_ = offset;

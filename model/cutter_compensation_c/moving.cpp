@@ -19,7 +19,7 @@ void CutterCompensationC::take_moving(Step& now) {
 }
 
 CutterOffset CutterCompensationC::next_offset(const CutterBlock& block) {
-  const CutterOffset offset = offset_of(recorder(), block);
+  const CutterOffset offset = offset_of(recorder(), block.side, block.offset);
   if (started_ && started_->side != offset.side)
     raise(recorder(), Clause::fanuc_cutter_c_direction_change_at_start_up, "DIR_CHANGE_AT_STARTUP",
           "the side changes in the block behind a start-up");

@@ -19,10 +19,14 @@ CornerClass classify(Recorder& recorder, const PathEnd& former, const PathEnd& l
 }
 
 bool is_under_one_degree(Recorder& recorder, const PathEnd& former, const PathEnd& latter) {
+  return is_under_one_degree(recorder, square(cross(former.heading.along, latter.heading.along)),
+                             square(dot(former.heading.along, latter.heading.along)));
+}
+
+bool is_under_one_degree(Recorder& recorder, const Real& cross2, const Real& dot2) {
   static const Rational tangent = Rational("174550649282175857651288952197/10000000000000000000000000000000");
-  const Real across2 = square(cross(former.heading.along, latter.heading.along));
-  const Real ahead2 = Rational(tangent * tangent) * square(dot(former.heading.along, latter.heading.along));
-  return recorder.decide(Clause::fanuc_cutter_c_under_one_degree, ahead2 - across2, ahead2 + across2) == Sign::positive;
+  const Real ahead2 = Rational(tangent * tangent) * dot2;
+  return recorder.decide(Clause::fanuc_cutter_c_under_one_degree, ahead2 - cross2, ahead2 + cross2) == Sign::positive;
 }
 
 PlanePoint perpendicular(const PathEnd& end) { return (end.offset / end.heading.length) * left(end.heading.along); }

@@ -23,6 +23,8 @@ CornerClass classify(Recorder& recorder, const PathEnd& former, const PathEnd& l
 
 // Whether α of an acute corner is under 1°. Clause: fanuc.cutter-c.under-one-degree.
 bool is_under_one_degree(Recorder& recorder, const PathEnd& former, const PathEnd& latter);
+// The same by the squares of cross and scalar product, times one positive factor.
+bool is_under_one_degree(Recorder& recorder, const Real& cross2, const Real& dot2);
 
 // P: at right angles to the path, of the length of the offset.
 PlanePoint perpendicular(const PathEnd& end);

@@ -16,17 +16,6 @@ bool sweeps_far_apart(Recorder& recorder, ToolArcRun& run) {
                          run.radii()) == Sign::positive;
 }
 
-bool arc_interferes(Recorder& recorder, const OffsetPath& path, ToolArcRun& run) {
-  const Clause radius = Clause::fanuc_cutter_c_interference_radius;
-  const Sign at_start = decide_offset_radius(recorder, radius, path.start);
-  if (at_start == Sign::negative) return true;
-  const Sign at_end = decide_offset_radius(recorder, radius, path.end);
-  if (at_end == Sign::negative) return true;
-  if (at_start == Sign::zero || at_end == Sign::zero) return false;
-  if (run.in_center() || run.turns_as_programmed()) return false;
-  return sweeps_far_apart(recorder, run);
-}
-
 // Not less than the length, and cheap.
 Real bound(const PlanePoint& vector) {
   Real sum;
@@ -45,19 +34,40 @@ bool line_interferes(Recorder& recorder, const OffsetPath& path, const CornerVec
 
 }  // namespace
 
+bool arc_interferes(Recorder& recorder, const PathEnd& start, const PathEnd& end, ToolArcRun& run) {
+  const Clause radius = Clause::fanuc_cutter_c_interference_radius;
+  const Sign at_start = decide_offset_radius(recorder, radius, start);
+  if (at_start == Sign::negative) return true;
+  const Sign at_end = decide_offset_radius(recorder, radius, end);
+  if (at_end == Sign::negative) return true;
+  if (at_start == Sign::zero || at_end == Sign::zero) return false;
+  if (run.in_center() || run.turns_as_programmed()) return false;
+  return sweeps_far_apart(recorder, run);
+}
+
+Kept inner_pair(Recorder& recorder, std::size_t at_start, std::size_t at_end, const Interferes& interferes) {
+  Kept kept{Passage::free, at_start - 1, 0};
+  for (std::size_t pairs = std::max(at_start, at_end); pairs > 0; --pairs) {
+    const bool first = kept.passage == Passage::free;
+    if (!recorder.decide(Clause::fanuc_cutter_c_interference_pairs, interferes(first, kept.from, kept.to))) return kept;
+    kept.passage = Passage::shortened;
+    if (kept.from > 0) --kept.from;
+    if (kept.to + 1 < at_end) ++kept.to;
+  }
+  kept.passage = Passage::blocked;
+  return kept;
+}
+
 Passage remove_interference(Recorder& recorder, const OffsetPath& path, VectorGroup& at_start, VectorGroup& at_end,
                             ToolArcRun* arc) {
-  const std::size_t pairs = std::max(at_start.size(), at_end.size());
-  for (std::size_t pair = 0; pair < pairs; ++pair) {
-    const bool interferes = arc != nullptr && pair == 0
-                                ? arc_interferes(recorder, path, *arc)
-                                : line_interferes(recorder, path, at_start.back(), at_end.front());
-    if (!recorder.decide(Clause::fanuc_cutter_c_interference_pairs, interferes))
-      return pair == 0 ? Passage::free : Passage::shortened;
-    if (at_start.size() > 1) at_start.pop_back();
-    if (at_end.size() > 1) at_end.erase(at_end.begin());
-  }
-  return Passage::blocked;
+  const Kept kept =
+      inner_pair(recorder, at_start.size(), at_end.size(), [&](bool first, std::size_t from, std::size_t to) {
+        return first && arc != nullptr ? arc_interferes(recorder, path.start, path.end, *arc)
+                                       : line_interferes(recorder, path, at_start[from], at_end[to]);
+      });
+  at_start.resize(kept.from + 1);
+  at_end.erase(at_end.begin(), at_end.begin() + static_cast<std::ptrdiff_t>(kept.to));
+  return kept.passage;
 }
 
 }  // namespace toolcomp::model

@@ -3,15 +3,6 @@
 namespace toolcomp::model {
 namespace {
 
-PathEnd arc_end(const PlanePoint& from_center, const ArcEnds& arc, const Rational& offset) {
-  PathEnd end;
-  const PlanePoint along = Real(arc.turn) * left(from_center);
-  end.heading = arc.radius ? Heading{along, Rational(*arc.radius * *arc.radius), *arc.radius} : heading(along);
-  end.turn = arc.turn;
-  end.offset = offset;
-  return end;
-}
-
 // The offset lies away from the centre: the offset circle is larger than the programmed one.
 bool grows(const PathEnd& end) { return end.turn * end.offset <= 0; }
 // R - |offset| has the sign of R² - offset².
@@ -35,12 +26,22 @@ OffsetPath line_path(const PlanePoint& travel, const Rational& offset_at_start, 
   return path;
 }
 
+PathEnd arc_end(const PlanePoint& from_center, int turn, const std::optional<Rational>& radius,
+                const Rational& offset) {
+  PathEnd end;
+  const PlanePoint along = Real(turn) * left(from_center);
+  end.heading = radius ? Heading{along, Rational(*radius * *radius), *radius} : heading(along);
+  end.turn = turn;
+  end.offset = offset;
+  return end;
+}
+
 OffsetPath arc_path(const ArcEnds& arc, const Rational& offset_at_start, const Rational& offset_at_end) {
   OffsetPath path;
   path.travel = arc.end - arc.start;
   path.one_radius = arc.one_radius;
-  path.start = arc_end(arc.start, arc, offset_at_start);
-  path.end = arc_end(arc.end, arc, offset_at_end);
+  path.start = arc_end(arc.start, arc.turn, arc.radius, offset_at_start);
+  path.end = arc_end(arc.end, arc.turn, arc.radius, offset_at_end);
   return path;
 }
 

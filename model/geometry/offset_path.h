@@ -60,6 +60,8 @@ struct ArcEnds {
   bool one_radius = true;
 };
 OffsetPath arc_path(const ArcEnds& arc, const Rational& offset_at_start, const Rational& offset_at_end);
+// One end of it; `from_center` is that end as seen from the centre.
+PathEnd arc_end(const PlanePoint& from_center, int turn, const std::optional<Rational>& radius, const Rational& offset);
 
 // The sign of the offset circle's radius R', decided under the clause; arcs only.
 Sign decide_offset_radius(Recorder& recorder, Clause clause, const PathEnd& end);

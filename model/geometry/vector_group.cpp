@@ -18,8 +18,8 @@ VectorGroup zero(Recorder& recorder) {
 
 VectorGroup one(const PlanePoint& meeting) { return {{meeting, Seat::on, Seat::on}}; }
 
-// The way round an outer corner: along the tangents, with perpendicular vectors where the offset path does not run
-// along the tangent itself.
+}  // namespace
+
 VectorGroup way_round(CornerClass kind, const PathEnd& former, const PathEnd& latter, bool with_p1, bool with_p2) {
   VectorGroup group;
   group.reserve(4);
@@ -34,7 +34,12 @@ VectorGroup way_round(CornerClass kind, const PathEnd& former, const PathEnd& la
   return group;
 }
 
-}  // namespace
+// The sweep is 180° or more where its sine is not positive; a whole turn too.
+bool is_under_half_circle(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, int turn,
+                          const Real& radii) {
+  return recorder.decide(Clause::fanuc_cutter_c_small_corner_before_half_circle, Real(turn) * cross(start, end),
+                         radii) == Sign::positive;
+}
 
 CornerRules::CornerRules(const spec::Setup& setup, Recorder& recorder)
     : recorder_(recorder),
@@ -141,13 +146,9 @@ bool CornerRules::is_small(const PlanePoint& movement, const Rational& offset) c
 void CornerRules::drop_small_movements(VectorGroup& group, const OffsetPath& latter) const {
   if (group.size() < 2) return;
   if (latter.is_arc()) {
-    // The sweep is 180° or more where its sine is not positive; a whole turn too.
     const Heading& from = latter.start.heading;
     const Heading& to = latter.end.heading;
-    const Real sine = Real(latter.start.turn) * cross(from.along, to.along);
-    const Sign shorter =
-        recorder_.decide(Clause::fanuc_cutter_c_small_corner_before_half_circle, sine, from.length * to.length);
-    if (shorter != Sign::positive) return;
+    if (!is_under_half_circle(recorder_, from.along, to.along, latter.start.turn, from.length * to.length)) return;
   }
   if (limit_ < 0) return;
   VectorGroup kept{group.front()};

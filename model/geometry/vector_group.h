@@ -25,6 +25,15 @@ struct CornerVector {
 // At least one vector, at most four.
 using VectorGroup = std::vector<CornerVector>;
 
+// The way round an outer corner: along the tangents, with the vectors at right angles to the former and to the latter
+// block where they are asked for.
+VectorGroup way_round(CornerClass kind, const PathEnd& former, const PathEnd& latter, bool with_p1, bool with_p2);
+
+// Whether an arc from `start` to `end`, seen from its centre, sweeps less than a half circle. Clause:
+// fanuc.cutter-c.small-corner-before-half-circle.
+bool is_under_half_circle(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, int turn,
+                          const Real& radii);
+
 // The rules that make the vectors of one corner out of the block that ends there and the one that starts there. The
 // offset at the end of `former` is not 0 (but for square_to).
 class CornerRules {

@@ -25,21 +25,21 @@ bool ProgramDirection::has_rotary_word(const Command& command) const {
   return false;
 }
 
-ProgramDirection::Marks ProgramDirection::read(const Command& command, const ToolLengthOffset& length, bool edge,
-                                               const Numbers& numbers) {
+ProgramDirection::Marks ProgramDirection::read(const Command& command, const ToolLengthOffset& length,
+                                               const Compensated& compensated, const Numbers& numbers) {
   const std::optional<LengthCode>& code = command.codes.length;
   Marks marks;
   marks.starts = code == LengthCode::tool_direction;
   marks.ends = length.tip_control() && code == LengthCode::cancel;
   marks.tip_control = marks.starts || (length.tip_control() && !marks.ends);
-  if (marks.tip_control || marks.ends) restrict(command, length, edge, marks, numbers);
+  if (marks.tip_control || marks.ends) restrict(command, length, compensated, marks, numbers);
   return marks;
 }
 
-void ProgramDirection::restrict(const Command& command, const ToolLengthOffset& length, bool edge, const Marks& marks,
-                                const Numbers& numbers) {
+void ProgramDirection::restrict(const Command& command, const ToolLengthOffset& length, const Compensated& compensated,
+                                const Marks& marks, const Numbers& numbers) {
   const Codes& codes = command.codes;
-  const bool cutter = codes.compensation == Compensation::left || codes.compensation == Compensation::right;
+  const bool cutter = codes.compensation && is_cutter_side(*codes.compensation);
   if (marks.tip_control && (leaves_the_path(codes.one_shot) || codes.workpiece || cutter))
     raise(recorder_, Clause::fanuc_tool_direction_forbidden, "FORBIDDEN_UNDER_TOOL_DIRECTION",
           "a command that is not allowed while G43.5 is in force");
@@ -50,14 +50,18 @@ void ProgramDirection::restrict(const Command& command, const ToolLengthOffset& 
   if (marks.starts && !kinematics_.tip_control_built())
     raise(recorder_, Clause::fanuc_tool_direction_kinematics, "KINEMATICS_NOT_BUILT",
           "G43.5 on a machine with table axes or head offsets");
-  if (marks.tip_control && command.words.has('Q'))
+  if (marks.tip_control && command.words.has('Q') && (marks.starts || !compensated.side_after))
     raise(recorder_, Clause::fanuc_tool_direction_lean, "LEAN_ANGLE_NOT_BUILT", "a lean angle Q under G43.5");
-  const bool in_edge = edge && (marks.starts || marks.ends);
+  const bool side = compensated.side_before || compensated.side_after;
+  const bool in_compensation = (compensated.edge || side) && (marks.starts || marks.ends);
   const bool in_arc = command.is_arc_motion() && (marks.starts || (marks.tip_control && command.direction));
-  if (in_edge || in_arc)
+  if (in_compensation || in_arc)
     raise(recorder_, Clause::fanuc_tool_direction_format, "TOOL_DIRECTION_FORMAT",
-          "G43.5 or its end in the leading edge offset, or a tool direction in G02 or G03");
+          "G43.5 or its end in a compensation in space, or a tool direction in G02 or G03");
   if (!marks.tip_control) return;
+  if (has_rotary_word(command) && side)
+    raise(recorder_, Clause::fanuc_tool_side_rotary_word, "PS5460",
+          "a rotary axis word while tool side compensation is on under G43.5");
   if (has_rotary_word(command))
     raise(recorder_, Clause::fanuc_tool_direction_rotary_word, "PS5421", "a rotary axis word while G43.5 is in force");
   if (command.direction && is_zero(direction_words(command, numbers)))

@@ -22,8 +22,15 @@ class ProgramDirection {
     bool ends = false;         // G49 that ends it
     bool tip_control = false;  // in force in this block
   };
-  // `edge`: the leading edge offset is on before or after the block. Throws the alarms of G43.5.
-  Marks read(const Command& command, const ToolLengthOffset& length, bool edge, const Numbers& numbers);
+  // The other compensations in space, before and after the block.
+  struct Compensated {
+    bool edge = false;  // the leading edge offset is on before or after it
+    bool side_before = false;
+    bool side_after = false;  // tool side compensation is on
+  };
+  // Throws the alarms of G43.5.
+  Marks read(const Command& command, const ToolLengthOffset& length, const Compensated& compensated,
+             const Numbers& numbers);
 
   // The direction in force before the block.
   [[nodiscard]] const Direction& now() const { return direction_; }
@@ -33,8 +40,8 @@ class ProgramDirection {
   void follow(const Position& position) { direction_ = of_pose(position); }
 
  private:
-  void restrict(const Command& command, const ToolLengthOffset& length, bool edge, const Marks& marks,
-                const Numbers& numbers);
+  void restrict(const Command& command, const ToolLengthOffset& length, const Compensated& compensated,
+                const Marks& marks, const Numbers& numbers);
   [[nodiscard]] bool has_rotary_word(const Command& command) const;
   [[nodiscard]] const Direction& of_pose(const Position& position);
 

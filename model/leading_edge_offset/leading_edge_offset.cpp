@@ -62,8 +62,8 @@ LeadingEdgeOffset::Marks LeadingEdgeOffset::read(const Command& command, bool mo
 
 void LeadingEdgeOffset::forbid(const Command& command, bool moves) {
   const Codes& codes = command.codes;
-  const bool cutter = codes.compensation == Compensation::left || codes.compensation == Compensation::right;
-  const bool code = codes.one_shot != OneShot::none || codes.workpiece || codes.units || cutter;
+  const bool other = codes.compensation && (is_cutter_side(*codes.compensation) || is_tool_side(*codes.compensation));
+  const bool code = codes.one_shot != OneShot::none || codes.workpiece || codes.units || other;
   if (code || (codes.auxiliary && moves))
     raise(recorder_, Clause::fanuc_leading_edge_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
           "a command that is not allowed while the leading edge offset is on");

@@ -66,10 +66,18 @@ class Reader {
         return group(codes_.compensation, Compensation::cancel);
       case 410:
         return group(codes_.compensation, Compensation::left);
+      case 412:
+        return group(codes_.compensation, Compensation::tool_side_left);
       case 413:
         return group(codes_.compensation, Compensation::leading_edge);
+      case 416:
+        return group(codes_.compensation, Compensation::directed_tool_side_left);
       case 420:
         return group(codes_.compensation, Compensation::right);
+      case 422:
+        return group(codes_.compensation, Compensation::tool_side_right);
+      case 426:
+        return group(codes_.compensation, Compensation::directed_tool_side_right);
       case 430:
         return group(codes_.length, LengthCode::plus);
       case 435:
@@ -175,7 +183,7 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
       codes.auxiliary = true;
     }
   }
-  const bool side = codes.compensation == Compensation::left || codes.compensation == Compensation::right;
+  const bool side = codes.compensation && is_cutter_side(*codes.compensation);
   if (side && words.has('I') && words.has('J') && words.has('K') &&
       setup.cutter_compensation == spec::CutterCompensationType::c)
     raise(recorder, Clause::fanuc_cutter_c_three_dimensional, "PS0010", "three-dimensional compensation is not built");

@@ -13,8 +13,17 @@
 
 namespace toolcomp::model {
 
-enum class Motion : std::uint8_t { rapid, linear, arc_cw, arc_ccw };           // group 01: G00–G03
-enum class Compensation : std::uint8_t { cancel, left, right, leading_edge };  // group 07: G40, G41, G42, G41.3
+enum class Motion : std::uint8_t { rapid, linear, arc_cw, arc_ccw };  // group 01: G00–G03
+enum class Compensation : std::uint8_t {                              // group 07
+  cancel,                                                             // G40
+  left,                                                               // G41
+  right,                                                              // G42
+  leading_edge,                                                       // G41.3
+  tool_side_left,                                                     // G41.2
+  tool_side_right,                                                    // G42.2
+  directed_tool_side_left,                                            // G41.6: the same under G43.5
+  directed_tool_side_right                                            // G42.6
+};
 enum class LengthCode : std::uint8_t { plus, minus, tool_direction, cancel };  // group 08: G43 G44 G43.5 G49
 enum class OneShot : std::uint8_t {                                            // group 00
   none,
@@ -36,6 +45,11 @@ enum class OneShot : std::uint8_t {                                            /
 
 // G45–G48.
 constexpr bool is_tool_offset(OneShot code) { return code >= OneShot::increase && code <= OneShot::double_decrease; }
+
+// G41, G42.
+constexpr bool is_cutter_side(Compensation code) { return code == Compensation::left || code == Compensation::right; }
+// G41.2, G42.2, G41.6, G42.6.
+constexpr bool is_tool_side(Compensation code) { return code >= Compensation::tool_side_left; }
 
 // The last word of each address.
 class Words {

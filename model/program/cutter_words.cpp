@@ -6,16 +6,8 @@ namespace toolcomp::model {
 namespace {
 
 CutterSide side_of(Compensation code) {
-  switch (code) {
-    case Compensation::left:
-      return CutterSide::left;
-    case Compensation::right:
-      return CutterSide::right;
-    case Compensation::cancel:
-    case Compensation::leading_edge:
-      break;
-  }
-  return CutterSide::none;
+  if (!is_cutter_side(code)) return CutterSide::none;
+  return code == Compensation::left ? CutterSide::left : CutterSide::right;
 }
 
 // The block moves by its code of group 01.
@@ -49,21 +41,17 @@ PlaneMotion motion_of(const CutterBlock& block, const std::vector<Leg>& legs) {
 
 }  // namespace
 
+std::optional<OffsetNumber> given_number(const Codes& codes, bool ofh) {
+  if (codes.d) return OffsetNumber{*codes.d, false};
+  if (ofh && codes.h) return OffsetNumber{*codes.h, true};
+  return std::nullopt;
+}
+
 CutterWords::CutterWords(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder)
     : memory_(memory), recorder_(recorder), axes_(setup.axes), ofh_(setup.bit(5001, 2)), evr_(setup.bit(5001, 4)) {}
 
 bool CutterWords::has_word(const Command& command, char letter) const {
   return axes_.has(letter) && (command.axes >> axes_.index(letter) & 1U) != 0;
-}
-
-void CutterWords::take_number(const Codes& codes, CutterBlock& block) {
-  if (codes.d) {
-    number_ = {*codes.d, false};
-    block.number_given = true;
-  } else if (ofh_ && codes.h) {
-    number_ = {*codes.h, true};
-    block.number_given = true;
-  }
 }
 
 std::optional<PlanePoint> CutterWords::direction(const Command& command, const Interpreter& interpreter) const {
@@ -89,11 +77,14 @@ std::optional<CutterBlock> CutterWords::read(const Command& command, const Inter
   block.number_before = number_.number;
   if (codes.compensation) {
     side_ = side_of(*codes.compensation);
-    if (*codes.compensation != Compensation::leading_edge) block.code = side_;
+    if (*codes.compensation == Compensation::cancel || is_cutter_side(*codes.compensation)) block.code = side_;
   }
   block.side = side_;
   seen_ = seen_ || side_ != CutterSide::none || codes.one_shot == OneShot::corner_arc;
-  take_number(codes, block);
+  if (const auto given = given_number(codes, ofh_)) {
+    number_ = *given;
+    block.number_given = true;
+  }
   block.plane = command.plane;
   block.plane_changed = command.plane != plane_;
   plane_ = command.plane;
@@ -113,7 +104,7 @@ std::optional<CutterBlock> CutterWords::read(const Command& command, const Inter
   block.arc_mode = command.is_arc_motion();
   block.arc_words = block.arc_mode && is_path(codes.one_shot) &&
                     (block.has_plane_word() || command.direction || command.words.has('R'));
-  block.leading_edge = codes.compensation == Compensation::leading_edge;
+  block.other_compensation = codes.compensation && !block.code;
   block.tool_direction = codes.length == LengthCode::tool_direction;
   block.lacks_axis = !axes_.has(in_plane.first) || !axes_.has(in_plane.second);
   if (const spec::Decimal* const r = command.words.find('R'); block.arc_words && r != nullptr) {

@@ -19,6 +19,9 @@ struct OffsetNumber {
   bool of_h = false;  // it came with H
 };
 
+// The number that a block gives, from the address that counts; `ofh`: 5001#2, H gives it too.
+std::optional<OffsetNumber> given_number(const Codes& codes, bool ofh);
+
 // Follows group 07 and the offset number through the program. Clauses: fanuc.cutter.*.
 class CutterWords {
  public:
@@ -38,8 +41,6 @@ class CutterWords {
  private:
   [[nodiscard]] bool has_word(const Command& command, char letter) const;
   [[nodiscard]] PlanePoint point(spec::Plane plane, const Leg& leg) const;
-  // Takes the number of this block, from the address that counts.
-  void take_number(const Codes& codes, CutterBlock& block);
   [[nodiscard]] std::optional<PlanePoint> direction(const Command& command, const Interpreter& interpreter) const;
 
   const OffsetMemory& memory_;

@@ -87,7 +87,7 @@ struct CutterBlock {
   bool arc_words = false;                // an arc by its words: G02 or G03 in force, no other code of group 00, and an
                                          // axis word of the plane or I J K or R
   std::optional<Rational> radius;        // of such an arc, where R gives it
-  bool leading_edge = false;             // G41.3
+  bool other_compensation = false;       // G41.3, G41.2 …
   bool tool_direction = false;           // G43.5
   bool changes_workpiece_system = false;  // G54–G59
   bool is_block = true;                   // any word, N and O included
@@ -108,6 +108,41 @@ struct CutterBlock {
   [[nodiscard]] bool repeats_code() const { return code && *code != CutterSide::none && *code == before; }
 };
 
+// What a block says to tool side compensation: its words.
+struct ToolSideBlock {
+  std::optional<CutterSide> code;        // the G40, G41.2, G42.2, G41.6 or G42.6 word
+  CutterSide before = CutterSide::none;  // side in force before the block
+  CutterSide side = CutterSide::none;    // and at its end
+  bool number_given = false;             // a D word, or with OFH = 1 an H word
+  std::uint32_t number = 0;              // offset number in force at its end
+  Rational offset;                       // its signed value; 0 while `side` is none
+  std::optional<int> treatment;          // Q: 1, 2 or 3; 0 where it is none of them
+  std::optional<Rational> radius;        // of an arc, where R gives it
+  bool wrong_mode = false;               // G41.2 under G43.5, or G41.6 without it
+  bool other_compensation = false;       // G41, G42, G41.3
+  bool plane_changed = false;            // against the block before
+  bool leaves_the_path = false;          // a code of group 00
+  bool changes_coordinates = false;      // G54–G59, G20, G21
+  bool auxiliary = false;                // an M, S or T word
+  bool stops_look_ahead = false;         // M00 M01 M02 M30
+  bool moves = false;                    // an axis word, I J K under G43.5 included
+  bool arc_mode = false;                 // G02 or G03 in force
+  bool arc_words = false;                // an arc by its words
+  bool is_block = true;                  // any word, N and O included
+
+  // A word equal to the code in force before it.
+  [[nodiscard]] bool repeats_code() const { return code && *code != CutterSide::none && *code == before; }
+  // The compensation is on after the block.
+  [[nodiscard]] bool wanted() const { return side != CutterSide::none && number != 0; }
+};
+
+// What a stage of compensation says before the moves of a block.
+struct Warning {
+  spec::Name number;
+  const char* message = "";  // static text
+  spec::ClauseList clauses;
+};
+
 // A block ready to be compensated.
 struct Step {
   std::uint64_t line = 0;
@@ -116,14 +151,16 @@ struct Step {
   // moves it inserts.
   std::vector<Move> moves;
   // The place where the block ends, for a move inserted there; its type is that of group 01. Present where the leading
-  // edge offset is on, and with `cutter`.
+  // edge offset is on, and with `cutter` and `side`.
   Move rest;
   bool has_word = false;  // a word other than N and O
   bool travels = false;   // a linear movement, X Y Z
   bool stops_look_ahead = false;
   EdgeCommand edge = EdgeCommand::none;
   Rational radius;  // offset of the D number in force at the end of the block, where the leading edge offset is active
-  std::optional<CutterBlock> cutter;     // from the first G41, G42 or G39 of a program on
+  std::optional<CutterBlock> cutter;  // from the first G41, G42 or G39 of a program on
+  std::optional<ToolSideBlock> side;  // from its first G41.2, G42.2, G41.6 or G42.6 on
+  std::optional<Warning> warning;
   std::optional<OffsetSetting> setting;  // written at the end of the block
   std::optional<Alarm> alarm;            // that shows by its motion, once its moves are made
   spec::ClauseList clauses;

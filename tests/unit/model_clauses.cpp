@@ -200,6 +200,65 @@ std::vector<Program> cutter_c_programs() {
   };
 }
 
+// Tool side compensation. Most programs start along X with offset 10 and the tool in Z.
+std::vector<Program> tool_side_programs() {
+  const auto with = [](const std::string& parameters, const std::string& position = "X = -20\n") {
+    return kXyz + "[parameters]\n" + parameters + "[offsets.D]\n1 = 10\n2 = -5\n[position]\n" + position;
+  };
+  const std::string plain = with("");
+  const std::string unchecked = with("\"5008#0\" = 1\n");
+  const std::string b = with("\"5003#0\" = 1\n");
+  const std::string without = "type_b_without_perpendicular = true\n" + b;
+  const std::string c = with("\"5003#1\" = 1\n");
+  const std::string on = "G43.5 K1\nG01 G41.6 D1 X0\nX40\n";
+  // TS9: from the tool (0, -4, 3) to another.
+  const std::string ts9 = with("", "Y = 40\nZ = 40\n");
+  const auto plane_change = [](const std::string& q, const std::string& tool, const std::string& next) {
+    return "G43.5 J-4 K3\nG01 G41.6 D1 X0 Y0 Z0\nY-200 Z-200" + q + "\n" + tool + "\n" + next + "\n";
+  };
+  return {
+      // Corners of lines, blocks between them, the ends of a program
+      {unchecked, on + "X80\nY40\nX120\nY0\nX160 Y-10\nM05\nX120 Y-20\nX60 Y-10\nI1 K1\nX300\nX0\nG41.6 Y90\nM05\nM09\n"
+                       "X400\nM00\nX500\nG40 X600\n"},
+      {with("19630 = 6\n"), on + "X46\nX51\nX57\n"},
+      {with("\"19605#5\" = 1\n"), on + "Y100 J1 K0\nX200\n"},
+      // Arcs
+      {plain, on + "G02 X60 Y-20 R20\nG01 Y-60\n"},
+      {plain, "G43.5 K-1\nG01 G41.6 D1 X0\nX40\nG02 X60 Y-20 R20\n"},
+      {plain, "G43.5 I3 K4\nG01 G41.6 D1 X0\nX40\nG02 X60 Y-20 R20\n"},
+      {plain, "G43.5 J1\nG01 G41.6 D1 X0\nX40\nG02 X60 Y-20 R20\n"},
+      {plain, "G43.5 K1\nG02 G41.6 D1 X0 R10\n"},
+      // Start-up and cancel
+      {b, "G43.5 K1\nG01 G41.6 D1 X0\nY30\nG40 X-40\n"},
+      {b, "G43.5 K1\nG01 G41.6 D1 X0\nY-30\nG40 X-40\n"},
+      {b, "G43.5 K1\nG01 G41.6 D1 X0\nX-30 Y-30\nG40 Y30\n"},
+      {b, "G43.5 K1\nG01 G41.6 D1 X0\nX-30\nG40 X-60 Y-90\n"},
+      {without, "G43.5 K1\nG01 G41.6 D1 X0\nY-30\nG40 X-40\n"},
+      {plain, "G43.5 K1\nG01 G41.6 D1 X0\nG40 X40\nG41.6 X80\nX120\nG40\nX160\n"},
+      {plain, on + "G40\nG41.6 X80\n"},
+      {c, "G43.5 K1\nG01\nG41.6 D1\nX40\nG40\n"},
+      {c, "G41.2 D1 X5\n"},
+      // Vectors that are dropped: from (10, 10) to (10, -10)
+      {with("5010 = 19\n\"5008#0\" = 1\n"), on + "X0\n"},
+      {with("5010 = 20\n\"5008#0\" = 1\n"), on + "X0\n"},
+      {with("5010 = 21\n\"5008#0\" = 1\n"), on + "X0\n"},
+      // A change of the compensation plane
+      {ts9, plane_change("", "J4 K3", "Y-400 Z0")},
+      {ts9, plane_change(" Q1", "J4 K3", "Y-400 Z0")},
+      {ts9, plane_change(" Q2", "J4 K3", "Y-400 Z0\nY-600 Z200 Q2\nY-800 Z400")},
+      {ts9, plane_change(" Q3", "J4 K3", "Y-400 Z0")},
+      {ts9, plane_change(" Q4", "J4 K3", "Y-400 Z0")},
+      {with("\"5008#0\" = 1\n"),
+       on + "X80 J1 K1\nX120 J-1 K1\nX160 Y40 J1 K1\nX200 J0 K1\nI0 J3 K4\nX240 Y40 J-1 K0\n"},
+      {with("6261 = 90\n\"5008#0\" = 1\n"), on + "Y40 J1 K0\nX40 Z40 I1 J0\nZ80 I0 J0 K1\n"},
+      // Alarms of words
+      {plain, "G43.5\nG41.2\n"},
+      {plain, on + "G18\n"},
+      {plain, on + "G04\n"},
+      {plain, on + "B5\n"},
+  };
+}
+
 // One line for each group of outcomes; programs end at their first alarm.
 std::vector<Program> programs() {
   const std::string plain = setup("");
@@ -268,7 +327,8 @@ std::vector<Program> programs() {
       {plain, "G41.3 D1\nX1\nG54\n"},
       {plain, "G41.3 D1\nX1\nG40 X2\n"},
   };
-  for (const auto& more : {tool_offset_programs(), measurement_programs(), cutter_b_programs(), cutter_c_programs()})
+  for (const auto& more :
+       {tool_offset_programs(), measurement_programs(), cutter_b_programs(), cutter_c_programs(), tool_side_programs()})
     list.insert(list.end(), more.begin(), more.end());
   return list;
 }

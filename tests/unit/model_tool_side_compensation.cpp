@@ -1,0 +1,481 @@
+// Tool side compensation: the worked examples TS1 to TS11 of the sheet to every digit, the manual's route by C1, C2 and
+// M against the model's route without a basis, and rules derived in the comments. VT345 is (3/5, 0, 4/5), I3 J0 K4.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/exact/vector.h"
+#include "spec/language/input_error.h"
+#include "tests/unit/model_run.h"
+
+namespace {
+
+using namespace toolcomp;
+using exact::Real;
+using exact::Vector3;
+using test::Lines;
+using test::run;
+using test::Show;
+
+// D1 = 10, D2 = 5, D3 = -10, D4 = 0, D5 beyond the range. Only X Y Z: the direction is I J K.
+std::string setup(const std::string& parameters = "", const std::string& position = "") {
+  return "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[parameters]\n" + parameters +
+         "[offsets.H]\n1 = 50\n[offsets.D]\n1 = 10\n2 = 5\n3 = -10\n4 = 0\n5 = 1000\n[position]\n" + position;
+}
+// C carries B (or A).
+std::string head(const std::string& parameters = "", const std::string& position = "", const std::string& tilt = "B") {
+  return "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"" + tilt +
+         "\", \"C\"]\n[parameters]\n19680 = 2\n19681 = 5\n19682 = 3\n19686 = 4\n19687 = " + (tilt == "B" ? "2" : "1") +
+         "\n" + parameters + "[offsets.D]\n1 = 10\n2 = 5\n3 = -10\n4 = 0\n[position]\n" + position;
+}
+const std::string kTypeB = "\"5003#0\" = 1\n";
+const std::string kTypeC = "\"5003#1\" = 1\n";
+const std::string kTilted = "G43.5 I3 J0 K4\n";
+
+Lines points(const std::string& with, const std::string& program) {
+  return test::lines(run(with, program), Show::point);
+}
+// Without the first `skip` lines.
+Lines behind(std::size_t skip, const std::string& with, const std::string& program) {
+  Lines lines = points(with, program);
+  lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(std::min(skip, lines.size())));
+  return lines;
+}
+
+// The blocks before are a start-up and a block straight on, whose start is the perpendicular vector.
+TEST(ModelToolSide, Ts1PlaneOfXY) {
+  const std::string way = " D2 X0 F1\nX100\nY100\nG40 Y150\n";
+  EXPECT_EQ(points(head("", "X = -40\n"), "G01 G41.2" + way),
+            (Lines{"1 linear X0 Y5 Z0 (start-up)", "2 linear X95 Y5 Z0", "3 linear X95 Y100 Z0",
+                   "4 linear X100 Y150 Z0 (cancel)"}));
+  EXPECT_EQ(points(head("", "X = -40\n"), "G01 G42.2" + way),
+            (Lines{"1 linear X0 Y-5 Z0 (start-up)", "2 linear X105 Y-5 Z0", "3 linear X105 Y100 Z0",
+                   "4 linear X100 Y150 Z0 (cancel)"}));
+  // A negative value exchanges the codes.
+  EXPECT_EQ(points(head("", "X = -40\n"), "G01 G42.2 D3 X0 F1\nX100\nY100\n")[1], "2 linear X90 Y10 Z0");
+}
+
+TEST(ModelToolSide, Ts2And3TiltedTool) {
+  const auto corner = [](const std::string& code, const std::string& next) {
+    return behind(2, setup("", "Y = -40\n"), kTilted + "G01 " + code + " D1 Y0 F1\nY100 F7\n" + next + " F5\n");
+  };
+  EXPECT_EQ(corner("G41.6", "X100")[0], "3 linear X-8 Y110 Z6");
+  EXPECT_EQ(corner("G42.6", "X100")[0], "3 linear X8 Y90 Z-6");
+  // Outer acute: the move from V1 to V2 goes on from the stop point and belongs to the next block.
+  EXPECT_EQ(corner("G41.6", "X94 Y40 Z-8"),
+            (Lines{"3 linear X-8 Y110 Z6", "4 linear X-1.6 Y114 Z1.2 (corner)", "4 linear X98.8 Y48 Z-11.6"}));
+  EXPECT_EQ(corner("G42.6", "X94 Y40 Z-8")[0], "3 linear X8 Y80 Z-6");
+  const auto feeds = run(setup("", "Y = -40\n"), kTilted + "G01 G41.6 D1 Y0 F1\nY100 F7\nX94 Y40 Z-8 F5\n");
+  EXPECT_EQ(feeds.events()[2].feed->decimal(3), "7");
+  EXPECT_EQ(feeds.events()[3].feed->decimal(3), "5");
+}
+
+TEST(ModelToolSide, Ts6RotationAlone) {
+  EXPECT_EQ(behind(1, setup("", "X = -40\n"), "G43.5 K1\nG01 G41.6 D2 X0 F1\nX50\nI3 K4\nY100\nX150\nG40 X200\n"),
+            (Lines{"2 linear X0 Y5 Z0 (start-up)", "3 linear X45 Y5 Z0", "4 linear X45 Y5 Z0", "5 linear X46 Y105 Z3",
+                   "6 linear X150 Y105 Z0", "7 linear X200 Y100 Z0 (cancel)"}));
+  // The rotation runs at the last head of the corner and owns the move there: reversal with (10,10,0), (10,-10,0).
+  EXPECT_EQ(behind(1, setup("", "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\nX100\nG00 I3 K4\nG01 X0\n"),
+            (Lines{"2 linear X0 Y10 Z0 (start-up)", "3 linear X110 Y10 Z0", "4 rapid X110 Y-10 Z0 (corner)",
+                   "4 rapid X110 Y-10 Z0", "5 linear X0 Y-10 Z0"}));
+  // A block without a move owns nothing.
+  EXPECT_EQ(behind(1, setup("", "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\nX100\nM08\nX0\n")[2],
+            "5 linear X110 Y-10 Z0 (corner)");
+}
+
+TEST(ModelToolSide, Ts7StartUp) {
+  const auto start = [](const std::string& parameters, const std::string& code, const std::string& next) {
+    return behind(1, setup(parameters), kTilted + "G01 " + code + " D1 Y100 F1\n" + next + "\n");
+  };
+  const std::string obtuse = "X100";
+  const std::string acute = "X94 Y40 Z-8";
+  EXPECT_EQ(start("", "G41.6", obtuse)[0], "2 linear X0 Y110 Z0 (start-up)");
+  EXPECT_EQ(start("", "G41.6", acute)[0], "2 linear X4.8 Y108 Z-3.6 (start-up)");
+  EXPECT_EQ(start("", "G42.6", obtuse)[0], "2 linear X0 Y90 Z0 (start-up)");
+  EXPECT_EQ(start(kTypeB, "G42.6", obtuse)[0], "2 linear X0 Y90 Z0 (start-up)");
+  // The move from the perpendicular vector to the stop point belongs to the start-up block.
+  EXPECT_EQ(start(kTypeB, "G41.6", obtuse),
+            (Lines{"2 linear X-8 Y100 Z6 (start-up)", "2 linear X-8 Y110 Z6 (corner)", "3 linear X100 Y110 Z0"}));
+  EXPECT_EQ(start(kTypeB, "G41.6", acute), (Lines{"2 linear X-8 Y100 Z6 (start-up)", "2 linear X-8 Y110 Z6 (corner)",
+                                                  "3 linear X-1.6 Y114 Z1.2 (corner)", "3 linear X98.8 Y48 Z-11.6"}));
+  // Without the perpendicular vector, the second reading.
+  const std::string without = "type_b_without_perpendicular = true\n" + setup(kTypeB);
+  EXPECT_EQ(
+      behind(1, without, kTilted + "G01 G41.6 D1 Y100 F1\nX94 Y40 Z-8\n"),
+      (Lines{"2 linear X-8 Y110 Z6 (start-up)", "3 linear X-1.6 Y114 Z1.2 (corner)", "3 linear X98.8 Y48 Z-11.6"}));
+  // Under 1°, here 0°, one vector as of type A: back along Y the tool is on the other side.
+  EXPECT_EQ(start(kTypeB, "G41.6", "Y0")[0], "2 linear X8 Y100 Z-6 (start-up)");
+}
+
+TEST(ModelToolSide, Ts7TypeC) {
+  EXPECT_EQ(behind(1, setup(kTypeC), kTilted + "G01 Y100 F1\nG41.6 D1\nX100\nG40\n"),
+            (Lines{"2 linear X0 Y100 Z0", "3 linear X0 Y110 Z0 (start-up)", "4 linear X100 Y110 Z0",
+                   "5 linear X100 Y100 Z0 (cancel)"}));
+  EXPECT_EQ(behind(2, setup(kTypeC), kTilted + "G01 Y100 F1\nG00 G41.6 D1\nG01 X94 Y40 Z-8\n")[0],
+            "3 rapid X4.8 Y108 Z-3.6 (start-up)");
+  EXPECT_EQ(behind(2, setup(kTypeC, "Y = -40\n"), kTilted + "G41.6 D1\nG01 Y100 F1\nG40\n"),
+            (Lines{"3 linear X-8 Y100 Z6", "4 linear X0 Y100 Z0 (cancel)"}));
+  // A value of 0 has no vector to make: only a change of the length makes the move.
+  EXPECT_EQ(points(head(kTypeC), "G41.2 D4\nG01 X10 F1\nG40\n"), (Lines{"2 linear X10 Y0 Z0"}));
+}
+
+TEST(ModelToolSide, Ts7Cancel) {
+  const auto cancel = [](const std::string& parameters) {
+    return behind(2, setup(parameters, "Y = -40\n"), kTilted + "G01 G41.6 D1 Y0 F1\nY100\nG40 X100\n");
+  };
+  EXPECT_EQ(cancel(""), (Lines{"3 linear X-8 Y100 Z6", "4 linear X100 Y100 Z0 (cancel)"}));
+  EXPECT_EQ(cancel(kTypeB),
+            (Lines{"3 linear X-8 Y110 Z6", "4 linear X0 Y110 Z0 (corner)", "4 linear X100 Y100 Z0 (cancel)"}));
+  // Acute, the corner of TS3: K1, K2 and the vector of TS7 (b).
+  EXPECT_EQ(behind(2, setup(kTypeB, "Y = -40\n"), kTilted + "G01 G41.6 D1 Y0 F1\nY100\nG40 X94 Y40 Z-8\n"),
+            (Lines{"3 linear X-8 Y110 Z6", "4 linear X-1.6 Y114 Z1.2 (corner)", "4 linear X4.8 Y108 Z-3.6 (corner)",
+                   "4 linear X94 Y40 Z-8 (cancel)"}));
+}
+
+// The figure of the manual: A head with A about X carried by C: VT = (0, -sin a, cos a).
+std::string figure(const std::string& q, const std::string& again = "") {
+  return "G00 A46.\nG01 G41.2 D1 X0 Y0 Z0 F1\nY-200 Z-200" + q + "\nA-45.\n" + again + "Y-400 Z0\nG40 Y-440 Z40\n";
+}
+Lines ts8(const std::string& q, const std::string& again = "", const std::string& parameters = "") {
+  return behind(2, head(parameters, "Y = 40\nZ = 40\n", "A"), figure(q, again));
+}
+
+TEST(ModelToolSide, Ts8PlaneChange) {
+  // The vectors of the sheet at B(0,-200,-200), fifteen decimals.
+  const std::string v1 = "X10 Y-206.946583704589973 Z-207.193398003386511";
+  const std::string v2 = "X-10 Y-206.946583704589973 Z-207.193398003386511";
+  EXPECT_EQ(ts8(""), (Lines{"3 OVERCUT_PLANE_CHANGE"}));
+  EXPECT_EQ(ts8(" Q1")[0], "3 linear X10 Y-200 Z-200");
+  EXPECT_EQ(ts8(" Q1")[1], "4 linear X10 Y-200 Z-200");
+  EXPECT_EQ(ts8(" Q2")[0], "3 linear " + v1);
+  EXPECT_EQ(ts8(" Q2")[1], "4 linear " + v1);
+  EXPECT_EQ(ts8(" Q3")[0], "3 linear " + v1);
+  EXPECT_EQ(ts8(" Q3")[1], "4 linear " + v2 + " (corner)");
+  EXPECT_EQ(ts8(" Q3")[2], "4 linear " + v2);
+  EXPECT_EQ(ts8("", "G41.2 ")[0], "3 linear X10 Y-200 Z-200");
+  EXPECT_EQ(ts8("", "", "\"19605#5\" = 1\n")[1], "4 linear " + v2 + " (corner)");
+  // 91 degrees: the limit itself counts.
+  EXPECT_EQ(ts8("", "", "6261 = 91\n"), (Lines{"3 OVERCUT_PLANE_CHANGE"}));
+  EXPECT_EQ(ts8("", "", "6261 = \"91.001\"\n")[1], "4 linear " + v2 + " (corner)");
+  EXPECT_EQ(ts8(" Q4"), (Lines{"3 Q_FORMAT"}));
+  EXPECT_THROW((void)ts8("", "", "6261 = 181\n"), spec::InputError);
+}
+
+TEST(ModelToolSide, Ts9RationalPlaneChange) {
+  const auto rational = [](const std::string& q, const std::string& again = "") {
+    return behind(
+        2, setup("", "Y = 40\nZ = 40\n"),
+        "G43.5 J-4 K3\nG01 G41.6 D1 X0 Y0 Z0 F1\nY-200 Z-200" + q + "\nJ4 K3\n" + again + "Y-400 Z0\nG40 Y-440 Z40\n");
+  };
+  EXPECT_EQ(rational(""), (Lines{"3 OVERCUT_PLANE_CHANGE"}));
+  EXPECT_EQ(rational(" Q1")[0], "3 linear X10 Y-200 Z-200");
+  EXPECT_EQ(rational(" Q2")[0], "3 linear X10 Y-206 Z-208");
+  EXPECT_EQ(rational(" Q2")[1], "4 linear X10 Y-206 Z-208");
+  EXPECT_EQ(rational(" Q3")[1], "4 linear X-10 Y-206 Z-208 (corner)");
+  EXPECT_EQ(rational("", "G41.6 ")[0], "3 linear X10 Y-200 Z-200");
+  // TS9c: the second condition fails. V = 10 (n1 + n2)/(1 + c) with d2 = (-2, 1, 0)/√5: (-10 (2 + √5), 10, 0).
+  EXPECT_EQ(behind(2, setup("", "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\nX100\nJ-4 K3\nX0 Y50\n")[0],
+            "3 linear X57.639320225002103 Y10 Z0");
+}
+
+TEST(ModelToolSide, Ts10SideChange) {
+  const auto change = [](const std::string& next) {
+    return behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\n" + next + "\n");
+  };
+  EXPECT_EQ(change("G42.2 X0")[0], "2 linear X100 Y10 Z0");
+  EXPECT_EQ(change("G42.2 Y100")[0], "2 linear X110 Y10 Z0");
+  EXPECT_EQ(change("G42.2 Y-100")[0], "2 linear X90 Y10 Z0");
+  EXPECT_EQ(change("G42.2 X200")[0], "2 linear X100 Y-10 Z0");
+  EXPECT_EQ(change("D3 Y100")[0], "2 linear X110 Y10 Z0");
+  EXPECT_EQ(change("X0"), (Lines{"2 linear X110 Y10 Z0", "3 linear X110 Y-10 Z0 (corner)", "3 linear X0 Y-10 Z0"}));
+  EXPECT_EQ(behind(2, setup("", "Y = -40\n"), kTilted + "G01 G41.6 D1 Y0 F1\nY100\nG42.6 X94 Y40 Z-8\n")[0],
+            "3 linear X-8 Y95 Z6");
+  // In the block right behind a start-up.
+  EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nG42.2 X200\n"),
+            (Lines{"1 linear X100 Y10 Z0 (start-up)", "2 DIR_CHANGE_AT_STARTUP"}));
+  // Q1 counts before the change of side.
+  EXPECT_EQ(behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100 Q1\nG42.2 Y100\n")[0], "2 linear X100 Y10 Z0");
+}
+
+TEST(ModelToolSide, Ts11Arcs) {
+  const auto arc = [](const std::string& block) {
+    return behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\n" + block + "\n");
+  };
+  // (10,10), (14,2) and the perpendicular (8,-6); the tool goes on to its own perpendicular.
+  const Lines acute = arc("G02 X30 Y-10 I-40 J30");
+  EXPECT_EQ((Lines{acute[0], acute[1], acute[2]}),
+            (Lines{"2 linear X110 Y10 Z0", "3 linear X114 Y2 Z0 (corner)", "3 linear X108 Y-6 Z0 (corner)"}));
+  const Lines obtuse = arc("G02 X90 Y-70 I-40 J-30");
+  EXPECT_EQ((Lines{obtuse[0], obtuse[1]}), (Lines{"2 linear X105 Y10 Z0", "3 linear X108 Y6 Z0 (corner)"}));
+  EXPECT_EQ(arc("G02 X170 Y10 I40 J-30")[0], "2 linear X95.278640450004206 Y10 Z0");
+  EXPECT_EQ(arc("G03 X90 Y70 I-40 J30")[0], "2 linear X94.641016151377546 Y10 Z0");
+  EXPECT_EQ(behind(2, setup("", "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\nX100\nG02 X30 Y-10 R50\n")[1],
+            "4 linear X114 Y2 Z0 (corner)");
+  // Out of an arc the move from its perpendicular vector to the stop point belongs to the arc, as a line: the arc ends
+  // along +X at (100,0), the next line goes to -Y: r n1 = (0,10), Vi = (10,10).
+  EXPECT_EQ(points(head("", "X = 30\nY = -50\n"), "G01 G41.2 D1 X50 F1\nG02 X100 Y0 I50\nG01 Y-100\n"),
+            (Lines{"1 linear X40 Y-50 Z0 (start-up)", "2 arc X100 Y10 Z0", "2 linear X110 Y10 Z0 (corner)",
+                   "3 linear X110 Y-100 Z0"}));
+}
+
+// Under the tool tilted about Y an arc of G17 has radii foreshortened along X: a warning, once, before the first move
+// that belongs to it.
+TEST(ModelToolSide, ArcPlane) {
+  const auto tilted = [](const std::string& tool) {
+    return points(setup("", "X = -40\n"), "G43.5 " + tool + "\nG01 G41.6 D1 X0 F1\nX100\nG03 X90 Y70 R50\nG01 X0\n");
+  };
+  const Lines lines = tilted("I3 K4");
+  ASSERT_GE(lines.size(), 5U);
+  EXPECT_EQ(lines[3], "4 ARC_PLANE_MISMATCH");
+  EXPECT_EQ(std::ranges::count(lines, "4 ARC_PLANE_MISMATCH"), 1);
+  // Seen on edge it has no sense of rotation: undecided, and the block before ends with its perpendicular (0,0,-10),
+  // left of +X as seen from +Y.
+  EXPECT_EQ(tilted("J1"), (Lines{"1 rapid X-40 Y0 Z0", "2 linear X0 Y0 Z-10 (start-up)", "3 linear X100 Y0 Z-10",
+                                 "4 fanuc.tool-side.arc-plane"}));
+  // From below left of +X is -Y, and the arc, of tangent (3/5, 4/5), turns to the right: an outer corner, n1 = (0,-1),
+  // n2 = (4/5,-3/5), Vi = 10 (n1 + n2)/(8/5).
+  EXPECT_EQ(tilted("K-1")[2], "3 linear X105 Y-10 Z0");
+}
+
+TEST(ModelToolSide, BlocksWithoutMovement) {
+  const auto at_corner = [](const std::string& between, const std::string& parameters = "") {
+    return behind(1, head(parameters, "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\n" + between + "G90 Y100\n");
+  };
+  // Inner corner (-10,10): one block is looked past.
+  for (const char* block : {"M08\n", "F5\n", "C30.\n", "Z5\n", "G91 X0\n", "G91 Z-5\n"})
+    EXPECT_EQ(at_corner(block)[0], "2 linear X90 Y10 Z0") << block;
+  // Two of them, a stop, and the end: the perpendicular vector.
+  for (const char* blocks : {"M08\nM09\n", "C30.\nC0\n", "X100\nX100\n", "M01\n", "M00\n", "M30\n"})
+    EXPECT_EQ(at_corner(blocks)[0], "2 linear X100 Y10 Z0") << blocks;
+  // No. 19630: strictly less counts as none.
+  EXPECT_EQ(at_corner("X105\n", "19630 = 6\n")[0], "2 linear X90 Y10 Z0");
+  EXPECT_EQ(at_corner("X105\n", "19630 = 5\n")[0], "2 linear X100 Y10 Z0");
+  // Along a tilted tool: (30,0,40) moves nothing in the plane.
+  EXPECT_EQ(behind(2, setup("", "Y = -40\n"), kTilted + "G01 G41.6 D1 Y0 F1\nY100\nX30 Z40\nX130\n"),
+            (Lines{"3 linear X-8 Y110 Z6", "4 linear X22 Y110 Z46", "5 linear X130 Y110 Z40"}));
+}
+
+// B moves in the plane at its start, but its tool turns to lie along it: it ends with the vector at its start, and the
+// next block starts from there, without a corner.
+TEST(ModelToolSide, AlongTheToolAtItsEnd) {
+  EXPECT_EQ(
+      behind(1, setup("\"19605#5\" = 1\n", "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\nX100\nY100 J1 K0\nX200\n"),
+      (Lines{"2 linear X0 Y10 Z0 (start-up)", "3 linear X90 Y10 Z0", "4 linear X90 Y110 Z0",
+             "5 linear X200 Y100 Z-10"}));
+}
+
+// P1 of A wherever the vector at its end is given: repeated code, two non-moving blocks.
+TEST(ModelToolSide, Repeated) {
+  EXPECT_EQ(behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\nG41.2 Y100\n")[0], "2 linear X100 Y10 Z0");
+  EXPECT_EQ(behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\nG41.2\nY100\n")[0], "2 linear X100 Y10 Z0");
+}
+
+TEST(ModelToolSide, ValueChanged) {
+  // The value at the end of a block is that in force in it: r = 10 at the corner, then 5.
+  EXPECT_EQ(behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\nD2 Y100\nX200\n"),
+            (Lines{"2 linear X90 Y10 Z0", "3 linear X95 Y105 Z0", "4 linear X200 Y105 Z0"}));
+  EXPECT_EQ(behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\nD4 Y100\nX200\n")[1], "3 linear X100 Y100 Z0");
+  EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nX200\nD0 X300\n"),
+            (Lines{"1 linear X100 Y10 Z0 (start-up)", "2 linear X200 Y10 Z0", "3 linear X300 Y0 Z0 (cancel)"}));
+}
+
+TEST(ModelToolSide, StartAndCancelWithoutMovement) {
+  // The start waits for the next block that moves, the vector for its removal.
+  EXPECT_EQ(points(head(), "G01 G41.2 D1 F1\nZ5\nX100\nX200\nG40\nZ0\nX300\nX400\n"),
+            (Lines{"2 linear X0 Y0 Z5", "3 linear X100 Y10 Z5 (start-up)", "4 linear X200 Y10 Z5",
+                   "6 linear X200 Y10 Z0", "7 linear X300 Y0 Z0 (cancel)", "8 linear X400 Y0 Z0"}));
+  EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nG40 Y100\n"),
+            (Lines{"1 linear X100 Y10 Z0 (start-up)", "2 linear X100 Y100 Z0 (cancel)"}));
+  EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nX200\nG40\nG41.2 X300\n").back(),
+            "4 fanuc.cutter-c.restart-before-removal");
+}
+
+TEST(ModelToolSide, Interference) {
+  // A step of 5 into the corner: the tool of radius 10 would run back; r n... PS0041 at the short block.
+  EXPECT_EQ(behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\nY5\nX200\nX300\n").back(),
+            "5 linear X300 Y15 Z0");
+  EXPECT_EQ(points(head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\nY15\nX0\n").back(), "3 PS0041");
+  EXPECT_EQ(points(head("\"5008#0\" = 1\n", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\nY15\nX0\n").back(),
+            "4 linear X0 Y5 Z0");
+  // Heads that the check of the next block drops are dropped before they are given: outer acute at (100,0) with
+  // (10,10), (14,2) for the line to (103,-4) of which the inner corner lies behind. The block keeps the first head of
+  // its start and the only one of its end.
+  const Lines dropped = behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\nX97 Y-4\nX197\n");
+  EXPECT_EQ(dropped[0], "2 linear X110 Y10 Z0");
+}
+
+TEST(ModelToolSide, SmallDifference) {
+  // From (-8,10,6) to (-1.6,14,1.2) of TS3 it is √(6.4² + 4² + 4.8²) = √80.
+  const auto heads = [](const std::string& limit) {
+    return behind(2, setup("5010 = \"" + limit + "\"\n", "Y = -40\n"),
+                  kTilted + "G01 G41.6 D1 Y0 F1\nY100\nX94 Y40 Z-8\n");
+  };
+  EXPECT_EQ(heads("8.944")[1], "4 linear X-1.6 Y114 Z1.2 (corner)");
+  EXPECT_EQ(heads("8.945")[1], "4 linear X98.8 Y48 Z-11.6");
+}
+
+TEST(ModelToolSide, Modes) {
+  EXPECT_EQ(points(setup(), "G43.5 K1\nG01 G41.2 D1 X100 F1\n").back(), "2 TOOL_SIDE_MODE");
+  EXPECT_EQ(points(setup(), "G01 G42.6 D1 X100 F1\n"), (Lines{"1 TOOL_SIDE_MODE"}));
+  EXPECT_EQ(points(head(), "G43.5\nG01 G41.6 D1 X100 F1\nX200 B5.\n").back(), "3 PS5460");
+  EXPECT_EQ(points(head(), "G43.5\nG01 X100 F1\nX200 B5.\n").back(), "3 PS5421");
+  EXPECT_EQ(points(setup(), kTilted + "G01 G41.6 D1 X100 F1\nG49 X200\n").back(), "3 TOOL_DIRECTION_FORMAT");
+  EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nG43.5 X200\n").back(), "2 TOOL_DIRECTION_FORMAT");
+  EXPECT_EQ(points(setup(), kTilted + "Q1 X1\n").back(), "2 LEAN_ANGLE_NOT_BUILT");
+  EXPECT_EQ(points(setup(), kTilted + "G01 G41.6 D1 X100 F1\nG40 X200 Q1\n").back(), "3 LEAN_ANGLE_NOT_BUILT");
+}
+
+TEST(ModelToolSide, Forbidden) {
+  for (const char* block : {"G04 P1",   "G10 L11 P1 R1", "G28 X0",  "G29 X0", "G30 X0", "G37 Z0", "G39",
+                            "G45 X1",   "G53 X0",        "G92 X0",  "G54",    "G59",    "G20",    "G21",
+                            "X200 M08", "X200 S1",       "X200 T1", "G41",    "G42",    "G41.3",  "G02 X200 I50 M08"})
+    EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nX150\n" + std::string(block) + "\nX300\n").back(),
+              "3 FORBIDDEN_IN_3D_COMPENSATION")
+        << block;
+  for (const char* block : {"G53 X0", "G04 P1", "G28 X0"})
+    EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nG40 " + std::string(block) + "\n").back(),
+              "2 FORBIDDEN_IN_3D_COMPENSATION")
+        << block;
+  EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nG40 G54 X200 M08\n").back(), "2 linear X200 Y0 Z0 (cancel)");
+  EXPECT_EQ(points(head(), "G01 G41 D1 X100 F1\nG41.2 X200\n").back(), "2 FORBIDDEN_IN_CUTTER_COMPENSATION");
+  EXPECT_EQ(points(setup(), kTilted + "G41.3 D1\nG01 X100 F1\nG41.6 X200\n").back(), "4 FORBIDDEN_IN_3D_COMPENSATION");
+  EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nG18 X200\n").back(), "2 PS0037");
+  EXPECT_EQ(points(head(), "G02 G41.2 D1 X100 I50 F1\n").back(), "1 PS0034");
+  EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nX200\nG02 G40 X300 I50\n").back(), "3 PS0034");
+  EXPECT_EQ(points(setup(), "G01 G41.2 D5 X100 F1\n").back(), "1 PS0029");
+}
+
+TEST(ModelToolSide, TypeCFormat) {
+  for (const char* block : {"G41.2 D1 X100", "G41.2 D1 B5.", "G02 G41.2 D1", "G41.2 D1 M00"})
+    EXPECT_EQ(points(head(kTypeC), std::string(block) + "\nG01 X1 F1\n").back(), "1 TYPE_C_FORMAT") << block;
+  for (const char* next : {"M08", "Z5", "G40", "G40 X5", "", "G99", "G42.2 X5"})
+    EXPECT_EQ(points(head(kTypeC), "G01 G41.2 D1 F1\n" + std::string(next) + "\n").back(), "1 TYPE_C_FORMAT") << next;
+  for (const char* block : {"G40 X200", "G40 B5.", "G02 G40", "D0 X200"})
+    EXPECT_EQ(points(head(kTypeC), "G01 G41.2 D1 F1\nX100\n" + std::string(block) + "\n").back(), "3 TYPE_C_FORMAT")
+        << block;
+  EXPECT_EQ(points(head(kTypeC), "G01 G41.2 D0 X5 F1\nG40 X6\n").back(), "2 linear X6 Y0 Z0");
+}
+
+// What stands in memory does not grow along a program, whose orientation changes in every block.
+TEST(ModelToolSide, LiveNodesAreBounded) {
+  struct Counter final : model::EventSink {
+    void on(const model::Event&) override { ++events; }
+    std::size_t events = 0;
+  } counter;
+  const spec::Setup with = spec::read_setup_toml(head(), "setup.toml");
+  std::string program = "G01 G41.2 D2 X1 F1\n";
+  for (int i = 1; i < 400; ++i) {
+    program += "X" + std::to_string(10 * i) + " Y" + std::to_string(i * i % 7) + " B" + std::to_string(i % 50) +
+               ".123 C" + std::to_string(i * 3 % 90) + ".5\n";
+    if (i % 5 == 0) program += "C" + std::to_string(i % 60) + ".\n";
+  }
+  model::Recorder recorder;
+  spec::ProgramReader reader(spec::text_source(program), with.axes);
+  model::Engine engine(with, recorder, counter);
+  spec::Block block;
+  std::size_t early = 0;
+  std::size_t late = 0;
+  while (!engine.stopped() && reader.next(block)) {
+    engine.block(block);
+    std::size_t& most = block.line < 200 ? early : late;
+    most = std::max(most, exact::live_nodes());
+  }
+  engine.end();
+  EXPECT_GT(counter.events, 400U);
+  EXPECT_LE(late, early + early / 4);
+  EXPECT_LT(late, 1500U);
+}
+
+// The manual's route: C2 by Gram and Schmidt from auxiliary vectors, the points turned by M, the two offset lines in
+// the remaining plane, and back by the transpose of M. The offset lines are met as two equations, not by a formula.
+struct ByMatrix {
+  ByMatrix(const Vector3& tool, const Vector3& a2, const Vector3& a3) {
+    e1 = tool / sqrt(squared_norm(tool));
+    const Vector3 b2 = a2 - dot(a2, e1) * e1;
+    e2 = b2 / sqrt(squared_norm(b2));
+    const Vector3 b3 = a3 - dot(a3, e1) * e1 - dot(a3, e2) * e2;
+    e3 = b3 / sqrt(squared_norm(b3));
+    // Right-handed (e2, e3, e1): else left and right are exchanged.
+    if (dot(cross(e2, e3), e1).sign() == exact::Sign::negative) e3 = -e3;
+  }
+  using Flat = std::array<Real, 2>;
+  Flat turn(const Vector3& v) const { return {dot(e2, v), dot(e3, v)}; }
+  Vector3 back(const Flat& v) const { return v[0] * e2 + v[1] * e3; }
+
+  // The heads at Q for a tool to the left (side 1) or right (-1).
+  std::vector<Vector3> heads(const Vector3& p, const Vector3& q, const Vector3& r, const Real& radius, int side) const {
+    const auto unit = [](const Flat& from, const Flat& to) {
+      const Flat d{to[0] - from[0], to[1] - from[1]};
+      const Real length = sqrt(d[0] * d[0] + d[1] * d[1]);
+      return Flat{d[0] / length, d[1] / length};
+    };
+    const Flat d1 = unit(turn(p), turn(q));
+    const Flat d2 = unit(turn(q), turn(r));
+    const Flat n1{-side * d1[1], side * d1[0]};
+    const Flat n2{-side * d2[1], side * d2[0]};
+    const Real turned = d1[0] * d2[1] - d1[1] * d2[0];
+    const Real ahead = d1[0] * d2[0] + d1[1] * d2[1];
+    const exact::Sign to_tool = (side * turned).sign();
+    const bool acute = to_tool != exact::Sign::positive && ahead.sign() == exact::Sign::negative;
+    if (acute)
+      return {back({radius * (n1[0] + d1[0]), radius * (n1[1] + d1[1])}),
+              back({radius * (n2[0] - d2[0]), radius * (n2[1] - d2[1])})};
+    if (to_tool == exact::Sign::zero) return {back({radius * n1[0], radius * n1[1]})};
+    // V · n1 = r and V · n2 = r.
+    const Real determinant = n1[0] * n2[1] - n1[1] * n2[0];
+    return {back({radius * (n2[1] - n1[1]) / determinant, radius * (n1[0] - n2[0]) / determinant})};
+  }
+
+  Vector3 e1, e2, e3;
+};
+
+struct Corner {
+  const char* tool;  // I J K
+  Vector3 vt;
+  const char* next;  // X Y Z
+  Vector3 r;
+};
+
+TEST(ModelToolSide, ManualsRouteAgrees) {
+  const Vector3 p{0, 0, 0};
+  const Vector3 q{10, 20, 5};
+  const std::vector<Corner> corners{
+      {"I3 J0 K4", {3, 0, 4}, "X60 Y30 Z-8", {60, 30, -8}},
+      {"I1 J2 K2", {1, 2, 2}, "X3 Y30 Z1", {3, 30, 1}},
+      {"I1 J2 K2", {1, 2, 2}, "X-40 Y-3 Z1", {-40, -3, 1}},
+      {"I1 J-1 K3", {1, -1, 3}, "X25 Y11 Z7", {25, 11, 7}},
+      {"I-2 J3 K-6", {-2, 3, -6}, "X5 Y-30 Z5", {5, -30, 5}},
+      {"I1 J1 K1", {1, 1, 1}, "X20 Y40 Z10", {20, 40, 10}},  // straight on
+      {"I1 J1 K1", {1, 1, 1}, "X0 Y0 Z0", {0, 0, 0}},        // straight back
+      {"I0 J0 K1", {0, 0, 1}, "X0 Y25 Z0", {0, 25, 0}},      // right angle
+  };
+  const std::vector<std::pair<Vector3, Vector3>> auxiliary{
+      {{1, 0, 0}, {0, 1, 0}}, {{0, 1, 0}, {1, 1, 0}}, {{1, -2, 5}, {3, 1, -1}}, {{-7, 4, 1}, {1, 1, -9}}};
+  for (const Corner& corner : corners) {
+    for (const int side : {1, -1}) {
+      const std::string code = side == 1 ? "G41.6" : "G42.6";
+      const auto done = run(
+          setup("\"5008#0\" = 1\n\"19605#5\" = 1\n", "X = -10\nY = -20\nZ = -5\n"),
+          "G43.5 " + std::string(corner.tool) + "\nG01 " + code + " D1 X0 Y0 Z0 F1\nX10 Y20 Z5\n" + corner.next + "\n");
+      std::vector<Vector3> heads;
+      for (const model::Event& event : done.events())
+        if (event.kind == spec::EventKind::move && event.cause != spec::Cause::start_up &&
+            (event.programmed[0] == 10 && event.programmed[1] == 20))
+          heads.push_back({event.point[0] - q.x, event.point[1] - q.y, event.point[2] - q.z});
+      for (const auto& [a2, a3] : auxiliary) {
+        const std::vector<Vector3> expected = ByMatrix(corner.vt, a2, a3).heads(p, q, corner.r, 10, side);
+        ASSERT_EQ(heads.size(), expected.size()) << corner.tool << ' ' << corner.next << ' ' << code;
+        for (std::size_t i = 0; i < heads.size(); ++i) {
+          EXPECT_EQ(heads[i].x.decimal(25), expected[i].x.decimal(25)) << corner.tool << ' ' << corner.next;
+          EXPECT_TRUE(heads[i] == expected[i]) << corner.tool << ' ' << corner.next << ' ' << code;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
