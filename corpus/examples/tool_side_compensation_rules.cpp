@@ -42,7 +42,16 @@ constexpr Example kRules[] = {
      LEFT_VECTOR "X100.\nX150. B1.\n"},
     {"Q4 in the mode: Q_FORMAT at line 3.", HERE, LEFT "X100.\nX150. Q4\n"},
 
+    {"An outer corner of 135 degrees: obtuse, V = (10 (sqrt 2 - 1), 10, 0).", HERE,
+     LEFT "X100.\nX150. Y-50.\nG40 X200. Y-100.\n"},
+
     // Arcs.
+    {"G19 with VT X (B 90): the acute corner of TS11 with Y Z for X Y, (0, 10, 10), (0, 14, 2), (0, 8, -6).",
+     HEAD("") "Y = -40\nB = 90\n",
+     "G90 G19 G01 G41.2 D1 Y0 Z0 F1000\nY100.\nG02 Y30. Z-10. J-40. K30.\nG01 G40 Y-10. Z20.\n"},
+    {"G18 with VT Y (B 90, C 90): the same with Z X for X Y, (10, 0, 10), (2, 0, 14), (-6, 0, 8).",
+     HEAD("") "Z = -40\nB = 90\nC = 90\n",
+     "G90 G18 G01 G41.2 D1 Z0 X0 F1000\nZ100.\nG02 Z30. X-10. K-40. I30.\nG01 G40 Z-10. X20.\n"},
     {"VT against Z (B 180): left is -Y, and G03 is clockwise as seen from the tool. The acute corner of TS11 turned "
      "about X: (10, -10, 0), (14, -2, 0), (8, 6, 0).",
      HERE "B = 180\n", LEFT "X100.\nG03 X30. Y10. I-40. J-30.\nG01 G40 X-10. Y-20.\n"},
@@ -120,6 +129,7 @@ constexpr Example kRules[] = {
      HEAD(TYPE_B) "X = -40\nY = -20\n", "G90 G17 G01 G42.2 D1 X0 Y-20. F1000\nG03 X40. Y0 I0 J50.\nG01 G40 X0 Y0\n"},
     {"Type B, acute cancel of two lines: (10, 10, 0), then (14, 2, 0), (8, -6, 0).", HEAD(TYPE_B) BEFORE_X,
      LEFT "X40.\nG40 X10. Y-40.\n"},
+    {"Type B, inner cancel: the perpendicular (0, 10, 0).", HEAD(TYPE_B) BEFORE_X, LEFT "X100.\nG40 Y50.\n"},
     {"An arc as cancel block: PS0034 at line 3.", HERE, LEFT "X100.\nG40 G02 X120. Y-20. R20.\n"},
     {"G40 without movement: line 2 ends with the perpendicular, line 4 takes the vector away.", HERE,
      RIGHT "X100.\nG40\nY50.\n"},
@@ -141,6 +151,8 @@ constexpr Example kRules[] = {
      HERE, LEFT "G02 X30. Y-30. I0 J-30.\nG42.2 G01 X100.\nG40 X150.\n"},
     {"5010 = 20, the vectors of a reversal differ by exactly 20: the second is dropped.", HEAD("5010 = 20\n") BEFORE_X,
      LEFT "X100.\nX0\nG40 X-40.\n"},
+    {"5010 = 21, over the difference: the second is dropped.", HEAD("5010 = 21\n") BEFORE_X,
+     LEFT "X100.\nX0\nG40 X-40.\n"},
     {"5010 = 19.999: both vectors stay.", HEAD("5010 = \"19.999\"\n") BEFORE_X, LEFT "X100.\nX0\nG40 X-40.\n"},
     {"Q1 at a change of side: the perpendicular to the block before, (0, 10, 0).", HERE,
      LEFT "X100. Q1\nG42.2 Y100.\nG40 Y150.\n"},
@@ -154,6 +166,10 @@ constexpr Example kRules[] = {
      THERE, LEFT_VECTOR "X100.\nI-1 J0 K1\nX50. Z50.\n"},
     {"VT Z, then (-1, 0, 1) and a movement on in X: no alarm. Straight on with (0, 10, 0) everywhere.", THERE,
      LEFT_VECTOR "X100.\nI-1 J0 K1\nX150.\nG40 X200.\n"},
+    {"VT Z, then (-1, 0, 1) and a movement in Y: W and R at right angles, no alarm. (-10, 10, 0), at the end 10 (-1, "
+     "0, "
+     "-1) / sqrt 2.",
+     THERE, LEFT_VECTOR "X100.\nI-1 J0 K1\nY50.\nG40 Y100.\n"},
     {"A slot narrower than the tool: PS0041 at line 3.", HERE, LEFT "X100.\nY5.\nX0\nG40 X-40.\n"},
     {"The same with 5008#0 = 1, no check.", HEAD("\"5008#0\" = 1\n") BEFORE_X, LEFT "X100.\nY5.\nX0\nG40 X-40.\n"},
 
