@@ -184,3 +184,134 @@ Ltac by_length m :=
   in_components; lra.
 Ltac by_root :=
   unfold recorded, CutterCompensationB.side_offset, CutterCompensationB.V; in_components; interval with (i_prec 90).
+
+(** * Tool side compensation *)
+From Toolcomp Require ToolSideCompensation.
+
+Section ToolSide.
+Import ToolSideCompensation.
+
+Lemma across_the_tool VT U : 0 < dot (cross VT U) (cross VT U) -> ~ parallel VT U.
+Proof. intros H E. unfold parallel in E. rewrite E in H. unfold dot, zero in H; cbn in H; lra. Qed.
+
+Lemma norm_positive u : 0 < dot u u -> 0 < norm u.
+Proof. intro H; apply sqrt_lt_R0, H. Qed.
+
+Lemma d_closed VT U : 0 < dot (cross VT U) (cross VT U) ->
+  d VT U = scale (norm VT / norm (cross VT U)) (across VT U).
+Proof.
+  intro H. pose proof (across_the_tool VT U H) as N. pose proof (tool_nonzero VT U N) as T.
+  pose proof (norm_pos _ T). pose proof (norm_pos _ (across_nonzero VT U N)).
+  unfold d, unit. rewrite cross_norm by auto. f_equal. field; lra.
+Qed.
+
+Lemma K1_closed r s VT U : 0 < dot (cross VT U) (cross VT U) ->
+  K1 r s VT U = scale r (add (n s VT U) (scale (norm VT / norm (cross VT U)) (across VT U))).
+Proof. intro H. unfold K1. rewrite d_closed by auto. reflexivity. Qed.
+
+Lemma K2_closed r s VT U : 0 < dot (cross VT U) (cross VT U) ->
+  K2 r s VT U = scale r (sub (n s VT U) (scale (norm VT / norm (cross VT U)) (across VT U))).
+Proof. intro H. unfold K2. rewrite d_closed by auto. reflexivity. Qed.
+
+Lemma Vi_closed r s VT a b : 0 < dot (cross VT a) (cross VT a) -> 0 < dot (cross VT b) (cross VT b) ->
+  Vi r s VT a b =
+  scale (r / (1 + dot (cross VT a) (cross VT b) / (norm (cross VT a) * norm (cross VT b)))) (add (n s VT a) (n s VT b)).
+Proof.
+  intros A B. pose proof (tool_nonzero VT a (across_the_tool VT a A)) as T.
+  pose proof (norm_positive _ A). pose proof (norm_positive _ B).
+  unfold Vi. f_equal. f_equal. f_equal. pose proof (cosine_C VT a b T) as E. unfold C in E. rewrite E. field; lra.
+Qed.
+
+(** The same in coordinates, without a division, where the lengths are rational: [m] and [k] of VT x a and VT x b, [l] of
+    VT. *)
+Lemma Vi_coordinates r s x y z ax ay az bx by_ bz m k w :
+  let p := y * az - z * ay in let q := z * ax - x * az in let o := x * ay - y * ax in
+  let p' := y * bz - z * by_ in let q' := z * bx - x * bz in let o' := x * by_ - y * bx in
+  0 < m -> 0 < k -> p * p + q * q + o * o = m * m -> p' * p' + q' * q' + o' * o' = k * k ->
+  0 < m * k + (p * p' + q * q' + o * o') -> w * (m * k + (p * p' + q * q' + o * o')) = r ->
+  Vi r s (Vec x y z) (Vec ax ay az) (Vec bx by_ bz) =
+  Vec (w * s * (k * p + m * p')) (w * s * (k * q + m * q')) (w * s * (k * o + m * o')).
+Proof.
+  intros p q o p' q' o' M K A B P W.
+  assert (A' : dot (cross (Vec x y z) (Vec ax ay az)) (cross (Vec x y z) (Vec ax ay az)) = m * m) by exact A.
+  assert (B' : dot (cross (Vec x y z) (Vec bx by_ bz)) (cross (Vec x y z) (Vec bx by_ bz)) = k * k) by exact B.
+  rewrite Vi_closed by (rewrite ?A', ?B'; apply Rmult_lt_0_compat; auto).
+  unfold n. rewrite (norm_is _ m), (norm_is _ k) by (auto; lra). rewrite <- W.
+  unfold scale, add, dot, cross; cbn [vx vy vz]. fold p q o p' q' o'. clearbody p q o p' q' o'.
+  f_equal; field; lra.
+Qed.
+
+(** [h] is 1 for K1, -1 for K2. *)
+Lemma K_coordinates r s h x y z ax ay az m l j :
+  let p := y * az - z * ay in let q := z * ax - x * az in let o := x * ay - y * ax in let e := ax * x + ay * y + az * z in
+  0 < m -> 0 < l -> p * p + q * q + o * o = m * m -> x * x + y * y + z * z = l * l -> j * (m * l) = 1 ->
+  scale r (add (n s (Vec x y z) (Vec ax ay az)) (scale h (d (Vec x y z) (Vec ax ay az)))) =
+  Vec (r * j * (s * l * p + h * (l * l * ax - e * x))) (r * j * (s * l * q + h * (l * l * ay - e * y)))
+      (r * j * (s * l * o + h * (l * l * az - e * z))).
+Proof.
+  intros p q o e M L A B J.
+  assert (A' : dot (cross (Vec x y z) (Vec ax ay az)) (cross (Vec x y z) (Vec ax ay az)) = m * m) by exact A.
+  assert (B' : dot (Vec x y z) (Vec x y z) = l * l) by exact B.
+  rewrite d_closed by (rewrite A'; apply Rmult_lt_0_compat; auto).
+  unfold n, across. rewrite (norm_is _ m), (norm_is _ l), B' by (auto; lra).
+  replace j with (/ (m * l)) by (rewrite <- (Rmult_1_l (/ _)), <- J; field; lra).
+  unfold sub, opp, scale, add, dot, cross; cbn [vx vy vz]. fold p q o e. clearbody p q o e. f_equal; field; lra.
+Qed.
+
+Lemma K1_is r s VT U : K1 r s VT U = scale r (add (n s VT U) (scale 1 (d VT U))).
+Proof. unfold K1. rewrite scale_one. reflexivity. Qed.
+Lemma K2_is r s VT U : K2 r s VT U = scale r (add (n s VT U) (scale (-1) (d VT U))).
+Proof. reflexivity. Qed.
+
+Lemma group_inner r s VT a b : 0 < S s VT a b -> group r s VT a b = [Vi r s VT a b].
+Proof. intro H; unfold group; destruct Rlt_dec; [reflexivity | lra]. Qed.
+
+Lemma group_obtuse r s VT a b : 0 <= C VT a b -> group r s VT a b = [Vi r s VT a b].
+Proof. intro H; unfold group; destruct Rlt_dec; [reflexivity |]. destruct Rle_dec; [reflexivity | lra]. Qed.
+
+Lemma group_acute r s VT a b : S s VT a b <= 0 -> C VT a b < 0 -> group r s VT a b = [K1 r s VT a; K2 r s VT b].
+Proof. intros A B; unfold group; destruct Rlt_dec; [lra |]. destruct Rle_dec; [lra | reflexivity]. Qed.
+End ToolSide.
+
+(** Signs: by rational numbers, or by intervals where the tool direction comes from rotary axes. *)
+Ltac side_sign :=
+  unfold ToolSideCompensation.S, ToolSideCompensation.C, dot, cross; cbn [vx vy vz];
+  first [lra | interval with (i_prec 90)].
+Ltac side_inner := apply group_inner; side_sign.
+Ltac side_obtuse := apply group_obtuse; side_sign.
+Ltac side_acute := apply group_acute; side_sign.
+
+(** The components of a tool direction from rotary axes are enclosed once, and are numbers from then on. *)
+Ltac side_enclosed x :=
+  let B := fresh "B" in let n := fresh "t" in interval_intro x with (i_prec 110) as B; set (n := x) in *; clearbody n.
+Ltac side_tool :=
+  directions; unfold degrees;
+  match goal with |- context [ToolSideCompensation.group _ _ (Vec ?x ?y ?z) _ _] =>
+    side_enclosed x; side_enclosed y; side_enclosed z end.
+
+Ltac side_closed := rewrite ?Vi_closed, ?K1_closed, ?K2_closed by side_sign; unfold ToolSideCompensation.n.
+Ltac side_expand :=
+  unfold recorded, ToolSideCompensation.across, sub, opp, add, scale, cross, dot; cbn [vx vy vz].
+
+(** The lengths are enclosed once, too. *)
+Ltac side_length u :=
+  let e := eval unfold norm, dot, cross in (norm u) in
+  let e := eval cbn [vx vy vz] in e in
+  let B := fresh "B" in let m := fresh "m" in
+  interval_intro e with (i_prec 110) as B; change e with (norm u) in B; set (m := norm u) in *; clearbody m.
+Ltac side_by_intervals :=
+  side_closed; repeat match goal with |- context [norm ?u] => side_length u end;
+  repeat split; side_expand; interval with (i_prec 90).
+
+(** With rational lengths; [w], [i] and [j] are what the lemmas above ask for. *)
+Ltac side_meets m k w :=
+  match goal with |- context [ToolSideCompensation.Vi ?r ?s (Vec ?x ?y ?z) (Vec ?a ?b ?c) (Vec ?d ?e ?f)] =>
+    rewrite (Vi_coordinates r s x y z a b c d e f m k w) by (cbv zeta; lra) end;
+  cbn [vx vy vz]; repeat split; lra.
+Ltac side_passes m k l i j :=
+  rewrite K1_is, K2_is;
+  match goal with |- context [scale ?r (add (ToolSideCompensation.n ?s (Vec ?x ?y ?z) (Vec ?a ?b ?c)) (scale 1 _))] =>
+    rewrite (K_coordinates r s 1 x y z a b c m l i) by (cbv zeta; lra) end;
+  match goal with |- context [scale ?r (add (ToolSideCompensation.n ?s (Vec ?x ?y ?z) (Vec ?a ?b ?c)) (scale (-1) _))] =>
+    rewrite (K_coordinates r s (-1) x y z a b c k l j) by (cbv zeta; lra) end;
+  cbn [vx vy vz]; repeat split; lra.

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <array>
 
-#include "corpus/proofs/program.h"
 #include "corpus/proofs/proofs.h"
+#include "corpus/proofs/tool.h"
 
 namespace toolcomp::corpus {
 namespace {
 
-using Blocks = std::map<std::uint64_t, spec::Block>;
 using Exact2 = std::array<Rational, 2>;
 
 // Codes that the formal specification of a corner knows nothing of.
@@ -21,12 +20,6 @@ bool is_beyond(const Blocks& blocks) {
   return std::ranges::any_of(blocks, [](const auto& entry) {
     return std::ranges::any_of(kBeyond, [&](const char* code) { return has(entry.second, code); });
   });
-}
-
-bool rests_on(const spec::TextEvent& event, std::string_view clause) {
-  const auto& list = event.clauses;
-  return std::any_of(list.clause.begin(), list.clause.begin() + list.size,
-                     [&](spec::Clause c) { return spec::info(c).id == clause; });
 }
 
 // What is in force at the end of a line.

@@ -5,109 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include "corpus/proofs/program.h"
 #include "corpus/proofs/proofs.h"
+#include "corpus/proofs/tool.h"
 
 namespace toolcomp::corpus {
 namespace {
-
-using Blocks = std::map<std::uint64_t, spec::Block>;
-using Vector3 = std::array<double, 3>;
-using Exact3 = std::array<Rational, 3>;
-
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Exact3 cross(const Exact3& a, const Exact3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Vector3 approximate(const Exact3& v) {
-  return {v[0].convert_to<double>(), v[1].convert_to<double>(), v[2].convert_to<double>()};
-}
-
-// A tool direction as Coq reads it, to double precision, and exactly where it is rational.
-struct Tool {
-  std::string text;
-  Vector3 about{};
-  std::optional<Exact3> exactly;
-};
-
-std::string coq(const Exact3& v) {
-  return fmt::format("(Vec {} {} {})", corpus::coq(v[0]), corpus::coq(v[1]), corpus::coq(v[2]));
-}
-
-Tool fixed(const Exact3& direction) { return {coq(direction), approximate(direction), direction}; }
-
-Vector3 rotated(const Vector3& v, int axis, double degrees) {
-  const double angle = degrees * std::acos(-1.0) / 180;
-  const auto i = static_cast<std::size_t>(axis % 3);
-  const auto j = static_cast<std::size_t>((axis + 1) % 3);  // axis 1 (X) turns Y, component 1, toward Z
-  Vector3 turned = v;
-  turned[i] = v[i] * std::cos(angle) - v[j] * std::sin(angle);
-  turned[j] = v[i] * std::sin(angle) + v[j] * std::cos(angle);
-  return turned;
-}
-
-// A parameter that is one of the numbers 1, 2, 3; 0 otherwise.
-int code(const spec::Setup& setup, std::uint32_t number) {
-  const auto value = setup.parameter(number);
-  return value && value->is_integer() && !value->negative && value->digits <= 3 ? static_cast<int>(value->digits) : 0;
-}
-
-// The direction of a plain tool rotation head (19680 = 2, axes along X Y Z, no tilt, no reversed sense).
-std::optional<Tool> of_head(const spec::Setup& setup, const spec::TextEvent& event) {
-  constexpr std::array<std::uint32_t, 6> kUsed{19680, 19681, 19682, 19686, 19687, 19697};
-  for (const auto& [id, value] : setup.parameters)
-    if (id.number >= 19640 && id.number < 19720 && !value.is_zero() &&
-        std::ranges::find(kUsed, id.number) == kUsed.end())
-      return std::nullopt;
-  if (code(setup, 19680) != 2) return std::nullopt;
-  const int reference = setup.parameter(19697) ? code(setup, 19697) : 3;
-  Tool tool;
-  Exact3 start{};
-  if (reference == 0) return std::nullopt;
-  start[static_cast<std::size_t>(reference) - 1] = 1;
-  tool.about = approximate(start);
-  constexpr std::array<const char*, 4> kUnit{"", "ex", "ey", "ez"};
-  std::array<std::string, 2> turns;
-  // The second axis is carried by the first and turns the tool before it.
-  constexpr std::array<std::uint32_t, 2> kFirst{19686, 19681};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto axis_number = setup.parameter(kFirst[i]);
-    const int direction = code(setup, kFirst[i] + 1);
-    if (!axis_number || !axis_number->is_integer() || axis_number->digits < 1 ||
-        axis_number->digits > setup.axes.size() || direction == 0)
-      return std::nullopt;
-    const std::size_t axis = axis_number->digits - 1;
-    if (!event.axes.has(axis)) return std::nullopt;
-    const auto angle = fraction_of(event.axes[axis]);
-    if (!angle) return std::nullopt;
-    turns[i] = fmt::format("{} (degrees {})", kUnit.at(static_cast<std::size_t>(direction)), corpus::coq(*angle));
-    tool.about = rotated(tool.about, direction, angle->convert_to<double>());
-  }
-  tool.text =
-      fmt::format("(tool_direction {} {} {})", turns[0], turns[1], kUnit.at(static_cast<std::size_t>(reference)));
-  return tool;
-}
-
-// The direction in force at the end of an event's block.
-std::optional<Tool> tool_of(const spec::Case& c, const Blocks& blocks, const spec::TextEvent& event) {
-  bool by_words = false;
-  std::optional<Exact3> words;
-  for (const auto& [line, block] : blocks) {
-    if (line > event.line) break;
-    if (has(block, "G49") && by_words) return std::nullopt;
-    by_words = by_words || has(block, "G43.5");
-    if (!by_words || (!word(block, 'I') && !word(block, 'J') && !word(block, 'K'))) continue;
-    words.emplace();
-    for (std::size_t i = 0; i < 3; ++i)
-      if (const auto given = word(block, "IJK"[i])) (*words)[i] = value_of(*given);
-  }
-  if (words) return fixed(*words);
-  if (!event.tool_axis) return fixed({0, 0, 1});
-  if (by_words) return std::nullopt;
-  return of_head(c.setup, event);
-}
 
 // The offset value in force at the end of an event's block.
 std::optional<Rational> radius_of(const spec::Case& c, const Blocks& blocks, std::uint64_t line) {
@@ -119,12 +21,6 @@ std::optional<Rational> radius_of(const spec::Case& c, const Blocks& blocks, std
   return radius;
 }
 
-bool rests_on(const spec::TextEvent& event, std::string_view clause) {
-  const auto& list = event.clauses;
-  return std::any_of(list.clause.begin(), list.clause.begin() + list.size,
-                     [&](spec::Clause c) { return spec::info(c).id == clause; });
-}
-
 // Whether the vector at the end of `event` is made, or kept, by the movement of `next`.
 bool is_made_by(const spec::TextEvent& event, const spec::TextEvent& next) {
   const auto is_move = [](const spec::TextEvent& e) { return e.kind == spec::EventKind::move && !e.arc; };
@@ -134,14 +30,6 @@ bool is_made_by(const spec::TextEvent& event, const spec::TextEvent& next) {
                             "kept-at-the-end", "before-cancel", "cancel"})
     if (rests_on(event, std::string("fanuc.leading-edge.") + other)) return false;
   return rests_on(event, "fanuc.leading-edge.sign");
-}
-
-std::optional<Rational> square_root(const Rational& value) {
-  const exact::Integer above = sqrt(exact::Integer(numerator(value)));
-  const exact::Integer below = sqrt(exact::Integer(denominator(value)));
-  Rational root(above, below);
-  if (root * root != value) return std::nullopt;
-  return root;
 }
 
 enum class Class : std::uint8_t { along, against, square, exactly_square, forward, back };

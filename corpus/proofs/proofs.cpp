@@ -20,6 +20,7 @@ constexpr Section kSections[] = {
     {"fanuc/cutter-compensation-b", "GoldenCutterCompensationB.v", cutter_b_lemmas},
     {"fanuc/leading-edge-offset", "GoldenLeadingEdgeOffset.v", leading_edge_lemmas},
     {"fanuc/cutter-compensation-c", "GoldenCutterCompensationC.v", cutter_compensation_c_lemmas},
+    {"fanuc/tool-side-compensation", "GoldenToolSideCompensation.v", tool_side_lemmas},
 };
 
 ProofFile write(const Section& section, const std::vector<Vector>& vectors, const std::filesystem::path& output,
@@ -28,7 +29,8 @@ ProofFile write(const Section& section, const std::vector<Vector>& vectors, cons
   std::string text = fmt::format(
       "(** Generated from the golden vectors of {}. *)\nFrom Coq Require Import Reals Lra List.\n"
       "From Toolcomp Require Import Vectors LeadingEdgeOffset ToolLengthOffset ToolDirection Golden.\n"
-      "From Toolcomp Require ToolLengthMeasurement ToolOffset CutterCompensationB CutterCompensationC.\n"
+      "From Toolcomp Require ToolLengthMeasurement ToolOffset CutterCompensationB CutterCompensationC "
+      "ToolSideCompensation.\n"
       "Import ListNotations.\nOpen Scope R_scope.\n",
       section.section);
   std::size_t computed = 0;

@@ -28,13 +28,16 @@ struct Lemma {
 //   cutter B        a straight block in the XY plane: that the recorded point is the programmed one plus the vector;
 //   cutter C        a corner of two lines in the offset mode, XY plane: its class, and that the recorded heads are
 //   those
-//                   of the class, exactly where the lengths of both lines are rational.
+//                   of the class, exactly where the lengths of both lines are rational;
+//   tool side       a corner of two lines in the mode: its class in the compensation plane, and that the recorded heads
+//                   are those of the class, exactly where the lengths in it are rational.
 std::vector<Lemma> leading_edge_lemmas(const spec::Case& c);
 std::vector<Lemma> length_offset_lemmas(const spec::Case& c);
 std::vector<Lemma> length_measurement_lemmas(const spec::Case& c);
 std::vector<Lemma> tool_offset_lemmas(const spec::Case& c);
 std::vector<Lemma> cutter_b_lemmas(const spec::Case& c);
 std::vector<Lemma> cutter_compensation_c_lemmas(const spec::Case& c);
+std::vector<Lemma> tool_side_lemmas(const spec::Case& c);
 
 struct ProofOptions {
   std::size_t computed = 40;  // lemmas a section, at most

@@ -1,0 +1,47 @@
+// Tool directions as the proofs read them, from programs and setups; and vectors of space for Coq.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "corpus/proofs/program.h"
+
+namespace toolcomp::corpus {
+
+using Blocks = std::map<std::uint64_t, spec::Block>;
+using Vector3 = std::array<double, 3>;
+using Exact3 = std::array<Rational, 3>;
+
+double dot(const Vector3& a, const Vector3& b);
+Rational dot(const Exact3& a, const Exact3& b);
+Vector3 cross(const Vector3& a, const Vector3& b);
+Exact3 cross(const Exact3& a, const Exact3& b);
+Exact3 difference(const Exact3& to, const Exact3& from);
+Vector3 approximate(const Exact3& v);
+std::string coq(const Exact3& v);
+
+// The root, where it is rational.
+std::optional<Rational> square_root(const Rational& value);
+
+// A tool direction as Coq reads it, to double precision, and exactly where it is rational.
+struct Tool {
+  std::string text;
+  Vector3 about{};
+  std::optional<Exact3> exactly;
+};
+
+// The direction in force at the end of an event's block: I J K under G43.5, Z of a setup that turns no tool, or a plain
+// tool rotation head (19680 = 2, axes along X Y Z, no tilt, no reversed sense). Nothing for other kinematics.
+std::optional<Tool> tool_of(const spec::Case& c, const Blocks& blocks, const spec::TextEvent& event);
+
+// The programmed end point, where it is rational.
+std::optional<Exact3> programmed_point(const spec::Case& c, const spec::TextEvent& event);
+
+// Is the clause with this id in the event's list?
+bool rests_on(const spec::TextEvent& event, std::string_view clause);
+
+}  // namespace toolcomp::corpus
