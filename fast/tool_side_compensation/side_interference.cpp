@@ -51,7 +51,8 @@ Vector2<double> seen(const SidePath& path, const Vector3<double>& v) { return {v
 // normal of the arc at both ends.
 Radii compare_radii(const SidePath& path, const SideGroup& start, const SideGroup& end) {
   const bool cornered = start.corner.second == &path && !start.back().kept && start.corner.flat &&
-                        start.corner.aligned && end.corner.first == &path && end.corner.flat && end.corner.aligned;
+                        start.corner.aligned && end.corner.first == &path && end.corner.flat && end.corner.aligned &&
+                        start.corner.facing == end.corner.facing;
   if (!cornered || !(*start.corner.offset == path.offset) || start.corner.second_side != path.side)
     return Radii::unknown;
   const HeadKind first = start.back().kind;

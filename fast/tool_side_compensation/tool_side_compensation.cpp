@@ -31,8 +31,11 @@ void copy(const Direction& from, Direction& to) {
   to.is_whole = from.is_whole;
   to.zero = from.zero;
   for (std::size_t i = 0; i < 3; ++i) to.whole[i] = from.whole[i];
-  to.angle[0] = from.angle[0];
-  to.angle[1] = from.angle[1];
+  for (std::size_t i = 0; i < 2; ++i)
+    if (from.angle[i].is_small()) [[likely]]
+      to.angle[i].set_small(from.angle[i].small());
+    else
+      to.angle[i] = from.angle[i];
 }
 
 // Centre, sweep and radii of the event; plane and direction stand in it.

@@ -206,6 +206,18 @@ TEST(FastToolSideCompensation, SeenFromBelow) {
   for (std::size_t i = 1; i < above.events.size(); ++i) expect_near(point(seen, i), point(above, i), "arc");
 }
 
+// By hand: a quarter circle of radius 50 about (0, 0) in which the tool turns over. It starts on the left of a
+// clockwise arc, outside; seen from below left is the other side, and it ends inside.
+TEST(FastToolSideCompensation, ToolTurnsOverInAnArc) {
+  const ProgramRun run(machine("", 'B', -100, 50),
+                       "G41.2 D1 G01 X-50 Y50 F100\nX0\nG02 X50 Y0 I0 J-50 B180\nG01 Y-50\nG40 X100\n");
+  EXPECT_EQ(run.alarm(), "");
+  ASSERT_GT(run.events.size(), 3U);
+  ASSERT_TRUE(run.events[2].arc && run.events[2].arc->radius);
+  EXPECT_NEAR(run.events[2].arc->radius->first, 60, kTolerance);
+  EXPECT_NEAR(run.events[2].arc->radius->second, 40, kTolerance);
+}
+
 // Coplanar path and tool: the turn is exactly zero, and the tool goes round the end.
 TEST(FastToolSideCompensation, Coplanar) {
   for (const char* const b : {"30", "45", "12.345", "60"}) {
