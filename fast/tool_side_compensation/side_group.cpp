@@ -156,7 +156,7 @@ bool SideGroups::make(SideGroup& group, CornerRule rule, Treatment treatment) co
     group.clear();
     return true;
   }
-  if (rule == CornerRule::ordinary && treatment == Treatment::perpendicular) {
+  if (treatment == Treatment::perpendicular && (rule == CornerRule::ordinary || rule == CornerRule::repeated)) {
     set(group, HeadKind::first_normal);
     return true;
   }

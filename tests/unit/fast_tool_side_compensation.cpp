@@ -176,6 +176,10 @@ TEST(FastToolSideCompensation, SideChange) {
   check("TS10 straight on", setup("", -40, 0), change("X200\nG40 X240"), q, {{0, -10, 0}});
   check("TS10 reversal kept", setup("", -40, 0), kUntilted + "G41.6 D1 G01 X0 F100\nX100\nX0\nG40 X-40\n", q,
         {{10, 10, 0}, {10, -10, 0}});
+  // Q1 comes before the change of side, with the code repeated too (a value of the other sign changes the side).
+  const std::string q1 = kUntilted + "G41.6 D1 G01 X0 F100\nX100 Q1\n";
+  check("Q1, then the side changes", setup("", -40, 0), q1 + "G42.6 Y100\nG40 Y140\n", q, {{0, 10, 0}});
+  check("Q1, then a repeated code", setup("", -40, 0), q1 + "G41.6 D3 Y100\nG40 Y140\n", q, {{0, 10, 0}});
   check("TS10 with the points of TS3", setup("", 0, -40),
         kTilted + "G41.6 D1 G01 Y0 F100\nY100\nG42.6 X94 Y40 Z-8\nG40 X188 Y-20 Z-16\n", {0, 100, 0}, {{-8, -5, 6}});
 }
