@@ -162,8 +162,7 @@ SpaceCounts SpacePath::turned_roughly(const Direction& tool) {
   Direction u{};
   const double along = dot(d, tool);
   for (std::size_t i = 0; i < 3; ++i) u[i] = d[i] - along * tool[i];
-  constexpr double few = 1e-6;
-  u = std::sqrt(dot(u, u)) > few ? unit(u) : beside(tool);
+  u = billionths(dot(u, u)) > 0 ? unit(u) : beside(tool);
   double angle = 0;
   switch (choose_.weighted({20, 12, 30, 25, 8})) {
     case 0:
@@ -188,10 +187,9 @@ SpaceCounts SpacePath::turned_roughly(const Direction& tool) {
 
 // P, Q, R and the tool in one plane: the last movement and the tool alone, or a coordinate plane.
 SpaceCounts SpacePath::coplanar(const ToolAim& tool) {
-  constexpr double nothing = 1e-11;
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < 3; ++i)
-    if (std::fabs(tool.direction[i]) < nothing && last_[i] == 0) free.push_back(i);
+    if (billionths(tool.direction[i]) == 0 && last_[i] == 0) free.push_back(i);
   if (!free.empty() && choose_.chance(60)) {
     SpaceCounts move{};
     for (std::int64_t& x : move) x = choose_.between(-60, 60) * one_;
@@ -218,9 +216,8 @@ SpaceCounts SpacePath::of_length(const ToolAim& tool, std::int64_t length) {
   SpaceCounts move{};
   // Along a coordinate axis at right angles to the tool the length is exact.
   std::vector<std::size_t> free;
-  constexpr double nothing = 1e-11;
   for (std::size_t i = 0; i < 3; ++i)
-    if (std::fabs(tool.direction[i]) < nothing) free.push_back(i);
+    if (billionths(tool.direction[i]) == 0) free.push_back(i);
   if (!free.empty() && choose_.chance(80)) {
     move[free[choose_.below(free.size())]] = choose_.chance(50) ? length : -length;
   } else {
@@ -238,14 +235,13 @@ SpaceCounts SpacePath::overcut(const Direction& first, const SpaceCounts& before
   const Direction d = as_direction(before);
   Direction r{};
   for (std::size_t i = 0; i < 3; ++i) r[i] = d[i] - dot(d, first) * first[i];
-  constexpr double few = 1e-6;
-  if (std::sqrt(dot(r, r)) < few) return movement({second, {}});
+  if (billionths(dot(r, r)) == 0) return movement({second, {}});
   r = unit(r);
   const Direction q = cross(cross(first, r), second);
   const double on = dot(q, r);
   const double aside = dot(q, q) - on * on;
-  if (aside < few) return movement({second, {}});
-  const double s = std::max(on, few) / aside * static_cast<double>(percent) / 100;
+  if (billionths(aside) < 1000) return movement({second, {}});
+  const double s = std::max(on, 0.0) / aside * static_cast<double>(percent) / 100;
   Direction u{};
   for (std::size_t i = 0; i < 3; ++i) u[i] = s * (q[i] - on * r[i]) - r[i];
   const auto way = static_cast<double>(choose_.between(4, 20) * 5 * one_);

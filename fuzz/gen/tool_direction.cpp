@@ -74,6 +74,11 @@ Direction by_groups(const spec::Setup& setup, const Pose& pose) {
 
 }  // namespace
 
+std::int64_t billionths(double x) {
+  constexpr double in_one = 1e9;
+  return std::llround(x * in_one);
+}
+
 double dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Direction cross(const Direction& a, const Direction& b) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 
@@ -17,6 +18,9 @@ using Pose = std::map<char, double>;
 // The unit direction from tip to holder at `pose`, by parameters 19680–19699 or 19610–19623; nothing where the setup
 // states no kinematics.
 std::optional<Direction> tool_direction(const spec::Setup& setup, const Pose& pose);
+
+// A component in billionths, in which generators tell zeros and whole numbers.
+std::int64_t billionths(double x);
 
 double dot(const Direction& a, const Direction& b);
 Direction cross(const Direction& a, const Direction& b);

@@ -13,18 +13,18 @@ constexpr SpaceCounts kRational[] = {{3, 0, 4},  {4, 0, 3},    {0, 3, 4},       
                                      {0, 0, 1},  {0, 0, 1},    {1, 0, 0},       {0, 1, 0},  {1, 0, 1},  {1, 1, 1},
                                      {0, -1, 1}, {12, 15, 16}, {400, 0, 39'999}};
 
-constexpr double kHair = 1e-11;  // what a direction in double may be off whole numbers
+constexpr std::int64_t kOne = 1'000'000'000;  // in billionths
 
 // The small whole vector along `d`, if one is.
 std::optional<SpaceCounts> whole_along(const Direction& d) {
   constexpr double few = 12;
   double least = 1;
   for (const double x : d)
-    if (std::fabs(x) > kHair) least = std::min(least, std::fabs(x));
+    if (billionths(x) != 0) least = std::min(least, std::fabs(x));
   SpaceCounts whole{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double x = d[i] / least;
-    if (std::fabs(x) > few || std::fabs(x - std::round(x)) > kHair) return std::nullopt;
+    if (std::fabs(x) > few || billionths(x - std::round(x)) != 0) return std::nullopt;
     whole[i] = std::llround(x);
   }
   return whole;
@@ -142,7 +142,7 @@ void ToolPose::turn_by(std::int64_t counts) {
     const double cosine = dot(now.direction, tool_direction(setup_, pose).value_or(now.direction));
     if (cosine < least) best = letter, least = cosine;
   }
-  if (best != 0 && least < 1 - kHair) write_.axis(best, thousandths(choose_.chance(50) ? counts : -counts));
+  if (best != 0 && billionths(least) < kOne) write_.axis(best, thousandths(choose_.chance(50) ? counts : -counts));
 }
 
 void ToolPose::align() {
@@ -167,7 +167,7 @@ void ToolPose::align() {
       pose[second] = static_cast<double>(90 * k);
       const Direction d = tool_direction(setup_, pose).value_or(Direction{0, 0, 1});
       for (const double x : d)
-        if (std::fabs(x) > 1 - kHair) found.push_back({90 * i, 90 * k});
+        if (std::abs(billionths(x)) == kOne) found.push_back({90 * i, 90 * k});
     }
   if (found.empty()) return;
   const Candidate to = found[choose_.below(found.size())];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "fuzz/gen/contour.h"
 #include "fuzz/gen/sections.h"
@@ -208,7 +209,7 @@ class ToolSide {
 
   // Any movement: in space, or of a contour in the plane. Where the tool stands on the plane contours are likelier.
   void movement() {
-    const bool stands = std::fabs(pose_.aim().direction[normal_]) > 1 - 1e-9;
+    const bool stands = std::abs(billionths(pose_.aim().direction[normal_])) == 1'000'000'000;
     if (choose_.chance(stands ? 60 : 12)) {
       segment(contour_.movement());
       if (choose_.chance(3)) pose_.turn();
@@ -376,9 +377,7 @@ class ToolSide {
       case 7:
         return plane_change();
       case 8:
-        treatment();
-        if (choose_.chance(85)) return movement();
-        return write_.end_block();
+        return treated();
       case 9:
         switch_mode();
         return movement();
@@ -387,8 +386,30 @@ class ToolSide {
     }
   }
 
+  // Q in a block that is block A of a corner, mostly: of a usual one, a change of side, a repeated code, a cancel.
+  void treated() {
+    treatment();
+    if (choose_.chance(8)) return write_.end_block();
+    straight();
+    end_of_movement();
+    switch (choose_.weighted({40, 20, 12, 16, 12})) {
+      case 0:
+        return movement();
+      case 1:
+        return other_side();
+      case 2:
+        return repeated();
+      case 3:
+        if (choose_.chance(30)) side_word(side_);
+        return other_number();
+      default:
+        still_block();
+        return movement();
+    }
+  }
+
   void other_side() {
-    if (choose_.chance(15)) treatment();
+    if (choose_.chance(8)) treatment();
     side_word(-side_);
     if (choose_.chance(12)) write_.end_block();
     if (choose_.chance(10)) number();

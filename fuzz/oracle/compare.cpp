@@ -268,8 +268,10 @@ template std::optional<Difference> compare(const Rules&, const model::Event&, co
 bool left_open(const model::Event& event) {
   if (event.kind != EventKind::undecided) return false;
   const auto clause = spec::find_clause(event.number.view());
-  return clause && spec::info(*clause).kind == spec::ClauseKind::open &&
-         spec::info(*clause).outcomes != spec::ClauseOutcomes::sign;
+  if (!clause || spec::info(*clause).kind != spec::ClauseKind::open) return false;
+  // A decision by sign names its clause where its tie was not certified. Of an arc seen on edge the tie itself is open.
+  return spec::info(*clause).outcomes != spec::ClauseOutcomes::sign ||
+         *clause == spec::Clause::fanuc_tool_side_arc_plane;
 }
 
 template <class Number>
