@@ -92,16 +92,36 @@ TEST_P(ToolSide, TheManualsInterferenceFigure) {
       folder.write("setup.toml",
                    "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"C\"]\n[parameters]\n19680 = 2\n"
                    "19681 = 5\n19682 = 3\n19686 = 4\n19687 = 1\n[offsets.D]\n1 = 10\n[position]\nY = 40\nZ = 40\n");
-  const std::string program =
-      folder.write("p.nc",
-                   "G90 G00 A46.\nG01 G41.2 D1 Y0 Z0 F1000\nN4 Y-200. Z-200.\nN5 A-45.\nN6 Y-400. Z0\nG40 Y-440. "
-                   "Z40.\nM30\n");
-  const Outcome outcome = toolcomp("run " + program + " --setup " + setup + " --engine " + GetParam());
+  const auto run = [&](const std::string& q) {
+    const std::string program = folder.write("p.nc", "G90 G00 A46.\nG01 G41.2 D1 Y0 Z0 F1000\nN4 Y-200. Z-200." + q +
+                                                         "\nN5 A-45.\nN6 Y-400. Z0\nG40 Y-440. Z40.\nM30\n");
+    return toolcomp("run " + program + " --setup " + setup + " --digits 18 --engine " + GetParam());
+  };
+  const Outcome outcome = run("");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   ASSERT_EQ(outcome.events().size(), 3U) << outcome.out;
   EXPECT_EQ(outcome.events().back().at("number"), "OVERCUT_PLANE_CHANGE");
   EXPECT_EQ(outcome.events().back().at("line"), 3);
   EXPECT_NE(outcome.err.find("p.nc:3:"), std::string::npos) << outcome.err;
+
+  // The sheet's vectors at N4, Q1: (10, 0, 0), Q2: V1, Q3: V1 and V2.
+  const double y = -206.946583704589972867;
+  const double z = -207.193398003386511394;
+  const std::vector<std::vector<Point>> heads{{{10, -200, -200}}, {{10, y, z}}, {{10, y, z}, {-10, y, z}}};
+  for (std::size_t q = 1; q <= heads.size(); ++q) {
+    const Outcome kept = run(" Q" + std::to_string(q));
+    const std::vector<json> events = kept.events();
+    ASSERT_GT(events.size(), 1 + heads[q - 1].size()) << kept.out;
+    for (std::size_t i = 0; i < heads[q - 1].size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(events[2 + i].at("point").at(std::string(1, "XYZ"[axis])).get<double>(), heads[q - 1][i][axis],
+                    1e-12)
+            << "Q" << q << ' ' << events[2 + i].dump();
+    if (GetParam() == "model" && q > 1) {
+      EXPECT_NE(kept.out.find("\"Y\":-206.946583704589972867,\"Z\":-207.193398003386511394"), std::string::npos)
+          << "every printed digit: " << kept.out;
+    }
+  }
 }
 
 TEST(ToolSideExamples, BothEnginesAgree) {

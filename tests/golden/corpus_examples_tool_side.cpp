@@ -100,8 +100,8 @@ TEST(ToolSideVectors, Sheet) {
     return rest;
   };
   const Rows overcut = with({"3 OVERCUT_PLANE_CHANGE"});
-  const std::string v1 = "G1 10 -206.946583704589972867 -207.193398003386511394";
-  const std::string v2 = "G1 -10 -206.946583704589972867 -207.193398003386511394";
+  const std::string v1 = "G1 10 -206.946583704589973 -207.193398003386511";
+  const std::string v2 = "G1 -10 -206.946583704589973 -207.193398003386511";
   const Rows end = {"5 p G1 10 -400 0", "6 e G1 0 -440 40"};
   const auto to_end = [&](Rows rest) {
     rest.insert(rest.end(), end.begin(), end.end());
@@ -184,9 +184,9 @@ TEST(ToolSideVectors, Sheet) {
           {"TS11, clockwise arc about (60,-30)",
            change({"2 p G1 105 10 0", "3 c G1 108 6 0", "3 p G2 96 -78 0 O 60 -30", "4 e G1 50 -100 0"})},
           {"TS11, clockwise arc about (140,-30)",
-           change({"2 p G1 95.278640450004206072 10 0", "3 p G2 176 18 0 O 140 -30", "4 e G1 210 -20 0"})},
+           change({"2 p G1 95.278640450004206 10 0", "3 p G2 176 18 0 O 140 -30", "4 e G1 210 -20 0"})},
           {"TS11, counter-clockwise arc",
-           change({"2 p G1 94.641016151377545871 10 0", "3 p G3 84 62 0 O 60 30", "4 e G1 50 100 0"})},
+           change({"2 p G1 94.641016151377546 10 0", "3 p G3 84 62 0 O 60 30", "4 e G1 50 100 0"})},
           {"TS11 under G43.5", x(acute_arc)}});
 }
 
@@ -315,6 +315,8 @@ TEST(ToolSideVectors, Rules) {
           {"5010 = 21,", reversal},
           {"5010 = 19.999", left({"2 p G1 110 10 0", "3 c G1 110 -10 0", "3 p G1 0 -10 0", "4 e G1 -40 0 0"})},
           {"Q1 at a change of side", left({"2 p G1 100 10 0", "3 p G1 110 100 0", "4 e G1 100 150 0"})},
+          {"The same code again with a value", left({"2 p G1 110 10 0", "3 p G1 105 100 0", "4 e G1 100 150 0"})},
+          {"Q1 before the same code again", left({"2 p G1 100 10 0", "3 p G1 105 100 0", "4 e G1 100 150 0"})},
           {"Q1 at a corner of one orientation", left({"2 p G1 100 10 0", "3 p G1 90 100 0", "4 e G1 100 150 0"})},
           {"Q2 at an acute corner", reversal},
           {"Q2 with one vector", left({"2 p G1 90 10 0", "3 p G1 90 100 0", "4 e G1 100 150 0"})},
