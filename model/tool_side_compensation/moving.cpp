@@ -1,6 +1,7 @@
 // Blocks that move in the plane: the corner between the block held and the one now taken.
 #include <utility>
 
+#include "model/engine.h"
 #include "model/program/alarm.h"
 #include "model/tool_side_compensation/tool_side_compensation.h"
 
@@ -27,6 +28,13 @@ SideArc arc_of(const Leg& leg, const std::optional<Rational>& radius, const spec
   return result;
 }
 
+// What was decided on |VT × U|². A line along the tool has no direction in the plane.
+bool crosses(Sign decided, const Real& left2) {
+  if (decided != Sign::positive) return false;
+  if (left2.sign() != Sign::positive) throw NotFinite();  // only a forced outcome comes here
+  return true;
+}
+
 }  // namespace
 
 // A line is asked in the plane of the corner at its start, or where there is none in the one at its end.
@@ -39,7 +47,6 @@ std::optional<ToolSideCompensation::Movement> ToolSideCompensation::movement_of(
   movement.at_corner = held_.has_value();
   if (leg.arc) {
     movement.path.arc = arc_of(leg, now.side->radius, axes_);
-    movement.start = arc_start(*movement.path.arc, 0);
     return movement;
   }
   const CompensationPlane& plane = held_ ? held_->plane : movement.own;
@@ -52,34 +59,46 @@ bool ToolSideCompensation::crosses_tool(const CompensationPlane& plane, const Si
   const Real& norm2 = plane.tool().norm2;
   const Real travel2 = squared_norm(line.travel);
   if (limit_ <= 0)
-    return recorder_.decide(Clause::fanuc_tool_side_along_the_tool, line.left2, norm2 * travel2) == Sign::positive;
+    return crosses(recorder_.decide(Clause::fanuc_tool_side_along_the_tool, line.left2, norm2 * travel2), line.left2);
   const Rational limit2 = limit_ * limit_;
-  return recorder_.decide(Clause::fanuc_tool_side_no_movement_limit, line.left2 - limit2 * norm2,
-                          norm2 * (travel2 + limit2)) != Sign::negative;
+  const Sign decided = recorder_.decide(Clause::fanuc_tool_side_no_movement_limit, line.left2 - limit2 * norm2,
+                                        norm2 * (travel2 + limit2));
+  return decided != Sign::negative && crosses(Sign::positive, line.left2);
 }
 
-void ToolSideCompensation::take_moving(Step& now, const Movement& movement) {
+void ToolSideCompensation::take_moving(Step& now, Movement movement) {
   const Leg& leg = now.moves.front().leg;
   if (leg.arc && !leg.arc->sweep)
     raise(recorder_, Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc that ends in its centre");
   const CutterOffset offset = next_offset(*now.side);
-  if (leg.arc) look_at_arc(now, movement);
-  SideEnd start = movement.start;
-  start.offset = offset.side * last_.distance;
-  make_corner(now, movement, start, offset);
-  started_.reset();
-  if (!leg.arc && movement.at_corner && !has_direction_at_end(movement)) {
-    run_along_tool(now, offset);
-    return;
+  const Rational at_start = offset.side * last_.distance;
+  if (movement.path.arc) {
+    look_at_arc(now, movement);
+    movement.start = arc_start(*movement.path.arc, at_start);
   }
-  hold(now, Held::Kind::moving, offset, movement);
+  movement.start.offset = at_start;
+  make_corner(now, movement, offset);
+  started_.reset();
+  const SideEnd end = end_of(movement, offset);
+  if (!leg.arc && movement.at_corner && !has_direction(movement.own, end))
+    run_along_tool(now, offset);
+  else
+    hold(now, Held::Kind::moving, offset, movement, end);
+}
+
+// How a block reaches the corner at its end.
+SideEnd ToolSideCompensation::end_of(const Movement& movement, const CutterOffset& offset) {
+  if (movement.path.arc) return arc_end(*movement.path.arc, offset.left());
+  if (movement.at_corner) return line_end(movement.own, movement.path.travel, offset.left());
+  SideEnd end = movement.start;
+  end.offset = offset.left();
+  return end;
 }
 
 // The tool turns in the block so that it travels along it at its end: no corner can be made there.
-bool ToolSideCompensation::has_direction_at_end(const Movement& movement) const {
-  const Vector left = movement.own.left(movement.path.travel);
-  return recorder_.decide(Clause::fanuc_tool_side_along_the_tool_at_its_end, squared_norm(left),
-                          movement.own.tool().norm2 * squared_norm(movement.path.travel)) == Sign::positive;
+bool ToolSideCompensation::has_direction(const CompensationPlane& plane, const SideEnd& end) const {
+  const Real scale = plane.tool().norm2 * squared_norm(end.travel);
+  return crosses(recorder_.decide(Clause::fanuc_tool_side_along_the_tool_at_its_end, end.left2, scale), end.left2);
 }
 
 void ToolSideCompensation::run_along_tool(Step& now, const CutterOffset& offset) {
@@ -99,37 +118,47 @@ CutterOffset ToolSideCompensation::next_offset(const ToolSideBlock& block) const
   return offset;
 }
 
-void ToolSideCompensation::look_at_arc(Step& now, const Movement& movement) {
+// From which side the tool sees the plane of an arc: +1, -1, or 0 where it lies in it.
+int ToolSideCompensation::sense(const Direction& tool, spec::Plane plane) const {
+  const Real& upright = component(tool.vector, third_axis(plane));
+  const Sign seen = recorder_.decide(Clause::fanuc_tool_side_arc_plane, upright, sqrt(tool.norm2));
+  if (seen != Sign::zero && upright.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
+  return static_cast<int>(seen);
+}
+
+bool ToolSideCompensation::leans(const Direction& tool, spec::Plane plane) const {
+  return recorder_.decide(Clause::fanuc_tool_side_arc_plane_mismatch, squared_norm(in_plane_of(plane, tool.vector)),
+                          tool.norm2) != Sign::zero;
+}
+
+void ToolSideCompensation::look_at_arc(Step& now, Movement& movement) {
   recorder_.reach(Clause::fanuc_tool_side_arc);
-  const spec::Plane plane = movement.path.arc->plane;
-  const auto on_edge = [&](const Direction& tool) {
-    return recorder_.decide(Clause::fanuc_tool_side_arc_plane, component(tool.vector, third_axis(plane)),
-                            sqrt(tool.norm2)) == Sign::zero;
-  };
-  const auto leans = [&](const Direction& tool) {
-    return recorder_.decide(Clause::fanuc_tool_side_arc_plane_mismatch, squared_norm(in_plane_of(plane, tool.vector)),
-                            tool.norm2) != Sign::zero;
-  };
-  if ((movement.at_corner && on_edge(held_->plane.tool())) || on_edge(movement.own.tool()))
-    leave_open_at(now, Clause::fanuc_tool_side_arc_plane, "an arc whose plane holds the tool");
-  if (leans(before_) || leans(movement.own.tool())) {
+  constexpr const char* kOnEdge = "an arc whose plane holds the tool";
+  SideArc& arc = *movement.path.arc;
+  if (movement.at_corner) {
+    arc.sense_at_start = sense(held_->plane.tool(), arc.plane);
+    if (arc.sense_at_start == 0) leave_open_at(now, Clause::fanuc_tool_side_arc_plane, kOnEdge);
+  }
+  arc.sense_at_end = sense(movement.own.tool(), arc.plane);
+  if (arc.sense_at_end == 0) leave_open_at(now, Clause::fanuc_tool_side_arc_plane, kOnEdge);
+  if (!movement.at_corner) arc.sense_at_start = arc.sense_at_end;
+  if (leans(before_, arc.plane) || leans(movement.own.tool(), arc.plane)) {
     Warning warning{"ARC_PLANE_MISMATCH", "the tool does not stand at right angles to the plane of the arc", {}};
     warning.clauses.add(Clause::fanuc_tool_side_arc_plane_mismatch);
     now.warning = warning;
   }
 }
 
-void ToolSideCompensation::make_corner(Step& now, const Movement& movement, const SideEnd& start,
-                                       const CutterOffset& offset) {
+void ToolSideCompensation::make_corner(Step& now, const Movement& movement, const CutterOffset& offset) {
   if (!held_) return;
   if (now.side->repeats_code()) repeated_ = true;
   decide_held(now);
   if (held_->kind == Held::Kind::lone_start) {
-    run_lone_start(start);
+    run_lone_start(movement.start);
   } else {
     recorder_.decide(Clause::fanuc_tool_side_one_block_without_movement, count_ == 1);
     recorder_.decide(Clause::fanuc_cutter_c_value_at_a_corner, offset.value != held_->offset.value);
-    release(group_before(now, movement, start, offset));
+    release(group_before(now, movement, offset));
   }
   count_ = 0;
   repeated_ = false;
@@ -137,11 +166,10 @@ void ToolSideCompensation::make_corner(Step& now, const Movement& movement, cons
 }
 
 // The rules in their order (fanuc.tool-side.which-rule).
-SideGroup ToolSideCompensation::group_before(const Step& now, const Movement& movement, const SideEnd& start,
-                                             const CutterOffset& offset) {
+SideGroup ToolSideCompensation::group_before(const Step& now, const Movement& movement, const CutterOffset& offset) {
   const SideEnd& former = held_->end;
   if (former.offset == 0) return rules_.square_to(held_->plane, former);
-  const SideCorner corner{held_->plane, former, start};
+  const SideCorner corner{held_->plane, former, movement.start};
   const bool starts = held_->kind == Held::Kind::start_up;
   const int treatment = starts ? 0 : held_->step.side->treatment.value_or(0);
   const bool one_side = held_->offset.side == offset.side;
@@ -230,24 +258,20 @@ void ToolSideCompensation::run_lone_start(const SideEnd& start) {
   emit_change_alone(held.step, spec::Cause::start_up, held.offset.distance != 0);
 }
 
-void ToolSideCompensation::hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement) {
+void ToolSideCompensation::hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement,
+                                const SideEnd& end) {
   append(now.clauses, recorder_.take_clauses());
   Held held;
   held.kind = kind;
   held.offset = offset;
   held.plane = movement.own;
   held.path = movement.path;
+  held.end = end;
   if (const auto& arc = movement.path.arc) {
     held.offset_at_start = offset.side * last_.distance;
     const CompensationPlane& plane = movement.at_corner ? here_plane_ : movement.own;
     const Rational rho = movement.at_corner ? held.offset_at_start : offset.left();
     held.start = seen(plane, plane.frame(), arc_start(*arc, rho));
-    held.end = arc_end(*arc, offset.left());
-  } else if (movement.at_corner) {
-    held.end = line_end(movement.own, movement.path.travel, offset.left());
-  } else {
-    held.end = movement.start;
-    held.end.offset = offset.left();
   }
   held.step = std::move(now);
   held_ = std::move(held);

@@ -16,7 +16,7 @@ void ToolSideCompensation::release(SideGroup at_end) {
   std::optional<OffsetPath> as_seen;
   std::optional<ToolArcRun> run;
   if (arc) {
-    as_seen = as_run(*arc, here_plane_, held.offset_at_start, held.plane, held.end.offset);
+    as_seen = as_run(*arc, held.offset_at_start, held.end.offset);
     run.emplace(recorder_, *as_seen, head(*arc, here_plane_, here_.back()), head(*arc, held.plane, at_end.front()));
   }
   Passage passage = Passage::free;

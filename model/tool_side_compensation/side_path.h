@@ -22,10 +22,13 @@ constexpr std::size_t third_axis(spec::Plane plane) {
   return 2;
 }
 
-// A circle or helix in the plane of G17, G18 or G19, setup units; `turn` as seen against its third axis.
+// A circle or helix in the plane of G17, G18 or G19, setup units.
 struct SideArc {
   spec::Plane plane = spec::Plane::xy;
-  ArcEnds ends;
+  ArcEnds ends;  // `turn` as seen against the third axis of the plane
+  // Whether the tool sees the plane against that axis (+1) or from the other side (-1), at the start and at the end.
+  int sense_at_start = 1;
+  int sense_at_end = 1;
 };
 
 // A line, or an arc.
@@ -40,7 +43,7 @@ struct SideEnd {
   struct OfArc {
     spec::Plane plane = spec::Plane::xy;
     PlanePoint from_center;
-    int turn = 1;                    // as seen against the third axis
+    int turn = 1;                    // as seen from the tool
     std::optional<Rational> radius;  // where R gives it
   };
 
@@ -56,14 +59,12 @@ SideEnd line_end(const CompensationPlane& plane, const Vector& travel, const Rat
 SideEnd arc_start(const SideArc& arc, const Rational& offset);
 SideEnd arc_end(const SideArc& arc, const Rational& offset);
 
-// The end in the coordinates of a frame of the plane, as corners with arcs ask for it. The tool does not lie in the
-// plane of an arc. Clause: fanuc.tool-side.arc-in-the-plane.
+// The end in the coordinates of a frame of the plane, as corners with arcs ask for it. Clause:
+// fanuc.tool-side.arc-in-the-plane.
 PathEnd seen(const CompensationPlane& plane, const PlaneFrame& frame, const SideEnd& end);
 
-// The arc in its own plane, as the machine runs it, with the offsets of its ends as the tool sees them in the planes
-// of its start and its end.
-OffsetPath as_run(const SideArc& arc, const CompensationPlane& at_start, const Rational& offset_at_start,
-                  const CompensationPlane& at_end, const Rational& offset_at_end);
+// The arc in its own plane, as the machine runs it; the offsets are to the left as the tool sees them.
+OffsetPath as_run(const SideArc& arc, const Rational& offset_at_start, const Rational& offset_at_end);
 
 // Whether the tool stands at right angles to the plane. Certified.
 bool is_square_to(const CompensationPlane& tool, spec::Plane plane);

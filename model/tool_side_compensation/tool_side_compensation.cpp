@@ -100,7 +100,7 @@ void ToolSideCompensation::start_up(Step& now, const Movement& movement) {
   recorder_.reach(Clause::fanuc_tool_side_start_up);
   const CutterOffset offset = offset_of(recorder_, now.side->side, now.side->offset);
   state_ = State::on;
-  hold(now, Held::Kind::start_up, offset, movement);
+  hold(now, Held::Kind::start_up, offset, movement, end_of(movement, offset));
   started_ = offset.side;
 }
 
@@ -108,7 +108,7 @@ void ToolSideCompensation::start_alone(Step& now) {
   const CutterOffset offset = offset_of(recorder_, now.side->side, now.side->offset);
   Movement movement;
   movement.own = CompensationPlane(now.rest.tool);
-  hold(now, Held::Kind::lone_start, offset, movement);
+  hold(now, Held::Kind::lone_start, offset, movement, {});
   started_ = offset.side;
 }
 

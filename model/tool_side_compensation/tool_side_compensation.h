@@ -70,7 +70,7 @@ class ToolSideCompensation {
   // A block that moves: its path, and how it leaves the corner at its start.
   struct Movement {
     SidePath path;
-    SideEnd start;           // offset not yet known
+    SideEnd start;           // of a line; of an arc once the tool's view of it is known
     bool at_corner = false;  // `start` is seen in the plane of the block held
     CompensationPlane own;   // at its end
   };
@@ -93,19 +93,21 @@ class ToolSideCompensation {
   // moving.cpp: blocks that move in the plane.
   [[nodiscard]] std::optional<Movement> movement_of(const Step& now) const;
   [[nodiscard]] bool crosses_tool(const CompensationPlane& plane, const SideEnd& line) const;
-  void take_moving(Step& now, const Movement& movement);
-  [[nodiscard]] bool has_direction_at_end(const Movement& movement) const;
+  void take_moving(Step& now, Movement movement);
+  [[nodiscard]] static SideEnd end_of(const Movement& movement, const CutterOffset& offset);
+  [[nodiscard]] bool has_direction(const CompensationPlane& plane, const SideEnd& end) const;
   void run_along_tool(Step& now, const CutterOffset& offset);
   void take_cancel(Step& now, const Movement& movement);
   [[nodiscard]] CutterOffset next_offset(const ToolSideBlock& block) const;
-  void look_at_arc(Step& now, const Movement& movement);
-  void make_corner(Step& now, const Movement& movement, const SideEnd& start, const CutterOffset& offset);
-  [[nodiscard]] SideGroup group_before(const Step& now, const Movement& movement, const SideEnd& start,
-                                       const CutterOffset& offset);
+  void look_at_arc(Step& now, Movement& movement);
+  [[nodiscard]] int sense(const Direction& tool, spec::Plane plane) const;
+  [[nodiscard]] bool leans(const Direction& tool, spec::Plane plane) const;
+  void make_corner(Step& now, const Movement& movement, const CutterOffset& offset);
+  [[nodiscard]] SideGroup group_before(const Step& now, const Movement& movement, const CutterOffset& offset);
   [[nodiscard]] SideGroup group_before_cancel(const SideEnd& start);
   [[nodiscard]] bool may_drop(const SideGroup& group, const SidePath& next) const;
   void run_lone_start(const SideEnd& start);
-  void hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement);
+  void hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement, const SideEnd& end);
 
   // passage.cpp: a block between the vectors at its start and its end.
   void release(SideGroup at_end);

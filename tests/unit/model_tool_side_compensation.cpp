@@ -387,7 +387,7 @@ TEST(ModelToolSide, LiveNodesAreBounded) {
   engine.end();
   EXPECT_GT(counter.events, 400U);
   EXPECT_LE(late, early + early / 4);
-  EXPECT_LT(late, 1500U);
+  EXPECT_LT(late, 400U);
 }
 
 // The manual's route: C2 by Gram and Schmidt from auxiliary vectors, the points turned by M, the two offset lines in
