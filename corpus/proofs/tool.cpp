@@ -42,6 +42,7 @@ std::optional<Tool> of_head(const spec::Setup& setup, const spec::TextEvent& eve
   tool.about = approximate(start);
   constexpr std::array<const char*, 4> kUnit{"", "ex", "ey", "ez"};
   std::array<std::string, 2> turns;
+  bool square = true;  // turns by right angles only
   // The second axis is carried by the first and turns the tool before it.
   constexpr std::array<std::uint32_t, 2> kFirst{19686, 19681};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -56,7 +57,9 @@ std::optional<Tool> of_head(const spec::Setup& setup, const spec::TextEvent& eve
     if (!angle) return std::nullopt;
     turns[i] = fmt::format("{} (degrees {})", kUnit.at(static_cast<std::size_t>(direction)), corpus::coq(*angle));
     tool.about = rotated(tool.about, direction, angle->convert_to<double>());
+    square = square && denominator(Rational(*angle / 90)) == 1;
   }
+  if (square) return fixed({std::round(tool.about[0]), std::round(tool.about[1]), std::round(tool.about[2])});
   tool.text =
       fmt::format("(tool_direction {} {} {})", turns[0], turns[1], kUnit.at(static_cast<std::size_t>(reference)));
   return tool;

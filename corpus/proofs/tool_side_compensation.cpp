@@ -55,8 +55,8 @@ struct Corner {
   std::vector<const spec::TextEvent*> heads;
 };
 
-// The corner at the end of the event with this index, where both blocks are lines of the mode that follow each other
-// and the group at the corner is whole.
+// The corner at the end of the event with this index, where both blocks are lines of the mode and the group at the
+// corner is whole.
 std::optional<Corner> corner_at(const spec::Case& c, const Blocks& blocks, std::size_t index) {
   const spec::TextEvent& event = c.expect[index];
   const auto rests = [&](const char* rule) { return rests_on(event, std::string("fanuc.tool-side.") + rule); };
@@ -65,12 +65,17 @@ std::optional<Corner> corner_at(const spec::Case& c, const Blocks& blocks, std::
   Corner corner;
   corner.line = event.line;
   corner.heads.push_back(&event);
-  std::size_t next = index + 1;
-  for (; next < c.expect.size() && c.expect[next].cause == spec::Cause::corner; ++next)
-    corner.heads.push_back(&c.expect[next]);
-  if (next == c.expect.size() || c.expect[next].cause != spec::Cause::programmed) return std::nullopt;
   const auto from = programmed_point(c, c.expect[index - 1]);
   const auto here = programmed_point(c, event);
+  // Up to the next block that travels: corner moves, and the move of a block that only turns the tool.
+  std::size_t next = index + 1;
+  for (; next < c.expect.size(); ++next) {
+    if (c.expect[next].cause == spec::Cause::corner)
+      corner.heads.push_back(&c.expect[next]);
+    else if (programmed_point(c, c.expect[next]) != here)
+      break;
+  }
+  if (next == c.expect.size() || c.expect[next].cause != spec::Cause::programmed) return std::nullopt;
   const auto there = programmed_point(c, c.expect[next]);
   auto tool = tool_of(c, blocks, event);
   const Modal modal = modal_at(c, blocks, event.line);
@@ -169,11 +174,12 @@ std::optional<Lemma> lemma_of(const spec::Case& c, const Corner& corner) {
 
 }  // namespace
 
-// Number by D, values that stay as the setup gives them.
+// Number by D, values that stay as the setup gives them, no limit of movement.
 std::vector<Lemma> tool_side_lemmas(const spec::Case& c) {
   std::vector<Lemma> lemmas;
   const auto blocks = blocks_of(c);
-  if (!blocks || c.setup.bit(5001, 2) || is_beyond(*blocks)) return lemmas;
+  const auto limit = c.setup.parameter(19630);
+  if (!blocks || c.setup.bit(5001, 2) || (limit && value_of(*limit) > 0) || is_beyond(*blocks)) return lemmas;
   for (std::size_t i = 0; i < c.expect.size(); ++i) {
     const auto corner = corner_at(c, *blocks, i);
     if (!corner) continue;
