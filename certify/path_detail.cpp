@@ -12,7 +12,6 @@ namespace toolcomp::certify {
 namespace {
 
 constexpr double kAround = 3;  // tool radii from the middle of the picture to its edges
-constexpr double kSmallest = 1e-6;
 constexpr std::size_t kMostDots = 60;
 
 double length(const Point3& v) { return std::sqrt(dot(v, v)); }
@@ -30,7 +29,7 @@ std::optional<Detail> place(const spec::Event<double>& event, const Point3& from
   const Point3 travel = plus(d.programmed, -1, before);
   const Point3 across = plus(travel, -dot(travel, d.along), d.along);
   const Point3 vector = plus(d.point, -1, d.programmed);
-  if (!(length(across) > 0) || !(length(vector) > kSmallest)) return std::nullopt;
+  if (!(length(across) > 0) || !(length(vector) > 0)) return std::nullopt;
   d.travel = plus({}, 1 / length(across), across);
   d.distance = length(plus(vector, -dot(vector, d.travel), d.travel));
   // A vector that lies along the travel, as at the leading edge, has no line beside it.
