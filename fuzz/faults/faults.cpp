@@ -87,14 +87,15 @@ constexpr SeededFault kFaults[] = {
     {"c_arc_after_removal", kCutterC, "fanuc.cutter-c.interference-straightened fanuc.cutter-c.interference-radius",
      5000},
     {"c_spiral_as_circle", kCutterC, "fanuc.cutter-c.arc-radii", 2000},
-    {"side_handedness", kSide, "", 500},
+    {"side_handedness", kSide, "fanuc.tool-side.plane", 500},
     {"side_tool_at_start", kSide, "fanuc.tool-side.plane", 500},
     {"side_turned_tool", kSide, "fanuc.tool-side.one-block-without-movement fanuc.tool-side.plane", 5000},
     {"side_reversal_inner", kSide, "fanuc.tool-side.straight-or-reversal fanuc.tool-side.outer-acute", 2000},
     {"side_limit_by_length", kSide, "fanuc.tool-side.no-movement-limit", 5000},
     {"side_tilt_limit_always_45", kSide, "fanuc.tool-side.plane-change-angle fanuc.tool-side.plane-change-alarm", 5000},
-    {"side_q2_ignored", kSide, "fanuc.tool-side.q2", 5000},
-    {"side_stop_owner", kSide, "fanuc.tool-side.stop-point", 500},
+    {"side_q2_ignored", kSide, "fanuc.tool-side.q2 fanuc.tool-side.along-the-tool fanuc.tool-side.no-movement-limit",
+     5000},
+    {"side_stop_owner", kSide, "fanuc.tool-side.stop-point fanuc.tool-side.corner-side", 500},
 };
 
 }  // namespace
