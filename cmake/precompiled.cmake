@@ -15,7 +15,9 @@ add_executable(toolcomp_precompiled_program ${PROJECT_BINARY_DIR}/precompiled.cp
 foreach(owner toolcomp_precompiled toolcomp_precompiled_program)
   target_link_libraries(${owner} PRIVATE toolcomp_options fmt::fmt nlohmann_json::nlohmann_json)
   target_precompile_headers(${owner} PRIVATE ${headers})
-  # Never out of ccache: it holds the path of its build folder.
+  # The same bytes from the same headers, so that ccache knows them again; but never out of ccache itself: they hold the
+  # path of the build folder.
+  target_compile_options(${owner} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
   set_target_properties(${owner} PROPERTIES CXX_COMPILER_LAUNCHER "")
 endforeach()
 
