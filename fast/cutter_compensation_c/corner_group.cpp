@@ -118,7 +118,7 @@ bool is_within(const CornerGroup& group, std::size_t a, std::size_t b, double Ve
   const double va = group.head[a].vector.*axis;
   const double vb = group.head[b].vector.*axis;
   const double over = std::abs(va - vb) - parameters.limit_value;
-  const double scale = std::abs(va) + std::abs(vb) + group.corner.r + parameters.limit_value;
+  const double scale = std::abs(va) + std::abs(vb) + group.corner.offset->nearest + parameters.limit_value;
   if (std::abs(over) > 0x1p-46 * scale) return over < 0;
   const DoubleDouble difference = group.fine(a).*fine_axis - group.fine(b).*fine_axis;
   const DoubleDouble limit = to_double_double(parameters.limit.units()) / to_double_double(Count::kRestPerOne);
@@ -161,7 +161,7 @@ CornerParameters::CornerParameters(const spec::Setup& setup)
 
 bool make_group(CornerGroup& group, CornerRule rule, const CornerParameters& parameters) {
   const Corner& corner = group.corner;
-  if (corner.r == 0) {
+  if (corner.offset->nearest == 0) {
     group.clear();
     return true;
   }

@@ -67,13 +67,14 @@ bool arc_interferes(const CheckedBlock& block, const ToolArc& arc) {
 bool line_interferes(const PlanePath& path, const CornerGroup& start, std::size_t v, const CornerGroup& end,
                      std::size_t w) {
   const Vector2<double> shift = end.head[w].vector - start.head[v].vector;
-  const double square = path.length * path.length;
-  const double product = square + dot(path.travel, shift);
-  const double bound = 0x1p-46 * (square + path.length * (extent(end.head[w].vector) + extent(start.head[v].vector)));
+  const Vector2<double> way = travel(path);
+  const double product = dot(way, way + shift);
+  const double size = extent(way);
+  const double bound = 0x1p-46 * size * (size + extent(end.head[w].vector) + extent(start.head[v].vector));
   if (std::abs(product) > bound) [[likely]]
     return product < 0;
-  const Vector2<DoubleDouble> travel = fine_travel(path);
-  const DoubleDouble fine = dot(travel, travel + end.fine(w) - start.fine(v));
+  const Vector2<DoubleDouble> fine_way = fine_travel(path);
+  const DoubleDouble fine = dot(fine_way, fine_way + end.fine(w) - start.fine(v));
   if (fault(Fault::c_right_angle_interferes)) return fine.hi <= 0x1p-42 * bound;
   return fine.hi < -0x1p-42 * bound;
 }

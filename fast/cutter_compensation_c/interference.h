@@ -13,10 +13,10 @@ namespace toolcomp::fast {
 // A block between the groups at its start and its end.
 struct CheckedBlock {
   const PlanePath* path = nullptr;
-  int start_side = 1;                   // of the offset at the corner at its start
-  const Count* start_offset = nullptr;  // >= 0
+  int start_side = 1;  // of the offset at the corner at its start
+  const Amount* start_offset = nullptr;
   int end_side = 1;
-  const Count* end_offset = nullptr;
+  const Amount* end_offset = nullptr;
 };
 
 enum class Interference : std::uint8_t {

@@ -49,9 +49,9 @@ Numbers<double> numbers(const Corner& corner) {
   n.k = corner.turn.k;
   complete(n);
   n.turned = corner.turn.cross;
-  n.r = corner.r;
-  n.rho = corner.first_side * corner.r;
-  n.rho2 = corner.second_side * corner.r;
+  n.r = corner.offset->nearest;
+  n.rho = corner.first_side * n.r;
+  n.rho2 = corner.second_side * n.r;
   if (corner.first->arc) n.p1 = corner.first->sigma / corner.first->radius_end;
   if (corner.second != nullptr && corner.second->arc) n.p2 = corner.second->sigma / corner.second->radius_start;
   return n;
@@ -66,7 +66,7 @@ Numbers<DoubleDouble> fine_numbers(const Corner& corner) {
   n.c = n.turned == 0 ? DoubleDouble{} : cross(n.t1, n.t2);
   n.k = corner.turn.dot == 0 ? DoubleDouble{} : dot(n.t1, n.t2);
   complete(n);
-  n.r = to_double_double(corner.offset->units()) / to_double_double(Count::kRestPerOne);
+  n.r = to_double_double(corner.offset->exact.units()) / to_double_double(Count::kRestPerOne);
   n.rho = signed_by(corner.first_side, n.r);
   n.rho2 = signed_by(corner.second_side, n.r);
   const auto curvature = [&](const PlanePath* path, bool at_end) {
@@ -149,20 +149,22 @@ Vector2<double> nearest(const Vector2<DoubleDouble>& v) { return {to_double(v.x)
 }  // namespace
 
 Vector2<double> head_vector(const Corner& corner, HeadKind kind) {
+  if (kind == HeadKind::zero) return {};
   const Vector2<double>& t1 = corner.last->unit;
   const Vector2<double>& t2 = corner.next->unit;
-  const double rho = corner.first_side * corner.r;
+  const double r = corner.offset->nearest;
+  const double rho = corner.first_side * r;
   switch (kind) {
     case HeadKind::zero:
-      return {};
+      break;
     case HeadKind::first_normal:
       return left_of(t1) * rho;
     case HeadKind::second_normal:
-      return left_of(t2) * (corner.second_side * corner.r);
+      return left_of(t2) * (corner.second_side * r);
     case HeadKind::first_extended:
-      return left_of(t1) * rho + t1 * corner.r;
+      return left_of(t1) * rho + t1 * r;
     case HeadKind::second_extended:
-      return left_of(t2) * rho - t2 * corner.r;
+      return left_of(t2) * rho - t2 * r;
     case HeadKind::tangents_meet: {
       const Turn& turn = corner.turn;
       const double along = turn.k >= 0 ? turn.c / (1 + turn.k) : (1 - turn.k) / turn.c;
@@ -221,7 +223,7 @@ bool offset_paths_meet(const Corner& corner, HeadKind kind) {
   return (fine.plus - curvature_term(fine) * 2.0).hi > -kFineBound * discriminant_scale(fine);
 }
 
-int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Count& offset) {
+int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Amount& offset) {
   if (!path.arc || path.sigma != side) return 1;
   return compare_radius(path, at_end, offset);
 }

@@ -31,8 +31,7 @@ struct Corner {
   const Heading* next = nullptr;      // the tangent of the latter path
   int first_side = 1;                 // +1: the tool is left of the path
   int second_side = 1;
-  const Count* offset = nullptr;  // r >= 0, setup units
-  double r = 0;
+  const Amount* offset = nullptr;  // r
   Turn turn;
 };
 
@@ -45,6 +44,6 @@ Vector2<DoubleDouble> fine_head_vector(const Corner& corner, HeadKind kind);
 // are not negative. Lines that are parallel have none.
 bool offset_paths_meet(const Corner& corner, HeadKind kind);
 // The sign of the radius of the offset circle of a path at one end; 1 for a line.
-int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Count& offset);
+int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Amount& offset);
 
 }  // namespace toolcomp::fast

@@ -46,6 +46,7 @@ struct ChordHeadings {
   Heading end;
   double height = 0;  // 2 h, negative for the larger arc; in the unit of the chord
   double radius = 0;  // |R|, the same
+  double chord = 0;   // its length, the same
   bool half = false;  // h = 0
 };
 ChordHeadings chord_headings(const std::array<Int128, 2>& chord, const Int128& radius, bool clockwise);
@@ -63,6 +64,22 @@ struct Turn {
 
 // Signs are exact for exact headings. Otherwise doubles decide outside 2^-48, double-double outside 2^-94, and what is
 // left is taken for zero: tangent joins with an arc given by R are zero, and nothing else made of 15 digits comes near.
-Turn turn(const Heading& first, const Heading& second);
+Turn turn_of_any(const Heading& first, const Heading& second);
+
+constexpr int sign_of(std::int64_t value) { return static_cast<int>(value > 0) - static_cast<int>(value < 0); }
+
+// The same; the usual headings at once, in 64 bits.
+inline Turn turn(const Heading& first, const Heading& second) {
+  if (!(first.narrow && second.narrow)) [[unlikely]]
+    return turn_of_any(first, second);
+  const auto x1 = static_cast<std::int64_t>(first.whole[0]);
+  const auto y1 = static_cast<std::int64_t>(first.whole[1]);
+  const auto x2 = static_cast<std::int64_t>(second.whole[0]);
+  const auto y2 = static_cast<std::int64_t>(second.whole[1]);
+  const std::int64_t c = x1 * y2 - y1 * x2;
+  const std::int64_t k = x1 * x2 + y1 * y2;
+  const double norms = 1 / (first.norm * second.norm);
+  return {sign_of(c), sign_of(k), static_cast<double>(c) * norms, static_cast<double>(k) * norms};
+}
 
 }  // namespace toolcomp::fast
