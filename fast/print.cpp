@@ -154,8 +154,7 @@ char* write_number(char* to, double value) {
     if (static_cast<double>(count) / kMillion == magnitude)
       return write_decimal(write_sign(to, value), millionths(static_cast<std::uint64_t>(count)));
   }
-  if (const Binary binary(magnitude); is_usual(binary))
-    return write_decimal(write_sign(to, value), shortest(binary));
+  if (const Binary binary(magnitude); is_usual(binary)) return write_decimal(write_sign(to, value), shortest(binary));
   // Shortest digits padded with zeros: below 1e21 at most 21 and a sign, above 1e-7 at most 25 behind "0.".
   const auto format = magnitude >= 1e-7 && magnitude < 1e21 ? std::chars_format::fixed : std::chars_format::scientific;
   return std::to_chars(to, to + kNumberText, value, format).ptr;
@@ -164,6 +163,18 @@ char* write_number(char* to, double value) {
 void append_number(std::string& text, double value) {
   char buffer[kNumberText];
   text.append(buffer, write_number(buffer, value));
+}
+
+char* NumberWriter::write(char* to, double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  // Any odd factor spreads the values; 0, which every place holds at first, belongs to the first one.
+  Written& written = lately_[bits * 0x9E37'79B9'7F4A'7C15 >> (64 - kIndexBits)];
+  if (written.bits != bits) {
+    written.bits = bits;
+    written.size = static_cast<std::size_t>(write_number(written.text.data(), value) - written.text.data());
+  }
+  std::memcpy(to, written.text.data(), kNumberText);
+  return to + written.size;
 }
 
 }  // namespace toolcomp::fast

@@ -1,7 +1,9 @@
 // Numbers of the fast engine as text.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace toolcomp::fast {
@@ -15,5 +17,21 @@ char* write_number(char* to, double value);
 
 // The same, appended.
 void append_number(std::string& text, double value);
+
+// The same again for the numbers of a path, most of which it says more than once: coordinates that stay or that no
+// offset changes, the feed. What was written lately is copied.
+class NumberWriter {
+ public:
+  char* write(char* to, double value);
+
+ private:
+  struct Written {
+    std::uint64_t bits = 0;  // of the value
+    std::size_t size = 1;
+    std::array<char, kNumberText> text{'0'};
+  };
+  static constexpr unsigned kIndexBits = 4;
+  std::array<Written, std::size_t{1} << kIndexBits> lately_;
+};
 
 }  // namespace toolcomp::fast
