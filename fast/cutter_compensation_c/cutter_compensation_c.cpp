@@ -19,7 +19,6 @@ void set_normal(CornerGroup& group, const PlanePath& path, const Heading& headin
   corner.first_side = side;
   corner.second_side = side;
   corner.turn = {};
-  corner.turn.dot = 1;
   corner.offset = &offset;
   if (offset.nearest == 0)
     group.clear();
@@ -39,17 +38,13 @@ void set_arc_path(PlanePath& path, const CutterBlock& block) {
     set_arc(path, block.start, block.end, block.to_center, block.clockwise);
 }
 
-// Centre, sweep and radii of the event; plane and direction stand in it.
-void set_arc_numbers(CutterBlock& block, const PlanePath& path, const ToolArc& tool) {
-  spec::Arc<double>& arc = *block.event.arc;
+// The event has the centre of an arc that is given by it.
+void set_center(CutterBlock& block, const PlanePath& path) {
+  if (!block.by_radius) return;
   const std::array<double, 2> from_center{path.from_center_start.x, path.from_center_start.y};
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (block.axis[i] == spec::Axes::kNone) continue;
-    arc.center.set(block.axis[i], block.by_radius ? block.start[i].nearest() - from_center[i]
-                                                  : Count::nearest_sum(block.start[i], block.to_center[i]));
-  }
-  arc.sweep = tool.sweep;
-  arc.radius = tool.radius;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (block.axis[i] != spec::Axes::kNone)
+      block.event.arc->center.set(block.axis[i], block.start[i].nearest() - from_center[i]);
 }
 
 }  // namespace
@@ -73,7 +68,7 @@ Alarm CutterCompensationC::check(const CutterCommand& command) const {
   return alarm::kNone;
 }
 
-void CutterCompensationC::add(Event& event, const CutterBlock& block, const Vector2<double>& vector) {
+inline void CutterCompensationC::add(Event& event, const CutterBlock& block, const Vector2<double>& vector) {
   const std::array<double, 2> component{vector.x, vector.y};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::size_t axis = block.axis[i];
@@ -154,7 +149,7 @@ StageEnd CutterCompensationC::block() {
   side_ = block.side;
   number_ = block.d;
   if (mode_ == Mode::on && block.motion == CutterMotion::line && wanted(block)) [[likely]]
-    return next_block(block);
+    return next_line(block);
   if (mode_ == Mode::ends && wanted(block)) return undecide(block, "fanuc.cutter-c.restart-before-removal");
   switch (block.motion) {
     case CutterMotion::line:
@@ -196,7 +191,8 @@ StageEnd CutterCompensationC::moving_block(CutterBlock& block) {
       if (block.motion == CutterMotion::arc) {
         PlanePath& path = paths_[0].path;  // no corner refers to any
         set_arc_path(path, block);
-        set_arc_numbers(block, path, programmed_arc(path));
+        set_center(block, path);
+        set_programmed_arc(*block.event.arc, path);
       }
       send(block);
       return {};
@@ -225,51 +221,52 @@ StageEnd CutterCompensationC::first_block(CutterBlock& block) {
   return {};
 }
 
-inline bool CutterCompensationC::next_line(const CutterBlock& block, CompensatedPath& to) {
-  if (!plain_ || repeated_ || block.motion != CutterMotion::line || block.word != CutterSide::unchanged ||
-      !(block.offset == value_) || fault(Fault::c_perpendicular_for_intersection) ||
-      fault(Fault::c_offset_one_corner_late))
-    return false;
-  const int side = side_of(block);
+StageEnd CutterCompensationC::next_line(CutterBlock& block) {
+  CompensatedPath& to = new_path();
+  set_line(to.path, block.start, block.end);
+  const bool usual = plain_ && !repeated_ && block.word == CutterSide::unchanged && block.offset == value_ &&
+                     to.path.start.narrow && side_of(block) == last_->side &&
+                     !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
+  if (!usual) return follow(block, to);
   const Heading& last = last_->path.start;
   const Heading& next = to.path.start;
-  if (side != last_->side || !next.narrow) return false;
+  const int side = last_->side;
   const Turn turned = turn(last, next);
   // An inner or an obtuse corner.
-  if (turned.cross == 0 || (side * turned.cross < 0 && turned.dot <= 0)) return false;
-  const double along = turned.dot >= 0 ? turned.c / (1 + turned.k) : (1 - turned.k) / turned.c;
+  if (turned.c == 0 || (side * turned.c < 0 && turned.k <= 0)) return follow(block, to);
+  const double along = turned.k >= 0 ? turned.c / (1 + turned.k) : (1 - turned.k) / turned.c;
   const Vector2<double> vector = (left_of(last.unit) - last.unit * along) * (side * amount_.nearest);
   const Vector2<double>& from = at_start().front().vector;
   const double length = last.norm / per_one(last_->path);
   const double product = length + dot(last.unit, vector - from);
   const double extent = std::abs(vector.x) + std::abs(vector.y) + std::abs(from.x) + std::abs(from.y);
-  if (product <= 0x1p-46 * (length + extent)) return false;
+  if (product <= 0x1p-46 * (length + extent)) return follow(block, to);
 
-  send(ring_[first_], vector, true);
-  send_behind(vector);
-  plain_ = true;
   to.side = side;
   to.offset = amount_;
   CornerGroup& end = at_end();
-  end.head[0] = {vector, HeadKind::tangents_meet};
-  end.size = 1;
-  end.cleared = 0;
+  end.set(HeadKind::tangents_meet, vector);
   end.corner = {&last_->path, &to.path, &last, &next, side, side, &last_->offset, turned};
   group_ ^= 1U;
   start_side_ = side;
   start_offset_ = &last_->offset;
   last_ = &to;
+  send(ring_[first_], end.front().vector, true);
+  send_behind(end.front().vector);
   hold();
   held_ = Held::path;
+  plain_ = true;
   still_ = 0;
-  return true;
+  return {};
 }
 
 StageEnd CutterCompensationC::next_block(CutterBlock& block) {
   CompensatedPath& to = new_path();
   set_path(to, block);
-  if (next_line(block, to)) [[likely]]
-    return {};
+  return follow(block, to);
+}
+
+StageEnd CutterCompensationC::follow(CutterBlock& block, CompensatedPath& to) {
   if (to.path.arc && to.path.center_in_end) return refuse(block, alarm::kArcCenter);
   set_offset(to, block);
   if (mode_ == Mode::waits_for_block) {
@@ -374,16 +371,18 @@ StageEnd CutterCompensationC::join(const CompensatedPath& to, const Heading& hea
 StageEnd CutterCompensationC::finish() {
   CutterBlock& block = ring_[first_];
   const PlanePath& path = last_->path;
-  bool arc = path.arc;
-  ToolArc tool;
-  if (arc) tool = tool_arc(path, at_start().back().vector, at_end().front().vector, compare_radii());
+  std::optional<double> sweep;
+  if (path.arc) {
+    set_center(block, path);
+    set_tool_arc(*block.event.arc, path, at_start().back().vector, at_end().front().vector, compare_radii());
+    sweep = block.event.arc->sweep;
+  }
   if (checked_ && !parameters_.no_interference) {
     const CheckedBlock checked{&path, start_side_, start_offset_, last_->side, &last_->offset};
-    switch (check_interference(checked, tool, at_start(), at_end())) {
+    switch (check_interference(checked, sweep, at_start(), at_end())) {
       case Interference::none:
         break;
       case Interference::straightened:
-        arc = false;
         block.event.type = spec::MoveType::linear;
         block.event.arc.reset();
         break;
@@ -392,7 +391,6 @@ StageEnd CutterCompensationC::finish() {
     }
   }
   send_corner_moves(block);
-  if (arc) set_arc_numbers(block, path, tool);
   const Vector2<double>& vector = at_end().front().vector;
   send(block, vector, true);
   send_behind(vector);
@@ -408,7 +406,7 @@ Radii CutterCompensationC::compare_radii() {
   // The perpendicular to another heading, or on another side: it is of this circle where it is the same vector.
   const auto same = [&](const Corner& corner) {
     const Turn turned = turn(*corner.last, last_->path.start);
-    return turned.cross == 0 && (turned.dot > 0) == (corner.first_side == start_side_);
+    return turned.c == 0 && (turned.k > 0) == (corner.first_side == start_side_);
   };
   const auto meets = [](HeadKind kind) { return kind == HeadKind::paths_meet || kind == HeadKind::paths_cross; };
   const Corner& from = at_start().corner;
@@ -425,7 +423,7 @@ Radii CutterCompensationC::compare_radii() {
   if (meets(last) || last == HeadKind::first_normal || last_->offset.nearest == 0)
     end = Place::on_circle;
   else if (last == HeadKind::second_normal)
-    end = radial(to.turn.cross == 0 && to.turn.dot < 0);
+    end = radial(to.turn.c == 0 && to.turn.k < 0);
   const PlanePath& path = last_->path;
   if (start == Place::on_circle && end == Place::on_circle) {
     if (!path.spiral) return Radii::agree;
@@ -555,7 +553,7 @@ void CutterCompensationC::send_corner_arc(CutterBlock& block, const Heading& hea
   const Turn turned = turn(*along_, heading);
   along_ = &heading;
   set_normal(vector_, last_->path, heading, last_->side, last_->offset);
-  if (turned.cross == 0 && turned.dot > 0) {
+  if (turned.c == 0 && turned.k > 0) {
     send(block);
     return;
   }
@@ -569,7 +567,7 @@ void CutterCompensationC::send_corner_arc(CutterBlock& block, const Heading& hea
   arc.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   for (const std::size_t axis : block.axis)
     if (axis != spec::Axes::kNone) arc.center.set(axis, event.point.value[axis]);
-  if (turned.cross == 0) {
+  if (turned.c == 0) {
     arc.sweep = 180;
   } else {
     const double angle = std::atan2(clockwise ? -turned.c : turned.c, turned.k) * kDegrees;

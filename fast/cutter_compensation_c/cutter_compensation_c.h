@@ -72,10 +72,11 @@ class CutterCompensationC {
   // block() by kinds of blocks.
   StageEnd moving_block(CutterBlock& block);
   StageEnd first_block(CutterBlock& block);
-  // The usual corner of next_block(): two lines, one vector at both ends of the former. It does what join() and
-  // finish() do for any corner, without the detours. False, and nothing done, where the corner is another.
-  bool next_line(const CutterBlock& block, CompensatedPath& to);
+  // A line in the mode. The usual corner, of two lines and with one vector at both ends of the former, is made here: as
+  // follow(), join() and finish() make any, without the detours.
+  StageEnd next_line(CutterBlock& block);
   StageEnd next_block(CutterBlock& block);
+  StageEnd follow(CutterBlock& block, CompensatedPath& to);
   StageEnd cancel_block(CutterBlock& block);
   StageEnd still_block(CutterBlock& block);
   StageEnd corner_arc(CutterBlock& block);

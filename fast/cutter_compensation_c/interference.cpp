@@ -49,7 +49,7 @@ double tool_sweep(const PlanePath& path, const Vector2<double>& v, const Vector2
   return sweep <= equal || sweep > 360 ? 360 : sweep;
 }
 
-bool arc_interferes(const CheckedBlock& block, const ToolArc& arc) {
+bool arc_interferes(const CheckedBlock& block, const std::optional<double>& sweep) {
   const PlanePath& path = *block.path;
   if (!fault(Fault::c_negative_radius_unnoticed)) {
     const int start = offset_radius_sign(path, false, block.start_side, *block.start_offset);
@@ -57,10 +57,10 @@ bool arc_interferes(const CheckedBlock& block, const ToolArc& arc) {
     if (start < 0 || end < 0) return true;
     if (start == 0 || end == 0) return false;
   }
-  if (!arc.sweep || fault(Fault::c_sweep_unchecked)) return false;
+  if (!sweep || fault(Fault::c_sweep_unchecked)) return false;
   // Both up to 180 degrees, or both over it, never differ by more.
-  if ((*arc.sweep > 180) == path.over_half) return false;
-  return std::abs(*arc.sweep - programmed_sweep(path)) > 180 + kEqualAngle;
+  if ((*sweep > 180) == path.over_half) return false;
+  return std::abs(*sweep - programmed_sweep(path)) > 180 + kEqualAngle;
 }
 
 // Whether the tool goes against the programmed direction, of which exactly 90 degrees is no case.
@@ -81,7 +81,8 @@ bool line_interferes(const PlanePath& path, const CornerGroup& start, std::size_
 
 }  // namespace
 
-Interference check_interference(const CheckedBlock& block, const ToolArc& tool, CornerGroup& start, CornerGroup& end) {
+Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CornerGroup& start,
+                                CornerGroup& end) {
   if (start.size == 1 && end.size == 1 && !block.path->arc) [[likely]]
     return line_interferes(*block.path, start, 0, end, 0) ? Interference::alarm : Interference::none;
   const std::size_t m = start.size;
@@ -95,7 +96,7 @@ Interference check_interference(const CheckedBlock& block, const ToolArc& tool, 
     const std::size_t w = std::min(q, n - 1) - dropped;
     // Only the first pair is tested as an arc.
     const bool interferes =
-        arc ? q == 0 && arc_interferes(block, tool) : line_interferes(*block.path, start, v, end, w);
+        arc ? q == 0 && arc_interferes(block, sweep) : line_interferes(*block.path, start, v, end, w);
     if (!interferes) break;
     if (q + 1 == pairs) return Interference::alarm;
     if (arc) {
@@ -111,27 +112,27 @@ Interference check_interference(const CheckedBlock& block, const ToolArc& tool, 
   return result == Interference::straightened && arc ? Interference::none : result;
 }
 
-ToolArc programmed_arc(const PlanePath& path) {
-  ToolArc arc;
+void set_programmed_arc(spec::Arc<double>& arc, const PlanePath& path) {
+  arc.sweep.reset();
   if (!path.center_in_end) arc.sweep = programmed_sweep(path);
+  arc.radius.reset();
   if (path.spiral) arc.radius = {path.radius_start, path.radius_end};
-  return arc;
 }
 
-ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w, Radii radii) {
-  ToolArc arc;
+void set_tool_arc(spec::Arc<double>& arc, const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w,
+                  Radii radii) {
   const Vector2<double> a = path.from_center_start + v;
   const Vector2<double> b = path.from_center_end + w;
   // Each end by its own size: a programmed spiral may grow from next to nothing.
   const double size_start = path.radius_start + extent(v);
   const double size_end = path.radius_end + extent(w);
-  const double size = size_start + size_end;
+  arc.sweep.reset();
   if (extent(a) > kEqual * size_start && extent(b) > kEqual * size_end) arc.sweep = tool_sweep(path, v, w);
-  if (radii == Radii::agree || fault(Fault::c_spiral_as_circle)) return arc;
+  arc.radius.reset();
+  if (radii == Radii::agree || fault(Fault::c_spiral_as_circle)) return;
   const double start = length(a);
   const double end = length(b);
-  if (radii == Radii::differ || std::abs(start - end) > kEqual * size) arc.radius = {start, end};
-  return arc;
+  if (radii == Radii::differ || std::abs(start - end) > kEqual * (size_start + size_end)) arc.radius = {start, end};
 }
 
 }  // namespace toolcomp::fast

@@ -14,8 +14,6 @@ bool within(const std::array<Int128, 2>& v, const Int128& limit) {
   return v[0] < limit && v[0] > -limit && v[1] < limit && v[1] > -limit;
 }
 
-int sign_of(const Int128& value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }
-
 Wide cross_of(const std::array<Int128, 2>& a, const std::array<Int128, 2>& b) {
   return Wide(a[0]) * Wide(b[1]) - Wide(a[1]) * Wide(b[0]);
 }
@@ -106,15 +104,11 @@ Turn turn_of_any(const Heading& first, const Heading& second) {
     if (first.small && second.small) {
       const Int128 exact_c = first.whole[0] * second.whole[1] - first.whole[1] * second.whole[0];
       const Int128 exact_k = first.whole[0] * second.whole[0] + first.whole[1] * second.whole[1];
-      result.cross = sign_of(exact_c);
-      result.dot = sign_of(exact_k);
       c = static_cast<double>(exact_c);
       k = static_cast<double>(exact_k);
     } else {
       const Wide exact_c = cross_of(first.whole, second.whole);
       const Wide exact_k = dot_of(first.whole, second.whole);
-      result.cross = exact_c.sign();
-      result.dot = exact_k.sign();
       c = exact_c.to_double();
       k = exact_k.to_double();
     }
@@ -132,8 +126,6 @@ Turn turn_of_any(const Heading& first, const Heading& second) {
       if (std::abs(result.c) < kFineTurnBound) result.c = 0;
       if (std::abs(result.k) < kFineTurnBound) result.k = 0;
     }
-    result.cross = result.c > 0 ? 1 : (result.c < 0 ? -1 : 0);
-    result.dot = result.k > 0 ? 1 : (result.k < 0 ? -1 : 0);
   }
   return result;
 }

@@ -54,10 +54,8 @@ ChordHeadings chord_headings(const std::array<Int128, 2>& chord, const Int128& r
 // The unit vector along a heading, relative error about 2^-100.
 Vector2<DoubleDouble> fine_unit(const Heading& heading);
 
-// How a path turns from heading t1 to t2: c = t1 x t2, k = t1 . t2.
+// How a path turns from heading t1 to t2: c = t1 x t2, k = t1 . t2; their signs, and zeros, are exact.
 struct Turn {
-  int cross = 0;  // the sign of c, exact
-  int dot = 0;    // the sign of k, exact
   double c = 0;
   double k = 1;
 };
@@ -65,8 +63,6 @@ struct Turn {
 // Signs are exact for exact headings. Otherwise doubles decide outside 2^-48, double-double outside 2^-94, and what is
 // left is taken for zero: tangent joins with an arc given by R are zero, and nothing else made of 15 digits comes near.
 Turn turn_of_any(const Heading& first, const Heading& second);
-
-constexpr int sign_of(std::int64_t value) { return static_cast<int>(value > 0) - static_cast<int>(value < 0); }
 
 // The same; the usual headings at once, in 64 bits.
 inline Turn turn(const Heading& first, const Heading& second) {
@@ -79,7 +75,7 @@ inline Turn turn(const Heading& first, const Heading& second) {
   const std::int64_t c = x1 * y2 - y1 * x2;
   const std::int64_t k = x1 * x2 + y1 * y2;
   const double norms = 1 / (first.norm * second.norm);
-  return {sign_of(c), sign_of(k), static_cast<double>(c) * norms, static_cast<double>(k) * norms};
+  return {static_cast<double>(c) * norms, static_cast<double>(k) * norms};
 }
 
 }  // namespace toolcomp::fast

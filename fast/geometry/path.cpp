@@ -55,24 +55,11 @@ void set_narrow_arc(PlanePath& path, const std::array<std::int64_t, 2>& from, co
 
 }  // namespace
 
-void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
-             const std::array<Count, 2>& to_center, bool clockwise) {
+namespace {
+
+void set_any_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+                 const std::array<Count, 2>& to_center) {
   const Whole whole{!(is_small(start) && is_small(end) && is_small(to_center))};
-  path.arc = true;
-  path.sigma = clockwise ? -1 : 1;
-  path.by_radius = false;
-  if (!whole.fine) [[likely]] {
-    const std::array<std::int64_t, 2> to{end[0].small() - start[0].small() - to_center[0].small(),
-                                         end[1].small() - start[1].small() - to_center[1].small()};
-    const std::array<std::int64_t, 2> from{-to_center[0].small(), -to_center[1].small()};
-    if (is_narrow(from[0]) && is_narrow(from[1]) && is_narrow(to[0]) && is_narrow(to[1]) && (to[0] != 0 || to[1] != 0))
-        [[likely]] {
-      path.fine_units = false;
-      path.center_in_end = false;
-      set_narrow_arc(path, from, to);
-      return;
-    }
-  }
   path.fine_units = whole.fine;
   const std::array<Int128, 2> travel{whole.difference(end[0], start[0]), whole.difference(end[1], start[1])};
   path.whole = travel;
@@ -113,6 +100,24 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
   if (!path.spiral) path.radius_end = path.radius_start;
   path.semicircle = path.turned <= 0;
   path.over_half = path.turned < 0 || (path.turned == 0 && path.cosine > 0);
+}
+
+}  // namespace
+
+void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+             const std::array<Count, 2>& to_center, bool clockwise) {
+  path.arc = true;
+  path.sigma = clockwise ? -1 : 1;
+  path.by_radius = false;
+  const std::array<std::int64_t, 2> from{-to_center[0].small(), -to_center[1].small()};
+  const std::array<std::int64_t, 2> to{end[0].small() - start[0].small() + from[0],
+                                       end[1].small() - start[1].small() + from[1]};
+  const bool narrow = is_narrow(from[0]) && is_narrow(from[1]) && is_narrow(to[0]) && is_narrow(to[1]);
+  if (!narrow || !(is_small(start) && is_small(end) && is_small(to_center)) || (to[0] == 0 && to[1] == 0)) [[unlikely]]
+    return set_any_arc(path, start, end, to_center);
+  path.fine_units = false;
+  path.center_in_end = false;
+  set_narrow_arc(path, from, to);
 }
 
 void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
