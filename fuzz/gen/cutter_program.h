@@ -36,7 +36,7 @@ class CutterProgram {
   void movement();
   // A movement and the end of its block; sometimes with a word that changes nothing for the compensation.
   void block(const Segment& s);
-  void blocks(const Segments& s);
+  void blocks(const Segments& all);
 
   // D (or H, where that counts too) with a number that has an entry; the contour takes its value.
   void number();
