@@ -11,7 +11,7 @@ Factor Interpreter::factor(bool inch_program) const {
   return inch_program ? Factor::inch_to_mm : Factor::mm_to_inch;
 }
 
-Count Interpreter::value(const spec::Decimal& word, bool linear, bool inch_program) const {
+Count Interpreter::converted(const spec::Decimal& word, bool linear, bool inch_program) const {
   int places = 0;
   if (counts_increments_ && !word.point)
     places = increment_places_ + (linear && inch_program && !fault(Fault::inch_increment) ? 1 : 0);

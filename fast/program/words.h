@@ -43,7 +43,7 @@ class Words {
   [[nodiscard]] const spec::Decimal& operator[](char letter) const {
     return *value_[static_cast<std::size_t>(letter - 'A')];
   }
-  // Only axis words and F: nothing of the modal state changes but the feed.
+  // Only positions, F, G00 to G03, I J K and R: nothing of the modal state changes but feed and group 01.
   [[nodiscard]] bool plain() const { return plain_; }
   // Bit i: axis i of the setup has a position. In a block with G04 or G10 axis letters and I J K are data of that code:
   // there the block has none of them.

@@ -76,14 +76,14 @@ TEST(Print, ShortestOfAll) {
 TEST(Print, ShortestNearTies) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 300'000; ++i) {
-    const auto exponent = static_cast<int>(random() % 75) - 64;  // 2^-12 to 2^62
+    const auto exponent = static_cast<int>(random() % 80) - 64;  // from 2^-12 to 2^68
     std::uint64_t mantissa = random() >> 11U | std::uint64_t{1} << 52U;
     const auto cleared = random() % 53;
     if (i % 2 == 0) mantissa = mantissa >> cleared << cleared;
     const double value = std::ldexp(static_cast<double>(mantissa), exponent);
     char buffer[64];
     const auto shortest = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed);
-    if (value < 1e21) ASSERT_EQ(text(value), std::string(buffer, shortest.ptr));
+    ASSERT_EQ(text(value), std::string(buffer, shortest.ptr));
   }
 }
 
@@ -93,7 +93,7 @@ TEST(NumberWriter, WritesTheSameAgain) {
   for (int i = 0; i < 10'000; ++i) {
     const double value = static_cast<double>(random() % 40) / (i % 2 == 0 ? 3 : -4);
     std::array<char, kNumberText> written{};
-    const char* const end = writer.write(written.data(), value);
+    char* const end = writer.write(written.data(), value);
     ASSERT_EQ(std::string(written.data(), end), text(value));
   }
 }

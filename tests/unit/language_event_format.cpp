@@ -189,7 +189,7 @@ TEST(TextBuffer, AnEventFits) {
   event.tool_axis = {1.0, 2.0, 3.0};
   event.arc = Arc<double>{.center = event.axes, .sweep = 90, .radius = std::pair(5.0, 5.5)};
   event.feed = 1;
-  event.number = std::string(Name::kCapacity, '"');
+  event.number = std::string_view(std::string(Name::kCapacity, '"'));
   event.setting = event.number;
   const std::string message(10'000, '"');
   event.message = message.c_str();
