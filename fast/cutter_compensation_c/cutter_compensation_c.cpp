@@ -69,15 +69,16 @@ Alarm CutterCompensationC::check(const CutterCommand& command) const {
 }
 
 inline void CutterCompensationC::add(Event& event, const CutterBlock& block, const Vector2<double>& vector) {
-  const std::array<double, 2> component{vector.x, vector.y};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::size_t axis = block.axis[i];
-    if (axis == spec::Axes::kNone) continue;
-    event.point.value[axis] += component[i];
-    event.axes.value[axis] += component[i];
+  const auto add_to = [&event](std::size_t axis, double component) {
+    if (axis == spec::Axes::kNone) [[unlikely]]
+      return;
+    event.point.value[axis] += component;
+    event.axes.value[axis] += component;
     if (event.machine.present != 0) [[unlikely]]
-      event.machine.value[axis] += component[i];
-  }
+      event.machine.value[axis] += component;
+  };
+  add_to(block.axis[0], vector.x);
+  add_to(block.axis[1], vector.y);
 }
 
 void CutterCompensationC::send(CutterBlock& block, const Vector2<double>& vector, bool own) {
@@ -282,7 +283,7 @@ StageEnd CutterCompensationC::follow(CutterBlock& block, CompensatedPath& to) {
     const bool repeated = repeated_ && !fault(Fault::c_repeated_ignored);
     const CornerRule rule =
         repeated ? CornerRule::repeated : (starts_up_ ? CornerRule::start_up : CornerRule::ordinary);
-    if (const StageEnd end = join(to, to.path.start, rule)) return end;
+    if (const Alarm a = join(to, to.path.start, rule)) return at_fault(a);
     start_side_ = to.side;
     start_offset_ = &last_->offset;
   }
@@ -322,7 +323,7 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
     rule = CornerRule::direction;
     heading = &to.direction;
   }
-  if (const StageEnd end = join(to, *heading, rule)) return end;
+  if (const Alarm a = join(to, *heading, rule)) return at_fault(a);
   send_corner_moves(block);
   block.event.cause = spec::Cause::cancel;
   vector_.clear();
@@ -331,17 +332,17 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
   return {};
 }
 
-StageEnd CutterCompensationC::join(const CompensatedPath& to, const Heading& heading, CornerRule rule) {
+Alarm CutterCompensationC::join(const CompensatedPath& to, const Heading& heading, CornerRule rule) {
   switch (held_) {
     case Held::nothing:
     case Held::start:
       at_start() = vector_;
-      return {};
+      return alarm::kNone;
     case Held::corner_arc:
       send_corner_arc(ring_[first_], to.path.start);
       send_behind(vector_.front().vector);
       at_start() = vector_;
-      return {};
+      return alarm::kNone;
     case Held::path:
       break;
   }
@@ -356,19 +357,19 @@ StageEnd CutterCompensationC::join(const CompensatedPath& to, const Heading& hea
   corner.offset = &last_->offset;
   corner.turn = turn(*corner.last, *corner.next);
   group.cleared = 0;
-  if (!make_group(group, rule, parameters_)) return at_fault(ring_[first_], alarm::kNoIntersection);
+  if (!make_group(group, rule, parameters_)) return alarm::kNoIntersection;
   if (group.size > 1) {
     const Event& before = ring_[(first_ + held_count_ - 1U) % ring_.size()].event;
     Position& position = corners_[1U - group_];
     if (!rebased_) keep_position(position, before);
     position.tool_axis = before.tool_axis;
   }
-  if (const StageEnd end = finish()) return end;
+  if (const Alarm a = finish()) return a;
   group_ ^= 1U;
-  return {};
+  return alarm::kNone;
 }
 
-StageEnd CutterCompensationC::finish() {
+Alarm CutterCompensationC::finish() {
   CutterBlock& block = ring_[first_];
   const PlanePath& path = last_->path;
   std::optional<double> sweep;
@@ -387,14 +388,14 @@ StageEnd CutterCompensationC::finish() {
         block.event.arc.reset();
         break;
       case Interference::alarm:
-        return at_fault(block, alarm::kInterference);
+        return alarm::kInterference;
     }
   }
   send_corner_moves(block);
   const Vector2<double>& vector = at_end().front().vector;
   send(block, vector, true);
   send_behind(vector);
-  return {};
+  return alarm::kNone;
 }
 
 // How the distances of the heads from the centre of the arc that is held compare, by what the vectors are: exactly,
@@ -444,7 +445,8 @@ StageEnd CutterCompensationC::release() {
       set_normal(at_end(), last_->path, last_->path.end(), last_->side, last_->offset);
       along_ = &last_->path.end();
       vector_ = at_end();  // one vector: the check has none to drop
-      return finish();
+      if (const Alarm a = finish()) return at_fault(a);
+      return {};
     case Held::corner_arc: {
       // No next block: no arc, but what else the block changes.
       CutterBlock& block = ring_[first_];
@@ -655,11 +657,12 @@ StageEnd CutterCompensationC::undecide(const CutterBlock& block, const char* cla
   return end;
 }
 
-StageEnd CutterCompensationC::at_fault(const CutterBlock& block, const Alarm& alarm) {
+StageEnd CutterCompensationC::at_fault(const Alarm& alarm) const {
+  const Event& event = ring_[first_].event;
   StageEnd end;
   end.alarm = alarm;
-  end.line = block.event.line;
-  end.n = block.event.n;
+  end.line = event.line;
+  end.n = event.n;
   return end;
 }
 

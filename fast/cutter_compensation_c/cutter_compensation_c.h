@@ -86,13 +86,14 @@ class CutterCompensationC {
   StageEnd undecide(const CutterBlock& block, const char* clause);
 
   // The corner between what is held, or the vector in force, and `to`; leaves the vectors there in at_start().
-  StageEnd join(const CompensatedPath& to, const Heading& heading, CornerRule rule);
+  [[nodiscard]] Alarm join(const CompensatedPath& to, const Heading& heading, CornerRule rule);
   // The path that is held goes out, and the blocks behind it. It ends with at_end(), which may lose vectors by that.
-  StageEnd finish();
+  [[nodiscard]] Alarm finish();
   [[nodiscard]] Radii compare_radii();
   // From `to` on: it starts with the vectors of at_start().
   void hold_path(const CompensatedPath& to, bool starts_up);
-  static StageEnd at_fault(const CutterBlock& block, const Alarm& alarm);
+  // The first block that is held is at fault.
+  [[nodiscard]] StageEnd at_fault(const Alarm& alarm) const;
   // The move of a G39 block, to the vector perpendicular to `heading`.
   void send_corner_arc(CutterBlock& block, const Heading& heading);
   // The move of the lone G41 or G42 that is held, to the vector perpendicular to the start of `to`.

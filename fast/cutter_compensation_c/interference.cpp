@@ -63,53 +63,42 @@ bool arc_interferes(const CheckedBlock& block, const std::optional<double>& swee
   return std::abs(*sweep - programmed_sweep(path)) > 180 + kEqualAngle;
 }
 
-// Whether the tool goes against the programmed direction, of which exactly 90 degrees is no case.
-bool line_interferes(const PlanePath& path, const CornerGroup& start, std::size_t v, const CornerGroup& end,
-                     std::size_t w) {
-  const Vector2<double> shift = end.head[w].vector - start.head[v].vector;
+// Whether the tool goes against the programmed direction, of which exactly 90 degrees is no case, on its way from the
+// last vector of `start` to the first of `end`.
+bool line_interferes(const PlanePath& path, const CornerGroup& start, const CornerGroup& end) {
+  const Vector2<double>& v = start.back().vector;
+  const Vector2<double>& w = end.front().vector;
   const Vector2<double> way = travel(path);
-  const double product = dot(way, way + shift);
+  const double product = dot(way, way + w - v);
   const double size = extent(way);
-  const double bound = 0x1p-46 * size * (size + extent(end.head[w].vector) + extent(start.head[v].vector));
+  const double bound = 0x1p-46 * size * (size + extent(w) + extent(v));
   if (std::abs(product) > bound) [[likely]]
     return product < 0;
   const Vector2<DoubleDouble> fine_way = fine_travel(path);
-  const DoubleDouble fine = dot(fine_way, fine_way + end.fine(w) - start.fine(v));
+  const DoubleDouble fine = dot(fine_way, fine_way + end.fine(0) - start.fine(start.size - 1U));
   if (fault(Fault::c_right_angle_interferes)) return fine.hi <= 0x1p-42 * bound;
   return fine.hi < -0x1p-42 * bound;
+}
+
+// The way from `start` to `end` interferes: the vectors at both its ends are dropped, until it does no more. Only the
+// first way is tested as an arc.
+Interference remove_vectors(const PlanePath& path, CornerGroup& start, CornerGroup& end) {
+  do {
+    if (start.size == 1 && end.size == 1) return Interference::alarm;
+    if (start.size > 1) start.drop_last();
+    if (end.size > 1) end.drop_first();
+    if (path.arc && fault(Fault::c_arc_after_removal)) return Interference::none;
+  } while (line_interferes(path, start, end));
+  return path.arc ? Interference::straightened : Interference::none;
 }
 
 }  // namespace
 
 Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CornerGroup& start,
                                 CornerGroup& end) {
-  if (start.size == 1 && end.size == 1 && !block.path->arc) [[likely]]
-    return line_interferes(*block.path, start, 0, end, 0) ? Interference::alarm : Interference::none;
-  const std::size_t m = start.size;
-  const std::size_t n = end.size;
-  const std::size_t pairs = std::max(m, n);
-  bool arc = block.path->arc;
-  Interference result = Interference::none;
-  std::size_t dropped = 0;  // of `end`
-  for (std::size_t q = 0; q < pairs; ++q) {
-    const std::size_t v = m > q ? m - q - 1 : 0;
-    const std::size_t w = std::min(q, n - 1) - dropped;
-    // Only the first pair is tested as an arc.
-    const bool interferes =
-        arc ? q == 0 && arc_interferes(block, sweep) : line_interferes(*block.path, start, v, end, w);
-    if (!interferes) break;
-    if (q + 1 == pairs) return Interference::alarm;
-    if (arc) {
-      arc = fault(Fault::c_arc_after_removal);
-      result = Interference::straightened;
-    }
-    if (v > 0) start.drop_last();
-    if (q + 1 < n) {
-      end.drop_first();
-      ++dropped;
-    }
-  }
-  return result == Interference::straightened && arc ? Interference::none : result;
+  const PlanePath& path = *block.path;
+  const bool interferes = path.arc ? arc_interferes(block, sweep) : line_interferes(path, start, end);
+  return interferes ? remove_vectors(path, start, end) : Interference::none;
 }
 
 void set_programmed_arc(spec::Arc<double>& arc, const PlanePath& path) {
