@@ -21,17 +21,6 @@ void Interpreter::select_plane(spec::Plane plane) {
     if (axis != spec::Axes::kNone) plane_axes_ = static_cast<Mask>(plane_axes_ | bit(axis));
 }
 
-ArcWords Interpreter::read_arc(const Words& words) const {
-  ArcWords arc;
-  arc.clockwise = motion_ == 20;
-  arc.by_radius = words.has('R');
-  for (std::size_t i = 0; i < 2; ++i)
-    if (const char letter = direction_letter(plane_, i); words.has(letter))
-      arc.to_center[i] = value(words[letter], true, inch_program_);
-  if (arc.by_radius) arc.radius = value(words['R'], true, inch_program_);
-  return arc;
-}
-
 Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
                             bool with_geometry) const {
   if (!is_arc(words)) return alarm::kNone;
@@ -45,7 +34,7 @@ Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>
     if ((words.axes() & bit(axis)) != 0) end[i] = target(words, axis) + tool_offset_[axis];
   }
   if (!end[0].in_range() || !end[1].in_range()) return alarm::kRange;
-  arc_words = read_arc(words);
+  read_arc(words, arc_words);
   const auto& [clockwise, by_radius, to_center, radius] = arc_words;
   ArcGeometry geometry;
   Alarm a;

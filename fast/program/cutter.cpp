@@ -92,8 +92,9 @@ Alarm Interpreter::cutter_move(const Words& words) {
   block.own = axes != 0 || arc;
   block.start[0] = programmed_[plane[0]];
   block.start[1] = programmed_[plane[1]];
+  std::array<double, 2> center{};
   if (arc)
-    if (const Alarm a = read_cutter_arc(words, block)) return a;
+    if (const Alarm a = read_cutter_arc(words, block, center)) return a;
   for (unsigned rest = axes; rest != 0; rest &= rest - 1)
     if (const Alarm a = place_word(words, static_cast<std::size_t>(std::countr_zero(rest)))) return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
@@ -118,14 +119,15 @@ Alarm Interpreter::cutter_move(const Words& words) {
     spec::Arc<double>& numbers = block.event.arc.emplace();
     numbers.plane = plane_;
     numbers.direction = block.clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
+    for (std::size_t i = 0; i < 2; ++i) numbers.center.set(plane[i], center[i]);
   }
   if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);
   return alarm::kNone;
 }
 
-// The alarms of an arc that begins at block.start, in their order, and its words; the numbers of its event are left to
-// the stage.
-Alarm Interpreter::read_cutter_arc(const Words& words, CutterBlock& block) const {
+// The alarms of an arc that begins at block.start, in their order, its words and its centre. Sweep and radii are left
+// to the stage.
+Alarm Interpreter::read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const {
   CutterCommand command;
   command.arc = true;
   command.d = cutter_number_.number;
@@ -136,14 +138,9 @@ Alarm Interpreter::read_cutter_arc(const Words& words, CutterBlock& block) const
     end[i] = target(words, plane_axis_[i]);
     if (!end[i].in_range()) return alarm::kRange;
   }
-  const ArcWords arc = read_arc(words);
-  block.clockwise = arc.clockwise;
-  block.by_radius = arc.by_radius;
-  block.to_center = arc.to_center;
-  block.radius = arc.radius;
-  std::array<double, 2> center;
-  return arc.by_radius ? center_by_radius(block.start, end, arc.radius, arc.clockwise, center)
-                       : center_by_center(block.start, arc.to_center, center);
+  read_arc(words, block);
+  return block.by_radius ? center_by_radius(block.start, end, block.radius, block.clockwise, center)
+                         : center_by_center(block.start, block.to_center, center);
 }
 
 // A code that cutter compensation does not touch where nothing is wanted or to be removed (G37, G45 to G48, G41.3): the

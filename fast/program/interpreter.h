@@ -110,7 +110,9 @@ class Interpreter {
   [[nodiscard]] bool is_arc(const Words& words) const {
     return motion_ > 10 && ((words.axes() & plane_axes_) != 0 || words.has_any(kArcLetters));
   }
-  [[nodiscard]] ArcWords read_arc(const Words& words) const;
+  // Into an ArcWords or a CutterBlock.
+  template <class Arc>
+  void read_arc(const Words& words, Arc& arc) const;
   // Without `geometry` the arc has its centre, but neither sweep nor radii.
   [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
                                bool geometry) const;
@@ -169,7 +171,7 @@ class Interpreter {
     return plane_axis_[0] != spec::Axes::kNone && plane_axis_[1] != spec::Axes::kNone && tool_offset_.live() == 0;
   }
   [[nodiscard]] Alarm cutter_move(const Words& words);
-  [[nodiscard]] Alarm read_cutter_arc(const Words& words, CutterBlock& block) const;
+  [[nodiscard]] Alarm read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const;
   void retire_cutter();
   [[nodiscard]] Alarm corner_direction(const Words& words, CutterBlock& block) const;
   [[nodiscard]] Alarm cutter_motion(const Words& words, Code one_shot, bool extra,
@@ -292,6 +294,17 @@ constexpr char direction_letter(spec::Plane plane, std::size_t i) {
 
 // The mask of one axis.
 constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
+
+template <class Arc>
+void Interpreter::read_arc(const Words& words, Arc& arc) const {
+  arc.clockwise = motion_ == 20;
+  arc.by_radius = words.has('R');
+  for (std::size_t i = 0; i < 2; ++i) {
+    const char letter = direction_letter(plane_, i);
+    arc.to_center[i] = words.has(letter) ? value(words[letter], true, inch_program_) : Count();
+  }
+  arc.radius = arc.by_radius ? value(words['R'], true, inch_program_) : Count();
+}
 
 // The usual word without a detour: a position of at most six places, as it is written, with an offset of as many.
 inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
