@@ -47,8 +47,8 @@ Numbers<double> numbers(const Corner& corner) {
   Numbers<double> n;
   n.t1 = corner.last->unit;
   n.t2 = corner.next->unit;
-  n.c = corner.turn.c;
-  n.k = corner.turn.k;
+  n.c = corner.turn.c / corner.turn.norms;
+  n.k = corner.turn.k / corner.turn.norms;
   complete(n);
   n.turned = sign_of(corner.turn.c);
   n.r = corner.offset->nearest;
@@ -166,11 +166,8 @@ Vector2<double> head_vector(const Corner& corner, HeadKind kind) {
       return left_of(t1) * rho + t1 * r;
     case HeadKind::second_extended:
       return left_of(t2) * rho - t2 * r;
-    case HeadKind::tangents_meet: {
-      const Turn& turn = corner.turn;
-      const double along = turn.k >= 0 ? turn.c / (1 + turn.k) : (1 - turn.k) / turn.c;
-      return (left_of(t1) - t1 * along) * rho;
-    }
+    case HeadKind::tangents_meet:
+      return (left_of(t1) - t1 * half_tangent(corner.turn)) * rho;
     case HeadKind::paths_meet:
     case HeadKind::paths_cross:
       break;

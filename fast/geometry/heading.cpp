@@ -99,21 +99,18 @@ Vector2<DoubleDouble> fine_unit(const Heading& heading) {
 Turn turn_of_any(const Heading& first, const Heading& second) {
   Turn result;
   if (first.exact && second.exact) {
-    double c = 0;
-    double k = 0;
+    result.norms = first.norm * second.norm;
     if (first.small && second.small) {
       const Int128 exact_c = first.whole[0] * second.whole[1] - first.whole[1] * second.whole[0];
       const Int128 exact_k = first.whole[0] * second.whole[0] + first.whole[1] * second.whole[1];
-      c = static_cast<double>(exact_c);
-      k = static_cast<double>(exact_k);
+      result.c = static_cast<double>(exact_c);
+      result.k = static_cast<double>(exact_k);
     } else {
       const Wide exact_c = cross_of(first.whole, second.whole);
       const Wide exact_k = dot_of(first.whole, second.whole);
-      c = exact_c.to_double();
-      k = exact_k.to_double();
+      result.c = exact_c.to_double();
+      result.k = exact_k.to_double();
     }
-    result.c = c / first.norm / second.norm;
-    result.k = k / first.norm / second.norm;
   } else {
     result.c = cross(first.unit, second.unit);
     result.k = dot(first.unit, second.unit);

@@ -36,8 +36,11 @@ void set_narrow_arc(PlanePath& path, const std::array<std::int64_t, 2>& from, co
   const auto vector = [](const std::array<std::int64_t, 2>& v) {
     return Vector2<double>{static_cast<double>(v[0]) / kOne, static_cast<double>(v[1]) / kOne};
   };
-  set_narrow_heading(path.start, -sigma * from[1], sigma * from[0]);
-  set_narrow_heading(path.arc_end, -sigma * to[1], sigma * to[0]);
+  path.spiral = from[0] * from[0] + from[1] * from[1] != to[0] * to[0] + to[1] * to[1];
+  const double norm = narrow_norm(from[0], from[1]);
+  const double end_norm = path.spiral ? narrow_norm(to[0], to[1]) : norm;
+  set_narrow_heading(path.start, -sigma * from[1], sigma * from[0], norm);
+  set_narrow_heading(path.arc_end, -sigma * to[1], sigma * to[0], end_norm);
   path.from_center_start = vector(from);
   path.from_center_end = vector(to);
   const std::array<std::int64_t, 2> travel{to[0] - from[0], to[1] - from[1]};
@@ -46,9 +49,8 @@ void set_narrow_arc(PlanePath& path, const std::array<std::int64_t, 2>& from, co
   path.turned = sine > 0 ? 1 : (sine < 0 ? -1 : 0);
   path.sine = static_cast<double>(sine);
   path.cosine = static_cast<double>(from[0] * to[0] + from[1] * to[1]);
-  path.spiral = from[0] * from[0] + from[1] * from[1] != to[0] * to[0] + to[1] * to[1];
-  path.radius_start = path.start.norm / kOne;
-  path.radius_end = path.spiral ? path.arc_end.norm / kOne : path.radius_start;
+  path.radius_start = norm / kOne;
+  path.radius_end = end_norm / kOne;
   path.semicircle = path.turned <= 0;
   path.over_half = path.turned < 0 || (path.turned == 0 && path.cosine > 0);
 }
