@@ -358,6 +358,7 @@ Alarm CutterCompensationC::join(const CompensatedPath& to, const Heading& headin
   group.cleared = 0;
   if (!make_group(group, rule, parameters_)) return alarm::kNoIntersection;
   if (group.size > 1) {
+    // The block held last is the one before, and its event has no vector yet.
     const Event& before = ring_[(first_ + held_count_ - 1U) % ring_.size()].event;
     Position& position = corners_[1U - group_];
     if (!rebased_) keep_position(position, before);

@@ -76,6 +76,7 @@ class CutterCompensationC {
   // follow(), join() and finish() make any, without the detours.
   StageEnd next_line(CutterBlock& block);
   StageEnd next_block(CutterBlock& block);
+  // Any corner of two blocks in the mode; `to` is the path of `block`, without its offset.
   StageEnd follow(CutterBlock& block, CompensatedPath& to);
   StageEnd cancel_block(CutterBlock& block);
   StageEnd still_block(CutterBlock& block);
@@ -150,7 +151,7 @@ class CutterCompensationC {
   std::array<CornerGroup, 2> groups_;
   std::array<Position, 2> corners_;  // of the groups that have more than one vector: where the block before ended
   std::uint8_t group_ = 0;
-  bool rebased_ = false;  // corners_ has the one at the end already
+  bool rebased_ = false;  // rebase() has written the one at the end
   bool plain_ = false;    // a checked line, of usual numbers, with one vector at its start
   bool starts_up_ = false;
   bool checked_ = false;
