@@ -91,6 +91,7 @@ class Interpreter {
   [[nodiscard]] Alarm place_word(const Words& words, std::size_t axis);
   [[nodiscard]] Alarm refresh();
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
+  void fill_tool_axis(Event& event) const;
   void fill_machine(Event& event) const;
   // A word in setup units.
   [[nodiscard]] Count value(const spec::Decimal& word, bool linear, bool inch_program) const {
