@@ -83,7 +83,8 @@ std::string sections(const Certificate& c) {
   out +=
       "<p class=\"soft\">A near tie is a decision whose exact margin lies inside the band that double precision (or "
       "the controller's "
-      "resolution) cannot resolve; a tie is one where the controller took the other, permitted, outcome.</p>\n";
+      "resolution) cannot resolve; a tie is one where the controller took the other, permitted, outcome. Where sums of "
+      "decimals are compared, an exact tie is neither: it goes as its clause says.</p>\n";
   if (c.unsettled.empty()) return out;
   std::vector<Row> unsettled{{"case", "section", "result", "why"}};
   for (const Unsettled& u : c.unsettled)

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "certify/path_svg.h"
@@ -14,6 +15,7 @@
 #include "model/program/number.h"
 #include "spec/language/event_format.h"
 #include "spec/language/event_map.h"
+#include "spec/language/text_buffer.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -25,30 +27,18 @@ class Printer final : public spec::EventSink<Number> {
   // `start`: where the program starts, linear axes.
   Printer(const Program& program, Format format, AppendNumber append, const spec::AxisValues<Number>& start)
       : program_(program), format_(format), append_(std::move(append)), gcode_{start} {
-    if (format_ == Format::csv) spec::append_csv_header(buffer_, program_.setup().axes);
-    if (format_ == Format::gcode) spec::append_gcode_begin(buffer_, program_.setup().units);
+    std::string head;
+    if (format_ == Format::csv) spec::append_csv_header(head, program_.setup().axes);
+    if (format_ == Format::gcode) spec::append_gcode_begin(head, program_.setup().units);
+    spec::TextCursor(buffer_).append(head);
   }
   ~Printer() override = default;
   Printer(const Printer&) = delete;
   Printer& operator=(const Printer&) = delete;
 
   void on(const spec::Event<Number>& event) override {
-    const spec::Axes& axes = program_.setup().axes;
-    switch (format_) {
-      case Format::jsonl:
-        spec::append_event_json(buffer_, event, axes, append_);
-        buffer_ += '\n';
-        break;
-      case Format::csv:
-        spec::append_event_csv(buffer_, event, axes, append_);
-        break;
-      case Format::gcode:
-        spec::append_event_gcode(buffer_, event, axes, append_, gcode_);
-        break;
-      case Format::svg:
-        break;
-    }
-    if (buffer_.size() > kFlushAt) flush();
+    print(event);
+    if (buffer_.view().size() > kFlushAt) flush();
     if (event.kind == spec::EventKind::undecided) undecided_ = true;
     if (event.kind != spec::EventKind::alarm) return;
     flush();
@@ -58,21 +48,43 @@ class Printer final : public spec::EventSink<Number> {
 
   void reading(const spec::Block& block) { recent_.add(block); }
   void end() {
-    if (format_ == Format::gcode) spec::append_gcode_end(buffer_);
+    std::string tail;
+    if (format_ == Format::gcode) spec::append_gcode_end(tail);
+    spec::TextCursor(buffer_).append(tail);
     flush();
   }
   void flush() {
-    std::cout.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    const std::string_view text = buffer_.view();
+    std::cout.write(text.data(), static_cast<std::streamsize>(text.size()));
     buffer_.clear();
   }
   [[nodiscard]] int status() const { return undecided_ ? kUndecided : kAgrees; }
 
  private:
+  [[gnu::flatten]] void print(const spec::Event<Number>& event) {
+    const spec::Axes& axes = program_.setup().axes;
+    spec::TextCursor out(buffer_);
+    switch (format_) {
+      case Format::jsonl:
+        spec::append_event_json(out, event, axes, append_);
+        out += '\n';
+        break;
+      case Format::csv:
+        spec::append_event_csv(out, event, axes, append_);
+        break;
+      case Format::gcode:
+        spec::append_event_gcode(out, event, axes, append_, gcode_);
+        break;
+      case Format::svg:
+        break;
+    }
+  }
+
   static constexpr std::size_t kFlushAt = std::size_t{1} << 16U;
   const Program& program_;
   Format format_;
   AppendNumber append_;
-  std::string buffer_;
+  spec::TextBuffer buffer_;
   spec::GcodeState<Number> gcode_;
   RecentBlocks recent_;
   bool undecided_ = false;
@@ -142,7 +154,10 @@ spec::AxisValues<Number> start_of(const spec::Setup& setup, NumberOf number) {
 int run(const RunOptions& options) {
   const Program program(options.program, options.setup);
   if (options.engine == EngineName::fast) {
-    const auto append = [](std::string& out, double value) { fast::append_number(out, value); };
+    fast::NumberWriter numbers;
+    const auto append = [&numbers](spec::TextCursor& out, double value) {
+      out.write([&](char* to) { return numbers.write(to, value); });
+    };
     if (options.format == Format::svg)
       return draw<double>(program, [&](auto& sink) { return std::make_unique<fast::Engine>(program.setup(), sink); });
     const auto start =
@@ -156,8 +171,10 @@ int run(const RunOptions& options) {
   if (options.format == Format::svg)
     return draw<exact::Real>(
         program, [&](auto& sink) { return std::make_unique<model::Engine>(program.setup(), recorder, sink); });
-  const auto append = [&options](std::string& out, const exact::Real& value) {
-    model::append_number(out, value, options.digits);
+  const auto append = [&options](spec::TextCursor& out, const exact::Real& value) {
+    std::string number;
+    model::append_number(number, value, options.digits);
+    out.append(number);
   };
   const auto start =
       start_of<exact::Real>(program.setup(), [](const spec::Decimal& d) { return exact::Real(model::plain(d)); });

@@ -4,6 +4,9 @@ target_include_directories(toolcomp_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/toolcomp>)
 target_compile_features(toolcomp_options INTERFACE cxx_std_20)
+# Our functions are never replaced from outside: in code for shared libraries too a call within a file may be inlined;
+# and nobody reads errno after a root.
+target_compile_options(toolcomp_options INTERFACE $<BUILD_INTERFACE:-fno-semantic-interposition;-fno-math-errno>)
 # Products and sums are rounded as written, on every compiler (the error bounds rest on it).
 target_compile_options(toolcomp_options INTERFACE $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-ffp-contract=off>)
 if(TOOLCOMP_WERROR)

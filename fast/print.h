@@ -1,13 +1,15 @@
 // Numbers of the fast engine as text.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace toolcomp::fast {
 
-// Room enough for any double write_number() writes.
-inline constexpr std::size_t kNumberText = 32;
+// Room enough for any double write_number() writes, and for the rest of its last word.
+inline constexpr std::size_t kNumberText = 48;
 
 // The shortest text that reads back as `value`, without exponent between 1e-7 and 1e21; never -0. Writes at most
 // kNumberText characters at `to` and returns the end. `value` must be finite.
@@ -15,5 +17,21 @@ char* write_number(char* to, double value);
 
 // The same, appended.
 void append_number(std::string& text, double value);
+
+// The same again for the numbers of a path, most of which it says more than once: coordinates that stay or that no
+// offset changes, the feed. What was written lately is copied.
+class NumberWriter {
+ public:
+  char* write(char* to, double value);
+
+ private:
+  struct Written {
+    std::uint64_t bits = 0;  // of the value
+    std::size_t size = 1;
+    std::array<char, kNumberText> text{'0'};
+  };
+  static constexpr unsigned kIndexBits = 4;
+  std::array<Written, std::size_t{1} << kIndexBits> lately_;
+};
 
 }  // namespace toolcomp::fast

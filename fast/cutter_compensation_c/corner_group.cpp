@@ -11,19 +11,19 @@ namespace {
 bool first_is_arc(const Corner& corner) { return corner.first->arc; }
 bool second_is_arc(const Corner& corner) { return corner.second != nullptr && corner.second->arc; }
 
-bool is_straight(const Corner& corner) { return corner.turn.cross == 0 && corner.turn.dot > 0; }
+bool is_straight(const Corner& corner) { return corner.turn.c == 0 && corner.turn.k > 0; }
 
 // 180 degrees or more on the side of the workpiece; straight back is an outer corner of 0 degrees.
 bool is_inner(const Corner& corner) {
-  if (fault(Fault::c_reversal_inner) && corner.turn.cross == 0) return true;
-  return corner.first_side * corner.turn.cross > 0 || is_straight(corner);
+  if (fault(Fault::c_reversal_inner) && corner.turn.c == 0) return true;
+  return corner.first_side * corner.turn.c > 0 || is_straight(corner);
 }
 
-bool is_obtuse(const Corner& corner) { return corner.turn.dot >= 0; }
+bool is_obtuse(const Corner& corner) { return corner.turn.k >= 0; }
 
 // An acute corner of two lines under 1 degree: (tan 1 k)^2 > c^2.
 bool is_under_one_degree(const Corner& corner) {
-  if (first_is_arc(corner) || second_is_arc(corner) || corner.turn.dot >= 0 || fault(Fault::c_no_one_degree_rule))
+  if (first_is_arc(corner) || second_is_arc(corner) || corner.turn.k >= 0 || fault(Fault::c_no_one_degree_rule))
     return false;
   // 0.0174550649282175857651288952197, to 31 digits.
   constexpr DoubleDouble kTangent{0x1.1dfbd9410a422p-6, 0x1.8c721220dd4afp-62};
@@ -69,8 +69,9 @@ bool make_ordinary(CornerGroup& group) {
       group.set(HeadKind::first_normal);
       return true;
     }
-    if (!offset_paths_meet(corner, HeadKind::paths_meet)) return false;
-    group.set(HeadKind::paths_meet);
+    Vector2<double> meeting;
+    if (!offset_paths_meet(corner, HeadKind::paths_meet, meeting)) return false;
+    group.set(HeadKind::paths_meet, meeting);
     return true;
   }
   group.size = 0;
@@ -108,22 +109,48 @@ void make_cancel(CornerGroup& group, const CornerParameters& parameters) {
 // Where the paths have no point in common the first (change of direction: second) perpendicular vector.
 void make_meeting(CornerGroup& group, HeadKind meeting, HeadKind otherwise) {
   const Corner& corner = group.corner;
-  const bool meets = corner.turn.cross != 0 && offset_circles_exist(corner) && offset_paths_meet(corner, meeting);
-  group.set(meets ? meeting : otherwise);
+  Vector2<double> vector;
+  if (corner.turn.c != 0 && offset_circles_exist(corner) && offset_paths_meet(corner, meeting, vector))
+    group.set(meeting, vector);
+  else
+    group.set(otherwise);
 }
 
-// |a - b| <= limit in one axis; what double-double cannot tell is taken for equal.
-bool is_within(const CornerGroup& group, std::size_t a, std::size_t b, double Vector2<double>::* axis,
-               DoubleDouble Vector2<DoubleDouble>::* fine_axis, const CornerParameters& parameters) {
-  const double va = group.head[a].vector.*axis;
-  const double vb = group.head[b].vector.*axis;
-  const double over = std::abs(va - vb) - parameters.limit_value;
-  const double scale = std::abs(va) + std::abs(vb) + group.corner.r + parameters.limit_value;
-  if (std::abs(over) > 0x1p-46 * scale) return over < 0;
-  const DoubleDouble difference = group.fine(a).*fine_axis - group.fine(b).*fine_axis;
-  const DoubleDouble limit = to_double_double(parameters.limit.units()) / to_double_double(Count::kRestPerOne);
-  const DoubleDouble fine_over = (difference.hi < 0 ? -difference : difference) - limit;
-  return fine_over.hi <= 0x1p-88 * scale;
+// Two heads of a group in one axis: |a - b| against the limit of No. 5010.
+struct Distance {
+  const CornerGroup& group;
+  std::size_t a;
+  std::size_t b;
+  const CornerParameters& parameters;
+
+  [[nodiscard]] double scale(double va, double vb) const {
+    return std::abs(va) + std::abs(vb) + group.corner.offset->nearest + parameters.limit_value;
+  }
+  // > 0 beyond it, < 0 within it; 0 where doubles cannot tell.
+  [[nodiscard]] double over(double Vector2<double>::* axis) const {
+    const double va = group.head[a].vector.*axis;
+    const double vb = group.head[b].vector.*axis;
+    const double over = std::abs(va - vb) - parameters.limit_value;
+    return std::abs(over) > 0x1p-46 * scale(va, vb) ? over : 0;
+  }
+  // What double-double cannot tell is taken for equal.
+  [[nodiscard]] bool is_finely_within(DoubleDouble Vector2<DoubleDouble>::* axis) const {
+    const DoubleDouble va = group.fine(a).*axis;
+    const DoubleDouble vb = group.fine(b).*axis;
+    const DoubleDouble difference = va - vb;
+    const DoubleDouble limit = to_double_double(parameters.limit.units()) / to_double_double(Count::kRestPerOne);
+    const DoubleDouble over = (difference.hi < 0 ? -difference : difference) - limit;
+    return over.hi <= 0x1p-88 * scale(va.hi, vb.hi);
+  }
+};
+
+// Within the limit in both axes.
+bool is_small_movement(const Distance& distance) {
+  const double x = distance.over(&Vector2<double>::x);
+  const double y = fault(Fault::c_small_movement_one_axis) ? -1 : distance.over(&Vector2<double>::y);
+  if (x > 0 || y > 0) return false;
+  return (x < 0 || distance.is_finely_within(&Vector2<DoubleDouble>::x)) &&
+         (y < 0 || distance.is_finely_within(&Vector2<DoubleDouble>::y));
 }
 
 // No. 5010: a vector near the last one kept is dropped; the first stays.
@@ -133,9 +160,7 @@ void drop_small_movements(CornerGroup& group, const CornerParameters& parameters
   std::array<bool, 4> keep{true, true, true, true};
   std::size_t last = 0;
   for (std::size_t i = 1; i < group.size; ++i) {
-    keep[i] = !(is_within(group, i, last, &Vector2<double>::x, &Vector2<DoubleDouble>::x, parameters) &&
-                (fault(Fault::c_small_movement_one_axis) ||
-                 is_within(group, i, last, &Vector2<double>::y, &Vector2<DoubleDouble>::y, parameters)));
+    keep[i] = !is_small_movement({group, i, last, parameters});
     if (keep[i]) last = i;
   }
   std::uint8_t size = 0;
@@ -161,7 +186,7 @@ CornerParameters::CornerParameters(const spec::Setup& setup)
 
 bool make_group(CornerGroup& group, CornerRule rule, const CornerParameters& parameters) {
   const Corner& corner = group.corner;
-  if (corner.r == 0) {
+  if (corner.offset->nearest == 0) {
     group.clear();
     return true;
   }

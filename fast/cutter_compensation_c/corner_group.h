@@ -43,10 +43,11 @@ struct CornerGroup {
     head[0] = {};
   }
   void add(HeadKind kind) { head[size++] = {head_vector(corner, kind), kind}; }
-  void set(HeadKind kind) {
-    size = 0;
+  void set(HeadKind kind) { set(kind, head_vector(corner, kind)); }
+  void set(HeadKind kind, const Vector2<double>& vector) {
+    size = 1;
     cleared = 0;
-    add(kind);
+    head[0] = {vector, kind};
   }
   // The vector of a head to about 90 bits.
   [[nodiscard]] Vector2<DoubleDouble> fine(std::size_t index) const {

@@ -10,8 +10,7 @@ namespace {
 constexpr double kDegrees = 57.29577951308232;
 
 // The offset to the left of a heading, or to its right.
-void set_normal(CornerGroup& group, const PlanePath& path, const Heading& heading, int side, const Count& offset,
-                double r) {
+void set_normal(CornerGroup& group, const PlanePath& path, const Heading& heading, int side, const Amount& offset) {
   Corner& corner = group.corner;
   corner.first = &path;
   corner.second = nullptr;
@@ -20,13 +19,16 @@ void set_normal(CornerGroup& group, const PlanePath& path, const Heading& headin
   corner.first_side = side;
   corner.second_side = side;
   corner.turn = {};
-  corner.turn.dot = 1;
   corner.offset = &offset;
-  corner.r = r;
-  if (r == 0)
+  if (offset.nearest == 0)
     group.clear();
   else
     group.set(HeadKind::first_normal);
+}
+
+Amount amount_of(const Count& offset) {
+  const Count amount = offset < Count() ? -offset : offset;
+  return {amount, amount.nearest()};
 }
 
 void set_arc_path(PlanePath& path, const CutterBlock& block) {
@@ -36,17 +38,13 @@ void set_arc_path(PlanePath& path, const CutterBlock& block) {
     set_arc(path, block.start, block.end, block.to_center, block.clockwise);
 }
 
-// Centre, sweep and radii of the event; plane and direction stand in it.
-void set_arc_numbers(CutterBlock& block, const PlanePath& path, const ToolArc& tool) {
-  spec::Arc<double>& arc = *block.event.arc;
+// The event has the centre of an arc that is given by it.
+void set_center(CutterBlock& block, const PlanePath& path) {
+  if (!block.by_radius) return;
   const std::array<double, 2> from_center{path.from_center_start.x, path.from_center_start.y};
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (block.axis[i] == spec::Axes::kNone) continue;
-    arc.center.set(block.axis[i], block.by_radius ? block.start[i].nearest() - from_center[i]
-                                                  : Count::nearest_sum(block.start[i], block.to_center[i]));
-  }
-  arc.sweep = tool.sweep;
-  arc.radius = tool.radius;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (block.axis[i] != spec::Axes::kNone)
+      block.event.arc->center.set(block.axis[i], block.start[i].nearest() - from_center[i]);
 }
 
 }  // namespace
@@ -70,13 +68,56 @@ Alarm CutterCompensationC::check(const CutterCommand& command) const {
   return alarm::kNone;
 }
 
-void CutterCompensationC::set_position(const Event& event) {
-  Position& position = positions_[position_];
+inline void CutterCompensationC::add(Event& event, const CutterBlock& block, const Vector2<double>& vector) {
+  const auto add_to = [&event](std::size_t axis, double component) {
+    if (axis == spec::Axes::kNone) [[unlikely]]
+      return;
+    event.point.value[axis] += component;
+    event.axes.value[axis] += component;
+    if (event.machine.present != 0) [[unlikely]]
+      event.machine.value[axis] += component;
+  };
+  add_to(block.axis[0], vector.x);
+  add_to(block.axis[1], vector.y);
+}
+
+void CutterCompensationC::send(CutterBlock& block, const Vector2<double>& vector, bool own) {
+  if (own) [[likely]] {
+    add(block.event, block, vector);
+    sink_.on(block.event);
+  }
+  if (block.sets) [[unlikely]]
+    send_setting(block);
+}
+
+inline void CutterCompensationC::hold() {
+  if (held_count_ == 0) first_ = next_;
+  ++held_count_;
+  rebased_ = false;
+  next_ = static_cast<std::uint8_t>((next_ + 1U) % ring_.size());
+}
+
+inline void CutterCompensationC::send_behind(const Vector2<double>& vector) {
+  for (std::uint8_t i = 1; i < held_count_; ++i) {
+    CutterBlock& block = ring_[(first_ + i) % ring_.size()];
+    send(block, vector, block.own);
+  }
+  held_count_ = 0;
+  held_ = Held::nothing;
+  plain_ = false;
+}
+
+void CutterCompensationC::keep_position(Position& position, const Event& event) const {
   for (std::size_t axis = 0; axis < axes_; ++axis) {
     position.programmed[axis] = event.programmed.value[axis];
     position.point[axis] = event.point.value[axis];
     position.axes[axis] = event.axes.value[axis];
   }
+}
+
+void CutterCompensationC::rebase() {
+  keep_position(corners_[1U - group_], next().event);
+  rebased_ = true;
 }
 
 int CutterCompensationC::side_of(const CutterBlock& block) {
@@ -96,23 +137,20 @@ void CutterCompensationC::set_offset(CompensatedPath& to, const CutterBlock& blo
   const Count& offset = late ? late_offset_ : block.offset;
   if (!(offset == value_)) {
     value_ = offset;
-    magnitude_ = offset < Count() ? -offset : offset;
-    r_ = magnitude_.nearest();
+    amount_ = amount_of(offset);
   }
   to.side = side_of(block);
-  to.offset = magnitude_;
-  to.r = r_;
+  to.offset = amount_;
   if (fault(Fault::c_offset_one_corner_late)) late_offset_ = block.offset;
 }
 
 StageEnd CutterCompensationC::block() {
   CutterBlock& block = next();
-  position_ ^= 1U;
-  set_position(block.event);
-  positions_[position_].tool_axis = block.event.tool_axis;
   before_ = side_;
   side_ = block.side;
   number_ = block.d;
+  if (mode_ == Mode::on && block.motion == CutterMotion::line && wanted(block)) [[likely]]
+    return next_line(block);
   if (mode_ == Mode::ends && wanted(block)) return undecide(block, "fanuc.cutter-c.restart-before-removal");
   switch (block.motion) {
     case CutterMotion::line:
@@ -154,7 +192,8 @@ StageEnd CutterCompensationC::moving_block(CutterBlock& block) {
       if (block.motion == CutterMotion::arc) {
         PlanePath& path = paths_[0].path;  // no corner refers to any
         set_arc_path(path, block);
-        set_arc_numbers(block, path, programmed_arc(path));
+        set_center(block, path);
+        set_programmed_arc(*block.event.arc, path);
       }
       send(block);
       return {};
@@ -183,59 +222,52 @@ StageEnd CutterCompensationC::first_block(CutterBlock& block) {
   return {};
 }
 
-bool CutterCompensationC::next_line(CutterBlock& block) {
-  CornerGroup& start = at_start();
-  if (held_ != Held::path || !checked_ || parameters_.no_interference || repeated_ || start.size != 1 ||
-      block.motion != CutterMotion::line || block.word != CutterSide::unchanged || last_->path.arc ||
-      !(block.offset == value_) || !(last_->offset == magnitude_) || r_ == 0)
-    return false;
-  const int side = side_of(block);
-  const Heading& last = last_->path.start;
-  if (side != last_->side || !last.narrow || fault(Fault::c_perpendicular_for_intersection) ||
-      fault(Fault::c_offset_one_corner_late))
-    return false;
-  CompensatedPath& to = paths_[(path_ + 1U) % paths_.size()];
+StageEnd CutterCompensationC::next_line(CutterBlock& block) {
+  CompensatedPath& to = new_path();
   set_line(to.path, block.start, block.end);
+  const bool usual = plain_ && !repeated_ && block.word == CutterSide::unchanged && block.offset == value_ &&
+                     to.path.start.narrow && side_of(block) == last_->side &&
+                     !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
+  if (!usual) return follow(block, to);
+  const Heading& last = last_->path.start;
   const Heading& next = to.path.start;
-  if (!next.narrow) return false;
-  CornerGroup& end = at_end();
+  const int side = last_->side;
   const Turn turned = turn(last, next);
   // An inner or an obtuse corner.
-  if (turned.cross == 0 || (side * turned.cross < 0 && turned.dot <= 0)) return false;
-  const double along = turned.dot >= 0 ? turned.c / (1 + turned.k) : (1 - turned.k) / turned.c;
-  const Vector2<double> vector = (left_of(last.unit) - last.unit * along) * (side * r_);
-  const Vector2<double>& from = start.front().vector;
-  const double length = last_->path.length;
+  if (turned.c == 0 || (side * turned.c < 0 && turned.k <= 0)) return follow(block, to);
+  const Vector2<double> vector = (left_of(last.unit) - last.unit * half_tangent(turned)) * (side * amount_.nearest);
+  const Vector2<double>& from = at_start().front().vector;
+  const double length = last.norm / per_one(last_->path);
   const double product = length + dot(last.unit, vector - from);
   const double extent = std::abs(vector.x) + std::abs(vector.y) + std::abs(from.x) + std::abs(from.y);
-  if (product <= 0x1p-46 * (length + extent)) return false;
+  if (product <= 0x1p-46 * (length + extent)) return follow(block, to);
 
-  send(ring_[first_].block, vector, true);
-  send_behind(vector);
-  path_ = static_cast<std::uint8_t>((path_ + 1U) % paths_.size());
-  end.head[0] = {vector, HeadKind::tangents_meet};
-  end.size = 1;
-  end.cleared = 0;
-  end.corner = {&last_->path, &to.path, &last, &next, side, side, &last_->offset, r_, turned};
+  to.side = side;
+  to.offset = amount_;
+  CornerGroup& end = at_end();
+  end.set(HeadKind::tangents_meet, vector);
+  end.corner = {&last_->path, &to.path, &last, &next, side, side, &last_->offset, turned};
   group_ ^= 1U;
   start_side_ = side;
   start_offset_ = &last_->offset;
-  to.side = side;
-  to.offset = magnitude_;
-  to.r = r_;
   last_ = &to;
+  send(ring_[first_], end.front().vector, true);
+  send_behind(end.front().vector);
   hold();
   held_ = Held::path;
+  plain_ = true;
   still_ = 0;
-  return true;
+  return {};
 }
 
 StageEnd CutterCompensationC::next_block(CutterBlock& block) {
-  if (next_line(block)) [[likely]]
-    return {};
   CompensatedPath& to = new_path();
   set_path(to, block);
-  if (to.path.center_in_end) return refuse(block, alarm::kArcCenter);
+  return follow(block, to);
+}
+
+StageEnd CutterCompensationC::follow(CutterBlock& block, CompensatedPath& to) {
+  if (to.path.arc && to.path.center_in_end) return refuse(block, alarm::kArcCenter);
   set_offset(to, block);
   if (mode_ == Mode::waits_for_block) {
     if (to.side != waiting_side_) return refuse(block, alarm::kDirectionChangeAtStart);
@@ -250,7 +282,7 @@ StageEnd CutterCompensationC::next_block(CutterBlock& block) {
     const bool repeated = repeated_ && !fault(Fault::c_repeated_ignored);
     const CornerRule rule =
         repeated ? CornerRule::repeated : (starts_up_ ? CornerRule::start_up : CornerRule::ordinary);
-    if (const StageEnd end = join(to, to.path.start, rule)) return end;
+    if (const Alarm a = join(to, to.path.start, rule)) return at_fault(a);
     start_side_ = to.side;
     start_offset_ = &last_->offset;
   }
@@ -264,7 +296,8 @@ StageEnd CutterCompensationC::next_block(CutterBlock& block) {
 void CutterCompensationC::hold_path(const CompensatedPath& to, bool starts_up) {
   last_ = &to;
   starts_up_ = starts_up;
-  if (at_start().size > 1) ring_[next_].before = positions_[position_ ^ 1U];
+  plain_ = !starts_up && checked_ && !parameters_.no_interference && at_start().size == 1 && !to.path.arc &&
+           to.path.start.narrow && amount_.nearest != 0;
   hold();
   held_ = Held::path;
   still_ = 0;
@@ -289,9 +322,8 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
     rule = CornerRule::direction;
     heading = &to.direction;
   }
-  if (const StageEnd end = join(to, *heading, rule)) return end;
-  if (at_start().size > 1) ring_[next_].before = positions_[position_ ^ 1U];
-  send_corner_moves(ring_[next_], at_start());
+  if (const Alarm a = join(to, *heading, rule)) return at_fault(a);
+  send_corner_moves(block);
   block.event.cause = spec::Cause::cancel;
   vector_.clear();
   mode_ = Mode::off;
@@ -299,17 +331,17 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
   return {};
 }
 
-StageEnd CutterCompensationC::join(const CompensatedPath& to, const Heading& heading, CornerRule rule) {
+Alarm CutterCompensationC::join(const CompensatedPath& to, const Heading& heading, CornerRule rule) {
   switch (held_) {
     case Held::nothing:
     case Held::start:
       at_start() = vector_;
-      return {};
+      return alarm::kNone;
     case Held::corner_arc:
-      send_corner_arc(ring_[first_].block, to.path.start);
+      send_corner_arc(ring_[first_], to.path.start);
       send_behind(vector_.front().vector);
       at_start() = vector_;
-      return {};
+      return alarm::kNone;
     case Held::path:
       break;
   }
@@ -322,54 +354,60 @@ StageEnd CutterCompensationC::join(const CompensatedPath& to, const Heading& hea
   corner.first_side = last_->side;
   corner.second_side = to.side;
   corner.offset = &last_->offset;
-  corner.r = last_->r;
   corner.turn = turn(*corner.last, *corner.next);
   group.cleared = 0;
-  if (!make_group(group, rule, parameters_)) return at_fault(ring_[first_], alarm::kNoIntersection);
-  if (const StageEnd end = finish()) return end;
+  if (!make_group(group, rule, parameters_)) return alarm::kNoIntersection;
+  if (group.size > 1) {
+    // The block held last is the one before, and its event has no vector yet.
+    const Event& before = ring_[(first_ + held_count_ - 1U) % ring_.size()].event;
+    Position& position = corners_[1U - group_];
+    if (!rebased_) keep_position(position, before);
+    position.tool_axis = before.tool_axis;
+  }
+  if (const Alarm a = finish()) return a;
   group_ ^= 1U;
-  return {};
+  return alarm::kNone;
 }
 
-StageEnd CutterCompensationC::finish() {
-  Slot& slot = ring_[first_];
-  CutterBlock& block = slot.block;
+Alarm CutterCompensationC::finish() {
+  CutterBlock& block = ring_[first_];
   const PlanePath& path = last_->path;
-  bool arc = path.arc;
-  ToolArc tool;
-  if (arc) tool = tool_arc(path, at_start().back().vector, at_end().front().vector, compare_radii());
+  std::optional<double> sweep;
+  if (path.arc) {
+    set_center(block, path);
+    set_tool_arc(*block.event.arc, path, at_start().back().vector, at_end().front().vector, compare_radii());
+    sweep = block.event.arc->sweep;
+  }
   if (checked_ && !parameters_.no_interference) {
     const CheckedBlock checked{&path, start_side_, start_offset_, last_->side, &last_->offset};
-    switch (check_interference(checked, tool, at_start(), at_end())) {
+    switch (check_interference(checked, sweep, at_start(), at_end())) {
       case Interference::none:
         break;
       case Interference::straightened:
-        arc = false;
         block.event.type = spec::MoveType::linear;
         block.event.arc.reset();
         break;
       case Interference::alarm:
-        return at_fault(slot, alarm::kInterference);
+        return alarm::kInterference;
     }
   }
-  send_corner_moves(slot, at_start());
-  if (arc) set_arc_numbers(block, path, tool);
+  send_corner_moves(block);
   const Vector2<double>& vector = at_end().front().vector;
   send(block, vector, true);
   send_behind(vector);
-  return {};
+  return alarm::kNone;
 }
 
 // How the distances of the heads from the centre of the arc that is held compare, by what the vectors are: exactly,
 // where it can be told so.
 Radii CutterCompensationC::compare_radii() {
-  if (!(*start_offset_ == last_->offset) || start_side_ != last_->side) return Radii::unknown;
+  if (!(start_offset_->exact == last_->offset.exact) || start_side_ != last_->side) return Radii::unknown;
   enum class Place : std::uint8_t { on_circle, off_circle, unknown };
   const auto radial = [](bool on) { return on ? Place::on_circle : Place::off_circle; };
   // The perpendicular to another heading, or on another side: it is of this circle where it is the same vector.
   const auto same = [&](const Corner& corner) {
     const Turn turned = turn(*corner.last, last_->path.start);
-    return turned.cross == 0 && (turned.dot > 0) == (corner.first_side == start_side_);
+    return turned.c == 0 && (turned.k > 0) == (corner.first_side == start_side_);
   };
   const auto meets = [](HeadKind kind) { return kind == HeadKind::paths_meet || kind == HeadKind::paths_cross; };
   const Corner& from = at_start().corner;
@@ -379,19 +417,20 @@ Radii CutterCompensationC::compare_radii() {
   Place start = Place::unknown;
   if (first == HeadKind::first_normal)
     start = radial(same(from));
-  else if (meets(first) || first == HeadKind::second_normal || last_->r == 0)
+  else if (meets(first) || first == HeadKind::second_normal || last_->offset.nearest == 0)
     start = Place::on_circle;
   if (at_start().cleared != 0) return Radii::unknown;
   Place end = Place::unknown;
-  if (meets(last) || last == HeadKind::first_normal || last_->r == 0)
+  if (meets(last) || last == HeadKind::first_normal || last_->offset.nearest == 0)
     end = Place::on_circle;
   else if (last == HeadKind::second_normal)
-    end = radial(to.turn.cross == 0 && to.turn.dot < 0);
+    end = radial(to.turn.c == 0 && to.turn.k < 0);
   const PlanePath& path = last_->path;
   if (start == Place::on_circle && end == Place::on_circle) {
     if (!path.spiral) return Radii::agree;
     // Unless one end has run through the centre.
-    const bool through = path.sigma == last_->side && (path.radius_start <= last_->r || path.radius_end <= last_->r);
+    const double r = last_->offset.nearest;
+    const bool through = path.sigma == last_->side && (path.radius_start <= r || path.radius_end <= r);
     return through ? Radii::unknown : Radii::differ;
   }
   if (path.spiral || start == Place::unknown || end == Place::unknown || start == end) return Radii::unknown;
@@ -403,13 +442,14 @@ StageEnd CutterCompensationC::release() {
     case Held::nothing:
       return {};
     case Held::path:
-      set_normal(at_end(), last_->path, last_->path.end(), last_->side, last_->offset, last_->r);
+      set_normal(at_end(), last_->path, last_->path.end(), last_->side, last_->offset);
       along_ = &last_->path.end();
       vector_ = at_end();  // one vector: the check has none to drop
-      return finish();
+      if (const Alarm a = finish()) return at_fault(a);
+      return {};
     case Held::corner_arc: {
       // No next block: no arc, but what else the block changes.
-      CutterBlock& block = ring_[first_].block;
+      CutterBlock& block = ring_[first_];
       send(block);
       send_behind(vector_.front().vector);
       return {};
@@ -417,7 +457,7 @@ StageEnd CutterCompensationC::release() {
     case Held::start:
       // No next block: no vector is made.
       mode_ = Mode::off;
-      send(ring_[first_].block);
+      send(ring_[first_]);
       send_behind(vector_.front().vector);
       return {};
   }
@@ -439,7 +479,7 @@ StageEnd CutterCompensationC::still_block(CutterBlock& block) {
       fresh_ = false;
       held_ = Held::start;
       waiting_side_ = side_of(block);
-      waiting_offset_ = block.offset < Count() ? -block.offset : block.offset;
+      waiting_offset_ = amount_of(block.offset);
       still_ = 0;
       hold();
       return {};
@@ -460,8 +500,8 @@ StageEnd CutterCompensationC::still_block(CutterBlock& block) {
       if (held_ == Held::corner_arc && still_ >= limit) {
         StageEnd end;
         end.undecided = "fanuc.cutter-c.corner-arc-without-next-block";
-        end.line = ring_[first_].block.event.line;
-        end.n = ring_[first_].block.event.n;
+        end.line = ring_[first_].event.line;
+        end.n = ring_[first_].event.n;
         return end;
       }
       if (held_ == Held::nothing) break;
@@ -508,14 +548,14 @@ StageEnd CutterCompensationC::corner_arc(CutterBlock& block) {
 }
 
 void CutterCompensationC::send_corner_arc(CutterBlock& block, const Heading& heading) {
-  if (last_->r == 0) {
+  if (last_->offset.nearest == 0) {
     send(block);
     return;
   }
   const Turn turned = turn(*along_, heading);
   along_ = &heading;
-  set_normal(vector_, last_->path, heading, last_->side, last_->offset, last_->r);
-  if (turned.cross == 0 && turned.dot > 0) {
+  set_normal(vector_, last_->path, heading, last_->side, last_->offset);
+  if (turned.c == 0 && turned.k > 0) {
     send(block);
     return;
   }
@@ -529,7 +569,7 @@ void CutterCompensationC::send_corner_arc(CutterBlock& block, const Heading& hea
   arc.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   for (const std::size_t axis : block.axis)
     if (axis != spec::Axes::kNone) arc.center.set(axis, event.point.value[axis]);
-  if (turned.cross == 0) {
+  if (turned.c == 0) {
     arc.sweep = 180;
   } else {
     const double angle = std::atan2(clockwise ? -turned.c : turned.c, turned.k) * kDegrees;
@@ -539,9 +579,9 @@ void CutterCompensationC::send_corner_arc(CutterBlock& block, const Heading& hea
 }
 
 void CutterCompensationC::finish_start(const CompensatedPath& to) {
-  set_normal(vector_, to.path, to.path.start, waiting_side_, waiting_offset_, waiting_offset_.nearest());
+  set_normal(vector_, to.path, to.path.start, waiting_side_, waiting_offset_);
   along_ = &to.path.start;
-  CutterBlock& block = ring_[first_].block;
+  CutterBlock& block = ring_[first_];
   block.event.cause = spec::Cause::start_up;
   send(block, vector_.front().vector, block.own || !vector_is_zero());
   send_behind(vector_.front().vector);
@@ -617,47 +657,16 @@ StageEnd CutterCompensationC::undecide(const CutterBlock& block, const char* cla
   return end;
 }
 
-StageEnd CutterCompensationC::at_fault(const Slot& slot, const Alarm& alarm) const {
+StageEnd CutterCompensationC::at_fault(const Alarm& alarm) const {
+  const Event& event = ring_[first_].event;
   StageEnd end;
   end.alarm = alarm;
-  end.line = slot.block.event.line;
-  end.n = slot.block.event.n;
+  end.line = event.line;
+  end.n = event.n;
   return end;
 }
 
-void CutterCompensationC::hold() {
-  if (held_count_ == 0) first_ = next_;
-  ++held_count_;
-  next_ = static_cast<std::uint8_t>((next_ + 1U) % ring_.size());
-}
-
-void CutterCompensationC::send_behind(const Vector2<double>& vector) {
-  for (std::uint8_t i = 1; i < held_count_; ++i) {
-    CutterBlock& block = ring_[(first_ + i) % ring_.size()].block;
-    send(block, vector, block.own);
-  }
-  held_count_ = 0;
-  held_ = Held::nothing;
-}
-
-void CutterCompensationC::add(Event& event, const CutterBlock& block, const Vector2<double>& vector) {
-  const std::array<double, 2> component{vector.x, vector.y};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::size_t axis = block.axis[i];
-    if (axis == spec::Axes::kNone) continue;
-    event.point.value[axis] += component[i];
-    event.axes.value[axis] += component[i];
-    event.machine.value[axis] += component[i];  // read only where present
-  }
-}
-
-void CutterCompensationC::send(CutterBlock& block, const Vector2<double>& vector, bool own) {
-  if (own) {
-    add(block.event, block, vector);
-    sink_.on(block.event);
-  }
-  if (!block.sets) [[likely]]
-    return;
+void CutterCompensationC::send_setting(const CutterBlock& block) {
   notice_.kind = spec::EventKind::setting;
   notice_.line = block.event.line;
   notice_.n = block.event.n;
@@ -666,26 +675,28 @@ void CutterCompensationC::send(CutterBlock& block, const Vector2<double>& vector
   sink_.on(notice_);
 }
 
-// From head to head, before the block of `slot`: the other axes stay where the block before ended.
-void CutterCompensationC::send_corner_moves(const Slot& slot, const CornerGroup& group) {
+// The other axes stay where the block before ended.
+void CutterCompensationC::send_corner_moves(const CutterBlock& block) {
+  const CornerGroup& group = at_start();
   if (group.size < 2) return;
-  const Event& event = slot.block.event;
+  const Position& before = corners_[group_];
+  const Event& event = block.event;
   corner_move_.line = event.line;
   corner_move_.n = event.n;
   corner_move_.type = event.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
   corner_move_.cause = spec::Cause::corner;
   corner_move_.feed = event.feed;
-  corner_move_.tool_axis = slot.before.tool_axis;
+  corner_move_.tool_axis = before.tool_axis;
   corner_move_.programmed.present = event.programmed.present;
   corner_move_.point.present = event.point.present;
   corner_move_.axes.present = event.axes.present;
   for (std::size_t i = 1; i < group.size; ++i) {
     for (std::size_t axis = 0; axis < axes_; ++axis) {
-      corner_move_.programmed.value[axis] = slot.before.programmed[axis];
-      corner_move_.point.value[axis] = slot.before.point[axis];
-      corner_move_.axes.value[axis] = slot.before.axes[axis];
+      corner_move_.programmed.value[axis] = before.programmed[axis];
+      corner_move_.point.value[axis] = before.point[axis];
+      corner_move_.axes.value[axis] = before.axes[axis];
     }
-    add(corner_move_, slot.block, group.head[i].vector);
+    add(corner_move_, block, group.head[i].vector);
     sink_.on(corner_move_);
   }
 }

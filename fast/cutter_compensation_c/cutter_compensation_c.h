@@ -34,10 +34,10 @@ class CutterCompensationC {
   [[nodiscard]] Alarm check(const CutterCommand& command) const;
 
   // The block to fill in next. It keeps what it held before: the caller writes every field.
-  [[nodiscard]] CutterBlock& next() { return ring_[next_].block; }
+  [[nodiscard]] CutterBlock& next() { return ring_[next_]; }
   // The workpiece system changes in the block to come: positions of the corner before it are called as in next().event,
   // which has them without the vector.
-  void rebase() { set_position(next().event); }
+  void rebase();
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
   // No further block is known: a block that raises an alarm of its own (absent from the path), or the end of the
@@ -61,26 +61,23 @@ class CutterCompensationC {
     std::array<double, spec::kMaxAxes> axes{};
     std::optional<std::array<double, 3>> tool_axis;
   };
-  struct Slot {
-    CutterBlock block;
-    Position before;
-  };
   // A path with the offset in force in it. Kept while a corner refers to it.
   struct CompensatedPath {
     PlanePath path;
     Heading direction;  // of I J, where the block has them
     int side = 1;       // +1: the tool is left of the path
-    Count offset;       // |d|
-    double r = 0;
+    Amount offset;
   };
 
   // block() by kinds of blocks.
   StageEnd moving_block(CutterBlock& block);
   StageEnd first_block(CutterBlock& block);
-  // The usual case of next_block() without a detour: two lines, one vector at both ends of the former. False, and
-  // nothing done, where it is any other.
-  bool next_line(CutterBlock& block);
+  // A line in the mode. The usual corner, of two lines and with one vector at both ends of the former, is made here: as
+  // follow(), join() and finish() make any, without the detours.
+  StageEnd next_line(CutterBlock& block);
   StageEnd next_block(CutterBlock& block);
+  // Any corner of two blocks in the mode; `to` is the path of `block`, without its offset.
+  StageEnd follow(CutterBlock& block, CompensatedPath& to);
   StageEnd cancel_block(CutterBlock& block);
   StageEnd still_block(CutterBlock& block);
   StageEnd corner_arc(CutterBlock& block);
@@ -90,13 +87,14 @@ class CutterCompensationC {
   StageEnd undecide(const CutterBlock& block, const char* clause);
 
   // The corner between what is held, or the vector in force, and `to`; leaves the vectors there in at_start().
-  StageEnd join(const CompensatedPath& to, const Heading& heading, CornerRule rule);
+  [[nodiscard]] Alarm join(const CompensatedPath& to, const Heading& heading, CornerRule rule);
   // The path that is held goes out, and the blocks behind it. It ends with at_end(), which may lose vectors by that.
-  StageEnd finish();
+  [[nodiscard]] Alarm finish();
   [[nodiscard]] Radii compare_radii();
   // From `to` on: it starts with the vectors of at_start().
   void hold_path(const CompensatedPath& to, bool starts_up);
-  StageEnd at_fault(const Slot& slot, const Alarm& alarm) const;
+  // The first block that is held is at fault.
+  [[nodiscard]] StageEnd at_fault(const Alarm& alarm) const;
   // The move of a G39 block, to the vector perpendicular to `heading`.
   void send_corner_arc(CutterBlock& block, const Heading& heading);
   // The move of the lone G41 or G42 that is held, to the vector perpendicular to the start of `to`.
@@ -118,22 +116,21 @@ class CutterCompensationC {
   void send_behind(const Vector2<double>& vector);
   void send(CutterBlock& block, const Vector2<double>& vector, bool own);
   void send(CutterBlock& block) { send(block, vector_.front().vector, block.own); }
-  void send_corner_moves(const Slot& slot, const CornerGroup& group);
-  void set_position(const Event& event);
+  void send_setting(const CutterBlock& block);
+  // From head to head of at_start(), before `block`.
+  void send_corner_moves(const CutterBlock& block);
+  void keep_position(Position& position, const Event& event) const;
   static void add(Event& event, const CutterBlock& block, const Vector2<double>& vector);
 
   EventSink& sink_;
   CornerParameters parameters_;
   std::size_t axes_;
 
-  std::array<Slot, 4> ring_;
+  std::array<CutterBlock, 4> ring_;
   std::uint8_t next_ = 0;
   std::uint8_t first_ = 0;  // slots held: first_ … , held_count_ of them
   std::uint8_t held_count_ = 0;
   Held held_ = Held::nothing;
-  std::array<Position, 2> positions_;  // where the block before ended, and this one
-  std::uint8_t position_ = 0;          // the latter
-
   std::array<CompensatedPath, 4> paths_;  // of the block held, the ones before and after it
   std::uint8_t path_ = 0;
   const CompensatedPath* last_ = nullptr;  // of the moving block before
@@ -152,20 +149,22 @@ class CutterCompensationC {
   [[nodiscard]] CornerGroup& at_start() { return groups_[group_]; }     // vectors at its start
   [[nodiscard]] CornerGroup& at_end() { return groups_[1U - group_]; }  // vectors at its end
   std::array<CornerGroup, 2> groups_;
+  std::array<Position, 2> corners_;  // of the groups that have more than one vector: where the block before ended
   std::uint8_t group_ = 0;
+  bool rebased_ = false;  // rebase() has written the one at the end
+  bool plain_ = false;    // a checked line, of usual numbers, with one vector at its start
   bool starts_up_ = false;
   bool checked_ = false;
   int start_side_ = 1;  // of the corner at its start
-  const Count* start_offset_ = nullptr;
+  const Amount* start_offset_ = nullptr;
   int waiting_side_ = 1;  // of the lone G41 or G42 that is held
-  Count waiting_offset_;
+  Amount waiting_offset_;
 
   std::array<Heading, 2> directions_;  // of the last two G39
   std::uint8_t direction_ = 0;
   Count late_offset_;  // of the block before
-  Count value_;        // the value that came last, its magnitude and that as a double
-  Count magnitude_;
-  double r_ = 0;
+  Count value_;        // the value that came last, and its amount
+  Amount amount_;
   CornerGroup vector_;              // in force behind what is held or, if nothing is, now: one vector
   const Heading* along_ = nullptr;  // the direction vector_ is perpendicular to, where it is
   Event corner_move_;

@@ -49,7 +49,7 @@ double tool_sweep(const PlanePath& path, const Vector2<double>& v, const Vector2
   return sweep <= equal || sweep > 360 ? 360 : sweep;
 }
 
-bool arc_interferes(const CheckedBlock& block, const ToolArc& arc) {
+bool arc_interferes(const CheckedBlock& block, const std::optional<double>& sweep) {
   const PlanePath& path = *block.path;
   if (!fault(Fault::c_negative_radius_unnoticed)) {
     const int start = offset_radius_sign(path, false, block.start_side, *block.start_offset);
@@ -57,80 +57,71 @@ bool arc_interferes(const CheckedBlock& block, const ToolArc& arc) {
     if (start < 0 || end < 0) return true;
     if (start == 0 || end == 0) return false;
   }
-  if (!arc.sweep || fault(Fault::c_sweep_unchecked)) return false;
+  if (!sweep || fault(Fault::c_sweep_unchecked)) return false;
   // Both up to 180 degrees, or both over it, never differ by more.
-  if ((*arc.sweep > 180) == path.over_half) return false;
-  return std::abs(*arc.sweep - programmed_sweep(path)) > 180 + kEqualAngle;
+  if ((*sweep > 180) == path.over_half) return false;
+  return std::abs(*sweep - programmed_sweep(path)) > 180 + kEqualAngle;
 }
 
-// Whether the tool goes against the programmed direction, of which exactly 90 degrees is no case.
-bool line_interferes(const PlanePath& path, const CornerGroup& start, std::size_t v, const CornerGroup& end,
-                     std::size_t w) {
-  const Vector2<double> shift = end.head[w].vector - start.head[v].vector;
-  const double square = path.length * path.length;
-  const double product = square + dot(path.travel, shift);
-  const double bound = 0x1p-46 * (square + path.length * (extent(end.head[w].vector) + extent(start.head[v].vector)));
+// Whether the tool goes against the programmed direction, of which exactly 90 degrees is no case, on its way from the
+// last vector of `start` to the first of `end`.
+bool line_interferes(const PlanePath& path, const CornerGroup& start, const CornerGroup& end) {
+  const Vector2<double>& v = start.back().vector;
+  const Vector2<double>& w = end.front().vector;
+  const Vector2<double> way = travel(path);
+  const double product = dot(way, way + w - v);
+  const double size = extent(way);
+  const double bound = 0x1p-46 * size * (size + extent(w) + extent(v));
   if (std::abs(product) > bound) [[likely]]
     return product < 0;
-  const Vector2<DoubleDouble> travel = fine_travel(path);
-  const DoubleDouble fine = dot(travel, travel + end.fine(w) - start.fine(v));
+  const Vector2<DoubleDouble> fine_way = fine_travel(path);
+  const DoubleDouble fine = dot(fine_way, fine_way + end.fine(0) - start.fine(start.size - 1U));
   if (fault(Fault::c_right_angle_interferes)) return fine.hi <= 0x1p-42 * bound;
   return fine.hi < -0x1p-42 * bound;
 }
 
+// The way from `start` to `end` interferes: the vectors at both its ends are dropped, until it does no more. Only the
+// first way is tested as an arc.
+Interference remove_vectors(const PlanePath& path, CornerGroup& start, CornerGroup& end) {
+  do {
+    if (start.size == 1 && end.size == 1) return Interference::alarm;
+    if (start.size > 1) start.drop_last();
+    if (end.size > 1) end.drop_first();
+    if (path.arc && fault(Fault::c_arc_after_removal)) return Interference::none;
+  } while (line_interferes(path, start, end));
+  return path.arc ? Interference::straightened : Interference::none;
+}
+
 }  // namespace
 
-Interference check_interference(const CheckedBlock& block, const ToolArc& tool, CornerGroup& start, CornerGroup& end) {
-  if (start.size == 1 && end.size == 1 && !block.path->arc) [[likely]]
-    return line_interferes(*block.path, start, 0, end, 0) ? Interference::alarm : Interference::none;
-  const std::size_t m = start.size;
-  const std::size_t n = end.size;
-  const std::size_t pairs = std::max(m, n);
-  bool arc = block.path->arc;
-  Interference result = Interference::none;
-  std::size_t dropped = 0;  // of `end`
-  for (std::size_t q = 0; q < pairs; ++q) {
-    const std::size_t v = m > q ? m - q - 1 : 0;
-    const std::size_t w = std::min(q, n - 1) - dropped;
-    // Only the first pair is tested as an arc.
-    const bool interferes =
-        arc ? q == 0 && arc_interferes(block, tool) : line_interferes(*block.path, start, v, end, w);
-    if (!interferes) break;
-    if (q + 1 == pairs) return Interference::alarm;
-    if (arc) {
-      arc = fault(Fault::c_arc_after_removal);
-      result = Interference::straightened;
-    }
-    if (v > 0) start.drop_last();
-    if (q + 1 < n) {
-      end.drop_first();
-      ++dropped;
-    }
-  }
-  return result == Interference::straightened && arc ? Interference::none : result;
+Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CornerGroup& start,
+                                CornerGroup& end) {
+  const PlanePath& path = *block.path;
+  const bool interferes = path.arc ? arc_interferes(block, sweep) : line_interferes(path, start, end);
+  return interferes ? remove_vectors(path, start, end) : Interference::none;
 }
 
-ToolArc programmed_arc(const PlanePath& path) {
-  ToolArc arc;
+void set_programmed_arc(spec::Arc<double>& arc, const PlanePath& path) {
+  arc.sweep.reset();
   if (!path.center_in_end) arc.sweep = programmed_sweep(path);
+  arc.radius.reset();
   if (path.spiral) arc.radius = {path.radius_start, path.radius_end};
-  return arc;
 }
 
-ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w, Radii radii) {
-  ToolArc arc;
+void set_tool_arc(spec::Arc<double>& arc, const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w,
+                  Radii radii) {
   const Vector2<double> a = path.from_center_start + v;
   const Vector2<double> b = path.from_center_end + w;
   // Each end by its own size: a programmed spiral may grow from next to nothing.
   const double size_start = path.radius_start + extent(v);
   const double size_end = path.radius_end + extent(w);
-  const double size = size_start + size_end;
+  arc.sweep.reset();
   if (extent(a) > kEqual * size_start && extent(b) > kEqual * size_end) arc.sweep = tool_sweep(path, v, w);
-  if (radii == Radii::agree || fault(Fault::c_spiral_as_circle)) return arc;
+  arc.radius.reset();
+  if (radii == Radii::agree || fault(Fault::c_spiral_as_circle)) return;
   const double start = length(a);
   const double end = length(b);
-  if (radii == Radii::differ || std::abs(start - end) > kEqual * size) arc.radius = {start, end};
-  return arc;
+  if (radii == Radii::differ || std::abs(start - end) > kEqual * (size_start + size_end)) arc.radius = {start, end};
 }
 
 }  // namespace toolcomp::fast

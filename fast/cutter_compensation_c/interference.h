@@ -2,21 +2,21 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 
 #include "fast/arithmetic/count.h"
 #include "fast/cutter_compensation_c/corner_group.h"
 #include "fast/geometry/path.h"
+#include "spec/language/event.h"
 
 namespace toolcomp::fast {
 
 // A block between the groups at its start and its end.
 struct CheckedBlock {
   const PlanePath* path = nullptr;
-  int start_side = 1;                   // of the offset at the corner at its start
-  const Count* start_offset = nullptr;  // >= 0
+  int start_side = 1;  // of the offset at the corner at its start
+  const Amount* start_offset = nullptr;
   int end_side = 1;
-  const Count* end_offset = nullptr;
+  const Amount* end_offset = nullptr;
 };
 
 enum class Interference : std::uint8_t {
@@ -25,19 +25,17 @@ enum class Interference : std::uint8_t {
   alarm,         // PS0041
 };
 
-// The arc from start + v to end + w.
-struct ToolArc {
-  std::optional<double> sweep;                      // degrees; none where an end lies in the centre
-  std::optional<std::pair<double, double>> radius;  // where they differ
-};
 // How the distances of the two heads from the centre compare, where it is known without computing them.
 enum class Radii : std::uint8_t { agree, differ, unknown };
-ToolArc tool_arc(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w, Radii radii);
-// The arc as programmed.
-ToolArc programmed_arc(const PlanePath& path);
+// Sweep and radii of the arc from start + v to end + w.
+void set_tool_arc(spec::Arc<double>& arc, const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w,
+                  Radii radii);
+// The same of the arc as programmed.
+void set_programmed_arc(spec::Arc<double>& arc, const PlanePath& path);
 
-// Drops the vectors that interfere from the end of `start` and the beginning of `end`. `tool`: of an arc, that between
-// the last of `start` and the first of `end`.
-Interference check_interference(const CheckedBlock& block, const ToolArc& tool, CornerGroup& start, CornerGroup& end);
+// Drops the vectors that interfere from the end of `start` and the beginning of `end`. `sweep`: of an arc, the tool's
+// own, between the last of `start` and the first of `end`.
+Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CornerGroup& start,
+                                CornerGroup& end);
 
 }  // namespace toolcomp::fast

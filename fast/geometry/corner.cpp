@@ -30,6 +30,8 @@ struct Numbers {
   int turned = 0;  // the sign of c
 };
 
+int sign_of(double value) { return static_cast<int>(value > 0) - static_cast<int>(value < 0); }
+
 template <class T>
 void complete(Numbers<T>& n) {
   if (leading(n.k) >= 0) {
@@ -45,13 +47,13 @@ Numbers<double> numbers(const Corner& corner) {
   Numbers<double> n;
   n.t1 = corner.last->unit;
   n.t2 = corner.next->unit;
-  n.c = corner.turn.c;
-  n.k = corner.turn.k;
+  n.c = corner.turn.c / corner.turn.norms;
+  n.k = corner.turn.k / corner.turn.norms;
   complete(n);
-  n.turned = corner.turn.cross;
-  n.r = corner.r;
-  n.rho = corner.first_side * corner.r;
-  n.rho2 = corner.second_side * corner.r;
+  n.turned = sign_of(corner.turn.c);
+  n.r = corner.offset->nearest;
+  n.rho = corner.first_side * n.r;
+  n.rho2 = corner.second_side * n.r;
   if (corner.first->arc) n.p1 = corner.first->sigma / corner.first->radius_end;
   if (corner.second != nullptr && corner.second->arc) n.p2 = corner.second->sigma / corner.second->radius_start;
   return n;
@@ -62,11 +64,11 @@ Numbers<DoubleDouble> fine_numbers(const Corner& corner) {
   Numbers<DoubleDouble> n;
   n.t1 = fine_unit(*corner.last);
   n.t2 = fine_unit(*corner.next);
-  n.turned = corner.turn.cross;
+  n.turned = sign_of(corner.turn.c);
   n.c = n.turned == 0 ? DoubleDouble{} : cross(n.t1, n.t2);
-  n.k = corner.turn.dot == 0 ? DoubleDouble{} : dot(n.t1, n.t2);
+  n.k = corner.turn.k == 0 ? DoubleDouble{} : dot(n.t1, n.t2);
   complete(n);
-  n.r = to_double_double(corner.offset->units()) / to_double_double(Count::kRestPerOne);
+  n.r = to_double_double(corner.offset->exact.units()) / to_double_double(Count::kRestPerOne);
   n.rho = signed_by(corner.first_side, n.r);
   n.rho2 = signed_by(corner.second_side, n.r);
   const auto curvature = [&](const PlanePath* path, bool at_end) {
@@ -135,8 +137,7 @@ bool has_arcs(const Numbers<T>& n) {
   return leading(n.p1) != 0 || leading(n.p2) != 0;
 }
 
-Vector2<DoubleDouble> fine_paths_meet(Numbers<DoubleDouble> n, bool crossing) {
-  if (crossing) reverse_second(n);
+Vector2<DoubleDouble> fine_paths_meet(const Numbers<DoubleDouble>& n) {
   if (!has_arcs(n)) return tangents_meet(n);
   const DoubleDouble e = curvature_term(n);
   DoubleDouble discriminant = n.plus - e * 2.0;
@@ -149,46 +150,34 @@ Vector2<double> nearest(const Vector2<DoubleDouble>& v) { return {to_double(v.x)
 }  // namespace
 
 Vector2<double> head_vector(const Corner& corner, HeadKind kind) {
+  if (kind == HeadKind::zero) return {};
   const Vector2<double>& t1 = corner.last->unit;
   const Vector2<double>& t2 = corner.next->unit;
-  const double rho = corner.first_side * corner.r;
+  const double r = corner.offset->nearest;
+  const double rho = corner.first_side * r;
   switch (kind) {
     case HeadKind::zero:
-      return {};
+      break;
     case HeadKind::first_normal:
       return left_of(t1) * rho;
     case HeadKind::second_normal:
-      return left_of(t2) * (corner.second_side * corner.r);
+      return left_of(t2) * (corner.second_side * r);
     case HeadKind::first_extended:
-      return left_of(t1) * rho + t1 * corner.r;
+      return left_of(t1) * rho + t1 * r;
     case HeadKind::second_extended:
-      return left_of(t2) * rho - t2 * corner.r;
-    case HeadKind::tangents_meet: {
-      const Turn& turn = corner.turn;
-      const double along = turn.k >= 0 ? turn.c / (1 + turn.k) : (1 - turn.k) / turn.c;
-      return (left_of(t1) - t1 * along) * rho;
-    }
+      return left_of(t2) * rho - t2 * r;
+    case HeadKind::tangents_meet:
+      return (left_of(t1) - t1 * half_tangent(corner.turn)) * rho;
     case HeadKind::paths_meet:
     case HeadKind::paths_cross:
       break;
   }
-  const bool crossing = kind == HeadKind::paths_cross;
-  Numbers<double> n = numbers(corner);
-  if (crossing) reverse_second(n);
-  if (!has_arcs(n)) return tangents_meet(n);
-  const double e = curvature_term(n);
-  const double discriminant = n.plus - 2 * e;
-  // Near tangent contact a root, near equal circles the distance of the centres lose what doubles have.
-  const double difference = n.p1 - n.p2;
-  const double spread = difference * difference + 2 * n.p1 * n.p2 * n.minus;
-  if (discriminant < 0x1p-6 * discriminant_scale(n) || spread < 0x1p-6 * (n.p1 * n.p1 + n.p2 * n.p2))
-    return nearest(fine_paths_meet(fine_numbers(corner), crossing));
-  return paths_meet(n, e, discriminant);
+  return {};
 }
 
 Vector2<DoubleDouble> fine_head_vector(const Corner& corner, HeadKind kind) {
   if (kind == HeadKind::zero) return {};
-  const Numbers<DoubleDouble> n = fine_numbers(corner);
+  Numbers<DoubleDouble> n = fine_numbers(corner);
   switch (kind) {
     case HeadKind::zero:
       break;
@@ -202,26 +191,45 @@ Vector2<DoubleDouble> fine_head_vector(const Corner& corner, HeadKind kind) {
       return left_of(n.t2) * n.rho - n.t2 * n.r;
     case HeadKind::tangents_meet:
       return tangents_meet(n);
-    case HeadKind::paths_meet:
     case HeadKind::paths_cross:
-      return fine_paths_meet(n, kind == HeadKind::paths_cross);
+      reverse_second(n);
+      return fine_paths_meet(n);
+    case HeadKind::paths_meet:
+      return fine_paths_meet(n);
   }
   return {};
 }
 
-bool offset_paths_meet(const Corner& corner, HeadKind kind) {
+bool offset_paths_meet(const Corner& corner, HeadKind kind, Vector2<double>& vector) {
   const bool crossing = kind == HeadKind::paths_cross;
   Numbers<double> n = numbers(corner);
   if (crossing) reverse_second(n);
-  if (!has_arcs(n)) return n.turned != 0 || n.k > 0;
-  const double discriminant = n.plus - 2 * curvature_term(n);
-  if (std::abs(discriminant) > kBound * discriminant_scale(n)) return discriminant > 0;
+  if (!has_arcs(n)) {
+    if (n.turned == 0 && n.k <= 0) return false;
+    vector = tangents_meet(n);
+    return true;
+  }
+  const double e = curvature_term(n);
+  const double discriminant = n.plus - 2 * e;
+  const double scale = discriminant_scale(n);
+  const double difference = n.p1 - n.p2;
+  const double spread = difference * difference + 2 * n.p1 * n.p2 * n.minus;
+  if (discriminant >= 0x1p-6 * scale && spread >= 0x1p-6 * (n.p1 * n.p1 + n.p2 * n.p2)) [[likely]] {
+    vector = paths_meet(n, e, discriminant);
+    return true;
+  }
+  if (discriminant < -kBound * scale) return false;
+  // Near tangent contact a root, near equal circles the distance of the centres lose what doubles have.
   Numbers<DoubleDouble> fine = fine_numbers(corner);
   if (crossing) reverse_second(fine);
-  return (fine.plus - curvature_term(fine) * 2.0).hi > -kFineBound * discriminant_scale(fine);
+  if (discriminant <= kBound * scale &&
+      (fine.plus - curvature_term(fine) * 2.0).hi <= -kFineBound * discriminant_scale(fine))
+    return false;
+  vector = nearest(fine_paths_meet(fine));
+  return true;
 }
 
-int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Count& offset) {
+int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Amount& offset) {
   if (!path.arc || path.sigma != side) return 1;
   return compare_radius(path, at_end, offset);
 }

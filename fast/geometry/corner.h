@@ -31,20 +31,19 @@ struct Corner {
   const Heading* next = nullptr;      // the tangent of the latter path
   int first_side = 1;                 // +1: the tool is left of the path
   int second_side = 1;
-  const Count* offset = nullptr;  // r >= 0, setup units
-  double r = 0;
+  const Amount* offset = nullptr;  // r
   Turn turn;
 };
 
-// The vector, from the corner, setup units. paths_meet and paths_cross only where they exist.
+// The vector, from the corner, setup units; of kinds other than paths_meet and paths_cross.
 Vector2<double> head_vector(const Corner& corner, HeadKind kind);
-// The same to about 90 bits.
+// The same to about 90 bits, of any kind.
 Vector2<DoubleDouble> fine_head_vector(const Corner& corner, HeadKind kind);
 
-// Whether the offset paths have a common point (tangent contact included), the circles taken whole and with radii that
-// are not negative. Lines that are parallel have none.
-bool offset_paths_meet(const Corner& corner, HeadKind kind);
+// The vector of paths_meet or paths_cross. False where the offset paths have no common point (tangent contact is one),
+// the circles taken whole and with radii that are not negative. Lines that are parallel have none.
+bool offset_paths_meet(const Corner& corner, HeadKind kind, Vector2<double>& vector);
 // The sign of the radius of the offset circle of a path at one end; 1 for a line.
-int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Count& offset);
+int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Amount& offset);
 
 }  // namespace toolcomp::fast

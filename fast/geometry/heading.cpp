@@ -14,9 +14,6 @@ bool within(const std::array<Int128, 2>& v, const Int128& limit) {
   return v[0] < limit && v[0] > -limit && v[1] < limit && v[1] > -limit;
 }
 
-int sign_of(const Int128& value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }
-int sign_of(std::int64_t value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }
-
 Wide cross_of(const std::array<Int128, 2>& a, const std::array<Int128, 2>& b) {
   return Wide(a[0]) * Wide(b[1]) - Wide(a[1]) * Wide(b[0]);
 }
@@ -66,6 +63,7 @@ ChordHeadings chord_headings(const std::array<Int128, 2>& chord, const Int128& r
   }
   arc.height = larger ? -height : height;
   arc.radius = static_cast<double>(magnitude);
+  arc.chord = along.norm;
   const double cosine = arc.height / (2 * arc.radius);
   const double sine = along.norm / (2 * arc.radius);
   const int left = clockwise ? -1 : 1;
@@ -99,40 +97,21 @@ Vector2<DoubleDouble> fine_unit(const Heading& heading) {
   return unit * (heading.larger ? -height : height) + left_of(unit) * (heading.turned > 0 ? sine : -sine);
 }
 
-Turn turn(const Heading& first, const Heading& second) {
+Turn turn_of_any(const Heading& first, const Heading& second) {
   Turn result;
-  if (first.narrow && second.narrow) [[likely]] {
-    const auto x1 = static_cast<std::int64_t>(first.whole[0]);
-    const auto y1 = static_cast<std::int64_t>(first.whole[1]);
-    const auto x2 = static_cast<std::int64_t>(second.whole[0]);
-    const auto y2 = static_cast<std::int64_t>(second.whole[1]);
-    const std::int64_t c = x1 * y2 - y1 * x2;
-    const std::int64_t k = x1 * x2 + y1 * y2;
-    result.cross = sign_of(c);
-    result.dot = sign_of(k);
-    const double norms = 1 / (first.norm * second.norm);
-    result.c = static_cast<double>(c) * norms;
-    result.k = static_cast<double>(k) * norms;
-  } else if (first.exact && second.exact) {
-    double c = 0;
-    double k = 0;
+  if (first.exact && second.exact) {
+    result.norms = first.norm * second.norm;
     if (first.small && second.small) {
       const Int128 exact_c = first.whole[0] * second.whole[1] - first.whole[1] * second.whole[0];
       const Int128 exact_k = first.whole[0] * second.whole[0] + first.whole[1] * second.whole[1];
-      result.cross = sign_of(exact_c);
-      result.dot = sign_of(exact_k);
-      c = static_cast<double>(exact_c);
-      k = static_cast<double>(exact_k);
+      result.c = static_cast<double>(exact_c);
+      result.k = static_cast<double>(exact_k);
     } else {
       const Wide exact_c = cross_of(first.whole, second.whole);
       const Wide exact_k = dot_of(first.whole, second.whole);
-      result.cross = exact_c.sign();
-      result.dot = exact_k.sign();
-      c = exact_c.to_double();
-      k = exact_k.to_double();
+      result.c = exact_c.to_double();
+      result.k = exact_k.to_double();
     }
-    result.c = c / first.norm / second.norm;
-    result.k = k / first.norm / second.norm;
   } else {
     result.c = cross(first.unit, second.unit);
     result.k = dot(first.unit, second.unit);
@@ -145,8 +124,6 @@ Turn turn(const Heading& first, const Heading& second) {
       if (std::abs(result.c) < kFineTurnBound) result.c = 0;
       if (std::abs(result.k) < kFineTurnBound) result.k = 0;
     }
-    result.cross = result.c > 0 ? 1 : (result.c < 0 ? -1 : 0);
-    result.dot = result.k > 0 ? 1 : (result.k < 0 ? -1 : 0);
   }
   return result;
 }

@@ -33,14 +33,19 @@ struct Heading {
 // The heading along `whole`, not zero.
 Heading whole_heading(const std::array<Int128, 2>& whole);
 // The same, made in place, for numbers below 2^31.
-inline void set_narrow_heading(Heading& heading, std::int64_t x, std::int64_t y) {
-  heading.whole = {x, y};
-  heading.exact = heading.narrow = heading.small = true;
+inline double narrow_norm(std::int64_t x, std::int64_t y) {
   const auto dx = static_cast<double>(x);
   const auto dy = static_cast<double>(y);
-  const double square = dx * dx + dy * dy;
-  heading.norm = std::sqrt(square);  // exact where one of them is 0
-  heading.unit = {dx / heading.norm, dy / heading.norm};
+  return std::sqrt(dx * dx + dy * dy);  // exact where one of them is 0
+}
+inline void set_narrow_heading(Heading& heading, std::int64_t x, std::int64_t y, double norm) {
+  heading.whole = {x, y};
+  heading.exact = heading.narrow = heading.small = true;
+  heading.norm = norm;
+  heading.unit = {static_cast<double>(x) / norm, static_cast<double>(y) / norm};
+}
+inline void set_narrow_heading(Heading& heading, std::int64_t x, std::int64_t y) {
+  set_narrow_heading(heading, x, y, narrow_norm(x, y));
 }
 
 // The tangents of an arc of radius `radius` over `chord` at its start and end; 4 R^2 >= chord^2.
@@ -49,6 +54,7 @@ struct ChordHeadings {
   Heading end;
   double height = 0;  // 2 h, negative for the larger arc; in the unit of the chord
   double radius = 0;  // |R|, the same
+  double chord = 0;   // its length, the same
   bool half = false;  // h = 0
 };
 ChordHeadings chord_headings(const std::array<Int128, 2>& chord, const Int128& radius, bool clockwise);
@@ -56,16 +62,32 @@ ChordHeadings chord_headings(const std::array<Int128, 2>& chord, const Int128& r
 // The unit vector along a heading, relative error about 2^-100.
 Vector2<DoubleDouble> fine_unit(const Heading& heading);
 
-// How a path turns from heading t1 to t2: c = t1 x t2, k = t1 . t2.
+// How a path turns from heading t1 to t2, vectors of some length: c = t1 x t2, k = t1 . t2, of exact signs and zeros.
 struct Turn {
-  int cross = 0;  // the sign of c, exact
-  int dot = 0;    // the sign of k, exact
   double c = 0;
   double k = 1;
+  double norms = 1;  // |t1| |t2|
 };
+// The tangent of half the angle.
+inline double half_tangent(const Turn& turn) {
+  return turn.k >= 0 ? turn.c / (turn.norms + turn.k) : (turn.norms - turn.k) / turn.c;
+}
 
 // Signs are exact for exact headings. Otherwise doubles decide outside 2^-48, double-double outside 2^-94, and what is
 // left is taken for zero: tangent joins with an arc given by R are zero, and nothing else made of 15 digits comes near.
-Turn turn(const Heading& first, const Heading& second);
+Turn turn_of_any(const Heading& first, const Heading& second);
+
+// The same; the usual headings at once, in 64 bits.
+inline Turn turn(const Heading& first, const Heading& second) {
+  if (!(first.narrow && second.narrow)) [[unlikely]]
+    return turn_of_any(first, second);
+  const auto x1 = static_cast<std::int64_t>(first.whole[0]);
+  const auto y1 = static_cast<std::int64_t>(first.whole[1]);
+  const auto x2 = static_cast<std::int64_t>(second.whole[0]);
+  const auto y2 = static_cast<std::int64_t>(second.whole[1]);
+  const std::int64_t c = x1 * y2 - y1 * x2;
+  const std::int64_t k = x1 * x2 + y1 * y2;
+  return {static_cast<double>(c), static_cast<double>(k), first.norm * second.norm};
+}
 
 }  // namespace toolcomp::fast

@@ -14,45 +14,17 @@ struct Whole {
   [[nodiscard]] Int128 difference(const Count& to, const Count& from) const {
     return fine ? to.units() - from.units() : Int128{to.small() - from.small()};
   }
-  [[nodiscard]] double per_one() const {
-    return fine ? static_cast<double>(Count::kRestPerOne) : static_cast<double>(Count::kSmallPerOne);
-  }
 };
 
 bool is_small(const std::array<Count, 2>& v) { return v[0].is_small() && v[1].is_small(); }
 
-bool is_narrow(std::int64_t x) { return x < (std::int64_t{1} << 31) && x > -(std::int64_t{1} << 31); }
-
-void set_travel(PlanePath& path, const Heading& chord) {
-  path.length = chord.norm / path.unit;
-  path.travel = {static_cast<double>(chord.whole[0]) / path.unit, static_cast<double>(chord.whole[1]) / path.unit};
-}
-
 }  // namespace
 
-void set_line(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end) {
+void set_any_line(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end) {
+  const Whole whole{!(is_small(start) && is_small(end))};
   path.arc = false;
-  path.by_radius = false;
-  path.center_in_end = false;
-  if (is_small(start) && is_small(end)) [[likely]] {
-    const std::int64_t x = end[0].small() - start[0].small();
-    const std::int64_t y = end[1].small() - start[1].small();
-    path.fine_units = false;
-    path.unit = static_cast<double>(Count::kSmallPerOne);
-    if (is_narrow(x) && is_narrow(y)) [[likely]] {
-      set_narrow_heading(path.start, x, y);
-      constexpr double kOne = 1.0 / static_cast<double>(Count::kSmallPerOne);
-      path.travel = {static_cast<double>(x) * kOne, static_cast<double>(y) * kOne};
-      path.length = path.start.norm * kOne;
-      return;
-    }
-    path.start = whole_heading({x, y});
-  } else {
-    path.fine_units = true;
-    path.unit = static_cast<double>(Count::kRestPerOne);
-    path.start = whole_heading({end[0].units() - start[0].units(), end[1].units() - start[1].units()});
-  }
-  set_travel(path, path.start);
+  path.fine_units = whole.fine;
+  path.start = whole_heading({whole.difference(end[0], start[0]), whole.difference(end[1], start[1])});
 }
 
 namespace {
@@ -64,60 +36,44 @@ void set_narrow_arc(PlanePath& path, const std::array<std::int64_t, 2>& from, co
   const auto vector = [](const std::array<std::int64_t, 2>& v) {
     return Vector2<double>{static_cast<double>(v[0]) / kOne, static_cast<double>(v[1]) / kOne};
   };
-  set_narrow_heading(path.start, -sigma * from[1], sigma * from[0]);
-  set_narrow_heading(path.arc_end, -sigma * to[1], sigma * to[0]);
+  path.spiral = from[0] * from[0] + from[1] * from[1] != to[0] * to[0] + to[1] * to[1];
+  const double norm = narrow_norm(from[0], from[1]);
+  const double end_norm = path.spiral ? narrow_norm(to[0], to[1]) : norm;
+  set_narrow_heading(path.start, -sigma * from[1], sigma * from[0], norm);
+  set_narrow_heading(path.arc_end, -sigma * to[1], sigma * to[0], end_norm);
   path.from_center_start = vector(from);
   path.from_center_end = vector(to);
   const std::array<std::int64_t, 2> travel{to[0] - from[0], to[1] - from[1]};
   path.whole = {travel[0], travel[1]};
-  path.travel = vector(travel);
-  path.length = fast::length(path.travel);
   const std::int64_t sine = sigma * (from[0] * to[1] - from[1] * to[0]);
   path.turned = sine > 0 ? 1 : (sine < 0 ? -1 : 0);
   path.sine = static_cast<double>(sine);
   path.cosine = static_cast<double>(from[0] * to[0] + from[1] * to[1]);
-  path.spiral = from[0] * from[0] + from[1] * from[1] != to[0] * to[0] + to[1] * to[1];
-  path.radius_start = path.start.norm / kOne;
-  path.radius_end = path.spiral ? path.arc_end.norm / kOne : path.radius_start;
+  path.radius_start = norm / kOne;
+  path.radius_end = end_norm / kOne;
   path.semicircle = path.turned <= 0;
   path.over_half = path.turned < 0 || (path.turned == 0 && path.cosine > 0);
 }
 
 }  // namespace
 
-void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
-             const std::array<Count, 2>& to_center, bool clockwise) {
+namespace {
+
+void set_any_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+                 const std::array<Count, 2>& to_center) {
   const Whole whole{!(is_small(start) && is_small(end) && is_small(to_center))};
-  path.arc = true;
-  path.sigma = clockwise ? -1 : 1;
-  path.by_radius = false;
-  if (!whole.fine) [[likely]] {
-    const std::array<std::int64_t, 2> to{end[0].small() - start[0].small() - to_center[0].small(),
-                                         end[1].small() - start[1].small() - to_center[1].small()};
-    const std::array<std::int64_t, 2> from{-to_center[0].small(), -to_center[1].small()};
-    if (is_narrow(from[0]) && is_narrow(from[1]) && is_narrow(to[0]) && is_narrow(to[1]) && (to[0] != 0 || to[1] != 0))
-        [[likely]] {
-      path.fine_units = false;
-      path.unit = whole.per_one();
-      path.center_in_end = false;
-      set_narrow_arc(path, from, to);
-      return;
-    }
-  }
   path.fine_units = whole.fine;
-  path.unit = whole.per_one();
   const std::array<Int128, 2> travel{whole.difference(end[0], start[0]), whole.difference(end[1], start[1])};
   path.whole = travel;
+  const double unit = per_one(path);
   // From the centre; the tangent is that turned left (counterclockwise) or right.
   const std::array<Int128, 2> from{-whole(to_center[0]), -whole(to_center[1])};
   const std::array<Int128, 2> to{from[0] + travel[0], from[1] + travel[1]};
   const Int128 sigma = path.sigma;
   path.start = whole_heading({-sigma * from[1], sigma * from[0]});
-  path.radius_start = path.start.norm / path.unit;
-  path.from_center_start = {static_cast<double>(from[0]) / path.unit, static_cast<double>(from[1]) / path.unit};
-  path.from_center_end = {static_cast<double>(to[0]) / path.unit, static_cast<double>(to[1]) / path.unit};
-  path.travel = {static_cast<double>(travel[0]) / path.unit, static_cast<double>(travel[1]) / path.unit};
-  path.length = fast::length(path.travel);
+  path.radius_start = path.start.norm / unit;
+  path.from_center_start = {static_cast<double>(from[0]) / unit, static_cast<double>(from[1]) / unit};
+  path.from_center_end = {static_cast<double>(to[0]) / unit, static_cast<double>(to[1]) / unit};
   path.center_in_end = to[0] == 0 && to[1] == 0;
   path.spiral = true;
   path.semicircle = false;
@@ -128,7 +84,7 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
     return;
   }
   path.arc_end = whole_heading({-sigma * to[1], sigma * to[0]});
-  path.radius_end = path.arc_end.norm / path.unit;
+  path.radius_end = path.arc_end.norm / unit;
   if (path.start.small && path.arc_end.small) {
     const Int128 c = sigma * (from[0] * to[1] - from[1] * to[0]);
     path.turned = c > 0 ? 1 : (c < 0 ? -1 : 0);
@@ -148,6 +104,24 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
   path.over_half = path.turned < 0 || (path.turned == 0 && path.cosine > 0);
 }
 
+}  // namespace
+
+void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
+             const std::array<Count, 2>& to_center, bool clockwise) {
+  path.arc = true;
+  path.sigma = clockwise ? -1 : 1;
+  path.by_radius = false;
+  const std::array<std::int64_t, 2> from{-to_center[0].small(), -to_center[1].small()};
+  const std::array<std::int64_t, 2> to{end[0].small() - start[0].small() + from[0],
+                                       end[1].small() - start[1].small() + from[1]};
+  const bool narrow = is_narrow(from[0]) && is_narrow(from[1]) && is_narrow(to[0]) && is_narrow(to[1]);
+  if (!narrow || !(is_small(start) && is_small(end) && is_small(to_center)) || (to[0] == 0 && to[1] == 0)) [[unlikely]]
+    return set_any_arc(path, start, end, to_center);
+  path.fine_units = false;
+  path.center_in_end = false;
+  set_narrow_arc(path, from, to);
+}
+
 void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
                        const Count& radius, bool clockwise) {
   const Whole whole{!(is_small(start) && is_small(end) && radius.is_small())};
@@ -157,7 +131,6 @@ void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const
   path.spiral = false;
   path.center_in_end = false;
   path.fine_units = whole.fine;
-  path.unit = whole.per_one();
   const Int128 r = whole(radius);
   path.radius_whole = r < 0 ? -r : r;
   const std::array<Int128, 2> chord{whole.difference(end[0], start[0]), whole.difference(end[1], start[1])};
@@ -165,15 +138,14 @@ void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const
   const ChordHeadings arc = chord_headings(chord, r, clockwise);
   path.start = arc.start;
   path.arc_end = arc.end;
-  path.radius_start = path.radius_end = arc.radius / path.unit;
+  path.radius_start = path.radius_end = arc.radius / per_one(path);
   const double sigma = path.sigma;
   path.from_center_start = left_of(path.start.unit) * (-sigma * path.radius_start);
   path.from_center_end = left_of(path.arc_end.unit) * (-sigma * path.radius_end);
-  set_travel(path, whole_heading(chord));
   path.semicircle = r < 0 || arc.half;
   path.over_half = r < 0 && !arc.half;
   path.turned = arc.half ? 0 : 1;
-  path.sine = path.length * path.unit;
+  path.sine = arc.chord;
   path.cosine = arc.height;
 }
 
@@ -193,6 +165,12 @@ double programmed_sweep(const PlanePath& path) {
   return path.turned < 0 ? angle + 360 : angle;
 }
 
+Vector2<double> travel(const PlanePath& path) {
+  const double unit = per_one(path);
+  if (!path.arc) return path.start.unit * (path.start.norm / unit);
+  return {static_cast<double>(path.whole[0]) / unit, static_cast<double>(path.whole[1]) / unit};
+}
+
 Vector2<DoubleDouble> fine_travel(const PlanePath& path) {
   const DoubleDouble unit = fine_unit_of(path);
   const std::array<Int128, 2>& whole = path.arc ? path.whole : path.start.whole;
@@ -207,26 +185,26 @@ DoubleDouble fine_radius(const PlanePath& path, bool at_end) {
   return sqrt((Wide(v[0]) * Wide(v[0]) + Wide(v[1]) * Wide(v[1])).to_double_double()) / unit;
 }
 
-int compare_radius(const PlanePath& path, bool at_end, const Count& offset) {
+int compare_radius(const PlanePath& path, bool at_end, const Amount& offset) {
   const double radius = at_end ? path.radius_end : path.radius_start;
-  const double value = offset.nearest();
   // Both are within a few roundings of 2^-53.
-  if (std::abs(radius - value) > 0x1p-48 * radius) return radius > value ? 1 : -1;
+  if (std::abs(radius - offset.nearest) > 0x1p-48 * radius) [[likely]]
+    return radius > offset.nearest ? 1 : -1;
   if (path.seen) {
-    const DoubleDouble length = to_double_double(offset.units()) / to_double_double(Count::kRestPerOne);
+    const DoubleDouble length = to_double_double(offset.exact.units()) / to_double_double(Count::kRestPerOne);
     const double difference = (fine_radius(path, at_end) - length).hi;
     // What double-double cannot tell is a tie.
     return std::abs(difference) <= 0x1p-90 * radius ? 0 : (difference > 0 ? 1 : -1);
   }
   const auto in_units = [&](const Int128& whole) { return path.fine_units ? whole : whole * Count::kRestPerSmall; };
   if (path.by_radius) {
-    const Int128 difference = in_units(path.radius_whole) - offset.units();
+    const Int128 difference = in_units(path.radius_whole) - offset.exact.units();
     return difference > 0 ? 1 : (difference < 0 ? -1 : 0);
   }
   const auto& v = at_end ? path.arc_end.whole : path.start.whole;
   const Wide x(in_units(v[0]));
   const Wide y(in_units(v[1]));
-  const Wide d(offset.units());
+  const Wide d(offset.exact.units());
   return (x * x + y * y - d * d).sign();
 }
 

@@ -17,10 +17,9 @@ struct PlanePath {
   Heading start;    // tangents
   Heading arc_end;  // of an arc
   [[nodiscard]] const Heading& end() const { return arc ? arc_end : start; }
-  std::array<Int128, 2> whole{};  // arcs: from start to end; lines: that of `start`
-  Vector2<double> travel;         // from start to end, setup units
-  double length = 0;              // of `travel`
+  bool fine_units = false;  // whole numbers are Count::units(), not 10^-6
   // Arcs.
+  std::array<Int128, 2> whole{};      // from start to end; of a line it is that of `start`
   Vector2<double> from_center_start;  // start - centre
   Vector2<double> from_center_end;    // end - centre
   double radius_start = 0;
@@ -35,8 +34,6 @@ struct PlanePath {
   double cosine = 1;
   int turned = 0;
 
-  double unit = 1;          // whole numbers of the headings in a setup unit
-  bool fine_units = false;  // ... is that of Count::units(), not 10^-6
   bool by_radius = false;   // the radius is that of an R word: Heading::radius (half circles: see radius_whole)
   Int128 radius_whole = 0;  // by_radius: |R| in units
   // Seen in a plane that no axis spans: an arc's radius at either end, setup units.
@@ -45,7 +42,19 @@ struct PlanePath {
 };
 
 // A line of some length.
-void set_line(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end);
+void set_any_line(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end);
+constexpr bool is_narrow(std::int64_t x) { return x < (std::int64_t{1} << 31) && x > -(std::int64_t{1} << 31); }
+// The same; the usual line, below 2^31, at once.
+inline void set_line(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end) {
+  const std::int64_t x = end[0].small() - start[0].small();
+  const std::int64_t y = end[1].small() - start[1].small();
+  const bool small = start[0].is_small() && start[1].is_small() && end[0].is_small() && end[1].is_small();
+  if (!small || !is_narrow(x) || !is_narrow(y)) [[unlikely]]
+    return set_any_line(path, start, end);
+  path.arc = false;
+  path.fine_units = false;
+  set_narrow_heading(path.start, x, y);
+}
 // An arc round start + to_center, which is not zero.
 void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
              const std::array<Count, 2>& to_center, bool clockwise);
@@ -53,13 +62,24 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
 void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
                        const Count& radius, bool clockwise);
 
+// Whole numbers of the headings in a setup unit.
+inline double per_one(const PlanePath& path) {
+  return path.fine_units ? static_cast<double>(Count::kRestPerOne) : static_cast<double>(Count::kSmallPerOne);
+}
+// The straight way from start to end, setup units.
+Vector2<double> travel(const PlanePath& path);
 // The sweep of an arc whose end is not its centre, in degrees within (0, 360].
 double programmed_sweep(const PlanePath& path);
 // From start to end to about 100 bits.
 Vector2<DoubleDouble> fine_travel(const PlanePath& path);
 // The radius at the start or the end to about 100 bits.
 DoubleDouble fine_radius(const PlanePath& path, bool at_end);
-// The sign of (radius at that end) - offset, exactly; offset >= 0.
-int compare_radius(const PlanePath& path, bool at_end, const Count& offset);
+// By how much a path is offset, >= 0, setup units: exactly, and the nearest double.
+struct Amount {
+  Count exact;
+  double nearest = 0;
+};
+// The sign of (radius at that end) - offset, exactly.
+int compare_radius(const PlanePath& path, bool at_end, const Amount& offset);
 
 }  // namespace toolcomp::fast

@@ -13,32 +13,29 @@ std::array<std::size_t, 2> Interpreter::plane_axes(spec::Plane plane) const {
   return {xyz_[in_plane(plane, 0)], xyz_[in_plane(plane, 1)]};
 }
 
-// An axis of the plane, I J K or R make an arc; anything else under G02 or G03 is straight.
+void Interpreter::select_plane(spec::Plane plane) {
+  plane_ = plane;
+  plane_axis_ = plane_axes(plane);
+  plane_axes_ = 0;
+  for (const std::size_t axis : plane_axis_)
+    if (axis != spec::Axes::kNone) plane_axes_ = static_cast<Mask>(plane_axes_ | bit(axis));
+}
+
 Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
                             bool with_geometry) const {
-  const std::array<std::size_t, 2> plane = plane_axes(plane_);
+  if (!is_arc(words)) return alarm::kNone;
+  const std::array<std::size_t, 2>& plane = plane_axis_;
   std::array<Count, 2> start;
   std::array<Count, 2> end;
-  std::array<Count, 2> to_center;
-  bool is_arc = words.has('R') || words.has_any(Words::set_of("IJK"));
   for (std::size_t i = 0; i < 2; ++i) {
     const std::size_t axis = plane[i];
-    const char letter = direction_letter(plane_, i);
-    if (axis != spec::Axes::kNone) {
-      start[i] = end[i] = actual(axis);
-      if ((words.axes() & bit(axis)) != 0) {
-        end[i] = target(words, axis) + tool_offset_[axis];
-        is_arc = true;
-      }
-    }
-    if (words.has(letter)) to_center[i] = value(words[letter], true, inch_program_);
+    if (axis == spec::Axes::kNone) continue;
+    start[i] = end[i] = actual(axis);
+    if ((words.axes() & bit(axis)) != 0) end[i] = target(words, axis) + tool_offset_[axis];
   }
-  if (!is_arc) return alarm::kNone;
   if (!end[0].in_range() || !end[1].in_range()) return alarm::kRange;
-  const bool clockwise = motion_ == 20;
-  const bool by_radius = words.has('R');
-  const Count radius = by_radius ? value(words['R'], true, inch_program_) : Count();
-  arc_words = {clockwise, by_radius, to_center, radius};
+  read_arc(words, arc_words);
+  const auto& [clockwise, by_radius, to_center, radius] = arc_words;
   ArcGeometry geometry;
   Alarm a;
   if (with_geometry)

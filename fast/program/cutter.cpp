@@ -53,7 +53,7 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
   block.d = cutter_number_.number;
   block.offset = cutter_offset_;
   block.plane = plane_;
-  block.axis = plane_axes(plane_);
+  block.axis = plane_axis_;
   block.named = 0;
   block.has_direction = false;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -71,16 +71,17 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
   }
 }
 
-// The usual block: positions and F, or nothing but its number. What begin_cutter(), cutter_motion() and send_cutter()
-// do for any block, without the detours.
+// The usual block: positions, F and the letters of an arc, or nothing but its number. What check(), begin_cutter(),
+// plan_arc(), cutter_motion() and send_cutter() do for any block, without the detours.
 Alarm Interpreter::cutter_move(const Words& words) {
-  const std::array<std::size_t, 2> plane = plane_axes(plane_);
-  if (plane[0] == spec::Axes::kNone || plane[1] == spec::Axes::kNone || tool_offset_.live() != 0) [[unlikely]] {
+  if (!is_usual_cutter_plane()) [[unlikely]] {
     start_cutter_leg(words, CutterSide::unchanged, false);
     return cutter_motion(words, kNone, false, std::nullopt, ArcWords{});
   }
+  const std::array<std::size_t, 2>& plane = plane_axis_;
   CutterBlock& block = cutter_next();
   const Mask axes = words.axes();
+  const bool arc = is_arc(words);
   block.sets = false;
   block.word = CutterSide::unchanged;
   block.side = cutter_side_;
@@ -92,9 +93,12 @@ Alarm Interpreter::cutter_move(const Words& words) {
   block.has_direction = false;
   block.axis_word = axes != 0;
   block.feed = feed_;
-  block.own = axes != 0;
+  block.own = axes != 0 || arc;
   block.start[0] = programmed_[plane[0]];
   block.start[1] = programmed_[plane[1]];
+  std::array<double, 2> center{};
+  if (arc)
+    if (const Alarm a = read_cutter_arc(words, block, center)) return a;
   for (unsigned rest = axes; rest != 0; rest &= rest - 1)
     if (const Alarm a = place_word(words, static_cast<std::size_t>(std::countr_zero(rest)))) return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
@@ -106,15 +110,41 @@ Alarm Interpreter::cutter_move(const Words& words) {
   block.end[0] = first;
   block.end[1] = second;
   block.named = static_cast<std::uint8_t>((axes >> plane[0] & 1U) | (axes >> plane[1] & 1U) << 1U);
-  if (block.named == 0)
+  if (arc)
+    block.motion = CutterMotion::arc;
+  else if (block.named == 0)
     block.motion = CutterMotion::still;
   else if (block.start[0] == first && block.start[1] == second)
     block.motion = CutterMotion::zero;
   else
     block.motion = CutterMotion::line;
-  fill(block.event, straight(), spec::Cause::programmed);
+  fill(block.event, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
+  if (arc) {
+    spec::Arc<double>& numbers = block.event.arc.emplace();
+    numbers.plane = plane_;
+    numbers.direction = block.clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
+    for (std::size_t i = 0; i < 2; ++i) numbers.center.set(plane[i], center[i]);
+  }
   if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);
   return alarm::kNone;
+}
+
+// The alarms of an arc that begins at block.start, in their order, its words and its centre. Sweep and radii are left
+// to the stage.
+Alarm Interpreter::read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const {
+  CutterCommand command;
+  command.arc = true;
+  command.d = cutter_number_.number;
+  if (const Alarm a = cutter_c_.check(command)) return a;
+  std::array<Count, 2> end = block.start;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if ((words.axes() & bit(plane_axis_[i])) == 0) continue;
+    end[i] = target(words, plane_axis_[i]);
+    if (!end[i].in_range()) return alarm::kRange;
+  }
+  read_arc(words, block);
+  return block.by_radius ? center_by_radius(block.start, end, block.radius, block.clockwise, center)
+                         : center_by_center(block.start, block.to_center, center);
 }
 
 // A code that cutter compensation does not touch where nothing is wanted or to be removed (G37, G45 to G48, G41.3): the

@@ -62,7 +62,8 @@ struct CutterBlock {
   bool has_direction = false;
   std::array<Count, 2> direction{};
 
-  // motion == arc only. Given by centre or by radius; event.arc has the nearest doubles of centre, sweep and radii.
+  // motion == arc only. Given by centre or by radius; event.arc has the nearest doubles of the centre and, where the
+  // stage makes no arc of the tool's own, of sweep and radii.
   bool clockwise = false;
   bool by_radius = false;
   std::array<Count, 2> to_center{};  // from start; only where !by_radius

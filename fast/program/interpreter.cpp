@@ -37,6 +37,7 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink)
     if (kinematics_.turns_with(axis)) turning_ = static_cast<Mask>(turning_ | bit(axis));
   }
   all_ = static_cast<Mask>(linear_ | rotary_);
+  select_plane(plane_);
   for (std::size_t i = 0; i < origin_.size(); ++i) read_positions(setup.workpiece[i], "workpiece", origin_[i]);
   read_positions(setup.floating_reference, "reference.floating", reference_[0]);
   for (const auto& [number, table] : setup.reference)
@@ -136,20 +137,36 @@ void Interpreter::end_run(const StageEnd& end) {
 }
 
 Alarm Interpreter::run(const Words& words) {
-  // The usual block: positions and F, and nothing that waits for a block to come.
-  if (words.plain() && motion_ <= 10 && !along_tool() && !length_.pending()) [[likely]] {
-    set_feed(words);
-    if (tool_side_on()) {
-      if (!takes_edited_value()) return tool_side_move(words);
-    } else if (!cutter_active()) [[likely]]
-      return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
-    else if (!takes_edited_value())
+  // The usual block, and nothing that waits for a block to come.
+  if (words.plain() && !length_.pending()) [[likely]] {
+    const Code code = words.code(Words::kMotion);
+    const Code motion_after = code == kNone ? motion_ : code;
+    const bool straight = motion_after <= 10 && !words.has_any(kArcLetters);
+    if (along_tool()) {
+      if (tool_side_on() && motion_after <= 10 && (words.axes() & rotary_) == 0 && !takes_edited_value() &&
+          names_direction(words)) {
+        motion_ = motion_after;
+        set_feed(words);
+        return tool_side_move(words);
+      }
+    } else if (tool_side_on()) {
+      if (straight && !takes_edited_value()) {
+        motion_ = motion_after;
+        set_feed(words);
+        return tool_side_move(words);
+      }
+    } else if (!cutter_active()) {
+      if (straight) {
+        motion_ = motion_after;
+        set_feed(words);
+        return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false,
+                      std::nullopt);
+      }
+    } else if (!takes_edited_value() && (straight || (!is_b_ && makes_tool_arc(words) && is_usual_cutter_plane()))) {
+      motion_ = motion_after;
+      set_feed(words);
       return cutter_move(words);
-  }
-  if (words.directed() && motion_ <= 10 && along_tool() && tool_side_on() && !length_.pending() &&
-      (words.axes() & rotary_) == 0 && !takes_edited_value() && names_direction(words)) {
-    set_feed(words);
-    return tool_side_move(words);
+    }
   }
   Plan plan;
   if (const Alarm a = check(words, plan)) return a;
@@ -164,7 +181,7 @@ void Interpreter::set_feed(const Words& words) {
 // Everything is allowed but what depends on positions (arcs) and on the length offset, whose alarms come last.
 Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   motion_ = plan.motion;
-  if (const Code code = words.code(Words::kPlane); code != kNone) plane_ = plane_of(code);
+  if (const Code code = words.code(Words::kPlane); code != kNone) select_plane(plane_of(code));
   if (const Code code = words.code(Words::kDistance); code != kNone) incremental_ = code == 910;
   if (const Code code = words.code(Words::kUnits); code != kNone) {
     inch_program_ = code == 200;

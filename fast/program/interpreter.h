@@ -26,6 +26,9 @@
 
 namespace toolcomp::fast {
 
+// Letters that make an arc of a block under G02 or G03.
+inline constexpr std::uint32_t kArcLetters = Words::set_of("IJKR");
+
 // Everything the control knows while it runs a program. Positions are exact, in workpiece coordinates without offsets,
 // lengths in setup units, angles in degrees.
 class Interpreter {
@@ -92,8 +95,15 @@ class Interpreter {
   [[nodiscard]] Alarm place_word(const Words& words, std::size_t axis);
   [[nodiscard]] Alarm refresh();
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
+  void fill_tool_axis(Event& event) const;
   void fill_machine(Event& event) const;
-  [[nodiscard]] Count value(const spec::Decimal& word, bool linear, bool inch_program) const;
+  // A word in setup units.
+  [[nodiscard]] Count value(const spec::Decimal& word, bool linear, bool inch_program) const {
+    if (!counts_increments_ && inch_program == inch_setup_) [[likely]]
+      return Count::of(word);
+    return converted(word, linear, inch_program);
+  }
+  [[nodiscard]] Count converted(const spec::Decimal& word, bool linear, bool inch_program) const;
   [[nodiscard]] Count target(const Words& words, std::size_t axis) const;
   [[nodiscard]] Factor factor(bool inch_program) const;
   [[nodiscard]] spec::MoveType straight() const {
@@ -101,10 +111,18 @@ class Interpreter {
   }
 
   // arc_words.cpp
+  // G02 or G03 in force, and an axis word of the plane or a letter of an arc: anything else is straight.
+  [[nodiscard]] bool is_arc(const Words& words) const {
+    return motion_ > 10 && ((words.axes() & plane_axes_) != 0 || words.has_any(kArcLetters));
+  }
+  // Into an ArcWords or a CutterBlock.
+  template <class Arc>
+  void read_arc(const Words& words, Arc& arc) const;
   // Without `geometry` the arc has its centre, but neither sweep nor radii.
   [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
                                bool geometry) const;
   [[nodiscard]] std::array<std::size_t, 2> plane_axes(spec::Plane plane) const;
+  void select_plane(spec::Plane plane);
   [[nodiscard]] std::size_t normal_axis() const;
 
   // machine_moves.cpp: G53, G28, G30, G30.1, G29, G92, G54 to G59.
@@ -153,7 +171,12 @@ class Interpreter {
   }
   void begin_cutter(const Words& words);
   void start_cutter_leg(const Words& words, CutterSide word, bool d_word);
+  // The plane has both its axes, and G45 to G48 have shifted none.
+  [[nodiscard]] bool is_usual_cutter_plane() const {
+    return plane_axis_[0] != spec::Axes::kNone && plane_axis_[1] != spec::Axes::kNone && tool_offset_.live() == 0;
+  }
   [[nodiscard]] Alarm cutter_move(const Words& words);
+  [[nodiscard]] Alarm read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const;
   void retire_cutter();
   [[nodiscard]] Alarm corner_direction(const Words& words, CutterBlock& block) const;
   [[nodiscard]] Alarm cutter_motion(const Words& words, Code one_shot, bool extra,
@@ -224,6 +247,8 @@ class Interpreter {
   // Modal state.
   Code motion_ = 0;
   spec::Plane plane_ = spec::Plane::xy;
+  std::array<std::size_t, 2> plane_axis_{};  // of plane_
+  Mask plane_axes_ = 0;                      // those of them that are there
   bool incremental_ = false;
   bool inch_program_;
   bool plain_words_ = true;  // a word counts as written: no conversion, no least increments
@@ -292,6 +317,17 @@ constexpr char direction_letter(spec::Plane plane, std::size_t i) {
 
 // The mask of one axis.
 constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
+
+template <class Arc>
+void Interpreter::read_arc(const Words& words, Arc& arc) const {
+  arc.clockwise = motion_ == 20;
+  arc.by_radius = words.has('R');
+  for (std::size_t i = 0; i < 2; ++i) {
+    const char letter = direction_letter(plane_, i);
+    arc.to_center[i] = words.has(letter) ? value(words[letter], true, inch_program_) : Count();
+  }
+  arc.radius = arc.by_radius ? value(words['R'], true, inch_program_) : Count();
+}
 
 // The usual word without a detour: a position of at most six places, as it is written, with an offset of as many.
 inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {

@@ -11,7 +11,7 @@ Factor Interpreter::factor(bool inch_program) const {
   return inch_program ? Factor::inch_to_mm : Factor::mm_to_inch;
 }
 
-Count Interpreter::value(const spec::Decimal& word, bool linear, bool inch_program) const {
+Count Interpreter::converted(const spec::Decimal& word, bool linear, bool inch_program) const {
   int places = 0;
   if (counts_increments_ && !word.point)
     places = increment_places_ + (linear && inch_program && !fault(Fault::inch_increment) ? 1 : 0);
@@ -71,14 +71,17 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
     event.feed.reset();
   else
     event.feed = feed_;
-  const bool along = along_tool();
-  if (!along && !kinematics_.defined()) {
+  if (!along_tool() && !kinematics_.defined())
     event.tool_axis.reset();
-    return;
-  }
+  else
+    fill_tool_axis(event);
+}
+
+// The direction of the tool, and under G43.5 its length along it.
+void Interpreter::fill_tool_axis(Event& event) const {
   const Eigen::Vector3d& unit = directions_[direction_].unit;
   event.tool_axis.emplace(std::array<double, 3>{unit[0] + 0.0, unit[1] + 0.0, unit[2] + 0.0});  // never -0
-  if (!along) return;
+  if (!along_tool()) return;
   fill_machine(event);
   const double length = length_.length().nearest();
   for (std::size_t i = 0; i < 3; ++i) {

@@ -22,7 +22,7 @@ Alarm Interpreter::plan_tool_offset(const Words& words, const ArcWords& arc_word
 
   if (arc) {
     if (arc_words.by_radius) return alarm::kToolOffsetArc;
-    const std::array<std::size_t, 2> axis = plane_axes(plane_);
+    const std::array<std::size_t, 2>& axis = plane_axis_;
     std::array<Count, 2> travel;
     for (std::size_t i = 0; i < 2; ++i)
       if (axis[i] != spec::Axes::kNone && (words.axes() & bit(axis[i])) != 0)

@@ -43,10 +43,8 @@ class Words {
   [[nodiscard]] const spec::Decimal& operator[](char letter) const {
     return *value_[static_cast<std::size_t>(letter - 'A')];
   }
-  // Only axis words and F: nothing of the modal state changes but the feed.
-  [[nodiscard]] bool plain() const { return plain_ && !has_any(set_of("IJK")); }
-  // Only axis words, I J K and F.
-  [[nodiscard]] bool directed() const { return plain_; }
+  // Only positions, F, G00 to G03, I J K and R: nothing of the modal state changes but feed and group 01.
+  [[nodiscard]] bool plain() const { return plain_; }
   // Bit i: axis i of the setup has a position. In a block with G04 or G10 axis letters and I J K are data of that code:
   // there the block has none of them.
   [[nodiscard]] std::uint16_t axes() const { return axes_; }
@@ -77,7 +75,7 @@ class Words {
   std::uint32_t letters_ = 0;
   std::uint16_t axes_ = 0;
   bool any_ = false;
-  bool plain_ = true;  // only axis words, I J K and F
+  bool plain_ = true;
   bool unsupported_ = false;
   bool stop_ = false;
   bool end_ = false;

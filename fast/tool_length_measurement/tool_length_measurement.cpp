@@ -56,13 +56,13 @@ ToolLengthMeasurement::Motion ToolLengthMeasurement::measure(std::size_t axis, c
   if (touch_[axis]) {
     Count touch = ahead(*touch_[axis] - (fault(Fault::signal_without_offset) ? Count() : offset));
     if (touch < at) touch = at;
-    reached = !(zone_ < touch);
+    reached = fault(Fault::zone_end_excluded) ? touch < zone_ : !(zone_ < touch);
     if (reached) end = touch;
   }
   motion.measures = at < end;
   motion.end = coordinate(end);
   motion.difference = motion.end - commanded;
-  const bool early = end < -zone_;
+  const bool early = fault(Fault::zone_start_excluded) ? !(-zone_ < end) : end < -zone_;
   if (!reached || early) motion.alarm = alarm::kNoSignal;
   return motion;
 }

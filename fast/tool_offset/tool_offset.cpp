@@ -46,7 +46,8 @@ Alarm ToolOffset::arc(const std::array<Count, 2>& travel, const std::array<Count
       to_center[across].is_zero() && travel[arc.along] == center && magnitude(travel[across]) == radius;
   if (!quarter && !fault(Fault::any_arc_is_offset)) return alarm::kToolOffsetArc;
   const Count offset_radius = radius + increase;
-  if (offset_radius < Count()) return alarm::kArcCenter;
+  if (offset_radius < Count() || (fault(Fault::zero_radius_refused) && offset_radius.is_zero()))
+    return alarm::kArcCenter;
   arc.zero = offset_radius.is_zero();
   arc.to_center = center < Count() ? -offset_radius : offset_radius;
   if (fault(Fault::center_not_offset)) arc.to_center = center;

@@ -78,8 +78,12 @@ void set_line_path(PlanePath& path, const Travel& travel, const std::array<std::
   path.center_in_end = false;
   path.seen = false;
   path.fine_units = travel.fine_units;
-  path.unit = travel.unit;
   path.start = whole_heading({travel.whole[in[0]], travel.whole[in[1]]});
+}
+
+// A vector of the plane of a corner with an arc.
+Vector3<double> in_space(const SideCorner& corner, const Vector2<double>& v) {
+  return corner.across * v.x + corner.up * v.y;
 }
 
 }  // namespace
@@ -99,7 +103,6 @@ bool SideGeometry::set_turn(SideCorner& corner) const {
   corner.aligned = plane.along(arc.normal);
   Corner& flat = corner.plane;
   flat.offset = corner.offset;
-  flat.r = corner.r;
   if (corner.aligned) {
     set_aligned(corner, arc);
   } else {
@@ -164,10 +167,7 @@ void SideGeometry::set_tilted(SideCorner& corner, const ToolPlane& plane) const 
   if (corner.second == nullptr || std::abs(c.hi) <= kTie) c = {};
   if (std::abs(k.hi) <= kTie) k = {};
   Corner& flat = corner.plane;
-  flat.turn.cross = c.hi > 0 ? 1 : (c.hi < 0 ? -1 : 0);
-  flat.turn.dot = k.hi > 0 ? 1 : (k.hi < 0 ? -1 : 0);
-  flat.turn.c = c.hi;
-  flat.turn.k = k.hi;
+  flat.turn = {c.hi, k.hi, 1};
   const auto set_heading = [](Heading& heading, const DoubleDouble& x, const DoubleDouble& y) {
     heading.exact = false;
     heading.seen = true;
@@ -194,12 +194,16 @@ void SideGeometry::set_tilted(SideCorner& corner, const ToolPlane& plane) const 
   flat.next = &corner.heading[1];
 }
 
+bool SideGeometry::paths_meet(const SideCorner& corner, HeadKind kind, Vector3<double>& vector) {
+  Vector2<double> meeting;
+  if (!offset_paths_meet(corner.plane, kind, meeting)) return false;
+  vector = in_space(corner, meeting);
+  return true;
+}
+
 Vector3<double> SideGeometry::vector(const SideCorner& corner, HeadKind kind) const {
   if (kind == HeadKind::zero) return {};
-  if (corner.flat) {
-    const Vector2<double> v = head_vector(corner.plane, kind);
-    return corner.across * v.x + corner.up * v.y;
-  }
+  if (corner.flat) return in_space(corner, head_vector(corner.plane, kind));
   if (is_ill(corner, kind)) return nearest(fine_vector(corner, kind));
   const SpaceTurn& turn = corner.turn;
   Numbers<double> n;
@@ -209,9 +213,9 @@ Vector3<double> SideGeometry::vector(const SideCorner& corner, HeadKind kind) co
   n.ahead2 = turn.ahead2;
   n.c = turn.c;
   n.k = turn.k;
-  n.r = corner.r;
-  n.rho1 = of(corner.first_side, corner.r);
-  n.rho2 = of(corner.second_side, corner.r);
+  n.r = corner.offset->nearest;
+  n.rho1 = of(corner.first_side, n.r);
+  n.rho2 = of(corner.second_side, n.r);
   return line_vector(n, kind);
 }
 
@@ -237,14 +241,14 @@ Vector3<DoubleDouble> SideGeometry::fine_vector(const SideCorner& corner, HeadKi
   n.ahead2 = turn.ahead2;
   n.c = corner.turn.cross == 0 ? DoubleDouble{} : turn.c;
   n.k = corner.turn.dot == 0 ? DoubleDouble{} : turn.k;
-  n.r = fine_value(*corner.offset);
+  n.r = fine_value(corner.offset->exact);
   n.rho1 = signed_by(corner.first_side, n.r);
   n.rho2 = signed_by(corner.second_side, n.r);
   return line_vector(n, kind);
 }
 
 int SideGeometry::offset_radius_sign(const SidePath& path, bool at_end, const Direction& tool, int side,
-                                     const Count& offset) const {
+                                     const Amount& offset) const {
   if (!path.arc) return 1;
   const ToolPlane plane(kinematics_, tool);
   if (plane.along(path.normal))

@@ -22,8 +22,7 @@ struct SidePath {
   std::size_t normal = 2;           // and the third one
   Direction tool;                   // at the end of the block
   int side = 1;                     // +1: the tool is left of the path
-  Count offset;                     // |d|
-  double r = 0;
+  Amount offset;
 };
 
 // Two blocks and the plane they are seen in; `second` is nullptr at the end of a path without a next block.
@@ -33,9 +32,8 @@ struct SideCorner {
   const Direction* tool = nullptr;
   int first_side = 1;
   int second_side = 1;
-  const Count* offset = nullptr;  // r >= 0
-  double r = 0;
-  SpaceTurn turn;  // of lines
+  const Amount* offset = nullptr;  // r
+  SpaceTurn turn;                  // of lines
   // With an arc: the corner in plane coordinates, where `across` and `up` span the plane, `up` to the left of `across`
   // seen from the tool.
   bool flat = false;
@@ -58,23 +56,27 @@ class SideGeometry {
   [[nodiscard]] bool set_turn(SideCorner& corner) const;
   // The signs of sine and cosine of the turn, counted to the left seen from the tool.
   static int cross(const SideCorner& corner) {
-    return corner.flat ? corner.facing * corner.plane.turn.cross : corner.turn.cross;
+    return corner.flat ? corner.facing * sign_of(corner.plane.turn.c) : corner.turn.cross;
   }
-  static int along(const SideCorner& corner) { return corner.flat ? corner.plane.turn.dot : corner.turn.dot; }
+  static int along(const SideCorner& corner) { return corner.flat ? sign_of(corner.plane.turn.k) : corner.turn.dot; }
 
-  // The vector, from the corner, setup units.
+  // The vector, from the corner, setup units; with an arc, of kinds other than paths_meet and paths_cross.
   [[nodiscard]] Vector3<double> vector(const SideCorner& corner, HeadKind kind) const;
+  // The vector of those kinds, with an arc; false where the offset paths have no common point.
+  static bool paths_meet(const SideCorner& corner, HeadKind kind, Vector3<double>& vector);
+  // The same to about 90 bits, of any kind.
   [[nodiscard]] Vector3<DoubleDouble> fine_vector(const SideCorner& corner, HeadKind kind) const;
 
   // A sign of (radius of the offset circle of an arc at one end) in the plane of `tool`; 1 for a line.
   [[nodiscard]] int offset_radius_sign(const SidePath& path, bool at_end, const Direction& tool, int side,
-                                       const Count& offset) const;
+                                       const Amount& offset) const;
   // Of two lines: whether an acute corner is under 1 degree.
   [[nodiscard]] bool is_under_one_degree(const SideCorner& corner) const;
   [[nodiscard]] ToolPlane plane(const Direction& tool) const { return {kinematics_, tool}; }
   [[nodiscard]] const Kinematics& kinematics() const { return kinematics_; }
 
  private:
+  static int sign_of(double value) { return static_cast<int>(value > 0) - static_cast<int>(value < 0); }
   // One block at a corner, in the plane of the tool there: unit tangent, its left normal, and the radius of an arc.
   struct FineLeg {
     Vector3<DoubleDouble> ahead;

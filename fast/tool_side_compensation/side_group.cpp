@@ -62,6 +62,14 @@ void SideGroups::add_outer(SideGroup& group) const {
   add(group, HeadKind::second_extended);
 }
 
+bool SideGroups::set_meeting(SideGroup& group, HeadKind kind) {
+  Vector3<double> vector;
+  if (!SideGeometry::paths_meet(group.corner, kind, vector)) return false;
+  group.size = 1;
+  group.head[0] = {vector, kind};
+  return true;
+}
+
 bool SideGroups::make_ordinary(SideGroup& group) const {
   const SideCorner& corner = group.corner;
   if (is_straight(corner)) {
@@ -78,9 +86,7 @@ bool SideGroups::make_ordinary(SideGroup& group) const {
       set(group, HeadKind::first_normal);
       return true;
     }
-    if (!offset_paths_meet(corner.plane, HeadKind::paths_meet)) return false;
-    set(group, HeadKind::paths_meet);
-    return true;
+    return set_meeting(group, HeadKind::paths_meet);
   }
   group.size = 0;
   if (first_is_arc(corner)) add(group, HeadKind::first_normal);
@@ -116,10 +122,12 @@ void SideGroups::make_cancel(SideGroup& group) const {
 // Where the paths have no point in common the perpendicular vector of the latter one.
 void SideGroups::make_side_change(SideGroup& group) const {
   const SideCorner& corner = group.corner;
-  const bool meets =
-      SideGeometry::cross(corner) != 0 &&
-      (!corner.flat || (offset_circles_exist(corner) && offset_paths_meet(corner.plane, HeadKind::paths_cross)));
-  set(group, meets ? HeadKind::paths_cross : HeadKind::second_normal);
+  if (SideGeometry::cross(corner) == 0)
+    set(group, HeadKind::second_normal);
+  else if (!corner.flat)
+    set(group, HeadKind::paths_cross);
+  else if (!offset_circles_exist(corner) || !set_meeting(group, HeadKind::paths_cross))
+    set(group, HeadKind::second_normal);
 }
 
 // |a - b| <= limit; what double-double cannot tell is taken for equal.
@@ -127,7 +135,7 @@ bool SideGroups::is_within(const SideGroup& group, std::size_t a, std::size_t b)
   const Vector3<double> difference = group.head[a].vector - group.head[b].vector;
   const double distance = std::sqrt(dot(difference, difference));
   const double over = distance - parameters_.small_value;
-  const double scale = 4 * group.corner.r + parameters_.small_value;
+  const double scale = 4 * group.corner.offset->nearest + parameters_.small_value;
   if (std::abs(over) > 0x1p-42 * scale) return over < 0;
   const Vector3<DoubleDouble> refined = fine(group, a) - fine(group, b);
   const DoubleDouble limit = to_double_double(parameters_.small.units()) / to_double_double(Count::kRestPerOne);
@@ -152,7 +160,7 @@ void SideGroups::drop_small_movements(SideGroup& group) const {
 
 bool SideGroups::make(SideGroup& group, CornerRule rule, Treatment treatment) const {
   const SideCorner& corner = group.corner;
-  if (corner.r == 0) {
+  if (corner.offset->nearest == 0) {
     group.clear();
     return true;
   }

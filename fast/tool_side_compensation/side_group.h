@@ -88,6 +88,8 @@ class SideGroups {
   void add(SideGroup& group, HeadKind kind) const {
     group.head[group.size++] = {geometry_.vector(group.corner, kind), kind};
   }
+  // With an arc: the vector where the offset paths meet. False where they do not.
+  [[nodiscard]] static bool set_meeting(SideGroup& group, HeadKind kind);
   void add_outer(SideGroup& group) const;
   [[nodiscard]] bool make_ordinary(SideGroup& group) const;
   void make_start_up(SideGroup& group) const;

@@ -32,17 +32,17 @@ bool line_interferes(const SideGroups& groups, const SidePath& path, const SideG
   return refined.hi < -0x1p-88 * steep * (turn.length1 + size);
 }
 
-bool arc_interferes(const SideGroups& groups, const CheckedSide& block, const ToolArc& arc) {
+bool arc_interferes(const SideGroups& groups, const CheckedSide& block, const std::optional<double>& sweep) {
   const SidePath& path = *block.path;
   const SideGeometry& geometry = groups.geometry();
   const int start = geometry.offset_radius_sign(path, false, *block.start_tool, block.start_side, *block.start_offset);
   if (start < 0) return true;
   const int end = geometry.offset_radius_sign(path, true, path.tool, path.side, path.offset);
   if (end < 0) return true;
-  if (start == 0 || end == 0 || !arc.sweep) return false;
+  if (start == 0 || end == 0 || !sweep) return false;
   // Both up to 180 degrees, or both over it, never differ by more.
-  if ((*arc.sweep > 180) == path.flat.over_half) return false;
-  return std::abs(*arc.sweep - programmed_sweep(path.flat)) > 180 + kEqualAngle;
+  if ((*sweep > 180) == path.flat.over_half) return false;
+  return std::abs(*sweep - programmed_sweep(path.flat)) > 180 + kEqualAngle;
 }
 
 Vector2<double> seen(const SidePath& path, const Vector3<double>& v) { return {v[path.in[0]], v[path.in[1]]}; }
@@ -53,14 +53,14 @@ Radii compare_radii(const SidePath& path, const SideGroup& start, const SideGrou
   const bool cornered = start.corner.second == &path && !start.back().kept && start.corner.flat &&
                         start.corner.aligned && end.corner.first == &path && end.corner.flat && end.corner.aligned &&
                         start.corner.facing == end.corner.facing;
-  if (!cornered || !(*start.corner.offset == path.offset) || start.corner.second_side != path.side)
+  if (!cornered || !(start.corner.offset->exact == path.offset.exact) || start.corner.second_side != path.side)
     return Radii::unknown;
   const HeadKind first = start.back().kind;
   const HeadKind last = end.front().kind;
   const auto meets = [](HeadKind kind) { return kind == HeadKind::paths_meet || kind == HeadKind::paths_cross; };
   const Turn& turn = start.corner.plane.turn;
-  const bool tangent = first == HeadKind::first_normal && turn.cross == 0 &&
-                       (turn.dot > 0) == (start.corner.first_side == start.corner.second_side);
+  const bool tangent = first == HeadKind::first_normal && turn.c == 0 &&
+                       (turn.k > 0) == (start.corner.first_side == start.corner.second_side);
   const bool on_start = meets(first) || first == HeadKind::second_normal || tangent;
   const bool on_end = meets(last) || last == HeadKind::first_normal;
   if (!on_start || !on_end || path.flat.spiral) return Radii::unknown;
@@ -79,13 +79,13 @@ bool radii_agree(const SideGroups& groups, const SidePath& path, const SideGroup
   };
   const DoubleDouble a = square(false, groups.fine(start, start.size - 1U));
   const DoubleDouble b = square(true, groups.fine(end, 0));
-  const double size = path.flat.radius_start + path.flat.radius_end + path.r;
+  const double size = path.flat.radius_start + path.flat.radius_end + path.offset.nearest;
   return std::abs((a - b).hi) <= 0x1p-80 * size * size;
 }
 
 }  // namespace
 
-Interference check_interference(const SideGroups& groups, const CheckedSide& block, const ToolArc& tool,
+Interference check_interference(const SideGroups& groups, const CheckedSide& block, const std::optional<double>& sweep,
                                 SideGroup& start, SideGroup& end) {
   const SidePath& path = *block.path;
   if (start.size == 1 && end.size == 1 && !path.arc) [[likely]]
@@ -101,7 +101,8 @@ Interference check_interference(const SideGroups& groups, const CheckedSide& blo
     const std::size_t v = m > q ? m - q - 1 : 0;
     const std::size_t w = std::min(q, n - 1);
     // Only the first pair is tested as an arc.
-    const bool interferes = arc ? arc_interferes(groups, block, tool) : line_interferes(groups, path, start, v, end, w);
+    const bool interferes =
+        arc ? arc_interferes(groups, block, sweep) : line_interferes(groups, path, start, v, end, w);
     if (!interferes) break;
     if (q + 1 == pairs) return Interference::alarm;
     if (arc) result = Interference::straightened;
@@ -114,19 +115,20 @@ Interference check_interference(const SideGroups& groups, const CheckedSide& blo
   return result;
 }
 
-ToolArc tool_arc(const SideGroups& groups, const SidePath& path, const SideGroup& start, const SideGroup& end) {
+void set_tool_arc(spec::Arc<double>& arc, const SideGroups& groups, const SidePath& path, const SideGroup& start,
+                  const SideGroup& end) {
   Radii radii = compare_radii(path, start, end);
   const Vector2<double> v = seen(path, start.back().vector);
   const Vector2<double> w = seen(path, end.front().vector);
   if (radii == Radii::unknown) {
     const double difference = length(path.flat.from_center_start + v) - length(path.flat.from_center_end + w);
-    const double size = path.flat.radius_start + path.flat.radius_end + path.r;
+    const double size = path.flat.radius_start + path.flat.radius_end + path.offset.nearest;
     if (std::abs(difference) <= 0x1p-36 * size)
       radii = radii_agree(groups, path, start, end) ? Radii::agree : Radii::differ;
     else
       radii = Radii::differ;
   }
-  return tool_arc(path.flat, v, w, radii);
+  set_tool_arc(arc, path.flat, v, w, radii);
 }
 
 }  // namespace toolcomp::fast

@@ -11,15 +11,16 @@ struct CheckedSide {
   const SidePath* path = nullptr;
   const Direction* start_tool = nullptr;  // of the corner at its start; where there is none, of its end
   int start_side = 1;
-  const Count* start_offset = nullptr;  // >= 0
+  const Amount* start_offset = nullptr;
 };
 
 // Drops the vectors that interfere from the end of `start` and the beginning of `end`; where the answer is an alarm it
-// drops none. `tool`: of an arc, that between the last of `start` and the first of `end`.
-Interference check_interference(const SideGroups& groups, const CheckedSide& block, const ToolArc& tool,
+// drops none. `sweep`: of an arc, the tool's own, between the last of `start` and the first of `end`.
+Interference check_interference(const SideGroups& groups, const CheckedSide& block, const std::optional<double>& sweep,
                                 SideGroup& start, SideGroup& end);
 
-// The tool's own arc, in the selected plane.
-ToolArc tool_arc(const SideGroups& groups, const SidePath& path, const SideGroup& start, const SideGroup& end);
+// Sweep and radii of the tool's own arc, in the selected plane.
+void set_tool_arc(spec::Arc<double>& arc, const SideGroups& groups, const SidePath& path, const SideGroup& start,
+                  const SideGroup& end);
 
 }  // namespace toolcomp::fast

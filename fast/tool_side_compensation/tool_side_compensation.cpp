@@ -38,8 +38,8 @@ void copy(const Direction& from, Direction& to) {
       to.angle[i] = from.angle[i];
 }
 
-// Centre, sweep and radii of the event; plane and direction stand in it.
-void set_arc_numbers(ToolSideBlock& block, const PlanePath& path, const ToolArc& tool) {
+// The centre of the event; plane and direction stand in it.
+void set_center(ToolSideBlock& block, const PlanePath& path) {
   spec::Arc<double>& arc = *block.event.arc;
   const std::array<double, 2> from_center{path.from_center_start.x, path.from_center_start.y};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -47,8 +47,6 @@ void set_arc_numbers(ToolSideBlock& block, const PlanePath& path, const ToolArc&
     arc.center.set(block.axis[i], block.by_radius ? block.start[i].nearest() - from_center[i]
                                                   : Count::nearest_sum(block.start[i], block.to_center[i]));
   }
-  arc.sweep = tool.sweep;
-  arc.radius = tool.radius;
 }
 
 spec::MoveType straight(spec::MoveType type) {
@@ -75,12 +73,8 @@ void ToolSideCompensation::set_path(SidePath& to, const ToolSideBlock& block) {
   }
   to.tool = *block.tool;
   to.side = fault(Fault::side_handedness) ? -block.side : block.side;
-  if (!(block.offset == value_)) {
-    value_ = block.offset;
-    r_ = value_.nearest();
-  }
+  if (!(block.offset == value_.exact)) value_ = {block.offset, block.offset.nearest()};
   to.offset = value_;
-  to.r = r_;
 }
 
 // Asked once: behind a block whose end vector is to be made in the plane there, else in the plane of its own end.
@@ -121,7 +115,8 @@ StageEnd ToolSideCompensation::block() {
     if (block.arc) {
       PlanePath& path = paths_[0].flat;  // no corner refers to any
       set_arc_path(path, block);
-      set_arc_numbers(block, path, programmed_arc(path));
+      set_center(block, path);
+      set_programmed_arc(*block.event.arc, path);
     }
     send(block, {}, block.own);
     return {};
@@ -134,7 +129,7 @@ StageEnd ToolSideCompensation::block() {
     repeated_ = false;
     start_tool_ = *block.tool;
     start_side_ = fault(Fault::side_handedness) ? -block.side : block.side;
-    start_offset_ = block.offset;
+    start_offset_ = {block.offset, block.offset.nearest()};
     hold();
     return {};
   }
@@ -181,8 +176,7 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   corner.tool = &start_tool_;
   corner.first_side = corner.second_side = start_side_;
   corner.offset = &start_offset_;
-  corner.r = start_offset_.nearest();
-  if (corner.r == 0) {
+  if (start_offset_.nearest == 0) {
     group.clear();
   } else {
     (void)geometry_.set_turn(corner);
@@ -203,9 +197,9 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
 bool ToolSideCompensation::next_line(ToolSideBlock& block) {
   if (mode_ != Mode::on || held_ != Held::path || !block.wanted || block.arc || block.travel.zero || starts_up_ ||
       after_start_ || repeated_ || block.repeated || treatment_ != Treatment::none || parameters_.no_interference ||
-      last_->arc || waits_ != 0 || !(block.offset == value_) || !(last_->offset == value_) || r_ == 0 ||
-      fault(Fault::side_handedness) || fault(Fault::side_tool_at_start) || fault(Fault::side_turned_tool) ||
-      fault(Fault::side_limit_by_length))
+      last_->arc || waits_ != 0 || !(block.offset == value_.exact) || !(last_->offset.exact == value_.exact) ||
+      value_.nearest == 0 || fault(Fault::side_handedness) || fault(Fault::side_tool_at_start) ||
+      fault(Fault::side_turned_tool) || fault(Fault::side_limit_by_length))
     return false;
   SideGroup& start = at_start();
   if (start.size != 1 || block.side != last_->side) return false;
@@ -219,7 +213,7 @@ bool ToolSideCompensation::next_line(ToolSideBlock& block) {
   // Inner corners, but near a reversal, and obtuse ones.
   if (turn.dot <= 0 && (side * turn.cross <= 0 || turn.k < -0.99)) return false;
   const double along = turn.dot >= 0 ? turn.c / (1 + turn.k) : (1 - turn.k) / turn.c;
-  const double rho = side > 0 ? r_ : -r_;
+  const double rho = side > 0 ? value_.nearest : -value_.nearest;
   const Vector3<double> vector = (turn.left1 - turn.ahead1 * along) * rho;
   const Vector3<double> from = start.front().vector;
   const double product = turn.length1 + dot(turn.ahead1, vector - from);
@@ -234,14 +228,12 @@ bool ToolSideCompensation::next_line(ToolSideBlock& block) {
   to.arc = false;
   to.side = side;
   to.offset = value_;
-  to.r = r_;
 
   corner.first = last_;
   corner.second = &to;
   corner.tool = &last_->tool;
   corner.first_side = corner.second_side = side;
   corner.offset = &last_->offset;
-  corner.r = r_;
   corner.flat = false;
   // Field by field: a head put together on the stack would have to be waited for.
   SideHead& head = end.head[0];
@@ -340,7 +332,6 @@ void ToolSideCompensation::set_corner(SideCorner& corner, const SidePath* second
   corner.first_side = last_->side;
   corner.second_side = second == nullptr ? last_->side : second->side;
   corner.offset = &last_->offset;
-  corner.r = last_->r;
 }
 
 StageEnd ToolSideCompensation::join(const SidePath& to, CornerRule rule) {
@@ -348,8 +339,9 @@ StageEnd ToolSideCompensation::join(const SidePath& to, CornerRule rule) {
   set_corner(group.corner, &to);
   (void)geometry_.set_turn(group.corner);
   if (!make_.make(group, rule, treatment_)) return at_fault(held(waits_), alarm::kNoIntersection);
-  const bool plane_change = rule == CornerRule::ordinary && treatment_ == Treatment::none && group.corner.r != 0 &&
-                            group.corner.first_side == group.corner.second_side && !parameters_.no_plane_change;
+  const bool plane_change = rule == CornerRule::ordinary && treatment_ == Treatment::none &&
+                            group.corner.offset->nearest != 0 && group.corner.first_side == group.corner.second_side &&
+                            !parameters_.no_plane_change;
   if (const StageEnd end = finish(plane_change, &to)) return end;
   group_ ^= 1U;
   return {};
@@ -363,16 +355,19 @@ StageEnd ToolSideCompensation::finish(bool plane_change, const SidePath* to) {
       dot_sign(kinematics, path.travel, path.tool, to->travel, to->tool) >= 0 &&
       dot_sign(kinematics, path.travel, path.tool, to->travel, path.tool) < 0)
     return at_fault(block, alarm::kPlaneChangeInterference);
-  bool arc = path.arc;
-  ToolArc tool;
-  if (arc) tool = tool_arc(make_, path, at_start(), at_end());
+  const bool arc = path.arc;
+  std::optional<double> sweep;
+  if (arc) {
+    set_center(block, path.flat);
+    set_tool_arc(*block.event.arc, make_, path, at_start(), at_end());
+    sweep = block.event.arc->sweep;
+  }
   if (!starts_up_ && !parameters_.no_interference) {
     const CheckedSide checked{&path, start_tool_of_path_, start_side_, &start_offset_};
-    switch (check_interference(make_, checked, tool, at_start(), at_end())) {
+    switch (check_interference(make_, checked, sweep, at_start(), at_end())) {
       case Interference::none:
         break;
       case Interference::straightened:
-        arc = false;
         block.event.type = spec::MoveType::linear;
         block.event.arc.reset();
         break;
@@ -381,7 +376,6 @@ StageEnd ToolSideCompensation::finish(bool plane_change, const SidePath* to) {
     }
   }
   pass_corner(&block);
-  if (arc) set_arc_numbers(block, path.flat, tool);
   if (at_end().size > 1) {
     corner_move_ = block.event;
     corner_move_.cause = spec::Cause::corner;
@@ -455,7 +449,7 @@ StageEnd ToolSideCompensation::release() {
   SideGroup& group = at_end();
   set_corner(group.corner, nullptr);
   (void)geometry_.set_turn(group.corner);
-  if (group.corner.r == 0)
+  if (group.corner.offset->nearest == 0)
     group.clear();
   else
     make_.set(group, HeadKind::first_normal);

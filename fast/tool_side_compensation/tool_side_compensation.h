@@ -131,10 +131,9 @@ class ToolSideCompensation {
   // Of the corner at its start; without one those of the path itself.
   const Direction* start_tool_of_path_ = nullptr;
   int start_side_ = 1;
-  Count start_offset_;
+  Amount start_offset_;
 
-  Count value_;  // the value that came last, and as a double
-  double r_ = 0;
+  Amount value_;       // the value that came last
   Event corner_move_;  // of the corner whose moves have not gone out: the block before it, without a vector
   Event notice_;
 };

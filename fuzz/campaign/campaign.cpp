@@ -84,7 +84,10 @@ class Job {
   void execute(spec::Case c) {
     Trial trial = try_case(c, subject_);
     add(result_, trial);
-    if (trial.found()) return record(std::move(c), *trial.verdict.difference);
+    if (trial.found()) {
+      record(std::move(c), *trial.verdict.difference);
+      return;
+    }
     bool fresh = false;
     for (const std::uint32_t feature : features(trial.run.recorder))
       if (!reached_[feature]) {
@@ -161,13 +164,14 @@ double CampaignResult::accepted_share() const {
   return executions == 0 ? 0 : static_cast<double>(acceptance[0]) / static_cast<double>(executions);
 }
 
-CampaignResult run_campaign(const CampaignOptions& given) {
-  const CampaignOptions options = completed(given);
+CampaignResult run_campaign(const CampaignOptions& options_given) {
+  const CampaignOptions options = completed(options_given);
   Shared shared(options);
   std::vector<CampaignResult> parts(options.jobs);
   std::vector<std::exception_ptr> failures(options.jobs);
   std::atomic<unsigned> running{options.jobs};
   std::vector<std::thread> threads;
+  threads.reserve(options.jobs);
   for (unsigned n = 0; n < options.jobs; ++n)
     threads.emplace_back([&, n] {
       const std::uint64_t runs = options.runs / options.jobs + (n < options.runs % options.jobs ? 1 : 0);

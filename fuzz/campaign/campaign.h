@@ -67,6 +67,6 @@ struct CampaignResult {
 
 // Runs until `seconds` are over or `runs` executions are done. With one job and `runs`, the same seed gives the same
 // result but for times. Throws std::invalid_argument for an unknown section.
-CampaignResult run_campaign(const CampaignOptions& options);
+CampaignResult run_campaign(const CampaignOptions& options_given);
 
 }  // namespace toolcomp::fuzz

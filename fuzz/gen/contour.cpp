@@ -98,7 +98,7 @@ std::int64_t Contour::length() {
 
 // Back along the path, turned by one degree to within a unit or so.
 PlaneCounts Contour::one_degree_back() {
-  const double long_way = static_cast<double>(choose_.between(20, 200) * one_);
+  const auto long_way = static_cast<double>(choose_.between(20, 200) * one_);
   const double scale = long_way / length_of(direction_);
   const double x = static_cast<double>(direction_.x) * scale;
   const double y = static_cast<double>(direction_.y) * scale;
@@ -150,7 +150,7 @@ void Contour::follow(const Segment& segment) {
     end = segment.clockwise ? right_of(out) : left_of(out);
   } else if (segment.kind == Segment::Kind::radius_arc) {
     const double chord = length_of(segment.travel);
-    const double r = static_cast<double>(magnitude(segment.radius));
+    const auto r = static_cast<double>(magnitude(segment.radius));
     // The end tangent is the chord turned by half the sweep.
     double half = chord > 0 ? std::asin(std::min(1.0, chord / (2 * r))) : 0;
     if (segment.radius < 0) half = std::acos(-1.0) - half;
@@ -355,8 +355,8 @@ Segments Contour::notch() {
   const PlaneCounts on = axis_direction();
   const PlaneCounts away = left() ? right_of(on) : left_of(on);
   const std::int64_t n = choose_.between(1, reach() + 1);
-  const std::int64_t forward = choose_.one_of<std::int64_t>({-3, -4, -1, 0, 1, 3});
-  const std::int64_t sideways = choose_.one_of<std::int64_t>({4, 3, 1});
+  const auto forward = choose_.one_of<std::int64_t>({-3, -4, -1, 0, 1, 3});
+  const auto sideways = choose_.one_of<std::int64_t>({4, 3, 1});
   Segments s;
   s.push_back(line_along(choose_.between(1, 12) * 5 * one_ * on));
   if (choose_.chance(30)) {

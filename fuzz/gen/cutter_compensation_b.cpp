@@ -8,30 +8,12 @@
 namespace toolcomp::fuzz {
 namespace {
 
-class CompensationB : CutterProgram {
+class CompensationB final : public CutterProgram {
  public:
-  CompensationB(Choices& choose, spec::Case& c) : CutterProgram(choose, c) {}
-
-  std::string program(std::uint32_t blocks_wanted) {
-    blocks_ = blocks_wanted;
-    preamble();
-    do {
-      cycle();
-    } while (write_.blocks() + 3 <= blocks_);
-    if (choose_.chance(10)) write_.word(choose_.one_of({"M30", "M02"})).end_block();
-    return write_.text();
-  }
+  using CutterProgram::CutterProgram;
 
  private:
-  void cycle() {
-    start_up();
-    do {
-      inside();
-    } while (write_.blocks() + 2 < blocks_);
-    if (choose_.chance(85)) cancel();
-  }
-
-  void start_up() {
+  void start_up() override {
     side_word(choose_.chance(60) ? 1 : -1);
     if (choose_.chance(92)) number();
     switch (choose_.weighted({60, 22, 8, 4, 4, 2})) {
@@ -68,7 +50,7 @@ class CompensationB : CutterProgram {
   // Mostly an arc that leaves along the path, which keeps the offset radial.
   void arc() { block(contour_.arc()); }
 
-  void inside() {
+  void inside() override {
     switch (choose_.weighted({26, 24, 14, 5, 8, 6, 6, 4, 3, 4})) {
       case 0:
         return straight(15);
@@ -124,7 +106,7 @@ class CompensationB : CutterProgram {
     block(contour_.movement());
   }
 
-  void cancel() {
+  void cancel() override {
     switch (choose_.weighted({55, 18, 5, 5, 5, 5, 7})) {
       case 0:
         write_.word("G40");
@@ -152,8 +134,6 @@ class CompensationB : CutterProgram {
         return choose_.chance(30) ? corner_arc() : void();
     }
   }
-
-  std::uint32_t blocks_ = 0;
 };
 
 }  // namespace
@@ -161,7 +141,7 @@ class CompensationB : CutterProgram {
 spec::Case cutter_compensation_b(Choices& choose, std::uint32_t blocks) {
   spec::Case c;
   c.setup = random_cutter_setup(choose, spec::CutterCompensationType::b);
-  c.program = CompensationB(choose, c).program(blocks);
+  c.program = CompensationB(choose, c).program(blocks, 85);
   return c;
 }
 

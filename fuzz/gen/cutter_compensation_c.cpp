@@ -8,30 +8,11 @@
 namespace toolcomp::fuzz {
 namespace {
 
-class CompensationC : CutterProgram {
+class CompensationC final : public CutterProgram {
  public:
-  CompensationC(Choices& choose, spec::Case& c) : CutterProgram(choose, c) {}
-
-  std::string program(std::uint32_t blocks_wanted) {
-    blocks_ = blocks_wanted;
-    preamble();
-    do {
-      cycle();
-    } while (write_.blocks() + 3 <= blocks_);
-    if (choose_.chance(10)) write_.word(choose_.one_of({"M30", "M02"})).end_block();
-    return write_.text();
-  }
+  using CutterProgram::CutterProgram;
 
  private:
-  void cycle() {
-    start_up();
-    // The last two blocks are left for the cancel.
-    do {
-      inside();
-    } while (write_.blocks() + 2 < blocks_);
-    if (choose_.chance(82)) cancel();
-  }
-
   void start_words() {
     side_word(choose_.chance(60) ? 1 : -1);
     if (choose_.chance(92)) number();
@@ -40,7 +21,7 @@ class CompensationC : CutterProgram {
   // A straight movement whose words are put behind those of the block.
   void straight() { block(contour_.line()); }
 
-  void start_up() {
+  void start_up() override {
     start_words();
     switch (choose_.weighted({72, 8, 5, 4, 3, 3, 3, 2})) {
       case 0:
@@ -75,7 +56,7 @@ class CompensationC : CutterProgram {
     }
   }
 
-  void inside() {
+  void inside() override {
     switch (choose_.weighted({38, 22, 6, 7, 7, 5, 4, 4, 3, 2, 2})) {
       case 0:
         return block(contour_.movement());
@@ -160,7 +141,7 @@ class CompensationC : CutterProgram {
     block(contour_.movement());
   }
 
-  void cancel() {
+  void cancel() override {
     switch (choose_.weighted({46, 14, 12, 8, 4, 4, 3, 5, 4})) {
       case 0:
         write_.word("G40");
@@ -200,8 +181,6 @@ class CompensationC : CutterProgram {
         return straight();
     }
   }
-
-  std::uint32_t blocks_ = 0;
 };
 
 }  // namespace
@@ -209,7 +188,7 @@ class CompensationC : CutterProgram {
 spec::Case cutter_compensation_c(Choices& choose, std::uint32_t blocks) {
   spec::Case c;
   c.setup = random_cutter_setup(choose, spec::CutterCompensationType::c);
-  c.program = CompensationC(choose, c).program(blocks);
+  c.program = CompensationC(choose, c).program(blocks, 82);
   return c;
 }
 

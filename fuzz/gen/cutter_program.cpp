@@ -9,6 +9,20 @@ namespace toolcomp::fuzz {
 CutterProgram::CutterProgram(Choices& choose, spec::Case& c)
     : choose_(choose), case_(c), write_(choose, c.setup), contour_(choose, write_.one()) {}
 
+std::string CutterProgram::program(std::uint32_t blocks, std::uint64_t cancels) {
+  preamble();
+  do {
+    start_up();
+    // The last two blocks are left for the cancel.
+    do {
+      inside();
+    } while (write_.blocks() + 2 < blocks);
+    if (choose_.chance(cancels)) cancel();
+  } while (write_.blocks() + 3 <= blocks);
+  if (choose_.chance(10)) write_.word(choose_.one_of({"M30", "M02"})).end_block();
+  return write_.text();
+}
+
 void CutterProgram::plane(std::size_t which) {
   constexpr std::string_view letters[] = {"XYZ", "ZXY", "YZX"};
   constexpr std::string_view centers[] = {"IJK", "KIJ", "JKI"};

@@ -8,12 +8,25 @@
 
 namespace toolcomp::fuzz {
 
-// Movements in a plane as blocks, offset numbers, and blocks that do not move in the plane.
+// Movements in a plane as blocks, offset numbers, and blocks that do not move in the plane; the types add how
+// compensation starts, what happens inside, and how it ends.
 class CutterProgram {
  public:
   CutterProgram(Choices& choose, spec::Case& c);
+  CutterProgram(const CutterProgram&) = delete;
+  CutterProgram& operator=(const CutterProgram&) = delete;
+
+  // Start-up, inside, cancel, again and again until about so many blocks are written. In `cancels` of a hundred cycles
+  // the compensation is cancelled; without a cancel the next cycle, or the end, finds it active.
+  std::string program(std::uint32_t blocks, std::uint64_t cancels);
 
  protected:
+  ~CutterProgram() = default;
+
+  virtual void start_up() = 0;
+  virtual void inside() = 0;
+  virtual void cancel() = 0;
+
   // Plane, mode, feed, where the program starts.
   void preamble();
 
@@ -23,7 +36,7 @@ class CutterProgram {
   void movement();
   // A movement and the end of its block; sometimes with a word that changes nothing for the compensation.
   void block(const Segment& s);
-  void blocks(const Segments& s);
+  void blocks(const Segments& all);
 
   // D (or H, where that counts too) with a number that has an entry; the contour takes its value.
   void number();

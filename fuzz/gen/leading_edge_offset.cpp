@@ -246,7 +246,7 @@ class LeadingEdge {
     if (kind == Kind::multiple && !tool_words_) kind = Kind::parallel;
     const bool turn = choose_.chance(20);
     if (turn && tool_words_ && kind != Kind::niven) direction();
-    const double one = static_cast<double>(write_.one());
+    const auto one = static_cast<double>(write_.one());
     const double length = one * static_cast<double>(choose_.between(1, 100));
     const Direction t = tool();
     Counts move{};
@@ -286,7 +286,7 @@ class LeadingEdge {
         break;
       }
       case Kind::multiple: {  // exactly along the tool, in numbers whose products no double holds
-        const std::int64_t factor = choose_.one_of<std::int64_t>({-3, -1, 1, 2, 7});
+        const auto factor = choose_.one_of<std::int64_t>({-3, -1, 1, 2, 7});
         for (std::size_t i = 0; i < 3; ++i) move[i] = tool_counts_[i] * factor;
         if (move == Counts{}) move[2] = write_.one();
         break;

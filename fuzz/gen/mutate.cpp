@@ -16,6 +16,11 @@ namespace {
 
 constexpr std::size_t kMostLines = 64;
 
+// Digits a word may grow to. A control's lengths have nine; far beyond, doubles are so far apart (0.016 at 1e14) that
+// the head of a vector cannot be told from the centre of its arc, and which of them it is would be judged, not the
+// rule.
+constexpr std::size_t kMostDigits = 10;
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // One digit of a word becomes another, or one is put in or taken out.
@@ -31,7 +36,7 @@ void change_digit(Choices& choose, std::string& word) {
       word[at] = digit;
       break;
     case 1:
-      word.insert(at, 1, digit);
+      if (places.size() < kMostDigits) word.insert(at, 1, digit);
       break;
     default:
       if (places.size() > 1) word.erase(at, 1);

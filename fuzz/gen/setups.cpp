@@ -99,7 +99,7 @@ Decimal small_angle(Choices& choose) { return decimal(choose.between(-90'000, 90
 
 // 19680–19699, orthogonal axes named after what they turn about, sometimes tilted.
 void machine(Choices& choose, Setup& setup, char first, char second) {
-  const std::int64_t type = choose.one_of<std::int64_t>({2, 2, 12, 21});
+  const auto type = choose.one_of<std::int64_t>({2, 2, 12, 21});
   set(setup, 19680, spec::decimal(type));
   set(setup, 19681, spec::decimal(axis_number(setup, first)));
   set(setup, 19682, spec::decimal(direction_code(first)));

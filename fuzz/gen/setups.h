@@ -9,7 +9,7 @@ namespace toolcomp::fuzz {
 enum class Kinematics : std::uint8_t { none, maybe, always };
 
 // Units, axes, memory with offsets, workpiece and reference points, parameters 3401, 5001, 19631 and the kinematics.
-spec::Setup random_setup(Choices& choose, Kinematics kinematics);
+spec::Setup random_setup(Choices& choose, Kinematics wanted);
 
 // For cutter compensation of one type: no rotary tool, XYZ among the axes, offsets that fit contours of some ten units,
 // parameters 5001, 5003, 5008, 5010.

@@ -4,6 +4,7 @@
 
 namespace toolcomp::fuzz {
 
+// As many digits as a number may have (15), but none of a length no control has (fuzz/gen/mutate.cpp).
 std::string boundary_number(Choices& choose) {
   return choose.one_of({"0",
                         "-0",
@@ -33,7 +34,7 @@ std::string boundary_number(Choices& choose) {
                         "999999.999",
                         "0.00000001",
                         "99999999",
-                        "123456789012345",
+                        "123456789.012345",
                         "1.00000000000001"});
 }
 

@@ -21,6 +21,8 @@ class Rules {
   [[nodiscard]] const spec::Axes& axes() const { return axes_; }
   // 0: the actual numbers are doubles.
   [[nodiscard]] double resolution() const { return resolution_; }
+  // Whether the other outcomes of a decision are permitted, with this relative half width of a near tie.
+  [[nodiscard]] bool is_near_tie(const model::Decision& decision, double band) const;
   [[nodiscard]] double um_per_unit() const { return um_per_unit_; }
 
  private:
@@ -28,6 +30,7 @@ class Rules {
   spec::Axes axes_;
   std::vector<std::string> fields_;
   double resolution_ = 0;
+  exact::Rational increment_ = 0;  // the same, exactly
   double um_per_unit_ = 0;
 };
 

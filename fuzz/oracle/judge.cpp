@@ -160,7 +160,7 @@ class Judge {
                               ? policy::controller_band(rules_.resolution(),
                                                         shortest_move(run.events, case_.setup.axes, decisions[i].line))
                               : policy::kDoubleBand;
-      if (margin(decisions[i]) <= band) result.push_back(i);
+      if (rules_.is_near_tie(decisions[i], band)) result.push_back(i);
     }
     return result;
   }
@@ -184,6 +184,20 @@ class Judge {
   static bool worth_following(const Difference& child, const Difference& parent) {
     if (child.event != parent.event) return child.event > parent.event;
     return child.kind != parent.kind || child.field != parent.field || child.expected != parent.expected;
+  }
+
+  // A rule may ask twice before anything shows: No. 5010 drops a vector that is short in both axes. So after a flip
+  // that changes nothing only the near ties of its own clause and block that come behind it are tried with it.
+  static void keep_questions_after(Node& child, const ModelRun& run, std::size_t flipped) {
+    const auto& all = run.recorder.decisions();
+    Node kept{child.forced, child.difference, {}, {}};
+    for (std::size_t d = 0; d < child.decisions.size(); ++d) {
+      const std::size_t i = child.decisions[d];
+      if (i <= flipped || all[i].clause != all[flipped].clause || all[i].line != all[flipped].line) continue;
+      kept.decisions.push_back(i);
+      kept.taken.push_back(child.taken[d]);
+    }
+    child = std::move(kept);
   }
 
   Verdict search(Verdict v, const ModelRun& run, Agreement first) {
@@ -210,8 +224,10 @@ class Judge {
             v.ties = forced.size();
             return agrees(v, a);
           }
-          if (worth_following(*a.difference, parent.difference))
-            open.push(node(*fork, std::move(forced), *std::move(a.difference)));
+          const bool changes = worth_following(*a.difference, parent.difference);
+          Node child = node(*fork, std::move(forced), *std::move(a.difference));
+          if (!changes) keep_questions_after(child, *fork, parent.decisions[d]);
+          if (!child.decisions.empty()) open.push(std::move(child));
         }
     }
     v.outcome = Outcome::differs;

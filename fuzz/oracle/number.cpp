@@ -52,6 +52,13 @@ std::string text(double actual) { return fmt::format("{}", actual); }
 
 std::string text(const exact::Rational& actual) { return text(exact::Real(actual)); }
 
+bool is_decimal(const exact::Rational& value) {
+  exact::Integer rest = denominator(value);
+  for (const int prime : {2, 5})
+    while (rest % prime == 0) rest /= prime;
+  return rest == 1;
+}
+
 std::optional<exact::Rational> parse_number(std::string_view text) {
   constexpr std::size_t max_length = 1000;
   constexpr int max_exponent = 400;

@@ -21,6 +21,9 @@ std::string text(const exact::Real& exact);
 std::string text(double actual);
 std::string text(const exact::Rational& actual);
 
+// Whether finitely many decimals write it.
+bool is_decimal(const exact::Rational& value);
+
 // A decimal number as JSON writes it ("-0.5", "1e-7"), exactly; nothing for other text and for exponents beyond ±400.
 std::optional<exact::Rational> parse_number(std::string_view text);
 

@@ -19,13 +19,19 @@
 //   a decision by sign                            as the exact sign; the other outcomes are permitted where
 //                                                 |quantity| <= band · scale and the model yields finite vectors for
 //                                                 them
+//   … where a clause compares sums of decimals    an exact tie goes as the clause says: no outcome but that one
+//   (kExactComparisons)                           (numbers finer than a controller's resolution excepted)
 //
 // No other tolerance exists in the repository.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string_view>
+
+#include "spec/clauses/clauses.h"
 
 namespace toolcomp::fuzz::policy {
 
@@ -82,6 +88,25 @@ inline double controller_band(double resolution, double shortest_move) {
   constexpr double radians_per_degree = 0.017453292519943295;
   const double direction = shortest_move > 0 ? 2 * resolution / shortest_move : 1;
   return std::fmin(1.0, kDoubleBand + 4 * (direction + resolution * radians_per_degree));
+}
+
+// Clauses whose two sides are sums of decimals of the program and the setup, without product, root or trigonometry. A
+// control compares them in whole numbers of its least increment, so nothing is rounded and an exact tie is no near tie:
+// the ends of a zone belong to it or do not, as the manual says, and a controller can be held to that. It holds where
+// the numbers of the comparison are whole multiples of the controller's resolution (in double: decimals at all, which
+// lengths converted from millimetres to inches are not); a coarser controller rounds them first.
+inline constexpr spec::Clause kExactComparisons[] = {
+    // Coordinate commanded, start, signal, offsets in force, and the lengths of 6251 and 6254.
+    spec::Clause::fanuc_length_measurement_rapid_part,
+    spec::Clause::fanuc_length_measurement_signal_from_the_start,
+    spec::Clause::fanuc_length_measurement_too_early,
+    spec::Clause::fanuc_length_measurement_too_late,
+    // I, J or K and once or twice the value of D.
+    spec::Clause::fanuc_tool_offset_arc_radius,
+};
+
+constexpr bool compares_exactly(spec::Clause clause) {
+  return std::find(std::begin(kExactComparisons), std::end(kExactComparisons), clause) != std::end(kExactComparisons);
 }
 
 // The oracle estimates condition numbers in double: its estimates are widened by this share, far above their rounding.

@@ -107,14 +107,14 @@ class Pass {
   void count(const model::Recorder& recorder) {
     verdict_.decisions += recorder.decision_count();
     for (const model::Decision& d : recorder.decisions())
-      if (margin(d) <= policy::kDoubleBand) ++verdict_.near_ties;
+      if (rules_.is_near_tie(d, policy::kDoubleBand)) ++verdict_.near_ties;
   }
 
   void collect(const model::Recorder& recorder, std::uint64_t epoch,
                std::vector<std::pair<Place, Sign>>& result) const {
     const auto& decisions = recorder.decisions();
     for (std::size_t i = decisions.size(); i-- > 0;)
-      if (!choices_.contains({epoch, i}) && margin(decisions[i]) <= policy::kDoubleBand)
+      if (!choices_.contains({epoch, i}) && rules_.is_near_tie(decisions[i], policy::kDoubleBand))
         result.emplace_back(Place{epoch, i}, decisions[i].outcome);
   }
 

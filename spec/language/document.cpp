@@ -44,7 +44,7 @@ std::string_view describe(Kind kind) {
   return "a date or time";
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kShown = 40;
   std::string shown = "\"";
   for (const char c : text.substr(0, kShown)) shown += c >= 0x20 && c < 0x7F ? c : '?';
@@ -81,7 +81,7 @@ Decimal Reader::decimal(const Node& node, std::string_view name) const {
     why = "has more than " + std::to_string(Decimal::kMaxDigits) + " digits";
   else if (node.kind == Kind::number && text.find_first_of("eE") != std::string_view::npos)
     why = "has an exponent; expected a plain decimal number such as 0.001";
-  fail(node.at, std::string(name) + ": " + quoted(text) + " " + why);
+  fail(node.at, std::string(name) + ": " + in_quotes(text) + " " + why);
 }
 
 std::uint64_t Reader::integer(const Node& node, std::string_view name, std::uint64_t least, std::uint64_t most) const {
@@ -89,7 +89,7 @@ std::uint64_t Reader::integer(const Node& node, std::string_view name, std::uint
   const std::optional<Decimal> value = parse_decimal(node.text);
   if (!value || value->point || value->negative || value->digits < least || value->digits > most)
     fail(node.at, std::string(name) + ": expected an integer from " + std::to_string(least) + " to " +
-                      std::to_string(most) + ", found " + quoted(node.text));
+                      std::to_string(most) + ", found " + in_quotes(node.text));
   return value->digits;
 }
 
@@ -106,7 +106,7 @@ std::size_t Reader::choice(const Node& node, std::string_view name,
   const std::string& text = string(node, name);
   const auto* const found = std::ranges::find(choices, std::string_view(text));
   if (found == choices.end())
-    fail(node.at, std::string(name) + ": unknown value " + quoted(text) + "; expected one of " + joined(choices));
+    fail(node.at, std::string(name) + ": unknown value " + in_quotes(text) + "; expected one of " + joined(choices));
   return static_cast<std::size_t>(found - choices.begin());
 }
 
@@ -115,7 +115,7 @@ void Reader::keys(const Node& node, std::string_view name, std::initializer_list
   for (const Member& member : node.members)
     if (std::ranges::find(known, std::string_view(member.name)) == known.end())
       fail(member.at,
-           std::string(name) + ": unknown key " + quoted(member.name) + "; expected one of " + joined(known));
+           std::string(name) + ": unknown key " + in_quotes(member.name) + "; expected one of " + joined(known));
 }
 
 }  // namespace toolcomp::spec::document

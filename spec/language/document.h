@@ -75,6 +75,6 @@ class Reader {
 // "a decimal number", "a string", … for messages.
 std::string_view describe(Kind kind);
 // The text in double quotes, shortened where it is long, for messages.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace toolcomp::spec::document

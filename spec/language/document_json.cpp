@@ -165,7 +165,7 @@ class Parser {
         std::ranges::adjacent_find(sorted, {}, [](const Member* m) { return std::string_view(m->name); });
     if (twice == sorted.end()) return;
     const Member& second = **std::next(twice);
-    throw InputError(file_, second.at.line, second.at.column, quoted(second.name) + " is given twice");
+    throw InputError(file_, second.at.line, second.at.column, in_quotes(second.name) + " is given twice");
   }
 
   std::string string() {

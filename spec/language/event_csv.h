@@ -1,5 +1,5 @@
-// Events as CSV (RFC 4180, lines end with a line feed): one row an event, one column a number. Nothing allocates but
-// the text itself.
+// Events as CSV (RFC 4180, lines end with a line feed): one row an event, one column a number. Of
+// moves, nothing allocates but the text itself.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +19,10 @@ void append_csv_text(std::string& out, std::string_view text);
 void append_csv_header(std::string& out, const Axes& axes);
 
 // Writes the columns of one event.
-template <class Number, class AppendNumber>
+template <class Text, class Number, class AppendNumber>
 class EventCsv {
  public:
-  EventCsv(std::string& out, const Axes& axes, const AppendNumber& append_number)
+  EventCsv(Text& out, const Axes& axes, const AppendNumber& append_number)
       : out_(out), axes_(axes), append_number_(append_number) {}
 
   void write(const Event<Number>& event) {
@@ -48,11 +48,11 @@ class EventCsv {
     arc(event.arc);
     if (event.feed) append_number_(out_, *event.feed);
     next();
-    append_csv_text(out_, event.number.view());
+    text(event.number.view());
     next();
-    append_csv_text(out_, event.message);
+    text(event.message);
     next();
-    append_csv_text(out_, event.setting.view());
+    text(event.setting.view());
     next();
     if (event.kind == EventKind::setting) append_number_(out_, event.value);
     next();
@@ -71,6 +71,13 @@ class EventCsv {
 
  private:
   void next() { out_ += ','; }
+
+  void text(std::string_view value) {
+    if (value.empty()) return;
+    std::string quoted;
+    append_csv_text(quoted, value);
+    out_.append(quoted);
+  }
 
   void values(const AxisValues<Number>& values, bool linear_only) {
     for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
@@ -94,16 +101,16 @@ class EventCsv {
     next();
   }
 
-  std::string& out_;
+  Text& out_;
   const Axes& axes_;
   const AppendNumber& append_number_;
 };
 
-// Appends the event as one row with its line feed; append_number(out, value) appends one number.
-template <class Number, class AppendNumber>
-void append_event_csv(std::string& out, const Event<Number>& event, const Axes& axes,
-                      const AppendNumber& append_number) {
-  EventCsv<Number, AppendNumber>(out, axes, append_number).write(event);
+// Appends the event to a std::string or TextCursor as one row with its line feed; append_number(out, value) appends one
+// number.
+template <class Text, class Number, class AppendNumber>
+void append_event_csv(Text& out, const Event<Number>& event, const Axes& axes, const AppendNumber& append_number) {
+  EventCsv<Text, Number, AppendNumber>(out, axes, append_number).write(event);
 }
 
 }  // namespace toolcomp::spec

@@ -1,5 +1,5 @@
-// The compensated path as a plain program: G00 G01 G02 G03 with axis words, all compensation worked in. Nothing
-// allocates but the text itself.
+// The compensated path as a plain program: G00 G01 G02 G03 with axis words, all compensation worked in. Of
+// moves, nothing allocates but the text itself.
 #pragma once
 
 #include <array>
@@ -26,10 +26,10 @@ struct GcodeState {
 };
 
 // Writes one event as one line.
-template <class Number, class AppendNumber>
+template <class Text, class Number, class AppendNumber>
 class EventGcode {
  public:
-  EventGcode(std::string& out, const Axes& axes, const AppendNumber& append_number, GcodeState<Number>& state)
+  EventGcode(Text& out, const Axes& axes, const AppendNumber& append_number, GcodeState<Number>& state)
       : out_(out), axes_(axes), append_number_(append_number), state_(state) {}
 
   void write(const Event<Number>& event) {
@@ -63,8 +63,8 @@ class EventGcode {
 
  private:
   void word(char address, const Number& value) {
-    const std::array<char, 2> head{' ', address};
-    out_.append(head.data(), head.size());
+    out_ += ' ';
+    out_ += address;
     append_number_(out_, value);
   }
 
@@ -113,22 +113,25 @@ class EventGcode {
   }
   // Brackets, so that the text cannot end the comment.
   void comment_text(std::string_view text) {
-    for (const char c : text) out_ += c == '(' ? '[' : c == ')' ? ']' : c;
+    std::string bracketed;
+    for (const char c : text) bracketed += c == '(' ? '[' : c == ')' ? ']' : c;
+    out_.append(bracketed);
   }
 
-  std::string& out_;
+  Text& out_;
   const Axes& axes_;
   const AppendNumber& append_number_;
   GcodeState<Number>& state_;
 };
 
-// Appends the event as one line: a move to its `axes`, absolute, in the workpiece coordinate system it was made in
-// (events do not say when G54 to G59 change); alarms, warnings and settings as comments; nothing for a sample.
-// append_number(out, value) appends one number without exponent. Number needs a minus, for I J K.
-template <class Number, class AppendNumber>
-void append_event_gcode(std::string& out, const Event<Number>& event, const Axes& axes,
-                        const AppendNumber& append_number, GcodeState<Number>& state) {
-  EventGcode<Number, AppendNumber>(out, axes, append_number, state).write(event);
+// Appends the event to a std::string or TextCursor as one line: a move to its `axes`, absolute, in the workpiece
+// coordinate system it was made in (events do not say when G54 to G59 change); alarms, warnings and settings as
+// comments; nothing for a sample. append_number(out, value) appends one number without exponent. Number needs a minus,
+// for I J K.
+template <class Text, class Number, class AppendNumber>
+void append_event_gcode(Text& out, const Event<Number>& event, const Axes& axes, const AppendNumber& append_number,
+                        GcodeState<Number>& state) {
+  EventGcode<Text, Number, AppendNumber>(out, axes, append_number, state).write(event);
 }
 
 }  // namespace toolcomp::spec

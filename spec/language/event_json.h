@@ -1,4 +1,4 @@
-// Events as JSON lines (contract, "Events"). Nothing allocates but the text itself.
+// Events as JSON lines (contract, "Events"). Of moves, nothing allocates but the text itself.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,15 @@
 namespace toolcomp::spec {
 
 // Writes the fields of one event in the order of the contract.
-template <class Number, class AppendNumber>
+template <class Text, class Number, class AppendNumber>
 class EventJson {
  public:
-  EventJson(std::string& out, const Axes& axes, const AppendNumber& append_number)
+  EventJson(Text& out, const Axes& axes, const AppendNumber& append_number)
       : out_(out), axes_(axes), append_number_(append_number) {}
 
   void write(const Event<Number>& event) {
-    out_ += R"({"kind":")";
-    out_ += name(event.kind);
-    out_ += '"';
+    out_ += R"({"kind":)";
+    quoted(name(event.kind));
     switch (event.kind) {
       case EventKind::move:
         place(event);
@@ -61,7 +60,19 @@ class EventJson {
   }
   void text(std::string_view field, std::string_view value) {
     key(field);
-    append_json_string(out_, value);
+    std::string quoted;
+    append_json_string(quoted, value);
+    out_.append(quoted);
+  }
+  // A name of event_names.h: nothing in it to escape.
+  void word(std::string_view field, std::string_view name) {
+    key(field);
+    quoted(name);
+  }
+  void quoted(std::string_view name) {
+    out_ += '"';
+    out_ += name;
+    out_ += '"';
   }
   void number(std::string_view field, const Number& value) {
     key(field);
@@ -106,8 +117,8 @@ class EventJson {
 
   void arc(const Arc<Number>& arc) {
     values("center", arc.center);
-    text("plane", name(arc.plane));
-    text("direction", name(arc.direction));
+    word("plane", name(arc.plane));
+    word("direction", name(arc.direction));
     if (arc.sweep) number("sweep", *arc.sweep);
     if (!arc.radius) return;
     key("radius");
@@ -119,8 +130,8 @@ class EventJson {
   }
 
   void move(const Event<Number>& event) {
-    text("type", name(event.type));
-    text("cause", name(event.cause));
+    word("type", name(event.type));
+    word("cause", name(event.cause));
     values("programmed", event.programmed);
     values("point", event.point);
     values("axes", event.axes);
@@ -149,7 +160,7 @@ class EventJson {
     const auto add = [&](bool is_permitted, std::string_view outcome) {
       if (!is_permitted) return;
       out_ += separator;
-      append_json_string(out_, outcome);
+      quoted(outcome);
       separator = ',';
     };
     add(outcomes.positive, "positive");
@@ -164,22 +175,21 @@ class EventJson {
     key("clauses");
     for (std::size_t i = 0; i < list.size; ++i) {
       out_ += i == 0 ? '[' : ',';
-      append_json_string(out_, info(list.clause[i]).id);
+      quoted(info(list.clause[i]).id);
     }
     out_ += ']';
   }
 
-  std::string& out_;
+  Text& out_;
   const Axes& axes_;
   const AppendNumber& append_number_;
 };
 
-// Appends the event as one JSON object without a line feed; append_number(out, value) appends one number as a JSON
-// value. Empty maps and an empty clause list are left out.
-template <class Number, class AppendNumber>
-void append_event_json(std::string& out, const Event<Number>& event, const Axes& axes,
-                       const AppendNumber& append_number) {
-  EventJson<Number, AppendNumber>(out, axes, append_number).write(event);
+// Appends the event to a std::string or TextCursor as one JSON object without a line feed; append_number(out, value)
+// appends one number as a JSON value. Empty maps and an empty clause list are left out.
+template <class Text, class Number, class AppendNumber>
+void append_event_json(Text& out, const Event<Number>& event, const Axes& axes, const AppendNumber& append_number) {
+  EventJson<Text, Number, AppendNumber>(out, axes, append_number).write(event);
 }
 
 }  // namespace toolcomp::spec

@@ -11,10 +11,10 @@
 namespace toolcomp::spec {
 namespace {
 
+using document::in_quotes;
 using document::Kind;
 using document::Member;
 using document::Node;
-using document::quoted;
 using document::Reader;
 
 constexpr std::uint64_t kAnyInteger = 999'999'999'999'999'999;
@@ -32,7 +32,7 @@ class EventReader {
         result_.fields.add(*field);
         read_field(*field, member.value);
       } else if (strict_) {
-        read_.fail(member.at, "event: unknown field " + quoted(member.name));
+        read_.fail(member.at, "event: unknown field " + in_quotes(member.name));
       }
     }
     demand(node, Field::kind);
@@ -75,7 +75,7 @@ class EventReader {
     for (const Member& member : node.members) {
       const Field field = *find_field(member.name);
       if (!expected.required.has(field) && !expected.optional.has(field))
-        read_.fail(member.at, "event: " + quoted(member.name) + " does not belong to " +
+        read_.fail(member.at, "event: " + in_quotes(member.name) + " does not belong to " +
                                   std::string(name(result_.event.kind)) + " events");
     }
   }
@@ -87,7 +87,7 @@ class EventReader {
     std::string known;
     for (const std::string_view each : kNames<Enum>) known.append(known.empty() ? "" : ", ").append(each);
     read_.fail(node.at,
-               std::string(field_name(field)) + ": unknown value " + quoted(text) + "; expected one of " + known);
+               std::string(field_name(field)) + ": unknown value " + in_quotes(text) + "; expected one of " + known);
   }
 
   Name short_text(const Node& node, Field field) const {
@@ -106,7 +106,7 @@ class EventReader {
 
   [[noreturn]] void not_a_number(const Node& node, Field field) const {
     const std::string found =
-        node.kind == Kind::string ? quoted(node.text) : std::string(document::describe(node.kind));
+        node.kind == Kind::string ? in_quotes(node.text) : std::string(document::describe(node.kind));
     read_.fail(node.at, std::string(field_name(field)) + ": expected a number, found " + found);
   }
 
@@ -153,7 +153,8 @@ class EventReader {
       if (axis != Axes::kNone)
         result.set(axis, number(member.value, field));
       else if (strict_)
-        read_.fail(member.at, std::string(field_name(field)) + ": " + quoted(member.name) + " is no axis of the setup");
+        read_.fail(member.at,
+                   std::string(field_name(field)) + ": " + in_quotes(member.name) + " is no axis of the setup");
     }
     return result;
   }
@@ -176,7 +177,7 @@ class EventReader {
       if (clause)
         list.add(*clause);
       else if (strict_)
-        read_.fail(item.at, "clauses: unknown clause " + quoted(item.text));
+        read_.fail(item.at, "clauses: unknown clause " + in_quotes(item.text));
     }
     return list;
   }

@@ -60,10 +60,4 @@ void append_json_string(std::string& out, std::string_view text) {
   out += '"';
 }
 
-void append_integer(std::string& out, std::uint64_t value) {
-  std::array<char, 20> digits;  // of 2^64 - 1
-  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  out.append(digits.data(), end);
-}
-
 }  // namespace toolcomp::spec

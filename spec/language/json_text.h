@@ -1,6 +1,8 @@
 // JSON text, written.
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -13,6 +15,13 @@ std::size_t utf8_length(std::string_view text);
 
 // Appends `text` in double quotes. Bytes that are not UTF-8, which JSON cannot carry, become U+FFFD.
 void append_json_string(std::string& out, std::string_view text);
-void append_integer(std::string& out, std::uint64_t value);
+
+// To a std::string or TextCursor.
+template <class Text>
+void append_integer(Text& out, std::uint64_t value) {
+  std::array<char, 20> digits;  // of 2^64 - 1
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  out += std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()));
+}
 
 }  // namespace toolcomp::spec

@@ -101,6 +101,9 @@ struct ProgramReader::State {
   bool read_block(Block& block);
   // These return whether all is well; after a fault the rest of the block is behind.
   bool read_word(Block& block, char letter);
+  bool read_number(Block& block, const Address& admitted, std::uint32_t start, Decimal& value);
+  // The usual number without a detour, [-]digits[.digits]; false, and nothing taken, where it is or may be any other.
+  bool read_usual(const Address& admitted, Decimal& value);
   bool read_slash(Block& block);
   bool raise(Block& block, std::uint32_t column, const char* number, const char* message);
   void skip_comment();
@@ -113,7 +116,7 @@ struct ProgramReader::State {
   std::unique_ptr<ByteSource> source;
   ReaderOptions options;
   std::array<Address, 256> address;
-  std::array<char, kBufferSize> buffer{};
+  std::array<char, kBufferSize + 1> buffer{};  // the byte at `end` is 0
   const char* position = buffer.data();
   const char* end = buffer.data();
   std::uint64_t consumed = 0;    // bytes before the buffer
@@ -129,7 +132,8 @@ bool ProgramReader::State::refill() {
   if (exhausted) return false;
   consumed += static_cast<std::uint64_t>(end - buffer.data());
   position = end = buffer.data();
-  end += source->read(buffer.data(), buffer.size());
+  end += source->read(buffer.data(), kBufferSize);
+  buffer[static_cast<std::size_t>(end - buffer.data())] = 0;
   exhausted = position == end;
   return !exhausted;
 }
@@ -228,16 +232,26 @@ bool ProgramReader::State::read_slash(Block& block) {
 // An address, whose letter peek() still shows, and its number.
 bool ProgramReader::State::read_word(Block& block, char letter) {
   const std::uint32_t start = column();
-  const Address admitted = address[static_cast<unsigned char>(letter)];
+  const Address& admitted = address[static_cast<unsigned char>(letter)];
   if (!admitted.known) return raise(block, start, "PS0009", "this letter is no address of this control");
   if (letter != 'N' && block.size == Block::kMaxWords)
     return raise(block, start, "TOO_MANY_WORDS", "more words in the block than can be read");
   started = true;
   take();
+  Decimal value;
+  if (!read_usual(admitted, value) && !read_number(block, admitted, start, value)) return false;
+  if (letter == 'N')
+    block.n = value.digits;
+  else
+    block.word[block.size++] = {letter, value, start};
+  return true;
+}
 
+// What stands behind the address, which began at `start`.
+bool ProgramReader::State::read_number(Block& block, const Address& admitted, std::uint32_t start, Decimal& value) {
   int byte = peek();
   while (byte == ' ' || byte == '\t' || byte == '\r') take(), byte = peek();
-  Decimal value;
+  value = {};
   if (byte == '-' || byte == '+') {
     if (!admitted.sign) return raise(block, column(), "PS0006", "this address takes no sign");
     value.negative = byte == '-';
@@ -261,11 +275,30 @@ bool ProgramReader::State::read_word(Block& block, char letter) {
   }
   if (digits == 0) return raise(block, start, "PS0005", "an address without a digit");
   if (byte == '-' && value.negative) return raise(block, column(), "PS0006", "a second minus");
+  return true;
+}
 
-  if (letter == 'N')
-    block.n = value.digits;
-  else
-    block.word[block.size++] = {letter, value, start};
+bool ProgramReader::State::read_usual(const Address& admitted, Decimal& value) {
+  const char* at = position;
+  value.negative = *at == '-';
+  if (value.negative) ++at;
+  std::uint64_t digits = 0;
+  const char* const first = at;
+  for (; is_digit(*at); ++at) digits = digits * 10 + static_cast<std::uint64_t>(*at - '0');
+  std::ptrdiff_t count = at - first;
+  value.point = *at == '.';
+  if (value.point) {
+    const char* const behind = ++at;
+    for (; is_digit(*at); ++at) digits = digits * 10 + static_cast<std::uint64_t>(*at - '0');
+    value.decimals = static_cast<std::uint8_t>(at - behind);
+    count += at - behind;
+  }
+  value.digits = digits;
+  // A number that reaches the end of the buffer may go on behind it.
+  if (count == 0 || count > kMaxProgramDigits || at == end || *at == '.' || *at == '-' ||
+      (value.negative && !admitted.sign) || (value.point && !admitted.point))
+    return false;
+  position = at;
   return true;
 }
 

@@ -8,10 +8,10 @@
 namespace toolcomp::spec {
 namespace {
 
+using document::in_quotes;
 using document::Kind;
 using document::Member;
 using document::Node;
-using document::quoted;
 using document::Reader;
 
 constexpr std::string_view kAxisLetters = "ABCUVWXYZ";
@@ -31,7 +31,7 @@ Axes axes_from(const Node& node, const Reader& read) {
   for (const Node& item : node.items) {
     const std::string& letter = read.string(item, "axes");
     if (letter.size() != 1 || kAxisLetters.find(letter) == std::string_view::npos)
-      read.fail(item.at, "axes: " + quoted(letter) + " is no axis; expected one of A B C U V W X Y Z");
+      read.fail(item.at, "axes: " + in_quotes(letter) + " is no axis; expected one of A B C U V W X Y Z");
     if (letters.find(letter) != std::string::npos) read.fail(item.at, "axes: axis " + letter + " is given twice");
     letters += letter;
   }
@@ -47,7 +47,7 @@ void read_parameter(const Member& member, const Reader& read, Setup& setup) {
   const bool bit = mark != std::string_view::npos;
   const std::string_view bit_text = bit ? name.substr(mark + 1) : "0";
   if (!number || bit_text.size() != 1 || bit_text[0] < '0' || bit_text[0] > '7')
-    read.fail(member.at, "parameters: " + quoted(name) +
+    read.fail(member.at, "parameters: " + in_quotes(name) +
                              " is no parameter; expected a number up to 99999, or number#bit with a bit from 0 to 7");
   id.number = *number;
   if (!bit) {
@@ -61,7 +61,7 @@ void read_parameter(const Member& member, const Reader& read, Setup& setup) {
   }
   const Decimal value = read.decimal(member.value, name);
   if (value != decimal(0) && value != decimal(1))
-    read.fail(member.value.at, std::string(name) + ": a bit is 0 or 1, found " + quoted(member.value.text));
+    read.fail(member.value.at, std::string(name) + ": a bit is 0 or 1, found " + in_quotes(member.value.text));
   setup.parameters[id] = value;
 }
 
@@ -84,7 +84,7 @@ std::map<std::uint32_t, OffsetEntry> entries_from(const Node& node, const std::s
   for (const Member& member : node.members) {
     const std::optional<std::uint32_t> number = small_number(member.name, count);
     if (!number || *number == 0)
-      read.fail(member.at, "offsets." + letter + ": " + quoted(member.name) +
+      read.fail(member.at, "offsets." + letter + ": " + in_quotes(member.name) +
                                " is no offset number; expected 1 to offsets.count = " + std::to_string(count));
     entries[*number] = entry_from(member.value, "offsets." + letter + "." + member.name, read);
   }
@@ -121,8 +121,8 @@ AxisTable axis_table(const Node& node, const std::string& name, const Setup& set
   AxisTable table;
   for (const Member& member : node.members) {
     if (member.name.size() != 1 || !setup.axes.has(member.name[0]))
-      read.fail(member.at,
-                name + ": " + quoted(member.name) + " is no axis of this setup; its axes are " + setup.axes.letters());
+      read.fail(member.at, name + ": " + in_quotes(member.name) + " is no axis of this setup; its axes are " +
+                               setup.axes.letters());
     table[member.name[0]] = read.decimal(member.value, name + "." + member.name);
   }
   return table;
@@ -162,7 +162,7 @@ Setup setup_from(const Node& node, const Reader& read) {
   if (const Node* control = node.find("control")) setup.control = control_from(*control, read);
   for (const Member& member : node.members)
     if (member.name == "tool" || member.name == "correction" || member.name == "dr2table")
-      read.fail(member.at, "setup: " + quoted(member.name) + " belongs to control \"heidenhain\"");
+      read.fail(member.at, "setup: " + in_quotes(member.name) + " belongs to control \"heidenhain\"");
   read.keys(node, "setup",
             {"control", "units", "axes", "increment", "cutter_compensation", "type_b_without_perpendicular",
              "block_skip", "parameters", "offsets", "workpiece", "position", "reference", "measurement"});

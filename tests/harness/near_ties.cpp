@@ -39,6 +39,8 @@ fast::Event rounded(const model::Event& e) {
   f.type = e.type;
   f.cause = e.cause;
   f.number = e.number;
+  f.setting = e.setting;
+  if (e.kind == spec::EventKind::setting) f.value = approximate(e.value);
   f.programmed = table(e.programmed);
   f.point = table(e.point);
   f.axes = table(e.axes);
@@ -163,6 +165,13 @@ Forced opposite_at_first(const ModelRun& run, Clause clause) {
   return {};
 }
 
+// The first decision of `clause` takes `outcome`.
+Forced forced_to(const ModelRun& run, Clause clause, Sign outcome) {
+  Forced forced = opposite_at_first(run, clause);
+  if (!forced.empty()) forced.begin()->second = outcome;
+  return forced;
+}
+
 // The opposite outcome of the last decision of `clause`.
 Forced opposite_at_last(const ModelRun& run, Clause clause) {
   Forced forced;
@@ -215,6 +224,77 @@ TEST(NearTies, InterferenceByAHairMayBeSeenOrNot) {
                   rounded(run_model(narrow, opposite_at_last(alarm, Clause::fanuc_cutter_c_interference_direction))))
                 .outcome,
             Outcome::differs);
+}
+
+// The two heads of this corner lie 12 apart in X and in Y (10·(sin a1 - sin a2 - cos a1 - cos a2) with a1 of -3 : 4 and
+// a2 of 4 : -3, and the like), 1e-13 over the limit of 5010. Dropping the second takes both decisions, and nothing
+// shows after one.
+TEST(NearTies, BothAxesOfASmallCornerMovementMayGoTheOtherWay) {
+  spec::Case c = contour("X-20. Y80.\nX60. Y20.\nG40 X140. Y-40.\n");
+  c.setup.parameters[{5010, -1}] = *spec::parse_decimal("11.9999999999999");
+  const ModelRun run = run_model(c);
+  const auto small = Clause::fanuc_cutter_c_small_corner_movement;
+  Forced forced = opposite_near_ties(run, small);
+  ASSERT_EQ(forced.size(), 1U);
+  EXPECT_EQ(run_model(c, forced).events.size(), run.events.size());
+  const std::size_t x = forced.begin()->first;
+  Forced next = opposite_near_ties(run_model(c, forced), small);
+  next.erase(x);
+  ASSERT_EQ(next.size(), 1U);
+  forced.merge(next);
+  const ModelRun other = run_model(c, forced);
+  ASSERT_EQ(other.events.size() + 1, run.events.size());
+  const Verdict v = judge(c, run, rounded(other));
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  EXPECT_EQ(v.ties, 2U);
+}
+
+// Down to 200 with the signal at the end of the zone 200 ± `half`.
+spec::Case measured(const std::string& signal, const std::string& half) {
+  spec::Case c;
+  c.section = "fanuc/tool-length-measurement";
+  c.setup.h[1].geometry = spec::decimal(15);
+  c.setup.position['Z'] = spec::decimal(760);
+  c.setup.measurement['Z'] = *spec::parse_decimal(signal);
+  c.setup.parameters[{6254, -1}] = *spec::parse_decimal(half);
+  c.program = "H1\nG90 G37 Z200.\n";
+  return c;
+}
+
+// Both ends of G37's zone belong to it. Sums of decimals are compared without rounding, so leaving one out is a
+// difference, for a controller too whose increments these numbers are; one that rounds them may err.
+TEST(NearTies, AnExactTieOfDecimalsGoesAsTheClauseSays) {
+  for (const auto& [signal, clause] : {std::pair("205.005", Clause::fanuc_length_measurement_too_late),
+                                       std::pair("194.995", Clause::fanuc_length_measurement_too_early)}) {
+    const spec::Case c = measured(signal, "5.005");
+    const ModelRun run = run_model(c);
+    const ModelRun other = run_model(c, forced_to(run, clause, Sign::negative));
+    ASSERT_EQ(run.events.back().kind, spec::EventKind::setting);
+    ASSERT_EQ(other.events.back().number.view(), "PS0080");
+    EXPECT_EQ(judge(c, run, rounded(run)).near_ties, 0U);
+    EXPECT_EQ(judge(c, run, rounded(other)).outcome, Outcome::differs);
+    EXPECT_EQ(judge(c, run, rounded(other), {{}, "0.001"}).outcome, Outcome::differs);
+    EXPECT_EQ(judge(c, run, rounded(other), {{}, "0.01"}).outcome, Outcome::agrees);
+  }
+}
+
+// In an inch setup the zone of 5 mm is no decimal: its end, named in millimetres, is rounded before it is compared.
+TEST(NearTies, AnExactTieOfConvertedLengthsMayGoTheOtherWay) {
+  spec::Case c = measured("0", "0");
+  c.setup.units = spec::Units::inch;
+  c.setup.parameters.clear();
+  c.setup.measurement.clear();
+  c.setup.position.clear();
+  c.program = "G21 H1\nG00 Z220.\nG90 G37 Z200.\n";
+  const ModelRun run = run_model(c);
+  const Clause rapid = Clause::fanuc_length_measurement_rapid_part;
+  EXPECT_EQ(judge(c, run, rounded(run)).near_ties, 1U);
+  EXPECT_EQ(judge(c, run, rounded(run_model(c, forced_to(run, rapid, Sign::positive)))).outcome, Outcome::agrees);
+  // The same in millimetres is exact.
+  c.setup.units = spec::Units::mm;
+  const ModelRun plain = run_model(c);
+  EXPECT_EQ(judge(c, plain, rounded(plain)).near_ties, 0U);
+  EXPECT_EQ(judge(c, plain, rounded(run_model(c, forced_to(plain, rapid, Sign::positive)))).outcome, Outcome::differs);
 }
 
 // A change of side on a straight line: paths that are parallel have no intersection, whatever is forced.

@@ -1,4 +1,4 @@
-// link: toolcomp_fuzz_faulty
+// link: toolcomp_fast_faulty
 // Judging while reading: long programs, and the same verdicts as on whole cases.
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -67,6 +68,33 @@ TEST(Print, ShortestOfAll) {
     check(decimal);
     check(std::nextafter(decimal, 1e300));
     check(std::nextafter(decimal, -1e300));
+  }
+}
+
+// The doubles around decimals of 15 to 17 digits and around halves of them, where the shortest text is hard to tell
+// from others, in the whole range of the product and at its ends.
+TEST(Print, ShortestNearTies) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 300'000; ++i) {
+    const auto exponent = static_cast<int>(random() % 80) - 64;  // from 2^-12 to 2^68
+    std::uint64_t mantissa = random() >> 11U | std::uint64_t{1} << 52U;
+    const auto cleared = random() % 53;
+    if (i % 2 == 0) mantissa = mantissa >> cleared << cleared;
+    const double value = std::ldexp(static_cast<double>(mantissa), exponent);
+    char buffer[64];
+    const auto shortest = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed);
+    ASSERT_EQ(text(value), std::string(buffer, shortest.ptr));
+  }
+}
+
+TEST(NumberWriter, WritesTheSameAgain) {
+  std::mt19937_64 random(3);
+  NumberWriter writer;
+  for (int i = 0; i < 10'000; ++i) {
+    const double value = static_cast<double>(random() % 40) / (i % 2 == 0 ? 3 : -4);
+    std::array<char, kNumberText> written{};
+    char* const end = writer.write(written.data(), value);
+    ASSERT_EQ(std::string(written.data(), end), text(value));
   }
 }
 

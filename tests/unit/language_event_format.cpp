@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 #include "spec/language/event_map.h"
 #include "spec/language/number_text.h"
+#include "spec/language/text_buffer.h"
 
 namespace {
 
@@ -174,6 +176,51 @@ TEST(EventNames, GoBothWays) {
   round(Cause{});
   round(Plane{});
   round(ArcDirection{});
+}
+
+// Every field of every kind at its longest, in the room that is made for one event.
+TEST(TextBuffer, AnEventFits) {
+  const Axes axes("XYZABCUVW");
+  const auto longest = [](auto& out, double) { out += std::string(48, '8'); };
+  Event<double> event;
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+    for (auto* map : {&event.programmed, &event.point, &event.axes, &event.machine}) map->set(axis, 1);
+  event.line = event.n.emplace(std::numeric_limits<std::uint64_t>::max());
+  event.tool_axis = {1.0, 2.0, 3.0};
+  event.arc = Arc<double>{.center = event.axes, .sweep = 90, .radius = std::pair(5.0, 5.5)};
+  event.feed = 1;
+  event.number = std::string_view(std::string(Name::kCapacity, '"'));
+  event.setting = event.number;
+  const std::string message(10'000, '"');
+  event.message = message.c_str();
+  event.permitted = {true, true, true};
+  for (std::size_t i = 0; i < ClauseList::kCapacity; ++i) event.clauses.add(static_cast<Clause>(i));
+  for (const EventKind kind : {EventKind::move, EventKind::sample, EventKind::alarm, EventKind::warning,
+                               EventKind::setting, EventKind::undecided}) {
+    event.kind = kind;
+    std::string expected;
+    TextBuffer buffer;
+    for (int times = 0; times < 3; ++times) {
+      append_event_json(expected, event, axes, longest);
+      append_event_csv(expected, event, axes, longest);
+      GcodeState<double> state;
+      append_event_gcode(expected, event, axes, longest, state);
+      {
+        TextCursor out(buffer);
+        append_event_json(out, event, axes, longest);
+      }
+      {
+        TextCursor out(buffer);
+        append_event_csv(out, event, axes, longest);
+      }
+      TextCursor out(buffer);
+      GcodeState<double> again;
+      append_event_gcode(out, event, axes, longest, again);
+    }
+    EXPECT_EQ(buffer.view(), expected);
+    buffer.clear();
+    EXPECT_EQ(buffer.view(), "");
+  }
 }
 
 TEST(EventMap, EveryNumberIsMappedAndNothingElse) {
