@@ -35,7 +35,8 @@ struct Tool {
 };
 
 // The direction in force at the end of an event's block: I J K under G43.5, Z of a setup that turns no tool, or a plain
-// tool rotation head (19680 = 2, axes along X Y Z, no tilt, no reversed sense). Nothing for other kinematics.
+// tool rotation head (19680 = 2, axes along X Y Z, no tilt, no reversed sense), exactly where it turns by right angles.
+// Nothing for other kinematics.
 std::optional<Tool> tool_of(const spec::Case& c, const Blocks& blocks, const spec::TextEvent& event);
 
 // The programmed end point, where it is rational.

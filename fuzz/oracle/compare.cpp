@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "fuzz/oracle/number.h"
 
@@ -143,9 +145,12 @@ class Comparison {
         table("center", e.center, a.center))
       return true;
     if (rules_.judges("radius")) {
-      if (absent({"radius"}, e.radius.has_value(), a.radius.has_value())) return true;
-      if (e.radius && (length({"radius", 0, 0}, e.radius->first, a.radius->first, scale_.start) ||
-                       length({"radius", 0, 1}, e.radius->second, a.radius->second)))
+      const bool same = e.radius.has_value() == a.radius.has_value();
+      if (!same && !radii_agree(e.radius) && !radii_agree(a.radius))
+        return absent({"radius"}, e.radius.has_value(), a.radius.has_value());
+      if (same && e.radius &&
+          (length({"radius", 0, 0}, e.radius->first, a.radius->first, scale_.start) ||
+           length({"radius", 0, 1}, e.radius->second, a.radius->second)))
         return true;
     }
     if (rules_.judges("sweep")) {
@@ -178,11 +183,26 @@ class Comparison {
     return false;
   }
 
-  // `error`: of what else the length is made of.
-  bool length(const Path& path, const Real& e, const Number& a, double error = 0) {
+  // Of which lengths may be off k. `error`: of what else the length is made of.
+  [[nodiscard]] double length_unit(double error = 0) const {
     const double own = scale_.condition * (scale_.vector > 0 ? policy::ulp(scale_.vector) : 0);
-    const double unit = policy::ulp(scale_.position) + std::max(own, error);
-    return number("coordinate", path, e, a, rules_.budget().coordinate, unit, true);
+    return policy::ulp(scale_.position) + std::max(own, error);
+  }
+
+  bool length(const Path& path, const Real& e, const Number& a, double error = 0) {
+    return number("coordinate", path, e, a, rules_.budget().coordinate, length_unit(error), true);
+  }
+
+  // Whether the two radii of an arc are so near that they may as well be one.
+  template <class Length>
+  bool radii_agree(const std::optional<std::pair<Length, Length>>& radii) const {
+    if (!radii) return false;
+    double apart = 0;
+    if constexpr (std::is_same_v<Length, double>)
+      apart = std::fabs(radii->second - radii->first);
+    else
+      apart = std::fabs(approximate(Real(radii->second) - Real(radii->first)));
+    return apart <= rules_.budget().coordinate * (length_unit() + length_unit(scale_.start)) + 2 * rules_.resolution();
   }
 
   // A number of the program, at most converted to the units of the setup.

@@ -12,6 +12,7 @@
 //                                                 its distance from the centre, in degrees); neither value nor
 //                                                 presence where that is 90 degrees or more: a head so near the centre
 //                                                 has no direction in double
+//   whether an arc has two radii                  not judged where they differ by less than either may be off
 //   feeds, values of settings                     … by nothing: one of the two doubles that enclose the exact value; a
 //                                                 controller's text by 1.5 · ulp(value) where the value is no double:
 //                                                 the shortest text of one of the two

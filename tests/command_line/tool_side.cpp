@@ -66,7 +66,7 @@ TEST_P(ToolSide, TheBossByTheToolVector) {
   const double c = 6 * 12.0 / 13;
   const double s = 6 * 5.0 / 13;
   const double length = std::sqrt(4000 - 10000.0 / 169);
-  const Point d2{-60 / length, (-20 - 500.0 / 169) / length, 1200.0 / 169 / length};
+  const Point d2{-60 / length, (-20 + 500.0 / 169) / length, -1200.0 / 169 / length};
   // n2 = VT x d2.
   const Point n2{(-5 * d2[2] - 12 * d2[1]) / 13, 12 * d2[0] / 13, 5 * d2[0] / 13};
   const auto head = [&](double x, double y, double back) {

@@ -405,5 +405,28 @@ TEST(Comparator, AnUndecidedModelIsUndecidedButNotBeforeADifference) {
   EXPECT_EQ(judge(plain_case(), run, actual).outcome, Outcome::differs);
 }
 
+// Radii nearer to each other than either is known are one or two, as an engine has it; a little more is two.
+TEST(Comparator, RadiiOfAnArcMayBeOneWhereTheyHardlyDiffer) {
+  const auto radii = [](const Real& second) {
+    ModelRun run = expected();
+    run.events[2].arc->radius->second = second;
+    return run;
+  };
+  std::vector<fast::Event> one = events<double>();
+  one[2].arc->radius.reset();
+  const Real first = expected().events[2].arc->radius->first;
+  const Real hair = Real(1) / Real(1'000'000'000);
+  EXPECT_EQ(judge(plain_case(), radii(first + hair * hair), one).outcome, Outcome::agrees);
+  EXPECT_EQ(judge(plain_case(), radii(first + hair), one).outcome, Outcome::differs);
+  // The other way round.
+  ModelRun equal = expected();
+  equal.events[2].arc->radius.reset();
+  std::vector<fast::Event> two = events<double>();
+  two[2].arc->radius->second = std::nextafter(two[2].arc->radius->first, 1000.0);
+  EXPECT_EQ(judge(plain_case(), equal, two).outcome, Outcome::agrees);
+  two[2].arc->radius->second += kSmall;
+  EXPECT_EQ(judge(plain_case(), equal, two).outcome, Outcome::differs);
+}
+
 }  // namespace
 }  // namespace toolcomp::fuzz
