@@ -15,7 +15,8 @@ Real distance(bool on, const PathEnd& end, const Real& square, Sign sign) {
 
 }  // namespace
 
-ToolArcRun::ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to)
+ToolArcRun::ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to,
+                       bool closed)
     : recorder_(recorder),
       path_(path),
       start_(from_center(path.start, from.vector)),
@@ -26,7 +27,8 @@ ToolArcRun::ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerV
       end2_(end_on_ ? path.end.radius2() : squared_norm(end_)),
       start_sign_(start_on_ ? offset_radius(path.start) : start2_.sign()),
       end_sign_(end_on_ ? offset_radius(path.end) : end2_.sign()),
-      as_programmed_(from.latter == Seat::square && to.former == Seat::square && start_sign_ == end_sign_) {}
+      as_programmed_(from.latter == Seat::square && to.former == Seat::square && start_sign_ == end_sign_),
+      closed_(closed) {}
 
 Sweep ToolArcRun::programmed() const {
   const PlanePoint& from = path_.start.heading.along;
@@ -44,6 +46,9 @@ const Sweep& ToolArcRun::sweep() {
   if (as_programmed_) {
     sweep_ = programmed();
     scale = path_.start.heading.length * path_.end.heading.length;
+  } else if (closed_) {
+    sweep_ = Sweep{0, start2_, {}};
+    scale = start2_;
   } else {
     sweep_ = Sweep{Real(path_.start.turn) * cross(start_, end_), dot(start_, end_), {}};
     scale = sqrt(start2_ * end2_);
@@ -54,9 +59,9 @@ const Sweep& ToolArcRun::sweep() {
 
 ToolArc ToolArcRun::arc() {
   ToolArc arc;
-  // On one circle the squares are one number, which needs no proof.
+  // On one circle the squares are one number, which needs no proof; at one head too.
   const bool one_circle = start_on_ && end_on_ && path_.one_radius && path_.start.offset == path_.end.offset;
-  const Real growth = one_circle ? Real(0) : end2_ - start2_;
+  const Real growth = one_circle || closed_ ? Real(0) : end2_ - start2_;
   if (recorder_.decide(Clause::fanuc_cutter_c_arc_radii, growth, end2_ + start2_) != Sign::zero)
     arc.radius = {distance(start_on_, path_.start, start2_, start_sign_),
                   distance(end_on_, path_.end, end2_, end_sign_)};

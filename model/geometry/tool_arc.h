@@ -30,7 +30,9 @@ struct Sweep {
 // One arc block between two heads. Sweeps are decided once, when they are asked for.
 class ToolArcRun {
  public:
-  ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to);
+  // `closed`: a whole circle from one head back to it.
+  ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to,
+             bool closed = false);
 
   // A head lies in the centre.
   [[nodiscard]] bool in_center() const { return start_sign_ == Sign::zero || end_sign_ == Sign::zero; }
@@ -57,6 +59,7 @@ class ToolArcRun {
   Sign start_sign_;  // of R', or of the distance
   Sign end_sign_;
   bool as_programmed_;
+  bool closed_;
   std::optional<Sweep> sweep_;
 };
 

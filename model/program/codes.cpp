@@ -184,7 +184,7 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
     }
   }
   const bool side = codes.compensation && is_cutter_side(*codes.compensation);
-  if (side && words.has('I') && words.has('J') && words.has('K') &&
+  if (side && !takes_letters_as_data(codes.one_shot) && words.has('I') && words.has('J') && words.has('K') &&
       setup.cutter_compensation == spec::CutterCompensationType::c)
     raise(recorder, Clause::fanuc_cutter_c_three_dimensional, "PS0010", "three-dimensional compensation is not built");
   if (codes.one_shot == OneShot::data && !offset_kind(words, setup.memory))

@@ -46,6 +46,9 @@ enum class OneShot : std::uint8_t {                                            /
 // G45–G48.
 constexpr bool is_tool_offset(OneShot code) { return code >= OneShot::increase && code <= OneShot::double_decrease; }
 
+// G04 and G10: axis letters and I J K are their data.
+constexpr bool takes_letters_as_data(OneShot code) { return code == OneShot::dwell || code == OneShot::data; }
+
 // G41, G42.
 constexpr bool is_cutter_side(Compensation code) { return code == Compensation::left || code == Compensation::right; }
 // G41.2, G42.2, G41.6, G42.6.

@@ -49,8 +49,7 @@ Command Interpreter::read(const spec::Block& block) {
   command.plane = plane_;
   command.incremental = incremental_;
   if (const spec::Decimal* f = words.find('F')) feed_ = numbers_.feed(*f);
-  const bool letters_are_data = codes.one_shot == OneShot::dwell || codes.one_shot == OneShot::data;
-  if (!recorder_.decide(Clause::fanuc_program_letters_as_data, letters_are_data)) {
+  if (!recorder_.decide(Clause::fanuc_program_letters_as_data, takes_letters_as_data(codes.one_shot))) {
     command.axes = axis_words(words);
     command.direction = words.has('I') || words.has('J') || words.has('K');
   }

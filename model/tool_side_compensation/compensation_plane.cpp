@@ -16,6 +16,11 @@ std::size_t axis_across(const Vector& tool) {
 
 }  // namespace
 
+bool CompensationPlane::is_same_as(const CompensationPlane& other) const {
+  const Vector difference = tool_.vector - other.tool_.vector;
+  return is_known_zero(difference.x) && is_known_zero(difference.y) && is_known_zero(difference.z);
+}
+
 PlaneFrame CompensationPlane::frame() const {
   const std::size_t i = axis_across(tool_.vector);
   Vector axis;

@@ -4,6 +4,8 @@
 // arcs and coordinates use lengths.
 #pragma once
 
+#include <utility>
+
 #include "model/geometry/plane_vector.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/tool_direction.h"
@@ -19,10 +21,12 @@ struct PlaneFrame {
 class CompensationPlane {
  public:
   CompensationPlane() = default;
-  explicit CompensationPlane(const Direction& tool) : tool_(tool) {}
+  explicit CompensationPlane(Direction tool) : tool_(std::move(tool)) {}
 
   // The tool, from tip to holder; seen from it left is left.
   [[nodiscard]] const Direction& tool() const { return tool_; }
+  // Known to be the same plane, without a proof.
+  [[nodiscard]] bool is_same_as(const CompensationPlane& other) const;
   // VT × u: to the left of u, |VT| times as long as the part of u in the plane.
   [[nodiscard]] Vector left(const Vector& u) const { return cross(tool_.vector, u); }
   // |VT|² times the part of u in the plane.

@@ -67,6 +67,4 @@ Vector LineCorner::begun_before() const {
   return (1 / sqrt(latter_.left2)) * (latter_.offset * latter_.left - reach * plane_.right(latter_.left));
 }
 
-Vector perpendicular(const SideEnd& line) { return (line.offset / sqrt(line.left2)) * line.left; }
-
 }  // namespace toolcomp::model

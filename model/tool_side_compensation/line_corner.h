@@ -44,7 +44,4 @@ class LineCorner {
   Real ahead_;  // C
 };
 
-// r n: at right angles to a line, of the length of the offset.
-Vector perpendicular(const SideEnd& line);
-
 }  // namespace toolcomp::model

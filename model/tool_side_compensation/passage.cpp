@@ -17,7 +17,8 @@ void ToolSideCompensation::release(SideGroup at_end) {
   std::optional<ToolArcRun> run;
   if (arc) {
     as_seen = as_run(*arc, held.offset_at_start, held.end.offset);
-    run.emplace(recorder_, *as_seen, head(*arc, here_plane_, here_.back()), head(*arc, held.plane, at_end.front()));
+    run.emplace(recorder_, *as_seen, head(*arc, here_plane_, here_.back()), head(*arc, held.plane, at_end.front()),
+                is_closed(held, at_end.front()));
   }
   Passage passage = Passage::free;
   if (held.kind == Held::Kind::moving && recorder_.decide(Clause::fanuc_cutter_c_interference_check, checks_))
@@ -74,6 +75,15 @@ bool ToolSideCompensation::line_interferes(const Held& held, const Vector& from,
   const Real length = sqrt(squared_norm(travel));
   const Real scale = held.plane.tool().norm2 * length * (length + sqrt(squared_norm(from)) + sqrt(squared_norm(to)));
   return recorder_.decide(Clause::fanuc_cutter_c_interference_direction, along, scale) == Sign::negative;
+}
+
+// A whole circle between one vector at its start and at its end, known without a proof.
+bool ToolSideCompensation::is_closed(const Held& held, const SideVector& to) const {
+  const ArcEnds& ends = held.path.arc->ends;
+  const PlanePoint travel = ends.end - ends.start;
+  const bool whole = travel[0].is_rational() && travel[1].is_rational() && is_zero(travel);
+  return whole && here_.back().latter == Seat::square && to.former == Seat::square &&
+         held.offset_at_start == held.end.offset && here_plane_.is_same_as(held.plane);
 }
 
 // A head in the plane of the arc. It lies on the offset circle there only if the tool stands upright on that plane.

@@ -28,6 +28,19 @@ SideEnd arc_end(const SideArc& arc, const Rational& offset) {
   return end_of(arc, arc.ends.end, arc.sense_at_end, offset);
 }
 
+// Of an arc, along the part in the plane of the radius from the centre, ρ: -turn · offset · u(ρ)/|u(ρ)|, of which
+// |VT|² u(ρ) has the length |VT| |VT × ρ|.
+Vector perpendicular(const CompensationPlane& plane, const SideEnd& end) {
+  if (!end.arc) return (end.offset / sqrt(end.left2)) * end.left;
+  const SideEnd::OfArc& arc = *end.arc;
+  const Vector from_center = in_space(arc.plane, arc.from_center);
+  const Real& norm2 = plane.tool().norm2;
+  const Real length = arc.radius && is_square_to(plane, arc.plane)
+                          ? norm2 * Real(*arc.radius)
+                          : sqrt(norm2 * squared_norm(plane.left(from_center)));
+  return (Rational(-arc.turn * end.offset) / length) * plane.along(from_center);
+}
+
 PathEnd seen(const CompensationPlane& plane, const PlaneFrame& frame, const SideEnd& end) {
   if (!end.arc) {
     PathEnd line;

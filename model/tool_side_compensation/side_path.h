@@ -59,6 +59,9 @@ SideEnd line_end(const CompensationPlane& plane, const Vector& travel, const Rat
 SideEnd arc_start(const SideArc& arc, const Rational& offset);
 SideEnd arc_end(const SideArc& arc, const Rational& offset);
 
+// r n: at right angles to the path, of the length of the offset. Without a frame.
+Vector perpendicular(const CompensationPlane& plane, const SideEnd& end);
+
 // The end in the coordinates of a frame of the plane, as corners with arcs ask for it. Clause:
 // fanuc.tool-side.arc-in-the-plane.
 PathEnd seen(const CompensationPlane& plane, const PlaneFrame& frame, const SideEnd& end);

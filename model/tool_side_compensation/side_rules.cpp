@@ -25,19 +25,18 @@ void mark_stop(SideGroup& group) {
   for (std::size_t i = stop + 1; i < group.size(); ++i) group[i].after_stop = true;
 }
 
-SideGroup lifted(const PlaneFrame& frame, const VectorGroup& group) {
+// Vectors square to a block have a simpler form than that in the frame.
+SideGroup lifted(const SideCorner& corner, const PlaneFrame& frame, const VectorGroup& group) {
   SideGroup result;
   result.reserve(group.size());
-  for (const CornerVector& v : group) result.push_back({lift(frame, v.vector), v.former, v.latter, false});
+  for (const CornerVector& v : group) {
+    const Vector vector = v.former == Seat::square   ? perpendicular(corner.plane, corner.former)
+                          : v.latter == Seat::square ? perpendicular(corner.plane, corner.latter)
+                                                     : lift(frame, v.vector);
+    result.push_back({vector, v.former, v.latter, false});
+  }
   mark_stop(result);
   return result;
-}
-
-// r n at one end of one block.
-Vector square_to_end(const CompensationPlane& plane, const SideEnd& end) {
-  if (!end.arc) return perpendicular(end);
-  const PlaneFrame frame = plane.frame();
-  return lift(frame, perpendicular(seen(plane, frame, end)));
 }
 
 // The way round an outer corner, with the vectors square to the former and to the latter block where they are asked
@@ -46,14 +45,14 @@ SideGroup way_round(CornerClass kind, const LineCorner& lines, const SideCorner&
                     bool with_latter) {
   SideGroup group;
   group.reserve(3);
-  if (with_former) group.push_back({perpendicular(corner.former), Seat::square, Seat::off, false});
+  if (with_former) group.push_back({perpendicular(corner.plane, corner.former), Seat::square, Seat::off, false});
   if (kind == CornerClass::acute) {
     group.push_back({lines.prolonged(), Seat::off, Seat::off, false});
     group.push_back({lines.begun_before(), Seat::off, Seat::off, false});
   } else {
     group.push_back({lines.meeting(), Seat::off, Seat::off, false});
   }
-  if (with_latter) group.push_back({perpendicular(corner.latter), Seat::off, Seat::square, false});
+  if (with_latter) group.push_back({perpendicular(corner.plane, corner.latter), Seat::off, Seat::square, false});
   mark_stop(group);
   return group;
 }
@@ -74,11 +73,11 @@ SideGroup SideRules::square_to(const CompensationPlane& plane, const SideEnd& fo
     recorder_.reach(Clause::fanuc_cutter_c_value_zero);
     return {{{}, Seat::square, Seat::square, false}};
   }
-  return {{square_to_end(plane, former), Seat::square, Seat::off, false}};
+  return {{perpendicular(plane, former), Seat::square, Seat::off, false}};
 }
 
 SideGroup SideRules::square_to_latter(const CompensationPlane& plane, const SideEnd& latter) const {
-  return {{square_to_end(plane, latter), Seat::off, Seat::square, false}};
+  return {{perpendicular(plane, latter), Seat::off, Seat::square, false}};
 }
 
 // Of type B, by the clauses of start-up or cancel; nothing where the corner has one vector as in type A.
@@ -106,7 +105,8 @@ std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancel
   const bool with_former = cancels ? corner.former.arc.has_value() : own;
   const bool with_latter = cancels ? own : corner.latter.arc.has_value();
   if (lines) return way_round(kind, *lines, corner, with_former, with_latter);
-  return lifted(framed->frame, model::way_round(kind, framed->former, framed->latter, with_former, with_latter));
+  return lifted(corner, framed->frame,
+                model::way_round(kind, framed->former, framed->latter, with_former, with_latter));
 }
 
 SideGroup SideRules::start_up(const SideCorner& corner) const {
@@ -124,7 +124,7 @@ std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
     const Framed framed(corner);
     const auto group = plane_rules_.offset_mode(framed.former, framed.latter);
     if (!group) return std::nullopt;
-    return lifted(framed.frame, *group);
+    return lifted(corner, framed.frame, *group);
   }
   const LineCorner lines(recorder_, corner.plane, corner.former, corner.latter);
   const CornerClass kind = lines.classify();
@@ -134,7 +134,7 @@ std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
       return one(lines.meeting());
     case CornerClass::straight:
       recorder_.reach(Clause::fanuc_tool_side_inner);
-      return one(perpendicular(corner.former));  // Vi, in a simpler form
+      return one(perpendicular(corner.plane, corner.former));  // Vi, in a simpler form
     case CornerClass::obtuse:
       recorder_.reach(Clause::fanuc_tool_side_outer_obtuse);
       break;
@@ -148,7 +148,7 @@ std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
 SideGroup SideRules::side_change(const SideCorner& corner) const {
   if (!corner.of_lines()) {
     const Framed framed(corner);
-    return lifted(framed.frame, plane_rules_.direction_change(framed.former, framed.latter));
+    return lifted(corner, framed.frame, plane_rules_.direction_change(framed.former, framed.latter));
   }
   const LineCorner lines(recorder_, corner.plane, corner.former, corner.latter);
   if (lines.is_parallel()) {

@@ -241,6 +241,20 @@ TEST(ModelToolSide, ArcPlane) {
   EXPECT_EQ(tilted("K-1")[2], "3 linear X105 Y-10 Z0");
 }
 
+// Under a tilted tool the heads at both ends of a whole circle are one, and those of a half circle lie opposite: the
+// tool's own arc turns as far as the programmed one, on one radius, and both are proven. B30 C10, radius 20.
+TEST(ModelToolSide, CirclesUnderATiltedTool) {
+  for (const auto& [arc, sweep] : {std::pair("I12 J16", "360"), std::pair("X24 Y32 I12 J16", "180")}) {
+    const auto done = run(head("\"5008#0\" = 1\n", "X = -40\nB = 30\nC = 10\n"),
+                          "G01 G41.2 D1 X0 F1\nG03 " + std::string(arc) + "\n");
+    ASSERT_EQ(done.events().size(), 3U) << arc;
+    const model::Event& event = done.events()[2];
+    ASSERT_EQ(event.type, spec::MoveType::arc) << arc;
+    EXPECT_FALSE(event.arc->radius) << arc;
+    EXPECT_EQ(event.arc->sweep->decimal(20), sweep) << arc;
+  }
+}
+
 TEST(ModelToolSide, BlocksWithoutMovement) {
   const auto at_corner = [](const std::string& between, const std::string& parameters = "") {
     return behind(1, head(parameters, "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\n" + between + "G90 Y100\n");
