@@ -113,6 +113,7 @@ void CutterCompensationC::keep_position(Position& position, const Event& event) 
     position.point[axis] = event.point.value[axis];
     position.axes[axis] = event.axes.value[axis];
   }
+  position.tool_axis = event.tool_axis;
 }
 
 void CutterCompensationC::rebase() {
@@ -362,7 +363,6 @@ Alarm CutterCompensationC::join(const CompensatedPath& to, const Heading& headin
     const Event& before = ring_[(first_ + held_count_ - 1U) % ring_.size()].event;
     Position& position = corners_[1U - group_];
     if (!rebased_) keep_position(position, before);
-    position.tool_axis = before.tool_axis;
   }
   if (const Alarm a = finish()) return a;
   group_ ^= 1U;

@@ -115,6 +115,7 @@ void Interpreter::rename_in_cutter() {
     event.point.value[axis] = position.nearest();
     event.axes.value[axis] = (position + length_[axis]).nearest();
   }
+  if (kinematics_.defined()) fill_tool_axis(event);  // turned by the coordinates of the rotary axes
   cutter_c_.rebase();
 }
 
