@@ -25,7 +25,7 @@ constexpr std::size_t kMostLabels = 40;
 constexpr std::size_t kMostLabelsOfALongOne = 10;
 // Long programs: what lies closer together on the paper is not drawn.
 constexpr std::size_t kLong = 500;    // moves
-constexpr double kThinnest = 0.25;    // from point to point of a course
+constexpr double kThinnest = 0.5;     // from point to point of a course
 constexpr double kBetweenEnds = 50;   // from dot to dot
 constexpr double kBetweenTools = 22;  // from tool stroke to tool stroke
 constexpr double kBetweenLabels = 14;
@@ -264,6 +264,7 @@ bool is_tilted(std::span<const spec::Event<double>> events) {
 
 std::string legend(const std::vector<Layer>& layers, bool tools, double width) {
   std::vector<std::pair<std::string, std::string>> entries;  // class, name
+  entries.reserve(layers.size() + 2);
   for (const Layer& layer : layers) entries.emplace_back("tp-path " + layer.style, layer.name);
   if (tools) {
     entries.emplace_back("tp-tool", "tool axis");
@@ -304,7 +305,8 @@ std::string path_svg(std::span<const spec::Event<double>> events, const spec::Ax
   const double side = solid ? kSolidPanel : kPanel;
   const std::size_t panels = views.size() + (detail ? 1 : 0);
   const double width = 2 * side + kGap;
-  const double height = kHeader + static_cast<double>((panels + 1) / 2) * (side + kGap) - kGap;
+  const std::size_t rows = (panels + 1) / 2;
+  const double height = kHeader + static_cast<double>(rows) * (side + kGap) - kGap;
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
       "role=\"img\" "
@@ -313,7 +315,10 @@ std::string path_svg(std::span<const spec::Event<double>> events, const spec::Ax
   out += kStyle;
   out += legend(layers, tilted, width);
   const auto left = [&](std::size_t i) { return static_cast<double>(i % 2) * (side + kGap); };
-  const auto top = [&](std::size_t i) { return kHeader + static_cast<double>(i / 2) * (side + kGap); };
+  const auto top = [&](std::size_t i) {
+    const std::size_t row = i / 2;
+    return kHeader + static_cast<double>(row) * (side + kGap);
+  };
   for (std::size_t i = 0; i < views.size(); ++i)
     out += Panel(*views[i], layers, options.unit, side).draw(left(i), top(i), layers, events, options);
   if (detail)
