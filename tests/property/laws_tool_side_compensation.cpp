@@ -21,8 +21,8 @@ bool all_move(const Legs& legs) {
   });
 }
 
-Legs any_legs(bool turning = true) {
-  Legs legs(*rc::gen::inRange<std::size_t>(3, 7));
+Legs any_legs(bool turning = true, std::size_t least = 3) {
+  Legs legs(*rc::gen::inRange<std::size_t>(least, 7));
   const Vector tool = *not_zero();
   for (Leg& leg : legs) {
     leg.movement = *not_zero();
@@ -214,6 +214,87 @@ std::vector<HeadsInSpace> groups(const fuzz::ModelRun& run) {
     result.back().push_back({e.point[0], e.point[1], e.point[2]});
   }
   return result;
+}
+
+// The manual's own way (sheet, 2.1): the system C2 by Gram and Schmidt from arbitrary auxiliary vectors, right-handed;
+// start, end and next end turned into it, the plane problem solved there, the vectors turned back.
+using RealVector = std::array<Real, 3>;
+Real dot(const RealVector& a, const RealVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+RealVector minus(const RealVector& a, const Real& k, const RealVector& b) {
+  return {a[0] - k * b[0], a[1] - k * b[1], a[2] - k * b[2]};
+}
+RealVector unit(const RealVector& a) {
+  const Real length = sqrt(dot(a, a));
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+RealVector real(const Vector& v) {
+  return {Real(Rational(v[0], 1000)), Real(Rational(v[1], 1000)), Real(Rational(v[2], 1000))};
+}
+
+HeadsInSpace by_the_matrix(const Leg& a, const Leg& b, const Vector& a2, const Vector& a3, const Real& r, int side) {
+  const RealVector e1 = unit(real(a.tool));
+  const RealVector e2 = unit(minus(real(a2), dot(real(a2), e1), e1));
+  const RealVector b3 = minus(minus(real(a3), dot(real(a3), e1), e1), dot(real(a3), e2), e2);
+  RealVector e3 = unit(b3);
+  // Right-handed: a2, a3 and the tool turn the right way round.
+  std::int64_t turn = 0;
+  const Vector normal = cross(a2, a3);
+  for (std::size_t i = 0; i < 3; ++i) turn += normal[i] * a.tool[i];
+  if (turn < 0) e3 = minus({0, 0, 0}, 1, e3);
+  struct Plane {
+    Real x;
+    Real y;
+  };
+  const auto direction = [&](const Vector& movement) {
+    const Plane u{dot(real(movement), e2), dot(real(movement), e3)};
+    const Real length = sqrt(u.x * u.x + u.y * u.y);
+    return Plane{u.x / length, u.y / length};
+  };
+  const Plane d1 = direction(a.movement);
+  const Plane d2 = direction(b.movement);
+  const Real s = Real(side);
+  const Plane n1{-s * d1.y, s * d1.x};
+  const Plane n2{-s * d2.y, s * d2.x};
+  const Real c = d1.x * d2.x + d1.y * d2.y;
+  const exact::Sign turns = (s * (d1.x * d2.y - d1.y * d2.x)).sign();
+  const auto back = [&](const Real& x, const Real& y) {
+    return std::array<Real, 3>{r * (x * e2[0] + y * e3[0]), r * (x * e2[1] + y * e3[1]), r * (x * e2[2] + y * e3[2])};
+  };
+  const bool acute = turns != exact::Sign::positive && c.sign() == exact::Sign::negative;
+  if (acute) return {back(n1.x + d1.x, n1.y + d1.y), back(n2.x - d2.x, n2.y - d2.y)};
+  return {back((n1.x + n2.x) / (1 + c), (n1.y + n2.y) / (1 + c))};
+}
+
+RC_GTEST_PROP(LawsOfToolSide, TheMatrixGivesTheSameVectorsForAnyAuxiliaryVectors, ()) {
+  const std::int64_t radius = any_radius();
+  RC_PRE(radius != 0);
+  const Legs legs = any_legs(true, 4);
+  const spec::Case c = unchecked(in_space(radius, legs));
+  RC_LOG() << fuzz::encode(c);
+  const auto run = model_run(c);
+  const std::vector<HeadsInSpace> heads = groups(*run);
+  Vector corner{};
+  for (std::size_t k = 0; k < 3; ++k) corner[k] = legs[0].movement[k];
+  for (std::size_t i = 1; i + 2 < legs.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) corner[k] += legs[i].movement[k];
+    const Vector a2 = *not_zero();
+    const Vector a3 = *not_zero();
+    std::int64_t independent = 0;
+    const Vector normal = cross(a2, a3);
+    for (std::size_t k = 0; k < 3; ++k) independent += normal[k] * legs[i].tool[k];
+    if (independent == 0) continue;
+    HeadsInSpace expected;
+    try {
+      expected = by_the_matrix(legs[i], legs[i + 1], a2, a3, Real(Rational(radius < 0 ? -radius : radius, 1000)),
+                               radius < 0 ? -1 : 1);
+    } catch (const exact::Undecided&) {
+      RC_DISCARD("roots over roots");
+    }
+    RC_ASSERT(heads[i + 1].size() == expected.size());
+    for (std::size_t h = 0; h < expected.size(); ++h)
+      for (std::size_t k = 0; k < 3; ++k)
+        RC_ASSERT(equal(heads[i + 1][h][k], expected[h][k] + Real(Rational(corner[k], 1000))));
+  }
 }
 
 // The orientation at the start of a block is irrelevant for the vectors at its end: another tool direction in one block
