@@ -181,7 +181,7 @@ SpaceCounts SpacePath::turned_roughly(const Direction& tool) {
       angle = (choose_.chance(50) ? 179.0 : -179.0) + static_cast<double>(choose_.between(-2, 2)) / 1000;
       break;
   }
-  const double way = static_cast<double>(length());
+  const auto way = static_cast<double>(length());
   return scaled(turned(u, tool, angle), way);
 }
 

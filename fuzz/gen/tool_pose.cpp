@@ -53,8 +53,10 @@ ToolAim ToolPose::aim() const {
 }
 
 void ToolPose::turn() {
-  if (by_words_) return any_direction();
-  if (turns()) rotary();
+  if (by_words_)
+    any_direction();
+  else if (turns())
+    rotary();
 }
 
 void ToolPose::rotary() {
@@ -131,7 +133,8 @@ void ToolPose::turn_by(std::int64_t counts) {
     const double size = 9'000 * static_cast<double>(write_.one());
     SpaceCounts d{};
     for (std::size_t i = 0; i < 3; ++i) d[i] = std::llround(to[i] * size);
-    return direction(d);
+    direction(d);
+    return;
   }
   // The axis that turns it most.
   char best = 0;
@@ -149,7 +152,8 @@ void ToolPose::align() {
   if (by_words_) {
     SpaceCounts d{};
     d[choose_.weighted({25, 25, 50})] = choose_.chance(80) ? 1 : -1;
-    return direction(d);
+    direction(d);
+    return;
   }
   if (!turns()) return;
   // All quarter turns of both axes.
