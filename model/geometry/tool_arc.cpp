@@ -16,7 +16,7 @@ Real distance(bool on, const PathEnd& end, const Real& square, Sign sign) {
 }  // namespace
 
 ToolArcRun::ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to,
-                       bool closed)
+                       HeadPair heads)
     : recorder_(recorder),
       path_(path),
       start_(from_center(path.start, from.vector)),
@@ -28,7 +28,7 @@ ToolArcRun::ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerV
       start_sign_(start_on_ ? offset_radius(path.start) : start2_.sign()),
       end_sign_(end_on_ ? offset_radius(path.end) : end2_.sign()),
       as_programmed_(from.latter == Seat::square && to.former == Seat::square && start_sign_ == end_sign_),
-      closed_(closed) {}
+      heads_(heads) {}
 
 Sweep ToolArcRun::programmed() const {
   const PlanePoint& from = path_.start.heading.along;
@@ -46,8 +46,8 @@ const Sweep& ToolArcRun::sweep() {
   if (as_programmed_) {
     sweep_ = programmed();
     scale = path_.start.heading.length * path_.end.heading.length;
-  } else if (closed_) {
-    sweep_ = Sweep{0, start2_, {}};
+  } else if (heads_ != HeadPair::any) {
+    sweep_ = Sweep{0, heads_ == HeadPair::same ? start2_ : -start2_, {}};
     scale = start2_;
   } else {
     sweep_ = Sweep{Real(path_.start.turn) * cross(start_, end_), dot(start_, end_), {}};
@@ -59,9 +59,9 @@ const Sweep& ToolArcRun::sweep() {
 
 ToolArc ToolArcRun::arc() {
   ToolArc arc;
-  // On one circle the squares are one number, which needs no proof; at one head too.
+  // On one circle the squares are one number, which needs no proof; of such heads too.
   const bool one_circle = start_on_ && end_on_ && path_.one_radius && path_.start.offset == path_.end.offset;
-  const Real growth = one_circle || closed_ ? Real(0) : end2_ - start2_;
+  const Real growth = one_circle || heads_ != HeadPair::any ? Real(0) : end2_ - start2_;
   if (recorder_.decide(Clause::fanuc_cutter_c_arc_radii, growth, end2_ + start2_) != Sign::zero)
     arc.radius = {distance(start_on_, path_.start, start2_, start_sign_),
                   distance(end_on_, path_.end, end2_, end_sign_)};

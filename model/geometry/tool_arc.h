@@ -1,6 +1,7 @@
 // The arc that the tool runs about the programmed centre, from the head of one vector to the head of another.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -27,12 +28,18 @@ struct Sweep {
   }
 };
 
+// What is known of the heads of an arc without a proof.
+enum class HeadPair : std::uint8_t {
+  any,
+  same,     // a whole circle from one head back to it
+  opposite  // a half circle, the heads opposite with respect to the centre
+};
+
 // One arc block between two heads. Sweeps are decided once, when they are asked for.
 class ToolArcRun {
  public:
-  // `closed`: a whole circle from one head back to it.
   ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to,
-             bool closed = false);
+             HeadPair heads = HeadPair::any);
 
   // A head lies in the centre.
   [[nodiscard]] bool in_center() const { return start_sign_ == Sign::zero || end_sign_ == Sign::zero; }
@@ -59,7 +66,7 @@ class ToolArcRun {
   Sign start_sign_;  // of R', or of the distance
   Sign end_sign_;
   bool as_programmed_;
-  bool closed_;
+  HeadPair heads_;
   std::optional<Sweep> sweep_;
 };
 

@@ -18,7 +18,7 @@ void ToolSideCompensation::release(SideGroup at_end) {
   if (arc) {
     as_seen = as_run(*arc, held.offset_at_start, held.end.offset);
     run.emplace(recorder_, *as_seen, head(*arc, here_plane_, here_.back()), head(*arc, held.plane, at_end.front()),
-                is_closed(held, at_end.front()));
+                pair_of(held, at_end.front()));
   }
   Passage passage = Passage::free;
   if (held.kind == Held::Kind::moving && recorder_.decide(Clause::fanuc_cutter_c_interference_check, checks_))
@@ -77,13 +77,15 @@ bool ToolSideCompensation::line_interferes(const Held& held, const Vector& from,
   return recorder_.decide(Clause::fanuc_cutter_c_interference_direction, along, scale) == Sign::negative;
 }
 
-// A whole circle between one vector at its start and at its end, known without a proof.
-bool ToolSideCompensation::is_closed(const Held& held, const SideVector& to) const {
+// Square to an arc that starts and ends in one place, or opposite with respect to its centre, the vectors do so too.
+HeadPair ToolSideCompensation::pair_of(const Held& held, const SideVector& to) const {
+  const bool alike = here_.back().latter == Seat::square && to.former == Seat::square &&
+                     held.offset_at_start == held.end.offset && here_plane_.is_same_as(held.plane);
+  if (!alike) return HeadPair::any;
+  const auto known_zero = [](const PlanePoint& v) { return v[0].is_rational() && v[1].is_rational() && is_zero(v); };
   const ArcEnds& ends = held.path.arc->ends;
-  const PlanePoint travel = ends.end - ends.start;
-  const bool whole = travel[0].is_rational() && travel[1].is_rational() && is_zero(travel);
-  return whole && here_.back().latter == Seat::square && to.former == Seat::square &&
-         held.offset_at_start == held.end.offset && here_plane_.is_same_as(held.plane);
+  if (known_zero(ends.end - ends.start)) return HeadPair::same;
+  return known_zero(ends.end + ends.start) ? HeadPair::opposite : HeadPair::any;
 }
 
 // A head in the plane of the arc. It lies on the offset circle there only if the tool stands upright on that plane.

@@ -113,7 +113,7 @@ class ToolSideCompensation {
   void release(SideGroup at_end);
   Passage remove_interference(const Held& held, SideGroup& at_end, ToolArcRun* run);
   [[nodiscard]] bool line_interferes(const Held& held, const Vector& from, const Vector& to) const;
-  [[nodiscard]] bool is_closed(const Held& held, const SideVector& to) const;
+  [[nodiscard]] HeadPair pair_of(const Held& held, const SideVector& to) const;
   [[nodiscard]] static CornerVector head(const SideArc& arc, const CompensationPlane& plane, const SideVector& vector);
   void flush();
   void insert_corner_moves(Step& step);

@@ -206,6 +206,8 @@ TEST(ModelProgram, LastOfAGroupAndOfAnAddressCounts) {
 
 TEST(ModelProgram, DwellWordsAreNoPositions) {
   EXPECT_EQ(moves("G04 X2.5\nG04 P100\nX1\n"), (Lines{"3 rapid X1 Y0 Z0 C0"}));
+  // I J K of a dwell ask for no three-dimensional compensation.
+  EXPECT_EQ(moves("G41 G04 I1 J2 K3\nX1\n"), (Lines{"2 rapid X1 Y0 Z0 C0"}));
 }
 
 TEST(ModelProgram, UnknownCodes) {
