@@ -9,6 +9,8 @@ constexpr Int128 kNarrow = Int128{1} << 31;
 constexpr Int128 kSmall = Int128{1} << 62;
 constexpr double kTurnBound = 0x1p-48;
 constexpr double kFineTurnBound = 0x1p-94;
+// Below this sine the vectors of a sharp corner are so long that the relative error of the sine counts.
+constexpr double kSharp = 0x1p-10;
 
 bool within(const std::array<Int128, 2>& v, const Int128& limit) {
   return v[0] < limit && v[0] > -limit && v[1] < limit && v[1] > -limit;
@@ -114,8 +116,9 @@ Turn turn_of_any(const Heading& first, const Heading& second) {
   } else {
     result.c = cross(first.unit, second.unit);
     result.k = dot(first.unit, second.unit);
-    // Near a tangent join or a right angle doubles are not enough, near a tangent join not for the value either.
-    if (std::abs(result.c) < 0x1p-10 || std::abs(result.k) < kTurnBound) {
+    // Near a tangent join or a right angle doubles are not enough, straight back not for the value either.
+    const double least = result.k < 0 ? kSharp : kTurnBound;
+    if (std::abs(result.c) < least || std::abs(result.k) < kTurnBound) {
       const Vector2<DoubleDouble> t1 = fine_unit(first);
       const Vector2<DoubleDouble> t2 = fine_unit(second);
       result.c = cross(t1, t2).hi;
