@@ -152,9 +152,8 @@ Vector2<DoubleDouble> fine_paths_meet(const Numbers<DoubleDouble>& n) {
 // it along the path only, by rho p b / (a^2 + b^2) times as much, which is little where the paths hardly turn; the
 // error of a turn that is not exact by rho p / sqrt(a^2 + b^2).
 double least_spread(const Corner& corner, double c) {
-  constexpr double kMost = 0x1p-6;
-  if (!(corner.last->exact && corner.next->exact)) return kMost;
-  return std::clamp(std::abs(c) / 4, 0x1p-20, kMost);
+  const double turn = corner.turn.error;
+  return std::clamp(std::max(std::abs(c) / 4, 0x1p-6 * turn * turn), 0x1p-20, 0x1p-6);
 }
 
 Vector2<double> nearest(const Vector2<DoubleDouble>& v) { return {to_double(v.x), to_double(v.y)}; }
