@@ -1,5 +1,8 @@
 #include "fast/geometry/corner.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "fast/fault.h"
 
 namespace toolcomp::fast {
@@ -145,6 +148,14 @@ Vector2<DoubleDouble> fine_paths_meet(const Numbers<DoubleDouble>& n) {
   return paths_meet(n, e, discriminant);
 }
 
+// Down to which (a^2 + b^2) / (p1^2 + p2^2) doubles make the vector of paths_meet well. The error of a curvature moves
+// it along the path only, by rho p b / (a^2 + b^2) times as much, which is little where the paths hardly turn; the
+// error of a turn that is not exact by rho p / sqrt(a^2 + b^2).
+double least_spread(const Corner& corner, double c) {
+  const double turn = corner.turn.error;
+  return std::clamp(std::max(std::abs(c) / 4, 0x1p-6 * turn * turn), 0x1p-20, 0x1p-6);
+}
+
 Vector2<double> nearest(const Vector2<DoubleDouble>& v) { return {to_double(v.x), to_double(v.y)}; }
 
 }  // namespace
@@ -214,7 +225,7 @@ bool offset_paths_meet(const Corner& corner, HeadKind kind, Vector2<double>& vec
   const double scale = discriminant_scale(n);
   const double difference = n.p1 - n.p2;
   const double spread = difference * difference + 2 * n.p1 * n.p2 * n.minus;
-  if (discriminant >= 0x1p-6 * scale && spread >= 0x1p-6 * (n.p1 * n.p1 + n.p2 * n.p2)) [[likely]] {
+  if (discriminant >= 0x1p-6 * scale && spread >= least_spread(corner, n.c) * (n.p1 * n.p1 + n.p2 * n.p2)) [[likely]] {
     vector = paths_meet(n, e, discriminant);
     return true;
   }

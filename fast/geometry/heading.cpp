@@ -9,6 +9,8 @@ constexpr Int128 kNarrow = Int128{1} << 31;
 constexpr Int128 kSmall = Int128{1} << 62;
 constexpr double kTurnBound = 0x1p-48;
 constexpr double kFineTurnBound = 0x1p-94;
+// Below this sine the vectors of a sharp corner are so long that the relative error of the sine counts.
+constexpr double kSharp = 0x1p-10;
 
 bool within(const std::array<Int128, 2>& v, const Int128& limit) {
   return v[0] < limit && v[0] > -limit && v[1] < limit && v[1] > -limit;
@@ -26,6 +28,10 @@ DoubleDouble squared_length(const std::array<Int128, 2>& v) { return dot_of(v, v
 // sqrt(4 R^2 - chord^2) without cancellation.
 DoubleDouble height_of(const std::array<Int128, 2>& chord, const Int128& radius) {
   return sqrt((Wide(4) * Wide(radius) * Wide(radius) - dot_of(chord, chord)).to_double_double());
+}
+
+Vector2<double> from_whole(const Heading& heading) {
+  return heading.exact ? Vector2<double>{1, 0} : heading.from_whole;
 }
 
 }  // namespace
@@ -79,7 +85,9 @@ ChordHeadings chord_headings(const std::array<Int128, 2>& chord, const Int128& r
     heading.turned = turned;
     heading.larger = larger;
     heading.radius = magnitude;
+    heading.small = along.small;
     heading.norm = along.norm;
+    heading.from_whole = {cosine, turned * sine};
     heading.unit = along.unit * cosine + left_of(along.unit) * (turned * sine);
   }
   return arc;
@@ -99,31 +107,34 @@ Vector2<DoubleDouble> fine_unit(const Heading& heading) {
 
 Turn turn_of_any(const Heading& first, const Heading& second) {
   Turn result;
-  if (first.exact && second.exact) {
-    result.norms = first.norm * second.norm;
-    if (first.small && second.small) {
-      const Int128 exact_c = first.whole[0] * second.whole[1] - first.whole[1] * second.whole[0];
-      const Int128 exact_k = first.whole[0] * second.whole[0] + first.whole[1] * second.whole[1];
-      result.c = static_cast<double>(exact_c);
-      result.k = static_cast<double>(exact_k);
-    } else {
-      const Wide exact_c = cross_of(first.whole, second.whole);
-      const Wide exact_k = dot_of(first.whole, second.whole);
-      result.c = exact_c.to_double();
-      result.k = exact_k.to_double();
-    }
+  result.norms = first.norm * second.norm;
+  if (first.small && second.small) {
+    const Int128 exact_c = first.whole[0] * second.whole[1] - first.whole[1] * second.whole[0];
+    const Int128 exact_k = first.whole[0] * second.whole[0] + first.whole[1] * second.whole[1];
+    result.c = static_cast<double>(exact_c);
+    result.k = static_cast<double>(exact_k);
   } else {
-    result.c = cross(first.unit, second.unit);
-    result.k = dot(first.unit, second.unit);
-    // Near a tangent join or a right angle doubles are not enough, near a tangent join not for the value either.
-    if (std::abs(result.c) < 0x1p-10 || std::abs(result.k) < kTurnBound) {
-      const Vector2<DoubleDouble> t1 = fine_unit(first);
-      const Vector2<DoubleDouble> t2 = fine_unit(second);
-      result.c = cross(t1, t2).hi;
-      result.k = dot(t1, t2).hi;
-      if (std::abs(result.c) < kFineTurnBound) result.c = 0;
-      if (std::abs(result.k) < kFineTurnBound) result.k = 0;
-    }
+    result.c = cross_of(first.whole, second.whole).to_double();
+    result.k = dot_of(first.whole, second.whole).to_double();
+  }
+  if (first.exact && second.exact) return result;
+  // So far from chord to chord; from there each arc by radius turns by half its sweep, and short ones by little.
+  const double c = result.c / result.norms;
+  const double k = result.k / result.norms;
+  const Vector2<double> from = from_whole(first);
+  const Vector2<double> to = from_whole(second);
+  const double sine = cross(from, to);
+  const double cosine = dot(from, to);
+  result = {c * cosine + k * sine, k * cosine - c * sine, 1, std::abs(c) + std::abs(from.y) + std::abs(to.y)};
+  // Near a tangent join or a right angle doubles are not enough, straight back not for the value either.
+  const double least = result.k < 0 ? kSharp : kTurnBound * result.error;
+  if (std::abs(result.c) < least || std::abs(result.k) < kTurnBound) {
+    const Vector2<DoubleDouble> t1 = fine_unit(first);
+    const Vector2<DoubleDouble> t2 = fine_unit(second);
+    result.c = cross(t1, t2).hi;
+    result.k = dot(t1, t2).hi;
+    if (std::abs(result.c) < kFineTurnBound) result.c = 0;
+    if (std::abs(result.k) < kFineTurnBound) result.k = 0;
   }
   return result;
 }

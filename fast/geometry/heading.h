@@ -18,11 +18,12 @@ namespace toolcomp::fast {
 struct Heading {
   std::array<Int128, 2> whole{};
   bool exact = true;
-  bool narrow = false;  // |whole| below 2^31, and exact: products fit into 64 bits
-  bool small = false;   // |whole| below 2^62: products fit into 128 bits
-  int turned = 0;       // not exact: -1 the chord is turned right, +1 left
-  bool larger = false;  // not exact: the height is negative
-  Int128 radius = 0;    // not exact: |R|
+  bool narrow = false;               // |whole| below 2^31, and exact: products fit into 64 bits
+  bool small = false;                // |whole| below 2^62: products fit into 128 bits
+  int turned = 0;                    // not exact: -1 the chord is turned right, +1 left
+  bool larger = false;               // not exact: the height is negative
+  Int128 radius = 0;                 // not exact: |R|
+  Vector2<double> from_whole{1, 0};  // not exact: cosine and sine of the angle from `whole` to the heading
   Vector2<double> unit{1, 0};
   double norm = 1;  // |whole|
   // Seen in a plane that no axis spans: the unit vector itself is all there is.
@@ -67,6 +68,7 @@ struct Turn {
   double c = 0;
   double k = 1;
   double norms = 1;  // |t1| |t2|
+  double error = 0;  // not exact: c is within a few roundings of this number
 };
 // The tangent of half the angle.
 inline double half_tangent(const Turn& turn) {

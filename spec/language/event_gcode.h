@@ -90,10 +90,10 @@ class EventGcode {
   void center(const Arc<Number>& arc) {
     constexpr std::string_view kLetters = "XYZ";
     constexpr std::string_view kAddresses = "IJK";
+    const std::size_t normal = 2 - static_cast<std::size_t>(arc.plane);  // of XY, ZX, YZ
     for (std::size_t i = 0; i < kLetters.size(); ++i) {
       const std::size_t axis = axes_.index(kLetters[i]);
-      const bool in_plane = name(arc.plane).find(kLetters[i]) != std::string_view::npos;
-      if (in_plane && axis < axes_.size() && arc.center.has(axis) && state_.point.has(axis))
+      if (i != normal && axis != Axes::kNone && arc.center.has(axis) && state_.point.has(axis))
         word(kAddresses[i], arc.center[axis] - state_.point[axis]);
     }
   }
