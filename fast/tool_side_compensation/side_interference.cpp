@@ -119,7 +119,12 @@ void set_tool_arc(spec::Arc<double>& arc, const SideGroups& groups, const SidePa
                   const SideGroup& end) {
   Radii radii = compare_radii(path, start, end);
   const Vector2<double> v = seen(path, start.back().vector);
-  const Vector2<double> w = seen(path, end.front().vector);
+  Vector2<double> w = seen(path, end.front().vector);
+  // A whole circle from a head back to itself: the two are made apart, and near the centre a rounding turns far.
+  const PlanePath& flat = path.flat;
+  const bool whole =
+      flat.from_center_start.x == flat.from_center_end.x && flat.from_center_start.y == flat.from_center_end.y;
+  if (whole && length(v - w) <= 0x1p-46 * length(v)) w = v;
   if (radii == Radii::unknown) {
     const double difference = length(path.flat.from_center_start + v) - length(path.flat.from_center_end + w);
     const double size = path.flat.radius_start + path.flat.radius_end + path.offset.nearest;
