@@ -187,7 +187,7 @@ int increment_decimals(const Setup& setup) {
 }
 
 std::int64_t counts_of(const Decimal& value, const Setup& setup) {
-  std::int64_t counts = static_cast<std::int64_t>(value.digits);
+  auto counts = static_cast<std::int64_t>(value.digits);
   for (int i = value.decimals; i < increment_decimals(setup); ++i) counts *= 10;
   for (int i = value.decimals; i > increment_decimals(setup); --i) counts /= 10;
   return value.negative ? -counts : counts;
