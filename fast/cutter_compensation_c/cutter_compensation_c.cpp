@@ -236,7 +236,7 @@ StageEnd CutterCompensationC::next_line(CutterBlock& block) {
   const Turn turned = turn(last, next);
   // An inner or an obtuse corner.
   if (turned.c == 0 || (side * turned.c < 0 && turned.k <= 0)) return follow(block, to);
-  const Vector2<double> vector = (left_of(last.unit) - last.unit * half_tangent(turned)) * (side * amount_.nearest);
+  const Vector2<double> vector = where_tangents_meet(last, turned, side * amount_.nearest);
   const Vector2<double>& from = at_start().front().vector;
   const double length = last.norm / per_one(last_->path);
   const double product = length + dot(last.unit, vector - from);

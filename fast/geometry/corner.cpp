@@ -178,7 +178,7 @@ Vector2<double> head_vector(const Corner& corner, HeadKind kind) {
     case HeadKind::second_extended:
       return left_of(t2) * rho - t2 * r;
     case HeadKind::tangents_meet:
-      return (left_of(t1) - t1 * half_tangent(corner.turn)) * rho;
+      return where_tangents_meet(*corner.last, corner.turn, rho);
     case HeadKind::paths_meet:
     case HeadKind::paths_cross:
       break;

@@ -35,6 +35,11 @@ struct Corner {
   Turn turn;
 };
 
+// The vector of tangents_meet from a former tangent offset by rho.
+inline Vector2<double> where_tangents_meet(const Heading& former, const Turn& turned, double rho) {
+  return (left_of(former.unit) - former.unit * half_tangent(turned)) * rho;
+}
+
 // The vector, from the corner, setup units; of kinds other than paths_meet and paths_cross.
 Vector2<double> head_vector(const Corner& corner, HeadKind kind);
 // The same to about 90 bits, of any kind.

@@ -92,7 +92,9 @@ Alarm Interpreter::shift_in_cutter(const Words& words, bool extra) {
   if (const Alarm a = refresh()) return a;
   fill(block.event, straight(), spec::Cause::programmed);
   if (const Alarm a = shift_coordinates(words)) return a;
-  if (is_b_ ? block.word == CutterSide::off : block.word != CutterSide::unchanged) {
+  // The move that makes or removes a vector: by a code, in C by number 0 too (clause fanuc.cutter-c.number-zero).
+  const bool number_zero = block.d_word && block.d == 0;
+  if (is_b_ ? block.word == CutterSide::off : block.word != CutterSide::unchanged || number_zero) {
     if (const Alarm a = refresh()) return a;
     fill(block.event, straight(), spec::Cause::programmed);
   }
