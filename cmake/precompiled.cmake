@@ -4,9 +4,6 @@
 set(headers <algorithm> <array> <charconv> <chrono> <cmath> <filesystem> <fstream> <functional> <iostream> <limits> <map>
   <memory> <optional> <random> <regex> <set> <span> <sstream> <string> <string_view> <thread> <utility> <variant> <vector>
   <boost/multiprecision/gmp.hpp> <fmt/format.h> <nlohmann/json.hpp>)
-if(TOOLCOMP_TESTS)
-  list(APPEND headers <gtest/gtest.h> <rapidcheck.h>)
-endif()
 
 # Code of libraries and of programs differs in its relocations (-fPIC, -fPIE): each kind has its own.
 file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cpp "int main() {}\n")
@@ -20,6 +17,12 @@ foreach(owner toolcomp_precompiled toolcomp_precompiled_program)
   target_compile_options(${owner} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
   set_target_properties(${owner} PROPERTIES CXX_COMPILER_LAUNCHER "")
 endforeach()
+
+if(TOOLCOMP_TESTS)
+  find_package(GTest REQUIRED)
+  target_link_libraries(toolcomp_precompiled_program PRIVATE GTest::gtest)
+  target_precompile_headers(toolcomp_precompiled_program PRIVATE <gtest/gtest.h> <rapidcheck.h>)
+endif()
 
 function(toolcomp_precompile folder)
   get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)

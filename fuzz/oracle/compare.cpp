@@ -268,18 +268,16 @@ Rules::Rules(const spec::Setup& setup, std::string_view section, const JudgeOpti
   if (options.resolution.empty()) return;
   const std::optional<Rational> r = parse_number(options.resolution);
   if (!r || *r < 0) throw std::invalid_argument("resolution \"" + options.resolution + "\" is no decimal number");
-  increment_ = *r;
   resolution_ = r->convert_to<double>();
 }
 
 bool Rules::is_near_tie(const model::Decision& decision, double band) const {
   if (margin(decision) > band) return false;
-  if (!policy::compares_exactly(decision.clause)) return true;
+  if (resolution_ > 0 || !policy::compares_exactly(decision.clause)) return true;
   if (!decision.quantity.is_rational() || decision.quantity.rational() != 0 || !decision.scale.is_rational())
     return true;
   // The scale is the sum of all numbers compared.
-  const Rational sum = decision.scale.rational();
-  return increment_ == 0 ? !is_decimal(sum) : denominator(Rational(sum / increment_)) != 1;
+  return !is_decimal(decision.scale.rational());
 }
 
 bool Rules::judges(std::string_view field) const {

@@ -30,7 +30,6 @@ class Rules {
   spec::Axes axes_;
   std::vector<std::string> fields_;
   double resolution_ = 0;
-  exact::Rational increment_ = 0;  // the same, exactly
   double um_per_unit_ = 0;
 };
 

@@ -186,14 +186,15 @@ class Judge {
     return child.kind != parent.kind || child.field != parent.field || child.expected != parent.expected;
   }
 
-  // A rule may ask twice before anything shows: No. 5010 drops a vector that is short in both axes. So after a flip
-  // that changes nothing only the near ties of its own clause and block that come behind it are tried with it.
+  // After a flip that changes nothing: the near ties of the other axis, if its clause asks of both.
   static void keep_questions_after(Node& child, const ModelRun& run, std::size_t flipped) {
     const auto& all = run.recorder.decisions();
     Node kept{child.forced, child.difference, {}, {}};
     for (std::size_t d = 0; d < child.decisions.size(); ++d) {
       const std::size_t i = child.decisions[d];
-      if (i <= flipped || all[i].clause != all[flipped].clause || all[i].line != all[flipped].line) continue;
+      if (!policy::asks_both_axes(all[flipped].clause) || i <= flipped || all[i].clause != all[flipped].clause ||
+          all[i].line != all[flipped].line)
+        continue;
       kept.decisions.push_back(i);
       kept.taken.push_back(child.taken[d]);
     }

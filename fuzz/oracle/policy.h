@@ -93,9 +93,9 @@ inline double controller_band(double resolution, double shortest_move) {
 
 // Clauses whose two sides are sums of decimals of the program and the setup, without product, root or trigonometry. A
 // control compares them in whole numbers of its least increment, so nothing is rounded and an exact tie is no near tie:
-// the ends of a zone belong to it or do not, as the manual says, and a controller can be held to that. It holds where
-// the numbers of the comparison are whole multiples of the controller's resolution (in double: decimals at all, which
-// lengths converted from millimetres to inches are not); a coarser controller rounds them first.
+// the ends of a zone belong to it or do not, as the manual says. Two exceptions: lengths that no decimal writes
+// (millimetres given in a setup in inches), and a controller that announces a resolution: the numbers of a case may be
+// finer than it, and are rounded before they are compared.
 inline constexpr spec::Clause kExactComparisons[] = {
     // Coordinate commanded, start, signal, offsets in force, and the lengths of 6251 and 6254.
     spec::Clause::fanuc_length_measurement_rapid_part,
@@ -108,6 +108,12 @@ inline constexpr spec::Clause kExactComparisons[] = {
 
 constexpr bool compares_exactly(spec::Clause clause) {
   return std::find(std::begin(kExactComparisons), std::end(kExactComparisons), clause) != std::end(kExactComparisons);
+}
+
+// A clause asked of one axis of the plane after the other, where nothing shows before both answers are known: near ties
+// of both axes are tried together.
+constexpr bool asks_both_axes(spec::Clause clause) {
+  return clause == spec::Clause::fanuc_cutter_c_small_corner_movement;
 }
 
 // The oracle estimates condition numbers in double: its estimates are widened by this share, far above their rounding.
