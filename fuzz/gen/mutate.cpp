@@ -253,7 +253,8 @@ spec::Case splice(const spec::Case& a, const spec::Case& b, ChoiceSource& source
   Choices choose(source);
   std::vector<std::string> first = lines(a.program);
   const std::vector<std::string> second = lines(b.program);
-  first.resize(choose.below(first.size() + 1));
+  // At least half of it stays: its first blocks fit its setup, those of the other case need not.
+  first.resize(first.size() - choose.below(first.size() / 2 + 1));
   const std::size_t from = choose.below(second.size() + 1);
   first.insert(first.end(), second.begin() + static_cast<std::ptrdiff_t>(from), second.end());
   if (first.size() > kMostLines) first.resize(kMostLines);
