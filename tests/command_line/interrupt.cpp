@@ -25,11 +25,13 @@ INSTANTIATE_TEST_SUITE_P(Signals, Interrupted, testing::Values(SIGINT, SIGTERM))
 TEST_P(Interrupted, CertifyEndsItsController) {
   const Folder folder;
   const std::string number = folder.path("process");
-  // A controller that says who it is and never answers.
-  const std::string controller = "sh " + folder.write("hang", "echo $$ >" + number + "\nsleep 1000\n");
+  // A controller that says who it is, sends the signal to the command that runs it, and never answers.
+  const std::string command = folder.path("command");
+  const std::string signal = "kill -" + std::to_string(GetParam()) + " $(cat " + command + ")";
+  const std::string controller = "sh " + folder.write("hang", "echo $$ >" + number + "\n" + signal + "\nsleep 1000\n");
   const Outcome outcome =
       toolcomp("certify --controller '" + controller + "' --timeout 500 --report " + folder.path("r"),
-               "timeout -s " + std::to_string(GetParam()) + " 2 ");
+               "sh -c 'echo $$ >" + command + "; exec \"$@\"' sh ");
   EXPECT_NE(outcome.status, 0);
   EXPECT_LE(outcome.status, kSignalled + GetParam());
   const std::string text = read(number);
