@@ -338,9 +338,8 @@ inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
       programmed_value_[axis] = position;
       if (((length_.live() | tool_offset_.live()) & bit(axis)) == 0)
         axes_value_[axis] = position;
-      else if ((tool_offset_.live() & bit(axis)) != 0)
-        stale_ = static_cast<Mask>(stale_ | bit(axis));
-      else if (const std::int64_t sum = small + length_[axis].small(); length_[axis].is_small() && Count::is_small(sum))
+      else if (const std::int64_t sum = small + length_[axis].small();
+               (tool_offset_.live() & bit(axis)) == 0 && length_[axis].is_small() && Count::is_small(sum))
         axes_value_[axis] = Count::nearest_small(sum);
       else
         stale_ = static_cast<Mask>(stale_ | bit(axis));

@@ -190,7 +190,7 @@ void SideGeometry::set_tilted(SideCorner& corner, const ToolPlane& plane) const 
   };
   flat.first = set_path(corner.first, first, 0);
   flat.second = set_path(corner.second, second, 1);
-  flat.last = &corner.heading[0];
+  flat.last = corner.heading.data();
   flat.next = &corner.heading[1];
 }
 

@@ -122,12 +122,14 @@ void SideGroups::make_cancel(SideGroup& group) const {
 // Where the paths have no point in common the perpendicular vector of the latter one.
 void SideGroups::make_side_change(SideGroup& group) const {
   const SideCorner& corner = group.corner;
-  if (SideGeometry::cross(corner) == 0)
-    set(group, HeadKind::second_normal);
-  else if (!corner.flat)
-    set(group, HeadKind::paths_cross);
-  else if (!offset_circles_exist(corner) || !set_meeting(group, HeadKind::paths_cross))
-    set(group, HeadKind::second_normal);
+  if (SideGeometry::cross(corner) != 0) {
+    if (!corner.flat) {
+      set(group, HeadKind::paths_cross);
+      return;
+    }
+    if (offset_circles_exist(corner) && set_meeting(group, HeadKind::paths_cross)) return;
+  }
+  set(group, HeadKind::second_normal);
 }
 
 // |a - b| <= limit; what double-double cannot tell is taken for equal.
