@@ -644,11 +644,7 @@ bool CutterCompensationC::vector_is_zero() const {
 // The blocks before are given as if this block were absent.
 StageEnd CutterCompensationC::refuse(const CutterBlock& block, const Alarm& alarm) {
   if (const StageEnd end = release()) return end;
-  StageEnd end;
-  end.alarm = alarm;
-  end.line = block.event.line;
-  end.n = block.event.n;
-  return end;
+  return end_at(block.event, alarm);
 }
 
 StageEnd CutterCompensationC::undecide(const CutterBlock& block, const char* clause) {
@@ -657,14 +653,7 @@ StageEnd CutterCompensationC::undecide(const CutterBlock& block, const char* cla
   return end;
 }
 
-StageEnd CutterCompensationC::at_fault(const Alarm& alarm) const {
-  const Event& event = ring_[first_].event;
-  StageEnd end;
-  end.alarm = alarm;
-  end.line = event.line;
-  end.n = event.n;
-  return end;
-}
+StageEnd CutterCompensationC::at_fault(const Alarm& alarm) const { return end_at(ring_[first_].event, alarm); }
 
 void CutterCompensationC::send_setting(const CutterBlock& block) {
   notice_.kind = spec::EventKind::setting;

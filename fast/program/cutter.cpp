@@ -1,6 +1,4 @@
 // Blocks that pass cutter compensation, B or C: what the stage is told about each.
-#include <bit>
-
 #include "fast/program/interpreter.h"
 
 namespace toolcomp::fast {
@@ -99,12 +97,7 @@ Alarm Interpreter::cutter_move(const Words& words) {
   std::array<double, 2> center{};
   if (arc)
     if (const Alarm a = read_cutter_arc(words, block, center)) return a;
-  for (unsigned rest = axes; rest != 0; rest &= rest - 1)
-    if (const Alarm a = place_word(words, static_cast<std::size_t>(std::countr_zero(rest)))) return a;
-  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
-  if ((axes & turning_) != 0) turn();
-  if (stale_ != 0)
-    if (const Alarm a = refresh()) return a;
+  if (const Alarm a = place_words(words, axes)) return a;
   const Count& first = programmed_[plane[0]];
   const Count& second = programmed_[plane[1]];
   block.end[0] = first;
@@ -177,11 +170,7 @@ Alarm Interpreter::cutter_motion(const Words& words, Code one_shot, bool extra,
                                  const std::optional<spec::Arc<double>>& arc, const ArcWords& arc_words) {
   CutterBlock& block = cutter_next();
   const Mask axes = one_shot == kNone ? words.axes() : Mask{0};
-  if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
-  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
-  if ((axes & turning_) != 0) turn();
-  if (stale_ != 0)
-    if (const Alarm a = refresh()) return a;
+  if (const Alarm a = place_words(words, axes)) return a;
 
   block.own = axes != 0 || extra || arc;
   block.axis_word = axes != 0;

@@ -97,4 +97,7 @@ struct StageEnd {
   explicit operator bool() const { return alarm || undecided != nullptr; }
 };
 
+// The alarm at the block of this move.
+inline StageEnd end_at(const Event& event, const Alarm& alarm) { return {alarm, nullptr, event.line, event.n}; }
+
 }  // namespace toolcomp::fast

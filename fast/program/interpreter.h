@@ -93,6 +93,8 @@ class Interpreter {
                              const std::optional<spec::Arc<double>>& arc);
   [[nodiscard]] Alarm place(std::size_t axis, const Count& position);
   [[nodiscard]] Alarm place_word(const Words& words, std::size_t axis);
+  // The positions of these axes and what follows from them: the tool direction, and what the axes are sent to.
+  [[nodiscard]] Alarm place_words(const Words& words, Mask axes);
   [[nodiscard]] Alarm refresh();
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
   void fill_tool_axis(Event& event) const;
@@ -346,6 +348,15 @@ inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
       return alarm::kNone;
     }
   return place(axis, target(words, axis));
+}
+
+[[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
+  if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
+  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
+  if ((axes & turning_) != 0) turn();
+  if (stale_ != 0)
+    if (const Alarm a = refresh()) return a;
+  return alarm::kNone;
 }
 
 }  // namespace toolcomp::fast

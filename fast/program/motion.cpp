@@ -117,11 +117,7 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
     for (std::size_t i = 0; i < 3; ++i)
       if (xyz_[i] != spec::Axes::kNone) from[i] = programmed_[xyz_[i]];
 
-  if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
-  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
-  if ((axes & turning_) != 0) turn();
-  if (stale_ != 0)
-    if (const Alarm a = refresh()) return a;
+  if (const Alarm a = place_words(words, axes)) return a;
 
   constexpr std::uint32_t kDirectionLetters = Words::set_of("IJK");
   const bool event = axes != 0 || extra || arc || (own && along_tool() && words.has_any(kDirectionLetters));

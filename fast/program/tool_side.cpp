@@ -1,6 +1,4 @@
 // Blocks that pass tool side compensation: what the stage is told about each.
-#include <bit>
-
 #include "fast/program/interpreter.h"
 
 namespace toolcomp::fast {
@@ -66,11 +64,7 @@ Alarm Interpreter::tool_side_move(const Words& words) {
   start_tool_side_leg(words, block);
   std::array<Count, 3> start;
   for (std::size_t i = 0; i < 3; ++i) start[i].set_small(from[i]);
-  for (unsigned rest = axes; rest != 0; rest &= rest - 1)
-    if (const Alarm a = place_word(words, static_cast<std::size_t>(std::countr_zero(rest)))) return a;
-  if ((axes & turning_) != 0) turn();
-  if (stale_ != 0)
-    if (const Alarm a = refresh()) return a;
+  if (const Alarm a = place_words(words, axes)) return a;
   std::array<std::int64_t, 3> way{};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = xyz_[i];
@@ -121,12 +115,7 @@ Alarm Interpreter::tool_side_motion(const Words& words, bool extra, const std::o
   }
 
   Mask rounded = rounded_;
-  for (unsigned rest = axes; rest != 0; rest &= rest - 1)
-    if (const Alarm a = place_word(words, static_cast<std::size_t>(std::countr_zero(rest)))) return a;
-  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
-  if ((axes & turning_) != 0) turn();
-  if (stale_ != 0)
-    if (const Alarm a = refresh()) return a;
+  if (const Alarm a = place_words(words, axes)) return a;
 
   rounded = static_cast<Mask>((rounded | rounded_) & axes & xyz);
   for (std::size_t i = 0; i < 3; ++i)

@@ -494,11 +494,7 @@ StageEnd ToolSideCompensation::cancel_alone(ToolSideBlock& block) {
 // The blocks before are given as if this block were absent.
 StageEnd ToolSideCompensation::refuse(const ToolSideBlock& block, const Alarm& alarm) {
   if (const StageEnd end = release()) return end;
-  StageEnd end;
-  end.alarm = alarm;
-  end.line = block.event.line;
-  end.n = block.event.n;
-  return end;
+  return end_at(block.event, alarm);
 }
 
 StageEnd ToolSideCompensation::undecide(const ToolSideBlock& block, const char* clause) {
@@ -509,10 +505,7 @@ StageEnd ToolSideCompensation::undecide(const ToolSideBlock& block, const char* 
 
 // Moves of the corner before it that do not belong to the block go out.
 StageEnd ToolSideCompensation::at_fault(const ToolSideBlock& block, const Alarm& alarm) {
-  StageEnd end;
-  end.alarm = alarm;
-  end.line = block.event.line;
-  end.n = block.event.n;
+  const StageEnd end = end_at(block.event, alarm);
   if (held_ == Held::path) pass_corner(nullptr);
   return end;
 }
