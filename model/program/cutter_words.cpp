@@ -41,14 +41,8 @@ PlaneMotion motion_of(const CutterBlock& block, const std::vector<Leg>& legs) {
 
 }  // namespace
 
-std::optional<OffsetNumber> given_number(const Codes& codes, bool ofh) {
-  if (codes.d) return OffsetNumber{*codes.d, false};
-  if (ofh && codes.h) return OffsetNumber{*codes.h, true};
-  return std::nullopt;
-}
-
 CutterWords::CutterWords(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder)
-    : memory_(memory), recorder_(recorder), axes_(setup.axes), ofh_(setup.bit(5001, 2)), evr_(setup.bit(5001, 4)) {}
+    : offset_(setup, memory, recorder), axes_(setup.axes) {}
 
 bool CutterWords::has_word(const Command& command, char letter) const {
   return axes_.has(letter) && (command.axes >> axes_.index(letter) & 1U) != 0;
@@ -74,24 +68,21 @@ std::optional<CutterBlock> CutterWords::read(const Command& command, const Inter
   const Codes& codes = command.codes;
   CutterBlock block;
   block.before = side_;
-  block.number_before = number_.number;
+  block.number_before = offset_.number().number;
   if (codes.compensation) {
     side_ = side_of(*codes.compensation);
     if (*codes.compensation == Compensation::cancel || is_cutter_side(*codes.compensation)) block.code = side_;
   }
   block.side = side_;
   seen_ = seen_ || side_ != CutterSide::none || codes.one_shot == OneShot::corner_arc;
-  if (const auto given = given_number(codes, ofh_)) {
-    number_ = *given;
-    block.number_given = true;
-  }
+  block.number_given = offset_.take(codes);
   block.plane = command.plane;
   block.plane_changed = command.plane != plane_;
   plane_ = command.plane;
   if (!seen_) return std::nullopt;
-  if (codes.h && !codes.d) recorder_.decide(Clause::fanuc_cutter_number, ofh_);
+  offset_.decide_address(codes);
 
-  block.number = number_.number;
+  block.number = offset_.number().number;
   block.one_shot = codes.one_shot;
   block.direction = direction(command, interpreter);
   const PlaneLetters in_plane = letters(command.plane);
@@ -118,10 +109,7 @@ std::optional<CutterBlock> CutterWords::read(const Command& command, const Inter
 
 void CutterWords::add_value(CutterBlock& block) {
   if (block.side == CutterSide::none) return;
-  const bool reads = block.number_given || block.before == CutterSide::none || evr_;
-  if (recorder_.decide(Clause::fanuc_cutter_value_edited, reads))
-    offset_ = number_.of_h ? memory_.h(number_.number) : memory_.d(number_.number);
-  block.offset = offset_;
+  block.offset = offset_.value(block.number_given || block.before == CutterSide::none);
 }
 
 PlanePoint CutterWords::point(spec::Plane plane, const Leg& leg) const {

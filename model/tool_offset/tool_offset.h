@@ -5,9 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "model/program/cutter_words.h"
 #include "model/program/interpreter.h"
-#include "model/program/offset_memory.h"
+#include "model/program/offset_in_force.h"
 #include "model/recorder.h"
 #include "spec/language/setup.h"
 

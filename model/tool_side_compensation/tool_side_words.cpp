@@ -33,14 +33,14 @@ std::optional<int> treatment(const Command& command) {
 }  // namespace
 
 ToolSideWords::ToolSideWords(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder)
-    : memory_(memory), recorder_(recorder), axes_(setup.axes), ofh_(setup.bit(5001, 2)), evr_(setup.bit(5001, 4)) {}
+    : offset_(setup, memory, recorder), axes_(setup.axes) {}
 
 CutterSide ToolSideWords::side_after(const Command& command) const {
   return command.codes.compensation ? side_of(*command.codes.compensation) : side_;
 }
 
 bool ToolSideWords::wanted(const Command& command) const {
-  return side_after(command) != CutterSide::none && given_number(command.codes, ofh_).value_or(number_).number != 0;
+  return side_after(command) != CutterSide::none && offset_.number_after(command.codes).number != 0;
 }
 
 std::optional<ToolSideBlock> ToolSideWords::read(const Command& command, bool tip_control,
@@ -55,15 +55,12 @@ std::optional<ToolSideBlock> ToolSideWords::read(const Command& command, bool ti
   block.other_compensation = codes.compensation && !block.code;
   block.wrong_mode = tool_side_code && is_directed(*codes.compensation) != tip_control;
   seen_ = seen_ || tool_side_code;
-  if (const auto given = given_number(codes, ofh_)) {
-    number_ = *given;
-    block.number_given = true;
-  }
-  block.number = number_.number;
+  block.number_given = offset_.take(codes);
+  block.number = offset_.number().number;
   block.plane_changed = command.plane != plane_;
   plane_ = command.plane;
   if (!seen_) return std::nullopt;
-  if (codes.h && !codes.d) recorder_.decide(Clause::fanuc_cutter_number, ofh_);
+  offset_.decide_address(codes);
 
   block.treatment = treatment(command);
   block.leaves_the_path = codes.one_shot != OneShot::none;
@@ -86,10 +83,7 @@ std::optional<ToolSideBlock> ToolSideWords::read(const Command& command, bool ti
 
 void ToolSideWords::add_value(ToolSideBlock& block) {
   if (block.side == CutterSide::none) return;
-  const bool reads = block.number_given || block.before == CutterSide::none || evr_;
-  if (recorder_.decide(Clause::fanuc_cutter_value_edited, reads))
-    offset_ = number_.of_h ? memory_.h(number_.number) : memory_.d(number_.number);
-  block.offset = offset_;
+  block.offset = offset_.value(block.number_given || block.before == CutterSide::none);
 }
 
 }  // namespace toolcomp::model

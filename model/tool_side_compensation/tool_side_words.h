@@ -3,9 +3,8 @@
 
 #include <optional>
 
-#include "model/program/cutter_words.h"
 #include "model/program/interpreter.h"
-#include "model/program/offset_memory.h"
+#include "model/program/offset_in_force.h"
 #include "model/program/step.h"
 #include "model/recorder.h"
 #include "spec/language/setup.h"
@@ -29,16 +28,11 @@ class ToolSideWords {
  private:
   [[nodiscard]] CutterSide side_after(const Command& command) const;
 
-  const OffsetMemory& memory_;
-  Recorder& recorder_;
+  OffsetInForce offset_;
   spec::Axes axes_;
-  bool ofh_;  // 5001#2: H numbers count too
-  bool evr_;  // 5001#4: an edited value counts from the next block on
   bool seen_ = false;
   CutterSide side_ = CutterSide::none;
   spec::Plane plane_ = spec::Plane::xy;
-  OffsetNumber number_;
-  Rational offset_;  // of the number in force, as it was when it was taken
 };
 
 }  // namespace toolcomp::model
