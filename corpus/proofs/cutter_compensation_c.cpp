@@ -1,9 +1,9 @@
 // Lemmas about corners of two lines in cutter compensation C.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
+#include "corpus/proofs/corner.h"
 #include "corpus/proofs/proofs.h"
 #include "corpus/proofs/tool.h"
 
@@ -12,62 +12,10 @@ namespace {
 
 using Exact2 = std::array<Rational, 2>;
 
-// Codes that the formal specification of a corner knows nothing of.
-constexpr const char* kBeyond[] = {"G10", "G18", "G19", "G28", "G29", "G30", "G30.1", "G37", "G39", "G45", "G46",
-                                   "G47", "G48", "G53", "G54", "G55", "G56", "G57",   "G58", "G59", "G92"};
-
-bool is_beyond(const Blocks& blocks) {
-  return std::ranges::any_of(blocks, [](const auto& entry) {
-    return std::ranges::any_of(kBeyond, [&](const char* code) { return has(entry.second, code); });
-  });
-}
-
-// What is in force at the end of a line.
-struct Modal {
-  bool straight = true;  // G00, G01
-  int side = 0;          // 1: G41, -1: G42
-  Rational value;        // of the D number
-};
-
-Modal modal_at(const spec::Case& c, const Blocks& blocks, std::uint64_t line) {
-  Modal modal;
-  for (const auto& [number, block] : blocks) {
-    if (number > line) break;
-    if (has(block, "G00") || has(block, "G01")) modal.straight = true;
-    if (has(block, "G02") || has(block, "G03")) modal.straight = false;
-    if (has(block, "G40")) modal.side = 0;
-    if (has(block, "G41")) modal.side = 1;
-    if (has(block, "G42")) modal.side = -1;
-    if (const auto d = word(block, 'D')) modal.value = offset_of(c.setup, 'D', d->digits);
-  }
-  return modal;
-}
-
-std::optional<Exact2> programmed(const spec::Case& c, const spec::TextEvent& event) {
-  Exact2 place;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::size_t axis = c.setup.axes.index("XY"[i]);
-    if (axis == spec::Axes::kNone || event.kind != spec::EventKind::move || !event.programmed.has(axis))
-      return std::nullopt;
-    const auto value = fraction_of(event.programmed[axis]);
-    if (!value) return std::nullopt;
-    place[i] = *value;
-  }
-  return place;
-}
-
 Rational dot(const Exact2& a, const Exact2& b) { return a[0] * b[0] + a[1] * b[1]; }
 Rational turn(const Exact2& a, const Exact2& b) { return a[0] * b[1] - a[1] * b[0]; }
 Exact2 difference(const Exact2& to, const Exact2& from) { return {to[0] - from[0], to[1] - from[1]}; }
 std::string coq(const Exact2& v) { return fmt::format("(Vec {} {} 0)", corpus::coq(v[0]), corpus::coq(v[1])); }
-
-std::optional<Rational> length(const Exact2& v) {
-  const Rational square = dot(v, v);
-  const exact::Integer above = sqrt(exact::Integer(numerator(square)));
-  const exact::Integer below = sqrt(exact::Integer(denominator(square)));
-  const Rational root(above, below);
-  return root * root == square ? std::optional(root) : std::nullopt;
-}
 
 // The corner at the end of one line: its travel, that of the next line, and the recorded heads in between.
 struct Corner {
@@ -84,8 +32,8 @@ std::optional<Corner> corner_at(const spec::Case& c, const Blocks& blocks, std::
   const bool classed = rests_on(event, "fanuc.cutter-c.inner-lines") ||
                        rests_on(event, "fanuc.cutter-c.outer-obtuse") || rests_on(event, "fanuc.cutter-c.outer-acute");
   if (index == 0 || !classed || event.cause != spec::Cause::programmed) return std::nullopt;
-  const auto from = programmed(c, c.expect[index - 1]);
-  const auto here = programmed(c, event);
+  const auto from = programmed_point<2>(c, c.expect[index - 1]);
+  const auto here = programmed_point<2>(c, event);
   if (!from || !here) return std::nullopt;
   Corner corner;
   corner.line = event.line;
@@ -95,9 +43,10 @@ std::optional<Corner> corner_at(const spec::Case& c, const Blocks& blocks, std::
   for (; next < c.expect.size() && c.expect[next].cause == spec::Cause::corner; ++next)
     corner.heads.push_back(&c.expect[next]);
   if (next == c.expect.size() || c.expect[next].cause != spec::Cause::programmed) return std::nullopt;
-  const auto there = programmed(c, c.expect[next]);
-  const Modal modal = modal_at(c, blocks, event.line);
-  if (!there || !modal.straight || !modal_at(c, blocks, c.expect[next].line).straight) return std::nullopt;
+  const auto there = programmed_point<2>(c, c.expect[next]);
+  const auto modal_at_line = [&](std::uint64_t line) { return modal_at(c, blocks, line, {"G41"}, {"G42"}); };
+  const Modal modal = modal_at_line(event.line);
+  if (!there || !modal.straight || !modal_at_line(c.expect[next].line).straight) return std::nullopt;
   corner.former = difference(*here, *from);
   corner.latter = difference(*there, *here);
   corner.rho = modal.side * modal.value;
@@ -110,8 +59,8 @@ std::optional<Lemma> lemma_of(const spec::Case& c, const Corner& corner) {
   if (corner.heads.size() != (acute ? 2U : 1U)) return std::nullopt;
   const std::string a = coq(corner.former);
   const std::string b = coq(corner.latter);
-  const auto first = length(corner.former);
-  const auto second = length(corner.latter);
+  const auto first = square_root(dot(corner.former, corner.former));
+  const auto second = square_root(dot(corner.latter, corner.latter));
   const std::string rho = corpus::coq(corner.rho);
   Lemma lemma;
   lemma.name = fmt::format("{}_line_{}", identifier(c.id), corner.line);
@@ -150,7 +99,7 @@ std::optional<Lemma> lemma_of(const spec::Case& c, const Corner& corner) {
 std::vector<Lemma> cutter_compensation_c_lemmas(const spec::Case& c) {
   std::vector<Lemma> lemmas;
   const auto blocks = blocks_of(c);
-  if (!blocks || c.setup.bit(5001, 2) || is_beyond(*blocks)) return lemmas;
+  if (!blocks || c.setup.bit(5001, 2) || is_beyond_corners(*blocks, {"G18", "G19", "G39"})) return lemmas;
   for (std::size_t i = 0; i < c.expect.size(); ++i) {
     const auto corner = corner_at(c, *blocks, i);
     if (!corner) continue;

@@ -112,19 +112,6 @@ std::optional<Tool> tool_of(const spec::Case& c, const Blocks& blocks, const spe
   return of_head(c.setup, event);
 }
 
-std::optional<Exact3> programmed_point(const spec::Case& c, const spec::TextEvent& event) {
-  Exact3 place;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t axis = c.setup.axes.index("XYZ"[i]);
-    if (axis == spec::Axes::kNone || event.kind != spec::EventKind::move || !event.programmed.has(axis))
-      return std::nullopt;
-    const auto value = fraction_of(event.programmed[axis]);
-    if (!value) return std::nullopt;
-    place[i] = *value;
-  }
-  return place;
-}
-
 bool rests_on(const spec::TextEvent& event, std::string_view clause) {
   const auto& list = event.clauses;
   return std::any_of(list.clause.begin(), list.clause.begin() + list.size,

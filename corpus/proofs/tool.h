@@ -39,9 +39,6 @@ struct Tool {
 // Nothing for other kinematics.
 std::optional<Tool> tool_of(const spec::Case& c, const Blocks& blocks, const spec::TextEvent& event);
 
-// The programmed end point, where it is rational.
-std::optional<Exact3> programmed_point(const spec::Case& c, const spec::TextEvent& event);
-
 // Is the clause with this id in the event's list?
 bool rests_on(const spec::TextEvent& event, std::string_view clause);
 

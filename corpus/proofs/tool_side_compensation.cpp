@@ -1,46 +1,15 @@
 // Lemmas about corners of two lines in tool side compensation.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "corpus/proofs/corner.h"
 #include "corpus/proofs/proofs.h"
 #include "corpus/proofs/tool.h"
 
 namespace toolcomp::corpus {
 namespace {
-
-// Codes that the formal specification of a corner knows nothing of.
-constexpr const char* kBeyond[] = {"G10", "G28", "G29", "G30", "G30.1", "G37", "G45", "G46", "G47",
-                                   "G48", "G53", "G54", "G55", "G56",   "G57", "G58", "G59", "G92"};
-
-bool is_beyond(const Blocks& blocks) {
-  return std::ranges::any_of(blocks, [](const auto& entry) {
-    return std::ranges::any_of(kBeyond, [&](const char* code) { return has(entry.second, code); });
-  });
-}
-
-// What is in force at the end of a line.
-struct Modal {
-  bool straight = true;  // G00, G01
-  int side = 0;          // 1: G41.2, G41.6; -1: G42.2, G42.6
-  Rational value;        // of the D number
-};
-
-Modal modal_at(const spec::Case& c, const Blocks& blocks, std::uint64_t line) {
-  Modal modal;
-  for (const auto& [number, block] : blocks) {
-    if (number > line) break;
-    if (has(block, "G00") || has(block, "G01")) modal.straight = true;
-    if (has(block, "G02") || has(block, "G03")) modal.straight = false;
-    if (has(block, "G40")) modal.side = 0;
-    if (has(block, "G41.2") || has(block, "G41.6")) modal.side = 1;
-    if (has(block, "G42.2") || has(block, "G42.6")) modal.side = -1;
-    if (const auto d = word(block, 'D')) modal.value = offset_of(c.setup, 'D', d->digits);
-  }
-  return modal;
-}
 
 enum class Class : std::uint8_t { inner, obtuse, acute };
 
@@ -65,21 +34,24 @@ std::optional<Corner> corner_at(const spec::Case& c, const Blocks& blocks, std::
   Corner corner;
   corner.line = event.line;
   corner.heads.push_back(&event);
-  const auto from = programmed_point(c, c.expect[index - 1]);
-  const auto here = programmed_point(c, event);
+  const auto from = programmed_point<3>(c, c.expect[index - 1]);
+  const auto here = programmed_point<3>(c, event);
   // Up to the next block that travels: corner moves, and the move of a block that only turns the tool.
   std::size_t next = index + 1;
   for (; next < c.expect.size(); ++next) {
     if (c.expect[next].cause == spec::Cause::corner)
       corner.heads.push_back(&c.expect[next]);
-    else if (programmed_point(c, c.expect[next]) != here)
+    else if (programmed_point<3>(c, c.expect[next]) != here)
       break;
   }
   if (next == c.expect.size() || c.expect[next].cause != spec::Cause::programmed) return std::nullopt;
-  const auto there = programmed_point(c, c.expect[next]);
+  const auto there = programmed_point<3>(c, c.expect[next]);
   auto tool = tool_of(c, blocks, event);
-  const Modal modal = modal_at(c, blocks, event.line);
-  const Modal after = modal_at(c, blocks, c.expect[next].line);
+  const auto modal_at_line = [&](std::uint64_t line) {
+    return modal_at(c, blocks, line, {"G41.2", "G41.6"}, {"G42.2", "G42.6"});
+  };
+  const Modal modal = modal_at_line(event.line);
+  const Modal after = modal_at_line(c.expect[next].line);
   if (!from || !here || !there || !tool || !modal.straight || !after.straight) return std::nullopt;
   corner.place = *here;
   corner.former = difference(*here, *from);
@@ -179,7 +151,7 @@ std::vector<Lemma> tool_side_lemmas(const spec::Case& c) {
   std::vector<Lemma> lemmas;
   const auto blocks = blocks_of(c);
   const auto limit = c.setup.parameter(19630);
-  if (!blocks || c.setup.bit(5001, 2) || (limit && value_of(*limit) > 0) || is_beyond(*blocks)) return lemmas;
+  if (!blocks || c.setup.bit(5001, 2) || (limit && value_of(*limit) > 0) || is_beyond_corners(*blocks)) return lemmas;
   for (std::size_t i = 0; i < c.expect.size(); ++i) {
     const auto corner = corner_at(c, *blocks, i);
     if (!corner) continue;
