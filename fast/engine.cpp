@@ -7,11 +7,12 @@ namespace toolcomp::fast {
 // The stages own each other in the order a block passes them: interpretation with the length offset, then leading edge
 // offset, which sends the events.
 struct Engine::State {
-  State(const spec::Setup& setup, EventSink& sink) : interpreter(setup, sink) {}
+  State(const spec::Setup& setup, EventSink& sink, std::uint32_t samples) : interpreter(setup, sink, samples) {}
   Interpreter interpreter;
 };
 
-Engine::Engine(const spec::Setup& setup, EventSink& sink) : state_(std::make_unique<State>(setup, sink)) {}
+Engine::Engine(const spec::Setup& setup, EventSink& sink, std::uint32_t samples)
+    : state_(std::make_unique<State>(setup, sink, samples)) {}
 Engine::~Engine() = default;
 
 void Engine::block(const spec::Block& block) { state_->interpreter.block(block); }

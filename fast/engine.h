@@ -1,6 +1,7 @@
 // The fast engine: what a controller would ship. Double precision, streaming, no allocation per block.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "spec/language/block.h"
@@ -16,8 +17,9 @@ using EventSink = spec::EventSink<double>;
 // are ignored. Only the constructor allocates.
 class Engine {
  public:
+  // `samples`: into how many equal parts a block under tool center point control is divided; 0 or 1: no samples.
   // Throws spec::InputError for a setup the control could not have (message names the key).
-  Engine(const spec::Setup& setup, EventSink& sink);
+  Engine(const spec::Setup& setup, EventSink& sink, std::uint32_t samples = 0);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;

@@ -7,13 +7,14 @@
 
 namespace toolcomp::fast {
 
-Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink)
+Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_t samples)
     : axes_(setup.axes),
       count_(setup.axes.size()),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
       inch_setup_(setup.units == spec::Units::inch),
       counts_increments_(!setup.bit(3401, 0, true)),
       increment_places_(2 + static_cast<int>(setup.increment)),
+      samples_(samples),
       kinematics_(setup),
       memory_(setup),
       length_(setup),

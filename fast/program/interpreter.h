@@ -34,7 +34,7 @@ inline constexpr std::uint32_t kArcLetters = Words::set_of("IJKR");
 class Interpreter {
  public:
   // Throws spec::InputError for a setup the control could not have.
-  Interpreter(const spec::Setup& setup, EventSink& sink);
+  Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_t samples);
 
   void block(const spec::Block& block);
   void end();
@@ -230,6 +230,7 @@ class Interpreter {
   bool counts_increments_;  // 3401#0 = 0
   int increment_places_;
   bool head_offsets_ = false;  // 19666, 19709 to 19714
+  std::uint32_t samples_;      // parts of a block under tool center point control
   std::array<Positions, 6> origin_;
   std::array<Positions, 5> reference_;  // 0: floating, 1 to 4
 
