@@ -52,10 +52,11 @@ std::unique_ptr<CutterCompensation> cutter_compensation(const spec::Setup& setup
 // is read, so that its alarms are known before a stage of compensation looks at the block; all of them only add to the
 // programmed end, so the order does not show in the coordinates.
 struct Engine::State {
-  State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink)
+  State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink, std::uint32_t samples_in_a_block)
       : setup(checked(given)),
         recorder(the_recorder),
         sink(the_sink),
+        samples(samples_in_a_block),
         interpreter(setup, recorder),
         memory(setup, recorder),
         direction(setup, recorder, interpreter.position()),
@@ -95,6 +96,7 @@ struct Engine::State {
   spec::Setup setup;
   Recorder& recorder;
   EventSink& sink;
+  std::uint32_t samples;  // N of the fractions k/N; 0: none
   Interpreter interpreter;
   OffsetMemory memory;
   ProgramDirection direction;
@@ -112,8 +114,8 @@ struct Engine::State {
   bool stopped = false;
 };
 
-Engine::Engine(const spec::Setup& setup, Recorder& recorder, EventSink& sink)
-    : state_(std::make_unique<State>(setup, recorder, sink)) {}
+Engine::Engine(const spec::Setup& setup, Recorder& recorder, EventSink& sink, std::uint32_t samples)
+    : state_(std::make_unique<State>(setup, recorder, sink, samples)) {}
 Engine::~Engine() = default;
 
 void Engine::block(const spec::Block& block) {

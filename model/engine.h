@@ -1,6 +1,7 @@
 // The exact reference engine: blocks in, events out.
 #pragma once
 
+#include <cstdint>
 #include <exception>
 #include <memory>
 
@@ -26,8 +27,9 @@ class NotFinite : public std::exception {
 // (M02, M30) further blocks are ignored. A decision that cannot be certified ends the run with an `undecided` event.
 class Engine {
  public:
+  // `samples`: N for events at the fractions 1/N … (N-1)/N of blocks run under tool center point control; 0 for none.
   // Throws spec::InputError for a setup the control could not have (message names the key).
-  Engine(const spec::Setup& setup, Recorder& recorder, EventSink& sink);
+  Engine(const spec::Setup& setup, Recorder& recorder, EventSink& sink, std::uint32_t samples = 0);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
