@@ -1,0 +1,83 @@
+// The position of a rotary axis, exact: rational degrees, whole turns included, or with a rest known by its cosine and
+// sine. Comparisons read signs of algebraic numbers; the angle in degrees is for output only.
+#pragma once
+
+#include <optional>
+
+#include "model/exact/real.h"
+
+namespace toolcomp::model {
+
+using exact::Integer;
+using exact::Rational;
+using exact::Real;
+using exact::Sign;
+
+class Angle {
+ public:
+  Angle() = default;  // 0
+  Angle(Rational degrees)
+      : rational_(std::move(degrees)) {}      // NOLINT(google-explicit-constructor): every rational is one
+  Angle(int degrees) : rational_(degrees) {}  // NOLINT(google-explicit-constructor)
+
+  // The principal angle, in (-180, 180], of this cosine and sine; their squares add up to 1.
+  static Angle of_unit(const Real& cosine, const Real& sine);
+  // The principal angle of a direction; x and y are not both zero.
+  static Angle of_direction(const Real& x, const Real& y);
+
+  [[nodiscard]] bool is_rational() const { return !rest_; }
+  // Degrees; requires is_rational().
+  [[nodiscard]] const Rational& rational() const { return rational_; }
+
+  [[nodiscard]] Real cosine() const;
+  [[nodiscard]] Real sine() const;
+  // For output: the arc tangent of a rest is never proven equal to a number.
+  [[nodiscard]] Real degrees() const;
+  // The same angle, without a rest where that is a whole number of thousandths of a degree.
+  [[nodiscard]] Angle recognised() const;
+
+  // The whole number n for which angle - 360 n lies in (-180, 180].
+  [[nodiscard]] Integer nearest_turns() const;
+  // The largest n with 360 n <= angle.
+  [[nodiscard]] Integer whole_turns() const;
+  [[nodiscard]] Angle plus_turns(const Integer& turns) const;
+  // In (-180, 180].
+  [[nodiscard]] Angle principal() const { return plus_turns(-nearest_turns()); }
+  // In [0, 360).
+  [[nodiscard]] Angle basic() const { return plus_turns(-whole_turns()); }
+
+  friend Angle operator-(const Angle& a);
+  friend Angle operator+(const Angle& a, const Angle& b);
+  friend Angle operator-(const Angle& a, const Angle& b);
+
+ private:
+  // cos and sin of an angle in (-180, 180) that is not known to be rational.
+  struct Rest {
+    Real cosine;
+    Real sine;
+  };
+  friend Real order(const Angle& a, const Angle& b);
+
+  Rational rational_;
+  std::optional<Rest> rest_;
+};
+
+Angle operator-(const Angle& a);
+Angle operator+(const Angle& a, const Angle& b);
+Angle operator-(const Angle& a, const Angle& b);
+
+// A number with the sign of a - b and of magnitude at most 1: the sine of the difference where that is less than 90
+// degrees. For a recorder's decide().
+Real order(const Angle& a, const Angle& b);
+// |a|.
+Angle absolute(const Angle& a);
+
+// Certified; they throw exact::Undecided.
+inline Sign sign(const Angle& a) { return order(a, Angle()).sign(); }
+inline bool operator==(const Angle& a, const Angle& b) { return order(a, b).sign() == Sign::zero; }
+inline bool operator<(const Angle& a, const Angle& b) { return order(a, b).sign() == Sign::negative; }
+inline bool operator>(const Angle& a, const Angle& b) { return b < a; }
+inline bool operator<=(const Angle& a, const Angle& b) { return !(b < a); }
+inline bool operator>=(const Angle& a, const Angle& b) { return !(a < b); }
+
+}  // namespace toolcomp::model
