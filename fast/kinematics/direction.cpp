@@ -1,5 +1,7 @@
 #include "fast/kinematics/direction.h"
 
+#include "fast/kinematics/kinematics.h"
+
 namespace toolcomp::fast {
 
 Direction whole_direction(const std::array<Int128, 3>& whole) {
@@ -16,6 +18,48 @@ Direction whole_direction(const std::array<Int128, 3>& whole) {
   direction.unit = v / v.norm();
   direction.error = direction.zero == 0b011 || direction.zero == 0b101 || direction.zero == 0b110 ? 0 : 6 * 0x1p-53;
   return direction;
+}
+
+namespace {
+
+DoubleDouble dot(const FineVector& a, const FineVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+}  // namespace
+
+Direction fine_direction(const FineVector& vector) {
+  Direction direction;
+  direction.is_whole = false;
+  direction.is_fine = true;
+  direction.zero = 0;
+  const DoubleDouble length = sqrt(dot(vector, vector));
+  for (std::size_t i = 0; i < 3; ++i) {
+    direction.fine[i] = vector[i] / length;
+    direction.unit[static_cast<Eigen::Index>(i)] = direction.fine[i].hi;
+    if (direction.fine[i].hi == 0) direction.zero = static_cast<std::uint8_t>(direction.zero | 1U << i);
+  }
+  direction.error = 0x1p-53;
+  return direction;
+}
+
+bool lean(const Kinematics& kinematics, const Direction& direction, const std::array<Int128, 3>& travel,
+          const Count& degrees, Direction& leaned) {
+  const FineVector v = kinematics.refine(direction);
+  FineVector d;
+  for (std::size_t i = 0; i < 3; ++i) d[i] = to_double_double(travel[i]);
+  const DoubleDouble length = sqrt(dot(d, d));
+  if (length.hi == 0) return false;
+  // The part of the travel at right angles to the tool.
+  const DoubleDouble along = dot(d, v);
+  FineVector across;
+  for (std::size_t i = 0; i < 3; ++i) across[i] = d[i] - v[i] * along;
+  const DoubleDouble width = sqrt(dot(across, across));
+  constexpr double kParallel = 0x1p-66;  // of the travel: what double-double cannot tell from along the tool
+  if (width.hi <= kParallel * length.hi) return false;
+  const auto q = fine_sine_cosine(degrees);
+  FineVector turned;
+  for (std::size_t i = 0; i < 3; ++i) turned[i] = v[i] * q.cosine + across[i] * (q.sine / width);
+  leaned = fine_direction(turned);
+  return true;
 }
 
 }  // namespace toolcomp::fast

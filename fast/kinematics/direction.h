@@ -6,27 +6,43 @@
 #include <cstdint>
 
 #include "fast/arithmetic/count.h"
+#include "fast/arithmetic/double_double.h"
 
 namespace toolcomp::fast {
+
+using FineVector = std::array<DoubleDouble, 3>;
 
 // A unit vector in double with its error, and what it was made from, so that a decision can be refined.
 struct Direction {
   Eigen::Vector3d unit{0, 0, 1};
   double error = 0;  // |unit[i] - exact[i]| <= error
-  // The exact direction is parallel to `whole` (I J K words, or axes at multiples of 90 degrees). Otherwise it is that
-  // of the kinematics at `angle`.
+  // The exact direction is parallel to `whole` (I J K words, or axes at multiples of 90 degrees). Otherwise it is
+  // `fine` (leaned by Q, or the end of a block changed at a singular posture), or that of the kinematics at `angle`.
   bool is_whole = true;
+  bool is_fine = false;
+  bool framed = false;        // of `angle`: turned with the table into the programming coordinate system
   std::uint8_t zero = 0b011;  // bit i: component i is exactly 0
   std::array<Int128, 3> whole{0, 0, 1};
   std::array<Count, 2> angle;  // of the inner and the outer rotary axis, degrees
+  FineVector fine{};           // unit, within 2^-90
 };
 
 // The direction of a vector of whole numbers, not all zero, each below 2^122.
 Direction whole_direction(const std::array<Int128, 3>& whole);
 
-// The same in place, for numbers up to 2^53.
+// The direction of a vector in double-double, not zero.
+Direction fine_direction(const FineVector& vector);
+
+class Kinematics;
+// The direction leaned by `degrees` toward the travel (whole units, programming coordinate system), as Q commands.
+// False where Q has no effect: no travel, or along the tool. `leaned` may not be `direction`.
+[[nodiscard]] bool lean(const Kinematics& kinematics, const Direction& direction, const std::array<Int128, 3>& travel,
+                        const Count& degrees, Direction& leaned);
+
+// As whole_direction, in place, for numbers up to 2^53.
 inline void set_small_direction(Direction& direction, const std::array<std::int64_t, 3>& whole) {
   direction.is_whole = true;
+  direction.is_fine = false;
   direction.whole = {whole[0], whole[1], whole[2]};
   direction.zero =
       static_cast<std::uint8_t>((whole[0] == 0 ? 1U : 0U) | (whole[1] == 0 ? 2U : 0U) | (whole[2] == 0 ? 4U : 0U));

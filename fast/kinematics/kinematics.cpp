@@ -65,6 +65,8 @@ DoubleDouble dot(const FineVector& a, const FineVector& b) { return a[0] * b[0] 
 FineVector operator*(const FineVector& a, const DoubleDouble& b) { return {a[0] * b, a[1] * b, a[2] * b}; }
 FineVector operator-(const FineVector& a, const FineVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
+FineVector operator+(const FineVector& a, const FineVector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+
 FineVector unit_vector(int axis) {
   FineVector e{};
   e[static_cast<std::size_t>(axis)] = {1, 0};
@@ -169,7 +171,21 @@ void Kinematics::from_axis_groups(const spec::Setup& setup) {
   expand(tilted(angle_parameter(setup, 19622), angle_parameter(setup, 19623), 2));
 }
 
+void Kinematics::set_frame(const std::array<FineVector, 3>& rows) {
+  frame_ = Frame{};
+  refined_.valid = false;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double entry = rows[i][j].hi;
+      frame_.fine[i][j] = rows[i][j];
+      frame_.rough[i][j] = entry;
+      if (entry != (i == j ? 1 : 0)) frame_.turned = true;
+      if (entry != 0 && std::abs(entry) != 1) frame_.along_axes = false;
+    }
+}
+
 void Kinematics::expand(const FineVector& v0) {
+  zero_direction_ = v0;
   // R(a, t) x = (a.x) a + cos t (x - (a.x) a) + sin t (a x x)
   const auto parts = [](const FineVector& a, const FineVector& x) {
     const FineVector along = a * dot(a, x);
@@ -235,6 +251,8 @@ void Kinematics::direct(const std::array<Count, spec::kMaxAxes>& position, Direc
   direction.unit = {sum[0], sum[1], sum[2]};
   direction.zero = static_cast<std::uint8_t>(~nonzero & 7U);
   direction.error = error_;
+  direction.is_fine = false;
+  direction.framed = false;
   // With whole coefficients and angles that are multiples of 90 the direction is an axis.
   const auto whole = [](const SineCosine<double>& t) { return t.sine == 0 || t.cosine == 0; };
   direction.is_whole = whole_terms_ && whole(trigonometry_[0]) && whole(trigonometry_[1]);
@@ -248,11 +266,13 @@ void Kinematics::direct(const std::array<Count, spec::kMaxAxes>& position, Direc
 }
 
 const FineVector& Kinematics::refine(const Direction& direction) const {
-  if (refined_.valid && refined_.is_whole == direction.is_whole &&
+  if (direction.is_fine) return direction.fine;
+  if (refined_.valid && refined_.is_whole == direction.is_whole && refined_.framed == direction.framed &&
       (direction.is_whole ? refined_.whole == direction.whole : refined_.angle == direction.angle))
     return refined_.unit;
   refined_.valid = true;
   refined_.is_whole = direction.is_whole;
+  refined_.framed = direction.framed;
   refined_.whole = direction.whole;
   refined_.angle = direction.angle;
   FineVector& unit = refined_.unit;
@@ -263,11 +283,27 @@ const FineVector& Kinematics::refine(const Direction& direction) const {
     for (std::size_t k = 0; k < 3; ++k) unit[k] = v[k] / norm;
     return unit;
   }
+  const FineVector on_table = refine_on_table(direction);
+  if (!direction.framed || !frame_.turned)
+    unit = on_table;
+  else
+    for (std::size_t k = 0; k < 3; ++k) unit[k] = dot(frame_.fine[k], on_table);
+  return unit;
+}
+
+FineVector Kinematics::refine_on_table(const Direction& direction) const {
+  if (direction.is_whole || direction.is_fine) {
+    const FineVector unit = refine(direction);
+    if (!frame_.turned) return unit;
+    FineVector back{};
+    for (std::size_t k = 0; k < 3; ++k) back = back + frame_.fine[k] * unit[k];
+    return back;
+  }
   const auto i = fine_sine_cosine(direction.angle[0]);
   const auto o = fine_sine_cosine(direction.angle[1]);
   const std::array<DoubleDouble, 3> inner{DoubleDouble{1, 0}, i.cosine, i.sine};
   const std::array<DoubleDouble, 3> outer{DoubleDouble{1, 0}, o.cosine, o.sine};
-  unit = {};
+  FineVector unit{};
   for (const Term& term : terms_)
     unit[term.component] = unit[term.component] + term.fine * inner[term.inner] * outer[term.outer];
   return unit;

@@ -13,8 +13,6 @@
 
 namespace toolcomp::fast {
 
-using FineVector = std::array<DoubleDouble, 3>;
-
 // One rotary axis of the chain: turns by sign * (position - reference) about `axis`.
 struct RotaryAxis {
   static constexpr std::size_t kNone = spec::kMaxAxes;
@@ -44,7 +42,29 @@ class Kinematics {
   void direct(const std::array<Count, spec::kMaxAxes>& position, Direction& direction);
   // The unit vector in double-double, each component within fine_error().
   [[nodiscard]] const FineVector& refine(const Direction& direction) const;
+  // The same seen from the table at its zero pose, whatever the frame.
+  [[nodiscard]] FineVector refine_on_table(const Direction& direction) const;
   [[nodiscard]] double fine_error() const { return fine_error_; }
+
+  // The rotary axes in the order in which they turn the direction, and the direction with both at 0.
+  [[nodiscard]] const RotaryAxis& inner() const { return inner_; }
+  [[nodiscard]] const RotaryAxis& outer() const { return outer_; }
+  [[nodiscard]] const FineVector& zero_direction() const { return zero_direction_; }
+
+  // The programming coordinate system of tool center point control: table directions turned by `rows`. Directions
+  // marked `framed` are refined in it.
+  struct Frame {
+    bool turned = false;                           // not the identity
+    bool along_axes = true;                        // every entry is 0 or +-1
+    std::array<std::array<double, 3>, 3> rough{};  // rows
+    std::array<FineVector, 3> fine{};              // rows
+  };
+  void set_frame(const std::array<FineVector, 3>& rows);
+  void clear_frame() {
+    frame_ = Frame{};
+    refined_.valid = false;
+  }
+  [[nodiscard]] const Frame& frame() const { return frame_; }
 
  private:
   struct Term {
@@ -64,6 +84,8 @@ class Kinematics {
   RotaryAxis outer_;
   std::vector<Term> terms_;
   bool whole_terms_ = false;  // every coefficient is 0 or +-1
+  FineVector zero_direction_{};
+  Frame frame_;
   double error_ = 0;
   double fine_error_ = 0x1p-98;
   std::array<SineCosine<double>, 2> trigonometry_{};                      // of the angles computed last
@@ -72,6 +94,7 @@ class Kinematics {
   struct Refined {
     bool valid = false;
     bool is_whole = false;
+    bool framed = false;
     std::array<Int128, 3> whole{};
     std::array<Count, 2> angle;
     FineVector unit{};
