@@ -116,4 +116,36 @@ SineCosine<DoubleDouble> fine_sine_cosine(const Count& degrees) {
   return turned(SineCosine<DoubleDouble>{x * series(y, 1, kOddTail), series(y, 0, kEvenTail)}, quarter);
 }
 
+SineCosine<double> sine_cosine(double degrees) {
+  // 90 q is whole and the difference a multiple of ulp(degrees) below 2^53 of them: both are exact.
+  const double quarter = std::nearbyint(degrees / 90);
+  const double r = degrees - 90 * quarter;
+  constexpr DoubleDouble kRadians{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};  // pi / 180
+  const DoubleDouble x = two_product(r, kRadians.hi);
+  return turned(near(x.hi, x.lo + r * kRadians.lo), static_cast<unsigned>(static_cast<std::int64_t>(quarter)) % 4U);
+}
+
+double arctangent(double sine, double cosine) {
+  constexpr double kDegrees = 57.295779513082320877;
+  const double y = std::abs(sine);
+  const double x = std::abs(cosine);
+  double degrees = y <= x ? std::atan(y / x) * kDegrees : 90 - std::atan(x / y) * kDegrees;
+  if (cosine < 0) degrees = 180 - degrees;
+  return sine < 0 ? -degrees : degrees;
+}
+
+Count fine_arctangent(const DoubleDouble& sine, const DoubleDouble& cosine) {
+  // One Newton step from the double: the rest r is below 2^-50, so the sine of it is r, less r^3 / 6 below 2^-150.
+  const double first = arctangent(sine.hi, cosine.hi);
+  if (sine.hi == 0 || cosine.hi == 0) return Count::of_units(static_cast<Int128>(first) * Count::kRestPerOne);
+  // In (-180, 180] with 127 10^18 units a degree: below 2^75, of which the double holds the first 53 bits.
+  const auto units = static_cast<Int128>(first * static_cast<double>(Count::kRestPerOne));
+  const auto at = fine_sine_cosine(Count::of_units(units));
+  const DoubleDouble across = sine * at.cosine - cosine * at.sine;
+  const DoubleDouble along = cosine * at.cosine + sine * at.sine;
+  constexpr double kUnitsPerRadian = 57.295779513082320877 * static_cast<double>(Count::kRestPerOne);
+  // The rest is below 2^25 units.
+  return Count::of_units(units + static_cast<Int128>(std::nearbyint(across.hi / along.hi * kUnitsPerRadian)));
+}
+
 }  // namespace toolcomp::fast

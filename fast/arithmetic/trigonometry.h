@@ -21,4 +21,15 @@ inline constexpr double kTrigonometryError = 6 * 0x1p-53;
 SineCosine<DoubleDouble> fine_sine_cosine(const Count& degrees);
 inline constexpr double kFineTrigonometryError = 0x1p-100;
 
+// Of an angle in double, reduced exactly, |degrees| below 2^40; the same relative error.
+SineCosine<double> sine_cosine(double degrees);
+
+// The angle of (cosine, sine), not both zero, of any length, in degrees in (-180, 180]; exact at multiples of 90.
+// Relative error at most kArctangentError where libm's atan is within 1 ulp.
+double arctangent(double sine, double cosine);
+inline constexpr double kArctangentError = 6 * 0x1p-53;
+
+// The same as a count, within 2 units (1.6e-20 degrees, 2^-72 rad) given the exact vector.
+Count fine_arctangent(const DoubleDouble& sine, const DoubleDouble& cosine);
+
 }  // namespace toolcomp::fast

@@ -19,75 +19,145 @@ using Turns = std::array<SineCosine<T>, 2>;
 inline Turns<double> turns(const Pose& pose) { return {pose.axis[0].turn, pose.axis[1].turn}; }
 
 // Forward, inverse, the choice of a pair of rotary positions, and the way from the tip to the control point.
-// Vectors are in the directions of the machine axes; lengths in setup units.
+// Vectors are in the directions of the machine axes; lengths in setup units, angles in degrees.
 class Machine {
  public:
-  // Reads 19666, 19680 to 19690, 19697 to 19714, 19741 to 19744, 19608#5, 19696#5. Throws spec::InputError naming the
-  // parameter. `kinematics` keeps the frame of the mode: it is what refines directions.
+  // Reads 19608#5, 19666, 19680, 19696#5, 19700 to 19705, 19709 to 19714, 19741 to 19744; the rotary axes are those of
+  // `kinematics`, which also keeps the frame of the mode: it is what refines directions.
   Machine(const spec::Setup& setup, Kinematics& kinematics);
 
   [[nodiscard]] bool defined() const { return type_ != 0; }  // 19680 is not 0
   [[nodiscard]] int type() const { return type_; }
   // The axis of the setup that is the 1st, 2nd rotary axis; spec::kMaxAxes for a hypothetical one.
-  [[nodiscard]] std::size_t rotary_axis(std::size_t i) const { return index_[i]; }
-  [[nodiscard]] bool hypothetical() const { return index_[0] == spec::kMaxAxes || index_[1] == spec::kMaxAxes; }
+  [[nodiscard]] std::size_t rotary_axis(std::size_t i) const { return axis_[i].index; }
+  // Which of the two, 0 or 1, is the tool-side and the work-side axis.
+  [[nodiscard]] std::size_t tool_side() const { return tool_side_; }
+  [[nodiscard]] std::size_t work_side() const { return 1 - tool_side_; }
+  [[nodiscard]] double sense(std::size_t i) const { return axis_[i].sense; }  // sigma: +1 or -1
+  [[nodiscard]] bool hypothetical() const { return rotary_axis(0) == kNone || rotary_axis(1) == kNone; }
   [[nodiscard]] bool has_table() const { return type_ == 12 || type_ == 21; }
   [[nodiscard]] bool workpiece_frame() const { return workpiece_frame_; }      // WKP, 19696#5
   [[nodiscard]] const Count& holder_offset() const { return holder_offset_; }  // 19666
   [[nodiscard]] bool ranges_valid() const { return ranges_valid_; }            // no lower limit above the upper one
-  [[nodiscard]] bool in_range(std::size_t i, const RotaryPosition& p) const;   // 19741 to 19744, inclusive
-  // An I J K direction can be reached at all: both axes are real, and rho is not 0.
+  // Axis i of the pose is inside 19741 to 19744; the limits belong to the range.
+  [[nodiscard]] bool in_range(const Pose& pose, std::size_t i) const;
+  // A direction can be reached by both axes: both turn (are not hypothetical), and rho is not 0.
   [[nodiscard]] bool invertible() const { return !hypothetical() && polar_.invertible(); }
 
   // --- poses -------------------------------------------------------------------------------------------------------
-  // The pose at commanded positions (degrees, by axis index of the setup). `rounded`: those that are not exact.
+  // The pose at commanded positions (by axis index of the setup). Bit i of `rounded`: position[i] was computed.
   void pose(const std::array<Count, spec::kMaxAxes>& position, std::uint16_t rounded, Pose& pose);
-  // The position of axis i of a pose as a count; rounded where it is computed (kind is not exact).
+  // The position of axis i of a pose as a count; within 2^-63 rad unless it is exact.
   [[nodiscard]] Count count(const Pose& pose, std::size_t i) const;
+  // Sines and cosines of a pose in double-double.
+  [[nodiscard]] Turns<DoubleDouble> fine_turns(const Pose& pose) const;
 
-  // --- the programming coordinate system -----------------------------------------------------------------------------
-  // Fixes the programming coordinate system to the table at this pose (WKP = 0), or to the workpiece (WKP = 1: no
-  // turn). The direction of `pose` is written in the new system.
+  // --- the programming coordinate system ---------------------------------------------------------------------------
+  // Fixes the programming coordinate system to the table at this pose (WKP = 0), or to the workpiece (WKP = 1). The
+  // direction of `pose` is written in it.
   void freeze(Pose& pose);
   // Ends it: directions are seen from the table at its zero pose again. Poses made before are to be made anew.
   void release();
 
-  // --- inverse -------------------------------------------------------------------------------------------------------
+  // --- inverse -----------------------------------------------------------------------------------------------------
   // The pair for `tool` (programming coordinate system) by the rules of sheet 4 from the present pose, inside the
   // movement ranges. False: PS5459. `end` may not be `present`.
   [[nodiscard]] bool choose(const Direction& tool, const Pose& present, Pose& end) const;
 
-  // --- tip and control point -----------------------------------------------------------------------------------------
-  // All in workpiece coordinates parallel to the machine axes (machine coordinates minus origin W); `origin` is W, the
-  // machine position of the workpiece origin. `tip` is in the programming coordinate system: for WKP = 0 the copy
-  // attached to the table at the frozen pose, for WKP = 1 and heads the workpiece system itself.
-  // T over double or DoubleDouble.
-  // Control point (F, D or E of sheet 5) of a tip given on the table (table_point for WKP = 1).
+  // --- tip and control point ---------------------------------------------------------------------------------------
+  // All in workpiece coordinates parallel to the machine axes: machine coordinates minus `origin`, the machine position
+  // of the workpiece origin. T is double or DoubleDouble. Heads: the table stands still.
+  // The control point (F, D or E of sheet 5) of a tip that is given on the table: under WKP = 0 in the programming
+  // coordinate system, under WKP = 1 as to_table() makes it.
   template <class T>
   [[nodiscard]] Vector3<T> control_point(const Vector3<T>& table_tip, const Turns<T>& turns, const T& length,
                                          const Vector3<T>& origin) const;
-  // The tip fixed to the table (as at the frozen pose under WKP = 0, at the zero pose under WKP = 1) that at this pose
-  // stands at `tip` of the workpiece system, and back. Heads: the tip itself. Under WKP = 0 programmed points are on
-  // the table already.
+  // The point of the table that at this pose stands at `tip` of the workpiece system, and back.
   template <class T>
   [[nodiscard]] Vector3<T> to_table(const Vector3<T>& tip, const Turns<T>& turns, const Vector3<T>& origin) const;
   template <class T>
   [[nodiscard]] Vector3<T> from_table(const Vector3<T>& table_tip, const Turns<T>& turns,
                                       const Vector3<T>& origin) const;
-  // Sines and cosines of a pose in double-double.
-  [[nodiscard]] Turns<DoubleDouble> fine_turns(const Pose& pose) const;
+  // A direction seen from the table at its zero pose, as it stands in the machine at this pose.
+  template <class T>
+  [[nodiscard]] Vector3<T> in_machine(const Vector3<T>& on_table, const Turns<T>& turns) const;
 
+  // --- for tool posture control ------------------------------------------------------------------------------------
   [[nodiscard]] const PolarFrame& polar() const { return polar_; }
   [[nodiscard]] const Kinematics& kinematics() const { return kinematics_; }
+  // Tool directions of events are those of the machine: WKP = 1 on a table.
+  [[nodiscard]] bool reports_machine_directions() const { return frozen_ && workpiece_frame_ && has_table(); }
+  // From the table at its zero pose into the programming coordinate system that is frozen.
+  [[nodiscard]] Vector3<double> in_frame(const Vector3<double>& on_table) const;
+  // A direction as the system of the work-side axis has it; `relative` as in Pose.
+  [[nodiscard]] Vector3<double> seen(const Direction& tool, bool& relative) const;
+  [[nodiscard]] Vector3<DoubleDouble> fine_seen(const Direction& tool) const;
+  // Sines and cosines of both positions from those of psi and of the mechanical angle of the work-side axis.
+  template <class T>
+  [[nodiscard]] Turns<T> turns_of(const SineCosine<T>& psi, const SineCosine<T>& work) const;
+
+  // The pose of the pair on a branch (+1, -1) of roots, at the whole turns nearest to `near` (1st, 2nd position).
+  void set_pair(const PolarRoots<double>& roots, int branch, const std::array<double, 2>& near, Pose& pose) const;
+  // The same in counts.
+  void set_pair(const PolarRoots<DoubleDouble>& roots, int branch, const std::array<Count, 2>& near, Pose& pose) const;
+  // A computed position.
+  void set_rounded(Pose& pose, std::size_t i, const Count& count) const;
+  // The principal positions of the pair on a branch.
+  [[nodiscard]] std::array<Count, 2> fine_pair(const PolarRoots<DoubleDouble>& roots, int branch) const;
+  // psi and branch from the tool-side position.
+  void set_branch(Pose& pose) const;
+  // Everything of a pose but its axes.
+  void set_direction(const Direction& tool, Pose& pose) const;
 
  private:
+  static constexpr std::size_t kNone = spec::kMaxAxes;
+  struct Axis {
+    std::size_t index = kNone;
+    double sense = 1;      // sigma: of the direction seen from the work
+    double mechanical = 1;  // s: of the mechanical rotation
+    Vector3<DoubleDouble> fine_line;
+    Vector3<double> line;
+    Count fixed;  // hypothetical
+    bool limited = false;
+    Count lower, upper;
+  };
+  struct Vectors {  // of the control point, constant
+    Vector3<DoubleDouble> fine;
+    Vector3<double> rough;
+    template <class T>
+    [[nodiscard]] const Vector3<T>& get() const {
+      if constexpr (std::is_same_v<T, double>)
+        return rough;
+      else
+        return fine;
+    }
+  };
+  [[nodiscard]] bool choose_fine(const Direction& tool, const Pose& present, Pose& end) const;
+  template <class T>
+  [[nodiscard]] Vector3<T> turn(std::size_t i, const Vector3<T>& v, const SineCosine<T>& by, bool back = false) const;
+  template <class T>
+  [[nodiscard]] const Turns<T>& frozen_turns() const;
+  template <class T>
+  [[nodiscard]] Vector3<T> on_machine(const Vector3<T>& table_tip, const Turns<T>& turns,
+                                      const Vector3<T>& origin) const;
+
   Kinematics& kinematics_;
+  PolarFrame polar_;
   int type_ = 0;
-  std::array<std::size_t, 2> index_{spec::kMaxAxes, spec::kMaxAxes};
+  std::size_t tool_side_ = 0;
+  std::array<Axis, 2> axis_;
+  bool reversed_order_ = false;  // PRI, 19608#5
   bool workpiece_frame_ = false;
   bool ranges_valid_ = true;
   Count holder_offset_;
-  PolarFrame polar_;
+  Vectors table_;        // 19700 to 19702: from the machine origin to A
+  Vectors second_table_;  // 19703 to 19705: from A to B
+  Vectors tool_offset_;  // 19709 to 19711: from D to E
+  Vectors head_offset_;  // 19712 to 19714: from E to F
+  Vectors zero_;         // t0
+  bool frozen_ = false;
+  Turns<double> frozen_rough_{};
+  Turns<DoubleDouble> frozen_fine_{};
 };
 
 }  // namespace toolcomp::fast

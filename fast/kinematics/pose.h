@@ -11,12 +11,12 @@
 
 namespace toolcomp::fast {
 
-// The position of one rotary axis, whole turns included (fanuc.tool-posture: positions are not wrapped).
+// The position of one rotary axis, whole turns included: it is never wrapped.
 struct RotaryPosition {
   enum class Kind : std::uint8_t {
     exact,    // `count`: commanded, or the fixed angle of a hypothetical axis
-    rounded,  // `count`: computed, within 2^-72 rad of the truth
-    inverse,  // of the pose's direction and branch: degrees + 360 n; count is made when it is asked for
+    rounded,  // `count`: computed, within 2^-63 rad of the truth
+    inverse,  // of the pose's direction and branch; Machine::count makes the count when it is asked for
   };
   double degrees = 0;
   SineCosine<double> turn{0, 1};  // sine and cosine of degrees
@@ -27,11 +27,12 @@ struct RotaryPosition {
 // Both rotary axes, the one of 19681 first, and the tool.
 struct Pose {
   std::array<RotaryPosition, 2> axis;
-  Direction tool;        // tip to holder, programming coordinate system
-  Vector3<double> seen;  // the same in the system of the work-side axis (PolarFrame), within seen_error
-  double seen_error = 0;
-  // The tool-side axis on one branch of the inverse kinematics: the sign of psi; 0 at the edge of reach or in a
-  // singular posture. Whole turns of psi and of the work-side axis on top of the principal values.
+  Direction tool;         // tip to holder, programming coordinate system
+  Vector3<double> seen;   // in the system of the work-side axis (PolarFrame), from the table at its zero pose
+  bool relative = false;  // every component of `seen` has a small relative error
+  // The mechanical angle of the tool-side axis from where it brings the tool nearest to the work-side axis, in
+  // [-180, 180], and its sign; 0 at the edge of reach and in a singular posture.
+  double psi = 0;
   std::int8_t branch = 0;
 };
 
