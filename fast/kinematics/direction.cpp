@@ -43,9 +43,14 @@ Direction fine_direction(const FineVector& vector) {
 
 bool lean(const Kinematics& kinematics, const Direction& direction, const std::array<Int128, 3>& travel,
           const Count& degrees, Direction& leaned) {
+  FineVector fine;
+  for (std::size_t i = 0; i < 3; ++i) fine[i] = to_double_double(travel[i]);
+  return lean(kinematics, direction, fine, degrees, leaned);
+}
+
+bool lean(const Kinematics& kinematics, const Direction& direction, const FineVector& d, const Count& degrees,
+          Direction& leaned) {
   const FineVector v = kinematics.refine(direction);
-  FineVector d;
-  for (std::size_t i = 0; i < 3; ++i) d[i] = to_double_double(travel[i]);
   const DoubleDouble length = sqrt(dot(d, d));
   if (length.hi == 0) return false;
   // The part of the travel at right angles to the tool.

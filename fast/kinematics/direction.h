@@ -34,8 +34,11 @@ Direction whole_direction(const std::array<Int128, 3>& whole);
 Direction fine_direction(const FineVector& vector);
 
 class Kinematics;
-// The direction leaned by `degrees` toward the travel (whole units, programming coordinate system), as Q commands.
-// False where Q has no effect: no travel, or along the tool. `leaned` may not be `direction`.
+class Kinematics;
+// The direction leaned by `degrees` toward the travel (programming coordinate system), as Q commands. False where Q has
+// no effect: no travel, or along the tool. `leaned` may not be `direction`.
+[[nodiscard]] bool lean(const Kinematics& kinematics, const Direction& direction, const FineVector& travel,
+                        const Count& degrees, Direction& leaned);
 [[nodiscard]] bool lean(const Kinematics& kinematics, const Direction& direction, const std::array<Int128, 3>& travel,
                         const Count& degrees, Direction& leaned);
 

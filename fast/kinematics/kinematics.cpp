@@ -114,7 +114,6 @@ void Kinematics::from_unit_type(const spec::Setup& setup, int type) {
   for (std::size_t i = 0; i < 2; ++i) {
     const std::uint32_t base = i == 0 ? 19681 : 19686;
     if (setup.bit(19696, static_cast<int>(i))) {
-      if (type == 2) refuse(19696, "a tool rotation machine with a hypothetical axis is not supported");
       if (whole_parameter(setup, base, 0, 0) != 0) refuse(base, "must be 0 for a hypothetical axis");
       axis[i].reference = -angle_parameter(setup, base + 4);
     } else {

@@ -241,6 +241,23 @@ Vector3<double> Machine::in_frame(const Vector3<double>& v) const {
   return {row(0), row(1), row(2)};
 }
 
+FineVector Machine::fine_in_frame(const Vector3<DoubleDouble>& v) const {
+  const Kinematics::Frame& frame = kinematics_.frame();
+  if (!frame.turned) return {v.x, v.y, v.z};
+  FineVector result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = dot(vector(frame.fine[i]), v);
+  return result;
+}
+
+Vector3<double> Machine::tool_at(const Turns<double>& turns) const {
+  // A table turns the work, so the direction seen from it turns the other way.
+  const auto turned = [&](std::size_t i, const Vector3<double>& v) {
+    return turn(i, v, turns[i], axis_[i].sense != axis_[i].mechanical);
+  };
+  const Vector3<double> on_table = turned(work_side(), turned(tool_side_, zero_.rough));
+  return reports_machine_directions() ? in_machine(on_table, turns) : in_frame(on_table);
+}
+
 Vector3<double> Machine::seen(const Direction& tool, bool& relative) const {
   Vector3<double> v{tool.unit[0], tool.unit[1], tool.unit[2]};
   const Kinematics::Frame& frame = kinematics_.frame();
@@ -326,7 +343,7 @@ void Machine::set_pair(const PolarRoots<DoubleDouble>& roots, int branch, const 
 bool Machine::choose(const Direction& tool, const Pose& present, Pose& end) const {
   set_direction(tool, end);
   PolarRoots<double> roots;
-  if (hypothetical() || polar_.solve(end.seen, end.relative, roots) != Reach::two_pairs)
+  if (polar_.solve(end.seen, end.relative, roots) != Reach::two_pairs)
     return choose_fine(tool, present, end);
   // The usual case in doubles: one pair is nearer in the axis judged first, by more than any rounding.
   const std::size_t first = (type_ == 21) == reversed_order_ ? 0 : 1;
@@ -423,9 +440,6 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
         if (axis.limited && stays > upper) stays = upper;
         if (axis.limited && stays < lower) stays = lower;
         values[i].add(stays);
-      } else if (axis.index == kNone) {
-        const Int128 off = axis.fixed.units() - basic[i].units();
-        if (from_zero(off) <= kSlack) values[i].add(from[i]);
       } else {
         values[i] = values_near(basic[i].units(), from[i], axis.limited, lower, upper);
       }
@@ -452,7 +466,7 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
   for (const std::size_t i : order) keep([&](const Pair& p) { return -p.value[i]; });
   for (std::size_t i = 0; i < 2; ++i) {
     const bool stays = reach == Reach::singular && i == work_side() && pairs[0].value[i] == from[i];
-    if (axis_[i].index == kNone || (stays && present.axis[i].kind == RotaryPosition::Kind::exact))
+    if (stays && present.axis[i].kind == RotaryPosition::Kind::exact)
       end.axis[i] = present.axis[i];
     else
       set_rounded(end, i, Count::of_units(pairs[0].value[i]));

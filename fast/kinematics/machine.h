@@ -82,6 +82,9 @@ class Machine {
   template <class T>
   [[nodiscard]] Vector3<T> in_machine(const Vector3<T>& on_table, const Turns<T>& turns) const;
 
+  // The tool direction that events report at a pose: in the programming coordinate system.
+  [[nodiscard]] Vector3<double> tool_at(const Turns<double>& turns) const;
+
   // --- for tool posture control ------------------------------------------------------------------------------------
   [[nodiscard]] const PolarFrame& polar() const { return polar_; }
   [[nodiscard]] const Kinematics& kinematics() const { return kinematics_; }
@@ -89,6 +92,7 @@ class Machine {
   [[nodiscard]] bool reports_machine_directions() const { return frozen_ && workpiece_frame_ && has_table(); }
   // From the table at its zero pose into the programming coordinate system that is frozen.
   [[nodiscard]] Vector3<double> in_frame(const Vector3<double>& on_table) const;
+  [[nodiscard]] FineVector fine_in_frame(const Vector3<DoubleDouble>& on_table) const;
   // A direction as the system of the work-side axis has it; `relative` as in Pose.
   [[nodiscard]] Vector3<double> seen(const Direction& tool, bool& relative) const;
   [[nodiscard]] Vector3<DoubleDouble> fine_seen(const Direction& tool) const;

@@ -1,34 +1,71 @@
-// The law by which rotary axes and tool move inside a block, and its samples.
+// The law by which rotary axes and tool move inside a block, and its samples (posture sheet 6).
 #pragma once
 
 #include <array>
 #include <cstdint>
 
 #include "fast/kinematics/machine.h"
+#include "fast/tool_posture_control/great_circle.h"
 
 namespace toolcomp::fast {
 
 struct PostureSample {
   std::array<double, 2> degrees{};  // of the 1st and 2nd rotary axis, whole turns included
   Turns<double> turns;              // their sines and cosines
-  Vector3<double> tool;             // programming coordinate system, unit
+  Vector3<double> tool;             // unit, as Pose::tool: in the system events report
 };
 
-// Holds everything it needs: blocks that wait in the look-ahead of compensation keep a copy.
+// Holds everything it needs but the machine: blocks that wait in the look-ahead of compensation keep a copy.
 class PostureMotion {
  public:
   enum class Law : std::uint8_t {
-    still,         // nothing turns
-    linear,        // both rotary axes linear: conventional control, and passing a singular posture
-    great_circle,  // V(t) on the great circle, rotary axes on the continuous branch
+    still,     // nothing turns
+    linear,    // both rotary axes evenly: conventional control, and passing a singular posture
+    circle,    // V(t) on the great circle, the tool-side axis on its branch
+    meridian,  // the same on a circle through the work-side axis, which V(t) may cross
   };
+
   [[nodiscard]] Law law() const { return law_; }
-  // The sample at t = numerator / denominator. Samples of one block are cheapest in ascending order.
+  // The sample at t = numerator / denominator, cheapest in ascending order.
   void at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample);
 
+  void set_still(const Machine& machine, const Pose& pose);
+  void set_linear(const Machine& machine, const Pose& start, const Pose& end);
+  // `azimuth`: the sign with which V(t) turns about the work-side axis, 0 for none. `branch` at the start.
+  void set_circle(const Machine& machine, const Pose& start, const Pose& end, int branch, int azimuth);
+  // `pole` +1, -1: the circle runs through, or at the side of, u_w or -u_w. `branch`: on the side of `heading`, the
+  // azimuth of the tool (horizontal unit vector) before it crosses.
+  void set_meridian(const Machine& machine, const Pose& start, const Pose& end, int branch, int pole,
+                    const Vector2<double>& heading);
+  // In place of the great circle of the rounded ends: where they are nearly opposite.
+  void refine_circle(const Vector3<DoubleDouble>& start_seen, const Vector3<DoubleDouble>& end_seen);
+
  private:
-  friend class ToolPostureControl;
+  void set_ends(const Machine& machine, const Pose& start, const Pose& end);
+  void set_great_circle(const Pose& start, const Pose& end);
+  void linear_at(double t, PostureSample& sample) const;
+  void circle_at(const Vector3<double>& seen, PostureSample& sample) const;
+  void meridian_at(const Vector3<double>& seen, PostureSample& sample) const;
+  struct OnMeridian {
+    double sin_psi;
+    Vector2<double> lean;
+  };
+  [[nodiscard]] OnMeridian on_meridian(const Vector3<double>& seen) const;
+
+  const Machine* machine_ = nullptr;
   Law law_ = Law::still;
+  std::array<double, 2> start_{};
+  std::array<double, 2> end_{};
+  PostureSample still_;
+  Circle seen_;      // in the system of the work-side axis
+  Circle reported_;  // in that of events
+  EvenAngle angle_;
+  double tool_base_ = 0;  // of the tool-side position: psi = 0
+  double branch_ = 1;
+  int pole_ = 0;
+  int azimuth_ = 0;
+  Vector2<double> start_heading_;  // of the tool at the start, horizontal
+  Vector2<double> start_lean_;     // of c(psi) at the start; of a meridian: with the half turns taken off
 };
 
 }  // namespace toolcomp::fast

@@ -1,0 +1,201 @@
+#include "fast/tool_posture_control/posture_motion.h"
+
+#include <cmath>
+
+namespace toolcomp::fast {
+namespace {
+
+using Frame = PolarFrame::Constants<double>;
+
+// An angle that is known to lie in (-180, 180) about `middle`, brought there by whole turns.
+double about(double degrees, double middle) {
+  if (degrees - middle > 180) return degrees - 360;
+  if (degrees - middle <= -180) return degrees + 360;
+  return degrees;
+}
+
+// 1 - cos psi and 1 + cos psi times sin a sin b: the distances of k from the ends of its reach.
+struct Room {
+  double above, below;
+};
+Room room(const PolarFrame& polar, double k, double n2) {
+  const Frame& c = polar.constants();
+  return {polar.has_plus() && k > 0 ? n2 / (1 + k) : std::fmax(0.0, c.top - k),
+          polar.has_minus() && k < 0 ? n2 / (1 - k) : std::fmax(0.0, k - c.bottom)};
+}
+
+// The horizontal part of c(psi) for the sine of psi.
+Vector2<double> lean(const Frame& c, const Room& room, double sin_psi) {
+  const double x = room.above <= room.below ? c.skew + c.sc * room.above / c.ss : c.sum - c.sc * room.below / c.ss;
+  return {x, -c.sa * sin_psi};
+}
+
+// The mechanical angle of the work-side axis that turns `from` to `to`, horizontal vectors of one length.
+SineCosine<double> between(const Vector2<double>& from, const Vector2<double>& to) {
+  const double n2 = dot(to, to);
+  return {cross(from, to) / n2, dot(from, to) / n2};
+}
+
+}  // namespace
+
+void PostureMotion::set_ends(const Machine& machine, const Pose& start, const Pose& end) {
+  machine_ = &machine;
+  for (std::size_t i = 0; i < 2; ++i) {
+    start_[i] = start.axis[i].degrees;
+    end_[i] = end.axis[i].degrees;
+  }
+}
+
+void PostureMotion::set_still(const Machine& machine, const Pose& pose) {
+  law_ = Law::still;
+  set_ends(machine, pose, pose);
+  still_.degrees = start_;
+  still_.turns = turns(pose);
+  still_.tool = {pose.tool.unit[0], pose.tool.unit[1], pose.tool.unit[2]};
+}
+
+void PostureMotion::set_linear(const Machine& machine, const Pose& start, const Pose& end) {
+  law_ = Law::linear;
+  set_ends(machine, start, end);
+}
+
+void PostureMotion::set_great_circle(const Pose& start, const Pose& end) {
+  double radians = 0;
+  seen_.start = start.seen;
+  seen_.side = side_of(start.seen, end.seen, radians);
+  angle_.set(radians);
+  const Machine& machine = *machine_;
+  reported_.start = machine.in_frame(seen_back(machine.polar().constants(), seen_.start));
+  reported_.side = machine.in_frame(seen_back(machine.polar().constants(), seen_.side));
+}
+
+void PostureMotion::refine_circle(const Vector3<DoubleDouble>& start_seen, const Vector3<DoubleDouble>& end_seen) {
+  double radians = 0;
+  seen_.start = nearest(start_seen);
+  seen_.side = side_of(start_seen, end_seen, radians);
+  angle_.set(radians);
+  const Machine& machine = *machine_;
+  reported_.start = machine.in_frame(seen_back(machine.polar().constants(), seen_.start));
+  reported_.side = machine.in_frame(seen_back(machine.polar().constants(), seen_.side));
+}
+
+void PostureMotion::set_circle(const Machine& machine, const Pose& start, const Pose& end, int branch, int azimuth) {
+  law_ = Law::circle;
+  set_ends(machine, start, end);
+  set_great_circle(start, end);
+  branch_ = branch;
+  azimuth_ = azimuth;
+  const std::size_t t = machine.tool_side();
+  const double sense = machine.sense(t);
+  const double psi = branch < 0 ? -std::abs(start.psi) : std::abs(start.psi);
+  tool_base_ = start_[t] - sense * psi;
+  start_heading_ = {start.seen.x, start.seen.y};
+  const PolarFrame& polar = machine.polar();
+  if (polar.orthogonal()) return;
+  const double n2 = dot(start_heading_, start_heading_);
+  const Room space = room(polar, start.seen.z, n2);
+  const double sin_psi = branch_ * std::sqrt(space.above * space.below) / polar.constants().ss;
+  start_lean_ = lean(polar.constants(), space, sin_psi);
+}
+
+void PostureMotion::set_meridian(const Machine& machine, const Pose& start, const Pose& end, int branch, int pole,
+                                 const Vector2<double>& heading) {
+  law_ = Law::meridian;
+  set_ends(machine, start, end);
+  set_great_circle(start, end);
+  branch_ = branch;
+  pole_ = pole;
+  start_heading_ = heading;
+  const std::size_t t = machine.tool_side();
+  // psi at the start: 0 or 180 in the pole itself.
+  const double psi = branch < 0 ? -std::abs(start.psi) : std::abs(start.psi);
+  tool_base_ = start_[t] - machine.sense(t) * psi;
+  start_lean_ = on_meridian(start.seen).lean;
+}
+
+void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) {
+  switch (law_) {
+    case Law::still:
+      sample = still_;
+      return;
+    case Law::linear:
+      linear_at(static_cast<double>(numerator) / denominator, sample);
+      return;
+    case Law::circle:
+    case Law::meridian:
+      break;
+  }
+  const SineCosine<double> angle = angle_.at(numerator, denominator);
+  if (law_ == Law::circle)
+    circle_at(seen_.at(angle), sample);
+  else
+    meridian_at(seen_.at(angle), sample);
+  sample.tool = machine_->reports_machine_directions() ? machine_->tool_at(sample.turns) : reported_.at(angle);
+}
+
+void PostureMotion::linear_at(double t, PostureSample& sample) const {
+  for (std::size_t i = 0; i < 2; ++i) {
+    sample.degrees[i] = start_[i] == end_[i] ? start_[i] : (1 - t) * start_[i] + t * end_[i];
+    sample.turns[i] = sine_cosine(sample.degrees[i]);
+  }
+  sample.tool = machine_->tool_at(sample.turns);
+}
+
+void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample) const {
+  const PolarFrame& polar = machine_->polar();
+  const Frame& c = polar.constants();
+  const double n2 = seen.x * seen.x + seen.y * seen.y;
+  const Room space = room(polar, seen.z, n2);
+  const double sin_psi = branch_ * std::sqrt(space.above * space.below) / c.ss;
+  const double cos_psi = (seen.z - c.cc) / c.ss;
+  const Vector2<double> heading{seen.x, seen.y};
+  const std::size_t t = machine_->tool_side();
+  const std::size_t w = machine_->work_side();
+  sample.degrees[t] = tool_base_ + machine_->sense(t) * arctangent(sin_psi, cos_psi);
+  SineCosine<double> work;
+  // V(t) turns one way, by less than 180.
+  const double middle = 90.0 * azimuth_;
+  if (polar.orthogonal()) {
+    const double length = std::sqrt(n2);
+    work = {branch_ * seen.x / length, -branch_ * seen.y / length};
+    const double turned = arctangent(cross(start_heading_, heading), dot(start_heading_, heading));
+    sample.degrees[w] = start_[w] + machine_->sense(w) * about(turned, middle);
+  } else {
+    const Vector2<double> leaned = lean(c, space, sin_psi);
+    work = between(leaned, heading);
+    const double turned = arctangent(cross(start_heading_, heading), dot(start_heading_, heading));
+    const double swung = arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
+    sample.degrees[w] = start_[w] + machine_->sense(w) * (about(turned, middle) - swung);
+  }
+  sample.turns = machine_->turns_of<double>({sin_psi, cos_psi}, work);
+}
+
+PostureMotion::OnMeridian PostureMotion::on_meridian(const Vector3<double>& seen) const {
+  const Frame& c = machine_->polar().constants();
+  const double k = seen.z;
+  // The horizontal distance from the axis: negative behind it. Both azimuths keep their side: h / g has no jump.
+  const double g = seen.x * start_heading_.x + seen.y * start_heading_.y;
+  const double slope =
+      pole_ > 0 ? std::sqrt(std::fmax(0.0, k - c.bottom) / (1 + k)) : std::sqrt(std::fmax(0.0, c.top - k) / (1 - k));
+  const double across = pole_ > 0 ? c.sc * g / (1 + k) : -c.sc * g / (1 - k);
+  return {branch_ * g * slope / c.ss, {across / c.ss, -c.sa * branch_ * slope / c.ss}};
+}
+
+void PostureMotion::meridian_at(const Vector3<double>& seen, PostureSample& sample) const {
+  const Frame& c = machine_->polar().constants();
+  const auto [sin_psi, leaned] = on_meridian(seen);
+  const double cos_psi = (seen.z - c.cc) / c.ss;
+  double psi = arctangent(sin_psi, cos_psi);
+  // Behind -u_w psi goes on beyond 180.
+  if (pole_ < 0) psi = about(psi, 180 * branch_);
+  const std::size_t t = machine_->tool_side();
+  const std::size_t w = machine_->work_side();
+  sample.degrees[t] = tool_base_ + machine_->sense(t) * psi;
+  const double swung = arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
+  sample.degrees[w] = start_[w] - machine_->sense(w) * swung;
+  const double n = std::sqrt(dot(leaned, leaned));
+  sample.turns = machine_->turns_of<double>(
+      {sin_psi, cos_psi}, {cross(leaned, start_heading_) / n, dot(leaned, start_heading_) / n});
+}
+
+}  // namespace toolcomp::fast
