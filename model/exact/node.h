@@ -22,7 +22,10 @@ enum class Kind : std::uint8_t {
   product,
   quotient,
   root,
-  arctangent
+  arctangent,
+  sine_of,    ///< of an operand in degrees
+  cosine_of,  ///< of an operand in degrees
+  arccosine
 };
 
 /// What is known of a node's sign beyond its enclosure.

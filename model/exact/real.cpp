@@ -234,6 +234,26 @@ Real arctangent_degrees(const Real& tangent) {
   return operation(Kind::arctangent, x);
 }
 
+Real arccosine_degrees(const Real& cosine) {
+  Node* const x = Node::of(cosine);
+  if (is_zero(x)) return 90;
+  if (is_integer(*x, 1)) return {};
+  if (is_integer(*x, -1)) return 180;
+  return operation(Kind::arccosine, x);
+}
+
+Real sin_real_degrees(const Real& degrees) {
+  if (degrees.is_rational()) return sin_degrees(degrees.rational());
+  Node* const x = Node::of(degrees);
+  return is_negation(*x) ? -operation(Kind::sine_of, x->left) : operation(Kind::sine_of, x);
+}
+
+Real cos_real_degrees(const Real& degrees) {
+  if (degrees.is_rational()) return cos_degrees(degrees.rational());
+  Node* const x = Node::of(degrees);
+  return operation(Kind::cosine_of, is_negation(*x) ? x->left : x);
+}
+
 Real square(const Real& a) { return a * a; }
 
 }  // namespace toolcomp::exact

@@ -45,6 +45,22 @@ void compute(Interval* sine, Interval* cosine, const mpq_t degrees, mpfr_prec_t 
   if (cosine != nullptr) arb_get_interval_mpfr(cosine->lower, cosine->upper, balls.cosine);
 }
 
+// A function of half turns, at a whole interval of degrees.
+void of_degrees(Interval& result, const Interval& degrees, void (*function)(arb_t, const arb_t, slong)) {
+  if (mpfr_inf_p(degrees.lower) || mpfr_inf_p(degrees.upper)) {
+    mpfr_set_si(result.lower, -1, MPFR_RNDD);
+    mpfr_set_si(result.upper, 1, MPFR_RNDU);
+    return;
+  }
+  const mpfr_prec_t precision = result.precision() + guard_bits;
+  constexpr unsigned long half_turn = 180;
+  Balls balls;
+  arb_set_interval_mpfr(balls.sine, degrees.lower, degrees.upper, precision);
+  arb_div_ui(balls.sine, balls.sine, half_turn, precision);
+  function(balls.cosine, balls.sine, precision);
+  arb_get_interval_mpfr(result.lower, result.upper, balls.cosine);
+}
+
 struct Remembered {
   mpq_t degrees;
   InlineInterval sine;
@@ -85,6 +101,22 @@ void sine_and_cosine(Interval* sine, Interval* cosine, const mpq_t degrees) {
   const Remembered& entry = remembered(degrees);
   if (sine != nullptr) set(*sine, entry.sine);
   if (cosine != nullptr) set(*cosine, entry.cosine);
+}
+
+void sine_of_degrees(Interval& result, const Interval& degrees) { of_degrees(result, degrees, arb_sin_pi); }
+void cosine_of_degrees(Interval& result, const Interval& degrees) { of_degrees(result, degrees, arb_cos_pi); }
+
+void arccosine_degrees(Interval& result, const Interval& cosine) {
+  constexpr unsigned long turn = 360;
+  // The angle falls as the cosine rises.
+  if (mpfr_cmp_si(cosine.upper, 1) < 0)
+    mpfr_acosu(result.lower, cosine.upper, turn, MPFR_RNDD);
+  else
+    mpfr_set_zero(result.lower, +1);
+  if (mpfr_cmp_si(cosine.lower, -1) > 0)
+    mpfr_acosu(result.upper, cosine.lower, turn, MPFR_RNDU);
+  else
+    mpfr_set_ui(result.upper, turn / 2, MPFR_RNDU);
 }
 
 void arctangent_degrees(Interval& result, const Interval& tangent) {

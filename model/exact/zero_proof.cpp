@@ -99,6 +99,9 @@ class Proof {
       case Kind::root:
         return root(of(node.left));
       case Kind::arctangent:
+      case Kind::sine_of:
+      case Kind::cosine_of:
+      case Kind::arccosine:
         break;
     }
     throw OutOfWork{};

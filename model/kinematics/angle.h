@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "model/exact/real.h"
 
@@ -22,6 +23,9 @@ class Angle {
 
   // The principal angle, in (-180, 180], of this cosine and sine; their squares add up to 1.
   static Angle of_unit(const Real& cosine, const Real& sine);
+  // An angle inside a block, of which no sign may be asked because a zero could not be proven: cosine, sine and degrees
+  // of a principal angle, as they are.
+  static Angle known(const Real& cosine, const Real& sine, const Real& degrees);
   // The principal angle of a direction; x and y are not both zero.
   static Angle of_direction(const Real& x, const Real& y);
 
@@ -33,6 +37,8 @@ class Angle {
   [[nodiscard]] Real sine() const;
   // For output: the arc tangent of a rest is never proven equal to a number.
   [[nodiscard]] Real degrees() const;
+  // The same without the trouble of recognising a rational.
+  [[nodiscard]] Real plain_degrees() const;
   // The same angle, without a rest where that is a whole number of thousandths of a degree.
   [[nodiscard]] Angle recognised() const;
 
@@ -55,8 +61,13 @@ class Angle {
   struct Rest {
     Real cosine;
     Real sine;
+    std::optional<Real> degrees;  // where it was given
   };
   friend Real order(const Angle& a, const Angle& b);
+
+  // The full turns that the sum of two rests, of this cosine and sine, is away from its principal angle.
+  static int turns_of_sum(const Rest& x, const Rest& y, const Real& cosine, const Real& sine);
+  static Real degrees_of(const Rest& rest);
 
   Rational rational_;
   std::optional<Rest> rest_;
@@ -69,6 +80,8 @@ Angle operator-(const Angle& a, const Angle& b);
 // A number with the sign of a - b and of magnitude at most 1: the sine of the difference where that is less than 90
 // degrees. For a recorder's decide().
 Real order(const Angle& a, const Angle& b);
+// The largest whole number not above x.
+Integer floor(const Rational& x);
 // |a|.
 Angle absolute(const Angle& a);
 

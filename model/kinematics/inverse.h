@@ -1,4 +1,4 @@
-// Rotary positions from a direction: every solution, and the quantities by which a branch is followed.
+// Rotary positions from a direction: every solution, and what a branch is followed by.
 #pragma once
 
 #include <array>
@@ -10,43 +10,54 @@
 
 namespace toolcomp::model {
 
-// One pair of basic computed angles, each in [0, 360).
+// One pair of computed angles, both principal.
 struct Solution {
   Pose pose;
-  int branch = 0;  // side of the extreme height on which the tool-side axis stands: 1, -1, or 0 at the edge of reach
+  // The side of the extreme heights on which the tool-side axis stands: 1 where its turn, counted from that of the
+  // greatest height, is in (0, 180); -1 where it is in (-180, 0); 0 at the edge of reach.
+  int branch = 0;
 };
 
 struct Solutions {
-  std::array<Solution, 2> at;
-  std::size_t count = 0;   // 0: unreachable; 1: edge of reach; else 2
-  bool work_free = false;  // singular: the work-side position is arbitrary; the one given is 0
+  std::array<Solution, 2> at;  // branch 1, branch -1
+  std::size_t count = 0;       // 1: edge of reach or singular; else 2
+  bool work_free = false;      // singular: the work-side position is arbitrary (0 stands in the solution)
 
   [[nodiscard]] const Solution* begin() const { return at.data(); }
   [[nodiscard]] const Solution* end() const { return at.data() + count; }
 };
 
-// All pairs of a direction in the table frame, of any length. A hypothetical axis admits only pairs at its fixed angle.
-// Clauses: fanuc.tool-center-point.*.
+// All pairs of a direction in the table frame, of any length; whole turns can be added to each angle. Throws the alarm
+// PS5459 where there is none. The machine has both axes and tilts(). Clauses: fanuc.tool-center-point.inverse,
+// .parallel-to-the-work-side, .reach-toward-the-axis, .reach-away-from-the-axis, .unreachable.
 Solutions inverse(const Machine& machine, Recorder& recorder, const Direction& direction);
 
-// Which side of the extreme height a tool-side position is on: positive, negative, or zero at an edge of reach; as a
-// number of magnitude at most 1 for a decision.
-Real branch(const Machine& machine, const Angle& tool);
-// How far a direction lies inside the reach: positive inside, zero at its edge, negative outside; with its scale.
-struct Margin {
-  Real quantity;
-  Real scale;
+// Cosine and sine of the positions for a direction on one branch, and nothing decided: for directions inside a block,
+// which are known to be reachable and not parallel to the work-side axis.
+struct PoseCosines {
+  Real tool_cosine;
+  Real tool_sine;
+  Real work_cosine;
+  Real work_sine;
 };
-Margin reach(const Machine& machine, const Direction& direction);
-// The pair of one branch (1 or -1; any at an edge of reach) of a direction that is reachable and not singular; both
-// angles principal.
-Pose on_branch(const Machine& machine, const Direction& direction, int branch);
+PoseCosines on_branch(const Machine& machine, const Direction& direction, int branch);
 
+// On which side of the extreme heights a tool-side position is: the sine of its turn, counted from that of the greatest
+// height, times rho: positive on branch 1, negative on branch -1, zero at an edge of reach.
+Real branch_quantity(const Machine& machine, const Angle& tool);
+
+// The horizontal direction (about the work-side axis) in which a tilted direction points, of any length; at a singular
+// posture the one in which it leaves the axis, or comes to it, on `branch`.
+Vector heading(const Machine& machine, const Angle& tool, int branch);
 // The azimuth about the work-side axis from one direction to another, principal; neither is parallel to that axis.
 Angle azimuth(const Machine& machine, const Vector& from, const Vector& to);
-// The work-side position where a motion that starts at `start` and keeps clear of the work-side axis ends: from the
-// azimuth that the direction has swung and that the tool-side axis has swung the tilted direction, each less than 180
-// degrees.
-Angle lifted_work(const Machine& machine, const Pose& start, const Vector& from, const Vector& to, const Angle& tool);
+
+// `end`, a position of one of the axes, with the whole turns that bring it to where a continuous motion takes the axis:
+// the tool-side axis within its branch,
+Angle lifted_tool(const Angle& start, const Angle& end, int branch, const Machine& machine);
+// the work-side axis to start + sense * (swing of the direction - swing of the tilted direction), of which `end`
+// differs by whole turns only.
+Angle lifted_work(const Angle& start, const Angle& end, const Angle& direction_swing, const Angle& tilt_swing,
+                  const Machine& machine);
 
 }  // namespace toolcomp::model

@@ -23,7 +23,8 @@ inline bool operator==(const Pose& a, const Pose& b) { return a.tool == b.tool &
 
 // A posture at which the work-side position is arbitrary.
 struct SingularPosture {
-  Vector direction;  // +- the work-side axis, in the table frame
+  int side = 1;      // 1: along the work-side axis, -1: against it
+  Vector direction;  // that axis or its opposite, in the table frame; unit
   Angle tool;        // the tool-side position, principal
 };
 
@@ -72,14 +73,20 @@ class Machine {
   [[nodiscard]] const Heights& heights() const { return heights_; }
   // The tool-side axis changes the height at all. Without it no direction has computed angles.
   [[nodiscard]] bool tilts() const { return tilts_; }
-  // Those that exist, + the work-side axis first. The existence is decided exactly.
+  // Those that exist, along the work-side axis first. The existence is decided exactly.
   [[nodiscard]] const std::vector<SingularPosture>& singular_postures() const { return singular_; }
+  // The one of a side, null if it does not exist.
+  [[nodiscard]] const SingularPosture* singular(int side) const;
 
  private:
   friend class ProgrammingFrame;
 
   void find_heights();
   void find_singular_postures();
+  // Where the table carries a point, machine coordinates, from one pose to another.
+  [[nodiscard]] Vector carried(const Vector& point, const Pose& from, const Pose& to) const;
+  // From the tip of a tool of this length to the control point, parallel to the machine axes.
+  [[nodiscard]] Vector tool_vector(const Pose& pose, const Real& length) const;
 
   Mechanism mechanism_;
   Rational holder_offset_;

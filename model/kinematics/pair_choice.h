@@ -1,4 +1,4 @@
-// The choice between the computed angles of a direction (type 2, I J K), and the ranges of the rotary axes.
+// The choice between the computed angles of a direction, and the ranges of the rotary axes (type 2, I J K).
 #pragma once
 
 #include <array>
@@ -11,40 +11,62 @@
 
 namespace toolcomp::model {
 
-// Limits of one rotary axis, inclusive; degrees.
-struct RotaryRange {
-  Rational lower;
-  Rational upper;
-};
-
-// Parameters 19741-19744 and 19608#5. Clauses: fanuc.tool-center-point.*.
+// Parameters 19741-19744 and 19608#5. Clauses: fanuc.tool-center-point.choice*, .range*.
 class PairChoice {
  public:
   PairChoice(const spec::Setup& setup, const Machine& machine, Recorder& recorder);
 
-  // Type 2 starts. Throws the alarm PS5459 where a lower limit is above its upper limit.
+  // For the block in which type 2 starts. Throws the alarm PS5459 where a lower limit is above its upper limit.
   void require_ranges() const;
   // Both axes of the pose are in their ranges.
   [[nodiscard]] bool inside(const Pose& pose) const;
   // Throws the alarm PS5459 where they are not.
   void require_inside(const Pose& pose) const;
 
-  // The pair that the rules take from `present` to a direction in the table frame, whole turns included. Throws the
-  // alarm PS5459 where the direction is out of reach or no pair is in range.
-  [[nodiscard]] Pose choose(const Direction& direction, const Pose& present) const;
+  // The pair that the rules take from `present` for a direction in the table frame, whole turns included; its branch
+  // with it. Throws the alarm PS5459 where the direction is out of reach or no pair is in range.
+  [[nodiscard]] Solution choose(const Direction& direction, const Pose& present) const;
 
  private:
-  // What an axis may be sent to for one basic angle: the nearest value in its range, or the two equally near.
-  struct Values {
+  // Limits of one rotary axis, inclusive; degrees.
+  struct Range {
+    Rational lower;
+    Rational upper;
+  };
+  // One axis as the rules see it.
+  struct Axis {
+    Angle Pose::* position;
+    std::optional<Range> range;
+    Clause move{};       // its step by moving angles
+    Clause near_zero{};  // its step by nearness to 0
+  };
+  // Where an axis may go for one computed angle: the nearest position in its range, or the two equally near; none where
+  // it has none in range.
+  struct Targets {
     std::array<Angle, 2> at;
     std::size_t count = 0;
+    Angle move;  // the moving angle, not negative
   };
+  struct Candidate {
+    Solution solution;
+    std::array<Targets, 2> targets;  // of the axis judged first, of the other
+  };
+
+  static std::optional<Range> range(const spec::Setup& setup, std::uint32_t upper);
+  [[nodiscard]] bool within(const Axis& axis, const Angle& position) const;
+  [[nodiscard]] Targets targets(const Axis& axis, const Angle& angle, const Angle& present) const;
+  // The other way round, where that is equally far.
+  void add_other_way(const Axis& axis, const Angle& present, Targets& targets) const;
+  [[nodiscard]] Targets standing(const Axis& axis, const Angle& present) const;
+  // Negative: the first of two candidates moves less.
+  [[nodiscard]] Sign compare_moves(const Axis& axis, const Targets& a, const Targets& b) const;
+  [[nodiscard]] Sign compare_nearness(const Axis& axis, const Targets& a, const Targets& b) const;
+  [[nodiscard]] bool takes_second(const Candidate& a, const Candidate& b) const;
 
   const Machine& machine_;
   Recorder& recorder_;
-  std::optional<RotaryRange> tool_;
-  std::optional<RotaryRange> work_;
-  bool work_first_ = true;  // the work-side axis is judged first
+  bool reversed_;
+  std::array<Axis, 2> axes_;  // in the order in which they are judged
 };
 
 }  // namespace toolcomp::model

@@ -72,7 +72,7 @@ void ProgramDirection::restrict(const Command& command, const ToolLengthOffset& 
 const Direction& ProgramDirection::of_pose(const Position& position) {
   bool same = pose_.has_value();
   for (std::size_t i = 0; same && i < axes_.size(); ++i)
-    if (kinematics_.turns(i)) same = (position.at(i) - pose_->at(i)).value().sign() == Sign::zero;
+    if (kinematics_.turns(i)) same = position.at(i) == pose_->at(i);
   if (!same) {
     pose_direction_ = kinematics_.direction(position);
     pose_ = position;

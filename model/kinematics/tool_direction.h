@@ -1,11 +1,10 @@
 // The direction of the tool, tip to holder, from the positions of the rotary axes.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <vector>
+#include <cstddef>
 
 #include "model/geometry/vector.h"
+#include "model/kinematics/mechanism.h"
 #include "model/program/coordinate.h"
 #include "spec/language/setup.h"
 
@@ -30,7 +29,7 @@ class Kinematics {
   explicit Kinematics(const spec::Setup& setup);
 
   // Rotary axes turn the tool or the table.
-  [[nodiscard]] bool present() const { return !turns_.empty(); }
+  [[nodiscard]] bool present() const { return !mechanism_.turns.empty(); }
   // G43.5 can use it: no table axis and no head offset.
   [[nodiscard]] bool tip_control_built() const { return tip_control_built_; }
   // A controlled axis on which the direction depends.
@@ -40,22 +39,7 @@ class Kinematics {
   [[nodiscard]] Direction direction(const Position& position) const;
 
  private:
-  // A rotation about a line through the origin. Turns about X, Y or Z move two components only.
-  struct Turn {
-    std::optional<std::size_t> axis;  // controlled axis; none: hypothetical, at `offset`
-    Rational offset;                  // added to the position before the sense applies
-    int sense = 1;                    // −1: positive positions turn left-handed
-    std::size_t about = 2;            // 0, 1, 2 for X, Y, Z; 3: about `line`
-    Vector line;                      // unit
-
-    [[nodiscard]] Vector apply(const Vector& v, const Position& position) const;
-  };
-
-  void read_19680(const spec::Setup& setup);
-  void read_19610(const spec::Setup& setup);
-
-  Vector reference_{0, 0, 1};
-  std::vector<Turn> turns_;  // in the order they act on the reference direction
+  Mechanism mechanism_;
   bool tip_control_built_ = true;
 };
 

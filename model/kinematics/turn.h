@@ -21,9 +21,14 @@ struct Turn {
 
   // Of the controlled axis; 0 for a hypothetical one.
   [[nodiscard]] Angle position(const Position& of) const { return axis ? of.at(*axis).angle() : Angle(); }
+  // The right-handed angle of a position, and back.
+  [[nodiscard]] Angle angle(const Angle& position) const;
+  [[nodiscard]] Angle position_at(const Angle& angle) const;
   // A vector or point turned by the axis at `position`, forwards or backwards.
   [[nodiscard]] Vector apply(const Vector& v, const Angle& position) const;
   [[nodiscard]] Vector apply_back(const Vector& v, const Angle& position) const;
+  // Turned forwards at one position and back at another: how a table axis carries a point along.
+  [[nodiscard]] Vector carry(const Vector& v, const Angle& from, const Angle& to) const;
 };
 
 }  // namespace toolcomp::model

@@ -1,0 +1,191 @@
+#include "model/kinematics/angle.h"
+
+#include <utility>
+
+namespace toolcomp::model {
+namespace {
+
+bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
+
+Rational with_sign(Sign sign, int value) { return sign == Sign::negative ? -value : value; }
+
+// The angles of which sine and cosine, or their magnitudes, agree with small whole numbers; (x, y) is not (0, 0).
+std::optional<Rational> multiple_of_45(const Real& x, const Real& y) {
+  const Sign of_x = x.sign();
+  const Sign of_y = y.sign();
+  if (of_y == Sign::zero) return Rational(of_x == Sign::negative ? 180 : 0);
+  if (of_x == Sign::zero) return with_sign(of_y, 90);
+  if ((of_x == of_y ? x - y : x + y).sign() == Sign::zero) return with_sign(of_y, of_x == Sign::positive ? 45 : 135);
+  return std::nullopt;
+}
+
+// The principal angle of a cosine and a sine none of which is zero, from an arc tangent of magnitude 1 at most.
+Real arctangent(const Real& cosine, const Real& sine) {
+  if ((square(cosine) - square(sine)).sign() == Sign::negative)
+    return Real(with_sign(sine.sign(), 90)) - arctangent_degrees(cosine / sine);
+  const Real angle = arctangent_degrees(sine / cosine);
+  return cosine.sign() == Sign::positive ? angle : Real(with_sign(sine.sign(), 180)) + angle;
+}
+
+// A whole number of thousandths that may be x, if there is one.
+std::optional<Rational> thousandths(const Real& x) {
+  constexpr int bits = 90;
+  const exact::Enclosure bounds = x.enclosure(bits);
+  const Rational value = Rational(floor(bounds.lower * 1000 + Rational(1, 2))) / 1000;
+  const Rational near = Rational(1, Integer(1) << 60);
+  if (value - bounds.lower > near || bounds.upper - value > near) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+Integer floor(const Rational& x) {
+  Integer result;
+  mpz_fdiv_q(result.backend().data(), mpq_numref(x.backend().data()), mpq_denref(x.backend().data()));
+  return result;
+}
+
+Angle Angle::of_unit(const Real& cosine, const Real& sine) {
+  if (const auto known = multiple_of_45(cosine, sine)) return *known;
+  Angle result;
+  result.rest_ = Rest{cosine, sine, std::nullopt};
+  return result;
+}
+
+Angle Angle::known(const Real& cosine, const Real& sine, const Real& degrees) {
+  Angle result;
+  result.rest_ = Rest{cosine, sine, degrees};
+  return result;
+}
+
+Angle Angle::of_direction(const Real& x, const Real& y) {
+  if (const auto known = multiple_of_45(x, y)) return *known;
+  const Real norm = sqrt(square(x) + square(y));
+  Angle result;
+  result.rest_ = Rest{x / norm, y / norm, std::nullopt};
+  return result;
+}
+
+Real Angle::cosine() const {
+  const Real of_rational = exact::cos_degrees(rational_);
+  return rest_ ? of_rational * rest_->cosine - exact::sin_degrees(rational_) * rest_->sine : of_rational;
+}
+
+Real Angle::sine() const {
+  const Real of_rational = exact::sin_degrees(rational_);
+  return rest_ ? of_rational * rest_->cosine + exact::cos_degrees(rational_) * rest_->sine : of_rational;
+}
+
+Real Angle::degrees() const { return recognised().plain_degrees(); }
+
+Real Angle::plain_degrees() const { return rest_ ? Real(rational_) + degrees_of(*rest_) : Real(rational_); }
+
+Angle Angle::recognised() const {
+  if (!rest_ || rest_->degrees) return *this;
+  const std::optional<Rational> value = thousandths(arctangent(rest_->cosine, rest_->sine));
+  if (!value) return *this;
+  try {
+    const Real difference = rest_->sine * exact::cos_degrees(*value) - rest_->cosine * exact::sin_degrees(*value);
+    if (difference.sign() == Sign::zero) return rational_ + *value;
+  } catch (const exact::Undecided&) {
+    // Not recognised.
+  }
+  return *this;
+}
+
+Integer Angle::nearest_turns() const {
+  // In [-180, 180), but 180 itself is principal.
+  Integer turns = floor((rational_ + 180) / 360);
+  const Angle rest = plus_turns(-turns);
+  if (order(rest, 180).sign() == Sign::positive) return turns + 1;
+  if (order(rest, -180).sign() != Sign::positive) return turns - 1;
+  return turns;
+}
+
+Integer Angle::whole_turns() const {
+  Integer turns = floor(rational_ / 360);
+  if (!rest_) return turns;
+  const Angle rest = plus_turns(-turns);
+  if (order(rest, 0).sign() == Sign::negative) return turns - 1;
+  if (order(rest, 360).sign() != Sign::negative) return turns + 1;
+  return turns;
+}
+
+Angle Angle::plus_turns(const Integer& turns) const {
+  Angle result(*this);
+  result.rational_ += Rational(360 * turns);
+  return result;
+}
+
+Angle operator-(const Angle& a) {
+  Angle result(-a.rational_);
+  result.rest_ = a.rest_;
+  if (result.rest_) {
+    result.rest_->sine = -a.rest_->sine;
+    if (result.rest_->degrees) result.rest_->degrees = -*a.rest_->degrees;
+  }
+  return result;
+}
+
+Angle operator+(const Angle& a, const Angle& b) {
+  Angle result = a.rest_ ? a : b;
+  result.rational_ = a.rational_ + b.rational_;
+  if (!a.rest_ || !b.rest_) return result;
+  result.rest_.reset();
+  const Angle::Rest& x = *a.rest_;
+  const Angle::Rest& y = *b.rest_;
+  // Two values of one angle: nothing is left to decide.
+  if (known_zero(x.cosine - y.cosine) && known_zero(x.sine + y.sine)) return result;
+  const Real cosine = x.cosine * y.cosine - x.sine * y.sine;
+  const Real sine = x.sine * y.cosine + x.cosine * y.sine;
+  const int turns = Angle::turns_of_sum(x, y, cosine, sine);
+  result.rational_ += 360 * turns;
+  if (x.degrees || y.degrees) {
+    const Real sum = Angle::degrees_of(x) + Angle::degrees_of(y) - 360 * turns;
+    result.rest_ = Angle::Rest{cosine, sine, sum};
+    return result;
+  }
+  const Angle sum = Angle::of_unit(cosine, sine);
+  result.rational_ += sum.rational_;
+  result.rest_ = sum.rest_;
+  return result;
+}
+
+// Of two rests within 90 degrees of 0 none is needed. The sine of a rest beyond is far from zero: its sign is certain.
+int Angle::turns_of_sum(const Rest& x, const Rest& y, const Real& cosine, const Real& sine) {
+  const bool x_is_near = x.cosine.sign() == Sign::positive;
+  const bool y_is_near = y.cosine.sign() == Sign::positive;
+  if (x_is_near && y_is_near) return 0;
+  const Sign side = (x_is_near ? y : x).sine.sign();
+  if (!x_is_near && !y_is_near) return y.sine.sign() == side ? static_cast<int>(side) : 0;
+  if (cosine.sign() == Sign::positive) return 0;
+  const Sign of_sum = sine.sign();
+  const bool beyond = of_sum == -side || (of_sum == Sign::zero && side == Sign::negative);
+  return beyond ? static_cast<int>(side) : 0;
+}
+
+Real Angle::degrees_of(const Rest& rest) { return rest.degrees ? *rest.degrees : arctangent(rest.cosine, rest.sine); }
+
+Angle operator-(const Angle& a, const Angle& b) { return a + -b; }
+
+Real order(const Angle& a, const Angle& b) {
+  const Angle difference = a - b;
+  const Rational& whole = difference.rational_;
+  if (!difference.rest_) {
+    const Rational radians = whole * Rational(71, 4068);  // about
+    return radians > 1 ? Real(1) : radians < -1 ? Real(-1) : Real(radians);
+  }
+  if (whole < 0) return -order(-difference, 0);
+  // A rest is more than -180: the difference is more than 90.
+  if (whole >= 270) return 1;
+  const bool rest_is_near = difference.rest_->cosine.sign() == Sign::positive;
+  if (rest_is_near && whole >= 180) return 1;
+  if (!rest_is_near && difference.rest_->sine.sign() == Sign::positive) return 1;
+  // The difference lies between -180 and 270.
+  if (difference.cosine().sign() == Sign::positive) return difference.sine();
+  return !rest_is_near && whole < 90 ? -1 : 1;
+}
+
+Angle absolute(const Angle& a) { return sign(a) == Sign::negative ? -a : a; }
+
+}  // namespace toolcomp::model

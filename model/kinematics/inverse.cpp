@@ -1,0 +1,178 @@
+#include "model/kinematics/inverse.h"
+
+#include "model/program/alarm.h"
+
+namespace toolcomp::model {
+namespace {
+
+// The part of a vector across the work-side axis.
+Vector horizontal(const Machine& machine, const Vector& v) {
+  const Turn& axis = machine.work_side();
+  if (axis.about == 3) return v - dot(axis.line, v) * axis.line;
+  Vector result = v;
+  component(result, axis.about) = Real();
+  return result;
+}
+
+// The direction to be reached, of length n, and its height over the mean one of the tilted directions.
+struct Goal {
+  Real norm;
+  Real height;        // n C
+  Vector horizontal;  // n times that of the unit vector
+  Real horizontal2;   // its square
+};
+
+Goal goal(const Machine& machine, const Direction& direction) {
+  Goal result;
+  result.norm = sqrt(direction.norm2);
+  result.height = dot(machine.work_side().line, direction.vector) - machine.heights().mean * result.norm;
+  result.horizontal = horizontal(machine, direction.vector);
+  result.horizontal2 = squared_norm(result.horizontal);
+  return result;
+}
+
+Angle sensed(const Turn& turn, const Angle& angle) { return turn.position_at(angle).principal(); }
+
+// n times cosine and sine of the tool-side turn; `depth` is n^2 (rho^2 - C^2), not negative.
+struct ScaledTurn {
+  Real cosine;
+  Real sine;
+};
+ScaledTurn tool_turn(const Machine& machine, const Goal& goal, const Real& depth, int branch) {
+  const Machine::Heights& h = machine.heights();
+  const Real across = depth.is_rational() && depth.sign() == Sign::zero ? Real() : branch * sqrt(depth);
+  return {(h.a * goal.height - h.b * across) / h.swing2, (h.b * goal.height + h.a * across) / h.swing2};
+}
+
+Real depth_of(const Machine& machine, const Direction& direction, const Goal& goal) {
+  return machine.heights().swing2 * direction.norm2 - square(goal.height);
+}
+
+struct WorkTurn {
+  Real cosine;
+  Real sine;
+};
+WorkTurn work_turn(const Machine& machine, const Goal& goal, const ScaledTurn& tool) {
+  const Machine::Heights& h = machine.heights();
+  const Vector tilted = goal.norm * h.along + tool.cosine * h.across + tool.sine * h.ahead;
+  const Vector across = cross(machine.work_side().line, tilted);
+  return {dot(tilted, goal.horizontal) / goal.horizontal2, dot(across, goal.horizontal) / goal.horizontal2};
+}
+
+Solution solution(const Machine& machine, const Goal& goal, const Real& depth, int branch) {
+  const ScaledTurn tool = tool_turn(machine, goal, depth, branch);
+  const WorkTurn work = work_turn(machine, goal, tool);
+  Solution result;
+  result.pose.tool = sensed(machine.tool_side(), Angle::of_unit(tool.cosine / goal.norm, tool.sine / goal.norm));
+  result.pose.work = sensed(machine.work_side(), Angle::of_unit(work.cosine, work.sine));
+  result.branch = branch;
+  return result;
+}
+
+[[noreturn]] void unreachable(Recorder& recorder) {
+  raise(recorder, Clause::fanuc_tool_center_point_unreachable, "PS5459",
+        "a tool direction that the rotary axes cannot reach");
+}
+
+}  // namespace
+
+Solutions inverse(const Machine& machine, Recorder& recorder, const Direction& direction) {
+  recorder.reach(Clause::fanuc_tool_center_point_inverse);
+  const Goal to = goal(machine, direction);
+  const SingularPosture* const ahead = machine.singular(1);
+  const SingularPosture* const behind = machine.singular(-1);
+  Solutions result;
+  if (recorder.decide(Clause::fanuc_tool_center_point_parallel_to_the_work_side, to.horizontal2, direction.norm2) !=
+      Sign::positive) {
+    const bool along = dot(machine.work_side().line, direction.vector).sign() == Sign::positive;
+    const SingularPosture* const posture = along ? ahead : behind;
+    if (posture == nullptr) unreachable(recorder);
+    result.at[0].pose.tool = posture->tool;
+    result.count = 1;
+    result.work_free = true;
+    return result;
+  }
+  const Real rho = sqrt(machine.heights().swing2);
+  const Real height = to.height / to.norm;
+  bool edge = false;
+  const auto bounded = [&](Clause clause, const Real& quantity) {
+    constexpr int scale = 4;
+    const Sign side = recorder.decide(clause, quantity, scale);
+    if (side == Sign::negative) unreachable(recorder);
+    if (side == Sign::zero) edge = true;
+  };
+  if (ahead == nullptr) bounded(Clause::fanuc_tool_center_point_reach_toward_the_axis, rho - height);
+  if (behind == nullptr) bounded(Clause::fanuc_tool_center_point_reach_away_from_the_axis, rho + height);
+  Real depth = depth_of(machine, direction, to);
+  // A forced outcome may let a direction through that is out of reach.
+  if (edge || depth.sign() != Sign::positive) depth = Real();
+  result.at[0] = solution(machine, to, depth, 1);
+  result.count = 1;
+  if (depth.is_rational() && depth.sign() == Sign::zero) {
+    result.at[0].branch = 0;
+    return result;
+  }
+  result.at[1] = solution(machine, to, depth, -1);
+  result.count = 2;
+  return result;
+}
+
+PoseCosines on_branch(const Machine& machine, const Direction& direction, int branch) {
+  const Goal to = goal(machine, direction);
+  const ScaledTurn tool = tool_turn(machine, to, depth_of(machine, direction, to), branch);
+  const WorkTurn work = work_turn(machine, to, tool);
+  // The position of an angle from its cosine and sine, by its sense and offset.
+  const auto positioned = [](const Turn& turn, const Real& cosine, const Real& sine, Real& to_cosine, Real& to_sine) {
+    const Angle position = turn.position_at(Angle::known(cosine, sine, 0));
+    to_cosine = position.cosine();
+    to_sine = position.sine();
+  };
+  PoseCosines result;
+  positioned(machine.tool_side(), tool.cosine / to.norm, tool.sine / to.norm, result.tool_cosine, result.tool_sine);
+  positioned(machine.work_side(), work.cosine, work.sine, result.work_cosine, result.work_sine);
+  return result;
+}
+
+Real branch_quantity(const Machine& machine, const Angle& tool) {
+  const Angle turn = machine.tool_side().angle(tool);
+  return machine.heights().a * turn.sine() - machine.heights().b * turn.cosine();
+}
+
+Vector heading(const Machine& machine, const Angle& tool, int branch) {
+  for (const SingularPosture& posture : machine.singular_postures()) {
+    if ((tool - posture.tool).principal() == Angle()) {
+      // Turning on from the greatest height, or up to the least, on branch 1.
+      const Vector ahead = cross(machine.tool_side().line, posture.direction);
+      return Real(branch * posture.side) * ahead;
+    }
+  }
+  return horizontal(machine, machine.tilted(tool));
+}
+
+Angle azimuth(const Machine& machine, const Vector& from, const Vector& to) {
+  const Vector a = horizontal(machine, from);
+  const Vector b = horizontal(machine, to);
+  return Angle::of_direction(dot(a, b), dot(machine.work_side().line, cross(a, b)));
+}
+
+Angle lifted_tool(const Angle& start, const Angle& end, int branch, const Machine& machine) {
+  const Integer turns = (end - start).nearest_turns();
+  const Angle nearest = end.plus_turns(-turns);
+  // From one edge of reach to the other: on the side of the branch.
+  const bool down = branch * machine.tool_side().sense < 0;
+  if (down && nearest - start == Angle(180)) return nearest.plus_turns(-1);
+  return nearest;
+}
+
+Angle lifted_work(const Angle& start, const Angle& end, const Angle& direction_swing, const Angle& tilt_swing,
+                  const Machine& machine) {
+  const Real swing = direction_swing.plain_degrees() - tilt_swing.plain_degrees();
+  const Real turns =
+      (start.plain_degrees() + machine.work_side().sense * swing - end.plain_degrees()) * Rational(1, 360);
+  // A whole number, so any enclosure of less than half a turn tells it.
+  constexpr int bits = 60;
+  const Rational near = turns.is_rational() ? turns.rational() : turns.enclosure(bits).lower;
+  return end.plus_turns(floor(near + Rational(1, 2)));
+}
+
+}  // namespace toolcomp::model

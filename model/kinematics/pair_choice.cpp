@@ -1,0 +1,180 @@
+#include "model/kinematics/pair_choice.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "model/kinematics/mechanism.h"
+#include "model/program/alarm.h"
+
+namespace toolcomp::model {
+namespace {
+
+const Angle& greatest(const std::array<Angle, 2>& at, std::size_t count) {
+  return count == 2 && at[1] > at[0] ? at[1] : at[0];
+}
+
+}  // namespace
+
+std::optional<PairChoice::Range> PairChoice::range(const spec::Setup& setup, std::uint32_t upper) {
+  Range result{parameter(setup, upper + 1), parameter(setup, upper)};
+  if (result.lower == 0 && result.upper == 0) return std::nullopt;
+  return result;
+}
+
+PairChoice::PairChoice(const spec::Setup& setup, const Machine& machine, Recorder& recorder)
+    : machine_(machine), recorder_(recorder), reversed_(setup.bit(19608, 5)) {
+  constexpr std::uint32_t first_upper = 19741;
+  constexpr std::uint32_t second_upper = 19743;
+  // The tool-side axis is the first one but on a tool rotation head.
+  const bool head = machine.type() == MachineType::head;
+  Axis tool{&Pose::tool, range(setup, head ? second_upper : first_upper), {}, {}};
+  Axis work{&Pose::work, range(setup, head ? first_upper : second_upper), {}, {}};
+  const bool tool_first = (machine.type() == MachineType::table) != reversed_;
+  axes_ = tool_first ? std::array{tool, work} : std::array{work, tool};
+  axes_[0].move = Clause::fanuc_tool_center_point_choice_first_move;
+  axes_[1].move = Clause::fanuc_tool_center_point_choice_second_move;
+  axes_[0].near_zero = Clause::fanuc_tool_center_point_choice_first_near_zero;
+  axes_[1].near_zero = Clause::fanuc_tool_center_point_choice_second_near_zero;
+}
+
+void PairChoice::require_ranges() const {
+  for (const Axis& axis : axes_)
+    if (axis.range && axis.range->lower > axis.range->upper)
+      raise(recorder_, Clause::fanuc_tool_center_point_range_order, "PS5459",
+            "the lower limit of a rotary axis (19742, 19744) is above its upper limit");
+}
+
+bool PairChoice::within(const Axis& axis, const Angle& position) const {
+  if (!axis.range) return true;
+  const auto not_negative = [this](const Real& quantity) {
+    return recorder_.decide(Clause::fanuc_tool_center_point_range, quantity, 1) != Sign::negative;
+  };
+  return not_negative(order(axis.range->upper, position)) && not_negative(order(position, axis.range->lower));
+}
+
+bool PairChoice::inside(const Pose& pose) const {
+  return std::ranges::all_of(axes_, [&](const Axis& axis) { return within(axis, pose.*axis.position); });
+}
+
+void PairChoice::require_inside(const Pose& pose) const {
+  if (!inside(pose))
+    raise(recorder_, Clause::fanuc_tool_center_point_range_none, "PS5459",
+          "the end positions of the rotary axes are out of their ranges");
+}
+
+PairChoice::Targets PairChoice::targets(const Axis& axis, const Angle& angle, const Angle& present) const {
+  Targets result;
+  const Angle nearest = angle.plus_turns(-(angle - present).nearest_turns());
+  result.at[0] = nearest;
+  result.count = 1;
+  if (axis.range && !within(axis, nearest)) {
+    // The nearest in range: the greatest below the upper limit, or the least above the lower one.
+    const Angle limit = nearest > Angle(axis.range->upper) ? axis.range->upper : axis.range->lower;
+    const bool down = nearest > limit;
+    const Integer turns = down ? (limit - nearest).whole_turns() : -(nearest - limit).whole_turns();
+    result.at[0] = nearest.plus_turns(turns);
+    if (!within(axis, result.at[0])) result.count = 0;
+    result.move = absolute(result.at[0] - present);
+    return result;
+  }
+  result.move = absolute(nearest - present);
+  add_other_way(axis, present, result);
+  return result;
+}
+
+void PairChoice::add_other_way(const Axis& axis, const Angle& present, Targets& targets) const {
+  const bool up = targets.at[0] > present;
+  const Angle other = targets.at[0].plus_turns(up ? -1 : 1);
+  // Only a move of almost half a turn needs to be asked about.
+  const Real excess = order(180, targets.move);
+  if (excess.is_rational() && excess == Real(1)) return;
+  const Sign nearer = recorder_.decide(axis.move, excess, 1);
+  if (nearer == Sign::positive || !within(axis, other)) return;
+  if (nearer == Sign::zero) ++targets.count;
+  targets.at.at(targets.count - 1) = other;
+}
+
+PairChoice::Targets PairChoice::standing(const Axis& axis, const Angle& present) const {
+  Targets result;
+  result.at[0] = present;
+  result.count = 1;
+  if (!within(axis, present)) {
+    result.at[0] = present > Angle(axis.range->upper) ? axis.range->upper : axis.range->lower;
+    result.move = absolute(result.at[0] - present);
+  }
+  return result;
+}
+
+// By half turns first, which only a range can tell apart; within one half turn the cosine falls, within the next it
+// rises.
+Sign PairChoice::compare_moves(const Axis& axis, const Targets& a, const Targets& b) const {
+  Real quantity = a.move.cosine() - b.move.cosine();
+  if (axis.range) {
+    const auto half_turns = [](const Angle& move) {
+      const Integer turns = move.whole_turns();
+      return 2 * turns + (move.plus_turns(-turns) > Angle(180) ? 1 : 0);
+    };
+    const Integer of_a = half_turns(a.move);
+    const Integer of_b = half_turns(b.move);
+    if (of_a != of_b)
+      quantity = 2 * order(b.move, a.move);
+    else if (of_a % 2 != 0)
+      quantity = -quantity;
+  }
+  return -recorder_.decide(axis.move, quantity, 2);
+}
+
+Sign PairChoice::compare_nearness(const Axis& axis, const Targets& a, const Targets& b) const {
+  return -recorder_.decide(axis.near_zero, a.at[0].cosine() - b.at[0].cosine(), 2);
+}
+
+bool PairChoice::takes_second(const Candidate& a, const Candidate& b) const {
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (const Sign sign = compare_moves(axes_.at(i), a.targets.at(i), b.targets.at(i)); sign != Sign::zero)
+      return sign == Sign::positive;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (const Sign sign = compare_nearness(axes_.at(i), a.targets.at(i), b.targets.at(i)); sign != Sign::zero)
+      return sign == Sign::positive;
+  recorder_.reach(Clause::fanuc_tool_center_point_choice_tie);
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const Targets& of_a = a.targets.at(i);
+    const Targets& of_b = b.targets.at(i);
+    const Sign sign = order(greatest(of_a.at, of_a.count), greatest(of_b.at, of_b.count)).sign();
+    if (sign != Sign::zero) return sign == Sign::negative;
+  }
+  return false;
+}
+
+Solution PairChoice::choose(const Direction& direction, const Pose& present) const {
+  const Solutions solutions = inverse(machine_, recorder_, direction);
+  recorder_.reach(Clause::fanuc_tool_center_point_choice);
+  recorder_.decide(Clause::fanuc_tool_center_point_choice_order, reversed_);
+  std::vector<Candidate> candidates;
+  for (const Solution& solution : solutions) {
+    Candidate candidate{solution, {}};
+    bool in_range = true;
+    for (std::size_t i = 0; i < axes_.size() && in_range; ++i) {
+      const Axis& axis = axes_.at(i);
+      const Angle& now = present.*axis.position;
+      const bool stands = solutions.work_free && axis.position == &Pose::work;
+      candidate.targets.at(i) = stands ? standing(axis, now) : targets(axis, solution.pose.*axis.position, now);
+      in_range = candidate.targets.at(i).count != 0;
+    }
+    if (in_range) candidates.push_back(std::move(candidate));
+  }
+  if (candidates.empty())
+    raise(recorder_, Clause::fanuc_tool_center_point_range_none, "PS5459",
+          "no positions of the rotary axes in their ranges give the tool direction");
+  const bool second = candidates.size() == 2 && takes_second(candidates[0], candidates[1]);
+  const Candidate& taken = candidates.at(second ? 1 : 0);
+  Solution result = taken.solution;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const Targets& of_axis = taken.targets.at(i);
+    if (of_axis.count == 2) recorder_.reach(Clause::fanuc_tool_center_point_choice_tie);
+    result.pose.*axes_.at(i).position = greatest(of_axis.at, of_axis.count);
+  }
+  return result;
+}
+
+}  // namespace toolcomp::model

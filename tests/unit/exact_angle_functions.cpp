@@ -1,0 +1,92 @@
+// Sines and cosines of angles that are results themselves, and arc cosines. Expected values are computed by MPFR with
+// radians at 400 bits, or follow from identities.
+#include <gtest/gtest.h>
+#include <mpfr.h>
+
+#include <array>
+
+#include "model/exact/real.h"
+
+namespace toolcomp::exact {
+namespace {
+
+constexpr mpfr_prec_t kPrecision = 400;
+
+struct Number {
+  Number() { mpfr_init2(value, kPrecision); }
+  ~Number() { mpfr_clear(value); }
+  Number(const Number&) = delete;
+  Number& operator=(const Number&) = delete;
+  Number(Number&&) = delete;
+  Number& operator=(Number&&) = delete;
+  mpfr_t value;  // NOLINT(misc-non-private-member-variables-in-classes)
+};
+
+// Rounding errors of the reference, far below the enclosures'.
+bool holds(const Enclosure& bounds, const Number& x) {
+  const Rational slack = Rational(1, Integer(1) << 300);
+  const Rational low = bounds.lower - slack;
+  const Rational high = bounds.upper + slack;
+  return mpfr_cmp_q(x.value, low.backend().data()) >= 0 && mpfr_cmp_q(x.value, high.backend().data()) <= 0;
+}
+
+// t atan(y / x) in radians.
+void fraction_of_arctangent(Number& result, int y, int x, const Rational& t) {
+  mpfr_set_si(result.value, y, MPFR_RNDN);
+  mpfr_div_si(result.value, result.value, x, MPFR_RNDN);
+  mpfr_atan(result.value, result.value, MPFR_RNDN);
+  mpfr_mul_q(result.value, result.value, t.backend().data(), MPFR_RNDN);
+}
+
+TEST(AngleFunctions, SinesOfFractionsOfArctangents) {
+  for (int y = -7; y <= 7; ++y)
+    for (int x = 1; x <= 5; ++x)
+      for (const Rational& t : {Rational(1, 4), Rational(2, 3), Rational(1), Rational(17, 10), Rational(-5)}) {
+        const Real degrees = t * arctangent_degrees(Rational(y, x));
+        Number angle;
+        fraction_of_arctangent(angle, y, x, t);
+        Number expected;
+        mpfr_sin(expected.value, angle.value, MPFR_RNDN);
+        EXPECT_TRUE(holds(sin_real_degrees(degrees).enclosure(150), expected)) << y << ' ' << x << ' ' << t;
+        mpfr_cos(expected.value, angle.value, MPFR_RNDN);
+        EXPECT_TRUE(holds(cos_real_degrees(degrees).enclosure(150), expected)) << y << ' ' << x << ' ' << t;
+      }
+}
+
+TEST(AngleFunctions, SineOfAnArctangentIsItsSide) {
+  // 3, 4, 5.
+  const Real angle = arctangent_degrees(Rational(3, 4));
+  EXPECT_EQ(sin_real_degrees(angle).decimal(40), "0.6");
+  EXPECT_EQ(cos_real_degrees(-angle).decimal(40), "0.8");
+  EXPECT_EQ(sin_real_degrees(-angle).decimal(40), "-0.6");
+  EXPECT_EQ(cos_real_degrees(angle * 2).decimal(40), "0.28");
+}
+
+TEST(AngleFunctions, OfRationalDegreesTheyAreTheCyclotomicOnes) {
+  EXPECT_EQ((sin_real_degrees(Real(30)) - Rational(1, 2)).sign(), Sign::zero);
+  EXPECT_EQ((square(sin_real_degrees(Real(17))) + square(cos_real_degrees(Real(17))) - 1).sign(), Sign::zero);
+}
+
+TEST(AngleFunctions, ArcCosine) {
+  EXPECT_EQ(arccosine_degrees(0).decimal(3), "90");
+  EXPECT_EQ(arccosine_degrees(1).decimal(3), "0");
+  EXPECT_EQ(arccosine_degrees(-1).decimal(3), "180");
+  EXPECT_EQ(arccosine_degrees(Rational(1, 2)).decimal(40), "60");
+  EXPECT_EQ(arccosine_degrees(Rational(-1, 2)).decimal(40), "120");
+  EXPECT_EQ(arccosine_degrees(Rational(3, 4)).decimal(40), "41.4096221092708593384805021869257207417841");
+  // Beside the end of the range, where the enclosure of the cosine reaches beyond 1.
+  const Real almost = sqrt(1 - square(sin_degrees(Rational(1, 1000000))));
+  EXPECT_EQ(arccosine_degrees(almost).decimal(20), "0.000001");
+}
+
+TEST(AngleFunctions, AZeroOfTheirsIsUndecided) {
+  const Real angle = arctangent_degrees(Rational(3, 4));
+  EXPECT_THROW(static_cast<void>((sin_real_degrees(angle) - Rational(3, 5)).sign()), Undecided);
+  // Anything else is decided.
+  EXPECT_EQ(
+      (sin_real_degrees(angle) - Rational("600000000000000000000000000001/1000000000000000000000000000000")).sign(),
+      Sign::negative);
+}
+
+}  // namespace
+}  // namespace toolcomp::exact

@@ -1,0 +1,316 @@
+// Rotary positions and control points of machines with two rotary axes. Expected values are those of the worked
+// examples 1, 2, 9 and 11 of the posture sheet (50 digits, printed to 15), or follow from the formulas by hand.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/kinematics/inverse.h"
+#include "model/kinematics/machine.h"
+#include "model/kinematics/pair_choice.h"
+#include "model/program/alarm.h"
+#include "spec/language/input_error.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::model {
+namespace {
+
+// Axes X1 Y2 Z3 A4 B5 C6.
+spec::Setup setup(const std::string& parameters) {
+  return spec::read_setup_toml(
+      "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"B\", \"C\"]\n[parameters]\n" + parameters, "setup");
+}
+
+// A machine by its type and two rotary axes, each with its letter and direction code; a table axis has sense 1.
+std::string machine(int type, char first, int first_code, char second, int second_code, const std::string& more = "") {
+  const auto number = [](char letter) { return std::to_string(letter - 'A' + 4); };
+  const bool first_of_table = type == 12;
+  const bool second_of_table = type != 2;
+  return "19680 = " + std::to_string(type) + "\n19681 = " + number(first) + "\n19682 = " + std::to_string(first_code) +
+         "\n19684 = " + (first_of_table ? "1" : "0") + "\n19686 = " + number(second) +
+         "\n19687 = " + std::to_string(second_code) + "\n19689 = " + (second_of_table ? "1" : "0") + "\n" + more;
+}
+
+const std::string kHC = machine(2, 'C', 3, 'B', 2);
+const std::string kTAC = machine(12, 'A', 1, 'C', 3);
+const std::string kMBC = machine(21, 'B', 2, 'C', 3);
+const std::string kN45 = machine(2, 'C', 3, 'B', 5, "19688 = 45\n");
+const std::string kT45 = machine(12, 'B', 5, 'C', 3, "19683 = 45\n");
+// Every machine of example 1, and some that are inclined or tilted.
+const std::vector<std::string> kMachines{kHC,
+                                         machine(2, 'C', 3, 'A', 1),
+                                         kTAC,
+                                         machine(12, 'B', 2, 'C', 3),
+                                         kMBC,
+                                         machine(21, 'A', 1, 'C', 3),
+                                         machine(2, 'A', 1, 'B', 2),
+                                         machine(2, 'B', 2, 'A', 1),
+                                         machine(12, 'A', 1, 'B', 2),
+                                         machine(21, 'A', 1, 'B', 2),
+                                         kN45,
+                                         kT45,
+                                         machine(21, 'B', 5, 'C', 3, "19683 = 45\n"),
+                                         machine(2, 'C', 3, 'B', 2, "19699 = 20\n"),
+                                         machine(2, 'C', 3, 'B', 2, "19698 = 5\n"),
+                                         machine(2, 'C', 3, 'B', 5, "19688 = 60\n"),
+                                         machine(12, 'B', 6, 'C', 3, "19683 = 30\n19699 = 10\n")};
+
+// A pair (first axis, second axis) as text.
+std::string text(const Machine& of, const Pose& pose, int digits = 13) {
+  const bool tool_first = of.type() != MachineType::head;
+  const Angle& first = tool_first ? pose.tool : pose.work;
+  const Angle& second = tool_first ? pose.work : pose.tool;
+  return first.degrees().decimal(digits) + " " + second.degrees().decimal(digits);
+}
+std::string text(const Vector& v, int digits = 13) {
+  return v.x.decimal(digits) + " " + v.y.decimal(digits) + " " + v.z.decimal(digits);
+}
+
+Pose basic(const Pose& pose) { return {pose.tool.basic(), pose.work.basic()}; }
+
+// A pose by positions of the first and the second axis.
+Pose pose(const Machine& of, const Angle& first, const Angle& second) {
+  return of.type() == MachineType::head ? Pose{second, first} : Pose{first, second};
+}
+
+// The pairs of a direction in [0, 360), the lesser position of the first axis first, or the alarm.
+std::string pairs(const std::string& parameters, const Vector& direction, int digits = 12) {
+  const Machine of(setup(parameters));
+  Recorder recorder;
+  try {
+    std::vector<std::string> all;
+    const Solutions solutions = inverse(of, recorder, Direction::of(direction));
+    for (const Solution& solution : solutions) all.push_back(text(of, basic(solution.pose), digits));
+    if (solutions.work_free) all.emplace_back("singular");
+    std::string result;
+    for (const std::string& pair : all) result += (result.empty() ? "" : ", ") + pair;
+    return result;
+  } catch (const Alarm& alarm) {
+    return std::string(alarm.number.view());
+  }
+}
+
+TEST(Inverse, PairsOfEveryMachineOfExample1) {
+  // The order of the pairs is that of the branches.
+  EXPECT_EQ(pairs(kHC, {-1, 1, 2}), "135 35.264389682755, 315 324.735610317245");
+  EXPECT_EQ(pairs(machine(2, 'C', 3, 'A', 1), {-1, 1, 2}), "225 35.264389682755, 45 324.735610317245");
+  EXPECT_EQ(pairs(kTAC, {1, 2, 3}), "36.69922520049 153.434948822922, 323.30077479951 333.434948822922");
+  EXPECT_EQ(pairs(machine(12, 'B', 2, 'C', 3), {1, 2, 3}),
+            "36.69922520049 63.434948822922, 323.30077479951 243.434948822922");
+  EXPECT_EQ(pairs(kMBC, {1, 2, 3}), "36.69922520049 63.434948822922, 323.30077479951 243.434948822922");
+  EXPECT_EQ(pairs(machine(21, 'A', 1, 'C', 3), {1, 2, 3}),
+            "36.69922520049 153.434948822922, 323.30077479951 333.434948822922");
+  EXPECT_EQ(pairs(machine(2, 'A', 1, 'B', 2), {1, 2, 3}),
+            "146.30993247402 164.498640433063, 326.30993247402 15.501359566937");
+  EXPECT_EQ(pairs(machine(12, 'A', 1, 'B', 2), {1, 2, 3}),
+            "327.688466762576 18.434948822922, 212.311533237424 198.434948822922");
+  EXPECT_EQ(pairs(machine(21, 'A', 1, 'B', 2), {1, 2, 3}),
+            "327.688466762576 18.434948822922, 212.311533237424 198.434948822922");
+  EXPECT_EQ(pairs(kN45, {1, 1, 1}), "13.826047803853 81.100571120189, 256.173952196147 278.899428879811");
+  EXPECT_EQ(pairs(kT45, {1, 2, 3}), "52.874172916723 44.064216956783, 307.125827083277 262.805680689061");
+}
+
+TEST(Inverse, EdgeOfReachUnreachableAndSingular) {
+  EXPECT_EQ(pairs(kN45, {1, 0, 0}), "270 180");
+  EXPECT_EQ(pairs(kN45, {0, 0, -1}), "PS5459");
+  EXPECT_EQ(pairs(kN45, {1, 0, Rational(-1, 1000000)}), "PS5459");
+  EXPECT_EQ(pairs(kHC, {0, 0, 1}), "0 0, singular");
+  EXPECT_EQ(pairs(kHC, {0, 0, -5}), "0 180, singular");
+  EXPECT_EQ(pairs(machine(2, 'C', 3, 'B', 2, "19698 = 5\n"), {0, 0, 1}), "PS5459");
+  // RA = 5: the cone of 5 degrees around Z is out of reach; on it the two pairs are one, with B = 0.
+  EXPECT_EQ(pairs(machine(2, 'C', 3, 'B', 2, "19698 = 5\n"), {0, -exact::sin_degrees(5), exact::cos_degrees(5)}),
+            "0 0");
+}
+
+TEST(Inverse, ForwardOfEveryPairIsTheDirectionExactly) {
+  int reached = 0;
+  for (const std::string& parameters : kMachines) {
+    const Machine of(setup(parameters));
+    for (int i = -3; i <= 3; i += 2)
+      for (int j = -2; j <= 2; ++j)
+        for (int k = -1; k <= 3; k += 2) {
+          const Direction direction = Direction::of({i, j, k});
+          Recorder recorder;
+          try {
+            for (const Solution& solution : inverse(of, recorder, direction)) {
+              EXPECT_TRUE(of.direction(solution.pose) == direction.unit) << parameters << i << ' ' << j << ' ' << k;
+              EXPECT_EQ(static_cast<int>(branch_quantity(of, solution.pose.tool).sign()), solution.branch);
+              ++reached;
+            }
+          } catch (const Alarm& alarm) {
+            EXPECT_EQ(alarm.number.view(), "PS5459");
+          }
+        }
+  }
+  EXPECT_GT(reached, 1500);
+}
+
+TEST(SingularPostures, ExistByTheInclinations) {
+  // Section 7.1 of the sheet.
+  const auto positions = [](const std::string& parameters) {
+    std::string result;
+    for (const SingularPosture& posture : Machine(setup(parameters)).singular_postures())
+      result += (result.empty() ? "" : ", ") + text(posture.direction) + ": " + posture.tool.degrees().decimal(9);
+    return result;
+  };
+  EXPECT_EQ(positions(kHC), "0 0 1: 0, 0 0 -1: 180");
+  EXPECT_EQ(positions(kTAC), "0 0 1: 0, 0 0 -1: 180");
+  EXPECT_EQ(positions(kMBC), "0 0 1: 0, 0 0 -1: 180");
+  EXPECT_EQ(positions(machine(2, 'A', 1, 'B', 2)), "1 0 0: 90, -1 0 0: -90");
+  EXPECT_EQ(positions(machine(12, 'A', 1, 'B', 2)), "0 1 0: -90, 0 -1 0: 90");
+  EXPECT_EQ(positions(machine(21, 'A', 1, 'B', 2)), "0 1 0: -90, 0 -1 0: 90");
+  EXPECT_EQ(positions(kN45), "0 0 1: 0");
+  EXPECT_EQ(positions(kT45), "0 0 1: 0");
+  EXPECT_EQ(positions(machine(2, 'C', 3, 'B', 2, "19699 = 20\n")), "0 0 1: -20, 0 0 -1: 160");
+  EXPECT_EQ(positions(machine(2, 'C', 3, 'B', 2, "19698 = 5\n")), "");
+}
+
+// The pair taken from positions of the first and the second axis.
+std::string chosen(const std::string& parameters, const Angle& first, const Angle& second, const Vector& direction,
+                   int digits = 12) {
+  const spec::Setup with = setup(parameters);
+  const Machine of(with);
+  Recorder recorder;
+  const PairChoice choice(with, of, recorder);
+  try {
+    return text(of, choice.choose(Direction::of(direction), pose(of, first, second)).pose, digits);
+  } catch (const Alarm& alarm) {
+    return std::string(alarm.number.view());
+  }
+}
+
+TEST(PairChoice, Example2) {
+  const Vector v{-1, 1, 2};
+  EXPECT_EQ(chosen(kHC, 0, 0, v), "-45 -35.264389682755");
+  EXPECT_EQ(chosen(kHC, 100, 0, v), "135 35.264389682755");
+  EXPECT_EQ(chosen(kHC, 350, 0, v), "315 -35.264389682755");
+  EXPECT_EQ(chosen(kHC, 45, 0, v), "-45 -35.264389682755");
+  EXPECT_EQ(chosen(kHC, 0, 0, {0, 1, 1}), "90 45");
+  EXPECT_EQ(chosen(kTAC, 0, 0, v), "-35.264389682755 45");
+  EXPECT_EQ(chosen(kTAC + "19741 = 30\n19742 = -30\n", 0, 0, v), "PS5459");
+  // V of the mixed machine at B 30, C 170, and of the table at A 30, C 170.
+  const Machine mixed(setup(kMBC));
+  const Vector of_mixed = mixed.direction(pose(mixed, 30, 170));
+  EXPECT_EQ(chosen(kMBC, 30, 0, of_mixed), "-30 -10");
+  EXPECT_EQ(chosen(kMBC + "\"19608#5\" = 1\n", 30, 0, of_mixed), "30 170");
+  const Machine table(setup(kTAC));
+  const Vector of_table = table.direction(pose(table, 30, 170));
+  EXPECT_EQ(chosen(kTAC, 30, 0, of_table), "30 170");
+  EXPECT_EQ(chosen(kTAC + "\"19608#5\" = 1\n", 30, 0, of_table), "-30 -10");
+}
+
+TEST(PairChoice, ParallelToTheWorkSideAxisLeavesItWhereItIs) {
+  EXPECT_EQ(chosen(kHC, 725, 10, {0, 0, 3}), "725 0");
+  EXPECT_EQ(chosen(kHC, -30, 170, {0, 0, -3}), "-30 180");
+  // Out of its range it goes to the nearest limit.
+  EXPECT_EQ(chosen(kHC + "19741 = 90\n19742 = -90\n", 200, 10, {0, 0, 3}), "90 0");
+  EXPECT_EQ(chosen(kHC + "19741 = 90\n19742 = -90\n", -91, 10, {0, 0, 3}), "-90 0");
+  // Half a turn of the tool side is possible both ways: the greater position.
+  EXPECT_EQ(chosen(kHC, 10, 0, {0, 0, -1}), "10 180");
+}
+
+TEST(PairChoice, KeepsToTheRanges) {
+  // C from 0 to 360 does not take the short way through 0: from 350 to 10 it goes back by 340.
+  const std::string circle = kHC + "19741 = 360\n19742 = 0\n19743 = 100\n19744 = 0\n";
+  const Machine of(setup(circle));
+  EXPECT_EQ(chosen(circle, 350, 20, of.direction(pose(of, 10, 20))), "10 20");
+  EXPECT_EQ(chosen(kHC, 350, 20, of.direction(pose(of, 10, 20))), "370 20");
+  // Limits are inside; a range may lie in other turns.
+  EXPECT_EQ(chosen(kHC + "19741 = 810\n19742 = 730\n", 0, 0, of.direction(pose(of, 90, 20))), "810 20");
+  EXPECT_EQ(chosen(kHC + "19741 = 809\n19742 = 730\n", 0, 0, of.direction(pose(of, 90, 20))), "PS5459");
+}
+
+TEST(PairChoice, TurnedRanges) {
+  const spec::Setup with = setup(kHC + "19741 = -1\n19742 = 1\n");
+  const Machine of(with);
+  Recorder recorder;
+  const PairChoice choice(with, of, recorder);
+  EXPECT_THROW(choice.require_ranges(), Alarm);
+}
+
+TEST(PairChoice, WindingStaysWithThePresentPosition) {
+  // Full turns of the present position turn the result alike.
+  for (int turns = -3; turns <= 3; ++turns) {
+    const Rational by = 360 * turns;
+    const spec::Setup with = setup(kHC);
+    const Machine of(with);
+    Recorder recorder;
+    const PairChoice choice(with, of, recorder);
+    const Direction v = Direction::of({-1, 1, 2});
+    const Pose at_zero = choice.choose(v, pose(of, 100, 20)).pose;
+    const Pose turned = choice.choose(v, pose(of, 100 + by, 20)).pose;
+    EXPECT_TRUE(turned.work == at_zero.work + Angle(by)) << turns;
+    EXPECT_TRUE(turned.tool == at_zero.tool) << turns;
+  }
+}
+
+TEST(ControlPoint, TableWithOffsetsOfExample9) {
+  const Machine of(setup(kTAC + "19702 = -100\n19704 = 30\n19705 = 50\n"));
+  const ProgrammingFrame frame(of, pose(of, 0, 0), {5, 10, 20});
+  const Vector w{5, 10, 20};
+  const auto tip = [&](const Vector& p, const Pose& at) { return text(w + frame.in_workpiece(p, at)); };
+  const auto control = [&](const Vector& p, const Pose& at) { return text(w + frame.control_point(p, at, 100)); };
+  EXPECT_EQ(tip({30, -30, 0}, pose(of, 0, 0)), "35 -20 20");
+  EXPECT_EQ(control({30, -30, 0}, pose(of, 0, 0)), "35 -20 120");
+  // The poses of the four corners from their directions.
+  const auto at = [&](const Vector& v, const Angle& near) {
+    Recorder recorder;
+    for (const Solution& solution : inverse(of, recorder, Direction::of(v))) {
+      const Angle difference = (solution.pose.work - near).principal();
+      if (absolute(difference) < Angle(90)) return solution.pose;
+    }
+    throw std::logic_error("no pair is near");
+  };
+  EXPECT_EQ(tip({20, -20, 0}, at({-1, 1, 2}, 45)), "-10.6066017177982 -82.314902372249 -11.2360410931352");
+  EXPECT_EQ(tip({20, 0, 0}, at({-1, 0, 2}, 90)), "-20 -49.1934955049954 9.5673308974897");
+  EXPECT_EQ(tip({20, 20, 0}, at({-1, -1, 2}, 135)), "-17.6776695296637 -59.220891604664 5.0938905254193");
+  EXPECT_EQ(control({20, -20, 0}, at({-1, 1, 2}, 45)), "-10.6066017177982 -82.314902372249 88.7639589068648");
+  EXPECT_EQ(control({20, 0, 0}, at({-1, 0, 2}, 90)), "-20 -49.1934955049954 109.5673308974897");
+  EXPECT_EQ(control({20, 20, 0}, at({-1, -1, 2}, 135)), "-17.6776695296637 -59.220891604664 105.0938905254193");
+}
+
+TEST(ControlPoint, FrozenFrameOfExample9) {
+  const Machine of(setup(kTAC + "19702 = -100\n19704 = 30\n19705 = 50\n"));
+  const ProgrammingFrame frame(of, pose(of, 20, 45), {5, 10, 20});
+  const Pose now = pose(of, -35, 10);
+  EXPECT_EQ(text(Vector{5, 10, 20} + frame.in_workpiece({20, -20, 5}, now)),
+            "67.5977865158401 -84.213831437203 -19.7483455042551");
+  EXPECT_EQ(text(frame.from_table(of.direction(now)), 15), "0.328989928337166 0.72167761037298 0.609054228898422");
+  EXPECT_EQ(text(frame.from_table({0, 0, 1}), 15), "0 0.342020143325669 0.939692620785908");
+  EXPECT_TRUE(frame.to_table(frame.from_table(of.direction(now))) == of.direction(now));
+  EXPECT_TRUE(frame.of_workpiece(frame.in_workpiece({20, -20, 5}, now), now) == (Vector{20, -20, 5}));
+}
+
+TEST(ControlPoint, HeadOffsetsOfExample11) {
+  const Machine plain(setup(kHC));
+  Recorder recorder;
+  const PairChoice choice(setup(kHC), plain, recorder);
+  const Pose at = choice.choose(Direction::of({-1, 1, 2}), pose(plain, 0, 0)).pose;
+  EXPECT_EQ(text(plain, at, 12), "-45 -35.264389682755");
+  const auto control = [&](const std::string& offsets) {
+    const Machine of(setup(kHC + offsets));
+    const ProgrammingFrame frame(of, pose(of, 0, 0), {7, 8, 9});
+    return text(frame.control_point({20, -20, 0}, at, 130), 12);
+  };
+  EXPECT_EQ(control(""), "-33.072277760302 33.072277760302 106.144555520604");
+  EXPECT_EQ(control("19711 = 40\n"), "-49.402209378857 49.402209378857 138.804418757713");
+  EXPECT_EQ(control("19711 = 40\n19712 = 25\n19714 = 60\n"), "-31.724539849193 31.724539849193 198.804418757713");
+}
+
+TEST(Inverse, LeanedDirectionOfExample11) {
+  // Q 3 leans (-1, 1, 2) toward +Y.
+  const Vector v{Rational("-398133605769323/1000000000000000"), Rational("45546477337505/100000000000000"),
+                 Rational("796267211538646/1000000000000000")};
+  EXPECT_EQ(pairs(kHC, v, 10), "131.1575513367 37.2248886695, 311.1575513367 322.7751113305");
+  // Q 2 leans +Z toward +X: a whole number of degrees, and known as such.
+  const Machine of(setup(kHC));
+  Recorder recorder;
+  const Solutions solutions = inverse(of, recorder, Direction::of({exact::sin_degrees(2), 0, exact::cos_degrees(2)}));
+  EXPECT_TRUE(solutions.at[0].pose.tool.recognised().is_rational());
+  EXPECT_EQ(solutions.at[0].pose.tool.recognised().rational(), 2);
+}
+
+}  // namespace
+}  // namespace toolcomp::model
