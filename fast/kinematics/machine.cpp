@@ -84,7 +84,7 @@ void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint1
     rotary.degrees = rotary.count.nearest();
     rotary.turn = sine_cosine(rotary.count);
     rotary.kind = index != kNone && (rounded_axes >> index & 1U) != 0 ? RotaryPosition::Kind::rounded
-                                                                       : RotaryPosition::Kind::exact;
+                                                                      : RotaryPosition::Kind::exact;
   }
   kinematics_.direct(position, pose.tool);
   set_branch(pose);
@@ -343,8 +343,7 @@ void Machine::set_pair(const PolarRoots<DoubleDouble>& roots, int branch, const 
 bool Machine::choose(const Direction& tool, const Pose& present, Pose& end) const {
   set_direction(tool, end);
   PolarRoots<double> roots;
-  if (polar_.solve(end.seen, end.relative, roots) != Reach::two_pairs)
-    return choose_fine(tool, present, end);
+  if (polar_.solve(end.seen, end.relative, roots) != Reach::two_pairs) return choose_fine(tool, present, end);
   // The usual case in doubles: one pair is nearer in the axis judged first, by more than any rounding.
   const std::size_t first = (type_ == 21) == reversed_order_ ? 0 : 1;
   const std::array<double, 2> near{present.axis[0].degrees, present.axis[1].degrees};
@@ -367,7 +366,8 @@ bool Machine::choose(const Direction& tool, const Pose& present, Pose& end) cons
   for (std::size_t i = 0; i < 2; ++i) {
     if (std::abs(end.axis[i].degrees - near[i]) > 180 - slack) return choose_fine(tool, present, end);
     if (!axis_[i].limited) continue;
-    if (end.axis[i].degrees < axis_[i].lower.nearest() + slack || end.axis[i].degrees > axis_[i].upper.nearest() - slack)
+    if (end.axis[i].degrees < axis_[i].lower.nearest() + slack ||
+        end.axis[i].degrees > axis_[i].upper.nearest() - slack)
       return choose_fine(tool, present, end);
   }
   return true;
@@ -445,8 +445,7 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
       }
     }
     for (std::size_t i = 0; i < values[0].size; ++i)
-      for (std::size_t j = 0; j < values[1].size; ++j)
-        pairs[size++] = {{values[0].value[i], values[1].value[j]}};
+      for (std::size_t j = 0; j < values[1].size; ++j) pairs[size++] = {{values[0].value[i], values[1].value[j]}};
   }
   if (size == 0) return false;
 

@@ -117,7 +117,7 @@ class Machine {
   static constexpr std::size_t kNone = spec::kMaxAxes;
   struct Axis {
     std::size_t index = kNone;
-    double sense = 1;      // sigma: of the direction seen from the work
+    double sense = 1;       // sigma: of the direction seen from the work
     double mechanical = 1;  // s: of the mechanical rotation
     Vector3<DoubleDouble> fine_line;
     Vector3<double> line;
@@ -154,11 +154,11 @@ class Machine {
   bool workpiece_frame_ = false;
   bool ranges_valid_ = true;
   Count holder_offset_;
-  Vectors table_;        // 19700 to 19702: from the machine origin to A
+  Vectors table_;         // 19700 to 19702: from the machine origin to A
   Vectors second_table_;  // 19703 to 19705: from A to B
-  Vectors tool_offset_;  // 19709 to 19711: from D to E
-  Vectors head_offset_;  // 19712 to 19714: from E to F
-  Vectors zero_;         // t0
+  Vectors tool_offset_;   // 19709 to 19711: from D to E
+  Vectors head_offset_;   // 19712 to 19714: from E to F
+  Vectors zero_;          // t0
   bool frozen_ = false;
   Turns<double> frozen_rough_{};
   Turns<DoubleDouble> frozen_fine_{};

@@ -1,10 +1,11 @@
-// The motion of the tool inside one block of tool center point control: P0 and P1 (posture sheet 6 to 9).
+// The motion of the tool in one block of tool center point control: P0 and P1 (posture sheet 6 to 9).
 #pragma once
 
 #include <array>
 #include <cstdint>
 
 #include "fast/kinematics/machine.h"
+#include "fast/tool_posture_control/posture_arc.h"
 #include "fast/tool_posture_control/posture_motion.h"
 
 namespace toolcomp::fast {
@@ -18,6 +19,7 @@ struct PosturePlan {
   };
   Outcome outcome = Outcome::good;
   bool branch_warning = false;  // `posture-branch`, before the block's move
+  bool changed = false;         // type 2: the end was changed to pass a singular posture
   bool pre_turn = false;        // an own event from the block's start pose to `turned`, before the move
   bool post_turn = false;       // an own event from `arrived` to `end`, after the move
   Pose turned;                  // with pre_turn: the pose in which the block's own move starts
@@ -26,7 +28,7 @@ struct PosturePlan {
   PostureMotion motion;         // between
 };
 
-// Plans blocks; keeps nothing between them. The machine must be frozen in the mode.
+// Plans blocks; keeps nothing between them. The machine is frozen in the mode.
 class ToolPostureControl {
  public:
   // Reads 19604#0, 19696#3, 19738, 19739.
@@ -34,7 +36,7 @@ class ToolPostureControl {
 
   [[nodiscard]] bool by_default() const { return by_default_; }  // 19604#0: P1 where P is not given
 
-  // Type 1: to the commanded pose. `posture`: P1.
+  // Type 1: to the commanded pose. `posture`: P1. `plan` may not hold `start` or `commanded`.
   void plan(const Pose& start, const Pose& commanded, bool posture, PosturePlan& plan) const;
   // Type 2: to the direction `tool` (programming coordinate system, after Q).
   void plan(const Pose& start, const Direction& tool, bool posture, PosturePlan& plan) const;
@@ -42,8 +44,33 @@ class ToolPostureControl {
   void stand(const Pose& start, PosturePlan& plan) const;
 
  private:
+  // The end of a block: the pose commanded (type 1) or the direction (type 2).
+  struct Target {
+    const Pose* pose = nullptr;
+    const Direction* tool = nullptr;
+  };
+  static void begin(PosturePlan& plan);
+  void conventional(const Pose& start, const Pose& end, PosturePlan& plan) const;
+  // The usual block, in doubles. False where they cannot tell, or it is not usual.
+  [[nodiscard]] bool plan_quickly(const Pose& start, const Target& target, PosturePlan& plan) const;
+  void plan_finely(const Pose& start, const Target& target, PosturePlan& plan) const;
+
+  // Cases of plan_finely.
+  struct FineArc;
+  void from_singular(const FineArc& arc, PosturePlan& plan) const;
+  void to_singular(const FineArc& arc, PosturePlan& plan) const;
+  void along(const FineArc& arc, PosturePlan& plan) const;
+  [[nodiscard]] bool change_end(const FineArc& arc, int pole, PosturePlan& plan) const;
+  void mismatch(const FineArc& arc, PosturePlan& plan) const;
+  [[nodiscard]] bool ends_in_range(const Pose& pose) const {
+    return machine_.in_range(pose, 0) && machine_.in_range(pose, 1);
+  }
+
   const Machine& machine_;
   bool by_default_ = false;
+  bool refusal_alarms_ = false;  // NPC, 19696#3
+  NearLimit near_;               // 19738
+  Count veto_;                   // 19739
 };
 
 }  // namespace toolcomp::fast

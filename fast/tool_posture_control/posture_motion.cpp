@@ -194,8 +194,8 @@ void PostureMotion::meridian_at(const Vector3<double>& seen, PostureSample& samp
   const double swung = arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
   sample.degrees[w] = start_[w] - machine_->sense(w) * swung;
   const double n = std::sqrt(dot(leaned, leaned));
-  sample.turns = machine_->turns_of<double>(
-      {sin_psi, cos_psi}, {cross(leaned, start_heading_) / n, dot(leaned, start_heading_) / n});
+  sample.turns = machine_->turns_of<double>({sin_psi, cos_psi},
+                                            {cross(leaned, start_heading_) / n, dot(leaned, start_heading_) / n});
 }
 
 }  // namespace toolcomp::fast

@@ -1,0 +1,132 @@
+#include "fast/tool_posture_control/posture_arc.h"
+
+#include <cmath>
+#include <type_traits>
+
+namespace toolcomp::fast {
+namespace {
+
+// Signs of numbers whose error is below a bound.
+template <class T>
+class Judge {
+ public:
+  static constexpr bool kRough = std::is_same_v<T, double>;
+  // `scale` of the terms. Unit vectors carry a few roundings a component, products of two or three of them up to 30.
+  int sign(const T& value, double scale) {
+    const double bound = (kRough ? 0x1p-46 : kPoseTie) * scale;
+    if (leading(value) > bound) return 1;
+    if (leading(value) < -bound) return -1;
+    if (kRough && bound != 0) unsure_ = true;
+    return 0;
+  }
+  void doubt() { unsure_ = true; }
+  [[nodiscard]] bool unsure() const { return unsure_; }
+
+ private:
+  bool unsure_ = false;
+};
+
+// The pole (+1, -1) that a direction is parallel to, if it exists.
+template <class T>
+int pole_of(const PolarFrame& polar, const Vector3<T>& v, bool relative, Judge<T>& judge) {
+  const double n2 = leading(v.x * v.x + v.y * v.y);
+  constexpr double kNear = Judge<T>::kRough ? 0x1p-80 : kPoseTie * kPoseTie;
+  if (relative ? n2 > 0 : n2 > kNear) return 0;
+  if (Judge<T>::kRough && !relative) judge.doubt();
+  if (leading(v.z) > 0) return polar.has_plus() ? 1 : 0;
+  return polar.has_minus() ? -1 : 0;
+}
+
+}  // namespace
+
+template <class T>
+bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& limit, ArcFindings& found) {
+  Judge<T> judge;
+  found = ArcFindings{};
+  const Vector3<T>& s = arc.start;
+  const Vector3<T>& e = arc.end;
+  const Vector3<T> n = cross(s, e);
+  const T nn = dot(n, n);
+  // Nearly equal or opposite: double-double.
+  if (leading(nn) <= (Judge<T>::kRough ? 0x1p-40 : kPoseTie * kPoseTie)) {
+    found.parallel = true;
+    return !Judge<T>::kRough;
+  }
+  found.start_pole = pole_of(polar, s, arc.relative, judge);
+  found.end_pole = pole_of(polar, e, arc.relative, judge);
+  if (judge.unsure()) return false;
+
+  const T c = dot(s, e);
+  T across = n.z;
+  if (arc.meridian) across = number<T>(0);
+  const double terms = std::abs(leading(s.x) * leading(e.y)) + std::abs(leading(s.y) * leading(e.x));
+  if (found.start_pole == 0 && found.end_pole == 0) {
+    found.azimuth = arc.meridian ? 0 : judge.sign(across, arc.relative ? terms : 1);
+    if (judge.unsure()) return false;
+  }
+  // The feet of u_w (the highest point of the circle) and of -u_w (the lowest): inside the arc?
+  const T from_start = e.z - c * s.z;
+  const T from_end = s.z - c * e.z;
+  const int behind = judge.sign(from_start, std::abs(leading(e.z)) + std::abs(leading(c * s.z)));
+  const int before = judge.sign(from_end, std::abs(leading(s.z)) + std::abs(leading(c * e.z)));
+  if (judge.unsure()) return false;
+  const bool top = behind >= 0 && before >= 0;
+  const bool bottom = behind <= 0 && before <= 0;
+  const bool free = found.start_pole == 0 && found.end_pole == 0;
+  if (free && found.azimuth == 0) {
+    if (top && polar.has_plus())
+      found.crossing = 1;
+    else if (bottom && polar.has_minus())
+      found.crossing = -1;
+  }
+
+  const T n2 = across * across;
+  const T high = root(number<T>(1) - n2 / nn);  // the height of the highest point
+  const auto reach = [&](bool plus) {
+    if constexpr (Judge<T>::kRough)
+      return plus ? polar.constants().top : polar.constants().bottom;
+    else
+      return plus ? polar.fine_constants().top : polar.fine_constants().bottom;
+  };
+  if (top && !polar.has_plus() && judge.sign(reach(true) - high, 1) < 0) found.leaves = true;
+  if (bottom && !polar.has_minus() && judge.sign(-high - reach(false), 1) < 0) found.leaves = true;
+  if (judge.unsure()) return false;
+  if (!limit || !free || found.crossing != 0 || found.leaves) return true;
+
+  // The nearer singular posture: by the cosine of its distance.
+  const auto largest = [](const T& a, const T& b) { return leading(a - b) > 0 ? a : b; };
+  const T to_plus = top ? high : largest(s.z, e.z);
+  const T to_minus = bottom ? high : largest(-s.z, -e.z);
+  int pole = 0;
+  if (polar.has_plus() && polar.has_minus())
+    pole = judge.sign(to_plus - to_minus, 1) >= 0 ? 1 : -1;
+  else if (polar.has_plus())
+    pole = 1;
+  else if (polar.has_minus())
+    pole = -1;
+  else
+    return true;
+  // Which of two equally near ones only matters where they are near.
+  const bool inside = pole > 0 ? top : bottom;
+  T square;
+  T cosine;
+  if constexpr (Judge<T>::kRough) {
+    square = limit.square;
+    cosine = limit.cosine;
+  } else {
+    square = limit.fine.sine * limit.fine.sine;
+    cosine = limit.fine.cosine;
+  }
+  bool near = false;
+  if (inside)
+    near = limit.above_90 || judge.sign(square * nn - n2, leading(nn)) > 0;
+  else
+    near = limit.above_180 || judge.sign((pole > 0 ? to_plus : to_minus) - cosine, 1) > 0;
+  if (near) found.near = pole;
+  return !judge.unsure();
+}
+
+template bool find(const PolarFrame&, const PostureArc<double>&, const NearLimit&, ArcFindings&);
+template bool find(const PolarFrame&, const PostureArc<DoubleDouble>&, const NearLimit&, ArcFindings&);
+
+}  // namespace toolcomp::fast
