@@ -59,12 +59,23 @@ struct CaseResult {
   std::string picture;
 };
 
+// What a picture shows of a run: inside blocks under tool center point control the tool turns, so the picture has
+// samples there, whether the case asks for them or not.
+FastEvents drawn_events(const spec::Case& c, const fuzz::ModelRun& run) {
+  constexpr std::uint32_t kSamples = 16;
+  const bool moves_the_control_point = std::ranges::any_of(
+      run.events, [](const model::Event& event) { return event.kind == spec::EventKind::move && event.tool_axis; });
+  spec::Case sampled = c;
+  sampled.samples = kSamples;
+  const bool again = moves_the_control_point && c.samples < kSamples;
+  FastEvents events;
+  for (const model::Event& event : (again ? fuzz::run_model(sampled) : run).events) events.push_back(in_double(event));
+  return events;
+}
+
 // The exact path, drawn.
 std::string picture_of(const spec::Case& c, const fuzz::ModelRun& run) {
-  FastEvents events;
-  events.reserve(run.events.size());
-  for (const model::Event& event : run.events) events.push_back(in_double(event));
-  return path_svg(events, c.setup.axes, path_options(c.setup));
+  return path_svg(drawn_events(c, run), c.setup.axes, path_options(c.setup));
 }
 
 bool is_fault(const FailureKey& key) {

@@ -91,8 +91,11 @@ Path follow(const spec::Axes& axes, const Point3& start, std::span<const spec::E
   path.start = start;
   Point3 at = start;
   Point3 tool = start;
+  std::vector<Point3> sampled;  // of the move to come
   for (std::size_t i = 0; i < events.size(); ++i) {
     const spec::Event<double>& event = events[i];
+    if (event.kind == spec::EventKind::sample && !position(event, what).empty())
+      sampled.push_back(moved(axes, sampled.empty() ? at : sampled.back(), position(event, what)));
     if (event.kind != spec::EventKind::move || position(event, what).empty()) continue;
     const Point3 end = moved(axes, at, position(event, what));
     PathMove move;
@@ -101,13 +104,34 @@ Path follow(const spec::Axes& axes, const Point3& start, std::span<const spec::E
     const Point3 tool_end = moved(axes, tool, event.point);
     const bool own = what != PathOf::programmed || event.point.empty() || (at == tool && end == tool_end);
     tool = tool_end;
-    if (event.arc) add_arc(move.points, at, end, *event.arc, axes, own);
+    // The tip runs on its arc, whatever the axes do for it.
+    const bool as_sampled = !sampled.empty() && (what == PathOf::axes || !event.arc);
+    if (as_sampled)
+      move.points = sampled;
+    else if (event.arc)
+      add_arc(move.points, at, end, *event.arc, axes, own);
+    sampled.clear();
     move.points.push_back(end);
     if (!std::ranges::all_of(move.points, finite)) continue;
     path.moves.push_back(std::move(move));
     at = end;
   }
   return path;
+}
+
+std::vector<ToolStroke> tool_strokes(const spec::Axes& axes, const Point3& start,
+                                     std::span<const spec::Event<double>> events) {
+  std::vector<ToolStroke> strokes;
+  Point3 tip = start;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const spec::Event<double>& event = events[i];
+    const bool sample = event.kind == spec::EventKind::sample;
+    if (!sample && event.kind != spec::EventKind::move) continue;
+    tip = moved(axes, tip, event.point.empty() ? event.programmed : event.point);
+    if (!event.tool_axis || !finite(tip) || !finite(*event.tool_axis)) continue;
+    strokes.push_back({tip, *event.tool_axis, i, !sample && event.type == spec::MoveType::rapid, sample});
+  }
+  return strokes;
 }
 
 Point3 start_of(const spec::Setup& setup) {

@@ -14,7 +14,7 @@ namespace toolcomp::certify {
 
 using Point3 = std::array<double, 3>;
 
-// One move: its points after the one before (several for an arc).
+// One move: its points after the one before (several for an arc, and where samples say how the axes get there).
 struct PathMove {
   std::vector<Point3> points;
   bool rapid = false;
@@ -34,6 +34,18 @@ enum class PathOf : std::uint8_t { programmed, point, axes };
 
 // The path of the moves that carry such a position. A coordinate that is not finite leaves its move out.
 Path follow(const spec::Axes& axes, const Point3& start, std::span<const spec::Event<double>> events, PathOf what);
+
+// The tool at one place of its path: at a sample, or at the end of a move.
+struct ToolStroke {
+  Point3 tip{};   // `point` of the event
+  Point3 axis{};  // unit, from the tip to the holder
+  std::size_t event = 0;
+  bool rapid = false;   // of the move; a sample's is not known here
+  bool sample = false;  // inside a move
+};
+// Of all events with a tool axis, in order.
+std::vector<ToolStroke> tool_strokes(const spec::Axes& axes, const Point3& start,
+                                     std::span<const spec::Event<double>> events);
 
 // The start position of a setup in X, Y and Z.
 Point3 start_of(const spec::Setup& setup);

@@ -55,8 +55,8 @@ std::string coordinates(const Point3& p) {
 // One panel of the picture.
 class Panel {
  public:
-  Panel(const View& view, const std::vector<Layer>& layers, std::string_view unit, double side)
-      : view_(view), unit_(unit), side_(side) {
+  Panel(const View& view, const std::vector<Layer>& layers, const spec::Axes& axes, std::string_view unit, double side)
+      : view_(view), axes_(axes), unit_(unit), side_(side) {
     Box box;
     for (const Layer& layer : layers) {
       box.add(project(view, layer.path.start));
@@ -76,7 +76,7 @@ class Panel {
     out += fmt::format("<rect class=\"tp-paper\" width=\"{0}\" height=\"{0}\"/>\n", side_);
     out += grid();
     for (const Layer& layer : layers) out += course(layer);
-    if (view_.solid) out += tools(layers, events);
+    if (view_.solid) out += tools(layers, events, options.start);
     out += ends(layers.front(), events);
     if (options.marked && *options.marked < events.size()) out += mark(layers, *options.marked);
     return out + "</g>\n";
@@ -141,30 +141,39 @@ class Panel {
     return out;
   }
 
-  // Strokes from the tool point towards the holder and, where it is another, from the programmed point to it.
-  [[nodiscard]] std::string tools(const std::vector<Layer>& layers, std::span<const spec::Event<double>> events) const {
+  // Strokes from the tool point towards the holder and, where it is another, from the programmed point to it. Inside a
+  // move its samples show how the tool gets from one end to the other: their strokes are thin, and a line joins their
+  // heads.
+  [[nodiscard]] std::string tools(const std::vector<Layer>& layers, std::span<const spec::Event<double>> events,
+                                  const Point3& start) const {
     std::string strokes;
+    std::string thin;
+    std::string heads;
     std::string vectors;
     const auto layer = std::ranges::find(layers, "tp-point", &Layer::style);
-    const Path& path = layer == layers.end() ? layers.front().path : layer->path;
     auto programmed = layers.front().path.moves.begin();
     const auto end = layers.front().path.moves.end();
-    const bool is_long = path.moves.size() > kLong;
+    const std::vector<ToolStroke> tools = tool_strokes(axes_, start, events);
+    const bool is_long = tools.size() > kLong;
+    const bool sampled = std::ranges::any_of(tools, &ToolStroke::sample);
     Point2 last{-1e9, -1e9};
-    for (const PathMove& move : path.moves) {
-      const auto& axis = events[move.event].tool_axis;
-      const Point2 a = place(move.points.back());
-      if (!axis || (is_long && (move.rapid || distance(a, last) < kBetweenTools))) continue;
-      const Point2 b = place(plus(move.points.back(), size_ * kStroke, *axis));
+    for (const ToolStroke& tool : tools) {
+      const Point2 a = place(tool.tip);
+      const Point2 b = place(plus(tool.tip, size_ * kStroke, tool.axis));
       if (!std::isfinite(b.first) || !std::isfinite(b.second)) continue;
-      strokes += fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", a.first, a.second, b.first, b.second);
+      if (sampled) heads += fmt::format("{}{:.2f} {:.2f}", heads.empty() ? 'M' : 'L', b.first, b.second);
+      if (is_long && (tool.rapid || distance(a, last) < kBetweenTools)) continue;
+      (tool.sample ? thin : strokes) +=
+          fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", a.first, a.second, b.first, b.second);
       last = a;
-      while (programmed != end && programmed->event < move.event) ++programmed;
-      if (layer == layers.end() || programmed == end || programmed->event != move.event) continue;
+      while (programmed != end && programmed->event < tool.event) ++programmed;
+      if (layer == layers.end() || programmed == end || programmed->event != tool.event) continue;
       const Point2 p = place(programmed->points.back());
       vectors += fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", p.first, p.second, a.first, a.second);
     }
     std::string out;
+    if (!heads.empty()) out += fmt::format("<path class=\"tp-tool tp-thin\" d=\"{}\"/>\n", heads);
+    if (!thin.empty()) out += fmt::format("<path class=\"tp-tool tp-thin\" d=\"{}\"/>\n", thin);
     if (!strokes.empty()) out += fmt::format("<path class=\"tp-tool\" d=\"{}\"/>\n", strokes);
     if (!vectors.empty()) out += fmt::format("<path class=\"tp-vector\" d=\"{}\"/>\n", vectors);
     return out;
@@ -208,6 +217,7 @@ class Panel {
   }
 
   const View& view_;
+  const spec::Axes& axes_;
   std::string_view unit_;
   double side_;
   double size_ = 1;
@@ -220,7 +230,7 @@ constexpr std::string_view kStyle = R"(<style>
 .tp-note,.tp-label,.tp-legend{font:11px system-ui,sans-serif;fill:#57606a}.tp-label{font-size:9px}
 .tp-path{fill:none;stroke-width:1.6;stroke-linejoin:round}.tp-rapid{stroke-dasharray:5 3}
 .tp-programmed{stroke:#8b949e;stroke-width:3}.tp-point{stroke:#0969da}.tp-axes{stroke:#1a7f37}.tp-other{stroke:#cf222e;stroke-dasharray:2 2}
-.tp-tool{stroke:#9a6700;fill:none}.tp-vector,.tp-round{stroke:#bf3989;fill:none}.tp-round{stroke-dasharray:4 3}.tp-end{fill:#57606a}.tp-mark{fill:none;stroke:#cf222e;stroke-width:2}
+.tp-tool{stroke:#9a6700;fill:none}.tp-thin{stroke-width:.6}.tp-vector,.tp-round{stroke:#bf3989;fill:none}.tp-round{stroke-dasharray:4 3}.tp-end{fill:#57606a}.tp-mark{fill:none;stroke:#cf222e;stroke-width:2}
 @media(prefers-color-scheme:dark){.tp-paper{fill:#0d1117;stroke:#30363d}.tp-grid{stroke:#1b2129}.tp-cross{stroke:#8b949e}
 .tp-note,.tp-label,.tp-legend{fill:#9aa4af}.tp-point{stroke:#58a6ff}.tp-axes{stroke:#3fb950}.tp-other{stroke:#ff7b72}
 .tp-tool{stroke:#d29922}.tp-vector,.tp-round{stroke:#f778ba}.tp-end{fill:#9aa4af}.tp-mark{stroke:#ff7b72}}
@@ -320,7 +330,7 @@ std::string path_svg(std::span<const spec::Event<double>> events, const spec::Ax
     return kHeader + static_cast<double>(row) * (side + kGap);
   };
   for (std::size_t i = 0; i < views.size(); ++i)
-    out += Panel(*views[i], layers, options.unit, side).draw(left(i), top(i), layers, events, options);
+    out += Panel(*views[i], layers, axes, options.unit, side).draw(left(i), top(i), layers, events, options);
   if (detail)
     out += detail_svg(*detail, layers.front().path, point->path, left(views.size()), top(views.size()), side,
                       label_of(events[detail->event]), options.unit);

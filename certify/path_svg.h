@@ -24,9 +24,10 @@ struct PathOptions {
 };
 
 // One self-contained SVG: a panel each for XY and XZ, and an axonometric one where the path leaves a plane or the tool
-// leans; there with tool axes and compensation vectors at intervals. Where a leaning tool runs beside its programmed
-// line one more panel shows a place seen along it (path_detail.h). Paths that coincide are drawn once. Lengths in setup
-// units; arcs are drawn as chords of at most five degrees. Axes that the setup does not have count as 0.
+// leans; there with tool axes and compensation vectors at intervals, inside moves at their samples. Where a leaning
+// tool runs beside its programmed line one more panel shows a place seen along it (path_detail.h). Paths that coincide
+// are drawn once. Lengths in setup units; arcs are drawn as chords of at most five degrees. Axes that the setup does
+// not have count as 0.
 std::string path_svg(std::span<const spec::Event<double>> events, const spec::Axes& axes,
                      const PathOptions& options = {});
 

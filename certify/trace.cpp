@@ -229,6 +229,36 @@ class Follower {
   std::size_t run_ = 0;   // its finding
 };
 
+// The events of the model; why it could not decide goes to `undecided`.
+std::vector<spec::Event<double>> model_events(const spec::Case& c, std::string& undecided) {
+  std::vector<spec::Event<double>> events;
+  for (const model::Event& event : fuzz::run_model(c).events) {
+    if (event.kind == spec::EventKind::undecided) {
+      undecided = "the model could not decide line " + std::to_string(event.line) + " (" +
+                  std::string(event.number.view()) + ")";
+      break;
+    }
+    events.push_back(in_double(event));
+  }
+  return events;
+}
+
+// The path of the axes: under tool center point control it bends inside blocks, so it is sampled until the chords are
+// within a thousandth of the tolerance, as far as `kMostSamples` do that.
+std::vector<spec::Event<double>> exact_path(spec::Case c, const PathSpace& space, std::string& undecided) {
+  constexpr std::uint32_t kFewSamples = 16;
+  constexpr std::uint32_t kMostSamples = 1024;
+  c.samples = kFewSamples;
+  std::vector<spec::Event<double>> events = model_events(c, undecided);
+  const bool sampled = std::ranges::any_of(
+      events, [](const spec::Event<double>& event) { return event.kind == spec::EventKind::sample; });
+  if (!sampled || !undecided.empty()) return events;
+  const double finer = std::sqrt(1000 * largest_sagitta(c, events, space) / space.tolerance);
+  if (!(finer > 1)) return events;
+  c.samples = static_cast<std::uint32_t>(std::min<double>(kMostSamples, std::ceil(finer * kFewSamples)));
+  return model_events(c, undecided);
+}
+
 }  // namespace
 
 TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::string& file, const TraceOptions& options) {
@@ -247,15 +277,8 @@ TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::strin
     result.recorded += letter;
     (spec::is_rotary_axis(letter) ? space.rotary : space.linear).push_back(i);
   }
-  const fuzz::ModelRun run = fuzz::run_model(c);
-  for (const model::Event& event : run.events) {
-    if (event.kind == spec::EventKind::undecided) {
-      result.undecided = "the model could not decide line " + std::to_string(event.line) + " (" +
-                         std::string(event.number.view()) + ")";
-      return result;
-    }
-    result.events.push_back(in_double(event));
-  }
+  result.events = exact_path(c, space, result.undecided);
+  if (!result.undecided.empty()) return result;
   std::vector<PathPiece> pieces = path_pieces(c, result.events, space, options.judge_rapids);
   for (const PathPiece& piece : pieces) {
     result.corners += piece.corner ? 1 : 0;

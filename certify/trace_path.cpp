@@ -52,10 +52,14 @@ class Builder {
   }
 
   void add(const spec::Event<double>& event) {
-    if (event.kind != spec::EventKind::move) return;
+    if (event.kind != spec::EventKind::move && event.kind != spec::EventKind::sample) return;
     AxisPoint end = at_;
     for (std::size_t i = 0; i < axes_.size(); ++i)
       if (event.axes.has(i)) end[i] = event.axes[i];
+    if (event.kind == spec::EventKind::sample) {
+      sampled_.push_back(end);
+      return;
+    }
     PathPiece piece;
     piece.line = event.line;
     piece.n = event.n;
@@ -64,10 +68,17 @@ class Builder {
     piece.ends_only =
         (first != changes_.end() && *first <= event.line) || (!judge_rapids_ && event.type == spec::MoveType::rapid);
     line_ = event.line;
-    if (event.arc && !piece.ends_only)
-      add_arc(event, piece, end);
-    else
+    if (!sampled_.empty() && !piece.ends_only) {
+      PathPiece chord = piece;
+      chord.corner = false;
+      for (const AxisPoint& p : sampled_) add_piece(chord, p);
       add_piece(piece, end);
+    } else if (event.arc && !piece.ends_only) {
+      add_arc(event, piece, end);
+    } else {
+      add_piece(piece, end);
+    }
+    sampled_.clear();
   }
 
   std::vector<PathPiece> take() { return std::move(pieces_); }
@@ -128,6 +139,7 @@ class Builder {
   bool judge_rapids_;
   std::vector<std::uint64_t> changes_;
   std::vector<PathPiece> pieces_;
+  std::vector<AxisPoint> sampled_;  // of the move to come
   AxisPoint at_{};
   std::uint64_t line_ = 0;
 };
@@ -139,6 +151,21 @@ std::vector<PathPiece> path_pieces(const spec::Case& c, std::span<const spec::Ev
   Builder builder(c, space, judge_rapids);
   for (const auto& event : events) builder.add(event);
   return builder.take();
+}
+
+double largest_sagitta(const spec::Case& c, std::span<const spec::Event<double>> events, const PathSpace& space) {
+  const std::vector<PathPiece> pieces = path_pieces(c, events, space, true);
+  double largest = 0;
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    // Two chords of one move: their common end against the middle of both other ends, four sagittas of one chord away.
+    if (pieces[i - 1].corner) continue;
+    AxisPoint middle{};
+    for (std::size_t axis = 0; axis < middle.size(); ++axis)
+      middle[axis] = (pieces[i - 1].begin[axis] + pieces[i].end[axis]) / 2;
+    const Distance d = distance_at(space, middle, middle, 0, pieces[i].begin);
+    largest = std::max({largest, d.linear / 4, d.rotary / 4});
+  }
+  return largest;
 }
 
 double closest(const PathSpace& space, const AxisPoint& begin, const AxisPoint& end, const AxisPoint& p, double low,

@@ -34,11 +34,15 @@ struct PathSpace {
   double tolerance = 0;
 };
 
-// The pieces of the moves in `events`. Arcs become chords whose sagitta is at most a thousandth of the tolerance.
-// Between two moves with a block that changes the workpiece system (G54–G59, G92) the coordinates may jump: the inside
-// of the latter move is not judged, nor that of rapid moves if `judge_rapids` is false.
+// The pieces of the moves in `events`. Arcs become chords whose sagitta is at most a thousandth of the tolerance; a
+// move with samples becomes chords from one to the next. Between two moves with a block that changes the workpiece
+// system (G54–G59, G92) the coordinates may jump: the inside of the latter move is not judged, nor that of rapid moves
+// if `judge_rapids` is false.
 std::vector<PathPiece> path_pieces(const spec::Case& c, std::span<const spec::Event<double>> events,
                                    const PathSpace& space, bool judge_rapids);
+
+// How far the path is off its chords at most, by the bend from one to the next.
+double largest_sagitta(const spec::Case& c, std::span<const spec::Event<double>> events, const PathSpace& space);
 
 // The part of the piece within the tolerance of `p`, as parameters from 0 to 1; nothing if there is none. Each rotary
 // axis is compared by itself.

@@ -30,10 +30,13 @@ std::vector<spec::Case> read_inputs(const CertifyOptions& options) {
   std::vector<spec::Case> cases;
   for (const std::string& path : options.inputs) {
     if (fs::path(path).extension() == ".jsonl") {
-      for (spec::Case& c : corpus::read_cases(path)) cases.push_back(std::move(c));
+      for (spec::Case& c : corpus::read_cases(path)) {
+        if (options.samples) c.samples = *options.samples;
+        cases.push_back(std::move(c));
+      }
     } else {
       const bool json = fs::path(path).extension() == ".json";
-      cases.push_back(Program(path, json ? std::string() : options.setup).as_case());
+      cases.push_back(Program(path, json ? std::string() : options.setup, options.samples).as_case());
     }
   }
   return cases;

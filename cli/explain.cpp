@@ -90,8 +90,8 @@ class Explanation {
     model::Recorder recorder(true);
     Collector<exact::Real> exact_events;
     Collector<double> fast_events;
-    model::Engine model(program.setup(), recorder, exact_events);
-    fast::Engine fast(program.setup(), fast_events);
+    model::Engine model(program.setup(), recorder, exact_events, program.samples());
+    fast::Engine fast(program.setup(), fast_events, program.samples());
     spec::ProgramReader reader = program.reader();
     spec::Block block;
     while (!model.stopped() && reader.next(block)) {
@@ -192,7 +192,7 @@ class Explanation {
 }  // namespace
 
 int explain(const ExplainOptions& options) {
-  const Program program(options.program, options.setup);
+  const Program program(options.program, options.setup, options.samples);
   return Explanation(program, options).print();
 }
 

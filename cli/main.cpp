@@ -5,10 +5,12 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "certify/process.h"
 #include "cli/verbs.h"
+#include "spec/language/case.h"
 #include "spec/language/input_error.h"
 
 namespace {
@@ -69,6 +71,11 @@ class CommandLine {
     sub->add_option("program", program, "Case (JSON) or program; - reads standard input")->required();
     sub->add_option("--setup", setup, "Setup (TOML or JSON); without it, setup.toml beside the program");
   }
+  static void add_samples(CLI::App* sub, std::optional<std::uint32_t>& samples) {
+    sub->add_option("--samples", samples,
+                    "Parts into which each block under tool center point control is divided, with a sample between two")
+        ->check(CLI::Range(0U, spec::kMostSamples));
+  }
   static void add_sections(CLI::App* sub, std::vector<std::string>& sections) {
     sub->add_option("--section", sections, "Section, e.g. fanuc/leading-edge-offset (repeatable; default: all)");
   }
@@ -79,12 +86,13 @@ class CommandLine {
     sub->add_option("--engine", run_.engine, "model (exact) or fast")->transform(CLI::CheckedTransformer(kEngines));
     sub->add_option("--format", run_.format, "jsonl, csv, gcode or svg")->transform(CLI::CheckedTransformer(kFormats));
     sub->add_option("--digits", run_.digits, "Decimals the model prints")->check(CLI::Range(0, 1000));
-    sub->add_option("--samples", run_.samples, "Samples inside each block run under tool center point control");
+    add_samples(sub, run_.samples);
   }
   void add_diff() {
     CLI::App* sub =
         verb("diff", "Model against fast; the first difference explained", [this] { return cli::diff(diff_); });
     add_program(sub, diff_.program, diff_.setup);
+    add_samples(sub, diff_.samples);
   }
   void add_explain() {
     CLI::App* sub = verb("explain", "Block by block: clauses, decisions, exact and double values",
@@ -93,6 +101,7 @@ class CommandLine {
     sub->add_option("--block", explain_.block,
                     "Only the block with this sequence number, or on this line if none has it");
     sub->add_option("--digits", explain_.digits, "Decimals printed")->check(CLI::Range(0, 1000));
+    add_samples(sub, explain_.samples);
   }
   void add_certify() {
     CLI::App* sub = verb("certify", "Certify a controller, or a recorded trace, and write a report",
@@ -110,6 +119,7 @@ class CommandLine {
     sub->add_option("--seed", certify_.seed, "Seed of every random choice");
     sub->add_option("--timeout", certify_.timeout, "Seconds a case may take")->check(CLI::PositiveNumber);
     sub->add_option("--tolerance", certify_.tolerance, "Trace: greatest distance from the exact path, setup units");
+    add_samples(sub, certify_.samples);
   }
   void add_fuzz() {
     CLI::App* sub = verb("fuzz", "Search for differences", [this] { return cli::fuzz(fuzz_); });

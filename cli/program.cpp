@@ -40,7 +40,8 @@ spec::Setup read_setup(const std::string& path) {
   return is_json(path) ? spec::read_setup_json(text, path) : spec::read_setup_toml(text, path);
 }
 
-Program::Program(const std::string& path, const std::string& setup) : path_(path) {
+Program::Program(const std::string& path, const std::string& setup, std::optional<std::uint32_t> samples)
+    : path_(path) {
   // Standard input cannot be looked at twice: it is always a program.
   is_case_ = path != "-" && begins_with_brace(path);
   if (is_case_) {
@@ -50,6 +51,7 @@ Program::Program(const std::string& path, const std::string& setup) : path_(path
     case_.setup = read_setup(setup.empty() ? setup_beside(path) : setup);
     case_.id = path;
   }
+  if (samples) case_.samples = *samples;
 }
 
 spec::ProgramReader Program::reader() const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,8 +17,9 @@ namespace toolcomp::cli {
 class Program {
  public:
   // `path` names a case (its first character is `{`) or a program; "-" is standard input. `setup` names a setup file,
-  // TOML or JSON by its ending; empty: setup.toml beside the program. Throws spec::InputError.
-  Program(const std::string& path, const std::string& setup);
+  // TOML or JSON by its ending; empty: setup.toml beside the program. `samples` replaces those of a case. Throws
+  // spec::InputError.
+  Program(const std::string& path, const std::string& setup, std::optional<std::uint32_t> samples = {});
 
   [[nodiscard]] const spec::Setup& setup() const { return case_.setup; }
   // A reader from the beginning; a program on standard input can be read once.
@@ -26,6 +28,7 @@ class Program {
   [[nodiscard]] spec::Case as_case() const;
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] bool is_case() const { return is_case_; }
+  // Into how many parts blocks under tool center point control are divided (contract, event rule 7); 0: no samples.
   [[nodiscard]] std::uint32_t samples() const { return case_.samples; }
 
  private:

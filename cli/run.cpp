@@ -152,25 +152,28 @@ spec::AxisValues<Number> start_of(const spec::Setup& setup, NumberOf number) {
 }  // namespace
 
 int run(const RunOptions& options) {
-  const Program program(options.program, options.setup);
+  const Program program(options.program, options.setup, options.samples);
   if (options.engine == EngineName::fast) {
     fast::NumberWriter numbers;
     const auto append = [&numbers](spec::TextCursor& out, double value) {
       out.write([&](char* to) { return numbers.write(to, value); });
     };
     if (options.format == Format::svg)
-      return draw<double>(program, [&](auto& sink) { return std::make_unique<fast::Engine>(program.setup(), sink); });
+      return draw<double>(program, [&](auto& sink) {
+        return std::make_unique<fast::Engine>(program.setup(), sink, program.samples());
+      });
     const auto start =
         start_of<double>(program.setup(), [](const spec::Decimal& d) { return std::stod(spec::to_string(d)); });
     Printer<double, decltype(append)> sink(program, options.format, append, start);
-    fast::Engine engine(program.setup(), sink);
+    fast::Engine engine(program.setup(), sink, program.samples());
     feed(program, engine, sink);
     return sink.status();
   }
   model::Recorder recorder;
   if (options.format == Format::svg)
-    return draw<exact::Real>(
-        program, [&](auto& sink) { return std::make_unique<model::Engine>(program.setup(), recorder, sink); });
+    return draw<exact::Real>(program, [&](auto& sink) {
+      return std::make_unique<model::Engine>(program.setup(), recorder, sink, program.samples());
+    });
   const auto append = [&options](spec::TextCursor& out, const exact::Real& value) {
     std::string number;
     model::append_number(number, value, options.digits);
@@ -179,7 +182,7 @@ int run(const RunOptions& options) {
   const auto start =
       start_of<exact::Real>(program.setup(), [](const spec::Decimal& d) { return exact::Real(model::plain(d)); });
   Printer<exact::Real, decltype(append)> sink(program, options.format, append, start);
-  model::Engine engine(program.setup(), recorder, sink);
+  model::Engine engine(program.setup(), recorder, sink, program.samples());
   feed(program, engine, sink);
   return sink.status();
 }

@@ -27,13 +27,14 @@ struct RunOptions {
   EngineName engine = EngineName::model;
   Format format = Format::jsonl;
   int digits = 15;
-  std::uint32_t samples = 0;
+  std::optional<std::uint32_t> samples;  // instead of those of a case
 };
 int run(const RunOptions& options);
 
 struct DiffOptions {
   std::string program;
   std::string setup;
+  std::optional<std::uint32_t> samples;
 };
 int diff(const DiffOptions& options);
 
@@ -42,6 +43,7 @@ struct ExplainOptions {
   std::string setup;
   std::optional<std::uint64_t> block;
   int digits = 15;
+  std::optional<std::uint32_t> samples;
 };
 int explain(const ExplainOptions& options);
 
@@ -57,6 +59,7 @@ struct CertifyOptions {
   std::uint64_t seed = 1;
   double timeout = 10;
   std::string tolerance;
+  std::optional<std::uint32_t> samples;  // of the cases and programs named
 };
 int certify(const CertifyOptions& options);
 

@@ -102,8 +102,10 @@ class Comparison {
   bool move() {
     return named("cause", expected_.cause, actual_.cause) || named("type", expected_.type, actual_.type) ||
            table("programmed", expected_.programmed, actual_.programmed) ||
-           table("point", expected_.point, actual_.point) || table("axes", expected_.axes, actual_.axes) ||
-           table("machine", expected_.machine, actual_.machine) || tool_axis() || arc() || feed();
+           table("point", expected_.point, actual_.point) ||
+           table("axes", expected_.axes, actual_.axes, scale_.pose.control_point) ||
+           table("machine", expected_.machine, actual_.machine, scale_.pose.control_point) || tool_axis() || arc() ||
+           feed();
   }
 
   bool sample() {
@@ -111,7 +113,9 @@ class Comparison {
         (expected_.t_numerator != actual_.t_numerator || expected_.t_denominator != actual_.t_denominator))
       return differ("sample", "t", fmt::format("{}/{}", expected_.t_numerator, expected_.t_denominator),
                     fmt::format("{}/{}", actual_.t_numerator, actual_.t_denominator));
-    return table("point", expected_.point, actual_.point) || table("axes", expected_.axes, actual_.axes) || tool_axis();
+    const double start = scale_.start;
+    return table("point", expected_.point, actual_.point, 0, start) ||
+           table("axes", expected_.axes, actual_.axes, scale_.pose.control_point, start) || tool_axis();
   }
 
   bool setting() {
@@ -128,7 +132,7 @@ class Comparison {
     for (int i = 0; i < 3; ++i) {
       const auto at = static_cast<std::size_t>(i);
       if (number("tool axis", {"tool_axis", 0, i}, (*expected_.tool_axis)[at], (*actual_.tool_axis)[at],
-                 rules_.budget().tool_axis, policy::ulp(1)))
+                 rules_.budget().tool_axis, std::max(policy::ulp(1), scale_.pose.direction)))
         return true;
     }
     return false;
@@ -168,7 +172,9 @@ class Comparison {
     return expected_.feed && converted("feed", {"feed"}, *expected_.feed, *actual_.feed);
   }
 
-  bool table(std::string_view field, const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a) {
+  // `more`: what lengths may be off k of beside the usual; `error` as in length_unit.
+  bool table(std::string_view field, const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a,
+             double more = 0, double error = 0) {
     if (!rules_.judges(field)) return false;
     for (std::size_t i = 0; i < rules_.axes().size(); ++i) {
       const char letter = rules_.axes().letter(i);
@@ -176,8 +182,9 @@ class Comparison {
       const Path path{field, letter};
       if (absent(path, e.has(i), a.has(i))) return true;
       const bool linear = spec::is_linear_axis(letter);
-      if (linear ? length(path, e[i], a[i])
-                 : number("coordinate", path, e[i], a[i], rules_.budget().coordinate, policy::ulp(approximate(e[i]))))
+      if (linear ? number("coordinate", path, e[i], a[i], rules_.budget().coordinate, length_unit(error) + more, true)
+                 : number("coordinate", path, e[i], a[i], rules_.budget().rotary,
+                          policy::ulp(approximate(e[i])) + scale_.pose.rotary.at(i)))
         return true;
     }
     return false;
@@ -186,7 +193,7 @@ class Comparison {
   // Of which lengths may be off k. `error`: of what else the length is made of.
   [[nodiscard]] double length_unit(double error = 0) const {
     const double own = scale_.condition * (scale_.vector > 0 ? policy::ulp(scale_.vector) : 0);
-    return policy::ulp(scale_.position) + std::max(own, error);
+    return policy::ulp(scale_.position) + scale_.pose.tip + std::max(own, error);
   }
 
   bool length(const Path& path, const Real& e, const Number& a, double error = 0) {

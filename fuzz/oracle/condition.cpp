@@ -37,8 +37,8 @@ bool coplanar(const std::array<double, 3>& v, const std::array<double, 3>& a, co
 
 }  // namespace
 
-Conditions::Conditions(const spec::Setup& setup)
-    : index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')} {
+Conditions::Conditions(const spec::Setup& setup, std::string_view program)
+    : index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')}, pose_(setup, program) {
   for (std::size_t i = 0; i < setup.axes.size(); ++i) linear_[i] = spec::is_linear_axis(setup.axes.letter(i));
   const auto table = [this](const spec::AxisTable& values) {
     for (const auto& [axis, number] : values)
@@ -51,6 +51,10 @@ Conditions::Conditions(const spec::Setup& setup)
   for (const auto* memory : {&setup.h, &setup.d})
     for (const auto& entry : *memory)
       setup_scale_ = std::max(setup_scale_, value(entry.second.geometry) + value(entry.second.wear));
+  setup_scale_ = std::max(setup_scale_, longest_tool(setup));
+  // Vectors of the table and of the head.
+  for (std::uint32_t parameter = 19700; parameter <= 19714; ++parameter)
+    if (const auto given = setup.parameter(parameter)) setup_scale_ = std::max(setup_scale_, value(*given));
   const double range = setup.parameter(kAngleRange) ? value(*setup.parameter(kAngleRange)) : 1.0;
   const bool positive = !setup.parameter(kAngleRange) || !setup.parameter(kAngleRange)->negative;
   // A hair below, so that a pair the model did not classify is never left out here.
@@ -94,8 +98,30 @@ Scale Conditions::next(std::span<const model::Event> window) {
   include(event.axes);
   include(event.machine);
   if (event.arc) include(event.arc->center);
-  if (event.kind != spec::EventKind::move) return scale;
+  if (event.kind == spec::EventKind::sample) return sample(window, scale);
+  of_move_.reset();
+  return move(window, scale);
+}
 
+Scale Conditions::sample(std::span<const model::Event> window, Scale scale) {
+  if (!of_move_) {
+    const auto own = std::find_if(window.begin(), window.end(),
+                                  [](const model::Event& event) { return event.kind == spec::EventKind::move; });
+    const auto from = static_cast<std::size_t>(own - window.begin());
+    of_move_.emplace();
+    if (own != window.end()) of_move_ = Conditions(*this).next(window.subspan(from));
+  }
+  scale.position = std::max(scale.position, of_move_->position);
+  scale.vector = of_move_->vector;
+  scale.condition = of_move_->condition;
+  scale.start = condition_ * policy::ulp(length(vector_));
+  scale.pose = pose_.next(window, scale.position);
+  return scale;
+}
+
+Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
+  const model::Event& event = window.front();
+  scale.pose = pose_.next(window, scale.position);
   const Vector at = vector(event.programmed);
   const Vector point = vector(event.point);
   if (event.cause == spec::Cause::start_up) {
@@ -120,6 +146,8 @@ Scale Conditions::next(std::span<const model::Event> window) {
     double error = corners_.error(window, index_, compensation, shift_);
     if (tool_plane_) error = std::max(error, tool_plane_->error(window, index_, compensation, tool, shift_));
     scale.condition = std::max(scale.condition, 1 + error / scale.vector);
+    // The vector is made of a tool axis that is off by more than an ulp.
+    scale.condition *= std::max(1.0, scale.pose.direction / policy::ulp(1));
   } else {
     scale.vector = 0;
   }
@@ -142,7 +170,7 @@ void Conditions::arc(const model::Event& event, const Vector& compensation, Scal
   constexpr std::array<std::size_t, 3> normal = {2, 1, 0};  // of X Y, Z X, Y Z
   from.at(normal.at(static_cast<std::size_t>(event.arc->plane))) = 0;
   to.at(normal.at(static_cast<std::size_t>(event.arc->plane))) = 0;
-  const double error = policy::ulp(scale.position);
+  const double error = policy::ulp(scale.position) + scale.pose.tip;
   const double own = scale.vector > 0 ? scale.condition * policy::ulp(scale.vector) : 0;
   if (length(from) > 0) scale.turn += (error + scale.start) / length(from);
   if (length(to) > 0) scale.turn += (error + own) / length(to);

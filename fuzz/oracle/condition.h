@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "fuzz/oracle/corner.h"
+#include "fuzz/oracle/pose_error.h"
 #include "fuzz/oracle/tool_plane.h"
 #include "model/engine.h"
 #include "spec/language/setup.h"
@@ -17,7 +20,8 @@ struct Scale {
   double vector = 0;     // length of the compensation vector
   double condition = 1;  // error of the vector over error of the directions it is made of
   double start = 0;      // the same product of the vector with which an arc begins
-  double turn = 0;  // arcs with a vector: sum over both ends of one unit of length over their distance to the centre
+  double turn = 0;   // arcs with a vector: sum over both ends of one unit of length over their distance to the centre
+  PoseScale pose{};  // what the rotary positions add
 };
 
 // Follows the events of one run, in order.
@@ -31,15 +35,20 @@ struct Scale {
 // 19631 made none, and neither did pairs in whose plane the vector does not lie. Corners of cutter compensation: see
 // corner.h; of tool side compensation: see tool_plane.h. Whatever fits counts, and the worst of it.
 //
+// A sample lies between two heads: it has the worse of their scales.
+//
 // The sweep of an arc with a vector turns by the errors of its ends over their distances from the centre.
 class Conditions {
  public:
-  explicit Conditions(const spec::Setup& setup);
+  // `program`: its text, where it is at hand (pose_error.h).
+  explicit Conditions(const spec::Setup& setup, std::string_view program = {});
   // The scale of window[0]; `window` holds the events from it to the next one that moves, or all that follow.
   Scale next(std::span<const model::Event> window);
 
  private:
   using Vector = Space;
+  [[nodiscard]] Scale move(std::span<const model::Event> window, Scale scale);
+  [[nodiscard]] Scale sample(std::span<const model::Event> window, Scale scale);
   [[nodiscard]] double condition(std::span<const model::Event> window, const Vector& at, const Vector& tool,
                                  const Vector& compensation) const;
   [[nodiscard]] Vector vector(const spec::AxisValues<model::Real>& values) const { return space_of(values, index_); }
@@ -57,6 +66,8 @@ class Conditions {
   bool compensated_ = false;  // from a start-up to a cancel
   Corners corners_;
   std::optional<ToolPlane> tool_plane_;  // machines whose events carry a tool axis
+  PoseErrors pose_;
+  std::optional<Scale> of_move_;  // of the move whose samples these are
 };
 
 }  // namespace toolcomp::fuzz

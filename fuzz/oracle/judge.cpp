@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <queue>
 #include <set>
 #include <type_traits>
@@ -68,10 +69,11 @@ Difference name_difference(const Rules& rules, const spec::Setup& setup, const s
 }
 
 template <class Number>
-Agreement agreement(const Rules& rules, const spec::Setup& setup, const std::vector<model::Event>& expected,
+Agreement agreement(const Rules& rules, const spec::Case& c, const std::vector<model::Event>& expected,
                     std::span<const spec::Event<Number>> actual) {
   Agreement result;
-  Conditions conditions(setup);
+  const spec::Setup& setup = c.setup;
+  Conditions conditions(setup, c.program);
   for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
     if (i < expected.size() && expected[i].kind == EventKind::undecided) {
       // What the specification leaves open an engine of ours says too; of a controller nothing is judged from here on.
@@ -123,19 +125,36 @@ template <class Number>
 class Judge {
  public:
   Judge(const spec::Case& c, std::span<const spec::Event<Number>> actual, const JudgeOptions& options)
-      : case_(c), actual_(actual), rules_(c.setup, c.section, options) {}
+      : case_(c), rules_(c.setup, c.section, options) {
+    const auto judged = [this](const spec::Event<Number>& event) { return is_judged(event); };
+    std::copy_if(actual.begin(), actual.end(), std::back_inserter(kept_), judged);
+    actual_ = kept_;
+  }
 
   Verdict verdict(const ModelRun& run) {
     Verdict v;
     v.decisions = run.recorder.decision_count();
     v.near_ties = near_ties(run, {}).size();
-    Agreement first = agreement(rules_, case_.setup, run.events, actual_);
+    Agreement first = compared(run);
     if (first.undecided) return undecided(v, first, "the model could not decide this case");
     if (!first.difference) return agrees(v, first);
     return search(v, run, std::move(first));
   }
 
  private:
+  // A controller that knows no samples gives none.
+  template <class Any>
+  [[nodiscard]] bool is_judged(const spec::Event<Any>& event) const {
+    return event.kind != EventKind::sample || rules_.judges("t");
+  }
+  [[nodiscard]] Agreement compared(const ModelRun& run) const {
+    if (rules_.judges("t")) return agreement(rules_, case_, run.events, actual_);
+    std::vector<model::Event> expected;
+    for (const model::Event& event : run.events)
+      if (is_judged(event)) expected.push_back(event);
+    return agreement(rules_, case_, expected, actual_);
+  }
+
   // A run that differs, and the forced outcomes it came from. The one that agrees longest is followed first.
   struct Node {
     Forced forced;
@@ -219,7 +238,7 @@ class Judge {
           if (++forks > policy::kMaxForks) return undecided(v, first, "more than 64 combinations of near ties");
           const std::optional<ModelRun> fork = permitted(forced);
           if (!fork) continue;
-          Agreement a = agreement(rules_, case_.setup, fork->events, actual_);
+          Agreement a = compared(*fork);
           if (a.undecided) continue;
           if (!a.difference) {
             v.ties = forced.size();
@@ -266,8 +285,9 @@ class Judge {
   }
 
   const spec::Case& case_;
-  std::span<const spec::Event<Number>> actual_;
   Rules rules_;
+  std::vector<spec::Event<Number>> kept_;
+  std::span<const spec::Event<Number>> actual_;
 };
 
 using TextTable = spec::AxisValues<spec::NumberText>;

@@ -6,8 +6,12 @@
 //   names of settings, which axes are present
 //   linear coordinates, centres, radii            inside the enclosure widened by
 //                                                 k · (ulp(scale) + condition · ulp(|compensation vector|))
-//   rotary axes                                   … by k · ulp(value)
-//   tool axis                                     … by k · ulp(1)
+//   … of the axes under tool center point control … and k · (errors of the rotary positions · their radii)
+//   rotary axes                                   … by k · (ulp(value) + error of the position, pose_error.h: one that
+//                                                 is commanded has none)
+//   tool axis                                     … by k · ulp(1), inside a block and where positions are kept by
+//                                                 k · its error (pose_error.h)
+//   samples: t                                    equal exactly
 //   sweeps                                        … by k · (ulp(360) + error of each end of a compensated arc over
 //                                                 its distance from the centre, in degrees); neither value nor
 //                                                 presence where that is 90 degrees or more: a head so near the centre
@@ -41,28 +45,38 @@ namespace toolcomp::fuzz::policy {
 struct Budget {
   std::string_view section;
   double coordinate;  // sums of programmed position, vector, length offset and workpiece origin
+  double rotary;      // sums of programmed positions; positions out of inverse kinematics
   double tool_axis;   // two rotations and a normalisation
   double sweep;       // a difference of two arc tangents in degrees
 };
 inline constexpr Budget kBudgets[] = {
-    {"fanuc/tool-length-offset", 8, 16, 16},
+    {"fanuc/tool-length-offset", 8, 8, 16, 16},
     // Sums of decimals, as the length offset.
-    {"fanuc/tool-length-measurement", 8, 16, 16},
-    {"fanuc/tool-offset", 8, 16, 16},
+    {"fanuc/tool-length-measurement", 8, 8, 16, 16},
+    {"fanuc/tool-offset", 8, 8, 16, 16},
     // A normalised normal times the offset (two squares, sum, root, quotient, product), the programmed position and the
     // length offset; the end of an arc twice that, for its sweep.
-    {"fanuc/cutter-compensation-b", 16, 16, 16},
+    {"fanuc/cutter-compensation-b", 16, 16, 16, 16},
     // Two such normals, their product, sum and quotient; with arcs the distance of the centre, two squares, a root, the
     // same again for a second circle: 28 roundings in the longest chain.
-    {"fanuc/cutter-compensation-c", 32, 16, 32},
+    {"fanuc/cutter-compensation-c", 32, 32, 16, 32},
     // The tool direction (two turns of three products each, and their sines), its product with the movement, a norm;
     // the same again for the second block, their product, sum and quotient; with arcs as cutter compensation C, in the
     // projection. The condition of a corner (tool_plane.h) counts one unit of error a direction.
-    {"fanuc/tool-side-compensation", 40, 16, 40},
-    {"fanuc/leading-edge-offset", 16, 16, 16},
+    {"fanuc/tool-side-compensation", 40, 64, 16, 40},
+    {"fanuc/leading-edge-offset", 16, 64, 16, 16},
+    // A direction of three words (squares, sum, root, quotient: 6), seen from the table (two turns of three products
+    // and sums each with their sines and cosines: 14), its height and the root beside it (8), arc cosine or tangent and
+    // sum (4), the tilted direction for the azimuth (7), a cross and a scalar product (8), arc tangent, difference and
+    // whole turns (4): 51, and in degrees. X Y Z: the turns of both axes with these angles, length and offsets (32),
+    // and the table turned there and back.
+    {"fanuc/tool-center-point-control", 64, 64, 32, 64},
+    // The angle of both directions (squares, products, root, arc tangent: 14), two sines over a third (6), two products
+    // and a sum before that. With tool side compensation its 40 for the point come beside them.
+    {"fanuc/tool-posture-control", 80, 80, 40, 64},
 };
 // For a program that belongs to no section: the widest row.
-inline constexpr Budget kAnySection = {"", 40, 16, 40};
+inline constexpr Budget kAnySection = {"", 80, 80, 40, 64};
 
 constexpr const Budget& budget(std::string_view section) {
   for (const Budget& row : kBudgets)

@@ -30,7 +30,7 @@ ModelRun run_model(const spec::Case& c, const Forced& forced) {
   ModelRun result;
   for (const auto& [index, sign] : forced) result.recorder.force(index, sign);
   Collector<model::Real> sink(result.events);
-  model::Engine engine(c.setup, result.recorder, sink);
+  model::Engine engine(c.setup, result.recorder, sink, c.samples);
   run(c, engine);
   return result;
 }
@@ -38,7 +38,7 @@ ModelRun run_model(const spec::Case& c, const Forced& forced) {
 std::vector<fast::Event> run_fast(const spec::Case& c) {
   std::vector<fast::Event> events;
   Collector<double> sink(events);
-  fast::Engine engine(c.setup, sink);
+  fast::Engine engine(c.setup, sink, c.samples);
   run(c, engine);
   return events;
 }

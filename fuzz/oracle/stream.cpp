@@ -14,9 +14,11 @@ using spec::EventKind;
 
 // Blocks between two fresh recorders, so that the decisions kept stay bounded.
 constexpr std::uint64_t kEpoch = 256;
-// Events an engine may be behind the other, and those needed to know the next movement (both look-aheads are shorter).
+// Moves an engine may be behind the other, and those needed to know the next movement (both look-aheads are shorter).
 constexpr std::size_t kMaxLag = 64;
 constexpr std::size_t kWindow = 8;
+// Events held back for the next movement: with more samples than that the samples of one block fill the window.
+constexpr std::size_t kMostHeld = 20'000;
 
 // A decision of a streamed run: epochs have their own recorders, so indices count from the start of one.
 struct Place {
@@ -36,12 +38,13 @@ class Queue final : public spec::EventSink<Number> {
 // One pass. Decisions of the current and the previous epoch are kept.
 class Pass {
  public:
-  Pass(const spec::Setup& setup, const Choices& choices)
+  Pass(const spec::Setup& setup, std::uint32_t samples, const Choices& choices)
       : rules_(setup, {}, {}),
         conditions_(setup),
         choices_(choices),
-        model_(setup, recorder_, expected_),
-        fast_(setup, actual_) {
+        per_move_(std::max<std::size_t>(samples, 1)),
+        model_(setup, recorder_, expected_, samples),
+        fast_(setup, actual_, samples) {
     begin_epoch();
   }
 
@@ -59,7 +62,7 @@ class Pass {
         on_block(++blocks);
       else
         ++blocks;
-      compare_pairs(kWindow);
+      compare_pairs(std::min(kWindow * per_move_, kMostHeld));
     }
     if (!done()) {
       model_.end();
@@ -125,8 +128,7 @@ class Pass {
         undecided_ = true;
         return;
       }
-      window_.assign(expected_.events.begin(), expected_.events.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                                                              expected_.events.size(), kWindow)));
+      look_ahead();
       const Scale scale = conditions_.next(window_);
       verdict_.difference = compare(rules_, window_.front(), scale, actual_.events.front(), tally_);
       if (verdict_.difference) {
@@ -138,9 +140,16 @@ class Pass {
       actual_.events.pop_front();
     }
     if (done()) return;
-    if (expected_.events.size() > actual_.events.size() + kMaxLag ||
-        actual_.events.size() > expected_.events.size() + kMaxLag)
+    if (expected_.events.size() > actual_.events.size() + kMaxLag * per_move_ ||
+        actual_.events.size() > expected_.events.size() + kMaxLag * per_move_)
       leftovers();
+  }
+
+  // The event to compare and the moves behind it; samples between them say nothing about the next movement.
+  void look_ahead() {
+    window_.assign(1, expected_.events.front());
+    for (std::size_t i = 1; i < expected_.events.size() && window_.size() < kWindow; ++i)
+      if (expected_.events[i].kind != EventKind::sample) window_.push_back(expected_.events[i]);
   }
 
   void leftovers() {
@@ -174,6 +183,7 @@ class Pass {
   Rules rules_;
   Conditions conditions_;
   const Choices& choices_;
+  std::size_t per_move_;  // events of a move with its samples
   model::Recorder recorder_{true};
   std::optional<model::Recorder> previous_;
   std::uint64_t epoch_ = 0;
@@ -192,9 +202,10 @@ constexpr std::string_view kNearTie = "a difference beside a near tie, in a prog
 
 }  // namespace
 
-Verdict judge_stream(spec::ProgramReader& program, const spec::Setup& setup, void (*on_block)(std::uint64_t)) {
+Verdict judge_stream(spec::ProgramReader& program, const spec::Setup& setup, std::uint32_t samples,
+                     void (*on_block)(std::uint64_t)) {
   const Choices none;
-  Pass pass(setup, none);
+  Pass pass(setup, samples, none);
   Verdict v = pass.run(program, on_block);
   if (v.outcome == Outcome::differs && !pass.near_ties().empty()) {
     v.outcome = Outcome::undecided;
@@ -203,7 +214,7 @@ Verdict judge_stream(spec::ProgramReader& program, const spec::Setup& setup, voi
   return v;
 }
 
-Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spec::Setup& setup,
+Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spec::Setup& setup, std::uint32_t samples,
                      void (*on_block)(std::uint64_t)) {
   // Depth first along the chain of forks that each move the difference on; the first pass is the one without choices.
   struct Task {
@@ -225,7 +236,7 @@ Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spe
     std::optional<Pass> pass;
     Verdict v;
     try {
-      pass.emplace(setup, task.choices);
+      pass.emplace(setup, samples, task.choices);
       v = pass->run(program, first ? nullptr : on_block);
     } catch (const std::exception&) {
       if (!first) throw;

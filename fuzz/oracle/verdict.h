@@ -47,7 +47,7 @@ struct Verdict {
   std::string undecided;  // why, where the outcome is `undecided`
 };
 
-// What is judged. The default judges everything, in double.
+// What is judged. The default judges everything, in double. Samples are judged where the field `t` is.
 struct JudgeOptions {
   std::vector<std::string> fields;  // event fields the controller announced; empty: all
   std::string resolution;           // least increment of the controller's numbers ("0.001"); empty: double
@@ -79,12 +79,13 @@ Verdict judge(const spec::Case& c, const ModelRun& run, std::span<const spec::Te
 double margin(const model::Decision& decision);
 
 // Runs both engines over a program of any length in bounded memory and judges as it goes; stops at the first
-// difference. `on_block` is called with the number of blocks read, for progress. One pass cannot try other outcomes: a
-// difference with a near tie in the last blocks is `undecided`.
-Verdict judge_stream(spec::ProgramReader& program, const spec::Setup& setup, void (*on_block)(std::uint64_t) = nullptr);
+// difference. `samples` as in a case. `on_block` is called with the number of blocks read, for progress. One pass
+// cannot try other outcomes: a difference with a near tie in the last blocks is `undecided`.
+Verdict judge_stream(spec::ProgramReader& program, const spec::Setup& setup, std::uint32_t samples = 0,
+                     void (*on_block)(std::uint64_t) = nullptr);
 // The same for a program that can be opened again: such a difference is settled by running again with the other
 // outcomes, at most policy::kMaxForks times.
 Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spec::Setup& setup,
-                     void (*on_block)(std::uint64_t) = nullptr);
+                     std::uint32_t samples = 0, void (*on_block)(std::uint64_t) = nullptr);
 
 }  // namespace toolcomp::fuzz

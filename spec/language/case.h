@@ -31,6 +31,9 @@ struct CaseSource {
   friend bool operator==(const CaseSource&, const CaseSource&) = default;
 };
 
+// The most parts a block is divided into for samples.
+inline constexpr std::uint32_t kMostSamples = 1'000'000;
+
 struct Case {
   std::string id;
   std::string section;  // "fanuc/leading-edge-offset"
@@ -40,7 +43,7 @@ struct Case {
   std::string dialect = "fanuc";
   Setup setup;
   std::string program;
-  std::uint32_t samples = 0;
+  std::uint32_t samples = 0;  // parts of a block under tool center point control (contract, event rule 7)
   CaseSource source;
   std::vector<TextEvent> expect;
   bool has_expect = false;

@@ -9,8 +9,6 @@ using document::Kind;
 using document::Node;
 using document::Reader;
 
-constexpr std::uint64_t kMaxSamples = 1'000'000;
-
 const Node& required(const Node& node, std::string_view key, const Reader& read) {
   const Node* found = node.find(key);
   if (found == nullptr) read.fail(node.at, "case: without " + std::string(key));
@@ -51,7 +49,7 @@ Case read_case(std::string_view text, const std::string& file) {
   c.setup = setup_from(required(root, "setup", read), read);
   c.program = read.string(required(root, "program", read), "program");
   if (const Node* samples = root.find("samples"))
-    c.samples = static_cast<std::uint32_t>(read.integer(*samples, "samples", 0, kMaxSamples));
+    c.samples = static_cast<std::uint32_t>(read.integer(*samples, "samples", 0, kMostSamples));
   if (const Node* source = root.find("source")) c.source = source_from(*source, read);
   if (const Node* expect = root.find("expect")) {
     read.expect(*expect, Kind::array, "expect");

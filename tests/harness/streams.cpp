@@ -25,7 +25,7 @@ TEST(Streams, GiveTheVerdictOfTheWholeCase) {
           [&] {
             return spec::ProgramReader(spec::text_source(c.program), c.setup.axes, {"program", c.setup.block_skip});
           },
-          c.setup);
+          c.setup, c.samples);
       EXPECT_EQ(v.outcome, whole.verdict.outcome) << encode(c);
       if (v.outcome != Outcome::agrees) continue;
       EXPECT_EQ(v.values, whole.verdict.values) << encode(c);
@@ -73,8 +73,8 @@ TEST(Streams, HoldNoMoreThanTheirWindow) {
   spec::Setup setup;
   setup.d[1].geometry = spec::decimal(10);
   spec::ProgramReader program(std::make_unique<Endless>(blocks), setup.axes);
-  const Verdict v =
-      judge_stream(program, setup, [](std::uint64_t) { g_most_nodes = std::max(g_most_nodes, exact::live_nodes()); });
+  const Verdict v = judge_stream(program, setup, 0,
+                                 [](std::uint64_t) { g_most_nodes = std::max(g_most_nodes, exact::live_nodes()); });
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GT(v.values, 9U * blocks);
   EXPECT_LT(g_most_nodes, 100'000U);

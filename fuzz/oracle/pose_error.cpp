@@ -1,0 +1,201 @@
+#include "fuzz/oracle/pose_error.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+#include "fuzz/oracle/number.h"
+#include "fuzz/oracle/policy.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+constexpr double kDegreesPerRadian = 57.29577951308232;
+
+double norm(const Space& a) { return std::hypot(a[0], a[1], a[2]); }
+double scalar(const Space& a, const Space& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Space product(const Space& a, const Space& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Space sum(const Space& a, const Space& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Space difference(const Space& a, const Space& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+// Whether two positions are one, as far as doubles can tell.
+bool same(double a, double b) { return std::fabs(a - b) <= policy::kSlack * (1 + std::fabs(a)); }
+
+// The numbers of the Q words of a program.
+std::vector<double> lean_words(std::string_view program) {
+  std::vector<double> found;
+  for (std::size_t i = program.find('Q'); i != std::string_view::npos; i = program.find('Q', i + 1)) {
+    double q = 0;
+    const std::string_view rest = program.substr(i + 1);
+    if (std::from_chars(rest.data(), rest.data() + rest.size(), q).ec == std::errc() && q != 0) found.push_back(q);
+  }
+  return found;
+}
+
+bool has(const spec::ClauseList& list, spec::Clause clause) {
+  return std::find(list.clause.begin(), list.clause.begin() + list.size, clause) != list.clause.begin() + list.size;
+}
+
+bool moves(const model::Event& event) { return event.kind == spec::EventKind::move; }
+
+}  // namespace
+
+PoseErrors::PoseErrors(const spec::Setup& setup, std::string_view program)
+    : machine_(RotaryMachine::of(setup)),
+      length_(longest_tool(setup)),
+      index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
+      commanded_(!program.empty() && program.find("43.5") == std::string_view::npos),
+      turning_frame_(machine_ && machine_->type != RotaryMachine::Type::head && setup.bit(19696, 5)),
+      leans_(lean_words(program)) {}
+
+PoseErrors::Pose PoseErrors::read(const model::Event& event) const {
+  Pose pose;
+  if (machine_ && event.axes.has(machine_->tool)) pose.tool = approximate(event.axes[machine_->tool]);
+  if (machine_ && event.axes.has(machine_->work)) pose.work = approximate(event.axes[machine_->work]);
+  if (event.tool_axis)
+    for (std::size_t i = 0; i < 3; ++i) pose.direction.at(i) = approximate((*event.tool_axis)[i]);
+  pose.point = space_of(event.point, index_);
+  return pose;
+}
+
+// How much more than e a direction is off that was leant by a Q word towards the travel: the plane of the two is as
+// good as their angle is large.
+double PoseErrors::leant(const Pose& pose) const {
+  const Space travel = difference(pose.point, before_.point);
+  const Space normal = product(pose.direction, travel);
+  const double size = norm(normal);
+  double worst = 1;
+  if (!(size > 0)) return leans_.empty() ? worst : 1 / policy::kSlack;
+  for (const double lean : leans_)
+    for (const double sign : {1.0, -1.0}) {
+      const Space about{sign * normal[0] / size, sign * normal[1] / size, sign * normal[2] / size};
+      const Space upright = rotated(pose.direction, about, -lean);
+      const double sine = std::max(norm(product(upright, travel)) / norm(travel), policy::kSlack);
+      worst = std::max(worst, 1 + std::fabs(std::sin(lean / kDegreesPerRadian)) / sine);
+    }
+  return worst;
+}
+
+PoseErrors::Pose PoseErrors::end(std::span<const model::Event> window) const {
+  Pose pose = read(window.front());
+  const double own = (policy::ulp(1) + frozen_) * leant(pose);
+  pose.direction_error = own;
+  if (commanded_ || !machine_) return pose;
+  const Posture posture(*machine_, pose.tool);
+  pose.tool_error = posture.tool_error(own);
+  pose.work_error = posture.work_error(own);
+  if (posture.singular) {
+    const double sine = std::max(norm(product(before_.direction, pose.direction)), policy::kSlack);
+    pose.work_error = std::max(before_.work_error, own / sine);
+    for (const model::Event& event : window.subspan(1)) {
+      if (!moves(event) || !event.tool_axis) continue;
+      const Posture next(*machine_, read(event).tool);
+      if (next.singular) continue;
+      pose.work_error = std::max(pose.work_error, next.work_error(own));
+      break;
+    }
+  }
+  if (same(pose.work, before_.work)) {
+    pose.work_error = std::max(pose.work_error, before_.work_error);
+    pose.direction_error += before_.work_error * posture.polar_sine;
+  }
+  if (same(pose.tool, before_.tool)) {
+    pose.tool_error = std::max(pose.tool_error, before_.tool_error);
+    pose.direction_error += before_.tool_error;
+  }
+  return pose;
+}
+
+PoseErrors::Pose PoseErrors::inside(std::span<const model::Event> window) const {
+  const model::Event& event = window.front();
+  Pose pose = read(event);
+  Pose to = before_;
+  for (std::size_t i = 1; i < window.size(); ++i)
+    if (moves(window[i])) {
+      to = end(window.subspan(i));
+      break;
+    }
+  const double bisector = std::max(norm(sum(before_.direction, to.direction)), policy::kSlack);
+  const double ends = std::max({before_.direction_error, to.direction_error, policy::ulp(1)});
+  pose.direction_error = ends * (1 + 2 / bisector);
+  const double t = static_cast<double>(event.t_numerator) / static_cast<double>(event.t_denominator);
+  if (machine_) inside_of_rotary(t, to, pose);
+  return pose;
+}
+
+void PoseErrors::inside_of_rotary(double t, const Pose& to, Pose& pose) const {
+  const Posture posture(*machine_, pose.tool);
+  pose.tool_error = posture.tool_error(pose.direction_error);
+  pose.work_error =
+      posture.singular ? std::max(before_.work_error, to.work_error) : posture.work_error(pose.direction_error);
+  const auto linear = [t](double from, double at, double until) { return same(at, from + t * (until - from)); };
+  if (linear(before_.work, pose.work, to.work) && linear(before_.tool, pose.tool, to.tool)) {
+    const double work = std::max(before_.work_error, to.work_error);
+    const double tool = std::max(before_.tool_error, to.tool_error);
+    pose.work_error = std::max(pose.work_error, work);
+    pose.tool_error = std::max(pose.tool_error, tool);
+    pose.direction_error = std::max(pose.direction_error, work * posture.polar_sine + tool);
+  }
+}
+
+PoseScale PoseErrors::scale(const Pose& pose, double length) const {
+  PoseScale s;
+  s.direction = pose.direction_error;
+  s.tip = carried_;
+  s.control_point = pose.direction_error * length_;
+  if (!machine_) return s;
+  const RotaryMachine& m = *machine_;
+  const double half_turn = std::numbers::pi;
+  if (m.tool != spec::Axes::kNone) s.rotary.at(m.tool) = std::min(pose.tool_error, half_turn) * kDegreesPerRadian;
+  if (m.work != spec::Axes::kNone) s.rotary.at(m.work) = std::min(pose.work_error, half_turn) * kDegreesPerRadian;
+  const double tool = m.length + norm(m.head);
+  if (m.type == RotaryMachine::Type::head) {
+    const Space head =
+        rotated(rotated(m.head, m.tool_line, m.tool_sense * pose.tool), m.work_line, m.work_sense * pose.work);
+    const Space step = rotated(m.head_step, m.work_line, m.work_sense * pose.work);
+    const double radius = Posture(m, pose.tool).polar_sine * m.length + norm(product(m.work_line, sum(head, step)));
+    s.control_point += pose.work_error * radius + pose.tool_error * tool;
+  } else {
+    const double radius = 3 * length + norm(m.table) + norm(m.table_step) + tool;
+    s.control_point += (pose.work_error + pose.tool_error + frozen_) * radius;
+  }
+  if (turning_frame_) {
+    s.tip += s.control_point;
+    s.direction += pose.work_error + pose.tool_error;
+  }
+  return s;
+}
+
+PoseScale PoseErrors::next(std::span<const model::Event> window, double length) {
+  const model::Event& event = window.front();
+  if (event.kind == spec::EventKind::sample) return scale(inside(window), length);
+  if (!moves(event)) return {};
+  const bool controlled = event.tool_axis && !event.machine.empty() && event.cause != spec::Cause::reference;
+  if (!controlled) {
+    if (active_) carried_ = std::max(carried_, last_);
+    active_ = false;
+    before_ = read(event);
+    before_.direction_error = policy::ulp(1);
+    PoseScale s;
+    s.tip = carried_;
+    return s;
+  }
+  // The pose of the block that begins it freezes the programming coordinate system.
+  const bool begins = !active_ || has(event.clauses, spec::Clause::fanuc_tool_center_point_block);
+  if (begins) {
+    carried_ = std::max(carried_, last_);
+    frozen_ = 0;
+  }
+  const Pose pose = end(window);
+  if (begins && machine_ && machine_->type != RotaryMachine::Type::head) frozen_ = pose.tool_error + pose.work_error;
+  active_ = true;
+  const PoseScale s = scale(pose, length);
+  before_ = pose;
+  last_ = s.control_point;
+  return s;
+}
+
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,78 @@
+// How well the rotary positions under tool center point control are determined, and what hangs on them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/oracle/rotary.h"
+#include "model/engine.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::fuzz {
+
+// Of one event, what the policy multiplies its k with.
+struct PoseScale {
+  double direction = 0;                         // of a component of the tool axis, beyond an ulp of 1
+  std::array<double, spec::kMaxAxes> rotary{};  // degrees, beyond an ulp of the value
+  double control_point = 0;                     // of X Y Z of the axes
+  double tip = 0;                               // of every X Y Z
+};
+
+// Follows the events of one run, in order.
+//
+// A direction is good to e = ulp(1). A tool-side position that reaches it is off by e but at an edge of reach, where it
+// is √(2e); the work-side position by e over the sine of the angle between tool and work-side axis, so that near a
+// singular posture it means little. At a singular posture it is what it was before, or what the block next to it makes
+// it. Commanded positions (type 1) are exact. A position that is kept keeps its error, and the direction of the tool
+// has that error times the sine where it is used again (changed end, kept pose).
+//
+// Inside a block the direction of posture control carries the errors of both ends, enlarged as they come near to
+// opposite ones; where both rotary positions are linear in t they carry those of the ends.
+//
+// X Y Z of the axes carry the errors of the positions times the radii; on tables also those of the pose at which the
+// programming coordinate system was frozen. G49 makes programmed positions of them.
+class PoseErrors {
+ public:
+  // `program`: its text, where it is at hand: without G43.5 all positions are commanded, and its Q words say how far
+  // directions are leant.
+  explicit PoseErrors(const spec::Setup& setup, std::string_view program = {});
+  // Of window[0]; `window` as for Conditions::next. `length` of scale: the largest linear magnitude of the event.
+  PoseScale next(std::span<const model::Event> window, double length);
+
+ private:
+  // At the end of a move. Errors in radians.
+  struct Pose {
+    double tool = 0;  // degrees
+    double work = 0;
+    Space direction{};  // as the event says it
+    Space point{};
+    double tool_error = 0;
+    double work_error = 0;
+    double direction_error = 0;
+  };
+
+  [[nodiscard]] Pose read(const model::Event& event) const;
+  [[nodiscard]] Pose end(std::span<const model::Event> window) const;
+  [[nodiscard]] Pose inside(std::span<const model::Event> window) const;
+  void inside_of_rotary(double t, const Pose& to, Pose& pose) const;
+  [[nodiscard]] double leant(const Pose& pose) const;
+  [[nodiscard]] PoseScale scale(const Pose& pose, double length) const;
+
+  std::optional<RotaryMachine> machine_;
+  double length_ = 0;                 // of the longest tool
+  std::array<std::size_t, 3> index_;  // of X Y Z
+  bool commanded_ = false;            // no position comes out of inverse kinematics
+  bool turning_frame_ = false;        // 19696#5 = 1 on a table
+  std::vector<double> leans_;         // Q words, degrees
+  Pose before_;
+  bool active_ = false;  // the move before was under tool center point control
+  double frozen_ = 0;    // error of the pose of the programming coordinate system, radians
+  double last_ = 0;      // control_point of the move before
+  double carried_ = 0;   // what programmed positions have of it
+};
+
+}  // namespace toolcomp::fuzz
