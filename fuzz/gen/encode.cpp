@@ -1,7 +1,7 @@
 // The lines, one letter first:
 //   u mm|inch   i A|B|C   a LETTERS   k b|c   s (block skip)   x (type B without perpendicular)   p NUMBER[#BIT] VALUE
 //   m a|b|c COUNT h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR   w 54…59 AXIS VALUE   o AXIS VALUE (position) r 1…4
-//   AXIS VALUE   f AXIS VALUE (floating reference)   t AXIS VALUE (measurement)
+//   AXIS VALUE   f AXIS VALUE (floating reference)   t AXIS VALUE (measurement)   n COUNT (samples)
 #include "fuzz/gen/encode.h"
 
 #include <fmt/format.h>
@@ -23,6 +23,7 @@ constexpr std::string_view kProgram = "%%\n";
 constexpr std::string_view kDefaultAxes = "XYZ";
 constexpr std::uint32_t kDefaultCount = 400;
 constexpr std::uint32_t kFirstWorkpiece = 54;
+constexpr std::uint32_t kMostSamples = 64;  // of a fuzzed case
 
 // The words of a line, at most four.
 struct Line {
@@ -182,6 +183,7 @@ std::string encode(const spec::Case& c) {
   for (const auto& [number, table] : s.reference) add(out, fmt::format("r {}", number), table);
   add(out, "f", s.floating_reference);
   add(out, "t", s.measurement);
+  if (c.samples != 0) out += fmt::format("n {}\n", c.samples);
   out += kProgram;
   out += c.program;
   return out;
@@ -192,7 +194,11 @@ spec::Case decode(std::string_view section, std::string_view bytes) {
   c.section = section;
   while (!bytes.empty() && !bytes.starts_with(kProgram)) {
     const std::size_t end = bytes.find('\n');
-    apply(c.setup, Line(bytes.substr(0, end)));
+    const Line line(bytes.substr(0, end));
+    if (line.word[0] == "n")
+      c.samples = whole(line.word[1], kMostSamples).value_or(0);
+    else
+      apply(c.setup, line);
     bytes = end == std::string_view::npos ? std::string_view() : bytes.substr(end + 1);
   }
   if (!bytes.empty()) c.program = bytes.substr(kProgram.size());

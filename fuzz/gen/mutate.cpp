@@ -158,19 +158,24 @@ auto any_of(Choices& choose, Map& map) {
 
 // Angles of kinematics: any value is a control that could exist; numbers of axes and types are not.
 bool is_angle(std::uint32_t parameter) {
-  constexpr std::uint32_t angles[] = {6261,  19614, 19619, 19620, 19621, 19622, 19623,
-                                      19631, 19683, 19685, 19688, 19690, 19698, 19699};
+  constexpr std::uint32_t angles[] = {6261,  19614, 19619, 19620, 19621, 19622, 19623, 19631, 19683, 19685,
+                                      19688, 19690, 19698, 19699, 19738, 19739, 19741, 19742, 19743, 19744};
   return std::find(std::begin(angles), std::end(angles), parameter) != std::end(angles);
 }
 
-// Vector omission; deceleration distance and permitted zone of G37; least travel in the compensation plane.
+// Vector omission; deceleration distance and permitted zone of G37; least travel in the compensation plane; holder
+// offset and the distances of rotary axes.
 bool is_length(std::uint32_t parameter) {
-  return parameter == 5010 || parameter == 6251 || parameter == 6254 || parameter == 19630;
+  return parameter == 5010 || parameter == 6251 || parameter == 6254 || parameter == 19630 || parameter == 19666 ||
+         (parameter >= 19700 && parameter <= 19714);
 }
 
 // Bits: any value is a control that could exist.
-bool is_choice(std::uint32_t parameter) {
-  return parameter == 5001 || parameter == 5003 || parameter == 5008 || parameter == 19605;
+bool is_choice(const spec::ParameterId& id) {
+  const std::uint32_t parameter = id.number;
+  constexpr int kFirstHypothetical = 2;  // bits 0 and 1 of 19696: an axis less
+  return parameter == 19604 || parameter == 19608 || (parameter == 19696 && id.bit >= kFirstHypothetical) ||
+         parameter == 5001 || parameter == 5003 || parameter == 5008 || parameter == 19605;
 }
 
 void change_parameter(Choices& choose, Mode mode, spec::Setup& setup) {
@@ -198,7 +203,7 @@ void change_parameter(Choices& choose, Mode mode, spec::Setup& setup) {
           parameter->second.digits += choose.below(3);
         return;
       }
-      if (mode == Mode::directed && !angle && !is_choice(parameter->first.number)) return;
+      if (mode == Mode::directed && !angle && !is_choice(parameter->first)) return;
       if (parameter->first.bit >= 0)
         parameter->second = spec::decimal(choose.between(0, 1));
       else if (angle && mode == Mode::directed)
@@ -241,6 +246,8 @@ void change_setup(Choices& choose, Mode mode, spec::Setup& setup) {
 void mutate(spec::Case& c, Mode mode, ChoiceSource& source) {
   Choices choose(source);
   const std::size_t most = mode == Mode::directed ? 2 : 4;
+  const bool sampled = c.section == "fanuc/tool-center-point-control" || c.section == "fanuc/tool-posture-control";
+  if (sampled && choose.chance(5)) c.samples = static_cast<std::uint32_t>(choose.below(5));
   for (std::size_t n = choose.below(most) + 1; n > 0; --n) {
     if (choose.chance(20))
       change_setup(choose, mode, c.setup);

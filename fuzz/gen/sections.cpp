@@ -23,6 +23,8 @@ constexpr Generator kGenerators[] = {
     {"fanuc/cutter-compensation-c", cutter_compensation_c},
     {"fanuc/tool-side-compensation", tool_side_compensation},
     {"fanuc/leading-edge-offset", leading_edge_offset},
+    {"fanuc/tool-center-point-control", tool_center_point_control},
+    {"fanuc/tool-posture-control", tool_posture_control},
 };
 constexpr auto kSections = [] {
   std::array<std::string_view, std::size(kGenerators)> names{};

@@ -13,6 +13,8 @@ spec::Case cutter_compensation_b(Choices& choose, std::uint32_t blocks);
 spec::Case cutter_compensation_c(Choices& choose, std::uint32_t blocks);
 spec::Case tool_side_compensation(Choices& choose, std::uint32_t blocks);
 spec::Case leading_edge_offset(Choices& choose, std::uint32_t blocks);
+spec::Case tool_center_point_control(Choices& choose, std::uint32_t blocks);
+spec::Case tool_posture_control(Choices& choose, std::uint32_t blocks);
 
 // Any words over any setup of the section: valid programs with damage, words at random, look-alike text.
 spec::Case unrestricted(Choices& choose, spec::Case directed, std::uint32_t blocks);

@@ -19,6 +19,10 @@ spec::Setup random_cutter_setup(Choices& choose, spec::CutterCompensationType ty
 // 19605 and 19630.
 spec::Setup random_tool_side_setup(Choices& choose);
 
+// For tool center point control and tool posture control: heads, tables and mixed machines, orthogonal and nutating,
+// with the distances of their axes, ranges and limits; offsets and corner parameters as for tool side compensation.
+spec::Setup random_rotary_setup(Choices& choose);
+
 // A decimal of `count` units of 10^-decimals.
 spec::Decimal decimal(std::int64_t count, int decimals);
 // Digits behind the point of the least input increment of the setup's units and increment system.

@@ -45,11 +45,24 @@ std::string tool_side_word(Choices& choose) {
                         "Q3",    "Q0",    "Q4",    "G43.5", "G49",   "I1.",   "J-1.", "K1.", "G05", "G96", "G97"});
 }
 
+std::string tip_control_word(Choices& choose) {
+  return choose.one_of({"G43.4", "G43.4", "G43.5", "G43.5",  "H1",   "H2",      "P0",    "P1",    "P1",
+                        "P2",    "Q2.",   "Q-3.",  "G49",    "I1.",  "J-1.",    "K1.",   "K-1.",  "A30.",
+                        "B30.",  "B-30.", "C90.",  "C-180.", "B0",   "C360.",   "G41.2", "G42.6", "G41.6",
+                        "G41.3", "G40",   "D1",    "G02",    "R20.", "K100000."});
+}
+
+// Whether the section is about programs under G43.4 and G43.5.
+bool controls_the_tip(std::string_view section) {
+  return section == "fanuc/tool-center-point-control" || section == "fanuc/tool-posture-control";
+}
+
 }  // namespace
 
 // One choice a statement: the order in which arguments are evaluated differs between compilers.
 std::string any_word(Choices& choose, const spec::Setup& setup, std::string_view section) {
   if (section == "fanuc/tool-side-compensation" && choose.chance(25)) return tool_side_word(choose);
+  if (controls_the_tip(section) && choose.chance(40)) return tip_control_word(choose);
   switch (choose.weighted({30, 30, 12, 10, 8, 10})) {
     case 0:
       return fmt::format("G{}", choose.one_of({"00",   "01", "02",   "03",   "04", "10", "17", "18", "19", "20", "21",

@@ -1,0 +1,3 @@
+#include "fuzz/targets/twin.h"
+
+TOOLCOMP_TWIN_TARGET("fanuc/tool-posture-control", toolcomp::fuzz::Mode::unrestricted)
