@@ -57,16 +57,22 @@ const std::vector<std::string> kMachines{kHC,
                                          machine(2, 'C', 3, 'B', 5, "19688 = 60\n"),
                                          machine(12, 'B', 6, 'C', 3, "19683 = 30\n19699 = 10\n")};
 
+// 15 significant digits, as the sheet prints them.
+std::string text(const Real& x) {
+  constexpr std::size_t digits = 15;
+  const std::string value = x.decimal(digits);
+  const std::size_t whole = value.substr(0, value.find('.')).size() - (value.front() == '-' ? 1 : 0);
+  return x.decimal(static_cast<int>(digits - whole + (value.find_first_of("123456789") > value.find('.') ? 1 : 0)));
+}
+
 // A pair (first axis, second axis) as text.
-std::string text(const Machine& of, const Pose& pose, int digits = 13) {
+std::string text(const Machine& of, const Pose& pose) {
   const bool tool_first = of.type() != MachineType::head;
   const Angle& first = tool_first ? pose.tool : pose.work;
   const Angle& second = tool_first ? pose.work : pose.tool;
-  return first.degrees().decimal(digits) + " " + second.degrees().decimal(digits);
+  return text(first.degrees()) + " " + text(second.degrees());
 }
-std::string text(const Vector& v, int digits = 13) {
-  return v.x.decimal(digits) + " " + v.y.decimal(digits) + " " + v.z.decimal(digits);
-}
+std::string text(const Vector& v) { return text(v.x) + " " + text(v.y) + " " + text(v.z); }
 
 Pose basic(const Pose& pose) { return {pose.tool.basic(), pose.work.basic()}; }
 
@@ -76,13 +82,13 @@ Pose pose(const Machine& of, const Angle& first, const Angle& second) {
 }
 
 // The pairs of a direction in [0, 360), the lesser position of the first axis first, or the alarm.
-std::string pairs(const std::string& parameters, const Vector& direction, int digits = 12) {
+std::string pairs(const std::string& parameters, const Vector& direction) {
   const Machine of(setup(parameters));
   Recorder recorder;
   try {
     std::vector<std::string> all;
     const Solutions solutions = inverse(of, recorder, Direction::of(direction));
-    for (const Solution& solution : solutions) all.push_back(text(of, basic(solution.pose), digits));
+    for (const Solution& solution : solutions) all.push_back(text(of, basic(solution.pose)));
     if (solutions.work_free) all.emplace_back("singular");
     std::string result;
     for (const std::string& pair : all) result += (result.empty() ? "" : ", ") + pair;
@@ -94,22 +100,22 @@ std::string pairs(const std::string& parameters, const Vector& direction, int di
 
 TEST(Inverse, PairsOfEveryMachineOfExample1) {
   // The order of the pairs is that of the branches.
-  EXPECT_EQ(pairs(kHC, {-1, 1, 2}), "135 35.264389682755, 315 324.735610317245");
-  EXPECT_EQ(pairs(machine(2, 'C', 3, 'A', 1), {-1, 1, 2}), "225 35.264389682755, 45 324.735610317245");
-  EXPECT_EQ(pairs(kTAC, {1, 2, 3}), "36.69922520049 153.434948822922, 323.30077479951 333.434948822922");
+  EXPECT_EQ(pairs(kHC, {-1, 1, 2}), "135 35.2643896827547, 315 324.735610317245");
+  EXPECT_EQ(pairs(machine(2, 'C', 3, 'A', 1), {-1, 1, 2}), "225 35.2643896827547, 45 324.735610317245");
+  EXPECT_EQ(pairs(kTAC, {1, 2, 3}), "36.6992252004899 153.434948822922, 323.30077479951 333.434948822922");
   EXPECT_EQ(pairs(machine(12, 'B', 2, 'C', 3), {1, 2, 3}),
-            "36.69922520049 63.434948822922, 323.30077479951 243.434948822922");
-  EXPECT_EQ(pairs(kMBC, {1, 2, 3}), "36.69922520049 63.434948822922, 323.30077479951 243.434948822922");
+            "36.6992252004899 63.434948822922, 323.30077479951 243.434948822922");
+  EXPECT_EQ(pairs(kMBC, {1, 2, 3}), "36.6992252004899 63.434948822922, 323.30077479951 243.434948822922");
   EXPECT_EQ(pairs(machine(21, 'A', 1, 'C', 3), {1, 2, 3}),
-            "36.69922520049 153.434948822922, 323.30077479951 333.434948822922");
+            "36.6992252004899 153.434948822922, 323.30077479951 333.434948822922");
   EXPECT_EQ(pairs(machine(2, 'A', 1, 'B', 2), {1, 2, 3}),
             "146.30993247402 164.498640433063, 326.30993247402 15.501359566937");
   EXPECT_EQ(pairs(machine(12, 'A', 1, 'B', 2), {1, 2, 3}),
             "327.688466762576 18.434948822922, 212.311533237424 198.434948822922");
   EXPECT_EQ(pairs(machine(21, 'A', 1, 'B', 2), {1, 2, 3}),
             "327.688466762576 18.434948822922, 212.311533237424 198.434948822922");
-  EXPECT_EQ(pairs(kN45, {1, 1, 1}), "13.826047803853 81.100571120189, 256.173952196147 278.899428879811");
-  EXPECT_EQ(pairs(kT45, {1, 2, 3}), "52.874172916723 44.064216956783, 307.125827083277 262.805680689061");
+  EXPECT_EQ(pairs(kN45, {1, 1, 1}), "13.8260478038529 81.1005711201888, 256.173952196147 278.899428879811");
+  EXPECT_EQ(pairs(kT45, {1, 2, 3}), "52.8741729167231 44.0642169567833, 307.125827083277 262.805680689061");
 }
 
 TEST(Inverse, EdgeOfReachUnreachableAndSingular) {
@@ -151,7 +157,8 @@ TEST(SingularPostures, ExistByTheInclinations) {
   // Section 7.1 of the sheet.
   const auto positions = [](const std::string& parameters) {
     std::string result;
-    for (const SingularPosture& posture : Machine(setup(parameters)).singular_postures())
+    const Machine of(setup(parameters));
+    for (const SingularPosture& posture : of.singular_postures())
       result += (result.empty() ? "" : ", ") + text(posture.direction) + ": " + posture.tool.degrees().decimal(9);
     return result;
   };
@@ -168,14 +175,13 @@ TEST(SingularPostures, ExistByTheInclinations) {
 }
 
 // The pair taken from positions of the first and the second axis.
-std::string chosen(const std::string& parameters, const Angle& first, const Angle& second, const Vector& direction,
-                   int digits = 12) {
+std::string chosen(const std::string& parameters, const Angle& first, const Angle& second, const Vector& direction) {
   const spec::Setup with = setup(parameters);
   const Machine of(with);
   Recorder recorder;
   const PairChoice choice(with, of, recorder);
   try {
-    return text(of, choice.choose(Direction::of(direction), pose(of, first, second)).pose, digits);
+    return text(of, choice.choose(Direction::of(direction), pose(of, first, second)).pose);
   } catch (const Alarm& alarm) {
     return std::string(alarm.number.view());
   }
@@ -183,12 +189,12 @@ std::string chosen(const std::string& parameters, const Angle& first, const Angl
 
 TEST(PairChoice, Example2) {
   const Vector v{-1, 1, 2};
-  EXPECT_EQ(chosen(kHC, 0, 0, v), "-45 -35.264389682755");
-  EXPECT_EQ(chosen(kHC, 100, 0, v), "135 35.264389682755");
-  EXPECT_EQ(chosen(kHC, 350, 0, v), "315 -35.264389682755");
-  EXPECT_EQ(chosen(kHC, 45, 0, v), "-45 -35.264389682755");
+  EXPECT_EQ(chosen(kHC, 0, 0, v), "-45 -35.2643896827547");
+  EXPECT_EQ(chosen(kHC, 100, 0, v), "135 35.2643896827547");
+  EXPECT_EQ(chosen(kHC, 350, 0, v), "315 -35.2643896827547");
+  EXPECT_EQ(chosen(kHC, 45, 0, v), "-45 -35.2643896827547");
   EXPECT_EQ(chosen(kHC, 0, 0, {0, 1, 1}), "90 45");
-  EXPECT_EQ(chosen(kTAC, 0, 0, v), "-35.264389682755 45");
+  EXPECT_EQ(chosen(kTAC, 0, 0, v), "-35.2643896827547 45");
   EXPECT_EQ(chosen(kTAC + "19741 = 30\n19742 = -30\n", 0, 0, v), "PS5459");
   // V of the mixed machine at B 30, C 170, and of the table at A 30, C 170.
   const Machine mixed(setup(kMBC));
@@ -265,10 +271,10 @@ TEST(ControlPoint, TableWithOffsetsOfExample9) {
   };
   EXPECT_EQ(tip({20, -20, 0}, at({-1, 1, 2}, 45)), "-10.6066017177982 -82.314902372249 -11.2360410931352");
   EXPECT_EQ(tip({20, 0, 0}, at({-1, 0, 2}, 90)), "-20 -49.1934955049954 9.5673308974897");
-  EXPECT_EQ(tip({20, 20, 0}, at({-1, -1, 2}, 135)), "-17.6776695296637 -59.220891604664 5.0938905254193");
+  EXPECT_EQ(tip({20, 20, 0}, at({-1, -1, 2}, 135)), "-17.6776695296637 -59.220891604664 5.09389052541932");
   EXPECT_EQ(control({20, -20, 0}, at({-1, 1, 2}, 45)), "-10.6066017177982 -82.314902372249 88.7639589068648");
-  EXPECT_EQ(control({20, 0, 0}, at({-1, 0, 2}, 90)), "-20 -49.1934955049954 109.5673308974897");
-  EXPECT_EQ(control({20, 20, 0}, at({-1, -1, 2}, 135)), "-17.6776695296637 -59.220891604664 105.0938905254193");
+  EXPECT_EQ(control({20, 0, 0}, at({-1, 0, 2}, 90)), "-20 -49.1934955049954 109.56733089749");
+  EXPECT_EQ(control({20, 20, 0}, at({-1, -1, 2}, 135)), "-17.6776695296637 -59.220891604664 105.093890525419");
 }
 
 TEST(ControlPoint, FrozenFrameOfExample9) {
@@ -277,8 +283,8 @@ TEST(ControlPoint, FrozenFrameOfExample9) {
   const Pose now = pose(of, -35, 10);
   EXPECT_EQ(text(Vector{5, 10, 20} + frame.in_workpiece({20, -20, 5}, now)),
             "67.5977865158401 -84.213831437203 -19.7483455042551");
-  EXPECT_EQ(text(frame.from_table(of.direction(now)), 15), "0.328989928337166 0.72167761037298 0.609054228898422");
-  EXPECT_EQ(text(frame.from_table({0, 0, 1}), 15), "0 0.342020143325669 0.939692620785908");
+  EXPECT_EQ(text(frame.from_table(of.direction(now))), "0.328989928337166 0.72167761037298 0.609054228898422");
+  EXPECT_EQ(text(frame.from_table({0, 0, 1})), "0 0.342020143325669 0.939692620785908");
   EXPECT_TRUE(frame.to_table(frame.from_table(of.direction(now))) == of.direction(now));
   EXPECT_TRUE(frame.of_workpiece(frame.in_workpiece({20, -20, 5}, now), now) == (Vector{20, -20, 5}));
 }
@@ -288,14 +294,14 @@ TEST(ControlPoint, HeadOffsetsOfExample11) {
   Recorder recorder;
   const PairChoice choice(setup(kHC), plain, recorder);
   const Pose at = choice.choose(Direction::of({-1, 1, 2}), pose(plain, 0, 0)).pose;
-  EXPECT_EQ(text(plain, at, 12), "-45 -35.264389682755");
+  EXPECT_EQ(text(plain, at), "-45 -35.2643896827547");
   const auto control = [&](const std::string& offsets) {
     const Machine of(setup(kHC + offsets));
     const ProgrammingFrame frame(of, pose(of, 0, 0), {7, 8, 9});
-    return text(frame.control_point({20, -20, 0}, at, 130), 12);
+    return text(frame.control_point({20, -20, 0}, at, 130));
   };
-  EXPECT_EQ(control(""), "-33.072277760302 33.072277760302 106.144555520604");
-  EXPECT_EQ(control("19711 = 40\n"), "-49.402209378857 49.402209378857 138.804418757713");
+  EXPECT_EQ(control(""), "-33.0722777603022 33.0722777603022 106.144555520604");
+  EXPECT_EQ(control("19711 = 40\n"), "-49.4022093788567 49.4022093788567 138.804418757713");
   EXPECT_EQ(control("19711 = 40\n19712 = 25\n19714 = 60\n"), "-31.724539849193 31.724539849193 198.804418757713");
 }
 
@@ -303,7 +309,7 @@ TEST(Inverse, LeanedDirectionOfExample11) {
   // Q 3 leans (-1, 1, 2) toward +Y.
   const Vector v{Rational("-398133605769323/1000000000000000"), Rational("45546477337505/100000000000000"),
                  Rational("796267211538646/1000000000000000")};
-  EXPECT_EQ(pairs(kHC, v, 10), "131.1575513367 37.2248886695, 311.1575513367 322.7751113305");
+  EXPECT_EQ(pairs(kHC, v), "131.157551336705 37.2248886695106, 311.157551336705 322.775111330489");
   // Q 2 leans +Z toward +X: a whole number of degrees, and known as such.
   const Machine of(setup(kHC));
   Recorder recorder;
