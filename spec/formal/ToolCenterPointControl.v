@@ -448,7 +448,8 @@ Proof.
 Qed.
 
 Example forward_of_inverse_instance :
-  V ey ez ez (inverse_tau (-1) ey ez ez (Vec 0 (3/5) (4/5))) (inverse_omega (-1) ey ez ez (Vec 0 (3/5) (4/5))) = Vec 0 (3/5) (4/5).
+  V ey ez ez (inverse_tau (-1) ey ez ez (Vec 0 (3/5) (4/5)))
+    (inverse_omega (-1) ey ez ez (Vec 0 (3/5) (4/5))) = Vec 0 (3/5) (4/5).
 Proof.
   apply forward_of_inverse; rewrite ?rho_BC; try (numbers; lra).
   unfold C, along; numbers. apply Rabs_le; lra.
