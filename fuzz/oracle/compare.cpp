@@ -279,7 +279,8 @@ Rules::Rules(const spec::Setup& setup, std::string_view section, const JudgeOpti
 }
 
 bool Rules::is_near_tie(const model::Decision& decision, double band) const {
-  if (margin(decision) > band) return false;
+  const bool square = resolution_ == 0 && policy::is_square(decision.clause);
+  if (margin(decision) > (square ? band * band : band)) return false;
   if (resolution_ > 0 || !policy::compares_exactly(decision.clause)) return true;
   if (!decision.quantity.is_rational() || decision.quantity.rational() != 0 || !decision.scale.is_rational())
     return true;

@@ -173,12 +173,15 @@ class Judge {
   std::vector<std::size_t> near_ties(const ModelRun& run, const Forced& forced) const {
     std::vector<std::size_t> result;
     const auto& decisions = run.recorder.decisions();
+    const PositionErrors positions(case_.setup, run.events);
     for (std::size_t i = 0; i < decisions.size(); ++i) {
       if (forced.contains(i)) continue;
-      const double band = rules_.resolution() > 0
-                              ? policy::controller_band(rules_.resolution(),
-                                                        shortest_move(run.events, case_.setup.axes, decisions[i].line))
-                              : policy::kDoubleBand;
+      double band = rules_.resolution() > 0
+                        ? policy::controller_band(rules_.resolution(),
+                                                  shortest_move(run.events, case_.setup.axes, decisions[i].line))
+                        : policy::kDoubleBand;
+      if (policy::compares_positions(decisions[i].clause))
+        band = std::max(band, std::min(band * positions.at(decisions[i].line), policy::kWidestBand));
       if (rules_.is_near_tie(decisions[i], band)) result.push_back(i);
     }
     return result;

@@ -24,6 +24,8 @@
 //   a decision by sign                            as the exact sign; the other outcomes are permitted where
 //                                                 |quantity| <= band · scale and the model yields finite vectors for
 //                                                 them
+//   … of rotary positions                         … |quantity| <= band · scale · the larger error of the positions
+//   … whose quantity is a square                  … |quantity| <= band² · scale
 //   … where a clause compares sums of decimals    an exact tie goes as the clause says: no outcome but that one
 //   (kExactComparisons)                           (numbers finer than a controller's resolution excepted)
 //
@@ -123,6 +125,41 @@ inline constexpr spec::Clause kExactComparisons[] = {
 constexpr bool compares_exactly(spec::Clause clause) {
   return std::find(std::begin(kExactComparisons), std::end(kExactComparisons), clause) != std::end(kExactComparisons);
 }
+
+// Clauses whose quantity is the square of a distance, of a sine: what is off by a share of the scale is off by the
+// square of that share.
+inline constexpr spec::Clause kSquares[] = {
+    spec::Clause::fanuc_tool_center_point_lean_along_the_travel,
+    spec::Clause::fanuc_tool_center_point_parallel_to_the_work_side,
+    spec::Clause::fanuc_tool_posture_no_plane,
+    spec::Clause::fanuc_tool_posture_at_start,
+    spec::Clause::fanuc_tool_posture_at_end,
+};
+
+constexpr bool is_square(spec::Clause clause) {
+  return std::find(std::begin(kSquares), std::end(kSquares), clause) != std::end(kSquares);
+}
+
+// Clauses that compare rotary positions: those out of inverse kinematics are off by more than an ulp near singular
+// postures and edges of reach.
+inline constexpr spec::Clause kPositions[] = {
+    spec::Clause::fanuc_tool_center_point_choice_first_move,
+    spec::Clause::fanuc_tool_center_point_choice_second_move,
+    spec::Clause::fanuc_tool_center_point_choice_first_near_zero,
+    spec::Clause::fanuc_tool_center_point_choice_second_near_zero,
+    spec::Clause::fanuc_tool_center_point_range,
+    spec::Clause::fanuc_tool_posture_pre_turn,
+    spec::Clause::fanuc_tool_posture_post_turn,
+    spec::Clause::fanuc_tool_posture_branch,
+    spec::Clause::fanuc_tool_posture_veto,
+};
+
+constexpr bool compares_positions(spec::Clause clause) {
+  return std::find(std::begin(kPositions), std::end(kPositions), clause) != std::end(kPositions);
+}
+
+// No decision is a near tie for its position alone beyond this band.
+inline constexpr double kWidestBand = 0x1p-12;
 
 // A clause asked of one axis of the plane after the other, where nothing shows before both answers are known: near ties
 // of both axes are tried together.

@@ -14,7 +14,6 @@ namespace {
 constexpr double kDegreesPerRadian = 57.29577951308232;
 
 double norm(const Space& a) { return std::hypot(a[0], a[1], a[2]); }
-double scalar(const Space& a, const Space& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Space product(const Space& a, const Space& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -167,6 +166,28 @@ PoseScale PoseErrors::scale(const Pose& pose, double length) const {
     s.direction += pose.work_error + pose.tool_error;
   }
   return s;
+}
+
+PositionErrors::PositionErrors(const spec::Setup& setup, std::span<const model::Event> events) {
+  const std::optional<RotaryMachine> machine = RotaryMachine::of(setup);
+  if (!machine || machine->tool == spec::Axes::kNone) return;
+  double before = 1;
+  for (const model::Event& event : events) {
+    if (!moves(event) || !event.axes.has(machine->tool)) continue;
+    const Posture posture(*machine, approximate(event.axes[machine->tool]));
+    const double e = policy::ulp(1);
+    const double now = posture.singular ? 1 : std::max(posture.tool_error(e), posture.work_error(e)) / e;
+    double& worst = of_line_.try_emplace(event.line, before).first->second;
+    worst = std::max(worst, now);
+    before = now;
+  }
+  // An alarm ends the run in a block of which no move is given.
+  if (!events.empty()) of_line_.try_emplace(events.back().line, before);
+}
+
+double PositionErrors::at(std::uint64_t line) const {
+  const auto found = of_line_.find(line);
+  return found == of_line_.end() ? 1 : found->second;
 }
 
 PoseScale PoseErrors::next(std::span<const model::Event> window, double length) {

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -73,6 +75,18 @@ class PoseErrors {
   double frozen_ = 0;    // error of the pose of the programming coordinate system, radians
   double last_ = 0;      // control_point of the move before
   double carried_ = 0;   // what programmed positions have of it
+};
+
+// How many ulps the rotary positions at the ends of a line are off at most, and at the end of the line before: what a
+// decision on them is off by.
+class PositionErrors {
+ public:
+  PositionErrors(const spec::Setup& setup, std::span<const model::Event> events);
+  // 1 where nothing is known.
+  [[nodiscard]] double at(std::uint64_t line) const;
+
+ private:
+  std::map<std::uint64_t, double> of_line_;
 };
 
 }  // namespace toolcomp::fuzz
