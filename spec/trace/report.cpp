@@ -226,13 +226,13 @@ std::string list_sections(ReportFormat format) {
     }
     return json.close(']').take();
   }
-  std::string out = fmt::format("{:<28} {:>9}", "section", "clauses");
+  std::string out = fmt::format("{:<32} {:>9}", "section", "clauses");
   for (const std::string_view kind : kKinds) out += fmt::format(" {:>9}", kind);
   out += '\n';
   for (const std::string_view section : sections) {
     std::uint64_t sum = 0;
     for (const std::uint64_t count : kinds[section]) sum += count;
-    out += fmt::format("{:<28} {:>9}", section, sum);
+    out += fmt::format("{:<32} {:>9}", section, sum);
     for (const std::uint64_t count : kinds[section]) out += fmt::format(" {:>9}", count);
     out += '\n';
   }
