@@ -22,7 +22,7 @@ spec::Decimal angle_limit(const spec::Setup& setup) {
 LeadingEdgeOffset::LeadingEdgeOffset(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink)
     : kinematics_(kinematics),
       compensation_(angle_limit(setup)),
-      sink_(sink),
+      sink_(&sink),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')} {}
 
 void LeadingEdgeOffset::take_free() {
@@ -46,7 +46,7 @@ void LeadingEdgeOffset::send(Move& move, const Eigen::Vector3d& vector) {
       event.axes.value[axis] += vector[static_cast<Eigen::Index>(i)];
       event.machine.value[axis] += vector[static_cast<Eigen::Index>(i)];  // read only where present
     }
-  sink_.on(event);
+  sink_->on(event);
 }
 
 void LeadingEdgeOffset::send_held() {

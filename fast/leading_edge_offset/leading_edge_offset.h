@@ -28,6 +28,8 @@ struct Move {
 class LeadingEdgeOffset {
  public:
   LeadingEdgeOffset(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink);
+  // Where the moves go from here on. The stage holds none.
+  void set_sink(EventSink& sink) { sink_ = &sink; }
 
   [[nodiscard]] bool active() const { return active_; }
   // The move to fill in next. It keeps what it held before: write every field.
@@ -63,7 +65,7 @@ class LeadingEdgeOffset {
 
   const Kinematics& kinematics_;
   CompensationVector compensation_;
-  EventSink& sink_;
+  EventSink* sink_;
   std::array<std::size_t, 3> xyz_;
 
   std::array<Move, 3> ring_;

@@ -39,6 +39,14 @@ inline constexpr Alarm kLeadingEdgeFormat{"PS5406", "movement or stop in the G41
 inline constexpr Alarm kLeadingEdgeCommand{"PS5407", "command not possible in G41.3, or no movement after it"};
 inline constexpr Alarm kLeadingEdgeStart{"PS5408", "G41.3 cannot start here"};
 inline constexpr Alarm kToolDirection{"PS5421", "rotary word or zero direction under G43.5"};
+inline constexpr Alarm kTipControlWord{"PS5421", "P of G43.4 or G43.5 must be 0 or 1"};
+inline constexpr Alarm kDirectionAtStart{"PS5421", "I J K in the G43.5 block on a machine with a table axis"};
+inline constexpr Alarm kTipControlArc{"PS5421", "arc under G43.5 without R, or rotation alone in an arc"};
+inline constexpr Alarm kTableTurnedInArc{"PS5421", "a table axis not normal to the plane of the arc has turned"};
+inline constexpr Alarm kSingularPosture{"PS5421", "the end posture cannot be changed near a singular posture"};
+inline constexpr Alarm kTipControl{"PS5459", "G43.4 or G43.5 is not possible on this machine"};
+inline constexpr Alarm kRotaryLimits{"PS5459", "a lower limit of a rotary axis is above the upper one"};
+inline constexpr Alarm kUnreachable{"PS5459", "the tool direction cannot be reached in the range of the rotary axes"};
 inline constexpr Alarm kRotaryWord{"PS5460", "rotary word under G43.5 in tool side compensation"};
 inline constexpr Alarm kForbiddenInCompensation{"FORBIDDEN_IN_3D_COMPENSATION",
                                                 "command not allowed in the G41.2, G42.2 or G41.3 mode"};
@@ -51,11 +59,16 @@ inline constexpr Alarm kForbiddenInCutterCompensation{"FORBIDDEN_IN_CUTTER_COMPE
                                                       "command not allowed in cutter compensation"};
 inline constexpr Alarm kDirectionChangeAtStart{"DIR_CHANGE_AT_STARTUP",
                                                "change of side in the start-up block or the one after it"};
-inline constexpr Alarm kForbiddenUnderDirection{"FORBIDDEN_UNDER_TOOL_DIRECTION", "command not allowed under G43.5"};
-inline constexpr Alarm kLengthExclusion{"LENGTH_OFFSET_EXCLUSION", "length offset and G43.5 exclude each other"};
-inline constexpr Alarm kDirectionFormat{"TOOL_DIRECTION_FORMAT", "G43.5, or its G49, where it may not stand"};
-inline constexpr Alarm kLeanAngle{"LEAN_ANGLE_NOT_BUILT", "Q under G43.5 is not supported"};
-inline constexpr Alarm kKinematics{"KINEMATICS_NOT_BUILT", "G43.5 is not supported for this machine"};
+inline constexpr Alarm kForbiddenUnderDirection{"FORBIDDEN_UNDER_TOOL_DIRECTION",
+                                                "command not allowed under G43.4 or G43.5"};
+inline constexpr Alarm kLengthExclusion{"LENGTH_OFFSET_EXCLUSION",
+                                        "length offset and G43.4 or G43.5 exclude each other"};
+inline constexpr Alarm kDirectionFormat{"TOOL_DIRECTION_FORMAT", "G43.4 or G43.5, or its G49, where it may not stand"};
+inline constexpr Alarm kCompensationInWorkpiece{
+    "COMPENSATION_IN_WORKPIECE_SYSTEM",
+    "three-dimensional compensation with 19696#5 = 1 on a machine with a table axis"};
+inline constexpr Alarm kArcWithTableTurned{"ARC_WITH_TABLE_TURNED",
+                                           "an arc with 19696#5 = 1 while a table axis turns or has turned"};
 inline constexpr Alarm kMeasurementFormat{"MEASUREMENT_FORMAT", "G43, G44 or G49 in the block with G37"};
 inline constexpr Alarm kMeasurementParameters{"MEASUREMENT_PARAMETERS", "6241, 6251 and 6254 do not fit"};
 inline constexpr Alarm kToolOffsetLength{"G45_LENGTH_OFFSET",

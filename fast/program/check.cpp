@@ -27,8 +27,9 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
 
   plan.motion = words.code(Words::kMotion) == kNone ? motion_ : words.code(Words::kMotion);
   const Code length = words.code(Words::kLength);
-  plan.along = length == 435 || (along_tool() && length != 490);
-  plan.ends_along = along_tool() && length == 490;
+  plan.along = words.starts_tip_control() || (along_tool() && length != 490);
+  plan.vector = length == 435 || (by_vector_ && length != 434 && length != 490);
+  plan.ends_along = along_tool() && (length == 490 || words.starts_tip_control());
   const bool active = leading_edge_.active();
   // G41 and G42 do not end leading edge offset, they are forbidden in it; with number 0 it ends.
   plan.cutter = cutter_code || one_shot == 390 || cutter_active();
@@ -43,8 +44,8 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
   plan.side_before = tool_side_on();
   plan.side_after = side != CutterSide::off && commanded_number(words).value_or(cutter_number_).number != 0;
 
-  if (length == 435 || along_tool())
-    if (const Alarm a = check_tool_direction(words, plan)) return a;
+  if (words.starts_tip_control() || along_tool())
+    if (const Alarm a = check_tip_control(words, plan)) return a;
   if (active || code == 413)
     if (const Alarm a = check_leading_edge(words, plan)) return a;
   if (plan.side_before || plan.side_after || is_tool_side(code))
@@ -68,34 +69,10 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
   return alarm::kNone;
 }
 
-Alarm Interpreter::check_tool_direction(const Words& words, const Plan& plan) const {
-  const Code length = words.code(Words::kLength);
-  const Code one_shot = words.code(Words::kOneShot);
-  const bool ijk = words.has_any(kDirectionLetters);
-  const bool forbidden = one_shot != kNone && one_shot != 40 && one_shot != 100;
-  const bool cutter = words.code(Words::kCompensation) == 410 || words.code(Words::kCompensation) == 420;
-  if (plan.along && (forbidden || cutter || words.code(Words::kWorkpiece) != kNone))
-    return alarm::kForbiddenUnderDirection;
-  if (along_tool() && (length == 430 || length == 440)) return alarm::kLengthExclusion;
-  if (length == 435 && length_.live() != 0) return alarm::kLengthExclusion;
-  if (length == 435 && (kinematics_.type() == 12 || kinematics_.type() == 21 || head_offsets_))
-    return alarm::kKinematics;
-  const bool side = plan.side_before || plan.side_after;
-  if (plan.along && words.has('Q') && (length == 435 || !plan.side_after)) return alarm::kLeanAngle;
-  if ((length == 435 || plan.ends_along) &&
-      (leading_edge_.active() || plan.compensation == Compensation::starts || side))
-    return alarm::kDirectionFormat;
-  if (plan.along && plan.motion > 10 && (length == 435 || ijk)) return alarm::kDirectionFormat;
-  if (plan.along && (words.axes() & rotary_) != 0) return side ? alarm::kRotaryWord : alarm::kToolDirection;
-  const auto zero = [&](char letter) { return !words.has(letter) || words[letter].is_zero(); };
-  if (plan.along && ijk && zero('I') && zero('J') && zero('K')) return alarm::kToolDirection;
-  return alarm::kNone;
-}
-
 Alarm Interpreter::check_leading_edge(const Words& words, const Plan& plan) const {
   const bool active = leading_edge_.active();
   const bool code = words.code(Words::kCompensation) == 413;
-  const bool moves = words.axes() != 0 || (plan.along && words.has_any(kDirectionLetters));
+  const bool moves = words.axes() != 0 || (plan.vector && words.has_any(kDirectionLetters));
   // The format of a G41.3 block counts where it starts nothing too: with D0, or in the mode.
   if (code && (moves || words.suppresses_look_ahead())) return alarm::kLeadingEdgeFormat;
   if (plan.compensation == Compensation::cancels && moves) return alarm::kLeadingEdgeFormat;
@@ -119,16 +96,16 @@ Alarm Interpreter::check_tool_side(const Words& words, const Plan& plan) const {
   const spec::Plane selected = plane == kNone ? plane_ : plane_of(plane);
   const bool before = plan.side_before;
   const bool after = plan.side_after;
-  if (is_tool_side(code) && (code == 412 || code == 422) == plan.along) return alarm::kToolSideMode;
+  if (is_tool_side(code) && (code == 412 || code == 422) == plan.vector) return alarm::kToolSideMode;
   if (before && selected != plane_) return alarm::kPlaneChange;
 
   const bool letters = words.has_any(kDirectionLetters);
-  const bool moves = words.axes() != 0 || (plan.along && letters);
+  const bool moves = words.axes() != 0 || (plan.vector && letters);
   Mask in_plane = 0;
   for (const std::size_t axis : plane_axes(selected))
     if (axis != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(axis));
   const bool arc = plan.motion > 10 && words.code(Words::kOneShot) == kNone &&
-                   ((words.axes() & in_plane) != 0 || words.has('R') || letters);
+                   ((words.axes() & in_plane) != 0 || words.has('R') || (letters && !plan.vector));
   if (after && (words.code(Words::kWorkpiece) != kNone || words.code(Words::kUnits) != kNone ||
                 ((moves || arc) && words.has_any(kAuxiliaryLetters))))
     return alarm::kForbiddenInCompensation;
@@ -163,7 +140,7 @@ Alarm Interpreter::check_cutter(const Words& words, const Plan& plan) const {
   const std::array<std::size_t, 2> axis = plane_axes(selected);
   if (in_force && (axis[0] == spec::Axes::kNone || axis[1] == spec::Axes::kNone)) return alarm::kPlaneAxis;
   if (on && selected != plane_) return alarm::kPlaneChange;
-  if ((on && (code == 413 || is_tool_side(code))) || ((on || in_force) && words.code(Words::kLength) == 435))
+  if ((on && (code == 413 || is_tool_side(code))) || ((on || in_force) && words.starts_tip_control()))
     return alarm::kForbiddenInCutterCompensation;
   if (words.is_tool_offset() && (on || cutter_wanted(words))) return alarm::kToolOffsetInCutter;
 

@@ -14,8 +14,9 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
       inch_setup_(setup.units == spec::Units::inch),
       counts_increments_(!setup.bit(3401, 0, true)),
       increment_places_(2 + static_cast<int>(setup.increment)),
-      samples_(samples),
       kinematics_(setup),
+      machine_(setup, kinematics_),
+      posture_(setup, machine_),
       memory_(setup),
       length_(setup),
       tool_offset_(setup),
@@ -26,6 +27,7 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
       cutter_b_(setup, sink),
       cutter_c_(setup, sink),
       tool_side_(setup, kinematics_, sink),
+      tip_(setup, machine_, sink, samples),
       inch_program_(inch_setup_),
       plain_words_(!counts_increments_),
       ofh_(setup.bit(5001, 2)),
@@ -44,8 +46,7 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
   for (const auto& [number, table] : setup.reference)
     if (number >= 1 && number <= 4) read_positions(table, "reference", reference_[static_cast<std::size_t>(number)]);
   read_positions(setup.position, "position", programmed_);
-  for (const std::uint32_t number : {19666U, 19709U, 19710U, 19711U, 19712U, 19713U, 19714U})
-    if (const auto value = setup.parameter(number); value && !value->is_zero()) head_offsets_ = true;
+  holder_offset_ = machine_.holder_offset();
   for (std::size_t axis = 0; axis < count_; ++axis)
     if (place(axis, programmed_[axis])) throw spec::InputError("setup", 0, 0, "position: out of range");
   if (kinematics_.defined()) turn();
@@ -144,8 +145,18 @@ Alarm Interpreter::run(const Words& words) {
     const Code motion_after = code == kNone ? motion_ : code;
     const bool straight = motion_after <= 10 && !words.has_any(kArcLetters);
     if (along_tool()) {
-      if (tool_side_on() && motion_after <= 10 && (words.axes() & rotary_) == 0 && !takes_edited_value() &&
-          names_direction(words)) {
+      if (tip_.active()) {
+        if (motion_after <= 10 && !takes_edited_value()) {
+          const bool usual =
+              by_vector_ ? (words.axes() & rotary_) == 0 && names_direction(words) : !words.has_any(kArcLetters);
+          if (usual) {
+            motion_ = motion_after;
+            set_feed(words);
+            return tip_move(words);
+          }
+        }
+      } else if (tool_side_on() && motion_after <= 10 && (words.axes() & rotary_) == 0 && !takes_edited_value() &&
+                 names_direction(words)) {
         motion_ = motion_after;
         set_feed(words);
         return tool_side_move(words);
@@ -189,7 +200,14 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
     plain_words_ = !counts_increments_ && inch_program_ == inch_setup_;
   }
   set_feed(words);
-  if (plan.ends_along) end_tool_direction();
+  if (plan.ends_along) {
+    if (tip_.active())
+      end_tip_control(plan.along);
+    else
+      end_tool_direction(plan.along);
+  }
+  by_vector_ = plan.vector;
+  arc_letters_ = plan.vector ? Words::set_of("R") : kArcLetters;
   if (const Code code = words.code(Words::kWorkpiece); code != kNone) {
     select_workpiece(code);
     if (plan.cutter) rename_in_cutter();
@@ -210,11 +228,21 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   if (const Alarm a = length_.restore(words, memory_)) return a;
   if (const Alarm a = length_.apply(words, memory_, normal_axis())) return a;
   if (length_.changed()) stale_ = all_;
-  // G43.5 always makes its move; the G49 that ends it makes none.
+  // G43.4 and G43.5 always make their move; the G49 that ends them makes none.
   const bool extra =
-      words.code(Words::kLength) == 435 || (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
+      words.starts_tip_control() || (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
   direction_before_ = direction_;
-  if (plan.along) direct(words);
+  starts_tip_ = words.starts_tip_control() && machine_.defined();
+  if (plan.along) {
+    samples_block_ = !words.starts_tip_control() && plan.compensation != Compensation::starts &&
+                     plan.compensation != Compensation::cancels &&
+                     (tool_side_.type() != StartType::c || plan.side_before == plan.side_after);
+    if (starts_tip_)
+      tip_.start();
+    else if (!tip_.active())
+      direct(words);
+    if (words.starts_tip_control() && !machine_.defined() && tip_.samples()) send_to(tip_);
+  }
 
   d_ = plan.d;
   if (plan.compensation == Compensation::starts || (plan.compensation == Compensation::stays && words.has('D')))

@@ -11,15 +11,18 @@
 #include "fast/engine.h"
 #include "fast/fault.h"
 #include "fast/kinematics/kinematics.h"
+#include "fast/kinematics/machine.h"
 #include "fast/leading_edge_offset/leading_edge_offset.h"
 #include "fast/program/alarm.h"
 #include "fast/program/arc.h"
 #include "fast/program/cutter_block.h"
 #include "fast/program/words.h"
+#include "fast/tool_center_point_control/tool_center_point_control.h"
 #include "fast/tool_length_measurement/tool_length_measurement.h"
 #include "fast/tool_length_offset/offset_memory.h"
 #include "fast/tool_length_offset/tool_length_offset.h"
 #include "fast/tool_offset/tool_offset.h"
+#include "fast/tool_posture_control/posture.h"
 #include "fast/tool_side_compensation/tool_side_compensation.h"
 #include "spec/language/block.h"
 #include "spec/language/setup.h"
@@ -55,8 +58,9 @@ class Interpreter {
     Compensation compensation = Compensation::off;
     std::uint32_t d = 0;
     Code motion = 0;
-    bool along = false;        // G43.5 is in force after the block
-    bool ends_along = false;   // G49 ends it
+    bool along = false;        // G43.4 or G43.5 is in force after the block
+    bool vector = false;       // and it is G43.5
+    bool ends_along = false;   // the one in force before is ended, by G49 or by another
     bool cutter = false;       // the block passes cutter compensation
     bool side_before = false;  // tool side compensation is on before the block
     bool side_after = false;   // and after it
@@ -80,7 +84,8 @@ class Interpreter {
 
   // check.cpp: the alarms of commands, in their order.
   [[nodiscard]] Alarm check(const Words& words, Plan& plan) const;
-  [[nodiscard]] Alarm check_tool_direction(const Words& words, const Plan& plan) const;
+  [[nodiscard]] Alarm check_tip_control(const Words& words, const Plan& plan) const;
+  [[nodiscard]] Alarm check_tip_control_start(const Words& words, const Plan& plan) const;
   [[nodiscard]] Alarm check_leading_edge(const Words& words, const Plan& plan) const;
   [[nodiscard]] Alarm check_tool_side(const Words& words, const Plan& plan) const;
   [[nodiscard]] Alarm check_cutter(const Words& words, const Plan& plan) const;
@@ -97,7 +102,7 @@ class Interpreter {
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes);
   [[nodiscard]] Alarm refresh();
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
-  void fill_tool_axis(Event& event) const;
+  void fill_tool_axis(Event& event);
   void fill_machine(Event& event) const;
   // A word in setup units.
   [[nodiscard]] Count value(const spec::Decimal& word, bool linear, bool inch_program) const {
@@ -115,7 +120,7 @@ class Interpreter {
   // arc_words.cpp
   // G02 or G03 in force, and an axis word of the plane or a letter of an arc: anything else is straight.
   [[nodiscard]] bool is_arc(const Words& words) const {
-    return motion_ > 10 && ((words.axes() & plane_axes_) != 0 || words.has_any(kArcLetters));
+    return motion_ > 10 && ((words.axes() & plane_axes_) != 0 || words.has_any(arc_letters_));
   }
   // Into an ArcWords or a CutterBlock.
   template <class Arc>
@@ -209,14 +214,41 @@ class Interpreter {
   [[nodiscard]] Alarm measure(const Words& words);
   [[nodiscard]] Alarm send_measuring_move(std::size_t axis, const Count& to, double commanded, bool measuring);
 
-  // tool_direction.cpp: rotary axes and G43.5.
+  // tool_direction.cpp: rotary axes and I J K.
   void turn();
+  // Under G43.5 without kinematics.
   void direct(const Words& words);
+  // The direction of the I J K of a block.
+  void read_direction(const Words& words, Direction& direction) const;
   // I J K are not all zero, or none is there.
   [[nodiscard]] static bool names_direction(const Words& words);
-  void end_tool_direction();
+  void take_position_along_tool();
+  void end_tool_direction(bool again);
   [[nodiscard]] Direction& new_direction();
+  // Under G43.4 or G43.5.
   [[nodiscard]] bool along_tool() const { return length_.mode() == ToolLengthOffset::Mode::along_tool; }
+  // L: the offset of the H number and the tool holder offset.
+  [[nodiscard]] Count tool_length() const { return length_.length() + holder_offset_; }
+
+  [[nodiscard]] std::uint32_t tag_direction();
+  void send_to(EventSink& sink);
+
+  // tip_control.cpp: blocks under G43.4 or G43.5 on a machine with kinematics.
+  // A usual block: positions, under G43.5 I J K, and F, and what the stages make of it.
+  [[nodiscard]] Alarm tip_move(const Words& words);
+  // place_words() in the mode and in the block that starts it.
+  [[nodiscard]] Alarm place_tip_words(const Words& words, Mask axes);
+  [[nodiscard]] Alarm start_tip_control(const Words& words);
+  void end_tip_control(bool again);
+  [[nodiscard]] Alarm plan_direction(const Words& words, const std::array<Count, 3>& from, TipBlock& block);
+  [[nodiscard]] bool lean(const Words& words, const std::array<Count, 3>& from, Direction& leaned) const;
+  [[nodiscard]] Alarm check_workpiece_arc(const Positions& before) const;
+  void keep_tip_on_table(Mask axes, const Pose& start, const Pose& end, const std::array<Count, 3>& from);
+  void take_posture(const Pose& pose);
+  void set_programmed(std::size_t axis, const DoubleDouble& position);
+  [[nodiscard]] std::array<Count, 3> programmed_xyz() const;
+  [[nodiscard]] std::array<Count, 3> shift_xyz() const;  // of G45 to G48
+  [[nodiscard]] Vector3<DoubleDouble> fine_origin() const;
 
   // Setup.
   spec::Axes axes_;
@@ -229,13 +261,14 @@ class Interpreter {
   bool inch_setup_;
   bool counts_increments_;  // 3401#0 = 0
   int increment_places_;
-  bool head_offsets_ = false;  // 19666, 19709 to 19714
-  std::uint32_t samples_;      // parts of a block under tool center point control
+  Count holder_offset_;  // 19666
   std::array<Positions, 6> origin_;
   std::array<Positions, 5> reference_;  // 0: floating, 1 to 4
 
   // Stages.
   Kinematics kinematics_;
+  Machine machine_;
+  ToolPostureControl posture_;
   OffsetMemory memory_;
   ToolLengthOffset length_;
   ToolOffset tool_offset_;
@@ -246,6 +279,7 @@ class Interpreter {
   CutterCompensationB cutter_b_;
   CutterCompensationC cutter_c_;
   ToolSideCompensation tool_side_;
+  ToolCenterPointControl tip_;
 
   // Modal state.
   Code motion_ = 0;
@@ -266,6 +300,17 @@ class Interpreter {
   Count cutter_offset_;  // of that number, when it was applied
   bool cutter_edited_ = false;
   bool in_cutter_ = false;  // this block passes cutter compensation
+  std::uint32_t arc_letters_ = kArcLetters;
+  bool by_vector_ = false;  // G43.5
+  // Under G43.4 or G43.5 on a machine with kinematics.
+  bool posture_control_ = false;  // P1
+  bool starts_tip_ = false;       // this block starts it
+  bool samples_block_ = true;     // the own move of this block is run in the mode
+  bool has_table_tip_ = false;    // WKP = 1: the tip has kept its place on the table since table_tip_
+  Count lean_angle_;              // Q
+  Direction commanded_;           // the direction kept, without the lean
+  Positions frozen_;              // of the rotary axes where the mode began
+  Vector3<DoubleDouble> table_tip_;
   std::optional<double> feed_;
 
   // Positions.
@@ -352,6 +397,8 @@ inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
 }
 
 [[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
+  if (tip_.active()) [[unlikely]]
+    return place_tip_words(words, axes);
   if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
   if ((axes & turning_) != 0) turn();

@@ -67,6 +67,7 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
       event.point.value[axis] = actual(axis).nearest();
     }
   event.arc.reset();
+  event.t_numerator = 0;
   if (type == spec::MoveType::rapid)
     event.feed.reset();
   else
@@ -77,13 +78,18 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
     fill_tool_axis(event);
 }
 
-// The direction of the tool, and under G43.5 its length along it.
-void Interpreter::fill_tool_axis(Event& event) const {
+// The direction of the tool, and under G43.5 without kinematics its length along it.
+void Interpreter::fill_tool_axis(Event& event) {
   const Eigen::Vector3d& unit = directions_[direction_].unit;
   event.tool_axis.emplace(std::array<double, 3>{unit[0] + 0.0, unit[1] + 0.0, unit[2] + 0.0});  // never -0
+  if (tip_.active()) {
+    event.t_numerator = tip_.tag();
+    return;
+  }
   if (!along_tool()) return;
   fill_machine(event);
-  const double length = length_.length().nearest();
+  if (tip_.samples()) event.t_numerator = tag_direction();
+  const double length = tool_length().nearest();
   for (std::size_t i = 0; i < 3; ++i) {
     if (xyz_[i] == spec::Axes::kNone) continue;
     const double offset = length * unit[static_cast<Eigen::Index>(i)];
@@ -120,7 +126,7 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
   if (const Alarm a = place_words(words, axes)) return a;
 
   constexpr std::uint32_t kDirectionLetters = Words::set_of("IJK");
-  const bool event = axes != 0 || extra || arc || (own && along_tool() && words.has_any(kDirectionLetters));
+  const bool event = axes != 0 || extra || arc || (own && by_vector_ && words.has_any(kDirectionLetters));
   // A start or cancel move takes a change of the length offset along; the block makes no second move.
   if (event && (compensation == Compensation::off || compensated)) {
     Event& move = leading_edge_.next().event;

@@ -1,4 +1,4 @@
-// The tool direction in force: from the rotary axes, or from I J K under G43.5.
+// The tool direction in force: from the rotary axes, or from I J K under G43.5 without kinematics.
 #include <cmath>
 
 #include "fast/arithmetic/wide.h"
@@ -23,13 +23,16 @@ Direction& Interpreter::new_direction() {
   return directions_[direction_];
 }
 
-// The rotary axes stand at programmed_. Under G43.5 they do not move.
+// The rotary axes stand at programmed_.
 void Interpreter::turn() { kinematics_.direct(programmed_, new_direction()); }
 
-// A block under G43.5: I J K, of which missing ones are 0, or the direction in force.
+// A block under G43.5: I J K, or the direction in force.
 void Interpreter::direct(const Words& words) {
-  if (!words.has_any(Words::set_of("IJK"))) return;
-  Direction& direction = new_direction();
+  if (words.has_any(Words::set_of("IJK"))) read_direction(words, new_direction());
+}
+
+// Missing ones of I J K are 0.
+void Interpreter::read_direction(const Words& words, Direction& direction) const {
   std::array<std::int64_t, 3> small{};
   bool usual = plain_words_;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -58,9 +61,9 @@ bool Interpreter::names_direction(const Words& words) {
 
 // G49 after G43.5: the programmed position becomes that of the axes, P + L V. It is exact where |V| is whole and L V_i
 // a multiple of the unit; elsewhere it is rounded to the unit, 8e-21, and the axis is marked.
-void Interpreter::end_tool_direction() {
+void Interpreter::take_position_along_tool() {
   const Direction& tool = directions_[direction_];
-  const Int128 length = length_.length().units();
+  const Int128 length = tool_length().units();
   const std::optional<Int128> norm = tool.is_whole ? whole_length(tool.whole) : std::nullopt;
   const FineVector unit = kinematics_.refine(tool);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -75,6 +78,28 @@ void Interpreter::end_tool_direction() {
         length == 0 || (norm && (Wide(units) * Wide(*norm) - Wide(length) * Wide(tool.whole[i])).sign() == 0);
     if (!exact) rounded_ = static_cast<Mask>(rounded_ | bit(axis));
   }
+}
+
+// Where the moves of blocks under G43.4 or G43.5 go. Nothing is held where the mode begins or ends.
+void Interpreter::send_to(EventSink& sink) {
+  leading_edge_.set_sink(sink);
+  tool_side_.set_sink(sink);
+}
+
+// Under G43.5 without kinematics the moves are complete; only their samples are made on the way out.
+std::uint32_t Interpreter::tag_direction() {
+  TipBlock& block = tip_.next();
+  block.direction = DirectionMotion(kinematics_, directions_[direction_before_], directions_[direction_]);
+  block.length = tool_length().nearest();
+  block.sampled = samples_block_;
+  samples_block_ = true;
+  return tip_.tag();
+}
+
+// Another G43.5 leaves the tip, and the direction is that of the rotary axes.
+void Interpreter::end_tool_direction(bool again) {
+  if (!again) take_position_along_tool();
+  send_to(sink_);
   stale_ = all_;
   if (kinematics_.defined())
     turn();

@@ -46,8 +46,8 @@ void Interpreter::start_tool_side_leg(const Words& words, ToolSideBlock& block) 
 // tool_side_motion() do for any block, without the detours.
 Alarm Interpreter::tool_side_move(const Words& words) {
   direction_before_ = direction_;
-  const bool directed = along_tool() && words.has_any(Words::set_of("IJK"));
-  if (directed) direct(words);
+  const bool directed = by_vector_ && words.has_any(Words::set_of("IJK"));
+  if (directed && !tip_.active()) direct(words);
   ToolSideBlock& block = tool_side_.next();
   block.repeated = false;
   std::array<std::int64_t, 3> from{};
@@ -123,7 +123,7 @@ Alarm Interpreter::tool_side_motion(const Words& words, bool extra, const std::o
   set_travel(block.travel, from, to, rounded != 0 ? 2 : 0);
   block.tool = &directions_[direction_];
   block.tool_before = &directions_[direction_before_];
-  block.own = axes != 0 || extra || arc || (along_tool() && words.has_any(Words::set_of("IJK")));
+  block.own = axes != 0 || extra || arc || (by_vector_ && words.has_any(Words::set_of("IJK")));
   fill(block.event, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
   if (arc) {
     block.event.arc = arc;

@@ -99,8 +99,9 @@ void Words::g_word(const spec::Decimal& value) {
       group = kCompensation;
       break;
     case 430:
-    case 440:
+    case 434:
     case 435:
+    case 440:
     case 490:
       group = kLength;
       break;

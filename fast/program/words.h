@@ -51,6 +51,8 @@ class Words {
   [[nodiscard]] const spec::Decimal& axis(std::size_t index) const { return *axis_value_[index]; }
   // G45 to G48.
   [[nodiscard]] bool is_tool_offset() const { return code_[kOneShot] >= 450 && code_[kOneShot] <= 480; }
+  // G43.4, G43.5.
+  [[nodiscard]] bool starts_tip_control() const { return code_[kLength] == 434 || code_[kLength] == 435; }
   // A word other than N and O.
   [[nodiscard]] bool any() const { return any_; }
   // M00 M01 M02 M30, which keep the control from reading ahead.

@@ -36,6 +36,7 @@ ToolLengthOffset::Mode ToolLengthOffset::mode_after(Code code) const {
       return Mode::plus;
     case 440:
       return fault(Fault::g44_as_g43) ? Mode::plus : Mode::minus;
+    case 434:
     case 435:
       return Mode::along_tool;
     case 490:
@@ -123,9 +124,9 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
     edited_ = false;
   }
 
-  // Which number holds: an H word of any block, or with OFH = 1 of a block with G43, G44 (or G43.5) only; there a first
+  // Which number holds: an H word of any block, or with OFH = 1 of a block with G43, G44 (or G43.4, G43.5) only; there a first
   // G43 without H means H0.
-  const bool sets = code == 430 || code == 440 || code == 435;
+  const bool sets = code == 430 || code == 440 || words.starts_tip_control();
   const bool ofh = ofh_ && !fault(Fault::h_modal_under_ofh);
   std::uint32_t number = number_;
   bool takes = false;

@@ -14,16 +14,16 @@
 namespace toolcomp::fast {
 
 // The length-offset vector, one signed value per axis, and the rules that change it. Also keeps the length L that
-// G43.5 lays along the tool direction, because it follows the same H rules.
+// G43.4 and G43.5 lay along the tool direction, because it follows the same H rules.
 class ToolLengthOffset {
  public:
-  enum class Mode : std::uint8_t { off, plus, minus, along_tool };  // G49, G43, G44, G43.5
+  enum class Mode : std::uint8_t { off, plus, minus, along_tool };  // G49, G43, G44, G43.4 or G43.5
 
   explicit ToolLengthOffset(const spec::Setup& setup);
 
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] const Count& operator[](std::size_t axis) const { return offset_[axis]; }
-  [[nodiscard]] const Count& length() const { return length_; }   // under G43.5
+  [[nodiscard]] const Count& length() const { return length_; }   // under G43.4, G43.5
   [[nodiscard]] std::uint32_t number() const { return number_; }  // H
   [[nodiscard]] std::uint16_t live() const { return live_; }      // axes whose offset is not 0
   // Whether the vector, or L, differs from what it was at begin_block().
@@ -36,7 +36,7 @@ class ToolLengthOffset {
 
   // The restoration that becomes due at any block with words (EVO).
   Alarm restore(const Words& words, const OffsetMemory& memory);
-  // G43 G44 G43.5 G49 and H of a block; `normal` is the axis normal to the plane in force. On an alarm nothing changes.
+  // G43 G44 G43.4 G43.5 G49 and H of a block; `normal` is the axis normal to the plane in force. On an alarm nothing changes.
   Alarm apply(const Words& words, const OffsetMemory& memory, std::size_t normal);
   // G53, G28, G30, G30.1 on this axis: its vector goes to 0, the mode stays.
   void cancel(std::size_t axis);

@@ -56,7 +56,7 @@ spec::MoveType straight(spec::MoveType type) {
 }  // namespace
 
 ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink)
-    : sink_(sink),
+    : sink_(&sink),
       parameters_(setup),
       geometry_(kinematics),
       make_(geometry_, parameters_),
@@ -428,7 +428,7 @@ void ToolSideCompensation::send_corner_moves(const ToolSideBlock* owner, std::ui
     event.feed = owner->event.feed;
   }
   add(event, at_start().head[head].vector);
-  sink_.on(event);
+  sink_->on(event);
   ++head;
 }
 
@@ -534,7 +534,7 @@ void ToolSideCompensation::add(Event& event, const Vector3<double>& vector) cons
 void ToolSideCompensation::send(ToolSideBlock& block, const Vector3<double>& vector, bool own) {
   if (!own) return;
   add(block.event, vector);
-  sink_.on(block.event);
+  sink_->on(block.event);
 }
 
 // Before the first move of the path that is held; it is the first one in the ring by then.
@@ -546,7 +546,7 @@ void ToolSideCompensation::warn_once(const ToolSideBlock& block) {
   notice_.message = "the plane of the tool is not that of the arc";
   notice_.line = block.event.line;
   notice_.n = block.event.n;
-  sink_.on(notice_);
+  sink_->on(notice_);
 }
 
 }  // namespace toolcomp::fast

@@ -26,6 +26,8 @@ class ToolSideCompensation {
   ToolSideCompensation(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink);
   ToolSideCompensation(const ToolSideCompensation&) = delete;
   ToolSideCompensation& operator=(const ToolSideCompensation&) = delete;
+  // Where the moves go from here on. The stage holds none.
+  void set_sink(EventSink& sink) { sink_ = &sink; }
 
   // A vector is made or held, or waits for its removal. While it is not active and a block does not want compensation,
   // blocks pass without this stage.
@@ -94,7 +96,7 @@ class ToolSideCompensation {
     return v.x == 0 && v.y == 0 && v.z == 0;
   }
 
-  EventSink& sink_;
+  EventSink* sink_;
   SideParameters parameters_;
   SideGeometry geometry_;
   SideGroups make_;

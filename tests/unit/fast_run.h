@@ -1,6 +1,7 @@
 // Runs a program through the fast engine and keeps its events.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,10 +14,10 @@ namespace toolcomp::fast {
 
 class ProgramRun final : public EventSink {
  public:
-  ProgramRun(std::string_view setup_toml, std::string_view program)
-      : ProgramRun(spec::read_setup_toml(setup_toml, "setup"), program) {}
-  ProgramRun(const spec::Setup& setup, std::string_view program) : axes_(setup.axes) {
-    Engine engine(setup, *this);
+  ProgramRun(std::string_view setup_toml, std::string_view program, std::uint32_t samples = 0)
+      : ProgramRun(spec::read_setup_toml(setup_toml, "setup"), program, samples) {}
+  ProgramRun(const spec::Setup& setup, std::string_view program, std::uint32_t samples = 0) : axes_(setup.axes) {
+    Engine engine(setup, *this, samples);
     spec::ProgramReader reader(spec::text_source(program), setup.axes);
     for (spec::Block block; reader.next(block);) engine.block(block);
     engine.end();

@@ -319,7 +319,7 @@ TEST(FastToolSideCompensation, Alarms) {
   EXPECT_EQ(alarm("", "G43.5 H0\nG41.2 D1 G01 X0 F100\n"), "TOOL_SIDE_MODE@2");
   EXPECT_EQ(alarm("", "G43.5 H0\nG41.6 D1 G01 X0 F100\nB5\n"), "PS5460@3");
   EXPECT_EQ(alarm("", "G43.5 H0\nB5\n"), "PS5421@2");
-  EXPECT_EQ(alarm("", "G43.5 H0\nX5 Q2\n"), "LEAN_ANGLE_NOT_BUILT@2");
+  EXPECT_EQ(alarm("", "G43.5 H0\nX5 Q7\n"), "");
   EXPECT_EQ(alarm("", on + "X5 Q0\n"), "Q_FORMAT@2");
   EXPECT_EQ(alarm("", "G41.2 D1 G02 X0 R30 F100\n"), "PS0034@1");
   EXPECT_EQ(alarm("", on + "G40 G02 X5 R30\n"), "PS0034@2");

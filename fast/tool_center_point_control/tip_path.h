@@ -1,0 +1,38 @@
+// The path of the tip in one block (posture sheet, part 6): a line, an arc or a helix.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "fast/engine.h"
+#include "fast/geometry/vector3.h"
+
+namespace toolcomp::fast {
+
+// In X, Y, Z of the frame that its ends are given in. The fraction of the path is that of its length; on an arc whose
+// radius changes, that of its sweep.
+class TipPath {
+ public:
+  TipPath() = default;
+  // A line.
+  TipPath(const Vector3<double>& start, const Vector3<double>& end) : start_(start), end_(end) {}
+  // The tool's own arc; without a sweep, where an end lies in the centre, a line. `xyz`: the axes of the events that
+  // X, Y, Z are.
+  TipPath(const Vector3<double>& start, const Vector3<double>& end, const spec::Arc<double>& arc,
+          const std::array<std::size_t, 3>& xyz);
+
+  // The point at fraction t of the path, 0 < t < 1.
+  [[nodiscard]] Vector3<double> at(double t) const;
+  [[nodiscard]] const Vector3<double>& end() const { return end_; }
+
+ private:
+  Vector3<double> start_;
+  Vector3<double> end_;
+  bool arc_ = false;
+  std::array<std::size_t, 2> in_{};  // which of X Y Z the plane has
+  std::array<double, 2> center_{};
+  double sweep_ = 0;   // radians, counterclockwise
+  double growth_ = 0;  // of the radius over the whole arc, by the radius at the start
+};
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,195 @@
+#include "fast/tool_center_point_control/tool_center_point_control.h"
+
+#include <numeric>
+
+namespace toolcomp::fast {
+namespace {
+
+constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
+
+double between(double start, double end, double t) { return start + t * (end - start); }
+
+}  // namespace
+
+ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, const Machine& machine, EventSink& out,
+                                               std::uint32_t samples)
+    : machine_(machine),
+      out_(out),
+      samples_(samples),
+      xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
+      count_(setup.axes.size()) {
+  for (std::size_t axis = 0; axis < count_; ++axis) {
+    all_ = static_cast<std::uint16_t>(all_ | bit(axis));
+    if (spec::is_linear_axis(setup.axes.letter(axis))) linear_ = static_cast<std::uint16_t>(linear_ | bit(axis));
+  }
+  sample_.kind = spec::EventKind::sample;
+  sample_.axes.present = all_;
+  sample_.point.present = linear_;
+  notice_.kind = spec::EventKind::warning;
+}
+
+void ToolCenterPointControl::set_origin(const std::array<double, spec::kMaxAxes>& origin) {
+  moves_on_table_ = machine_.workpiece_frame() && machine_.has_table();
+  origin_ = origin;
+  const auto of = [&](std::size_t i) { return xyz_[i] == spec::Axes::kNone ? 0 : origin[xyz_[i]]; };
+  origin_xyz_ = {of(0), of(1), of(2)};
+}
+
+TipBlock& ToolCenterPointControl::next() {
+  const double length = block().length;
+  current_ = (current_ + 1U) % static_cast<std::uint32_t>(blocks_.size());
+  block().length_before = length;
+  return block();
+}
+
+Vector3<double> ToolCenterPointControl::point_of(const Event& event) const {
+  const auto of = [&](std::size_t i) { return xyz_[i] == spec::Axes::kNone ? 0 : event.point.value[xyz_[i]]; };
+  return {of(0), of(1), of(2)};
+}
+
+void ToolCenterPointControl::on(const Event& event) {
+  if (event.kind != spec::EventKind::move) {
+    out_.on(event);
+    return;
+  }
+  TipBlock& block = blocks_[event.t_numerator];
+  const bool sampled = samples() && block.sampled && event.cause != spec::Cause::corner;
+  if (!active_) {
+    if (sampled) send_direction_samples(event, block);
+    event_ = event;
+    event_.t_numerator = 0;
+    tip_ = point_of(event);
+    out_.on(event_);
+    return;
+  }
+  const PosturePlan& plan = block.plan;
+  if (event.cause == spec::Cause::corner) {
+    event_ = event;
+    finish(plan.end, plan.end, block.length);
+    return;
+  }
+  if (plan.branch_warning) warn(event);
+  if (plan.pre_turn) turn(event, plan.turned, block.length_before, spec::Cause::pre_turn);
+  if (sampled) send_samples(event, block);
+  event_ = event;
+  finish(plan.post_turn ? plan.arrived : plan.end, plan.end, block.length);
+  if (plan.post_turn) turn(event, plan.end, block.length, spec::Cause::post_turn);
+}
+
+void ToolCenterPointControl::warn(const Event& event) {
+  notice_.number = "posture-branch";
+  notice_.message = "the rotary positions cannot be reached in the plane of the tool";
+  notice_.line = event.line;
+  notice_.n = event.n;
+  out_.on(notice_);
+}
+
+// Only the work-side axis turns; X Y Z follow at a standing tip.
+void ToolCenterPointControl::turn(const Event& owner, const Pose& pose, double length, spec::Cause cause) {
+  event_.line = owner.line;
+  event_.n = owner.n;
+  event_.type = owner.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
+  event_.cause = cause;
+  event_.arc.reset();
+  event_.feed = owner.feed;
+  const Turns<double> turned = turns(pose);
+  set_axes(event_, tip_, turned, {pose.axis[0].degrees, pose.axis[1].degrees}, length);
+  set_machine(event_);
+  out_.on(event_);
+}
+
+// An own or inserted move, as it ends; its point is that at the end of the block, where a turn may follow.
+void ToolCenterPointControl::finish(const Pose& pose, const Pose& end, double length) {
+  event_.t_numerator = 0;
+  tip_ = on_table(point_of(event_), turns(end));
+  set_axes(event_, tip_, turns(pose), {pose.axis[0].degrees, pose.axis[1].degrees}, length);
+  set_machine(event_);
+  const Eigen::Vector3d& tool = pose.tool.unit;
+  set_tool_axis(event_, {tool[0], tool[1], tool[2]});
+  out_.on(event_);
+}
+
+void ToolCenterPointControl::set_tool_axis(Event& event, const Vector3<double>& tool) {
+  event.tool_axis.emplace(std::array<double, 3>{tool.x + 0.0, tool.y + 0.0, tool.z + 0.0});  // never -0
+}
+
+void ToolCenterPointControl::set_axes(Event& event, const Vector3<double>& tip, const Turns<double>& turns,
+                                      const std::array<double, 2>& degrees, double length) const {
+  const Vector3<double> point = machine_.control_point(tip, turns, length, origin_xyz_);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (xyz_[i] != spec::Axes::kNone) event.axes.value[xyz_[i]] = point[i];
+  for (std::size_t i = 0; i < 2; ++i)
+    if (machine_.rotary_axis(i) != spec::kMaxAxes) event.axes.value[machine_.rotary_axis(i)] = degrees[i];
+}
+
+void ToolCenterPointControl::set_machine(Event& event) const {
+  event.machine.present = all_;
+  for (std::size_t axis = 0; axis < count_; ++axis) event.machine.value[axis] = event.axes.value[axis] + origin_[axis];
+}
+
+void ToolCenterPointControl::begin_samples(const Event& event) {
+  sample_.line = event.line;
+  sample_.n = event.n;
+}
+
+void ToolCenterPointControl::set_sample(const Event& event, double t) {
+  for (std::size_t axis = 0; axis < count_; ++axis) {
+    sample_.axes.value[axis] = between(event_.axes[axis], event.axes[axis], t);
+    sample_.point.value[axis] = between(event_.point[axis], event.point[axis], t);
+  }
+}
+
+void ToolCenterPointControl::send_sample(std::uint32_t k) {
+  const std::uint32_t divisor = std::gcd(k, samples_);
+  sample_.t_numerator = k / divisor;
+  sample_.t_denominator = samples_ / divisor;
+  out_.on(sample_);
+}
+
+// `event_` is where the block starts, `event` where it ends.
+void ToolCenterPointControl::send_samples(const Event& event, TipBlock& block) {
+  begin_samples(event);
+  const Vector3<double> point = point_of(event);
+  // On the table; an arc with WKP = 1 is run while the table stands, and described in the workpiece system.
+  const bool in_workpiece = moves_on_table_ && event.arc.has_value();
+  const TipPath path = event.arc ? TipPath(in_workpiece ? point_of(event_) : tip_, point, *event.arc, xyz_)
+                                 : TipPath(tip_, on_table(point, turns(block.plan.end)));
+  PostureSample sample;
+  for (std::uint32_t k = 1; k < samples_; ++k) {
+    const double t = static_cast<double>(k) / static_cast<double>(samples_);
+    block.plan.motion.at(k, samples_, sample);
+    set_sample(event, t);
+    Vector3<double> at = path.at(t);
+    Vector3<double> tip = at;
+    if (in_workpiece)
+      tip = on_table(at, sample.turns);
+    else if (moves_on_table_)
+      at = machine_.from_table(tip, sample.turns, origin_xyz_);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (xyz_[i] != spec::Axes::kNone) sample_.point.value[xyz_[i]] = at[i];
+    set_axes(sample_, tip, sample.turns, sample.degrees, between(block.length_before, block.length, t));
+    set_tool_axis(sample_, sample.tool);
+    send_sample(k);
+  }
+}
+
+void ToolCenterPointControl::send_direction_samples(const Event& event, TipBlock& block) {
+  begin_samples(event);
+  const TipPath path = event.arc ? TipPath(tip_, point_of(event), *event.arc, xyz_) : TipPath(tip_, point_of(event));
+  for (std::uint32_t k = 1; k < samples_; ++k) {
+    const double t = static_cast<double>(k) / static_cast<double>(samples_);
+    const Vector3<double> tool = block.direction.at(k, samples_);
+    const Vector3<double> at = path.at(t);
+    const double length = between(block.length_before, block.length, t);
+    set_sample(event, t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (xyz_[i] == spec::Axes::kNone) continue;
+      sample_.point.value[xyz_[i]] = at[i];
+      sample_.axes.value[xyz_[i]] = at[i] + length * tool[i];
+    }
+    set_tool_axis(sample_, tool);
+    send_sample(k);
+  }
+}
+
+}  // namespace toolcomp::fast
