@@ -67,11 +67,13 @@ Angle Angle::of_direction(const Real& x, const Real& y) {
 }
 
 Real Angle::cosine() const {
+  if (rest_ && rational_.is_zero()) return rest_->cosine;
   const Real of_rational = exact::cos_degrees(rational_);
   return rest_ ? of_rational * rest_->cosine - exact::sin_degrees(rational_) * rest_->sine : of_rational;
 }
 
 Real Angle::sine() const {
+  if (rest_ && rational_.is_zero()) return rest_->sine;
   const Real of_rational = exact::sin_degrees(rational_);
   return rest_ ? of_rational * rest_->cosine + exact::cos_degrees(rational_) * rest_->sine : of_rational;
 }
@@ -113,7 +115,7 @@ Integer Angle::whole_turns() const {
 
 Angle Angle::plus_turns(const Integer& turns) const {
   Angle result(*this);
-  result.rational_ += Rational(360 * turns);
+  if (!turns.is_zero()) result.rational_ += Rational(360 * turns);
   return result;
 }
 
@@ -129,7 +131,8 @@ Angle operator-(const Angle& a) {
 
 Angle operator+(const Angle& a, const Angle& b) {
   Angle result = a.rest_ ? a : b;
-  result.rational_ = a.rational_ + b.rational_;
+  const Rational& other = a.rest_ ? b.rational_ : a.rational_;
+  if (!other.is_zero()) result.rational_ += other;
   if (!a.rest_ || !b.rest_) return result;
   result.rest_.reset();
   const Angle::Rest& x = *a.rest_;
