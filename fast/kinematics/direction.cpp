@@ -1,5 +1,6 @@
 #include "fast/kinematics/direction.h"
 
+#include "fast/fault.h"
 #include "fast/kinematics/kinematics.h"
 
 namespace toolcomp::fast {
@@ -60,7 +61,8 @@ bool lean(const Kinematics& kinematics, const Direction& direction, const FineVe
   const DoubleDouble width = sqrt(dot(across, across));
   constexpr double kParallel = 0x1p-66;  // of the travel: what double-double cannot tell from along the tool
   if (width.hi <= kParallel * length.hi) return false;
-  const auto q = fine_sine_cosine(degrees);
+  auto q = fine_sine_cosine(degrees);
+  if (fault(Fault::tip_lean_backwards)) q.sine = -q.sine;
   FineVector turned;
   for (std::size_t i = 0; i < 3; ++i) turned[i] = v[i] * q.cosine + across[i] * (q.sine / width);
   leaned = fine_direction(turned);

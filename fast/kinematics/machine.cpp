@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "fast/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -52,7 +53,7 @@ Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_
     Axis& axis = axis_[i];
     axis.index = rotary.index;
     axis.sense = rotary.reversed ? -1 : 1;
-    const bool table = type_ == 12 || (type_ == 21 && i == 1);
+    const bool table = (type_ == 12 || (type_ == 21 && i == 1)) && !fault(Fault::tip_table_sense);
     axis.mechanical = table ? -axis.sense : axis.sense;
     axis.fine_line = vector(rotary.axis);
     axis.line = rounded(axis.fine_line);
@@ -63,9 +64,10 @@ Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_
     if (axis.limited && axis.upper < axis.lower) ranges_valid_ = false;
   }
   polar_ = PolarFrame(kinematics.inner().axis, kinematics.outer().axis, kinematics.zero_direction());
-  reversed_order_ = setup.bit(19608, 5);
+  reversed_order_ = setup.bit(19608, 5) && !fault(Fault::tip_order_ignored);
   workpiece_frame_ = setup.bit(19696, 5);
   holder_offset_ = parameter(setup, 19666);
+  if (fault(Fault::tip_holder_offset_twice)) holder_offset_ = holder_offset_ + holder_offset_;
   const auto set = [](Vectors& vectors, const Vector3<DoubleDouble>& v) { vectors = {v, rounded(v)}; };
   set(table_, three(setup, 19700));
   set(second_table_, three(setup, 19703));
@@ -196,7 +198,7 @@ template Turns<DoubleDouble> Machine::turns_of(const SineCosine<DoubleDouble>&, 
 void Machine::freeze(Pose& pose) {
   release();
   frozen_ = true;
-  if (!has_table()) return;
+  if (!has_table() || fault(Fault::tip_frame_not_frozen)) return;
   if (!workpiece_frame_) {
     frozen_fine_ = fine_turns(pose);
     for (std::size_t i = 0; i < 2; ++i) frozen_rough_[i] = {frozen_fine_[i].sine.hi, frozen_fine_[i].cosine.hi};
@@ -361,7 +363,8 @@ bool Machine::choose(const Direction& tool, const Pose& present, Pose& end) cons
     const double move = near[first] - value;
     first_move[static_cast<std::size_t>(pair)] = std::abs(move - 360 * std::nearbyint(move / 360));
   }
-  if (std::abs(first_move[0] - first_move[1]) < slack) return choose_fine(tool, present, end);
+  if (std::abs(first_move[0] - first_move[1]) < slack || fault(Fault::tip_second_axis_first))
+    return choose_fine(tool, present, end);
   set_pair(roots, first_move[0] < first_move[1] ? 1 : -1, near, end);
   for (std::size_t i = 0; i < 2; ++i) {
     if (std::abs(end.axis[i].degrees - near[i]) > 180 - slack) return choose_fine(tool, present, end);
@@ -460,6 +463,8 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
   };
   const std::size_t first = (type_ == 21) == reversed_order_ ? 0 : 1;
   const std::array<std::size_t, 2> order{first, 1 - first};
+  if (fault(Fault::tip_second_axis_first))
+    keep([&](const Pair& p) { return magnitude(p.value[1 - first] - from[1 - first]); });
   for (const std::size_t i : order) keep([&](const Pair& p) { return magnitude(p.value[i] - from[i]); });
   for (const std::size_t i : order) keep([&](const Pair& p) { return from_zero(p.value[i]); });
   for (const std::size_t i : order) keep([&](const Pair& p) { return -p.value[i]; });

@@ -2,9 +2,16 @@
 
 #include <cmath>
 
+#include "fast/fault.h"
+
 namespace toolcomp::fast {
 
 SineCosine<double> EvenAngle::at(std::uint32_t numerator, std::uint32_t denominator) {
+  if (fault(Fault::posture_linear_weights)) {
+    const double t = static_cast<double>(numerator) / denominator;
+    const double angle = std::atan2(t * std::sin(radians_), 1 - t + t * std::cos(radians_));
+    return {std::sin(angle), std::cos(angle)};
+  }
   // From one sample to the next by the addition theorem, afresh every eighth time: at most 12 roundings.
   constexpr std::uint32_t kAfresh = 8;
   const bool next = denominator == denominator_ && numerator == numerator_ + 1 && numerator % kAfresh != 0;

@@ -107,7 +107,7 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
   else
     return true;
   // Which of two equally near ones only matters where they are near.
-  const bool inside = pole > 0 ? top : bottom;
+  const bool inside = (pole > 0 ? top : bottom) && !fault(Fault::posture_near_by_ends);
   T square;
   T cosine;
   if constexpr (Judge<T>::kRough) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "fast/fault.h"
+
 namespace toolcomp::fast {
 namespace {
 
@@ -114,6 +116,7 @@ void PostureMotion::set_meridian(const Machine& machine, const Pose& start, cons
 }
 
 void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) {
+  if (fault(Fault::tip_sample_from_the_end)) numerator = denominator - numerator;
   switch (law_) {
     case Law::still:
       sample = still_;

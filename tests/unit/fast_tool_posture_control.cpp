@@ -1,0 +1,367 @@
+// Plans and samples of tool posture control in the fast engine: posture sheet, examples 3 to 5, 7, 8 and 11, the rules
+// of its parts 7.3 and 17, and its invariants 2 to 6.
+#include "fast/tool_posture_control/posture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/unit/fast_machines.h"
+
+namespace toolcomp::fast {
+namespace {
+
+using Outcome = PosturePlan::Outcome;
+using Law = PostureMotion::Law;
+
+PostureSample sample(PosturePlan& plan, std::uint32_t k, std::uint32_t n) {
+  PostureSample result;
+  plan.motion.at(k, n, result);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const SineCosine<double> turn = sine_cosine(result.degrees[i]);
+    EXPECT_NEAR(turn.sine, result.turns[i].sine, 1e-13);
+    EXPECT_NEAR(turn.cosine, result.turns[i].cosine, 1e-13);
+  }
+  return result;
+}
+
+void expect_sample(PosturePlan& plan, std::uint32_t k, std::uint32_t n, double first, double second,
+                   double tolerance = kDegrees) {
+  const PostureSample s = sample(plan, k, n);
+  EXPECT_NEAR(s.degrees[0], first, tolerance) << k;
+  EXPECT_NEAR(s.degrees[1], second, tolerance) << k;
+}
+
+PosturePlan run(TestMachine& m, const Pose& start, const Direction& tool, bool posture = true) {
+  PosturePlan plan;
+  m.control.plan(start, tool, posture, plan);
+  return plan;
+}
+PosturePlan run(TestMachine& m, const Pose& start, const Pose& end, bool posture = true) {
+  PosturePlan plan;
+  m.control.plan(start, end, posture, plan);
+  return plan;
+}
+// The pose for a direction, nearest to a pair.
+Pose posed(TestMachine& m, const Direction& tool, const std::string& first, const std::string& second) {
+  Pose pose;
+  EXPECT_TRUE(m.machine.choose(tool, m.at(first, second), pose));
+  return pose;
+}
+
+const Direction kEdge = TestMachine::direction(-1, 1, 2);
+const Direction kNextEdge = TestMachine::direction(-1, -1, 2);
+
+TEST(FastPosture, Example3) {
+  TestMachine m(kHC);
+  const Pose start = posed(m, kEdge, "135", "35");
+  expect_pair(start, 135, 35.2643896827547);
+  PosturePlan plan = run(m, start, kNextEdge);
+  ASSERT_EQ(plan.outcome, Outcome::good);
+  EXPECT_EQ(plan.motion.law(), Law::circle);
+  expect_pair(plan.end, 225, 35.2643896827547);
+  expect_sample(plan, 1, 4, 154.488330009362, 28.9872466142404);
+  expect_sample(plan, 2, 4, 180, 26.565051177078);
+  expect_sample(plan, 3, 4, 205.511669990638, 28.9872466142404);
+  expect_vector(sample(plan, 1, 4).tool, -0.437363799276446, 0.208721190616481, 0.874727598552893);
+  expect_vector(sample(plan, 2, 4).tool, -0.447213595499958, 0, 0.894427190999916);
+  // Conventional control.
+  plan = run(m, start, kNextEdge, false);
+  EXPECT_EQ(plan.motion.law(), Law::linear);
+  expect_pair(plan.end, 225, 35.2643896827547);
+  expect_vector(sample(plan, 1, 4).tool, -0.533402096794177, 0.220942382690395, 0.816496580927726);
+  expect_vector(sample(plan, 2, 4).tool, -0.577350269189626, 0, 0.816496580927726);
+}
+
+TEST(FastPosture, Example3OtherMachines) {
+  const auto expect = [](const std::string& parameters, const char* first, const char* second,
+                         const std::array<std::array<double, 2>, 5>& pairs) {
+    SCOPED_TRACE(parameters);
+    TestMachine m(parameters);
+    PosturePlan plan = run(m, posed(m, kEdge, first, second), kNextEdge);
+    for (std::uint32_t k = 1; k < 4; ++k) expect_sample(plan, k, 4, pairs[k][0], pairs[k][1]);
+    expect_pair(plan.end, pairs[4][0], pairs[4][1]);
+  };
+  const double a = 35.2643896827547;
+  const double b = 28.9872466142404;
+  const double c = 26.565051177078;
+  expect(kTAC, "35", "225", {{{a, 225}, {b, 244.488330009362}, {c, 270}, {b, 295.511669990638}, {a, 315}}});
+  expect(kMBC, "35", "135", {{{a, 135}, {b, 154.488330009362}, {c, 180}, {b, 205.511669990638}, {a, 225}}});
+  expect(kN45, "116", "50",
+         {{{116.467819046821, 50.7287005490466},
+           {139.507322177772, 41.4567926002351},
+           {166.345415254024, 37.921419763845},
+           {190.530662159048, 41.4567926002351},
+           {206.467819046821, 50.7287005490466}}});
+}
+
+TEST(FastPosture, Example4) {
+  TestMachine m(kHC);
+  PosturePlan plan = run(m, m.at("0", "20"), m.at("90", "40"));
+  EXPECT_FALSE(plan.branch_warning);
+  expect_sample(plan, 1, 4, 33.3593629436283, 18.7250240410852);
+  expect_sample(plan, 2, 4, 61.9830533459686, 23.1158568832211);
+  expect_sample(plan, 3, 4, 79.441555265135, 30.8375489371282);
+  expect_vector(sample(plan, 1, 4).tool, 0.268133688322374, 0.176528861603656, 0.947070159073528);
+  expect_vector(sample(plan, 2, 4).tool, 0.184413141980199, 0.346583337389474, 0.919712880908474);
+  // More than half a turn, another whole turn, the other branch: conventional, with the warning.
+  for (const auto& [c, b] :
+       {std::pair{"200", "20"}, std::pair{"450", "40"}, std::pair{"90", "400"}, std::pair{"270", "-40"}}) {
+    plan = run(m, m.at("0", "20"), m.at(c, b));
+    EXPECT_TRUE(plan.branch_warning) << c;
+    EXPECT_EQ(plan.motion.law(), Law::linear);
+    expect_pair(plan.end, std::stod(c), std::stod(b), 0);
+  }
+  // The same work-side position: in its plane, also across the pole.
+  plan = run(m, m.at("30", "20"), m.at("30", "-40"));
+  EXPECT_FALSE(plan.branch_warning);
+  EXPECT_EQ(plan.motion.law(), Law::meridian);
+  for (std::uint32_t k = 1; k < 6; ++k) expect_sample(plan, k, 6, 30, 20 - 10.0 * k);
+  plan = run(m, m.at("30", "20"), m.at("30", "50"));
+  for (std::uint32_t k = 1; k < 3; ++k) expect_sample(plan, k, 3, 30, 20 + 10.0 * k);
+}
+
+// Ve of example 5: polar angle and azimuth in degrees, as a direction in double-double.
+Direction polar(const std::string& angle, const std::string& azimuth) {
+  const auto p = fine_sine_cosine(TestMachine::degrees(angle));
+  const auto a = fine_sine_cosine(TestMachine::degrees(azimuth));
+  return fine_direction({p.sine * a.cosine, p.sine * a.sine, p.cosine});
+}
+
+TEST(FastPosture, Example5Unchanged) {
+  TestMachine m(kHC + parameter(19738, 1) + parameter(19739, 3));
+  PosturePlan plan = run(m, m.at("0", "10"), polar("12", "176"));
+  ASSERT_EQ(plan.outcome, Outcome::good);
+  EXPECT_FALSE(plan.changed);
+  expect_pair(plan.end, 176, 12);
+  expect_sample(plan, 1, 10, 0.627160532895321, 7.80345595842618, 1e-11);
+  expect_sample(plan, 3, 10, 4.27970316883873, 3.41845337728643, 1e-11);
+  expect_sample(plan, 4, 10, 15.6447476915161, 1.25849039506375, 1e-11);
+  expect_sample(plan, 5, 10, 156.749981593727, 1.07228252285797, 1e-11);
+  expect_sample(plan, 6, 10, 170.951321299778, 3.2223902158916, 1e-11);
+  TestMachine alarms(kHC + parameter(19738, 1) + parameter(19739, 3) + parameter("19696#3", "1"));
+  EXPECT_EQ(run(alarms, alarms.at("0", "10"), polar("12", "176")).outcome, Outcome::refused);
+  // 19738 = 0: neither.
+  TestMachine none(kHC + parameter(19739, 180) + parameter("19696#3", "1"));
+  plan = run(none, none.at("0", "10"), polar("12", "176"));
+  EXPECT_EQ(plan.outcome, Outcome::good);
+  EXPECT_FALSE(plan.changed);
+  // delta = 4 exactly: the limit itself changes.
+  TestMachine exact(kHC + parameter(19738, 1) + parameter(19739, 4));
+  EXPECT_TRUE(run(exact, exact.at("0", "10"), polar("12", "176")).changed);
+  TestMachine below(kHC + parameter(19738, 1) + parameter("19739", "\"3.999999999\""));
+  EXPECT_FALSE(run(below, below.at("0", "10"), polar("12", "176")).changed);
+}
+
+TEST(FastPosture, Example5Changed) {
+  TestMachine m(kHC + parameter(19738, 1) + parameter(19739, 5));
+  PosturePlan plan = run(m, m.at("0", "10"), polar("12", "176"));
+  ASSERT_TRUE(plan.changed);
+  EXPECT_EQ(plan.motion.law(), Law::linear);
+  expect_pair(plan.end, 0, -12);
+  EXPECT_EQ(plan.end.axis[0].kind, RotaryPosition::Kind::exact);
+  expect_vector({plan.end.tool.unit[0], plan.end.tool.unit[1], plan.end.tool.unit[2]}, -0.207911690817759, 0,
+                0.978147600733806);
+  expect_sample(plan, 1, 4, 0, 4.5);
+  expect_vector(sample(plan, 1, 4).tool, 0.0784590957278449, 0, 0.996917333733128);
+  expect_sample(plan, 2, 4, 0, -1);
+  expect_sample(plan, 3, 4, 0, -6.5);
+  // The next block starts from the actual pair.
+  PosturePlan next = run(m, plan.end, polar("30", "200"));
+  expect_pair(next.end, 20, -30);
+  expect_sample(next, 1, 2, 14.1611368115305, -20.7582829496743);
+
+  TestMachine twin(kTAC + parameter(19738, 1) + parameter(19739, 5));
+  plan = run(twin, twin.at("10", "0"), twin.at("12", "176").tool);
+  ASSERT_TRUE(plan.changed);
+  expect_pair(plan.end, -12, 0);
+  expect_vector(sample(plan, 1, 2).tool, 0, 0.0174524064372835, 0.999847695156391);
+
+  // Around -Z.
+  plan = run(m, m.at("0", "172"), polar("170", "177"));
+  ASSERT_TRUE(plan.changed);
+  expect_pair(plan.end, 0, 190);
+
+  // The changed pair outside the range of the axes is refused; the unchanged one counts then.
+  TestMachine ranged(kHC + parameter(19738, 1) + parameter(19739, 5) + parameter(19743, 90) + parameter(19744, 0));
+  plan = run(ranged, ranged.at("0", "10"), polar("12", "176"));
+  EXPECT_FALSE(plan.changed);
+  expect_pair(plan.end, 176, 12);
+}
+
+TEST(FastPosture, Example7) {
+  const Direction end = whole_direction({-10, 1, 50});
+  const auto changed = [&](const std::string& near, const std::string& veto) {
+    TestMachine m(kHC + parameter("19738", "\"" + near + "\"") + parameter("19739", "\"" + veto + "\""));
+    const PosturePlan plan = run(m, posed(m, TestMachine::direction(1, 0, 5), "0", "10"), end);
+    EXPECT_EQ(plan.outcome, Outcome::good);
+    return plan.changed;
+  };
+  EXPECT_TRUE(changed("1", "6"));
+  EXPECT_TRUE(changed("0.5722239119074", "5.7105931374998"));
+  EXPECT_FALSE(changed("0.5722239119072", "6"));
+  EXPECT_FALSE(changed("1", "5.7105931374995"));
+  EXPECT_FALSE(changed("1", "-1"));
+  // An exact crossing is no reason for a change.
+  TestMachine m(kHC + parameter(19738, 90) + parameter(19739, 180) + parameter("19696#3", "1"));
+  PosturePlan plan = run(m, posed(m, TestMachine::direction(1, 0, 2), "0", "20"), TestMachine::direction(-2, 0, 3));
+  ASSERT_EQ(plan.outcome, Outcome::good);
+  EXPECT_FALSE(plan.changed);
+  EXPECT_EQ(plan.motion.law(), Law::meridian);
+  expect_pair(plan.end, 0, -33.6900675259798);
+  EXPECT_EQ(plan.end.axis[0].degrees, 0);
+  for (std::uint32_t k = 1; k < 10; ++k) expect_sample(plan, k, 10, 0, 26.565051177078 - 6.02551187030578 * k);
+}
+
+TEST(FastPosture, Example8) {
+  const auto expect = [](const std::string& parameters, const std::array<std::array<double, 2>, 5>& pairs) {
+    SCOPED_TRACE(parameters);
+    TestMachine m(parameters);
+    const std::array<Direction, 5> edges{kEdge, kNextEdge, TestMachine::direction(1, -1, 2),
+                                         TestMachine::direction(1, 1, 2), kEdge};
+    Pose pose = m.at("0", "0");
+    for (std::size_t i = 0; i < 5; ++i) {
+      PosturePlan plan = run(m, pose, edges[i]);
+      ASSERT_EQ(plan.outcome, Outcome::good);
+      EXPECT_FALSE(plan.branch_warning);
+      EXPECT_EQ(plan.pre_turn, i == 0);
+      expect_pair(plan.end, pairs[i][0], pairs[i][1]);
+      if (i == 0) {
+        EXPECT_EQ(plan.motion.law(), Law::meridian);
+        const std::size_t w = m.machine.work_side();
+        EXPECT_NEAR(plan.turned.axis[w].degrees, pairs[0][w], kDegrees);
+        expect_vector(sample(plan, 1, 4).tool, -0.108373643161723, 0.108373643161723, 0.988185360615968);
+        expect_vector(sample(plan, 3, 4).tool, -0.314938275028657, 0.314938275028657, 0.895336677369998);
+        for (std::uint32_t k = 1; k < 4; ++k)
+          EXPECT_NEAR(std::abs(sample(plan, k, 4).degrees[m.machine.tool_side()]), 8.81609742068866 * k, kDegrees);
+      } else {
+        const PostureSample middle = sample(plan, 1, 2);
+        EXPECT_NEAR(middle.degrees[m.machine.tool_side()], -26.565051177078, kDegrees);
+      }
+      pose = plan.end;
+    }
+  };
+  const double a = -35.2643896827547;
+  expect(kHC, {{{-45, a}, {45, a}, {135, a}, {225, a}, {315, a}}});
+  expect(kTAC, {{{a, 45}, {a, 135}, {a, 225}, {a, 315}, {a, 405}}});
+  expect(kMBC, {{{a, -45}, {a, 45}, {a, 135}, {a, 225}, {a, 315}}});
+}
+
+TEST(FastPosture, OppositeAndEqual) {
+  TestMachine m(kHC);
+  PosturePlan plan = run(m, m.at("0", "30"), m.at("180", "150"));
+  EXPECT_EQ(plan.motion.law(), Law::linear);
+  EXPECT_FALSE(plan.branch_warning);
+  expect_sample(plan, 1, 4, 45, 60);
+  expect_vector(sample(plan, 1, 4).tool, 0.612372435695795, 0.612372435695795, 0.5);
+  expect_vector(sample(plan, 2, 4).tool, 0, 1, 0);
+  // Type 2, opposite: the choice of part 4.
+  plan = run(m, posed(m, TestMachine::direction(1, 0, 1), "0", "40"), TestMachine::direction(-2, 0, -2));
+  EXPECT_EQ(plan.motion.law(), Law::linear);
+  expect_pair(plan.end, 0, 225);  // by hand: C stays, B moves 180 either way, one modulo 360: the larger position
+}
+
+TEST(FastPosture, SingularEnds) {
+  TestMachine m(kHC);
+  // Type 2 into the pole: the work side stays.
+  PosturePlan plan = run(m, posed(m, kEdge, "135", "35"), TestMachine::direction(0, 0, 3));
+  EXPECT_EQ(plan.outcome, Outcome::good);
+  expect_pair(plan.end, 135, 0);
+  EXPECT_EQ(plan.end.axis[1].degrees, 0);
+  EXPECT_EQ(plan.end.branch, 0);
+  for (std::uint32_t k = 1; k < 4; ++k) expect_sample(plan, k, 4, 135, 35.2643896827547 * (1 - k / 4.0));
+  // Type 1: it turns behind the block.
+  plan = run(m, m.at("20", "30"), m.at("50", "0"));
+  EXPECT_TRUE(plan.post_turn);
+  expect_pair(plan.arrived, 20, 0, 0);
+  expect_pair(plan.end, 50, 0, 0);
+  expect_sample(plan, 1, 2, 20, 15);
+  plan = run(m, m.at("20", "30"), m.at("20", "0"));
+  EXPECT_FALSE(plan.post_turn);
+  plan = run(m, m.at("20", "30"), m.at("50", "360"));
+  EXPECT_TRUE(plan.branch_warning);
+  EXPECT_FALSE(plan.post_turn);
+  // Type 1 out of the pole: before the block.
+  plan = run(m, m.at("20", "0"), m.at("50", "30"));
+  EXPECT_TRUE(plan.pre_turn);
+  expect_pair(plan.turned, 50, 0, 0);
+  expect_sample(plan, 1, 2, 50, 15);
+  plan = run(m, m.at("20", "0"), m.at("20", "-30"));
+  EXPECT_FALSE(plan.pre_turn);
+  EXPECT_FALSE(plan.branch_warning);
+  expect_sample(plan, 1, 2, 20, -15);
+  plan = run(m, m.at("20", "0"), m.at("50", "390"));
+  EXPECT_TRUE(plan.branch_warning);
+  EXPECT_FALSE(plan.pre_turn);
+}
+
+TEST(FastPosture, OutOfReach) {
+  TestMachine m(kN45);
+  // The arc between two directions above the plane never goes below it; one to below it does.
+  EXPECT_EQ(run(m, posed(m, TestMachine::direction(1, 0, 1), "0", "90"), TestMachine::direction(0, 1, -1)).outcome,
+            Outcome::unreachable);
+  TestMachine tilted(kHC + parameter(19698, 5));
+  const Pose start = posed(tilted, TestMachine::direction(1, 0, 2), "0", "20");
+  // Over the cone of 5 degrees around Z that cannot be reached.
+  EXPECT_EQ(run(tilted, start, TestMachine::direction(-1, 0, 2)).outcome, Outcome::unreachable);
+  EXPECT_EQ(run(tilted, start, TestMachine::direction(-10, 1, 20)).outcome, Outcome::unreachable);
+  EXPECT_EQ(run(tilted, start, TestMachine::direction(-1, 1, 2)).outcome, Outcome::good);
+}
+
+// Invariants 2 to 4 of the sheet at random blocks: even angle in the plane, the axes give the direction, no jump.
+TEST(FastPosture, Samples) {
+  std::mt19937_64 random(5);
+  const auto component = [&] { return static_cast<std::int64_t>(random() % 201) - 100; };
+  for (const std::string& parameters :
+       {kHC, kTAC, kMBC, kABHead, kMAB, kN45, kT45, kHC + parameter(19698, 5), kHC + parameter(19699, 20)}) {
+    SCOPED_TRACE(parameters);
+    TestMachine m(parameters);
+    Pose pose = m.at("10", "20");
+    m.machine.freeze(pose);
+    int blocks = 0;
+    for (int i = 0; i < 800; ++i) {
+      const std::int64_t x = component();
+      const std::int64_t y = random() % 4 == 0 ? 0 : component();
+      const std::int64_t z = component();
+      if (x == 0 && y == 0 && z == 0) continue;
+      const Direction tool = TestMachine::direction(x, y, z);
+      PosturePlan plan = run(m, pose, tool);
+      if (plan.outcome != Outcome::good) continue;
+      ++blocks;
+      const Pose from = plan.pre_turn ? plan.turned : pose;
+      if (plan.motion.law() == Law::circle || plan.motion.law() == Law::meridian) {
+        const Vector3<double> s{pose.tool.unit[0], pose.tool.unit[1], pose.tool.unit[2]};
+        const Vector3<double> e{tool.unit[0], tool.unit[1], tool.unit[2]};
+        const Vector3<double> n = cross(s, e);
+        const double theta = std::atan2(std::sqrt(dot(n, n)), dot(s, e));
+        const std::uint32_t parts = 64;
+        std::array<double, 2> last{from.axis[0].degrees, from.axis[1].degrees};
+        double steepest = 0;
+        for (std::uint32_t k = 1; k <= parts; ++k) {
+          PostureSample at;
+          if (k < parts)
+            plan.motion.at(k, parts, at);
+          else
+            at.degrees = {plan.end.axis[0].degrees, plan.end.axis[1].degrees}, at.turns = turns(plan.end), at.tool = e;
+          const Vector3<double> forward = m.machine.tool_at(at.turns);
+          const double ill = 1 / std::sqrt(std::fmax(1e-9, 1 - std::pow(dot(at.tool, {0, 0, 1}), 2)));
+          expect_vector(forward, at.tool.x, at.tool.y, at.tool.z, 1e-14 * std::fmin(ill, 1e4));
+          const double angle = std::atan2(dot(cross(s, at.tool), n) / std::sqrt(dot(n, n)), dot(s, at.tool));
+          ASSERT_NEAR(angle, theta * k / parts, 1e-13 / std::sqrt(dot(n, n)) + 1e-14);
+          for (std::size_t j = 0; j < 2; ++j) {
+            steepest = std::fmax(steepest, std::abs(at.degrees[j] - last[j]));
+            last[j] = at.degrees[j];
+          }
+        }
+        // A jump by a whole turn would be 180 or more.
+        ASSERT_LT(steepest, 179);
+      }
+      pose = plan.end;
+    }
+    EXPECT_GT(blocks, 50);
+  }
+}
+
+}  // namespace
+}  // namespace toolcomp::fast
