@@ -3,6 +3,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "fast/fault.h"
+
 namespace toolcomp::fast {
 namespace {
 

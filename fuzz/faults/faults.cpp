@@ -116,6 +116,25 @@ constexpr Row kSide[] = {
     {"side_stop_owner", "fanuc.tool-side.stop-point fanuc.tool-side.corner-side"},
 };
 
+constexpr Row kTip[] = {
+    {"tip_table_sense", "", 500},
+    {"tip_second_axis_first", "fanuc.tool-center-point.choice", 2000},
+    {"tip_order_ignored", "fanuc.tool-center-point.choice", 5000},
+    {"tip_frame_not_frozen", "", 500},
+    {"tip_holder_offset_twice", "fanuc.tool-center-point.length fanuc.tool-center-point.block", 500},
+    {"tip_lean_backwards", "fanuc.tool-center-point.lean", 2000},
+    {"tip_sample_from_the_end", "", 500},
+};
+
+constexpr Row kPosture[] = {
+    {"posture_linear_weights", "fanuc.tool-posture.great-circle fanuc.tool-posture.lift", 500},
+    {"posture_mirrored_at_zero", "fanuc.tool-posture.changed", 20'000},
+    {"posture_veto_without_half_turn", "fanuc.tool-posture.veto fanuc.tool-posture.changed", 2000},
+    {"posture_no_pre_turn", "fanuc.tool-posture.pre-turn", 2000},
+    {"posture_default_ignored", "fanuc.tool-posture.default fanuc.tool-posture.great-circle", 5000},
+    {"posture_near_by_ends", "fanuc.tool-posture.near fanuc.tool-posture.changed fanuc.tool-posture.refused", 5000},
+};
+
 struct Section {
   std::string_view name;
   std::span<const Row> rows;
@@ -124,7 +143,8 @@ constexpr Section kSections[] = {
     {"fanuc/tool-length-offset", kLength},           {"fanuc/leading-edge-offset", kEdge},
     {"fanuc/tool-length-measurement", kMeasurement}, {"fanuc/tool-offset", kOffset},
     {"fanuc/cutter-compensation-b", kCutterB},       {"fanuc/cutter-compensation-c", kCutterC},
-    {"fanuc/tool-side-compensation", kSide},
+    {"fanuc/tool-side-compensation", kSide},         {"fanuc/tool-center-point-control", kTip},
+    {"fanuc/tool-posture-control", kPosture},
 };
 
 std::vector<SeededFault> all() {
