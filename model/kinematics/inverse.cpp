@@ -1,5 +1,6 @@
 #include "model/kinematics/inverse.h"
 
+#include "model/engine.h"
 #include "model/program/alarm.h"
 
 namespace toolcomp::model {
@@ -53,6 +54,8 @@ struct WorkTurn {
   Real sine;
 };
 WorkTurn work_turn(const Machine& machine, const Goal& goal, const ScaledTurn& tool) {
+  // Only a forced outcome comes here with a direction along the work-side axis.
+  if (goal.horizontal2.sign() == Sign::zero) throw NotFinite();
   const Machine::Heights& h = machine.heights();
   const Vector tilted = goal.norm * h.along + tool.cosine * h.across + tool.sine * h.ahead;
   const Vector across = cross(machine.work_side().line, tilted);

@@ -153,6 +153,50 @@ TEST(Inverse, ForwardOfEveryPairIsTheDirectionExactly) {
   EXPECT_GT(reached, 1500);
 }
 
+// The end of the arc from (-1, 1, 2) to (-1, -1, 2), from the pair of the start on one branch, with whole turns.
+std::string lifted(const std::string& parameters, int branch, int tool_turns, int work_turns) {
+  const Machine of(setup(parameters));
+  const Vector from{-1, 1, 2};
+  const Vector to{-1, -1, 2};
+  Recorder recorder;
+  const auto pair = [&](const Vector& v) {
+    const Solutions solutions = inverse(of, recorder, Direction::of(v));
+    return basic(solutions.at.at(branch > 0 ? 0 : 1).pose);
+  };
+  const Pose start{pair(from).tool.plus_turns(tool_turns), pair(from).work.plus_turns(work_turns)};
+  const Pose end = pair(to);
+  const Angle swing = azimuth(of, from, to);
+  const Angle tilt_swing = azimuth(of, heading(of, start.tool, branch), heading(of, end.tool, branch));
+  const Pose result{lifted_tool(start.tool, end.tool, branch, of),
+                    lifted_work(start.work, end.work, swing, tilt_swing, of)};
+  return text(of, start) + " to " + text(of, result);
+}
+
+TEST(Lifted, Example3) {
+  EXPECT_EQ(lifted(kHC, 1, 0, 0), "135 35.2643896827547 to 225 35.2643896827547");
+  EXPECT_EQ(lifted(kHC, -1, -1, 1), "675 -35.2643896827547 to 765 -35.2643896827547");
+  EXPECT_EQ(lifted(kTAC, 1, 0, 0), "35.2643896827547 225 to 35.2643896827547 315");
+  EXPECT_EQ(lifted(kTAC, -1, -1, 0), "-35.2643896827547 45 to -35.2643896827547 135");
+  EXPECT_EQ(lifted(kMBC, 1, 0, -2), "35.2643896827547 -585 to 35.2643896827547 -495");
+  EXPECT_EQ(lifted(kN45, 1, 0, 0), "116.467819046821 50.7287005490466 to 206.467819046821 50.7287005490466");
+  EXPECT_EQ(lifted(kN45, 1, 1, -1), "-243.532180953179 410.728700549047 to -153.532180953179 410.728700549047");
+}
+
+TEST(Lifted, HeadingAtASingularPostureIsTheLimitBesideIt) {
+  for (const std::string& parameters : {kHC, kTAC, kN45, kT45, machine(2, 'A', 1, 'B', 2)}) {
+    const Machine of(setup(parameters));
+    for (const SingularPosture& posture : of.singular_postures())
+      for (const int branch : {1, -1}) {
+        // A thousandth of a degree beside the posture the azimuth differs by less than that much from the limit.
+        const bool up = (of.tool_side().sense * branch * posture.side) > 0;
+        const Angle beside = posture.tool + Angle(Rational(up ? 1 : -1, 1000));
+        EXPECT_EQ(static_cast<int>(branch_quantity(of, beside).sign()), branch);
+        const Angle off = azimuth(of, heading(of, posture.tool, branch), heading(of, beside, branch));
+        EXPECT_TRUE(absolute(off) <= Angle(Rational(1, 1000))) << parameters << posture.side << branch;
+      }
+  }
+}
+
 TEST(SingularPostures, ExistByTheInclinations) {
   // Section 7.1 of the sheet.
   const auto positions = [](const std::string& parameters) {
