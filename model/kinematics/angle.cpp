@@ -31,7 +31,7 @@ Real arctangent(const Real& cosine, const Real& sine) {
 std::optional<Rational> thousandths(const Real& x) {
   constexpr int bits = 90;
   const exact::Enclosure bounds = x.enclosure(bits);
-  const Rational value = Rational(floor(bounds.lower * 1000 + Rational(1, 2))) / 1000;
+  Rational value = Rational(floor(bounds.lower * 1000 + Rational(1, 2))) / 1000;
   const Rational near = Rational(1, Integer(1) << 60);
   if (value - bounds.lower > near || bounds.upper - value > near) return std::nullopt;
   return value;
@@ -86,13 +86,12 @@ Angle Angle::recognised() const {
   if (!rest_ || rest_->degrees) return *this;
   const std::optional<Rational> value = thousandths(arctangent(rest_->cosine, rest_->sine));
   if (!value) return *this;
+  const Real difference = rest_->sine * exact::cos_degrees(*value) - rest_->cosine * exact::sin_degrees(*value);
   try {
-    const Real difference = rest_->sine * exact::cos_degrees(*value) - rest_->cosine * exact::sin_degrees(*value);
-    if (difference.sign() == Sign::zero) return rational_ + *value;
+    return difference.sign() == Sign::zero ? Angle(rational_ + *value) : *this;
   } catch (const exact::Undecided&) {
-    // Not recognised.
+    return *this;
   }
-  return *this;
 }
 
 Integer Angle::nearest_turns() const {

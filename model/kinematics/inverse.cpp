@@ -141,17 +141,6 @@ Real branch_quantity(const Machine& machine, const Angle& tool) {
   return machine.heights().a * turn.sine() - machine.heights().b * turn.cosine();
 }
 
-Vector heading(const Machine& machine, const Angle& tool, int branch) {
-  for (const SingularPosture& posture : machine.singular_postures()) {
-    if ((tool - posture.tool).principal() == Angle()) {
-      // Turning on from the greatest height, or up to the least, on branch 1.
-      const Vector ahead = cross(machine.tool_side().line, posture.direction);
-      return Real(branch * posture.side) * ahead;
-    }
-  }
-  return horizontal(machine, machine.tilted(tool));
-}
-
 Angle azimuth(const Machine& machine, const Vector& from, const Vector& to) {
   const Vector a = horizontal(machine, from);
   const Vector b = horizontal(machine, to);

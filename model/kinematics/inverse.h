@@ -46,9 +46,6 @@ PoseCosines on_branch(const Machine& machine, const Direction& direction, int br
 // height, times rho: positive on branch 1, negative on branch -1, zero at an edge of reach.
 Real branch_quantity(const Machine& machine, const Angle& tool);
 
-// The horizontal direction (about the work-side axis) in which a tilted direction points, of any length; at a singular
-// posture the one in which it leaves the axis, or comes to it, on `branch`.
-Vector heading(const Machine& machine, const Angle& tool, int branch);
 // The azimuth about the work-side axis from one direction to another, principal; neither is parallel to that axis.
 Angle azimuth(const Machine& machine, const Vector& from, const Vector& to);
 
