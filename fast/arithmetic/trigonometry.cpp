@@ -87,6 +87,47 @@ DoubleDouble series(const DoubleDouble& y, std::size_t first, const std::array<d
   }
 }
 
+// Degrees: 180 / pi, and a third, a fifth, a seventh, a ninth of it.
+constexpr double kDegrees = 0x1.ca5dc1a63c1f8p+5;
+constexpr std::array<double, 4> kDegreesPerOdd{0x1.3193d66ed2bfap+4, 0x1.6eb167b830193p+3, 0x1.05ec6ea8225b2p+3,
+                                               0x1.976fc893c3aa3p+2};
+// The angles of slopes 0, 1/32 ... 1 in degrees.
+constexpr std::array<DoubleDouble, 33> kArctangent{{
+    {0x0p+0, 0x0p+0},
+    {0x1.ca3794e52e2a8p+0, -0x1.b18cf3a9c5ffp-54},
+    {0x1.c9c55326164cfp+1, -0x1.88708ff33aabap-55},
+    {0x1.56c5d6668a4b3p+2, -0x1.fed98a21ac307p-53},
+    {0x1.c80044927fe83p+2, -0x1.2a9346eb4b87bp-53},
+    {0x1.1c2e5c194d0bp+3, 0x1.6109e7ac86fa3p-51},
+    {0x1.53d4374d3c2a3p+3, 0x1.c5b7fa992d71fp-52},
+    {0x1.8ad9cd905cd23p+3, -0x1.aa32691274d02p-51},
+    {0x1.c128e80fae02ep+3, -0x1.0fc10e257c651p-53},
+    {0x1.f6ad293d8a981p+3, 0x1.8ffa0b91f5008p-51},
+    {0x1.15aa15bcab87ep+4, 0x1.2f23fe5f78d35p-52},
+    {0x1.2f86ca5693b95p+4, -0x1.921d12e9bd286p-51},
+    {0x1.48e58fac13547p+4, 0x1.bdef92fae944fp-51},
+    {0x1.61c04ce8103cap+4, 0x1.cb0f408701ac7p-51},
+    {0x1.7a11ee6220071p+4, -0x1.63c539bb8dcc2p-55},
+    {0x1.91d65d1b06e47p+4, 0x1.bba81c7320b23p-51},
+    {0x1.a90a731a61dc4p+4, -0x1.80b27b26e182bp-51},
+    {0x1.bfabed561cab5p+4, -0x1.4f228abff8141p-50},
+    {0x1.d5b95bc76511p+4, 0x1.6f006acd20fc1p-52},
+    {0x1.eb32104600588p+4, -0x1.cdc8f191d54cdp-50},
+    {0x1.000b0659f5545p+5, 0x1.0e62435c62f2fp-49},
+    {0x1.0a32f878c76f4p+5, 0x1.ef68cf8c9d5bbp-49},
+    {0x1.141174800a666p+5, 0x1.e004defca5108p-50},
+    {0x1.1da74dd22fa17p+5, -0x1.38573f69caa41p-51},
+    {0x1.26f58ce59e23cp+5, 0x1.80b27b26e182bp-50},
+    {0x1.2ffd676f5018p+5, 0x1.1391e62807a1p-50},
+    {0x1.38c03916765b8p+5, 0x1.50a2d34ee705p-49},
+    {0x1.413f7cbb39bbep+5, 0x1.cb329a1df12d3p-49},
+    {0x1.497cc65551cf8p+5, -0x1.2dd089737cc28p-49},
+    {0x1.5179bd6aca3a8p+5, 0x1.67cc66a04f573p-49},
+    {0x1.5938181bde651p+5, 0x1.ea28ab192aaf3p-51},
+    {0x1.60b996be388b1p+5, -0x1.c843a99069d6dp-51},
+    {0x1.68p+5, 0x0p+0},
+}};
+
 }  // namespace
 
 SineCosine<double> sine_cosine(const Count& degrees) {
@@ -126,10 +167,23 @@ SineCosine<double> sine_cosine(double degrees) {
 }
 
 double arctangent(double sine, double cosine) {
-  constexpr double kDegrees = 57.295779513082320877;
-  const double y = std::abs(sine);
-  const double x = std::abs(cosine);
-  double degrees = y <= x ? std::atan(y / x) * kDegrees : 90 - std::atan(x / y) * kDegrees;
+  const double a = std::abs(sine);
+  const double b = std::abs(cosine);
+  const bool steep = a > b;
+  const double x = steep ? a : b;
+  const double y = steep ? b : a;
+  if (x == 0) return 0;
+  // atan(y / x) = atan(c) + atan(r), c the nearest of 0, 1/32 ... 1, so |r| <= 1/64.
+  const auto nearest = static_cast<std::size_t>(y / x * 32 + 0.5);
+  const double c = static_cast<double>(nearest) / 32;
+  const double r = (y - c * x) / (x + c * y);
+  // r - r^3/3 + ... in degrees: the next term is below 2^-60 of the first. Errors, u = 2^-53: r 3u of c or of itself,
+  // the product and the constant 1u, the sum u, the difference from 90 or 180 u.
+  const double z = r * r;
+  const double rest =
+      z * (kDegreesPerOdd[0] - z * (kDegreesPerOdd[1] - z * (kDegreesPerOdd[2] - z * kDegreesPerOdd[3])));
+  double degrees = kArctangent[nearest].hi + (kArctangent[nearest].lo + (r * kDegrees - r * rest));
+  if (steep) degrees = 90 - degrees;
   if (cosine < 0) degrees = 180 - degrees;
   return sine < 0 ? -degrees : degrees;
 }

@@ -24,8 +24,8 @@ inline constexpr double kFineTrigonometryError = 0x1p-100;
 // Of an angle in double, reduced exactly, |degrees| below 2^40; the same relative error.
 SineCosine<double> sine_cosine(double degrees);
 
-// The angle of (cosine, sine), not both zero, of any length, in degrees in (-180, 180]; exact at multiples of 90.
-// Relative error at most kArctangentError where libm's atan is within 1 ulp.
+// The angle of (cosine, sine) of any length in degrees, in (-180, 180]; exact at multiples of 90, 0 where both are 0.
+// Relative error at most kArctangentError; uses no libm.
 double arctangent(double sine, double cosine);
 inline constexpr double kArctangentError = 6 * 0x1p-53;
 

@@ -49,15 +49,15 @@ bool lean(const Kinematics& kinematics, const Direction& direction, const std::a
   return lean(kinematics, direction, fine, degrees, leaned);
 }
 
-bool lean(const Kinematics& kinematics, const Direction& direction, const FineVector& d, const Count& degrees,
+bool lean(const Kinematics& kinematics, const Direction& direction, const FineVector& travel, const Count& degrees,
           Direction& leaned) {
   const FineVector v = kinematics.refine(direction);
-  const DoubleDouble length = sqrt(dot(d, d));
+  const DoubleDouble length = sqrt(dot(travel, travel));
   if (length.hi == 0) return false;
   // The part of the travel at right angles to the tool.
-  const DoubleDouble along = dot(d, v);
+  const DoubleDouble along = dot(travel, v);
   FineVector across;
-  for (std::size_t i = 0; i < 3; ++i) across[i] = d[i] - v[i] * along;
+  for (std::size_t i = 0; i < 3; ++i) across[i] = travel[i] - v[i] * along;
   const DoubleDouble width = sqrt(dot(across, across));
   constexpr double kParallel = 0x1p-66;  // of the travel: what double-double cannot tell from along the tool
   if (width.hi <= kParallel * length.hi) return false;

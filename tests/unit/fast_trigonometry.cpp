@@ -96,6 +96,60 @@ TEST(Trigonometry, MultiplesOfNinetyAreExact) {
     }
 }
 
+TEST(Trigonometry, ArctangentWithinItsError) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  Exact exact;
+  Exact x;
+  Exact y;
+  double worst = 0;
+  double worst_fine = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const double sine = std::ldexp(number(random), i % 3 == 0 ? -static_cast<int>(random() % 60) : 0);
+    const double cosine = std::ldexp(number(random), i % 3 == 1 ? -static_cast<int>(random() % 60) : 0);
+    mpfr_set_d(y.get(), sine, MPFR_RNDN);
+    mpfr_set_d(x.get(), cosine, MPFR_RNDN);
+    mpfr_atan2(exact.get(), y.get(), x.get(), MPFR_RNDN);
+    mpfr_mul_ui(exact.get(), exact.get(), 180, MPFR_RNDN);
+    mpfr_const_pi(x.get(), MPFR_RNDN);
+    mpfr_div(exact.get(), exact.get(), x.get(), MPFR_RNDN);
+    worst = std::max(worst, exact.relative_error(arctangent(sine, cosine)));
+    // The count in units of 1 / (127 10^18): two halves that are doubles.
+    const Int128 units = fine_arctangent({sine, 0}, {cosine, 0}).units();
+    const auto high = static_cast<double>(units);
+    const auto low = static_cast<double>(units - static_cast<Int128>(high));
+    mpfr_mul_d(exact.get(), exact.get(), static_cast<double>(Count::kRestPerOne), MPFR_RNDN);
+    mpfr_sub_d(x.get(), exact.get(), high, MPFR_RNDN);
+    mpfr_sub_d(x.get(), x.get(), low, MPFR_RNDN);
+    worst_fine = std::max(worst_fine, std::abs(mpfr_get_d(x.get(), MPFR_RNDN)));
+  }
+  RecordProperty("worst_ulp_double", std::to_string(worst * 0x1p53));
+  EXPECT_LE(worst, kArctangentError);
+  EXPECT_LE(worst_fine, 2);
+  EXPECT_EQ(arctangent(1, 0), 90);
+  EXPECT_EQ(arctangent(-1, 0), -90);
+  EXPECT_EQ(arctangent(0, -3), 180);
+  EXPECT_EQ(arctangent(-0.0, -3), 180);
+  EXPECT_EQ(arctangent(0, 2), 0);
+  EXPECT_EQ(arctangent(5, 5), 45);
+}
+
+TEST(Trigonometry, AnglesInDouble) {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 20'000; ++i) {
+    const Count angle = Count::of({random() % 10'000'000'000, 6, random() % 2 == 0, true});
+    // The double is the count rounded: half an ulp of 10^4 degrees, in radians.
+    const auto exact = sine_cosine(angle);
+    const auto rounded = sine_cosine(angle.nearest());
+    ASSERT_NEAR(rounded.sine, exact.sine, 0x1p-40 / 57 + 2e-15);
+    ASSERT_NEAR(rounded.cosine, exact.cosine, 0x1p-40 / 57 + 2e-15);
+  }
+  for (int quarter = -9; quarter <= 9; ++quarter) {
+    EXPECT_EQ(sine_cosine(90.0 * quarter).sine, sine_cosine(Count::of(spec::decimal(90 * quarter))).sine);
+    EXPECT_EQ(sine_cosine(90.0 * quarter).cosine, sine_cosine(Count::of(spec::decimal(90 * quarter))).cosine);
+  }
+}
+
 // The assumption about the C library: sin and cos on [-pi/4, pi/4] within 1 ulp.
 TEST(Trigonometry, LibraryIsWithinOneUlp) {
   std::mt19937_64 random(2);
