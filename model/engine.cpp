@@ -6,12 +6,13 @@
 
 #include "model/cutter_compensation_b/cutter_compensation_b.h"
 #include "model/cutter_compensation_c/cutter_compensation_c.h"
-#include "model/kinematics/program_direction.h"
 #include "model/leading_edge_offset/leading_edge_offset.h"
 #include "model/program/alarm.h"
 #include "model/program/cutter_words.h"
 #include "model/program/interpreter.h"
 #include "model/program/offset_memory.h"
+#include "model/tool_center_point_control/tip_moves.h"
+#include "model/tool_center_point_control/tool_center_point_control.h"
 #include "model/tool_length_measurement/tool_length_measurement.h"
 #include "model/tool_length_offset/tool_length_offset.h"
 #include "model/tool_offset/tool_offset.h"
@@ -47,19 +48,19 @@ std::unique_ptr<CutterCompensation> cutter_compensation(const spec::Setup& setup
 }  // namespace
 
 // The stages of one run, and the order in which a block passes through them: interpretation, tool offset, length offset
-// (and its measurement), leading edge offset, cutter compensation, tool side compensation, events; of the three
-// compensations one at most is on. The length offset is decided when the block
-// is read, so that its alarms are known before a stage of compensation looks at the block; all of them only add to the
-// programmed end, so the order does not show in the coordinates.
+// (and its measurement) or the pose of tool center point control, leading edge offset, cutter compensation, tool side
+// compensation, control point, events; of the three compensations one at most is on. The length offset is decided when
+// the block is read, so that its alarms are known before a stage of compensation looks at the block; all of them only
+// add to the programmed end, so the order does not show in the coordinates. The pose is known then too: compensation
+// reads the direction of the tool, and moves the tip; the control point follows from both at last.
 struct Engine::State {
   State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink, std::uint32_t samples_in_a_block)
       : setup(checked(given)),
         recorder(the_recorder),
         sink(the_sink),
-        samples(samples_in_a_block),
         interpreter(setup, recorder),
         memory(setup, recorder),
-        direction(setup, recorder, interpreter.position()),
+        tip_control(setup, recorder, interpreter.position(), samples_in_a_block > 1),
         length(setup, memory, recorder),
         edge(setup, recorder, [this](const Step& step) { cutter->take(step); }),
         tool_offset(setup, memory, recorder),
@@ -67,7 +68,10 @@ struct Engine::State {
         cutter_words(setup, memory, recorder),
         cutter(cutter_compensation(setup, recorder, [this](const Step& step) { tool_side.take(step); })),
         tool_side_words(setup, memory, recorder),
-        tool_side(setup, recorder, [this](const Step& step) { report(step); }) {}
+        tool_side(setup, recorder, [this](const Step& step) { report(step); }),
+        tip_moves(
+            setup.axes, samples_in_a_block, [this](const Move& move) { report(move); },
+            [this](Event sample) { report(std::move(sample)); }) {}
 
   void run(const spec::Block& block);
   void finish();
@@ -79,14 +83,17 @@ struct Engine::State {
   void fail(const Alarm& alarm);
 
   Step step(const Command& command);
-  [[nodiscard]] Move move(const Command& command, const ProgramDirection::Marks& tip, const Leg& leg,
-                          const LengthVector& offset, bool machine);
+  [[nodiscard]] Compensated compensated(const Command& command) const;
+  // The move of a leg, with what the length offset and the tool say about its end.
+  [[nodiscard]] Move move(const Leg& leg, const LengthVector& offset, const ToolAtEnd& tool, bool machine) const;
+  Move turned_move(const Command& command, const TipMarks& tip, const LengthPlan& plan, Leg& leg, Step& step);
   std::vector<Leg> measure(const Command& command, const Leg& leg, const LengthPlan& plan, Step& step);
   void stand_where_measured(const Leg& leg, std::size_t axis);
   [[nodiscard]] LengthCommand length_command(const Command& command, const std::vector<Leg>& legs) const;
 
   void report(const Step& step);
-  void report(const Step& step, const Move& move);
+  void report(const Move& move);
+  void report(Event sample);
   void report(const Step& step, const OffsetSetting& setting);
   void report(const Step& step, const Warning& warning);
   void report(const Alarm& alarm, const spec::ClauseList& clauses);
@@ -96,10 +103,9 @@ struct Engine::State {
   spec::Setup setup;
   Recorder& recorder;
   EventSink& sink;
-  std::uint32_t samples;  // N of the fractions k/N; 0: none
   Interpreter interpreter;
   OffsetMemory memory;
-  ProgramDirection direction;
+  ToolCenterPointControl tip_control;
   ToolLengthOffset length;
   LeadingEdgeOffset edge;
   ToolOffset tool_offset;
@@ -108,7 +114,9 @@ struct Engine::State {
   std::unique_ptr<CutterCompensation> cutter;
   ToolSideWords tool_side_words;
   ToolSideCompensation tool_side;
-  std::uint64_t line = 0;  // of the block being interpreted
+  TipMoves tip_moves;
+  const Step* reported = nullptr;  // the step whose moves go out
+  std::uint64_t line = 0;          // of the block being interpreted
   std::optional<std::uint64_t> n;
   std::optional<OffsetWrite> pending_write;  // of a G10 block, until its step is made
   bool stopped = false;
@@ -179,15 +187,18 @@ void Engine::State::run(const spec::Block& block) {
   if (recorder.decide(Clause::fanuc_program_end, command.codes.ends_program)) finish();
 }
 
+// The compensations in space before and after a block.
+Compensated Engine::State::compensated(const Command& command) const {
+  return {edge.active(), edge.active_after(command), tool_side.on(), tool_side_words.wanted(command)};
+}
+
 // Everything about a block but its compensation vector. The alarms of a command are found here, in this order.
 Step Engine::State::step(const Command& command) {
   const Numbers& numbers = interpreter.numbers();
-  const ProgramDirection::Compensated compensated{edge.concerns(command), tool_side.on(),
-                                                  tool_side_words.wanted(command)};
-  const ProgramDirection::Marks tip = direction.read(command, length, compensated, numbers);
-  const bool moves = command.axes != 0 || (tip.tip_control && command.direction);
+  const TipMarks tip = tip_control.read(command, length, compensated(command));
+  const bool moves = command.axes != 0 || (tip.directed && command.direction);
   const LeadingEdgeOffset::Marks marks = edge.read(command, moves, memory);
-  std::optional<ToolSideBlock> side_block = tool_side_words.read(command, tip.tip_control, interpreter);
+  std::optional<ToolSideBlock> side_block = tool_side_words.read(command, tip.directed, interpreter);
   if (side_block) {
     tool_side.read(*side_block);
     tool_side_words.add_value(*side_block);
@@ -205,11 +216,8 @@ Step Engine::State::step(const Command& command) {
   }
   if (command.codes.one_shot == OneShot::data)
     pending_write = memory.read_write(command.words, numbers, command.incremental);
-  if (tip.ends) {
-    recorder.reach(Clause::fanuc_tool_direction_end);
-    interpreter.shift_position(Real(length.vector().along_tool) * direction.now().unit);
-  }
-  std::vector<Leg> legs = interpreter.legs(command, tip.tip_control, tip.starts);
+  tip_control.rename_position(tip, interpreter);
+  std::vector<Leg> legs = interpreter.legs(command, tip.directed, tip.starts);
   const Leg start = cutter_block ? tool_offset.shifted(interpreter.stay(command)) : Leg();
   tool_offset.apply(command, interpreter, cutter_words.number(),
                     {command.codes.h.value_or(length.number()), length.axis_mode(command.codes.length)}, legs);
@@ -223,22 +231,26 @@ Step Engine::State::step(const Command& command) {
   if (measures) legs = measure(command, legs.front(), plan, step);
   step.line = line;
   step.n = n;
-  for (const Leg& leg : legs) {
-    const bool on_way = is_reference_return(command.codes.one_shot) && &leg == &legs.front();
-    step.moves.push_back(move(command, tip, leg, on_way ? plan.on_way : plan.at_end, machine));
-    if (leg.cause == spec::Cause::measure)
-      if (const auto feed = measurement.feed()) step.moves.back().feed = *feed;
+  if (tip.tip_control && !legs.empty()) {
+    step.moves.push_back(turned_move(command, tip, plan, legs.front(), step));
+  } else {
+    for (const Leg& leg : legs) {
+      const bool on_way = is_reference_return(command.codes.one_shot) && &leg == &legs.front();
+      step.moves.push_back(move(leg, on_way ? plan.on_way : plan.at_end, tip_control.at(leg.end), machine));
+      if (leg.cause == spec::Cause::measure)
+        if (const auto feed = measurement.feed()) step.moves.back().feed = *feed;
+    }
   }
   interpreter.arrive(command, legs);
   if (measures) stand_where_measured(legs.back(), measurement.axis(command));
-  if (!tip.tip_control) direction.follow(interpreter.position());
+  if (!tip.tip_control) tip_control.follow(interpreter.position());
   if (edge.concerns(command) || cutter_block || side_block) {
-    const Leg rest = tool_offset.shifted(interpreter.stay(command));
-    step.rest = step.moves.empty() ? move(command, tip, rest, plan.at_end, machine) : step.moves.back();
-    step.rest.leg = rest;
-    // A move inserted behind G53 or a reference return is no move of that code; under tool centre point control every
+    // A move inserted behind G53 or a reference return is no move of that code; under tool center point control every
     // move has machine coordinates, and the leading edge offset inserts some even where G41 or G40 came before it.
-    if (!tip.tip_control) step.rest.zero.reset();
+    const Leg rest = tool_offset.shifted(interpreter.stay(command));
+    const bool known = tip.tip_control || !step.moves.empty();
+    step.rest = move(rest, plan.at_end, known ? tip_control.standing() : tip_control.at(rest.end), tip.tip_control);
+    if (!step.moves.empty()) step.rest.feed = step.moves.back().feed;
   }
   step.has_word = command.codes.any;
   step.stops_look_ahead = command.codes.stops_look_ahead;
@@ -251,6 +263,23 @@ Step Engine::State::step(const Command& command) {
         !recorder.decide(Clause::fanuc_leading_edge_no_movement, legs.empty() || is_zero(legs.front().travel));
   step.clauses = recorder.take_clauses();
   return step;
+}
+
+// The own move of a block under tool center point control; the leg ends where the rotary axes then stand.
+Move Engine::State::turned_move(const Command& command, const TipMarks& tip, const LengthPlan& plan, Leg& leg,
+                                Step& step) {
+  TurnedBlock turned = tip_control.turn(command, tip, interpreter, plan.at_end.along_tool, leg);
+  Move result = move(leg, plan.at_end, turned.end, true);
+  if (turned.motion) {
+    if (turned.end.tip->frame) tip_control.place(turned.end.tip->pose, result.leg.end);
+    result.inside = std::make_shared<const OwnMotion>(std::move(*turned.motion));
+  }
+  if (turned.branch_differs) {
+    Warning warning{"posture-branch", "the axes cannot follow the plane to the commanded positions", {}};
+    warning.clauses.add(Clause::fanuc_tool_posture_branch_mismatch);
+    step.warnings.push_back(warning);
+  }
+  return result;
 }
 
 // The legs of a G37 block, and what it writes or the alarm it ends with.
@@ -284,18 +313,12 @@ LengthCommand Engine::State::length_command(const Command& command, const std::v
   return result;
 }
 
-Move Engine::State::move(const Command& command, const ProgramDirection::Marks& tip, const Leg& leg,
-                         const LengthVector& offset, bool machine) {
+Move Engine::State::move(const Leg& leg, const LengthVector& offset, const ToolAtEnd& tool, bool machine) const {
   Move result;
   result.leg = leg;
-  result.tool = direction.at(command, tip, leg.end, interpreter.numbers());
-  for (std::size_t i = 0; i < setup.axes.size(); ++i) {
-    Real& length_on_axis = result.length.at(i);
-    length_on_axis = offset.axis.at(i);
-    const char letter = setup.axes.letter(i);
-    if (offset.along_tool != 0 && is_space_axis(letter))
-      length_on_axis += Real(offset.along_tool) * component(result.tool.unit, space_index(letter));
-  }
+  result.tool = tool.tool;
+  result.tip = tool.tip;
+  for (std::size_t i = 0; i < setup.axes.size(); ++i) result.length.at(i) = offset.axis.at(i);
   if (machine) {
     auto& zero = result.zero.emplace();
     for (std::size_t i = 0; i < setup.axes.size(); ++i) zero.at(i) = interpreter.work().zero(i).value();
@@ -305,8 +328,9 @@ Move Engine::State::move(const Command& command, const ProgramDirection::Marks& 
 }
 
 void Engine::State::report(const Step& step) {
-  if (step.warning) report(step, *step.warning);
-  for (const Move& move : step.moves) report(step, move);
+  reported = &step;
+  for (const Warning& warning : step.warnings) report(step, warning);
+  for (const Move& move : step.moves) tip_moves.take(move);
   if (step.setting) report(step, *step.setting);
   if (step.alarm) {
     stopped = true;
@@ -314,13 +338,14 @@ void Engine::State::report(const Step& step) {
   }
 }
 
-void Engine::State::report(const Step& step, const Move& move) {
+void Engine::State::report(const Move& move) {
   Event event;
   event.kind = spec::EventKind::move;
-  event.line = step.line;
-  event.n = step.n;
+  event.line = reported->line;
+  event.n = reported->n;
   event.type = move.leg.type;
   event.cause = move.leg.cause;
+  const Vector control_point = move.tip ? axes_at(move, setup.axes) : Vector();
   for (std::size_t i = 0; i < setup.axes.size(); ++i) {
     const char letter = setup.axes.letter(i);
     Real at = move.leg.actual(i).value();
@@ -329,15 +354,23 @@ void Engine::State::report(const Step& step, const Move& move) {
       if (is_space_axis(letter)) at += component(move.offset, space_index(letter));
       event.point.set(i, at);
     }
-    const Real axis = at + move.length.at(i);
+    const bool of_tip = move.tip && is_space_axis(letter);
+    const Real axis = of_tip ? component(control_point, space_index(letter)) : at + move.length.at(i);
     event.axes.set(i, axis);
     if (move.zero) event.machine.set(i, axis + move.zero->at(i));
   }
   if (move.tool.reported) event.tool_axis = {move.tool.unit.x, move.tool.unit.y, move.tool.unit.z};
   event.arc = move.leg.arc;
   if (event.type != spec::MoveType::rapid) event.feed = move.feed;
-  event.clauses = step.clauses;
+  event.clauses = reported->clauses;
   sink.on(event);
+}
+
+void Engine::State::report(Event sample) {
+  sample.line = reported->line;
+  sample.n = reported->n;
+  sample.clauses = reported->clauses;
+  sink.on(sample);
 }
 
 void Engine::State::report(const Step& step, const OffsetSetting& setting) {

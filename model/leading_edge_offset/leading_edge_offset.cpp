@@ -30,6 +30,12 @@ bool LeadingEdgeOffset::concerns(const Command& command) const {
   return active_ || (command.codes.compensation == Compensation::leading_edge && number(command) != 0);
 }
 
+bool LeadingEdgeOffset::active_after(const Command& command) const {
+  const Codes& codes = command.codes;
+  if (codes.compensation == Compensation::leading_edge) return number(command) != 0;
+  return active_ && codes.compensation != Compensation::cancel && codes.d != 0U;
+}
+
 LeadingEdgeOffset::Marks LeadingEdgeOffset::read(const Command& command, bool moves, const OffsetMemory& memory) {
   const Codes& codes = command.codes;
   number_ = number(command);

@@ -33,6 +33,9 @@ class LeadingEdgeOffset {
   // PS5408, PS5407, FORBIDDEN_IN_3D_COMPENSATION or PS0029.
   Marks read(const Command& command, bool moves, const OffsetMemory& memory);
 
+  // The mode is on before the next command that is read, or after this one.
+  [[nodiscard]] bool active() const { return active_; }
+  [[nodiscard]] bool active_after(const Command& command) const;
   // The mode is on for this command: before it, or from it on.
   [[nodiscard]] bool concerns(const Command& command) const;
 

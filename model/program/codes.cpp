@@ -80,6 +80,8 @@ class Reader {
         return group(codes_.compensation, Compensation::directed_tool_side_right);
       case 430:
         return group(codes_.length, LengthCode::plus);
+      case 434:
+        return group(codes_.length, LengthCode::tip_control);
       case 435:
         return group(codes_.length, LengthCode::tool_direction);
       case 440:

@@ -24,8 +24,14 @@ enum class Compensation : std::uint8_t {                              // group 0
   directed_tool_side_left,                                            // G41.6: the same under G43.5
   directed_tool_side_right                                            // G42.6
 };
-enum class LengthCode : std::uint8_t { plus, minus, tool_direction, cancel };  // group 08: G43 G44 G43.5 G49
-enum class OneShot : std::uint8_t {                                            // group 00
+enum class LengthCode : std::uint8_t {  // group 08
+  plus,                                 // G43
+  minus,                                // G44
+  tip_control,                          // G43.4: tool center point control, type 1
+  tool_direction,                       // G43.5: type 2
+  cancel                                // G49
+};
+enum class OneShot : std::uint8_t {  // group 00
   none,
   dwell,                // G04
   data,                 // G10
@@ -51,6 +57,10 @@ constexpr bool takes_letters_as_data(OneShot code) { return code == OneShot::dwe
 
 // G41, G42.
 constexpr bool is_cutter_side(Compensation code) { return code == Compensation::left || code == Compensation::right; }
+// G43.4, G43.5.
+constexpr bool is_tip_control(LengthCode code) {
+  return code == LengthCode::tip_control || code == LengthCode::tool_direction;
+}
 // G41.2, G42.2, G41.6, G42.6.
 constexpr bool is_tool_side(Compensation code) { return code >= Compensation::tool_side_left; }
 

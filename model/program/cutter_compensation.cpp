@@ -11,9 +11,9 @@ void CutterCompensation::check(const CutterBlock& words) const {
           "cutter compensation in a plane of which the machine lacks an axis");
   if (on() && words.plane_changed)
     raise(recorder_, Clause::fanuc_cutter_plane_change, "PS0037", "the plane changes while cutter compensation is on");
-  if ((on() && words.other_compensation) || ((on() || in_force) && words.tool_direction))
+  if ((on() && words.other_compensation) || ((on() || in_force) && words.tip_control))
     raise(recorder_, Clause::fanuc_cutter_excluded, "FORBIDDEN_IN_CUTTER_COMPENSATION",
-          "another compensation or G43.5 while cutter compensation is on");
+          "another compensation, G43.4 or G43.5 while cutter compensation is on");
   if ((on() || wanted(words)) && is_tool_offset(words.one_shot))
     raise(recorder_, Clause::fanuc_tool_offset_in_cutter_compensation, "PS0042",
           "G45 to G48 while cutter compensation is on");

@@ -96,7 +96,7 @@ std::optional<CutterBlock> CutterWords::read(const Command& command, const Inter
   block.arc_words = block.arc_mode && is_path(codes.one_shot) &&
                     (block.has_plane_word() || command.direction || command.words.has('R'));
   block.other_compensation = codes.compensation && !block.code;
-  block.tool_direction = codes.length == LengthCode::tool_direction;
+  block.tip_control = codes.length && is_tip_control(*codes.length);
   block.lacks_axis = !axes_.has(in_plane.first) || !axes_.has(in_plane.second);
   if (const spec::Decimal* const r = command.words.find('R'); block.arc_words && r != nullptr) {
     const Rational radius = interpreter.numbers().length(*r);

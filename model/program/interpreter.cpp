@@ -68,6 +68,11 @@ void Interpreter::go(Leg& leg, std::size_t axis, const Coordinate& to, const Rea
   if (is_space_axis(letter)) component(leg.travel, space_index(letter)) = travel;
 }
 
+void Interpreter::go(Leg& leg, std::size_t axis, const Coordinate& to) const {
+  // The travel of a rotary axis is nobody's concern, and may be a sum of angles.
+  go(leg, axis, to, is_space_axis(axes_.letter(axis)) ? (to - position_.at(axis)).value() : Real());
+}
+
 Leg Interpreter::ordinary(const Command& command, spec::MoveType type) const {
   Leg leg;
   leg.type = type;
@@ -149,12 +154,12 @@ std::vector<Leg> Interpreter::return_legs(const Command& command) const {
   return {intermediate, end};
 }
 
-std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Leg& leg, bool tip_control) {
+std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Leg& leg, bool directed) {
   const PlaneLetters in_plane = letters(command.plane);
   const std::size_t first = axes_.index(in_plane.first);
   const std::size_t second = axes_.index(in_plane.second);
   const spec::Decimal* const r = command.words.find('R');
-  const bool center = command.direction && !tip_control;
+  const bool center = command.direction && !directed;
   const bool travels = in(command.axes, first) || in(command.axes, second);
   if (r == nullptr && !center) {
     if (travels)
@@ -199,7 +204,7 @@ void Interpreter::select_workpiece_system(const Command& command) {
   work_.select(*command.codes.workpiece, position_);
 }
 
-std::vector<Leg> Interpreter::legs(const Command& command, bool tip_control, bool always) {
+std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool always) {
   const OneShot one_shot = command.codes.one_shot;
   if (is_reference_return(one_shot)) return reference_legs(command);
   const bool goes = command.axes != 0;
@@ -216,9 +221,9 @@ std::vector<Leg> Interpreter::legs(const Command& command, bool tip_control, boo
   Leg leg = toward(command);
   if (one_shot == OneShot::measure) return {leg};
   if (command.is_arc_motion() && (goes || command.direction || command.words.has('R')))
-    leg.arc = arc(command, leg, tip_control);
+    leg.arc = arc(command, leg, directed);
   if (leg.arc) leg.type = spec::MoveType::arc;
-  if (goes || leg.arc || always || (tip_control && command.direction)) return {leg};
+  if (goes || leg.arc || always || (directed && command.direction)) return {leg};
   return {};
 }
 
@@ -243,10 +248,17 @@ void Interpreter::arrive(const Command& command, const std::vector<Leg>& legs) {
   }
 }
 
-void Interpreter::shift_position(const Vector& vector) {
+void Interpreter::shift_position(const Vector& by) {
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const char letter = axes_.letter(i);
-    if (is_space_axis(letter)) position_.at(i) = position_.at(i) + Coordinate(component(vector, space_index(letter)));
+    if (is_space_axis(letter)) position_.at(i) = position_.at(i) + Coordinate(component(by, space_index(letter)));
+  }
+}
+
+void Interpreter::stand_in_space(const Vector& at) {
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const char letter = axes_.letter(i);
+    if (is_space_axis(letter)) position_.at(i) = Coordinate(component(at, space_index(letter)));
   }
 }
 

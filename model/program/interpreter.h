@@ -41,9 +41,9 @@ class Interpreter {
 
   // G54 to G59: the position is called by the new system from here on.
   void select_workpiece_system(const Command& command);
-  // Where the block goes. `tip_control`: G43.5 is in force in it, I J K are a tool direction and alone make a move;
+  // Where the block goes. `directed`: G43.5 is in force in it, I J K are a tool direction and alone make a move;
   // `always`: it makes a move even without. Throws Alarm PS0023 or PS0046. The position stays until arrive().
-  std::vector<Leg> legs(const Command& command, bool tip_control, bool always);
+  std::vector<Leg> legs(const Command& command, bool directed, bool always);
   // A leg that stays where the block starts, or after arrive() where it ended.
   [[nodiscard]] Leg stay(const Command& command) const;
   // The straight leg to where the axis words of the block point, moving or not.
@@ -53,8 +53,9 @@ class Interpreter {
 
   // An axis stands elsewhere than its word said: where G37 has stopped it.
   void stand(std::size_t axis, const Coordinate& at) { position_.at(axis) = at; }
-  // The position at which G49 leaves the axes: X Y Z shift by `vector`.
-  void shift_position(const Vector& vector);
+  // X Y Z are called otherwise from here on: where G49 leaves the axes, or in another coordinate system.
+  void shift_position(const Vector& by);
+  void stand_in_space(const Vector& at);
 
   [[nodiscard]] const Position& position() const { return position_; }
   [[nodiscard]] const WorkCoordinates& work() const { return work_; }
@@ -67,10 +68,8 @@ class Interpreter {
   [[nodiscard]] Leg ordinary(const Command& command, spec::MoveType type) const;
   // Ends an axis of the leg at `to`, `travel` away from where the block starts.
   void go(Leg& leg, std::size_t axis, const Coordinate& to, const Real& travel) const;
-  void go(Leg& leg, std::size_t axis, const Coordinate& to) const {
-    go(leg, axis, to, (to - position_.at(axis)).value());
-  }
-  [[nodiscard]] std::optional<spec::Arc<Real>> arc(const Command& command, const Leg& leg, bool tip_control);
+  void go(Leg& leg, std::size_t axis, const Coordinate& to) const;
+  [[nodiscard]] std::optional<spec::Arc<Real>> arc(const Command& command, const Leg& leg, bool directed);
   [[nodiscard]] Leg machine_leg(const Command& command) const;
   [[nodiscard]] std::vector<Leg> reference_legs(const Command& command);
   [[nodiscard]] std::vector<Leg> return_legs(const Command& command) const;

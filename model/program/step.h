@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "model/program/codes.h"
 #include "model/program/coordinate.h"
 #include "model/program/offset_memory.h"
+#include "model/tool_center_point_control/tool_pose.h"
 #include "spec/language/event.h"
 
 namespace toolcomp::model {
@@ -43,6 +45,8 @@ struct Move {
   std::optional<std::array<Real, spec::kMaxAxes>>
       zero;  // machine coordinate of the workpiece zero, where it is reported
   std::optional<Real> feed;
+  std::optional<ToolPose> tip;              // under tool center point control, which then makes the axes of it
+  std::shared_ptr<const OwnMotion> inside;  // of the own move of a block run under it
 };
 
 // What a block says to the leading edge offset.
@@ -88,7 +92,7 @@ struct CutterBlock {
                                          // axis word of the plane or I J K or R
   std::optional<Rational> radius;        // of such an arc, where R gives it
   bool other_compensation = false;       // G41.3, G41.2 …
-  bool tool_direction = false;           // G43.5
+  bool tip_control = false;              // G43.4, G43.5
   bool changes_workpiece_system = false;  // G54–G59
   bool is_block = true;                   // any word, N and O included
 
@@ -136,7 +140,7 @@ struct ToolSideBlock {
   [[nodiscard]] bool wanted() const { return side != CutterSide::none && number != 0; }
 };
 
-// What a stage of compensation says before the moves of a block.
+// What is said before the moves of a block.
 struct Warning {
   spec::Name number;
   const char* message = "";  // static text
@@ -160,7 +164,7 @@ struct Step {
   Rational radius;  // offset of the D number in force at the end of the block, where the leading edge offset is active
   std::optional<CutterBlock> cutter;  // from the first G41, G42 or G39 of a program on
   std::optional<ToolSideBlock> side;  // from its first G41.2, G42.2, G41.6 or G42.6 on
-  std::optional<Warning> warning;
+  std::vector<Warning> warnings;
   std::optional<OffsetSetting> setting;  // written at the end of the block
   std::optional<Alarm> alarm;            // that shows by its motion, once its moves are made
   spec::ClauseList clauses;

@@ -1,5 +1,5 @@
-// Tool length offset: G43, G44, G49 and H, types A, B and C, and what G53, G28, G30 and G30.1 do to it. G43.5 shares
-// its modal group and its H rules; its length lies along the tool.
+// Tool length offset: G43, G44, G49 and H, types A, B and C, and what G53, G28, G30 and G30.1 do to it. G43.4 and G43.5
+// share its modal group and its H rules; their length lies along the tool.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct LengthCommand {
   AxisMask cancelled = 0;    // axes that G53, G28, G30 or G30.1 sends to a machine position
 };
 
-// The offset in force: what is added to each axis, and under G43.5 along the tool. Setup units.
+// The offset in force: what is added to each axis, and under G43.4 and G43.5 along the tool. Setup units.
 struct LengthVector {
   std::array<Rational, spec::kMaxAxes> axis;
   Rational along_tool;
@@ -56,8 +56,10 @@ class ToolLengthOffset {
     const LengthCode mode = code.value_or(mode_);
     return mode == LengthCode::plus || mode == LengthCode::minus;
   }
+  // G43.4 or G43.5 is in force.
+  [[nodiscard]] bool tip_control() const { return is_tip_control(mode_); }
   // G43.5 is in force.
-  [[nodiscard]] bool tip_control() const { return mode_ == LengthCode::tool_direction; }
+  [[nodiscard]] bool directed() const { return mode_ == LengthCode::tool_direction; }
   // Some axis is offset by G43 or G44.
   [[nodiscard]] bool axis_offset() const;
 

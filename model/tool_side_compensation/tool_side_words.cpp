@@ -43,7 +43,7 @@ bool ToolSideWords::wanted(const Command& command) const {
   return side_after(command) != CutterSide::none && offset_.number_after(command.codes).number != 0;
 }
 
-std::optional<ToolSideBlock> ToolSideWords::read(const Command& command, bool tip_control,
+std::optional<ToolSideBlock> ToolSideWords::read(const Command& command, bool directed,
                                                  const Interpreter& interpreter) {
   const Codes& codes = command.codes;
   ToolSideBlock block;
@@ -53,7 +53,7 @@ std::optional<ToolSideBlock> ToolSideWords::read(const Command& command, bool ti
   const bool tool_side_code = codes.compensation && is_tool_side(*codes.compensation);
   if (codes.compensation == Compensation::cancel || tool_side_code) block.code = side_;
   block.other_compensation = codes.compensation && !block.code;
-  block.wrong_mode = tool_side_code && is_directed(*codes.compensation) != tip_control;
+  block.wrong_mode = tool_side_code && is_directed(*codes.compensation) != directed;
   seen_ = seen_ || tool_side_code;
   block.number_given = offset_.take(codes);
   block.number = offset_.number().number;
@@ -67,7 +67,7 @@ std::optional<ToolSideBlock> ToolSideWords::read(const Command& command, bool ti
   block.changes_coordinates = codes.workpiece || codes.units;
   block.auxiliary = codes.auxiliary;
   block.stops_look_ahead = codes.stops_look_ahead;
-  block.moves = command.axes != 0 || (tip_control && command.direction);
+  block.moves = command.axes != 0 || (directed && command.direction);
   block.arc_mode = command.is_arc_motion();
   const PlaneLetters in_plane = letters(command.plane);
   const auto named = [&](char letter) { return axes_.has(letter) && command.words.has(letter); };

@@ -19,8 +19,8 @@ class ToolSideWords {
   // The compensation is on after the block (fanuc.tool-side.on).
   [[nodiscard]] bool wanted(const Command& command) const;
   // What the block says, without the value of its number; nothing before the first code of the program.
-  // `tip_control`: G43.5 is in force in the block.
-  [[nodiscard]] std::optional<ToolSideBlock> read(const Command& command, bool tip_control,
+  // `directed`: G43.5 is in force in the block.
+  [[nodiscard]] std::optional<ToolSideBlock> read(const Command& command, bool directed,
                                                   const Interpreter& interpreter);
   // The value in force at the end of the block. Throws Alarm PS0029.
   void add_value(ToolSideBlock& block);

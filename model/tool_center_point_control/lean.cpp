@@ -1,0 +1,46 @@
+#include "model/tool_center_point_control/lean.h"
+
+#include "model/engine.h"
+#include "model/geometry/plane_vector.h"
+
+namespace toolcomp::model {
+namespace {
+
+// The tangent at the end of the arc, square to the radius there.
+Vector end_tangent(const Leg& leg, const spec::Axes& axes) {
+  const spec::Arc<Real>& arc = *leg.arc;
+  const PlaneLetters in_plane = letters(arc.plane);
+  const auto from_center = [&](char letter) {
+    if (!axes.has(letter)) return Real(0);
+    const std::size_t axis = axes.index(letter);
+    return leg.actual(axis).value() - arc.center[axis];
+  };
+  const PlanePoint counter_clockwise = left(PlanePoint{from_center(in_plane.first), from_center(in_plane.second)});
+  return in_space(arc.plane, arc.direction == spec::ArcDirection::ccw ? counter_clockwise : -counter_clockwise);
+}
+
+}  // namespace
+
+// V' = cos Q V + sin Q n × V, with n = V × d / |V × d|.
+Direction leaned(Recorder& recorder, const Direction& tool, const Leg& leg, const spec::Axes& axes,
+                 const Rational& degrees) {
+  Vector travel = leg.travel;
+  if (leg.arc) {
+    recorder.reach(Clause::fanuc_tool_center_point_lean_in_an_arc);
+    travel = end_tangent(leg, axes);
+  }
+  const Vector normal = cross(tool.vector, travel);
+  const Real normal2 = squared_norm(normal);
+  const Real scale = tool.norm2 * squared_norm(travel);
+  // No travel is no near tie.
+  const Sign leans = recorder.decide(Clause::fanuc_tool_center_point_lean_along_the_travel, normal2,
+                                     scale.sign() == Sign::zero ? Real(1) : scale);
+  if (leans != Sign::positive) return tool;
+  if (normal2.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
+  recorder.reach(Clause::fanuc_tool_center_point_lean);
+  const Vector across = cross(normal, tool.vector) / sqrt(normal2 * tool.norm2);
+  const Vector unit = exact::cos_degrees(degrees) * tool.unit + exact::sin_degrees(degrees) * across;
+  return {unit, 1, unit, true};
+}
+
+}  // namespace toolcomp::model

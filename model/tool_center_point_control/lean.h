@@ -1,0 +1,16 @@
+// The lean angle Q of G43.5.
+#pragma once
+
+#include "model/kinematics/tool_direction.h"
+#include "model/program/step.h"
+#include "model/recorder.h"
+#include "spec/language/axes.h"
+
+namespace toolcomp::model {
+
+// The direction leaned by `degrees` towards the travel of the leg, or the direction itself where it lies along that.
+// Clauses: fanuc.tool-center-point.lean, lean-along-the-travel, lean-in-an-arc.
+Direction leaned(Recorder& recorder, const Direction& tool, const Leg& leg, const spec::Axes& axes,
+                 const Rational& degrees);
+
+}  // namespace toolcomp::model

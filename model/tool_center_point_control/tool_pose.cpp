@@ -1,0 +1,20 @@
+#include "model/tool_center_point_control/tool_pose.h"
+
+namespace toolcomp::model {
+
+Vector control_point(const ToolPose& at, const TipState& tool) {
+  if (!at.frame) return tool.tip + Real(at.length) * tool.tool;
+  return at.frame->frame.control_point(on_table(at, tool.tip), at.pose, at.length);
+}
+
+Vector on_table(const ToolPose& at, const Vector& tip) {
+  return at.in_workpiece ? at.frame->frame.of_workpiece(tip, at.pose) : tip;
+}
+
+Vector reported_tool(const ToolPose& at) {
+  const Machine& machine = at.frame->machine;
+  return at.in_workpiece ? machine.direction_in_machine(at.pose)
+                         : at.frame->frame.from_table(machine.direction(at.pose));
+}
+
+}  // namespace toolcomp::model

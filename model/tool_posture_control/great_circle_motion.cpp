@@ -1,0 +1,119 @@
+#include "model/tool_posture_control/great_circle_motion.h"
+
+#include <utility>
+
+#include "model/kinematics/inverse.h"
+
+namespace toolcomp::model {
+namespace {
+
+// The angle of (x, y), y > 0, degrees between 0 and 180: no sign is asked.
+Real upper_angle(const Real& x, const Real& y) { return 90 - arctangent_degrees(x / y); }
+
+// (x + iy)^n.
+struct Turned {
+  Real x = 1;
+  Real y = 0;
+};
+Turned power(const Turned& z, const Integer& n) {
+  Turned result;
+  for (Integer i = 0; i < n; ++i) result = {result.x * z.x - result.y * z.y, result.x * z.y + result.y * z.x};
+  return result;
+}
+
+}  // namespace
+
+GreatCircleMotion::GreatCircleMotion(SharedFrame frame, GreatCircle arc, int side, BranchPart part,
+                                     std::optional<Crossing> crossing)
+    : frame_(std::move(frame)),
+      arc_(std::move(arc)),
+      side_(side),
+      part_(std::move(part)),
+      crossing_(std::move(crossing)) {
+  const Machine& machine = frame_->machine;
+  along_ = dot(machine.tool_side().line, machine.heights().along);
+  across_ = dot(machine.tool_side().line, machine.work_side().line);
+}
+
+Posture GreatCircleMotion::at(const Rational& t) const {
+  const Vector tool = arc_.at(t);
+  if (!crossing_) return posture(part_, tool);
+  switch (beyond_pole(t)) {
+    case Sign::negative:
+      return posture(part_, tool);
+    case Sign::zero:
+      return {crossing_->behind.start, crossing_->pole};
+    case Sign::positive:
+      break;
+  }
+  return posture(crossing_->behind, tool);
+}
+
+GreatCircleMotion::Tilt GreatCircleMotion::tilt(const Real& along_work_axis) const {
+  const Machine::Heights& heights = frame_->machine.heights();
+  Tilt result;
+  result.height = along_work_axis - heights.mean;
+  result.aside = sqrt(heights.swing2 - square(result.height));
+  result.toward = along_ - across_ * along_work_axis;
+  return result;
+}
+
+GreatCircleMotion::Angles GreatCircleMotion::angles(const Tilt& tilt, int branch) const {
+  return {upper_angle(tilt.height, tilt.aside), -branch * upper_angle(tilt.toward, tilt.aside)};
+}
+
+GreatCircleMotion::Angles GreatCircleMotion::at_start(const BranchPart& part) const {
+  if (part.pole != 0) return {part.pole > 0 ? 0 : 180, -90 * part.branch};
+  const Tilt start = tilt(dot(frame_->work_axis, arc_.from().unit));
+  if (start.aside.sign() != Sign::zero) return angles(start, part.branch);
+  // On the edge of reach.
+  return {start.height.sign() == Sign::positive ? 0 : 180,
+          start.toward.sign() == Sign::positive ? 0 : -180 * part.branch};
+}
+
+Real GreatCircleMotion::swung(const Vector& tool, const Real& along_work_axis) const {
+  const Vector& from = arc_.from().unit;
+  const Vector& axis = frame_->work_axis;
+  const Real to_the_left = side_ * dot(axis, cross(from, tool));
+  return side_ * upper_angle(dot(from, tool) - dot(axis, from) * along_work_axis, to_the_left);
+}
+
+// ω = ω0 + σ ([az V - az V0] - [az c - az c0]); τ' stands by the angle of C from its extreme.
+Posture GreatCircleMotion::posture(const BranchPart& part, const Vector& tool) const {
+  const Machine& machine = frame_->machine;
+  const Real along = dot(frame_->work_axis, tool);
+  const Angles before = at_start(part);
+  const Angles here = angles(tilt(along), part.branch);
+  const bool meridian = side_ == 0 || part.pole != 0;
+  const Real swing = (meridian ? Real(0) : swung(tool, along)) - (here.work - before.work);
+  const Real tilt = part.branch * (here.tool - before.tool);
+
+  const Vector seen = frame_->frame.to_table(tool);
+  const PoseCosines at = on_branch(machine, {seen, 1, seen, true}, part.branch);
+  return {{Angle::known(at.tool_cosine, at.tool_sine, part.start.tool.degrees() + machine.tool_side().sense * tilt),
+           Angle::known(at.work_cosine, at.work_sine, part.start.work.degrees() + machine.work_side().sense * swing)},
+          tool};
+}
+
+// Where the enclosures do not tell the angles apart they may be equal: with t = p/q then q times the angle of the pole
+// is p times the whole.
+Sign GreatCircleMotion::beyond_pole(const Rational& t) const {
+  const Vector& from = arc_.from().vector;
+  const Real length = sqrt(arc_.from().norm2);
+  const Turned to_pole{dot(from, crossing_->pole) / length, sqrt(squared_norm(cross(from, crossing_->pole))) / length};
+  const Real difference = arc_.swept(t) - Angle::of_unit(to_pole.x, to_pole.y).degrees();
+  const exact::Enclosure bounds = difference.enclosure();
+  if (bounds.lower > 0) return Sign::positive;
+  if (bounds.upper < 0) return Sign::negative;
+  constexpr int most_parts = 64;
+  if (denominator(t) <= most_parts) {
+    const Real norms = sqrt(arc_.from().norm2 * arc_.to().norm2);
+    const Turned whole{dot(from, arc_.to().vector) / norms, sqrt(arc_.normal2()) / norms};
+    const Turned a = power(to_pole, denominator(t));
+    const Turned b = power(whole, numerator(t));
+    if ((a.y * b.x - a.x * b.y).sign() == Sign::zero) return Sign::zero;
+  }
+  return difference.sign();
+}
+
+}  // namespace toolcomp::model

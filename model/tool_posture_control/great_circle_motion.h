@@ -1,0 +1,64 @@
+// Rotary axes that follow the tool along a great circle.
+#pragma once
+
+#include <optional>
+
+#include "model/tool_posture_control/control_frame.h"
+#include "model/tool_posture_control/great_circle.h"
+#include "model/tool_posture_control/posture_motion.h"
+
+namespace toolcomp::model {
+
+// A part of the arc on one branch, and the pose with which it begins.
+struct BranchPart {
+  Pose start;
+  int branch = 1;  // as of Solution
+  int pole = 0;    // 1 or -1: it begins in this singular posture
+};
+
+// The arc goes through a singular posture: there the second part begins.
+struct Crossing {
+  Vector pole;  // unit, in the frame
+  BranchPart behind;
+};
+
+// Clauses: fanuc.tool-posture.great-circle, lift.
+class GreatCircleMotion : public PostureMotion {
+ public:
+  // `side`: the work-side axis lies to the left of the arc (1), to the right (-1), or in its plane (0).
+  GreatCircleMotion(SharedFrame frame, GreatCircle arc, int side, BranchPart part, std::optional<Crossing> crossing);
+
+  [[nodiscard]] Posture at(const Rational& t) const override;
+
+ private:
+  // How a direction of this height stands to the tool-side axis.
+  struct Tilt {
+    Real height;  // C
+    Real aside;   // sqrt(ρ² - C²)
+    Real toward;  // along u_t of the tilted direction seen along u_w
+  };
+  // Degrees of a part, at its beginning or inside.
+  struct Angles {
+    Real tool;  // from the extreme angle, 0 to 180
+    Real work;  // azimuth of the tilted direction, from that of u_t
+  };
+
+  [[nodiscard]] Tilt tilt(const Real& along_work_axis) const;
+  [[nodiscard]] Angles angles(const Tilt& tilt, int branch) const;
+  [[nodiscard]] Angles at_start(const BranchPart& part) const;
+  // The azimuth that the tool has swung about the work-side axis, degrees.
+  [[nodiscard]] Real swung(const Vector& tool, const Real& along_work_axis) const;
+  [[nodiscard]] Posture posture(const BranchPart& part, const Vector& tool) const;
+  // Of the angle at t against that of the pole.
+  [[nodiscard]] Sign beyond_pole(const Rational& t) const;
+
+  SharedFrame frame_;
+  GreatCircle arc_;
+  int side_;
+  BranchPart part_;
+  std::optional<Crossing> crossing_;
+  Real along_;   // u_t · t0
+  Real across_;  // u_t · u_w
+};
+
+}  // namespace toolcomp::model

@@ -1,0 +1,239 @@
+#include "model/tool_posture_control/tool_posture_control.h"
+
+#include <memory>
+#include <utility>
+
+#include "model/program/alarm.h"
+#include "model/tool_posture_control/linear_motion.h"
+
+namespace toolcomp::model {
+namespace {
+
+Direction in_table(const SharedFrame& frame, const Direction& direction) {
+  Direction result = direction;
+  result.vector = frame->frame.to_table(direction.vector);
+  result.unit = frame->frame.to_table(direction.unit);
+  return result;
+}
+
+// On the edge of reach there is only one.
+const Pose& of_branch(const Solutions& solutions, int branch) {
+  return solutions.at.at(solutions.count == 2 && branch < 0 ? 1 : 0).pose;
+}
+
+}  // namespace
+
+ToolPostureControl::ToolPostureControl(const spec::Setup& setup, const Machine& machine, const PairChoice& choice,
+                                       Recorder& recorder)
+    : machine_(machine),
+      choice_(choice),
+      recorder_(recorder),
+      lift_(machine),
+      near_(setup, recorder),
+      refuses_(setup.bit(19696, 3)) {}
+
+// The pair that is to be reached where no branch is followed.
+Solution ToolPostureControl::pair(const SharedFrame& frame, const PostureBlock& block) const {
+  if (!block.commanded) return choice_.choose(in_table(frame, block.to), block.start);
+  return {*block.commanded, lift_.is_possible() ? lift_.branch_of(block.commanded->tool) : 0};
+}
+
+PosturePlan ToolPostureControl::conventional(const SharedFrame& frame, const PostureBlock& block) const {
+  PosturePlan plan;
+  plan.start = block.start;
+  plan.end = pair(frame, block).pose;
+  plan.tool = block.to;
+  recorder_.reach(Clause::fanuc_tool_center_point_conventional);
+  plan.motion = std::make_shared<LinearMotion>(frame, plan.start, plan.end);
+  return plan;
+}
+
+PosturePlan ToolPostureControl::stand(const SharedFrame& frame, const PostureBlock& block) {
+  PosturePlan plan;
+  plan.start = plan.end = block.start;
+  plan.tool = block.to;
+  plan.motion = std::make_shared<LinearMotion>(frame, plan.start, plan.end);
+  return plan;
+}
+
+bool ToolPostureControl::spans_plane(const PostureBlock& block) const {
+  return recorder_.decide(Clause::fanuc_tool_posture_no_plane, squared_norm(cross(block.from.vector, block.to.vector)),
+                          block.from.norm2 * block.to.norm2) == Sign::positive;
+}
+
+PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBlock& block) const {
+  Solutions solutions;
+  if (!block.commanded) solutions = inverse(machine_, recorder_, in_table(frame, block.to));
+  if (!spans_plane(block)) {
+    const bool same = dot(block.from.vector, block.to.vector).sign() == Sign::positive;
+    if (!block.commanded && same && choice_.inside(block.start)) return stand(frame, block);
+    return conventional(frame, block);
+  }
+  recorder_.reach(Clause::fanuc_tool_posture_great_circle);
+  GreatCircle arc(block.from, block.to);
+  AxisPassed work_axis = pass(arc, frame->work_axis);
+  const Found found{frame, block, std::move(arc), std::move(work_axis), std::move(solutions)};
+  if (const Pole* const pole = pole_along(Clause::fanuc_tool_posture_at_start, found, block.from))
+    return from_pole(found, *pole);
+  const Pole* const end_pole = pole_along(Clause::fanuc_tool_posture_at_end, found, block.to);
+  const LiftStart start = lift_start(found);
+  if (end_pole != nullptr) {
+    require_reach_inside(found);
+    return to_pole(found, start, *end_pole);
+  }
+  const Passing passed = passing(found);
+  require_reach_inside(found);
+  return along(found, start, passed);
+}
+
+const Pole* ToolPostureControl::pole_along(Clause clause, const Found& found, const Direction& direction) const {
+  const Vector& axis = found.frame->work_axis;
+  for (const Pole& pole : lift_.poles()) {
+    if (recorder_.decide(clause, squared_norm(cross(axis, direction.vector)), direction.norm2) == Sign::positive)
+      continue;
+    if ((pole.sign * dot(axis, direction.vector)).sign() == Sign::positive) return &pole;
+  }
+  return nullptr;
+}
+
+LiftStart ToolPostureControl::lift_start(const Found& found) const {
+  const Pose& start = found.block.start;
+  const Sign below = recorder_.decide(Clause::fanuc_tool_posture_branch, -branch_quantity(machine_, start.tool), 2);
+  if (below != Sign::zero) return {start, -static_cast<int>(below), false};
+  const Solution to = pair(found.frame, found.block);
+  return {start, to.branch != 0 ? to.branch : 1, true};
+}
+
+ToolPostureControl::Passing ToolPostureControl::passing(const Found& found) const {
+  Passing result;
+  result.side = static_cast<int>(found.work_axis.side.sign());
+  const Real scale = sqrt(found.arc.from().norm2 * found.arc.to().norm2);
+  for (const Pole& pole : lift_.poles()) {
+    const Sign side = recorder_.decide(Clause::fanuc_tool_posture_crossing, pole.sign * found.work_axis.side, scale);
+    const bool ahead = (pole.sign * (found.work_axis.along_from + found.work_axis.along_to)).sign() == Sign::positive;
+    if (side == Sign::zero && has_foot_inside(recorder_, found.arc, found.work_axis, pole.sign)) return {&pole, 0};
+    // The pole on the side of the arc tells how that passes the axis.
+    if (ahead || lift_.poles().size() == 1) result.side = pole.sign * static_cast<int>(side);
+  }
+  return result;
+}
+
+// The direction nearest to the work-side axis, and the farthest one.
+void ToolPostureControl::require_reach_inside(const Found& found) const {
+  const Machine::Heights& heights = machine_.heights();
+  for (const int sign : {1, -1}) {
+    if (machine_.singular(sign) != nullptr || !has_foot_inside(recorder_, found.arc, found.work_axis, sign)) continue;
+    const Real nearest = sqrt(1 - square(found.work_axis.side) / found.arc.normal2());
+    const Real greatest = sign * heights.mean + sqrt(heights.swing2);
+    if (recorder_.decide(Clause::fanuc_tool_posture_reach_inside, greatest - nearest, 2) == Sign::negative)
+      throw Alarm("PS5459", "a tool direction inside the block that the rotary axes cannot reach");
+  }
+}
+
+PosturePlan ToolPostureControl::give_way(const Found& found, const Pose& end) const {
+  PosturePlan plan;
+  plan.start = found.block.start;
+  plan.end = end;
+  plan.tool = found.block.to;
+  plan.branch_differs = true;
+  recorder_.reach(Clause::fanuc_tool_center_point_conventional);
+  plan.motion = std::make_shared<LinearMotion>(found.frame, plan.start, plan.end);
+  return plan;
+}
+
+// Followed back from the end pair; the work-side axis turns first to where that leads it.
+PosturePlan ToolPostureControl::from_pole(const Found& found, const Pole& pole) const {
+  const Pose& here = found.block.start;
+  const Solution to = pair(found.frame, found.block);
+  const int branch = to.branch != 0 ? to.branch : lift_.branch_between(here.tool, to.pose.tool);
+  const bool differs = absolute(to.pose.tool - here.tool) > Angle(180);
+  if (recorder_.decide(Clause::fanuc_tool_posture_branch_mismatch, differs)) return give_way(found, to.pose);
+  recorder_.reach(Clause::fanuc_tool_posture_lift);
+  PosturePlan plan;
+  plan.start = {here.tool, lift_.back_at_pole(to.pose, branch)};
+  plan.pre_turn =
+      recorder_.decide(Clause::fanuc_tool_posture_pre_turn, order(plan.start.work, here.work), 1) != Sign::zero;
+  plan.end = to.pose;
+  plan.tool = found.block.to;
+  plan.motion = motion(found, {plan.start, branch, pole.sign}, 0, std::nullopt, plan.end);
+  return plan;
+}
+
+PosturePlan ToolPostureControl::to_pole(const Found& found, const LiftStart& start, const Pole& pole) const {
+  recorder_.reach(Clause::fanuc_tool_posture_lift);
+  PosturePlan plan;
+  plan.start = start.pose;
+  plan.end = lift_.at_pole(start, pole);
+  plan.tool = found.block.to;
+  if (const auto& commanded = found.block.commanded) {
+    if (recorder_.decide(Clause::fanuc_tool_posture_branch_mismatch, !(commanded->tool == plan.end.tool)))
+      return give_way(found, *commanded);
+    if (recorder_.decide(Clause::fanuc_tool_posture_post_turn, order(commanded->work, plan.end.work), 1) != Sign::zero)
+      plan.post_turn = commanded;
+  } else {
+    choice_.require_inside(plan.end);
+  }
+  plan.motion = motion(found, {start.pose, start.branch, 0}, 0, std::nullopt, plan.end);
+  return plan;
+}
+
+PosturePlan ToolPostureControl::along(const Found& found, const LiftStart& start, const Passing& passed) const {
+  recorder_.reach(Clause::fanuc_tool_posture_lift);
+  const auto& commanded = found.block.commanded;
+  const int branch = passed.crossed != nullptr ? -start.branch : start.branch;
+  const Pose pole = passed.crossed != nullptr ? lift_.at_pole(start, *passed.crossed) : Pose();
+  const Pose pair = commanded ? *commanded : of_branch(found.solutions, branch);
+  const Way way{found.frame->frame.to_table(found.arc.from().vector),
+                found.frame->frame.to_table(found.arc.to().vector), passed.side};
+  PosturePlan plan;
+  plan.start = start.pose;
+  plan.end = passed.crossed != nullptr ? lift_.end_behind(pole, branch, pair) : lift_.end(start, way, pair);
+  plan.tool = found.block.to;
+  if (commanded) {
+    const int of_commanded = lift_.branch_of(commanded->tool);
+    const bool differs = (of_commanded != 0 && of_commanded != branch) || !(plan.end == *commanded);
+    if (recorder_.decide(Clause::fanuc_tool_posture_branch_mismatch, differs)) return give_way(found, *commanded);
+    plan.end = *commanded;
+  }
+  if (near_.looks(!commanded) && passed.crossed == nullptr) {
+    if (auto other = changed(found, start, plan.end)) return *std::move(other);
+  }
+  if (!commanded) choice_.require_inside(plan.end);
+  std::optional<Crossing> crossing;
+  if (passed.crossed != nullptr)
+    crossing = Crossing{Real(passed.crossed->sign) * found.frame->work_axis, {pole, branch, passed.crossed->sign}};
+  plan.motion = motion(found, {start.pose, start.branch, 0}, passed.side, crossing, plan.end);
+  return plan;
+}
+
+std::optional<PosturePlan> ToolPostureControl::changed(const Found& found, const LiftStart& start,
+                                                       const Pose& end) const {
+  const Pole* const pole = near_.near(found.arc, found.work_axis, lift_.poles());
+  if (pole == nullptr) return std::nullopt;
+  const Angle singular = lift_.at_pole(start, *pole).tool;
+  PosturePlan plan;
+  plan.start = start.pose;
+  plan.end = {singular + (singular - end.tool), start.pose.work};
+  if (near_.may_stand(start.pose.work, end.work) && choice_.inside(plan.end)) {
+    recorder_.reach(Clause::fanuc_tool_posture_changed);
+    recorder_.reach(Clause::fanuc_tool_posture_passing);
+    plan.changed = true;
+    const Vector tool = found.frame->frame.from_table(machine_.direction(plan.end));
+    plan.tool = {tool, 1, tool, true};
+    plan.motion = std::make_shared<LinearMotion>(found.frame, plan.start, plan.end);
+    return plan;
+  }
+  if (recorder_.decide(Clause::fanuc_tool_posture_refused, refuses_))
+    throw Alarm("PS5421", "the end posture near a singular one cannot be changed");
+  return std::nullopt;
+}
+
+// On orthogonal axes a great circle through a pole is run by the tool-side axis alone, evenly.
+SharedMotion ToolPostureControl::motion(const Found& found, const BranchPart& part, int side,
+                                        const std::optional<Crossing>& crossing, const Pose& end) const {
+  if (lift_.is_orthogonal() && (side == 0 || part.pole != 0))
+    return std::make_shared<LinearMotion>(found.frame, part.start, end);
+  return std::make_shared<GreatCircleMotion>(found.frame, found.arc, side, part, crossing);
+}
+
+}  // namespace toolcomp::model
