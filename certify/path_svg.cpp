@@ -78,7 +78,7 @@ class Panel {
     for (const Layer& layer : layers) out += course(layer);
     if (view_.solid) out += tools(layers, events, options.start);
     out += ends(layers.front(), events);
-    if (options.marked && *options.marked < events.size()) out += mark(layers, *options.marked);
+    if (options.marked && *options.marked < events.size()) out += mark(layers, events, *options.marked);
     return out + "</g>\n";
   }
 
@@ -204,14 +204,20 @@ class Panel {
     return out;
   }
 
-  [[nodiscard]] std::string mark(const std::vector<Layer>& layers, std::size_t event) const {
+  // At the end of a move; of a sample, where the tool stands.
+  [[nodiscard]] std::string mark(const std::vector<Layer>& layers, std::span<const spec::Event<double>> events,
+                                 std::size_t event) const {
+    const auto circle = [this](const Point3& at) {
+      const Point2 p = place(at);
+      return fmt::format("<circle class=\"tp-mark\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"8\"/>\n", p.first, p.second);
+    };
+    if (events[event].kind == spec::EventKind::sample)
+      for (const ToolStroke& tool : tool_strokes(axes_, layers.front().path.start, events))
+        if (tool.event == event) return circle(tool.tip);
     for (const Layer& layer : std::views::reverse(layers)) {
       if (layer.style == "tp-other") continue;
       for (const PathMove& move : layer.path.moves)
-        if (move.event == event) {
-          const Point2 p = place(move.points.back());
-          return fmt::format("<circle class=\"tp-mark\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"8\"/>\n", p.first, p.second);
-        }
+        if (move.event == event) return circle(move.points.back());
     }
     return {};
   }
