@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <numeric>
 #include <string>
 
 #include "fast_run.h"
@@ -56,6 +57,9 @@ inline std::size_t move_at(const ProgramRun& run, std::uint64_t line) {
   return found;
 }
 inline std::size_t sample_at(const ProgramRun& run, std::uint64_t line, unsigned numerator, unsigned denominator) {
+  const unsigned divisor = std::gcd(numerator, denominator);
+  numerator /= divisor;
+  denominator /= divisor;
   for (std::size_t i = 0; i < run.events.size(); ++i) {
     const Event& event = run.events[i];
     if (event.kind == spec::EventKind::sample && event.line == line && event.t_numerator == numerator &&
