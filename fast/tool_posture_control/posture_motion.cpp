@@ -149,12 +149,13 @@ void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample
   const Frame& c = polar.constants();
   const double n2 = seen.x * seen.x + seen.y * seen.y;
   const Room space = room(polar, seen.z, n2);
-  const double sin_psi = branch_ * std::sqrt(space.above * space.below) / c.ss;
+  const double width = std::sqrt(space.above * space.below) / c.ss;
+  const double sin_psi = branch_ * width;
   const double cos_psi = (seen.z - c.cc) / c.ss;
   const Vector2<double> heading{seen.x, seen.y};
   const std::size_t t = machine_->tool_side();
   const std::size_t w = machine_->work_side();
-  sample.degrees[t] = tool_base_ + machine_->sense(t) * arctangent(sin_psi, cos_psi);
+  sample.degrees[t] = tool_base_ + machine_->sense(t) * branch_ * arctangent(width, cos_psi);
   SineCosine<double> work;
   // V(t) turns one way, by less than 180.
   const double middle = 90.0 * azimuth_;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "tests/unit/fast_machines.h"
 
@@ -360,6 +361,59 @@ TEST(FastPosture, Samples) {
       pose = plan.end;
     }
     EXPECT_GT(blocks, 50);
+  }
+}
+
+// Every block between directions of small whole numbers, where exact ties are common: singular and opposite ones,
+// through a pole, on the edge of reach. Doubles and double-double plan the same, and the motion has no jump.
+TEST(FastPosture, SmallDirections) {
+  std::vector<Direction> directions;
+  for (int x = -2; x <= 2; ++x)
+    for (int y = -2; y <= 2; ++y)
+      for (int z = -2; z <= 2; ++z)
+        if (x % 2 != 0 || y % 2 != 0 || z % 2 != 0) directions.push_back(TestMachine::direction(x, y, z));
+  for (const std::string& parameters :
+       {kHC, kTAC, kMBC, kABHead, kABTable, kN45, kT45, kHC + parameter(19699, 45), kHC + parameter(19698, 45)}) {
+    SCOPED_TRACE(parameters);
+    TestMachine m(parameters + parameter(19738, 10) + parameter(19739, 30));
+    int blocks = 0;
+    int fine_ones = 0;
+    for (const Direction& from : directions) {
+      Pose start;
+      if (!m.machine.choose(from, m.at("45", "-45"), start)) continue;
+      for (const Direction& to : directions) {
+        PosturePlan plan = run(m, start, to);
+        Pose fine_start = start;
+        fine_start.tool = fine_direction(m.kinematics.refine(from));
+        for (std::size_t i = 0; i < 2; ++i) m.machine.set_rounded(fine_start, i, m.machine.count(start, i));
+        const PosturePlan fine = run(m, fine_start, fine_direction(m.kinematics.refine(to)));
+        ASSERT_EQ(plan.outcome, fine.outcome) << from.unit.transpose() << " to " << to.unit.transpose();
+        if (plan.outcome != Outcome::good) continue;
+        ++blocks;
+        ASSERT_EQ(plan.pre_turn, fine.pre_turn);
+        ASSERT_EQ(plan.changed, fine.changed);
+        ASSERT_EQ(plan.branch_warning, fine.branch_warning);
+        for (std::size_t i = 0; i < 2; ++i)
+          ASSERT_NEAR(plan.end.axis[i].degrees, fine.end.axis[i].degrees, 1e-12)
+              << from.unit.transpose() << " to " << to.unit.transpose();
+        fine_ones += plan.end.axis[0].kind == RotaryPosition::Kind::inverse ? 0 : 1;
+        const Pose& begin = plan.pre_turn ? plan.turned : start;
+        std::array<double, 2> last{begin.axis[0].degrees, begin.axis[1].degrees};
+        constexpr std::uint32_t kParts = 90;
+        for (std::uint32_t k = 1; k <= kParts; ++k) {
+          PostureSample at;
+          at.degrees = {plan.end.axis[0].degrees, plan.end.axis[1].degrees};
+          if (k < kParts) plan.motion.at(k, kParts, at);
+          for (std::size_t i = 0; i < 2; ++i) {
+            ASSERT_LT(std::abs(at.degrees[i] - last[i]), 40)
+                << from.unit.transpose() << " to " << to.unit.transpose() << " at " << k << " axis " << i;
+            last[i] = at.degrees[i];
+          }
+        }
+      }
+    }
+    EXPECT_GT(blocks, 1000);
+    EXPECT_GT(fine_ones, 0);
   }
 }
 
