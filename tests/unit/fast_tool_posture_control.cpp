@@ -417,5 +417,57 @@ TEST(FastPosture, SmallDirections) {
   }
 }
 
+// The same for type 1, between positions that are multiples of 45 or a hair off them.
+TEST(FastPosture, CommandedPositions) {
+  const std::array<const char*, 8> first{"0", "45", "-90", "180", "405", "0.000001", "179.999999", "-45"};
+  const std::array<const char*, 8> second{"0", "45", "-90", "180", "-135", "-0.000001", "89.999999", "360"};
+  for (const std::string& parameters : {kHC, kTAC, kMBC, kABHead, kN45, kT45, kHC + parameter(19698, 45)}) {
+    SCOPED_TRACE(parameters);
+    TestMachine m(parameters);
+    int lifted = 0;
+    for (const char* a : first)
+      for (const char* b : second)
+        for (const char* c : first)
+          for (const char* d : second) {
+            const Pose start = m.at(a, b);
+            const Pose end = m.at(c, d);
+            PosturePlan plan = run(m, start, end);
+            Pose rounded_start = start;
+            Pose rounded_end = end;
+            for (std::size_t i = 0; i < 2; ++i) {
+              m.machine.set_rounded(rounded_start, i, start.axis[i].count);
+              m.machine.set_rounded(rounded_end, i, end.axis[i].count);
+            }
+            rounded_start.tool = fine_direction(m.kinematics.refine(start.tool));
+            rounded_end.tool = fine_direction(m.kinematics.refine(end.tool));
+            rounded_start.relative = rounded_end.relative = false;
+            const PosturePlan fine = run(m, rounded_start, rounded_end);
+            const std::string which = std::string(a) + "," + b + " to " + c + "," + d;
+            ASSERT_EQ(plan.outcome, fine.outcome) << which;
+            if (plan.outcome != Outcome::good) continue;
+            ASSERT_EQ(plan.pre_turn, fine.pre_turn) << which;
+            ASSERT_EQ(plan.post_turn, fine.post_turn) << which;
+            ASSERT_EQ(plan.branch_warning, fine.branch_warning) << which;
+            if (plan.motion.law() == Law::linear) continue;
+            ++lifted;
+            const Pose& begin = plan.pre_turn ? plan.turned : start;
+            const Pose& stop = plan.post_turn ? plan.arrived : end;
+            std::array<double, 2> last{begin.axis[0].degrees, begin.axis[1].degrees};
+            constexpr std::uint32_t kParts = 90;
+            // Past a pole at a hair's breadth the work side swings by 180 at once.
+            for (std::uint32_t k = 1; k <= kParts; ++k) {
+              PostureSample at;
+              at.degrees = {stop.axis[0].degrees, stop.axis[1].degrees};
+              if (k < kParts) plan.motion.at(k, kParts, at);
+              for (std::size_t i = 0; i < 2; ++i) {
+                ASSERT_LT(std::abs(at.degrees[i] - last[i]), 181) << which << " at " << k << " axis " << i;
+                last[i] = at.degrees[i];
+              }
+            }
+          }
+    EXPECT_GT(lifted, 100);
+  }
+}
+
 }  // namespace
 }  // namespace toolcomp::fast
