@@ -147,31 +147,31 @@ void PostureMotion::linear_at(double t, PostureSample& sample) const {
 void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample) const {
   const PolarFrame& polar = machine_->polar();
   const Frame& c = polar.constants();
-  const double n2 = seen.x * seen.x + seen.y * seen.y;
-  const Room space = room(polar, seen.z, n2);
-  const double width = std::sqrt(space.above * space.below) / c.ss;
-  const double sin_psi = branch_ * width;
-  const double cos_psi = (seen.z - c.cc) / c.ss;
-  const Vector2<double> heading{seen.x, seen.y};
   const std::size_t t = machine_->tool_side();
   const std::size_t w = machine_->work_side();
-  sample.degrees[t] = tool_base_ + machine_->sense(t) * branch_ * arctangent(width, cos_psi);
+  const Vector2<double> heading{seen.x, seen.y};
+  const double n2 = dot(heading, heading);
+  // V(t) turns one way about the work-side axis, by less than 180.
+  double turned = about(arctangent(cross(start_heading_, heading), dot(start_heading_, heading)), 90.0 * azimuth_);
+  double width = 0;  // |sin psi|
+  double cos_psi = 0;
   SineCosine<double> work;
-  // V(t) turns one way, by less than 180.
-  const double middle = 90.0 * azimuth_;
   if (polar.orthogonal()) {
-    const double length = std::sqrt(n2);
-    work = {branch_ * seen.x / length, -branch_ * seen.y / length};
-    const double turned = arctangent(cross(start_heading_, heading), dot(start_heading_, heading));
-    sample.degrees[w] = start_[w] + machine_->sense(w) * about(turned, middle);
+    width = std::sqrt(n2);
+    cos_psi = seen.z;
+    const double scale = branch_ / width;
+    work = {seen.x * scale, -seen.y * scale};
   } else {
-    const Vector2<double> leaned = lean(c, space, sin_psi);
+    const Room space = room(polar, seen.z, n2);
+    width = std::sqrt(space.above * space.below) / c.ss;
+    cos_psi = (seen.z - c.cc) / c.ss;
+    const Vector2<double> leaned = lean(c, space, branch_ * width);
     work = between(leaned, heading);
-    const double turned = arctangent(cross(start_heading_, heading), dot(start_heading_, heading));
-    const double swung = arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
-    sample.degrees[w] = start_[w] + machine_->sense(w) * (about(turned, middle) - swung);
+    turned -= arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
   }
-  sample.turns = machine_->turns_of<double>({sin_psi, cos_psi}, work);
+  sample.degrees[t] = tool_base_ + machine_->sense(t) * branch_ * arctangent(width, cos_psi);
+  sample.degrees[w] = start_[w] + machine_->sense(w) * turned;
+  sample.turns = machine_->turns_of<double>({branch_ * width, cos_psi}, work);
 }
 
 PostureMotion::OnMeridian PostureMotion::on_meridian(const Vector3<double>& seen) const {
