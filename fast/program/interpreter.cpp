@@ -232,16 +232,12 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   const bool extra =
       words.starts_tip_control() || (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
   direction_before_ = direction_;
-  starts_tip_ = words.starts_tip_control() && machine_.defined();
   if (plan.along) {
     samples_block_ = !words.starts_tip_control() && plan.compensation != Compensation::starts &&
                      plan.compensation != Compensation::cancels &&
                      (tool_side_.type() != StartType::c || plan.side_before == plan.side_after);
-    if (starts_tip_)
-      tip_.start();
-    else if (!tip_.active())
-      direct(words);
-    if (words.starts_tip_control() && !machine_.defined() && tip_.samples()) send_to(tip_);
+    if (words.starts_tip_control()) begin_tip_control(words);
+    if (!tip_.active() && (!plans_tool_ || starts_tip_)) direct(words);
   }
 
   d_ = plan.d;

@@ -238,9 +238,15 @@ class Interpreter {
   [[nodiscard]] Alarm tip_move(const Words& words);
   // place_words() in the mode and in the block that starts it.
   [[nodiscard]] Alarm place_tip_words(const Words& words, Mask axes);
+  // The words of the block that starts it.
+  void begin_tip_control(const Words& words);
   [[nodiscard]] Alarm start_tip_control(const Words& words);
+  [[nodiscard]] Alarm plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
+                                   const Positions& before);
   void end_tip_control(bool again);
   [[nodiscard]] Alarm plan_direction(const Words& words, const std::array<Count, 3>& from, TipBlock& block);
+  // Under Q, of a block that asks for a direction: the one commanded or kept, leaned where it can be.
+  [[nodiscard]] bool asks_direction(const Words& words, const std::array<Count, 3>& from);
   [[nodiscard]] bool lean(const Words& words, const std::array<Count, 3>& from, Direction& leaned) const;
   [[nodiscard]] Alarm check_workpiece_arc(const Positions& before) const;
   void keep_tip_on_table(Mask axes, const Pose& start, const Pose& end, const std::array<Count, 3>& from);
@@ -302,7 +308,8 @@ class Interpreter {
   bool in_cutter_ = false;  // this block passes cutter compensation
   std::uint32_t arc_letters_ = kArcLetters;
   bool by_vector_ = false;  // G43.5
-  // Under G43.4 or G43.5 on a machine with kinematics.
+  // Under G43.4 or G43.5 on a machine with kinematics, and under G43.5 without where Q leans the tool.
+  bool plans_tool_ = false;
   bool posture_control_ = false;  // P1
   bool starts_tip_ = false;       // this block starts it
   bool samples_block_ = true;     // the own move of this block is run in the mode
@@ -397,7 +404,7 @@ inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
 }
 
 [[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
-  if (tip_.active()) [[unlikely]]
+  if (plans_tool_) [[unlikely]]
     return place_tip_words(words, axes);
   if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);

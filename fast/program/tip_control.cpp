@@ -78,7 +78,8 @@ Alarm Interpreter::check_tip_control_start(const Words& words, const Plan& plan)
   const bool vector = plan.vector;
   if (!vector && !machine_.defined()) return alarm::kTipControl;
   if (vector && machine_.defined() && machine_.workpiece_frame()) return alarm::kTipControl;
-  if (words.has('P') && whole_number(words['P'], 1) > 1) return alarm::kTipControlWord;
+  if (words.has('P') && words.code(Words::kOneShot) == kNone && whole_number(words['P'], 1) > 1)
+    return alarm::kTipControlWord;
   if (vector && machine_.defined()) {
     if (!machine_.invertible()) return alarm::kTipControl;
     if (!machine_.ranges_valid()) return alarm::kRotaryLimits;
@@ -131,55 +132,56 @@ void Interpreter::take_posture(const Pose& pose) {
 }
 
 Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
-  TipBlock& block = tip_.next();
   const std::array<Count, 3> from = programmed_xyz();
   const Positions before = machine_.workpiece_frame() ? programmed_ : Positions{};
   if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
-  block.length = tool_length().nearest();
-  if (starts_tip_) {
-    starts_tip_ = false;
-    if (const Alarm a = start_tip_control(words)) return a;
-  } else {
+  if (tip_.active()) {
+    TipBlock& block = tip_.next();
+    block.length = tool_length().nearest();
     block.sampled = samples_block_;
-    const Pose& start = tip_.before().plan.end;
-    if (by_vector_) {
-      if (const Alarm a = plan_direction(words, from, block)) return a;
-    } else {
-      if (machine_.workpiece_frame() && is_arc(words))
-        if (const Alarm a = check_workpiece_arc(before)) return a;
-      if ((axes & turning_) == 0) {
-        posture_.stand(start, block.plan);
-      } else {
-        Pose commanded;
-        machine_.pose(programmed_, rounded_, commanded);
-        posture_.plan(start, commanded, posture_control_, block.plan);
-        if (const Alarm a = alarm_of(block.plan.outcome)) return a;
-        take_posture(block.plan.end);
-      }
-      if (machine_.workpiece_frame() && machine_.has_table()) keep_tip_on_table(axes, start, block.plan.end, from);
-    }
+    samples_block_ = true;
+    if (const Alarm a = starts_tip_ ? start_tip_control(words) : plan_posture(words, axes, from, before)) return a;
+  } else if (starts_tip_) {
+    commanded_ = directions_[direction_];
+  } else if (asks_direction(words, from)) {
+    Direction leaned;
+    const bool leans = lean(words, from, leaned);
+    new_direction() = leans ? leaned : commanded_;
   }
-  samples_block_ = true;
+  starts_tip_ = false;
   return refresh();
+}
+
+Alarm Interpreter::plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
+                                const Positions& before) {
+  TipBlock& block = tip_.block();
+  if (by_vector_) return plan_direction(words, from, block);
+  const Pose& start = tip_.before().plan.end;
+  if (machine_.workpiece_frame() && is_arc(words))
+    if (const Alarm a = check_workpiece_arc(before)) return a;
+  if ((axes & turning_) == 0) {
+    posture_.stand(start, block.plan);
+  } else {
+    Pose commanded;
+    machine_.pose(programmed_, rounded_, commanded);
+    posture_.plan(start, commanded, posture_control_, block.plan);
+    if (const Alarm a = alarm_of(block.plan.outcome)) return a;
+    take_posture(block.plan.end);
+  }
+  if (machine_.workpiece_frame() && machine_.has_table()) keep_tip_on_table(axes, start, block.plan.end, from);
+  return alarm::kNone;
 }
 
 // Type 2: the direction commanded or kept, leaned, and what it makes of the rotary axes.
 Alarm Interpreter::plan_direction(const Words& words, const std::array<Count, 3>& from, TipBlock& block) {
   const Pose& start = tip_.before().plan.end;
-  const bool directed = words.has_any(kDirectionLetters);
-  if (directed) read_direction(words, commanded_);
-  bool stays = !directed;
-  Direction leaned;
-  bool leans = false;
-  if (!lean_angle_.is_zero() && (!(from == programmed_xyz()) || is_arc(words))) {
-    stays = false;
-    leans = lean(words, from, leaned);
-  }
-  if (stays) {
+  if (!asks_direction(words, from)) {
     posture_.stand(start, block.plan);
     return alarm::kNone;
   }
+  Direction leaned;
+  const bool leans = lean(words, from, leaned);
   posture_.plan(start, leans ? leaned : commanded_, posture_control_, block.plan);
   if (const Alarm a = alarm_of(block.plan.outcome)) return a;
   if (block.plan.changed) commanded_ = block.plan.end.tool;
@@ -187,8 +189,18 @@ Alarm Interpreter::plan_direction(const Words& words, const std::array<Count, 3>
   return alarm::kNone;
 }
 
+// I J K, or a travel under Q.
+bool Interpreter::asks_direction(const Words& words, const std::array<Count, 3>& from) {
+  if (words.has_any(kDirectionLetters)) {
+    read_direction(words, commanded_);
+    return true;
+  }
+  return !lean_angle_.is_zero() && (!(from == programmed_xyz()) || is_arc(words));
+}
+
 // By Q, toward the travel; in an arc toward its tangent at the end.
 bool Interpreter::lean(const Words& words, const std::array<Count, 3>& from, Direction& leaned) const {
+  if (lean_angle_.is_zero()) return false;
   const std::array<Count, 3> to = programmed_xyz();
   if (!is_arc(words)) {
     std::array<Int128, 3> travel{};
@@ -242,11 +254,21 @@ void Interpreter::keep_tip_on_table(Mask axes, const Pose& start, const Pose& en
   stale_ = all_;
 }
 
+// P and Q; with G04 or G10 they are data of that code.
+void Interpreter::begin_tip_control(const Words& words) {
+  const bool data = words.code(Words::kOneShot) != kNone;
+  posture_control_ = words.has('P') && !data ? whole_number(words['P'], 1) == 1 : posture_.by_default();
+  lean_angle_ = by_vector_ && words.has('Q') && !data ? Count::of(words['Q']) : Count();
+  starts_tip_ = plans_tool_ = machine_.defined() || !lean_angle_.is_zero();
+  if (machine_.defined())
+    tip_.start();
+  else if (tip_.samples())
+    send_to(tip_);
+}
+
 // The block of G43.4 or G43.5 has gone to its positions: the length is applied, the frame is that of the pose here.
 Alarm Interpreter::start_tip_control(const Words& words) {
   TipBlock& block = tip_.block();
-  posture_control_ = words.has('P') ? whole_number(words['P'], 1) == 1 : posture_.by_default();
-  lean_angle_ = by_vector_ && words.has('Q') ? value(words['Q'], false, inch_program_) : Count();
   has_table_tip_ = false;
   Pose pose;
   machine_.pose(programmed_, rounded_, pose);
@@ -259,7 +281,6 @@ Alarm Interpreter::start_tip_control(const Words& words) {
   }
   machine_.freeze(pose);
   posture_.stand(pose, block.plan);
-  block.sampled = false;
   commanded_ = pose.tool;
   frozen_ = programmed_;
   take_posture(pose);
@@ -305,6 +326,7 @@ void Interpreter::end_tip_control(bool again) {
   machine_.release();
   turn();
   tip_.end();
+  plans_tool_ = false;
   send_to(sink_);
 }
 

@@ -100,6 +100,7 @@ std::uint32_t Interpreter::tag_direction() {
 void Interpreter::end_tool_direction(bool again) {
   if (!again) take_position_along_tool();
   send_to(sink_);
+  plans_tool_ = false;
   stale_ = all_;
   if (kinematics_.defined())
     turn();

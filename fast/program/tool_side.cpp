@@ -47,7 +47,7 @@ void Interpreter::start_tool_side_leg(const Words& words, ToolSideBlock& block) 
 Alarm Interpreter::tool_side_move(const Words& words) {
   direction_before_ = direction_;
   const bool directed = by_vector_ && words.has_any(Words::set_of("IJK"));
-  if (directed && !tip_.active()) direct(words);
+  if (directed && !plans_tool_) direct(words);
   ToolSideBlock& block = tool_side_.next();
   block.repeated = false;
   std::array<std::int64_t, 3> from{};

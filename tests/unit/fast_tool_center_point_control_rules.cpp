@@ -189,6 +189,16 @@ TEST(FastToolCenterPointControlRules, Lean) {
   expect_direction(run, 4, {0, 0, 1});
   expect_direction(run, 5, {0, 0, 1});
   expect_direction(run, 7, {0, 0, 1});
+
+  const ProgramRun bare(kNoKinematics, "G43.5 H1 Q30 K1\nG01 X10 F100\nY10\nH1\nI0 J0 K1\nG49\nG43.5 H1\nX0 K1\n");
+  ASSERT_EQ(bare.alarm(), "");
+  expect_direction(bare, 0, {0, 0, 1});
+  expect_direction(bare, 1, {0.5, 0, std::sqrt(0.75)});
+  expect_direction(bare, 2, {0, 0.5, std::sqrt(0.75)});
+  expect_direction(bare, 3, {0, 0, 1});
+  expect_direction(bare, 5, {0, 0, 1});
+  // With G10 and G04 P and Q are data of that code.
+  EXPECT_EQ(ProgramRun(machine_head("", ""), "G43.5 H1 G04 P500\nX5\n").alarm(), "");
 }
 
 // Tool side compensation, type 1: corner moves run at the standing tool of the corner; axes follow the point.
