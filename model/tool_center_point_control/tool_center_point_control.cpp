@@ -39,6 +39,17 @@ bool same(const Pose& a, const Pose& b) {
   return zero(a.tool - b.tool) && zero(a.work - b.work);
 }
 
+Clause control_point_clause(MachineType type) {
+  switch (type) {
+    case MachineType::table:
+      return Clause::fanuc_tool_center_point_control_point_table_rotation;
+    case MachineType::mixed:
+      return Clause::fanuc_tool_center_point_control_point_mixed;
+    default:
+      return Clause::fanuc_tool_center_point_control_point_tool_rotation;
+  }
+}
+
 }  // namespace
 
 ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, Recorder& recorder, const Position& start,
@@ -99,6 +110,7 @@ void ToolCenterPointControl::rename_position(const TipMarks& marks, Interpreter&
 TurnedBlock ToolCenterPointControl::turn(const Command& command, const TipMarks& marks, const Interpreter& interpreter,
                                          const Rational& offset, Leg& leg) {
   recorder_.reach(Clause::fanuc_tool_center_point_length);
+  if (machine_) recorder_.reach(control_point_clause(machine_->type()));
   TurnedBlock result;
   if (marks.starts) {
     start(command, marks, interpreter, leg);
@@ -107,7 +119,7 @@ TurnedBlock ToolCenterPointControl::turn(const Command& command, const TipMarks&
     return result;
   }
   const Rational before = std::exchange(tip_->length, offset + holder_offset_);
-  result = machine_ ? turn_axes(command, marks, interpreter, leg) : turn_directly(command, interpreter);
+  result = machine_ ? turn_axes(command, marks, interpreter, leg) : turn_directly(command, interpreter, leg);
   result.motion->length_before = before;
   return result;
 }
@@ -143,12 +155,21 @@ void ToolCenterPointControl::start(const Command& command, const TipMarks& marks
   tool_ = tip_->in_workpiece ? of_unit(reported_tool(*tip_)) : now_;
 }
 
-TurnedBlock ToolCenterPointControl::turn_directly(const Command& command, const Interpreter& interpreter) {
+// What the block is asked to turn the tool to; nothing where it stands.
+std::optional<Direction> ToolCenterPointControl::direction_asked(const Command& command, const Interpreter& interpreter,
+                                                                 const Leg& leg) {
+  const bool given = recorder_.decide(Clause::fanuc_tool_center_point_direction_words, command.direction);
+  const bool may_lean = lean_ != 0 && (given || !is_zero(leg.travel));
+  if (given) kept_ = direction_words(command, interpreter.numbers());
+  if (may_lean) return leaned(recorder_, kept_, leg, axes_, lean_);
+  return given ? std::optional(kept_) : std::nullopt;
+}
+
+TurnedBlock ToolCenterPointControl::turn_directly(const Command& command, const Interpreter& interpreter,
+                                                  const Leg& leg) {
   TurnedBlock result;
   result.motion.emplace();
-  Direction to = now_;
-  if (recorder_.decide(Clause::fanuc_tool_center_point_direction_words, command.direction))
-    to = direction_words(command, interpreter.numbers());
+  Direction to = direction_asked(command, interpreter, leg).value_or(now_);
   if (with_motion_) result.motion->motion = std::make_shared<DirectionMotion>(now_, to);
   tool_ = now_ = std::move(to);
   result.end = standing();
@@ -188,12 +209,9 @@ PosturePlan ToolCenterPointControl::commanded(const Leg& leg) const {
 }
 
 PosturePlan ToolCenterPointControl::directed(const Command& command, const Interpreter& interpreter, const Leg& leg) {
-  const bool given = recorder_.decide(Clause::fanuc_tool_center_point_direction_words, command.direction);
-  const bool may_lean = lean_ != 0 && (given || !is_zero(leg.travel));
-  if (!given && !may_lean) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, {}});
-  if (given) kept_ = direction_words(command, interpreter.numbers());
-  const Direction to = may_lean ? leaned(recorder_, kept_, leg, axes_, lean_) : kept_;
-  PosturePlan found = plan({tip_->pose, now_, to, {}});
+  const std::optional<Direction> to = direction_asked(command, interpreter, leg);
+  if (!to) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, {}});
+  PosturePlan found = plan({tip_->pose, now_, *to, {}});
   if (found.changed) kept_ = found.tool;
   return found;
 }

@@ -84,7 +84,9 @@ class ToolCenterPointControl {
   [[nodiscard]] bool has_axis_word(const Command& command, bool (*is_of)(char)) const;
 
   void start(const Command& command, const TipMarks& marks, const Interpreter& interpreter, Leg& leg);
-  TurnedBlock turn_directly(const Command& command, const Interpreter& interpreter);
+  [[nodiscard]] std::optional<Direction> direction_asked(const Command& command, const Interpreter& interpreter,
+                                                         const Leg& leg);
+  TurnedBlock turn_directly(const Command& command, const Interpreter& interpreter, const Leg& leg);
   TurnedBlock turn_axes(const Command& command, const TipMarks& marks, const Interpreter& interpreter, Leg& leg);
   // Type 1 and type 2: what the block does to the axes.
   [[nodiscard]] PosturePlan commanded(const Leg& leg) const;

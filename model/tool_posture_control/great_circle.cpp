@@ -28,6 +28,11 @@ const GreatCircle::Turning& GreatCircle::turning() const {
 Real GreatCircle::swept(const Rational& t) const { return t * turning().degrees; }
 
 Vector GreatCircle::at(const Rational& t) const {
+  if (t == Rational(1, 2)) {
+    // Algebraic: what is zero in the middle of a symmetric arc is proven to be.
+    const Vector middle = from_.unit + to_.unit;
+    return middle / sqrt(squared_norm(middle));
+  }
   const Real angle = swept(t);
   return exact::cos_real_degrees(angle) * from_.unit + exact::sin_real_degrees(angle) * turning().ahead;
 }
