@@ -44,17 +44,29 @@ constexpr const char* kSetup =
     "control=\"fanuc\"\nunits=\"mm\"\naxes=[\"X\",\"Y\",\"Z\",\"B\",\"C\"]\n[parameters]\n\"19680\"=2\n\"19681\"=5\n"
     "\"19682\"=3\n\"19686\"=4\n\"19687\"=2\n[offsets.H]\n1=20\n2=30\n[offsets.D]\n1=10\n2=6\n";
 
+// Tables with offsets, a mixed machine, inclined axes.
+constexpr const char* kTable =
+    "control=\"fanuc\"\nunits=\"mm\"\naxes=[\"X\",\"Y\",\"Z\",\"A\",\"C\"]\n[parameters]\n\"19680\"=12\n\"19681\"=4\n"
+    "\"19682\"=1\n\"19684\"=1\n\"19686\"=5\n\"19687\"=3\n\"19689\"=1\n\"19702\"=-100\n\"19704\"=30\n\"19738\"=5\n"
+    "\"19739\"=90\n[offsets.H]\n1=20\n2=30\n[offsets.D]\n1=10\n2=6\n";
+constexpr const char* kInclined =
+    "control=\"fanuc\"\nunits=\"mm\"\naxes=[\"X\",\"Y\",\"Z\",\"B\",\"C\"]\n[parameters]\n\"19680\"=21\n\"19681\"=4\n"
+    "\"19682\"=5\n\"19683\"=45\n\"19686\"=5\n\"19687\"=3\n\"19689\"=1\n\"19711\"=40\n\"19696#5\"=1\n[offsets.H]\n1="
+    "20\n2=30\n"
+    "[offsets.D]\n1=10\n2=6\n";
+
 // Runs `head` once and `body` until 10,000 blocks are done; the allocations after construction.
-void expect_no_allocation(const std::string& head, const std::string& body, std::size_t events_a_block) {
+void expect_no_allocation(const std::string& head, const std::string& body, std::size_t events_a_block,
+                          const char* toml = kSetup, std::uint32_t samples = 0) {
   std::string program = head;
   std::size_t blocks = 0;
   while (blocks < 10'000) {
     program += body;
     for (const char c : body) blocks += c == '\n' ? 1 : 0;
   }
-  const spec::Setup setup = spec::read_setup_toml(kSetup, "setup");
+  const spec::Setup setup = spec::read_setup_toml(toml, "setup");
   Counter counter;
-  Engine engine(setup, counter);
+  Engine engine(setup, counter, samples);
   spec::ProgramReader reader(spec::text_source(program), setup.axes);
   spec::Block block;
   const std::size_t before = allocations;
@@ -95,6 +107,29 @@ TEST(Allocation, ToolSideCompensation) {
       "G41.6 D1 X30 Y6 Z9.000000001\nX500 I0 J0 K1\nX400 Y-300 I1 J0.5 K2\nI0.1\nX0 Y0 Z0 I0 J1 K1\nG40 X-50\n"
       "G49\n",
       1);
+}
+
+// Both types, both interpolations, singular starts and ends, passing, compensation, arcs, lean, every machine type.
+TEST(Allocation, ToolCenterPointControl) {
+  const std::string by_direction =
+      "G90 G01 F100\nG43.5 H1 P1\nX10 Y0 Z0 I1 K5\nX30 Y-30 I-1 J0.1 K5\nK1\nG42.6 D2\nX20 Y-20 I-1 J1 K2\nY20 I-1 J-1 "
+      "K2\n"
+      "X-20 I1 J-1 K2\nM08\nY-20 I1 J1 K2\nG40 X-50\nH2\nX0 Y0 I0.123456789 K1\nG03 X0 Y10 R50 J1 K3\nG01 X0 Y0\nG49\n"
+      "G43.5 H1 P0 Q3\nX5 I-1 J1 K2\nY9\nX0 Y0 K1\nG43.5 P1\nI1 K2\nG49 X0 Y0 Z0\n";
+  const std::string by_position =
+      "G90 G01 F100\nG43.4 H1 P1\nX10 C20\nX20 C200\nG02 X0 Y20 R20 C90\nG01 X0 Y0 C0\nG91 C10\nG90 C0.123456789\nG49 "
+      "X0 Y0 Z0 C0\n";
+  expect_no_allocation("", by_direction, 1);
+  expect_no_allocation("", by_direction, 1, kSetup, 4);
+  expect_no_allocation("", by_direction, 1, kTable, 4);
+  expect_no_allocation("", by_position, 1, kTable);
+  expect_no_allocation(
+      "", "G90 G01 F100\nG43.4 H1 P1\nX10 C20\nX20 B30 C200\nB0 C90\nC0\nG91 C10\nG90 C0.123456789\nG49 X0 Y0 Z0 C0\n",
+      1, kInclined, 4);
+  expect_no_allocation("",
+                       "G90 G01 F100\nG41.3 D1\nX10 B30\nX20 B31 C9\nY9\nG40\nG43.4 H2 P1\nG41.3 D1\nX30 B40\nC20\nY50 "
+                       "B50\nG40\nG49 X0 Y0 Z0 B0 C0\n",
+                       1, kSetup, 4);
 }
 
 TEST(Allocation, Alarms) {
