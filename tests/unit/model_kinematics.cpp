@@ -14,6 +14,7 @@
 #include "model/program/alarm.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
+#include "tests/unit/sheet_digits.h"
 
 namespace toolcomp::model {
 namespace {
@@ -58,22 +59,16 @@ const std::vector<std::string> kMachines{kHC,
                                          machine(2, 'C', 3, 'B', 5, "19688 = 60\n"),
                                          machine(12, 'B', 6, 'C', 3, "19683 = 30\n19699 = 10\n")};
 
-// 15 significant digits, as the sheet prints them.
-std::string text(const Real& x) {
-  constexpr std::size_t digits = 15;
-  const std::string value = x.decimal(digits);
-  const std::size_t whole = value.substr(0, value.find('.')).size() - (value.front() == '-' ? 1 : 0);
-  return x.decimal(static_cast<int>(digits - whole + (value.find_first_of("123456789") > value.find('.') ? 1 : 0)));
-}
+using test::sheet_digits;
 
 // A pair (first axis, second axis) as text.
 std::string text(const Machine& of, const Pose& pose) {
   const bool tool_first = of.type() != MachineType::head;
   const Angle& first = tool_first ? pose.tool : pose.work;
   const Angle& second = tool_first ? pose.work : pose.tool;
-  return text(first.degrees()) + " " + text(second.degrees());
+  return sheet_digits(first.degrees()) + " " + sheet_digits(second.degrees());
 }
-std::string text(const Vector& v) { return text(v.x) + " " + text(v.y) + " " + text(v.z); }
+std::string text(const Vector& v) { return sheet_digits(v.x) + " " + sheet_digits(v.y) + " " + sheet_digits(v.z); }
 
 Pose basic(const Pose& pose) { return {pose.tool.basic(), pose.work.basic()}; }
 
