@@ -96,11 +96,12 @@ std::uint32_t Interpreter::tag_direction() {
   return tip_.tag();
 }
 
-// Another G43.5 leaves the tip, and the direction is that of the rotary axes.
+// Another G43.5 leaves the tip and the direction.
 void Interpreter::end_tool_direction(bool again) {
-  if (!again) take_position_along_tool();
   send_to(sink_);
   plans_tool_ = false;
+  if (again) return;
+  take_position_along_tool();
   stale_ = all_;
   if (kinematics_.defined())
     turn();

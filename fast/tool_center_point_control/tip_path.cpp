@@ -7,7 +7,7 @@ namespace toolcomp::fast {
 
 TipPath::TipPath(const Vector3<double>& start, const Vector3<double>& end, const spec::Arc<double>& arc,
                  const std::array<std::size_t, 3>& xyz)
-    : start_(start), end_(end), arc_(arc.sweep.has_value()) {
+    : start_(start), way_(end - start), arc_(arc.sweep.has_value()) {
   if (!arc_) return;
   const std::size_t first = arc.plane == spec::Plane::xy ? 0 : (arc.plane == spec::Plane::zx ? 2 : 1);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -19,11 +19,9 @@ TipPath::TipPath(const Vector3<double>& start, const Vector3<double>& end, const
   if (arc.radius) growth_ = (arc.radius->second - arc.radius->first) / arc.radius->first;
 }
 
-Vector3<double> TipPath::at(double t) const {
-  // Each end exactly by its own term: a coordinate that does not move stays as it is.
+Vector3<double> TipPath::on_arc(double t) const {
   std::array<double, 3> point{};
-  for (std::size_t i = 0; i < 3; ++i) point[i] = start_[i] + t * (end_[i] - start_[i]);
-  if (!arc_) return {point[0], point[1], point[2]};
+  for (std::size_t i = 0; i < 3; ++i) point[i] = start_[i] + t * way_[i];
   const double scale = 1 + t * growth_;
   const double sine = scale * std::sin(t * sweep_);
   const double cosine = scale * std::cos(t * sweep_);

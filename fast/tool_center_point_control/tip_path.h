@@ -15,19 +15,25 @@ class TipPath {
  public:
   TipPath() = default;
   // A line.
-  TipPath(const Vector3<double>& start, const Vector3<double>& end) : start_(start), end_(end) {}
+  TipPath(const Vector3<double>& start, const Vector3<double>& end) : start_(start), way_(end - start) {}
   // The tool's own arc; without a sweep, where an end lies in the centre, a line. `xyz`: the axes of the events that
   // X, Y, Z are.
   TipPath(const Vector3<double>& start, const Vector3<double>& end, const spec::Arc<double>& arc,
           const std::array<std::size_t, 3>& xyz);
 
   // The point at fraction t of the path, 0 < t < 1.
-  [[nodiscard]] Vector3<double> at(double t) const;
-  [[nodiscard]] const Vector3<double>& end() const { return end_; }
+  [[nodiscard]] Vector3<double> at(double t) const {
+    if (arc_) [[unlikely]]
+      return on_arc(t);
+    // A coordinate that does not move stays as it is.
+    return start_ + way_ * t;
+  }
 
  private:
+  [[nodiscard]] Vector3<double> on_arc(double t) const;
+
   Vector3<double> start_;
-  Vector3<double> end_;
+  Vector3<double> way_;
   bool arc_ = false;
   std::array<std::size_t, 2> in_{};  // which of X Y Z the plane has
   std::array<double, 2> center_{};
