@@ -259,6 +259,102 @@ std::vector<Program> tool_side_programs() {
   };
 }
 
+// Machines for tool center point control, on axes X1 Y2 Z3 A4 B5 C6: heads with C about Z that carries B about Y
+// (kHead), tilted by RA, or about (0, 1, 1) (kNutating); tables A about X that carry C about Z; B on the head and a
+// table C.
+std::string of_machine(const std::string& parameters) {
+  return "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"B\", \"C\"]\n[parameters]\n" + parameters +
+         kOffsets;
+}
+const std::string kHead = "19680 = 2\n19681 = 6\n19682 = 3\n19686 = 5\n19687 = 2\n";
+const std::string kNutating = "19680 = 2\n19681 = 6\n19682 = 3\n19686 = 5\n19687 = 5\n19688 = 45\n";
+const std::string kTable = "19680 = 12\n19681 = 4\n19682 = 1\n19684 = 1\n19686 = 6\n19687 = 3\n19689 = 1\n";
+const std::string kMixed = "19680 = 21\n19681 = 5\n19682 = 2\n19686 = 6\n19687 = 3\n19689 = 1\n";
+
+// Tool center point control.
+std::vector<Program> tool_center_point_programs() {
+  const std::string head = of_machine(kHead);
+  const std::string table = of_machine(kTable);
+  const std::string workpiece = of_machine(kTable + "\"19696#5\" = 1\n");
+  const std::string ranges = of_machine(kHead + "19741 = 90\n19742 = -90\n");
+  const std::string reversed = of_machine(kHead + "\"19608#5\" = 1\n");
+  const std::string tilted_45 = of_machine(kHead + "19698 = 45\n");
+  const std::string nutating = of_machine(kNutating);
+  return {
+      {head, "G43.4 H1\nG43.5\nB5\n"},
+      {head, "G43.4 H1\nB10\nG01 X10 F1\nG49\nX1\n"},
+      {table, "G43.4 H1\nG02 X10 I5 A5\n"},
+      {of_machine(kMixed), "G43.4 H1\nG02 B5\n"},
+      {of_machine("19680 = 12\n19681 = 0\n19682 = 1\n19686 = 6\n19687 = 3\n\"19696#0\" = 1\n"), "G43.5\n"},
+      {table, "G43.5 I1\n"},
+      // 19696#5
+      {workpiece, "G43.4 H1\nX10 C20\nC30\n"},
+      {workpiece, "G43.5\n"},
+      {workpiece, "G43.4\nG01 G41.2 D1 X10 F1\n"},
+      {workpiece, "G43.4\nG02 X10 I5 A10 F1\n"},
+      {workpiece, "G43.4\nG02 X10 I5 C10 F1\n"},
+      // Lean, arcs by radius
+      {head, "G43.5 Q10 P0\nX10 K1\nZ10 K1\nG02 X20 R5 I1 K1 F1\nG02 X30\n"},
+      // Reach
+      {head, "G43.5 P0\nX1 K1\nI1 K1\n"},
+      {of_machine(kHead + "19698 = 5\n"), "G43.5 P0\nI1 K1\nI1 K100\n"},
+      {tilted_45, "G43.5 P0\nI1 K1\nK1\n"},
+      {nutating, "G43.5 P0\nI1 K1\nI1 K0\nI1 K-1\n"},
+      // Choice: pairs and the positions they start from as in the sheet's example 2
+      {head, "G43.5 P0\nI-1 J1 K2\n"},
+      {head, "G43.5 P0\nI1 J1 K2\n"},
+      {head, "G43.5 P0\nI0 J1 K1\n"},
+      {head, "C45\nG43.5 P0\nI-1 J1 K2\n"},
+      {head, "C-45\nG43.5 P0\nI1 J1 K2\n"},
+      {table, "G43.5 P0\nI-1 J1 K2\n"},
+      {table, "G43.5 P0\nI1 J-1 K2\n"},
+      {reversed, "C45\nG43.5 P0\nI-1 J1 K2\n"},
+      {reversed, "C-45\nG43.5 P0\nI1 J1 K2\n"},
+      // Ranges
+      {ranges, "G43.5 P0\nI0 J1 K1\nI-1 J1 K2\n"},
+      {of_machine(kHead + "19741 = 10\n19742 = -10\n"), "G43.5 P0\nI0 J1 K1\n"},
+      {of_machine(kHead + "19741 = -10\n19742 = 10\n"), "G43.5\n"},
+  };
+}
+
+// Tool posture control.
+std::vector<Program> tool_posture_programs() {
+  const std::string head = of_machine(kHead);
+  const auto near = [](const std::string& limit, const std::string& veto, const std::string& more = "") {
+    return of_machine(kHead + "19738 = " + limit + "\n19739 = " + veto + "\n" + more);
+  };
+  // Past +Z at 45 degrees, round it by 90.
+  const std::string past = "C45\nG43.5 P1 I1 J1 K1\nI-1 J1 K1\n";
+  const std::string nutating = of_machine(kNutating);
+  return {
+      {of_machine(kHead + "\"19604#0\" = 1\n"), "G43.5\nI1 K1\nI2 K2\n"},
+      {head, "G43.5 P2\n"},
+      // A singular start: the work side turns up, down, or stands
+      {head, "G43.5 P1\nI1 J1 K2\nI-1 J1 K2\nI-1 J-1 K2\n"},
+      {head, "G43.5 P1\nI1 J-1 K2\nI0 J-1 K2\n"},
+      {head, "G43.5 P1\nI1 K2\nI-2 K3\nI0 K1\n"},
+      // A singular end: the work side turns up, down, or stands
+      {head, "B30\nG43.4 P1\nB0\nB30\nB0 C20\nB30\nB0 C0\n"},
+      // Branches, and what they do not lead to
+      {head, "B30\nG43.4 P1\nB40 C90\nB20 C300\n"},
+      {head, "B-30\nG43.4 P1\nB-40 C-90\n"},
+      {nutating, "B180\nG43.4 P1\nB100 C10\n"},
+      // How arcs pass an axis
+      {near("1", "5"), "G43.5 P1 I1 K1\nI1 K0\nI1 K1\n"},
+      {near("1", "5"), "G43.5 P1 I1 K0\nI0 J1\n"},
+      {near("1", "5"), "G43.5 P1 I1 J1 K-5\nI-1 J1 K-5\nI-1 J1 K5\nI1 J1 K5\n"},
+      // Inside reach
+      {of_machine(kHead + "19698 = 5\n"), "G43.5 P1 I1 J1 K5\nI-1 J1 K5\nI-1 J0 K5\nI1 J.1 K5\n"},
+      {of_machine(kHead + "19698 = 45\n"), "G43.5 P1 I1 J1 K1\nI-1 J1 K1\n"},
+      // Near a singular posture
+      {near("45", "90"), past},
+      {near("60", "90"), past},
+      {near("60", "91"), past},
+      {near("60", "89"), past},
+      {near("60", "89", "\"19696#3\" = 1\n"), past},
+  };
+}
+
 // One line for each group of outcomes; programs end at their first alarm.
 std::vector<Program> programs() {
   const std::string plain = setup("");
@@ -327,8 +423,8 @@ std::vector<Program> programs() {
       {plain, "G41.3 D1\nX1\nG54\n"},
       {plain, "G41.3 D1\nX1\nG40 X2\n"},
   };
-  for (const auto& more :
-       {tool_offset_programs(), measurement_programs(), cutter_b_programs(), cutter_c_programs(), tool_side_programs()})
+  for (const auto& more : {tool_offset_programs(), measurement_programs(), cutter_b_programs(), cutter_c_programs(),
+                           tool_side_programs(), tool_center_point_programs(), tool_posture_programs()})
     list.insert(list.end(), more.begin(), more.end());
   return list;
 }
@@ -351,7 +447,7 @@ TEST(Clauses, EveryOutcomeIsReached) {
       const bool unreachable = clause.unreachable.find(outcome) != std::string_view::npos;
       EXPECT_EQ(count == 0, unreachable) << clause.id << ": " << outcome;
     };
-    if (!clause.testable) {
+    if (!clause.testable || !clause.replaced_by.empty()) {
       EXPECT_EQ(total[i].reached, 0U) << clause.id;
     } else if (clause.outcomes == spec::ClauseOutcomes::reach) {
       EXPECT_GT(total[i].reached, 0U) << clause.id;

@@ -211,7 +211,7 @@ TEST(ModelProgram, DwellWordsAreNoPositions) {
 }
 
 TEST(ModelProgram, UnknownCodes) {
-  for (const char* code : {"G05", "G38", "G43.4", "G41.4", "G30.2", "G54.1", "G43.51", "G95", "G999999999"})
+  for (const char* code : {"G05", "G38", "G43.6", "G41.4", "G30.2", "G54.1", "G43.51", "G95", "G999999999"})
     EXPECT_EQ(moves(std::string("X1\n") + code + " X2\n"), (Lines{"1 rapid X1 Y0 Z0 C0", "2 PS0010"})) << code;
   EXPECT_EQ(moves("G1.0 X1\nG030.10 X0\n").size(), 3U);  // the value counts, not the spelling
 }
