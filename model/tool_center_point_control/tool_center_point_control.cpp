@@ -134,7 +134,8 @@ void ToolCenterPointControl::start(const Command& command, const TipMarks& marks
   if (direction) now_ = direction_words(command, interpreter.numbers());
   tip_.emplace();
   if (!machine_) {
-    if (!direction) now_ = of_pose(leg.end);
+    // There are no rotary positions to take it from again.
+    if (!direction && !marks.again) now_ = of_pose(leg.end);
     now_.reported = true;
     tool_ = kept_ = now_;
     return;

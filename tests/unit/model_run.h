@@ -2,6 +2,7 @@
 // typed in from.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,12 +28,13 @@ struct Run {
   const std::vector<model::Event>& events() const { return sink.events; }
 };
 
-// `force`: one decision by sign and the outcome it is made to have.
-inline Run run(std::string_view setup, std::string_view program, std::pair<std::size_t, exact::Sign>* force = nullptr) {
+// `force`: one decision by sign and the outcome it is made to have. `samples`: N of the fractions k/N inside blocks.
+inline Run run(std::string_view setup, std::string_view program, std::pair<std::size_t, exact::Sign>* force = nullptr,
+               std::uint32_t samples = 0) {
   Run result{spec::read_setup_toml(setup, "setup.toml"), model::Recorder(true), {}};
   if (force != nullptr) result.recorder.force(force->first, force->second);
   spec::ProgramReader reader(spec::text_source(program), result.setup.axes);
-  model::Engine engine(result.setup, result.recorder, result.sink);
+  model::Engine engine(result.setup, result.recorder, result.sink, samples);
   spec::Block block;
   while (!engine.stopped() && reader.next(block)) engine.block(block);
   engine.end();
@@ -50,7 +52,7 @@ inline std::string text(const spec::AxisValues<exact::Real>& values, const spec:
 enum class Show { axes, point, machine };
 
 // "2 rapid X0 Y0 Z-36"; causes other than programmed behind: "5 linear X1 (start-up)". Alarms: "7 PS0027"; settings:
-// "3 H1=12".
+// "3 H1=12"; samples: "5 1/4 X1 …".
 inline std::vector<std::string> lines(const Run& run, Show show = Show::axes, int digits = 15) {
   std::vector<std::string> result;
   for (const model::Event& event : run.events()) {
@@ -64,6 +66,10 @@ inline std::vector<std::string> lines(const Run& run, Show show = Show::axes, in
       }
       case spec::EventKind::setting:
         line += std::string(event.setting.view()) + '=' + event.value.decimal(digits);
+        break;
+      case spec::EventKind::sample:
+        line += std::to_string(event.t_numerator) + '/' + std::to_string(event.t_denominator) + ' ' +
+                text(show == Show::point ? event.point : event.axes, run.setup.axes, digits);
         break;
       default:
         line += event.number.view();

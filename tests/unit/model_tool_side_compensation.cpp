@@ -339,8 +339,8 @@ TEST(ModelToolSide, Modes) {
   EXPECT_EQ(points(head(), "G43.5\nG01 X100 F1\nX200 B5.\n").back(), "3 PS5421");
   EXPECT_EQ(points(setup(), kTilted + "G01 G41.6 D1 X100 F1\nG49 X200\n").back(), "3 TOOL_DIRECTION_FORMAT");
   EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nG43.5 X200\n").back(), "2 TOOL_DIRECTION_FORMAT");
-  EXPECT_EQ(points(setup(), kTilted + "Q1 X1\n").back(), "2 LEAN_ANGLE_NOT_BUILT");
-  EXPECT_EQ(points(setup(), kTilted + "G01 G41.6 D1 X100 F1\nG40 X200 Q1\n").back(), "3 LEAN_ANGLE_NOT_BUILT");
+  EXPECT_EQ(points(setup(), kTilted + "Q1 X1\n").back(), "2 rapid X1 Y0 Z0");
+  EXPECT_EQ(points(setup(), kTilted + "G01 G41.6 D1 X100 F1\nG40 X200 Q1\n").back(), "3 linear X200 Y0 Z0 (cancel)");
 }
 
 TEST(ModelToolSide, Forbidden) {

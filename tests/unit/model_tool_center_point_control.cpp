@@ -1,0 +1,315 @@
+// Tool center point control: its rules, alarms and events. Expected values are derived in the comments; the worked
+// examples of the posture sheet stand in model_tool_posture_control.cpp and model_posture_examples.cpp.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/unit/model_run.h"
+
+namespace {
+
+using namespace toolcomp;
+using test::Lines;
+using test::run;
+using test::Show;
+
+// Axes X1 Y2 Z3 A4 B5 C6; H1 = 50, H2 = 10.
+std::string setup(const std::string& parameters, const std::string& more = "") {
+  return "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"B\", \"C\"]\n[parameters]\n" + parameters +
+         "[offsets.H]\n1 = 50\n2 = 10\n[offsets.D]\n1 = 10\n2 = 5\n" + more;
+}
+const std::string kNone;
+// C carries B.
+const std::string kHead = "19680 = 2\n19681 = 6\n19682 = 3\n19686 = 5\n19687 = 2\n";
+// A carries C.
+const std::string kTable = "19680 = 12\n19681 = 4\n19682 = 1\n19684 = 1\n19686 = 6\n19687 = 3\n19689 = 1\n";
+// B turns the tool, C the table.
+const std::string kMixed = "19680 = 21\n19681 = 5\n19682 = 2\n19686 = 6\n19687 = 3\n19689 = 1\n";
+const std::string kWorkpiece = "\"19696#5\" = 1\n";
+
+std::string last(const std::string& parameters, const std::string& program, Show show = Show::axes, int digits = 9) {
+  return test::lines(run(setup(parameters), program), show, digits).back();
+}
+Lines lines(const std::string& parameters, const std::string& program, std::uint32_t samples = 0,
+            Show show = Show::axes, int digits = 9) {
+  return test::lines(run(setup(parameters), program, nullptr, samples), show, digits);
+}
+std::string tool(const model::Event& event, int digits = 9) {
+  if (!event.tool_axis) return "none";
+  std::string text;
+  for (const exact::Real& component : *event.tool_axis) text += (text.empty() ? "" : " ") + component.decimal(digits);
+  return text;
+}
+std::string last_tool(const std::string& parameters, const std::string& program) {
+  return tool(run(setup(parameters), program).events().back());
+}
+
+// B30: the tool leans by (1/2, 0, sqrt(3)/2), with L = 50 (25, 0, 43.301270189).
+TEST(ModelToolCenterPoint, TypeOneOnAHead) {
+  EXPECT_EQ(lines(kHead, "G43.4 H1\nG01 X10 B30 F1\nY5\nC90\n"),
+            (Lines{"1 rapid X0 Y0 Z50 A0 B0 C0", "2 linear X35 Y0 Z43.301270189 A0 B30 C0",
+                   "3 linear X35 Y5 Z43.301270189 A0 B30 C0", "4 linear X10 Y30 Z43.301270189 A0 B30 C90"}));
+  // Rotary words in the block of the code, incremental words.
+  EXPECT_EQ(last(kHead, "G43.4 H1 B20\nG91 G01 B10 X10 F1\n"), "2 linear X35 Y0 Z43.301270189 A0 B30 C0");
+  // G00 runs to the same positions.
+  EXPECT_EQ(last(kHead, "G43.4 H1\nX10 B30\n"), "2 rapid X35 Y0 Z43.301270189 A0 B30 C0");
+}
+
+TEST(ModelToolCenterPoint, TypeTwoOnAHead) {
+  // (1, 0, 1): from C0 the pairs are (0, 45) and (180, -45).
+  EXPECT_EQ(lines(kHead, "G43.5 H1\nI1 K1\nX10\nK1\n", 0, Show::axes, 6),
+            (Lines{"1 rapid X0 Y0 Z50 A0 B0 C0", "2 rapid X35.355339 Y0 Z35.355339 A0 B45 C0",
+                   "3 rapid X45.355339 Y0 Z35.355339 A0 B45 C0", "4 rapid X10 Y0 Z50 A0 B0 C0"}));
+  // I J K in the block of the code.
+  EXPECT_EQ(last(kHead, "G43.5 H1 I1\n"), "1 rapid X50 Y0 Z0 A0 B90 C0");
+  EXPECT_EQ(last(kHead, "G43.5 H1 I1 P1\n"), "1 rapid X50 Y0 Z0 A0 B90 C0");
+}
+
+// The table turns by C90 under a standing tool: the point (10, 0) of the table goes to (0, -10) with a left-handed
+// table, whose axis is at A.
+TEST(ModelToolCenterPoint, TableAndItsPosition) {
+  const std::string moved = kTable + "19700 = 100\n";
+  EXPECT_EQ(last(kTable, "G43.4 H1\nX10\nC90\n"), "3 rapid X0 Y-10 Z50 A0 B0 C90");
+  EXPECT_EQ(last(moved, "G43.4 H1\nX10\nC90\n"), "3 rapid X100 Y90 Z50 A0 B0 C90");
+  // The programmed point stays; so does the tool in the table system.
+  EXPECT_EQ(last(kTable, "G43.4 H1\nX10\nC90\n", Show::point), "3 rapid X10 Y0 Z0");
+  EXPECT_EQ(last_tool(kTable, "G43.4 H1\nX10\nC90\n"), "0 0 1");
+  // The frame stands as the workpiece system at the end of the block of the code.
+  EXPECT_EQ(last(kTable, "C30\nG43.4 H1\nX10\nC120\n"), "4 rapid X0 Y-10 Z50 A0 B0 C120");
+  EXPECT_EQ(last(kTable, "C30\nG43.4 H1 C90\nX10\nC180\n"), "4 rapid X0 Y-10 Z50 A0 B0 C180");
+}
+
+// A90 of a table: the tool lies along +-Y of the table.
+TEST(ModelToolCenterPoint, ToolSeenFromTheTable) {
+  EXPECT_EQ(last_tool(kTable, "G43.4\nA90\n"), "0 -1 0");
+  EXPECT_EQ(last_tool(kTable, "A90\nG43.4\n"), "0 0 1");
+  EXPECT_EQ(last_tool(kTable + kWorkpiece, "G43.4\nA90\n"), "0 0 1");
+  EXPECT_EQ(last_tool(kMixed, "G43.4\nB90 C90\n"), "0 1 0");
+  EXPECT_EQ(last_tool(kMixed + kWorkpiece, "G43.4\nB90 C90\n"), "1 0 0");
+}
+
+TEST(ModelToolCenterPoint, HolderOffsetAndH) {
+  EXPECT_EQ(lines(kHead + "19666 = 3\n", "G43.4 H1\nH2\nH2\nH0\n"),
+            (Lines{"1 rapid X0 Y0 Z53 A0 B0 C0", "2 rapid X0 Y0 Z13 A0 B0 C0", "4 rapid X0 Y0 Z3 A0 B0 C0"}));
+  // EVO: an edited value in the next block.
+  EXPECT_EQ(last(kHead + "\"5001#6\" = 1\n", "G43.4 H1\nG10 L11 P1 R60\nY1\n"), "3 rapid X0 Y1 Z60 A0 B0 C0");
+}
+
+// The length goes evenly from 50 to 10.
+TEST(ModelToolCenterPoint, LengthInsideABlock) {
+  EXPECT_EQ(lines(kHead, "G43.4 H1\nG01 X8 H2 F1\n", 4),
+            (Lines{"1 rapid X0 Y0 Z50 A0 B0 C0", "2 1/4 X2 Y0 Z40 A0 B0 C0", "2 1/2 X4 Y0 Z30 A0 B0 C0",
+                   "2 3/4 X6 Y0 Z20 A0 B0 C0", "2 linear X8 Y0 Z10 A0 B0 C0"}));
+}
+
+TEST(ModelToolCenterPoint, Samples) {
+  // Not in the block of the code; in every own move behind it, a lone H included; other axes evenly.
+  EXPECT_EQ(lines(kHead, "G43.4\nX2 A90\nH1\nG04 P1\nG49\nX4\n", 2),
+            (Lines{"1 rapid X0 Y0 Z0 A0 B0 C0", "2 1/2 X1 Y0 Z0 A45 B0 C0", "2 rapid X2 Y0 Z0 A90 B0 C0",
+                   "3 1/2 X2 Y0 Z25 A90 B0 C0", "3 rapid X2 Y0 Z50 A90 B0 C0", "6 rapid X4 Y0 Z50 A90 B0 C0"}));
+  // No machine coordinates.
+  const auto done = run(setup(kHead), "G43.4\nX2\n", nullptr, 2);
+  EXPECT_TRUE(done.events()[1].machine.empty());
+  EXPECT_FALSE(done.events()[2].machine.empty());
+  EXPECT_EQ(tool(done.events()[1]), "0 0 1");
+  // One sample a block is none.
+  EXPECT_EQ(lines(kHead, "G43.4\nX2\n", 1).size(), 2U);
+}
+
+// Relative to the table the tip runs straight: from (10, 0) to (0, 0) while C turns by 90; at t = 1/2 it is at (5, 0),
+// turned by -45.
+TEST(ModelToolCenterPoint, TipPathOnATable) {
+  EXPECT_EQ(lines(kTable, "G43.4\nX10\nX0 C90\n", 2)[3], "3 1/2 X3.535533906 Y-3.535533906 Z0 A0 B0 C45");
+  EXPECT_EQ(lines(kTable, "G43.4\nX10\nX0 C90\n", 2, Show::point)[3], "3 1/2 X5 Y0 Z0");
+}
+
+TEST(ModelToolCenterPoint, Arcs) {
+  // A quarter of a circle about the origin, with B going to 90: at t = 1/2 the tip is at 45 degrees.
+  EXPECT_EQ(lines(kHead, "G43.4\nX10\nG17 G03 X0 Y10 R10 B90 F1\n", 2)[3],
+            "3 1/2 X7.071067812 Y7.071067812 Z0 A0 B45 C0");
+  EXPECT_EQ(lines(kHead, "G43.4\nX10\nG17 G02 X0 Y10 Z8 I-10 J0 F1\n", 2)[3],
+            "3 1/2 X-7.071067812 Y-7.071067812 Z4 A0 B0 C0");
+  // A spiral: the radius goes evenly from 10 to 20.
+  EXPECT_EQ(lines(kHead, "G43.4\nX10\nG17 G03 X0 Y20 I-10 J0 F1\n", 2)[3],
+            "3 1/2 X10.606601718 Y10.606601718 Z0 A0 B0 C0");
+  EXPECT_EQ(last(kHead, "G43.5\nX10\nG17 G03 X0 Y10 R10 K1 F1\n"), "3 arc X0 Y10 Z0 A0 B0 C0");
+  EXPECT_EQ(last(kHead, "G43.5\nX10\nG17 G03 X0 Y10 I-10 K1 F1\n"), "3 PS5421");
+  EXPECT_EQ(last(kHead, "G43.5\nG03 K1\n"), "2 PS5421");
+  EXPECT_EQ(last(kHead, "G43.4\nG03 B5.\n"), "2 PS5421");
+  EXPECT_EQ(last(kHead, "G43.5\nX10\nG03 X10 R10\n"), "3 PS0023");
+  // A full circle of type 1.
+  EXPECT_EQ(last(kHead, "G43.4\nX10\nG17 G03 I-10 B90 H1 F1\n"), "3 arc X60 Y0 Z0 A0 B90 C0");
+}
+
+// Q leans toward the travel, +X: from +Z to (1/2, 0, sqrt(3)/2).
+TEST(ModelToolCenterPoint, Lean) {
+  EXPECT_EQ(last_tool(kNone, "G43.5 Q30\nX10\n"), "0.5 0 0.866025404");
+  EXPECT_EQ(last_tool(kNone, "G43.5 Q-30\nX10\n"), "-0.5 0 0.866025404");
+  EXPECT_EQ(last_tool(kNone, "G43.5 Q30\nX10\nY10\n"), "0 0.5 0.866025404");
+  EXPECT_EQ(last_tool(kNone, "G43.5 Q30\nZ10\n"), "0 0 1");
+  EXPECT_EQ(last_tool(kNone, "G43.5 Q30\nX10\nI1\n"), "1 0 0");
+  EXPECT_EQ(last_tool(kNone, "G43.5 Q30 I1\n"), "1 0 0");
+  // In an arc along the tangent at its end: counter-clockwise to (0, 10) that is -X.
+  EXPECT_EQ(last_tool(kNone, "G43.5 Q30\nG01 X10 F1\nG17 G03 X0 Y10 R10\n"), "-0.5 0 0.866025404");
+  // On a head; Q0 and no Q do not lean; Q elsewhere nobody reads.
+  EXPECT_EQ(last(kHead, "G43.5 Q30\nX10\n"), "2 rapid X10 Y0 Z0 A0 B30 C0");
+  EXPECT_EQ(last(kHead, "G43.5\nX10 Q30\n"), "2 rapid X10 Y0 Z0 A0 B0 C0");
+  EXPECT_EQ(last(kHead, "G43.5 Q30\nG49\nG43.5\nX10\n"), "4 rapid X10 Y0 Z0 A0 B0 C0");
+  // Words beside G04 or G10 are theirs.
+  EXPECT_EQ(last(kHead, "G43.5 G04 P500 Q30\nX10\n"), "2 rapid X10 Y0 Z0 A0 B0 C0");
+}
+
+TEST(ModelToolCenterPoint, End) {
+  // The programmed position becomes that of the axes; the next words go from there.
+  EXPECT_EQ(last(kHead, "G43.4 H1 B90\nX10\nG49\nG91 Y1\n"), "4 rapid X60 Y1 Z0 A0 B90 C0");
+  EXPECT_EQ(last(kHead + "19709 = 7\n", "G43.4 H1 B90\nX10\nG49\nG91 Y1\n"), "4 rapid X60 Y1 Z-7 A0 B90 C0");
+  EXPECT_EQ(last(kTable, "G43.4 H1\nX10\nC90\nG49\nG91 Z1\n"), "5 rapid X0 Y-10 Z51 A0 B0 C90");
+  EXPECT_EQ(lines(kHead, "G43.4\nG49\n").size(), 1U);
+  // The rotary positions of type 2 stay, exactly: 90 degrees of C more is 135.
+  EXPECT_EQ(last(kHead, "G43.5\nI1 J1\nG49\nG91 C90\n"), "4 rapid X0 Y0 Z0 A0 B90 C135");
+  EXPECT_EQ(last(kHead, "G43.5\nI1 J2\nG49\nG91 C90\nG90 C0\n"), "5 rapid X0 Y0 Z0 A0 B90 C0");
+}
+
+// The tip stays: C90 has taken the table point (10, 0) to (0, -10), which is where the new system has it.
+TEST(ModelToolCenterPoint, Again) {
+  EXPECT_EQ(lines(kTable, "G43.4 H1\nX10\nC90\nG43.4\nG91 Y1\n", 0, Show::point)[3], "4 rapid X0 Y-10 Z0");
+  EXPECT_EQ(lines(kTable, "G43.4 H1\nX10\nC90\nG43.4\nG91 Y1\n"),
+            (Lines{"1 rapid X0 Y0 Z50 A0 B0 C0", "2 rapid X10 Y0 Z50 A0 B0 C0", "3 rapid X0 Y-10 Z50 A0 B0 C90",
+                   "4 rapid X0 Y-10 Z50 A0 B0 C90", "5 rapid X0 Y-9 Z50 A0 B0 C90"}));
+  EXPECT_EQ(last(kHead, "G43.4 H1\nG43.5 H2\nX1 I1\n"), "3 rapid X11 Y0 Z0 A0 B90 C0");
+}
+
+TEST(ModelToolCenterPoint, WorkpieceSystem) {
+  const std::string table = kTable + kWorkpiece;
+  // The end is that after the turn; on the way the tip runs straight on the table, from (10, 0) there to (0, 10).
+  EXPECT_EQ(lines(table, "G43.4 H1\nX10\nX10 Y0 C90\n", 2),
+            (Lines{"1 rapid X0 Y0 Z50 A0 B0 C0", "2 1/2 X5 Y0 Z50 A0 B0 C0", "2 rapid X10 Y0 Z50 A0 B0 C0",
+                   "3 1/2 X7.071067812 Y0 Z50 A0 B0 C45", "3 rapid X10 Y0 Z50 A0 B0 C90"}));
+  // A rotary word alone takes the tip along; back again it is where it was.
+  EXPECT_EQ(lines(table, "G43.4 H1\nX10\nC90\nC0\nC45\nC0\n", 0, Show::point),
+            (Lines{"1 rapid X0 Y0 Z0", "2 rapid X10 Y0 Z0", "3 rapid X0 Y-10 Z0", "4 rapid X10 Y0 Z0",
+                   "5 rapid X7.071067812 Y-7.071067812 Z0", "6 rapid X10 Y0 Z0"}));
+  // On a head it makes no difference.
+  EXPECT_EQ(last(kHead + kWorkpiece, "G43.4 H1\nX10\nB90\n"), "3 rapid X60 Y0 Z0 A0 B90 C0");
+  EXPECT_EQ(last(kHead + kWorkpiece, "G43.5 H1\n"), "1 PS5459");
+  EXPECT_EQ(last(table, "G43.4\nG41.2 D1 X10\nX20\n"), "2 COMPENSATION_IN_WORKPIECE_SYSTEM");
+  EXPECT_EQ(last(table, "G43.4\nG41.3 D1\n"), "2 COMPENSATION_IN_WORKPIECE_SYSTEM");
+  // Arcs: free while no table axis has moved.
+  EXPECT_EQ(last(table, "G43.4\nX10\nG17 G03 X0 Y10 R10 F1\n"), "3 arc X0 Y10 Z0 A0 B0 C0");
+  EXPECT_EQ(last(table, "G43.4\nX10\nG17 G03 X0 Y10 R10 C90 F1\n"), "3 ARC_WITH_TABLE_TURNED");
+  EXPECT_EQ(last(table, "G43.4\nX10 C90\nG17 G03 X0 Y10 R10 F1\n"), "3 ARC_WITH_TABLE_TURNED");
+  EXPECT_EQ(last(table, "G43.4\nX10\nG17 G03 X0 Y10 R10 A90 F1\n"), "3 PS5421");
+  EXPECT_EQ(last(table, "G43.4\nX10 A5.\nG17 G03 X0 Y10 R10 F1\n"), "3 PS5421");
+  EXPECT_EQ(last(kMixed + kWorkpiece, "G43.4\nX10\nG17 G03 X0 Y10 R10 B90 F1\n"), "3 arc X0 Y10 Z0 A0 B90 C0");
+}
+
+// Inserted moves are made at a standing tool, with the pose of the corner and machine coordinates.
+TEST(ModelToolCenterPoint, CornerMoves) {
+  // Right of +X, then back at an acute angle: the corner moves of tool side compensation at B0.
+  const std::string program = "G43.4 H1\nG01 G42.2 D2 X0 F1\nX20\nX10 Y9 B90\nG40 X0 Y0\n";
+  const auto done = run(setup(kHead + "\"19605#5\" = 1\n", "[position]\nX = -10\n"), program, nullptr, 2);
+  std::size_t corners = 0;
+  for (const model::Event& event : done.events()) {
+    if (event.kind != spec::EventKind::move || event.cause != spec::Cause::corner) continue;
+    ++corners;
+    EXPECT_EQ(event.axes[4].decimal(9), "0");
+    EXPECT_EQ(event.axes[2].decimal(9), "50");
+    EXPECT_FALSE(event.machine.empty());
+  }
+  EXPECT_EQ(corners, 1U);
+}
+
+TEST(ModelToolCenterPoint, TurnsAtThePole) {
+  EXPECT_EQ(lines(kHead, "G43.4 H1 P1\nG01 X10 B30 C90 F1\nX0 B0 C0\n", 2, Show::axes, 6),
+            (Lines{"1 rapid X0 Y0 Z50 A0 B0 C0", "2 linear X0 Y0 Z50 A0 B0 C90 (pre-turn)",
+                   "2 1/2 X5 Y12.940952 Z48.296291 A0 B15 C90", "2 linear X10 Y25 Z43.30127 A0 B30 C90",
+                   "3 1/2 X5 Y12.940952 Z48.296291 A0 B15 C90", "3 linear X0 Y0 Z50 A0 B0 C90",
+                   "3 linear X0 Y0 Z50 A0 B0 C0 (post-turn)"}));
+  // With P0 the axes run evenly; 19604#0 decides where there is no P.
+  EXPECT_EQ(lines(kHead, "G43.4 H1 P0\nG01 X10 B30 C90 F1\n").size(), 2U);
+  EXPECT_EQ(lines(kHead, "G43.4 H1\nG01 X10 B30 C90 F1\n").size(), 2U);
+  EXPECT_EQ(lines(kHead + "\"19604#0\" = 1\n", "G43.4 H1\nG01 X10 B30 C90 F1\n").size(), 3U);
+  EXPECT_EQ(lines(kHead + "\"19604#0\" = 1\n", "G43.4 H1 P0\nG01 X10 B30 C90 F1\n").size(), 2U);
+  // The warning stands before the move.
+  EXPECT_EQ(lines(kHead, "G43.4 P1 B20\nB20 C200\n"),
+            (Lines{"1 rapid X0 Y0 Z0 A0 B20 C0", "2 posture-branch", "2 rapid X0 Y0 Z0 A0 B20 C200"}));
+}
+
+TEST(ModelToolCenterPoint, KeptDirection) {
+  // Without I J K the axes stand, whatever the range says.
+  EXPECT_EQ(last(kHead + "19743 = 10\n19744 = -10\n", "B30.\nG43.5\nX10\n"), "3 rapid X10 Y0 Z0 A0 B30 C0");
+  EXPECT_EQ(last(kHead + "19743 = 10\n19744 = -10\n", "B30.\nG43.5\nI1 K2\n"), "3 PS5459");
+  // A leaned direction is leaned anew from the one commanded.
+  EXPECT_EQ(last_tool(kHead, "G43.5 Q30\nX10\nX20\n"), "0.5 0 0.866025404");
+  // After a changed end the actual direction is kept: (C0, B-12).
+  const std::string near = kHead + "19738 = 1\n19739 = 5\n";
+  const std::string program = "B10.\nG43.5 P1\nI-2074.05228388532 J145.031864016257 K9781.47600733806\nX10\n";
+  EXPECT_EQ(last(near, program), "4 rapid X10 Y0 Z0 A0 B-12 C0");
+  EXPECT_EQ(last_tool(near, program), "-0.207911691 0 0.978147601");
+}
+
+TEST(ModelToolCenterPoint, AlarmsOfWords) {
+  for (const std::string& machine : {kHead, kTable, kMixed}) {
+    for (const char* block : {"G28 X0", "G29 X0", "G30 X0", "G30.1 X0", "G37 Z0", "G39", "G41", "G42", "G45 X1",
+                              "G53 X0", "G92 X0", "G54", "G59"})
+      EXPECT_EQ(last(machine, std::string("G43.4\n") + block + "\n"), "2 FORBIDDEN_UNDER_TOOL_DIRECTION") << block;
+    EXPECT_EQ(last(machine, "G43.4\nG43 H1\n"), "2 LENGTH_OFFSET_EXCLUSION");
+    EXPECT_EQ(last(machine, "G43 H1\nG43.4\n"), "2 LENGTH_OFFSET_EXCLUSION");
+    EXPECT_EQ(last(machine, "G43.4 P2\n"), "1 PS5421");
+    EXPECT_EQ(last(machine, "G43.4 P0.5\n"), "1 PS5421");
+    EXPECT_EQ(last(machine, "G43.4\nP2\nX1\n").substr(0, 7), "3 rapid");
+    EXPECT_EQ(last(machine, "G02 G43.4\n"), "1 TOOL_DIRECTION_FORMAT");
+    EXPECT_EQ(last(machine, "G43.5\nC5.\n"), "2 PS5421");
+    EXPECT_EQ(last(machine, "G43.5 C5.\n"), "1 PS5421");
+    EXPECT_EQ(last(machine, "G43.5\nI0 J0 K0\n"), "2 PS5421");
+    EXPECT_EQ(last(machine + "19741 = -1\n19742 = 1\n", "G43.5\n"), "1 PS5459");
+    EXPECT_EQ(last(machine + "19741 = -1\n19742 = 1\n", "G43.4\n").substr(0, 7), "1 rapid");
+  }
+  EXPECT_EQ(last(kTable, "G43.5 K1\n"), "1 PS5421");
+  EXPECT_EQ(last(kMixed, "G43.5 K1\n"), "1 PS5421");
+  EXPECT_EQ(last(kHead, "G43.4\nG41.6 D1 X10\n"), "2 TOOL_SIDE_MODE");
+  EXPECT_EQ(last(kHead, "G41 D1\nX10\nG43.4\n"), "3 FORBIDDEN_IN_CUTTER_COMPENSATION");
+  // A hypothetical axis, and axes that do not tilt the tool.
+  const std::string hypothetical =
+      "19680 = 12\n19681 = 0\n19682 = 1\n19684 = 1\n19686 = 6\n19687 = 3\n19689 = 1\n"
+      "\"19696#0\" = 1\n19685 = 30\n";
+  EXPECT_EQ(last(hypothetical, "G43.5\n"), "1 PS5459");
+  EXPECT_EQ(last(hypothetical, "G43.4 P1\nC90\n"), "2 rapid X0 Y0 Z0 A0 B0 C90");
+  EXPECT_EQ(last("19680 = 2\n19681 = 6\n19682 = 3\n19686 = 5\n19687 = 3\n", "G43.5\n"), "1 PS5459");
+}
+
+// Under 19680 = 0 the direction goes along the great circle; between opposite ones it waits.
+TEST(ModelToolCenterPoint, WithoutRotaryAxes) {
+  const auto inside = run(setup(kNone), "G43.5 H1\nI1\nI-1\n", nullptr, 2);
+  EXPECT_EQ(tool(inside.events()[1]), "0.707106781 0 0.707106781");
+  EXPECT_EQ(tool(inside.events()[3]), "1 0 0");
+  EXPECT_EQ(tool(inside.events()[4]), "-1 0 0");
+  EXPECT_EQ(test::lines(inside, Show::axes, 6)[1], "2 1/2 X35.355339 Y0 Z35.355339 A0 B0 C0");
+}
+
+// Exact numbers do not chain: a thousand blocks leave no more nodes than a few.
+TEST(ModelToolCenterPoint, NumbersDoNotChain) {
+  for (const std::string& code : {"G43.5 H1 P0\n", "G43.5 H1 P1\n"}) {
+    for (const std::string& machine : {kHead, kTable, kMixed}) {
+      const spec::Setup with = spec::read_setup_toml(setup(machine + "19738 = 5\n19739 = 20\n"), "setup.toml");
+      std::string program = code + "G01 F1\n";
+      for (int i = 0; i < 300; ++i) program += "X1 I1 J2 K9\nX2 I-2 J-3 K8\nX3 I-1 J1 K7\n";
+      struct Count final : model::EventSink {
+        void on(const model::Event& event) override {
+          (event.line < 100 ? early : late) = std::max(event.line < 100 ? early : late, exact::live_nodes());
+        }
+        std::size_t early = 0;
+        std::size_t late = 0;
+      } sink;
+      model::Recorder recorder;
+      spec::ProgramReader reader(spec::text_source(program), with.axes);
+      model::Engine engine(with, recorder, sink);
+      spec::Block block;
+      while (!engine.stopped() && reader.next(block)) engine.block(block);
+      engine.end();
+      EXPECT_LE(sink.late, sink.early + 16);
+    }
+  }
+}
+
+}  // namespace
