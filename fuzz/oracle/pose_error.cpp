@@ -23,6 +23,14 @@ Space difference(const Space& a, const Space& b) { return {a[0] - b[0], a[1] - b
 // Whether two positions are one, as far as doubles can tell.
 bool same(double a, double b) { return std::fabs(a - b) <= policy::kSlack * (1 + std::fabs(a)); }
 
+// Whether one position comes from the other by a number a program writes: kept, or moved by G91.
+bool stepped(double from, double to) {
+  constexpr double counts = 1e5;  // least increments in a degree
+  constexpr double noise = 1e-6;
+  const double step = (to - from) * counts;
+  return same(from, to) || std::fabs(step - std::round(step)) <= noise;
+}
+
 // The numbers of the Q words of a program.
 std::vector<double> lean_words(std::string_view program) {
   std::vector<double> found;
@@ -97,15 +105,20 @@ PoseErrors::Pose PoseErrors::end(std::span<const model::Event> window) const {
       break;
     }
   }
-  if (same(pose.work, before_.work)) {
+  keep(pose);
+  return pose;
+}
+
+void PoseErrors::keep(Pose& pose) const {
+  if (!machine_) return;
+  if (stepped(before_.work, pose.work)) {
     pose.work_error = std::max(pose.work_error, before_.work_error);
-    pose.direction_error += before_.work_error * posture.polar_sine;
+    pose.direction_error += before_.work_error * Posture(*machine_, pose.tool).polar_sine;
   }
-  if (same(pose.tool, before_.tool)) {
+  if (stepped(before_.tool, pose.tool)) {
     pose.tool_error = std::max(pose.tool_error, before_.tool_error);
     pose.direction_error += before_.tool_error;
   }
-  return pose;
 }
 
 PoseErrors::Pose PoseErrors::inside(std::span<const model::Event> window) const {
@@ -128,8 +141,11 @@ PoseErrors::Pose PoseErrors::inside(std::span<const model::Event> window) const 
 void PoseErrors::inside_of_rotary(double t, const Pose& to, Pose& pose) const {
   const Posture posture(*machine_, pose.tool);
   pose.tool_error = posture.tool_error(pose.direction_error);
-  pose.work_error =
-      posture.singular ? std::max(before_.work_error, to.work_error) : posture.work_error(pose.direction_error);
+  // Counted from the azimuth of the start.
+  const Posture start(*machine_, before_.tool);
+  const double counted = start.singular ? before_.work_error : start.work_error(before_.direction_error);
+  pose.work_error = posture.singular ? std::max(before_.work_error, to.work_error)
+                                     : std::max(counted, posture.work_error(pose.direction_error));
   const auto linear = [t](double from, double at, double until) { return same(at, from + t * (until - from)); };
   if (linear(before_.work, pose.work, to.work) && linear(before_.tool, pose.tool, to.tool)) {
     const double work = std::max(before_.work_error, to.work_error);
@@ -138,6 +154,12 @@ void PoseErrors::inside_of_rotary(double t, const Pose& to, Pose& pose) const {
     pose.tool_error = std::max(pose.tool_error, tool);
     pose.direction_error = std::max(pose.direction_error, work * posture.polar_sine + tool);
   }
+  // Positions of many turns are rounded before their sines are taken.
+  const double tool_ulp = policy::ulp(std::max(std::fabs(before_.tool), std::fabs(to.tool))) / kDegreesPerRadian;
+  const double work_ulp = policy::ulp(std::max(std::fabs(before_.work), std::fabs(to.work))) / kDegreesPerRadian;
+  pose.tool_error += tool_ulp;
+  pose.work_error += work_ulp;
+  pose.direction_error += tool_ulp + work_ulp * posture.polar_sine;
 }
 
 PoseScale PoseErrors::scale(const Pose& pose, double length) const {
@@ -198,9 +220,12 @@ PoseScale PoseErrors::next(std::span<const model::Event> window, double length) 
   if (!controlled) {
     if (active_) carried_ = std::max(carried_, last_);
     active_ = false;
-    before_ = read(event);
-    before_.direction_error = policy::ulp(1);
-    PoseScale s;
+    Pose pose = read(event);
+    pose.direction_error = policy::ulp(1);
+    keep(pose);
+    before_ = pose;
+    PoseScale s = scale(pose, length);
+    s.control_point = 0;
     s.tip = carried_;
     return s;
   }

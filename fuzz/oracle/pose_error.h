@@ -35,6 +35,8 @@ struct PoseScale {
 // Inside a block the direction of posture control carries the errors of both ends, enlarged as they come near to
 // opposite ones; where both rotary positions are linear in t they carry those of the ends.
 //
+// G91, and a code that ends the mode or begins it anew, go on from such positions.
+//
 // X Y Z of the axes carry the errors of the positions times the radii; on tables also those of the pose at which the
 // programming coordinate system was frozen. G49 makes programmed positions of them.
 class PoseErrors {
@@ -60,6 +62,7 @@ class PoseErrors {
   [[nodiscard]] Pose read(const model::Event& event) const;
   [[nodiscard]] Pose end(std::span<const model::Event> window) const;
   [[nodiscard]] Pose inside(std::span<const model::Event> window) const;
+  void keep(Pose& pose) const;
   void inside_of_rotary(double t, const Pose& to, Pose& pose) const;
   [[nodiscard]] double leant(const Pose& pose) const;
   [[nodiscard]] PoseScale scale(const Pose& pose, double length) const;
