@@ -94,10 +94,10 @@ void PostureMotion::set_circle(const Machine& machine, const Pose& start, const 
   start_heading_ = {start.seen.x, start.seen.y};
   const PolarFrame& polar = machine.polar();
   if (polar.orthogonal()) return;
-  const double n2 = dot(start_heading_, start_heading_);
-  const Room space = room(polar, start.seen.z, n2);
-  const double sin_psi = branch_ * std::sqrt(space.above * space.below) / polar.constants().ss;
-  start_lean_ = lean(polar.constants(), space, sin_psi);
+  // From psi itself: on the edge of reach the height tells only half of the digits.
+  const SineCosine<double> turn = sine_cosine(psi);
+  const PolarFrame::Constants<double>& c = polar.constants();
+  start_lean_ = {c.skew + c.sc * (1 - turn.cosine), -c.sa * turn.sine};
 }
 
 void PostureMotion::set_meridian(const Machine& machine, const Pose& start, const Pose& end, int branch, int pole,
@@ -112,7 +112,11 @@ void PostureMotion::set_meridian(const Machine& machine, const Pose& start, cons
   // psi at the start: 0 or 180 in the pole itself.
   const double psi = branch < 0 ? -std::abs(start.psi) : std::abs(start.psi);
   tool_base_ = start_[t] - machine.sense(t) * psi;
-  start_lean_ = on_meridian(start.seen).lean;
+  // h / g, from half of psi: h = 2 sin(psi/2) (sc sin(psi/2), -sa cos(psi/2)), or the same about -u_w.
+  const SineCosine<double> half = sine_cosine(psi / 2);
+  const PolarFrame::Constants<double>& c = machine.polar().constants();
+  start_lean_ = pole > 0 ? Vector2<double>{branch * c.sc * half.sine, -branch * c.sa * half.cosine}
+                         : Vector2<double>{-c.sc * half.cosine, -c.sa * half.sine};
 }
 
 void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) {
