@@ -161,10 +161,10 @@ Angle lifted_work(const Angle& start, const Angle& end, const Angle& direction_s
   const Real swing = direction_swing.plain_degrees() - tilt_swing.plain_degrees();
   const Real turns =
       (start.plain_degrees() + machine.work_side().sense * swing - end.plain_degrees()) * Rational(1, 360);
-  // A whole number, so any enclosure of less than half a turn tells it.
-  constexpr int bits = 60;
-  const Rational near = turns.is_rational() ? turns.rational() : turns.enclosure(bits).lower;
-  return end.plus_turns(floor(near + Rational(1, 2)));
+  // A whole number and a half, of which any enclosure of less than half a turn tells the whole number; the whole number
+  // itself might be a zero that is not proven.
+  constexpr int bits = 30;
+  return end.plus_turns(floor((turns + Rational(1, 2)).enclosure(bits).lower));
 }
 
 }  // namespace toolcomp::model
