@@ -29,7 +29,11 @@ void copy(const Direction& from, Direction& to) {
   for (Eigen::Index i = 0; i < 3; ++i) to.unit[i] = from.unit[i];
   to.error = from.error;
   to.is_whole = from.is_whole;
+  to.is_fine = from.is_fine;
+  to.framed = from.framed;
   to.zero = from.zero;
+  if (from.is_fine) [[unlikely]]
+    to.fine = from.fine;
   for (std::size_t i = 0; i < 3; ++i) to.whole[i] = from.whole[i];
   for (std::size_t i = 0; i < 2; ++i)
     if (from.angle[i].is_small()) [[likely]]
