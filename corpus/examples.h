@@ -1,6 +1,7 @@
 // Inputs written by hand: the worked examples of the manuals, and one program for each rule that chance seldom meets.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -12,6 +13,7 @@ struct Example {
   std::string_view comment;
   std::string_view setup;  // TOML
   std::string_view program;
+  std::uint32_t samples = 0;  // parts of a block, of which samples are wanted
 };
 
 // A file of vectors made of examples.
@@ -41,5 +43,9 @@ std::span<const Example> tool_side_compensation_examples();
 std::span<const Example> tool_side_compensation_rules();
 std::span<const Example> leading_edge_offset_examples();
 std::span<const Example> leading_edge_offset_rules();
+std::span<const Example> tool_center_point_control_examples();
+std::span<const Example> tool_center_point_control_rules();
+std::span<const Example> tool_posture_control_examples();
+std::span<const Example> tool_posture_control_rules();
 
 }  // namespace toolcomp::corpus

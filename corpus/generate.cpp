@@ -66,6 +66,7 @@ class Writer {
       c.comment = example.comment;
       c.setup = spec::read_setup_toml(example.setup, "setup of: " + std::string(example.comment));
       c.program = example.program;
+      c.samples = example.samples;
       c.source.generator = "by hand";
       complete(c);  // what cannot be completed is refused when it is read again
       cases.push_back(std::move(c));

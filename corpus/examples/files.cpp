@@ -22,6 +22,10 @@ std::span<const ExampleFile> example_files() {
       ExampleFile{"fanuc/tool-side-compensation", "rules", tool_side_compensation_rules()},
       ExampleFile{"fanuc/leading-edge-offset", "examples", leading_edge_offset_examples()},
       ExampleFile{"fanuc/leading-edge-offset", "rules", leading_edge_offset_rules()},
+      ExampleFile{"fanuc/tool-center-point-control", "examples", tool_center_point_control_examples()},
+      ExampleFile{"fanuc/tool-center-point-control", "rules", tool_center_point_control_rules()},
+      ExampleFile{"fanuc/tool-posture-control", "examples", tool_posture_control_examples()},
+      ExampleFile{"fanuc/tool-posture-control", "rules", tool_posture_control_rules()},
   };
   return kFiles;
 }
