@@ -2,13 +2,19 @@
 
 #include <utility>
 
+#include "model/engine.h"
 #include "model/kinematics/inverse.h"
 
 namespace toolcomp::model {
 namespace {
 
-// The angle of (x, y), y > 0, degrees between 0 and 180: no sign is asked.
-Real upper_angle(const Real& x, const Real& y) { return 90 - arctangent_degrees(x / y); }
+bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
+
+// The angle of (x, y), y not negative, degrees from 0 to 180. Only of y = 0 a sign is asked.
+Real upper_angle(const Real& x, const Real& y) {
+  if (known_zero(y)) return x.sign() == Sign::negative ? 180 : 0;
+  return 90 - arctangent_degrees(x / y);
+}
 
 // (x + iy)^n.
 struct Turned {
@@ -33,6 +39,7 @@ GreatCircleMotion::GreatCircleMotion(SharedFrame frame, GreatCircle arc, int sid
   const Machine& machine = frame_->machine;
   along_ = dot(machine.tool_side().line, machine.heights().along);
   across_ = dot(machine.tool_side().line, machine.work_side().line);
+  in_plane_ = dot(arc_.normal(), frame_->work_axis).sign() == Sign::zero;
 }
 
 Posture GreatCircleMotion::at(const Rational& t) const {
@@ -53,7 +60,9 @@ GreatCircleMotion::Tilt GreatCircleMotion::tilt(const Real& along_work_axis) con
   const Machine::Heights& heights = frame_->machine.heights();
   Tilt result;
   result.height = along_work_axis - heights.mean;
-  result.aside = sqrt(heights.swing2 - square(result.height));
+  const Real aside2 = heights.swing2 - square(result.height);
+  if (aside2.sign() == Sign::negative) throw NotFinite();  // only a forced outcome leaves reach
+  result.aside = sqrt(aside2);
   result.toward = along_ - across_ * along_work_axis;
   return result;
 }
@@ -65,16 +74,14 @@ GreatCircleMotion::Angles GreatCircleMotion::angles(const Tilt& tilt, int branch
 GreatCircleMotion::Angles GreatCircleMotion::at_start(const BranchPart& part) const {
   if (part.pole != 0) return {part.pole > 0 ? 0 : 180, -90 * part.branch};
   const Tilt start = tilt(dot(frame_->work_axis, arc_.from().unit));
-  if (start.aside.sign() != Sign::zero) return angles(start, part.branch);
-  // On the edge of reach.
-  return {start.height.sign() == Sign::positive ? 0 : 180,
-          start.toward.sign() == Sign::positive ? 0 : -180 * part.branch};
+  return angles(start, part.branch);
 }
 
 Real GreatCircleMotion::swung(const Vector& tool, const Real& along_work_axis) const {
   const Vector& from = arc_.from().unit;
   const Vector& axis = frame_->work_axis;
-  const Real to_the_left = side_ * dot(axis, cross(from, tool));
+  // Where the axis lies in the plane after all, only a forced outcome says that it does not.
+  const Real to_the_left = in_plane_ ? Real() : side_ * dot(axis, cross(from, tool));
   return side_ * upper_angle(dot(from, tool) - dot(axis, from) * along_work_axis, to_the_left);
 }
 

@@ -55,6 +55,7 @@ class GreatCircleMotion : public PostureMotion {
   SharedFrame frame_;
   GreatCircle arc_;
   int side_;
+  bool in_plane_ = false;  // the work-side axis lies in the plane of the arc
   BranchPart part_;
   std::optional<Crossing> crossing_;
   Real along_;   // u_t · t0
