@@ -16,19 +16,23 @@ TipPath::TipPath(const Vector3<double>& start, const Vector3<double>& end, const
   }
   sweep_ = *arc.sweep * (std::numbers::pi / 180);
   if (arc.direction == spec::ArcDirection::cw) sweep_ = -sweep_;
-  if (arc.radius) growth_ = (arc.radius->second - arc.radius->first) / arc.radius->first;
+  if (arc.radius) {
+    from_end_ = arc.radius->second > arc.radius->first;
+    growth_ = (arc.radius->second - arc.radius->first) / (from_end_ ? arc.radius->second : arc.radius->first);
+  }
+  const Vector3<double>& known = from_end_ ? end : start;
+  for (std::size_t i = 0; i < 2; ++i) radial_[i] = known[in_[i]] - center_[i];
 }
 
 Vector3<double> TipPath::on_arc(double t) const {
   std::array<double, 3> point{};
   for (std::size_t i = 0; i < 3; ++i) point[i] = start_[i] + t * way_[i];
-  const double scale = 1 + t * growth_;
-  const double sine = scale * std::sin(t * sweep_);
-  const double cosine = scale * std::cos(t * sweep_);
-  const double x = start_[in_[0]] - center_[0];
-  const double y = start_[in_[1]] - center_[1];
-  point[in_[0]] = center_[0] + (cosine * x - sine * y);
-  point[in_[1]] = center_[1] + (sine * x + cosine * y);
+  const double part = from_end_ ? t - 1 : t;
+  const double scale = 1 + part * growth_;
+  const double sine = scale * std::sin(part * sweep_);
+  const double cosine = scale * std::cos(part * sweep_);
+  point[in_[0]] = center_[0] + (cosine * radial_[0] - sine * radial_[1]);
+  point[in_[1]] = center_[1] + (sine * radial_[0] + cosine * radial_[1]);
   return {point[0], point[1], point[2]};
 }
 

@@ -36,9 +36,12 @@ class TipPath {
   Vector3<double> way_;
   bool arc_ = false;
   std::array<std::size_t, 2> in_{};  // which of X Y Z the plane has
+  // From the end with the longer radius, where it is better known.
+  bool from_end_ = false;
   std::array<double, 2> center_{};
+  std::array<double, 2> radial_{};
   double sweep_ = 0;   // radians, counterclockwise
-  double growth_ = 0;  // of the radius over the whole arc, by the radius at the start
+  double growth_ = 0;  // of the radius over the whole arc, by that radius
 };
 
 }  // namespace toolcomp::fast
