@@ -37,6 +37,7 @@ struct Node {
   Kind kind = Kind::rational;
   Knowledge knowledge = Knowledge::none;
   bool enclosed = false;    ///< `enclosure` is set (a rational's is made when first needed)
+  bool algebraic = true;    ///< else made of angles that are results, and no zero of it is ever proven
   std::uint64_t visit = 0;  ///< stamp of the last walk, see operands_first
   std::size_t index = 0;    ///< place in the last walk's list, for the walker's own use
   Node* left = nullptr;     ///< operand, counted

@@ -19,6 +19,17 @@ bool is_integer(const Node& node, long value) {
          mpz_cmp_ui(mpq_denref(node.value), 1) == 0;
 }
 bool is_negation(const Node& node) { return node.kind == Kind::negation; }
+bool is_algebraic(Kind kind) {
+  switch (kind) {
+    case Kind::arctangent:
+    case Kind::sine_of:
+    case Kind::cosine_of:
+    case Kind::arccosine:
+      return false;
+    default:
+      return true;
+  }
+}
 // A sum or product with a rational operand has it on the left.
 bool has_rational(const Node& node, Kind kind) { return node.kind == kind && node.left->is_rational(); }
 
@@ -37,6 +48,7 @@ Real operation(Kind kind, Node* left, Node* right = nullptr) {
     ++right->references;
     node->right = right;
   }
+  node->algebraic = is_algebraic(kind) && left->algebraic && (right == nullptr || right->algebraic);
   enclose(node->enclosure, *node, &left->base_enclosure(), right == nullptr ? nullptr : &right->base_enclosure());
   node->enclosed = true;
   return Node::adopt(node);
