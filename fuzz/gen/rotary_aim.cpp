@@ -217,6 +217,27 @@ Direction RotaryAim::direction_at(const Polar& p) const {
   return turned(turned(w, cross(w, e), p.polar), w, p.azimuth);
 }
 
+// A great circle whose nearest point to the work-side axis is exactly 45 degrees off: across (3, 4, 5) from (1, -7, 5)
+// to (-7, -1, 5), counted from behind the axis.
+bool RotaryAim::at_45_degrees() {
+  constexpr double angle = 45;
+  const auto axis = whole_along(to_frame(machine_->work_line), 1);
+  if (!axis || parameter(19738) != angle) return false;
+  const auto place = std::ranges::find_if(*axis, [](std::int64_t x) { return x != 0; });
+  const auto along = static_cast<std::size_t>(place - axis->begin());
+  if (along > 2) return false;
+  const auto about = [&](std::int64_t a, std::int64_t b, std::int64_t c) {
+    SpaceCounts d{};
+    d.at((along + 1) % 3) = a;
+    d.at((along + 2) % 3) = b;
+    d.at(along) = c;
+    return d;
+  };
+  const SpaceCounts from = about(1, -7, 5);
+  write_words(words_ == from ? about(-7, -1, 5) : from);
+  return true;
+}
+
 RotaryAim::Polar RotaryAim::polar_of(const Direction& table_direction) const {
   const Direction& w = machine_->work_line;
   const Direction helper = std::fabs(w[0]) < 0.6 ? Direction{1, 0, 0} : Direction{0, 1, 0};
@@ -304,7 +325,7 @@ void RotaryAim::turn_by_words() {
   // Thousandths, or a unit beside.
   const auto aside = [&] { return static_cast<double>(choose_.between(-1, 1)) / 1000; };
   const auto inside = [&](double polar) { return std::clamp(polar, least_, most_); };
-  switch (choose_.weighted({22, 16, 8, often, often, often, often, 5, 7, 12, 1, 4})) {
+  switch (choose_.weighted({22, 16, 8, often, often, often, often, 5, 7, 12, 1, 4, posture_ ? 5 : 1})) {
     case 0: {  // rational, where it can be reached
       SpaceCounts d = rational();
       for (int tries = 0; tries < 6; ++tries) {
@@ -380,6 +401,9 @@ void RotaryAim::turn_by_words() {
       to.polar = static_cast<double>(choose_.between(0, 180));
       to.azimuth = static_cast<double>(choose_.between(-180, 180));
       break;
+    case 11:
+      if (at_45_degrees()) return;
+      return write_words(rational());
     default:  // one word
       return write_words(choose_.one_of<SpaceCounts>({{0, 0, 1}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}}));
   }

@@ -54,6 +54,7 @@ class RotaryAim {
   [[nodiscard]] double parameter(std::uint32_t number) const;
   SpaceCounts rational();
   bool cross_exactly();
+  bool at_45_degrees();
 
   Choices& choose_;
   ProgramWriter& write_;

@@ -107,9 +107,9 @@ void distances(Choices& choose, Setup& setup, std::int64_t type) {
 // 19741 to 19744: upper and lower of the first axis, then of the second.
 void ranges(Choices& choose, Setup& setup) {
   for (const std::uint32_t upper : {19741U, 19743U}) {
-    if (!choose.chance(12)) continue;
-    std::int64_t high = choose.one_of<std::int64_t>({360, 180, 120, 90, 45, 720});
-    std::int64_t low = choose.one_of<std::int64_t>({0, -180, -120, -90, -30, -360});
+    if (!choose.chance(10)) continue;
+    std::int64_t high = choose.one_of<std::int64_t>({360, 360, 180, 120, 90, 720});
+    std::int64_t low = choose.one_of<std::int64_t>({0, -180, -120, -90, -360, -360});
     if (choose.chance(3)) std::swap(high, low);
     const std::int64_t aside = choose.chance(80) ? 0 : choose.between(-kThousandths, kThousandths);
     set(setup, upper, degrees(high * kThousandths + aside));
@@ -119,7 +119,7 @@ void ranges(Choices& choose, Setup& setup) {
 
 // 19738, 19739 and the bits of the sections.
 void posture(Choices& choose, Setup& setup) {
-  switch (choose.weighted({25, 40, 20, 10, 5})) {
+  switch (choose.weighted({22, 38, 18, 18, 4})) {
     case 0:
       break;
     case 1:
@@ -129,7 +129,8 @@ void posture(Choices& choose, Setup& setup) {
       set(setup, 19738, degrees(choose.between(1, 30 * kThousandths)));
       break;
     case 3:
-      set(setup, 19738, degrees(choose.one_of<std::int64_t>({0, 30'000, 60'000, 90'000, 120'000, 180'000})));
+      set(setup, 19738,
+          degrees(choose.one_of<std::int64_t>({0, 30'000, 45'000, 45'000, 60'000, 90'000, 120'000, 180'000})));
       break;
     default:
       set(setup, 19738, degrees(-choose.between(1, 5 * kThousandths)));
@@ -139,7 +140,7 @@ void posture(Choices& choose, Setup& setup) {
     case 0:
       break;
     case 1:
-      set(setup, 19739, degrees(choose.one_of<std::int64_t>({3000, 5000, 10'000, 30'000, 90'000})));
+      set(setup, 19739, degrees(choose.one_of<std::int64_t>({3000, 5000, 10'000, 30'000, 45'000, 90'000, 90'000})));
       break;
     case 2:
       set(setup, 19739, degrees(choose.between(1, 60 * kThousandths)));
