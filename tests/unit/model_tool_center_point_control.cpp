@@ -287,13 +287,20 @@ TEST(ModelToolCenterPoint, WithoutRotaryAxes) {
   EXPECT_EQ(test::lines(inside, Show::axes, 6)[1], "2 1/2 X35.355339 Y0 Z35.355339 A0 B0 C0");
 }
 
+// The nutating head with B at 180 reaches (1, 0, 0) on the edge only: the whole arc lies on it, C alone turns.
+TEST(ModelToolCenterPoint, AlongTheEdgeOfReach) {
+  const std::string nutating = "19680 = 2\n19681 = 6\n19682 = 3\n19686 = 5\n19687 = 5\n19688 = 45\n";
+  EXPECT_EQ(test::lines(run(setup(nutating, "[position]\nB = 180\n"), "G43.5 P1\nX10 I1\n", nullptr, 2)),
+            (Lines{"1 rapid X0 Y0 Z0 A0 B180 C0", "2 1/2 X5 Y0 Z0 A0 B180 C-45", "2 rapid X10 Y0 Z0 A0 B180 C-90"}));
+}
+
 // Exact numbers do not chain: a thousand blocks leave no more nodes than a few.
 TEST(ModelToolCenterPoint, NumbersDoNotChain) {
   for (const std::string& code : {"G43.5 H1 P0\n", "G43.5 H1 P1\n"}) {
     for (const std::string& machine : {kHead, kTable, kMixed}) {
       const spec::Setup with = spec::read_setup_toml(setup(machine + "19738 = 5\n19739 = 20\n"), "setup.toml");
       std::string program = code + "G01 F1\n";
-      for (int i = 0; i < 300; ++i) program += "X1 I1 J2 K9\nX2 I-2 J-3 K8\nX3 I-1 J1 K7\n";
+      for (int i = 0; i < 100; ++i) program += "X1 I1 J2 K9\nX2 I-2 J-3 K8\nX3 I-1 J1 K7\n";
       struct Count final : model::EventSink {
         void on(const model::Event& event) override {
           (event.line < 100 ? early : late) = std::max(event.line < 100 ? early : late, exact::live_nodes());
