@@ -31,6 +31,11 @@ Amount amount_of(const Count& offset) {
   return {amount, amount.nearest()};
 }
 
+// A block that makes or removes a vector moves in the coordinates after its G92.
+void rename(CutterBlock& block) {
+  if (block.motion == CutterMotion::shift) block.event = block.renamed;
+}
+
 void set_arc_path(PlanePath& path, const CutterBlock& block) {
   if (block.by_radius)
     set_arc_by_radius(path, block.start, block.end, block.radius, block.clockwise);
@@ -517,6 +522,7 @@ StageEnd CutterCompensationC::still_block(CutterBlock& block) {
 void CutterCompensationC::cancel_alone(CutterBlock& block) {
   const bool zero = vector_is_zero();
   if (parameters_.acts_alone) {
+    if (!zero) rename(block);
     block.event.cause = spec::Cause::cancel;
     vector_.clear();
     mode_ = Mode::off;
@@ -582,6 +588,7 @@ void CutterCompensationC::finish_start(const CompensatedPath& to) {
   set_normal(vector_, to.path, to.path.start, waiting_side_, waiting_offset_);
   along_ = &to.path.start;
   CutterBlock& block = ring_[first_];
+  if (!vector_is_zero()) rename(block);
   block.event.cause = spec::Cause::start_up;
   send(block, vector_.front().vector, block.own || !vector_is_zero());
   send_behind(vector_.front().vector);

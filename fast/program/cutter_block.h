@@ -71,6 +71,10 @@ struct CutterBlock {
 
   spec::Plane plane = spec::Plane::xy;
   std::array<std::size_t, 2> axis{};  // indices of the plane axes in the events; spec::Axes::kNone: no such axis
+
+  // motion == shift only, of a block with a code or with number 0: the own move in the coordinates after the renaming,
+  // for a block that makes or removes a vector; `event` has those from before.
+  Event renamed;
 };
 
 // What the words of a block command, before anything is changed: for the alarms that follow from words and state alone.

@@ -86,17 +86,18 @@ void Interpreter::select_workpiece(Code code) {
 }
 
 // G92 in cutter compensation: the stage is told where the block began and what the position is called after it. A move
-// that the block makes has the coordinates from before; with a code of compensation those after.
+// of the length offset alone has the coordinates from before, one that makes or removes a vector those after: the stage
+// chooses.
 Alarm Interpreter::shift_in_cutter(const Words& words, bool extra) {
   CutterBlock& block = cutter_next();
   if (const Alarm a = refresh()) return a;
   fill(block.event, straight(), spec::Cause::programmed);
   if (const Alarm a = shift_coordinates(words)) return a;
-  // The move that makes or removes a vector: by a code, in C by number 0 too (clause fanuc.cutter-c.number-zero).
+  // A code makes or removes a vector at once, in C number 0 too (clause fanuc.cutter-c.number-zero).
   const bool number_zero = block.d_word && block.d == 0;
   if (is_b_ ? block.word == CutterSide::off : block.word != CutterSide::unchanged || number_zero) {
     if (const Alarm a = refresh()) return a;
-    fill(block.event, straight(), spec::Cause::programmed);
+    fill(block.renamed, straight(), spec::Cause::programmed);
   }
   block.own = extra;
   block.axis_word = false;
