@@ -67,10 +67,7 @@ Alarm CutterCompensationC::check(const CutterCommand& command) const {
         (command.letters && command.letters_zero))
       return alarm::kCornerArc;
   }
-  // An arc may not start the mode, nor end it.
-  if (command.arc && (asked ? mode_ == Mode::off : mode_ == Mode::on || mode_ == Mode::ends))
-    return alarm::kArcAtStartOrCancel;
-  return alarm::kNone;
+  return command.arc ? check_arc(command.word, command.d) : alarm::kNone;
 }
 
 inline void CutterCompensationC::add(Event& event, const CutterBlock& block, const Vector2<double>& vector) {
@@ -229,8 +226,8 @@ StageEnd CutterCompensationC::first_block(CutterBlock& block) {
 }
 
 StageEnd CutterCompensationC::next_line(CutterBlock& block) {
-  CompensatedPath& to = new_path();
-  set_line(to.path, block.start, block.end);
+  CompensatedPath& to = block.path_made ? paths_[path_] : new_path();
+  if (!block.path_made) set_line(to.path, block.start, block.end);
   const bool usual = plain_ && !repeated_ && block.word == CutterSide::unchanged && block.offset == value_ &&
                      to.path.start.narrow && side_of(block) == last_->side &&
                      !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);

@@ -33,11 +33,27 @@ class CutterCompensationC {
   // block with G39, G41 or G42.
   [[nodiscard]] Alarm check(const CutterCommand& command) const;
 
+  // PS0034 of an arc alone.
+  [[nodiscard]] Alarm check_arc(CutterSide word, std::uint32_t d) const {
+    const CutterSide side = word == CutterSide::unchanged ? side_ : word;
+    const bool asked = side != CutterSide::off && d != 0;
+    // An arc may not start the mode, nor end it.
+    return (asked ? mode_ == Mode::off : mode_ == Mode::on || mode_ == Mode::ends) ? alarm::kArcAtStartOrCancel
+                                                                                  : alarm::kNone;
+  }
+
   // The block to fill in next. It keeps what it held before: the caller writes every field.
   [[nodiscard]] CutterBlock& next() { return ring_[next_]; }
   // The workpiece system changes in the block to come: positions of the corner before it are called as in next().event,
   // which has them without the vector.
   void rebase();
+  // A line of next() that block() will take as one of the mode, if it is: roots and quotients are begun early, while the
+  // rest of the block is filled in. False if block() is to make it.
+  [[nodiscard]] bool make_path(const CutterBlock& block) {
+    if (mode_ != Mode::on || !wanted(block)) return false;
+    set_line(new_path().path, block.start, block.end);
+    return true;
+  }
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
   // No further block is known: a block that raises an alarm of its own (absent from the path), or the end of the

@@ -92,7 +92,6 @@ class Interpreter {
   [[nodiscard]] Alarm motion(const Words& words, Compensation compensation, bool own, bool extra,
                              const std::optional<spec::Arc<double>>& arc);
   [[nodiscard]] Alarm place(std::size_t axis, const Count& position);
-  [[nodiscard]] Alarm place_word(const Words& words, std::size_t axis);
   // The positions of these axes and what follows from them: the tool direction, and what the axes are sent to.
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes);
   [[nodiscard]] Alarm refresh();
@@ -105,6 +104,8 @@ class Interpreter {
       return Count::of(word);
     return converted(word, linear, inch_program);
   }
+  // A linear one into `to`: the usual word without a copy.
+  void read_word(Count& to, const spec::Decimal& word) const;
   [[nodiscard]] Count converted(const spec::Decimal& word, bool linear, bool inch_program) const;
   [[nodiscard]] Count target(const Words& words, std::size_t axis) const;
   [[nodiscard]] Factor factor(bool inch_program) const;
@@ -179,6 +180,7 @@ class Interpreter {
   }
   [[nodiscard]] Alarm cutter_move(const Words& words);
   [[nodiscard]] Alarm read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const;
+  [[nodiscard]] Alarm refuse_cutter_move(const Words& words, CutterBlock& block, const Alarm& placed);
   void retire_cutter();
   [[nodiscard]] Alarm corner_direction(const Words& words, CutterBlock& block) const;
   [[nodiscard]] Alarm cutter_motion(const Words& words, Code one_shot, bool extra,
@@ -321,37 +323,54 @@ constexpr char direction_letter(spec::Plane plane, std::size_t i) {
 constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
 
 template <class Arc>
+inline void Interpreter::read_word(Count& to, const spec::Decimal& word) const {
+  if (plain_words_) [[likely]]
+    if (const std::int64_t small = Count::small_of(word); small != Count::kNotSmall) [[likely]] {
+      to.set_small(small);
+      return;
+    }
+  to = value(word, true, inch_program_);
+}
+
 void Interpreter::read_arc(const Words& words, Arc& arc) const {
   arc.clockwise = motion_ == 20;
   arc.by_radius = words.has('R');
   for (std::size_t i = 0; i < 2; ++i) {
     const char letter = direction_letter(plane_, i);
-    arc.to_center[i] = words.has(letter) ? value(words[letter], true, inch_program_) : Count();
+    if (words.has(letter))
+      read_word(arc.to_center[i], words[letter]);
+    else
+      arc.to_center[i].set_small(0);
   }
-  arc.radius = arc.by_radius ? value(words['R'], true, inch_program_) : Count();
+  if (arc.by_radius) read_word(arc.radius, words['R']);
 }
 
-// The usual word without a detour: a position of at most six places, as it is written, with an offset of as many.
-inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
-  if (plain_words_ && !incremental_) [[likely]]
-    if (const std::int64_t small = Count::small_of(words.axis(axis)); small != Count::kNotSmall) [[likely]] {
+// The usual words without a detour: positions of at most six places, as they are written, with offsets of as many.
+[[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
+  unsigned rest = axes;
+  if (plain_words_ && !incremental_) [[likely]] {
+    const unsigned offset = length_.live() | tool_offset_.live();
+    for (; rest != 0; rest &= rest - 1) {
+      const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
+      const std::int64_t small = Count::small_of(words.axis(axis));
+      if (small == Count::kNotSmall) [[unlikely]]
+        break;
       programmed_[axis].set_small(small);
       const double position = Count::nearest_small(small);
       programmed_value_[axis] = position;
-      if (((length_.live() | tool_offset_.live()) & bit(axis)) == 0)
+      if ((offset >> axis & 1U) == 0)
         axes_value_[axis] = position;
       else if (const std::int64_t sum = small + length_[axis].small();
                (tool_offset_.live() & bit(axis)) == 0 && length_[axis].is_small() && Count::is_small(sum))
         axes_value_[axis] = Count::nearest_small(sum);
       else
         stale_ = static_cast<Mask>(stale_ | bit(axis));
-      return alarm::kNone;
     }
-  return place(axis, target(words, axis));
-}
-
-[[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
-  if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
+  }
+  if (rest != 0) [[unlikely]]
+    if (const Alarm a = for_each_axis(static_cast<Mask>(rest),
+                                      [&](std::size_t axis) { return place(axis, target(words, axis)); }))
+      return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
   if ((axes & turning_) != 0) turn();
   if (stale_ != 0)
