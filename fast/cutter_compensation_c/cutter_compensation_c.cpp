@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "fast/fault.h"
+#include "fast/geometry/angle.h"
 
 namespace toolcomp::fast {
 namespace {
-
-constexpr double kDegrees = 57.29577951308232;
 
 // The offset to the left of a heading, or to its right.
 void set_normal(CornerGroup& group, const PlanePath& path, const Heading& heading, int side, const Amount& offset) {
@@ -128,6 +127,12 @@ int CutterCompensationC::side_of(const CutterBlock& block) {
   return block.offset < Count() && !fault(Fault::c_negative_offset_ignored) ? -side : side;
 }
 
+bool CutterCompensationC::make_arc_path(const CutterBlock& block) {
+  if (mode_ != Mode::on || !wanted(block)) return false;
+  set_arc_path(new_path().path, block);
+  return true;
+}
+
 void CutterCompensationC::set_path(CompensatedPath& to, const CutterBlock& block) {
   if (block.motion == CutterMotion::arc)
     set_arc_path(to.path, block);
@@ -152,8 +157,10 @@ StageEnd CutterCompensationC::block() {
   before_ = side_;
   side_ = block.side;
   number_ = block.d;
-  if (mode_ == Mode::on && block.motion == CutterMotion::line && wanted(block)) [[likely]]
-    return next_line(block);
+  if (mode_ == Mode::on && wanted(block)) [[likely]] {
+    if (block.motion == CutterMotion::line) return next_line(block);
+    if (block.motion == CutterMotion::arc) return next_block(block);
+  }
   if (mode_ == Mode::ends && wanted(block)) return undecide(block, "fanuc.cutter-c.restart-before-removal");
   switch (block.motion) {
     case CutterMotion::line:
@@ -264,8 +271,8 @@ StageEnd CutterCompensationC::next_line(CutterBlock& block) {
 }
 
 StageEnd CutterCompensationC::next_block(CutterBlock& block) {
-  CompensatedPath& to = new_path();
-  set_path(to, block);
+  CompensatedPath& to = block.path_made ? paths_[path_] : new_path();
+  if (!block.path_made) set_path(to, block);
   return follow(block, to);
 }
 
@@ -334,7 +341,8 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
   return {};
 }
 
-Alarm CutterCompensationC::join(const CompensatedPath& to, const Heading& heading, CornerRule rule) {
+[[gnu::always_inline]] inline Alarm CutterCompensationC::join(const CompensatedPath& to, const Heading& heading,
+                                                              CornerRule rule) {
   switch (held_) {
     case Held::nothing:
     case Held::start:
@@ -371,7 +379,7 @@ Alarm CutterCompensationC::join(const CompensatedPath& to, const Heading& headin
   return alarm::kNone;
 }
 
-Alarm CutterCompensationC::finish() {
+[[gnu::always_inline]] inline Alarm CutterCompensationC::finish() {
   CutterBlock& block = ring_[first_];
   const PlanePath& path = last_->path;
   std::optional<double> sweep;
@@ -575,7 +583,7 @@ void CutterCompensationC::send_corner_arc(CutterBlock& block, const Heading& hea
   if (turned.c == 0) {
     arc.sweep = 180;
   } else {
-    const double angle = std::atan2(clockwise ? -turned.c : turned.c, turned.k) * kDegrees;
+    const double angle = polar_angle(turned.k, clockwise ? -turned.c : turned.c);
     arc.sweep = angle < 0 ? angle + 360 : angle;
   }
   send(block, vector_.front().vector, true);

@@ -47,9 +47,10 @@ class CutterCompensationC {
   // The workpiece system changes in the block to come: positions of the corner before it are called as in next().event,
   // which has them without the vector.
   void rebase();
-  // A line of next() that block() will take as one of the mode, if it is: roots and quotients are begun early, while the
-  // rest of the block is filled in. False if block() is to make it.
-  [[nodiscard]] bool make_path(const CutterBlock& block) {
+  // The path of next(), where it will be one of the mode: roots and quotients are begun early, while the rest of the
+  // block is filled in. False if block() is to make it.
+  [[nodiscard]] bool make_arc_path(const CutterBlock& block);
+  [[nodiscard]] bool make_line_path(const CutterBlock& block) {
     if (mode_ != Mode::on || !wanted(block)) return false;
     set_line(new_path().path, block.start, block.end);
     return true;

@@ -104,8 +104,11 @@ Alarm Interpreter::cutter_move(const Words& words) {
     std::array<double, 2> center{};
     if (const Alarm a = read_cutter_arc(words, block, center)) return a;
     block.motion = CutterMotion::arc;
+    block.path_made = !is_b_ && cutter_c_.make_arc_path(block);
     fill(block.event, spec::MoveType::arc, spec::Cause::programmed);
-    spec::Arc<double>& numbers = block.event.arc.emplace();
+    if (!block.event.arc) block.event.arc.emplace();
+    spec::Arc<double>& numbers = *block.event.arc;
+    numbers.center.present = 0;
     numbers.plane = plane_;
     numbers.direction = block.clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
     for (std::size_t i = 0; i < 2; ++i) numbers.center.set(plane[i], center[i]);
@@ -116,7 +119,7 @@ Alarm Interpreter::cutter_move(const Words& words) {
       block.motion = CutterMotion::zero;
     } else {
       block.motion = CutterMotion::line;
-      block.path_made = !is_b_ && cutter_c_.make_path(block);
+      block.path_made = !is_b_ && cutter_c_.make_line_path(block);
     }
     fill(block.event, straight(), spec::Cause::programmed);
   }

@@ -62,7 +62,7 @@ struct CutterBlock {
   bool has_direction = false;
   std::array<Count, 2> direction{};
 
-  bool path_made = false;  // motion == line only: the stage has made its path already
+  bool path_made = false;  // motion == line or arc only: the stage has made the path already
 
   // motion == arc only. Given by centre or by radius; event.arc has the nearest doubles of the centre and, where the
   // stage makes no arc of the tool's own, of sweep and radii.

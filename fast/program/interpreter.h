@@ -95,6 +95,7 @@ class Interpreter {
   // The positions of these axes and what follows from them: the tool direction, and what the axes are sent to.
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes);
   [[nodiscard]] Alarm refresh();
+  // Of an arc everything but event.arc.
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
   void fill_tool_axis(Event& event) const;
   void fill_machine(Event& event) const;
@@ -253,6 +254,7 @@ class Interpreter {
   spec::Plane plane_ = spec::Plane::xy;
   std::array<std::size_t, 2> plane_axis_{};  // of plane_
   Mask plane_axes_ = 0;                      // those of them that are there
+  std::array<char, 2> plane_letter_{};       // the letters I J K of plane_
   bool incremental_ = false;
   bool inch_program_;
   bool plain_words_ = true;  // a word counts as written: no conversion, no least increments
@@ -322,7 +324,6 @@ constexpr char direction_letter(spec::Plane plane, std::size_t i) {
 // The mask of one axis.
 constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
 
-template <class Arc>
 inline void Interpreter::read_word(Count& to, const spec::Decimal& word) const {
   if (plain_words_) [[likely]]
     if (const std::int64_t small = Count::small_of(word); small != Count::kNotSmall) [[likely]] {
@@ -333,6 +334,7 @@ inline void Interpreter::read_word(Count& to, const spec::Decimal& word) const {
 }
 
 void Interpreter::read_arc(const Words& words, Arc& arc) const {
+template <class Arc>
   arc.clockwise = motion_ == 20;
   arc.by_radius = words.has('R');
   for (std::size_t i = 0; i < 2; ++i) {

@@ -66,7 +66,7 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
       const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
       event.point.value[axis] = actual(axis).nearest();
     }
-  event.arc.reset();
+  if (type != spec::MoveType::arc) event.arc.reset();
   if (type == spec::MoveType::rapid)
     event.feed.reset();
   else
