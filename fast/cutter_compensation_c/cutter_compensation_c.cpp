@@ -157,10 +157,9 @@ StageEnd CutterCompensationC::block() {
   before_ = side_;
   side_ = block.side;
   number_ = block.d;
-  if (mode_ == Mode::on && wanted(block)) [[likely]] {
-    if (block.motion == CutterMotion::line) return next_line(block);
-    if (block.motion == CutterMotion::arc) return next_block(block);
-  }
+  if (mode_ == Mode::on && (block.motion == CutterMotion::line || block.motion == CutterMotion::arc) && wanted(block))
+      [[likely]]
+    return next_block(block);
   if (mode_ == Mode::ends && wanted(block)) return undecide(block, "fanuc.cutter-c.restart-before-removal");
   switch (block.motion) {
     case CutterMotion::line:
@@ -232,25 +231,26 @@ StageEnd CutterCompensationC::first_block(CutterBlock& block) {
   return {};
 }
 
-StageEnd CutterCompensationC::next_line(CutterBlock& block) {
-  CompensatedPath& to = block.path_made ? paths_[path_] : new_path();
-  if (!block.path_made) set_line(to.path, block.start, block.end);
-  const bool usual = plain_ && !repeated_ && block.word == CutterSide::unchanged && block.offset == value_ &&
-                     to.path.start.narrow && side_of(block) == last_->side &&
-                     !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
-  if (!usual) return follow(block, to);
-  const Heading& last = last_->path.start;
+bool CutterCompensationC::usual_line() {
+  CutterBlock& block = next();
+  CompensatedPath& to = paths_[path_];
   const Heading& next = to.path.start;
+  const bool usual = plain_ && !repeated_ && block.offset == value_ && next.narrow && side_of(block) == last_->side &&
+                     !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
+  if (!usual) [[unlikely]]
+    return false;
+  const Heading& last = last_->path.start;
   const int side = last_->side;
-  const Turn turned = turn(last, next);
+  const Turn turned = turn_of_narrow(last, next);
   // An inner or an obtuse corner.
-  if (turned.c == 0 || (side * turned.c < 0 && turned.k <= 0)) return follow(block, to);
+  if (turned.c == 0 || (side * turned.c < 0 && turned.k <= 0)) return false;
   const Vector2<double> vector = where_tangents_meet(last, turned, side * amount_.nearest);
   const Vector2<double>& from = at_start().front().vector;
   const double length = last.norm / per_one(last_->path);
   const double product = length + dot(last.unit, vector - from);
   const double extent = std::abs(vector.x) + std::abs(vector.y) + std::abs(from.x) + std::abs(from.y);
-  if (product <= 0x1p-46 * (length + extent)) return follow(block, to);
+  if (product <= 0x1p-46 * (length + extent)) [[unlikely]]
+    return false;
 
   to.side = side;
   to.offset = amount_;
@@ -261,13 +261,13 @@ StageEnd CutterCompensationC::next_line(CutterBlock& block) {
   start_side_ = side;
   start_offset_ = &last_->offset;
   last_ = &to;
-  send(ring_[first_], end.front().vector, true);
-  send_behind(end.front().vector);
+  send(ring_[first_], vector, true);
+  send_behind(vector);
   hold();
   held_ = Held::path;
   plain_ = true;
   still_ = 0;
-  return {};
+  return true;
 }
 
 StageEnd CutterCompensationC::next_block(CutterBlock& block) {
@@ -382,15 +382,13 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
 [[gnu::always_inline]] inline Alarm CutterCompensationC::finish() {
   CutterBlock& block = ring_[first_];
   const PlanePath& path = last_->path;
-  std::optional<double> sweep;
   if (path.arc) {
     set_center(block, path);
     set_tool_arc(*block.event.arc, path, at_start().back().vector, at_end().front().vector, compare_radii());
-    sweep = block.event.arc->sweep;
   }
   if (checked_ && !parameters_.no_interference) {
     const CheckedBlock checked{&path, start_side_, start_offset_, last_->side, &last_->offset};
-    switch (check_interference(checked, sweep, at_start(), at_end())) {
+    switch (check_interference(checked, block.event.arc, at_start(), at_end())) {
       case Interference::none:
         break;
       case Interference::straightened:

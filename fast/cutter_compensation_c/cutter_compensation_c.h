@@ -39,7 +39,7 @@ class CutterCompensationC {
     const bool asked = side != CutterSide::off && d != 0;
     // An arc may not start the mode, nor end it.
     return (asked ? mode_ == Mode::off : mode_ == Mode::on || mode_ == Mode::ends) ? alarm::kArcAtStartOrCancel
-                                                                                  : alarm::kNone;
+                                                                                   : alarm::kNone;
   }
 
   // The block to fill in next. It keeps what it held before: the caller writes every field.
@@ -55,6 +55,9 @@ class CutterCompensationC {
     set_line(new_path().path, block.start, block.end);
     return true;
   }
+  // Takes next(), a line without a code whose path is made, if its corner is the usual one, of two lines and with one
+  // vector at both ends of the former: as block() does, without the detours. False if it is for block().
+  [[nodiscard]] bool usual_line();
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
   // No further block is known: a block that raises an alarm of its own (absent from the path), or the end of the
@@ -89,9 +92,6 @@ class CutterCompensationC {
   // block() by kinds of blocks.
   StageEnd moving_block(CutterBlock& block);
   StageEnd first_block(CutterBlock& block);
-  // A line in the mode. The usual corner, of two lines and with one vector at both ends of the former, is made here: as
-  // follow(), join() and finish() make any, without the detours.
-  StageEnd next_line(CutterBlock& block);
   StageEnd next_block(CutterBlock& block);
   // Any corner of two blocks in the mode; `to` is the path of `block`, without its offset.
   StageEnd follow(CutterBlock& block, CompensatedPath& to);

@@ -95,10 +95,10 @@ Interference remove_vectors(const PlanePath& path, CornerGroup& start, CornerGro
 
 }  // namespace
 
-Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CornerGroup& start,
-                                CornerGroup& end) {
+Interference check_interference(const CheckedBlock& block, const std::optional<spec::Arc<double>>& arc,
+                                CornerGroup& start, CornerGroup& end) {
   const PlanePath& path = *block.path;
-  const bool interferes = path.arc ? arc_interferes(block, sweep) : line_interferes(path, start, end);
+  const bool interferes = path.arc ? arc_interferes(block, arc->sweep) : line_interferes(path, start, end);
   return interferes ? remove_vectors(path, start, end) : Interference::none;
 }
 

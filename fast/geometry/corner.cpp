@@ -52,7 +52,16 @@ Numbers<double> numbers(const Corner& corner) {
   n.t2 = corner.next->unit;
   n.c = corner.turn.c / corner.turn.norms;
   n.k = corner.turn.k / corner.turn.norms;
-  complete(n);
+  // As complete() does, without a quotient of a quotient.
+  const double norms = corner.turn.norms;
+  const double square = corner.turn.c * corner.turn.c;
+  if (corner.turn.k >= 0) {
+    n.plus = 1 + n.k;
+    n.minus = square / (norms * (norms + corner.turn.k));
+  } else {
+    n.minus = 1 - n.k;
+    n.plus = square / (norms * (norms - corner.turn.k));
+  }
   n.turned = sign_of(corner.turn.c);
   n.r = corner.offset->nearest;
   n.rho = corner.first_side * n.r;
@@ -121,9 +130,6 @@ Vector2<T> tangents_meet(const Numbers<T>& n) {
 template <class T>
 Vector2<T> paths_meet(const Numbers<T>& n, const T& e, const T& discriminant) {
   const T sum = root(n.plus) + root(discriminant);
-  T s = number<T>(2) * e * root(n.minus) / sum;
-  if (fault(Fault::c_far_root)) s = root(n.minus) * sum;
-  if (n.turned < 0) s = -s;
   const T difference = n.p1 - n.p2;
   const T a = leading(n.k) >= 0 ? difference - n.p1 * n.minus : n.p1 * n.plus - (n.p1 + n.p2);
   const T b = n.p1 * n.c;
@@ -131,8 +137,11 @@ Vector2<T> paths_meet(const Numbers<T>& n, const T& e, const T& discriminant) {
   const Vector2<T> across = n1 * a - n.t1 * b;
   const Vector2<T> along = n.t1 * a + n1 * b;
   const T square = a * a + b * b;
-  const T q = n.rho * difference;
-  return {(across.x * q + along.x * s) / square, (across.y * q + along.y * s) / square};
+  T s = number<T>(2) * e * root(n.minus) / (sum * square);
+  if (fault(Fault::c_far_root)) s = root(n.minus) * sum / square;
+  if (n.turned < 0) s = -s;
+  const T q = n.rho * difference / square;
+  return {across.x * q + along.x * s, across.y * q + along.y * s};
 }
 
 template <class T>

@@ -122,6 +122,8 @@ Alarm Interpreter::cutter_move(const Words& words) {
       block.path_made = !is_b_ && cutter_c_.make_line_path(block);
     }
     fill(block.event, straight(), spec::Cause::programmed);
+    if (block.motion == CutterMotion::line && block.path_made && cutter_c_.usual_line()) [[likely]]
+      return alarm::kNone;
   }
   if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);
   return alarm::kNone;

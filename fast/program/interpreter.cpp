@@ -136,7 +136,7 @@ void Interpreter::end_run(const StageEnd& end) {
     send_alarm(end.undecided, "", end.line, end.n, spec::EventKind::undecided);
 }
 
-Alarm Interpreter::run(const Words& words) {
+[[gnu::always_inline]] inline Alarm Interpreter::run(const Words& words) {
   // The usual block, and nothing that waits for a block to come.
   if (words.plain() && !length_.pending()) [[likely]] {
     const Code code = words.code(Words::kMotion);

@@ -333,12 +333,12 @@ inline void Interpreter::read_word(Count& to, const spec::Decimal& word) const {
   to = value(word, true, inch_program_);
 }
 
-void Interpreter::read_arc(const Words& words, Arc& arc) const {
 template <class Arc>
   arc.clockwise = motion_ == 20;
+void Interpreter::read_arc(const Words& words, Arc& arc) const {
   arc.by_radius = words.has('R');
   for (std::size_t i = 0; i < 2; ++i) {
-    const char letter = direction_letter(plane_, i);
+    const char letter = plane_letter_[i];
     if (words.has(letter))
       read_word(arc.to_center[i], words[letter]);
     else
