@@ -39,6 +39,7 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink)
   all_ = static_cast<Mask>(linear_ | rotary_);
   select_plane(plane_);
   for (std::size_t i = 0; i < origin_.size(); ++i) read_positions(setup.workpiece[i], "workpiece", origin_[i]);
+  mark_displaced();
   read_positions(setup.floating_reference, "reference.floating", reference_[0]);
   for (const auto& [number, table] : setup.reference)
     if (number >= 1 && number <= 4) read_positions(table, "reference", reference_[static_cast<std::size_t>(number)]);

@@ -140,6 +140,7 @@ class Interpreter {
   void rename_in_cutter();
   [[nodiscard]] Alarm shift_in_cutter(const Words& words, bool extra);
   void select_workpiece(Code code);
+  void mark_displaced();
   [[nodiscard]] Count machine_origin(std::size_t axis) const { return origin_[workpiece_][axis] + shift_[axis]; }
 
   // cutter.cpp: blocks that pass cutter compensation B or C.
@@ -197,7 +198,7 @@ class Interpreter {
   [[nodiscard]] static CutterSide tool_side(Code code);
   [[nodiscard]] static bool is_tool_side(Code code) { return code == 412 || code == 416 || code == 422 || code == 426; }
   void begin_tool_side(const Words& words);
-  void start_tool_side_leg(const Words& words, ToolSideBlock& block);
+  void start_tool_side_leg(ToolSideBlock& block) const;
   [[nodiscard]] Alarm tool_side_move(const Words& words);
   [[nodiscard]] Alarm tool_side_motion(const Words& words, bool extra, const std::optional<spec::Arc<double>>& arc,
                                        const ArcWords& arc_words);
@@ -265,6 +266,7 @@ class Interpreter {
   bool evr_;           // 5001#4: an edited cutter value counts from the next block on
   CutterSide cutter_side_ = CutterSide::off;
   CutterSide tool_side_word_ = CutterSide::off;
+  int tool_side_sign_ = 1;  // +1 left: by code and sign of the value
   OffsetNumber cutter_number_;
   Count cutter_offset_;  // of that number, when it was applied
   bool cutter_edited_ = false;
@@ -273,7 +275,8 @@ class Interpreter {
 
   // Positions.
   Positions programmed_;
-  Positions shift_;  // G92
+  Positions shift_;     // G92
+  Mask displaced_ = 0;  // axes with a workpiece origin in force or a shift
   Positions intermediate_;
   Mask has_intermediate_ = 0;
   // Axes whose programmed position (shift, intermediate point) was rounded to 1 / (127 * 10^18): a G49 ended G43.5 at
@@ -285,8 +288,9 @@ class Interpreter {
   std::array<double, spec::kMaxAxes> axes_value_{};        // with the length offset
   Mask stale_ = 0;                                         // axes whose axes_value_ is to be made again
 
-  // Directions live in a ring because held moves refer to theirs: at most three blocks have one at a time.
-  std::array<Direction, 4> directions_;
+  // Directions live in a ring because held moves refer to theirs: at most three blocks have one at a time, and a block
+  // makes three at most.
+  std::array<Direction, 8> directions_;
   std::uint8_t direction_ = 0;
   std::uint8_t direction_before_ = 0;  // where the block started
 
@@ -334,8 +338,8 @@ inline void Interpreter::read_word(Count& to, const spec::Decimal& word) const {
 }
 
 template <class Arc>
-  arc.clockwise = motion_ == 20;
 void Interpreter::read_arc(const Words& words, Arc& arc) const {
+  arc.clockwise = motion_ == 20;
   arc.by_radius = words.has('R');
   for (std::size_t i = 0; i < 2; ++i) {
     const char letter = plane_letter_[i];
@@ -370,8 +374,8 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
     }
   }
   if (rest != 0) [[unlikely]]
-    if (const Alarm a = for_each_axis(static_cast<Mask>(rest),
-                                      [&](std::size_t axis) { return place(axis, target(words, axis)); }))
+    if (const Alarm a =
+            for_each_axis(static_cast<Mask>(rest), [&](std::size_t axis) { return place(axis, target(words, axis)); }))
       return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
   if ((axes & turning_) != 0) turn();

@@ -73,6 +73,14 @@ Alarm Interpreter::from_reference(const Words& words) {
   return send_rapid(spec::Cause::programmed, false, CutterMotion::from_reference);
 }
 
+// After a change of workpiece_ or shift_.
+void Interpreter::mark_displaced() {
+  displaced_ = 0;
+  for (std::size_t axis = 0; axis < count_; ++axis)
+    if (!origin_[workpiece_][axis].is_zero() || !shift_[axis].is_zero())
+      displaced_ = static_cast<Mask>(displaced_ | bit(axis));
+}
+
 // The machine stays where it is: the programmed position shifts by the difference of the origins.
 void Interpreter::select_workpiece(Code code) {
   const auto chosen = static_cast<std::size_t>((code - 540) / 10);
@@ -81,6 +89,7 @@ void Interpreter::select_workpiece(Code code) {
     programmed_value_[axis] = programmed_[axis].nearest();
   }
   workpiece_ = chosen;
+  mark_displaced();
   stale_ = all_;
   if (kinematics_.defined()) turn();
 }
@@ -129,6 +138,7 @@ Alarm Interpreter::shift_coordinates(const Words& words) {
     if (!shift_[axis].in_range()) return alarm::kRange;
     return place(axis, word);
   });
+  mark_displaced();
   shift_rounded_ = static_cast<Mask>(shift_rounded_ | (rounded_ & words.axes()));
   rounded_ = static_cast<Mask>(rounded_ & ~words.axes());
   if (kinematics_.defined()) turn();

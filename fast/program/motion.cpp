@@ -80,9 +80,14 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
 // The direction of the tool, and under G43.5 its length along it.
 void Interpreter::fill_tool_axis(Event& event) const {
   const Eigen::Vector3d& unit = directions_[direction_].unit;
-  event.tool_axis.emplace(std::array<double, 3>{unit[0] + 0.0, unit[1] + 0.0, unit[2] + 0.0});  // never -0
+  if (!event.tool_axis) event.tool_axis.emplace();
+  std::array<double, 3>& axis = *event.tool_axis;
+  axis[0] = unit[0] + 0.0;  // never -0
+  axis[1] = unit[1] + 0.0;
+  axis[2] = unit[2] + 0.0;
   if (!along_tool()) return;
   fill_machine(event);
+  if (length_.length().is_zero()) return;
   const double length = length_.length().nearest();
   for (std::size_t i = 0; i < 3; ++i) {
     if (xyz_[i] == spec::Axes::kNone) continue;
@@ -94,9 +99,12 @@ void Interpreter::fill_tool_axis(Event& event) const {
 
 void Interpreter::fill_machine(Event& event) const {
   event.machine.present = all_;
+  if ((displaced_ | stale_) == 0) [[likely]] {
+    for (std::size_t axis = 0; axis < count_; ++axis) event.machine.value[axis] = axes_value_[axis];
+    return;
+  }
   for (std::size_t axis = 0; axis < count_; ++axis) {
-    const Count& origin = origin_[workpiece_][axis];
-    const bool displaced = !origin.is_zero() || !shift_[axis].is_zero() || (stale_ & bit(axis)) != 0;
+    const bool displaced = ((displaced_ | stale_) & bit(axis)) != 0;
     event.machine.value[axis] =
         displaced ? (actual(axis) + length_[axis] + machine_origin(axis)).nearest() : axes_value_[axis];
   }
