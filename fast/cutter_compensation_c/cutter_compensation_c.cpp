@@ -140,7 +140,7 @@ void CutterCompensationC::set_path(CompensatedPath& to, const CutterBlock& block
     set_line(to.path, block.start, block.end);
 }
 
-void CutterCompensationC::set_offset(CompensatedPath& to, const CutterBlock& block) {
+[[gnu::always_inline]] inline void CutterCompensationC::set_offset(CompensatedPath& to, const CutterBlock& block) {
   const bool late = fault(Fault::c_offset_one_corner_late) && mode_ == Mode::on;
   const Count& offset = late ? late_offset_ : block.offset;
   if (!(offset == value_)) {

@@ -169,32 +169,6 @@ Vector2<double> nearest(const Vector2<DoubleDouble>& v) { return {to_double(v.x)
 
 }  // namespace
 
-Vector2<double> head_vector(const Corner& corner, HeadKind kind) {
-  if (kind == HeadKind::zero) return {};
-  const Vector2<double>& t1 = corner.last->unit;
-  const Vector2<double>& t2 = corner.next->unit;
-  const double r = corner.offset->nearest;
-  const double rho = corner.first_side * r;
-  switch (kind) {
-    case HeadKind::zero:
-      break;
-    case HeadKind::first_normal:
-      return left_of(t1) * rho;
-    case HeadKind::second_normal:
-      return left_of(t2) * (corner.second_side * r);
-    case HeadKind::first_extended:
-      return left_of(t1) * rho + t1 * r;
-    case HeadKind::second_extended:
-      return left_of(t2) * rho - t2 * r;
-    case HeadKind::tangents_meet:
-      return where_tangents_meet(*corner.last, corner.turn, rho);
-    case HeadKind::paths_meet:
-    case HeadKind::paths_cross:
-      break;
-  }
-  return {};
-}
-
 Vector2<DoubleDouble> fine_head_vector(const Corner& corner, HeadKind kind) {
   if (kind == HeadKind::zero) return {};
   Numbers<DoubleDouble> n = fine_numbers(corner);
@@ -247,11 +221,6 @@ bool offset_paths_meet(const Corner& corner, HeadKind kind, Vector2<double>& vec
     return false;
   vector = nearest(fine_paths_meet(fine));
   return true;
-}
-
-int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Amount& offset) {
-  if (!path.arc || path.sigma != side) return 1;
-  return compare_radius(path, at_end, offset);
 }
 
 }  // namespace toolcomp::fast

@@ -184,12 +184,9 @@ DoubleDouble fine_radius(const PlanePath& path, bool at_end) {
   return sqrt((Wide(v[0]) * Wide(v[0]) + Wide(v[1]) * Wide(v[1])).to_double_double()) / unit;
 }
 
-int compare_radius(const PlanePath& path, bool at_end, const Amount& offset) {
-  const double radius = at_end ? path.radius_end : path.radius_start;
-  // Both are within a few roundings of 2^-53.
-  if (std::abs(radius - offset.nearest) > 0x1p-48 * radius) [[likely]]
-    return radius > offset.nearest ? 1 : -1;
+int compare_whole_radius(const PlanePath& path, bool at_end, const Amount& offset) {
   if (path.seen) {
+    const double radius = at_end ? path.radius_end : path.radius_start;
     const DoubleDouble length = to_double_double(offset.exact.units()) / to_double_double(Count::kRestPerOne);
     const double difference = (fine_radius(path, at_end) - length).hi;
     // What double-double cannot tell is a tie.
