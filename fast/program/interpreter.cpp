@@ -150,6 +150,15 @@ void Interpreter::end_run(const StageEnd& end) {
         set_feed(words);
         return tool_side_move(words);
       }
+      if (!tool_side_on() && !cutter_active() && motion_after <= 10 && (words.axes() & rotary_) == 0 &&
+          names_direction(words)) {
+        motion_ = motion_after;
+        set_feed(words);
+        direction_before_ = direction_;
+        direct(words);
+        return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false,
+                      std::nullopt);
+      }
     } else if (tool_side_on()) {
       if (straight && !takes_edited_value()) {
         motion_ = motion_after;

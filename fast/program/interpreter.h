@@ -89,6 +89,11 @@ class Interpreter {
   [[nodiscard]] std::uint32_t reference_point(const Words& words) const;
 
   // motion.cpp: own moves and their events. `own` words are positions; `extra`: a move even without them.
+  // An axis that is not there stands at 0.
+  [[nodiscard]] const Count& programmed(std::size_t axis) const {
+    static constexpr Count kNowhere;
+    return axis == spec::Axes::kNone ? kNowhere : programmed_[axis];
+  }
   [[nodiscard]] Alarm motion(const Words& words, Compensation compensation, bool own, bool extra,
                              const std::optional<spec::Arc<double>>& arc);
   [[nodiscard]] Alarm place(std::size_t axis, const Count& position);

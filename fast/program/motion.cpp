@@ -119,11 +119,22 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
       tool_offset_.clear(axis);
       return alarm::kNone;
     });
+  const Count& x = programmed(xyz_[0]);
+  const Count& y = programmed(xyz_[1]);
+  const Count& z = programmed(xyz_[2]);
+  const Mask rounded_before = rounded_;
+  bool small = false;
+  std::int64_t from_x = 0;
+  std::int64_t from_y = 0;
+  std::int64_t from_z = 0;
   std::array<Count, 3> from;
-  Mask rounded = rounded_;
-  if (compensated)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (xyz_[i] != spec::Axes::kNone) from[i] = programmed_[xyz_[i]];
+  if (compensated) {
+    small = rounded_before == 0 && x.is_small() && y.is_small() && z.is_small();
+    from_x = x.small();
+    from_y = y.small();
+    from_z = z.small();
+    if (!small) from = {x, y, z};
+  }
 
   if (const Alarm a = place_words(words, axes)) return a;
 
@@ -140,16 +151,21 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
       if (event) leading_edge_.pass();
       return alarm::kNone;
     case Compensation::stays: {
-      std::array<Count, 3> to;
-      Mask xyz = 0;
-      for (std::size_t i = 0; i < 3; ++i)
-        if (xyz_[i] != spec::Axes::kNone) {
-          to[i] = programmed_[xyz_[i]];
-          xyz = static_cast<Mask>(xyz | bit(xyz_[i]));
-        }
-      rounded = static_cast<Mask>((rounded | rounded_) & axes & xyz);
       Move& move = leading_edge_.next();
-      set_difference(move.displacement, from, to, rounded != 0 ? 2 : 0);
+      if (small && x.is_small() && y.is_small() && z.is_small()) [[likely]] {
+        set_displacement(move.displacement, x.small() - from_x, y.small() - from_y, z.small() - from_z);
+      } else {
+        if (small) {
+          from[0].set_small(from_x);
+          from[1].set_small(from_y);
+          from[2].set_small(from_z);
+        }
+        Mask xyz = 0;
+        for (const std::size_t axis : xyz_)
+          if (axis != spec::Axes::kNone) xyz = static_cast<Mask>(xyz | bit(axis));
+        const auto rounded = static_cast<Mask>((rounded_before | rounded_) & axes & xyz);
+        set_displacement(move.displacement, from, {x, y, z}, rounded != 0 ? 2 : 0);
+      }
       move.direction = &directions_[direction_];
       move.radius = radius_;
       // The only alarms here are those of the start-up move.

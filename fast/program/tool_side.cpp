@@ -49,42 +49,32 @@ Alarm Interpreter::tool_side_move(const Words& words) {
   if (directed) direct(words);
   ToolSideBlock& block = tool_side_.next();
   block.repeated = false;
-  std::array<std::int64_t, 3> from{};
-  bool small = rounded_ == 0 && tool_offset_.live() == 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t axis = xyz_[i];
-    if (axis == spec::Axes::kNone) continue;
-    small &= programmed_[axis].is_small();
-    from[i] = programmed_[axis].small();
-  }
+  const Count& x = programmed(xyz_[0]);
+  const Count& y = programmed(xyz_[1]);
+  const Count& z = programmed(xyz_[2]);
+  const bool small = rounded_ == 0 && tool_offset_.live() == 0 && x.is_small() && y.is_small() && z.is_small();
   if (!small) [[unlikely]]
     return tool_side_motion(words, false, std::nullopt, ArcWords{});
   const Mask axes = words.axes();
   start_tool_side_leg(block);
+  const std::int64_t from_x = x.small();
+  const std::int64_t from_y = y.small();
+  const std::int64_t from_z = z.small();
   if (const Alarm a = place_words(words, axes)) return a;
-  std::array<std::int64_t, 3> way{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t axis = xyz_[i];
-    if (axis == spec::Axes::kNone) continue;
-    small &= programmed_[axis].is_small();
-    way[i] = programmed_[axis].small() - from[i];
-  }
-  if (small) [[likely]] {
-    set_travel(tool_side_.next_travel(), way);
+  Travel& travel = tool_side_.next_travel();
+  if (x.is_small() && y.is_small() && z.is_small()) [[likely]] {
+    set_travel(travel, x.small() - from_x, y.small() - from_y, z.small() - from_z);
   } else {
     std::array<Count, 3> start;
-    std::array<Count, 3> end;
-    for (std::size_t i = 0; i < 3; ++i) {
-      start[i].set_small(from[i]);
-      if (xyz_[i] != spec::Axes::kNone) end[i] = programmed_[xyz_[i]];
-    }
-    set_travel(tool_side_.next_travel(), start, end, 0);
+    start[0].set_small(from_x);
+    start[1].set_small(from_y);
+    start[2].set_small(from_z);
+    set_travel(travel, start, {x, y, z}, 0);
   }
   block.tool = &directions_[direction_];
   block.tool_before = &directions_[direction_before_];
   block.own = axes != 0 || directed;
-  const Vector3<double>& value = tool_side_.next_travel().value;
-  const bool taken = tool_side_.take_line(value.x, value.y, value.z);
+  const bool taken = tool_side_.take_line(travel.value.x, travel.value.y, travel.value.z);
   fill(block.event, straight(), spec::Cause::programmed);
   if (taken) [[likely]]
     return alarm::kNone;

@@ -35,24 +35,24 @@ struct Travel {
 };
 
 // By 10^-6 of a setup unit.
-inline void set_travel(Travel& travel, const std::array<std::int64_t, 3>& d) {
+inline void set_travel(Travel& travel, std::int64_t dx, std::int64_t dy, std::int64_t dz) {
   // 3 kNarrow^2 < 2^63.
   constexpr std::uint64_t kNarrow = 1'753'000'000;
   const auto is_narrow = [](std::int64_t x) { return static_cast<std::uint64_t>(x) + kNarrow <= 2 * kNarrow; };
   travel.slack = 0;
   travel.fine_units = false;
   travel.unit = static_cast<double>(Count::kSmallPerOne);
-  travel.narrow = is_narrow(d[0]) && is_narrow(d[1]) && is_narrow(d[2]);
+  travel.narrow = is_narrow(dx) && is_narrow(dy) && is_narrow(dz);
   if (!travel.narrow) [[unlikely]]
-    travel.wide = {d[0], d[1], d[2]};
-  const auto x = static_cast<double>(d[0]);
-  const auto y = static_cast<double>(d[1]);
-  const auto z = static_cast<double>(d[2]);
+    travel.wide = {dx, dy, dz};
+  const auto x = static_cast<double>(dx);
+  const auto y = static_cast<double>(dy);
+  const auto z = static_cast<double>(dz);
   travel.value.x = x;
   travel.value.y = y;
   travel.value.z = z;
   travel.square = x * x + y * y + z * z;
-  travel.zero = (d[0] | d[1] | d[2]) == 0;
+  travel.zero = (dx | dy | dz) == 0;
 }
 
 // From `from` to `to` (X, Y, Z).
@@ -60,8 +60,8 @@ inline void set_travel(Travel& travel, const std::array<Count, 3>& from, const s
   bool small = slack == 0;
   for (std::size_t i = 0; i < 3; ++i) small = small && from[i].is_small() && to[i].is_small();
   if (small) {
-    set_travel(travel,
-               {to[0].small() - from[0].small(), to[1].small() - from[1].small(), to[2].small() - from[2].small()});
+    set_travel(travel, to[0].small() - from[0].small(), to[1].small() - from[1].small(),
+               to[2].small() - from[2].small());
     return;
   }
   travel.slack = slack;
