@@ -62,9 +62,10 @@ std::string summary(const Certificate& c) {
       all.total(), c.sections.size(), c.sections.size() == 1 ? "" : "s", all.count(Result::agrees),
       all.count(Result::differs), c.findings.size(), c.findings.size() == 1 ? "" : "s", all.count(Result::undecided),
       all.values, small(all.worst_um), small(all.worst_ulp));
-  out += "<nav><a href=\"#sections\">Sections</a><a href=\"#findings\">Findings</a>" +
-         std::string(c.pictures.empty() ? "" : "<a href=\"#programs\">Programs</a>") +
-         "<a href=\"#clauses\">Clauses</a><a href=\"#identity\">Identity</a></nav>\n";
+  out += R"(<nav><a href="#sections">Sections</a><a href="#findings">Findings</a>)";
+  if (!c.pictures.empty()) out += R"(<a href="#programs">Programs</a>)";
+  out += R"(<a href="#clauses">Clauses</a><a href="#identity">Identity</a></nav>)";
+  out += '\n';
   return out;
 }
 

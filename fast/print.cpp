@@ -113,19 +113,18 @@ constexpr bool is_usual(const Binary& value) {
 Decimal shortest(const Binary& value) {
   const unsigned places = (value.shift * 1233 >> 12U) + 1;  // 10^(places - 1) < 2^shift < 10^places
   const std::uint64_t one = kPowers[places];
-  const unsigned shift = value.shift + 1;
-  // In units of 10^-places / 2^shift: the value behind its point, and what is nearer to it on either side.
-  const std::uint64_t behind = value.mantissa & ((std::uint64_t{1} << value.shift) - 1);
-  const UInt128 scaled = static_cast<UInt128>(2 * behind) * one;
-  const std::uint64_t half = one - (value.mantissa & 1U);
+  // In units of 10^-places / 2^64: the value behind its point, and what is nearer to it on either side.
+  const std::uint64_t behind = value.mantissa << (64 - value.shift);
+  const UInt128 scaled = static_cast<UInt128>(behind) * one;
+  const UInt128 half = (static_cast<UInt128>(one) << 63U >> value.shift) - (value.mantissa & 1U);
   // In units of 10^-places.
-  const auto most = static_cast<std::uint64_t>((scaled + half) >> shift);
+  const auto most = static_cast<std::uint64_t>((scaled + half) >> 64U);
   const std::uint64_t round = most - most % 10;
-  const UInt128 up = scaled + (static_cast<UInt128>(1) << value.shift);
-  const auto rounded = static_cast<std::uint64_t>(up >> shift);
-  const bool tie = static_cast<UInt128>(rounded) << shift == up;
-  const std::uint64_t nearest = rounded - (tie ? rounded % 2 : 0);
-  const bool has_round = (static_cast<UInt128>(round) << shift) + half >= scaled;
+  const auto below = static_cast<std::uint64_t>(scaled >> 64U);
+  const auto rest = static_cast<std::uint64_t>(scaled);
+  const bool tie = rest == std::uint64_t{1} << 63U;
+  const std::uint64_t nearest = below + (rest >> 63U) - (tie ? 1 - below % 2 : 0);
+  const bool has_round = (static_cast<UInt128>(round) << 64U) + half >= scaled;
   // Which it is cannot be foreseen: no branch.
   const std::uint64_t digits = nearest ^ ((nearest ^ round) & (0 - static_cast<std::uint64_t>(has_round)));
   const std::uint64_t whole = value.mantissa >> value.shift;
@@ -149,9 +148,10 @@ char* write_number(char* to, double value) {
   const double magnitude = std::abs(value);
   const double scaled = magnitude * kMillion;
   if (scaled < kMost) {
-    // A wrong guess is found out by the division.
+    // A wrong guess is found out by the division, most of them without.
     const auto count = static_cast<std::int64_t>(scaled + 0.5);  // NOLINT(bugprone-incorrect-roundings)
-    if (static_cast<double>(count) / kMillion == magnitude)
+    const auto whole = static_cast<double>(count);
+    if (std::abs(scaled - whole) <= 0x1p-51 * scaled && whole / kMillion == magnitude)
       return write_decimal(write_sign(to, value), millionths(static_cast<std::uint64_t>(count)));
   }
   if (const Binary binary(magnitude); is_usual(binary)) return write_decimal(write_sign(to, value), shortest(binary));
@@ -169,12 +169,20 @@ char* NumberWriter::write(char* to, double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   // Any odd factor spreads the values; 0, which every place holds at first, belongs to the first one.
   Written& written = lately_[bits * 0x9E37'79B9'7F4A'7C15 >> (64 - kIndexBits)];
-  if (written.bits != bits) {
-    written.bits = bits;
-    written.size = static_cast<std::size_t>(write_number(written.text.data(), value) - written.text.data());
+  if (written.bits == bits && written.size != 0) {
+    std::memcpy(to, written.text.data(), kNumberText);
+    return to + written.size;
   }
-  std::memcpy(to, written.text.data(), kNumberText);
-  return to + written.size;
+  char* const end = write_number(to, value);
+  // Most numbers come once: kept is the text of one that comes again.
+  const bool again = written.bits == bits;
+  written.bits = bits;
+  written.size = 0;
+  if (again) {
+    written.size = static_cast<std::size_t>(end - to);
+    std::memcpy(written.text.data(), to, kNumberText);
+  }
+  return end;
 }
 
 }  // namespace toolcomp::fast

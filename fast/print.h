@@ -27,7 +27,7 @@ class NumberWriter {
  private:
   struct Written {
     std::uint64_t bits = 0;  // of the value
-    std::size_t size = 1;
+    std::size_t size = 1;    // 0: it came once, and its text is not kept
     std::array<char, kNumberText> text{'0'};
   };
   static constexpr unsigned kIndexBits = 4;

@@ -34,8 +34,19 @@ class Count {
   static constexpr int kSmallPlaces = 6;
   static constexpr std::array<std::int64_t, 7> kSmallPower{1, 10, 100, 1'000, 10'000, 100'000, 1'000'000};
   static constexpr std::uint64_t kSmallDigits = 9'000'000'000'000;  // times 10^6 below 2^63
+  // Up to which a word of so many decimals is at most kSmallLimit.
+  static constexpr std::array<std::uint64_t, 7> kMostDigits{
+      kSmallLimit / 1'000'000, kSmallLimit / 100'000, kSmallLimit / 10'000, kSmallLimit / 1'000,
+      kSmallLimit / 100,       kSmallLimit / 10,      kSmallLimit};
 
   constexpr Count() = default;
+  // By parts: a processor that copies all bytes at once waits where one part has just been written.
+  constexpr Count(const Count& other) : small_(other.small_), rest_(other.rest_) {}
+  constexpr Count& operator=(const Count& other) {
+    small_ = other.small_;
+    rest_ = other.rest_;
+    return *this;
+  }
   // `value` with `shift` further decimals (least input increments), times `factor`. |value| must be below 1e17.
   static Count of(const spec::Decimal& value, Factor factor = Factor::one, int shift = 0) {
     if (factor == Factor::one && shift == 0) [[likely]]
@@ -81,12 +92,10 @@ class Count {
   }
   // The word as units of 10^-6, if it is a usual one; otherwise kNotSmall.
   static constexpr std::int64_t small_of(const spec::Decimal& value) {
-    if (value.decimals > kSmallPlaces || value.digits > kSmallDigits) [[unlikely]]
+    if (value.decimals > kSmallPlaces || value.digits > kMostDigits[value.decimals]) [[unlikely]]
       return kNotSmall;
     const auto magnitude =
         static_cast<std::int64_t>(value.digits) * kSmallPower[static_cast<std::size_t>(kSmallPlaces - value.decimals)];
-    if (magnitude > kSmallLimit) [[unlikely]]
-      return kNotSmall;
     return value.negative ? -magnitude : magnitude;
   }
   static constexpr std::int64_t kNotSmall = INT64_MIN;

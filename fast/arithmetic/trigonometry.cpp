@@ -1,33 +1,31 @@
 #include "fast/arithmetic/trigonometry.h"
 
 #include <array>
-#include <cmath>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 namespace toolcomp::fast {
 namespace {
 
 // degrees = 90 * quarter + remainder, |remainder| <= 45, all exact.
-template <class Whole>
 struct Reduced {
   unsigned quarter;  // modulo 4
-  Whole remainder;
+  Int128 remainder;
 };
 
-template <class Whole>
-constexpr Reduced<Whole> reduce(Whole angle, Whole quarter_turn) {
-  Whole quarter = 0;
-  const Whole half = quarter_turn / 2;
+constexpr Reduced reduce(Int128 angle, Int128 quarter_turn) {
+  Int128 quarter = 0;
+  const Int128 half = quarter_turn / 2;
   if (angle > half || angle < -half) {
-    const Whole shifted = angle + half;
+    const Int128 shifted = angle + half;
     quarter = shifted / quarter_turn;
     if (shifted < 0 && quarter * quarter_turn != shifted) --quarter;
   }
   return {static_cast<unsigned>(static_cast<int>(quarter % 4) + 4) % 4U, angle - quarter * quarter_turn};
 }
 
-template <class Number>
-constexpr SineCosine<Number> turned(const SineCosine<Number>& value, unsigned quarter) {
+constexpr SineCosine<DoubleDouble> fine_turned(const SineCosine<DoubleDouble>& value, unsigned quarter) {
   switch (quarter) {
     case 1:
       return {value.cosine, -value.sine};
@@ -40,14 +38,62 @@ constexpr SineCosine<Number> turned(const SineCosine<Number>& value, unsigned qu
   }
 }
 
-constexpr std::int64_t kSmallQuarter = 90 * Count::kSmallPerOne;
 constexpr Int128 kQuarter = 90 * Count::kRestPerOne;
 
-// sin and cos of hi + lo, |lo| <= ulp(hi): the first-order term in lo is enough for a double.
-SineCosine<double> near(double hi, double lo) {
-  const double sine = std::sin(hi);
-  const double cosine = std::cos(hi);
-  return {sine + cosine * lo, cosine - sine * lo};
+// sin and cos of hi + lo, |hi| <= pi/4 (1 + 2^-20), |lo| <= ulp(hi): the polynomials of fdlibm (Sun, 1993), within
+// 2^-58 of sin x / x and of cos x; the rest enters to first order.
+template <class Real>
+[[gnu::always_inline]] inline SineCosine<Real> near(Real hi, Real lo) {
+  constexpr double s1 = -0x1.5555555555549p-3;
+  constexpr double s2 = 0x1.111111110f8a6p-7;
+  constexpr double s3 = -0x1.a01a019c161d5p-13;
+  constexpr double s4 = 0x1.71de357b1fe7dp-19;
+  constexpr double s5 = -0x1.ae5e68a2b9cebp-26;
+  constexpr double s6 = 0x1.5d93a5acfd57cp-33;
+  constexpr double c1 = 0x1.555555555554cp-5;
+  constexpr double c2 = -0x1.6c16c16c15177p-10;
+  constexpr double c3 = 0x1.a01a019cb1590p-16;
+  constexpr double c4 = -0x1.27e4f809c52adp-22;
+  constexpr double c5 = 0x1.1ee9ebdb4b1c4p-29;
+  constexpr double c6 = -0x1.8fae9be8838d4p-37;
+  const Real z = hi * hi;
+  const Real w = z * z;
+  const Real v = z * hi;
+  const Real s = (s2 + z * s3) + w * ((s4 + z * s5) + w * s6);
+  const Real sine = hi - ((z * (0.5 * lo - v * s) - lo) - v * s1);
+  const Real c = z * ((c1 + z * c2) + w * ((c3 + z * c4) + w * (c5 + z * c6)));
+  const Real half = 0.5 * z;
+  const Real one = 1 - half;
+  const Real cosine = one + (((1 - one) - half) + (z * c - hi * lo));
+  return {sine, cosine};
+}
+
+// The same turned by quarters, without a branch: angles follow no pattern.
+template <class Bits, class Real>
+[[gnu::always_inline]] inline SineCosine<Real> turned(const SineCosine<Real>& value, Bits quarter) {
+  const auto sine = std::bit_cast<Bits>(value.sine);
+  const auto cosine = std::bit_cast<Bits>(value.cosine);
+  const Bits swap = (sine ^ cosine) & -(quarter & 1);
+  return {std::bit_cast<Real>((sine ^ swap) ^ (quarter >> 1 & 1) << 63),
+          std::bit_cast<Real>((cosine ^ swap) ^ ((quarter + 1) >> 1 & 1) << 63)};
+}
+
+// Of whole 10^-6 degrees.
+template <class Bits, class Real>
+[[gnu::always_inline]] inline SineCosine<Real> of_small(Real angle) {
+  // The quarter nearest to the angle, in the low bits of `shifted`; a rounding just beside a tie may take the other
+  // one, which leaves a remainder above 45 by one unit at most. All products and differences are exact.
+  constexpr auto kQuarterUnits = static_cast<double>(90 * Count::kSmallPerOne);
+  constexpr double kShift = 0x1.8p52;
+  const Real shifted = angle * (1 / kQuarterUnits) + kShift;
+  const Real r = angle - (shifted - kShift) * kQuarterUnits;
+  // pi / 180e6 in two parts: the first has 27 bits and |r| <= 45e6 + 1 has 26, so their product is exact.
+  constexpr double kRadiansHigh = 0x1.2bd8644000000p-26;
+  constexpr double kRadiansLow = 0x1.60df76ae5cc06p-53;
+  const Real high = r * kRadiansHigh;
+  const Real low = r * kRadiansLow;
+  const Real hi = high + low;
+  return turned(near(hi, low - (hi - high)), std::bit_cast<Bits>(shifted));
 }
 
 // 1 / n! as double-doubles, n = 2 … 16, and as doubles above, where the terms are below 2^-53 of the sum.
@@ -130,20 +176,19 @@ constexpr std::array<DoubleDouble, 33> kArctangent{{
 
 }  // namespace
 
+SineCosine<double> sine_cosine(std::int64_t small) { return of_small<std::uint64_t>(static_cast<double>(small)); }
+
+SineCosine<Pair> sine_cosine(std::int64_t first, std::int64_t second) {
+  using Bits [[gnu::vector_size(16)]] = std::uint64_t;
+  return of_small<Bits>(Pair{static_cast<double>(first), static_cast<double>(second)});
+}
+
 SineCosine<double> sine_cosine(const Count& degrees) {
-  if (degrees.is_small()) [[likely]] {
-    const auto [quarter, remainder] = reduce(degrees.small(), kSmallQuarter);
-    // pi / 180e6 in two parts: the first has 27 bits and |remainder| <= 45e6 has 26, so their product is exact.
-    constexpr double kRadiansHigh = 0x1.2bd8644000000p-26;
-    constexpr double kRadiansLow = 0x1.60df76ae5cc06p-53;
-    const auto r = static_cast<double>(remainder);
-    const DoubleDouble x = quick_two_sum(r * kRadiansHigh, r * kRadiansLow);
-    return turned(near(x.hi, x.lo), quarter);
-  }
+  if (degrees.is_small()) return sine_cosine(degrees.small());
   const auto [quarter, remainder] = reduce(degrees.units(), kQuarter);
   constexpr double kRadiansPerUnit = 0x1.4c4780a1fb529p-73;  // pi / (180 * 127e18)
   const auto r = static_cast<double>(remainder);
-  return turned(near(r * kRadiansPerUnit, 0), quarter);
+  return turned(near(r * kRadiansPerUnit, 0.0), std::uint64_t{quarter});
 }
 
 SineCosine<DoubleDouble> fine_sine_cosine(const Count& degrees) {
@@ -154,7 +199,7 @@ SineCosine<DoubleDouble> fine_sine_cosine(const Count& degrees) {
   const DoubleDouble x = quick_two_sum(hi, lo) * kRadiansPerUnit;
   const DoubleDouble y = x * x;
   // sin x = x (1 - y/3! + y^2/5! - …), cos x = 1 - y/2! + …: eight or nine double-double steps and six double ones.
-  return turned(SineCosine<DoubleDouble>{x * series(y, 1, kOddTail), series(y, 0, kEvenTail)}, quarter);
+  return fine_turned(SineCosine<DoubleDouble>{x * series(y, 1, kOddTail), series(y, 0, kEvenTail)}, quarter);
 }
 
 SineCosine<double> sine_cosine(double degrees) {

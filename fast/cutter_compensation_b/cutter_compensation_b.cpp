@@ -202,6 +202,7 @@ void CutterCompensationB::cancel() {
   const bool still = block_.motion == CutterMotion::still || block_.motion == CutterMotion::shift;
   const bool alone = still && !block_.axis_word;
   const bool back = alone && !vector_.zero() && !fault(Fault::cancel_without_move);
+  if (back && block_.motion == CutterMotion::shift) block_.event = block_.renamed;
   if (!machine && (alone ? back : made_)) block_.event.cause = spec::Cause::cancel;
   vector_ = Vector{};
   made_ = false;

@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "fast/fault.h"
+#include "fast/geometry/angle.h"
 
 namespace toolcomp::fast {
 namespace {
-
-constexpr double kDegrees = 57.29577951308232;
 
 // The offset to the left of a heading, or to its right.
 void set_normal(CornerGroup& group, const PlanePath& path, const Heading& heading, int side, const Amount& offset) {
@@ -29,6 +28,11 @@ void set_normal(CornerGroup& group, const PlanePath& path, const Heading& headin
 Amount amount_of(const Count& offset) {
   const Count amount = offset < Count() ? -offset : offset;
   return {amount, amount.nearest()};
+}
+
+// A block that makes or removes a vector moves in the coordinates after its G92.
+void rename(CutterBlock& block) {
+  if (block.motion == CutterMotion::shift) block.event = block.renamed;
 }
 
 void set_arc_path(PlanePath& path, const CutterBlock& block) {
@@ -62,10 +66,7 @@ Alarm CutterCompensationC::check(const CutterCommand& command) const {
         (command.letters && command.letters_zero))
       return alarm::kCornerArc;
   }
-  // An arc may not start the mode, nor end it.
-  if (command.arc && (asked ? mode_ == Mode::off : mode_ == Mode::on || mode_ == Mode::ends))
-    return alarm::kArcAtStartOrCancel;
-  return alarm::kNone;
+  return command.arc ? check_arc(command.word, command.d) : alarm::kNone;
 }
 
 inline void CutterCompensationC::add(Event& event, const CutterBlock& block, const Vector2<double>& vector) {
@@ -126,6 +127,12 @@ int CutterCompensationC::side_of(const CutterBlock& block) {
   return block.offset < Count() && !fault(Fault::c_negative_offset_ignored) ? -side : side;
 }
 
+bool CutterCompensationC::make_arc_path(const CutterBlock& block) {
+  if (mode_ != Mode::on || !wanted(block)) return false;
+  set_arc_path(new_path().path, block);
+  return true;
+}
+
 void CutterCompensationC::set_path(CompensatedPath& to, const CutterBlock& block) {
   if (block.motion == CutterMotion::arc)
     set_arc_path(to.path, block);
@@ -133,7 +140,7 @@ void CutterCompensationC::set_path(CompensatedPath& to, const CutterBlock& block
     set_line(to.path, block.start, block.end);
 }
 
-void CutterCompensationC::set_offset(CompensatedPath& to, const CutterBlock& block) {
+[[gnu::always_inline]] inline void CutterCompensationC::set_offset(CompensatedPath& to, const CutterBlock& block) {
   const bool late = fault(Fault::c_offset_one_corner_late) && mode_ == Mode::on;
   const Count& offset = late ? late_offset_ : block.offset;
   if (!(offset == value_)) {
@@ -150,8 +157,9 @@ StageEnd CutterCompensationC::block() {
   before_ = side_;
   side_ = block.side;
   number_ = block.d;
-  if (mode_ == Mode::on && block.motion == CutterMotion::line && wanted(block)) [[likely]]
-    return next_line(block);
+  if (mode_ == Mode::on && (block.motion == CutterMotion::line || block.motion == CutterMotion::arc) && wanted(block))
+      [[likely]]
+    return next_block(block);
   if (mode_ == Mode::ends && wanted(block)) return undecide(block, "fanuc.cutter-c.restart-before-removal");
   switch (block.motion) {
     case CutterMotion::line:
@@ -223,25 +231,26 @@ StageEnd CutterCompensationC::first_block(CutterBlock& block) {
   return {};
 }
 
-StageEnd CutterCompensationC::next_line(CutterBlock& block) {
-  CompensatedPath& to = new_path();
-  set_line(to.path, block.start, block.end);
-  const bool usual = plain_ && !repeated_ && block.word == CutterSide::unchanged && block.offset == value_ &&
-                     to.path.start.narrow && side_of(block) == last_->side &&
-                     !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
-  if (!usual) return follow(block, to);
-  const Heading& last = last_->path.start;
+bool CutterCompensationC::usual_line() {
+  CutterBlock& block = next();
+  CompensatedPath& to = paths_[path_];
   const Heading& next = to.path.start;
+  const bool usual = plain_ && !repeated_ && block.offset == value_ && next.narrow && side_of(block) == last_->side &&
+                     !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
+  if (!usual) [[unlikely]]
+    return false;
+  const Heading& last = last_->path.start;
   const int side = last_->side;
-  const Turn turned = turn(last, next);
+  const Turn turned = turn_of_narrow(last, next);
   // An inner or an obtuse corner.
-  if (turned.c == 0 || (side * turned.c < 0 && turned.k <= 0)) return follow(block, to);
+  if (turned.c == 0 || (side * turned.c < 0 && turned.k <= 0)) return false;
   const Vector2<double> vector = where_tangents_meet(last, turned, side * amount_.nearest);
   const Vector2<double>& from = at_start().front().vector;
   const double length = last.norm / per_one(last_->path);
   const double product = length + dot(last.unit, vector - from);
   const double extent = std::abs(vector.x) + std::abs(vector.y) + std::abs(from.x) + std::abs(from.y);
-  if (product <= 0x1p-46 * (length + extent)) return follow(block, to);
+  if (product <= 0x1p-46 * (length + extent)) [[unlikely]]
+    return false;
 
   to.side = side;
   to.offset = amount_;
@@ -252,18 +261,18 @@ StageEnd CutterCompensationC::next_line(CutterBlock& block) {
   start_side_ = side;
   start_offset_ = &last_->offset;
   last_ = &to;
-  send(ring_[first_], end.front().vector, true);
-  send_behind(end.front().vector);
+  send(ring_[first_], vector, true);
+  send_behind(vector);
   hold();
   held_ = Held::path;
   plain_ = true;
   still_ = 0;
-  return {};
+  return true;
 }
 
 StageEnd CutterCompensationC::next_block(CutterBlock& block) {
-  CompensatedPath& to = new_path();
-  set_path(to, block);
+  CompensatedPath& to = block.path_made ? paths_[path_] : new_path();
+  if (!block.path_made) set_path(to, block);
   return follow(block, to);
 }
 
@@ -332,7 +341,8 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
   return {};
 }
 
-Alarm CutterCompensationC::join(const CompensatedPath& to, const Heading& heading, CornerRule rule) {
+[[gnu::always_inline]] inline Alarm CutterCompensationC::join(const CompensatedPath& to, const Heading& heading,
+                                                              CornerRule rule) {
   switch (held_) {
     case Held::nothing:
     case Held::start:
@@ -369,18 +379,16 @@ Alarm CutterCompensationC::join(const CompensatedPath& to, const Heading& headin
   return alarm::kNone;
 }
 
-Alarm CutterCompensationC::finish() {
+[[gnu::always_inline]] inline Alarm CutterCompensationC::finish() {
   CutterBlock& block = ring_[first_];
   const PlanePath& path = last_->path;
-  std::optional<double> sweep;
   if (path.arc) {
     set_center(block, path);
     set_tool_arc(*block.event.arc, path, at_start().back().vector, at_end().front().vector, compare_radii());
-    sweep = block.event.arc->sweep;
   }
   if (checked_ && !parameters_.no_interference) {
     const CheckedBlock checked{&path, start_side_, start_offset_, last_->side, &last_->offset};
-    switch (check_interference(checked, sweep, at_start(), at_end())) {
+    switch (check_interference(checked, block.event.arc, at_start(), at_end())) {
       case Interference::none:
         break;
       case Interference::straightened:
@@ -517,6 +525,7 @@ StageEnd CutterCompensationC::still_block(CutterBlock& block) {
 void CutterCompensationC::cancel_alone(CutterBlock& block) {
   const bool zero = vector_is_zero();
   if (parameters_.acts_alone) {
+    if (!zero) rename(block);
     block.event.cause = spec::Cause::cancel;
     vector_.clear();
     mode_ = Mode::off;
@@ -572,7 +581,7 @@ void CutterCompensationC::send_corner_arc(CutterBlock& block, const Heading& hea
   if (turned.c == 0) {
     arc.sweep = 180;
   } else {
-    const double angle = std::atan2(clockwise ? -turned.c : turned.c, turned.k) * kDegrees;
+    const double angle = polar_angle(turned.k, clockwise ? -turned.c : turned.c);
     arc.sweep = angle < 0 ? angle + 360 : angle;
   }
   send(block, vector_.front().vector, true);
@@ -582,6 +591,7 @@ void CutterCompensationC::finish_start(const CompensatedPath& to) {
   set_normal(vector_, to.path, to.path.start, waiting_side_, waiting_offset_);
   along_ = &to.path.start;
   CutterBlock& block = ring_[first_];
+  if (!vector_is_zero()) rename(block);
   block.event.cause = spec::Cause::start_up;
   send(block, vector_.front().vector, block.own || !vector_is_zero());
   send_behind(vector_.front().vector);

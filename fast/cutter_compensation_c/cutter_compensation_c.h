@@ -33,11 +33,31 @@ class CutterCompensationC {
   // block with G39, G41 or G42.
   [[nodiscard]] Alarm check(const CutterCommand& command) const;
 
+  // PS0034 of an arc alone.
+  [[nodiscard]] Alarm check_arc(CutterSide word, std::uint32_t d) const {
+    const CutterSide side = word == CutterSide::unchanged ? side_ : word;
+    const bool asked = side != CutterSide::off && d != 0;
+    // An arc may not start the mode, nor end it.
+    return (asked ? mode_ == Mode::off : mode_ == Mode::on || mode_ == Mode::ends) ? alarm::kArcAtStartOrCancel
+                                                                                   : alarm::kNone;
+  }
+
   // The block to fill in next. It keeps what it held before: the caller writes every field.
   [[nodiscard]] CutterBlock& next() { return ring_[next_]; }
   // The workpiece system changes in the block to come: positions of the corner before it are called as in next().event,
   // which has them without the vector.
   void rebase();
+  // The path of next(), where it will be one of the mode: roots and quotients are begun early, while the rest of the
+  // block is filled in. False if block() is to make it.
+  [[nodiscard]] bool make_arc_path(const CutterBlock& block);
+  [[nodiscard]] bool make_line_path(const CutterBlock& block) {
+    if (mode_ != Mode::on || !wanted(block)) return false;
+    set_line(new_path().path, block.start, block.end);
+    return true;
+  }
+  // Takes next(), a line without a code whose path is made, if its corner is the usual one, of two lines and with one
+  // vector at both ends of the former: as block() does, without the detours. False if it is for block().
+  [[nodiscard]] bool usual_line();
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
   // No further block is known: a block that raises an alarm of its own (absent from the path), or the end of the
@@ -72,9 +92,6 @@ class CutterCompensationC {
   // block() by kinds of blocks.
   StageEnd moving_block(CutterBlock& block);
   StageEnd first_block(CutterBlock& block);
-  // A line in the mode. The usual corner, of two lines and with one vector at both ends of the former, is made here: as
-  // follow(), join() and finish() make any, without the detours.
-  StageEnd next_line(CutterBlock& block);
   StageEnd next_block(CutterBlock& block);
   // Any corner of two blocks in the mode; `to` is the path of `block`, without its offset.
   StageEnd follow(CutterBlock& block, CompensatedPath& to);

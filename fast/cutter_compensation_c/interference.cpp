@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fast/fault.h"
+#include "fast/geometry/angle.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -21,7 +22,7 @@ double turned_by(const Vector2<double>& a, const Vector2<double>& v) {
   const double sine = cross(a, v);
   const double cosine = dot(a, a + v);
   if (std::abs(sine) <= 0x1p-49 * extent(a) * extent(v)) return cosine >= 0 ? 0 : 180;
-  return std::atan2(sine, cosine) * kDegrees;
+  return polar_angle(cosine, sine);
 }
 
 // Heads on one ray from the centre are a whole turn.
@@ -32,7 +33,7 @@ double tool_sweep(const PlanePath& path, const Vector2<double>& v, const Vector2
   const double size = extent(a) * extent(b);
   // Away from a half and a whole turn, and from the centre: at once.
   if (std::abs(sine) > 0x1p-10 * size && 16 * size > extent(path.from_center_start) * extent(path.from_center_end)) {
-    const double angle = std::atan2(sine, dot(a, b)) * kDegrees;
+    const double angle = polar_angle(dot(a, b), sine);
     return angle < 0 ? angle + 360 : angle;
   }
   const double programmed = programmed_sweep(path);
@@ -94,10 +95,10 @@ Interference remove_vectors(const PlanePath& path, CornerGroup& start, CornerGro
 
 }  // namespace
 
-Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CornerGroup& start,
-                                CornerGroup& end) {
+Interference check_interference(const CheckedBlock& block, const std::optional<spec::Arc<double>>& arc,
+                                CornerGroup& start, CornerGroup& end) {
   const PlanePath& path = *block.path;
-  const bool interferes = path.arc ? arc_interferes(block, sweep) : line_interferes(path, start, end);
+  const bool interferes = path.arc ? arc_interferes(block, arc->sweep) : line_interferes(path, start, end);
   return interferes ? remove_vectors(path, start, end) : Interference::none;
 }
 

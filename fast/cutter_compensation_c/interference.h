@@ -33,9 +33,9 @@ void set_tool_arc(spec::Arc<double>& arc, const PlanePath& path, const Vector2<d
 // The same of the arc as programmed.
 void set_programmed_arc(spec::Arc<double>& arc, const PlanePath& path);
 
-// Drops the vectors that interfere from the end of `start` and the beginning of `end`. `sweep`: of an arc, the tool's
-// own, between the last of `start` and the first of `end`.
-Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CornerGroup& start,
-                                CornerGroup& end);
+// Drops the vectors that interfere from the end of `start` and the beginning of `end`. `arc`: the tool's own, between
+// the last of `start` and the first of `end`; of a line there is none.
+Interference check_interference(const CheckedBlock& block, const std::optional<spec::Arc<double>>& arc,
+                                CornerGroup& start, CornerGroup& end);
 
 }  // namespace toolcomp::fast

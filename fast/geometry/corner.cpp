@@ -52,7 +52,16 @@ Numbers<double> numbers(const Corner& corner) {
   n.t2 = corner.next->unit;
   n.c = corner.turn.c / corner.turn.norms;
   n.k = corner.turn.k / corner.turn.norms;
-  complete(n);
+  // As complete() does, without a quotient of a quotient.
+  const double norms = corner.turn.norms;
+  const double square = corner.turn.c * corner.turn.c;
+  if (corner.turn.k >= 0) {
+    n.plus = 1 + n.k;
+    n.minus = square / (norms * (norms + corner.turn.k));
+  } else {
+    n.minus = 1 - n.k;
+    n.plus = square / (norms * (norms - corner.turn.k));
+  }
   n.turned = sign_of(corner.turn.c);
   n.r = corner.offset->nearest;
   n.rho = corner.first_side * n.r;
@@ -121,9 +130,6 @@ Vector2<T> tangents_meet(const Numbers<T>& n) {
 template <class T>
 Vector2<T> paths_meet(const Numbers<T>& n, const T& e, const T& discriminant) {
   const T sum = root(n.plus) + root(discriminant);
-  T s = number<T>(2) * e * root(n.minus) / sum;
-  if (fault(Fault::c_far_root)) s = root(n.minus) * sum;
-  if (n.turned < 0) s = -s;
   const T difference = n.p1 - n.p2;
   const T a = leading(n.k) >= 0 ? difference - n.p1 * n.minus : n.p1 * n.plus - (n.p1 + n.p2);
   const T b = n.p1 * n.c;
@@ -131,8 +137,11 @@ Vector2<T> paths_meet(const Numbers<T>& n, const T& e, const T& discriminant) {
   const Vector2<T> across = n1 * a - n.t1 * b;
   const Vector2<T> along = n.t1 * a + n1 * b;
   const T square = a * a + b * b;
-  const T q = n.rho * difference;
-  return {(across.x * q + along.x * s) / square, (across.y * q + along.y * s) / square};
+  T s = number<T>(2) * e * root(n.minus) / (sum * square);
+  if (fault(Fault::c_far_root)) s = root(n.minus) * sum / square;
+  if (n.turned < 0) s = -s;
+  const T q = n.rho * difference / square;
+  return {across.x * q + along.x * s, across.y * q + along.y * s};
 }
 
 template <class T>
@@ -159,32 +168,6 @@ double least_spread(const Corner& corner, double c) {
 Vector2<double> nearest(const Vector2<DoubleDouble>& v) { return {to_double(v.x), to_double(v.y)}; }
 
 }  // namespace
-
-Vector2<double> head_vector(const Corner& corner, HeadKind kind) {
-  if (kind == HeadKind::zero) return {};
-  const Vector2<double>& t1 = corner.last->unit;
-  const Vector2<double>& t2 = corner.next->unit;
-  const double r = corner.offset->nearest;
-  const double rho = corner.first_side * r;
-  switch (kind) {
-    case HeadKind::zero:
-      break;
-    case HeadKind::first_normal:
-      return left_of(t1) * rho;
-    case HeadKind::second_normal:
-      return left_of(t2) * (corner.second_side * r);
-    case HeadKind::first_extended:
-      return left_of(t1) * rho + t1 * r;
-    case HeadKind::second_extended:
-      return left_of(t2) * rho - t2 * r;
-    case HeadKind::tangents_meet:
-      return where_tangents_meet(*corner.last, corner.turn, rho);
-    case HeadKind::paths_meet:
-    case HeadKind::paths_cross:
-      break;
-  }
-  return {};
-}
 
 Vector2<DoubleDouble> fine_head_vector(const Corner& corner, HeadKind kind) {
   if (kind == HeadKind::zero) return {};
@@ -238,11 +221,6 @@ bool offset_paths_meet(const Corner& corner, HeadKind kind, Vector2<double>& vec
     return false;
   vector = nearest(fine_paths_meet(fine));
   return true;
-}
-
-int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Amount& offset) {
-  if (!path.arc || path.sigma != side) return 1;
-  return compare_radius(path, at_end, offset);
 }
 
 }  // namespace toolcomp::fast

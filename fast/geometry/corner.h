@@ -41,7 +41,31 @@ inline Vector2<double> where_tangents_meet(const Heading& former, const Turn& tu
 }
 
 // The vector, from the corner, setup units; of kinds other than paths_meet and paths_cross.
-Vector2<double> head_vector(const Corner& corner, HeadKind kind);
+inline Vector2<double> head_vector(const Corner& corner, HeadKind kind) {
+  if (kind == HeadKind::zero) return {};
+  const Vector2<double>& t1 = corner.last->unit;
+  const Vector2<double>& t2 = corner.next->unit;
+  const double r = corner.offset->nearest;
+  const double rho = corner.first_side * r;
+  switch (kind) {
+    case HeadKind::zero:
+      break;
+    case HeadKind::first_normal:
+      return left_of(t1) * rho;
+    case HeadKind::second_normal:
+      return left_of(t2) * (corner.second_side * r);
+    case HeadKind::first_extended:
+      return left_of(t1) * rho + t1 * r;
+    case HeadKind::second_extended:
+      return left_of(t2) * rho - t2 * r;
+    case HeadKind::tangents_meet:
+      return where_tangents_meet(*corner.last, corner.turn, rho);
+    case HeadKind::paths_meet:
+    case HeadKind::paths_cross:
+      break;
+  }
+  return {};
+}
 // The same to about 90 bits, of any kind.
 Vector2<DoubleDouble> fine_head_vector(const Corner& corner, HeadKind kind);
 
@@ -49,6 +73,9 @@ Vector2<DoubleDouble> fine_head_vector(const Corner& corner, HeadKind kind);
 // the circles taken whole and with radii that are not negative. Lines that are parallel have none.
 bool offset_paths_meet(const Corner& corner, HeadKind kind, Vector2<double>& vector);
 // The sign of the radius of the offset circle of a path at one end; 1 for a line.
-int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Amount& offset);
+inline int offset_radius_sign(const PlanePath& path, bool at_end, int side, const Amount& offset) {
+  if (!path.arc || path.sigma != side) return 1;
+  return compare_radius(path, at_end, offset);
+}
 
 }  // namespace toolcomp::fast

@@ -79,10 +79,8 @@ inline double half_tangent(const Turn& turn) {
 // left is taken for zero: tangent joins with an arc given by R are zero, and nothing else made of 15 digits comes near.
 Turn turn_of_any(const Heading& first, const Heading& second);
 
-// The same; the usual headings at once, in 64 bits.
-inline Turn turn(const Heading& first, const Heading& second) {
-  if (!(first.narrow && second.narrow)) [[unlikely]]
-    return turn_of_any(first, second);
+// The same of the usual headings, in 64 bits.
+inline Turn turn_of_narrow(const Heading& first, const Heading& second) {
   const auto x1 = static_cast<std::int64_t>(first.whole[0]);
   const auto y1 = static_cast<std::int64_t>(first.whole[1]);
   const auto x2 = static_cast<std::int64_t>(second.whole[0]);
@@ -90,6 +88,11 @@ inline Turn turn(const Heading& first, const Heading& second) {
   const std::int64_t c = x1 * y2 - y1 * x2;
   const std::int64_t k = x1 * x2 + y1 * y2;
   return {static_cast<double>(c), static_cast<double>(k), first.norm * second.norm};
+}
+inline Turn turn(const Heading& first, const Heading& second) {
+  if (!(first.narrow && second.narrow)) [[unlikely]]
+    return turn_of_any(first, second);
+  return turn_of_narrow(first, second);
 }
 
 }  // namespace toolcomp::fast

@@ -1,11 +1,10 @@
 #include "fast/geometry/path.h"
 
 #include "fast/arithmetic/wide.h"
+#include "fast/geometry/angle.h"
 
 namespace toolcomp::fast {
 namespace {
-
-constexpr double kDegrees = 57.29577951308232;
 
 // Differences as whole numbers: of 10^-6 where all terms are, else of 1 / (127 * 10^18).
 struct Whole {
@@ -159,9 +158,9 @@ DoubleDouble fine_unit_of(const PlanePath& path) {
 }  // namespace
 
 double programmed_sweep(const PlanePath& path) {
-  if (path.by_radius) return path.turned == 0 ? 180 : 2 * std::atan2(path.sine, path.cosine) * kDegrees;
+  if (path.by_radius) return path.turned == 0 ? 180 : 2 * polar_angle(path.cosine, path.sine);
   if (path.turned == 0) return path.cosine > 0 ? 360 : 180;
-  const double angle = std::atan2(path.sine, path.cosine) * kDegrees;
+  const double angle = polar_angle(path.cosine, path.sine);
   return path.turned < 0 ? angle + 360 : angle;
 }
 
@@ -185,12 +184,9 @@ DoubleDouble fine_radius(const PlanePath& path, bool at_end) {
   return sqrt((Wide(v[0]) * Wide(v[0]) + Wide(v[1]) * Wide(v[1])).to_double_double()) / unit;
 }
 
-int compare_radius(const PlanePath& path, bool at_end, const Amount& offset) {
-  const double radius = at_end ? path.radius_end : path.radius_start;
-  // Both are within a few roundings of 2^-53.
-  if (std::abs(radius - offset.nearest) > 0x1p-48 * radius) [[likely]]
-    return radius > offset.nearest ? 1 : -1;
+int compare_whole_radius(const PlanePath& path, bool at_end, const Amount& offset) {
   if (path.seen) {
+    const double radius = at_end ? path.radius_end : path.radius_start;
     const DoubleDouble length = to_double_double(offset.exact.units()) / to_double_double(Count::kRestPerOne);
     const double difference = (fine_radius(path, at_end) - length).hi;
     // What double-double cannot tell is a tie.

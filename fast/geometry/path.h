@@ -79,7 +79,14 @@ struct Amount {
   Count exact;
   double nearest = 0;
 };
-// The sign of (radius at that end) - offset, exactly.
-int compare_radius(const PlanePath& path, bool at_end, const Amount& offset);
+// The sign of (radius at that end) - offset, exactly: in whole numbers, and where doubles are enough in those.
+int compare_whole_radius(const PlanePath& path, bool at_end, const Amount& offset);
+inline int compare_radius(const PlanePath& path, bool at_end, const Amount& offset) {
+  const double radius = at_end ? path.radius_end : path.radius_start;
+  // Both are within a few roundings of 2^-53.
+  if (std::abs(radius - offset.nearest) > 0x1p-48 * radius) [[likely]]
+    return radius > offset.nearest ? 1 : -1;
+  return compare_whole_radius(path, at_end, offset);
+}
 
 }  // namespace toolcomp::fast

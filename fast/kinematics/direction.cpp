@@ -7,7 +7,8 @@ namespace toolcomp::fast {
 
 Direction whole_direction(const std::array<Int128, 3>& whole) {
   Direction direction;
-  direction.whole = whole;
+  direction.narrow = false;
+  direction.wide = whole;
   direction.zero = 0;
   Eigen::Vector3d v;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -16,15 +16,23 @@ using FineVector = std::array<DoubleDouble, 3>;
 struct Direction {
   Eigen::Vector3d unit{0, 0, 1};
   double error = 0;  // |unit[i] - exact[i]| <= error
-  // The exact direction is parallel to `whole` (I J K words, or axes at multiples of 90 degrees). Otherwise it is
+  // The exact direction is parallel to whole() (I J K words, or axes at multiples of 90 degrees). Otherwise it is
   // `fine` (leaned by Q, or the end of a block changed at a singular posture), or that of the kinematics at `angle`.
   bool is_whole = true;
+  bool narrow = true;  // whole() fits into 64 bits: it is `small`, else `wide`
   bool is_fine = false;
   bool framed = false;        // of `angle`: turned with the table into the programming coordinate system
   std::uint8_t zero = 0b011;  // bit i: component i is exactly 0
-  std::array<Int128, 3> whole{0, 0, 1};
+  std::array<std::int64_t, 3> small{0, 0, 1};
+  std::array<Int128, 3> wide{};
   std::array<Count, 2> angle;  // of the inner and the outer rotary axis, degrees
   FineVector fine{};           // unit, within 2^-90
+
+  // Only where is_whole.
+  [[nodiscard]] std::array<Int128, 3> whole() const {
+    if (narrow) return {small[0], small[1], small[2]};
+    return wide;
+  }
 };
 
 // The direction of a vector of whole numbers, not all zero, each below 2^122.
@@ -34,7 +42,6 @@ Direction whole_direction(const std::array<Int128, 3>& whole);
 Direction fine_direction(const FineVector& vector);
 
 class Kinematics;
-class Kinematics;
 // The direction leaned by `degrees` toward the travel (programming coordinate system), as Q commands. False where Q has
 // no effect: no travel, or along the tool. `leaned` may not be `direction`.
 [[nodiscard]] bool lean(const Kinematics& kinematics, const Direction& direction, const FineVector& travel,
@@ -43,13 +50,16 @@ class Kinematics;
                         const Count& degrees, Direction& leaned);
 
 // As whole_direction, in place, for numbers up to 2^53.
-inline void set_small_direction(Direction& direction, const std::array<std::int64_t, 3>& whole) {
+inline void set_small_direction(Direction& direction, std::int64_t x, std::int64_t y, std::int64_t z) {
   direction.is_whole = true;
+  direction.narrow = true;
   direction.is_fine = false;
-  direction.whole = {whole[0], whole[1], whole[2]};
-  direction.zero =
-      static_cast<std::uint8_t>((whole[0] == 0 ? 1U : 0U) | (whole[1] == 0 ? 2U : 0U) | (whole[2] == 0 ? 4U : 0U));
-  const Eigen::Vector3d v(static_cast<double>(whole[0]), static_cast<double>(whole[1]), static_cast<double>(whole[2]));
+  direction.small[0] = x;
+  direction.small[1] = y;
+  direction.small[2] = z;
+  direction.zero = static_cast<std::uint8_t>(static_cast<unsigned>(x == 0) | static_cast<unsigned>(y == 0) << 1U |
+                                             static_cast<unsigned>(z == 0) << 2U);
+  const Eigen::Vector3d v(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
   const bool axis = direction.zero == 0b011 || direction.zero == 0b101 || direction.zero == 0b110;
   if (axis) {
     direction.unit = v.cwiseSign();

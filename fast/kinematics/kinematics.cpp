@@ -204,8 +204,10 @@ void Kinematics::expand(const FineVector& v0) {
         magnitude[k] += std::abs(c.hi);
         ++count[k];
         if (c.lo != 0 || std::abs(c.hi) != 1) whole_terms_ = false;
+        term_[k] = {c.hi, i, j};
       }
   }
+  one_term_ = count[0] <= 1 && count[1] <= 1 && count[2] <= 1;
   // Each term: coefficient u, two trigonometric values, two products 2u; each further term of a component one addition.
   constexpr double u = 0x1p-53;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -219,65 +221,96 @@ Count Kinematics::angle(const RotaryAxis& axis, const std::array<Count, spec::kM
   return axis.reversed ? -turned : turned;
 }
 
-void Kinematics::direct(const std::array<Count, spec::kMaxAxes>& position, Direction& direction) {
-  for (std::size_t i = 0; i < 2; ++i) {
-    const RotaryAxis& axis = i == 0 ? inner_ : outer_;
-    Count& turned = direction.angle[i];
-    std::int64_t small = Count::kNotSmall;
-    // The usual angle in place: a count that is put together elsewhere would have to be waited for.
-    if (axis.index != RotaryAxis::kNone && position[axis.index].is_small() && axis.reference.is_small()) [[likely]]
-      small = position[axis.index].small() - axis.reference.small();
+// The usual angle in place: a count that is put together elsewhere would have to be waited for.
+std::int64_t Kinematics::set_angle(const RotaryAxis& axis, const std::array<Count, spec::kMaxAxes>& position,
+                                   Count& turned) {
+  if (axis.index != RotaryAxis::kNone && position[axis.index].is_small() && axis.reference.is_small()) [[likely]] {
+    std::int64_t small = position[axis.index].small() - axis.reference.small();
+    if (axis.reversed) small = -small;
     if (Count::is_small(small)) [[likely]] {
-      if (axis.reversed) small = -small;
       turned.set_small(small);
-      if (small == last_[i]) continue;
-    } else {
-      small = Count::kNotSmall;
-      turned = angle(axis, position);
+      return small;
     }
-    last_[i] = small;
-    trigonometry_[i] = sine_cosine(turned);
   }
-  const std::array<double, 3> inner{1, trigonometry_[0].cosine, trigonometry_[0].sine};
-  const std::array<double, 3> outer{1, trigonometry_[1].cosine, trigonometry_[1].sine};
-  std::array<double, 3> sum{};
-  unsigned nonzero = 0;
-  for (const Term& term : terms_) {
-    const double value = term.coefficient * inner[term.inner] * outer[term.outer];
-    sum[term.component] += value;
-    nonzero |= static_cast<unsigned>(value != 0) << term.component;
+  turned = angle(axis, position);
+  return Count::kNotSmall;
+}
+
+void Kinematics::set_trigonometry(std::size_t i, double sine, double cosine) {
+  trigonometry_[i][1] = cosine;
+  trigonometry_[i][2] = sine;
+  quarters_[i] = sine * cosine == 0;
+}
+
+void Kinematics::direct(const std::array<Count, spec::kMaxAxes>& position, Direction& direction) {
+  const std::int64_t first = set_angle(inner_, position, direction.angle[0]);
+  const std::int64_t second = set_angle(outer_, position, direction.angle[1]);
+  if (first != Count::kNotSmall && second != Count::kNotSmall) [[likely]] {
+    if (first != last_[0] || second != last_[1]) {
+      const SineCosine<Pair> t = sine_cosine(first, second);
+      set_trigonometry(0, t.sine[0], t.cosine[0]);
+      set_trigonometry(1, t.sine[1], t.cosine[1]);
+    }
+  } else {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const SineCosine<double> t = sine_cosine(direction.angle[i]);
+      set_trigonometry(i, t.sine, t.cosine);
+    }
   }
-  direction.unit = {sum[0], sum[1], sum[2]};
-  direction.zero = static_cast<std::uint8_t>(~nonzero & 7U);
+  last_ = {first, second};
+  const std::array<double, 3>& inner = trigonometry_[0];
+  const std::array<double, 3>& outer = trigonometry_[1];
   direction.error = error_;
   direction.is_fine = false;
   direction.framed = false;
-  // With whole coefficients and angles that are multiples of 90 the direction is an axis.
-  const auto whole = [](const SineCosine<double>& t) { return t.sine == 0 || t.cosine == 0; };
-  direction.is_whole = whole_terms_ && whole(trigonometry_[0]) && whole(trigonometry_[1]);
-  if (direction.is_whole) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      direction.whole[k] = static_cast<Int128>(sum[k]);
-      if (direction.whole[k] == 0) direction.zero = static_cast<std::uint8_t>(direction.zero | 1U << k);
+  direction.is_whole = false;
+  if (one_term_) [[likely]] {
+    const auto value = [&](const OneTerm& term) { return term.coefficient * inner[term.inner] * outer[term.outer]; };
+    const double x = value(term_[0]);
+    const double y = value(term_[1]);
+    const double z = value(term_[2]);
+    direction.unit[0] = x;
+    direction.unit[1] = y;
+    direction.unit[2] = z;
+    direction.zero = static_cast<std::uint8_t>(static_cast<unsigned>(x == 0) | static_cast<unsigned>(y == 0) << 1U |
+                                               static_cast<unsigned>(z == 0) << 2U);
+  } else {
+    std::array<double, 3> sum{};
+    unsigned nonzero = 0;
+    for (const Term& term : terms_) {
+      const double value = term.coefficient * inner[term.inner] * outer[term.outer];
+      sum[term.component] += value;
+      nonzero |= static_cast<unsigned>(value != 0) << term.component;
     }
-    direction.error = 0;
+    for (std::size_t k = 0; k < 3; ++k) direction.unit[static_cast<Eigen::Index>(k)] = sum[k];
+    direction.zero = static_cast<std::uint8_t>(~nonzero & 7U);
+  }
+  // With whole coefficients and angles that are multiples of 90 the direction is an axis.
+  if (!whole_terms_ || !quarters_[0] || !quarters_[1]) [[likely]]
+    return;
+  direction.is_whole = true;
+  direction.error = 0;
+  direction.narrow = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    direction.small[k] = static_cast<std::int64_t>(direction.unit[static_cast<Eigen::Index>(k)]);
+    if (direction.small[k] == 0) direction.zero = static_cast<std::uint8_t>(direction.zero | 1U << k);
   }
 }
 
 const FineVector& Kinematics::refine(const Direction& direction) const {
   if (direction.is_fine) return direction.fine;
   if (refined_.valid && refined_.is_whole == direction.is_whole && refined_.framed == direction.framed &&
-      (direction.is_whole ? refined_.whole == direction.whole : refined_.angle == direction.angle))
+      (direction.is_whole ? refined_.whole == direction.whole() : refined_.angle == direction.angle))
     return refined_.unit;
   refined_.valid = true;
   refined_.is_whole = direction.is_whole;
   refined_.framed = direction.framed;
-  refined_.whole = direction.whole;
+  refined_.whole = direction.is_whole ? direction.whole() : std::array<Int128, 3>{};
   refined_.angle = direction.angle;
   FineVector& unit = refined_.unit;
   if (direction.is_whole) {
     FineVector v;
-    for (std::size_t k = 0; k < 3; ++k) v[k] = to_double_double(direction.whole[k]);
+    for (std::size_t k = 0; k < 3; ++k) v[k] = to_double_double(refined_.whole[k]);
     const DoubleDouble norm = sqrt(dot(v, v));
     for (std::size_t k = 0; k < 3; ++k) unit[k] = v[k] / norm;
     return unit;

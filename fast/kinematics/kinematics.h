@@ -76,6 +76,10 @@ class Kinematics {
   void from_unit_type(const spec::Setup& setup, int type);
   void from_axis_groups(const spec::Setup& setup);
   void expand(const FineVector& v0);
+  // The angle of an axis; the same as a plain count of 10^-6 degrees, or kNotSmall.
+  [[nodiscard]] static std::int64_t set_angle(const RotaryAxis& axis, const std::array<Count, spec::kMaxAxes>& position,
+                                              Count& turned);
+  void set_trigonometry(std::size_t i, double sine, double cosine);
   [[nodiscard]] static Count angle(const RotaryAxis& axis, const std::array<Count, spec::kMaxAxes>& position);
 
   bool defined_ = false;
@@ -86,9 +90,18 @@ class Kinematics {
   bool whole_terms_ = false;  // every coefficient is 0 or +-1
   FineVector zero_direction_{};
   Frame frame_;
+  // Where a component has one term at most, as heads and tables along axes give: that term, or 0.
+  struct OneTerm {
+    double coefficient = 0;
+    std::uint8_t inner = 0, outer = 0;
+  };
+  bool one_term_ = false;
+  std::array<OneTerm, 3> term_;  // by component
   double error_ = 0;
   double fine_error_ = 0x1p-98;
-  std::array<SineCosine<double>, 2> trigonometry_{};                      // of the angles computed last
+  // {1, cos, sin} of the angles computed last, and whether they are multiples of 90 degrees.
+  std::array<std::array<double, 3>, 2> trigonometry_{{{1, 0, 0}, {1, 0, 0}}};
+  std::array<bool, 2> quarters_{};
   std::array<std::int64_t, 2> last_{Count::kNotSmall, Count::kNotSmall};  // of 10^-6, where they are
   // The direction refined last: a tool that stands still is refined once.
   struct Refined {

@@ -68,15 +68,15 @@ int CompensationVector::dot_sign(const Kinematics& kinematics, const Displacemen
   if (m.slack == 0) {
     // Every product is exactly zero: the tool stands on an axis and the movement does not use it, and the like.
     unsigned live = 0;
-    for (std::size_t i = 0; i < 3; ++i) live |= static_cast<unsigned>(m.whole[i] != 0) << i;
+    for (std::size_t i = 0; i < 3; ++i) live |= static_cast<unsigned>(m.value[static_cast<Eigen::Index>(i)] != 0) << i;
     if ((live & ~static_cast<unsigned>(v.zero) & 7U) == 0) return 0;
     const double bound = (2 * v.error + 6 * u) * m.value.norm();
     if (d > bound) return 1;
     if (d < -bound) return -1;
   }
   if (drop_fine_level()) return d > 0 ? 1 : -1;
-  if (is_exact(m, v)) return dot(wide(m.whole), wide(v.whole)).sign();
-  const double refined = dot(fine(m.whole), kinematics.refine(v)).hi;
+  if (is_exact(m, v)) return dot(wide(m.whole()), wide(v.whole())).sign();
+  const double refined = dot(fine(m.whole()), kinematics.refine(v)).hi;
   if (std::abs(refined) <= fine_bound(kinematics, m, v)) return 0;
   return refined > 0 ? 1 : -1;
 }
@@ -94,8 +94,8 @@ int CompensationVector::compare(const Kinematics& kinematics, const Displacement
     if (drop_fine_level()) return estimate > 0 ? 1 : -1;
   }
   if (is_exact(m, v) && limit.quarters >= 0) {
-    const WideVector movement = wide(m.whole);
-    const WideVector tool = wide(v.whole);
+    const WideVector movement = wide(m.whole());
+    const WideVector tool = wide(v.whole());
     Wide squared;
     if (side == Side::dot) {
       const Wide product = dot(movement, tool);
@@ -106,7 +106,7 @@ int CompensationVector::compare(const Kinematics& kinematics, const Displacement
     }
     return (squared * Wide(4) - dot(movement, movement) * dot(tool, tool) * Wide(limit.quarters)).sign();
   }
-  const FineVector movement = fine(m.whole);
+  const FineVector movement = fine(m.whole());
   const FineVector tool = kinematics.refine(v);
   DoubleDouble squared;
   if (side == Side::dot) {
@@ -171,12 +171,12 @@ Eigen::Vector3d CompensationVector::fine_backward(const Kinematics& kinematics, 
   // Double-double loses as many of its 98 bits as the sine has leading zeros: enough down to 2^-30 for a double. Below
   // that whole numbers are exact; a direction from rotary axes has no better numbers, nor could it use them.
   if (is_exact(m, v) && sine < 0x1p-30) {
-    const WideVector tool = wide(v.whole);
-    const WideVector exact = cross(cross(wide(m.whole), tool), tool);
+    const WideVector tool = wide(v.whole());
+    const WideVector exact = cross(cross(wide(m.whole()), tool), tool);
     return {exact[kX].to_double(), exact[kY].to_double(), exact[kZ].to_double()};
   }
-  const FineVector tool = v.is_whole ? fine(v.whole) : kinematics.refine(v);
-  const FineVector refined = cross(cross(fine(m.whole), tool), tool);
+  const FineVector tool = v.is_whole ? fine(v.whole()) : kinematics.refine(v);
+  const FineVector refined = cross(cross(fine(m.whole()), tool), tool);
   return {refined[kX].hi, refined[kY].hi, refined[kZ].hi};
 }
 

@@ -60,8 +60,8 @@ double positive_angle(const DoubleDouble& x, const DoubleDouble& y) {
   return to_double(to_double_double(start.units()) / kUnitsPerOne + rest * kDegrees);
 }
 
-Alarm center_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& to_center,
-                       std::array<double, 2>& center) {
+Alarm center_by_any_center(const std::array<Count, 2>& start, const std::array<Count, 2>& to_center,
+                           std::array<double, 2>& center) {
   if (to_center[0].is_zero() && to_center[1].is_zero()) return alarm::kArcRadius;
   for (std::size_t i = 0; i < 2; ++i) {
     const Count sum = start[i] + to_center[i];

@@ -36,8 +36,20 @@ double positive_angle(const DoubleDouble& x, const DoubleDouble& y);
 
 // The alarms of the two functions below and the centre in doubles (by radius: within a few ulp of the radius and the
 // coordinates), without sweep and radii.
-Alarm center_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& to_center,
-                       std::array<double, 2>& center);
+Alarm center_by_any_center(const std::array<Count, 2>& start, const std::array<Count, 2>& to_center,
+                           std::array<double, 2>& center);
+inline Alarm center_by_center(const std::array<Count, 2>& start, const std::array<Count, 2>& to_center,
+                              std::array<double, 2>& center) {
+  const std::int64_t x = start[0].small() + to_center[0].small();
+  const std::int64_t y = start[1].small() + to_center[1].small();
+  const bool small = start[0].is_small() && start[1].is_small() && to_center[0].is_small() && to_center[1].is_small();
+  const bool zero = to_center[0].small() == 0 && to_center[1].small() == 0;
+  if (!small || zero || !Count::is_small(x) || !Count::is_small(y)) [[unlikely]]
+    return center_by_any_center(start, to_center, center);
+  center[0] = Count::nearest_small(x);
+  center[1] = Count::nearest_small(y);
+  return alarm::kNone;
+}
 Alarm center_by_radius(const std::array<Count, 2>& start, const std::array<Count, 2>& end, const Count& radius,
                        bool clockwise, std::array<double, 2>& center);
 

@@ -17,6 +17,7 @@ void Interpreter::select_plane(spec::Plane plane) {
   plane_ = plane;
   plane_axis_ = plane_axes(plane);
   plane_axes_ = 0;
+  plane_letter_ = {direction_letter(plane, 0), direction_letter(plane, 1)};
   for (const std::size_t axis : plane_axis_)
     if (axis != spec::Axes::kNone) plane_axes_ = static_cast<Mask>(plane_axes_ | bit(axis));
 }

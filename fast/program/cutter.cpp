@@ -54,6 +54,7 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
   block.axis = plane_axis_;
   block.named = 0;
   block.has_direction = false;
+  block.path_made = false;
   for (std::size_t i = 0; i < 2; ++i) {
     const std::size_t axis = block.axis[i];
     block.start[i] = actual(axis);
@@ -94,49 +95,58 @@ Alarm Interpreter::cutter_move(const Words& words) {
   block.own = axes != 0 || arc;
   block.start[0] = programmed_[plane[0]];
   block.start[1] = programmed_[plane[1]];
-  std::array<double, 2> center{};
-  if (arc)
-    if (const Alarm a = read_cutter_arc(words, block, center)) return a;
-  if (const Alarm a = place_words(words, axes)) return a;
-  const Count& first = programmed_[plane[0]];
-  const Count& second = programmed_[plane[1]];
-  block.end[0] = first;
-  block.end[1] = second;
   block.named = static_cast<std::uint8_t>((axes >> plane[0] & 1U) | (axes >> plane[1] & 1U) << 1U);
-  if (arc)
-    block.motion = CutterMotion::arc;
-  else if (block.named == 0)
-    block.motion = CutterMotion::still;
-  else if (block.start[0] == first && block.start[1] == second)
-    block.motion = CutterMotion::zero;
-  else
-    block.motion = CutterMotion::line;
-  fill(block.event, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
+  if (const Alarm placed = place_words(words, axes)) [[unlikely]]
+    return refuse_cutter_move(words, block, placed);
+  block.end[0] = programmed_[plane[0]];
+  block.end[1] = programmed_[plane[1]];
   if (arc) {
-    spec::Arc<double>& numbers = block.event.arc.emplace();
+    std::array<double, 2> center{};
+    if (const Alarm a = read_cutter_arc(words, block, center)) return a;
+    block.motion = CutterMotion::arc;
+    block.path_made = !is_b_ && cutter_c_.make_arc_path(block);
+    fill(block.event, spec::MoveType::arc, spec::Cause::programmed);
+    if (!block.event.arc) block.event.arc.emplace();
+    spec::Arc<double>& numbers = *block.event.arc;
+    numbers.center.present = 0;
     numbers.plane = plane_;
     numbers.direction = block.clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
     for (std::size_t i = 0; i < 2; ++i) numbers.center.set(plane[i], center[i]);
+  } else {
+    if (block.named == 0) {
+      block.motion = CutterMotion::still;
+    } else if (block.start[0] == block.end[0] && block.start[1] == block.end[1]) {
+      block.motion = CutterMotion::zero;
+    } else {
+      block.motion = CutterMotion::line;
+      block.path_made = !is_b_ && cutter_c_.make_line_path(block);
+    }
+    fill(block.event, straight(), spec::Cause::programmed);
+    if (block.motion == CutterMotion::line && block.path_made && cutter_c_.usual_line()) [[likely]]
+      return alarm::kNone;
   }
   if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);
   return alarm::kNone;
 }
 
-// The alarms of an arc that begins at block.start, in their order, its words and its centre. Sweep and radii are left
-// to the stage.
+// The alarm of a block whose words could not be placed: those of its arc come first.
+Alarm Interpreter::refuse_cutter_move(const Words& words, CutterBlock& block, const Alarm& placed) {
+  if (!is_arc(words)) return placed;
+  for (std::size_t i = 0; i < 2; ++i) programmed_[plane_axis_[i]] = block.start[i];
+  for (std::size_t i = 0; i < 2; ++i)
+    block.end[i] = (block.named >> i & 1U) != 0 ? target(words, plane_axis_[i]) : block.start[i];
+  std::array<double, 2> center{};
+  const Alarm a = read_cutter_arc(words, block, center);
+  return a ? a : placed;
+}
+
+// The alarms of an arc from block.start to block.end, in their order, its words and its centre. Sweep and radii are
+// left to the stage.
 Alarm Interpreter::read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const {
-  CutterCommand command;
-  command.arc = true;
-  command.d = cutter_number_.number;
-  if (const Alarm a = cutter_c_.check(command)) return a;
-  std::array<Count, 2> end = block.start;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if ((words.axes() & bit(plane_axis_[i])) == 0) continue;
-    end[i] = target(words, plane_axis_[i]);
-    if (!end[i].in_range()) return alarm::kRange;
-  }
+  if (const Alarm a = cutter_c_.check_arc(CutterSide::unchanged, cutter_number_.number)) return a;
+  if (!block.end[0].in_range() || !block.end[1].in_range()) return alarm::kRange;
   read_arc(words, block);
-  return block.by_radius ? center_by_radius(block.start, end, block.radius, block.clockwise, center)
+  return block.by_radius ? center_by_radius(block.start, block.end, block.radius, block.clockwise, center)
                          : center_by_center(block.start, block.to_center, center);
 }
 

@@ -62,6 +62,8 @@ struct CutterBlock {
   bool has_direction = false;
   std::array<Count, 2> direction{};
 
+  bool path_made = false;  // motion == line or arc only: the stage has made the path already
+
   // motion == arc only. Given by centre or by radius; event.arc has the nearest doubles of the centre and, where the
   // stage makes no arc of the tool's own, of sweep and radii.
   bool clockwise = false;
@@ -71,6 +73,10 @@ struct CutterBlock {
 
   spec::Plane plane = spec::Plane::xy;
   std::array<std::size_t, 2> axis{};  // indices of the plane axes in the events; spec::Axes::kNone: no such axis
+
+  // motion == shift only, of a block with a code or with number 0: the own move in the coordinates after the renaming,
+  // for a block that makes or removes a vector; `event` has those from before.
+  Event renamed;
 };
 
 // What the words of a block command, before anything is changed: for the alarms that follow from words and state alone.

@@ -42,6 +42,7 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
   all_ = static_cast<Mask>(linear_ | rotary_);
   select_plane(plane_);
   for (std::size_t i = 0; i < origin_.size(); ++i) read_positions(setup.workpiece[i], "workpiece", origin_[i]);
+  mark_displaced();
   read_positions(setup.floating_reference, "reference.floating", reference_[0]);
   for (const auto& [number, table] : setup.reference)
     if (number >= 1 && number <= 4) read_positions(table, "reference", reference_[static_cast<std::size_t>(number)]);
@@ -138,7 +139,7 @@ void Interpreter::end_run(const StageEnd& end) {
     send_alarm(end.undecided, "", end.line, end.n, spec::EventKind::undecided);
 }
 
-Alarm Interpreter::run(const Words& words) {
+[[gnu::always_inline]] inline Alarm Interpreter::run(const Words& words) {
   // The usual block, and nothing that waits for a block to come.
   if (words.plain() && !length_.pending()) [[likely]] {
     const Code code = words.code(Words::kMotion);
@@ -160,6 +161,14 @@ Alarm Interpreter::run(const Words& words) {
         motion_ = motion_after;
         set_feed(words);
         return tool_side_move(words);
+      } else if (!plans_tool_ && !tool_side_on() && !cutter_active() && motion_after <= 10 &&
+                 (words.axes() & rotary_) == 0 && names_direction(words)) {
+        motion_ = motion_after;
+        set_feed(words);
+        direction_before_ = direction_;
+        direct(words);
+        return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false,
+                      std::nullopt);
       }
     } else if (tool_side_on()) {
       if (straight && !takes_edited_value()) {

@@ -94,13 +94,18 @@ class Interpreter {
   [[nodiscard]] std::uint32_t reference_point(const Words& words) const;
 
   // motion.cpp: own moves and their events. `own` words are positions; `extra`: a move even without them.
+  // An axis that is not there stands at 0.
+  [[nodiscard]] const Count& programmed(std::size_t axis) const {
+    static constexpr Count kNowhere;
+    return axis == spec::Axes::kNone ? kNowhere : programmed_[axis];
+  }
   [[nodiscard]] Alarm motion(const Words& words, Compensation compensation, bool own, bool extra,
                              const std::optional<spec::Arc<double>>& arc);
   [[nodiscard]] Alarm place(std::size_t axis, const Count& position);
-  [[nodiscard]] Alarm place_word(const Words& words, std::size_t axis);
   // The positions of these axes and what follows from them: the tool direction, and what the axes are sent to.
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes);
   [[nodiscard]] Alarm refresh();
+  // Of an arc everything but event.arc.
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
   void fill_tool_axis(Event& event);
   void fill_machine(Event& event) const;
@@ -110,6 +115,8 @@ class Interpreter {
       return Count::of(word);
     return converted(word, linear, inch_program);
   }
+  // A linear one into `to`: the usual word without a copy.
+  void read_word(Count& to, const spec::Decimal& word) const;
   [[nodiscard]] Count converted(const spec::Decimal& word, bool linear, bool inch_program) const;
   [[nodiscard]] Count target(const Words& words, std::size_t axis) const;
   [[nodiscard]] Factor factor(bool inch_program) const;
@@ -143,6 +150,7 @@ class Interpreter {
   void rename_in_cutter();
   [[nodiscard]] Alarm shift_in_cutter(const Words& words, bool extra);
   void select_workpiece(Code code);
+  void mark_displaced();
   [[nodiscard]] Count machine_origin(std::size_t axis) const { return origin_[workpiece_][axis] + shift_[axis]; }
 
   // cutter.cpp: blocks that pass cutter compensation B or C.
@@ -184,6 +192,7 @@ class Interpreter {
   }
   [[nodiscard]] Alarm cutter_move(const Words& words);
   [[nodiscard]] Alarm read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const;
+  [[nodiscard]] Alarm refuse_cutter_move(const Words& words, CutterBlock& block, const Alarm& placed);
   void retire_cutter();
   [[nodiscard]] Alarm corner_direction(const Words& words, CutterBlock& block) const;
   [[nodiscard]] Alarm cutter_motion(const Words& words, Code one_shot, bool extra,
@@ -199,7 +208,7 @@ class Interpreter {
   [[nodiscard]] static CutterSide tool_side(Code code);
   [[nodiscard]] static bool is_tool_side(Code code) { return code == 412 || code == 416 || code == 422 || code == 426; }
   void begin_tool_side(const Words& words);
-  void start_tool_side_leg(const Words& words, ToolSideBlock& block);
+  void start_tool_side_leg(ToolSideBlock& block) const;
   [[nodiscard]] Alarm tool_side_move(const Words& words);
   [[nodiscard]] Alarm tool_side_motion(const Words& words, bool extra, const std::optional<spec::Arc<double>>& arc,
                                        const ArcWords& arc_words);
@@ -292,6 +301,7 @@ class Interpreter {
   spec::Plane plane_ = spec::Plane::xy;
   std::array<std::size_t, 2> plane_axis_{};  // of plane_
   Mask plane_axes_ = 0;                      // those of them that are there
+  std::array<char, 2> plane_letter_{};       // the letters I J K of plane_
   bool incremental_ = false;
   bool inch_program_;
   bool plain_words_ = true;  // a word counts as written: no conversion, no least increments
@@ -302,6 +312,7 @@ class Interpreter {
   bool evr_;           // 5001#4: an edited cutter value counts from the next block on
   CutterSide cutter_side_ = CutterSide::off;
   CutterSide tool_side_word_ = CutterSide::off;
+  int tool_side_sign_ = 1;  // +1 left: by code and sign of the value
   OffsetNumber cutter_number_;
   Count cutter_offset_;  // of that number, when it was applied
   bool cutter_edited_ = false;
@@ -322,7 +333,8 @@ class Interpreter {
 
   // Positions.
   Positions programmed_;
-  Positions shift_;  // G92
+  Positions shift_;     // G92
+  Mask displaced_ = 0;  // axes with a workpiece origin in force or a shift
   Positions intermediate_;
   Mask has_intermediate_ = 0;
   // Axes whose programmed position (shift, intermediate point) was rounded to 1 / (127 * 10^18): a G49 ended G43.5 at
@@ -334,8 +346,9 @@ class Interpreter {
   std::array<double, spec::kMaxAxes> axes_value_{};        // with the length offset
   Mask stale_ = 0;                                         // axes whose axes_value_ is to be made again
 
-  // Directions live in a ring because held moves refer to theirs: at most three blocks have one at a time.
-  std::array<Direction, 4> directions_;
+  // Directions live in a ring because held moves refer to theirs: at most three blocks have one at a time, and a block
+  // makes three at most.
+  std::array<Direction, 8> directions_;
   std::uint8_t direction_ = 0;
   std::uint8_t direction_before_ = 0;  // where the block started
 
@@ -373,40 +386,57 @@ constexpr char direction_letter(spec::Plane plane, std::size_t i) {
 // The mask of one axis.
 constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
 
+inline void Interpreter::read_word(Count& to, const spec::Decimal& word) const {
+  if (plain_words_) [[likely]]
+    if (const std::int64_t small = Count::small_of(word); small != Count::kNotSmall) [[likely]] {
+      to.set_small(small);
+      return;
+    }
+  to = value(word, true, inch_program_);
+}
+
 template <class Arc>
 void Interpreter::read_arc(const Words& words, Arc& arc) const {
   arc.clockwise = motion_ == 20;
   arc.by_radius = words.has('R');
   for (std::size_t i = 0; i < 2; ++i) {
-    const char letter = direction_letter(plane_, i);
-    arc.to_center[i] = words.has(letter) ? value(words[letter], true, inch_program_) : Count();
+    const char letter = plane_letter_[i];
+    if (words.has(letter))
+      read_word(arc.to_center[i], words[letter]);
+    else
+      arc.to_center[i].set_small(0);
   }
-  arc.radius = arc.by_radius ? value(words['R'], true, inch_program_) : Count();
+  if (arc.by_radius) read_word(arc.radius, words['R']);
 }
 
-// The usual word without a detour: a position of at most six places, as it is written, with an offset of as many.
-inline Alarm Interpreter::place_word(const Words& words, std::size_t axis) {
-  if (plain_words_ && !incremental_) [[likely]]
-    if (const std::int64_t small = Count::small_of(words.axis(axis)); small != Count::kNotSmall) [[likely]] {
+// The usual words without a detour: positions of at most six places, as they are written, with offsets of as many.
+[[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
+  if (plans_tool_) [[unlikely]]
+    return place_tip_words(words, axes);
+  unsigned rest = axes;
+  if (plain_words_ && !incremental_) [[likely]] {
+    const unsigned offset = length_.live() | tool_offset_.live();
+    for (; rest != 0; rest &= rest - 1) {
+      const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
+      const std::int64_t small = Count::small_of(words.axis(axis));
+      if (small == Count::kNotSmall) [[unlikely]]
+        break;
       programmed_[axis].set_small(small);
       const double position = Count::nearest_small(small);
       programmed_value_[axis] = position;
-      if (((length_.live() | tool_offset_.live()) & bit(axis)) == 0)
+      if ((offset >> axis & 1U) == 0)
         axes_value_[axis] = position;
       else if (const std::int64_t sum = small + length_[axis].small();
                (tool_offset_.live() & bit(axis)) == 0 && length_[axis].is_small() && Count::is_small(sum))
         axes_value_[axis] = Count::nearest_small(sum);
       else
         stale_ = static_cast<Mask>(stale_ | bit(axis));
-      return alarm::kNone;
     }
-  return place(axis, target(words, axis));
-}
-
-[[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
-  if (plans_tool_) [[unlikely]]
-    return place_tip_words(words, axes);
-  if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
+  }
+  if (rest != 0) [[unlikely]]
+    if (const Alarm a =
+            for_each_axis(static_cast<Mask>(rest), [&](std::size_t axis) { return place(axis, target(words, axis)); }))
+      return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
   if ((axes & turning_) != 0) turn();
   if (stale_ != 0)

@@ -73,6 +73,14 @@ Alarm Interpreter::from_reference(const Words& words) {
   return send_rapid(spec::Cause::programmed, false, CutterMotion::from_reference);
 }
 
+// After a change of workpiece_ or shift_.
+void Interpreter::mark_displaced() {
+  displaced_ = 0;
+  for (std::size_t axis = 0; axis < count_; ++axis)
+    if (!origin_[workpiece_][axis].is_zero() || !shift_[axis].is_zero())
+      displaced_ = static_cast<Mask>(displaced_ | bit(axis));
+}
+
 // The machine stays where it is: the programmed position shifts by the difference of the origins.
 void Interpreter::select_workpiece(Code code) {
   const auto chosen = static_cast<std::size_t>((code - 540) / 10);
@@ -81,22 +89,24 @@ void Interpreter::select_workpiece(Code code) {
     programmed_value_[axis] = programmed_[axis].nearest();
   }
   workpiece_ = chosen;
+  mark_displaced();
   stale_ = all_;
   if (kinematics_.defined()) turn();
 }
 
 // G92 in cutter compensation: the stage is told where the block began and what the position is called after it. A move
-// that the block makes has the coordinates from before; with a code of compensation those after.
+// of the length offset alone has the coordinates from before, one that makes or removes a vector those after: the stage
+// chooses.
 Alarm Interpreter::shift_in_cutter(const Words& words, bool extra) {
   CutterBlock& block = cutter_next();
   if (const Alarm a = refresh()) return a;
   fill(block.event, straight(), spec::Cause::programmed);
   if (const Alarm a = shift_coordinates(words)) return a;
-  // The move that makes or removes a vector: by a code, in C by number 0 too (clause fanuc.cutter-c.number-zero).
+  // A code makes or removes a vector at once, in C number 0 too (clause fanuc.cutter-c.number-zero).
   const bool number_zero = block.d_word && block.d == 0;
   if (is_b_ ? block.word == CutterSide::off : block.word != CutterSide::unchanged || number_zero) {
     if (const Alarm a = refresh()) return a;
-    fill(block.event, straight(), spec::Cause::programmed);
+    fill(block.renamed, straight(), spec::Cause::programmed);
   }
   block.own = extra;
   block.axis_word = false;
@@ -128,6 +138,7 @@ Alarm Interpreter::shift_coordinates(const Words& words) {
     if (!shift_[axis].in_range()) return alarm::kRange;
     return place(axis, word);
   });
+  mark_displaced();
   shift_rounded_ = static_cast<Mask>(shift_rounded_ | (rounded_ & words.axes()));
   rounded_ = static_cast<Mask>(rounded_ & ~words.axes());
   if (kinematics_.defined()) turn();

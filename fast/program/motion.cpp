@@ -66,8 +66,8 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
       const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
       event.point.value[axis] = actual(axis).nearest();
     }
-  event.arc.reset();
   event.t_numerator = 0;
+  if (type != spec::MoveType::arc) event.arc.reset();
   if (type == spec::MoveType::rapid)
     event.feed.reset();
   else
@@ -81,7 +81,11 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
 // The direction of the tool, and under G43.5 without kinematics its length along it.
 void Interpreter::fill_tool_axis(Event& event) {
   const Eigen::Vector3d& unit = directions_[direction_].unit;
-  event.tool_axis.emplace(std::array<double, 3>{unit[0] + 0.0, unit[1] + 0.0, unit[2] + 0.0});  // never -0
+  if (!event.tool_axis) event.tool_axis.emplace();
+  std::array<double, 3>& axis = *event.tool_axis;
+  axis[0] = unit[0] + 0.0;  // never -0
+  axis[1] = unit[1] + 0.0;
+  axis[2] = unit[2] + 0.0;
   if (tip_.active()) {
     event.t_numerator = tip_.tag();
     return;
@@ -89,6 +93,7 @@ void Interpreter::fill_tool_axis(Event& event) {
   if (!along_tool()) return;
   fill_machine(event);
   if (tip_.samples()) event.t_numerator = tag_direction();
+  if (tool_length().is_zero()) return;
   const double length = tool_length().nearest();
   for (std::size_t i = 0; i < 3; ++i) {
     if (xyz_[i] == spec::Axes::kNone) continue;
@@ -100,9 +105,12 @@ void Interpreter::fill_tool_axis(Event& event) {
 
 void Interpreter::fill_machine(Event& event) const {
   event.machine.present = all_;
+  if ((displaced_ | stale_) == 0) [[likely]] {
+    for (std::size_t axis = 0; axis < count_; ++axis) event.machine.value[axis] = axes_value_[axis];
+    return;
+  }
   for (std::size_t axis = 0; axis < count_; ++axis) {
-    const Count& origin = origin_[workpiece_][axis];
-    const bool displaced = !origin.is_zero() || !shift_[axis].is_zero() || (stale_ & bit(axis)) != 0;
+    const bool displaced = ((displaced_ | stale_) & bit(axis)) != 0;
     event.machine.value[axis] =
         displaced ? (actual(axis) + length_[axis] + machine_origin(axis)).nearest() : axes_value_[axis];
   }
@@ -117,11 +125,22 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
       tool_offset_.clear(axis);
       return alarm::kNone;
     });
+  const Count& x = programmed(xyz_[0]);
+  const Count& y = programmed(xyz_[1]);
+  const Count& z = programmed(xyz_[2]);
+  const Mask rounded_before = rounded_;
+  bool small = false;
+  std::int64_t from_x = 0;
+  std::int64_t from_y = 0;
+  std::int64_t from_z = 0;
   std::array<Count, 3> from;
-  Mask rounded = rounded_;
-  if (compensated)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (xyz_[i] != spec::Axes::kNone) from[i] = programmed_[xyz_[i]];
+  if (compensated) {
+    small = rounded_before == 0 && x.is_small() && y.is_small() && z.is_small();
+    from_x = x.small();
+    from_y = y.small();
+    from_z = z.small();
+    if (!small) from = {x, y, z};
+  }
 
   if (const Alarm a = place_words(words, axes)) return a;
 
@@ -138,16 +157,21 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
       if (event) leading_edge_.pass();
       return alarm::kNone;
     case Compensation::stays: {
-      std::array<Count, 3> to;
-      Mask xyz = 0;
-      for (std::size_t i = 0; i < 3; ++i)
-        if (xyz_[i] != spec::Axes::kNone) {
-          to[i] = programmed_[xyz_[i]];
-          xyz = static_cast<Mask>(xyz | bit(xyz_[i]));
-        }
-      rounded = static_cast<Mask>((rounded | rounded_) & axes & xyz);
       Move& move = leading_edge_.next();
-      set_difference(move.displacement, from, to, rounded != 0 ? 2 : 0);
+      if (small && x.is_small() && y.is_small() && z.is_small()) [[likely]] {
+        set_displacement(move.displacement, x.small() - from_x, y.small() - from_y, z.small() - from_z);
+      } else {
+        if (small) {
+          from[0].set_small(from_x);
+          from[1].set_small(from_y);
+          from[2].set_small(from_z);
+        }
+        Mask xyz = 0;
+        for (const std::size_t axis : xyz_)
+          if (axis != spec::Axes::kNone) xyz = static_cast<Mask>(xyz | bit(axis));
+        const auto rounded = static_cast<Mask>((rounded_before | rounded_) & axes & xyz);
+        set_displacement(move.displacement, from, {x, y, z}, rounded != 0 ? 2 : 0);
+      }
       move.direction = &directions_[direction_];
       move.radius = radius_;
       // The only alarms here are those of the start-up move.

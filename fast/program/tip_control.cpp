@@ -134,7 +134,7 @@ void Interpreter::take_posture(const Pose& pose) {
 Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
   const std::array<Count, 3> from = programmed_xyz();
   const Positions before = machine_.workpiece_frame() ? programmed_ : Positions{};
-  if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place_word(words, axis); })) return a;
+  if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place(axis, target(words, axis)); })) return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
   if (tip_.active()) {
     TipBlock& block = tip_.next();

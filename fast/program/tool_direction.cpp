@@ -33,16 +33,18 @@ void Interpreter::direct(const Words& words) {
 
 // Missing ones of I J K are 0.
 void Interpreter::read_direction(const Words& words, Direction& direction) const {
-  std::array<std::int64_t, 3> small{};
   bool usual = plain_words_;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const char letter = static_cast<char>('I' + i);
-    if (!words.has(letter)) continue;
-    small[i] = Count::small_of(words[letter]);
-    usual = usual && small[i] != Count::kNotSmall;
-  }
+  const auto small = [&](char letter) {
+    if (!words.has(letter)) return std::int64_t{0};
+    const std::int64_t component = Count::small_of(words[letter]);
+    usual &= component != Count::kNotSmall;
+    return component;
+  };
+  const std::int64_t x = small('I');
+  const std::int64_t y = small('J');
+  const std::int64_t z = small('K');
   if (usual) [[likely]] {
-    set_small_direction(direction, small);
+    set_small_direction(direction, x, y, z);
     return;
   }
   std::array<Count, 3> component;
@@ -64,7 +66,7 @@ bool Interpreter::names_direction(const Words& words) {
 void Interpreter::take_position_along_tool() {
   const Direction& tool = directions_[direction_];
   const Int128 length = tool_length().units();
-  const std::optional<Int128> norm = tool.is_whole ? whole_length(tool.whole) : std::nullopt;
+  const std::optional<Int128> norm = tool.is_whole ? whole_length(tool.whole()) : std::nullopt;
   const FineVector unit = kinematics_.refine(tool);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = xyz_[i];
@@ -75,7 +77,7 @@ void Interpreter::take_position_along_tool() {
     programmed_[axis] += Count::of_units(units);
     programmed_value_[axis] = programmed_[axis].nearest();
     const bool exact =
-        length == 0 || (norm && (Wide(units) * Wide(*norm) - Wide(length) * Wide(tool.whole[i])).sign() == 0);
+        length == 0 || (norm && (Wide(units) * Wide(*norm) - Wide(length) * Wide(tool.whole()[i])).sign() == 0);
     if (!exact) rounded_ = static_cast<Mask>(rounded_ | bit(axis));
   }
 }

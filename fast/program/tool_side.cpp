@@ -28,17 +28,16 @@ void Interpreter::begin_tool_side(const Words& words) {
   if (before == CutterSide::off || commanded_number(words) || takes_edited_value()) {
     cutter_offset_ = cutter_value(cutter_number_);
     cutter_edited_ = false;
+    tool_side_.set_value(cutter_offset_ < Count() ? -cutter_offset_ : cutter_offset_);
   }
+  tool_side_sign_ = (tool_side_word_ == CutterSide::right) == (cutter_offset_ < Count()) ? 1 : -1;
 }
 
-// Everything about a block but where it ends.
-void Interpreter::start_tool_side_leg(const Words& words, ToolSideBlock& block) {
-  const bool negative = cutter_offset_ < Count();
+// Everything about a line but Q and where it ends.
+void Interpreter::start_tool_side_leg(ToolSideBlock& block) const {
   block.wanted = tool_side_word_ != CutterSide::off && cutter_number_.number != 0;
-  block.side = (tool_side_word_ == CutterSide::right) == negative ? 1 : -1;
-  block.offset = negative ? -cutter_offset_ : cutter_offset_;
-  const std::uint32_t q = words.has('Q') ? whole_number(words['Q'], 3) : 0;
-  block.treatment = static_cast<Treatment>(q > 3 ? 0 : q);
+  block.side = tool_side_sign_;
+  block.treatment = Treatment::none;
   block.arc = false;
 }
 
@@ -50,40 +49,35 @@ Alarm Interpreter::tool_side_move(const Words& words) {
   if (directed && !plans_tool_) direct(words);
   ToolSideBlock& block = tool_side_.next();
   block.repeated = false;
-  std::array<std::int64_t, 3> from{};
-  bool small = rounded_ == 0 && tool_offset_.live() == 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t axis = xyz_[i];
-    if (axis == spec::Axes::kNone) continue;
-    small = small && programmed_[axis].is_small();
-    from[i] = programmed_[axis].small();
-  }
+  const Count& x = programmed(xyz_[0]);
+  const Count& y = programmed(xyz_[1]);
+  const Count& z = programmed(xyz_[2]);
+  const bool small = rounded_ == 0 && tool_offset_.live() == 0 && x.is_small() && y.is_small() && z.is_small();
   if (!small) [[unlikely]]
     return tool_side_motion(words, false, std::nullopt, ArcWords{});
   const Mask axes = words.axes();
-  start_tool_side_leg(words, block);
-  std::array<Count, 3> start;
-  for (std::size_t i = 0; i < 3; ++i) start[i].set_small(from[i]);
+  start_tool_side_leg(block);
+  const std::int64_t from_x = x.small();
+  const std::int64_t from_y = y.small();
+  const std::int64_t from_z = z.small();
   if (const Alarm a = place_words(words, axes)) return a;
-  std::array<std::int64_t, 3> way{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t axis = xyz_[i];
-    if (axis == spec::Axes::kNone) continue;
-    small = small && programmed_[axis].is_small();
-    way[i] = programmed_[axis].small() - from[i];
-  }
-  if (small) [[likely]] {
-    set_travel(block.travel, way);
+  Travel& travel = tool_side_.next_travel();
+  if (x.is_small() && y.is_small() && z.is_small()) [[likely]] {
+    set_travel(travel, x.small() - from_x, y.small() - from_y, z.small() - from_z);
   } else {
-    std::array<Count, 3> end;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (xyz_[i] != spec::Axes::kNone) end[i] = programmed_[xyz_[i]];
-    set_travel(block.travel, start, end, 0);
+    std::array<Count, 3> start;
+    start[0].set_small(from_x);
+    start[1].set_small(from_y);
+    start[2].set_small(from_z);
+    set_travel(travel, start, {x, y, z}, 0);
   }
   block.tool = &directions_[direction_];
   block.tool_before = &directions_[direction_before_];
   block.own = axes != 0 || directed;
+  const bool taken = tool_side_.take_line(travel.value.x, travel.value.y, travel.value.z);
   fill(block.event, straight(), spec::Cause::programmed);
+  if (taken) [[likely]]
+    return alarm::kNone;
   if (const StageEnd end = tool_side_.block()) end_run(end);
   return alarm::kNone;
 }
@@ -92,7 +86,9 @@ Alarm Interpreter::tool_side_motion(const Words& words, bool extra, const std::o
                                     const ArcWords& arc_words) {
   ToolSideBlock& block = tool_side_.next();
   const Mask axes = words.axes();
-  start_tool_side_leg(words, block);
+  start_tool_side_leg(block);
+  const std::uint32_t q = words.has('Q') ? whole_number(words['Q'], 3) : 0;
+  block.treatment = static_cast<Treatment>(q > 3 ? 0 : q);
   std::array<Count, 3> from;
   std::array<Count, 3> to;
   Mask xyz = 0;
@@ -120,7 +116,7 @@ Alarm Interpreter::tool_side_motion(const Words& words, bool extra, const std::o
   rounded = static_cast<Mask>((rounded | rounded_) & axes & xyz);
   for (std::size_t i = 0; i < 3; ++i)
     if (xyz_[i] != spec::Axes::kNone) to[i] = programmed_[xyz_[i]];
-  set_travel(block.travel, from, to, rounded != 0 ? 2 : 0);
+  set_travel(tool_side_.next_travel(), from, to, rounded != 0 ? 2 : 0);
   block.tool = &directions_[direction_];
   block.tool_before = &directions_[direction_before_];
   block.own = axes != 0 || extra || arc || (by_vector_ && words.has_any(Words::set_of("IJK")));

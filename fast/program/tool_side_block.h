@@ -23,10 +23,8 @@ struct ToolSideBlock {
   bool wanted = false;    // a code of the section is in force, with a number other than 0
   bool repeated = false;  // the code in the block is the one in force before it
   int side = 1;           // +1 left: by code and sign of the value
-  Count offset;           // the value, without its sign
   Treatment treatment = Treatment::none;
 
-  Travel travel;                           // from start to end
   const Direction* tool = nullptr;         // at the end of the block
   const Direction* tool_before = nullptr;  // where the block before ended
 

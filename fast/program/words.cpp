@@ -2,42 +2,6 @@
 
 namespace toolcomp::fast {
 
-Words::Words(const spec::Block& block, const spec::Axes& axes) {  // NOLINT: arrays are read only where marked as set
-  code_.fill(kNone);
-  // Not in members while the loop runs: bytes are read in between, which may be any of them as far as a compiler knows.
-  std::uint32_t letters = 0;
-  std::uint32_t axis_letters = 0;
-  unsigned positions = 0;
-  for (const spec::Word& word : block.words()) {
-    const char letter = word.address;
-    if (letter == 'G') {
-      g_word(word.value);
-      any_ = true;
-      continue;
-    }
-    const auto index = static_cast<std::size_t>(letter - 'A');
-    const std::uint32_t bit = std::uint32_t{1} << index;
-    letters |= bit;
-    value_[index] = &word.value;
-    if (const std::size_t axis = axes.index(letter); axis != spec::Axes::kNone) {
-      axis_letters |= bit;
-      positions |= 1U << axis;
-      axis_value_[axis] = &word.value;
-    } else if (letter == 'M') {
-      m_word(word.value);
-    }
-  }
-  letters_ = letters;
-  axes_ = static_cast<std::uint16_t>(positions);
-  any_ |= (letters & ~set_of("NO")) != 0;
-  plain_ &= (letters & ~(axis_letters | set_of("FIJKR"))) == 0;
-  if (plain_) return;
-  if (code_[kOneShot] == 40 || code_[kOneShot] == 100) {
-    letters_ &= ~set_of("ABCIJKUVWXYZ");
-    axes_ = 0;
-  }
-}
-
 void Words::g_word(const spec::Decimal& value) {
   if (value.digits <= 3 && value.decimals == 0) {  // without a detour
     code_[kMotion] = static_cast<Code>(10 * value.digits);

@@ -110,7 +110,7 @@ void ToolPostureControl::plan(const Pose& start, const Direction& tool, bool pos
 
 // A direction that is commanded again: no plane, and the choice of sheet 4 keeps the pose.
 bool ToolPostureControl::stays(const Pose& start, const Direction& tool) {
-  return start.tool.is_whole && tool.is_whole && start.tool.whole == tool.whole;
+  return start.tool.is_whole && tool.is_whole && start.tool.whole() == tool.whole();
 }
 
 bool ToolPostureControl::plan_quickly(const Pose& start, const Target& target, PosturePlan& plan) const {

@@ -37,13 +37,15 @@ bool PlaneChangeLimit::reached(const Kinematics& kinematics, const Direction& fi
   if (std::abs(over) > bound) [[likely]]
     return over < 0;
   if (first.is_whole && second.is_whole && rational_) {
+    const std::array<Int128, 3> a = first.whole();
+    const std::array<Int128, 3> b = second.whole();
     Wide dot;
     Wide square1;
     Wide square2;
     for (std::size_t i = 0; i < 3; ++i) {
-      dot = dot + Wide(first.whole[i]) * Wide(second.whole[i]);
-      square1 = square1 + Wide(first.whole[i]) * Wide(first.whole[i]);
-      square2 = square2 + Wide(second.whole[i]) * Wide(second.whole[i]);
+      dot = dot + Wide(a[i]) * Wide(b[i]);
+      square1 = square1 + Wide(a[i]) * Wide(a[i]);
+      square2 = square2 + Wide(b[i]) * Wide(b[i]);
     }
     // The signs of the cosines are those of dot and of the limit; within them the squares compare.
     const int sign = dot.sign();

@@ -78,7 +78,8 @@ void set_line_path(PlanePath& path, const Travel& travel, const std::array<std::
   path.center_in_end = false;
   path.seen = false;
   path.fine_units = travel.fine_units;
-  path.start = whole_heading({travel.whole[in[0]], travel.whole[in[1]]});
+  const std::array<Int128, 3> whole = travel.whole();
+  path.start = whole_heading({whole[in[0]], whole[in[1]]});
 }
 
 // A vector of the plane of a corner with an arc.

@@ -20,9 +20,10 @@ struct SidePath {
   PlanePath flat;                   // in the selected plane, as programmed
   std::array<std::size_t, 2> in{};  // its axes (0 X, 1 Y, 2 Z)
   std::size_t normal = 2;           // and the third one
-  Direction tool;                   // at the end of the block
+  const Direction* tool = nullptr;  // at the end of the block
   int side = 1;                     // +1: the tool is left of the path
   Amount offset;
+  std::uint32_t offset_change = 0;  // which change of the value it is from
 };
 
 // Two blocks and the plane they are seen in; `second` is nullptr at the end of a path without a next block.

@@ -18,7 +18,7 @@ bool line_interferes(const SideGroups& groups, const SidePath& path, const SideG
   const Vector3<double> shift = end.head[w].vector - start.head[v].vector;
   const double size = extent(end.head[w].vector) + extent(start.head[v].vector);
   const bool lines = end.corner.first == &path && !end.corner.flat;
-  const ToolPlane plane = groups.geometry().plane(path.tool);
+  const ToolPlane plane = groups.geometry().plane(*path.tool);
   // An arc may end where it starts, or above it along the tool.
   if (!lines && !plane.moves(path.travel, Count())) return false;
   const SpaceTurn seen = lines ? SpaceTurn{} : plane.straight(path.travel);
@@ -37,7 +37,7 @@ bool arc_interferes(const SideGroups& groups, const CheckedSide& block, const st
   const SideGeometry& geometry = groups.geometry();
   const int start = geometry.offset_radius_sign(path, false, *block.start_tool, block.start_side, *block.start_offset);
   if (start < 0) return true;
-  const int end = geometry.offset_radius_sign(path, true, path.tool, path.side, path.offset);
+  const int end = geometry.offset_radius_sign(path, true, *path.tool, path.side, path.offset);
   if (end < 0) return true;
   if (start == 0 || end == 0 || !sweep) return false;
   // Both up to 180 degrees, or both over it, never differ by more.

@@ -31,8 +31,6 @@ unsigned live(const Direction& tool) { return ~static_cast<unsigned>(tool.zero) 
 
 bool is_exact(const Travel& travel, const Direction& tool) { return tool.is_whole && travel.slack == 0; }
 
-double square_bound(const Direction& tool) { return 5 * (tool.error + 4 * u) + 8 * u; }
-
 // A tool along one axis turns the other two only.
 bool is_axis(const Direction& tool) { return tool.zero == 0b011 || tool.zero == 0b101 || tool.zero == 0b110; }
 
@@ -48,15 +46,15 @@ bool ToolPlane::moves(const Travel& travel, const Count& limit) const {
   const double shortest = limited ? limit.nearest() * travel.unit : 0;
   const Vector3<double> w = cross(unit(), travel.value);
   const double over = dot(w, w) - shortest * shortest;
-  const double bound = square_bound(tool_) * travel.square + 4 * u * shortest * shortest;
+  const double bound = square_bound() * travel.square + 4 * u * shortest * shortest;
   if (travel.slack == 0 && std::abs(over) > bound) [[likely]]
     return over > 0;
   if (is_exact(travel, tool_)) {
     const bool fine_units = travel.fine_units || !limit.is_small();
-    std::array<Int128, 3> whole = travel.whole;
+    std::array<Int128, 3> whole = travel.whole();
     if (fine_units && !travel.fine_units)
       for (Int128& component : whole) component *= Count::kRestPerSmall;
-    const Exact tool = exact(tool_.whole);
+    const Exact tool = exact(tool_.whole());
     const Exact c = cross(tool, exact(whole));
     const Wide square = dot(c, c);
     if (square.sign() == 0 || !limited) return square.sign() != 0;
@@ -75,8 +73,8 @@ bool ToolPlane::moves(const Travel& travel, const Count& limit) const {
 
 int ToolPlane::cross_sign(const Travel& first, const Travel& second) const {
   if (first.slack == 0 && second.slack == 0 && tool_.is_whole)
-    return dot(exact(tool_.whole), cross(exact(first.whole), exact(second.whole))).sign();
-  const Fine normal = cross(fine(first.whole), fine(second.whole));
+    return dot(exact(tool_.whole()), cross(exact(first.whole()), exact(second.whole()))).sign();
+  const Fine normal = cross(fine(first.whole()), fine(second.whole()));
   const double refined = dot(fine_unit(), normal).hi;
   const double lengths = std::sqrt(first.square) * std::sqrt(second.square);
   const double size = std::abs(normal.x.hi) + std::abs(normal.y.hi) + std::abs(normal.z.hi);
@@ -96,23 +94,23 @@ int dot_sign(const Kinematics& kinematics, const Travel& first, const Direction&
   const double lengths = std::sqrt(first.square) * std::sqrt(second.square);
   const double estimate = dot(cross(a.unit(), first.value), cross(b.unit(), second.value));
   const bool clean = first.slack == 0 && second.slack == 0;
-  if (clean && std::abs(estimate) > (square_bound(first_tool) + square_bound(second_tool)) * lengths)
-    return sign_of(estimate);
+  if (clean && std::abs(estimate) > (a.square_bound() + b.square_bound()) * lengths) return sign_of(estimate);
   if (is_exact(first, first_tool) && is_exact(second, second_tool))
-    return dot(cross(exact(first_tool.whole), exact(first.whole)), cross(exact(second_tool.whole), exact(second.whole)))
+    return dot(cross(exact(first_tool.whole()), exact(first.whole())),
+               cross(exact(second_tool.whole()), exact(second.whole())))
         .sign();
   const Fine first_unit = a.fine_unit();  // by value: refining the other tool takes its place
   const Fine second_unit = b.fine_unit();
-  const double refined = dot(cross(first_unit, fine(first.whole)), cross(second_unit, fine(second.whole))).hi;
+  const double refined = dot(cross(first_unit, fine(first.whole())), cross(second_unit, fine(second.whole()))).hi;
   const double bound = 6 * (a.fine_error() + b.fine_error() + kFine) * lengths +
                        4 * (first.slack * std::sqrt(second.square) + second.slack * std::sqrt(first.square));
   return std::abs(refined) <= bound ? 0 : sign_of(refined);
 }
 
 Vector3<DoubleDouble> ToolPlane::fine_left(const Travel& travel) const {
-  if (!is_exact(travel, tool_)) return cross(fine_unit(), fine(travel.whole));
-  const Exact tool = exact(tool_.whole);
-  const Fine left = fine(cross(tool, exact(travel.whole)));
+  if (!is_exact(travel, tool_)) return cross(fine_unit(), fine(travel.whole()));
+  const Exact tool = exact(tool_.whole());
+  const Fine left = fine(cross(tool, exact(travel.whole())));
   const DoubleDouble norm = sqrt(dot(tool, tool).to_double_double());
   return {left.x / norm, left.y / norm, left.z / norm};
 }
@@ -146,7 +144,7 @@ bool ToolPlane::quick_turn(const Travel& first, const Travel& second, SpaceTurn&
   const double norm2 = std::sqrt(square2);
   double k = fast::dot(w1, w2);
   // |U1||U2| is at most 4 |w1||w2| here.
-  if (std::abs(k) > 4 * square_bound(tool_) * norm1 * norm2) [[likely]] {
+  if (std::abs(k) > 4 * square_bound() * norm1 * norm2) [[likely]] {
     turn.dot = k > 0 ? 1 : -1;
   } else {
     std::int64_t product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -243,7 +241,7 @@ int ToolPlane::facing(std::size_t axis) const {
   if ((tool_.zero >> axis & 1U) != 0) return 0;
   const double component = tool_.unit[static_cast<Eigen::Index>(axis)];
   if (std::abs(component) > tool_.error) return sign_of(component);
-  if (tool_.is_whole) return tool_.whole[axis] > 0 ? 1 : (tool_.whole[axis] < 0 ? -1 : 0);
+  if (tool_.is_whole) return sign_of(tool_.unit[static_cast<Eigen::Index>(axis)]);
   const double refined = fine_unit()[axis].hi;
   return std::abs(refined) <= fine_error() ? 0 : sign_of(refined);
 }

@@ -12,36 +12,6 @@ void set_arc_path(PlanePath& path, const ToolSideBlock& block) {
     set_arc(path, block.start, block.end, block.to_center, block.clockwise);
 }
 
-// Field by field: the library's copy of so many bytes takes longer to start than to run.
-void copy(const Travel& from, Travel& to) {
-  for (std::size_t i = 0; i < 3; ++i) to.whole[i] = from.whole[i];
-  to.value.x = from.value.x;
-  to.value.y = from.value.y;
-  to.value.z = from.value.z;
-  to.square = from.square;
-  to.unit = from.unit;
-  to.fine_units = from.fine_units;
-  to.narrow = from.narrow;
-  to.zero = from.zero;
-  to.slack = from.slack;
-}
-void copy(const Direction& from, Direction& to) {
-  for (Eigen::Index i = 0; i < 3; ++i) to.unit[i] = from.unit[i];
-  to.error = from.error;
-  to.is_whole = from.is_whole;
-  to.is_fine = from.is_fine;
-  to.framed = from.framed;
-  to.zero = from.zero;
-  if (from.is_fine) [[unlikely]]
-    to.fine = from.fine;
-  for (std::size_t i = 0; i < 3; ++i) to.whole[i] = from.whole[i];
-  for (std::size_t i = 0; i < 2; ++i)
-    if (from.angle[i].is_small()) [[likely]]
-      to.angle[i].set_small(from.angle[i].small());
-    else
-      to.angle[i] = from.angle[i];
-}
-
 // The centre of the event; plane and direction stand in it.
 void set_center(ToolSideBlock& block, const PlanePath& path) {
   spec::Arc<double>& arc = *block.event.arc;
@@ -65,36 +35,53 @@ ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinem
       geometry_(kinematics),
       make_(geometry_, parameters_),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
-      shortest_(parameters_.no_movement.nearest() * (1 + 0x1p-40)) {}
+      shortest_(parameters_.no_movement.nearest() * static_cast<double>(Count::kSmallPerOne) * (1 + 0x1p-40)),
+      has_xyz_(setup.axes.has('X') && setup.axes.has('Y') && setup.axes.has('Z')) {}
 
 void ToolSideCompensation::set_path(SidePath& to, const ToolSideBlock& block) {
-  to.travel = block.travel;
   to.arc = block.arc;
   if (block.arc) {
     set_arc_path(to.flat, block);
     to.in = block.in;
     to.normal = 3 - block.in[0] - block.in[1];
   }
-  to.tool = *block.tool;
+  to.tool = block.tool;
   to.side = fault(Fault::side_handedness) ? -block.side : block.side;
-  if (!(block.offset == value_.exact)) value_ = {block.offset, block.offset.nearest()};
   to.offset = value_;
+  to.offset_change = value_change_;
+}
+
+void ToolSideCompensation::keep_tool(std::uint8_t path) {
+  const Direction* const tool = paths_[path].tool;
+  if (tool == nullptr || tool == &tools_[path]) return;
+  tools_[path] = *tool;
+  paths_[path].tool = &tools_[path];
+  if (start_tool_of_path_ == tool) start_tool_of_path_ = &tools_[path];
+  for (SideGroup& group : groups_)
+    if (group.corner.tool == tool) group.corner.tool = &tools_[path];
+}
+
+// Of the path that is held and the one before it.
+void ToolSideCompensation::keep_tools() {
+  keep_tool(path_);
+  keep_tool(after(after(after(path_))));
 }
 
 // Asked once: behind a block whose end vector is to be made in the plane there, else in the plane of its own end.
 bool ToolSideCompensation::moves(const ToolSideBlock& block) const {
   if (block.arc) return true;
-  if (block.travel.zero) return false;
+  const Travel& travel = paths_[after(path_)].travel;
+  if (travel.zero) return false;
   const Direction* tool = block.tool;
-  if (held_ == Held::path) tool = &last_->tool;
+  if (held_ == Held::path) tool = last_->tool;
   if (held_ == Held::start) tool = &start_tool_;
   if (fault(Fault::side_limit_by_length)) {
     // The length of the block itself, not of its projection.
-    const double limit = parameters_.no_movement.nearest() * block.travel.unit;
-    if (parameters_.no_movement < Count() || block.travel.square < limit * limit) return limit <= 0;
-    return geometry_.plane(*tool).moves(block.travel, Count());
+    const double limit = parameters_.no_movement.nearest() * travel.unit;
+    if (parameters_.no_movement < Count() || travel.square < limit * limit) return limit <= 0;
+    return geometry_.plane(*tool).moves(travel, Count());
   }
-  return geometry_.plane(*tool).moves(block.travel, parameters_.no_movement);
+  return geometry_.plane(*tool).moves(travel, parameters_.no_movement);
 }
 
 bool ToolSideCompensation::on_edge(const ToolSideBlock& block, const Direction& tool) const {
@@ -108,11 +95,15 @@ bool ToolSideCompensation::mismatches(const ToolSideBlock& block) const {
 }
 
 StageEnd ToolSideCompensation::block() {
-  ToolSideBlock& block = next();
+  const StageEnd end = any_block(next());
+  keep_tools();
+  awaits_line_ = awaits_line();
+  return end;
+}
+
+StageEnd ToolSideCompensation::any_block(ToolSideBlock& block) {
   if (mode_ == Mode::starts) return second_block(block);
   if (mode_ == Mode::ends && block.wanted) return undecide(block, "fanuc.cutter-c.restart-before-removal");
-  if (next_line(block)) [[likely]]
-    return {};
   keep_without_direction();
   if (mode_ == Mode::off && !block.wanted) {
     // G40 before anything has moved.
@@ -133,7 +124,7 @@ StageEnd ToolSideCompensation::block() {
     repeated_ = false;
     start_tool_ = *block.tool;
     start_side_ = fault(Fault::side_handedness) ? -block.side : block.side;
-    start_offset_ = {block.offset, block.offset.nearest()};
+    start_offset_ = value_;
     hold();
     return {};
   }
@@ -159,7 +150,8 @@ StageEnd ToolSideCompensation::first_block(ToolSideBlock& block) {
   mode_ = Mode::on;
   after_start_ = true;
   block.event.cause = spec::Cause::start_up;
-  start_tool_of_path_ = &to.tool;
+  start_tool_of_path_ = to.tool;
+  start_offset_of_path_ = &to.offset;
   hold_path(to, true);
   return {};
 }
@@ -194,71 +186,91 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   mode_ = Mode::on;
   after_start_ = false;
   start_tool_of_path_ = &start_tool_;
+  start_offset_of_path_ = &start_offset_;
   hold_path(to, false);
   return {};
 }
 
-bool ToolSideCompensation::next_line(ToolSideBlock& block) {
-  if (mode_ != Mode::on || held_ != Held::path || !block.wanted || block.arc || block.travel.zero || starts_up_ ||
-      after_start_ || repeated_ || block.repeated || treatment_ != Treatment::none || parameters_.no_interference ||
-      last_->arc || waits_ != 0 || !(block.offset == value_.exact) || !(last_->offset.exact == value_.exact) ||
-      value_.nearest == 0 || fault(Fault::side_handedness) || fault(Fault::side_tool_at_start) ||
-      fault(Fault::side_turned_tool) || fault(Fault::side_limit_by_length))
+bool ToolSideCompensation::awaits_line() {
+  return mode_ == Mode::on && held_ == Held::path && !starts_up_ && !after_start_ && !repeated_ &&
+         treatment_ == Treatment::none && !parameters_.no_interference && !last_->arc && last_->travel.narrow &&
+         waits_ == 0 && last_->offset.nearest != 0 && at_start().size == 1 && !fault(Fault::side_handedness) &&
+         !fault(Fault::side_tool_at_start) && !fault(Fault::side_turned_tool) && !fault(Fault::side_limit_by_length);
+}
+
+// Inner and obtuse corners of up to 90 degrees: against the movement before, the change of the plane may matter.
+bool ToolSideCompensation::take_line(double way_x, double way_y, double way_z) {
+  const ToolSideBlock& block = next();
+  const SidePath& from = *last_;
+  SidePath& to = paths_[after(path_)];
+  if (!awaits_line_ || !block.wanted || block.arc || block.repeated || !to.travel.narrow || to.travel.zero ||
+      block.side != from.side || from.offset_change != value_change_)
     return false;
-  SideGroup& start = at_start();
-  if (start.size != 1 || block.side != last_->side) return false;
   SideGroup& end = at_end();
   SideCorner& corner = end.corner;
-  const ToolPlane plane(geometry_.plane(last_->tool));
-  if (!plane.quick_turn(last_->travel, block.travel, corner.turn)) return false;
-  const SpaceTurn& turn = corner.turn;
-  if (turn.length2 <= shortest_) return false;
+  const ToolPlane plane(geometry_.plane(*from.tool));
+  QuickTurn turn;
+  if (!plane.see(from.travel, to.travel, {way_x, way_y, way_z}, turn) || turn.dot <= turn.bound ||
+      turn.length2 <= shortest_)
+    return false;
+  if (std::abs(turn.cross) > turn.bound) [[likely]]
+    corner.turn.cross = turn.cross > 0 ? 1 : -1;
+  else if (!plane.quick_turn(from.travel, to.travel, corner.turn))
+    return false;
+  corner.turn.dot = 1;
+  // r (l1 + l2) / (1 + k) of the unit normals.
   const int side = block.side;
-  // Inner corners, but near a reversal, and obtuse ones.
-  if (turn.dot <= 0 && (side * turn.cross <= 0 || turn.k < -0.99)) return false;
-  const double along = turn.dot >= 0 ? turn.c / (1 + turn.k) : (1 - turn.k) / turn.c;
   const double rho = side > 0 ? value_.nearest : -value_.nearest;
-  const Vector3<double> vector = (turn.left1 - turn.ahead1 * along) * rho;
-  const Vector3<double> from = start.front().vector;
-  const double product = turn.length1 + dot(turn.ahead1, vector - from);
-  const double size = std::abs(vector.x) + std::abs(vector.y) + std::abs(vector.z) + std::abs(from.x) +
-                      std::abs(from.y) + std::abs(from.z);
-  if (product <= 0x1p-42 * (turn.length1 + size)) return false;
-  // Against the movement before the other plane may matter.
-  if (turn.dot <= 0 && !parameters_.no_plane_change) return false;
-  SidePath& to = new_path();
-  copy(block.travel, to.travel);
-  copy(*block.tool, to.tool);
+  const double divisor = turn.lengths + turn.dot;
+  const Vector3<double> sum = turn.left1 * turn.length2 + turn.left2 * turn.length1;
+  const double x = sum.x * rho / divisor;
+  const double y = sum.y * rho / divisor;
+  const double z = sum.z * rho / divisor;
+  // The tool goes forward for certain: |u1|^2 + u1 . (vector - start), by the length.
+  const Vector3<double>& start = at_start().head[0].vector;
+  const Vector3<double> ahead = cross(turn.left1, plane.unit());
+  const double way = turn.length1 * (1 / static_cast<double>(Count::kSmallPerOne));
+  const double forward =
+      way * turn.length1 + (ahead.x * (x - start.x) + ahead.y * (y - start.y) + ahead.z * (z - start.z));
+  const double size =
+      std::abs(x) + std::abs(y) + std::abs(z) + std::abs(start.x) + std::abs(start.y) + std::abs(start.z);
+  if (forward <= 0x1p-42 * turn.length1 * (way + size)) return false;
+
+  path_ = after(path_);
+  to.tool = block.tool;
   to.arc = false;
   to.side = side;
-  to.offset = value_;
-
-  corner.first = last_;
+  if (to.offset_change != value_change_) {
+    to.offset = value_;
+    to.offset_change = value_change_;
+  }
+  corner.first = &from;
   corner.second = &to;
-  corner.tool = &last_->tool;
-  corner.first_side = corner.second_side = side;
-  corner.offset = &last_->offset;
+  corner.tool = from.tool;
+  corner.first_side = side;
+  corner.second_side = side;
+  corner.offset = &from.offset;
   corner.flat = false;
   // Field by field: a head put together on the stack would have to be waited for.
   SideHead& head = end.head[0];
-  head.vector.x = vector.x;
-  head.vector.y = vector.y;
-  head.vector.z = vector.z;
+  head.vector.x = x;
+  head.vector.y = y;
+  head.vector.z = z;
   head.kind = HeadKind::tangents_meet;
   head.kept = false;
   end.size = 1;
-  ToolSideBlock& former = held(0);
-  send(former, vector, true);
-  for (std::uint8_t i = 1; i < count_; ++i) send(held(i), vector, held(i).own);
-  count_ = 0;
   group_ ^= 1U;
-  start_tool_of_path_ = &last_->tool;
+  start_tool_of_path_ = from.tool;
+  start_offset_of_path_ = &from.offset;
   start_side_ = side;
-  start_offset_ = value_;
   treatment_ = block.treatment;
+  awaits_line_ = block.treatment == Treatment::none;
   last_ = &to;
   still_ = 0;
   mismatch_[next_] = false;
+  send(ring_[first_], head.vector, true);
+  for (std::uint8_t i = 1; i < count_; ++i) send(held(i), head.vector, held(i).own);
+  count_ = 0;
   hold();
   return true;
 }
@@ -268,21 +280,20 @@ StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
   set_path(to, block);
   if (block.arc && to.flat.center_in_end) return refuse(block, alarm::kArcCenter);
   if (after_start_ && to.side != last_->side) return refuse(block, alarm::kDirectionChangeAtStart);
-  if (block.arc && ((held_ == Held::path && on_edge(block, last_->tool)) || on_edge(block, *block.tool)))
+  if (block.arc && ((held_ == Held::path && on_edge(block, *last_->tool)) || on_edge(block, *block.tool)))
     return undecide(block, "fanuc.tool-side.arc-plane");
   if (held_ == Held::path) {
     const bool repeated = repeated_ || block.repeated;
     const CornerRule rule =
         repeated ? CornerRule::repeated : (starts_up_ ? CornerRule::start_up : CornerRule::ordinary);
     if (const StageEnd end = join(to, rule)) return end;
-    start_tool_of_path_ = &last_->tool;
-    start_side_ = to.side;
-    start_offset_ = last_->offset;
+    start_tool_of_path_ = last_->tool;
+    start_offset_of_path_ = &last_->offset;
   } else {
-    start_tool_of_path_ = &to.tool;
-    start_side_ = to.side;
-    start_offset_ = to.offset;
+    start_tool_of_path_ = to.tool;
+    start_offset_of_path_ = &to.offset;
   }
+  start_side_ = to.side;
   after_start_ = false;
   hold_path(to, false);
   return {};
@@ -300,7 +311,7 @@ void ToolSideCompensation::hold_path(const SidePath& to, bool starts_up) {
 }
 
 void ToolSideCompensation::keep_without_direction() {
-  if (held_ != Held::path || last_->arc || geometry_.plane(last_->tool).moves(last_->travel, Count())) return;
+  if (held_ != Held::path || last_->arc || geometry_.plane(*last_->tool).moves(last_->travel, Count())) return;
   ToolSideBlock& block = held(waits_);
   pass_corner(&block);
   make_.keep_last(at_start());
@@ -329,7 +340,7 @@ StageEnd ToolSideCompensation::cancel_block(ToolSideBlock& block) {
 void ToolSideCompensation::set_corner(SideCorner& corner, const SidePath* second) const {
   corner.first = last_;
   corner.second = second;
-  corner.tool = &last_->tool;
+  corner.tool = last_->tool;
   if (fault(Fault::side_tool_at_start)) corner.tool = start_tool_of_path_;
   if (fault(Fault::side_turned_tool) && count_ > waits_ + 1)
     corner.tool = ring_[(first_ + waits_ + 1U) % ring_.size()].tool;
@@ -355,9 +366,9 @@ StageEnd ToolSideCompensation::finish(bool plane_change, const SidePath* to) {
   ToolSideBlock& block = held(waits_);
   const SidePath& path = *last_;
   const Kinematics& kinematics = geometry_.kinematics();
-  if (plane_change && parameters_.tilt.reached(kinematics, path.tool, to->tool) &&
-      dot_sign(kinematics, path.travel, path.tool, to->travel, to->tool) >= 0 &&
-      dot_sign(kinematics, path.travel, path.tool, to->travel, path.tool) < 0)
+  if (plane_change && parameters_.tilt.reached(kinematics, *path.tool, *to->tool) &&
+      dot_sign(kinematics, path.travel, *path.tool, to->travel, *to->tool) >= 0 &&
+      dot_sign(kinematics, path.travel, *path.tool, to->travel, *path.tool) < 0)
     return at_fault(block, alarm::kPlaneChangeInterference);
   const bool arc = path.arc;
   std::optional<double> sweep;
@@ -367,7 +378,7 @@ StageEnd ToolSideCompensation::finish(bool plane_change, const SidePath* to) {
     sweep = block.event.arc->sweep;
   }
   if (!starts_up_ && !parameters_.no_interference) {
-    const CheckedSide checked{&path, start_tool_of_path_, start_side_, &start_offset_};
+    const CheckedSide checked{&path, start_tool_of_path_, start_side_, start_offset_of_path_};
     switch (check_interference(make_, checked, sweep, at_start(), at_end())) {
       case Interference::none:
         break;
@@ -437,6 +448,8 @@ void ToolSideCompensation::send_corner_moves(const ToolSideBlock* owner, std::ui
 }
 
 StageEnd ToolSideCompensation::release() {
+  awaits_line_ = false;
+  keep_tools();
   keep_without_direction();
   switch (held_) {
     case Held::nothing:
@@ -517,22 +530,28 @@ StageEnd ToolSideCompensation::at_fault(const ToolSideBlock& block, const Alarm&
 void ToolSideCompensation::hold() {
   if (count_ == 0) first_ = next_;
   ++count_;
-  next_ = static_cast<std::uint8_t>((next_ + 1U) % ring_.size());
+  next_ = next_ + 1U == ring_.size() ? std::uint8_t{0} : static_cast<std::uint8_t>(next_ + 1U);
 }
 
 void ToolSideCompensation::free_first() {
   --count_;
-  first_ = static_cast<std::uint8_t>((first_ + 1U) % ring_.size());
+  first_ = first_ + 1U == ring_.size() ? std::uint8_t{0} : static_cast<std::uint8_t>(first_ + 1U);
 }
 
 void ToolSideCompensation::add(Event& event, const Vector3<double>& vector) const {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t axis = xyz_[i];
-    if (axis == spec::Axes::kNone) continue;
-    event.point.value[axis] += vector[i];
-    event.axes.value[axis] += vector[i];
-    event.machine.value[axis] += vector[i];  // read only where present
-  }
+  const auto add_to = [&](spec::AxisValues<double>& values) {
+    if (has_xyz_) [[likely]] {
+      values.value[xyz_[0]] += vector.x;
+      values.value[xyz_[1]] += vector.y;
+      values.value[xyz_[2]] += vector.z;
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      if (xyz_[i] != spec::Axes::kNone) values.value[xyz_[i]] += vector[i];
+  };
+  add_to(event.point);
+  add_to(event.axes);
+  if (event.machine.present != 0) add_to(event.machine);
 }
 
 void ToolSideCompensation::send(ToolSideBlock& block, const Vector3<double>& vector, bool own) {

@@ -34,10 +34,20 @@ class ToolSideCompensation {
   [[nodiscard]] bool active() const { return mode_ != Mode::off; }
   [[nodiscard]] StartType type() const { return parameters_.type; }
 
-  // The block to fill in next. It keeps what it held before: the caller writes every field.
+  // The value of the number in force, without its sign, from next() on.
+  void set_value(const Count& value) {
+    value_ = {value, value.nearest()};
+    ++value_change_;
+  }
+  // The block to fill in next and how it moves. It keeps what it held before: the caller writes every field.
   [[nodiscard]] ToolSideBlock& next() { return ring_[next_]; }
+  [[nodiscard]] Travel& next_travel() { return paths_[after(path_)].travel; }
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
+  // The usual case of block() without a detour: after a line a line, one vector at both ends of the former. False, and
+  // nothing done, where next() is any other. If true its event is still to be filled in.
+  // x, y, z: next_travel().value.
+  [[nodiscard]] bool take_line(double x, double y, double z);
   // No further block is known: one that raises an alarm of its own or stops the look-ahead, or the end of the program.
   StageEnd release();
 
@@ -51,12 +61,10 @@ class ToolSideCompensation {
   enum class Held : std::uint8_t { nothing, path, start };
 
   // block() by kinds of blocks.
+  StageEnd any_block(ToolSideBlock& block);
   StageEnd second_block(ToolSideBlock& block);
   StageEnd first_block(ToolSideBlock& block);
   StageEnd next_block(ToolSideBlock& block);
-  // The usual case of next_block() without a detour: two lines, one vector at both ends of the former. False, and
-  // nothing done, where it is any other.
-  bool next_line(ToolSideBlock& block);
   StageEnd cancel_block(ToolSideBlock& block);
   StageEnd still_block(ToolSideBlock& block);
   StageEnd cancel_alone(ToolSideBlock& block);
@@ -64,11 +72,17 @@ class ToolSideCompensation {
   StageEnd undecide(const ToolSideBlock& block, const char* clause);
   StageEnd at_fault(const ToolSideBlock& block, const Alarm& alarm);
 
+  // take_line() may take a line behind the path that is held.
+  [[nodiscard]] bool awaits_line();
   [[nodiscard]] bool moves(const ToolSideBlock& block) const;
   [[nodiscard]] bool on_edge(const ToolSideBlock& block, const Direction& tool) const;
   [[nodiscard]] bool mismatches(const ToolSideBlock& block) const;
 
-  SidePath& new_path() { return paths_[path_ = static_cast<std::uint8_t>((path_ + 1U) % paths_.size())]; }
+  static std::uint8_t after(std::uint8_t path) { return static_cast<std::uint8_t>((path + 1U) % 4); }
+  SidePath& new_path() { return paths_[path_ = after(path_)]; }
+  // The path keeps its tool: until then it is the one of the interpreter, which keeps those of the last blocks.
+  void keep_tool(std::uint8_t path);
+  void keep_tools();
   void set_path(SidePath& to, const ToolSideBlock& block);
   void set_corner(SideCorner& corner, const SidePath* second) const;
 
@@ -86,7 +100,10 @@ class ToolSideCompensation {
 
   void hold();
   void free_first();
-  [[nodiscard]] ToolSideBlock& held(std::uint8_t i) { return ring_[(first_ + i) % ring_.size()]; }
+  [[nodiscard]] ToolSideBlock& held(std::uint8_t i) {
+    const std::size_t slot = std::size_t{first_} + i;
+    return ring_[slot < ring_.size() ? slot : slot - ring_.size()];
+  }
   void send_behind();
   void send(ToolSideBlock& block, const Vector3<double>& vector, bool own);
   void add(Event& event, const Vector3<double>& vector) const;
@@ -101,7 +118,8 @@ class ToolSideCompensation {
   SideGeometry geometry_;
   SideGroups make_;
   std::array<std::size_t, 3> xyz_;
-  double shortest_;  // longer travels move for certain (No. 19630)
+  double shortest_;  // longer travels move for certain (No. 19630); 10^-6 of a setup unit
+  bool has_xyz_;     // none of the three axes is missing
 
   // Held: a block that waits for the last vector of the corner before the path (waits_ 0 or 1), the path or a start of
   // type C, and blocks without movement behind it.
@@ -114,6 +132,7 @@ class ToolSideCompensation {
   Held held_ = Held::nothing;
 
   std::array<SidePath, 4> paths_;  // of the block held, the ones before and after it
+  std::array<Direction, 4> tools_;
   std::uint8_t path_ = 0;
   const SidePath* last_ = nullptr;  // of the moving block before
 
@@ -133,9 +152,12 @@ class ToolSideCompensation {
   // Of the corner at its start; without one those of the path itself.
   const Direction* start_tool_of_path_ = nullptr;
   int start_side_ = 1;
-  Amount start_offset_;
+  const Amount* start_offset_of_path_ = nullptr;
+  bool awaits_line_ = false;
 
-  Amount value_;       // the value that came last
+  Amount start_offset_;  // of type C
+  Amount value_;         // in force
+  std::uint32_t value_change_ = 0;
   Event corner_move_;  // of the corner whose moves have not gone out: the block before it, without a vector
   Event notice_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
@@ -172,8 +173,12 @@ void Conditions::arc(const model::Event& event, const Vector& compensation, Scal
   to.at(normal.at(static_cast<std::size_t>(event.arc->plane))) = 0;
   const double error = policy::ulp(scale.position) + scale.pose.tip;
   const double own = scale.vector > 0 ? scale.condition * policy::ulp(scale.vector) : 0;
-  if (length(from) > 0) scale.turn += (error + scale.start) / length(from);
-  if (length(to) > 0) scale.turn += (error + own) / length(to);
+  // An end whose direction is asked for, and that an estimate cannot tell from the centre, may have any.
+  const auto turned = [&event](double by, double distance) {
+    if (distance > 0) return by / distance;
+    return event.arc->sweep ? std::numeric_limits<double>::infinity() : 0.0;
+  };
+  scale.turn += turned(error + scale.start, length(from)) + turned(error + own, length(to));
 }
 
 }  // namespace toolcomp::fuzz

@@ -99,7 +99,8 @@ void CutterCompensationB::cancel(Step& step) {
   const bool by_words = block.axis_word && (block.one_shot == OneShot::none || block.motion != PlaneMotion::none);
   if (!by_words && block.motion != PlaneMotion::arc) {
     cancels = recorder().decide(Clause::fanuc_cutter_b_cancel_alone, !is_zero(vector_));
-    if (cancels && step.moves.empty()) step.moves.push_back(step.rest);
+    // Beside G92 the only move there can be is that of the length offset.
+    if (cancels && (step.moves.empty() || block.one_shot == OneShot::shift)) step.moves = {step.rest};
   }
   vector_ = {};
   started_ = false;

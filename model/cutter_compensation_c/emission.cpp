@@ -37,7 +37,8 @@ void CutterCompensationC::emit_without_vector(Step& step) { send(step); }
 
 void CutterCompensationC::emit_change_alone(Step& step, spec::Cause cause, bool changes) {
   recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, has_axis_word(*step.cutter));
-  if (step.moves.empty() && changes) step.moves.push_back(step.rest);
+  // Beside G92 the only move there can be is that of the length offset (clause fanuc.cutter-c.workpiece-change).
+  if (changes && (step.moves.empty() || step.cutter->one_shot == OneShot::shift)) step.moves = {step.rest};
   if (!step.moves.empty()) step.moves.front().leg.cause = cause;
   emit_at_head(step);
 }

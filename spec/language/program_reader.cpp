@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -55,6 +57,34 @@ constexpr std::array<Kind, 256> kKinds = [] {
 constexpr bool is_digit(int c) { return c >= '0' && c <= '9'; }
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
+// At most seven digits at one place, read at once: in a word whose lowest byte is the first one.
+static_assert(std::endian::native == std::endian::little);
+struct Digits {
+  unsigned count = 0;  // 8: as many or more, and no number
+  std::uint64_t number = 0;
+};
+constexpr std::size_t kDigitsRead = 8;
+constexpr std::array<std::uint64_t, 8> kPowers{1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000};
+
+// Reads kDigitsRead bytes.
+inline Digits digits_at(const char* at) {
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, at, sizeof bytes);
+  bytes ^= 0x3030'3030'3030'3030;
+  // The first byte above 9 carries into the next ones, which do not count.
+  const std::uint64_t others = ((bytes + 0x7676'7676'7676'7676) | bytes) & 0x8080'8080'8080'8080;
+  const auto count = static_cast<unsigned>(std::countr_zero(others)) / 8;
+  if (count > 7) [[unlikely]]
+    return {8, 0};
+  // Zeros before it; then pairs, and the pairs by their powers of 100.
+  bytes = bytes << (56 - 8 * count) << 8U;
+  bytes = bytes * 10 + (bytes >> 8U);
+  constexpr std::uint64_t kPair = 0x0000'00FF'0000'00FF;
+  const std::uint64_t number =
+      ((bytes & kPair) * 0x000F'4240'0000'0064 + (bytes >> 16U & kPair) * 0x0000'2710'0000'0001) >> 32U;
+  return {count, number};
+}
+
 // What an address admits.
 struct Address {
   bool known = false;
@@ -102,7 +132,8 @@ struct ProgramReader::State {
   // These return whether all is well; after a fault the rest of the block is behind.
   bool read_word(Block& block, char letter);
   bool read_number(Block& block, const Address& admitted, std::uint32_t start, Decimal& value);
-  // The usual number without a detour, [-]digits[.digits]; false, and nothing taken, where it is or may be any other.
+  // The usual number without a detour, [-]digits[.digits] of at most seven each; false, and nothing taken, where it is
+  // or may be any other.
   bool read_usual(const Address& admitted, Decimal& value);
   bool read_slash(Block& block);
   bool raise(Block& block, std::uint32_t column, const char* number, const char* message);
@@ -116,7 +147,7 @@ struct ProgramReader::State {
   std::unique_ptr<ByteSource> source;
   ReaderOptions options;
   std::array<Address, 256> address;
-  std::array<char, kBufferSize + 1> buffer{};  // the byte at `end` is 0
+  std::array<char, kBufferSize + 2 * kDigitsRead> buffer{};  // the byte at `end` is 0
   const char* position = buffer.data();
   const char* end = buffer.data();
   std::uint64_t consumed = 0;    // bytes before the buffer
@@ -282,21 +313,23 @@ bool ProgramReader::State::read_usual(const Address& admitted, Decimal& value) {
   const char* at = position;
   value.negative = *at == '-';
   if (value.negative) ++at;
-  std::uint64_t digits = 0;
-  const char* const first = at;
-  for (; is_digit(*at); ++at) digits = digits * 10 + static_cast<std::uint64_t>(*at - '0');
-  std::ptrdiff_t count = at - first;
+  const Digits before = digits_at(at);
+  if (before.count > 7) return false;
+  at += before.count;
   value.point = *at == '.';
+  value.digits = before.number;
+  unsigned count = before.count;
   if (value.point) {
-    const char* const behind = ++at;
-    for (; is_digit(*at); ++at) digits = digits * 10 + static_cast<std::uint64_t>(*at - '0');
-    value.decimals = static_cast<std::uint8_t>(at - behind);
-    count += at - behind;
+    const Digits behind = digits_at(++at);
+    if (behind.count > 7) return false;
+    at += behind.count;
+    value.digits = value.digits * kPowers[behind.count] + behind.number;
+    value.decimals = static_cast<std::uint8_t>(behind.count);
+    count += behind.count;
   }
-  value.digits = digits;
   // A number that reaches the end of the buffer may go on behind it.
-  if (count == 0 || count > kMaxProgramDigits || at == end || *at == '.' || *at == '-' ||
-      (value.negative && !admitted.sign) || (value.point && !admitted.point))
+  if (count == 0 || at == end || *at == '.' || *at == '-' || (value.negative && !admitted.sign) ||
+      (value.point && !admitted.point))
     return false;
   position = at;
   return true;
@@ -319,7 +352,11 @@ bool ProgramReader::State::read_block(Block& block) {
         take();
         break;
       case Kind::letter:
-        read_word(block, upper(static_cast<char>(byte)));
+        // And the words behind it, which stand a blank apart at most.
+        while (read_word(block, upper(*position))) {
+          if (*position == ' ') take();
+          if (kKinds[static_cast<unsigned char>(*position)] != Kind::letter) break;
+        }
         break;
       case Kind::colon:
         read_word(block, 'O');

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/command_line/command.h"
+#include "tests/sanitized.h"
 
 namespace {
 
@@ -13,15 +14,7 @@ using toolcomp::test::Outcome;
 using toolcomp::test::toolcomp;
 
 // A sanitizer reserves address space of its own.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-const std::string kMemoryLimit;
-#else
-const std::string kMemoryLimit = "ulimit -v 400000; ";
-#endif
-#else
-const std::string kMemoryLimit = "ulimit -v 400000; ";
-#endif
+const std::string kMemoryLimit = toolcomp::test::kSanitized ? "" : "ulimit -v 400000; ";
 
 class BadInput : public testing::Test {
  protected:

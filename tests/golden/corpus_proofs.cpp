@@ -11,6 +11,7 @@
 
 #include "corpus/golden.h"
 #include "spec/language/file_writer.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::corpus {
 namespace {
@@ -26,16 +27,6 @@ std::string quoted(const fs::path& path) { return '\'' + path.string() + '\''; }
 
 const fs::path kCheck = fs::path(TOOLCOMP_SOURCE_DIR) / "corpus/proofs/check";
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
-#else
-constexpr bool kSanitized = false;
-#endif
-
 TEST(GoldenProofs, CoqProvesASampleOfTheVectors) {
   const fs::path folder = fs::path(TOOLCOMP_BINARY_DIR) / "golden_proofs";
   fs::remove_all(folder);
@@ -44,7 +35,7 @@ TEST(GoldenProofs, CoqProvesASampleOfTheVectors) {
     EXPECT_GE(file.vectors, 10U) << file.file;
   }
   // Coq gives the same answer in every build: the sanitized one proves a few.
-  if (kSanitized) write_proofs(default_folder(), folder, {6, 1, 1});
+  if (toolcomp::test::kSanitized) write_proofs(default_folder(), folder, {6, 1, 1});
   EXPECT_EQ(run(quoted(kCheck) + ' ' + quoted(folder)), 0);
 }
 

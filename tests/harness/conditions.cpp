@@ -156,6 +156,18 @@ TEST(Conditions, OfTheSweepOfASmallArc) {
   EXPECT_EQ(list[1].turn, 0);
 }
 
+// Found by fuzzing: an end nearer to the centre than an estimate sees has no direction in double. One in the centre has
+// none at all, and says so.
+TEST(Conditions, OfTheSweepOfAnArcThatEndsBesideItsCentre) {
+  for (const bool sweeps : {true, false}) {
+    model::Event beside = arc(move(kOwn, "50", "10", Real(40), decimal("10.00000000000000000001")), "40", "10");
+    if (sweeps) beside.arc->sweep = Real(90);
+    const auto list =
+        scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", Real(40), Real(9)), beside});
+    EXPECT_EQ(std::isinf(list[2].turn), sweeps);
+  }
+}
+
 using Triple = std::array<Real, 3>;
 
 // A move of a machine with a tool axis: programmed point, vector, and the tool at the end.

@@ -190,6 +190,21 @@ TEST(CutterCompensationB, MachinePositions) {
   expect_heads(named, {{40, 10}, {10, 10}});
 }
 
+// By hand: Z 0 is called 7 in a block that drops the length of 7. The move that removes a vector has Z 7, one of the
+// length alone Z 0.
+TEST(CutterCompensationB, LengthMoveInTheBlockOfACoordinateShift) {
+  const auto z = [](const std::string& blocks, std::size_t i) {
+    const ProgramRun run(kSetup, "G43 H1\n" + blocks);
+    EXPECT_EQ(run.alarm(), "");
+    EXPECT_EQ(run.axis(i, 'Z'), run.point(i, 'Z'));
+    return run.point(i, 'Z');
+  };
+  EXPECT_EQ(z("G41 D1 G92 H0 Z7\n", 1), 0);
+  EXPECT_EQ(z("G41 D1 X40\nG92 H0 Z7\n", 2), 0);
+  EXPECT_EQ(z("G41 D1 X40\nG40 G92 H0 Z7\n", 2), 7);
+  EXPECT_EQ(z("G41 D1\nG40 G92 H0 Z7\n", 1), 0);
+}
+
 TEST(CutterCompensationB, Planes) {
   // By hand: ZX has Z first; left of +Z is +X.
   const ProgramRun zx(kSetup, "G18 G41 Z40 D1\n");

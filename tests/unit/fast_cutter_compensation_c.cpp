@@ -433,5 +433,34 @@ TEST(FastCutterCompensationC, CornerMovesCarryTheToolAsItIsCalled) {
   EXPECT_EQ(corners, 1U);
 }
 
+// By hand, clause fanuc.cutter-c.workpiece-change: Z 0 is called 7 in a block that drops the length of 20. Where the
+// block makes or removes a vector its move has Z 7, otherwise Z 0.
+TEST(FastCutterCompensationC, LengthMoveInTheBlockOfACoordinateShift) {
+  const auto second = [](const std::string& parameters, const std::string& blocks) {
+    const ProgramRun run(setup(parameters, -50, 0), "G43 H1 G01 F100\n" + blocks);
+    EXPECT_EQ(run.alarm(), "");
+    return run;
+  };
+  const auto expect_move = [](const ProgramRun& run, std::size_t i, double x, double y, double z) {
+    EXPECT_NEAR(run.point(i, 'X'), x, kTolerance);
+    EXPECT_NEAR(run.point(i, 'Y'), y, kTolerance);
+    EXPECT_EQ(run.point(i, 'Z'), z);
+    EXPECT_EQ(run.axis(i, 'Z'), z);
+  };
+  // A start-up of type A is made by the next block; number 0 asks for none; a value of 0 makes a vector of length 0.
+  expect_move(second("", "G41 D1 G92 H0 X1 Z7\nX51\n"), 1, -50, 0, 0);
+  expect_move(second("", "G41 D0 G92 H0 X1 Z7\nX51\n"), 1, -50, 0, 0);
+  expect_move(second(kAlone, "G41 D6 G92 H0 Z7\nX0\n"), 1, -50, 0, 0);
+  // Of SUV = 1 it is made here, if a moving block follows.
+  expect_move(second(kAlone, "G41 D1 G92 H0 Z7\nX0\n"), 1, -50, 10, 7);
+  expect_move(second(kAlone, "G41 D1 G92 H0 Z7\n"), 1, -50, 0, 0);
+  // A lone G40 keeps the vector in type A and removes it with SUV = 1; number 0 is the same.
+  for (const std::string code : {"G40", "D0"}) {
+    expect_move(second("", "G41 D1 X0\nX40\n" + code + " G92 H0 Z7\n"), 3, 40, 10, 0);
+    expect_move(second(kAlone, "G41 D1 X0\nX40\n" + code + " G92 H0 Z7\n"), 3, 40, 0, 7);
+    expect_move(second(kAlone, "G41 D6 X0\nX40\n" + code + " G92 H0 Z7\n"), 3, 40, 0, 0);
+  }
+}
+
 }  // namespace
 }  // namespace toolcomp::fast

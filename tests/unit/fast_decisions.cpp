@@ -25,11 +25,7 @@ const Kinematics& no_kinematics() {
 
 Displacement displacement(const std::array<std::int64_t, 3>& m) {
   Displacement d;
-  d.zero = false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    d.whole[i] = m[i];
-    d.value[static_cast<Eigen::Index>(i)] = static_cast<double>(m[i]);
-  }
+  set_displacement(d, m[0], m[1], m[2]);
   return d;
 }
 

@@ -191,6 +191,10 @@ TEST(ModelCutterCompensationB, MachinePositions) {
   EXPECT_EQ(heads("G41 X40 D1\nG91 G40 G53 X5\n").back(), "2 rapid X40 Y0 Z0 (cancel)");
   // G92 and G54 to G59 leave the tool where it is.
   EXPECT_EQ(heads("G41 X40 D1\nG92 X0\nX10\n").back(), "3 rapid X10 Y10 Z0");
+  // The move that removes the vector is written after the renaming, that of the length offset alone before it.
+  constexpr const char* kLength = "[offsets.H]\n9 = 50\n";
+  EXPECT_EQ(heads("G43 H9\nG41 X40 D1\nG40 G92 H0 X1\n", "", kLength).back(), "3 rapid X1 Y0 Z0 (cancel)");
+  EXPECT_EQ(heads("G43 H9\nG41 X40 D1\nG92 H0 X1\n", "", kLength).back(), "3 rapid X40 Y10 Z0");
 }
 
 TEST(ModelCutterCompensationB, EditedValues) {

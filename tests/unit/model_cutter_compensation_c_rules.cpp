@@ -125,6 +125,19 @@ TEST(ModelCutterCRules, AlarmsBeforeAMove) {
   EXPECT_EQ(alarm(run(cutter_setup(), started("G92 Z0\nX50\n"))), "");
 }
 
+// Found by fuzzing. The move of a block with G92 that makes or removes a vector is written after the renaming, that of
+// the length offset alone before it.
+TEST(ModelCutterCRules, LengthOffsetBesideCoordinateShift) {
+  constexpr const char* kAtOnce = "\"5003#1\" = 1";
+  const std::string starts = "G43 H1\nG41 D1 G92 H0 X1\nX41\n";
+  EXPECT_EQ(points(starts), (Lines{"1 rapid X0 Y0 Z0", "2 rapid X0 Y0 Z0", "3 rapid X41 Y10 Z0 (start-up)"}));
+  EXPECT_EQ(points(starts, kAtOnce), (Lines{"1 rapid X0 Y0 Z0", "2 rapid X1 Y10 Z0 (start-up)", "3 rapid X41 Y10 Z0"}));
+  EXPECT_EQ(points("G43 H1\nG41 D4 G92 H0 X1\n", kAtOnce), (Lines{"1 rapid X0 Y0 Z0", "2 rapid X0 Y0 Z0"}));
+  const std::string ends = "G43 H1\n" + started("G40 G92 H0 Z5\n");
+  EXPECT_EQ(points(ends).back(), "4 linear X40 Y10 Z0");
+  EXPECT_EQ(points(ends, kAtOnce).back(), "4 linear X40 Y0 Z5 (cancel)");
+}
+
 // A G02 of radius 20 into a line that its offset path misses: A is named, and the block before runs to its first head.
 TEST(ModelCutterCRules, NoIntersection) {
   const std::string program = "G01 G42 D9 X40 F100\nX60\nG02 X80 Y-20 J-20\nG01 X0 Y-40\n";
