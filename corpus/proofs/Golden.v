@@ -315,3 +315,50 @@ Ltac side_passes m k l i j :=
   match goal with |- context [scale ?r (add (ToolSideCompensation.n ?s (Vec ?x ?y ?z) (Vec ?a ?b ?c)) (scale (-1) _))] =>
     rewrite (K_coordinates r s (-1) x y z a b c k l j) by (cbv zeta; lra) end;
   cbn [vx vy vz]; repeat split; lra.
+
+(** * Tool center point control, tool posture control *)
+From Toolcomp Require ToolCenterPointControl ToolPostureControl.
+
+(** What is computed from recorded decimals is right to within [e]. *)
+Definition within e x y := Rabs (x - y) <= e.
+Definition within_vec e u v := within e (vx u) (vx v) /\ within e (vy u) (vy v) /\ within e (vz u) (vz v).
+
+(** The recorded tool axis [v] is the unit vector along [w]. *)
+Definition axis_along e w v := within_vec e (cross w v) zero /\ 0 < dot w v /\ within (4 / 10 ^ 15) (dot v v) 1.
+
+Ltac in_coordinates :=
+  unfold axis_along, within_vec, within, ToolCenterPointControl.head_control_point, dot, cross, add, scale, zero;
+  cbn [vx vy vz].
+Ltac by_decimals :=
+  cbv zeta; in_coordinates; repeat split; first [lra | apply Rabs_le; split; lra].
+
+(** The direction of recorded rotary positions. *)
+Ltac by_forward :=
+  unfold ToolCenterPointControl.V; rewrite ?rotate_about_x, ?rotate_about_y, ?rotate_about_z;
+  unfold within_vec, within, degrees, ex, ey, ez; cbn [vx vy vz]; repeat split; interval with (i_prec 90).
+
+(** The direction half way between two, of any length. *)
+Lemma half_way_between a b : 0 < dot (cross a b) (cross a b) ->
+  ToolPostureControl.great_circle (unit a) (unit b) (1/2) =
+  scale (/ norm (add (unit a) (unit b))) (add (unit a) (unit b)).
+Proof.
+  intro H.
+  assert (N : cross a b <> zero) by (intro E; rewrite E in H; unfold dot, zero in H; cbn in H; lra).
+  assert (A : a <> zero) by (intro E; apply N; rewrite E; vec_ring).
+  assert (B : b <> zero) by (intro E; apply N; rewrite E; vec_ring).
+  pose proof (norm_pos a A) as Pa. pose proof (norm_pos b B) as Pb.
+  assert (U : forall w, w <> zero -> dot (unit w) (unit w) = 1).
+  { intros w W. pose proof (norm_pos w W). rewrite dot_unit, <- norm_sqr. field; lra. }
+  apply ToolPostureControl.half_way; [apply U, A | apply U, B |].
+  intro E. unfold parallel in E. apply N.
+  assert (X : cross a b = scale (norm a * norm b) (cross (unit a) (unit b))).
+  { unfold unit. replace (cross (scale (/ norm a) a) (scale (/ norm b) b))
+      with (scale (/ norm a * / norm b) (cross a b)) by (set (x := / norm a); set (y := / norm b); vec_ring).
+    rewrite scale_scale. replace (norm a * norm b * (/ norm a * / norm b)) with 1 by (field; lra).
+    symmetry; apply scale_one. }
+  rewrite X, E. apply scale_zero_r.
+Qed.
+
+Ltac by_half_way :=
+  rewrite half_way_between by (unfold dot, cross; cbn [vx vy vz]; lra);
+  unfold within_vec, within, unit, add, scale, norm, dot; cbn [vx vy vz]; repeat split; interval with (i_prec 90).

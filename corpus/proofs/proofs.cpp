@@ -21,6 +21,8 @@ constexpr Section kSections[] = {
     {"fanuc/leading-edge-offset", "GoldenLeadingEdgeOffset.v", leading_edge_lemmas},
     {"fanuc/cutter-compensation-c", "GoldenCutterCompensationC.v", cutter_compensation_c_lemmas},
     {"fanuc/tool-side-compensation", "GoldenToolSideCompensation.v", tool_side_lemmas},
+    {"fanuc/tool-center-point-control", "GoldenToolCenterPointControl.v", tool_center_point_lemmas},
+    {"fanuc/tool-posture-control", "GoldenToolPostureControl.v", tool_posture_lemmas},
 };
 
 ProofFile write(const Section& section, const std::vector<Vector>& vectors, const std::filesystem::path& output,

@@ -30,7 +30,10 @@ struct Lemma {
 //   those
 //                   of the class, exactly where the lengths of both lines are rational;
 //   tool side       a corner of two lines in the mode: its class in the compensation plane, and that the recorded heads
-//                   are those of the class, exactly where the lengths in it are rational.
+//                   are those of the class, exactly where the lengths in it are rational;
+//   tip control     a direction by I J K: that the recorded tool axis is its unit vector, that the recorded rotary
+//                   positions point along it, and on a head the recorded control point;
+//   posture         the middle of a block with P1: that the recorded tool axis lies in the plane, half way.
 std::vector<Lemma> leading_edge_lemmas(const spec::Case& c);
 std::vector<Lemma> length_offset_lemmas(const spec::Case& c);
 std::vector<Lemma> length_measurement_lemmas(const spec::Case& c);
@@ -38,6 +41,8 @@ std::vector<Lemma> tool_offset_lemmas(const spec::Case& c);
 std::vector<Lemma> cutter_b_lemmas(const spec::Case& c);
 std::vector<Lemma> cutter_compensation_c_lemmas(const spec::Case& c);
 std::vector<Lemma> tool_side_lemmas(const spec::Case& c);
+std::vector<Lemma> tool_center_point_lemmas(const spec::Case& c);
+std::vector<Lemma> tool_posture_lemmas(const spec::Case& c);
 
 struct ProofOptions {
   std::size_t computed = 40;  // lemmas a section, at most

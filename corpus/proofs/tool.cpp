@@ -100,6 +100,7 @@ std::optional<Tool> tool_of(const spec::Case& c, const Blocks& blocks, const spe
   for (const auto& [line, block] : blocks) {
     if (line > event.line) break;
     if (has(block, "G49") && by_words) return std::nullopt;
+    if (has(block, "G43.5") && word(block, 'Q')) return std::nullopt;  // leaned
     by_words = by_words || has(block, "G43.5");
     if (!by_words || (!word(block, 'I') && !word(block, 'J') && !word(block, 'K'))) continue;
     words.emplace();

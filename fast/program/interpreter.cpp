@@ -47,7 +47,10 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
   for (const auto& [number, table] : setup.reference)
     if (number >= 1 && number <= 4) read_positions(table, "reference", reference_[static_cast<std::size_t>(number)]);
   read_positions(setup.position, "position", programmed_);
-  holder_offset_ = machine_.holder_offset();
+  if (const auto offset = setup.parameter(19666)) {
+    if (!fits_count(*offset)) throw spec::InputError("setup", 0, 0, "parameters.\"19666\": is too large");
+    holder_offset_ = Count::of(*offset);
+  }
   for (std::size_t axis = 0; axis < count_; ++axis)
     if (place(axis, programmed_[axis])) throw spec::InputError("setup", 0, 0, "position: out of range");
   if (kinematics_.defined()) turn();
@@ -242,9 +245,9 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
       words.starts_tip_control() || (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
   direction_before_ = direction_;
   if (plan.along) {
-    samples_block_ = !words.starts_tip_control() && plan.compensation != Compensation::starts &&
-                     plan.compensation != Compensation::cancels &&
-                     (tool_side_.type() != StartType::c || plan.side_before == plan.side_after);
+    const bool inserts = plan.compensation == Compensation::starts || plan.compensation == Compensation::cancels ||
+                         (tool_side_.type() == StartType::c && plan.side_before != plan.side_after);
+    samples_block_ = !words.starts_tip_control() && (!inserts || extra);
     if (words.starts_tip_control()) begin_tip_control(words);
     if (!tip_.active() && (!plans_tool_ || starts_tip_)) direct(words);
   }

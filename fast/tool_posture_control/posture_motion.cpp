@@ -16,6 +16,13 @@ double about(double degrees, double middle) {
   return degrees;
 }
 
+// Beyond so many degrees a position in double is too coarse for its sine.
+constexpr double kWide = 512;
+
+DoubleDouble degrees(Int128 units) {
+  return to_double_double(units) / DoubleDouble{static_cast<double>(Count::kRestPerOne), 0};
+}
+
 // 1 - cos psi and 1 + cos psi times sin a sin b: the distances of k from the ends of its reach.
 struct Room {
   double above, below;
@@ -59,6 +66,13 @@ void PostureMotion::set_still(const Machine& machine, const Pose& pose) {
 void PostureMotion::set_linear(const Machine& machine, const Pose& start, const Pose& end) {
   law_ = Law::linear;
   set_ends(machine, start, end);
+  for (std::size_t i = 0; i < 2; ++i) {
+    wide_[i] = std::abs(start_[i]) > kWide || std::abs(end_[i]) > kWide;
+    if (!wide_[i]) continue;
+    const Int128 from = machine.count(start, i).units();
+    from_[i] = degrees(from);
+    by_[i] = degrees(machine.count(end, i).units() - from);
+  }
 }
 
 void PostureMotion::set_great_circle(const Pose& start, const Pose& end) {
@@ -126,7 +140,8 @@ void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, Postu
       sample = still_;
       return;
     case Law::linear:
-      linear_at(static_cast<double>(numerator) / denominator, sample);
+      linear_at(DoubleDouble{static_cast<double>(numerator), 0} / DoubleDouble{static_cast<double>(denominator), 0},
+                sample);
       return;
     case Law::circle:
     case Law::meridian:
@@ -140,9 +155,15 @@ void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, Postu
   sample.tool = machine_->reports_machine_directions() ? machine_->tool_at(sample.turns) : reported_.at(angle);
 }
 
-void PostureMotion::linear_at(double t, PostureSample& sample) const {
+void PostureMotion::linear_at(const DoubleDouble& t, PostureSample& sample) const {
   for (std::size_t i = 0; i < 2; ++i) {
-    sample.degrees[i] = start_[i] == end_[i] ? start_[i] : (1 - t) * start_[i] + t * end_[i];
+    if (wide_[i]) [[unlikely]] {
+      const DoubleDouble position = from_[i] + by_[i] * t;
+      sample.degrees[i] = position.hi;
+      sample.turns[i] = sine_cosine(to_double(position - two_product(360, std::nearbyint(position.hi / 360))));
+      continue;
+    }
+    sample.degrees[i] = start_[i] == end_[i] ? start_[i] : (1 - t.hi) * start_[i] + t.hi * end_[i];
     sample.turns[i] = sine_cosine(sample.degrees[i]);
   }
   sample.tool = machine_->tool_at(sample.turns);

@@ -43,7 +43,7 @@ class PostureMotion {
  private:
   void set_ends(const Machine& machine, const Pose& start, const Pose& end);
   void set_great_circle(const Pose& start, const Pose& end);
-  void linear_at(double t, PostureSample& sample) const;
+  void linear_at(const DoubleDouble& t, PostureSample& sample) const;
   void circle_at(const Vector3<double>& seen, PostureSample& sample) const;
   void meridian_at(const Vector3<double>& seen, PostureSample& sample) const;
   struct OnMeridian {
@@ -56,6 +56,9 @@ class PostureMotion {
   Law law_ = Law::still;
   std::array<double, 2> start_{};
   std::array<double, 2> end_{};
+  std::array<bool, 2> wide_{};  // of the linear law: many turns from 0
+  std::array<DoubleDouble, 2> from_{};
+  std::array<DoubleDouble, 2> by_{};
   PostureSample still_;
   Circle seen_;      // in the system of the work-side axis
   Circle reported_;  // in that of events

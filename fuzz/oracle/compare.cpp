@@ -306,6 +306,9 @@ bool left_open(const model::Event& event) {
   if (event.kind != EventKind::undecided) return false;
   const auto clause = spec::find_clause(event.number.view());
   if (!clause || spec::info(*clause).kind != spec::ClauseKind::open) return false;
+  // Their open clauses define what happens; an undecided event there is a decision that was not certified.
+  const std::string_view section = spec::info(*clause).section;
+  if (section == "fanuc/tool-center-point-control" || section == "fanuc/tool-posture-control") return false;
   // A decision by sign names its clause where its tie was not certified. Of an arc seen on edge the tie itself is open.
   return spec::info(*clause).outcomes != spec::ClauseOutcomes::sign ||
          *clause == spec::Clause::fanuc_tool_side_arc_plane;

@@ -23,9 +23,8 @@ enum class Kind : std::uint8_t {
   quotient,
   root,
   arctangent,
-  sine_of,    ///< of an operand in degrees
-  cosine_of,  ///< of an operand in degrees
-  arccosine
+  sine_of,   ///< of an operand in degrees
+  cosine_of  ///< of an operand in degrees
 };
 
 /// What is known of a node's sign beyond its enclosure.

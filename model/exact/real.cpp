@@ -24,7 +24,6 @@ bool is_algebraic(Kind kind) {
     case Kind::arctangent:
     case Kind::sine_of:
     case Kind::cosine_of:
-    case Kind::arccosine:
       return false;
     default:
       return true;
@@ -244,14 +243,6 @@ Real arctangent_degrees(const Real& tangent) {
   if (is_integer(*x, 1)) return 45;
   if (is_integer(*x, -1)) return -45;
   return operation(Kind::arctangent, x);
-}
-
-Real arccosine_degrees(const Real& cosine) {
-  Node* const x = Node::of(cosine);
-  if (is_zero(x)) return 90;
-  if (is_integer(*x, 1)) return {};
-  if (is_integer(*x, -1)) return 180;
-  return operation(Kind::arccosine, x);
 }
 
 Real sin_real_degrees(const Real& degrees) {

@@ -89,8 +89,6 @@ Real sin_degrees(const Rational& degrees);
 Real cos_degrees(const Rational& degrees);
 // The angle of this tangent, in degrees between -90 and 90. For results: a sum with it is never proven to be zero.
 Real arctangent_degrees(const Real& tangent);
-// The angle of this cosine, in degrees between 0 and 180; the cosine is clamped to [-1, 1]. For results, as above.
-Real arccosine_degrees(const Real& cosine);
 // Sine and cosine of any angle in degrees: of a rational as above, else an expression whose zeros are never proven.
 Real sin_real_degrees(const Real& degrees);
 Real cos_real_degrees(const Real& degrees);

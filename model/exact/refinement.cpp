@@ -13,7 +13,6 @@ std::int64_t cost(const Node& node, mpfr_prec_t precision) {
     case Kind::arctangent:
     case Kind::sine_of:
     case Kind::cosine_of:
-    case Kind::arccosine:
       return 10 + limbs * limbs;
     case Kind::rational:
       return 2 + limbs * limbs / 16;
@@ -67,9 +66,6 @@ void enclose(Interval& result, const Node& node, const Interval* left, const Int
       break;
     case Kind::cosine_of:
       cosine_of_degrees(result, *left);
-      break;
-    case Kind::arccosine:
-      arccosine_degrees(result, *left);
       break;
   }
   // NOLINTEND(clang-analyzer-core.NonNullParamChecker)

@@ -106,19 +106,6 @@ void sine_and_cosine(Interval* sine, Interval* cosine, const mpq_t degrees) {
 void sine_of_degrees(Interval& result, const Interval& degrees) { of_degrees(result, degrees, arb_sin_pi); }
 void cosine_of_degrees(Interval& result, const Interval& degrees) { of_degrees(result, degrees, arb_cos_pi); }
 
-void arccosine_degrees(Interval& result, const Interval& cosine) {
-  constexpr unsigned long turn = 360;
-  // The angle falls as the cosine rises.
-  if (mpfr_cmp_si(cosine.upper, 1) < 0)
-    mpfr_acosu(result.lower, cosine.upper, turn, MPFR_RNDD);
-  else
-    mpfr_set_zero(result.lower, +1);
-  if (mpfr_cmp_si(cosine.lower, -1) > 0)
-    mpfr_acosu(result.upper, cosine.lower, turn, MPFR_RNDU);
-  else
-    mpfr_set_ui(result.upper, turn / 2, MPFR_RNDU);
-}
-
 void arctangent_degrees(Interval& result, const Interval& tangent) {
   constexpr unsigned long turn = 360;
   mpfr_atanu(result.lower, tangent.lower, turn, MPFR_RNDD);

@@ -1,4 +1,4 @@
-// Enclosures of sines and cosines of degrees, and of arc tangents and arc cosines.
+// Enclosures of sines and cosines of degrees, and of arc tangents.
 #pragma once
 
 #include "model/exact/interval.h"
@@ -11,8 +11,6 @@ void sine_and_cosine(Interval* sine, Interval* cosine, const mpq_t degrees);
 
 /// Encloses the angle of a tangent, in degrees.
 void arctangent_degrees(Interval& result, const Interval& tangent);
-/// Encloses the angle of a cosine, in degrees; the cosine is clamped to [-1, 1].
-void arccosine_degrees(Interval& result, const Interval& cosine);
 /// Enclose sine and cosine of an enclosed angle.
 void sine_of_degrees(Interval& result, const Interval& degrees);
 void cosine_of_degrees(Interval& result, const Interval& degrees);

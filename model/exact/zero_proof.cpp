@@ -101,7 +101,6 @@ class Proof {
       case Kind::arctangent:
       case Kind::sine_of:
       case Kind::cosine_of:
-      case Kind::arccosine:
         break;
     }
     throw OutOfWork{};

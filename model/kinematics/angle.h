@@ -49,8 +49,6 @@ class Angle {
   [[nodiscard]] Angle plus_turns(const Integer& turns) const;
   // In (-180, 180].
   [[nodiscard]] Angle principal() const { return plus_turns(-nearest_turns()); }
-  // In [0, 360).
-  [[nodiscard]] Angle basic() const { return plus_turns(-whole_turns()); }
 
   friend Angle operator-(const Angle& a);
   friend Angle operator+(const Angle& a, const Angle& b);

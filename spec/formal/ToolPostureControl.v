@@ -434,3 +434,30 @@ Proof. unfold polar; rewrite cos_minus; numbers; ring. Qed.
 
 Example angle_by_azimuths_instance : dot (polar 1 2) (polar 3 4) = cos 1 * cos 3 + sin 1 * sin 3 * cos (4 - 2).
 Proof. apply angle_by_azimuths. Qed.
+
+(** fanuc.tool-posture.great-circle: half way the direction is the sum of both, by which samples are computed without an
+    angle. *)
+Theorem half_way a b : is_unit a -> is_unit b -> ~ parallel a b ->
+  great_circle a b (1/2) = scale (/ norm (add a b)) (add a b).
+Proof.
+  intros U W P. destruct (apart a b U W P) as [D S]. unfold great_circle, between. set (g := angle a b) in *.
+  pose proof (angle_bounds a b) as Bd. fold g in Bd.
+  assert (G : g < PI).
+  { destruct (Req_dec g PI) as [E |]; [rewrite E, sin_PI in S |]; lra. }
+  pose proof (cos_gt_0 (g / 2) ltac:(lra) ltac:(lra)) as Cg.
+  assert (Sg : sin g = 2 * sin (g / 2) * cos (g / 2)).
+  { rewrite <- sin_2a. f_equal; field. }
+  assert (Cd : cos g = 2 * cos (g / 2) * cos (g / 2) - 1).
+  { rewrite <- cos_2a_cos. f_equal; field. }
+  assert (N : norm (add a b) = 2 * cos (g / 2)).
+  { unfold norm. replace (dot (add a b) (add a b)) with ((2 * cos (g / 2)) * (2 * cos (g / 2))).
+    - apply sqrt_square; lra.
+    - rewrite dot_add_l, !dot_add_r, U, W, (dot_comm b a), D, Cd. ring. }
+  assert (Z : sin (g / 2) <> 0) by (intro E; rewrite E in Sg; lra).
+  replace ((1 - 1 / 2) * g) with (g / 2) by field. replace (1 / 2 * g) with (g / 2) by field.
+  rewrite N, Sg, scale_add. replace (sin (g / 2) / (2 * sin (g / 2) * cos (g / 2))) with (/ (2 * cos (g / 2))) by (field; lra).
+  reflexivity.
+Qed.
+
+Example half_way_instance : great_circle ex ey (1/2) = scale (/ norm (add ex ey)) (add ex ey).
+Proof. apply half_way; try (numbers; lra). apply x_y_apart. Qed.

@@ -1,4 +1,4 @@
-// Sines and cosines of angles that are results themselves, and arc cosines. Expected values are computed by MPFR with
+// Sines and cosines of angles that are results themselves. Expected values are computed by MPFR with
 // radians at 400 bits, or follow from identities.
 #include <gtest/gtest.h>
 #include <mpfr.h>
@@ -65,18 +65,6 @@ TEST(AngleFunctions, SineOfAnArctangentIsItsSide) {
 TEST(AngleFunctions, OfRationalDegreesTheyAreTheCyclotomicOnes) {
   EXPECT_EQ((sin_real_degrees(Real(30)) - Rational(1, 2)).sign(), Sign::zero);
   EXPECT_EQ((square(sin_real_degrees(Real(17))) + square(cos_real_degrees(Real(17))) - 1).sign(), Sign::zero);
-}
-
-TEST(AngleFunctions, ArcCosine) {
-  EXPECT_EQ(arccosine_degrees(0).decimal(3), "90");
-  EXPECT_EQ(arccosine_degrees(1).decimal(3), "0");
-  EXPECT_EQ(arccosine_degrees(-1).decimal(3), "180");
-  EXPECT_EQ(arccosine_degrees(Rational(1, 2)).decimal(40), "60");
-  EXPECT_EQ(arccosine_degrees(Rational(-1, 2)).decimal(40), "120");
-  EXPECT_EQ(arccosine_degrees(Rational(3, 4)).decimal(40), "41.4096221092708593384805021869257207417841");
-  // Beside the end of the range, where the enclosure of the cosine reaches beyond 1.
-  const Real almost = sqrt(1 - square(sin_degrees(Rational(1, 1000000))));
-  EXPECT_EQ(arccosine_degrees(almost).decimal(20), "0.000001");
 }
 
 TEST(AngleFunctions, AZeroOfTheirsIsUndecided) {

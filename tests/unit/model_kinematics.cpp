@@ -70,7 +70,9 @@ std::string text(const Machine& of, const Pose& pose) {
 }
 std::string text(const Vector& v) { return sheet_digits(v.x) + " " + sheet_digits(v.y) + " " + sheet_digits(v.z); }
 
-Pose basic(const Pose& pose) { return {pose.tool.basic(), pose.work.basic()}; }
+// In [0, 360).
+Angle basic(const Angle& angle) { return angle.plus_turns(-angle.whole_turns()); }
+Pose basic(const Pose& pose) { return {basic(pose.tool), basic(pose.work)}; }
 
 // A pose by positions of the first and the second axis.
 Pose pose(const Machine& of, const Angle& first, const Angle& second) {
