@@ -178,9 +178,9 @@ constexpr std::array<DoubleDouble, 33> kArctangent{{
 
 SineCosine<double> sine_cosine(std::int64_t small) { return of_small<std::uint64_t>(static_cast<double>(small)); }
 
-SineCosine<Pair> sine_cosine(std::int64_t first, std::int64_t second) {
+SineCosine<DoublePair> sine_cosine(std::int64_t first, std::int64_t second) {
   using Bits [[gnu::vector_size(16)]] = std::uint64_t;
-  return of_small<Bits>(Pair{static_cast<double>(first), static_cast<double>(second)});
+  return of_small<Bits>(DoublePair{static_cast<double>(first), static_cast<double>(second)});
 }
 
 SineCosine<double> sine_cosine(const Count& degrees) {
@@ -208,7 +208,7 @@ SineCosine<double> sine_cosine(double degrees) {
   const double r = degrees - 90 * quarter;
   constexpr DoubleDouble kRadians{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};  // pi / 180
   const DoubleDouble x = two_product(r, kRadians.hi);
-  return turned(near(x.hi, x.lo + r * kRadians.lo), static_cast<unsigned>(static_cast<std::int64_t>(quarter)) % 4U);
+  return turned(near(x.hi, x.lo + r * kRadians.lo), static_cast<std::uint64_t>(static_cast<std::int64_t>(quarter)));
 }
 
 double arctangent(double sine, double cosine) {

@@ -20,8 +20,8 @@ SineCosine<double> sine_cosine(const Count& degrees);
 // Of a plain count of 10^-6 degrees, |small| <= Count::kSmallLimit.
 SineCosine<double> sine_cosine(std::int64_t small);
 // Of two of them side by side, in the lanes of one register.
-using Pair [[gnu::vector_size(16)]] = double;
-SineCosine<Pair> sine_cosine(std::int64_t first, std::int64_t second);
+using DoublePair [[gnu::vector_size(16)]] = double;
+SineCosine<DoublePair> sine_cosine(std::int64_t first, std::int64_t second);
 inline constexpr double kTrigonometryError = 6 * 0x1p-53;
 
 // The same in double-double, relative error at most kFineTrigonometryError.

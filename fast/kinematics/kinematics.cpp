@@ -247,7 +247,7 @@ void Kinematics::direct(const std::array<Count, spec::kMaxAxes>& position, Direc
   const std::int64_t second = set_angle(outer_, position, direction.angle[1]);
   if (first != Count::kNotSmall && second != Count::kNotSmall) [[likely]] {
     if (first != last_[0] || second != last_[1]) {
-      const SineCosine<Pair> t = sine_cosine(first, second);
+      const SineCosine<DoublePair> t = sine_cosine(first, second);
       set_trigonometry(0, t.sine[0], t.cosine[0]);
       set_trigonometry(1, t.sine[1], t.cosine[1]);
     }

@@ -17,6 +17,7 @@ namespace {
 
 using exact::Rational;
 using exact::Sign;
+using spec::Clause;
 using spec::EventKind;
 
 // How far one run of the model agrees with the actual events.
@@ -155,9 +156,17 @@ class Judge {
     return agreement(rules_, case_, expected, actual_);
   }
 
+  // Which decision of a run, whatever others come and go before it.
+  struct Place {
+    Clause clause{};
+    std::uint64_t line = 0;
+    std::size_t before = 0;  // decisions of this clause and line
+  };
+
   // A run that differs, and the forced outcomes it came from. The one that agrees longest is followed first.
   struct Node {
     Forced forced;
+    std::vector<Place> places;  // of the decisions forced, in their order
     Difference difference;
     std::vector<std::size_t> decisions;  // near ties, those closest to the difference first
     std::vector<Sign> taken;
@@ -188,9 +197,10 @@ class Judge {
   }
 
   Node node(const ModelRun& run, Forced forced, Difference difference) const {
-    Node n{std::move(forced), std::move(difference), {}, {}};
+    Node n{std::move(forced), {}, std::move(difference), {}, {}};
     n.decisions = near_ties(run, n.forced);
     const auto& all = run.recorder.decisions();
+    for (const auto& [index, outcome] : n.forced) n.places.push_back(place(run, index));
     const auto distance = [&](std::size_t i) {
       const std::uint64_t line = all[i].line;
       return line > n.difference.line ? line - n.difference.line : n.difference.line - line;
@@ -199,6 +209,39 @@ class Judge {
               [&](std::size_t a, std::size_t b) { return std::pair(distance(a), a) < std::pair(distance(b), b); });
     for (const std::size_t i : n.decisions) n.taken.push_back(all[i].outcome);
     return n;
+  }
+
+  static bool same(const model::Decision& a, const Place& b) { return a.clause == b.clause && a.line == b.line; }
+  static Place place(const ModelRun& run, std::size_t index) {
+    const auto& all = run.recorder.decisions();
+    Place p{all[index].clause, all[index].line, 0};
+    for (std::size_t i = 0; i < index; ++i) p.before += same(all[i], p) ? 1 : 0;
+    return p;
+  }
+  static std::optional<std::size_t> find(const ModelRun& run, Place p) {
+    const auto& all = run.recorder.decisions();
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (same(all[i], p) && p.before-- == 0) return i;
+    return std::nullopt;
+  }
+
+  // The outcomes forced in `parent` and one more. Those behind the new one are looked for where they are made then: it
+  // may bring decisions before them, or take some away.
+  std::optional<Forced> forced_too(const Node& parent, std::size_t index, Sign outcome) const {
+    Forced forced;
+    forced[index] = outcome;
+    std::size_t i = 0;
+    for (const auto& [decision, taken] : parent.forced) {
+      const Place& p = parent.places[i++];
+      if (decision < index) {
+        forced[decision] = taken;
+        continue;
+      }
+      const std::optional<ModelRun> run = permitted(forced);
+      if (!run) return std::nullopt;
+      if (const auto found = find(*run, p)) forced[*found] = taken;
+    }
+    return forced;
   }
 
   // A fork is followed where it moves the first difference on, or changes what the model expects there. So a chain of
@@ -211,7 +254,7 @@ class Judge {
   // After a flip that changes nothing: the near ties of the other axis, if its clause asks of both.
   static void keep_questions_after(Node& child, const ModelRun& run, std::size_t flipped) {
     const auto& all = run.recorder.decisions();
-    Node kept{child.forced, child.difference, {}, {}};
+    Node kept{child.forced, child.places, child.difference, {}, {}};
     for (std::size_t d = 0; d < child.decisions.size(); ++d) {
       const std::size_t i = child.decisions[d];
       if (!policy::asks_both_axes(all[flipped].clause) || i <= flipped || all[i].clause != all[flipped].clause ||
@@ -235,20 +278,19 @@ class Judge {
       for (std::size_t d = 0; d < parent.decisions.size(); ++d)
         for (const Sign outcome : {-parent.taken[d], Sign::zero, Sign::positive, Sign::negative}) {
           if (outcome == parent.taken[d]) continue;
-          Forced forced = parent.forced;
-          forced[parent.decisions[d]] = outcome;
-          if (!seen.insert(forced).second) continue;
+          std::optional<Forced> forced = forced_too(parent, parent.decisions[d], outcome);
+          if (!forced || !seen.insert(*forced).second) continue;
           if (++forks > policy::kMaxForks) return undecided(v, first, "more than 64 combinations of near ties");
-          const std::optional<ModelRun> fork = permitted(forced);
+          const std::optional<ModelRun> fork = permitted(*forced);
           if (!fork) continue;
           Agreement a = compared(*fork);
           if (a.undecided) continue;
           if (!a.difference) {
-            v.ties = forced.size();
+            v.ties = forced->size();
             return agrees(v, a);
           }
           const bool changes = worth_following(*a.difference, parent.difference);
-          Node child = node(*fork, std::move(forced), *std::move(a.difference));
+          Node child = node(*fork, *std::move(forced), *std::move(a.difference));
           if (!changes) keep_questions_after(child, *fork, parent.decisions[d]);
           if (!child.decisions.empty()) open.push(std::move(child));
         }
