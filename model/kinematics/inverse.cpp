@@ -149,7 +149,7 @@ Angle azimuth(const Machine& machine, const Vector& from, const Vector& to) {
 
 Angle lifted_tool(const Angle& start, const Angle& end, int branch, const Machine& machine) {
   const Integer turns = (end - start).nearest_turns();
-  const Angle nearest = end.plus_turns(-turns);
+  Angle nearest = end.plus_turns(-turns);
   // From one edge of reach to the other: on the side of the branch.
   const bool down = branch * machine.tool_side().sense < 0;
   if (down && nearest - start == Angle(180)) return nearest.plus_turns(-1);

@@ -88,7 +88,7 @@ inline void mapped(const spec::Case& original, const spec::Case& changed, const 
     RC_ASSERT(e.kind == f.kind);
     RC_ASSERT(e.line + shift == f.line);
     RC_ASSERT(e.number == f.number);
-    if (e.kind != EventKind::move) continue;
+    if (e.kind != EventKind::move && e.kind != EventKind::sample) continue;
     RC_ASSERT(e.cause == f.cause);
     RC_ASSERT(e.type == f.type);
     const spec::Axes& axes = original.setup.axes;
