@@ -46,10 +46,6 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
   for (const auto& [number, table] : setup.reference)
     if (number >= 1 && number <= 4) read_positions(table, "reference", reference_[static_cast<std::size_t>(number)]);
   read_positions(setup.position, "position", programmed_);
-  if (const auto offset = setup.parameter(19666)) {
-    if (!fits_count(*offset)) throw spec::InputError("setup", 0, 0, "parameters.\"19666\": is too large");
-    holder_offset_ = Count::of(*offset);
-  }
   for (std::size_t axis = 0; axis < count_; ++axis)
     if (place(axis, programmed_[axis])) throw spec::InputError("setup", 0, 0, "position: out of range");
   if (kinematics_.defined()) turn();
@@ -148,6 +144,7 @@ Alarm Interpreter::run(const Words& words) {
     const Code motion_after = code == kNone ? motion_ : code;
     const bool straight = motion_after <= 10 && !words.has_any(kArcLetters);
     if (along_tool()) {
+      samples_block_ = true;
       if (tip_.active()) {
         if (motion_after <= 10 && !takes_edited_value()) {
           const bool usual =
@@ -258,7 +255,8 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
     block.sets = plan.writes;
     if (plan.writes) store_offset(plan.write, block.setting, block.setting_value);
     const Code code = words.code(Words::kCompensation);
-    if (code == 413 || is_tool_side(code) || words.is_tool_offset() || plan.compensation == Compensation::cancels)
+    if (code == 413 || is_tool_side(code) || words.is_tool_offset() || words.starts_tip_control() ||
+        plan.compensation == Compensation::cancels)
       retire_cutter();
     if (stopped_) return alarm::kNone;
   }
