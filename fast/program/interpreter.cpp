@@ -233,9 +233,10 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
       words.starts_tip_control() || (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
   direction_before_ = direction_;
   if (plan.along) {
-    const bool inserts = plan.compensation == Compensation::starts || plan.compensation == Compensation::cancels ||
-                         (tool_side_.type() == StartType::c && plan.side_before != plan.side_after);
-    samples_block_ = !words.starts_tip_control() && (!inserts || extra);
+    // Moves that a compensation inserts are none of the block; G41.3 and its G40 take a change of the length along.
+    const bool edge = plan.compensation == Compensation::starts || plan.compensation == Compensation::cancels;
+    const bool type_c = tool_side_.type() == StartType::c && plan.side_before != plan.side_after;
+    samples_block_ = !words.starts_tip_control() && !edge && (!type_c || extra);
     if (words.starts_tip_control()) begin_tip_control(words);
     if (!tip_.active() && (!plans_tool_ || starts_tip_)) direct(words);
   }
