@@ -37,6 +37,12 @@ bool goes_by_machine_coordinates(OneShot code) {
   return is_reference_return(code) || code == OneShot::machine_coordinates;
 }
 
+Warning branch_warning() {
+  Warning warning{"posture-branch", "the axes cannot follow the plane to the commanded positions", {}};
+  warning.clauses.add(Clause::fanuc_tool_posture_branch_mismatch);
+  return warning;
+}
+
 // The stage that the setup asks for.
 std::unique_ptr<CutterCompensation> cutter_compensation(const spec::Setup& setup, Recorder& recorder,
                                                         CutterCompensation::Output output) {
@@ -86,7 +92,7 @@ struct Engine::State {
   [[nodiscard]] Compensated compensated(const Command& command) const;
   // The move of a leg, with what the length offset and the tool say about its end.
   [[nodiscard]] Move move(const Leg& leg, const LengthVector& offset, const ToolAtEnd& tool, bool machine) const;
-  Move turned_move(const Command& command, const TipMarks& tip, const LengthPlan& plan, Leg& leg, Step& step);
+  Move turned_move(const Command& command, const TipMarks& tip, const LengthPlan& plan, Leg& leg);
   std::vector<Leg> measure(const Command& command, const Leg& leg, const LengthPlan& plan, Step& step);
   void stand_where_measured(const Leg& leg, std::size_t axis);
   [[nodiscard]] LengthCommand length_command(const Command& command, const std::vector<Leg>& legs) const;
@@ -232,7 +238,7 @@ Step Engine::State::step(const Command& command) {
   step.line = line;
   step.n = n;
   if (tip.tip_control && !legs.empty()) {
-    step.moves.push_back(turned_move(command, tip, plan, legs.front(), step));
+    step.moves.push_back(turned_move(command, tip, plan, legs.front()));
   } else {
     for (const Leg& leg : legs) {
       const bool on_way = is_reference_return(command.codes.one_shot) && &leg == &legs.front();
@@ -266,18 +272,12 @@ Step Engine::State::step(const Command& command) {
 }
 
 // The own move of a block under tool center point control; the leg ends where the rotary axes then stand.
-Move Engine::State::turned_move(const Command& command, const TipMarks& tip, const LengthPlan& plan, Leg& leg,
-                                Step& step) {
+Move Engine::State::turned_move(const Command& command, const TipMarks& tip, const LengthPlan& plan, Leg& leg) {
   TurnedBlock turned = tip_control.turn(command, tip, interpreter, plan.at_end.along_tool, leg);
   Move result = move(leg, plan.at_end, turned.end, true);
   if (turned.motion) {
     if (turned.end.tip->frame) tip_control.place(turned.end.tip->pose, result.leg.end);
     result.inside = std::make_shared<const OwnMotion>(std::move(*turned.motion));
-  }
-  if (turned.branch_differs) {
-    Warning warning{"posture-branch", "the axes cannot follow the plane to the commanded positions", {}};
-    warning.clauses.add(Clause::fanuc_tool_posture_branch_mismatch);
-    step.warnings.push_back(warning);
   }
   return result;
 }
@@ -329,8 +329,11 @@ Move Engine::State::move(const Leg& leg, const LengthVector& offset, const ToolA
 
 void Engine::State::report(const Step& step) {
   reported = &step;
-  for (const Warning& warning : step.warnings) report(step, warning);
-  for (const Move& move : step.moves) tip_moves.take(move);
+  if (step.warning) report(step, *step.warning);
+  for (const Move& move : step.moves) {
+    if (move.inside && move.inside->branch_differs) report(step, branch_warning());
+    tip_moves.take(move);
+  }
   if (step.setting) report(step, *step.setting);
   if (step.alarm) {
     stopped = true;

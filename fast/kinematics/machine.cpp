@@ -46,6 +46,8 @@ Count nearest_turn(const Count& value, const Count& near) {
 }  // namespace
 
 Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_(kinematics), type_(kinematics.type()) {
+  holder_offset_ = parameter(setup, 19666);  // counts without kinematics too
+  if (fault(Fault::tip_holder_offset_twice)) holder_offset_ = holder_offset_ + holder_offset_;
   if (type_ == 0) return;
   tool_side_ = type_ == 2 ? 1 : 0;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -66,8 +68,6 @@ Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_
   polar_ = PolarFrame(kinematics.inner().axis, kinematics.outer().axis, kinematics.zero_direction());
   reversed_order_ = setup.bit(19608, 5) && !fault(Fault::tip_order_ignored);
   workpiece_frame_ = setup.bit(19696, 5);
-  holder_offset_ = parameter(setup, 19666);
-  if (fault(Fault::tip_holder_offset_twice)) holder_offset_ = holder_offset_ + holder_offset_;
   const auto set = [](Vectors& vectors, const Vector3<DoubleDouble>& v) { vectors = {v, rounded(v)}; };
   set(table_, three(setup, 19700));
   set(second_table_, three(setup, 19703));
@@ -95,9 +95,12 @@ void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint1
   if (polar_.invertible()) {
     const SineCosine<double>& tool = pose.axis[tool_side_].turn;
     const SineCosine<double>& work = pose.axis[work_side()].turn;
-    const double sine = axis_[tool_side_].sense * tool.sine;
-    const double sin_psi = sine * c.phase.cosine - tool.cosine * c.phase.sine;
-    const double cos_psi = tool.cosine * c.phase.cosine + sine * c.phase.sine;
+    SineCosine<double> psi{axis_[tool_side_].sense * tool.sine, tool.cosine};
+    if (!polar_.phase().is_zero()) {
+      const Count& turned = pose.axis[tool_side_].count;
+      psi = sine_cosine((axis_[tool_side_].sense < 0 ? -turned : turned) - polar_.phase());
+    }
+    const auto [sin_psi, cos_psi] = psi;
     const double away = cos_psi > 0 ? sin_psi * sin_psi / (1 + cos_psi) : 1 - cos_psi;
     const double toward = cos_psi < 0 ? sin_psi * sin_psi / (1 - cos_psi) : 1 + cos_psi;
     const double hx = away <= toward ? c.skew + c.sc * away : c.sum - c.sc * toward;
@@ -142,7 +145,7 @@ void Machine::set_branch(Pose& pose) const {
                            : kSlack;
   pose.psi = Count::of_units(psi).nearest();
   const Int128 magnitude = psi < 0 ? -psi : psi;
-  pose.branch = magnitude <= slack || magnitude >= kTurn / 2 - slack ? std::int8_t{0} : std::int8_t(psi > 0 ? 1 : -1);
+  pose.branch = magnitude <= slack || magnitude >= kTurn / 2 - slack ? 0 : (psi > 0 ? 1 : -1);
 }
 
 Count Machine::count(const Pose& pose, std::size_t i) const {
@@ -234,20 +237,20 @@ void Machine::release() {
   frozen_fine_ = {zero, zero};
 }
 
-Vector3<double> Machine::in_frame(const Vector3<double>& v) const {
+Vector3<double> Machine::in_frame(const Vector3<double>& on_table) const {
   const Kinematics::Frame& frame = kinematics_.frame();
-  if (!frame.turned) return v;
+  if (!frame.turned) return on_table;
   const auto row = [&](std::size_t i) {
-    return frame.rough[i][0] * v.x + frame.rough[i][1] * v.y + frame.rough[i][2] * v.z;
+    return frame.rough[i][0] * on_table.x + frame.rough[i][1] * on_table.y + frame.rough[i][2] * on_table.z;
   };
   return {row(0), row(1), row(2)};
 }
 
-FineVector Machine::fine_in_frame(const Vector3<DoubleDouble>& v) const {
+FineVector Machine::fine_in_frame(const Vector3<DoubleDouble>& on_table) const {
   const Kinematics::Frame& frame = kinematics_.frame();
-  if (!frame.turned) return {v.x, v.y, v.z};
+  if (!frame.turned) return {on_table.x, on_table.y, on_table.z};
   FineVector result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = dot(vector(frame.fine[i]), v);
+  for (std::size_t i = 0; i < 3; ++i) result[i] = dot(vector(frame.fine[i]), on_table);
   return result;
 }
 
@@ -298,6 +301,14 @@ void Machine::set_direction(const Direction& tool, Pose& pose) const {
   pose.seen = seen(tool, pose.relative);
 }
 
+void Machine::set_direction(const Direction& tool, const Vector3<DoubleDouble>& seen, Pose& pose) {
+  pose.tool = tool;
+  pose.seen = nearest(seen);
+  // Rounded once, from an error of 2^-98.
+  constexpr double kSmall = 0x1p-40;
+  pose.relative = (seen.x.hi == 0 || std::abs(seen.x.hi) > kSmall) && (seen.y.hi == 0 || std::abs(seen.y.hi) > kSmall);
+}
+
 std::array<Count, 2> Machine::fine_pair(const PolarRoots<DoubleDouble>& roots, int branch) const {
   const Int128 psi = fine_arctangent(roots.sin_psi, roots.cos_psi).units();
   const Int128 tool = polar_.phase().units() + (branch < 0 ? -psi : psi);
@@ -323,7 +334,7 @@ void Machine::set_pair(const PolarRoots<double>& roots, int branch, const std::a
   const SineCosine<double>& work = roots.work[branch < 0 ? 1 : 0];
   const Turns<double> turn = turns_of<double>({sine, roots.cos_psi}, work);
   pose.psi = arctangent(sine, roots.cos_psi);
-  pose.branch = branch < 0 ? std::int8_t{-1} : std::int8_t{1};
+  pose.branch = branch < 0 ? -1 : 1;
   std::array<double, 2> value;
   value[tool_side_] = axis_[tool_side_].sense * (polar_.phase().nearest() + pose.psi);
   value[work_side()] = axis_[work_side()].sense * arctangent(work.sine, work.cosine);
@@ -411,9 +422,10 @@ Int128 from_zero(Int128 x) { return magnitude(x - kTurn * turns_to(0, x)); }
 }  // namespace
 
 bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end) const {
-  set_direction(tool, end);
+  const Vector3<DoubleDouble> fine = fine_seen(tool);
+  set_direction(tool, fine, end);
   PolarRoots<DoubleDouble> roots;
-  const Reach reach = polar_.solve(fine_seen(tool), roots);
+  const Reach reach = polar_.solve(fine, roots);
   if (reach == Reach::none) return false;
 
   struct Pair {

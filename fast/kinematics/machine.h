@@ -112,6 +112,8 @@ class Machine {
   void set_branch(Pose& pose) const;
   // Everything of a pose but its axes.
   void set_direction(const Direction& tool, Pose& pose) const;
+  // The same where it is known in double-double: near a singular posture the azimuth needs it.
+  static void set_direction(const Direction& tool, const Vector3<DoubleDouble>& seen, Pose& pose);
 
  private:
   static constexpr std::size_t kNone = spec::kMaxAxes;

@@ -123,8 +123,10 @@ Reach PolarFrame::solve(const Vector3<DoubleDouble>& seen, PolarRoots<DoubleDoub
   if (minus_ && k.hi < 0) f2 = n2 / (one - k);
   if (f1.hi < -kPoseTie || f2.hi < -kPoseTie || parallel) return Reach::none;
   // Near an existing pole f is small without being at the edge.
-  const bool at_top = !(plus_ && k.hi > 0) && f1.hi <= kPoseTie;
-  const bool at_bottom = !(minus_ && k.hi < 0) && f2.hi <= kPoseTie;
+  const bool toward_plus = plus_ && k.hi > 0;
+  const bool toward_minus = minus_ && k.hi < 0;
+  const bool at_top = f1.hi <= kPoseTie && !toward_plus;
+  const bool at_bottom = f2.hi <= kPoseTie && !toward_minus;
   if (at_top) f1 = {};
   if (at_bottom) f2 = {};
   fill(fine_, seen, f1, f2, roots);

@@ -33,7 +33,7 @@ struct Pose {
   // The mechanical angle of the tool-side axis from where it brings the tool nearest to the work-side axis, in
   // [-180, 180], and its sign; 0 at the edge of reach and in a singular posture.
   double psi = 0;
-  std::int8_t branch = 0;
+  int branch = 0;
 };
 
 }  // namespace toolcomp::fast

@@ -105,7 +105,7 @@ Alarm Interpreter::check_tool_side(const Words& words, const Plan& plan) const {
   for (const std::size_t axis : plane_axes(selected))
     if (axis != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(axis));
   const bool arc = plan.motion > 10 && words.code(Words::kOneShot) == kNone &&
-                   ((words.axes() & in_plane) != 0 || words.has('R') || (letters && !plan.vector));
+                   ((words.axes() & in_plane) != 0 || words.has('R') || letters);
   if (after && (words.code(Words::kWorkpiece) != kNone || words.code(Words::kUnits) != kNone ||
                 ((moves || arc) && words.has_any(kAuxiliaryLetters))))
     return alarm::kForbiddenInCompensation;

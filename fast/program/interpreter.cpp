@@ -47,10 +47,6 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
   for (const auto& [number, table] : setup.reference)
     if (number >= 1 && number <= 4) read_positions(table, "reference", reference_[static_cast<std::size_t>(number)]);
   read_positions(setup.position, "position", programmed_);
-  if (const auto offset = setup.parameter(19666)) {
-    if (!fits_count(*offset)) throw spec::InputError("setup", 0, 0, "parameters.\"19666\": is too large");
-    holder_offset_ = Count::of(*offset);
-  }
   for (std::size_t axis = 0; axis < count_; ++axis)
     if (place(axis, programmed_[axis])) throw spec::InputError("setup", 0, 0, "position: out of range");
   if (kinematics_.defined()) turn();
@@ -149,6 +145,7 @@ void Interpreter::end_run(const StageEnd& end) {
     const Code motion_after = code == kNone ? motion_ : code;
     const bool straight = motion_after <= 10 && !words.has_any(kArcLetters);
     if (along_tool()) {
+      samples_block_ = true;
       if (tip_.active()) {
         if (motion_after <= 10 && !takes_edited_value()) {
           const bool usual =
@@ -245,9 +242,10 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
       words.starts_tip_control() || (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
   direction_before_ = direction_;
   if (plan.along) {
-    const bool inserts = plan.compensation == Compensation::starts || plan.compensation == Compensation::cancels ||
-                         (tool_side_.type() == StartType::c && plan.side_before != plan.side_after);
-    samples_block_ = !words.starts_tip_control() && (!inserts || extra);
+    // Moves that a compensation inserts are none of the block; G41.3 and its G40 take a change of the length along.
+    const bool edge = plan.compensation == Compensation::starts || plan.compensation == Compensation::cancels;
+    const bool type_c = tool_side_.type() == StartType::c && plan.side_before != plan.side_after;
+    samples_block_ = !words.starts_tip_control() && !edge && (!type_c || extra);
     if (words.starts_tip_control()) begin_tip_control(words);
     if (!tip_.active() && (!plans_tool_ || starts_tip_)) direct(words);
   }
@@ -267,7 +265,8 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
     block.sets = plan.writes;
     if (plan.writes) store_offset(plan.write, block.setting, block.setting_value);
     const Code code = words.code(Words::kCompensation);
-    if (code == 413 || is_tool_side(code) || words.is_tool_offset() || plan.compensation == Compensation::cancels)
+    if (code == 413 || is_tool_side(code) || words.is_tool_offset() || words.starts_tip_control() ||
+        plan.compensation == Compensation::cancels)
       retire_cutter();
     if (stopped_) return alarm::kNone;
   }

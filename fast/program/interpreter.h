@@ -237,7 +237,7 @@ class Interpreter {
   // Under G43.4 or G43.5.
   [[nodiscard]] bool along_tool() const { return length_.mode() == ToolLengthOffset::Mode::along_tool; }
   // L: the offset of the H number and the tool holder offset.
-  [[nodiscard]] Count tool_length() const { return length_.length() + holder_offset_; }
+  [[nodiscard]] Count tool_length() const { return length_.length() + machine_.holder_offset(); }
 
   [[nodiscard]] std::uint32_t tag_direction();
   void send_to(EventSink& sink);
@@ -276,7 +276,6 @@ class Interpreter {
   bool inch_setup_;
   bool counts_increments_;  // 3401#0 = 0
   int increment_places_;
-  Count holder_offset_;  // 19666
   std::array<Positions, 6> origin_;
   std::array<Positions, 5> reference_;  // 0: floating, 1 to 4
 

@@ -140,7 +140,6 @@ Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
     TipBlock& block = tip_.next();
     block.length = tool_length().nearest();
     block.sampled = samples_block_;
-    samples_block_ = true;
     if (const Alarm a = starts_tip_ ? start_tip_control(words) : plan_posture(words, axes, from, before)) return a;
   } else if (starts_tip_) {
     commanded_ = directions_[direction_];

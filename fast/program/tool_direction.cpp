@@ -94,7 +94,6 @@ std::uint32_t Interpreter::tag_direction() {
   block.direction = DirectionMotion(kinematics_, directions_[direction_before_], directions_[direction_]);
   block.length = tool_length().nearest();
   block.sampled = samples_block_;
-  samples_block_ = true;
   return tip_.tag();
 }
 

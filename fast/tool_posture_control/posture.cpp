@@ -310,7 +310,7 @@ void ToolPostureControl::to_singular(const FineArc& arc, PosturePlan& plan) cons
     return;
   }
   Pose& end = plan.end;
-  machine_.set_direction(*arc.target.tool, end);
+  Machine::set_direction(*arc.target.tool, arc.e, end);
   machine_.set_rounded(end, t, Count::of_units(tool));
   end.axis[w] = arc.start.axis[w];
   if (swung != 0 || end.axis[w].kind == RotaryPosition::Kind::inverse)
@@ -358,7 +358,7 @@ void ToolPostureControl::along(const FineArc& arc, PosturePlan& plan) const {
       return;
     }
   } else {
-    machine_.set_direction(*arc.target.tool, plan.end);
+    Machine::set_direction(*arc.target.tool, arc.e, plan.end);
     for (std::size_t i = 0; i < 2; ++i) machine_.set_rounded(plan.end, i, lifted[i]);
     machine_.set_branch(plan.end);
     if (arc.found.near != 0) {
@@ -410,7 +410,7 @@ bool ToolPostureControl::change_end(const FineArc& arc, int pole, PosturePlan& p
   const DoubleDouble hx = arc.roots.hx;
   const Vector3<DoubleDouble> seen{hx * turn.cosine - hy * sine, hx * sine + hy * turn.cosine, arc.e.z};
   const Vector3<DoubleDouble> on_table = seen_back(polar.fine_constants(), seen);
-  machine_.set_direction(fine_direction(machine_.fine_in_frame(on_table)), changed);
+  Machine::set_direction(fine_direction(machine_.fine_in_frame(on_table)), seen, changed);
   machine_.set_branch(changed);
   plan.end = changed;
   plan.changed = true;

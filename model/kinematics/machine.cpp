@@ -103,7 +103,7 @@ Vector Machine::carried(const Vector& point, const Pose& from, const Pose& to) c
 }
 
 Vector Machine::tool_vector(const Pose& pose, const Real& length) const {
-  const Vector along = length * mechanism_.reference;
+  Vector along = length * mechanism_.reference;
   switch (type()) {
     case MachineType::table:
       return along;

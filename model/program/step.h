@@ -140,7 +140,7 @@ struct ToolSideBlock {
   [[nodiscard]] bool wanted() const { return side != CutterSide::none && number != 0; }
 };
 
-// What is said before the moves of a block.
+// What a stage of compensation says before the moves of a block.
 struct Warning {
   spec::Name number;
   const char* message = "";  // static text
@@ -164,7 +164,7 @@ struct Step {
   Rational radius;  // offset of the D number in force at the end of the block, where the leading edge offset is active
   std::optional<CutterBlock> cutter;  // from the first G41, G42 or G39 of a program on
   std::optional<ToolSideBlock> side;  // from its first G41.2, G42.2, G41.6 or G42.6 on
-  std::vector<Warning> warnings;
+  std::optional<Warning> warning;
   std::optional<OffsetSetting> setting;  // written at the end of the block
   std::optional<Alarm> alarm;            // that shows by its motion, once its moves are made
   spec::ClauseList clauses;

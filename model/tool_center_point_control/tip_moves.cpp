@@ -87,6 +87,7 @@ void TipMoves::take(const Move& move) {
   if (!inside || !move.inside->post_turn) return;
   turn(move, *move.inside->post_turn, spec::Cause::post_turn, move);
   last_->tip->pose = *move.inside->post_turn;
+  last_->tip->named_at.reset();
   last_->tip->frame->machine.place(last_->tip->pose, last_->leg.end);
 }
 
@@ -94,6 +95,8 @@ void TipMoves::take(const Move& move) {
 void TipMoves::turn(const Move& at, const Pose& to, spec::Cause cause, const Move& of) const {
   Move result = at;
   result.inside.reset();
+  // The tip stands on the table.
+  result.tip->named_at = at.tip->named_at.value_or(at.tip->pose);
   result.tip->pose = to;
   result.tip->frame->machine.place(to, result.leg.end);
   result.leg.cause = cause;

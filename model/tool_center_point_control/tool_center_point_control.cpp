@@ -190,8 +190,8 @@ TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipM
   machine_->place(end, leg.end);
 
   TurnedBlock result;
-  result.branch_differs = found.branch_differs;
   result.motion.emplace();
+  result.motion->branch_differs = found.branch_differs;
   if (found.pre_turn) result.motion->pre_turn = found.start;
   result.motion->post_turn = found.post_turn;
   result.motion->motion = std::move(found.motion);
@@ -199,6 +199,8 @@ TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipM
   tip_->pose = found.end;
   tool_ = tip_->in_workpiece ? of_unit(reported_tool(*tip_)) : now_;
   result.end = standing();
+  // The end is given as it is when all has turned.
+  if (found.post_turn) result.end.tip->named_at = end;
   tip_->pose = end;
   return result;
 }

@@ -44,7 +44,6 @@ struct ToolAtEnd {
 struct TurnedBlock {
   ToolAtEnd end;                    // of its own move, before a post-turn
   std::optional<OwnMotion> motion;  // of a block run under tool center point control
-  bool branch_differs = false;      // the warning posture-branch
 };
 
 // Clauses: fanuc.tool-center-point.*, fanuc.tool-posture.word, default, word-value.

@@ -8,7 +8,7 @@ Vector control_point(const ToolPose& at, const TipState& tool) {
 }
 
 Vector on_table(const ToolPose& at, const Vector& tip) {
-  return at.in_workpiece ? at.frame->frame.of_workpiece(tip, at.pose) : tip;
+  return at.in_workpiece ? at.frame->frame.of_workpiece(tip, at.named_at.value_or(at.pose)) : tip;
 }
 
 Vector reported_tool(const ToolPose& at) {

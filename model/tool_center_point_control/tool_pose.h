@@ -14,7 +14,8 @@ struct ToolPose {
   SharedFrame frame;          // none: no rotary axes, the direction of the tool is that of I J K
   bool in_workpiece = false;  // points are those of the workpiece system (19696#5 = 1, a table axis)
   Pose pose;
-  Rational length;  // tool length and holder offset
+  std::optional<Pose> named_at;  // the pose for which the point is given, where that is another: around a turn
+  Rational length;               // tool length and holder offset
 };
 
 // Of the move that a block run under tool center point control makes of its own.
@@ -22,7 +23,8 @@ struct OwnMotion {
   std::optional<Pose> pre_turn;   // a turn before it, to this pose
   std::optional<Pose> post_turn;  // and one behind it
   SharedMotion motion;
-  Rational length_before;  // of the tool at the start
+  Rational length_before;       // of the tool at the start
+  bool branch_differs = false;  // the warning posture-branch stands before it
 };
 
 // The tip in the programming system, X Y Z; the tool as events report it there.

@@ -74,7 +74,7 @@ class ToolPostureControl {
 
   [[nodiscard]] PosturePlan from_pole(const Found& found, const Pole& pole) const;
   [[nodiscard]] PosturePlan to_pole(const Found& found, const LiftStart& start, const Pole& pole) const;
-  [[nodiscard]] PosturePlan along(const Found& found, const LiftStart& start, const Passing& passing) const;
+  [[nodiscard]] PosturePlan along(const Found& found, const LiftStart& start, const Passing& passed) const;
   // An end changed so that the block passes the singular posture that it comes near to; nothing where it stays.
   [[nodiscard]] std::optional<PosturePlan> changed(const Found& found, const LiftStart& start, const Pose& end) const;
   [[nodiscard]] PosturePlan give_way(const Found& found, const Pose& end) const;

@@ -145,7 +145,7 @@ void ToolSideCompensation::look_at_arc(Step& now, Movement& movement) {
   if (leans(before_, arc.plane) || leans(movement.own.tool(), arc.plane)) {
     Warning warning{"ARC_PLANE_MISMATCH", "the tool does not stand at right angles to the plane of the arc", {}};
     warning.clauses.add(Clause::fanuc_tool_side_arc_plane_mismatch);
-    now.warnings.push_back(warning);
+    now.warning = warning;
   }
 }
 

@@ -117,6 +117,16 @@ TEST(FastToolCenterPointControlRules, CodeAgain) {
   expect_axes(run, 3, "XY", {10, run.axis(1, 'Y')});
 }
 
+// G43.4 and G43.5 behind a G41 without a number are moves of their own kind.
+TEST(FastToolCenterPointControlRules, BehindUnusedCutterCompensation) {
+  const ProgramRun run(machine_head("", ""), "G41\nX5\nG43.4 H1 G40\nG01 X8 F100\n", 2);
+  ASSERT_EQ(run.alarm(), "");
+  ASSERT_EQ(run.events.size(), 4U);
+  EXPECT_NE(run.events[1].machine.present, 0);
+  expect_axes(run, 1, "XZ", {5, 100}, 0);
+  EXPECT_EQ(run.events[2].kind, spec::EventKind::sample);
+}
+
 // By hand: L goes evenly from 100 to 150 in a block that changes H.
 TEST(FastToolCenterPointControlRules, LengthChangesEvenly) {
   const ProgramRun run(machine_head("", ""), "G43.4 H1\nG01 X8 H2 F100\nH1\n", 4);
@@ -176,6 +186,13 @@ TEST(FastToolCenterPointControlRules, WithoutKinematics) {
   expect_axes(run, 1, "XZ", {5 + 100 * s, 100 * std::sqrt(1 - s * s)});
   EXPECT_EQ(run.events[1].machine.present, 0);
   expect_direction(run, 3, {std::sqrt(0.5), 0, std::sqrt(0.5)});
+}
+
+// The tool holder offset counts without kinematics too.
+TEST(FastToolCenterPointControlRules, HolderOffset) {
+  const ProgramRun run(kNoKinematics + "[parameters]\n19666=30.5\n", "G43.5 H1\nG49 X5\n");
+  expect_axes(run, 0, "Z", {130.5}, 0);
+  expect_axes(run, 1, "Z", {130.5}, 0);
 }
 
 // Q leans the kept vector by the travel of each block; without travel and I J K the axes stand.

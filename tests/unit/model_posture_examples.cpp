@@ -2,6 +2,7 @@
 // (50 digits, printed to 15), end to end.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -273,6 +274,40 @@ TEST(Example8, FlankAndTipKeepTheRadiusFromTheFace) {
     }
   }
   EXPECT_EQ(seen, 15U);
+}
+
+// Every direction is taken as it was commanded, and only the branch and the whole turns from where the axes stand: the
+// numbers of a block do not grow with the blocks before it.
+TEST(Example3, ExactNumbersDoNotChain) {
+  struct Counter final : model::EventSink {
+    void on(const model::Event& event) override { moves += event.kind == spec::EventKind::move ? 1 : 0; }
+    int moves = 0;
+  };
+  for (const std::string& machine : {kHC, kTAC, kN45}) {
+    const spec::Setup setup = spec::read_setup_toml(
+        "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"B\", \"C\"]\n[parameters]\n" + machine,
+        "setup.toml");
+    std::string program = "G90 G00 X0 A10 B10\nG43.5 H0 P1\nG01 F500\n";
+    for (int i = 0; i < 300; ++i)
+      program += "X" + std::to_string(i % 7) + " I" + std::to_string(i % 5 + 1) + " J" + std::to_string(i % 11 - 5) +
+                 " K" + std::to_string(i % 3 + 1) + ".7\n";
+    Counter counter;
+    model::Recorder recorder;
+    model::Engine engine(setup, recorder, counter);
+    spec::ProgramReader reader(spec::text_source(program), setup.axes);
+    spec::Block block;
+    std::size_t early = 0;
+    std::size_t late = 0;
+    while (!engine.stopped() && reader.next(block)) {
+      engine.block(block);
+      std::size_t& most = block.line < 100 ? early : late;
+      most = std::max(most, exact::live_nodes());
+    }
+    engine.end();
+    EXPECT_GT(counter.moves, 300);
+    EXPECT_LE(late, early + early / 4);
+    EXPECT_LT(late, 400U);
+  }
 }
 
 TEST(Example9, TableWithOffsets) {

@@ -235,6 +235,20 @@ TEST(ModelToolCenterPoint, TurnsAtThePole) {
             (Lines{"1 rapid X0 Y0 Z0 A0 B20 C0", "2 posture-branch", "2 rapid X0 Y0 Z0 A0 B20 C200"}));
 }
 
+// In the workpiece system the tip stands on the table while that turns before or behind a block, and the end of the
+// block is the one behind its turn. Table point (10, 0), C90 takes it to (0, -10).
+TEST(ModelToolCenterPoint, TurnsOfTheTableInTheWorkpieceSystem) {
+  const std::string table = kMixed + kWorkpiece;
+  EXPECT_EQ(lines(table, "G43.4 P1\nX10\nB30 C90\n"),
+            (Lines{"1 rapid X0 Y0 Z0 A0 B0 C0", "2 rapid X10 Y0 Z0 A0 B0 C0", "3 rapid X0 Y-10 Z0 A0 B0 C90 (pre-turn)",
+                   "3 rapid X0 Y-10 Z0 A0 B30 C90"}));
+  EXPECT_EQ(
+      lines(table, "G43.4 P1 B30 C90\nX0 Y-10 Z0\nX10 Y0 B0 C0\nX20\n", 2),
+      (Lines{"1 rapid X0 Y0 Z0 A0 B30 C90", "2 1/2 X0 Y-5 Z0 A0 B30 C90", "2 rapid X0 Y-10 Z0 A0 B30 C90",
+             "3 1/2 X0 Y-10 Z0 A0 B15 C90", "3 rapid X0 Y-10 Z0 A0 B0 C90", "3 rapid X10 Y0 Z0 A0 B0 C0 (post-turn)",
+             "4 1/2 X15 Y0 Z0 A0 B0 C0", "4 rapid X20 Y0 Z0 A0 B0 C0"}));
+}
+
 TEST(ModelToolCenterPoint, KeptDirection) {
   // Without I J K the axes stand, whatever the range says.
   EXPECT_EQ(last(kHead + "19743 = 10\n19744 = -10\n", "B30.\nG43.5\nX10\n"), "3 rapid X10 Y0 Z0 A0 B30 C0");
