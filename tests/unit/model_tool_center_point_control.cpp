@@ -219,6 +219,19 @@ TEST(ModelToolCenterPoint, CornerMoves) {
   EXPECT_EQ(corners, 1U);
 }
 
+// Behind the corner moves that belong to its block, right before the block's own move.
+TEST(ModelToolCenterPoint, WhereTheWarningStands) {
+  const std::string program = "G43.4 H1 P1 B20\nG01 G42.2 D2 X0 F1\nX20\nX10 Y9 C200\nG40 X0 Y0\n";
+  const auto done = run(setup(kHead + "\"19605#5\" = 1\n", "[position]\nX = -10\n"), program);
+  std::string order;
+  for (const model::Event& event : done.events()) {
+    if (event.line != 4) continue;
+    const bool corner = event.cause == spec::Cause::corner;
+    order += event.kind == spec::EventKind::warning ? "warning " : corner ? "corner " : "own ";
+  }
+  EXPECT_EQ(order, "corner warning own ");
+}
+
 TEST(ModelToolCenterPoint, TurnsAtThePole) {
   EXPECT_EQ(lines(kHead, "G43.4 H1 P1\nG01 X10 B30 C90 F1\nX0 B0 C0\n", 2, Show::axes, 6),
             (Lines{"1 rapid X0 Y0 Z50 A0 B0 C0", "2 linear X0 Y0 Z50 A0 B0 C90 (pre-turn)",

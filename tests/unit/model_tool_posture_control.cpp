@@ -69,8 +69,7 @@ TEST(ModelToolPosture, Ex3OnANutatingHead) {
   // The pair of (-1, 1, 2) with B 50.7…: C 116.4….
   model::Recorder recorder;
   const model::Solutions pairs = inverse(n45.machine, recorder, edge(-1, 1));
-  Pose start = pairs.at[0].pose.tool > Angle(0) ? pairs.at[0].pose : pairs.at[1].pose;
-  start.work = start.work.basic();
+  const Pose start = pairs.at[0].pose.tool > Angle(0) ? pairs.at[0].pose : pairs.at[1].pose;
   EXPECT_EQ(text(start, 12), "50.728700549047 116.467819046821");
   const PosturePlan plan = n45.to(start, edge(-1, -1));
   EXPECT_EQ(pose_at(plan, Rational(1, 4), 12), "41.456792600235 139.507322177772");
