@@ -219,7 +219,7 @@ double arctangent(double sine, double cosine) {
   const double y = steep ? b : a;
   if (x == 0) return 0;
   // atan(y / x) = atan(c) + atan(r), c the nearest of 0, 1/32 ... 1, so |r| <= 1/64.
-  const auto nearest = static_cast<std::size_t>(y / x * 32 + 0.5);
+  const auto nearest = static_cast<std::size_t>((y / x + 1.0 / 64) * 32);
   const double c = static_cast<double>(nearest) / 32;
   const double r = (y - c * x) / (x + c * y);
   // r - r^3/3 + ... in degrees: the next term is below 2^-60 of the first. Errors, u = 2^-53: r 3u of c or of itself,

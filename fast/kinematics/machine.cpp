@@ -131,9 +131,10 @@ void Machine::set_branch(Pose& pose) const {
   const RotaryPosition& rotary = pose.axis[tool_side_];
   const double degrees = axis_[tool_side_].sense * rotary.degrees - polar_.phase().nearest();
   pose.psi = degrees - 360 * std::nearbyint(degrees / 360);
-  // Degrees to 2^-40 of a turn: well above the rounding of positions of a few thousand turns.
+  // Well above the rounding of a position. One many turns from 0 has lost the digits that psi needs.
   const double distance = std::fmin(std::abs(pose.psi), 180 - std::abs(pose.psi));
-  if (distance > 1e-9 * (1 + std::abs(degrees))) {
+  constexpr double kWide = 512;
+  if (distance > 1e-9 && std::abs(degrees) < kWide) {
     pose.branch = pose.psi > 0 ? 1 : -1;
     return;
   }

@@ -33,6 +33,12 @@ Int128 wrapped(Int128 x) {
 // The count that is `value` modulo whole turns and nearest to `near`.
 Count nearest_turn(const Count& value, Int128 near) { return Count::of_units(near + wrapped(value.units() - near)); }
 
+// How far the azimuth of c(psi) swings on one branch, from one horizontal part to another: on the positive branch they
+// point into y <= 0, on the negative one into y >= 0, so exactly opposite ones have a sign too.
+double swing(const Vector2<double>& from, const Vector2<double>& to, int branch) {
+  return -branch * (arctangent(std::abs(to.y), to.x) - arctangent(std::abs(from.y), from.x));
+}
+
 }  // namespace
 
 // A block whose decisions are made in double-double.
@@ -149,9 +155,7 @@ bool ToolPostureControl::plan_quickly(const Pose& start, const Target& target, P
       const PolarFrame::Constants<double>& c = polar.constants();
       return Vector2<double>{c.sc * (1 - a.cosine) + c.skew, -c.sa * a.sine};
     };
-    const Vector2<double> from = leaned(start.psi);
-    const Vector2<double> to = leaned(start.branch * std::abs(psi));
-    swung = arctangent(cross(from, to), dot(from, to));
+    swung = swing(leaned(start.psi), leaned(start.branch * std::abs(psi)), start.branch);
   }
   std::array<double, 2> near;
   near[t] = start.axis[t].degrees + machine_.sense(t) * (start.branch * std::abs(psi) - start.psi);
@@ -339,11 +343,8 @@ void ToolPostureControl::along(const FineArc& arc, PosturePlan& plan) const {
   // The azimuth of c(psi) on its way, with the half turn of a crossing taken off: by less than 180.
   PolarRoots<DoubleDouble> from;
   (void)polar.solve(arc.s, from);
-  const double side = arc.branch;
   const double half = crossing != 0 ? -1 : 1;
-  const Vector2<double> leaned{from.hx.hi, side * from.hy.hi};
-  const Vector2<double> to{half * arc.roots.hx.hi, half * branch * arc.roots.hy.hi};
-  const double swung = arctangent(cross(leaned, to), dot(leaned, to));
+  const double swung = swing({from.hx.hi, from.hy.hi}, {half * arc.roots.hx.hi, arc.roots.hy.hi}, arc.branch);
   const double estimate = machine_.sense(w) * (90 * arc.found.azimuth - swung);
   const auto by = static_cast<Int128>(estimate * static_cast<double>(Count::kRestPerOne));
   lifted[w] = nearest_turn(pair[w], arc.from[w] + by);

@@ -13,9 +13,10 @@ template <class T>
 class Judge {
  public:
   static constexpr bool kRough = std::is_same_v<T, double>;
-  // `scale` of the terms. Unit vectors carry a few roundings a component, products of two or three of them up to 30.
+  // `scale` of the terms. Unit vectors carry a few roundings a component, products of two or three of them up to 30; in
+  // double-double what they lose below 2^-96 counts too.
   int sign(const T& value, double scale) {
-    const double bound = (kRough ? 0x1p-46 : kPoseTie) * scale;
+    const double bound = kRough ? 0x1p-46 * scale : kPoseTie * scale + 0x1p-96;
     if (leading(value) > bound) return 1;
     if (leading(value) < -bound) return -1;
     if (kRough && bound != 0) unsure_ = true;
@@ -58,19 +59,28 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
   found.end_pole = pole_of(polar, e, arc.relative, judge);
   if (judge.unsure()) return false;
 
-  const T c = dot(s, e);
   T across = n.z;
   if (arc.meridian) across = number<T>(0);
+  // Where the horizontal components have no small relative error (double only) the bounds are absolute.
+  const bool relative = arc.relative || !Judge<T>::kRough;
   const double terms = std::abs(leading(s.x) * leading(e.y)) + std::abs(leading(s.y) * leading(e.x));
   if (found.start_pole == 0 && found.end_pole == 0) {
-    found.azimuth = arc.meridian ? 0 : judge.sign(across, arc.relative ? terms : 1);
+    found.azimuth = arc.meridian ? 0 : judge.sign(across, relative ? terms : 1);
     if (judge.unsure()) return false;
   }
-  // The feet of u_w (the highest point of the circle) and of -u_w (the lowest): inside the arc?
-  const T from_start = e.z - c * s.z;
-  const T from_end = s.z - c * e.z;
-  const int behind = judge.sign(from_start, std::abs(leading(e.z)) + std::abs(leading(c * s.z)));
-  const int before = judge.sign(from_end, std::abs(leading(s.z)) + std::abs(leading(c * e.z)));
+  // The feet of u_w (the highest point of the circle) and of -u_w (the lowest): inside the arc? e.z - (s.e) s.z and the
+  // like, by the horizontal parts: near a singular posture they are small.
+  const T ss = s.x * s.x + s.y * s.y;
+  const T ee = e.x * e.x + e.y * e.y;
+  const T se = s.x * e.x + s.y * e.y;
+  const double s_length = std::sqrt(leading(ss));
+  const double e_length = std::sqrt(leading(ee));
+  const auto foot = [&](const T& square, double length, const T& far, const T& near, double other) {
+    const double scale = length * (length * std::abs(leading(far)) + other * std::abs(leading(near)));
+    return judge.sign(square * far - near * se, relative ? scale : length + other);
+  };
+  const int behind = foot(ss, s_length, e.z, s.z, e_length);
+  const int before = foot(ee, e_length, s.z, e.z, s_length);
   if (judge.unsure()) return false;
   const bool top = behind >= 0 && before >= 0;
   const bool bottom = behind <= 0 && before <= 0;

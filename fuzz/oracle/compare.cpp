@@ -172,7 +172,8 @@ class Comparison {
     return expected_.feed && converted("feed", {"feed"}, *expected_.feed, *actual_.feed);
   }
 
-  // `more`: what lengths may be off k of beside the usual; `error` as in length_unit.
+  // `more`: what lengths may be off k of beside the usual; `error` as in length_unit. A rotary axis of the machine is
+  // the sum of its position and an origin.
   bool table(std::string_view field, const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a,
              double more = 0, double error = 0) {
     if (!rules_.judges(field)) return false;
@@ -184,10 +185,15 @@ class Comparison {
       const bool linear = spec::is_linear_axis(letter);
       if (linear ? number("coordinate", path, e[i], a[i], rules_.budget().coordinate, length_unit(error) + more, true)
                  : number("coordinate", path, e[i], a[i], rules_.budget().rotary,
-                          policy::ulp(approximate(e[i])) + scale_.pose.rotary.at(i)))
+                          policy::ulp(rotary_scale(e, i)) + scale_.pose.rotary.at(i)))
         return true;
     }
     return false;
+  }
+
+  [[nodiscard]] double rotary_scale(const spec::AxisValues<Real>& values, std::size_t axis) const {
+    const double value = std::fabs(approximate(values[axis]));
+    return expected_.axes.has(axis) ? std::max(value, std::fabs(approximate(expected_.axes[axis]))) : value;
   }
 
   // Of which lengths may be off k. `error`: of what else the length is made of.

@@ -8,7 +8,7 @@
 //                                                 k · (ulp(scale) + condition · ulp(|compensation vector|))
 //   … of the axes under tool center point control … and k · (errors of the rotary positions · their radii)
 //   rotary axes                                   … by k · (ulp(value) + error of the position, pose_error.h: one that
-//                                                 is commanded has none)
+//                                                 is commanded has none; machine: value or axes, the larger)
 //   tool axis                                     … by k · ulp(1), inside a block and where positions are kept by
 //                                                 k · its error (pose_error.h)
 //   samples: t                                    equal exactly

@@ -14,6 +14,7 @@ namespace {
 constexpr double kDegreesPerRadian = 57.29577951308232;
 
 double norm(const Space& a) { return std::hypot(a[0], a[1], a[2]); }
+double scalar(const Space& a, const Space& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Space product(const Space& a, const Space& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -130,7 +131,9 @@ PoseErrors::Pose PoseErrors::inside(std::span<const model::Event> window) const 
       to = end(window.subspan(i));
       break;
     }
-  const double bisector = std::max(norm(sum(before_.direction, to.direction)), policy::kSlack);
+  // Unit vectors, or zero where no event before said one.
+  const bool known = scalar(before_.direction, before_.direction) > 0 && scalar(to.direction, to.direction) > 0;
+  const double bisector = known ? std::max(norm(sum(before_.direction, to.direction)), policy::kSlack) : 2;
   const double ends = std::max({before_.direction_error, to.direction_error, policy::ulp(1)});
   pose.direction_error = ends * (1 + 2 / bisector);
   const double t = static_cast<double>(event.t_numerator) / static_cast<double>(event.t_denominator);

@@ -107,7 +107,9 @@ TEST(PoseErrors, CommandedPositionsHaveNone) {
 // A changed end, or a direction along the work-side axis: the work side stays, and with it what it was off by.
 TEST(PoseErrors, StayWithAPositionThatIsKept) {
   const spec::Setup setup = head();
-  const auto s = scales(setup, {pose(setup, 0.001, 20), pose(setup, -30, 20), pose(setup, 0, 20), pose(setup, 30, 50)});
+  constexpr double c = 20.00000314159;  // out of inverse kinematics: no decimals of a program
+  const auto s = scales(setup, {pose(setup, 0.00100000271828, c), pose(setup, -30.00000271828, c), pose(setup, 0, c),
+                                pose(setup, 30.000001414, 50.000001732)});
   EXPECT_NEAR(s[1].rotary[4] / s[0].rotary[4], 1, 1e-9);
   EXPECT_NEAR(s[1].direction / (s[0].rotary[4] * kDegree * 0.5), 1, 1e-3);  // sin 30
   EXPECT_NEAR(s[2].rotary[4] / s[0].rotary[4], 1, 1e-9);
@@ -126,19 +128,21 @@ TEST(PoseErrors, InsideABlock) {
   const auto opposite = scales(setup, {pose(setup, 90, 0), sample(setup, 1, 2, 45, 80), pose(setup, 90, 179.9)});
   EXPECT_GT(opposite[1].direction, policy::ulp(1) / std::sin(0.1 * kDegree));
   // Both axes evenly: the errors of the ends.
-  const auto evenly = scales(setup, {pose(setup, 0.001, 0), sample(setup, 1, 2, 45.0005, 45), pose(setup, 90, 90)});
-  EXPECT_NEAR(evenly[1].rotary[4] / evenly[0].rotary[4], 1, 1e-9);
+  const auto evenly = scales(setup, {pose(setup, 0.001, 0), sample(setup, 1, 2, 45.000501414, 45.000000866),
+                                     pose(setup, 90.000002828, 90.000001732)});
+  EXPECT_NEAR(evenly[1].rotary[4] / evenly[0].rotary[4], 1, 1e-4);
   EXPECT_NEAR(evenly[1].direction / (evenly[0].rotary[4] * kDegree * std::sin(45 * kDegree)), 1, 1e-2);
 }
 
 // V leant by Q in the plane of V and the travel: the plane is off by e/sin of their angle.
 TEST(PoseErrors, OfALeanAlmostAlongTheTravel) {
   const spec::Setup setup = head();
-  model::Event end = pose(setup, 5.001, 0);  // 0.001 degrees off the travel before the lean
+  // 0.001 degrees off the travel before the lean.
+  model::Event end = pose(setup, 5.001000001414, 0.000001732);
   end.point.set(2, 50);
-  const auto s = scales(setup, {pose(setup, 10, 0), end}, "G43.5 H1 Q5.\n");
+  const auto s = scales(setup, {pose(setup, 10.000003141, 0), end}, "G43.5 H1 Q5.\n");
   EXPECT_NEAR(s[1].direction / policy::ulp(1) / (std::sin(5 * kDegree) / std::sin(0.001 * kDegree)), 1, 1e-2);
-  EXPECT_NEAR(scales(setup, {pose(setup, 10, 0), end}, "G43.5 H1\n")[1].direction / policy::ulp(1), 1, 1e-9);
+  EXPECT_NEAR(scales(setup, {pose(setup, 10.000003141, 0), end}, "G43.5 H1\n")[1].direction / policy::ulp(1), 1, 1e-9);
 }
 
 TEST(PoseErrors, WithoutKinematicsADirectionIsItself) {
