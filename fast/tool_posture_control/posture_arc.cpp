@@ -94,14 +94,17 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
 
   const T n2 = across * across;
   const T high = root(number<T>(1) - n2 / nn);  // the height of the highest point
+  // N carries an absolute error: the shorter it is the less it tells of its direction.
+  const double per_length = 1 / std::sqrt(leading(nn));
+  const double blur = Judge<T>::kRough ? per_length : 1 + 0x1p-30 * per_length;
   const auto reach = [&](bool plus) {
     if constexpr (Judge<T>::kRough)
       return plus ? polar.constants().top : polar.constants().bottom;
     else
       return plus ? polar.fine_constants().top : polar.fine_constants().bottom;
   };
-  if (top && !polar.has_plus() && judge.sign(reach(true) - high, 1) < 0) found.leaves = true;
-  if (bottom && !polar.has_minus() && judge.sign(-high - reach(false), 1) < 0) found.leaves = true;
+  if (top && !polar.has_plus() && judge.sign(reach(true) - high, blur) < 0) found.leaves = true;
+  if (bottom && !polar.has_minus() && judge.sign(-high - reach(false), blur) < 0) found.leaves = true;
   if (judge.unsure()) return false;
   if (!limit || !free || found.crossing != 0 || found.leaves) return true;
 
@@ -111,7 +114,7 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
   const T to_minus = bottom ? high : largest(-s.z, -e.z);
   int pole = 0;
   if (polar.has_plus() && polar.has_minus())
-    pole = judge.sign(to_plus - to_minus, 1) >= 0 ? 1 : -1;
+    pole = judge.sign(to_plus - to_minus, blur) >= 0 ? 1 : -1;
   else if (polar.has_plus())
     pole = 1;
   else if (polar.has_minus())
@@ -131,7 +134,7 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
   }
   bool near = false;
   if (inside)
-    near = limit.above_90 || judge.sign(square * nn - n2, leading(nn)) > 0;
+    near = limit.above_90 || judge.sign(square * nn - n2, leading(nn) * blur) > 0;
   else
     near = limit.above_180 || judge.sign((pole > 0 ? to_plus : to_minus) - cosine, 1) > 0;
   if (near) found.near = pole;

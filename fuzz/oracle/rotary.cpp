@@ -121,11 +121,16 @@ Posture::Posture(const RotaryMachine& machine, double tool_position) {
   height_rate = std::fabs(scalar(machine.work_line, rate));
   height_bend = std::fabs(scalar(machine.work_line, product(machine.tool_line, rate)));
   singular = polar_sine < policy::kParallel;
+  // The edge of reach on this side of the middle: a pole, or a cosine that the height is subtracted from.
+  const double middle = scalar(machine.reference, machine.tool_line) * scalar(machine.work_line, machine.tool_line);
+  const double swing = std::hypot(scalar(machine.work_line, tilted) - middle, height_rate);
+  const double edge = scalar(machine.work_line, tilted) > middle ? middle + swing : middle - swing;
+  at_a_pole = std::fabs(edge) >= 1 - policy::kSlack;
   if (!singular) azimuth_rate = std::fabs(scalar(machine.work_line, product(tilted, rate))) / (polar_sine * polar_sine);
 }
 
 double Posture::tool_error(double direction_error) const {
-  const double off = polar_sine * direction_error + direction_error * direction_error / 2;
+  const double off = at_a_pole ? polar_sine * direction_error + direction_error * direction_error / 2 : direction_error;
   const double root = std::sqrt(height_rate * height_rate + 2 * height_bend * off);
   const double sum = height_rate + root;
   return sum > 0 ? 2 * off / sum : direction_error;

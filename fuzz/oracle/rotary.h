@@ -52,9 +52,11 @@ struct Posture {
   double height_bend = 0;
   double azimuth_rate = 0;  // d azimuth/d tool
   bool singular = false;    // no azimuth at all, as far as doubles can tell
+  bool at_a_pole = true;    // the edge of reach nearest to it is a singular posture
 
   Posture(const RotaryMachine& machine, double tool_position);
   // The root of rate δ + bend δ²/2 = sine e + e²/2: δ is e at a pole of an orthogonal machine and √(2e) at an edge.
+  // Where the edge is no pole the height itself is compared with it: its rounding, e, stands on the right.
   [[nodiscard]] double tool_error(double direction_error) const;
   [[nodiscard]] double work_error(double direction_error) const;
 };

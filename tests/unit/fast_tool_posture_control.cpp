@@ -72,7 +72,7 @@ TEST(FastPosture, Example3) {
   EXPECT_EQ(plan.motion.law(), Law::linear);
   expect_pair(plan.end, 225, 35.2643896827547);
   expect_vector(sample(plan, 1, 4).tool, -0.533402096794177, 0.220942382690395, 0.816496580927726);
-  expect_vector(sample(plan, 2, 4).tool, -0.577350269189626, 0, 0.816496580927726);
+  expect_vector(sample(plan, 2, 4).tool, -1 / std::sqrt(3.0), 0, 0.816496580927726);
 }
 
 TEST(FastPosture, Example3OtherMachines) {
