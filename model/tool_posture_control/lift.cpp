@@ -55,6 +55,15 @@ Angle Lift::back_at_pole(const Pose& pair, int branch) const {
   return turned_back(pair.work, azimuth(machine_, machine_.tilted(pair.tool), limit(branch)));
 }
 
+// From edge to edge it is 180 degrees, past the side of the branch.
+Angle Lift::tilt_swing_of(const LiftStart& start, const Angle& end) const {
+  const Vector from = machine_.tilted(start.pose.tool);
+  const Vector to = machine_.tilted(end);
+  if (!start.on_edge) return azimuth(machine_, from, to);
+  const Vector side = limit(start.branch);
+  return azimuth(machine_, from, side) + azimuth(machine_, side, to);
+}
+
 Pose Lift::end(const LiftStart& start, const Way& way, const Pose& pair) const {
   Pose result{tool_at(start, pair.tool), start.pose.work};
   if (way.side == 0 && orthogonal_) return result;
@@ -65,8 +74,7 @@ Pose Lift::end(const LiftStart& start, const Way& way, const Pose& pair) const {
     const Sign right = sign(swing);
     if (swing.cosine().sign() == Sign::negative && as_int(right) == -way.side) swing = swing.plus_turns(way.side);
   }
-  const Angle tilt_swing =
-      orthogonal_ ? Angle() : azimuth(machine_, machine_.tilted(start.pose.tool), machine_.tilted(result.tool));
+  const Angle tilt_swing = orthogonal_ ? Angle() : tilt_swing_of(start, result.tool);
   result.work = lifted_work(start.pose.work, pair.work, swing, tilt_swing, machine_);
   return result;
 }

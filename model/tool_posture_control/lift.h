@@ -56,6 +56,8 @@ class Lift {
   [[nodiscard]] Angle tool_at(const LiftStart& start, const Angle& end) const;
   [[nodiscard]] bool on_upper_edge(const Angle& tool) const;
   [[nodiscard]] Angle turned_back(const Angle& work, const Angle& tilt_swing) const;
+  // By how much the tool, tilted alone from the start to `end`, swings about u_w.
+  [[nodiscard]] Angle tilt_swing_of(const LiftStart& start, const Angle& end) const;
 
   const Machine& machine_;
   std::vector<Pole> poles_;
