@@ -62,6 +62,8 @@ PolarFrame::PolarFrame(const FineVector& tool_side, const FineVector& work_side,
   minus_ = fine_.sum.hi == 0;
   if (plus_) fine_.top = {1, 0};
   if (minus_) fine_.bottom = {-1, 0};
+  fine_.above = DoubleDouble{1, 0} - fine_.top;
+  fine_.below = DoubleDouble{1, 0} + fine_.bottom;
   orthogonal_ = ca.hi == 0 && cb.hi == 0;
   along_axes_ = along_axis(fine_.row[0]) && along_axis(fine_.row[1]) && along_axis(fine_.row[2]);
   // Where the tool is nearest to u_w: A = u_w.q, B = u_w.r.
@@ -82,6 +84,8 @@ PolarFrame::PolarFrame(const FineVector& tool_side, const FineVector& work_side,
   rough_.sum = round(fine_.sum);
   rough_.top = round(fine_.top);
   rough_.bottom = round(fine_.bottom);
+  rough_.above = round(fine_.above);
+  rough_.below = round(fine_.below);
   rough_.phase = {round(fine_.phase.sine), round(fine_.phase.cosine)};
 }
 

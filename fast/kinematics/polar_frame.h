@@ -48,6 +48,7 @@ class PolarFrame {
     T cc{}, ss{}, sc{}, sa{};         // cos a cos b, sin a sin b, sin a cos b, sin a
     T top{}, bottom{};                // cos(a - b), cos(a + b): the reach of k
     T skew{}, sum{};                  // sin(b - a), sin(a + b)
+    T above{}, below{};               // 1 - top, 1 + bottom
     SineCosine<T> phase{};            // of the mechanical angle of the tool-side axis at psi = 0
   };
 

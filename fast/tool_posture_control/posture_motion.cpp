@@ -27,10 +27,10 @@ DoubleDouble degrees(Int128 units) {
 struct Room {
   double above, below;
 };
-Room room(const PolarFrame& polar, double k, double n2) {
-  const Frame& c = polar.constants();
-  return {polar.has_plus() && k > 0 ? n2 / (1 + k) : std::fmax(0.0, c.top - k),
-          polar.has_minus() && k < 0 ? n2 / (1 - k) : std::fmax(0.0, k - c.bottom)};
+Room room(const Frame& c, double k, double n2) {
+  // Near u_w and -u_w from the horizontal parts, which are small there: 1 - k = n2 / (1 + k).
+  return {std::fmax(0.0, k > 0 ? n2 / (1 + k) - c.above : c.top - k),
+          std::fmax(0.0, k < 0 ? n2 / (1 - k) - c.below : k - c.bottom)};
 }
 
 // The horizontal part of c(psi) for the sine of psi.
@@ -187,7 +187,7 @@ void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample
     const double scale = branch_ / width;
     work = {seen.x * scale, -seen.y * scale};
   } else {
-    const Room space = room(polar, seen.z, n2);
+    const Room space = room(c, seen.z, n2);
     width = std::sqrt(space.above * space.below) / c.ss;
     cos_psi = (seen.z - c.cc) / c.ss;
     const Vector2<double> leaned = lean(c, space, branch_ * width);
