@@ -124,8 +124,8 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
     edited_ = false;
   }
 
-  // Which number holds: an H word of any block, or with OFH = 1 of a block with G43, G44 (or G43.4, G43.5) only; there a first
-  // G43 without H means H0.
+  // Which number holds: an H word of any block, or with OFH = 1 of a block with G43, G44 (or G43.4, G43.5) only; there
+  // a first G43 without H means H0.
   const bool sets = code == 430 || code == 440 || words.starts_tip_control();
   const bool ofh = ofh_ && !fault(Fault::h_modal_under_ofh);
   std::uint32_t number = number_;

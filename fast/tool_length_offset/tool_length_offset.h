@@ -36,7 +36,8 @@ class ToolLengthOffset {
 
   // The restoration that becomes due at any block with words (EVO).
   Alarm restore(const Words& words, const OffsetMemory& memory);
-  // G43 G44 G43.4 G43.5 G49 and H of a block; `normal` is the axis normal to the plane in force. On an alarm nothing changes.
+  // G43 G44 G43.4 G43.5 G49 and H of a block; `normal` is the axis normal to the plane in force. On an alarm nothing
+  // changes.
   Alarm apply(const Words& words, const OffsetMemory& memory, std::size_t normal);
   // G53, G28, G30, G30.1 on this axis: its vector goes to 0, the mode stays.
   void cancel(std::size_t axis);
