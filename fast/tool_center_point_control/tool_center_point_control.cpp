@@ -150,7 +150,7 @@ void ToolCenterPointControl::send_sample(std::uint32_t k) {
 void ToolCenterPointControl::send_samples(const Event& event, TipBlock& block) {
   begin_samples(event);
   const Vector3<double> point = point_of(event);
-  // On the table; an arc with WKP = 1 is run while the table stands, and described in the workpiece system.
+  // On the table; an arc with WKP = 1 is described in the workpiece system, where the table stands at its end.
   const bool in_workpiece = moves_on_table_ && event.arc.has_value();
   const TipPath path = event.arc ? TipPath(in_workpiece ? point_of(event_) : tip_, point, *event.arc, xyz_)
                                  : TipPath(tip_, on_table(point, turns(block.plan.end)));
@@ -161,10 +161,8 @@ void ToolCenterPointControl::send_samples(const Event& event, TipBlock& block) {
     set_sample(event, t);
     Vector3<double> at = path.at(t);
     Vector3<double> tip = at;
-    if (in_workpiece)
-      tip = on_table(at, sample.turns);
-    else if (moves_on_table_)
-      at = machine_.from_table(tip, sample.turns, origin_xyz_);
+    if (in_workpiece) tip = on_table(at, turns(block.plan.end));
+    if (moves_on_table_) at = machine_.from_table(tip, sample.turns, origin_xyz_);
     for (std::size_t i = 0; i < 3; ++i)
       if (xyz_[i] != spec::Axes::kNone) sample_.point.value[xyz_[i]] = at[i];
     set_axes(sample_, tip, sample.turns, sample.degrees, between(block.length_before, block.length, t));

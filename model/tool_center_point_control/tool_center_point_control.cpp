@@ -33,6 +33,16 @@ Vector in_space(const Position& position, const spec::Axes& axes) {
   return result;
 }
 
+// The shift of G45 to G48 in X Y Z.
+Vector shift_of(const Leg& leg, const spec::Axes& axes) {
+  Vector result;
+  if (!leg.shift) return result;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (const char letter = axes.letter(i); is_space_axis(letter))
+      component(result, space_index(letter)) = leg.shift->at(i);
+  return result;
+}
+
 // Known to be one pose.
 bool same(const Pose& a, const Pose& b) {
   const auto zero = [](const Angle& x) { return x.is_rational() && x.rational() == 0; };
@@ -253,8 +263,10 @@ void ToolCenterPointControl::keep_tip_on_table(bool tip_alone, const Position& f
   }
   if (same(end, tip_->pose)) return;
   recorder_.reach(Clause::fanuc_tool_center_point_tip_alone_in_workpiece_system);
-  if (!standing_) standing_ = tip_->frame->frame.of_workpiece(in_space(from, axes_), tip_->pose);
-  const Vector now = tip_->frame->frame.in_workpiece(*standing_, end);
+  // The tip stands where a shift left by G45 to G48 has it.
+  const Vector shift = shift_of(leg, axes_);
+  if (!standing_) standing_ = tip_->frame->frame.of_workpiece(in_space(from, axes_) + shift, tip_->pose);
+  const Vector now = tip_->frame->frame.in_workpiece(*standing_, end) - shift;
   for (std::size_t i = 0; i < axes_.size(); ++i)
     if (const char letter = axes_.letter(i); is_space_axis(letter))
       leg.end.at(i) = Coordinate(component(now, space_index(letter)));
