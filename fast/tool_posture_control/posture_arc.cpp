@@ -122,7 +122,8 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
   else
     return true;
   // Which of two equally near ones only matters where they are near.
-  const bool inside = (pole > 0 ? top : bottom) && !fault(Fault::posture_near_by_ends);
+  const bool by_ends = fault(Fault::posture_near_by_ends);
+  const bool inside = (pole > 0 ? top : bottom) && !by_ends;
   T square;
   T cosine;
   if constexpr (Judge<T>::kRough) {
@@ -137,6 +138,7 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
     near = limit.above_90 || judge.sign(square * nn - n2, leading(nn) * blur) > 0;
   else
     near = limit.above_180 || judge.sign((pole > 0 ? to_plus : to_minus) - cosine, 1) > 0;
+  if (by_ends) near = leading(pole > 0 ? largest(s.z, e.z) : largest(-s.z, -e.z)) > leading(cosine);
   if (near) found.near = pole;
   return !judge.unsure();
 }

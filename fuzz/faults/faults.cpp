@@ -126,13 +126,20 @@ constexpr Row kTip[] = {
     {"tip_sample_from_the_end", "", 500},
 };
 
+// The questions of a block with P1 are more than an event keeps clauses: those of its first ones.
+constexpr std::string_view kPostureBlock =
+    "fanuc.tool-posture.no-plane fanuc.tool-posture.great-circle fanuc.tool-posture.at-start "
+    "fanuc.tool-posture.at-end fanuc.tool-posture.changed fanuc.tool-posture.refused "
+    "fanuc.tool-center-point.inverse fanuc.tool-center-point.parallel-to-the-work-side "
+    "fanuc.tool-center-point.reach-toward-the-axis fanuc.tool-center-point.reach-away-from-the-axis";
+
 constexpr Row kPosture[] = {
     {"posture_linear_weights", "fanuc.tool-posture.great-circle fanuc.tool-posture.lift", 500},
-    {"posture_mirrored_at_zero", "fanuc.tool-posture.changed", 20'000},
-    {"posture_veto_without_half_turn", "fanuc.tool-posture.veto fanuc.tool-posture.changed", 2000},
+    {"posture_mirrored_at_zero", kPostureBlock, 500},
+    {"posture_veto_without_half_turn", kPostureBlock, 500},
     {"posture_no_pre_turn", "fanuc.tool-posture.pre-turn", 2000},
     {"posture_default_ignored", "fanuc.tool-posture.default fanuc.tool-posture.great-circle", 5000},
-    {"posture_near_by_ends", "fanuc.tool-posture.near fanuc.tool-posture.changed fanuc.tool-posture.refused", 5000},
+    {"posture_near_by_ends", kPostureBlock, 2000},
 };
 
 struct Section {
