@@ -323,7 +323,7 @@ TEST(ModelToolCenterPoint, AlongTheEdgeOfReach) {
 
 // Exact numbers do not chain: a thousand blocks leave no more nodes than a few.
 TEST(ModelToolCenterPoint, NumbersDoNotChain) {
-  for (const std::string& code : {"G43.5 H1 P0\n", "G43.5 H1 P1\n"}) {
+  for (const std::string code : {"G43.5 H1 P0\n", "G43.5 H1 P1\n"}) {
     for (const std::string& machine : {kHead, kTable, kMixed}) {
       const spec::Setup with = spec::read_setup_toml(setup(machine + "19738 = 5\n19739 = 20\n"), "setup.toml");
       std::string program = code + "G01 F1\n";
