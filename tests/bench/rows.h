@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -24,9 +25,10 @@ constexpr int kBlocks = 100;
 constexpr int kTextBlocks = 5000;
 
 struct Program {
-  std::string setup;  // TOML
-  std::string head;   // run once
-  std::string body;   // run again and again; with cutter compensation it ends where it starts
+  std::string setup;          // TOML
+  std::string head;           // run once
+  std::string body;           // run again and again; with cutter compensation it ends where it starts
+  std::uint32_t samples = 0;  // each counts as a block
 };
 
 // Touches what a controller would use.
@@ -87,13 +89,13 @@ void go_round(benchmark::State& state, const Program& program, const spec::Setup
   for (auto _ : state)
     for (const spec::Block& block : blocks) engine.block(block);
   if (engine.stopped() || path.events() == 0) state.SkipWithError(("stopped: " + path.alarm()).c_str());
-  count_blocks(state, blocks.size());
+  count_blocks(state, blocks.size() * std::max(program.samples, 1U));
 }
 
 inline void fast_engine(benchmark::State& state, const Program& program) {
   const spec::Setup setup = spec::read_setup_toml(program.setup, "setup");
   Path<double> path;
-  fast::Engine engine(setup, path);
+  fast::Engine engine(setup, path, program.samples);
   go_round(state, program, setup, engine, path);
 }
 
@@ -101,7 +103,7 @@ inline void exact_model(benchmark::State& state, const Program& program) {
   const spec::Setup setup = spec::read_setup_toml(program.setup, "setup");
   Path<exact::Real> path;
   model::Recorder recorder;
-  model::Engine engine(setup, recorder, path);
+  model::Engine engine(setup, recorder, path, program.samples);
   go_round(state, program, setup, engine, path);
 }
 

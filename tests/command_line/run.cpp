@@ -89,7 +89,8 @@ TEST_P(Run, TheExamplesRun) {
                               "inclined-faces-tool-vector/faces.nc", "arc-figure-cutter-compensation-c/arc-figure.nc",
                               "contour-tool-offset/contour.nc", "plate-cutter-compensation-b/plate.nc",
                               "touch-plate-length-measurement/touch-plate.nc", "tapered-boss-tool-side/boss.nc",
-                              "tapered-boss-tool-side/boss-vector.nc", "blade-flank-tool-side/flank.nc"}) {
+                              "tapered-boss-tool-side/boss-vector.nc", "blade-flank-tool-side/flank.nc",
+                              "pyramid-posture-control/pyramid.nc", "inclined-slot-tool-center-point/slot.nc"}) {
     const Outcome outcome = toolcomp("run " + kExamples + program + " --engine " + GetParam());
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "") << program;
