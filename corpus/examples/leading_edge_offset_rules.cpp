@@ -40,8 +40,6 @@ constexpr Example kRules[] = {
     {"An axis word beside G40: PS5406 at line 3.", EDGE(""), "G41.3 D1\nX1\nG40 X2\n"},
     {"I J K all zero: PS5421 at line 1.", EDGE(""), "G43.5 I0 J0 K0\n"},
     {"A rotary word under G43.5: PS5421 at line 1.", AXES("\"X\", \"Y\", \"Z\", \"B\"", ""), "G43.5 B1\n"},
-    {"The lean angle is not built: LEAN_ANGLE_NOT_BUILT at line 1.", EDGE(""), "G43.5 Q1\n"},
-    {"Head offsets are not built: KINEMATICS_NOT_BUILT at line 1.", EDGE("19666 = 1\n"), "G43.5\n"},
     {"G43.5 under G02: TOOL_DIRECTION_FORMAT at line 1.", EDGE(""), "G02 G43.5\n"},
     {"G28 under G43.5: FORBIDDEN_UNDER_TOOL_DIRECTION at line 2.", EDGE(""), "G43.5\nG28 X0\n"},
     {"G43 under G43.5: LENGTH_OFFSET_EXCLUSION at line 2.", EDGE(""), "G43.5\nG43\n"},

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "fuzz/oracle/policy.h"
+
 namespace toolcomp::fuzz {
 namespace {
 
@@ -330,7 +332,7 @@ void RotaryAim::turn_by_words() {
       SpaceCounts d = rational();
       for (int tries = 0; tries < 6; ++tries) {
         const double polar = polar_of(to_table(as_direction(d))).polar;
-        if (polar >= least_ - 1e-9 && polar <= most_ + 1e-9) break;
+        if (polar >= least_ - policy::kSlack && polar <= most_ + policy::kSlack) break;
         d = rational();
       }
       return write_words(d);
@@ -345,7 +347,7 @@ void RotaryAim::turn_by_words() {
       to.polar = inside(to.polar);
       break;
     case 3: {  // near it
-      const double tiny[] = {1e-4, 1e-3, 1e-2, 0.1, near, near, near + aside(), 2};
+      const double tiny[] = {0.0001, 0.001, 0.01, 0.1, near, near, near + aside(), 2};
       to.polar = inside(choose_.one_of(tiny));
       to.azimuth = static_cast<double>(choose_.between(-24, 24) * 15);
       break;
@@ -371,7 +373,7 @@ void RotaryAim::turn_by_words() {
       to.azimuth = now.azimuth + 180 + s * off;
       // sin d = sin a sin b sin(off)/sin(angle): for small angles d = a b sin(off)/(a + b).
       const double a = std::max(now.polar, 0.001);
-      const double want = near * std::numbers::pi / 180 / std::max(std::sin(off * std::numbers::pi / 180), 1e-6);
+      const double want = near * std::numbers::pi / 180 / std::max(std::sin(off * std::numbers::pi / 180), 0.000001);
       const double da = a * std::numbers::pi / 180;
       const double b = da > want ? want * da / (da - want) : 0.3;
       to.polar = inside(b * kDegreesPerRadian * static_cast<double>(choose_.between(60, 140)) / 100);

@@ -173,6 +173,9 @@ inline constexpr double kSlack = 0x1p-30;
 // What an estimate in double may carry of a value that is exactly zero, relative to its terms: a few roundings.
 inline constexpr double kEstimateNoise = 0x1p-44;
 
+// A step counts as one of whole increments where it is that but for this share of one.
+inline constexpr double kWholeStep = 1e-6;
+
 // Below this sine two paths count as parallel in an estimate: no finite vector of a control's range lies where they
 // cross.
 inline constexpr double kParallel = 0x1p-46;

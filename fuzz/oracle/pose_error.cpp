@@ -27,9 +27,8 @@ bool same(double a, double b) { return std::fabs(a - b) <= policy::kSlack * (1 +
 // Whether one position comes from the other by a number a program writes: kept, or moved by G91.
 bool stepped(double from, double to) {
   constexpr double counts = 1e5;  // least increments in a degree
-  constexpr double noise = 1e-6;
   const double step = (to - from) * counts;
-  return same(from, to) || std::fabs(step - std::round(step)) <= noise;
+  return same(from, to) || std::fabs(step - std::round(step)) <= policy::kWholeStep;
 }
 
 // The numbers of the Q words of a program.

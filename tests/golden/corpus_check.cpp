@@ -108,6 +108,12 @@ class SmallCorpus : public testing::Test {
     EXPECT_NE(at, std::string::npos) << from;
     return text.replace(at, from.size(), to);
   }
+  // The text with this flag alone in its first vector.
+  [[nodiscard]] std::string flagged(const std::string& flag) const {
+    spec::Case c = read_cases(default_folder() / kFile).front();
+    c.flags = {flag};
+    return spec::write_case_line(c) + text_.substr(text_.find('\n'));
+  }
   CheckResult checked() {
     CheckOptions options;
     options.folder = folder_;
@@ -145,7 +151,7 @@ TEST_F(SmallCorpus, WrongClausesAndFlagsFail) {
   put(replaced(R"("clauses":["fanuc.leading-edge.vector",)", R"("clauses":[)"));
   ASSERT_EQ(checked().failures.size(), 1U);
   EXPECT_TRUE(checked().failures[0].what.starts_with("clauses: "));
-  put(replaced(R"("dialect")", R"("flags":["near-tie"],"dialect")"));
+  put(flagged("near-tie"));
   ASSERT_EQ(checked().failures.size(), 1U);
   EXPECT_TRUE(checked().failures[0].what.starts_with("flags: ")) << checked().failures[0].what;
 }
@@ -176,7 +182,7 @@ TEST_F(SmallCorpus, LintFindsRepetition) {
 }
 
 TEST_F(SmallCorpus, LintFindsUnknownFlags) {
-  put(replaced(R"("dialect")", R"("flags":["odd"],"dialect")"));
+  put(flagged("odd"));
   EXPECT_EQ(lint(folder_), std::vector<std::string>{std::string(kFile) + ":1: unknown flag odd"});
 }
 

@@ -210,8 +210,6 @@ TEST(LeadingEdgeVectors, Rules) {
           {"An axis word beside G40", after_start("PS5406")},
           {"I J K all zero", {"1 PS5421"}},
           {"A rotary word under G43.5", {"1 PS5421"}},
-          {"The lean angle", {"1 LEAN_ANGLE_NOT_BUILT"}},
-          {"Head offsets", {"1 KINEMATICS_NOT_BUILT"}},
           {"G43.5 under G02", {"1 TOOL_DIRECTION_FORMAT"}},
           {"G28 under G43.5", {"1 X0 Y0 Z0", "2 FORBIDDEN_UNDER_TOOL_DIRECTION"}},
           {"G43 under G43.5", {"1 X0 Y0 Z0", "2 LENGTH_OFFSET_EXCLUSION"}}});
