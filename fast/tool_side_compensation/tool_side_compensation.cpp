@@ -200,11 +200,12 @@ bool ToolSideCompensation::awaits_line() {
 
 // Inner and obtuse corners of up to 90 degrees: against the movement before, the change of the plane may matter.
 bool ToolSideCompensation::take_line(double way_x, double way_y, double way_z) {
+  if (!awaits_line_) return false;
   const ToolSideBlock& block = next();
   const SidePath& from = *last_;
   SidePath& to = paths_[after(path_)];
-  if (!awaits_line_ || !block.wanted || block.arc || block.repeated || !to.travel.narrow || to.travel.zero ||
-      block.side != from.side || from.offset_change != value_change_)
+  if (!block.wanted || block.arc || block.repeated || !to.travel.narrow || to.travel.zero || block.side != from.side ||
+      from.offset_change != value_change_)
     return false;
   SideGroup& end = at_end();
   SideCorner& corner = end.corner;
