@@ -284,7 +284,9 @@ Rules::Rules(const spec::Setup& setup, std::string_view section, const JudgeOpti
   resolution_ = r->convert_to<double>();
 }
 
-bool Rules::is_near_tie(const model::Decision& decision, double band) const {
+bool Rules::is_near_tie(const model::Decision& decision, double band, const PositionErrors& positions) const {
+  if (policy::compares_positions(decision.clause))
+    band = std::max(band, std::min(band * positions.at(decision.line), policy::kWidestBand));
   const bool square = resolution_ == 0 && policy::is_square(decision.clause);
   if (margin(decision) > (square ? band * band : band)) return false;
   if (resolution_ > 0 || !policy::compares_exactly(decision.clause)) return true;

@@ -22,7 +22,7 @@ class Rules {
   // 0: the actual numbers are doubles.
   [[nodiscard]] double resolution() const { return resolution_; }
   // Whether the other outcomes of a decision are permitted, with this relative half width of a near tie.
-  [[nodiscard]] bool is_near_tie(const model::Decision& decision, double band) const;
+  [[nodiscard]] bool is_near_tie(const model::Decision& decision, double band, const PositionErrors& positions) const;
   [[nodiscard]] double um_per_unit() const { return um_per_unit_; }
 
  private:

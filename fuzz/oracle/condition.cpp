@@ -38,8 +38,8 @@ bool coplanar(const std::array<double, 3>& v, const std::array<double, 3>& a, co
 
 }  // namespace
 
-Conditions::Conditions(const spec::Setup& setup, std::string_view program)
-    : index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')}, pose_(setup, program) {
+Conditions::Conditions(const spec::Setup& setup, const DirectionWords* words)
+    : index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')}, pose_(setup, words) {
   for (std::size_t i = 0; i < setup.axes.size(); ++i) linear_[i] = spec::is_linear_axis(setup.axes.letter(i));
   const auto table = [this](const spec::AxisTable& values) {
     for (const auto& [axis, number] : values)

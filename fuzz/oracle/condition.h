@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "fuzz/oracle/corner.h"
 #include "fuzz/oracle/pose_error.h"
@@ -40,8 +39,8 @@ struct Scale {
 // The sweep of an arc with a vector turns by the errors of its ends over their distances from the centre.
 class Conditions {
  public:
-  // `program`: its text, where it is at hand (pose_error.h).
-  explicit Conditions(const spec::Setup& setup, std::string_view program = {});
+  // `words`: of the program, where it is at hand (pose_error.h). Kept by reference.
+  explicit Conditions(const spec::Setup& setup, const DirectionWords* words = nullptr);
   // The scale of window[0]; `window` holds the events from it to the next one that moves, or all that follow.
   Scale next(std::span<const model::Event> window);
 

@@ -70,11 +70,10 @@ Difference name_difference(const Rules& rules, const spec::Setup& setup, const s
 }
 
 template <class Number>
-Agreement agreement(const Rules& rules, const spec::Case& c, const std::vector<model::Event>& expected,
-                    std::span<const spec::Event<Number>> actual) {
+Agreement agreement(const Rules& rules, const spec::Setup& setup, const DirectionWords& words,
+                    const std::vector<model::Event>& expected, std::span<const spec::Event<Number>> actual) {
   Agreement result;
-  const spec::Setup& setup = c.setup;
-  Conditions conditions(setup, c.program);
+  Conditions conditions(setup, &words);
   for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
     if (i < expected.size() && expected[i].kind == EventKind::undecided) {
       // What the specification leaves open an engine of ours says too; of a controller nothing is judged from here on.
@@ -126,7 +125,7 @@ template <class Number>
 class Judge {
  public:
   Judge(const spec::Case& c, std::span<const spec::Event<Number>> actual, const JudgeOptions& options)
-      : case_(c), rules_(c.setup, c.section, options) {
+      : case_(c), words_(DirectionWords::of(c)), rules_(c.setup, c.section, options) {
     const auto judged = [this](const spec::Event<Number>& event) { return is_judged(event); };
     std::copy_if(actual.begin(), actual.end(), std::back_inserter(kept_), judged);
     actual_ = kept_;
@@ -149,11 +148,11 @@ class Judge {
     return event.kind != EventKind::sample || rules_.judges("t");
   }
   [[nodiscard]] Agreement compared(const ModelRun& run) const {
-    if (rules_.judges("t")) return agreement(rules_, case_, run.events, actual_);
+    if (rules_.judges("t")) return agreement(rules_, case_.setup, words_, run.events, actual_);
     std::vector<model::Event> expected;
     for (const model::Event& event : run.events)
       if (is_judged(event)) expected.push_back(event);
-    return agreement(rules_, case_, expected, actual_);
+    return agreement(rules_, case_.setup, words_, expected, actual_);
   }
 
   // Which decision of a run, whatever others come and go before it.
@@ -182,16 +181,15 @@ class Judge {
   std::vector<std::size_t> near_ties(const ModelRun& run, const Forced& forced) const {
     std::vector<std::size_t> result;
     const auto& decisions = run.recorder.decisions();
-    const PositionErrors positions(case_.setup, run.events);
+    PositionErrors positions(case_.setup);
+    for (const model::Event& event : run.events) positions.follow(event);
     for (std::size_t i = 0; i < decisions.size(); ++i) {
       if (forced.contains(i)) continue;
-      double band = rules_.resolution() > 0
-                        ? policy::controller_band(rules_.resolution(),
-                                                  shortest_move(run.events, case_.setup.axes, decisions[i].line))
-                        : policy::kDoubleBand;
-      if (policy::compares_positions(decisions[i].clause))
-        band = std::max(band, std::min(band * positions.at(decisions[i].line), policy::kWidestBand));
-      if (rules_.is_near_tie(decisions[i], band)) result.push_back(i);
+      const double band = rules_.resolution() > 0
+                              ? policy::controller_band(rules_.resolution(),
+                                                        shortest_move(run.events, case_.setup.axes, decisions[i].line))
+                              : policy::kDoubleBand;
+      if (rules_.is_near_tie(decisions[i], band, positions)) result.push_back(i);
     }
     return result;
   }
@@ -330,6 +328,7 @@ class Judge {
   }
 
   const spec::Case& case_;
+  DirectionWords words_;
   Rules rules_;
   std::vector<spec::Event<Number>> kept_;
   std::span<const spec::Event<Number>> actual_;

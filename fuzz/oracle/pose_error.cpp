@@ -1,7 +1,6 @@
 #include "fuzz/oracle/pose_error.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -31,17 +30,6 @@ bool stepped(double from, double to) {
   return same(from, to) || std::fabs(step - std::round(step)) <= policy::kWholeStep;
 }
 
-// The numbers of the Q words of a program.
-std::vector<double> lean_words(std::string_view program) {
-  std::vector<double> found;
-  for (std::size_t i = program.find('Q'); i != std::string_view::npos; i = program.find('Q', i + 1)) {
-    double q = 0;
-    const std::string_view rest = program.substr(i + 1);
-    if (std::from_chars(rest.data(), rest.data() + rest.size(), q).ec == std::errc() && q != 0) found.push_back(q);
-  }
-  return found;
-}
-
 bool has(const spec::ClauseList& list, spec::Clause clause) {
   return std::find(list.clause.begin(), list.clause.begin() + list.size, clause) != list.clause.begin() + list.size;
 }
@@ -50,13 +38,12 @@ bool moves(const model::Event& event) { return event.kind == spec::EventKind::mo
 
 }  // namespace
 
-PoseErrors::PoseErrors(const spec::Setup& setup, std::string_view program)
+PoseErrors::PoseErrors(const spec::Setup& setup, const DirectionWords* words)
     : machine_(RotaryMachine::of(setup)),
       length_(longest_tool(setup)),
       index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
-      commanded_(!program.empty() && program.find("43.5") == std::string_view::npos),
       turning_frame_(machine_ && machine_->type != RotaryMachine::Type::head && setup.bit(19696, 5)),
-      leans_(lean_words(program)) {}
+      words_(words) {}
 
 PoseErrors::Pose PoseErrors::read(const model::Event& event) const {
   Pose pose;
@@ -70,27 +57,32 @@ PoseErrors::Pose PoseErrors::read(const model::Event& event) const {
 
 // How much more than e a direction is off that was leant by a Q word towards the travel: the plane of the two is as
 // good as their angle is large.
-double PoseErrors::leant(const Pose& pose) const {
+double PoseErrors::leant(const Pose& pose, std::uint64_t line) const {
+  if (words_ == nullptr) return 1;
   const Space travel = difference(pose.point, before_.point);
   const Space normal = product(pose.direction, travel);
   const double size = norm(normal);
   double worst = 1;
-  if (!(size > 0)) return leans_.empty() ? worst : 1 / policy::kSlack;
-  for (const double lean : leans_)
+  for (const auto& [since, lean] : words_->leans()) {
+    if (since > line) break;
+    if (!(size > 0)) return 1 / policy::kSlack;
     for (const double sign : {1.0, -1.0}) {
       const Space about{sign * normal[0] / size, sign * normal[1] / size, sign * normal[2] / size};
       const Space upright = rotated(pose.direction, about, -lean);
       const double sine = std::max(norm(product(upright, travel)) / norm(travel), policy::kSlack);
       worst = std::max(worst, 1 + std::fabs(std::sin(lean / kDegreesPerRadian)) / sine);
     }
+  }
   return worst;
 }
 
 PoseErrors::Pose PoseErrors::end(std::span<const model::Event> window) const {
   Pose pose = read(window.front());
-  const double own = (policy::ulp(1) + frozen_) * leant(pose);
+  const std::uint64_t line = window.front().line;
+  const double own = (policy::ulp(1) + frozen_) * leant(pose, line);
   pose.direction_error = own;
-  if (commanded_ || !machine_) return pose;
+  const bool commanded = words_ != nullptr && !words_->give_positions(line);
+  if (commanded || !machine_) return pose;
   const Posture posture(*machine_, pose.tool);
   pose.tool_error = posture.tool_error(own);
   pose.work_error = posture.work_error(own);
@@ -192,21 +184,15 @@ PoseScale PoseErrors::scale(const Pose& pose, double length) const {
   return s;
 }
 
-PositionErrors::PositionErrors(const spec::Setup& setup, std::span<const model::Event> events) {
-  const std::optional<RotaryMachine> machine = RotaryMachine::of(setup);
-  if (!machine || machine->tool == spec::Axes::kNone) return;
-  double before = 1;
-  for (const model::Event& event : events) {
-    if (!moves(event) || !event.axes.has(machine->tool)) continue;
-    const Posture posture(*machine, approximate(event.axes[machine->tool]));
-    const double e = policy::ulp(1);
-    const double now = posture.singular ? 1 : std::max(posture.tool_error(e), posture.work_error(e)) / e;
-    double& worst = of_line_.try_emplace(event.line, before).first->second;
-    worst = std::max(worst, now);
-    before = now;
-  }
-  // An alarm ends the run in a block of which no move is given.
-  if (!events.empty()) of_line_.try_emplace(events.back().line, before);
+void PositionErrors::follow(const model::Event& event) {
+  if (!machine_ || machine_->tool == spec::Axes::kNone) return;
+  // In a block of which no move is given, an alarm say, positions are those of the block before.
+  double& worst = of_line_.try_emplace(event.line, before_).first->second;
+  if (!moves(event) || !event.axes.has(machine_->tool)) return;
+  const Posture posture(*machine_, approximate(event.axes[machine_->tool]));
+  const double e = policy::ulp(1);
+  before_ = posture.singular ? 1 : std::max(posture.tool_error(e), posture.work_error(e)) / e;
+  worst = std::max(worst, before_);
 }
 
 double PositionErrors::at(std::uint64_t line) const {

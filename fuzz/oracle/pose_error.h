@@ -7,9 +7,9 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
+#include "fuzz/oracle/direction_words.h"
 #include "fuzz/oracle/rotary.h"
 #include "model/engine.h"
 #include "spec/language/setup.h"
@@ -41,9 +41,9 @@ struct PoseScale {
 // programming coordinate system was frozen. G49 makes programmed positions of them.
 class PoseErrors {
  public:
-  // `program`: its text, where it is at hand: without G43.5 all positions are commanded, and its Q words say how far
-  // directions are leant.
-  explicit PoseErrors(const spec::Setup& setup, std::string_view program = {});
+  // `words`: of the program, read at least as far as the events that come; without them any position may have been
+  // made of a direction, and none is leant. Kept by reference.
+  explicit PoseErrors(const spec::Setup& setup, const DirectionWords* words = nullptr);
   // Of window[0]; `window` as for Conditions::next. `length` of scale: the largest linear magnitude of the event.
   PoseScale next(std::span<const model::Event> window, double length);
 
@@ -64,15 +64,14 @@ class PoseErrors {
   [[nodiscard]] Pose inside(std::span<const model::Event> window) const;
   void keep(Pose& pose) const;
   void inside_of_rotary(double t, const Pose& to, Pose& pose) const;
-  [[nodiscard]] double leant(const Pose& pose) const;
+  [[nodiscard]] double leant(const Pose& pose, std::uint64_t line) const;
   [[nodiscard]] PoseScale scale(const Pose& pose, double length) const;
 
   std::optional<RotaryMachine> machine_;
   double length_ = 0;                 // of the longest tool
   std::array<std::size_t, 3> index_;  // of X Y Z
-  bool commanded_ = false;            // no position comes out of inverse kinematics
   bool turning_frame_ = false;        // 19696#5 = 1 on a table
-  std::vector<double> leans_;         // Q words, degrees
+  const DirectionWords* words_;
   Pose before_;
   bool active_ = false;  // the move before was under tool center point control
   double frozen_ = 0;    // error of the pose of the programming coordinate system, radians
@@ -84,11 +83,17 @@ class PoseErrors {
 // decision on them is off by.
 class PositionErrors {
  public:
-  PositionErrors(const spec::Setup& setup, std::span<const model::Event> events);
+  explicit PositionErrors(const spec::Setup& setup) : machine_(RotaryMachine::of(setup)) {}
+  // The events of one run, in order.
+  void follow(const model::Event& event);
   // 1 where nothing is known.
   [[nodiscard]] double at(std::uint64_t line) const;
+  // Lines before this one are not asked for any more.
+  void forget_before(std::uint64_t line) { of_line_.erase(of_line_.begin(), of_line_.lower_bound(line)); }
 
  private:
+  std::optional<RotaryMachine> machine_;
+  double before_ = 1;
   std::map<std::uint64_t, double> of_line_;
 };
 

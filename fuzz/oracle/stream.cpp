@@ -28,11 +28,19 @@ struct Place {
 };
 using Choices = std::map<Place, Sign>;
 
-template <class Number>
-class Queue final : public spec::EventSink<Number> {
- public:
-  void on(const spec::Event<Number>& event) override { events.push_back(event); }
-  std::deque<spec::Event<Number>> events;
+struct Expected final : spec::EventSink<model::Real> {
+  explicit Expected(const spec::Setup& setup) : positions(setup) {}
+  void on(const model::Event& event) override {
+    positions.follow(event);
+    events.push_back(event);
+  }
+  std::deque<model::Event> events;
+  PositionErrors positions;
+};
+
+struct Actual final : spec::EventSink<double> {
+  void on(const fast::Event& event) override { events.push_back(event); }
+  std::deque<fast::Event> events;
 };
 
 // One pass. Decisions of the current and the previous epoch are kept.
@@ -40,9 +48,10 @@ class Pass {
  public:
   Pass(const spec::Setup& setup, std::uint32_t samples, const Choices& choices)
       : rules_(setup, {}, {}),
-        conditions_(setup),
+        conditions_(setup, &words_),
         choices_(choices),
         per_move_(std::max<std::size_t>(samples, 1)),
+        expected_(setup),
         model_(setup, recorder_, expected_, samples),
         fast_(setup, actual_, samples) {
     begin_epoch();
@@ -54,8 +63,11 @@ class Pass {
     while (!done() && !(model_.stopped() && fast_.stopped()) && program.next(*block)) {
       if (blocks != 0 && blocks % kEpoch == 0) {
         end_epoch();
+        expected_.positions.forget_before(starts_.first);
+        starts_ = {starts_.second, block->line};
         begin_epoch();
       }
+      words_.read(*block);
       model_.block(*block);
       fast_.block(*block);
       if (on_block != nullptr)
@@ -70,6 +82,7 @@ class Pass {
       compare_pairs(0);
       leftovers();
     }
+    if (previous_) count(*previous_);
     count(recorder_);
     verdict_.values = tally_.values;
     verdict_.numbers = tally_.numbers;
@@ -84,7 +97,7 @@ class Pass {
     return verdict_;
   }
 
-  // Near ties of the last two epochs with the outcomes taken, the latest first.
+  // Near ties of the epochs that are kept with the outcomes taken, the latest first.
   [[nodiscard]] std::vector<std::pair<Place, Sign>> near_ties() const {
     std::vector<std::pair<Place, Sign>> result;
     collect(recorder_, epoch_, result);
@@ -101,7 +114,8 @@ class Pass {
       recorder_.force(it->first.index, it->second);
   }
   void end_epoch() {
-    count(recorder_);
+    // By now the events of the epoch before are out, and with them the positions its decisions were made of.
+    if (previous_) count(*previous_);
     previous_ = std::move(recorder_);
     recorder_ = model::Recorder(true);
     ++epoch_;
@@ -110,14 +124,14 @@ class Pass {
   void count(const model::Recorder& recorder) {
     verdict_.decisions += recorder.decision_count();
     for (const model::Decision& d : recorder.decisions())
-      if (rules_.is_near_tie(d, policy::kDoubleBand)) ++verdict_.near_ties;
+      if (rules_.is_near_tie(d, policy::kDoubleBand, expected_.positions)) ++verdict_.near_ties;
   }
 
   void collect(const model::Recorder& recorder, std::uint64_t epoch,
                std::vector<std::pair<Place, Sign>>& result) const {
     const auto& decisions = recorder.decisions();
     for (std::size_t i = decisions.size(); i-- > 0;)
-      if (!choices_.contains({epoch, i}) && rules_.is_near_tie(decisions[i], policy::kDoubleBand))
+      if (!choices_.contains({epoch, i}) && rules_.is_near_tie(decisions[i], policy::kDoubleBand, expected_.positions))
         result.emplace_back(Place{epoch, i}, decisions[i].outcome);
   }
 
@@ -181,14 +195,16 @@ class Pass {
   }
 
   Rules rules_;
+  DirectionWords words_;
   Conditions conditions_;
   const Choices& choices_;
   std::size_t per_move_;  // events of a move with its samples
   model::Recorder recorder_{true};
   std::optional<model::Recorder> previous_;
   std::uint64_t epoch_ = 0;
-  Queue<model::Real> expected_;
-  Queue<double> actual_;
+  std::pair<std::uint64_t, std::uint64_t> starts_;  // first lines of the epoch before and of this one
+  Expected expected_;
+  Actual actual_;
   model::Engine model_;
   fast::Engine fast_;
   std::vector<model::Event> window_;

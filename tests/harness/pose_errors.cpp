@@ -36,6 +36,7 @@ spec::Setup head(bool nutating = false) {
 // A move under tool center point control, the tip standing in the origin.
 model::Event pose(const spec::Setup& setup, double b, double c) {
   model::Event e;
+  e.line = 2;
   const auto machine = RotaryMachine::of(setup);
   const Space v = machine->direction(b, c);
   e.tool_axis = {real(v[0]), real(v[1]), real(v[2])};
@@ -61,8 +62,12 @@ model::Event sample(const spec::Setup& setup, std::uint32_t k, std::uint32_t n, 
 }
 
 std::vector<PoseScale> scales(const spec::Setup& setup, const std::vector<model::Event>& events,
-                              std::string_view program = {}) {
-  PoseErrors errors(setup, program);
+                              std::string program = {}) {
+  spec::Case c;
+  c.setup = setup;
+  c.program = std::move(program);
+  const DirectionWords words = DirectionWords::of(c);
+  PoseErrors errors(setup, c.program.empty() ? nullptr : &words);
   std::vector<PoseScale> all;
   for (std::size_t i = 0; i < events.size(); ++i) all.push_back(errors.next(std::span(events).subspan(i), 100));
   return all;
@@ -102,6 +107,14 @@ TEST(PoseErrors, CommandedPositionsHaveNone) {
   EXPECT_EQ(s.rotary[3], 0);
   EXPECT_EQ(s.rotary[4], 0);
   EXPECT_GT(scales(setup, {pose(setup, 0.001, 20)}, "G43.5 H1\nI1 K57296\n").front().rotary[4], 1000 * kE);
+}
+
+// Positions of the blocks before the first G43.5 are commanded, whatever comes after.
+TEST(PoseErrors, CommandedUntilTheFirstDirection) {
+  const spec::Setup setup = head();
+  const std::vector<model::Event> events{pose(setup, 0.001, 20)};  // of line 2
+  EXPECT_EQ(scales(setup, events, "G43.4 H1\nB.001 C20.\nG43.50 H1\n").front().rotary[4], 0);
+  EXPECT_GT(scales(setup, events, "G43.4 H1\nG43.5 H1 I1 K57296\n").front().rotary[4], 1000 * kE);
 }
 
 // A changed end, or a direction along the work-side axis: the work side stays, and with it what it was off by.
