@@ -41,6 +41,29 @@ void forget_group(pid_t group) {
   }
 }
 
+// While a process is started and not yet among the groups. Signals wait in this thread meanwhile; a handler in another
+// one waits for it, so that a process that signals us at once is known by then.
+std::atomic<int> starting{0};
+
+class Starting {
+ public:
+  Starting() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before_);
+    ++starting;
+  }
+  ~Starting() {
+    --starting;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  Starting(const Starting&) = delete;
+  Starting& operator=(const Starting&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
 void close_fd(int& fd) {
   if (fd >= 0) ::close(fd);
   fd = -1;
@@ -145,10 +168,13 @@ Process::Process(const std::string& command) {
   attributes.connect(out.write, STDOUT_FILENO);
   attributes.connect(err.write, STDERR_FILENO);
   const std::array<const char*, 4> arguments{"sh", "-c", command.c_str(), nullptr};
-  const int error = ::posix_spawn(&pid_, "/bin/sh", attributes.actions(), attributes.attributes(),
-                                  const_cast<char* const*>(arguments.data()), environ);  // NOLINT: POSIX signature
-  if (error != 0) throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(error));
-  register_group(pid_);
+  {
+    const Starting now;
+    const int error = ::posix_spawn(&pid_, "/bin/sh", attributes.actions(), attributes.attributes(),
+                                    const_cast<char* const*>(arguments.data()), environ);  // NOLINT: POSIX signature
+    if (error != 0) throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(error));
+    register_group(pid_);
+  }
   in_ = std::exchange(in.write, -1);
   out_ = std::exchange(out.read, -1);
   err_ = std::exchange(err.read, -1);
@@ -256,6 +282,8 @@ std::string Process::finish(std::chrono::milliseconds patience) {
 }
 
 void kill_processes() noexcept {
+  while (starting.load() > 0) {
+  }
   for (const auto& slot : groups)
     if (const pid_t group = slot.load(); group > 0) ::kill(-group, SIGKILL);
 }
