@@ -170,6 +170,13 @@ Real Angle::degrees_of(const Rest& rest) { return rest.degrees ? *rest.degrees :
 
 Angle operator-(const Angle& a, const Angle& b) { return a + -b; }
 
+std::optional<Rational> known_difference(const Angle& a, const Angle& b) {
+  if (a.rest_.has_value() != b.rest_.has_value()) return std::nullopt;
+  if (a.rest_ && !(known_zero(a.rest_->cosine - b.rest_->cosine) && known_zero(a.rest_->sine - b.rest_->sine)))
+    return std::nullopt;
+  return a.rational_ - b.rational_;
+}
+
 Real order(const Angle& a, const Angle& b) {
   const Angle difference = a - b;
   const Rational& whole = difference.rational_;

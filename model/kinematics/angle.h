@@ -42,6 +42,10 @@ class Angle {
   // The same angle, without a rest where that is a whole number of thousandths of a degree.
   [[nodiscard]] Angle recognised() const;
 
+  // The difference a - b where it is known to be rational without asking a sign: of rational angles, and of angles with
+  // the same rest.
+  friend std::optional<Rational> known_difference(const Angle& a, const Angle& b);
+
   // The whole number n for which angle - 360 n lies in (-180, 180].
   [[nodiscard]] Integer nearest_turns() const;
   // The largest n with 360 n <= angle.
@@ -74,6 +78,8 @@ class Angle {
 Angle operator-(const Angle& a);
 Angle operator+(const Angle& a, const Angle& b);
 Angle operator-(const Angle& a, const Angle& b);
+
+std::optional<Rational> known_difference(const Angle& a, const Angle& b);
 
 // A number with the sign of a - b and of magnitude at most 1: the sine of the difference where that is less than 90
 // degrees. For a recorder's decide().

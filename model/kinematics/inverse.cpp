@@ -23,11 +23,11 @@ struct Goal {
   Real horizontal2;   // its square
 };
 
-Goal goal(const Machine& machine, const Direction& direction) {
+Goal goal(const Machine& machine, const Vector& direction, const Real& norm, const Real& along) {
   Goal result;
-  result.norm = sqrt(direction.norm2);
-  result.height = dot(machine.work_side().line, direction.vector) - machine.heights().mean * result.norm;
-  result.horizontal = horizontal(machine, direction.vector);
+  result.norm = norm;
+  result.height = along - machine.heights().mean * norm;
+  result.horizontal = horizontal(machine, direction);
   result.horizontal2 = squared_norm(result.horizontal);
   return result;
 }
@@ -45,8 +45,8 @@ ScaledTurn tool_turn(const Machine& machine, const Goal& goal, const Real& depth
   return {(h.a * goal.height - h.b * across) / h.swing2, (h.b * goal.height + h.a * across) / h.swing2};
 }
 
-Real depth_of(const Machine& machine, const Direction& direction, const Goal& goal) {
-  return machine.heights().swing2 * direction.norm2 - square(goal.height);
+Real depth_of(const Machine& machine, const Real& norm2, const Goal& goal) {
+  return machine.heights().swing2 * norm2 - square(goal.height);
 }
 
 struct WorkTurn {
@@ -62,12 +62,13 @@ WorkTurn work_turn(const Machine& machine, const Goal& goal, const ScaledTurn& t
   return {dot(tilted, goal.horizontal) / goal.horizontal2, dot(across, goal.horizontal) / goal.horizontal2};
 }
 
-Solution solution(const Machine& machine, const Goal& goal, const Real& depth, int branch) {
+Solution solution(const Machine& machine, const Goal& goal, const Real& depth, int branch, const Angle& work_position) {
   const ScaledTurn tool = tool_turn(machine, goal, depth, branch);
   const WorkTurn work = work_turn(machine, goal, tool);
   Solution result;
   result.pose.tool = sensed(machine.tool_side(), Angle::of_unit(tool.cosine / goal.norm, tool.sine / goal.norm));
-  result.pose.work = sensed(machine.work_side(), Angle::of_unit(work.cosine, work.sine));
+  const Angle work_angle = Angle::of_unit(work.cosine, work.sine);
+  result.pose.work = (machine.work_side().position_at(work_angle) + work_position).principal();
   result.branch = branch;
   return result;
 }
@@ -79,9 +80,10 @@ Solution solution(const Machine& machine, const Goal& goal, const Real& depth, i
 
 }  // namespace
 
-Solutions inverse(const Machine& machine, Recorder& recorder, const Direction& direction) {
+Solutions inverse(const Machine& machine, Recorder& recorder, const Direction& direction, const Angle& work_position) {
   recorder.reach(Clause::fanuc_tool_center_point_inverse);
-  const Goal to = goal(machine, direction);
+  const Goal to =
+      goal(machine, direction.vector, sqrt(direction.norm2), dot(machine.work_side().line, direction.vector));
   const SingularPosture* const ahead = machine.singular(1);
   const SingularPosture* const behind = machine.singular(-1);
   Solutions result;
@@ -106,23 +108,23 @@ Solutions inverse(const Machine& machine, Recorder& recorder, const Direction& d
   };
   if (ahead == nullptr) bounded(Clause::fanuc_tool_center_point_reach_toward_the_axis, rho - height);
   if (behind == nullptr) bounded(Clause::fanuc_tool_center_point_reach_away_from_the_axis, rho + height);
-  Real depth = depth_of(machine, direction, to);
+  Real depth = depth_of(machine, direction.norm2, to);
   // A forced outcome may let a direction through that is out of reach.
   if (edge || depth.sign() != Sign::positive) depth = Real();
-  result.at[0] = solution(machine, to, depth, 1);
+  result.at[0] = solution(machine, to, depth, 1, work_position);
   result.count = 1;
   if (depth.is_rational() && depth.sign() == Sign::zero) {
     result.at[0].branch = 0;
     return result;
   }
-  result.at[1] = solution(machine, to, depth, -1);
+  result.at[1] = solution(machine, to, depth, -1, work_position);
   result.count = 2;
   return result;
 }
 
-PoseCosines on_branch(const Machine& machine, const Direction& direction, int branch) {
-  const Goal to = goal(machine, direction);
-  const ScaledTurn tool = tool_turn(machine, to, depth_of(machine, direction, to), branch);
+PoseCosines on_branch(const Machine& machine, const Vector& unit, const Real& along, int branch) {
+  const Goal to = goal(machine, unit, 1, along);
+  const ScaledTurn tool = tool_turn(machine, to, depth_of(machine, 1, to), branch);
   const WorkTurn work = work_turn(machine, to, tool);
   // The position of an angle from its cosine and sine, by its sense and offset.
   const auto positioned = [](const Turn& turn, const Real& cosine, const Real& sine, Real& to_cosine, Real& to_sine) {
@@ -131,7 +133,7 @@ PoseCosines on_branch(const Machine& machine, const Direction& direction, int br
     to_sine = position.sine();
   };
   PoseCosines result;
-  positioned(machine.tool_side(), tool.cosine / to.norm, tool.sine / to.norm, result.tool_cosine, result.tool_sine);
+  positioned(machine.tool_side(), tool.cosine, tool.sine, result.tool_cosine, result.tool_sine);
   positioned(machine.work_side(), work.cosine, work.sine, result.work_cosine, result.work_sine);
   return result;
 }

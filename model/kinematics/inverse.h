@@ -27,20 +27,23 @@ struct Solutions {
   [[nodiscard]] const Solution* end() const { return at.data() + count; }
 };
 
-// All pairs of a direction in the table frame, of any length; whole turns can be added to each angle. Throws the alarm
-// PS5459 where there is none. The machine has both axes and tilts(). Clauses: fanuc.tool-center-point.inverse,
-// .parallel-to-the-work-side, .reach-toward-the-axis, .reach-away-from-the-axis, .unreachable.
-Solutions inverse(const Machine& machine, Recorder& recorder, const Direction& direction);
+// All pairs of a direction, of any length; whole turns can be added to each angle. The direction is in the table frame,
+// turned back about the work-side axis from a position of that. Throws the alarm PS5459 where there is none. The
+// machine has both axes and tilts(). Clauses: fanuc.tool-center-point.inverse, .parallel-to-the-work-side,
+// .reach-toward-the-axis, .reach-away-from-the-axis, .unreachable.
+Solutions inverse(const Machine& machine, Recorder& recorder, const Direction& direction,
+                  const Angle& work_position = Angle());
 
-// Cosine and sine of the positions for a direction on one branch, and nothing decided: for directions inside a block,
-// which are known to be reachable and not parallel to the work-side axis.
+// Cosine and sine of the positions for a unit direction in the table frame on one branch, and nothing decided: for
+// directions inside a block, which are known to be reachable and not parallel to the work-side axis. `along`: its
+// component along that axis.
 struct PoseCosines {
   Real tool_cosine;
   Real tool_sine;
   Real work_cosine;
   Real work_sine;
 };
-PoseCosines on_branch(const Machine& machine, const Direction& direction, int branch);
+PoseCosines on_branch(const Machine& machine, const Vector& unit, const Real& along, int branch);
 
 // On which side of the extreme heights a tool-side position is: the sine of its turn, counted from that of the greatest
 // height, times rho: positive on branch 1, negative on branch -1, zero at an edge of reach.

@@ -49,6 +49,7 @@ void Machine::find_heights() {
   heights_.b = simplified(dot(over, heights_.ahead));
   heights_.swing2 = simplified(square(heights_.a) + square(heights_.b));
   tilts_ = heights_.swing2.sign() != Sign::zero;
+  orthogonal_ = dot(axis, over).sign() == Sign::zero && is_zero(heights_.along);
 }
 
 // A tilted direction reaches the work-side axis where the tool-side axis makes the same angle with both.
@@ -81,6 +82,10 @@ void Machine::place(const Pose& pose, Position& position) const {
 }
 
 Vector Machine::direction(const Pose& pose) const { return work_side().apply(tilted(pose.tool), pose.work); }
+
+Vector Machine::direction_beside(const Pose& pose, const Angle& work) const {
+  return work_side().carry(tilted(pose.tool), pose.work, work);
+}
 
 Vector Machine::direction_in_machine(const Pose& pose) const {
   switch (type()) {
@@ -117,15 +122,13 @@ Vector Machine::tool_vector(const Pose& pose, const Real& length) const {
 ProgrammingFrame::ProgrammingFrame(const Machine& machine, Pose frozen, Vector origin)
     : machine_(&machine), frozen_(std::move(frozen)), origin_(std::move(origin)) {}
 
+Vector ProgrammingFrame::to_table_beside(const Vector& direction) const {
+  return machine_->type() == MachineType::table ? machine_->tool_side().apply(direction, frozen_.tool) : direction;
+}
+
 Vector ProgrammingFrame::to_table(const Vector& direction) const {
-  switch (machine_->type()) {
-    case MachineType::table:
-      return machine_->work_side().apply(machine_->tool_side().apply(direction, frozen_.tool), frozen_.work);
-    case MachineType::mixed:
-      return machine_->work_side().apply(direction, frozen_.work);
-    default:
-      return direction;
-  }
+  if (machine_->type() == MachineType::head) return direction;
+  return machine_->work_side().apply(to_table_beside(direction), frozen_.work);
 }
 
 Vector ProgrammingFrame::from_table(const Vector& direction) const {
@@ -137,6 +140,26 @@ Vector ProgrammingFrame::from_table(const Vector& direction) const {
     default:
       return direction;
   }
+}
+
+// Turns about one axis are added up, so that those that cancel do not enter it.
+Vector ProgrammingFrame::direction(const Pose& pose) const {
+  switch (machine_->type()) {
+    case MachineType::table:
+      if (known_difference(pose.work, frozen_.work) == Rational(0))
+        return machine_->tool_side().carry(machine_->mechanism_.reference, pose.tool, frozen_.tool);
+      return machine_->tool_side().apply_back(machine_->direction_beside(pose, frozen_.work), frozen_.tool);
+    case MachineType::mixed:
+      return machine_->direction_beside(pose, frozen_.work);
+    default:
+      return machine_->direction(pose);
+  }
+}
+
+// Turns about itself leave it.
+Vector ProgrammingFrame::work_axis() const {
+  const Vector& axis = machine_->work_side().line;
+  return machine_->type() == MachineType::table ? machine_->tool_side().apply_back(axis, frozen_.tool) : axis;
 }
 
 Vector ProgrammingFrame::control_point(const Vector& tip, const Pose& pose, const Real& length) const {

@@ -53,6 +53,8 @@ class Machine {
 
   // Of a pose; unit.
   [[nodiscard]] Vector direction(const Pose& pose) const;
+  // The same with the table turned back about the work-side axis from a position: as if that were its 0.
+  [[nodiscard]] Vector direction_beside(const Pose& pose, const Angle& work) const;
   // The same seen from the machine, that is in the workpiece coordinate system.
   [[nodiscard]] Vector direction_in_machine(const Pose& pose) const;
   // The direction that the tool-side axis gives the tool before the work-side axis turns it; unit.
@@ -73,6 +75,9 @@ class Machine {
   [[nodiscard]] const Heights& heights() const { return heights_; }
   // The tool-side axis changes the height at all. Without it no direction has computed angles.
   [[nodiscard]] bool tilts() const { return tilts_; }
+  // The axes are at right angles, and the reference direction is to the tool-side one. Along every great circle through
+  // a singular posture the work-side axis stands and the tool-side axis turns evenly.
+  [[nodiscard]] bool is_orthogonal() const { return orthogonal_; }
   // Those that exist, along the work-side axis first. The existence is decided exactly.
   [[nodiscard]] const std::vector<SingularPosture>& singular_postures() const { return singular_; }
   // The one of a side, null if it does not exist.
@@ -97,6 +102,7 @@ class Machine {
   bool programs_workpiece_ = false;
   Heights heights_;
   bool tilts_ = false;
+  bool orthogonal_ = false;
   std::vector<SingularPosture> singular_;
 };
 
@@ -111,6 +117,13 @@ class ProgrammingFrame {
   // A direction of the frame as the table frame sees it, and back.
   [[nodiscard]] Vector to_table(const Vector& direction) const;
   [[nodiscard]] Vector from_table(const Vector& direction) const;
+  // The same but for the turn about the work-side axis by its frozen position: as if that were its 0.
+  [[nodiscard]] Vector to_table_beside(const Vector& direction) const;
+  [[nodiscard]] const Pose& frozen() const { return frozen_; }
+  // Of a pose, in the frame; unit.
+  [[nodiscard]] Vector direction(const Pose& pose) const;
+  // u_w, unit, in the frame.
+  [[nodiscard]] Vector work_axis() const;
 
   // Control point minus workpiece zero, parallel to the machine axes. `tip` in the frame; `length`: tool length offset
   // and holder offset.

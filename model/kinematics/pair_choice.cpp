@@ -10,6 +10,14 @@
 namespace toolcomp::model {
 namespace {
 
+// order(b, a) of angles in different half turns. Of those more than 90 degrees apart nothing else is asked: where they
+// are apart by just a half turn that would be hard to prove.
+Real order_of_halves(const Angle& a, const Integer& half_of_a, const Angle& b, const Integer& half_of_b) {
+  const Integer apart = half_of_b - half_of_a;
+  if (abs(apart) == 1 && (a.cosine() * b.cosine() + a.sine() * b.sine()).sign() == Sign::positive) return order(b, a);
+  return apart > 0 ? 1 : -1;
+}
+
 const Angle& greatest(const std::array<Angle, 2>& at, std::size_t count) {
   return count == 2 && at[1] > at[0] ? at[1] : at[0];
 }
@@ -118,7 +126,7 @@ Sign PairChoice::compare_moves(const Axis& axis, const Targets& a, const Targets
     const Integer of_a = half_turns(a.move);
     const Integer of_b = half_turns(b.move);
     if (of_a != of_b)
-      quantity = 2 * order(b.move, a.move);
+      quantity = 2 * order_of_halves(a.move, of_a, b.move, of_b);
     else if (of_a % 2 != 0)
       quantity = -quantity;
   }
@@ -146,8 +154,27 @@ bool PairChoice::takes_second(const Candidate& a, const Candidate& b) const {
   return false;
 }
 
+void PairChoice::put_present(const Pose& present, Solutions& solutions) const {
+  if (solutions.work_free) return;
+  const bool on_edge = solutions.count == 1;
+  const int branch = on_edge ? 0 : static_cast<int>(branch_quantity(machine_, present.tool).sign());
+  for (std::size_t i = 0; i < solutions.count; ++i) {
+    Pose& pose = solutions.at.at(i).pose;
+    if (solutions.at.at(i).branch == branch) {
+      pose = {present.tool.principal(), present.work.principal()};
+    } else if (machine_.is_orthogonal()) {
+      const Angle& singular = machine_.singular(1)->tool;
+      pose = {((singular - present.tool) + singular).principal(), (present.work + 180).principal()};
+    }
+  }
+}
+
 Solution PairChoice::choose(const Direction& direction, const Pose& present) const {
-  const Solutions solutions = inverse(machine_, recorder_, direction);
+  return choose(inverse(machine_, recorder_, direction), present, false);
+}
+
+Solution PairChoice::choose(Solutions solutions, const Pose& present, bool has_it) const {
+  if (has_it) put_present(present, solutions);
   recorder_.reach(Clause::fanuc_tool_center_point_choice);
   recorder_.decide(Clause::fanuc_tool_center_point_choice_order, reversed_);
   std::vector<Candidate> candidates;

@@ -23,9 +23,12 @@ class PairChoice {
   // Throws the alarm PS5459 where they are not.
   void require_inside(const Pose& pose) const;
 
-  // The pair that the rules take from `present` for a direction in the table frame, whole turns included; its branch
-  // with it. Throws the alarm PS5459 where the direction is out of reach or no pair is in range.
+  // The pair that the rules take from `present` for a direction in the table frame, or of its pairs, whole turns
+  // included; its branch with it. `has_it`: the present pose has that direction; then it is taken for one of the pairs
+  // as it is, so that an axis that stands is known to. Throws the alarm PS5459 where the direction is out of reach or
+  // no pair is in range.
   [[nodiscard]] Solution choose(const Direction& direction, const Pose& present) const;
+  [[nodiscard]] Solution choose(Solutions solutions, const Pose& present, bool has_it) const;
 
  private:
   // Limits of one rotary axis, inclusive; degrees.
@@ -57,6 +60,8 @@ class PairChoice {
   [[nodiscard]] Targets targets(const Axis& axis, const Angle& angle, const Angle& present) const;
   // The other way round, where that is equally far.
   void add_other_way(const Axis& axis, const Angle& present, Targets& targets) const;
+  // Puts the pose in place of the pair of its branch, and what is its pair then where that is plain.
+  void put_present(const Pose& present, Solutions& solutions) const;
   [[nodiscard]] Targets standing(const Axis& axis, const Angle& present) const;
   // Negative: the first of two candidates moves less.
   [[nodiscard]] Sign compare_moves(const Axis& axis, const Targets& a, const Targets& b) const;

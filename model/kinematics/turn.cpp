@@ -20,9 +20,9 @@ Vector turned(const Turn& turn, const Vector& v, const Angle& by) { return turne
 Vector Turn::apply(const Vector& v, const Angle& position) const { return turned(*this, v, angle(position)); }
 Vector Turn::apply_back(const Vector& v, const Angle& position) const { return turned(*this, v, -angle(position)); }
 
-// Irrational angles are not subtracted as such: inside a block no sign of them may be asked.
+// Other irrational angles are not subtracted as such: inside a block no sign of them may be asked.
 Vector Turn::carry(const Vector& v, const Angle& from, const Angle& to) const {
-  if (from.is_rational() && to.is_rational()) return turned(*this, v, sense < 0 ? to - from : from - to);
+  if (const auto by = known_difference(from, to)) return turned(*this, v, Angle(sense < 0 ? Rational(-*by) : *by));
   const Real from_cosine = from.cosine();
   const Real from_sine = from.sine();
   const Real to_cosine = to.cosine();

@@ -1,5 +1,7 @@
 #include "model/tool_center_point_control/lean.h"
 
+#include <optional>
+
 #include "model/engine.h"
 #include "model/geometry/plane_vector.h"
 
@@ -17,6 +19,19 @@ Vector end_tangent(const Leg& leg, const spec::Axes& axes) {
   };
   const PlanePoint counter_clockwise = left(PlanePoint{from_center(in_plane.first), from_center(in_plane.second)});
   return in_space(arc.plane, arc.direction == spec::ArcDirection::ccw ? counter_clockwise : -counter_clockwise);
+}
+
+bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
+
+// The unit vector of one that is not zero and known to lie along a coordinate axis: it needs no root.
+std::optional<Vector> along_coordinate(const Vector& v) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!known_zero(component(v, (i + 1) % 3)) || !known_zero(component(v, (i + 2) % 3))) continue;
+    Vector unit;
+    component(unit, i) = component(v, i).sign() == Sign::positive ? 1 : -1;
+    return unit;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -38,7 +53,9 @@ Direction leaned(Recorder& recorder, const Direction& tool, const Leg& leg, cons
   if (leans != Sign::positive) return tool;
   if (normal2.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
   recorder.reach(Clause::fanuc_tool_center_point_lean);
-  const Vector across = cross(normal, tool.vector) / sqrt(normal2 * tool.norm2);
+  const auto coordinate = along_coordinate(normal);
+  const Vector across =
+      coordinate ? cross(*coordinate, tool.unit) : cross(normal, tool.vector) / sqrt(normal2 * tool.norm2);
   const Vector unit = exact::cos_degrees(degrees) * tool.unit + exact::sin_degrees(degrees) * across;
   return {unit, 1, unit, true};
 }

@@ -45,8 +45,7 @@ Vector shift_of(const Leg& leg, const spec::Axes& axes) {
 
 // Known to be one pose.
 bool same(const Pose& a, const Pose& b) {
-  const auto zero = [](const Angle& x) { return x.is_rational() && x.rational() == 0; };
-  return zero(a.tool - b.tool) && zero(a.work - b.work);
+  return known_difference(a.tool, b.tool) == Rational(0) && known_difference(a.work, b.work) == Rational(0);
 }
 
 Clause control_point_clause(MachineType type) {
@@ -161,7 +160,7 @@ void ToolCenterPointControl::start(const Command& command, const TipMarks& marks
   tip_->frame = std::make_shared<const ControlFrame>(*machine_, frozen_, origin);
   tip_->in_workpiece = machine_->programs_workpiece() && machine_->type() != MachineType::head;
   tip_->pose = frozen_;
-  if (!direction) now_ = of_unit(tip_->frame->frame.from_table(machine_->direction(frozen_)));
+  if (!direction) now_ = of_unit(tip_->frame->frame.direction(frozen_));
   kept_ = now_;
   tool_ = tip_->in_workpiece ? of_unit(reported_tool(*tip_)) : now_;
 }
@@ -218,7 +217,7 @@ TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipM
 PosturePlan ToolCenterPointControl::commanded(const Leg& leg) const {
   const Pose end = machine_->pose(leg.end);
   if (same(end, tip_->pose)) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, end});
-  return plan({tip_->pose, now_, of_unit(tip_->frame->frame.from_table(machine_->direction(end))), end});
+  return plan({tip_->pose, now_, of_unit(tip_->frame->frame.direction(end)), end});
 }
 
 PosturePlan ToolCenterPointControl::directed(const Command& command, const Interpreter& interpreter, const Leg& leg) {

@@ -12,9 +12,7 @@ Vector on_table(const ToolPose& at, const Vector& tip) {
 }
 
 Vector reported_tool(const ToolPose& at) {
-  const Machine& machine = at.frame->machine;
-  return at.in_workpiece ? machine.direction_in_machine(at.pose)
-                         : at.frame->frame.from_table(machine.direction(at.pose));
+  return at.in_workpiece ? at.frame->machine.direction_in_machine(at.pose) : at.frame->frame.direction(at.pose);
 }
 
 }  // namespace toolcomp::model

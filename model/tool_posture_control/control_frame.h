@@ -14,7 +14,7 @@ struct ControlFrame {
   Vector work_axis;  // u_w, unit, in the frame
 
   ControlFrame(const Machine& of, const Pose& frozen, const Vector& origin)
-      : machine(of), frame(of, frozen, origin), work_axis(frame.from_table(of.work_side().line)) {}
+      : machine(of), frame(of, frozen, origin), work_axis(frame.work_axis()) {}
 };
 
 // Blocks on their way through the stages keep it beyond the end of the mode.

@@ -1,5 +1,5 @@
 // The great circle along which tool posture control turns the tool through a block, and how it passes an axis.
-// Directions are in the programming frame.
+// Directions are in one view of it, or in the programming frame.
 #pragma once
 
 #include <optional>

@@ -29,17 +29,16 @@ Turned power(const Turned& z, const Integer& n) {
 
 }  // namespace
 
-GreatCircleMotion::GreatCircleMotion(SharedFrame frame, GreatCircle arc, int side, BranchPart part,
+GreatCircleMotion::GreatCircleMotion(ArcView view, GreatCircle arc, int side, BranchPart part,
                                      std::optional<Crossing> crossing)
-    : frame_(std::move(frame)),
+    : view_(std::move(view)),
       arc_(std::move(arc)),
       side_(side),
       part_(std::move(part)),
       crossing_(std::move(crossing)) {
-  const Machine& machine = frame_->machine;
-  along_ = dot(machine.tool_side().line, machine.heights().along);
-  across_ = dot(machine.tool_side().line, machine.work_side().line);
-  in_plane_ = dot(arc_.normal(), frame_->work_axis).sign() == Sign::zero;
+  along_ = dot(machine().tool_side().line, machine().heights().along);
+  across_ = dot(machine().tool_side().line, machine().work_side().line);
+  in_plane_ = dot(arc_.normal(), view_.work_axis()).sign() == Sign::zero;
 }
 
 Posture GreatCircleMotion::at(const Rational& t) const {
@@ -49,7 +48,7 @@ Posture GreatCircleMotion::at(const Rational& t) const {
     case Sign::negative:
       return posture(part_, tool);
     case Sign::zero:
-      return {crossing_->behind.start, crossing_->pole};
+      return {crossing_->behind.start, view_.in_frame(crossing_->pole)};
     case Sign::positive:
       break;
   }
@@ -57,7 +56,7 @@ Posture GreatCircleMotion::at(const Rational& t) const {
 }
 
 GreatCircleMotion::Tilt GreatCircleMotion::tilt(const Real& along_work_axis) const {
-  const Machine::Heights& heights = frame_->machine.heights();
+  const Machine::Heights& heights = machine().heights();
   Tilt result;
   result.height = along_work_axis - heights.mean;
   const Real aside2 = heights.swing2 - square(result.height);
@@ -73,13 +72,21 @@ GreatCircleMotion::Angles GreatCircleMotion::angles(const Tilt& tilt, int branch
 
 GreatCircleMotion::Angles GreatCircleMotion::at_start(const BranchPart& part) const {
   if (part.pole != 0) return {part.pole > 0 ? 0 : 180, -90 * part.branch};
-  const Tilt start = tilt(dot(frame_->work_axis, arc_.from().unit));
+  const Tilt start = tilt(dot(view_.work_axis(), arc_.from().unit));
   return angles(start, part.branch);
+}
+
+bool GreatCircleMotion::is_level() const {
+  const auto square_to_axis = [this](const Direction& direction) {
+    return dot(view_.work_axis(), direction.vector).sign() == Sign::zero;
+  };
+  if (!level_) level_ = square_to_axis(arc_.from()) && square_to_axis(arc_.to());
+  return *level_;
 }
 
 Real GreatCircleMotion::swung(const Vector& tool, const Real& along_work_axis) const {
   const Vector& from = arc_.from().unit;
-  const Vector& axis = frame_->work_axis;
+  const Vector& axis = view_.work_axis();
   // Where the axis lies in the plane after all, only a forced outcome says that it does not.
   const Real to_the_left = in_plane_ ? Real() : side_ * dot(axis, cross(from, tool));
   return side_ * upper_angle(dot(from, tool) - dot(axis, from) * along_work_axis, to_the_left);
@@ -87,19 +94,18 @@ Real GreatCircleMotion::swung(const Vector& tool, const Real& along_work_axis) c
 
 // ω = ω0 + σ ([az V - az V0] - [az c - az c0]); τ' stands by the angle of C from its extreme.
 Posture GreatCircleMotion::posture(const BranchPart& part, const Vector& tool) const {
-  const Machine& machine = frame_->machine;
-  const Real along = dot(frame_->work_axis, tool);
+  // On machines whose edge of reach is there its height has to be known.
+  const Real along = is_level() ? Real() : dot(view_.work_axis(), tool);
   const Angles before = at_start(part);
   const Angles here = angles(tilt(along), part.branch);
   const bool meridian = side_ == 0 || part.pole != 0;
   const Real swing = (meridian ? Real(0) : swung(tool, along)) - (here.work - before.work);
   const Real tilt = part.branch * (here.tool - before.tool);
 
-  const Vector seen = frame_->frame.to_table(tool);
-  const PoseCosines at = on_branch(machine, {seen, 1, seen, true}, part.branch);
-  return {{Angle::known(at.tool_cosine, at.tool_sine, part.start.tool.degrees() + machine.tool_side().sense * tilt),
-           Angle::known(at.work_cosine, at.work_sine, part.start.work.degrees() + machine.work_side().sense * swing)},
-          tool};
+  const PoseCosines at = on_branch(machine(), view_.in_table(tool), along, part.branch);
+  return {{Angle::known(at.tool_cosine, at.tool_sine, part.start.tool.degrees() + machine().tool_side().sense * tilt),
+           Angle::known(at.work_cosine, at.work_sine, part.start.work.degrees() + machine().work_side().sense * swing)},
+          view_.in_frame(tool)};
 }
 
 // Where the enclosures do not tell the angles apart they may be equal: with t = p/q then q times the angle of the pole

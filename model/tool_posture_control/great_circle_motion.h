@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "model/tool_posture_control/control_frame.h"
+#include "model/tool_posture_control/arc_view.h"
 #include "model/tool_posture_control/great_circle.h"
 #include "model/tool_posture_control/posture_motion.h"
 
@@ -18,7 +18,7 @@ struct BranchPart {
 
 // The arc goes through a singular posture: there the second part begins.
 struct Crossing {
-  Vector pole;  // unit, in the frame
+  Vector pole;  // unit, in the view
   BranchPart behind;
 };
 
@@ -26,7 +26,7 @@ struct Crossing {
 class GreatCircleMotion : public PostureMotion {
  public:
   // `side`: the work-side axis lies to the left of the arc (1), to the right (-1), or in its plane (0).
-  GreatCircleMotion(SharedFrame frame, GreatCircle arc, int side, BranchPart part, std::optional<Crossing> crossing);
+  GreatCircleMotion(ArcView view, GreatCircle arc, int side, BranchPart part, std::optional<Crossing> crossing);
 
   [[nodiscard]] Posture at(const Rational& t) const override;
 
@@ -46,16 +46,21 @@ class GreatCircleMotion : public PostureMotion {
   [[nodiscard]] Tilt tilt(const Real& along_work_axis) const;
   [[nodiscard]] Angles angles(const Tilt& tilt, int branch) const;
   [[nodiscard]] Angles at_start(const BranchPart& part) const;
+  // All directions of the arc are at right angles to the work-side axis.
+  [[nodiscard]] bool is_level() const;
   // The azimuth that the tool has swung about the work-side axis, degrees.
   [[nodiscard]] Real swung(const Vector& tool, const Real& along_work_axis) const;
   [[nodiscard]] Posture posture(const BranchPart& part, const Vector& tool) const;
   // Of the angle at t against that of the pole.
   [[nodiscard]] Sign beyond_pole(const Rational& t) const;
 
-  SharedFrame frame_;
+  [[nodiscard]] const Machine& machine() const { return view_.frame()->machine; }
+
+  ArcView view_;
   GreatCircle arc_;
   int side_;
-  bool in_plane_ = false;  // the work-side axis lies in the plane of the arc
+  bool in_plane_ = false;              // the work-side axis lies in the plane of the arc
+  mutable std::optional<bool> level_;  // it is normal to that; decided when it is asked for
   BranchPart part_;
   std::optional<Crossing> crossing_;
   Real along_;   // u_t · t0

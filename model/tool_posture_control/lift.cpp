@@ -10,8 +10,6 @@ int as_int(Sign sign) { return static_cast<int>(sign); }
 Lift::Lift(const Machine& machine) : machine_(machine) {
   for (const int side : {1, -1})
     if (const SingularPosture* const posture = machine.singular(side)) poles_.push_back({side, posture->tool});
-  const Vector& tool_axis = machine.tool_side().line;
-  orthogonal_ = dot(tool_axis, machine.work_side().line).sign() == Sign::zero && is_zero(machine.heights().along);
 }
 
 int Lift::branch_of(const Angle& tool) const { return as_int(branch_quantity(machine_, tool).sign()); }
@@ -44,14 +42,14 @@ Angle Lift::tool_at(const LiftStart& start, const Angle& end) const {
 
 Pose Lift::at_pole(const LiftStart& start, const Pole& pole) const {
   Pose result{tool_at(start, pole.tool), start.pose.work};
-  if (!orthogonal_)
+  if (!machine_.is_orthogonal())
     result.work =
         turned_back(start.pose.work, azimuth(machine_, machine_.tilted(start.pose.tool), limit(start.branch)));
   return result;
 }
 
 Angle Lift::back_at_pole(const Pose& pair, int branch) const {
-  if (orthogonal_) return pair.work;
+  if (machine_.is_orthogonal()) return pair.work;
   return turned_back(pair.work, azimuth(machine_, machine_.tilted(pair.tool), limit(branch)));
 }
 
@@ -66,7 +64,7 @@ Angle Lift::tilt_swing_of(const LiftStart& start, const Angle& end) const {
 
 Pose Lift::end(const LiftStart& start, const Way& way, const Pose& pair) const {
   Pose result{tool_at(start, pair.tool), start.pose.work};
-  if (way.side == 0 && orthogonal_) return result;
+  if (way.side == 0 && machine_.is_orthogonal()) return result;
   Angle swing;
   if (way.side != 0) {
     swing = azimuth(machine_, way.from, way.to);
@@ -74,16 +72,17 @@ Pose Lift::end(const LiftStart& start, const Way& way, const Pose& pair) const {
     const Sign right = sign(swing);
     if (swing.cosine().sign() == Sign::negative && as_int(right) == -way.side) swing = swing.plus_turns(way.side);
   }
-  const Angle tilt_swing = orthogonal_ ? Angle() : tilt_swing_of(start, result.tool);
+  const Angle tilt_swing = machine_.is_orthogonal() ? Angle() : tilt_swing_of(start, result.tool);
   result.work = lifted_work(start.pose.work, pair.work, swing, tilt_swing, machine_);
   return result;
 }
 
-Pose Lift::end_behind(const Pose& pole, int branch, const Pose& pair) const {
-  Pose result{lifted_tool(pole.tool, pair.tool, branch, machine_), pole.work};
-  if (!orthogonal_)
-    result.work = lifted_work(pole.work, pair.work, Angle(),
-                              azimuth(machine_, limit(branch), machine_.tilted(result.tool)), machine_);
+Pose Lift::end_behind(const BranchPart& part, const Pose& pair) const {
+  // The edge of reach is half a turn from the pole; from the one below the branch is left the other way.
+  Pose result{lifted_tool(part.start.tool, pair.tool, part.pole * part.branch, machine_), part.start.work};
+  if (!machine_.is_orthogonal())
+    result.work = lifted_work(part.start.work, pair.work, Angle(),
+                              azimuth(machine_, limit(part.branch), machine_.tilted(result.tool)), machine_);
   return result;
 }
 

@@ -18,7 +18,7 @@ struct LiftStart {
 
 // How an arc that meets no singular posture goes round the work-side axis.
 struct Way {
-  Vector from;  // directions at its ends, in the table frame
+  Vector from;  // directions at its ends, in the table frame or turned from there about that axis
   Vector to;
   int side = 0;  // on which the axis lies: left 1, right -1; 0 in the plane of the arc
 };
@@ -31,8 +31,6 @@ class Lift {
   // Both axes can move, and turning them changes the direction.
   [[nodiscard]] bool is_possible() const { return machine_.has_both_axes() && machine_.tilts(); }
   [[nodiscard]] const std::vector<Pole>& poles() const { return poles_; }
-  // Along every great circle through a pole the work-side axis stands and the tool-side axis turns evenly.
-  [[nodiscard]] bool is_orthogonal() const { return orthogonal_; }
 
   // The side on which a tool-side position stands; 0 at the edge of reach.
   [[nodiscard]] int branch_of(const Angle& tool) const;
@@ -46,8 +44,8 @@ class Lift {
 
   // A pair of the end, with the whole turns of a continuous motion.
   [[nodiscard]] Pose end(const LiftStart& start, const Way& way, const Pose& pair) const;
-  // The same behind a pole, reached in this pose, on another branch.
-  [[nodiscard]] Pose end_behind(const Pose& pole, int branch, const Pose& pair) const;
+  // The same of a part that begins at a pole.
+  [[nodiscard]] Pose end_behind(const BranchPart& part, const Pose& pair) const;
 
  private:
   // Where the tilted direction comes to a pole, or leaves it: the azimuth of this vector.
@@ -61,7 +59,6 @@ class Lift {
 
   const Machine& machine_;
   std::vector<Pole> poles_;
-  bool orthogonal_ = false;
 };
 
 }  // namespace toolcomp::model

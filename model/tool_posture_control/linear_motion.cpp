@@ -11,7 +11,7 @@ Angle between(const Angle& start, const Angle& end, const Rational& t) {
 
 Posture LinearMotion::at(const Rational& t) const {
   const Pose pose{between(start_.tool, end_.tool, t), between(start_.work, end_.work, t)};
-  return {pose, frame_->frame.from_table(frame_->machine.direction(pose))};
+  return {pose, frame_->frame.direction(pose)};
 }
 
 }  // namespace toolcomp::model

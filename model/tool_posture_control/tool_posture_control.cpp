@@ -9,11 +9,25 @@
 namespace toolcomp::model {
 namespace {
 
-Direction in_table(const SharedFrame& frame, const Direction& direction) {
-  Direction result = direction;
-  result.vector = frame->frame.to_table(direction.vector);
-  result.unit = frame->frame.to_table(direction.unit);
+// What the inverse kinematics are asked for: a direction in the table frame, less the turn of the work-side axis by a
+// position, which is added to the pairs.
+struct Goal {
+  Direction direction;
+  Angle work;
+};
+Goal goal(const SharedFrame& frame, const Direction& direction) {
+  Goal result{direction, frame->machine.type() == MachineType::head ? Angle() : frame->frame.frozen().work};
+  result.direction.vector = frame->frame.to_table_beside(direction.vector);
+  result.direction.unit = frame->frame.to_table_beside(direction.unit);
   return result;
+}
+
+bool known_same(const Direction& a, const Direction& b) {
+  try {
+    return is_zero(cross(a.vector, b.vector)) && dot(a.vector, b.vector).sign() == Sign::positive;
+  } catch (const exact::Undecided&) {
+    return false;
+  }
 }
 
 // On the edge of reach there is only one.
@@ -34,7 +48,11 @@ ToolPostureControl::ToolPostureControl(const spec::Setup& setup, const Machine& 
 
 // The pair that is to be reached where no branch is followed.
 Solution ToolPostureControl::pair(const SharedFrame& frame, const PostureBlock& block) const {
-  if (!block.commanded) return choice_.choose(in_table(frame, block.to), block.start);
+  if (!block.commanded) {
+    const Goal to = goal(frame, block.to);
+    return choice_.choose(inverse(machine_, recorder_, to.direction, to.work), block.start,
+                          known_same(block.from, block.to));
+  }
   return {*block.commanded, lift_.is_possible() ? lift_.branch_of(block.commanded->tool) : 0};
 }
 
@@ -56,26 +74,38 @@ PosturePlan ToolPostureControl::stand(const SharedFrame& frame, const PostureBlo
   return plan;
 }
 
-bool ToolPostureControl::spans_plane(const PostureBlock& block) const {
-  return recorder_.decide(Clause::fanuc_tool_posture_no_plane, squared_norm(cross(block.from.vector, block.to.vector)),
-                          block.from.norm2 * block.to.norm2) == Sign::positive;
+ToolPostureControl::Ends ToolPostureControl::ends(const SharedFrame& frame, const PostureBlock& block) {
+  if (!block.commanded) return {ArcView(frame), block.from, block.to};
+  ArcView view(frame, block.start.work);
+  Direction from = view.direction(block.start);
+  Direction to = view.direction(*block.commanded);
+  return {std::move(view), std::move(from), std::move(to)};
+}
+
+bool ToolPostureControl::spans_plane(const Ends& ends) const {
+  return recorder_.decide(Clause::fanuc_tool_posture_no_plane, squared_norm(cross(ends.from.vector, ends.to.vector)),
+                          ends.from.norm2 * ends.to.norm2) == Sign::positive;
 }
 
 PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBlock& block) const {
   Solutions solutions;
-  if (!block.commanded) solutions = inverse(machine_, recorder_, in_table(frame, block.to));
-  if (!spans_plane(block)) {
-    const bool same = dot(block.from.vector, block.to.vector).sign() == Sign::positive;
+  if (!block.commanded) {
+    const Goal to = goal(frame, block.to);
+    solutions = inverse(machine_, recorder_, to.direction, to.work);
+  }
+  Ends at = ends(frame, block);
+  if (!spans_plane(at)) {
+    const bool same = dot(at.from.vector, at.to.vector).sign() == Sign::positive;
     if (!block.commanded && same && choice_.inside(block.start)) return stand(frame, block);
     return conventional(frame, block);
   }
   recorder_.reach(Clause::fanuc_tool_posture_great_circle);
-  GreatCircle arc(block.from, block.to);
-  AxisPassed work_axis = pass(arc, frame->work_axis);
-  const Found found{frame, block, std::move(arc), std::move(work_axis), std::move(solutions)};
-  if (const Pole* const pole = pole_along(Clause::fanuc_tool_posture_at_start, found, block.from))
+  GreatCircle arc(std::move(at.from), std::move(at.to));
+  AxisPassed work_axis = pass(arc, at.view.work_axis());
+  const Found found{frame, block, std::move(at.view), std::move(arc), std::move(work_axis), std::move(solutions)};
+  if (const Pole* const pole = pole_along(Clause::fanuc_tool_posture_at_start, found, found.arc.from()))
     return from_pole(found, *pole);
-  const Pole* const end_pole = pole_along(Clause::fanuc_tool_posture_at_end, found, block.to);
+  const Pole* const end_pole = pole_along(Clause::fanuc_tool_posture_at_end, found, found.arc.to());
   const LiftStart start = lift_start(found);
   if (end_pole != nullptr) {
     require_reach_inside(found);
@@ -87,7 +117,7 @@ PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBloc
 }
 
 const Pole* ToolPostureControl::pole_along(Clause clause, const Found& found, const Direction& direction) const {
-  const Vector& axis = found.frame->work_axis;
+  const Vector& axis = found.view.work_axis();
   for (const Pole& pole : lift_.poles()) {
     if (recorder_.decide(clause, squared_norm(cross(axis, direction.vector)), direction.norm2) == Sign::positive)
       continue;
@@ -180,14 +210,16 @@ PosturePlan ToolPostureControl::to_pole(const Found& found, const LiftStart& sta
 PosturePlan ToolPostureControl::along(const Found& found, const LiftStart& start, const Passing& passed) const {
   recorder_.reach(Clause::fanuc_tool_posture_lift);
   const auto& commanded = found.block.commanded;
-  const int branch = passed.crossed != nullptr ? -start.branch : start.branch;
-  const Pose pole = passed.crossed != nullptr ? lift_.at_pole(start, *passed.crossed) : Pose();
+  std::optional<BranchPart> behind;
+  if (passed.crossed != nullptr)
+    behind = BranchPart{lift_.at_pole(start, *passed.crossed), -start.branch, passed.crossed->sign};
+  const int branch = behind ? behind->branch : start.branch;
   const Pose pair = commanded ? *commanded : of_branch(found.solutions, branch);
-  const Way way{found.frame->frame.to_table(found.arc.from().vector),
-                found.frame->frame.to_table(found.arc.to().vector), passed.side};
+  const Way way{found.view.about_axis(found.arc.from().vector), found.view.about_axis(found.arc.to().vector),
+                passed.side};
   PosturePlan plan;
   plan.start = start.pose;
-  plan.end = passed.crossed != nullptr ? lift_.end_behind(pole, branch, pair) : lift_.end(start, way, pair);
+  plan.end = behind ? lift_.end_behind(*behind, pair) : lift_.end(start, way, pair);
   plan.tool = found.block.to;
   if (commanded) {
     const int of_commanded = lift_.branch_of(commanded->tool);
@@ -195,13 +227,12 @@ PosturePlan ToolPostureControl::along(const Found& found, const LiftStart& start
     if (recorder_.decide(Clause::fanuc_tool_posture_branch_mismatch, differs)) return give_way(found, *commanded);
     plan.end = *commanded;
   }
-  if (near_.looks(!commanded) && passed.crossed == nullptr) {
+  if (near_.looks(!commanded) && !behind) {
     if (auto other = changed(found, start, plan.end)) return *std::move(other);
   }
   if (!commanded) choice_.require_inside(plan.end);
   std::optional<Crossing> crossing;
-  if (passed.crossed != nullptr)
-    crossing = Crossing{Real(passed.crossed->sign) * found.frame->work_axis, {pole, branch, passed.crossed->sign}};
+  if (behind) crossing = Crossing{Real(behind->pole) * found.view.work_axis(), *behind};
   plan.motion = motion(found, {start.pose, start.branch, 0}, passed.side, crossing, plan.end);
   return plan;
 }
@@ -218,7 +249,7 @@ std::optional<PosturePlan> ToolPostureControl::changed(const Found& found, const
     recorder_.reach(Clause::fanuc_tool_posture_changed);
     recorder_.reach(Clause::fanuc_tool_posture_passing);
     plan.changed = true;
-    const Vector tool = found.frame->frame.from_table(machine_.direction(plan.end));
+    const Vector tool = found.frame->frame.direction(plan.end);
     plan.tool = {tool, 1, tool, true};
     plan.motion = std::make_shared<LinearMotion>(found.frame, plan.start, plan.end);
     return plan;
@@ -231,9 +262,9 @@ std::optional<PosturePlan> ToolPostureControl::changed(const Found& found, const
 // On orthogonal axes a great circle through a pole is run by the tool-side axis alone, evenly.
 SharedMotion ToolPostureControl::motion(const Found& found, const BranchPart& part, int side,
                                         const std::optional<Crossing>& crossing, const Pose& end) const {
-  if (lift_.is_orthogonal() && (side == 0 || part.pole != 0))
+  if (machine_.is_orthogonal() && (side == 0 || part.pole != 0))
     return std::make_shared<LinearMotion>(found.frame, part.start, end);
-  return std::make_shared<GreatCircleMotion>(found.frame, found.arc, side, part, crossing);
+  return std::make_shared<GreatCircleMotion>(found.view, found.arc, side, part, crossing);
 }
 
 }  // namespace toolcomp::model

@@ -7,6 +7,7 @@
 
 #include "model/kinematics/pair_choice.h"
 #include "model/recorder.h"
+#include "model/tool_posture_control/arc_view.h"
 #include "model/tool_posture_control/control_frame.h"
 #include "model/tool_posture_control/great_circle_motion.h"
 #include "model/tool_posture_control/lift.h"
@@ -57,12 +58,20 @@ class ToolPostureControl {
   struct Found {
     const SharedFrame& frame;
     const PostureBlock& block;
+    ArcView view;  // of the arc
     GreatCircle arc;
     AxisPassed work_axis;
     Solutions solutions;  // type 2: the pairs of the end
   };
 
-  [[nodiscard]] bool spans_plane(const PostureBlock& block) const;
+  // The directions of a block as its arc is looked at.
+  struct Ends {
+    ArcView view;
+    Direction from;
+    Direction to;
+  };
+  [[nodiscard]] static Ends ends(const SharedFrame& frame, const PostureBlock& block);
+  [[nodiscard]] bool spans_plane(const Ends& ends) const;
   [[nodiscard]] const Pole* pole_along(Clause clause, const Found& found, const Direction& direction) const;
   // The pole that the arc goes through inside, and on which side it passes the work-side axis else.
   struct Passing {

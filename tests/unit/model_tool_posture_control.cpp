@@ -253,4 +253,57 @@ TEST(ModelToolPosture, ReachAndRange) {
   EXPECT_EQ(limited.alarm({20, 100}, polar(20, 170)), "none");
 }
 
+// A about (1, 1, 0) carries B, the reference leans 45 degrees: -u_w is singular at B -90, the edge of reach is across
+// u_w. B goes on through the pole, 0 to -90 to -270; a half turn the other way would jump.
+TEST(ModelToolPosture, TheEdgeOfReachBehindAPole) {
+  const PostureMachine below("19680 = 2\n19681 = 4\n19682 = 4\n19683 = 45\n19686 = 5\n19687 = 2\n19698 = 45\n");
+  const PosturePlan plan = below.to({0, 0}, Direction::of({-1, 1, -2}));
+  EXPECT_EQ(text(plan.end), "-270 125.2643896827547");
+  EXPECT_EQ(text(plan.motion->at(Rational(999999, 1000000)).pose, 0), "-270 125");
+  // Up to +u_w of the nutating head and on: B 60 to 0 to -180.
+  const PostureMachine n45(kN45);
+  const Direction start = n45.direction({60, 0});
+  const PosturePlan above = n45.to({60, 0}, Direction::of({-start.unit.x, -start.unit.y, 0}));
+  EXPECT_EQ(above.end.tool.degrees().decimal(12), "-180");
+}
+
+// The whole arc lies on the edge of reach of the nutating head: B stands at 180, V turns with C, evenly.
+TEST(ModelToolPosture, AlongTheEdgeOfReach) {
+  const PostureMachine n45(kN45);
+  const PosturePlan plan = n45.to({180, -90}, Direction::of({0, 1, 0}));
+  EXPECT_EQ(text(plan.end), "180 0");
+  EXPECT_EQ(pose_at(plan, Rational(1, 4)), "180 -67.5");
+  EXPECT_EQ(pose_at(plan, Rational(2, 3)), "180 -30");
+}
+
+// Type 1 in a frame that stands at angles of I J K: the frame does not enter. By hand: C stands, so does the plane; B
+// turns evenly. With C turning too the plane misses the pole by as much as in the frame at 0.
+TEST(ModelToolPosture, Type1InAFrameAtAnyPose) {
+  const Pose any{pyramid(), Angle::of_direction(3, sqrt(Real(7)))};
+  const PostureMachine tac(kTAC, any);
+  const PosturePlan plain = tac.to(any, Pose{Angle(-40), any.work});
+  EXPECT_FALSE(plain.branch_differs);
+  EXPECT_EQ(text(plain.end), text(Pose{Angle(-40), any.work}));
+  const PostureMachine inclined(
+      "19680 = 12\n19681 = 4\n19682 = 1\n19684 = 1\n19686 = 6\n19687 = 5\n19688 = 60\n19689 = 1\n", any);
+  const PostureMachine at_zero(
+      "19680 = 12\n19681 = 4\n19682 = 1\n19684 = 1\n19686 = 6\n19687 = 5\n19688 = 60\n19689 = 1\n");
+  const Pose from{20, 30};
+  const Pose to{50, 40};
+  const PosturePlan turned = inclined.to(from, to);
+  const PosturePlan straight = at_zero.to(from, to);
+  EXPECT_EQ(turned.branch_differs, straight.branch_differs);
+  EXPECT_EQ(pose_at(turned, Rational(1, 3)), pose_at(straight, Rational(1, 3)));
+}
+
+// Conventional, to the direction there is: nothing moves, though both axes stand at angles of I J K.
+TEST(ModelToolPosture, TheSameDirectionStands) {
+  const PostureMachine tac(kTAC, {pyramid(), Angle::of_direction(3, sqrt(Real(7)))});
+  const PosturePlan first =
+      tac.posture.conventional(tac.frame, {Pose{0, 0}, tac.direction({0, 0}), Direction::of({1, 2, 3}), {}});
+  const PosturePlan again =
+      tac.posture.conventional(tac.frame, {first.end, Direction::of({1, 2, 3}), Direction::of({2, 4, 6}), {}});
+  EXPECT_TRUE(again.end == first.end);
+}
+
 }  // namespace
