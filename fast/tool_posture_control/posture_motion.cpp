@@ -1,5 +1,6 @@
 #include "fast/tool_posture_control/posture_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fast/fault.h"
@@ -29,8 +30,8 @@ struct Room {
 };
 Room room(const Frame& c, double k, double n2) {
   // Near u_w and -u_w from the horizontal parts, which are small there: 1 - k = n2 / (1 + k).
-  return {std::fmax(0.0, k > 0 ? n2 / (1 + k) - c.above : c.top - k),
-          std::fmax(0.0, k < 0 ? n2 / (1 - k) - c.below : k - c.bottom)};
+  return {std::max(0.0, k > 0 ? n2 / (1 + k) - c.above : c.top - k),
+          std::max(0.0, k < 0 ? n2 / (1 - k) - c.below : k - c.bottom)};
 }
 
 // The horizontal part of c(psi) for the sine of psi.
@@ -140,8 +141,7 @@ void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, Postu
       sample = still_;
       return;
     case Law::linear:
-      linear_at(DoubleDouble{static_cast<double>(numerator), 0} / DoubleDouble{static_cast<double>(denominator), 0},
-                sample);
+      linear_at(numerator, denominator, sample);
       return;
     case Law::circle:
     case Law::meridian:
@@ -155,18 +155,22 @@ void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, Postu
   sample.tool = machine_->reports_machine_directions() ? machine_->tool_at(sample.turns) : reported_.at(angle);
 }
 
-void PostureMotion::linear_at(const DoubleDouble& t, PostureSample& sample) const {
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (wide_[i]) [[unlikely]] {
-      const DoubleDouble position = from_[i] + by_[i] * t;
-      sample.degrees[i] = position.hi;
-      sample.turns[i] = sine_cosine(to_double(position - two_product(360, std::nearbyint(position.hi / 360))));
-      continue;
-    }
-    sample.degrees[i] = start_[i] == end_[i] ? start_[i] : (1 - t.hi) * start_[i] + t.hi * end_[i];
-    sample.turns[i] = sine_cosine(sample.degrees[i]);
-  }
+void PostureMotion::linear_at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) const {
+  const double t = static_cast<double>(numerator) / denominator;
+  for (std::size_t i = 0; i < 2; ++i)
+    sample.degrees[i] = start_[i] == end_[i] ? start_[i] : (1 - t) * start_[i] + t * end_[i];
+  sample.turns = apart(sine_cosine(DoublePair{sample.degrees[0], sample.degrees[1]}));
+  for (std::size_t i = 0; i < 2; ++i)
+    if (wide_[i]) [[unlikely]]
+      wide_at(i, DoubleDouble{static_cast<double>(numerator), 0} / DoubleDouble{static_cast<double>(denominator), 0},
+              sample);
   sample.tool = machine_->tool_at(sample.turns);
+}
+
+void PostureMotion::wide_at(std::size_t i, const DoubleDouble& t, PostureSample& sample) const {
+  const DoubleDouble position = from_[i] + by_[i] * t;
+  sample.degrees[i] = position.hi;
+  sample.turns[i] = sine_cosine(to_double(position - two_product(360, nearest_whole(position.hi / 360))));
 }
 
 void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample) const {
@@ -176,11 +180,10 @@ void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample
   const std::size_t w = machine_->work_side();
   const Vector2<double> heading{seen.x, seen.y};
   const double n2 = dot(heading, heading);
-  // V(t) turns one way about the work-side axis, by less than 180.
-  double turned = about(arctangent(cross(start_heading_, heading), dot(start_heading_, heading)), 90.0 * azimuth_);
   double width = 0;  // |sin psi|
   double cos_psi = 0;
   SineCosine<double> work;
+  double swung = 0;
   if (polar.orthogonal()) {
     width = std::sqrt(n2);
     cos_psi = seen.z;
@@ -192,9 +195,13 @@ void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample
     cos_psi = (seen.z - c.cc) / c.ss;
     const Vector2<double> leaned = lean(c, space, branch_ * width);
     work = between(leaned, heading);
-    turned -= arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
+    swung = arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
   }
-  sample.degrees[t] = tool_base_ + machine_->sense(t) * branch_ * arctangent(width, cos_psi);
+  const DoublePair angles =
+      arctangent(DoublePair{width, cross(start_heading_, heading)}, DoublePair{cos_psi, dot(start_heading_, heading)});
+  // V(t) turns one way about the work-side axis, by less than 180.
+  const double turned = about(angles[1], 90.0 * azimuth_) - swung;
+  sample.degrees[t] = tool_base_ + machine_->sense(t) * branch_ * angles[0];
   sample.degrees[w] = start_[w] + machine_->sense(w) * turned;
   sample.turns = machine_->turns_of<double>({branch_ * width, cos_psi}, work);
 }
@@ -205,7 +212,7 @@ PostureMotion::OnMeridian PostureMotion::on_meridian(const Vector3<double>& seen
   // The horizontal distance from the axis: negative behind it. Both azimuths keep their side: h / g has no jump.
   const double g = seen.x * start_heading_.x + seen.y * start_heading_.y;
   const double slope =
-      pole_ > 0 ? std::sqrt(std::fmax(0.0, k - c.bottom) / (1 + k)) : std::sqrt(std::fmax(0.0, c.top - k) / (1 - k));
+      pole_ > 0 ? std::sqrt(std::max(0.0, k - c.bottom) / (1 + k)) : std::sqrt(std::max(0.0, c.top - k) / (1 - k));
   const double across = pole_ > 0 ? c.sc * g / (1 + k) : -c.sc * g / (1 - k);
   return {branch_ * g * slope / c.ss, {across / c.ss, -c.sa * branch_ * slope / c.ss}};
 }
@@ -214,14 +221,14 @@ void PostureMotion::meridian_at(const Vector3<double>& seen, PostureSample& samp
   const Frame& c = machine_->polar().constants();
   const auto [sin_psi, leaned] = on_meridian(seen);
   const double cos_psi = (seen.z - c.cc) / c.ss;
-  double psi = arctangent(sin_psi, cos_psi);
+  const DoublePair angles =
+      arctangent(DoublePair{sin_psi, cross(start_lean_, leaned)}, DoublePair{cos_psi, dot(start_lean_, leaned)});
   // Behind -u_w psi goes on beyond 180.
-  if (pole_ < 0) psi = about(psi, 180 * branch_);
+  const double psi = pole_ < 0 ? about(angles[0], 180 * branch_) : angles[0];
   const std::size_t t = machine_->tool_side();
   const std::size_t w = machine_->work_side();
   sample.degrees[t] = tool_base_ + machine_->sense(t) * psi;
-  const double swung = arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
-  sample.degrees[w] = start_[w] - machine_->sense(w) * swung;
+  sample.degrees[w] = start_[w] - machine_->sense(w) * angles[1];
   const double n = std::sqrt(dot(leaned, leaned));
   sample.turns = machine_->turns_of<double>({sin_psi, cos_psi},
                                             {cross(leaned, start_heading_) / n, dot(leaned, start_heading_) / n});

@@ -43,7 +43,8 @@ class PostureMotion {
  private:
   void set_ends(const Machine& machine, const Pose& start, const Pose& end);
   void set_great_circle(const Pose& start, const Pose& end);
-  void linear_at(const DoubleDouble& t, PostureSample& sample) const;
+  void linear_at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) const;
+  void wide_at(std::size_t i, const DoubleDouble& t, PostureSample& sample) const;
   void circle_at(const Vector3<double>& seen, PostureSample& sample) const;
   void meridian_at(const Vector3<double>& seen, PostureSample& sample) const;
   struct OnMeridian {
