@@ -195,31 +195,35 @@ constexpr std::array<DoubleDouble, 33> kArctangent{{
     {0x1.68p+5, 0x0p+0},
 }};
 
-// The nearest of the slopes 0, 1/32 ... 1 and its angle.
+// The angle of the slope in the low bits.
 template <class Real>
 struct Tabled {
-  Real slope, angle, rest;
+  Real angle, rest;
 };
-[[gnu::always_inline]] inline Tabled<double> nearest_slope(double slope) {
-  const auto i = static_cast<std::size_t>((slope + 1.0 / 64) * 32);
-  return {static_cast<double>(i) / 32, kArctangent[i].hi, kArctangent[i].lo};
+[[gnu::always_inline]] inline Tabled<double> tabled(std::uint64_t slope) {
+  const DoubleDouble& angle = kArctangent[slope % 64];
+  return {angle.hi, angle.lo};
 }
-[[gnu::always_inline]] inline Tabled<DoublePair> nearest_slope(DoublePair slope) {
-  const Tabled<double> a = nearest_slope(slope[0]);
-  const Tabled<double> b = nearest_slope(slope[1]);
-  return {DoublePair{a.slope, b.slope}, DoublePair{a.angle, b.angle}, DoublePair{a.rest, b.rest}};
+[[gnu::always_inline]] inline Tabled<DoublePair> tabled(BitPair slope) {
+  const Tabled<double> a = tabled(slope[0]);
+  const Tabled<double> b = tabled(slope[1]);
+  return {DoublePair{a.angle, b.angle}, DoublePair{a.rest, b.rest}};
 }
 
-template <class Real>
+template <class Bits, class Real>
 [[gnu::always_inline]] inline Real angle_of(Real sine, Real cosine) {
-  const Real a = sine < 0.0 ? -sine : sine;
-  const Real b = cosine < 0.0 ? -cosine : cosine;
+  const auto magnitude = [](Real value) { return std::bit_cast<Real>(std::bit_cast<Bits>(value) << 1 >> 1); };
+  const Real a = magnitude(sine);
+  const Real b = magnitude(cosine);
   const Real one = Real{} + 1.0;
   const Real longer = a > b ? a : b;
   const Real y = a > b ? b : a;
   const Real x = longer == 0.0 ? one : longer;
   // atan(y / x) = atan(c) + atan(r), c the nearest of 0, 1/32 ... 1, so |r| <= 1/64.
-  const auto [c, angle, angle_rest] = nearest_slope(y / x);
+  constexpr double kShift = 0x1.8p52;
+  const Real shifted = y / x * 32.0 + kShift;
+  const auto [angle, angle_rest] = tabled(std::bit_cast<Bits>(shifted));
+  const Real c = (shifted - kShift) * (1.0 / 32);
   const Real r = (y - c * x) / (x + c * y);
   // r - r^3/3 + ... in degrees: the next term is below 2^-60 of the first. Errors, u = 2^-53: r 3u of c or of itself,
   // the product and the constant 1u, the sum u, the difference from 90 or 180 u.
@@ -267,8 +271,8 @@ SineCosine<DoubleDouble> fine_sine_cosine(const Count& degrees) {
 SineCosine<double> sine_cosine(double degrees) { return of_degrees<std::uint64_t>(degrees); }
 SineCosine<DoublePair> sine_cosine(DoublePair degrees) { return of_degrees<BitPair>(degrees); }
 
-double arctangent(double sine, double cosine) { return angle_of(sine, cosine); }
-DoublePair arctangent(DoublePair sine, DoublePair cosine) { return angle_of(sine, cosine); }
+double arctangent(double sine, double cosine) { return angle_of<std::uint64_t>(sine, cosine); }
+DoublePair arctangent(DoublePair sine, DoublePair cosine) { return angle_of<BitPair>(sine, cosine); }
 
 Count fine_arctangent(const DoubleDouble& sine, const DoubleDouble& cosine) {
   // One Newton step from the double: the rest r is below 2^-50, so the sine of it is r, less r^3 / 6 below 2^-150.

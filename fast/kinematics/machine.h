@@ -172,21 +172,18 @@ class Machine {
 };
 
 template <class T>
-Turns<T> Machine::turns_of(const SineCosine<T>& psi, const SineCosine<T>& work) const {
+[[gnu::always_inline]] inline Turns<T> Machine::turns_of(const SineCosine<T>& psi, const SineCosine<T>& work) const {
   const auto& c = [this]() -> const PolarFrame::Constants<T>& {
     if constexpr (std::is_same_v<T, double>)
       return polar_.constants();
     else
       return polar_.fine_constants();
   }();
-  const auto sensed = [](double sense, const T& value) { return sense < 0 ? -value : value; };
-  Turns<T> result;
-  result[tool_side_] = {
-      sensed(axis_[tool_side_].sense, psi.sine * c.phase.cosine + psi.cosine * c.phase.sine),
-      psi.cosine * c.phase.cosine - psi.sine * c.phase.sine,
-  };
-  result[work_side()] = {sensed(axis_[work_side()].sense, work.sine), work.cosine};
-  return result;
+  const SineCosine<T> tool{(psi.sine * c.phase.cosine + psi.cosine * c.phase.sine) * axis_[tool_side_].sense,
+                           psi.cosine * c.phase.cosine - psi.sine * c.phase.sine};
+  const SineCosine<T> turned_work{work.sine * axis_[work_side()].sense, work.cosine};
+  // Not by index: a processor that reads back what it has just written to an address it had to compute waits.
+  return tool_side_ == 0 ? Turns<T>{tool, turned_work} : Turns<T>{turned_work, tool};
 }
 
 }  // namespace toolcomp::fast

@@ -76,62 +76,71 @@ void PostureMotion::set_linear(const Machine& machine, const Pose& start, const 
   }
 }
 
-void PostureMotion::set_great_circle(const Pose& start, const Pose& end) {
-  double radians = 0;
-  seen_.start = start.seen;
-  seen_.side = side_of(start.seen, end.seen, radians);
-  angle_.set(radians);
-  const Machine& machine = *machine_;
-  reported_.start = machine.in_frame(seen_back(machine.polar().constants(), seen_.start));
-  reported_.side = machine.in_frame(seen_back(machine.polar().constants(), seen_.side));
-}
-
-void PostureMotion::refine_circle(const Vector3<DoubleDouble>& start_seen, const Vector3<DoubleDouble>& end_seen) {
-  double radians = 0;
-  seen_.start = nearest(start_seen);
-  seen_.side = side_of(start_seen, end_seen, radians);
-  angle_.set(radians);
-  const Machine& machine = *machine_;
-  reported_.start = machine.in_frame(seen_back(machine.polar().constants(), seen_.start));
-  reported_.side = machine.in_frame(seen_back(machine.polar().constants(), seen_.side));
+void PostureMotion::set_arc(Law law, const Machine& machine, const Pose& start, const Pose& end, int branch) {
+  law_ = law;
+  set_ends(machine, start, end);
+  branch_ = branch;
+  start_seen_ = start.seen;
+  end_seen_ = end.seen;
+  start_psi_ = branch < 0 ? -std::abs(start.psi) : std::abs(start.psi);
+  prepared_ = false;
 }
 
 void PostureMotion::set_circle(const Machine& machine, const Pose& start, const Pose& end, int branch, int azimuth) {
-  law_ = Law::circle;
-  set_ends(machine, start, end);
-  set_great_circle(start, end);
-  branch_ = branch;
+  set_arc(Law::circle, machine, start, end, branch);
   azimuth_ = azimuth;
-  const std::size_t t = machine.tool_side();
-  const double sense = machine.sense(t);
-  const double psi = branch < 0 ? -std::abs(start.psi) : std::abs(start.psi);
-  tool_base_ = start_[t] - sense * psi;
-  start_heading_ = {start.seen.x, start.seen.y};
-  const PolarFrame& polar = machine.polar();
-  if (polar.orthogonal()) return;
-  // From psi itself: on the edge of reach the height tells only half of the digits.
-  const SineCosine<double> turn = sine_cosine(psi);
-  const PolarFrame::Constants<double>& c = polar.constants();
-  start_lean_ = {c.skew + c.sc * (1 - turn.cosine), -c.sa * turn.sine};
 }
 
 void PostureMotion::set_meridian(const Machine& machine, const Pose& start, const Pose& end, int branch, int pole,
                                  const Vector2<double>& heading) {
-  law_ = Law::meridian;
-  set_ends(machine, start, end);
-  set_great_circle(start, end);
-  branch_ = branch;
+  set_arc(Law::meridian, machine, start, end, branch);
   pole_ = pole;
   start_heading_ = heading;
-  const std::size_t t = machine.tool_side();
-  // psi at the start: 0 or 180 in the pole itself.
-  const double psi = branch < 0 ? -std::abs(start.psi) : std::abs(start.psi);
-  tool_base_ = start_[t] - machine.sense(t) * psi;
+}
+
+void PostureMotion::refine_circle(const Vector3<DoubleDouble>& start_seen, const Vector3<DoubleDouble>& end_seen) {
+  prepare();
+  double radians = 0;
+  const Vector3<double> side = side_of(start_seen, end_seen, radians);
+  set_great_circle(nearest(start_seen), side, radians);
+}
+
+void PostureMotion::prepare() {
+  prepared_ = true;
+  double radians = 0;
+  const Vector3<double> side = side_of(start_seen_, end_seen_, radians);
+  set_great_circle(start_seen_, side, radians);
+  const std::size_t t = machine_->tool_side();
+  tool_base_ = start_[t] - machine_->sense(t) * start_psi_;
+  if (law_ == Law::circle)
+    prepare_circle();
+  else
+    prepare_meridian();
+}
+
+void PostureMotion::set_great_circle(const Vector3<double>& start, const Vector3<double>& side, double radians) {
+  angle_.set(radians);
+  seen_ = {start, side};
+  const Frame& frame = machine_->polar().constants();
+  reported_ = {machine_->in_frame(seen_back(frame, start)), machine_->in_frame(seen_back(frame, side))};
+}
+
+void PostureMotion::prepare_circle() {
+  start_heading_ = {start_seen_.x, start_seen_.y};
+  const PolarFrame& polar = machine_->polar();
+  if (polar.orthogonal()) return;
+  // From psi itself: on the edge of reach the height tells only half of the digits.
+  const SineCosine<double> turn = sine_cosine(start_psi_);
+  const Frame& c = polar.constants();
+  start_lean_ = {c.skew + c.sc * (1 - turn.cosine), -c.sa * turn.sine};
+}
+
+void PostureMotion::prepare_meridian() {
   // h / g, from half of psi: h = 2 sin(psi/2) (sc sin(psi/2), -sa cos(psi/2)), or the same about -u_w.
-  const SineCosine<double> half = sine_cosine(psi / 2);
-  const PolarFrame::Constants<double>& c = machine.polar().constants();
-  start_lean_ = pole > 0 ? Vector2<double>{branch * c.sc * half.sine, -branch * c.sa * half.cosine}
-                         : Vector2<double>{-c.sc * half.cosine, -c.sa * half.sine};
+  const SineCosine<double> half = sine_cosine(start_psi_ / 2);
+  const Frame& c = machine_->polar().constants();
+  start_lean_ = pole_ > 0 ? Vector2<double>{branch_ * c.sc * half.sine, -branch_ * c.sa * half.cosine}
+                          : Vector2<double>{-c.sc * half.cosine, -c.sa * half.sine};
 }
 
 void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) {
@@ -147,6 +156,7 @@ void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, Postu
     case Law::meridian:
       break;
   }
+  if (!prepared_) prepare();
   const SineCosine<double> angle = angle_.at(numerator, denominator);
   if (law_ == Law::circle)
     circle_at(seen_.at(angle), sample);
