@@ -78,6 +78,8 @@ template <class Bits, class Real>
           std::bit_cast<Real>((cosine ^ swap) ^ ((quarter + 1) >> 1 & 1) << 63)};
 }
 
+using BitPair [[gnu::vector_size(16)]] = std::uint64_t;
+
 // Of whole 10^-6 degrees.
 template <class Bits, class Real>
 [[gnu::always_inline]] inline SineCosine<Real> of_small(Real angle) {
@@ -92,6 +94,25 @@ template <class Bits, class Real>
   constexpr double kRadiansLow = 0x1.60df76ae5cc06p-53;
   const Real high = r * kRadiansHigh;
   const Real low = r * kRadiansLow;
+  const Real hi = high + low;
+  return turned(near(hi, low - (hi - high)), std::bit_cast<Bits>(shifted));
+}
+
+// Of degrees, |degrees| < 2^36.
+template <class Bits, class Real>
+[[gnu::always_inline]] inline SineCosine<Real> of_degrees(Real degrees) {
+  // 90 q is whole and the difference a multiple of ulp(degrees) below 2^53 of them: both are exact.
+  constexpr double kShift = 0x1.8p52;
+  const Real shifted = degrees * (1.0 / 90) + kShift;
+  const Real r = degrees - (shifted - kShift) * 90.0;
+  // pi / 180 in two parts, the first of 25 bits, and r in two of 26: products with the first are exact.
+  constexpr double kRadiansHigh = 0x1.1df46ap-6;
+  constexpr double kRadiansLow = 0x1.294e9c8ae0ec6p-33;
+  constexpr double kSplit = 134217729.0;  // 2^27 + 1
+  const Real c = kSplit * r;
+  const Real upper = c - (c - r);
+  const Real high = upper * kRadiansHigh;
+  const Real low = (r - upper) * kRadiansHigh + r * kRadiansLow;
   const Real hi = high + low;
   return turned(near(hi, low - (hi - high)), std::bit_cast<Bits>(shifted));
 }
@@ -174,13 +195,52 @@ constexpr std::array<DoubleDouble, 33> kArctangent{{
     {0x1.68p+5, 0x0p+0},
 }};
 
+// The angle of the slope in the low bits.
+template <class Real>
+struct Tabled {
+  Real angle, rest;
+};
+[[gnu::always_inline]] inline Tabled<double> tabled(std::uint64_t slope) {
+  const DoubleDouble& angle = kArctangent[slope % 64];
+  return {angle.hi, angle.lo};
+}
+[[gnu::always_inline]] inline Tabled<DoublePair> tabled(BitPair slope) {
+  const Tabled<double> a = tabled(slope[0]);
+  const Tabled<double> b = tabled(slope[1]);
+  return {DoublePair{a.angle, b.angle}, DoublePair{a.rest, b.rest}};
+}
+
+template <class Bits, class Real>
+[[gnu::always_inline]] inline Real angle_of(Real sine, Real cosine) {
+  const auto magnitude = [](Real value) { return std::bit_cast<Real>(std::bit_cast<Bits>(value) << 1 >> 1); };
+  const Real a = magnitude(sine);
+  const Real b = magnitude(cosine);
+  const Real one = Real{} + 1.0;
+  const Real longer = a > b ? a : b;
+  const Real y = a > b ? b : a;
+  const Real x = longer == 0.0 ? one : longer;
+  // atan(y / x) = atan(c) + atan(r), c the nearest of 0, 1/32 ... 1, so |r| <= 1/64.
+  constexpr double kShift = 0x1.8p52;
+  const Real shifted = y / x * 32.0 + kShift;
+  const auto [angle, angle_rest] = tabled(std::bit_cast<Bits>(shifted));
+  const Real c = (shifted - kShift) * (1.0 / 32);
+  const Real r = (y - c * x) / (x + c * y);
+  // r - r^3/3 + ... in degrees: the next term is below 2^-60 of the first. Errors, u = 2^-53: r 3u of c or of itself,
+  // the product and the constant 1u, the sum u, the difference from 90 or 180 u.
+  const Real z = r * r;
+  const Real rest = z * (kDegreesPerOdd[0] - z * (kDegreesPerOdd[1] - z * (kDegreesPerOdd[2] - z * kDegreesPerOdd[3])));
+  const Real first = angle + (angle_rest + (r * kDegrees - r * rest));
+  const Real upper = a > b ? 90.0 - first : first;
+  const Real half = cosine < 0.0 ? 180.0 - upper : upper;
+  return sine < 0.0 ? -half : half;
+}
+
 }  // namespace
 
 SineCosine<double> sine_cosine(std::int64_t small) { return of_small<std::uint64_t>(static_cast<double>(small)); }
 
 SineCosine<DoublePair> sine_cosine(std::int64_t first, std::int64_t second) {
-  using Bits [[gnu::vector_size(16)]] = std::uint64_t;
-  return of_small<Bits>(DoublePair{static_cast<double>(first), static_cast<double>(second)});
+  return of_small<BitPair>(DoublePair{static_cast<double>(first), static_cast<double>(second)});
 }
 
 SineCosine<double> sine_cosine(const Count& degrees) {
@@ -189,6 +249,12 @@ SineCosine<double> sine_cosine(const Count& degrees) {
   constexpr double kRadiansPerUnit = 0x1.4c4780a1fb529p-73;  // pi / (180 * 127e18)
   const auto r = static_cast<double>(remainder);
   return turned(near(r * kRadiansPerUnit, 0.0), std::uint64_t{quarter});
+}
+
+std::array<SineCosine<double>, 2> sine_cosine(const Count& first, const Count& second) {
+  if (first.is_small() && second.is_small()) [[likely]]
+    return apart(sine_cosine(first.small(), second.small()));
+  return {sine_cosine(first), sine_cosine(second)};
 }
 
 SineCosine<DoubleDouble> fine_sine_cosine(const Count& degrees) {
@@ -202,36 +268,11 @@ SineCosine<DoubleDouble> fine_sine_cosine(const Count& degrees) {
   return fine_turned(SineCosine<DoubleDouble>{x * series(y, 1, kOddTail), series(y, 0, kEvenTail)}, quarter);
 }
 
-SineCosine<double> sine_cosine(double degrees) {
-  // 90 q is whole and the difference a multiple of ulp(degrees) below 2^53 of them: both are exact.
-  const double quarter = std::nearbyint(degrees / 90);
-  const double r = degrees - 90 * quarter;
-  constexpr DoubleDouble kRadians{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};  // pi / 180
-  const DoubleDouble x = two_product(r, kRadians.hi);
-  return turned(near(x.hi, x.lo + r * kRadians.lo), static_cast<std::uint64_t>(static_cast<std::int64_t>(quarter)));
-}
+SineCosine<double> sine_cosine(double degrees) { return of_degrees<std::uint64_t>(degrees); }
+SineCosine<DoublePair> sine_cosine(DoublePair degrees) { return of_degrees<BitPair>(degrees); }
 
-double arctangent(double sine, double cosine) {
-  const double a = std::abs(sine);
-  const double b = std::abs(cosine);
-  const bool steep = a > b;
-  const double x = steep ? a : b;
-  const double y = steep ? b : a;
-  if (x == 0) return 0;
-  // atan(y / x) = atan(c) + atan(r), c the nearest of 0, 1/32 ... 1, so |r| <= 1/64.
-  const auto nearest = static_cast<std::size_t>((y / x + 1.0 / 64) * 32);
-  const double c = static_cast<double>(nearest) / 32;
-  const double r = (y - c * x) / (x + c * y);
-  // r - r^3/3 + ... in degrees: the next term is below 2^-60 of the first. Errors, u = 2^-53: r 3u of c or of itself,
-  // the product and the constant 1u, the sum u, the difference from 90 or 180 u.
-  const double z = r * r;
-  const double rest =
-      z * (kDegreesPerOdd[0] - z * (kDegreesPerOdd[1] - z * (kDegreesPerOdd[2] - z * kDegreesPerOdd[3])));
-  double degrees = kArctangent[nearest].hi + (kArctangent[nearest].lo + (r * kDegrees - r * rest));
-  if (steep) degrees = 90 - degrees;
-  if (cosine < 0) degrees = 180 - degrees;
-  return sine < 0 ? -degrees : degrees;
-}
+double arctangent(double sine, double cosine) { return angle_of<std::uint64_t>(sine, cosine); }
+DoublePair arctangent(DoublePair sine, DoublePair cosine) { return angle_of<BitPair>(sine, cosine); }
 
 Count fine_arctangent(const DoubleDouble& sine, const DoubleDouble& cosine) {
   // One Newton step from the double: the rest r is below 2^-50, so the sine of it is r, less r^3 / 6 below 2^-150.

@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "fast/arithmetic/count.h"
 #include "fast/arithmetic/double_double.h"
+#include "fast/arithmetic/trigonometry.h"
 
 namespace toolcomp::fast {
 
@@ -59,15 +61,21 @@ inline void set_small_direction(Direction& direction, std::int64_t x, std::int64
   direction.small[2] = z;
   direction.zero = static_cast<std::uint8_t>(static_cast<unsigned>(x == 0) | static_cast<unsigned>(y == 0) << 1U |
                                              static_cast<unsigned>(z == 0) << 2U);
-  const Eigen::Vector3d v(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+  const auto vx = static_cast<double>(x);
+  const auto vy = static_cast<double>(y);
+  const auto vz = static_cast<double>(z);
   const bool axis = direction.zero == 0b011 || direction.zero == 0b101 || direction.zero == 0b110;
   if (axis) {
-    direction.unit = v.cwiseSign();
+    direction.unit = Eigen::Vector3d(vx, vy, vz).cwiseSign();
     direction.error = 0;
     return;
   }
-  // Relative errors, u = 2^-53: the norm 2.5u, the quotient u.
-  direction.unit = v / v.norm();
+  // Relative errors, u = 2^-53: the norm 2.5u, the quotient u. Two quotients side by side take the time of one.
+  const double norm = std::sqrt(vx * vx + vy * vy + vz * vz);
+  const DoublePair xy = DoublePair{vx, vy} / norm;
+  direction.unit[0] = xy[0];
+  direction.unit[1] = xy[1];
+  direction.unit[2] = vz / norm;
   direction.error = 4 * 0x1p-53;
 }
 

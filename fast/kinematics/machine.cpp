@@ -1,5 +1,6 @@
 #include "fast/kinematics/machine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -59,6 +60,8 @@ Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_
     axis.mechanical = table ? -axis.sense : axis.sense;
     axis.fine_line = vector(rotary.axis);
     axis.line = rounded(axis.fine_line);
+    for (std::size_t j = 0; j < 3; ++j)
+      if (axis.line[j] == 1 && axis.line[(j + 1) % 3] == 0 && axis.line[(j + 2) % 3] == 0) axis.along = j;
     axis.fixed = -rotary.reference;
     axis.upper = parameter(setup, i == 0 ? 19741 : 19743);
     axis.lower = parameter(setup, i == 0 ? 19742 : 19744);
@@ -76,6 +79,34 @@ Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_
   set(zero_, vector(kinematics.zero_direction()));
 }
 
+// v turned by the mechanical rotation of axis i.
+template <class T>
+[[gnu::always_inline]] inline Vector3<T> Machine::turn(std::size_t i, const Vector3<T>& v, const SineCosine<T>& by,
+                                                       bool back) const {
+  const Axis& axis = axis_[i];
+  const bool reversed = (axis.mechanical < 0) != back;
+  const T& c = by.cosine;
+  const T s = reversed ? -by.sine : by.sine;
+  switch (axis.along) {
+    case 0:
+      return {v.x, v.y * c - v.z * s, v.z * c + v.y * s};
+    case 1:
+      return {v.x * c + v.z * s, v.y, v.z * c - v.x * s};
+    case 2:
+      return {v.x * c - v.y * s, v.y * c + v.x * s, v.z};
+    default:
+      break;
+  }
+  const auto& line = [&axis]() -> const Vector3<T>& {
+    if constexpr (std::is_same_v<T, double>)
+      return axis.line;
+    else
+      return axis.fine_line;
+  }();
+  const Vector3<T> on_line = line * dot(line, v);
+  return on_line + (v - on_line) * c + cross(line, v) * s;
+}
+
 // --- poses ---
 
 void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint16_t rounded_axes, Pose& pose) {
@@ -84,10 +115,11 @@ void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint1
     const std::size_t index = axis_[i].index;
     rotary.count = index == kNone ? axis_[i].fixed : position[index];
     rotary.degrees = rotary.count.nearest();
-    rotary.turn = sine_cosine(rotary.count);
     rotary.kind = index != kNone && (rounded_axes >> index & 1U) != 0 ? RotaryPosition::Kind::rounded
                                                                       : RotaryPosition::Kind::exact;
   }
+  const Turns<double> both = sine_cosine(pose.axis[0].count, pose.axis[1].count);
+  for (std::size_t i = 0; i < 2; ++i) pose.axis[i].turn = both[i];
   kinematics_.direct(position, pose.tool);
   set_branch(pose);
   // c(psi) turned by the work-side axis: near a singular posture as accurate as the sines.
@@ -130,9 +162,9 @@ void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint1
 void Machine::set_branch(Pose& pose) const {
   const RotaryPosition& rotary = pose.axis[tool_side_];
   const double degrees = axis_[tool_side_].sense * rotary.degrees - polar_.phase().nearest();
-  pose.psi = degrees - 360 * std::nearbyint(degrees / 360);
+  pose.psi = degrees - 360 * nearest_whole(degrees / 360);
   // Well above the rounding of a position. One many turns from 0 has lost the digits that psi needs.
-  const double distance = std::fmin(std::abs(pose.psi), 180 - std::abs(pose.psi));
+  const double distance = std::min(std::abs(pose.psi), 180 - std::abs(pose.psi));
   constexpr double kWide = 512;
   if (distance > 1e-9 && std::abs(degrees) < kWide) {
     pose.branch = pose.psi > 0 ? 1 : -1;
@@ -177,26 +209,6 @@ Turns<DoubleDouble> Machine::fine_turns(const Pose& pose) const {
   return result;
 }
 
-template <class T>
-Turns<T> Machine::turns_of(const SineCosine<T>& psi, const SineCosine<T>& work) const {
-  const auto& c = [this]() -> const PolarFrame::Constants<T>& {
-    if constexpr (std::is_same_v<T, double>)
-      return polar_.constants();
-    else
-      return polar_.fine_constants();
-  }();
-  const auto sensed = [](double sense, const T& value) { return sense < 0 ? -value : value; };
-  Turns<T> result;
-  result[tool_side_] = {
-      sensed(axis_[tool_side_].sense, psi.sine * c.phase.cosine + psi.cosine * c.phase.sine),
-      psi.cosine * c.phase.cosine - psi.sine * c.phase.sine,
-  };
-  result[work_side()] = {sensed(axis_[work_side()].sense, work.sine), work.cosine};
-  return result;
-}
-template Turns<double> Machine::turns_of(const SineCosine<double>&, const SineCosine<double>&) const;
-template Turns<DoubleDouble> Machine::turns_of(const SineCosine<DoubleDouble>&, const SineCosine<DoubleDouble>&) const;
-
 // --- the programming coordinate system ---
 
 void Machine::freeze(Pose& pose) {
@@ -238,9 +250,8 @@ void Machine::release() {
   frozen_fine_ = {zero, zero};
 }
 
-Vector3<double> Machine::in_frame(const Vector3<double>& on_table) const {
+Vector3<double> Machine::in_turned_frame(const Vector3<double>& on_table) const {
   const Kinematics::Frame& frame = kinematics_.frame();
-  if (!frame.turned) return on_table;
   const auto row = [&](std::size_t i) {
     return frame.rough[i][0] * on_table.x + frame.rough[i][1] * on_table.y + frame.rough[i][2] * on_table.z;
   };
@@ -329,19 +340,19 @@ void Machine::set_rounded(Pose& pose, std::size_t i, const Count& count) const {
   rotary.turn = sine_cosine(count);
 }
 
-void Machine::set_pair(const PolarRoots<double>& roots, int branch, const std::array<double, 2>& near,
-                       Pose& pose) const {
-  const double sine = branch < 0 ? -roots.sin_psi : roots.sin_psi;
-  const SineCosine<double>& work = roots.work[branch < 0 ? 1 : 0];
-  const Turns<double> turn = turns_of<double>({sine, roots.cos_psi}, work);
-  pose.psi = arctangent(sine, roots.cos_psi);
+void Machine::set_pair(const PolarRoots<double>& roots, const RootAngles& angles, int branch,
+                       const std::array<double, 2>& near, Pose& pose) const {
+  const std::size_t pair = branch < 0 ? 1 : 0;
+  const Turns<double> turn =
+      turns_of<double>({branch < 0 ? -roots.sin_psi : roots.sin_psi, roots.cos_psi}, roots.work[pair]);
+  pose.psi = branch < 0 ? -angles.psi : angles.psi;
   pose.branch = branch < 0 ? -1 : 1;
   std::array<double, 2> value;
   value[tool_side_] = axis_[tool_side_].sense * (polar_.phase().nearest() + pose.psi);
-  value[work_side()] = axis_[work_side()].sense * arctangent(work.sine, work.cosine);
+  value[work_side()] = axis_[work_side()].sense * angles.work[pair];
   for (std::size_t i = 0; i < 2; ++i) {
     RotaryPosition& rotary = pose.axis[i];
-    rotary.degrees = value[i] + 360 * std::nearbyint((near[i] - value[i]) / 360);
+    rotary.degrees = value[i] + 360 * nearest_whole((near[i] - value[i]) / 360);
     rotary.turn = turn[i];
     rotary.kind = RotaryPosition::Kind::inverse;
   }
@@ -363,21 +374,16 @@ bool Machine::choose(const Direction& tool, const Pose& present, Pose& end) cons
   const std::array<double, 2> near{present.axis[0].degrees, present.axis[1].degrees};
   const double slack = 1e-10 + 0x1p-45 * (std::abs(near[0]) + std::abs(near[1]));
   std::array<double, 2> first_move{};
-  for (int pair = 0; pair < 2; ++pair) {
-    double value = 0;
-    if (first == tool_side_) {
-      const double psi = arctangent(pair == 0 ? roots.sin_psi : -roots.sin_psi, roots.cos_psi);
-      value = axis_[first].sense * (polar_.phase().nearest() + psi);
-    } else {
-      const SineCosine<double>& work = roots.work[static_cast<std::size_t>(pair)];
-      value = axis_[first].sense * arctangent(work.sine, work.cosine);
-    }
-    const double move = near[first] - value;
-    first_move[static_cast<std::size_t>(pair)] = std::abs(move - 360 * std::nearbyint(move / 360));
+  const RootAngles angles = angles_of(roots);
+  for (std::size_t pair = 0; pair < 2; ++pair) {
+    const double mechanical =
+        first == tool_side_ ? polar_.phase().nearest() + (pair == 0 ? angles.psi : -angles.psi) : angles.work[pair];
+    const double move = near[first] - axis_[first].sense * mechanical;
+    first_move[pair] = std::abs(move - 360 * nearest_whole(move / 360));
   }
   if (std::abs(first_move[0] - first_move[1]) < slack || fault(Fault::tip_second_axis_first))
     return choose_fine(tool, present, end);
-  set_pair(roots, first_move[0] < first_move[1] ? 1 : -1, near, end);
+  set_pair(roots, angles, first_move[0] < first_move[1] ? 1 : -1, near, end);
   for (std::size_t i = 0; i < 2; ++i) {
     if (std::abs(end.axis[i].degrees - near[i]) > 180 - slack) return choose_fine(tool, present, end);
     if (!axis_[i].limited) continue;
@@ -493,20 +499,6 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
 }
 
 // --- tip and control point ---
-
-// v turned by the mechanical rotation of axis i.
-template <class T>
-Vector3<T> Machine::turn(std::size_t i, const Vector3<T>& v, const SineCosine<T>& by, bool back) const {
-  const auto& line = [this, i]() -> const Vector3<T>& {
-    if constexpr (std::is_same_v<T, double>)
-      return axis_[i].line;
-    else
-      return axis_[i].fine_line;
-  }();
-  const bool reversed = (axis_[i].mechanical < 0) != back;
-  const Vector3<T> along = line * dot(line, v);
-  return along + (v - along) * by.cosine + cross(line, v) * (reversed ? -by.sine : by.sine);
-}
 
 template <class T>
 const Turns<T>& Machine::frozen_turns() const {

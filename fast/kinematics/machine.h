@@ -91,7 +91,9 @@ class Machine {
   // Tool directions of events are those of the machine: WKP = 1 on a table.
   [[nodiscard]] bool reports_machine_directions() const { return frozen_ && workpiece_frame_ && has_table(); }
   // From the table at its zero pose into the programming coordinate system that is frozen.
-  [[nodiscard]] Vector3<double> in_frame(const Vector3<double>& on_table) const;
+  [[nodiscard]] Vector3<double> in_frame(const Vector3<double>& on_table) const {
+    return kinematics_.frame().turned ? in_turned_frame(on_table) : on_table;
+  }
   [[nodiscard]] FineVector fine_in_frame(const Vector3<DoubleDouble>& on_table) const;
   // A direction as the system of the work-side axis has it; `relative` as in Pose.
   [[nodiscard]] Vector3<double> seen(const Direction& tool, bool& relative) const;
@@ -101,7 +103,8 @@ class Machine {
   [[nodiscard]] Turns<T> turns_of(const SineCosine<T>& psi, const SineCosine<T>& work) const;
 
   // The pose of the pair on a branch (+1, -1) of roots, at the whole turns nearest to `near` (1st, 2nd position).
-  void set_pair(const PolarRoots<double>& roots, int branch, const std::array<double, 2>& near, Pose& pose) const;
+  void set_pair(const PolarRoots<double>& roots, const RootAngles& angles, int branch,
+                const std::array<double, 2>& near, Pose& pose) const;
   // The same in counts.
   void set_pair(const PolarRoots<DoubleDouble>& roots, int branch, const std::array<Count, 2>& near, Pose& pose) const;
   // A computed position.
@@ -123,7 +126,8 @@ class Machine {
     double mechanical = 1;  // s: of the mechanical rotation
     Vector3<DoubleDouble> fine_line;
     Vector3<double> line;
-    Count fixed;  // hypothetical
+    std::size_t along = kNone;  // 0, 1, 2: the line is X, Y, Z
+    Count fixed;                // hypothetical
     bool limited = false;
     Count lower, upper;
   };
@@ -138,6 +142,7 @@ class Machine {
         return fine;
     }
   };
+  [[nodiscard]] Vector3<double> in_turned_frame(const Vector3<double>& on_table) const;
   [[nodiscard]] bool choose_fine(const Direction& tool, const Pose& present, Pose& end) const;
   template <class T>
   [[nodiscard]] Vector3<T> turn(std::size_t i, const Vector3<T>& v, const SineCosine<T>& by, bool back = false) const;
@@ -165,5 +170,20 @@ class Machine {
   Turns<double> frozen_rough_{};
   Turns<DoubleDouble> frozen_fine_{};
 };
+
+template <class T>
+[[gnu::always_inline]] inline Turns<T> Machine::turns_of(const SineCosine<T>& psi, const SineCosine<T>& work) const {
+  const auto& c = [this]() -> const PolarFrame::Constants<T>& {
+    if constexpr (std::is_same_v<T, double>)
+      return polar_.constants();
+    else
+      return polar_.fine_constants();
+  }();
+  const SineCosine<T> tool{(psi.sine * c.phase.cosine + psi.cosine * c.phase.sine) * axis_[tool_side_].sense,
+                           psi.cosine * c.phase.cosine - psi.sine * c.phase.sine};
+  const SineCosine<T> turned_work{work.sine * axis_[work_side()].sense, work.cosine};
+  // Not by index: a processor that reads back what it has just written to an address it had to compute waits.
+  return tool_side_ == 0 ? Turns<T>{tool, turned_work} : Turns<T>{turned_work, tool};
+}
 
 }  // namespace toolcomp::fast

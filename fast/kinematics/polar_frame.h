@@ -40,6 +40,17 @@ struct PolarRoots {
   std::array<SineCosine<T>, 2> work{};
 };
 
+// Their angles in degrees: psi of the first one, that of the work-side axis of both.
+struct RootAngles {
+  double psi = 0;
+  std::array<double, 2> work{};
+};
+inline RootAngles angles_of(const PolarRoots<double>& roots) {
+  const DoublePair first =
+      arctangent(DoublePair{roots.sin_psi, roots.work[0].sine}, DoublePair{roots.cos_psi, roots.work[0].cosine});
+  return {first[0], {first[1], arctangent(roots.work[1].sine, roots.work[1].cosine)}};
+}
+
 class PolarFrame {
  public:
   template <class T>

@@ -45,7 +45,8 @@ class Interpreter {
 
  private:
   using Positions = std::array<Count, spec::kMaxAxes>;
-  using Mask = std::uint16_t;  // bit i: axis i
+  using RotaryPositions = std::array<Count, 2>;  // of the 1st and 2nd rotary axis, where they are there
+  using Mask = std::uint16_t;                    // bit i: axis i
   // What a block does to leading edge offset.
   enum class Compensation : std::uint8_t { off, starts, stays, cancels };
   // A number of the cutter: D, or H where 5001#2 = 1.
@@ -104,6 +105,7 @@ class Interpreter {
   [[nodiscard]] Alarm place(std::size_t axis, const Count& position);
   // The positions of these axes and what follows from them: the tool direction, and what the axes are sent to.
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes);
+  [[nodiscard]] Alarm place_positions(const Words& words, Mask axes);
   [[nodiscard]] Alarm refresh();
   // Of an arc everything but event.arc.
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
@@ -251,13 +253,14 @@ class Interpreter {
   void begin_tip_control(const Words& words);
   [[nodiscard]] Alarm start_tip_control(const Words& words);
   [[nodiscard]] Alarm plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
-                                   const Positions& before);
+                                   const RotaryPositions& before);
   void end_tip_control(bool again);
   [[nodiscard]] Alarm plan_direction(const Words& words, const std::array<Count, 3>& from, TipBlock& block);
-  // Under Q, of a block that asks for a direction: the one commanded or kept, leaned where it can be.
   [[nodiscard]] bool asks_direction(const Words& words, const std::array<Count, 3>& from);
-  [[nodiscard]] bool lean(const Words& words, const std::array<Count, 3>& from, Direction& leaned) const;
-  [[nodiscard]] Alarm check_workpiece_arc(const Positions& before) const;
+  // Of a block that asks for a direction: the one commanded or kept, under Q leaned where it can be.
+  [[nodiscard]] const Direction& leaned(const Words& words, const std::array<Count, 3>& from);
+  [[nodiscard]] bool lean(const Words& words, const std::array<Count, 3>& from, Direction& to_direction) const;
+  [[nodiscard]] Alarm check_workpiece_arc(const RotaryPositions& before) const;
   void keep_tip_on_table(Mask axes, const Pose& start, const Pose& end, const std::array<Count, 3>& from);
   void take_posture(const Pose& pose);
   void set_programmed(std::size_t axis, const DoubleDouble& position);
@@ -326,6 +329,7 @@ class Interpreter {
   bool has_table_tip_ = false;    // WKP = 1: the tip has kept its place on the table since table_tip_
   Count lean_angle_;              // Q
   Direction commanded_;           // the direction kept, without the lean
+  Direction leaned_;              // and with it
   Positions frozen_;              // of the rotary axes where the mode began
   Vector3<DoubleDouble> table_tip_;
   std::optional<double> feed_;
@@ -409,9 +413,7 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
 }
 
 // The usual words without a detour: positions of at most six places, as they are written, with offsets of as many.
-[[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
-  if (plans_tool_) [[unlikely]]
-    return place_tip_words(words, axes);
+[[gnu::always_inline]] inline Alarm Interpreter::place_positions(const Words& words, Mask axes) {
   unsigned rest = axes;
   if (plain_words_ && !incremental_) [[likely]] {
     const unsigned offset = length_.live() | tool_offset_.live();
@@ -437,6 +439,13 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
             for_each_axis(static_cast<Mask>(rest), [&](std::size_t axis) { return place(axis, target(words, axis)); }))
       return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
+  return alarm::kNone;
+}
+
+[[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
+  if (plans_tool_) [[unlikely]]
+    return place_tip_words(words, axes);
+  if (const Alarm a = place_positions(words, axes)) return a;
   if ((axes & turning_) != 0) turn();
   if (stale_ != 0)
     if (const Alarm a = refresh()) return a;

@@ -133,9 +133,10 @@ void Interpreter::take_posture(const Pose& pose) {
 
 Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
   const std::array<Count, 3> from = programmed_xyz();
-  const Positions before = machine_.workpiece_frame() ? programmed_ : Positions{};
-  if (const Alarm a = for_each_axis(axes, [&](std::size_t axis) { return place(axis, target(words, axis)); })) return a;
-  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
+  RotaryPositions before;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (machine_.rotary_axis(i) != spec::kMaxAxes) before[i] = programmed_[machine_.rotary_axis(i)];
+  if (const Alarm a = place_positions(words, axes)) return a;
   if (tip_.active()) {
     TipBlock& block = tip_.next();
     block.length = tool_length().nearest();
@@ -144,16 +145,14 @@ Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
   } else if (starts_tip_) {
     commanded_ = directions_[direction_];
   } else if (asks_direction(words, from)) {
-    Direction leaned;
-    const bool leans = lean(words, from, leaned);
-    new_direction() = leans ? leaned : commanded_;
+    new_direction() = leaned(words, from);
   }
   starts_tip_ = false;
   return refresh();
 }
 
 Alarm Interpreter::plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
-                                const Positions& before) {
+                                const RotaryPositions& before) {
   TipBlock& block = tip_.block();
   if (by_vector_) return plan_direction(words, from, block);
   const Pose& start = tip_.before().plan.end;
@@ -179,9 +178,7 @@ Alarm Interpreter::plan_direction(const Words& words, const std::array<Count, 3>
     posture_.stand(start, block.plan);
     return alarm::kNone;
   }
-  Direction leaned;
-  const bool leans = lean(words, from, leaned);
-  posture_.plan(start, leans ? leaned : commanded_, posture_control_, block.plan);
+  posture_.plan(start, leaned(words, from), posture_control_, block.plan);
   if (const Alarm a = alarm_of(block.plan.outcome)) return a;
   if (block.plan.changed) commanded_ = block.plan.end.tool;
   take_posture(block.plan.end);
@@ -197,14 +194,18 @@ bool Interpreter::asks_direction(const Words& words, const std::array<Count, 3>&
   return !lean_angle_.is_zero() && (!(from == programmed_xyz()) || is_arc(words));
 }
 
+const Direction& Interpreter::leaned(const Words& words, const std::array<Count, 3>& from) {
+  if (lean_angle_.is_zero()) return commanded_;
+  return lean(words, from, leaned_) ? leaned_ : commanded_;
+}
+
 // By Q, toward the travel; in an arc toward its tangent at the end.
-bool Interpreter::lean(const Words& words, const std::array<Count, 3>& from, Direction& leaned) const {
-  if (lean_angle_.is_zero()) return false;
+bool Interpreter::lean(const Words& words, const std::array<Count, 3>& from, Direction& to_direction) const {
   const std::array<Count, 3> to = programmed_xyz();
   if (!is_arc(words)) {
     std::array<Int128, 3> travel{};
     for (std::size_t i = 0; i < 3; ++i) travel[i] = to[i].units() - from[i].units();
-    return fast::lean(kinematics_, commanded_, travel, lean_angle_, leaned);
+    return fast::lean(kinematics_, commanded_, travel, lean_angle_, to_direction);
   }
   ArcWords arc;
   read_arc(words, arc);
@@ -217,15 +218,15 @@ bool Interpreter::lean(const Words& words, const std::array<Count, 3>& from, Dir
   FineVector tangent{};
   tangent[in[0]] = arc.clockwise ? radius[1] : -radius[1];
   tangent[in[1]] = arc.clockwise ? -radius[0] : radius[0];
-  return fast::lean(kinematics_, commanded_, tangent, lean_angle_, leaned);
+  return fast::lean(kinematics_, commanded_, tangent, lean_angle_, to_direction);
 }
 
 // WKP = 1: the table must stand as it did when the mode began.
-Alarm Interpreter::check_workpiece_arc(const Positions& before) const {
+Alarm Interpreter::check_workpiece_arc(const RotaryPositions& before) const {
   bool turned = false;
   for (std::size_t i = machine_.type() == 12 ? 0 : 1; machine_.has_table() && i < 2; ++i) {
     const std::size_t axis = machine_.rotary_axis(i);
-    if (axis == spec::kMaxAxes || (before[axis] == frozen_[axis] && programmed_[axis] == frozen_[axis])) continue;
+    if (axis == spec::kMaxAxes || (before[i] == frozen_[axis] && programmed_[axis] == frozen_[axis])) continue;
     const FineVector& direction = (i == 0 ? kinematics_.inner() : kinematics_.outer()).axis;
     if (direction[in_plane(plane_, 0)].hi != 0 || direction[in_plane(plane_, 1)].hi != 0)
       return alarm::kTableTurnedInArc;

@@ -1,6 +1,6 @@
 #include "fast/tool_center_point_control/tool_center_point_control.h"
 
-#include <numeric>
+#include <bit>
 
 namespace toolcomp::fast {
 namespace {
@@ -17,10 +17,14 @@ ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, const M
       out_(out),
       samples_(samples),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
-      count_(setup.axes.size()) {
+      count_(setup.axes.size()),
+      fraction_(samples) {
   for (std::size_t axis = 0; axis < count_; ++axis) {
     all_ = static_cast<std::uint16_t>(all_ | bit(axis));
     if (spec::is_linear_axis(setup.axes.letter(axis))) linear_ = static_cast<std::uint16_t>(linear_ | bit(axis));
+    const bool tip = axis == xyz_[0] || axis == xyz_[1] || axis == xyz_[2];
+    if (!tip && axis != machine_.rotary_axis(0) && axis != machine_.rotary_axis(1))
+      even_ = static_cast<std::uint16_t>(even_ | bit(axis));
   }
   sample_.kind = spec::EventKind::sample;
   sample_.axes.present = all_;
@@ -130,19 +134,20 @@ void ToolCenterPointControl::set_machine(Event& event) const {
 void ToolCenterPointControl::begin_samples(const Event& event) {
   sample_.line = event.line;
   sample_.n = event.n;
+  fraction_.restart();
 }
 
-void ToolCenterPointControl::set_sample(const Event& event, double t) {
-  for (std::size_t axis = 0; axis < count_; ++axis) {
+void ToolCenterPointControl::set_even(const Event& event, double t) {
+  for (unsigned rest = even_; rest != 0; rest &= rest - 1) {
+    const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
     sample_.axes.value[axis] = between(event_.axes[axis], event.axes[axis], t);
     sample_.point.value[axis] = between(event_.point[axis], event.point[axis], t);
   }
 }
 
-void ToolCenterPointControl::send_sample(std::uint32_t k) {
-  const std::uint32_t divisor = std::gcd(k, samples_);
-  sample_.t_numerator = k / divisor;
-  sample_.t_denominator = samples_ / divisor;
+void ToolCenterPointControl::send_sample() {
+  sample_.t_numerator = fraction_.numerator();
+  sample_.t_denominator = fraction_.denominator();
   out_.on(sample_);
 }
 
@@ -156,9 +161,10 @@ void ToolCenterPointControl::send_samples(const Event& event, TipBlock& block) {
                                  : TipPath(tip_, on_table(point, turns(block.plan.end)));
   PostureSample sample;
   for (std::uint32_t k = 1; k < samples_; ++k) {
+    fraction_.advance();
     const double t = static_cast<double>(k) / static_cast<double>(samples_);
     block.plan.motion.at(k, samples_, sample);
-    set_sample(event, t);
+    set_even(event, t);
     Vector3<double> at = path.at(t);
     Vector3<double> tip = at;
     if (in_workpiece) tip = on_table(at, turns(block.plan.end));
@@ -167,7 +173,7 @@ void ToolCenterPointControl::send_samples(const Event& event, TipBlock& block) {
       if (xyz_[i] != spec::Axes::kNone) sample_.point.value[xyz_[i]] = at[i];
     set_axes(sample_, tip, sample.turns, sample.degrees, between(block.length_before, block.length, t));
     set_tool_axis(sample_, sample.tool);
-    send_sample(k);
+    send_sample();
   }
 }
 
@@ -175,18 +181,19 @@ void ToolCenterPointControl::send_direction_samples(const Event& event, TipBlock
   begin_samples(event);
   const TipPath path = event.arc ? TipPath(tip_, point_of(event), *event.arc, xyz_) : TipPath(tip_, point_of(event));
   for (std::uint32_t k = 1; k < samples_; ++k) {
+    fraction_.advance();
     const double t = static_cast<double>(k) / static_cast<double>(samples_);
     const Vector3<double> tool = block.direction.at(k, samples_);
     const Vector3<double> at = path.at(t);
     const double length = between(block.length_before, block.length, t);
-    set_sample(event, t);
+    set_even(event, t);
     for (std::size_t i = 0; i < 3; ++i) {
       if (xyz_[i] == spec::Axes::kNone) continue;
       sample_.point.value[xyz_[i]] = at[i];
       sample_.axes.value[xyz_[i]] = at[i] + length * tool[i];
     }
     set_tool_axis(sample_, tool);
-    send_sample(k);
+    send_sample();
   }
 }
 

@@ -8,6 +8,7 @@
 #include "fast/engine.h"
 #include "fast/geometry/vector3.h"
 #include "fast/kinematics/machine.h"
+#include "fast/tool_center_point_control/fraction_counter.h"
 #include "fast/tool_center_point_control/tip_path.h"
 #include "fast/tool_posture_control/great_circle.h"
 #include "fast/tool_posture_control/posture.h"
@@ -61,9 +62,9 @@ class ToolCenterPointControl final : public EventSink {
   void send_samples(const Event& event, TipBlock& block);
   void send_direction_samples(const Event& event, TipBlock& block);
   void begin_samples(const Event& event);
-  // What goes evenly from `event_` to `event`.
-  void set_sample(const Event& event, double t);
-  void send_sample(std::uint32_t k);
+  // The axes that go evenly from `event_` to `event`.
+  void set_even(const Event& event, double t);
+  void send_sample();
   // The axes of an event whose tip stands at `tip` on the table.
   void set_axes(Event& event, const Vector3<double>& tip, const Turns<double>& turns,
                 const std::array<double, 2>& degrees, double length) const;
@@ -78,6 +79,7 @@ class ToolCenterPointControl final : public EventSink {
   std::size_t count_;
   std::uint16_t all_ = 0;
   std::uint16_t linear_ = 0;
+  std::uint16_t even_ = 0;  // neither X, Y, Z nor an axis that turns the tool
 
   bool active_ = false;
   bool moves_on_table_ = false;  // WKP = 1 on a machine with a table
@@ -90,6 +92,7 @@ class ToolCenterPointControl final : public EventSink {
   Event event_;          // sent last
   Vector3<double> tip_;  // its tip, on the table
   Event sample_;
+  FractionCounter fraction_;  // of the samples
   Event notice_;
 };
 

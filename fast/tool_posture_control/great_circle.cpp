@@ -6,20 +6,11 @@
 
 namespace toolcomp::fast {
 
-SineCosine<double> EvenAngle::at(std::uint32_t numerator, std::uint32_t denominator) {
+SineCosine<double> EvenAngle::afresh(std::uint32_t numerator, std::uint32_t denominator) {
   if (fault(Fault::posture_linear_weights)) {
     const double t = static_cast<double>(numerator) / denominator;
     const double angle = std::atan2(t * std::sin(radians_), 1 - t + t * std::cos(radians_));
     return {std::sin(angle), std::cos(angle)};
-  }
-  // From one sample to the next by the addition theorem, afresh every eighth time: at most 12 roundings.
-  constexpr std::uint32_t kAfresh = 8;
-  const bool next = denominator == denominator_ && numerator == numerator_ + 1 && numerator % kAfresh != 0;
-  numerator_ = numerator;
-  if (next) {
-    last_ = {last_.sine - (last_.sine * versine_ - last_.cosine * sine_),
-             last_.cosine - (last_.cosine * versine_ + last_.sine * sine_)};
-    return last_;
   }
   if (denominator != denominator_) {
     denominator_ = denominator;
@@ -29,8 +20,7 @@ SineCosine<double> EvenAngle::at(std::uint32_t numerator, std::uint32_t denomina
     versine_ = 2 * half * half;
   }
   const double angle = radians_ * (static_cast<double>(numerator) / denominator);
-  last_ = {std::sin(angle), std::cos(angle)};
-  return last_;
+  return {std::sin(angle), std::cos(angle)};
 }
 
 Vector3<double> side_of(const Vector3<double>& s, const Vector3<double>& e, double& radians) {

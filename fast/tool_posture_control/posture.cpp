@@ -147,7 +147,9 @@ bool ToolPostureControl::plan_quickly(const Pose& start, const Target& target, P
     return true;
   }
   // Where the lift ends, to less than half a turn.
-  const double psi = target.pose != nullptr ? end.psi : start.branch * arctangent(roots.sin_psi, roots.cos_psi);
+  RootAngles angles;
+  if (target.pose == nullptr) angles = angles_of(roots);
+  const double psi = target.pose != nullptr ? end.psi : angles.psi;
   double swung = 0;
   if (!polar.orthogonal()) {
     const auto leaned = [&](double angle) {
@@ -169,7 +171,7 @@ bool ToolPostureControl::plan_quickly(const Pose& start, const Target& target, P
       return true;
     }
   } else {
-    machine_.set_pair(roots, start.branch, near, end);
+    machine_.set_pair(roots, angles, start.branch, near, end);
     if (!ends_in_range(end)) {
       plan.outcome = PosturePlan::Outcome::unreachable;
       return true;

@@ -1,5 +1,6 @@
 #include "fast/tool_posture_control/posture_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fast/fault.h"
@@ -29,8 +30,8 @@ struct Room {
 };
 Room room(const Frame& c, double k, double n2) {
   // Near u_w and -u_w from the horizontal parts, which are small there: 1 - k = n2 / (1 + k).
-  return {std::fmax(0.0, k > 0 ? n2 / (1 + k) - c.above : c.top - k),
-          std::fmax(0.0, k < 0 ? n2 / (1 - k) - c.below : k - c.bottom)};
+  return {std::max(0.0, k > 0 ? n2 / (1 + k) - c.above : c.top - k),
+          std::max(0.0, k < 0 ? n2 / (1 - k) - c.below : k - c.bottom)};
 }
 
 // The horizontal part of c(psi) for the sine of psi.
@@ -75,62 +76,71 @@ void PostureMotion::set_linear(const Machine& machine, const Pose& start, const 
   }
 }
 
-void PostureMotion::set_great_circle(const Pose& start, const Pose& end) {
-  double radians = 0;
-  seen_.start = start.seen;
-  seen_.side = side_of(start.seen, end.seen, radians);
-  angle_.set(radians);
-  const Machine& machine = *machine_;
-  reported_.start = machine.in_frame(seen_back(machine.polar().constants(), seen_.start));
-  reported_.side = machine.in_frame(seen_back(machine.polar().constants(), seen_.side));
-}
-
-void PostureMotion::refine_circle(const Vector3<DoubleDouble>& start_seen, const Vector3<DoubleDouble>& end_seen) {
-  double radians = 0;
-  seen_.start = nearest(start_seen);
-  seen_.side = side_of(start_seen, end_seen, radians);
-  angle_.set(radians);
-  const Machine& machine = *machine_;
-  reported_.start = machine.in_frame(seen_back(machine.polar().constants(), seen_.start));
-  reported_.side = machine.in_frame(seen_back(machine.polar().constants(), seen_.side));
+void PostureMotion::set_arc(Law law, const Machine& machine, const Pose& start, const Pose& end, int branch) {
+  law_ = law;
+  set_ends(machine, start, end);
+  branch_ = branch;
+  start_seen_ = start.seen;
+  end_seen_ = end.seen;
+  start_psi_ = branch < 0 ? -std::abs(start.psi) : std::abs(start.psi);
+  prepared_ = false;
 }
 
 void PostureMotion::set_circle(const Machine& machine, const Pose& start, const Pose& end, int branch, int azimuth) {
-  law_ = Law::circle;
-  set_ends(machine, start, end);
-  set_great_circle(start, end);
-  branch_ = branch;
+  set_arc(Law::circle, machine, start, end, branch);
   azimuth_ = azimuth;
-  const std::size_t t = machine.tool_side();
-  const double sense = machine.sense(t);
-  const double psi = branch < 0 ? -std::abs(start.psi) : std::abs(start.psi);
-  tool_base_ = start_[t] - sense * psi;
-  start_heading_ = {start.seen.x, start.seen.y};
-  const PolarFrame& polar = machine.polar();
-  if (polar.orthogonal()) return;
-  // From psi itself: on the edge of reach the height tells only half of the digits.
-  const SineCosine<double> turn = sine_cosine(psi);
-  const PolarFrame::Constants<double>& c = polar.constants();
-  start_lean_ = {c.skew + c.sc * (1 - turn.cosine), -c.sa * turn.sine};
 }
 
 void PostureMotion::set_meridian(const Machine& machine, const Pose& start, const Pose& end, int branch, int pole,
                                  const Vector2<double>& heading) {
-  law_ = Law::meridian;
-  set_ends(machine, start, end);
-  set_great_circle(start, end);
-  branch_ = branch;
+  set_arc(Law::meridian, machine, start, end, branch);
   pole_ = pole;
   start_heading_ = heading;
-  const std::size_t t = machine.tool_side();
-  // psi at the start: 0 or 180 in the pole itself.
-  const double psi = branch < 0 ? -std::abs(start.psi) : std::abs(start.psi);
-  tool_base_ = start_[t] - machine.sense(t) * psi;
+}
+
+void PostureMotion::refine_circle(const Vector3<DoubleDouble>& start_seen, const Vector3<DoubleDouble>& end_seen) {
+  prepare();
+  double radians = 0;
+  const Vector3<double> side = side_of(start_seen, end_seen, radians);
+  set_great_circle(nearest(start_seen), side, radians);
+}
+
+void PostureMotion::prepare() {
+  prepared_ = true;
+  double radians = 0;
+  const Vector3<double> side = side_of(start_seen_, end_seen_, radians);
+  set_great_circle(start_seen_, side, radians);
+  const std::size_t t = machine_->tool_side();
+  tool_base_ = start_[t] - machine_->sense(t) * start_psi_;
+  if (law_ == Law::circle)
+    prepare_circle();
+  else
+    prepare_meridian();
+}
+
+void PostureMotion::set_great_circle(const Vector3<double>& start, const Vector3<double>& side, double radians) {
+  angle_.set(radians);
+  seen_ = {start, side};
+  const Frame& frame = machine_->polar().constants();
+  reported_ = {machine_->in_frame(seen_back(frame, start)), machine_->in_frame(seen_back(frame, side))};
+}
+
+void PostureMotion::prepare_circle() {
+  start_heading_ = {start_seen_.x, start_seen_.y};
+  const PolarFrame& polar = machine_->polar();
+  if (polar.orthogonal()) return;
+  // From psi itself: on the edge of reach the height tells only half of the digits.
+  const SineCosine<double> turn = sine_cosine(start_psi_);
+  const Frame& c = polar.constants();
+  start_lean_ = {c.skew + c.sc * (1 - turn.cosine), -c.sa * turn.sine};
+}
+
+void PostureMotion::prepare_meridian() {
   // h / g, from half of psi: h = 2 sin(psi/2) (sc sin(psi/2), -sa cos(psi/2)), or the same about -u_w.
-  const SineCosine<double> half = sine_cosine(psi / 2);
-  const PolarFrame::Constants<double>& c = machine.polar().constants();
-  start_lean_ = pole > 0 ? Vector2<double>{branch * c.sc * half.sine, -branch * c.sa * half.cosine}
-                         : Vector2<double>{-c.sc * half.cosine, -c.sa * half.sine};
+  const SineCosine<double> half = sine_cosine(start_psi_ / 2);
+  const Frame& c = machine_->polar().constants();
+  start_lean_ = pole_ > 0 ? Vector2<double>{branch_ * c.sc * half.sine, -branch_ * c.sa * half.cosine}
+                          : Vector2<double>{-c.sc * half.cosine, -c.sa * half.sine};
 }
 
 void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) {
@@ -140,13 +150,13 @@ void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, Postu
       sample = still_;
       return;
     case Law::linear:
-      linear_at(DoubleDouble{static_cast<double>(numerator), 0} / DoubleDouble{static_cast<double>(denominator), 0},
-                sample);
+      linear_at(numerator, denominator, sample);
       return;
     case Law::circle:
     case Law::meridian:
       break;
   }
+  if (!prepared_) prepare();
   const SineCosine<double> angle = angle_.at(numerator, denominator);
   if (law_ == Law::circle)
     circle_at(seen_.at(angle), sample);
@@ -155,18 +165,22 @@ void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, Postu
   sample.tool = machine_->reports_machine_directions() ? machine_->tool_at(sample.turns) : reported_.at(angle);
 }
 
-void PostureMotion::linear_at(const DoubleDouble& t, PostureSample& sample) const {
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (wide_[i]) [[unlikely]] {
-      const DoubleDouble position = from_[i] + by_[i] * t;
-      sample.degrees[i] = position.hi;
-      sample.turns[i] = sine_cosine(to_double(position - two_product(360, std::nearbyint(position.hi / 360))));
-      continue;
-    }
-    sample.degrees[i] = start_[i] == end_[i] ? start_[i] : (1 - t.hi) * start_[i] + t.hi * end_[i];
-    sample.turns[i] = sine_cosine(sample.degrees[i]);
-  }
+void PostureMotion::linear_at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) const {
+  const double t = static_cast<double>(numerator) / denominator;
+  for (std::size_t i = 0; i < 2; ++i)
+    sample.degrees[i] = start_[i] == end_[i] ? start_[i] : (1 - t) * start_[i] + t * end_[i];
+  sample.turns = apart(sine_cosine(DoublePair{sample.degrees[0], sample.degrees[1]}));
+  for (std::size_t i = 0; i < 2; ++i)
+    if (wide_[i]) [[unlikely]]
+      wide_at(i, DoubleDouble{static_cast<double>(numerator), 0} / DoubleDouble{static_cast<double>(denominator), 0},
+              sample);
   sample.tool = machine_->tool_at(sample.turns);
+}
+
+void PostureMotion::wide_at(std::size_t i, const DoubleDouble& t, PostureSample& sample) const {
+  const DoubleDouble position = from_[i] + by_[i] * t;
+  sample.degrees[i] = position.hi;
+  sample.turns[i] = sine_cosine(to_double(position - two_product(360, nearest_whole(position.hi / 360))));
 }
 
 void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample) const {
@@ -176,11 +190,10 @@ void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample
   const std::size_t w = machine_->work_side();
   const Vector2<double> heading{seen.x, seen.y};
   const double n2 = dot(heading, heading);
-  // V(t) turns one way about the work-side axis, by less than 180.
-  double turned = about(arctangent(cross(start_heading_, heading), dot(start_heading_, heading)), 90.0 * azimuth_);
   double width = 0;  // |sin psi|
   double cos_psi = 0;
   SineCosine<double> work;
+  double swung = 0;
   if (polar.orthogonal()) {
     width = std::sqrt(n2);
     cos_psi = seen.z;
@@ -192,9 +205,13 @@ void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample
     cos_psi = (seen.z - c.cc) / c.ss;
     const Vector2<double> leaned = lean(c, space, branch_ * width);
     work = between(leaned, heading);
-    turned -= arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
+    swung = arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
   }
-  sample.degrees[t] = tool_base_ + machine_->sense(t) * branch_ * arctangent(width, cos_psi);
+  const DoublePair angles =
+      arctangent(DoublePair{width, cross(start_heading_, heading)}, DoublePair{cos_psi, dot(start_heading_, heading)});
+  // V(t) turns one way about the work-side axis, by less than 180.
+  const double turned = about(angles[1], 90.0 * azimuth_) - swung;
+  sample.degrees[t] = tool_base_ + machine_->sense(t) * branch_ * angles[0];
   sample.degrees[w] = start_[w] + machine_->sense(w) * turned;
   sample.turns = machine_->turns_of<double>({branch_ * width, cos_psi}, work);
 }
@@ -205,7 +222,7 @@ PostureMotion::OnMeridian PostureMotion::on_meridian(const Vector3<double>& seen
   // The horizontal distance from the axis: negative behind it. Both azimuths keep their side: h / g has no jump.
   const double g = seen.x * start_heading_.x + seen.y * start_heading_.y;
   const double slope =
-      pole_ > 0 ? std::sqrt(std::fmax(0.0, k - c.bottom) / (1 + k)) : std::sqrt(std::fmax(0.0, c.top - k) / (1 - k));
+      pole_ > 0 ? std::sqrt(std::max(0.0, k - c.bottom) / (1 + k)) : std::sqrt(std::max(0.0, c.top - k) / (1 - k));
   const double across = pole_ > 0 ? c.sc * g / (1 + k) : -c.sc * g / (1 - k);
   return {branch_ * g * slope / c.ss, {across / c.ss, -c.sa * branch_ * slope / c.ss}};
 }
@@ -214,14 +231,14 @@ void PostureMotion::meridian_at(const Vector3<double>& seen, PostureSample& samp
   const Frame& c = machine_->polar().constants();
   const auto [sin_psi, leaned] = on_meridian(seen);
   const double cos_psi = (seen.z - c.cc) / c.ss;
-  double psi = arctangent(sin_psi, cos_psi);
+  const DoublePair angles =
+      arctangent(DoublePair{sin_psi, cross(start_lean_, leaned)}, DoublePair{cos_psi, dot(start_lean_, leaned)});
   // Behind -u_w psi goes on beyond 180.
-  if (pole_ < 0) psi = about(psi, 180 * branch_);
+  const double psi = pole_ < 0 ? about(angles[0], 180 * branch_) : angles[0];
   const std::size_t t = machine_->tool_side();
   const std::size_t w = machine_->work_side();
   sample.degrees[t] = tool_base_ + machine_->sense(t) * psi;
-  const double swung = arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
-  sample.degrees[w] = start_[w] - machine_->sense(w) * swung;
+  sample.degrees[w] = start_[w] - machine_->sense(w) * angles[1];
   const double n = std::sqrt(dot(leaned, leaned));
   sample.turns = machine_->turns_of<double>({sin_psi, cos_psi},
                                             {cross(leaned, start_heading_) / n, dot(leaned, start_heading_) / n});

@@ -42,8 +42,14 @@ class PostureMotion {
 
  private:
   void set_ends(const Machine& machine, const Pose& start, const Pose& end);
-  void set_great_circle(const Pose& start, const Pose& end);
-  void linear_at(const DoubleDouble& t, PostureSample& sample) const;
+  void set_arc(Law law, const Machine& machine, const Pose& start, const Pose& end, int branch);
+  // What only samples need, before the first one.
+  void prepare();
+  void prepare_circle();
+  void prepare_meridian();
+  void set_great_circle(const Vector3<double>& start, const Vector3<double>& side, double radians);
+  void linear_at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) const;
+  void wide_at(std::size_t i, const DoubleDouble& t, PostureSample& sample) const;
   void circle_at(const Vector3<double>& seen, PostureSample& sample) const;
   void meridian_at(const Vector3<double>& seen, PostureSample& sample) const;
   struct OnMeridian {
@@ -60,8 +66,12 @@ class PostureMotion {
   std::array<DoubleDouble, 2> from_{};
   std::array<DoubleDouble, 2> by_{};
   PostureSample still_;
-  Circle seen_;      // in the system of the work-side axis
-  Circle reported_;  // in that of events
+  bool prepared_ = true;
+  Vector3<double> start_seen_;  // Pose::seen of both ends
+  Vector3<double> end_seen_;
+  double start_psi_ = 0;  // 0 or 180 in a pole itself
+  Circle seen_;           // in the system of the work-side axis
+  Circle reported_;       // in that of events
   EvenAngle angle_;
   double tool_base_ = 0;  // of the tool-side position: psi = 0
   double branch_ = 1;

@@ -222,11 +222,11 @@ bool ToolSideCompensation::take_line(double way_x, double way_y, double way_z) {
   // r (l1 + l2) / (1 + k) of the unit normals.
   const int side = block.side;
   const double rho = side > 0 ? value_.nearest : -value_.nearest;
-  const double divisor = turn.lengths + turn.dot;
+  const double scale = rho / (turn.lengths + turn.dot);
   const Vector3<double> sum = turn.left1 * turn.length2 + turn.left2 * turn.length1;
-  const double x = sum.x * rho / divisor;
-  const double y = sum.y * rho / divisor;
-  const double z = sum.z * rho / divisor;
+  const double x = sum.x * scale;
+  const double y = sum.y * scale;
+  const double z = sum.z * scale;
   // The tool goes forward for certain: |u1|^2 + u1 . (vector - start), by the length.
   const Vector3<double>& start = at_start().head[0].vector;
   const Vector3<double> ahead = cross(turn.left1, plane.unit());

@@ -150,6 +150,33 @@ TEST(Trigonometry, AnglesInDouble) {
   }
 }
 
+// Two side by side are what each is alone.
+TEST(Trigonometry, PairsAreAsTheirParts) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto next = [&] {
+    const bool zero = random() % 8 == 0;
+    return zero ? 0.0 : number(random);
+  };
+  for (int i = 0; i < 50'000; ++i) {
+    DoublePair sine{};
+    DoublePair cosine{};
+    for (int lane = 0; lane < 2; ++lane) {
+      sine[lane] = next();
+      cosine[lane] = next();
+    }
+    const DoublePair angle = arctangent(sine, cosine);
+    const DoublePair degrees = angle * 3.0;
+    const auto turns = apart(sine_cosine(degrees));
+    for (int lane = 0; lane < 2; ++lane) {
+      ASSERT_EQ(angle[lane], arctangent(sine[lane], cosine[lane])) << sine[lane] << ' ' << cosine[lane];
+      const auto alone = sine_cosine(degrees[lane]);
+      ASSERT_EQ(turns[static_cast<std::size_t>(lane)].sine, alone.sine) << degrees[lane];
+      ASSERT_EQ(turns[static_cast<std::size_t>(lane)].cosine, alone.cosine) << degrees[lane];
+    }
+  }
+}
+
 // Plain counts, and beside the ties where a quarter ends: within 1 ulp, and never past 1.
 TEST(Trigonometry, PlainCountsAreWithinOneUlp) {
   std::mt19937_64 random(2);
