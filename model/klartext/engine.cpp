@@ -50,6 +50,7 @@ struct Engine::State {
   // Runs `work`, and ends the run where it raises an alarm or cannot decide.
   template <class Work>
   void guarded(const Work& work);
+  void fail(const Alarm& alarm);
 
   spec::Setup setup;
   Recorder& recorder;
@@ -76,22 +77,26 @@ void Engine::end() {
 
 bool Engine::stopped() const { return state_->stopped; }
 
-// The motion held is at fault before the block that follows it.
 template <class Work>
 void Engine::State::guarded(const Work& work) {
   try {
     work();
   } catch (const Alarm& alarm) {
-    stopped = true;
-    const spec::ClauseList clauses = recorder.take_clauses();
-    guarded([&] {
-      peripheral.finish();
-      report_alarm(alarm, current, clauses, sink);
-    });
+    fail(alarm);
   } catch (const exact::Undecided&) {
     stopped = true;
     report_undecided(recorder, current, sink);
   }
+}
+
+// The motion held is at fault before the block that follows it.
+void Engine::State::fail(const Alarm& alarm) {
+  stopped = true;
+  const spec::ClauseList clauses = recorder.take_clauses();
+  guarded([&] {
+    peripheral.finish();
+    report_alarm(alarm, current, clauses, sink);
+  });
 }
 
 void Engine::State::run(const spec::klartext::Block& block) {
