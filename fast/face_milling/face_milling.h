@@ -8,39 +8,45 @@
 
 namespace toolcomp::fast::klartext {
 
-// One block is met (vectors, verdict, warnings), then sent. What is computed from what:
-// u is t x (N x T)/|N x T|, the cross product of whole numbers being exact: nothing is lost where N is nearly along T.
+// N x T is made of whole numbers, exactly: nothing is lost where N is nearly along T.
 class FaceMilling {
  public:
   explicit FaceMilling(EventWriter& writer) : writer_(writer) {}
 
   // The surface normal of the block to come, to be written.
   [[nodiscard]] WholeVector& normal() { return normal_; }
-  // The block: `along` where the tool stands along the normal. The first alarm of sheet 5.1 or 5.9.
-  [[nodiscard]] Alarm meet(const ToolVector& tool, bool along, const EffectiveTool& effective, bool permitted);
-  // Warnings of the block met; afterwards its contact is the one before.
-  [[nodiscard]] Warnings warnings(const ToolVector& tool, const EffectiveTool& effective);
-  // The move of the block met.
-  void send(const MoveHead& head, const ProgrammedPoint& programmed, const EffectiveTool& effective, spec::Cause cause);
+  // The first alarm of sheet 5.1 or 5.9; with a table of deviations it is looked up. `along`: the tool stands along the
+  // normal.
+  [[nodiscard]] Alarm check(const ToolVector& tool, bool along, const EffectiveTool& effective, bool permitted) {
+    if (effective.deviations() == nullptr) [[likely]]
+      return effective.check(true, permitted);
+    return deviate(tool, along, effective, permitted);
+  }
+  // The block checked: its warnings, which are added to those of the head, and its move.
+  void mill(MoveHead& head, const ToolVector& tool, bool along, const ProgrammedPoint& programmed,
+            const EffectiveTool& effective, spec::Cause cause);
   // Any other motion and TOOL CALL: no contact is before the next.
   void forget() { before_.any = false; }
 
  private:
-  [[nodiscard]] Alarm deviate(const ToolVector& tool, const EffectiveTool& effective, bool permitted);
-  void cross_exactly(const ToolVector& tool);
-  [[nodiscard]] bool below(const ToolVector& tool) const;
-  [[nodiscard]] bool jump(const ToolVector& tool) const;
+  // Normal and tool, unit; u = t x (n x t)/|n x t|, and 0 where w = 0.
+  struct Meeting {
+    Vector n, t, u;
+    bool flat = false;  // w = 0
+    double sine = 0;    // |n x T|, T in its own units
+    double cosine = 1;  // n.t
+  };
+  [[gnu::always_inline]] [[nodiscard]] Meeting meet(const ToolVector& tool, bool along) const;
+  void meet_wide(const ToolVector& tool, Meeting& meeting) const;
+  [[nodiscard]] Alarm deviate(const ToolVector& tool, bool along, const EffectiveTool& effective, bool permitted);
+  [[nodiscard]] bool below(double cosine, const ToolVector& tool) const;
+  [[nodiscard]] bool jump(const Meeting& meeting, const ToolVector& tool) const;
 
   EventWriter& writer_;
   WholeVector normal_;
-
-  // Of the block met.
-  Vector n_, t_, u_;
-  bool flat_ = false;  // w = 0
-  double sine_ = 0;    // |n x T|, T in its own units
-  double cosine_ = 1;  // n.t
+  // With a table of deviations, of the block checked.
   double corner_delta_ = 0;
-  double degrees_ = 0;  // contact angle, with a table of deviations
+  double degrees_ = 0;
 
   // The contact of the block before.
   struct Before {

@@ -38,9 +38,10 @@ void Interpreter::start(const Block& block) {
   tool_.set_units(inch_);
   const Factor factor = inch_ == inch_setup ? Factor::one : (inch_ ? Factor::mm_to_inch : Factor::inch_to_mm);
   for (std::size_t slot = 0; slot < kSlots; ++slot) {
+    // Rotary axes start at 0.
+    if (axis_[slot] == spec::Axes::kNone || !spec::is_linear_axis(kAxisLetters[slot])) continue;
     const auto value = setup_.position.find(kAxisLetters[slot]);
-    if (value == setup_.position.end() || axis_[slot] == spec::Axes::kNone) continue;
-    set_position(slot, Count::of(value->second, spec::is_linear_axis(kAxisLetters[slot]) ? factor : Factor::one));
+    if (value != setup_.position.end()) set_position(slot, Count::of(value->second, factor));
   }
 }
 

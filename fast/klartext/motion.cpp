@@ -21,6 +21,25 @@ void Interpreter::set_position(std::size_t slot, const Count& value) {
   head_.position[axis_[slot]] = value.nearest();
 }
 
+bool Interpreter::place_usual(const Block& block) {
+  if (block.axes != 0b111U || block.incremental != 0 || shifted_ || compensates() || peripheral_.holds()) [[unlikely]]
+    return false;
+  std::array<std::int64_t, 3> small;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (block.axis[i].parameter.kind != spec::klartext::ParameterKind::none) [[unlikely]]
+      return false;
+    small[i] = Count::small_of(block.axis[i].number);
+    if (small[i] == Count::kNotSmall) [[unlikely]]
+      return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    position_[i].set_small(small[i]);
+    head_.position[axis_[i]] = Count::nearest_small(small[i]);
+  }
+  head_.rotary = 0;
+  return true;
+}
+
 void Interpreter::modal_words(const Block& block) {
   switch (block.radius) {
     case RadiusWord::none:
@@ -92,8 +111,8 @@ Alarm Interpreter::line_with_vectors(const Block& block, Functions functions) {
     if (const Alarm a = feed(block, false)) return a;
   head_.rapid = block.feed == FeedWord::f_max;
   head_.feed = feed_;
-  if (const Alarm a = place(block, functions)) [[unlikely]]
-    return a;
+  if (!place_usual(block)) [[unlikely]]
+    if (const Alarm a = place(block, functions)) return a;
   unsigned warnings = block.many_digits ? kDigits : 0;
   if (block.has_tool_vector && !tcpm_) warnings |= kToolVectorIgnored;
 
@@ -101,10 +120,8 @@ Alarm Interpreter::line_with_vectors(const Block& block, Functions functions) {
     return alarm::kNoTool;
   const bool turned = tcpm_ && block.has_tool_vector;
   if (turned) {
-    WholeVector vector;
-    vector.set(block.tool_vector);
-    direction_.set(vector);
-    if (not_normalized(vector)) [[unlikely]]
+    direction_.set(block.tool_vector);
+    if (not_normalized(direction_.vector())) [[unlikely]]
       warnings |= kToolNotNormalized;
   }
   if (!block.has_normal) {
@@ -124,11 +141,12 @@ Alarm Interpreter::line_with_vectors(const Block& block, Functions functions) {
   face_.normal().set(block.normal);
   const bool along = tcpm_ && !turned;
   if (along) direction_.set(face_.normal());
-  if (const Alarm a = face_.meet(direction_, along, tool_, oversize_)) [[unlikely]]
+  if (const Alarm a = face_.check(direction_, along, tool_, oversize_)) [[unlikely]]
     return a;
-  head_.warnings = static_cast<Warnings>(warnings | face_.warnings(direction_, tool_));
-  if (!release_before_motion()) return alarm::kNone;
-  face_.send(head_, programmed_point(), tool_, cause());
+  if (!release_before_motion()) [[unlikely]]
+    return alarm::kNone;
+  head_.warnings = static_cast<Warnings>(warnings);
+  face_.mill(head_, direction_, along, programmed_point(), tool_, cause());
   return alarm::kNone;
 }
 

@@ -1,6 +1,5 @@
 #include "fast/klartext/tool_vector.h"
 
-#include <cmath>
 #include <utility>
 
 #include "fast/arithmetic/trigonometry.h"
@@ -33,13 +32,6 @@ Vector3<Number> turned(std::size_t axis, const SineCosine<Number>& a, const Sine
 bool is_quarter(const SineCosine<double>& turn) { return turn.sine == 0 || turn.cosine == 0; }
 
 }  // namespace
-
-Vector unit_of(const Vector& v) {
-  const double scale = 1 / std::sqrt(dot(v, v));
-  return {v.x * scale, v.y * scale, v.z * scale};
-}
-
-void ToolVector::set(const WholeVector& vector) { set(vector, unit_of(vector.nearest())); }
 
 void ToolVector::turn(std::size_t axis, const std::array<Count, 3>& degrees) {
   std::array<SineCosine<double>, 3> turn;

@@ -2,12 +2,19 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "fast/arithmetic/count.h"
 #include "fast/klartext/whole_vector.h"
 
 namespace toolcomp::fast::klartext {
+
+// v / |v|, each component within a few ulps of 1.
+[[nodiscard]] inline Vector unit_of(const Vector& v) {
+  const double scale = 1 / std::sqrt(dot(v, v));
+  return {v.x * scale, v.y * scale, v.z * scale};
+}
 
 // Vectors of LN blocks and axes are whole. Rotary words turn a tool axis by Rz(C) Ry(B) Rx(A)
 // (heidenhain.program.direction-of-rotary-axes); by multiples of 90 degrees that is whole again.
@@ -29,7 +36,13 @@ class ToolVector {
     vector_.copy(vector);
     unit_ = unit;
   }
-  void set(const WholeVector& vector);
+  void set(const WholeVector& vector) { set(vector, unit_of(vector.nearest())); }
+  // Of an LN block.
+  void set(const std::array<spec::Decimal, 3>& components) {
+    whole_ = true;
+    vector_.set(components);
+    unit_ = unit_of(vector_.nearest());
+  }
   void turn(std::size_t axis, const std::array<Count, 3>& degrees);
 
   // Only what counts.
@@ -55,8 +68,5 @@ class ToolVector {
   WholeVector vector_;
   std::array<Count, 3> degrees_;
 };
-
-// v / |v|, each component within a few ulps of 1.
-[[nodiscard]] Vector unit_of(const Vector& v);
 
 }  // namespace toolcomp::fast::klartext

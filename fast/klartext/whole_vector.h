@@ -90,6 +90,14 @@ struct WholeVector {
 };
 
 // |v·v − 1| > 2e-4, exactly (heidenhain.face.not-normalized).
-[[nodiscard]] bool not_normalized(const WholeVector& v);
+[[nodiscard]] bool not_normalized_wide(const WholeVector& v);
+[[nodiscard]] inline bool not_normalized(const WholeVector& v) {
+  if (!v.narrow) [[unlikely]]
+    return not_normalized_wide(v);
+  constexpr std::int64_t kSquare = WholeVector::kOne * WholeVector::kOne;
+  constexpr std::int64_t kLimit = kSquare / 5000;
+  const std::int64_t excess = v.small[0] * v.small[0] + v.small[1] * v.small[1] + v.small[2] * v.small[2] - kSquare;
+  return excess > kLimit || excess < -kLimit;
+}
 
 }  // namespace toolcomp::fast::klartext
