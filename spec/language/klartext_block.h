@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "spec/language/decimal.h"
@@ -121,5 +122,10 @@ struct Block {
   [[nodiscard]] bool has_axis(std::size_t slot) const { return (axes >> slot & 1U) != 0; }
   [[nodiscard]] bool is_incremental(std::size_t slot) const { return (incremental >> slot & 1U) != 0; }
 };
+
+// A text that the reader reads back to the same block, block number included. What blocks do not keep (the corners of
+// BLK FORM, the text of cycles, …) is the least that the grammar admits.
+std::string to_string(const Block& block);
+std::string to_string(const Value& value);
 
 }  // namespace toolcomp::spec::klartext
