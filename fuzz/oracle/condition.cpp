@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
+#include "fuzz/oracle/control.h"
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
 
@@ -66,6 +68,16 @@ Conditions::Conditions(const spec::Setup& setup, std::string_view program)
     if (start != setup.position.end()) position_[i] = value(start->second) * (start->second.negative ? -1 : 1);
   }
   point_ = position_;
+  if (setup.control != spec::Control::heidenhain) return;
+  space_.emplace(setup);
+  if (program.empty()) return;
+  HeidenhainControl::Reader reader = HeidenhainControl::reader(spec::text_source(program), setup, "program");
+  const auto first = std::make_unique<HeidenhainControl::Block>();
+  if (reader.next(*first)) reading(*first);
+}
+
+void Conditions::reading(const spec::klartext::Block& block) {
+  if (space_ && block.statement == spec::klartext::Statement::begin_program && !block.alarm) space_->units(block.unit);
 }
 
 double Conditions::condition(std::span<const model::Event> window, const Vector& at, const Vector& tool,
@@ -88,6 +100,7 @@ double Conditions::condition(std::span<const model::Event> window, const Vector&
 
 Scale Conditions::next(std::span<const model::Event> window) {
   const model::Event& event = window.front();
+  if (space_) return space_->next(window);
   Scale scale{setup_scale_, 0, 1};
   if (event.kind != spec::EventKind::move && event.kind != spec::EventKind::sample) return scale;
   const auto include = [&](const spec::AxisValues<model::Real>& values) {

@@ -351,6 +351,7 @@ class Reading {
     r.type = e.type;
     r.cause = e.cause;
     r.number = e.number;
+    r.out_of_scope = e.out_of_scope;
     r.setting = e.setting;
     r.t_numerator = e.t_numerator;
     r.t_denominator = e.t_denominator;
@@ -358,10 +359,8 @@ class Reading {
     table("point", e.point, r.point);
     table("axes", e.axes, r.axes);
     table("machine", e.machine, r.machine);
-    if (e.tool_axis) {
-      r.tool_axis.emplace();
-      for (std::size_t i = 0; i < 3; ++i) (*r.tool_axis)[i] = number("tool_axis", (*e.tool_axis)[i]);
-    }
+    if (e.tool_axis) r.tool_axis = vector("tool_axis", *e.tool_axis);
+    if (e.space) space(*e.space, r.space.emplace());
     if (e.arc) {
       r.arc.emplace();
       r.arc->plane = e.arc->plane;
@@ -389,6 +388,23 @@ class Reading {
       bad_->actual = text.v;
     }
     return 0;
+  }
+  std::array<Rational, 3> vector(std::string_view field, const std::array<spec::NumberText, 3>& from) {
+    std::array<Rational, 3> to;
+    for (std::size_t i = 0; i < 3; ++i) to[i] = number(field, from[i]);
+    return to;
+  }
+  void space(const spec::SpaceCompensation<spec::NumberText>& from, spec::SpaceCompensation<Rational>& to) {
+    to.tool_center = vector("tool_center", from.tool_center);
+    to.shift = vector("shift", from.shift);
+    to.tool_shift = vector("tool_shift", from.tool_shift);
+    if (from.carrier) to.carrier = vector("carrier", *from.carrier);
+    if (!from.contact) return;
+    to.contact.emplace();
+    to.contact->point = vector("contact", from.contact->point);
+    to.contact->normal = vector("normal", from.contact->normal);
+    to.contact->flat = from.contact->flat;
+    if (from.contact->angle) to.contact->angle = number("angle", *from.contact->angle);
   }
   void table(std::string_view field, const TextTable& from, RationalTable& to) {
     for (std::size_t i = 0; i < axes_.size(); ++i)

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "fuzz/oracle/compare.h"
+#include "fuzz/oracle/control.h"
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::fuzz {
@@ -36,6 +37,7 @@ class Queue final : public spec::EventSink<Number> {
 };
 
 // One pass. Decisions of the current and the previous epoch are kept.
+template <class Control>
 class Pass {
  public:
   Pass(const spec::Setup& setup, std::uint32_t samples, const Choices& choices)
@@ -43,19 +45,20 @@ class Pass {
         conditions_(setup),
         choices_(choices),
         per_move_(std::max<std::size_t>(samples, 1)),
-        model_(setup, recorder_, expected_, samples),
-        fast_(setup, actual_, samples) {
+        model_(Control::model(setup, recorder_, expected_, samples)),
+        fast_(Control::fast(setup, actual_, samples)) {
     begin_epoch();
   }
 
-  Verdict run(spec::ProgramReader& program, void (*on_block)(std::uint64_t)) {
-    const auto block = std::make_unique<spec::Block>();
+  Verdict run(typename Control::Reader program, void (*on_block)(std::uint64_t)) {
+    const auto block = std::make_unique<typename Control::Block>();
     std::uint64_t blocks = 0;
     while (!done() && !(model_.stopped() && fast_.stopped()) && program.next(*block)) {
       if (blocks != 0 && blocks % kEpoch == 0) {
         end_epoch();
         begin_epoch();
       }
+      conditions_.reading(*block);
       model_.block(*block);
       fast_.block(*block);
       if (on_block != nullptr)
@@ -189,8 +192,8 @@ class Pass {
   std::uint64_t epoch_ = 0;
   Queue<model::Real> expected_;
   Queue<double> actual_;
-  model::Engine model_;
-  fast::Engine fast_;
+  typename Control::Model model_;
+  typename Control::Fast fast_;
   std::vector<model::Event> window_;
   Tally tally_;
   std::size_t compared_ = 0;
@@ -200,23 +203,10 @@ class Pass {
 
 constexpr std::string_view kNearTie = "a difference beside a near tie, in a program that can be read only once";
 
-}  // namespace
-
-Verdict judge_stream(spec::ProgramReader& program, const spec::Setup& setup, std::uint32_t samples,
+// Depth first along the chain of forks that each move the difference on; the first pass is the one without choices.
+template <class Control>
+Verdict judge_passes(const StreamedProgram& program, const spec::Setup& setup, std::uint32_t samples,
                      void (*on_block)(std::uint64_t)) {
-  const Choices none;
-  Pass pass(setup, samples, none);
-  Verdict v = pass.run(program, on_block);
-  if (v.outcome == Outcome::differs && !pass.near_ties().empty()) {
-    v.outcome = Outcome::undecided;
-    v.undecided = kNearTie;
-  }
-  return v;
-}
-
-Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spec::Setup& setup, std::uint32_t samples,
-                     void (*on_block)(std::uint64_t)) {
-  // Depth first along the chain of forks that each move the difference on; the first pass is the one without choices.
   struct Task {
     Choices choices;
     std::size_t beyond;  // events a fork must agree in to be followed
@@ -232,12 +222,11 @@ Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spe
       first->undecided = "more than 64 combinations of near ties";
       return *first;
     }
-    spec::ProgramReader program = open();
-    std::optional<Pass> pass;
+    std::optional<Pass<Control>> pass;
     Verdict v;
     try {
       pass.emplace(setup, samples, task.choices);
-      v = pass->run(program, first ? nullptr : on_block);
+      v = pass->run(Control::reader(program.open(), setup, program.name), first ? nullptr : on_block);
     } catch (const std::exception&) {
       if (!first) throw;
       continue;  // the forced outcome has no finite vectors
@@ -250,6 +239,11 @@ Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spe
     if (!first) first = v;
     if (!task.choices.empty() && pass->events() <= task.beyond) continue;
     const auto ties = pass->near_ties();
+    if (program.once && !ties.empty()) {
+      first->outcome = Outcome::undecided;
+      first->undecided = kNearTie;
+      return *first;
+    }
     for (auto tie = ties.rbegin(); tie != ties.rend(); ++tie)
       for (const Sign outcome : {Sign::negative, Sign::zero, Sign::positive})
         if (outcome != tie->second) {
@@ -258,6 +252,14 @@ Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spe
         }
   }
   return *first;
+}
+
+}  // namespace
+
+Verdict judge_stream(const StreamedProgram& program, const spec::Setup& setup, std::uint32_t samples,
+                     void (*on_block)(std::uint64_t)) {
+  return with_control(setup,
+                      [&]<class Control>(Control) { return judge_passes<Control>(program, setup, samples, on_block); });
 }
 
 }  // namespace toolcomp::fuzz
