@@ -61,7 +61,9 @@ const char* BlockParser::raise(Block& block, const char* at, const char* number,
 }
 
 const char* BlockParser::bad_word(Block& block, const char* at) {
-  return raise(block, at, "E_SYNTAX", at == text_.stop ? "the block ends too early" : "this word cannot be read here");
+  if (at != text_.stop) return raise(block, at, "E_SYNTAX", "this word cannot be read here");
+  while (at != text_.begin && is_blank(at[-1])) --at;
+  return raise(block, at, "E_SYNTAX", "the block ends too early");
 }
 
 const char* BlockParser::wide_gap(const char* at) {

@@ -20,7 +20,7 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 // What can stand behind a word: a blank, a comment, the end of the line, or the ~ with which it goes on.
 inline constexpr std::array<bool, 256> kEndsWords = [] {
   std::array<bool, 256> ends{};
-  for (const unsigned char c : std::string_view(" \t\r\n;~")) ends[c] = true;
+  for (const char c : std::string_view(" \t\r\n;~")) ends[static_cast<unsigned char>(c)] = true;
   return ends;
 }();
 inline bool at_word_end(const char* at) { return kEndsWords[static_cast<unsigned char>(*at)]; }
