@@ -47,7 +47,7 @@ constexpr Example kKlartext[] = {
     // Reading
     {"Decimal commas, minus as a dash or the sign, small letters, more blanks, comments, structure, skipped blocks, "
      "continuation.",
-     TOOL_1(REWORKED) "block_skip = true\n",
+     HEIDENHAIN "block_skip = true\n" TOOL("1", REWORKED),
      "0 begin pgm anything mm\n1 * - Roughing\n2 ; a comment\n3 tool  call 1 z\n/4 L X100\n5 L X+1,5 Y–2.5 Z−3 ; "
      "dashes\n6 "
      "LN X1 Y2 ~\n   Z3 ~\n   NX,6 NY-.0 NZ0.8\n7 END PGM anything MM\nL X9\n"},

@@ -50,7 +50,7 @@ Figures<Number> linear(const spec::AxisValues<Number>& values, const spec::Axes&
 
 template <class Number>
 Figures<Number> one(const std::optional<Number>& value) {
-  return value ? Figures<Number>({*value}) : std::nullopt;
+  return value ? Figures<Number>(std::vector<Number>{*value}) : std::nullopt;
 }
 
 // The figures of that name, or nothing where the event has none.
@@ -62,7 +62,7 @@ Figures<Number> figures(const spec::Event<Number>& event, const std::string& nam
   if (name == "feed") return one(event.feed);
   if (name == "axis") return event.tool_axis ? list(*event.tool_axis) : std::nullopt;
   if (name.size() == 1 && axes.has(name[0]) && event.axes.has(axes.index(name[0])))
-    return Figures<Number>({event.axes[axes.index(name[0])]});
+    return std::vector<Number>{event.axes[axes.index(name[0])]};
   if (!event.space) return std::nullopt;
   const spec::SpaceCompensation<Number>& space = *event.space;
   if (name == "center") return list(space.tool_center);
@@ -96,9 +96,7 @@ std::string head(const spec::Event<Number>& event) {
   }
 }
 
-inline void expect_figure(const spec::NumberText& actual, const std::string& figure) {
-  EXPECT_EQ(actual.v, figure);
-}
+inline void expect_figure(const spec::NumberText& actual, const std::string& figure) { EXPECT_EQ(actual.v, figure); }
 
 // The figure is rounded to 15 decimals.
 inline void expect_figure(double actual, const std::string& figure) {
