@@ -25,7 +25,8 @@ class EventWriter {
   void move(const MoveHead& head, const Placement& placement, const ToolValues& values, spec::Cause cause);
   // One with the contact in contact().
   [[nodiscard]] spec::Contact<double>& contact() { return *contact_.space->contact; }
-  void move_in_contact(const MoveHead& head, const Placement& placement, const ToolValues& values, spec::Cause cause) {
+  [[gnu::always_inline]] void move_in_contact(const MoveHead& head, const Placement& placement,
+                                              const ToolValues& values, spec::Cause cause) {
     send(contact_, head, placement, values, cause);
   }
   void warnings(const BlockHead& head, Warnings warnings);

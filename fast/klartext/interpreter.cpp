@@ -24,6 +24,8 @@ bool has_functions(Statement statement) {
 
 Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink)
     : setup_(setup), writer_(setup_, sink), tool_(setup_), face_(writer_), peripheral_(writer_) {
+  if (setup_.control != spec::Control::heidenhain)
+    throw spec::InputError("setup", 0, 0, "control: Klartext programs need a setup of control \"heidenhain\"");
   for (std::size_t slot = 0; slot < kSlots; ++slot) axis_[slot] = setup_.axes.index(kAxisLetters[slot]);
   for (std::size_t slot = 0; slot < 3; ++slot)
     if (axis_[slot] == spec::Axes::kNone) throw spec::InputError("setup", 0, 0, "axes: X, Y and Z are needed");
@@ -53,6 +55,11 @@ void Interpreter::block(const Block& block) {
   head_.n = block.n;
   if (block.alarm) [[unlikely]] {
     raise(block.alarm->number.view(), block.alarm->message);
+    return;
+  }
+  if (block.statement == Statement::line_with_vectors && block.functions == 0) [[likely]] {
+    if (const Alarm a = line_with_vectors(block, 0)) [[unlikely]]
+      raise(a);
     return;
   }
   Functions found = 0;

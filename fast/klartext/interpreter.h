@@ -59,7 +59,7 @@ class Interpreter {
   // The words of the block become the programmed position.
   [[nodiscard]] Alarm place(const Block& block, Functions functions);
   // The same for X, Y and Z of at most 6 decimals, without datum shift and where no travel is wanted; else false.
-  [[nodiscard]] bool place_usual(const Block& block);
+  [[gnu::always_inline]] [[nodiscard]] bool place_usual(const Block& block);
   void set_position(std::size_t slot, const Count& value);
   [[nodiscard]] bool compensates() const { return tcpm_ && side_ != 0; }
   // What is held is sent before a motion without peripheral compensation; false after an alarm.

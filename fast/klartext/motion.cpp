@@ -21,7 +21,7 @@ void Interpreter::set_position(std::size_t slot, const Count& value) {
   head_.position[axis_[slot]] = value.nearest();
 }
 
-bool Interpreter::place_usual(const Block& block) {
+inline bool Interpreter::place_usual(const Block& block) {
   if (block.axes != 0b111U || block.incremental != 0 || shifted_ || compensates() || peripheral_.holds()) [[unlikely]]
     return false;
   std::array<std::int64_t, 3> small;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below

@@ -28,12 +28,13 @@ struct WholeVector {
   std::array<Int128, 3> wide{};  // not narrow
 
   void set(const std::array<spec::Decimal, 3>& v) {
-    if (narrow_component(v[0], small[0]) && narrow_component(v[1], small[1]) && narrow_component(v[2], small[2]))
-        [[likely]] {
-      narrow = true;
+    const unsigned places = v[0].decimals | v[1].decimals | v[2].decimals;
+    if (places > kPower.size() - 1 || !fits(v[0]) || !fits(v[1]) || !fits(v[2])) [[unlikely]] {
+      set_wide(v);
       return;
     }
-    set_wide(v);
+    narrow = true;
+    small = {scaled(v[0]), scaled(v[1]), scaled(v[2])};
   }
   void set_axis(std::size_t axis, std::int64_t sign = 1) {
     narrow = true;
@@ -70,14 +71,16 @@ struct WholeVector {
   }
 
  private:
-  static constexpr std::array<std::int64_t, kPlaces + 1> kPower{100'000'000, 10'000'000, 1'000'000, 100'000, 10'000,
-                                                                1'000,       100,        10,        1};
-  static bool narrow_component(const spec::Decimal& value, std::int64_t& whole) {
-    if (value.decimals > kPlaces || value.digits >= 10 * static_cast<std::uint64_t>(kOne)) [[unlikely]]
-      return false;
-    const std::int64_t magnitude = static_cast<std::int64_t>(value.digits) * kPower[value.decimals];
-    whole = value.negative ? -magnitude : magnitude;
-    return magnitude < 10 * kOne;
+  // By decimals; beyond kPlaces nothing is narrow.
+  static constexpr std::array<std::int64_t, 16> kPower{100'000'000, 10'000'000, 1'000'000, 100'000, 10'000,
+                                                       1'000,       100,        10,        1};
+  static constexpr std::array<std::uint64_t, 16> kBelow{10,        100,        1'000,       10'000,       100'000,
+                                                        1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
+  static bool fits(const spec::Decimal& value) { return value.digits < kBelow[value.decimals & 15U]; }
+  static std::int64_t scaled(const spec::Decimal& value) {
+    const std::int64_t magnitude = static_cast<std::int64_t>(value.digits) * kPower[value.decimals & 15U];
+    const auto sign = -static_cast<std::int64_t>(value.negative);
+    return (magnitude ^ sign) - sign;
   }
   void set_wide(const std::array<spec::Decimal, 3>& v) {
     narrow = false;
