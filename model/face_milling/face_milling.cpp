@@ -52,18 +52,20 @@ Compensated FaceMilling::compensate(Motion& motion, const Checked& checked) {
   const Vector& n = geometry.n;
   const Vector& t = geometry.t;
   recorder_.reach(Clause::heidenhain_face_applies);
+  recorder_.reach(Clause::heidenhain_face_effective_tip);
   if (!motion.tcpm) recorder_.reach(Clause::heidenhain_face_without_tcpm);
+  const bool on_contour = contour_.on_contour(motion);
   look_at_side(motion, geometry);
   const Ring ring = this->ring(tool, checked);
   look_for_jump(motion, ring, geometry.w);
 
-  const Real r2 = tool.r2 + checked.dr2;
   const Vector lean = checked.angle ? settled(n - t) : n - t;
   Compensated result;
   Vector contact_point;
   result.shift = checked.dr2 * lean + ring.change * ring.u;
-  if (contour_.on_contour(motion)) {
+  if (on_contour) {
     contact_point = contour_.contact_point(motion);
+    const Real r2 = tool.r2 + checked.dr2;
     result.point = contact_point + r2 * lean + ring.effective * ring.u;
     result.tool_center = contact_point + r2 * n + ring.effective * ring.u;
   } else {
@@ -73,7 +75,6 @@ Compensated FaceMilling::compensate(Motion& motion, const Checked& checked) {
     result.point = ProgrammedContour::tip_of_reference(motion) + result.shift;
     result.tool_center = center + checked.dr2 * n + ring.change * ring.u;
   }
-  recorder_.reach(Clause::heidenhain_face_effective_tip);
   auto& contact = result.contact.emplace();
   contact.point = {contact_point.x, contact_point.y, contact_point.z};
   contact.normal = {n.x, n.y, n.z};

@@ -15,7 +15,8 @@
 namespace toolcomp::model::klartext {
 namespace {
 
-const spec::Setup& checked(const spec::Setup& setup) {
+// The setup, once it is known to be one of this control.
+spec::Setup checked(const spec::Setup& setup) {
   if (setup.control != spec::Control::heidenhain)
     throw spec::InputError("setup", 0, 0, "control: \"heidenhain\" must stand here for a Klartext program");
   return setup;
