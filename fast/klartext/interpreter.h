@@ -56,10 +56,11 @@ class Interpreter {
   void modal_words(const Block& block);
   [[nodiscard]] Alarm line(const Block& block, Functions functions);
   [[nodiscard]] Alarm line_with_vectors(const Block& block, Functions functions);
-  // The words of the block become the programmed position.
-  [[nodiscard]] Alarm place(const Block& block, Functions functions);
-  // The same for X, Y and Z of at most 6 decimals, without datum shift and where no travel is wanted; else false.
-  [[gnu::always_inline]] [[nodiscard]] bool place_usual(const Block& block);
+  // The words of the block become the programmed position; peripheral_.next() gets its travel, where that is wanted.
+  [[gnu::always_inline]] [[nodiscard]] Alarm place(const Block& block, Functions functions);
+  void depart();
+  void arrive(Displacement& travel);
+  [[nodiscard]] Alarm place_word(const Block& block, std::size_t slot, bool shifted);
   void set_position(std::size_t slot, const Count& value);
   [[nodiscard]] bool compensates() const { return tcpm_ && side_ != 0; }
   // What is held is sent before a motion without peripheral compensation; false after an alarm.
@@ -95,7 +96,10 @@ class Interpreter {
   std::array<Count, kSlots> position_;
   std::array<Count, kSlots> shift_;  // datum shift of cycle 7
   bool shifted_ = false;
-  std::array<Count, 3> from_;  // X, Y, Z before the block, where travel is wanted
+  // X, Y, Z before the block, where travel is wanted: small_from_ if all three are small, else from_.
+  bool from_small_ = false;
+  std::array<std::int64_t, 3> small_from_{};
+  std::array<Count, 3> from_;
 
   MoveHead head_;  // of the block that is run
 };

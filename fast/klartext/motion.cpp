@@ -21,25 +21,6 @@ void Interpreter::set_position(std::size_t slot, const Count& value) {
   head_.position[axis_[slot]] = value.nearest();
 }
 
-inline bool Interpreter::place_usual(const Block& block) {
-  if (block.axes != 0b111U || block.incremental != 0 || shifted_ || compensates() || peripheral_.holds()) [[unlikely]]
-    return false;
-  std::array<std::int64_t, 3> small;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (block.axis[i].parameter.kind != spec::klartext::ParameterKind::none) [[unlikely]]
-      return false;
-    small[i] = Count::small_of(block.axis[i].number);
-    if (small[i] == Count::kNotSmall) [[unlikely]]
-      return false;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    position_[i].set_small(small[i]);
-    head_.position[axis_[i]] = Count::nearest_small(small[i]);
-  }
-  head_.rotary = 0;
-  return true;
-}
-
 void Interpreter::modal_words(const Block& block) {
   switch (block.radius) {
     case RadiusWord::none:
@@ -56,27 +37,63 @@ void Interpreter::modal_words(const Block& block) {
   }
 }
 
-Alarm Interpreter::place(const Block& block, Functions functions) {
-  if (compensates() || peripheral_.holds()) [[unlikely]]
+inline void Interpreter::depart() {
+  from_small_ = position_[0].is_small() && position_[1].is_small() && position_[2].is_small();
+  for (std::size_t i = 0; i < 3; ++i) small_from_[i] = position_[i].small();
+  if (!from_small_) [[unlikely]]
     from_ = {position_[0], position_[1], position_[2]};
-  const bool shifted = shifted_ && (functions & kMachine) == 0;
+}
+
+inline void Interpreter::arrive(Displacement& travel) {
+  const bool small = position_[0].is_small() && position_[1].is_small() && position_[2].is_small();
+  if (small && from_small_) [[likely]] {
+    set_displacement(travel, position_[0].small() - small_from_[0], position_[1].small() - small_from_[1],
+                     position_[2].small() - small_from_[2]);
+    return;
+  }
+  if (from_small_)
+    for (std::size_t i = 0; i < 3; ++i) from_[i].set_small(small_from_[i]);
+  set_displacement(travel, from_, {position_[0], position_[1], position_[2]}, 0);
+}
+
+inline Alarm Interpreter::place(const Block& block, Functions functions) {
+  const bool travels = compensates() || peripheral_.holds();
+  if (travels) depart();
+  const unsigned shifted = shifted_ && (functions & kMachine) == 0 ? ~kRotarySlots : 0U;
+  // Slots whose word is more than a plain position.
+  const unsigned relative = block.incremental | shifted;
   unsigned rotary = 0;
   for (unsigned rest = block.axes; rest != 0; rest &= rest - 1) {
     const auto slot = static_cast<std::size_t>(std::countr_zero(rest));
-    if (axis_[slot] == spec::Axes::kNone) continue;  // refused by the reader
-    Count value;
-    if (!parameters_.read(block.axis[slot], value)) [[unlikely]]
-      return alarm::kRange;
-    if (block.is_incremental(slot)) [[unlikely]]
-      value += position_[slot];
-    else if (shifted && (kRotarySlots >> slot & 1U) == 0) [[unlikely]]
-      value += shift_[slot];
-    if (!value.in_range()) [[unlikely]]
-      return alarm::kRange;
-    set_position(slot, value);
-    if ((kRotarySlots >> slot & 1U) != 0) rotary |= 1U << axis_[slot];
+    const std::size_t axis = axis_[slot];
+    if (axis == spec::Axes::kNone) [[unlikely]]
+      continue;  // refused by the reader
+    const unsigned bit = 1U << slot;
+    if ((bit & kRotarySlots) != 0) rotary |= 1U << axis;
+    const spec::klartext::Value& word = block.axis[slot];
+    if (word.parameter.kind == spec::klartext::ParameterKind::none && (relative & bit) == 0) [[likely]] {
+      if (const std::int64_t small = Count::small_of(word.number); small != Count::kNotSmall) [[likely]] {
+        position_[slot].set_small(small);
+        head_.position[axis] = Count::nearest_small(small);
+        continue;
+      }
+    }
+    if (const Alarm a = place_word(block, slot, (shifted & bit) != 0)) return a;
   }
   head_.rotary = static_cast<std::uint16_t>(rotary);
+  if (travels) arrive(peripheral_.next().travel);
+  return alarm::kNone;
+}
+
+Alarm Interpreter::place_word(const Block& block, std::size_t slot, bool shifted) {
+  Count value;
+  if (!parameters_.read(block.axis[slot], value)) return alarm::kRange;
+  if (block.is_incremental(slot))
+    value += position_[slot];
+  else if (shifted)
+    value += shift_[slot];
+  if (!value.in_range()) return alarm::kRange;
+  set_position(slot, value);
   return alarm::kNone;
 }
 
@@ -111,8 +128,8 @@ Alarm Interpreter::line_with_vectors(const Block& block, Functions functions) {
     if (const Alarm a = feed(block, false)) return a;
   head_.rapid = block.feed == FeedWord::f_max;
   head_.feed = feed_;
-  if (!place_usual(block)) [[unlikely]]
-    if (const Alarm a = place(block, functions)) return a;
+  if (const Alarm a = place(block, functions)) [[unlikely]]
+    return a;
   unsigned warnings = block.many_digits ? kDigits : 0;
   if (block.has_tool_vector && !tcpm_) warnings |= kToolVectorIgnored;
 
@@ -154,10 +171,8 @@ bool Interpreter::release_before_motion() {
   head_.cancels = false;
   if (!peripheral_.holds()) [[likely]]
     return true;
-  Displacement& travel = peripheral_.next().travel;
-  set_displacement(travel, from_, {position_[0], position_[1], position_[2]}, 0);
   head_.cancels = true;
-  if (const Alarm a = peripheral_.follow(travel)) {
+  if (const Alarm a = peripheral_.follow()) {
     raise_at_held(a);
     return false;
   }
@@ -170,7 +185,6 @@ void Interpreter::peripheral_motion() {
   PeripheralMotion& motion = peripheral_.next();
   motion.head = head_;
   motion.tool.copy(direction_);
-  set_displacement(motion.travel, from_, {position_[0], position_[1], position_[2]}, 0);
   motion.side = side_;
   motion.values = tool_.values();
   const ProgrammedPoint programmed = programmed_point();

@@ -1,7 +1,5 @@
 #include "fast/peripheral_milling/lateral.h"
 
-#include <cmath>
-
 namespace toolcomp::fast::klartext {
 namespace {
 
@@ -39,7 +37,8 @@ Vector signed_unit(const Vector& v, int side) {
   return {v.x * scale, v.y * scale, v.z * scale};
 }
 
-// Where doubles lose too much: the tool leans toward the movement.
+}  // namespace
+
 Lateral lean_lateral(Lateral c) {
   const FineVector3 tool = c.tool->fine();
   const FineVector3 travel = fine(*c.travel);
@@ -57,7 +56,6 @@ Lateral lean_lateral(Lateral c) {
   return c;
 }
 
-// 1 + c.c' is small.
 bool sharp_mitre(const Lateral& c, const Lateral& next, Vector& between) {
   const FineVector3 sum = fine_unit(c) + fine_unit(next);
   const DoubleDouble square = dot(sum, sum);  // 2 (1 + c.c')
@@ -73,31 +71,6 @@ bool sharp_mitre(const Lateral& c, const Lateral& next, Vector& between) {
   }
   const DoubleDouble two{2, 0};
   between = nearest(FineVector3{two * sum.x / square, two * sum.y / square, two * sum.z / square});
-  return true;
-}
-
-}  // namespace
-
-Lateral lateral(const ToolVector& tool, const Displacement& travel, int side) {
-  if (travel.zero) return {};
-  Lateral c{&tool, &travel, side, {}};
-  const Vector d{travel.value[0], travel.value[1], travel.value[2]};
-  const Vector v = cross(tool.unit(), d);
-  const double square = dot(v, v);
-  // Within 30 degrees of the tool the errors of its unit vector would count more than twice.
-  if (4 * square < dot(d, d)) [[unlikely]]
-    return lean_lateral(c);
-  const double scale = side / std::sqrt(square);
-  c.unit = {v.x * scale, v.y * scale, v.z * scale};
-  return c;
-}
-
-bool mitre(const Lateral& c, const Lateral& next, Vector& between) {
-  const double share = 1 + dot(c.unit, next.unit);
-  if (share < 0.5) [[unlikely]]
-    return sharp_mitre(c, next, between);
-  const double scale = 1 / share;
-  between = {(c.unit.x + next.unit.x) * scale, (c.unit.y + next.unit.y) * scale, (c.unit.z + next.unit.z) * scale};
   return true;
 }
 

@@ -4,12 +4,16 @@
 
 namespace toolcomp::fast::klartext {
 
-const Lateral& PeripheralMilling::direction(const ToolVector& tool, const Displacement& travel, int side) {
+inline const Lateral& PeripheralMilling::direction(const ToolVector& tool, const Displacement& travel, int side) {
   if (fault(Fault::peripheral_sides_exchanged)) side = -side;
   if (const Lateral own = lateral(tool, travel, side)) [[likely]] {
     last_ = own;
     return last_;
   }
+  return kept_direction();
+}
+
+const Lateral& PeripheralMilling::kept_direction() {
   if (last_ && last_.tool != &kept_.tool) {
     kept_.tool.copy(*last_.tool);
     kept_.travel = *last_.travel;
@@ -49,10 +53,10 @@ Alarm PeripheralMilling::hold() {
   return alarm::kNone;
 }
 
-Alarm PeripheralMilling::follow(const Displacement& travel) {
+Alarm PeripheralMilling::follow() {
   const PeripheralMotion& former = ring_[held_];
   const Lateral& c =
-      first_ ? direction(former.tool, travel, former.side) : direction(former.tool, former.travel, former.side);
+      first_ ? direction(former.tool, next().travel, former.side) : direction(former.tool, former.travel, former.side);
   if (!c) return alarm::kNoDirection;
   send(c.unit);
   holds_ = false;

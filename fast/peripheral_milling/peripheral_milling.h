@@ -23,15 +23,17 @@ class PeripheralMilling {
   [[nodiscard]] PeripheralMotion& next() { return ring_[next_of(held_)]; }
   // next() is compensated: the one held is sent, and next() held.
   [[nodiscard]] Alarm hold();
-  // A motion without this compensation follows: the block held is sent.
-  [[nodiscard]] Alarm follow(const Displacement& travel);
+  // A motion without this compensation follows, with the travel of next(): the block held is sent.
+  [[nodiscard]] Alarm follow();
   // Nothing that moves follows: the block held, if any, is sent.
   [[nodiscard]] Alarm release();
 
  private:
   static std::uint8_t next_of(std::uint8_t slot) { return static_cast<std::uint8_t>(slot == 2 ? 0 : slot + 1); }
   // The direction of these; where there is none the one made last in this stretch, if any.
-  [[nodiscard]] const Lateral& direction(const ToolVector& tool, const Displacement& travel, int side);
+  [[gnu::always_inline]] [[nodiscard]] const Lateral& direction(const ToolVector& tool, const Displacement& travel,
+                                                                int side);
+  [[nodiscard]] const Lateral& kept_direction();
   void send(const Vector& between);
 
   EventWriter& writer_;
