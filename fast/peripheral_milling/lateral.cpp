@@ -39,21 +39,21 @@ Vector signed_unit(const Vector& v, int side) {
 
 }  // namespace
 
-Lateral lean_lateral(Lateral c) {
-  const FineVector3 tool = c.tool->fine();
-  const FineVector3 travel = fine(*c.travel);
+bool lean_direction(const Lateral& made_from, Vector& c) {
+  const FineVector3 tool = made_from.tool->fine();
+  const FineVector3 travel = fine(*made_from.travel);
   const FineVector3 v = cross(tool, travel);
   const double square = dot(nearest(tool), nearest(tool)) * dot(nearest(travel), nearest(travel));
   const double sine = dot(nearest(v), nearest(v)) / square;  // squared
-  if (c.tool->is_whole() && sine < 0x1p-80) {
-    const WideVector3 exact = exact_cross(c);
-    if (exact.x.sign() == 0 && exact.y.sign() == 0 && exact.z.sign() == 0) return {};
-    c.unit = signed_unit({exact.x.to_double(), exact.y.to_double(), exact.z.to_double()}, c.side);
-    return c;
+  if (made_from.tool->is_whole() && sine < 0x1p-80) {
+    const WideVector3 exact = exact_cross(made_from);
+    if (exact.x.sign() == 0 && exact.y.sign() == 0 && exact.z.sign() == 0) return false;
+    c = signed_unit({exact.x.to_double(), exact.y.to_double(), exact.z.to_double()}, made_from.side);
+    return true;
   }
-  if (sine < 0x1p-180) return {};
-  c.unit = signed_unit(nearest(v), c.side);
-  return c;
+  if (sine < 0x1p-180) return false;
+  c = signed_unit(nearest(v), made_from.side);
+  return true;
 }
 
 bool sharp_mitre(const Lateral& c, const Lateral& next, Vector& between) {

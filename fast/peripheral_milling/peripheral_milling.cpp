@@ -4,23 +4,29 @@
 
 namespace toolcomp::fast::klartext {
 
-inline const Lateral& PeripheralMilling::direction(const ToolVector& tool, const Displacement& travel, int side) {
+inline bool PeripheralMilling::direct(const ToolVector& tool, const Displacement& travel, int side) {
   if (fault(Fault::peripheral_sides_exchanged)) side = -side;
-  if (const Lateral own = lateral(tool, travel, side)) [[likely]] {
-    last_ = own;
-    return last_;
-  }
-  return kept_direction();
+  const Lateral own{&tool, &travel, side};
+  Vector c;
+  if (!direction_of(own, c)) [[unlikely]]
+    return keep_direction();
+  // One by one: a processor that copies all bytes at once waits where a part has just been written.
+  last_.tool = &tool;
+  last_.travel = &travel;
+  last_.side = side;
+  last_unit_ = c;
+  return true;
 }
 
-const Lateral& PeripheralMilling::kept_direction() {
-  if (last_ && last_.tool != &kept_.tool) {
+bool PeripheralMilling::keep_direction() {
+  if (last_.tool == nullptr) return false;
+  if (last_.tool != &kept_.tool) {
     kept_.tool.copy(*last_.tool);
     kept_.travel = *last_.travel;
     last_.tool = &kept_.tool;
     last_.travel = &kept_.travel;
   }
-  return last_;
+  return true;
 }
 
 Alarm PeripheralMilling::hold() {
@@ -35,16 +41,16 @@ Alarm PeripheralMilling::hold() {
   const ToolVector& tool = fault(Fault::peripheral_tool_of_next_block) ? coming.tool : former.tool;
   Vector between;
   if (first_) {
-    const Lateral& c = direction(tool, coming.travel, coming.side);
-    if (!c) return alarm::kNoDirection;
-    between = c.unit;
+    if (!direct(tool, coming.travel, coming.side)) return alarm::kNoDirection;
+    between = last_unit_;
   } else {
-    const Lateral c = direction(tool, former.travel, former.side);
-    if (!c) return alarm::kNoDirection;
-    const Lateral& d = direction(tool, coming.travel, coming.side);
+    if (!direct(tool, former.travel, former.side)) return alarm::kNoDirection;
+    const Vector c = last_unit_;
+    const Lateral made_from = last_;
+    (void)direct(tool, coming.travel, coming.side);  // there is one
     if (fault(Fault::peripheral_own_direction_at_corner))
-      between = c.unit;
-    else if (!mitre(c, d, between))
+      between = c;
+    else if (!mitre(c, made_from, last_unit_, last_, between))
       return alarm::kReversal;
   }
   send(between);
@@ -55,10 +61,9 @@ Alarm PeripheralMilling::hold() {
 
 Alarm PeripheralMilling::follow() {
   const PeripheralMotion& former = ring_[held_];
-  const Lateral& c =
-      first_ ? direction(former.tool, next().travel, former.side) : direction(former.tool, former.travel, former.side);
-  if (!c) return alarm::kNoDirection;
-  send(c.unit);
+  if (!(first_ ? direct(former.tool, next().travel, former.side) : direct(former.tool, former.travel, former.side)))
+    return alarm::kNoDirection;
+  send(last_unit_);
   holds_ = false;
   return alarm::kNone;
 }
@@ -66,9 +71,8 @@ Alarm PeripheralMilling::follow() {
 Alarm PeripheralMilling::release() {
   if (!holds_) return alarm::kNone;
   const PeripheralMotion& former = ring_[held_];
-  const Lateral& c = direction(former.tool, former.travel, former.side);
-  if (!c) return alarm::kNoDirection;
-  send(c.unit);
+  if (!direct(former.tool, former.travel, former.side)) return alarm::kNoDirection;
+  send(last_unit_);
   holds_ = false;
   return alarm::kNone;
 }

@@ -30,10 +30,10 @@ class PeripheralMilling {
 
  private:
   static std::uint8_t next_of(std::uint8_t slot) { return static_cast<std::uint8_t>(slot == 2 ? 0 : slot + 1); }
-  // The direction of these; where there is none the one made last in this stretch, if any.
-  [[gnu::always_inline]] [[nodiscard]] const Lateral& direction(const ToolVector& tool, const Displacement& travel,
-                                                                int side);
-  [[nodiscard]] const Lateral& kept_direction();
+  // The direction of these into last_ and last_unit_; where there is none the one made last in this stretch stays, if
+  // any: else false.
+  [[gnu::always_inline]] [[nodiscard]] bool direct(const ToolVector& tool, const Displacement& travel, int side);
+  [[nodiscard]] bool keep_direction();
   void send(const Vector& between);
 
   EventWriter& writer_;
@@ -44,6 +44,7 @@ class PeripheralMilling {
   bool first_ = false;  // the one held is the first compensated block
 
   Lateral last_;  // made last in this stretch
+  Vector last_unit_;
   struct {
     ToolVector tool;
     Displacement travel;
