@@ -152,9 +152,9 @@ constexpr Row kKlartext[] = {
 
 constexpr Row kFace[] = {
     {"face_tip_along_normal", "heidenhain.face.effective-tip"},
-    {"face_radius_delta_ignored", "heidenhain.face.effective-tip heidenhain.tool.effective-flat"},
+    {"face_radius_delta_ignored", "heidenhain.tool.ring-change"},
     {"face_jump_unnoticed", "heidenhain.face.contact-to-flat heidenhain.face.contact-jump", 2000},
-    {"face_deviation_steps", "heidenhain.tool.deviation-segment heidenhain.tool.deviation-table", 2000},
+    {"face_deviation_steps", "heidenhain.face.contact-point heidenhain.face.effective-tip", 2000},
 };
 
 constexpr Row kPeripheral[] = {
@@ -164,7 +164,7 @@ constexpr Row kPeripheral[] = {
 };
 
 constexpr Row kContour[] = {
-    {"contour_nominal_corner", "heidenhain.contour.face"},
+    {"contour_nominal_corner", "heidenhain.contour.mode heidenhain.contour.face"},
     {"contour_reference_counts", "heidenhain.contour.reference-ignored", 2000},
 };
 

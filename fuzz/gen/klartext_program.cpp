@@ -47,6 +47,7 @@ void KlartextProgram::head() {
   }
   if (inch_ || choose_.chance(8)) decimals_ = 5;
   one_ = decimals_ == 5 ? 100'000 : 10'000;
+  step_ = {10 * one_, 0, 0};
   if (choose_.chance(20)) {
     write_.word("BLK FORM 0.1 Z X-50 Y-50 Z-20").end_block(false);
     write_.word(choose_.one_of({"BLK FORM 0.2 X+50 Y+50 Z+0", "BLK FORM 0.2 IX+100 IY+100 IZ+20"})).end_block(false);
@@ -54,8 +55,8 @@ void KlartextProgram::head() {
   if (choose_.chance(4)) write_.remark();
   if (!choose_.chance(2)) tool_call();
   if (choose_.chance(weights_.contour)) path(true);
-  if (choose_.chance(22)) approach();
-  if (choose_.chance(55)) tcpm_on();
+  if (choose_.chance(45)) approach();
+  if (choose_.chance(60)) tcpm_on();
 }
 
 void KlartextProgram::tail() {
@@ -85,25 +86,49 @@ void KlartextProgram::motion() {
 
 bool KlartextProgram::deviates() const { return tool_ < setup_.tools.size() && !setup_.tools[tool_].dr2_table.empty(); }
 
+KlartextProgram::Radii KlartextProgram::radii() const {
+  Radii radii;
+  radii.off_r = call_r_;
+  radii.off_r2 = call_r2_;
+  if (tool_ < setup_.tools.size()) {
+    const spec::ToolRow& tool = setup_.tools[tool_];
+    radii.r = value(tool.r);
+    radii.r2 = value(tool.r2);
+    radii.off_r += value(tool.dr);
+    if (!deviates()) radii.off_r2 += value(tool.dr2);
+  }
+  if (const auto row = setup_.tcs.find(row_); row != setup_.tcs.end()) {
+    radii.off_r += value(row->second.dr);
+    radii.off_r2 += value(row->second.dr2);
+  }
+  return radii;
+}
+
 // Positive deltas or a corner radius beyond the radius, which M107 permits.
 bool KlartextProgram::is_oversize() const {
   constexpr double noise = 1e-9;
-  double r = 0;
-  double r2 = 0;
-  double off_r = call_r_;
-  double off_r2 = call_r2_;
-  if (tool_ < setup_.tools.size()) {
-    const spec::ToolRow& tool = setup_.tools[tool_];
-    r = value(tool.r);
-    r2 = value(tool.r2);
-    off_r += value(tool.dr);
-    if (!deviates()) off_r2 += value(tool.dr2);
+  const Radii now = radii();
+  return now.off_r > noise || now.off_r2 > noise || (!deviates() && now.r2 + now.off_r2 > now.r + now.off_r + noise);
+}
+
+// DR and DR2 of a call, mostly such that radii stay positive.
+void KlartextProgram::radius_deltas(std::int64_t r, std::int64_t r2, bool with_r, bool with_r2) {
+  const double unit = (inch_ ? kMillimetresAnInch : 1) / 10'000;
+  const bool careful = !choose_.chance(4);
+  if (with_r) {
+    call_r_ = 0;
+    const Radii now = radii();
+    if (careful && now.r + now.off_r + static_cast<double>(r) * unit < 0) r = -r;
+    delta("DR", r);
+    call_r_ = static_cast<double>(r) * unit;
   }
-  if (const auto row = setup_.tcs.find(row_); row != setup_.tcs.end()) {
-    off_r += value(row->second.dr);
-    off_r2 += value(row->second.dr2);
+  if (with_r2) {
+    call_r2_ = 0;
+    const Radii now = radii();
+    if (careful && now.r2 + now.off_r2 + static_cast<double>(r2) * unit < 0) r2 = -r2;
+    delta("DR2", r2);
+    call_r2_ = static_cast<double>(r2) * unit;
   }
-  return off_r > noise || off_r2 > noise || (!deviates() && r2 + off_r2 > r + off_r + noise);
 }
 
 void KlartextProgram::delta(std::string_view key, std::int64_t size) {
@@ -130,28 +155,22 @@ void KlartextProgram::tool_call() {
   if (choose_.chance(60)) write_.number("S", choose_.between(1, 20) * 500, 0);
   if (choose_.chance(40)) write_.number("F", choose_.between(1, 40) * 50, 0);
   call_r_ = call_r2_ = 0;
-  const double unit = inch_ ? kMillimetresAnInch : 1;
+  side_ = Side::none;
+  row_ = 0;
+  had_normal_ = false;
   // In inches the sizes of these tools would be hundredths of them.
   const std::int64_t step = inch_ ? 4 : 100;
   if (choose_.chance(55)) {
     const bool even = choose_.chance(40);
     const std::int64_t size = choose_.between(-30, choose_.chance(50) ? 30 : 0) * step;
     if (even || choose_.chance(50)) delta("DL", even ? size : choose_.between(-30, 30) * step);
-    if (even || choose_.chance(60)) {
-      const std::int64_t r = even ? size : choose_.between(-30, 10) * step;
-      delta("DR", r);
-      call_r_ = static_cast<double>(r) / 10'000 * unit;
-    }
-    if (even || choose_.chance(60)) {
-      const std::int64_t r2 = even ? size : choose_.between(-30, 10) * step;
-      delta("DR2", r2);
-      call_r2_ = static_cast<double>(r2) / 10'000 * unit;
-    }
+    const std::int64_t r = even ? size : choose_.between(-30, 10) * step;
+    const std::int64_t r2 = even ? size : choose_.between(-30, 10) * step;
+    const bool with_r = even || choose_.chance(60);
+    const bool with_r2 = even || choose_.chance(60);
+    radius_deltas(r, r2, with_r, with_r2);
   }
   write_.end_block();
-  side_ = Side::none;
-  row_ = 0;
-  had_normal_ = false;
   if (choose_.chance(setup_.tcs.empty() ? 0 : 40)) correction();
   if (is_oversize() && !oversize_permitted_ && choose_.chance(94)) {
     write_.word("M107").end_block(false);
@@ -166,18 +185,12 @@ void KlartextProgram::call_without_tool() {
     write_.word(std::string(1, axis_));
   }
   if (choose_.chance(40)) write_.number("S", choose_.between(1, 20) * 500, 0);
-  const double unit = inch_ ? kMillimetresAnInch : 1;
   const std::int64_t step = inch_ ? 4 : 100;
-  if (choose_.chance(40)) {
-    const std::int64_t r = choose_.between(-20, 0) * step;
-    delta("DR", r);
-    call_r_ = static_cast<double>(r) / 10'000 * unit;
-  }
-  if (choose_.chance(40)) {
-    const std::int64_t r2 = choose_.between(-20, 0) * step;
-    delta("DR2", r2);
-    call_r2_ = static_cast<double>(r2) / 10'000 * unit;
-  }
+  const std::int64_t r = choose_.between(-20, 0) * step;
+  const std::int64_t r2 = choose_.between(-20, 0) * step;
+  const bool with_r = choose_.chance(40);
+  const bool with_r2 = choose_.chance(40);
+  radius_deltas(r, r2, with_r, with_r2);
   if (choose_.chance(40)) delta("DL", choose_.between(-20, 20) * step);
   write_.end_block();
 }
@@ -186,8 +199,14 @@ void KlartextProgram::correction() {
   if (choose_.chance(30)) write_.word(R"(SEL CORR-TABLE TCS "TNC:\TAB\A.TCO")").end_block(false);
   if (!setup_.tcs.empty() && choose_.chance(75)) {
     const auto row = std::next(setup_.tcs.begin(), static_cast<std::ptrdiff_t>(choose_.below(setup_.tcs.size())));
-    write_.word(fmt::format("FUNCTION CORRDATA TCS #{}", row->first)).end_block(false);
+    const std::uint32_t before = row_;
     row_ = row->first;
+    const Radii now = radii();
+    if ((now.r + now.off_r < 0 || now.r2 + now.off_r2 < 0) && !choose_.chance(10)) {
+      row_ = before;
+      return;
+    }
+    write_.word(fmt::format("FUNCTION CORRDATA TCS #{}", row->first)).end_block(false);
   } else if (choose_.chance(60)) {
     const char* const which = choose_.one_of({"", "TCS", "WPL"});
     write_.word("FUNCTION CORRDATA RESET").word(which).end_block(false);
@@ -211,6 +230,7 @@ void KlartextProgram::tcpm_on() {
     if (choose_.chance(10)) write_.word("F500");
     write_.end_block();
   }
+  if (!tcpm_) tool_vector_ = tool_axis();
   tcpm_ = true;
 }
 
@@ -292,7 +312,7 @@ void KlartextProgram::statement() {
 void KlartextProgram::travel() {
   const std::array<std::int64_t, 3> before = step_;
   const auto whole = [&] { return choose_.between(-20, 20) * one_; };
-  switch (choose_.weighted({34, 22, 10, 7, 12, 6, 3, 3, 3})) {
+  switch (choose_.weighted({36, 22, 10, 5, 12, 6, 3, 3, 3})) {
     case 0:
       for (std::int64_t& s : step_) s = choose_.between(-30 * one_, 30 * one_);
       break;
@@ -424,6 +444,12 @@ void KlartextProgram::end_motion() {
   ++motions_;
 }
 
+VectorWords KlartextProgram::tool_axis() const {
+  VectorWords along;
+  along.count[static_cast<std::size_t>(axis_ - 'X')] = 1;
+  return along;
+}
+
 VectorWords KlartextProgram::tool_vector() {
   // Mostly near the vector before: the same, or a new one.
   if (choose_.chance(30)) return tool_vector_;
@@ -431,7 +457,7 @@ VectorWords KlartextProgram::tool_vector() {
 }
 
 void KlartextProgram::approach() {
-  step_ = {};
+  step_ = {0, 0, 10 * one_};
   at_[2] = choose_.between(10, 100) * one_;
   write_.word("L");
   write_.number("Z", at_[2], decimals_);
@@ -448,8 +474,7 @@ void KlartextProgram::face() {
     if (choose_.chance(40)) approach();
   }
   travel();
-  VectorWords along{{0, 0, 0}, 0};
-  along.count[static_cast<std::size_t>(axis_ - 'X')] = 1;
+  const VectorWords along = tool_axis();
   const bool with_tool = choose_.chance(tcpm_ ? 75 : 20);
   VectorWords tool = with_tool ? tool_vector() : along;
   VectorWords normal = normal_for(choose_, tcpm_ ? tool : along);
@@ -503,6 +528,12 @@ void KlartextProgram::stretch() {
 void KlartextProgram::stretch_block(bool first) {
   had_normal_ = false;
   travel();
+  // Along the tool there is no direction beside the path: seldom, since the first one ends the run.
+  if (cross(tool_vector_.count, step_) == std::array<std::int64_t, 3>{} && !choose_.chance(20)) {
+    const std::size_t other = tool_vector_.count[0] == 0 ? 0 : 1;
+    step_[other] += 7 * one_;
+    at_[other] += 7 * one_;
+  }
   Side side = side_;
   if (side == Side::none || choose_.chance(6)) side = choose_.chance(50) ? Side::left : Side::right;
   // LN takes its side from an earlier block as well as it brings it.

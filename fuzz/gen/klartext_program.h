@@ -45,6 +45,7 @@ class KlartextProgram {
   void other();
   void functions_alone();
   void delta(std::string_view key, std::int64_t size);
+  void radius_deltas(std::int64_t r, std::int64_t r2, bool with_r, bool with_r2);
 
   // Motion blocks.
   void face();
@@ -62,7 +63,16 @@ class KlartextProgram {
   void feed();
   void end_motion();
   void travel();
+  [[nodiscard]] VectorWords tool_axis() const;
   [[nodiscard]] VectorWords tool_vector();
+  // Radii of the tool in force and what is added to them, mm.
+  struct Radii {
+    double r = 0;
+    double r2 = 0;
+    double off_r = 0;
+    double off_r2 = 0;
+  };
+  [[nodiscard]] Radii radii() const;
   [[nodiscard]] bool is_oversize() const;
   [[nodiscard]] bool deviates() const;
 

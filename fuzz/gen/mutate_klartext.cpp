@@ -47,7 +47,14 @@ void negate(std::string& word) {
   if (digit != std::string::npos && digit > 0) word.insert(digit, "-");
 }
 
-void change_word(Choices& choose, const spec::Case& c, Mode mode, WordTexts& line) {
+// L and LN, behind a number or not.
+bool moves(const std::string& line) {
+  const WordTexts words = words_between_blanks(line);
+  const auto first = std::ranges::find_if(words, [](const std::string& word) { return !is_digit(word[0]); });
+  return first != words.end() && (*first == "L" || *first == "LN");
+}
+
+void change_word(Choices& choose, Mode mode, WordTexts& line) {
   const bool free = mode == Mode::unrestricted || choose.chance(10);
   const std::size_t at = line.empty() ? 0 : choose.below(line.size());
   if (line.empty() || (free && choose.chance(20))) {
@@ -74,7 +81,9 @@ void change_word(Choices& choose, const spec::Case& c, Mode mode, WordTexts& lin
       if (word[0] == 'M' && free) word = choose.one_of({"M107", "M108", "M128", "M129"});
       return;
     default:
-      if (free || c.program.size() < 40) line.erase(line.begin() + static_cast<std::ptrdiff_t>(at));
+      // A word too few makes most blocks unreadable.
+      if (!free) return change_digit(choose, word);
+      line.erase(line.begin() + static_cast<std::ptrdiff_t>(at));
       return;
   }
 }
@@ -103,12 +112,15 @@ void change_klartext(Choices& choose, spec::Case& c, Mode mode) {
   if (text.empty()) text.emplace_back("L X+10");
   const std::size_t at = choose.below(text.size());
   const auto place = text.begin() + static_cast<std::ptrdiff_t>(at);
-  constexpr int directed[] = {70, 8, 8, 8, 6};
+  // Without the blocks that set it up a program ends early.
+  constexpr int motion[] = {68, 8, 10, 8, 6};
+  constexpr int other[] = {90, 2, 6, 2, 0};
   constexpr int unrestricted[] = {60, 8, 8, 8, 16};
-  switch (choose.weighted(mode == Mode::directed ? std::span(directed) : std::span(unrestricted))) {
+  const std::span<const int> directed = moves(text[at]) ? std::span(motion) : std::span(other);
+  switch (choose.weighted(mode == Mode::directed ? directed : std::span(unrestricted))) {
     case 0: {
       WordTexts line = words_between_blanks(text[at]);
-      change_word(choose, c, mode, line);
+      change_word(choose, mode, line);
       text[at] = joined_words(line);
       break;
     }

@@ -29,7 +29,7 @@ struct Shape {
 
 Shape shape(Choices& choose) {
   const std::int64_t whole = choose.one_of({3, 5, 6, 8, 10}) * kOne;
-  switch (choose.weighted({26, 26, 30, 12, 2, 2, 2})) {
+  switch (choose.weighted({26, 26, 30, 14, 2, 1, 1})) {
     case 0:
       return {whole, 0};
     case 1:
@@ -37,7 +37,7 @@ Shape shape(Choices& choose) {
     case 2:
       return {whole, whole};
     case 3: {
-      const std::int64_t r = choose.between(1, 20 * kOne);
+      const std::int64_t r = choose.between(kOne / 2, 20 * kOne);
       const std::int64_t r2 = choose.between(0, r);
       return {r, r2};
     }
@@ -60,20 +60,23 @@ struct Deltas {
 // radius the radius.
 Deltas deltas(Choices& choose, const Shape& tool) {
   const std::int64_t even = choose.between(-30, 10) * 100;
-  switch (choose.weighted({34, 24, 14, 18, 3, 3, 4})) {
+  // A sharp corner cannot be made smaller: mostly it is left.
+  const bool sharp = tool.r2 == 0 && !choose.chance(8);
+  Deltas d;
+  switch (choose.weighted({34, 24, 14, 18, 3, 2, 4})) {
     case 0:
       return {};
     case 1:
-      return {even, even, even};
+      d = {even, even, even};
+      break;
     case 2:
-      return {0, -1'000, -1'000};
-    case 3: {
-      Deltas d;
+      d = {0, -1'000, -1'000};
+      break;
+    case 3:
       d.l = choose.between(-3'000, 3'000);
       d.r = choose.between(-3'000, choose.chance(25) ? 3'000 : 0);
       d.r2 = choose.between(-3'000, choose.chance(25) ? 3'000 : 0);
-      return d;
-    }
+      break;
     case 4:
       return {0, 0, -tool.r2 - (choose.chance(30) ? 1 : 0)};
     case 5:
@@ -81,6 +84,8 @@ Deltas deltas(Choices& choose, const Shape& tool) {
     default:
       return {0, tool.r2 - tool.r - (choose.chance(30) ? 1 : 0), 0};
   }
+  if (sharp && d.r2 < 0) d.r2 = 0;
+  return d;
 }
 
 // Ascending angles of whole tens mostly; deviations of some hundredths, seldom beyond the radius.
@@ -143,7 +148,7 @@ spec::Setup random_heidenhain_setup(Choices& choose) {
     const bool equal = choose.chance(40);
     row.dl = length(equal ? even : choose.between(-500, 500));
     row.dr = length(equal ? even : choose.between(-500, 100));
-    row.dr2 = length(equal ? even : choose.between(-500, 100));
+    row.dr2 = length(equal ? even : choose.chance(50) ? choose.between(-500, 100) : 0);
     setup.tcs[static_cast<std::uint32_t>(i) * 7 + 1] = row;
   }
   if (choose.chance(25))
