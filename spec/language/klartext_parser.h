@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -56,8 +55,8 @@ class BlockParser {
     return at_word_end(at) ? wide_gap(at) : at;
   }
   const char* wide_gap(const char* at);
-  // Behind words with gaps between them; nothing, without an alarm, where others stand.
-  const char* words(const char* at, std::initializer_list<std::string_view> list);
+  // Behind one word, or two with a gap between them; nothing, without an alarm, where others stand.
+  const char* words(const char* at, std::string_view first, std::string_view second = {});
 
   struct Place {
     std::uint64_t line;

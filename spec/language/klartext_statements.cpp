@@ -19,13 +19,13 @@ char axis_letter(const char* at) {
 
 }  // namespace
 
-const char* BlockParser::words(const char* at, std::initializer_list<std::string_view> list) {
-  for (const std::string_view word : list) {
-    at = read_word(at, word);
-    if (at == nullptr) return nullptr;
-    at = gap(at);
-  }
-  return at;
+const char* BlockParser::words(const char* at, std::string_view first, std::string_view second) {
+  const char* end = read_word(at, first);
+  if (end == nullptr) return nullptr;
+  const char* const next = gap(end);
+  if (second.empty()) return next;
+  end = read_word(next, second);
+  return end == nullptr ? nullptr : gap(end);
 }
 
 const char* BlockParser::free_text() {
@@ -73,7 +73,7 @@ const char* BlockParser::rare_statement(Block& block, const char* at) {
       at = program(block, at);
       break;
     case 'S':
-      if (const char* const stop = words(at, {"STOP"})) {
+      if (const char* const stop = words(at, "STOP")) {
         block.statement = Statement::stop;
         block.functions = 0;
         at = functions(block, stop);
@@ -91,23 +91,21 @@ const char* BlockParser::rare_statement(Block& block, const char* at) {
 
 const char* BlockParser::program(Block& block, const char* at) {
   const char* const initiator = at;
-  if ((at = words(initiator, {"BEGIN", "PGM"})) != nullptr)
-    block.statement = Statement::begin_program;
-  else if ((at = words(initiator, {"END", "PGM"})) != nullptr)
-    block.statement = Statement::end_program;
-  else
-    return bad_word(block, initiator);
+  const char* const begun = words(initiator, "BEGIN", "PGM");
+  at = begun != nullptr ? begun : words(initiator, "END", "PGM");
+  if (at == nullptr) return bad_word(block, initiator);
+  block.statement = begun != nullptr ? Statement::begin_program : Statement::end_program;
   if (block.statement == Statement::begin_program && !first_)
     return raise(block, initiator, "E_SYNTAX", "BEGIN PGM stands only in the first block");
   passed_over_ = true;
   if (at == text_.stop) return bad_word(block, at);
   while (!is_blank(*at) && *at != ';' && *at != '\n') ++at;  // the name
   at = gap(at);
-  if (const char* const mm = words(at, {"MM"})) {
+  if (const char* const mm = words(at, "MM")) {
     block.unit = Units::mm;
     return mm;
   }
-  if (const char* const inch = words(at, {"INCH"})) {
+  if (const char* const inch = words(at, "INCH")) {
     block.unit = Units::inch;
     return inch;
   }
@@ -116,7 +114,7 @@ const char* BlockParser::program(Block& block, const char* at) {
 
 const char* BlockParser::block_form(Block& block, const char* at) {
   const char* const initiator = at;
-  at = words(at, {"BLK", "FORM"});
+  at = words(at, "BLK", "FORM");
   if (at == nullptr) return bad_word(block, initiator);
   block.statement = Statement::block_form;
   const bool second = read_word(at, "0.2") != nullptr;
@@ -137,8 +135,8 @@ const char* BlockParser::block_form(Block& block, const char* at) {
 }
 
 const char* BlockParser::tool(Block& block, const char* at) {
-  if (const char* const call = words(at, {"TOOL", "CALL"})) return tool_call(block, call);
-  if (const char* const definition = words(at, {"TOOL", "DEF"})) return tool_definition(block, definition);
+  if (const char* const call = words(at, "TOOL", "CALL")) return tool_call(block, call);
+  if (const char* const definition = words(at, "TOOL", "DEF")) return tool_definition(block, definition);
   return bad_word(block, at);
 }
 
@@ -239,48 +237,46 @@ const char* BlockParser::tool_definition(Block& block, const char* at) {
 }
 
 const char* BlockParser::function(Block& block, const char* at) {
-  if (const char* const assigned = words(at, {"FN"})) {
+  if (const char* const assigned = words(at, "FN")) {
     if (assigned[0] != '0' || assigned[1] != ':') return bad_word(block, assigned);
     return assignment(block, gap(assigned + 2), false);
   }
-  const char* const named = words(at, {"FUNCTION"});
+  const char* const named = words(at, "FUNCTION");
   if (named == nullptr) return bad_word(block, at);
-  if (const char* const off = words(named, {"RESET", "TCPM"})) {
+  if (const char* const off = words(named, "RESET", "TCPM")) {
     block.statement = Statement::reset_tcpm;
     return off;
   }
-  if (const char* const off = words(named, {"TCPM", "OFF"})) {
+  if (const char* const off = words(named, "TCPM", "OFF")) {
     block.statement = Statement::reset_tcpm;
     return off;
   }
-  if (const char* const on = words(named, {"TCPM"})) return tcpm(block, on);
-  if (const char* const path = words(named, {"PROG", "PATH"})) {
+  if (const char* const on = words(named, "TCPM")) return tcpm(block, on);
+  if (const char* const path = words(named, "PROG", "PATH")) {
     block.statement = Statement::programmed_path;
-    const char* const on = words(path, {"IS", "CONTOUR"});
+    const char* const on = words(path, "IS", "CONTOUR");
     block.contour = on != nullptr;
     if (block.contour) return on;
-    const char* const off = words(path, {"OFF"});
+    const char* const off = words(path, "OFF");
     return off == nullptr ? bad_word(block, path) : off;
   }
-  if (const char* const data = words(named, {"CORRDATA"})) return correction_data(block, data);
+  if (const char* const data = words(named, "CORRDATA")) return correction_data(block, data);
   return bad_word(block, named);
 }
 
 const char* BlockParser::tcpm(Block& block, const char* at) {
   block.statement = Statement::tcpm;
   block.reference = ReferenceWord::tip_tip;
-  const auto one_of = [&](std::initializer_list<std::string_view> first,
-                          std::initializer_list<std::string_view> other) {
-    const char* behind = words(at, first);
-    if (behind == nullptr) behind = words(at, other);
+  const auto one_of = [&](std::string_view word, std::string_view one, std::string_view other) {
+    const char* behind = words(at, word, one);
+    if (behind == nullptr) behind = words(at, word, other);
     if (behind == nullptr) bad_word(block, at);
     at = behind;
     return behind != nullptr;
   };
-  if (!one_of({"F", "TCP"}, {"F", "CONT"}) || !one_of({"AXIS", "POS"}, {"AXIS", "SPAT"}) ||
-      !one_of({"PATHCTRL", "AXIS"}, {"PATHCTRL", "VECTOR"}))
+  if (!one_of("F", "TCP", "CONT") || !one_of("AXIS", "POS", "SPAT") || !one_of("PATHCTRL", "AXIS", "VECTOR"))
     return nullptr;
-  if (const char* const point = words(at, {"REFPNT"})) {
+  if (const char* const point = words(at, "REFPNT")) {
     at = reference(block, point);
     if (at == nullptr) return nullptr;
   }
@@ -308,14 +304,14 @@ const char* BlockParser::reference(Block& block, const char* at) {
 }
 
 const char* BlockParser::table_word(Block& block, const char* at) {
-  const char* const tcs = words(at, {"TCS"});
+  const char* const tcs = words(at, "TCS");
   block.corrections = tcs != nullptr ? CorrectionTable::tcs : CorrectionTable::wpl;
-  const char* const behind = tcs != nullptr ? tcs : words(at, {"WPL"});
+  const char* const behind = tcs != nullptr ? tcs : words(at, "WPL");
   return behind == nullptr ? bad_word(block, at) : behind;
 }
 
 const char* BlockParser::select_corrections(Block& block, const char* at) {
-  const char* const table = words(at, {"SEL", "CORR-TABLE"});
+  const char* const table = words(at, "SEL", "CORR-TABLE");
   if (table == nullptr) return bad_word(block, at);
   block.statement = Statement::select_corrections;
   at = table_word(block, table);
@@ -324,7 +320,7 @@ const char* BlockParser::select_corrections(Block& block, const char* at) {
 }
 
 const char* BlockParser::correction_data(Block& block, const char* at) {
-  if (const char* const reset = words(at, {"RESET"})) {
+  if (const char* const reset = words(at, "RESET")) {
     block.statement = Statement::reset_corrections;
     block.corrections = CorrectionTable::both;
     return reset == text_.stop ? reset : table_word(block, reset);
@@ -348,7 +344,7 @@ const char* BlockParser::correction_row(Block& block, const char* at) {
 }
 
 const char* BlockParser::cycle(Block& block, const char* at) {
-  const char* const definition = words(at, {"CYCL", "DEF"});
+  const char* const definition = words(at, "CYCL", "DEF");
   if (definition == nullptr) return bad_word(block, at);
   block.statement = Statement::cycle;
   block.axes = block.incremental = 0;
@@ -381,11 +377,11 @@ const char* BlockParser::datum_shift(Block& block, const char* at) {
 
 const char* BlockParser::plane(Block& block, const char* at) {
   const char* const initiator = at;
-  at = words(at, {"PLANE"});
+  at = words(at, "PLANE");
   if (at == nullptr) return bad_word(block, initiator);
   block.statement = Statement::plane;
-  if (words(at, {"RESET"}) != nullptr) return free_text();
-  const char* const spatial = words(at, {"SPATIAL"});
+  if (words(at, "RESET") != nullptr) return free_text();
+  const char* const spatial = words(at, "SPATIAL");
   if (spatial == nullptr) return bad_word(block, at);
   at = spatial;
   for (const char letter : {'A', 'B', 'C'}) {
