@@ -18,7 +18,7 @@ Deviation between(const SupportPoint& before, const SupportPoint& behind, const 
 }  // namespace
 
 Deviation deviation_at(const Deviations& table, const ContactGeometry& contact, Recorder& recorder) {
-  const Real& scale = contact.lengths;
+  const Real scale = 2 * contact.lengths;
   const SupportPoint& first = table.front();
   const SupportPoint& last = table.back();
   constexpr const char* kMessage = "the contact angle is outside the table of deviations";
@@ -50,7 +50,7 @@ SignedQuantity sign_of_sum(const Real& radius, const Deviation& deviation, const
   const Real share = start / (start - end);
   const Real zero = deviation.before->angle + share * Real(deviation.behind->angle - deviation.before->angle);
   const Real past = beyond(exact::cos_degrees(zero.rational()), contact);
-  return {end.sign() == Sign::positive ? past : -past, contact.lengths};
+  return {end.sign() == Sign::positive ? past : -past, 2 * contact.lengths};
 }
 
 }  // namespace toolcomp::model::klartext

@@ -31,12 +31,11 @@ void Values::assign(const spec::klartext::Parameter& target, const spec::klartex
 }
 
 Real Values::of_table(const spec::Decimal& mm) const {
-  const Real value = plain(mm);
-  return inch() ? inches_in_a_mm() * value : value;
+  return inch() ? inches_in_a_mm() * Real(plain(mm)) : Real(plain(mm));
 }
 
 Real Values::of_setup(const spec::Decimal& length) const {
-  const Real value = plain(length);
+  Real value = plain(length);
   if (program_ == setup_) return value;
   return inch() ? inches_in_a_mm() * value : value / inches_in_a_mm();
 }
