@@ -26,7 +26,7 @@ class Printer final : public spec::EventSink<Number> {
   Printer(const Program& program, Format format, AppendNumber append, const spec::AxisValues<Number>& start)
       : program_(program), format_(format), append_(std::move(append)), gcode_{start}, units_(program.setup().units) {
     std::string head;
-    if (format_ == Format::csv) spec::append_csv_header(head, program_.setup().axes);
+    if (format_ == Format::csv) spec::append_csv_header(head, program_.setup().axes, program_.setup().control);
     spec::TextCursor(buffer_).append(head);
   }
   ~Printer() override = default;
@@ -84,7 +84,7 @@ class Printer final : public spec::EventSink<Number> {
         out += '\n';
         break;
       case Format::csv:
-        spec::append_event_csv(out, event, axes, append_);
+        spec::append_event_csv(out, event, axes, append_, program_.setup().control);
         break;
       case Format::gcode:
         spec::append_event_gcode(out, event, axes, append_, gcode_);
