@@ -1,5 +1,7 @@
 #include "certify/campaign.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -17,7 +19,7 @@
 #include "certify/shrink.h"
 #include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
-#include "model/engine.h"
+#include "fuzz/oracle/control.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -386,11 +388,31 @@ bool possible(const spec::Setup& setup) {
   } nowhere;
   model::Recorder recorder;
   try {
-    const model::Engine engine(setup, recorder, nowhere);
+    fuzz::with_control(
+        setup, [&]<class Control>(Control) { const auto engine = Control::model(setup, recorder, nowhere, 0); });
     return true;
   } catch (const spec::InputError&) {
     return false;
   }
+}
+
+// The judge on a program whose last event sends an axis to a place that is known.
+std::string check_judge(const spec::Case& c, std::size_t axis, std::string_view place) {
+  const fuzz::ModelRun run = fuzz::run_model(c);
+  TextEvents events;
+  constexpr int kDigits = 40;
+  for (const model::Event& event : run.events) events.push_back(in_text(event, kDigits));
+  const auto judged = [&](const TextEvents& answer) { return fuzz::judge(c, run, answer).outcome; };
+  if (events.size() != 2 || events.back().axes[axis].v != place)
+    return fmt::format("{}: the model does not send {} to {}", c.section, c.setup.axes.letter(axis), place);
+  if (judged(events) != fuzz::Outcome::agrees) return c.section + ": the model's own events are not accepted";
+  const TextEvents fewer(events.begin(), events.end() - 1);
+  if (judged(fewer) != fuzz::Outcome::differs) return c.section + ": a missing event is not noticed";
+  TextEvents moved = events;
+  moved.back().axes.set(axis,
+                        {std::string(place) + (place.find('.') == std::string_view::npos ? ".001" : "1"), {}, {}});
+  if (judged(moved) != fuzz::Outcome::differs) return c.section + ": a deviation is not noticed";
+  return {};
 }
 
 }  // namespace
@@ -442,23 +464,28 @@ Finding make_finding(Subject& subject, const Capabilities& capabilities, const s
 Certificate certify(const CampaignOptions& options) { return Campaign(options).run(); }
 
 std::string self_check() {
-  spec::Case c;
-  c.id = "self-check";
-  c.section = "fanuc/tool-length-offset";
-  c.setup.h[1] = {spec::decimal(20), {}};
-  c.program = "G90 G43 Z100. H1\nG01 X10. Y5. F100\n";
-  const fuzz::ModelRun run = fuzz::run_model(c);
-  TextEvents events;
-  constexpr int kDigits = 40;
-  for (const model::Event& event : run.events) events.push_back(in_text(event, kDigits));
-  const auto judged = [&](const TextEvents& answer) { return fuzz::judge(c, run, answer).outcome; };
-  if (events.size() != 2 || events[0].axes[2].v != "120") return "Z100 with an offset of 20 is not 120";
-  if (judged(events) != fuzz::Outcome::agrees) return "the model's own events are not accepted";
-  TextEvents fewer(events.begin(), events.end() - 1);
-  if (judged(fewer) != fuzz::Outcome::differs) return "a missing event is not noticed";
-  TextEvents moved = events;
-  moved[1].axes.set(2, {"120.001", {}, {}});
-  if (judged(moved) != fuzz::Outcome::differs) return "a deviation of a micrometre is not noticed";
+  spec::Case fanuc;
+  fanuc.id = "self-check";
+  fanuc.section = "fanuc/tool-length-offset";
+  fanuc.setup.h[1] = {spec::decimal(20), {}};
+  fanuc.program = "G90 G43 Z100. H1\nG01 X10. Y5. F100\n";
+  if (const std::string failure = check_judge(fanuc, 2, "120"); !failure.empty()) return failure;
+  // A toroid cutter of 5 and 2 mm against a wall of 3-4-5: the tip moves by dR2 (n - t) + (rho' - rho) u, in X by
+  // 0.1 * 0.6 + 0.2.
+  spec::Case heidenhain;
+  heidenhain.id = "self-check";
+  heidenhain.section = "heidenhain/face-milling";
+  heidenhain.dialect = "klartext";
+  heidenhain.setup.control = spec::Control::heidenhain;
+  heidenhain.setup.axes = spec::Axes("XYZ");
+  spec::ToolRow tool;
+  tool.number = 10;
+  tool.r = spec::decimal(5);
+  tool.r2 = spec::decimal(2);
+  heidenhain.setup.tools = {tool};
+  heidenhain.program =
+      "TOOL CALL 1 Z DL+0.25 DR+0.3 DR2+0.1\nL Z+9 R0 FMAX M107\nLN X+0 Y+0 Z+0 NX+0.6 NY+0 NZ+0.8 R0 F500\n";
+  if (const std::string failure = check_judge(heidenhain, 0, "0.26"); !failure.empty()) return failure;
   if (corpus::sha256("abc") != "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad")
     return "SHA-256 is wrong";
   return {};

@@ -107,6 +107,34 @@ bool equal_references(const std::map<int, spec::AxisTable>& a, const std::map<in
   return covered(a, b) && covered(b, a);
 }
 
+// The rows of two tool tables, in any order. A length that is not known is not a length of 0.
+bool equal_tools(const spec::Setup& a, const spec::Setup& b) {
+  return a.tools.size() == b.tools.size() && std::ranges::all_of(a.tools, [&](const spec::ToolRow& x) {
+           const auto y = std::ranges::find(b.tools, x.number, &spec::ToolRow::number);
+           return y != b.tools.end() && x.name == y->name && equal(x.r, y->r) && equal(x.r2, y->r2) &&
+                  equal(x.dl, y->dl) && equal(x.dr, y->dr) && equal(x.dr2, y->dr2) &&
+                  x.l.has_value() == y->l.has_value() && (!x.l || equal(*x.l, *y->l)) && x.dr2_table == y->dr2_table;
+         });
+}
+
+// A row that is missing cannot be named, so it is no row of zeros.
+bool equal_corrections(const std::map<std::uint32_t, spec::CorrectionRow>& a,
+                       const std::map<std::uint32_t, spec::CorrectionRow>& b) {
+  return std::ranges::equal(a, b, [](const auto& x, const auto& y) {
+    return x.first == y.first && equal(x.second.dl, y.second.dl) && equal(x.second.dr, y.second.dr) &&
+           equal(x.second.dr2, y.second.dr2);
+  });
+}
+
+bool equal_deviations(const std::map<std::string, spec::DeviationTable>& a,
+                      const std::map<std::string, spec::DeviationTable>& b) {
+  return std::ranges::equal(a, b, [](const auto& x, const auto& y) {
+    return x.first == y.first && std::ranges::equal(x.second, y.second, [](const auto& p, const auto& q) {
+             return equal(p.first, q.first) && equal(p.second, q.second);
+           });
+  });
+}
+
 // The case's setup with the controller's fixed settings laid over it; nothing if no control could have both.
 std::optional<spec::Setup> overlaid(const spec::Setup& setup, const std::string& fixed) {
   try {
@@ -201,7 +229,8 @@ bool same_meaning(const spec::Setup& a, const spec::Setup& b) {
     if (!equal_tables(a.workpiece.at(i), b.workpiece.at(i))) return false;
   return equal_parameters(a, b) && equal_offsets(a.h, b.h) && equal_offsets(a.d, b.d) &&
          equal_tables(a.position, b.position) && equal_references(a.reference, b.reference) &&
-         equal_tables(a.floating_reference, b.floating_reference) && equal_tables(a.measurement, b.measurement);
+         equal_tables(a.floating_reference, b.floating_reference) && equal_tables(a.measurement, b.measurement) &&
+         equal_tools(a, b) && equal_corrections(a.tcs, b.tcs) && equal_deviations(a.dr2_tables, b.dr2_tables);
 }
 
 }  // namespace toolcomp::certify

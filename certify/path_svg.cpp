@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/contact_svg.h"
 #include "certify/markup.h"
 #include "certify/path_detail.h"
 #include "certify/path_view.h"
@@ -30,6 +31,8 @@ constexpr double kBetweenEnds = 50;   // from dot to dot
 constexpr double kBetweenTools = 22;  // from tool stroke to tool stroke
 constexpr double kBetweenLabels = 14;
 constexpr double kStroke = 0.08;  // length of a tool stroke, of the path's
+
+constexpr std::size_t kMostContacts = 6;
 
 struct Layer {
   Path path;
@@ -235,9 +238,9 @@ constexpr std::string_view kStyle = R"(<style>
 .tp-paper{fill:#fff;stroke:#ccd2d9}.tp-grid{stroke:#edf0f3;fill:none}.tp-cross{stroke:#6b7580;fill:none}
 .tp-note,.tp-label,.tp-legend{font:11px system-ui,sans-serif;fill:#57606a}.tp-label{font-size:9px}
 .tp-path{fill:none;stroke-width:1.6;stroke-linejoin:round}.tp-rapid{stroke-dasharray:5 3}
-.tp-programmed{stroke:#8b949e;stroke-width:3}.tp-point{stroke:#0969da}.tp-axes{stroke:#1a7f37}.tp-other{stroke:#cf222e;stroke-dasharray:2 2}
+.tp-programmed{stroke:#8b949e;stroke-width:3}.tp-nominal{stroke-width:1.6;stroke-dasharray:6 3}.tp-wall{fill:#edf0f3;stroke:#57606a}.tp-point{stroke:#0969da}.tp-axes{stroke:#1a7f37}.tp-other{stroke:#cf222e;stroke-dasharray:2 2}
 .tp-tool{stroke:#9a6700;fill:none}.tp-thin{stroke-width:.6}.tp-vector,.tp-round{stroke:#bf3989;fill:none}.tp-round{stroke-dasharray:4 3}.tp-end{fill:#57606a}.tp-mark{fill:none;stroke:#cf222e;stroke-width:2}
-@media(prefers-color-scheme:dark){.tp-paper{fill:#0d1117;stroke:#30363d}.tp-grid{stroke:#1b2129}.tp-cross{stroke:#8b949e}
+@media(prefers-color-scheme:dark){.tp-paper{fill:#0d1117;stroke:#30363d}.tp-wall{fill:#1b2129;stroke:#9aa4af}.tp-grid{stroke:#1b2129}.tp-cross{stroke:#8b949e}
 .tp-note,.tp-label,.tp-legend{fill:#9aa4af}.tp-point{stroke:#58a6ff}.tp-axes{stroke:#3fb950}.tp-other{stroke:#ff7b72}
 .tp-tool{stroke:#d29922}.tp-vector,.tp-round{stroke:#f778ba}.tp-end{fill:#9aa4af}.tp-mark{stroke:#ff7b72}}
 </style>
@@ -276,6 +279,13 @@ bool is_tilted(std::span<const spec::Event<double>> events) {
   return std::ranges::any_of(events, [](const spec::Event<double>& event) {
     return event.tool_axis && ((*event.tool_axis)[0] != 0 || (*event.tool_axis)[1] != 0);
   });
+}
+
+// The tool of the table in the unit of the events.
+std::optional<CutterShape> tool_of(const PathOptions& options) {
+  constexpr double kInch = 25.4;  // mm
+  if (!options.tool || options.unit != "inch") return options.tool;
+  return CutterShape{options.tool->flat / kInch, options.tool->corner / kInch};
 }
 
 std::string legend(const std::vector<Layer>& layers, bool tools, double width) {
@@ -319,7 +329,9 @@ std::string path_svg(std::span<const spec::Event<double>> events, const spec::Ax
 
   // Two panels a row.
   const double side = solid ? kSolidPanel : kPanel;
-  const std::size_t panels = views.size() + (detail ? 1 : 0);
+  const std::vector<ContactPicture> contacts =
+      contact_pictures(axes, events, tool_of(options), kMostContacts, options.marked);
+  const std::size_t panels = views.size() + (detail ? 1 : 0) + contacts.size();
   const double width = 2 * side + kGap;
   const std::size_t rows = (panels + 1) / 2;
   const double height = kHeader + static_cast<double>(rows) * (side + kGap) - kGap;
@@ -340,13 +352,31 @@ std::string path_svg(std::span<const spec::Event<double>> events, const spec::Ax
   if (detail)
     out += detail_svg(*detail, layers.front().path, point->path, left(views.size()), top(views.size()), side,
                       label_of(events[detail->event]), options.unit);
+  std::size_t next = views.size() + (detail ? 1 : 0);
+  for (const ContactPicture& contact : contacts) {
+    out += contact_svg(contact, left(next), top(next), side, label_of(events[contact.event]), options.unit);
+    ++next;
+  }
   return out + "</svg>\n";
 }
+
+namespace {
+
+double in_double(const spec::Decimal& value) {
+  const double magnitude = static_cast<double>(value.digits) / std::pow(10.0, value.decimals);
+  return value.negative ? -magnitude : magnitude;
+}
+
+}  // namespace
 
 PathOptions path_options(const spec::Setup& setup) {
   PathOptions options;
   options.start = start_of(setup);
   options.unit = setup.units == spec::Units::mm ? "mm" : "inch";
+  if (!setup.tools.empty()) {
+    const double corner = in_double(setup.tools.front().r2);
+    options.tool = {in_double(setup.tools.front().r) - corner, corner};
+  }
   return options;
 }
 

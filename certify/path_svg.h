@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "certify/contact_svg.h"
 #include "certify/path.h"
 #include "spec/language/axes.h"
 #include "spec/language/event.h"
@@ -21,6 +22,7 @@ struct PathOptions {
   std::span<const spec::Event<double>> other;  // what a controller made of the same program, drawn on top
   std::string other_name = "controller";
   std::optional<std::size_t> marked;  // index in `events` of the move where they part
+  std::optional<CutterShape> tool;    // the first of a tool table, mm
 };
 
 // One self-contained SVG: a panel each for XY and XZ, and an axonometric one where the path leaves a plane or the tool

@@ -94,12 +94,11 @@ std::size_t count_blocks(std::string_view text) {
   return blocks + (words ? 1 : 0);
 }
 
-NumberInWord number_in(std::string_view word) {
+NumberInWord number_in(std::string_view word, std::string_view dialect) {
   NumberInWord parts;
   if (word.empty() || word.front() == '(' || word.front() == ';') return parts;
-  if (const char address = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
-      address == 'G' || address == 'M' || address == 'N' || address == 'O')
-    return parts;
+  const char address = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
+  if (std::string_view(dialect == "klartext" ? "M" : "GMNO").find(address) != std::string_view::npos) return parts;
   std::size_t end = word.size();
   while (end > 0 && !is_digit(word[end - 1]) && word[end - 1] != '.') --end;
   std::size_t begin = end;

@@ -24,13 +24,14 @@ std::string join_program(const TextProgram& program);
 std::size_t count_blocks(std::string_view text);
 
 // A number inside a word: `prefix` + number + `suffix`, or nothing (an empty number) where the word has none. Only the
-// last number of a word, and only where the digits mean a quantity: G, M, N and O words count as names.
+// last number of a word, and only where the digits mean a quantity: FANUC G, M, N and O words count as names, and so do
+// Klartext M words.
 struct NumberInWord {
   std::string prefix;
   std::string number;
   std::string suffix;
 };
-NumberInWord number_in(std::string_view word);
+NumberInWord number_in(std::string_view word, std::string_view dialect = "fanuc");
 
 // Simpler numbers than `number`, simplest first: 0, the first digit alone, fewer decimals, fewer digits, without its
 // sign. Each is shorter than `number`, or as long and smaller in its digits: taking them again and again ends.

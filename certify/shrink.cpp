@@ -41,6 +41,18 @@ std::string key_of(const Candidate& c) {
   for (const auto& table : c.setup.workpiece) key += table_key(table);
   key += table_key(c.setup.position);
   for (const auto& [number, table] : c.setup.reference) key += std::to_string(number) + table_key(table);
+  for (const spec::ToolRow& tool : c.setup.tools) {
+    key += '|' + std::to_string(tool.number) + ' ' + tool.name + ' ' + tool.dr2_table;
+    for (const spec::Decimal& d : {tool.r, tool.r2, tool.dl, tool.dr, tool.dr2, tool.l.value_or(spec::Decimal{})})
+      key += ' ' + to_string(d);
+    key += tool.l ? "L" : "";
+  }
+  for (const auto& [number, row] : c.setup.tcs)
+    key += '|' + std::to_string(number) + ' ' + to_string(row.dl) + ' ' + to_string(row.dr) + ' ' + to_string(row.dr2);
+  for (const auto& [name, points] : c.setup.dr2_tables) {
+    key += '|' + name;
+    for (const auto& [angle, deviation] : points) key += ' ' + to_string(angle) + ' ' + to_string(deviation);
+  }
   return key + table_key(c.setup.floating_reference) + table_key(c.setup.measurement);
 }
 
@@ -92,10 +104,7 @@ class Shrinker {
   // the words stay and are tried one by one later; a different line count alone must not lose the text as written.
   void tidy() {
     Candidate plain = best_;
-    for (TextLine& line : plain.program)
-      std::erase_if(line.words, [&](const std::string& word) {
-        return word.front() == '(' || (case_.dialect != "klartext" && (word.front() == 'N' || word.front() == 'n'));
-      });
+    for (TextLine& line : plain.program) case_.dialect == "klartext" ? bare_klartext(line) : bare_iso(line);
     drop_empty_lines(plain);
     if (attempt(std::move(plain))) return;
     Candidate spaced = best_;
@@ -103,6 +112,25 @@ class Shrinker {
     // Its key is that of the original, which may differ from it in blanks and empty lines only.
     tried_.erase(key_of(spaced));
     attempt(std::move(spaced));
+  }
+
+  static void bare_iso(TextLine& line) {
+    std::erase_if(line.words, [](const std::string& word) {
+      return word.front() == '(' || word.front() == 'N' || word.front() == 'n';
+    });
+  }
+
+  // The mark of a line that goes on stays.
+  static void bare_klartext(TextLine& line) {
+    auto& words = line.words;
+    const bool goes_on = !words.empty() && words.back().ends_with('~');
+    const auto comment = std::ranges::find_if(words, [](const std::string& word) { return word.front() == ';'; });
+    if (comment != words.end()) {
+      words.erase(comment, words.end());
+      if (goes_on) words.emplace_back("~");
+    }
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (words.size() > 1 && std::ranges::all_of(words.front(), is_digit)) words.erase(words.begin());
   }
 
   static void drop_empty_lines(Candidate& candidate) {
@@ -185,13 +213,49 @@ class Shrinker {
     entries([](spec::Setup& s) -> auto& { return s.reference; });
     entries([](spec::Setup& s) -> auto& { return s.floating_reference; });
     entries([](spec::Setup& s) -> auto& { return s.measurement; });
+    entries([](spec::Setup& s) -> auto& { return s.tools; });
+    entries([](spec::Setup& s) -> auto& { return s.tcs; });
+    tool_entries();
+    // Behind the tools that name them.
+    entries([](spec::Setup& s) -> auto& { return s.dr2_tables; });
+    for (std::size_t i = 0; i < best_.setup.dr2_tables.size(); ++i)
+      entries([i](spec::Setup& s) -> auto& {
+        return std::next(s.dr2_tables.begin(), static_cast<std::ptrdiff_t>(i))->second;
+      });
     axes();
+  }
+
+  // What a row of the tool table need not say.
+  void tool_entries() {
+    for (std::size_t i = 0; i < best_.setup.tools.size(); ++i) {
+      const auto without = [this, i](auto change) {
+        Candidate candidate = best_;
+        change(candidate.setup.tools[i]);
+        attempt(std::move(candidate));
+      };
+      without([](spec::ToolRow& tool) { tool.l.reset(); });
+      without([](spec::ToolRow& tool) { tool.name.clear(); });
+      without([](spec::ToolRow& tool) { tool.dr2_table.clear(); });
+    }
+  }
+
+  void tool_digits() {
+    using Row = spec::ToolRow;
+    for (std::size_t i = 0; i < best_.setup.tools.size(); ++i)
+      for (const auto member : {&Row::r, &Row::r2, &Row::dl, &Row::dr, &Row::dr2})
+        decimal_digits([i, member](spec::Setup& s) -> auto& { return s.tools[i].*member; });
+    using Correction = spec::CorrectionRow;
+    for (std::size_t i = 0; i < best_.setup.tcs.size(); ++i)
+      for (const auto member : {&Correction::dl, &Correction::dr, &Correction::dr2})
+        decimal_digits([i, member](spec::Setup& s) -> auto& {
+          return std::next(s.tcs.begin(), static_cast<std::ptrdiff_t>(i))->second.*member;
+        });
   }
 
   void digits() {
     for (std::size_t line = 0; line < best_.program.size(); ++line)
       for (std::size_t word = 0; word < best_.program[line].words.size(); ++word) {
-        const NumberInWord parts = number_in(best_.program[line].words[word]);
+        const NumberInWord parts = number_in(best_.program[line].words[word], case_.dialect);
         if (parts.number.empty()) continue;
         for (const std::string& number : simpler_numbers(parts.number)) {
           Candidate candidate = best_;
@@ -199,6 +263,7 @@ class Shrinker {
           if (attempt(std::move(candidate))) break;
         }
       }
+    tool_digits();
     for (std::size_t i = 0; i < best_.setup.h.size(); ++i)
       offset_digits(
           [i](spec::Setup& s) -> auto& { return std::next(s.h.begin(), static_cast<std::ptrdiff_t>(i))->second; });

@@ -21,6 +21,8 @@ double widened(const PathSpace& space, const AxisPoint& p) {
 // The lines after which coordinates may jump.
 std::vector<std::uint64_t> system_changes(const spec::Case& c) {
   std::vector<std::uint64_t> lines;
+  // Events of Klartext programs all count from the preset.
+  if (c.setup.control == spec::Control::heidenhain) return lines;
   const bool one_system =
       std::ranges::all_of(c.setup.workpiece, [&](const auto& w) { return w == c.setup.workpiece[0]; });
   spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes, {"program", c.setup.block_skip});

@@ -11,6 +11,7 @@
 #include "corpus/contour.h"
 #include "corpus/diff.h"
 #include "corpus/flank.h"
+#include "corpus/freeform.h"
 #include "corpus/generate.h"
 #include "corpus/lint.h"
 #include "spec/language/file_writer.h"
@@ -131,6 +132,18 @@ int flank(const CorpusOptions& options) {
   return kAgrees;
 }
 
+int freeform(const CorpusOptions& options) {
+  expect_program_name(options);
+  expect_blocks(options, corpus::kLeastFreeform, corpus::kMostFreeform);
+  corpus::FreeformOptions how;
+  how.blocks = options.blocks.value_or(how.blocks);
+  how.tool_vector = !options.no_tool_vector;
+  const corpus::Freeform made = corpus::make_freeform(how);
+  const std::string setup = write_program(options, made.program, made.setup);
+  fmt::print("{} LN blocks in {} passes; setup {}\n", how.blocks, made.passes, setup);
+  return kAgrees;
+}
+
 }  // namespace
 
 int corpus(const CorpusOptions& options) {
@@ -139,6 +152,7 @@ int corpus(const CorpusOptions& options) {
   if (options.verb == "lint") return lint(options);
   if (options.verb == "contour") return contour(options);
   if (options.verb == "flank") return flank(options);
+  if (options.verb == "freeform") return freeform(options);
   return diff(options);
 }
 

@@ -24,15 +24,8 @@ void print_difference(const fuzz::Difference& difference, const std::string& pat
 int diff(const DiffOptions& options) {
   const Program program(options.program, options.setup, options.samples);
   const Progress progress("blocks");
-  // Standard input can be read once: a difference beside a near tie then stays undecided.
-  fuzz::Verdict verdict;
-  if (options.program == "-") {
-    spec::ProgramReader reader = program.reader();
-    verdict = fuzz::judge_stream(reader, program.setup(), program.samples(), &Progress::count);
-  } else {
-    verdict = fuzz::judge_stream([&program] { return program.reader(); }, program.setup(), program.samples(),
-                                 &Progress::count);
-  }
+  const fuzz::Verdict verdict =
+      fuzz::judge_stream(program.text(), program.setup(), program.samples(), &Progress::count);
   if (verdict.difference) print_difference(*verdict.difference, program.path());
   std::cerr << fmt::format("{} values judged, {} decisions, {} near ties, {} ties; worst {:.3g} ulp, {:.3g} µm\n",
                            verdict.values, verdict.decisions, verdict.near_ties, verdict.ties, verdict.worst_ulp,

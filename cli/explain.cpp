@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,9 +13,9 @@
 #include "cli/explanation.h"
 #include "cli/program.h"
 #include "cli/verbs.h"
-#include "fast/engine.h"
 #include "fast/print.h"
-#include "model/engine.h"
+#include "fuzz/gen/program_text.h"
+#include "fuzz/oracle/control.h"
 #include "model/print.h"
 #include "spec/language/event_format.h"
 
@@ -82,6 +83,21 @@ void print_decision(const model::Decision& decision, int digits) {
   if (!meaning.empty()) fmt::print("      so      {}\n", meaning);
 }
 
+// Keeps what is read.
+class Kept final : public spec::ByteSource {
+ public:
+  Kept(std::unique_ptr<spec::ByteSource> source, std::string& text) : source_(std::move(source)), text_(text) {}
+  std::size_t read(char* buffer, std::size_t size) override {
+    const std::size_t n = source_->read(buffer, size);
+    text_.append(buffer, n);
+    return n;
+  }
+
+ private:
+  std::unique_ptr<spec::ByteSource> source_;
+  std::string& text_;
+};
+
 // Everything explained about one program, printed in the order of its blocks.
 class Explanation {
  public:
@@ -90,17 +106,8 @@ class Explanation {
     model::Recorder recorder(true);
     Collector<exact::Real> exact_events;
     Collector<double> fast_events;
-    model::Engine model(program.setup(), recorder, exact_events, program.samples());
-    fast::Engine fast(program.setup(), fast_events, program.samples());
-    spec::ProgramReader reader = program.reader();
-    spec::Block block;
-    while (!model.stopped() && reader.next(block)) {
-      blocks_.push_back({block.line, block.n, block.alarm ? std::string() : to_string(block)});
-      model.block(block);
-      fast.block(block);
-    }
-    model.end();
-    fast.end();
+    fuzz::with_control(setup_,
+                       [&]<class Control>(Control) { run<Control>(program, recorder, exact_events, fast_events); });
     for (const model::Decision& decision : recorder.decisions()) lines_[decision.line].decisions.push_back(decision);
     exact_ = std::move(exact_events.events);
     for (std::size_t i = 0; i < exact_.size(); ++i) lines_[exact_[i].line].exact.push_back(i);
@@ -126,6 +133,44 @@ class Explanation {
     std::optional<std::uint64_t> n;
     std::string text;
   };
+
+  template <class Control>
+  void run(const Program& program, model::Recorder& recorder, Collector<exact::Real>& exact_events,
+           Collector<double>& fast_events) {
+    auto model = Control::model(setup_, recorder, exact_events, program.samples());
+    auto fast = Control::fast(setup_, fast_events, program.samples());
+    const fuzz::StreamedProgram text = program.text();
+    std::string read;
+    auto reader = Control::reader(std::make_unique<Kept>(text.open(), read), setup_, text.name);
+    typename Control::Block block;
+    while (!model.stopped() && reader.next(block)) {
+      add(block);
+      model.block(block);
+      fast.block(block);
+    }
+    model.end();
+    fast.end();
+    add_text(read);
+  }
+
+  void add(const spec::Block& block) {
+    blocks_.push_back({block.line, block.n, block.alarm ? std::string() : to_string(block)});
+  }
+  void add(const spec::klartext::Block& block) { blocks_.push_back({block.line, block.n, {}}); }
+
+  // Blocks that have no text yet: their lines as written, with those that ~ joins to them.
+  void add_text(std::string_view read) {
+    const std::vector<std::string> lines = fuzz::lines(read);
+    for (Source& block : blocks_)
+      for (std::size_t i = block.line - 1; i < lines.size() && (block.text.empty() || block.text.ends_with('~')); ++i) {
+        std::string_view line = lines[i];
+        while (!line.empty() && std::string_view(" \t\r").find(line.back()) != std::string_view::npos)
+          line.remove_suffix(1);
+        if (!block.text.empty()) block.text += "\n    ";
+        block.text += line;
+      }
+  }
+
   // Everything that belongs to one line of the program.
   struct Line {
     std::vector<model::Decision> decisions;
@@ -175,7 +220,7 @@ class Explanation {
     const model::Event& event = exact_[index];
     if (event.kind != spec::EventKind::move) return;
     if (event.cause == spec::Cause::measure) fmt::print("  measured {}\n", measuring_words(setup_, options_.digits));
-    if (event.cause == spec::Cause::corner && !event.arc) return;
+    if (event.space || (event.cause == spec::Cause::corner && !event.arc)) return;
     const std::string corner = corner_words(exact_, index, axes_, options_.digits);
     if (!corner.empty()) fmt::print("  corner   {}\n", corner);
   }

@@ -139,11 +139,12 @@ class CommandLine {
     sub->add_option("--timeout", replay_.timeout, "Seconds the case may take")->check(CLI::PositiveNumber);
   }
   void add_corpus() {
-    CLI::App* sub = verb("corpus", "The golden corpus: generate, check, lint, diff; long programs: contour, flank",
-                         [this] { return cli::corpus(corpus_); });
-    sub->add_option("verb", corpus_.verb, "generate, check, lint, diff, contour or flank")
+    CLI::App* sub =
+        verb("corpus", "The golden corpus: generate, check, lint, diff; long programs: contour, flank, freeform",
+             [this] { return cli::corpus(corpus_); });
+    sub->add_option("verb", corpus_.verb, "generate, check, lint, diff, contour, flank or freeform")
         ->required()
-        ->check(CLI::IsMember({"generate", "check", "lint", "diff", "contour", "flank"}));
+        ->check(CLI::IsMember({"generate", "check", "lint", "diff", "contour", "flank", "freeform"}));
     sub->add_option("against", corpus_.against, "diff: the folder of the other corpus");
     add_sections(sub, corpus_.sections);
     sub->add_option("--dir", corpus_.directory, "Folder of the corpus (default: corpus/golden of the source tree)");
@@ -151,11 +152,13 @@ class CommandLine {
     sub->add_option("--controller", corpus_.controller, "check: judge this controller instead of both engines");
     sub->add_option("--seed", corpus_.seed, "Seed of every random choice");
     sub->add_option("--out", corpus_.out,
-                    "contour, flank: the program to write; its setup goes beside it, ending in .toml");
+                    "contour, flank, freeform: the program to write; its setup goes beside it, ending in .toml");
     sub->add_option("--blocks", corpus_.blocks,
-                    "contour: how many lines and arcs (default: 100000); flank: how many blocks (default: 20000)");
+                    "contour: how many lines and arcs (default: 100000); flank: how many blocks (default: 20000); "
+                    "freeform: how many LN blocks (default: 500000)");
     sub->add_option("--tool", corpus_.tool, "flank: the tool axis by B and C (rotary) or by I J K (vector)")
         ->transform(CLI::CheckedTransformer(kTools));
+    sub->add_flag("--no-tool-vector", corpus_.no_tool_vector, "freeform: without TX TY TZ, the tool stays along Z");
     sub->add_option("--arcs", corpus_.contour.arcs, "contour: how many of 100 blocks are arcs (default: 40)")
         ->check(CLI::Range(0, 100));
     sub->add_option("--variant", corpus_.contour.variant, "contour: pocket, island or tight (ends in PS0041)")

@@ -54,10 +54,9 @@ Program::Program(const std::string& path, const std::string& setup, std::optiona
   if (samples) case_.samples = *samples;
 }
 
-spec::ProgramReader Program::reader() const {
-  auto source = is_case_ ? spec::text_source(case_.program) : spec::file_source(path_);
-  return {
-      std::move(source), case_.setup.axes, {.file = spec::display_name(path_), .block_skip = case_.setup.block_skip}};
+fuzz::StreamedProgram Program::text() const {
+  return {[this] { return is_case_ ? spec::text_source(case_.program) : spec::file_source(path_); }, path_ == "-",
+          spec::display_name(path_)};
 }
 
 spec::Case Program::as_case() const {
@@ -74,16 +73,19 @@ void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t col
 }
 
 void RecentBlocks::add(const spec::Block& block) {
-  const std::uint64_t column = block.alarm ? block.alarm->column : block.size > 0 ? block.word[0].column : 1;
-  places_[next_++ % places_.size()] = {block.line, column};
+  add(block.line, {block.line, block.alarm ? block.alarm->column : block.size > 0 ? block.word[0].column : 1});
 }
 
-std::uint64_t RecentBlocks::column(std::uint64_t line) const {
+void RecentBlocks::add(const spec::klartext::Block& block) {
+  add(block.line, block.alarm ? Place{block.alarm->line, block.alarm->column} : Place{block.line, block.column});
+}
+
+RecentBlocks::Place RecentBlocks::place(std::uint64_t line) const {
   // The latest block of the line: an alarm ends the run, so no block behind the one at fault was read for it, except
   // within the look-ahead.
   for (std::size_t i = next_; i > 0 && next_ - i < places_.size(); --i)
-    if (const Place& place = places_[(i - 1) % places_.size()]; place.line == line) return place.column;
-  return 1;
+    if (const Known& known = places_[(i - 1) % places_.size()]; known.line == line) return known.place;
+  return {line, 1};
 }
 
 }  // namespace toolcomp::cli

@@ -8,8 +8,10 @@
 #include <string>
 #include <string_view>
 
+#include "fuzz/oracle/verdict.h"
+#include "spec/language/block.h"
 #include "spec/language/case.h"
-#include "spec/language/program_reader.h"
+#include "spec/language/klartext_block.h"
 
 namespace toolcomp::cli {
 
@@ -22,8 +24,8 @@ class Program {
   Program(const std::string& path, const std::string& setup, std::optional<std::uint32_t> samples = {});
 
   [[nodiscard]] const spec::Setup& setup() const { return case_.setup; }
-  // A reader from the beginning; a program on standard input can be read once.
-  [[nodiscard]] spec::ProgramReader reader() const;
+  // Its text, from the beginning each time; that of standard input once. Valid while this program is.
+  [[nodiscard]] fuzz::StreamedProgram text() const;
   // The case itself, or the program as one (read whole).
   [[nodiscard]] spec::Case as_case() const;
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -43,19 +45,28 @@ spec::Setup read_setup(const std::string& path);
 void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t column, std::string_view number,
                   std::string_view message);
 
-// The columns of the blocks read lately, for alarms that name an earlier block.
+// Where alarms point to: the places of the blocks read lately, for those that name an earlier block. A block of several
+// lines has its alarm of reading where the fault is.
 class RecentBlocks {
  public:
-  void add(const spec::Block& block);
-  // 1 for a line no longer known.
-  [[nodiscard]] std::uint64_t column(std::uint64_t line) const;
-
- private:
   struct Place {
     std::uint64_t line = 0;
     std::uint64_t column = 1;
   };
-  std::array<Place, 16> places_{};
+
+  void add(const spec::Block& block);
+  void add(const spec::klartext::Block& block);
+  // Of the block that begins in this line; column 1 of it where the block is no longer known.
+  [[nodiscard]] Place place(std::uint64_t line) const;
+
+ private:
+  void add(std::uint64_t line, Place place) { places_[next_++ % places_.size()] = {line, place}; }
+
+  struct Known {
+    std::uint64_t line = 0;
+    Place place;
+  };
+  std::array<Known, 16> places_{};
   std::size_t next_ = 0;
 };
 

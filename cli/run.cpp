@@ -1,6 +1,5 @@
 // toolcomp run: the events of one program, as they come.
 #include <iostream>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,9 +7,8 @@
 #include "certify/path_svg.h"
 #include "cli/program.h"
 #include "cli/verbs.h"
-#include "fast/engine.h"
 #include "fast/print.h"
-#include "model/engine.h"
+#include "fuzz/oracle/control.h"
 #include "model/print.h"
 #include "model/program/number.h"
 #include "spec/language/event_format.h"
@@ -26,10 +24,9 @@ class Printer final : public spec::EventSink<Number> {
  public:
   // `start`: where the program starts, linear axes.
   Printer(const Program& program, Format format, AppendNumber append, const spec::AxisValues<Number>& start)
-      : program_(program), format_(format), append_(std::move(append)), gcode_{start} {
+      : program_(program), format_(format), append_(std::move(append)), gcode_{start}, units_(program.setup().units) {
     std::string head;
-    if (format_ == Format::csv) spec::append_csv_header(head, program_.setup().axes);
-    if (format_ == Format::gcode) spec::append_gcode_begin(head, program_.setup().units);
+    if (format_ == Format::csv) spec::append_csv_header(head, program_.setup().axes, program_.setup().control);
     spec::TextCursor(buffer_).append(head);
   }
   ~Printer() override = default;
@@ -37,17 +34,25 @@ class Printer final : public spec::EventSink<Number> {
   Printer& operator=(const Printer&) = delete;
 
   void on(const spec::Event<Number>& event) override {
+    begin();
     print(event);
     if (buffer_.view().size() > kFlushAt) flush();
     if (event.kind == spec::EventKind::undecided) undecided_ = true;
     if (event.kind != spec::EventKind::alarm) return;
     flush();
     std::cout.flush();
-    report_alarm(program_.path(), event.line, recent_.column(event.line), event.number.view(), event.message);
+    const RecentBlocks::Place place = recent_.place(event.line);
+    report_alarm(program_.path(), place.line, place.column, event.number.view(), event.message);
   }
 
   void reading(const spec::Block& block) { recent_.add(block); }
+  void reading(const spec::klartext::Block& block) {
+    recent_.add(block);
+    // The units of the events, too.
+    if (block.statement == spec::klartext::Statement::begin_program && !block.alarm) units_ = block.unit;
+  }
   void end() {
+    begin();
     std::string tail;
     if (format_ == Format::gcode) spec::append_gcode_end(tail);
     spec::TextCursor(buffer_).append(tail);
@@ -61,6 +66,15 @@ class Printer final : public spec::EventSink<Number> {
   [[nodiscard]] int status() const { return undecided_ ? kUndecided : kAgrees; }
 
  private:
+  // A plain program says its units first; a Klartext program has said them before its first event.
+  void begin() {
+    if (format_ != Format::gcode || begun_) return;
+    begun_ = true;
+    std::string head;
+    spec::append_gcode_begin(head, units_);
+    spec::TextCursor(buffer_).append(head);
+  }
+
   [[gnu::flatten]] void print(const spec::Event<Number>& event) {
     const spec::Axes& axes = program_.setup().axes;
     spec::TextCursor out(buffer_);
@@ -70,7 +84,7 @@ class Printer final : public spec::EventSink<Number> {
         out += '\n';
         break;
       case Format::csv:
-        spec::append_event_csv(out, event, axes, append_);
+        spec::append_event_csv(out, event, axes, append_, program_.setup().control);
         break;
       case Format::gcode:
         spec::append_event_gcode(out, event, axes, append_, gcode_);
@@ -87,13 +101,16 @@ class Printer final : public spec::EventSink<Number> {
   spec::TextBuffer buffer_;
   spec::GcodeState<Number> gcode_;
   RecentBlocks recent_;
+  spec::Units units_;
+  bool begun_ = false;
   bool undecided_ = false;
 };
 
-template <class Engine, class Sink>
+template <class Control, class Engine, class Sink>
 void feed(const Program& program, Engine& engine, Sink& sink) {
-  spec::ProgramReader reader = program.reader();
-  spec::Block block;
+  const fuzz::StreamedProgram text = program.text();
+  auto reader = Control::reader(text.open(), program.setup(), text.name);
+  typename Control::Block block;
   try {
     while (!engine.stopped() && reader.next(block)) {
       sink.reading(block);
@@ -108,6 +125,22 @@ void feed(const Program& program, Engine& engine, Sink& sink) {
   sink.end();
 }
 
+template <class Sink>
+void feed_model(const Program& program, model::Recorder& recorder, Sink& sink) {
+  fuzz::with_control(program.setup(), [&]<class Control>(Control) {
+    auto engine = Control::model(program.setup(), recorder, sink, program.samples());
+    feed<Control>(program, engine, sink);
+  });
+}
+
+template <class Sink>
+void feed_fast(const Program& program, Sink& sink) {
+  fuzz::with_control(program.setup(), [&]<class Control>(Control) {
+    auto engine = Control::fast(program.setup(), sink, program.samples());
+    feed<Control>(program, engine, sink);
+  });
+}
+
 // Keeps the events for a picture, in double.
 template <class Number>
 struct Collector final : spec::EventSink<Number> {
@@ -115,7 +148,12 @@ struct Collector final : spec::EventSink<Number> {
   void on(const spec::Event<Number>& event) override {
     events.push_back(spec::map_numbers<double>(event, [](const Number& value) { return nearest(value); }));
   }
+  std::string unit;  // of a Klartext program
   void reading(const spec::Block&) {}
+  void reading(const spec::klartext::Block& block) {
+    if (block.statement == spec::klartext::Statement::begin_program && !block.alarm)
+      unit = block.unit == spec::Units::mm ? "mm" : "inch";
+  }
   void flush() {}
   void end() {}
 
@@ -126,13 +164,12 @@ struct Collector final : spec::EventSink<Number> {
   }
 };
 
-// The path as a picture; `make` makes the engine over a sink.
-template <class Number, class Make>
-int draw(const Program& program, const Make& make) {
-  Collector<Number> sink;
-  const auto engine = make(sink);
-  feed(program, *engine, sink);
-  std::cout << certify::path_svg(sink.events, program.setup().axes, certify::path_options(program.setup())) << '\n';
+// The path as a picture.
+template <class Number>
+int draw(const Program& program, const Collector<Number>& run) {
+  certify::PathOptions options = certify::path_options(program.setup());
+  if (!run.unit.empty()) options.unit = run.unit;
+  std::cout << certify::path_svg(run.events, program.setup().axes, options) << '\n';
   return kAgrees;
 }
 
@@ -158,22 +195,23 @@ int run(const RunOptions& options) {
     const auto append = [&numbers](spec::TextCursor& out, double value) {
       out.write([&](char* to) { return numbers.write(to, value); });
     };
-    if (options.format == Format::svg)
-      return draw<double>(program, [&](auto& sink) {
-        return std::make_unique<fast::Engine>(program.setup(), sink, program.samples());
-      });
+    if (options.format == Format::svg) {
+      Collector<double> sink;
+      feed_fast(program, sink);
+      return draw(program, sink);
+    }
     const auto start =
         start_of<double>(program.setup(), [](const spec::Decimal& d) { return std::stod(spec::to_string(d)); });
     Printer<double, decltype(append)> sink(program, options.format, append, start);
-    fast::Engine engine(program.setup(), sink, program.samples());
-    feed(program, engine, sink);
+    feed_fast(program, sink);
     return sink.status();
   }
   model::Recorder recorder;
-  if (options.format == Format::svg)
-    return draw<exact::Real>(program, [&](auto& sink) {
-      return std::make_unique<model::Engine>(program.setup(), recorder, sink, program.samples());
-    });
+  if (options.format == Format::svg) {
+    Collector<exact::Real> sink;
+    feed_model(program, recorder, sink);
+    return draw(program, sink);
+  }
   const auto append = [&options](spec::TextCursor& out, const exact::Real& value) {
     std::string number;
     model::append_number(number, value, options.digits);
@@ -182,8 +220,7 @@ int run(const RunOptions& options) {
   const auto start =
       start_of<exact::Real>(program.setup(), [](const spec::Decimal& d) { return exact::Real(model::plain(d)); });
   Printer<exact::Real, decltype(append)> sink(program, options.format, append, start);
-  model::Engine engine(program.setup(), recorder, sink, program.samples());
-  feed(program, engine, sink);
+  feed_model(program, recorder, sink);
   return sink.status();
 }
 

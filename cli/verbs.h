@@ -83,7 +83,7 @@ struct ReplayOptions {
 int replay(const ReplayOptions& options);
 
 struct CorpusOptions {
-  std::string verb;  // generate, check, lint, diff, contour, flank
+  std::string verb;  // generate, check, lint, diff, contour, flank, freeform
   std::vector<std::string> sections;
   std::string directory;
   std::string shard;  // "I/N"
@@ -92,8 +92,9 @@ struct CorpusOptions {
   std::uint64_t seed = 1;
   corpus::ContourOptions contour;
   corpus::FlankTool tool = corpus::FlankTool::rotary;
-  std::optional<std::size_t> blocks;  // contour, flank
-  std::string out;                    // contour, flank: the program; its setup stands beside it, ending in .toml
+  bool no_tool_vector = false;        // freeform
+  std::optional<std::size_t> blocks;  // contour, flank, freeform
+  std::string out;                    // of the same: the program; its setup stands beside it, ending in .toml
 };
 int corpus(const CorpusOptions& options);
 

@@ -47,5 +47,12 @@ std::span<const Example> tool_center_point_control_examples();
 std::span<const Example> tool_center_point_control_rules();
 std::span<const Example> tool_posture_control_examples();
 std::span<const Example> tool_posture_control_rules();
+std::span<const Example> face_milling_examples();
+std::span<const Example> face_milling_rules();
+std::span<const Example> klartext_examples();
+std::span<const Example> peripheral_milling_examples();
+std::span<const Example> peripheral_milling_rules();
+std::span<const Example> programmed_contour_examples();
+std::span<const Example> programmed_contour_rules();
 
 }  // namespace toolcomp::corpus

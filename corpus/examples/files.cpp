@@ -26,6 +26,13 @@ std::span<const ExampleFile> example_files() {
       ExampleFile{"fanuc/tool-center-point-control", "rules", tool_center_point_control_rules()},
       ExampleFile{"fanuc/tool-posture-control", "examples", tool_posture_control_examples()},
       ExampleFile{"fanuc/tool-posture-control", "rules", tool_posture_control_rules()},
+      ExampleFile{"heidenhain/face-milling", "examples", face_milling_examples()},
+      ExampleFile{"heidenhain/face-milling", "rules", face_milling_rules()},
+      ExampleFile{"heidenhain/face-milling", "klartext", klartext_examples()},
+      ExampleFile{"heidenhain/peripheral-milling", "examples", peripheral_milling_examples()},
+      ExampleFile{"heidenhain/peripheral-milling", "rules", peripheral_milling_rules()},
+      ExampleFile{"heidenhain/programmed-contour", "examples", programmed_contour_examples()},
+      ExampleFile{"heidenhain/programmed-contour", "rules", programmed_contour_rules()},
   };
   return kFiles;
 }

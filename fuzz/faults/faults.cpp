@@ -142,16 +142,50 @@ constexpr Row kPosture[] = {
     {"posture_near_by_ends", kPostureBlock, 2000},
 };
 
+// What the state of a program does shows in the blocks of face milling.
+constexpr Row kKlartext[] = {
+    {"klartext_reference_stays", "heidenhain.program.reference-point heidenhain.contour.nominal-tip", 5000},
+    {"klartext_row_survives_tool_call", "", 5000},
+    {"klartext_table_in_inches", "", 2000},
+    {"klartext_rotary_order", "heidenhain.program.direction-of-rotary-axes", 2000},
+};
+
+constexpr Row kFace[] = {
+    {"face_tip_along_normal", "heidenhain.face.effective-tip"},
+    {"face_radius_delta_ignored", "heidenhain.tool.ring-change"},
+    {"face_jump_unnoticed", "heidenhain.face.contact-to-flat heidenhain.face.contact-jump", 2000},
+    {"face_deviation_steps", "heidenhain.face.contact-point heidenhain.face.effective-tip", 2000},
+};
+
+constexpr Row kPeripheral[] = {
+    {"peripheral_sides_exchanged", "heidenhain.peripheral.side heidenhain.peripheral.applies"},
+    {"peripheral_own_direction_at_corner", "heidenhain.peripheral.mitre", 2000},
+    {"peripheral_tool_of_next_block", "heidenhain.peripheral.mitre heidenhain.peripheral.first-block", 2000},
+};
+
+constexpr Row kContour[] = {
+    {"contour_nominal_corner", "heidenhain.contour.mode heidenhain.contour.face"},
+    {"contour_reference_counts", "heidenhain.contour.reference-ignored", 2000},
+};
+
 struct Section {
   std::string_view name;
   std::span<const Row> rows;
 };
 constexpr Section kSections[] = {
-    {"fanuc/tool-length-offset", kLength},           {"fanuc/leading-edge-offset", kEdge},
-    {"fanuc/tool-length-measurement", kMeasurement}, {"fanuc/tool-offset", kOffset},
-    {"fanuc/cutter-compensation-b", kCutterB},       {"fanuc/cutter-compensation-c", kCutterC},
-    {"fanuc/tool-side-compensation", kSide},         {"fanuc/tool-center-point-control", kTip},
+    {"fanuc/tool-length-offset", kLength},
+    {"fanuc/leading-edge-offset", kEdge},
+    {"fanuc/tool-length-measurement", kMeasurement},
+    {"fanuc/tool-offset", kOffset},
+    {"fanuc/cutter-compensation-b", kCutterB},
+    {"fanuc/cutter-compensation-c", kCutterC},
+    {"fanuc/tool-side-compensation", kSide},
+    {"fanuc/tool-center-point-control", kTip},
     {"fanuc/tool-posture-control", kPosture},
+    {"heidenhain/face-milling", kKlartext},
+    {"heidenhain/face-milling", kFace},
+    {"heidenhain/peripheral-milling", kPeripheral},
+    {"heidenhain/programmed-contour", kContour},
 };
 
 std::vector<SeededFault> all() {

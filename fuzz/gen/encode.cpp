@@ -2,6 +2,9 @@
 //   u mm|inch   i A|B|C   a LETTERS   k b|c   s (block skip)   x (type B without perpendicular)   p NUMBER[#BIT] VALUE
 //   m a|b|c COUNT h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR   w 54…59 AXIS VALUE   o AXIS VALUE (position) r 1…4
 //   AXIS VALUE   f AXIS VALUE (floating reference)   t AXIS VALUE (measurement)   n COUNT (samples)
+// of a Heidenhain control u a s o, and
+//   c heidenhain (before all others)   y TENTHS R R2 DL DR DR2 [L] (a tool)   e NAME (of the tool before)   g NAME (its
+//   table of deviations)   j NUMBER DL DR DR2 (a row of corrections)   q ANGLE DEVIATION NAME (a point of that table)
 #include "fuzz/gen/encode.h"
 
 #include <fmt/format.h>
@@ -9,8 +12,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <initializer_list>
 #include <iterator>
 #include <optional>
+#include <tuple>
 
 namespace toolcomp::fuzz {
 namespace {
@@ -25,14 +31,18 @@ constexpr std::uint32_t kDefaultCount = 400;
 constexpr std::uint32_t kFirstWorkpiece = 54;
 constexpr std::uint32_t kMostSamples = 64;  // of a fuzzed case
 
-// The words of a line, at most four.
+constexpr std::size_t kLongestName = 32;
+
+// The words of a line, at most eight, and what stands from each of them on.
 struct Line {
-  std::array<std::string_view, 4> word;
+  std::array<std::string_view, 8> word;
+  std::array<std::string_view, 8> from;
 
   explicit Line(std::string_view text) {
-    for (std::string_view& w : word) {
+    for (std::size_t i = 0; i < word.size(); ++i) {
       const std::size_t space = text.find(' ');
-      w = text.substr(0, space);
+      from.at(i) = text;
+      word.at(i) = text.substr(0, space);
       text = space == std::string_view::npos ? std::string_view() : text.substr(space + 1);
     }
   }
@@ -82,8 +92,75 @@ bool all_different_axes(std::string_view letters) {
   return true;
 }
 
+// Numbers of the words from `first` on; nothing where one is none.
+template <std::size_t N>
+std::optional<std::array<Decimal, N>> decimals(const Line& line, std::size_t first) {
+  std::array<Decimal, N> values{};
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto value = spec::parse_decimal(line.word.at(first + i));
+    if (!value) return std::nullopt;
+    values.at(i) = *value;
+  }
+  return values;
+}
+
+void put_tool(Setup& setup, const Line& line) {
+  constexpr std::uint32_t least = 10;
+  constexpr std::uint32_t most = 327'679;
+  const auto tenths = whole(line.word[1], most);
+  const auto values = decimals<5>(line, 2);
+  if (!tenths || *tenths < least || !values) return;
+  if (std::ranges::find(setup.tools, *tenths, &spec::ToolRow::number) != setup.tools.end()) return;
+  spec::ToolRow& row = setup.tools.emplace_back();
+  row.number = *tenths;
+  std::tie(row.r, row.r2, row.dl, row.dr, row.dr2) = std::tuple_cat(*values);
+  row.l = spec::parse_decimal(line.word[7]);
+}
+
+void name_tool(Setup& setup, std::string_view name) {
+  const bool fits = !setup.tools.empty() && name.size() <= kLongestName;
+  if (fits && std::ranges::find(setup.tools, name, &spec::ToolRow::name) == setup.tools.end())
+    setup.tools.back().name = name;
+}
+
+void put_correction(Setup& setup, const Line& line) {
+  constexpr std::uint32_t most = 999'999'999;
+  const auto number = whole(line.word[1], most);
+  if (const auto values = decimals<3>(line, 2); number && values)
+    setup.tcs[*number] = {(*values)[0], (*values)[1], (*values)[2]};
+}
+
+double number(const Decimal& value) {
+  const double magnitude = static_cast<double>(value.digits) * std::pow(10.0, -value.decimals);
+  return value.negative ? -magnitude : magnitude;
+}
+
+// Ascending from 0 to 180 degrees, with a gap that doubles see.
+void put_deviation(Setup& setup, const Line& line) {
+  constexpr double half_turn = 180;
+  constexpr double gap = 1e-9;
+  const auto values = decimals<2>(line, 1);
+  const std::string_view name = line.from[3];
+  if (!values || name.empty() || number((*values)[0]) < 0 || number((*values)[0]) > half_turn) return;
+  spec::DeviationTable& table = setup.dr2_tables[std::string(name)];
+  if (table.empty() || number((*values)[0]) > number(table.back().first) + gap)
+    table.emplace_back((*values)[0], (*values)[1]);
+}
+
+// What no setup of this control has is left out.
+void make_possible(Setup& setup) {
+  if (setup.control != spec::Control::heidenhain) return;
+  for (const char letter : kDefaultAxes)
+    if (!setup.axes.has(letter)) setup.axes = spec::Axes(kDefaultAxes);
+  std::erase_if(setup.position, [&](const auto& entry) { return !setup.axes.has(entry.first); });
+  for (spec::ToolRow& tool : setup.tools)
+    if (!setup.dr2_tables.contains(tool.dr2_table)) tool.dr2_table.clear();
+}
+
 void apply(Setup& setup, const Line& line) {
   if (line.word[0].size() != 1) return;
+  const bool heidenhain = setup.control == spec::Control::heidenhain;
+  if (std::string_view(heidenhain ? "ikxpmhdwrft" : "yegjq").find(line.word[0][0]) != std::string_view::npos) return;
   const std::string_view first = line.word[1];
   const auto letter = [&](std::string_view letters) -> std::optional<std::size_t> {
     const std::size_t at = first.size() == 1 ? letters.find(first[0]) : std::string_view::npos;
@@ -141,6 +218,25 @@ void apply(Setup& setup, const Line& line) {
     case 't':
       put(setup.measurement, first, line.word[2]);
       break;
+    case 'c':
+      setup = {};
+      if (first == "heidenhain") setup.control = spec::Control::heidenhain;
+      break;
+    case 'y':
+      put_tool(setup, line);
+      break;
+    case 'e':
+      name_tool(setup, line.from[1]);
+      break;
+    case 'g':
+      if (!setup.tools.empty()) setup.tools.back().dr2_table = line.from[1];
+      break;
+    case 'j':
+      put_correction(setup, line);
+      break;
+    case 'q':
+      put_deviation(setup, line);
+      break;
     default:
       break;
   }
@@ -159,11 +255,30 @@ void add(std::string& out, char prefix, const std::map<std::uint32_t, spec::Offs
   }
 }
 
+void add_tools(std::string& out, const Setup& s) {
+  const auto line = [&out](std::initializer_list<std::string> words) {
+    for (const std::string& word : words) out += (out.empty() || out.back() == '\n' ? "" : " ") + word;
+    out += '\n';
+  };
+  using spec::to_string;
+  for (const spec::ToolRow& tool : s.tools) {
+    line({"y", std::to_string(tool.number), to_string(tool.r), to_string(tool.r2), to_string(tool.dl),
+          to_string(tool.dr), to_string(tool.dr2), tool.l ? to_string(*tool.l) : std::string("-")});
+    if (!tool.name.empty()) line({"e", tool.name});
+    if (!tool.dr2_table.empty()) line({"g", tool.dr2_table});
+  }
+  for (const auto& [number, row] : s.tcs)
+    line({"j", std::to_string(number), to_string(row.dl), to_string(row.dr), to_string(row.dr2)});
+  for (const auto& [name, points] : s.dr2_tables)
+    for (const auto& [angle, deviation] : points) line({"q", to_string(angle), to_string(deviation), name});
+}
+
 }  // namespace
 
 std::string encode(const spec::Case& c) {
   const Setup& s = c.setup;
   std::string out;
+  if (s.control == spec::Control::heidenhain) out += "c heidenhain\n";
   if (s.units == spec::Units::inch) out += "u inch\n";
   if (s.increment != spec::IncrementSystem::is_b) out += fmt::format("i {}\n", "ABC"[static_cast<int>(s.increment)]);
   if (s.axes.letters() != kDefaultAxes) out += fmt::format("a {}\n", s.axes.letters());
@@ -183,6 +298,7 @@ std::string encode(const spec::Case& c) {
   for (const auto& [number, table] : s.reference) add(out, fmt::format("r {}", number), table);
   add(out, "f", s.floating_reference);
   add(out, "t", s.measurement);
+  add_tools(out, s);
   if (c.samples != 0) out += fmt::format("n {}\n", c.samples);
   out += kProgram;
   out += c.program;
@@ -202,6 +318,11 @@ spec::Case decode(std::string_view section, std::string_view bytes) {
     bytes = end == std::string_view::npos ? std::string_view() : bytes.substr(end + 1);
   }
   if (!bytes.empty()) c.program = bytes.substr(kProgram.size());
+  make_possible(c.setup);
+  if (c.setup.control == spec::Control::heidenhain) {
+    c.dialect = "klartext";
+    c.samples = 0;
+  }
   return c;
 }
 

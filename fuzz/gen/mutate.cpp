@@ -7,6 +7,7 @@
 #include <span>
 
 #include "fuzz/gen/choices.h"
+#include "fuzz/gen/mutate_klartext.h"
 #include "fuzz/gen/program_text.h"
 #include "fuzz/gen/setups.h"
 #include "fuzz/gen/vocabulary.h"
@@ -248,11 +249,13 @@ void mutate(spec::Case& c, Mode mode, ChoiceSource& source) {
   const std::size_t most = mode == Mode::directed ? 2 : 4;
   const bool sampled = c.section == "fanuc/tool-center-point-control" || c.section == "fanuc/tool-posture-control";
   if (sampled && choose.chance(5)) c.samples = static_cast<std::uint32_t>(choose.below(5));
+  const bool klartext = c.setup.control == spec::Control::heidenhain;
   for (std::size_t n = choose.below(most) + 1; n > 0; --n) {
-    if (choose.chance(20))
-      change_setup(choose, mode, c.setup);
+    const bool setup = choose.chance(20);
+    if (klartext)
+      setup ? change_tool_tables(choose, c.setup) : change_klartext(choose, c, mode);
     else
-      change_program(choose, c, mode);
+      setup ? change_setup(choose, mode, c.setup) : change_program(choose, c, mode);
   }
 }
 

@@ -40,6 +40,16 @@ WordTexts words(std::string_view line) {
   return result;
 }
 
+WordTexts words_between_blanks(std::string_view line) {
+  WordTexts result;
+  while (!line.empty()) {
+    const std::size_t end = line.find(' ');
+    if (end != 0) result.emplace_back(line.substr(0, end));
+    line = end == std::string_view::npos ? std::string_view() : line.substr(end + 1);
+  }
+  return result;
+}
+
 std::string joined_words(const WordTexts& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;

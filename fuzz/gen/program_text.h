@@ -13,6 +13,8 @@ std::vector<std::string> lines(std::string_view program);
 std::string joined(const std::vector<std::string>& lines);
 // A word begins at each letter.
 WordTexts words(std::string_view line);
+// Words stand between blanks: Klartext.
+WordTexts words_between_blanks(std::string_view line);
 std::string joined_words(const WordTexts& words);
 
 }  // namespace toolcomp::fuzz

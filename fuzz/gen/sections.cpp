@@ -25,6 +25,9 @@ constexpr Generator kGenerators[] = {
     {"fanuc/leading-edge-offset", leading_edge_offset},
     {"fanuc/tool-center-point-control", tool_center_point_control},
     {"fanuc/tool-posture-control", tool_posture_control},
+    {"heidenhain/face-milling", face_milling},
+    {"heidenhain/peripheral-milling", peripheral_milling},
+    {"heidenhain/programmed-contour", programmed_contour},
 };
 constexpr auto kSections = [] {
   std::array<std::string_view, std::size(kGenerators)> names{};

@@ -15,6 +15,9 @@ spec::Case tool_side_compensation(Choices& choose, std::uint32_t blocks);
 spec::Case leading_edge_offset(Choices& choose, std::uint32_t blocks);
 spec::Case tool_center_point_control(Choices& choose, std::uint32_t blocks);
 spec::Case tool_posture_control(Choices& choose, std::uint32_t blocks);
+spec::Case face_milling(Choices& choose, std::uint32_t blocks);
+spec::Case peripheral_milling(Choices& choose, std::uint32_t blocks);
+spec::Case programmed_contour(Choices& choose, std::uint32_t blocks);
 
 // Any words over any setup of the section: valid programs with damage, words at random, look-alike text.
 spec::Case unrestricted(Choices& choose, spec::Case directed, std::uint32_t blocks);

@@ -23,6 +23,10 @@ spec::Setup random_tool_side_setup(Choices& choose);
 // with the distances of their axes, ranges and limits; offsets and corner parameters as for tool side compensation.
 spec::Setup random_rotary_setup(Choices& choose);
 
+// For 3D tool compensation on a Heidenhain control: a tool table of one to three end mills, toroid cutters and balls,
+// seldom of what is no tool; deltas, rows of corrections, tables of deviations.
+spec::Setup random_heidenhain_setup(Choices& choose);
+
 // A decimal of `count` units of 10^-decimals.
 spec::Decimal decimal(std::int64_t count, int decimals);
 // Digits behind the point of the least input increment of the setup's units and increment system.

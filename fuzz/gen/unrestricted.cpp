@@ -1,3 +1,4 @@
+#include "fuzz/gen/klartext_vocabulary.h"
 #include "fuzz/gen/mutate.h"
 #include "fuzz/gen/program_text.h"
 #include "fuzz/gen/sections.h"
@@ -7,6 +8,7 @@ namespace toolcomp::fuzz {
 namespace {
 
 std::string random_line(Choices& choose, const spec::Case& c) {
+  if (c.setup.control == spec::Control::heidenhain) return any_klartext_statement(choose, c.setup);
   if (choose.chance(6))
     return choose.one_of({"%",       "O0001",     "(COMMENT)", "(OPEN",    "/G01 X1.", ";",      "  ",
                           "g01 x1.", "N1",        "N1 N2 X1.", "G1X1Y1Z1", "X1. X2.",  "G90G91", "G 01 X 1.",

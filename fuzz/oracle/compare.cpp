@@ -35,6 +35,8 @@ std::string_view name(spec::Plane plane) {
 }
 std::string_view name(spec::ArcDirection direction) { return direction == spec::ArcDirection::cw ? "cw" : "ccw"; }
 
+constexpr double kHalfTurn = 180;  // degrees
+
 std::string text_of(const std::optional<std::uint64_t>& n) { return n ? fmt::format("{}", *n) : "none"; }
 
 // Names a field; text is made only for a difference.
@@ -82,6 +84,9 @@ class Comparison {
     }
     if (expected_.line != actual_.line)
       return differ("line", "line", fmt::format("{}", expected_.line), fmt::format("{}", actual_.line));
+    if (rules_.judges("reason") && expected_.out_of_scope != actual_.out_of_scope)
+      return differ("undecided", "reason", expected_.out_of_scope ? "OUT_OF_SCOPE" : "none",
+                    actual_.out_of_scope ? "OUT_OF_SCOPE" : "none");
     if (rules_.judges("n") && expected_.n != actual_.n)
       return differ("sequence number", "n", text_of(expected_.n), text_of(actual_.n));
     switch (expected_.kind) {
@@ -104,8 +109,55 @@ class Comparison {
            table("programmed", expected_.programmed, actual_.programmed) ||
            table("point", expected_.point, actual_.point) ||
            table("axes", expected_.axes, actual_.axes, scale_.pose.control_point) ||
-           table("machine", expected_.machine, actual_.machine, scale_.pose.control_point) || tool_axis() || arc() ||
-           feed();
+           table("machine", expected_.machine, actual_.machine, scale_.pose.control_point) || tool_axis() || space() ||
+           arc() || feed();
+  }
+
+  // 3D tool compensation. Fields that only one of the two has are judged one by one.
+  bool space() {
+    const auto* const e = expected_.space ? &*expected_.space : nullptr;
+    const auto* const a = actual_.space ? &*actual_.space : nullptr;
+    const auto* const ec = e != nullptr && e->contact ? &*e->contact : nullptr;
+    const auto* const ac = a != nullptr && a->contact ? &*a->contact : nullptr;
+    return lengths("tool_center", e != nullptr ? &e->tool_center : nullptr, a != nullptr ? &a->tool_center : nullptr) ||
+           lengths("contact", ec != nullptr ? &ec->point : nullptr, ac != nullptr ? &ac->point : nullptr) ||
+           normal(ec, ac) || lengths("shift", e != nullptr ? &e->shift : nullptr, a != nullptr ? &a->shift : nullptr) ||
+           lengths("tool_shift", e != nullptr ? &e->tool_shift : nullptr, a != nullptr ? &a->tool_shift : nullptr) ||
+           lengths("carrier", e != nullptr && e->carrier ? &*e->carrier : nullptr,
+                   a != nullptr && a->carrier ? &*a->carrier : nullptr) ||
+           angle(ec, ac) || flat(ec, ac);
+  }
+
+  bool lengths(std::string_view field, const std::array<Real, 3>* e, const std::array<Number, 3>* a) {
+    if (!rules_.judges(field) || absent({field}, e != nullptr, a != nullptr)) return found_;
+    if (e == nullptr) return false;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (length({field, "XYZ"[i]}, (*e)[i], (*a)[i])) return true;
+    return false;
+  }
+
+  bool normal(const spec::Contact<Real>* e, const spec::Contact<Number>* a) {
+    if (!rules_.judges("normal") || absent({"normal"}, e != nullptr, a != nullptr)) return found_;
+    if (e == nullptr) return false;
+    for (int i = 0; i < 3; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (number("normal", {"normal", 0, i}, e->normal[at], a->normal[at], rules_.budget().tool_axis, policy::ulp(1)))
+        return true;
+    }
+    return false;
+  }
+
+  bool angle(const spec::Contact<Real>* e, const spec::Contact<Number>* a) {
+    const bool expected = e != nullptr && e->angle;
+    if (!rules_.judges("angle") || absent({"angle"}, expected, a != nullptr && a->angle)) return found_;
+    return expected && number("angle", {"angle"}, *e->angle, *a->angle, rules_.budget().sweep, policy::ulp(kHalfTurn));
+  }
+
+  bool flat(const spec::Contact<Real>* e, const spec::Contact<Number>* a) {
+    if (!rules_.judges("flat")) return false;
+    const bool expected = e != nullptr && e->flat;
+    return expected != (a != nullptr && a->flat) &&
+           differ("flat", "flat", expected ? "true" : "absent", expected ? "absent" : "true");
   }
 
   bool sample() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
@@ -38,8 +39,8 @@ bool coplanar(const std::array<double, 3>& v, const std::array<double, 3>& a, co
 
 }  // namespace
 
-Conditions::Conditions(const spec::Setup& setup, const DirectionWords* words)
-    : index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')}, pose_(setup, words) {
+Conditions::Conditions(const spec::Setup& setup, const ProgramFacts* facts)
+    : index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')}, facts_(facts), pose_(setup, facts) {
   for (std::size_t i = 0; i < setup.axes.size(); ++i) linear_[i] = spec::is_linear_axis(setup.axes.letter(i));
   const auto table = [this](const spec::AxisTable& values) {
     for (const auto& [axis, number] : values)
@@ -66,6 +67,7 @@ Conditions::Conditions(const spec::Setup& setup, const DirectionWords* words)
     if (start != setup.position.end()) position_[i] = value(start->second) * (start->second.negative ? -1 : 1);
   }
   point_ = position_;
+  if (setup.control == spec::Control::heidenhain) space_.emplace(setup);
 }
 
 double Conditions::condition(std::span<const model::Event> window, const Vector& at, const Vector& tool,
@@ -88,6 +90,10 @@ double Conditions::condition(std::span<const model::Event> window, const Vector&
 
 Scale Conditions::next(std::span<const model::Event> window) {
   const model::Event& event = window.front();
+  if (space_) {
+    if (facts_ != nullptr && facts_->units()) space_->units(*facts_->units());
+    return space_->next(window);
+  }
   Scale scale{setup_scale_, 0, 1};
   if (event.kind != spec::EventKind::move && event.kind != spec::EventKind::sample) return scale;
   const auto include = [&](const spec::AxisValues<model::Real>& values) {

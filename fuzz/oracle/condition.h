@@ -7,21 +7,15 @@
 
 #include "fuzz/oracle/corner.h"
 #include "fuzz/oracle/pose_error.h"
+#include "fuzz/oracle/scale.h"
+#include "fuzz/oracle/space_scale.h"
 #include "fuzz/oracle/tool_plane.h"
 #include "model/engine.h"
+#include "spec/language/block.h"
+#include "spec/language/klartext_block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {
-
-// What the policy multiplies its k with, in setup units.
-struct Scale {
-  double position = 0;   // the largest linear magnitude that enters the event's coordinates
-  double vector = 0;     // length of the compensation vector
-  double condition = 1;  // error of the vector over error of the directions it is made of
-  double start = 0;      // the same product of the vector with which an arc begins
-  double turn = 0;   // arcs with a vector: sum over both ends of one unit of length over their distance to the centre
-  PoseScale pose{};  // what the rotary positions add
-};
 
 // Follows the events of one run, in order.
 //
@@ -37,10 +31,12 @@ struct Scale {
 // A sample lies between two heads: it has the worse of their scales.
 //
 // The sweep of an arc with a vector turns by the errors of its ends over their distances from the centre.
+//
+// Heidenhain: space_scale.h.
 class Conditions {
  public:
-  // `words`: of the program, where it is at hand (pose_error.h). Kept by reference.
-  explicit Conditions(const spec::Setup& setup, const DirectionWords* words = nullptr);
+  // `facts`: of the program, where it is at hand (program_facts.h). Kept by reference.
+  explicit Conditions(const spec::Setup& setup, const ProgramFacts* facts = nullptr);
   // The scale of window[0]; `window` holds the events from it to the next one that moves, or all that follow.
   Scale next(std::span<const model::Event> window);
 
@@ -65,8 +61,10 @@ class Conditions {
   bool compensated_ = false;  // from a start-up to a cancel
   Corners corners_;
   std::optional<ToolPlane> tool_plane_;  // machines whose events carry a tool axis
+  const ProgramFacts* facts_;
   PoseErrors pose_;
-  std::optional<Scale> of_move_;  // of the move whose samples these are
+  std::optional<Scale> of_move_;      // of the move whose samples these are
+  std::optional<SpaceScales> space_;  // Heidenhain
 };
 
 }  // namespace toolcomp::fuzz

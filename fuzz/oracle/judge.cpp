@@ -70,10 +70,10 @@ Difference name_difference(const Rules& rules, const spec::Setup& setup, const s
 }
 
 template <class Number>
-Agreement agreement(const Rules& rules, const spec::Setup& setup, const DirectionWords& words,
+Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramFacts& facts,
                     const std::vector<model::Event>& expected, std::span<const spec::Event<Number>> actual) {
   Agreement result;
-  Conditions conditions(setup, &words);
+  Conditions conditions(setup, &facts);
   for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
     if (i < expected.size() && expected[i].kind == EventKind::undecided) {
       // What the specification leaves open an engine of ours says too; of a controller nothing is judged from here on.
@@ -125,7 +125,7 @@ template <class Number>
 class Judge {
  public:
   Judge(const spec::Case& c, std::span<const spec::Event<Number>> actual, const JudgeOptions& options)
-      : case_(c), words_(DirectionWords::of(c)), rules_(c.setup, c.section, options) {
+      : case_(c), facts_(ProgramFacts::of(c)), rules_(c.setup, c.section, options) {
     const auto judged = [this](const spec::Event<Number>& event) { return is_judged(event); };
     std::copy_if(actual.begin(), actual.end(), std::back_inserter(kept_), judged);
     actual_ = kept_;
@@ -148,11 +148,11 @@ class Judge {
     return event.kind != EventKind::sample || rules_.judges("t");
   }
   [[nodiscard]] Agreement compared(const ModelRun& run) const {
-    if (rules_.judges("t")) return agreement(rules_, case_.setup, words_, run.events, actual_);
+    if (rules_.judges("t")) return agreement(rules_, case_.setup, facts_, run.events, actual_);
     std::vector<model::Event> expected;
     for (const model::Event& event : run.events)
       if (is_judged(event)) expected.push_back(event);
-    return agreement(rules_, case_.setup, words_, expected, actual_);
+    return agreement(rules_, case_.setup, facts_, expected, actual_);
   }
 
   // Which decision of a run, whatever others come and go before it.
@@ -328,7 +328,7 @@ class Judge {
   }
 
   const spec::Case& case_;
-  DirectionWords words_;
+  ProgramFacts facts_;
   Rules rules_;
   std::vector<spec::Event<Number>> kept_;
   std::span<const spec::Event<Number>> actual_;
@@ -350,6 +350,7 @@ class Reading {
     r.type = e.type;
     r.cause = e.cause;
     r.number = e.number;
+    r.out_of_scope = e.out_of_scope;
     r.setting = e.setting;
     r.t_numerator = e.t_numerator;
     r.t_denominator = e.t_denominator;
@@ -357,10 +358,8 @@ class Reading {
     table("point", e.point, r.point);
     table("axes", e.axes, r.axes);
     table("machine", e.machine, r.machine);
-    if (e.tool_axis) {
-      r.tool_axis.emplace();
-      for (std::size_t i = 0; i < 3; ++i) (*r.tool_axis)[i] = number("tool_axis", (*e.tool_axis)[i]);
-    }
+    if (e.tool_axis) r.tool_axis = vector("tool_axis", *e.tool_axis);
+    if (e.space) space(*e.space, r.space.emplace());
     if (e.arc) {
       r.arc.emplace();
       r.arc->plane = e.arc->plane;
@@ -388,6 +387,23 @@ class Reading {
       bad_->actual = text.v;
     }
     return 0;
+  }
+  std::array<Rational, 3> vector(std::string_view field, const std::array<spec::NumberText, 3>& from) {
+    std::array<Rational, 3> to;
+    for (std::size_t i = 0; i < 3; ++i) to[i] = number(field, from[i]);
+    return to;
+  }
+  void space(const spec::SpaceCompensation<spec::NumberText>& from, spec::SpaceCompensation<Rational>& to) {
+    to.tool_center = vector("tool_center", from.tool_center);
+    to.shift = vector("shift", from.shift);
+    to.tool_shift = vector("tool_shift", from.tool_shift);
+    if (from.carrier) to.carrier = vector("carrier", *from.carrier);
+    if (!from.contact) return;
+    to.contact.emplace();
+    to.contact->point = vector("contact", from.contact->point);
+    to.contact->normal = vector("normal", from.contact->normal);
+    to.contact->flat = from.contact->flat;
+    if (from.contact->angle) to.contact->angle = number("angle", *from.contact->angle);
   }
   void table(std::string_view field, const TextTable& from, RationalTable& to) {
     for (std::size_t i = 0; i < axes_.size(); ++i)

@@ -11,6 +11,8 @@
 //                                                 is commanded has none; machine: value or axes, the larger)
 //   tool axis                                     … by k · ulp(1), inside a block and where positions are kept by
 //                                                 k · its error (pose_error.h)
+//   … of 3D compensation (Heidenhain)             … and k · its error (space_scale.h); normals by k · ulp(1), contact
+//                                                 angles by k · ulp(180); flat and reason equal exactly
 //   samples: t                                    equal exactly
 //   sweeps                                        … by k · (ulp(360) + error of each end of a compensated arc over
 //                                                 its distance from the centre, in degrees); neither value nor
@@ -76,6 +78,13 @@ inline constexpr Budget kBudgets[] = {
     // The angle of both directions (squares, products, root, arc tangent: 14), two sines over a third (6), two products
     // and a sum before that. With tool side compensation its 40 for the point come beside them.
     {"fanuc/tool-posture-control", 80, 80, 40, 64},
+    // Two vectors of three words (squares, sum, root, quotient: 7 each), their double product (14) and its norm (5), a
+    // radius out of deltas and a table (6), four terms: 46.
+    {"heidenhain/face-milling", 48, 8, 16, 16},
+    // A tool direction of up to three turns (9 products and sums with their sines), a cross product and its norm (8),
+    // the same for the next block, their product, sum and quotient (10), tip, deltas and length (8).
+    {"heidenhain/peripheral-milling", 48, 8, 24, 16},
+    {"heidenhain/programmed-contour", 48, 8, 24, 16},
 };
 // For a program that belongs to no section: the widest row.
 inline constexpr Budget kAnySection = {"", 80, 80, 40, 64};
@@ -120,6 +129,17 @@ inline constexpr spec::Clause kExactComparisons[] = {
     spec::Clause::fanuc_length_measurement_too_late,
     // I, J or K and once or twice the value of D.
     spec::Clause::fanuc_tool_offset_arc_radius,
+    // Radii of the tool table and sums of deltas.
+    spec::Clause::heidenhain_tool_table_radius,
+    spec::Clause::heidenhain_tool_table_corner_radius,
+    spec::Clause::heidenhain_tool_table_shape,
+    spec::Clause::heidenhain_tool_effective_radius,
+    spec::Clause::heidenhain_tool_effective_corner_radius,
+    spec::Clause::heidenhain_tool_oversize_radius,
+    spec::Clause::heidenhain_tool_oversize_corner,
+    spec::Clause::heidenhain_tool_corner_beyond_radius,
+    spec::Clause::heidenhain_tool_effective_flat,
+    spec::Clause::heidenhain_tool_ring_change,
 };
 
 constexpr bool compares_exactly(spec::Clause clause) {
@@ -134,6 +154,8 @@ inline constexpr spec::Clause kSquares[] = {
     spec::Clause::fanuc_tool_posture_no_plane,
     spec::Clause::fanuc_tool_posture_at_start,
     spec::Clause::fanuc_tool_posture_at_end,
+    spec::Clause::heidenhain_face_along_the_tool,
+    spec::Clause::heidenhain_peripheral_direction,
 };
 
 constexpr bool is_square(spec::Clause clause) {

@@ -38,12 +38,12 @@ bool moves(const model::Event& event) { return event.kind == spec::EventKind::mo
 
 }  // namespace
 
-PoseErrors::PoseErrors(const spec::Setup& setup, const DirectionWords* words)
+PoseErrors::PoseErrors(const spec::Setup& setup, const ProgramFacts* facts)
     : machine_(RotaryMachine::of(setup)),
       length_(longest_tool(setup)),
       index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
       turning_frame_(machine_ && machine_->type != RotaryMachine::Type::head && setup.bit(19696, 5)),
-      words_(words) {}
+      facts_(facts) {}
 
 PoseErrors::Pose PoseErrors::read(const model::Event& event) const {
   Pose pose;
@@ -58,12 +58,12 @@ PoseErrors::Pose PoseErrors::read(const model::Event& event) const {
 // How much more than e a direction is off that was leant by a Q word towards the travel: the plane of the two is as
 // good as their angle is large.
 double PoseErrors::leant(const Pose& pose, std::uint64_t line) const {
-  if (words_ == nullptr) return 1;
+  if (facts_ == nullptr) return 1;
   const Space travel = difference(pose.point, before_.point);
   const Space normal = product(pose.direction, travel);
   const double size = norm(normal);
   double worst = 1;
-  for (const auto& [since, lean] : words_->leans()) {
+  for (const auto& [since, lean] : facts_->leans()) {
     if (since > line) break;
     if (!(size > 0)) return 1 / policy::kSlack;
     for (const double sign : {1.0, -1.0}) {
@@ -81,7 +81,7 @@ PoseErrors::Pose PoseErrors::end(std::span<const model::Event> window) const {
   const std::uint64_t line = window.front().line;
   const double own = (policy::ulp(1) + frozen_) * leant(pose, line);
   pose.direction_error = own;
-  const bool commanded = words_ != nullptr && !words_->give_positions(line);
+  const bool commanded = facts_ != nullptr && !facts_->give_positions(line);
   if (commanded || !machine_) return pose;
   const Posture posture(*machine_, pose.tool);
   pose.tool_error = posture.tool_error(own);

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "fuzz/oracle/direction_words.h"
+#include "fuzz/oracle/program_facts.h"
 #include "fuzz/oracle/rotary.h"
 #include "model/engine.h"
 #include "spec/language/setup.h"
@@ -41,9 +41,9 @@ struct PoseScale {
 // programming coordinate system was frozen. G49 makes programmed positions of them.
 class PoseErrors {
  public:
-  // `words`: of the program, read at least as far as the events that come; without them any position may have been
+  // `facts`: of the program, read at least as far as the events that come; without them any position may have been
   // made of a direction, and none is leant. Kept by reference.
-  explicit PoseErrors(const spec::Setup& setup, const DirectionWords* words = nullptr);
+  explicit PoseErrors(const spec::Setup& setup, const ProgramFacts* facts = nullptr);
   // Of window[0]; `window` as for Conditions::next. `length` of scale: the largest linear magnitude of the event.
   PoseScale next(std::span<const model::Event> window, double length);
 
@@ -71,7 +71,7 @@ class PoseErrors {
   double length_ = 0;                 // of the longest tool
   std::array<std::size_t, 3> index_;  // of X Y Z
   bool turning_frame_ = false;        // 19696#5 = 1 on a table
-  const DirectionWords* words_;
+  const ProgramFacts* facts_;
   Pose before_;
   bool active_ = false;  // the move before was under tool center point control
   double frozen_ = 0;    // error of the pose of the programming coordinate system, radians

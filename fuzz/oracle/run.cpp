@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "fuzz/oracle/control.h"
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::fuzz {
@@ -15,11 +16,11 @@ class Collector final : public spec::EventSink<Number> {
   std::vector<spec::Event<Number>>& events_;
 };
 
-// The whole program of a case through an engine.
-template <class Engine>
+// The whole program of a case through an engine of its control.
+template <class Control, class Engine>
 void run(const spec::Case& c, Engine& engine) {
-  spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes, {"program", c.setup.block_skip});
-  const auto block = std::make_unique<spec::Block>();
+  auto reader = Control::reader(spec::text_source(c.program), c.setup, "program");
+  const auto block = std::make_unique<typename Control::Block>();
   while (!engine.stopped() && reader.next(*block)) engine.block(*block);
   engine.end();
 }
@@ -30,16 +31,20 @@ ModelRun run_model(const spec::Case& c, const Forced& forced) {
   ModelRun result;
   for (const auto& [index, sign] : forced) result.recorder.force(index, sign);
   Collector<model::Real> sink(result.events);
-  model::Engine engine(c.setup, result.recorder, sink, c.samples);
-  run(c, engine);
+  with_control(c.setup, [&]<class Control>(Control) {
+    auto engine = Control::model(c.setup, result.recorder, sink, c.samples);
+    run<Control>(c, engine);
+  });
   return result;
 }
 
 std::vector<fast::Event> run_fast(const spec::Case& c) {
   std::vector<fast::Event> events;
   Collector<double> sink(events);
-  fast::Engine engine(c.setup, sink, c.samples);
-  run(c, engine);
+  with_control(c.setup, [&]<class Control>(Control) {
+    auto engine = Control::fast(c.setup, sink, c.samples);
+    run<Control>(c, engine);
+  });
   return events;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "fuzz/oracle/compare.h"
+#include "fuzz/oracle/control.h"
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::fuzz {
@@ -44,21 +45,22 @@ struct Actual final : spec::EventSink<double> {
 };
 
 // One pass. Decisions of the current and the previous epoch are kept.
+template <class Control>
 class Pass {
  public:
   Pass(const spec::Setup& setup, std::uint32_t samples, const Choices& choices)
       : rules_(setup, {}, {}),
-        conditions_(setup, &words_),
+        conditions_(setup, &facts_),
         choices_(choices),
         per_move_(std::max<std::size_t>(samples, 1)),
         expected_(setup),
-        model_(setup, recorder_, expected_, samples),
-        fast_(setup, actual_, samples) {
+        model_(Control::model(setup, recorder_, expected_, samples)),
+        fast_(Control::fast(setup, actual_, samples)) {
     begin_epoch();
   }
 
-  Verdict run(spec::ProgramReader& program, void (*on_block)(std::uint64_t)) {
-    const auto block = std::make_unique<spec::Block>();
+  Verdict run(typename Control::Reader program, void (*on_block)(std::uint64_t)) {
+    const auto block = std::make_unique<typename Control::Block>();
     std::uint64_t blocks = 0;
     while (!done() && !(model_.stopped() && fast_.stopped()) && program.next(*block)) {
       if (blocks != 0 && blocks % kEpoch == 0) {
@@ -67,7 +69,7 @@ class Pass {
         starts_ = {starts_.second, block->line};
         begin_epoch();
       }
-      words_.read(*block);
+      facts_.read(*block);
       model_.block(*block);
       fast_.block(*block);
       if (on_block != nullptr)
@@ -195,7 +197,7 @@ class Pass {
   }
 
   Rules rules_;
-  DirectionWords words_;
+  ProgramFacts facts_;
   Conditions conditions_;
   const Choices& choices_;
   std::size_t per_move_;  // events of a move with its samples
@@ -205,8 +207,8 @@ class Pass {
   std::pair<std::uint64_t, std::uint64_t> starts_;  // first lines of the epoch before and of this one
   Expected expected_;
   Actual actual_;
-  model::Engine model_;
-  fast::Engine fast_;
+  typename Control::Model model_;
+  typename Control::Fast fast_;
   std::vector<model::Event> window_;
   Tally tally_;
   std::size_t compared_ = 0;
@@ -216,23 +218,10 @@ class Pass {
 
 constexpr std::string_view kNearTie = "a difference beside a near tie, in a program that can be read only once";
 
-}  // namespace
-
-Verdict judge_stream(spec::ProgramReader& program, const spec::Setup& setup, std::uint32_t samples,
+// Depth first along the chain of forks that each move the difference on; the first pass is the one without choices.
+template <class Control>
+Verdict judge_passes(const StreamedProgram& program, const spec::Setup& setup, std::uint32_t samples,
                      void (*on_block)(std::uint64_t)) {
-  const Choices none;
-  Pass pass(setup, samples, none);
-  Verdict v = pass.run(program, on_block);
-  if (v.outcome == Outcome::differs && !pass.near_ties().empty()) {
-    v.outcome = Outcome::undecided;
-    v.undecided = kNearTie;
-  }
-  return v;
-}
-
-Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spec::Setup& setup, std::uint32_t samples,
-                     void (*on_block)(std::uint64_t)) {
-  // Depth first along the chain of forks that each move the difference on; the first pass is the one without choices.
   struct Task {
     Choices choices;
     std::size_t beyond;  // events a fork must agree in to be followed
@@ -248,12 +237,11 @@ Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spe
       first->undecided = "more than 64 combinations of near ties";
       return *first;
     }
-    spec::ProgramReader program = open();
-    std::optional<Pass> pass;
+    std::optional<Pass<Control>> pass;
     Verdict v;
     try {
       pass.emplace(setup, samples, task.choices);
-      v = pass->run(program, first ? nullptr : on_block);
+      v = pass->run(Control::reader(program.open(), setup, program.name), first ? nullptr : on_block);
     } catch (const std::exception&) {
       if (!first) throw;
       continue;  // the forced outcome has no finite vectors
@@ -266,6 +254,11 @@ Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spe
     if (!first) first = v;
     if (!task.choices.empty() && pass->events() <= task.beyond) continue;
     const auto ties = pass->near_ties();
+    if (program.once && !ties.empty()) {
+      first->outcome = Outcome::undecided;
+      first->undecided = kNearTie;
+      return *first;
+    }
     for (auto tie = ties.rbegin(); tie != ties.rend(); ++tie)
       for (const Sign outcome : {Sign::negative, Sign::zero, Sign::positive})
         if (outcome != tie->second) {
@@ -274,6 +267,14 @@ Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spe
         }
   }
   return *first;
+}
+
+}  // namespace
+
+Verdict judge_stream(const StreamedProgram& program, const spec::Setup& setup, std::uint32_t samples,
+                     void (*on_block)(std::uint64_t)) {
+  return with_control(setup,
+                      [&]<class Control>(Control) { return judge_passes<Control>(program, setup, samples, on_block); });
 }
 
 }  // namespace toolcomp::fuzz

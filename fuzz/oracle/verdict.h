@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,8 +12,8 @@
 
 #include "fast/engine.h"
 #include "model/engine.h"
+#include "spec/language/byte_source.h"
 #include "spec/language/case.h"
-#include "spec/language/program_reader.h"
 
 namespace toolcomp::fuzz {
 
@@ -78,14 +79,18 @@ Verdict judge(const spec::Case& c, const ModelRun& run, std::span<const spec::Te
 // |quantity| / scale of a decision; 0 for an exact tie.
 double margin(const model::Decision& decision);
 
-// Runs both engines over a program of any length in bounded memory and judges as it goes; stops at the first
-// difference. `samples` as in a case. `on_block` is called with the number of blocks read, for progress. One pass
-// cannot try other outcomes: a difference with a near tie in the last blocks is `undecided`.
-Verdict judge_stream(spec::ProgramReader& program, const spec::Setup& setup, std::uint32_t samples = 0,
+// A program of any length, as text.
+struct StreamedProgram {
+  std::function<std::unique_ptr<spec::ByteSource>()> open;  // from the beginning
+  bool once = false;                                        // standard input: it can be opened once
+  std::string name = "program";                             // in messages
+};
+
+// Runs both engines over it in bounded memory and judges as it goes; stops at the first difference. `samples` as in a
+// case. `on_block` is called with the number of blocks read, for progress. A difference with a near tie in the last
+// blocks is settled by running again with the other outcomes, at most policy::kMaxForks times; it stays `undecided` in
+// a program that can be opened once.
+Verdict judge_stream(const StreamedProgram& program, const spec::Setup& setup, std::uint32_t samples = 0,
                      void (*on_block)(std::uint64_t) = nullptr);
-// The same for a program that can be opened again: such a difference is settled by running again with the other
-// outcomes, at most policy::kMaxForks times.
-Verdict judge_stream(const std::function<spec::ProgramReader()>& open, const spec::Setup& setup,
-                     std::uint32_t samples = 0, void (*on_block)(std::uint64_t) = nullptr);
 
 }  // namespace toolcomp::fuzz

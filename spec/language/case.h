@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "spec/language/axes.h"
@@ -34,13 +35,16 @@ struct CaseSource {
 // The most parts a block is divided into for samples.
 inline constexpr std::uint32_t kMostSamples = 1'000'000;
 
+// The language of programs, which a control decides alone.
+constexpr std::string_view dialect_of(Control control) { return control == Control::heidenhain ? "klartext" : "fanuc"; }
+
 struct Case {
   std::string id;
   std::string section;  // "fanuc/leading-edge-offset"
   std::string comment;
   std::vector<std::string> clauses;
   std::vector<std::string> flags;
-  std::string dialect = "fanuc";
+  std::string dialect = "fanuc";  // dialect_of(setup.control)
   Setup setup;
   std::string program;
   std::uint32_t samples = 0;  // parts of a block under tool center point control (contract, event rule 7)

@@ -15,10 +15,15 @@ const Node& required(const Node& node, std::string_view key, const Reader& read)
   return *found;
 }
 
-void read_dialect(const Node& node, const Reader& read, Case& c) {
-  if (read.choice(node, "dialect", {"fanuc", "klartext"}) == 1)
-    read.fail(node.at, R"(dialect: "klartext" is not built yet; expected "fanuc")");
-  c.dialect = node.text;
+// The control decides which language programs have; a case may say it too.
+std::string dialect_from(const Node* node, Control control, const Reader& read) {
+  const std::string dialect(dialect_of(control));
+  if (node == nullptr) return dialect;
+  (void)read.choice(*node, "dialect", {"fanuc", "klartext"});
+  if (node->text != dialect)
+    read.fail(node->at, "dialect: the control of the setup takes " + document::in_quotes(dialect) + ", found " +
+                            document::in_quotes(node->text));
+  return dialect;
 }
 
 CaseSource source_from(const Node& node, const Reader& read) {
@@ -45,8 +50,8 @@ Case read_case(std::string_view text, const std::string& file) {
   if (const Node* comment = root.find("comment")) c.comment = read.string(*comment, "comment");
   if (const Node* clauses = root.find("clauses")) c.clauses = read.strings(*clauses, "clauses");
   if (const Node* flags = root.find("flags")) c.flags = read.strings(*flags, "flags");
-  if (const Node* dialect = root.find("dialect")) read_dialect(*dialect, read, c);
   c.setup = setup_from(required(root, "setup", read), read);
+  c.dialect = dialect_from(root.find("dialect"), c.setup.control, read);
   c.program = read.string(required(root, "program", read), "program");
   if (const Node* samples = root.find("samples"))
     c.samples = static_cast<std::uint32_t>(read.integer(*samples, "samples", 0, kMostSamples));

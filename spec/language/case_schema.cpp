@@ -18,7 +18,7 @@ std::string_view case_schema() {
     "comment": { "type": "string" },
     "clauses": { "description": "Ids of the clauses the case is about.", "type": "array", "items": { "type": "string" } },
     "flags": { "description": "What is special about the case.", "type": "array", "items": { "type": "string" } },
-    "dialect": { "description": "Language of the program. klartext is not built yet.", "enum": ["fanuc"], "default": "fanuc" },
+    "dialect": { "description": "Language of the program, which is that of setup.control: klartext for heidenhain. Left out: that.", "enum": ["fanuc", "klartext"] },
     "setup": { "$ref": "setup.schema.json" },
     "program": { "description": "The text, line feeds included.", "type": "string" },
     "samples": { "description": "Samples of each move at t = 1/samples, 2/samples, …", "type": "integer", "minimum": 0, "maximum": 1000000, "default": 0 },
@@ -50,7 +50,9 @@ std::string_view event_schema() {
       "type": "object", "additionalProperties": false,
       "required": ["kind", "line", "type", "cause"],
       "dependentRequired": {
-        "center": ["plane", "direction"], "plane": ["center"], "direction": ["center"], "sweep": ["center"], "radius": ["center"]
+        "center": ["plane", "direction"], "plane": ["center"], "direction": ["center"], "sweep": ["center"], "radius": ["center"],
+        "tool_center": ["shift", "tool_shift"], "shift": ["tool_center"], "tool_shift": ["tool_center"], "carrier": ["tool_center"],
+        "contact": ["tool_center", "normal"], "normal": ["contact"], "angle": ["contact"], "flat": ["contact"]
       },
       "properties": {
         "kind": { "const": "move" },
@@ -68,6 +70,14 @@ std::string_view event_schema() {
         "direction": { "enum": ["cw", "ccw"] },
         "sweep": { "description": "Of the tool's own arc, above 0, up to 360.", "$ref": "#/$defs/number" },
         "radius": { "description": "At start and end, where they differ.", "type": "array", "items": { "$ref": "#/$defs/number" }, "minItems": 2, "maxItems": 2 },
+        "tool_center": { "description": "Heidenhain: centre point of the effective tool.", "$ref": "#/$defs/vector_by_letter" },
+        "contact": { "description": "Blocks with a surface normal: where the tool touches.", "$ref": "#/$defs/vector_by_letter" },
+        "normal": { "description": "The surface normal, unit, from the workpiece into the tool.", "$ref": "#/$defs/vector" },
+        "shift": { "description": "Heidenhain: of the tip, against the nominal tool.", "$ref": "#/$defs/vector_by_letter" },
+        "tool_shift": { "description": "Heidenhain: of the real tool, against one without deltas.", "$ref": "#/$defs/vector_by_letter" },
+        "carrier": { "description": "Heidenhain: tool carrier reference point, where the tool table gives the length.", "$ref": "#/$defs/vector_by_letter" },
+        "angle": { "description": "Between normal and tool, tools with a table of deviations.", "$ref": "#/$defs/number" },
+        "flat": { "description": "The normal is along the tool.", "type": "boolean", "default": false },
         "feed": { "$ref": "#/$defs/number" },
         "clauses": { "$ref": "#/$defs/clauses" }
       }
@@ -120,6 +130,7 @@ std::string_view event_schema() {
         "n": { "$ref": "#/$defs/count" },
         "clause": { "type": "string", "maxLength": 63 },
         "permitted": { "type": "array", "items": { "enum": ["positive", "negative", "tie"] } },
+        "reason": { "description": "The program asks for what is not modelled; the run goes on.", "const": "OUT_OF_SCOPE" },
         "clauses": { "$ref": "#/$defs/clauses" }
       }
     },
@@ -145,6 +156,10 @@ std::string_view event_schema() {
       "description": "By axis letter.",
       "type": "object", "additionalProperties": false,
       "patternProperties": { "^[ABCUVWXYZ]$": { "$ref": "#/$defs/number" } }
+    },
+    "vector_by_letter": {
+      "type": "object", "additionalProperties": false, "required": ["X", "Y", "Z"],
+      "properties": { "X": { "$ref": "#/$defs/number" }, "Y": { "$ref": "#/$defs/number" }, "Z": { "$ref": "#/$defs/number" } }
     },
     "vector": { "type": "array", "items": { "$ref": "#/$defs/number" }, "minItems": 3, "maxItems": 3 }
   }

@@ -28,6 +28,25 @@ struct Arc {
   std::optional<std::pair<Number, Number>> radius;  // start and end, where they differ
 };
 
+// Where the cutter touches the workpiece (Heidenhain blocks with a surface normal). Vectors are X, Y, Z.
+template <class Number>
+struct Contact {
+  std::array<Number, 3> point{};   // q
+  std::array<Number, 3> normal{};  // n, unit, from the workpiece into the tool
+  bool flat = false;               // the normal is along the tool (w = 0): the flat bottom touches
+  std::optional<Number> angle;     // between normal and tool in degrees; tools with a table of deviations only
+};
+
+// What 3D tool compensation adds to a move (Heidenhain; contract, "Events"). Vectors are X, Y, Z.
+template <class Number>
+struct SpaceCompensation {
+  std::array<Number, 3> tool_center{};           // of the effective tool
+  std::array<Number, 3> shift{};                 // of the tip against the nominal tool
+  std::array<Number, 3> tool_shift{};            // of the real tool against one without deltas
+  std::optional<std::array<Number, 3>> carrier;  // where the tool table gives the length
+  std::optional<Contact<Number>> contact;        // blocks with a surface normal
+};
+
 // The clauses an event rests on, at most kCapacity of them, in the order they were applied.
 struct ClauseList {
   static constexpr std::size_t kCapacity = 8;
@@ -65,7 +84,8 @@ struct Event {
   AxisValues<Number> machine;                      // G53, G28, G30 (event rule 9): all axes, machine coordinates
   std::optional<std::array<Number, 3>> tool_axis;  // tip → holder, unit; where the setup or the program defines one
   std::optional<Arc<Number>> arc;
-  std::optional<Number> feed;  // F in force, setup units; not for rapid moves
+  std::optional<Number> feed;                      // F in force, setup units; not for rapid moves
+  std::optional<SpaceCompensation<Number>> space;  // Heidenhain
 
   // alarm, warning, undecided
   Name number;               // PS0041, DIR_CHANGE_AT_STARTUP; undecided: the clause id
@@ -73,6 +93,7 @@ struct Event {
 
   // undecided
   PermittedOutcomes permitted;
+  bool out_of_scope = false;  // reason OUT_OF_SCOPE: nothing here is modelled, and the run goes on
 
   // setting
   Name setting;  // "H1", "H1.wear"

@@ -15,7 +15,7 @@ void append_csv_text(std::string& out, std::string_view text) {
   out += '"';
 }
 
-void append_csv_header(std::string& out, const Axes& axes) {
+void append_csv_header(std::string& out, const Axes& axes, Control control) {
   const auto columns = [&](std::string_view field, bool linear_only) {
     for (const char letter : axes.letters()) {
       if (linear_only && !is_linear_axis(letter)) continue;
@@ -32,7 +32,15 @@ void append_csv_header(std::string& out, const Axes& axes) {
   columns("machine", false);
   out += "tool_axis.i,tool_axis.j,tool_axis.k,";
   columns("center", true);
-  out += "plane,direction,sweep,radius.start,radius.end,feed,number,message,name,value,t,clauses\n";
+  out += "plane,direction,sweep,radius.start,radius.end,";
+  const bool space = control == Control::heidenhain;
+  if (space)
+    out +=
+        "tool_center.X,tool_center.Y,tool_center.Z,contact.X,contact.Y,contact.Z,normal.i,normal.j,normal.k,"
+        "shift.X,shift.Y,shift.Z,tool_shift.X,tool_shift.Y,tool_shift.Z,carrier.X,carrier.Y,carrier.Z,angle,flat,";
+  out += "feed,number,message,name,value,t,";
+  if (space) out += "reason,";
+  out += "clauses\n";
 }
 
 }  // namespace toolcomp::spec

@@ -2,6 +2,7 @@
 // moves, nothing allocates but the text itself.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -9,21 +10,23 @@
 #include "spec/language/event.h"
 #include "spec/language/event_names.h"
 #include "spec/language/json_text.h"
+#include "spec/language/setup.h"
 
 namespace toolcomp::spec {
 
 // Appends `text`, in quotes where it holds a comma, a quote or a line feed.
 void append_csv_text(std::string& out, std::string_view text);
 
-// The names of the columns for a setup with these axes: kind, line, n, type, cause, programmed.X, …
-void append_csv_header(std::string& out, const Axes& axes);
+// The names of the columns for a setup with these axes: kind, line, n, type, cause, programmed.X, … Under
+// Control::heidenhain the columns of 3D tool compensation stand before feed, and `reason` before clauses.
+void append_csv_header(std::string& out, const Axes& axes, Control control = Control::fanuc);
 
 // Writes the columns of one event.
 template <class Text, class Number, class AppendNumber>
 class EventCsv {
  public:
-  EventCsv(Text& out, const Axes& axes, const AppendNumber& append_number)
-      : out_(out), axes_(axes), append_number_(append_number) {}
+  EventCsv(Text& out, const Axes& axes, const AppendNumber& append_number, Control control)
+      : out_(out), axes_(axes), append_number_(append_number), space_(control == Control::heidenhain) {}
 
   void write(const Event<Number>& event) {
     const bool move = event.kind == EventKind::move;
@@ -41,11 +44,9 @@ class EventCsv {
     values(event.point, true);
     values(event.axes, false);
     values(event.machine, false);
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (event.tool_axis) append_number_(out_, (*event.tool_axis)[i]);
-      next();
-    }
+    vector(event.tool_axis ? &*event.tool_axis : nullptr);
     arc(event.arc);
+    if (space_) space(event.space ? &*event.space : nullptr);
     if (event.feed) append_number_(out_, *event.feed);
     next();
     text(event.number.view());
@@ -62,6 +63,10 @@ class EventCsv {
       append_integer(out_, event.t_denominator);
     }
     next();
+    if (space_) {
+      if (event.out_of_scope) out_ += kOutOfScope;
+      next();
+    }
     for (std::size_t i = 0; i < event.clauses.size; ++i) {
       if (i != 0) out_ += ' ';
       out_ += info(event.clauses.clause[i]).id;
@@ -87,6 +92,28 @@ class EventCsv {
     }
   }
 
+  // Three columns, empty without a vector.
+  void vector(const std::array<Number, 3>* vector) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (vector != nullptr) append_number_(out_, (*vector)[i]);
+      next();
+    }
+  }
+
+  void space(const SpaceCompensation<Number>* space) {
+    const Contact<Number>* const contact = space != nullptr && space->contact ? &*space->contact : nullptr;
+    vector(space != nullptr ? &space->tool_center : nullptr);
+    vector(contact != nullptr ? &contact->point : nullptr);
+    vector(contact != nullptr ? &contact->normal : nullptr);
+    vector(space != nullptr ? &space->shift : nullptr);
+    vector(space != nullptr ? &space->tool_shift : nullptr);
+    vector(space != nullptr && space->carrier ? &*space->carrier : nullptr);
+    if (contact != nullptr && contact->angle) append_number_(out_, *contact->angle);
+    next();
+    if (contact != nullptr && contact->flat) out_ += "true";
+    next();
+  }
+
   void arc(const std::optional<Arc<Number>>& arc) {
     values(arc ? arc->center : AxisValues<Number>{}, true);
     if (arc) out_ += name(arc->plane);
@@ -104,13 +131,15 @@ class EventCsv {
   Text& out_;
   const Axes& axes_;
   const AppendNumber& append_number_;
+  bool space_;  // with the columns of 3D tool compensation
 };
 
 // Appends the event to a std::string or TextCursor as one row with its line feed; append_number(out, value) appends one
-// number.
+// number. `control` is that of the header.
 template <class Text, class Number, class AppendNumber>
-void append_event_csv(Text& out, const Event<Number>& event, const Axes& axes, const AppendNumber& append_number) {
-  EventCsv<Text, Number, AppendNumber>(out, axes, append_number).write(event);
+void append_event_csv(Text& out, const Event<Number>& event, const Axes& axes, const AppendNumber& append_number,
+                      Control control = Control::fanuc) {
+  EventCsv<Text, Number, AppendNumber>(out, axes, append_number, control).write(event);
 }
 
 }  // namespace toolcomp::spec

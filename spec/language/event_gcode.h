@@ -54,6 +54,10 @@ class EventGcode {
         open_comment(event, "undecided");
         out_ += ": ";
         comment_text(event.number.view());
+        if (event.out_of_scope) {
+          out_ += ", ";
+          out_ += kOutOfScope;
+        }
         out_ += ")\n";
         break;
       case EventKind::sample:

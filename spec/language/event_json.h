@@ -1,6 +1,7 @@
 // Events as JSON lines (contract, "Events"). Of moves, nothing allocates but the text itself.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -46,6 +47,7 @@ class EventJson {
         place(event);
         text("clause", event.number.view());
         permitted(event.permitted);
+        if (event.out_of_scope) word("reason", kOutOfScope);
         break;
     }
     clauses(event.clauses);
@@ -104,15 +106,44 @@ class EventJson {
   }
 
   void tool_axis(const Event<Number>& event) {
-    if (!event.tool_axis) return;
-    key("tool_axis");
+    if (event.tool_axis) direction("tool_axis", *event.tool_axis);
+  }
+
+  void direction(std::string_view field, const std::array<Number, 3>& vector) {
+    key(field);
     char separator = '[';
-    for (const Number& component : *event.tool_axis) {
+    for (const Number& component : vector) {
       out_ += separator;
       append_number_(out_, component);
       separator = ',';
     }
     out_ += ']';
+  }
+
+  void vector(std::string_view field, const std::array<Number, 3>& vector) {
+    key(field);
+    constexpr std::array<std::string_view, 3> kKeys{R"({"X":)", R"(,"Y":)", R"(,"Z":)"};
+    for (std::size_t i = 0; i < vector.size(); ++i) {
+      out_ += kKeys[i];
+      append_number_(out_, vector[i]);
+    }
+    out_ += '}';
+  }
+
+  void space(const SpaceCompensation<Number>& space) {
+    vector("tool_center", space.tool_center);
+    if (space.contact) {
+      vector("contact", space.contact->point);
+      direction("normal", space.contact->normal);
+    }
+    vector("shift", space.shift);
+    vector("tool_shift", space.tool_shift);
+    if (space.carrier) vector("carrier", *space.carrier);
+    if (!space.contact) return;
+    if (space.contact->angle) number("angle", *space.contact->angle);
+    if (!space.contact->flat) return;
+    key("flat");
+    out_ += "true";
   }
 
   void arc(const Arc<Number>& arc) {
@@ -138,6 +169,7 @@ class EventJson {
     values("machine", event.machine);
     tool_axis(event);
     if (event.arc) arc(*event.arc);
+    if (event.space) space(*event.space);
     if (event.feed) number("feed", *event.feed);
   }
 

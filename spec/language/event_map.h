@@ -18,6 +18,28 @@ AxisValues<To> map_numbers(const AxisValues<From>& values, const Function& funct
   return mapped;
 }
 
+template <class To, class From, class Function>
+std::array<To, 3> map_numbers(const std::array<From, 3>& vector, const Function& function) {
+  return {function(vector[0]), function(vector[1]), function(vector[2])};
+}
+
+template <class To, class From, class Function>
+SpaceCompensation<To> map_numbers(const SpaceCompensation<From>& space, const Function& function) {
+  SpaceCompensation<To> mapped;
+  mapped.tool_center = map_numbers<To>(space.tool_center, function);
+  mapped.shift = map_numbers<To>(space.shift, function);
+  mapped.tool_shift = map_numbers<To>(space.tool_shift, function);
+  if (space.carrier) mapped.carrier = map_numbers<To>(*space.carrier, function);
+  if (space.contact) {
+    mapped.contact.emplace();
+    mapped.contact->point = map_numbers<To>(space.contact->point, function);
+    mapped.contact->normal = map_numbers<To>(space.contact->normal, function);
+    mapped.contact->flat = space.contact->flat;
+    if (space.contact->angle) mapped.contact->angle = function(*space.contact->angle);
+  }
+  return mapped;
+}
+
 // Every number of the event that is there, through `function`; everything else as it is.
 template <class To, class From, class Function>
 Event<To> map_numbers(const Event<From>& event, const Function& function) {
@@ -34,10 +56,7 @@ Event<To> map_numbers(const Event<From>& event, const Function& function) {
   mapped.point = map_numbers<To>(event.point, function);
   mapped.axes = map_numbers<To>(event.axes, function);
   mapped.machine = map_numbers<To>(event.machine, function);
-  if (event.tool_axis) {
-    const auto& [i, j, k] = *event.tool_axis;
-    mapped.tool_axis = {function(i), function(j), function(k)};
-  }
+  if (event.tool_axis) mapped.tool_axis = map_numbers<To>(*event.tool_axis, function);
   if (event.arc) {
     mapped.arc.emplace();
     mapped.arc->center = map_numbers<To>(event.arc->center, function);
@@ -47,10 +66,12 @@ Event<To> map_numbers(const Event<From>& event, const Function& function) {
     if (event.arc->radius)
       mapped.arc->radius.emplace(function(event.arc->radius->first), function(event.arc->radius->second));
   }
+  if (event.space) mapped.space = map_numbers<To>(*event.space, function);
   mapped.feed = optional(event.feed);
   mapped.number = event.number;
   mapped.message = event.message;
   mapped.permitted = event.permitted;
+  mapped.out_of_scope = event.out_of_scope;
   mapped.setting = event.setting;
   if (event.kind == EventKind::setting) mapped.value = function(event.value);
   mapped.t_numerator = event.t_numerator;

@@ -27,6 +27,9 @@ inline constexpr std::array<std::string_view, 3> kNames<Plane>{"XY", "ZX", "YZ"}
 template <>
 inline constexpr std::array<std::string_view, 2> kNames<ArcDirection>{"cw", "ccw"};
 
+// The reason of an undecided event that is none of the specification's open questions.
+inline constexpr std::string_view kOutOfScope = "OUT_OF_SCOPE";
+
 // "start-up" of Cause::start_up.
 template <class Enum>
 constexpr std::string_view name(Enum value) {

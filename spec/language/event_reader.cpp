@@ -55,13 +55,14 @@ class EventReader {
     using F = Field;
     static const std::array<Shape, kNames<EventKind>.size()> shapes{{
         {{F::kind, F::line, F::type, F::cause},
-         {F::n, F::programmed, F::point, F::axes, F::machine, F::tool_axis, F::center, F::plane, F::direction, F::sweep,
-          F::radius, F::feed, F::clauses}},
+         {F::n,     F::programmed, F::point,   F::axes,   F::machine,     F::tool_axis, F::center,
+          F::plane, F::direction,  F::sweep,   F::radius, F::tool_center, F::contact,   F::normal,
+          F::shift, F::tool_shift, F::carrier, F::angle,  F::flat,        F::feed,      F::clauses}},
         {{F::kind, F::line, F::t}, {F::n, F::point, F::axes, F::machine, F::tool_axis, F::clauses}},
         {{F::kind, F::line, F::number}, {F::n, F::message, F::clauses}},
         {{F::kind, F::line, F::number}, {F::n, F::message, F::clauses}},
         {{F::kind, F::line, F::name, F::value}, {F::n, F::clauses}},
-        {{F::kind, F::line, F::clause}, {F::n, F::permitted, F::clauses}},
+        {{F::kind, F::line, F::clause}, {F::n, F::permitted, F::reason, F::clauses}},
     }};
     return shapes[static_cast<std::size_t>(kind)];
   }
@@ -72,6 +73,10 @@ class EventReader {
       if (expected.required.has(static_cast<Field>(i))) demand(node, static_cast<Field>(i));
     if (result_.event.arc)
       for (const Field field : {Field::center, Field::plane, Field::direction}) demand(node, field);
+    if (result_.event.space)
+      for (const Field field : {Field::tool_center, Field::shift, Field::tool_shift}) demand(node, field);
+    if (result_.event.space && result_.event.space->contact)
+      for (const Field field : {Field::contact, Field::normal}) demand(node, field);
     for (const Member& member : node.members) {
       const Field field = *find_field(member.name);
       if (!expected.required.has(field) && !expected.optional.has(field))
@@ -169,6 +174,21 @@ class EventReader {
     return result;
   }
 
+  // By the letters X, Y and Z.
+  std::array<NumberText, 3> vector(const Node& node, Field field) const {
+    read_.expect(node, Kind::table, field_name(field));
+    if (strict_) read_.keys(node, field_name(field), {"X", "Y", "Z"});
+    constexpr std::array<std::string_view, 3> kLetters{"X", "Y", "Z"};
+    std::array<NumberText, 3> result;
+    for (std::size_t i = 0; i < kLetters.size(); ++i) {
+      const Node* component = node.find(kLetters[i]);
+      if (component == nullptr)
+        read_.fail(node.at, std::string(field_name(field)) + ": without " + std::string(kLetters[i]));
+      result[i] = number(*component, field);
+    }
+    return result;
+  }
+
   ClauseList clauses(const Node& node) const {
     ClauseList list;
     read_.expect(node, Kind::array, "clauses");
@@ -210,6 +230,21 @@ class EventReader {
   Arc<NumberText>& arc() {
     if (!result_.event.arc) result_.event.arc.emplace();
     return *result_.event.arc;
+  }
+
+  // What a controller leaves out reads 0.
+  SpaceCompensation<NumberText>& space() {
+    const NumberText zero{"0", {}, {}};
+    if (!result_.event.space)
+      result_.event.space.emplace(
+          SpaceCompensation<NumberText>{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}, {}, {}});
+    return *result_.event.space;
+  }
+  Contact<NumberText>& contact() {
+    const NumberText zero{"0", {}, {}};
+    if (!space().contact)
+      space().contact.emplace(Contact<NumberText>{{zero, zero, zero}, {zero, zero, zero}, false, {}});
+    return *space().contact;
   }
 
   void read_field(Field field, const Node& node) {
@@ -262,6 +297,30 @@ class EventReader {
         arc().radius.emplace(std::move(start), std::move(end));
         break;
       }
+      case Field::tool_center:
+        space().tool_center = vector(node, field);
+        break;
+      case Field::contact:
+        contact().point = vector(node, field);
+        break;
+      case Field::normal:
+        contact().normal = numbers<3>(node, field);
+        break;
+      case Field::shift:
+        space().shift = vector(node, field);
+        break;
+      case Field::tool_shift:
+        space().tool_shift = vector(node, field);
+        break;
+      case Field::carrier:
+        space().carrier = vector(node, field);
+        break;
+      case Field::angle:
+        contact().angle = number(node, field);
+        break;
+      case Field::flat:
+        contact().flat = read_.boolean(node, "flat");
+        break;
       case Field::feed:
         event.feed = number(node, field);
         break;
@@ -283,6 +342,10 @@ class EventReader {
         break;
       case Field::permitted:
         event.permitted = permitted(node);
+        break;
+      case Field::reason:
+        (void)read_.choice(node, "reason", {kOutOfScope});
+        event.out_of_scope = true;
         break;
       case Field::clauses:
         event.clauses = clauses(node);

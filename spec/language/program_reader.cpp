@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <string_view>
 #include <utility>
 
+#include "spec/language/digits.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::spec {
@@ -56,34 +55,6 @@ constexpr std::array<Kind, 256> kKinds = [] {
 
 constexpr bool is_digit(int c) { return c >= '0' && c <= '9'; }
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
-// At most seven digits at one place, read at once: in a word whose lowest byte is the first one.
-static_assert(std::endian::native == std::endian::little);
-struct Digits {
-  unsigned count = 0;  // 8: as many or more, and no number
-  std::uint64_t number = 0;
-};
-constexpr std::size_t kDigitsRead = 8;
-constexpr std::array<std::uint64_t, 8> kPowers{1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000};
-
-// Reads kDigitsRead bytes.
-inline Digits digits_at(const char* at) {
-  std::uint64_t bytes = 0;
-  std::memcpy(&bytes, at, sizeof bytes);
-  bytes ^= 0x3030'3030'3030'3030;
-  // The first byte above 9 carries into the next ones, which do not count.
-  const std::uint64_t others = ((bytes + 0x7676'7676'7676'7676) | bytes) & 0x8080'8080'8080'8080;
-  const auto count = static_cast<unsigned>(std::countr_zero(others)) / 8;
-  if (count > 7) [[unlikely]]
-    return {8, 0};
-  // Zeros before it; then pairs, and the pairs by their powers of 100.
-  bytes = bytes << (56 - 8 * count) << 8U;
-  bytes = bytes * 10 + (bytes >> 8U);
-  constexpr std::uint64_t kPair = 0x0000'00FF'0000'00FF;
-  const std::uint64_t number =
-      ((bytes & kPair) * 0x000F'4240'0000'0064 + (bytes >> 16U & kPair) * 0x0000'2710'0000'0001) >> 32U;
-  return {count, number};
-}
 
 // What an address admits.
 struct Address {
@@ -323,7 +294,7 @@ bool ProgramReader::State::read_usual(const Address& admitted, Decimal& value) {
     const Digits behind = digits_at(++at);
     if (behind.count > 7) return false;
     at += behind.count;
-    value.digits = value.digits * kPowers[behind.count] + behind.number;
+    value.digits = value.digits * kPowersOfTen[behind.count] + behind.number;
     value.decimals = static_cast<std::uint8_t>(behind.count);
     count += behind.count;
   }

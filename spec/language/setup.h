@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "spec/language/axes.h"
@@ -37,6 +38,25 @@ struct OffsetEntry {
 // Values by axis letter, setup units (degrees for rotary axes).
 using AxisTable = std::map<char, Decimal>;
 
+// A row of the Heidenhain tool table, mm.
+struct ToolRow {
+  std::uint32_t number = 0;  // tenths: 51 for tool 5.1
+  std::string name;          // empty: none
+  Decimal r, r2, dl, dr, dr2;
+  std::optional<Decimal> l;  // overall length, where known
+  std::string dr2_table;     // name of a table of deviations; empty: none
+  friend bool operator==(const ToolRow&, const ToolRow&) = default;
+};
+
+// A row of the compensation table in the tool system (.tco), mm.
+struct CorrectionRow {
+  Decimal dl, dr, dr2;
+  friend bool operator==(const CorrectionRow&, const CorrectionRow&) = default;
+};
+
+// Deviations of the corner radius (mm) by the angle of the contact (degrees, ascending).
+using DeviationTable = std::vector<std::pair<Decimal, Decimal>>;
+
 struct Setup {
   Control control = Control::fanuc;
   Units units = Units::mm;
@@ -57,6 +77,10 @@ struct Setup {
   std::map<int, AxisTable> reference;  // 1, 2, 3, 4: machine coordinates for G28, G30
   AxisTable floating_reference;        // G30.1
   AxisTable measurement;               // G37
+
+  std::vector<ToolRow> tools;                        // Heidenhain: [[tool]]
+  std::map<std::uint32_t, CorrectionRow> tcs;        // [[correction.tcs]]
+  std::map<std::string, DeviationTable> dr2_tables;  // [[dr2table]]
 
   // The parameter as written, or nothing. A bit is looked up as "n#b" first, then in the whole number if that is given
   // as an integer.

@@ -8,4 +8,7 @@ namespace toolcomp::spec {
 
 Setup setup_from(const document::Node& node, const document::Reader& read);
 
+// The keys of Heidenhain alone: [[tool]], [[correction.tcs]], [[dr2table]].
+void read_tool_tables(const document::Node& node, const document::Reader& read, Setup& setup);
+
 }  // namespace toolcomp::spec

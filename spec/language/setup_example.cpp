@@ -1,4 +1,3 @@
-#include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::spec {
@@ -72,12 +71,52 @@ Z = 250
 Z = "198.0"
 )toml";
 
+constexpr std::string_view kHeidenhain =
+    R"toml(# A Heidenhain control with 3D tool compensation: two re-worked ball cutters and a toroid.
+# Every key but control may be left out; the values shown in brackets are then used. Decimals are exact, quoted or not.
+
+control = "heidenhain"                # programs are Klartext
+units = "mm"                          # [mm] or inch: of [position], and of programs without BEGIN PGM
+axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z A B C] axes that a program may name; X, Y and Z must be there
+block_skip = false                    # [false] true: blocks with / are skipped
+
+[position]                            # where the program starts: workpiece coordinates [0]
+Z = 100
+
+[[tool]]                              # tool table, always in mm; all but the number may be left out [0]
+number = 1                            # 1 to 32767; an indexed tool is "5.1"
+name = "BALL_6"                       # for TOOL CALL "BALL_6"
+R = 3                                 # tool radius
+R2 = 3                                # corner radius: 0 end mill, R ball, between the two toroid
+L = "80.25"                           # overall length up to the tip [unknown: results have no carrier]
+DL = 0                                # deltas of the tool table; TOOL CALL and [[correction.tcs]] add theirs
+DR = "-0.1"
+DR2 = "-0.1"
+
+[[tool]]
+number = 2
+R = 6
+R2 = 1
+
+[[tool]]
+number = "5.1"
+R = 3
+R2 = 3
+DR2TABLE = "BALL_6_MEASURED"          # 3D-ToolComp: replaces DR2 in blocks with a surface normal
+
+[[correction.tcs]]                    # rows of the compensation table (.tco), mm: FUNCTION CORRDATA TCS #1
+number = 1
+DL = "-0.005"
+DR = "0.01"
+DR2 = "0.01"
+
+[[dr2table]]                          # deviation of the radius by the angle of the contact: 0 at the tip, 90 at the equator
+name = "BALL_6_MEASURED"
+points = [[0, 0], [40, "0.03"], [50, "-0.02"], [90, "0.01"]]  # [degrees, mm], straight lines between
+)toml";
+
 }  // namespace
 
-std::string_view setup_example(Control control) {
-  if (control == Control::heidenhain)
-    throw InputError("setup", 0, 0, R"(the sections of control "heidenhain" are not built yet; expected "fanuc")");
-  return kFanuc;
-}
+std::string_view setup_example(Control control) { return control == Control::heidenhain ? kHeidenhain : kFanuc; }
 
 }  // namespace toolcomp::spec

@@ -21,8 +21,7 @@ std::string write_setup_json(const Setup& setup);
 
 // JSON Schema (draft 2020-12) of setups: corpus/schema/setup.schema.json.
 std::string_view setup_schema();
-// A commented TOML setup of this control, which reads without error. Throws InputError for a control that is not
-// built yet.
+// A commented TOML setup of this control, which reads without error.
 std::string_view setup_example(Control control);
 
 }  // namespace toolcomp::spec

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -146,11 +147,38 @@ void read_reference(const Node& node, const Reader& read, Setup& setup) {
   }
 }
 
-Control control_from(const Node& node, const Reader& read) {
-  const auto control = static_cast<Control>(read.choice(node, "control", {"fanuc", "heidenhain"}));
-  if (control == Control::heidenhain)
-    read.fail(node.at, R"(control: the sections of "heidenhain" are not built yet; expected "fanuc")");
-  return control;
+// Keys of one control are refused under the other.
+constexpr std::array<std::string_view, 3> kHeidenhainKeys{"tool", "correction", "dr2table"};
+constexpr std::array<std::string_view, 8> kFanucKeys{
+    "increment", "cutter_compensation", "type_b_without_perpendicular", "parameters", "offsets", "workpiece",
+    "reference", "measurement"};
+
+void check_keys(const Node& node, Control control, const Reader& read) {
+  const bool fanuc = control == Control::fanuc;
+  const auto is_one_of = [](const auto& keys, const Member& member) {
+    return std::ranges::find(keys, std::string_view(member.name)) != keys.end();
+  };
+  for (const Member& member : node.members)
+    if (fanuc ? is_one_of(kHeidenhainKeys, member) : is_one_of(kFanucKeys, member))
+      read.fail(member.at,
+                "setup: " + in_quotes(member.name) + " belongs to control " + (fanuc ? "\"heidenhain\"" : "\"fanuc\""));
+  if (fanuc)
+    read.keys(node, "setup",
+              {"control", "units", "axes", "increment", "cutter_compensation", "type_b_without_perpendicular",
+               "block_skip", "parameters", "offsets", "workpiece", "position", "reference", "measurement"});
+  else
+    read.keys(node, "setup", {"control", "units", "axes", "block_skip", "position", "tool", "correction", "dr2table"});
+}
+
+void read_axes(const Node& node, const Reader& read, Setup& setup) {
+  const bool fanuc = setup.control == Control::fanuc;
+  if (!fanuc) setup.axes = Axes("XYZABC");
+  const Node* axes = node.find("axes");
+  if (axes == nullptr) return;
+  setup.axes = axes_from(*axes, read);
+  for (const char letter : {'X', 'Y', 'Z'})
+    if (!fanuc && !setup.axes.has(letter))
+      read.fail(axes->at, std::string("axes: without ") + letter + "; control \"heidenhain\" needs X, Y and Z");
 }
 
 }  // namespace
@@ -159,14 +187,10 @@ Setup setup_from(const Node& node, const Reader& read) {
   Setup setup;
   read.expect(node, Kind::table, "setup");
   // First what decides which keys belong here and which axes they may name.
-  if (const Node* control = node.find("control")) setup.control = control_from(*control, read);
-  for (const Member& member : node.members)
-    if (member.name == "tool" || member.name == "correction" || member.name == "dr2table")
-      read.fail(member.at, "setup: " + in_quotes(member.name) + " belongs to control \"heidenhain\"");
-  read.keys(node, "setup",
-            {"control", "units", "axes", "increment", "cutter_compensation", "type_b_without_perpendicular",
-             "block_skip", "parameters", "offsets", "workpiece", "position", "reference", "measurement"});
-  if (const Node* axes = node.find("axes")) setup.axes = axes_from(*axes, read);
+  if (const Node* control = node.find("control"))
+    setup.control = static_cast<Control>(read.choice(*control, "control", {"fanuc", "heidenhain"}));
+  check_keys(node, setup.control, read);
+  read_axes(node, read, setup);
 
   if (const Node* units = node.find("units"))
     setup.units = static_cast<Units>(read.choice(*units, "units", {"mm", "inch"}));
@@ -188,6 +212,7 @@ Setup setup_from(const Node& node, const Reader& read) {
   if (const Node* reference = node.find("reference")) read_reference(*reference, read, setup);
   if (const Node* signal = node.find("measurement"))
     setup.measurement = axis_table(*signal, "measurement", setup, read);
+  read_tool_tables(node, read, setup);
   return setup;
 }
 

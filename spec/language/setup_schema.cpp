@@ -8,58 +8,135 @@ std::string_view setup_schema() {
   "$id": "setup.schema.json",
   "title": "Setup of a control",
   "description": "A TOML file or the setup of a case. Decimals are exact: write them as numbers or in quotes, without exponent and with at most 18 digits.",
-  "type": "object",
-  "additionalProperties": false,
-  "properties": {
-    "control": { "description": "Whose rules apply. The sections of heidenhain are not built yet.", "enum": ["fanuc"], "default": "fanuc" },
-    "units": { "description": "Units of the setup, of the results, and of programs before G20 or G21.", "enum": ["mm", "inch"], "default": "mm" },
-    "axes": {
-      "description": "Controlled axes 1, 2, 3, …: the numbers that parameters such as 19681 mean.",
-      "type": "array", "items": { "enum": ["A", "B", "C", "U", "V", "W", "X", "Y", "Z"] },
-      "minItems": 1, "maxItems": 9, "uniqueItems": true, "default": ["X", "Y", "Z"]
-    },
-    "increment": { "description": "Increment system: what one unit of a number without point is, with 3401#0 = 0.", "enum": ["IS-A", "IS-B", "IS-C"], "default": "IS-B" },
-    "cutter_compensation": { "description": "Whether G39 to G42 are cutter compensation B (chapter 14.4) or C (14.5, 14.6).", "enum": ["B", "C"], "default": "C" },
-    "type_b_without_perpendicular": { "description": "Start-up and cancel of type B in tool side compensation leave out the vector perpendicular to the start-up or cancel block (fanuc.tool-side.type-b-perpendicular).", "type": "boolean", "default": false },
-    "block_skip": { "description": "Blocks that begin with / are skipped.", "type": "boolean", "default": false },
-    "parameters": {
-      "description": "Parameters by number, bits by number#bit.",
-      "type": "object", "additionalProperties": false,
-      "patternProperties": {
-        "^(0|[1-9][0-9]{0,4})$": { "$ref": "#/$defs/decimal" },
-        "^(0|[1-9][0-9]{0,4})#[0-7]$": { "enum": [0, 1, "0", "1", false, true] }
-      }
-    },
-    "offsets": {
-      "description": "Tool offset memory.",
-      "type": "object", "additionalProperties": false,
-      "properties": {
-        "memory": { "description": "A: one value an entry; B: geometry and wear; C: the same, H and D apart. Default: A if all entries are plain numbers, else C.", "enum": ["A", "B", "C"] },
-        "count": { "description": "Number of entries.", "type": "integer", "minimum": 1, "maximum": 999, "default": 400 },
-        "H": { "$ref": "#/$defs/entries" },
-        "D": { "$ref": "#/$defs/entries" }
-      }
-    },
-    "workpiece": {
-      "description": "Workpiece origins in machine coordinates.",
-      "type": "object", "additionalProperties": false,
-      "properties": {
-        "G54": { "$ref": "#/$defs/axis_values" }, "G55": { "$ref": "#/$defs/axis_values" }, "G56": { "$ref": "#/$defs/axis_values" },
-        "G57": { "$ref": "#/$defs/axis_values" }, "G58": { "$ref": "#/$defs/axis_values" }, "G59": { "$ref": "#/$defs/axis_values" }
-      }
-    },
-    "position": { "description": "Where the program starts: workpiece coordinates without offsets, 0 where not given.", "$ref": "#/$defs/axis_values" },
-    "reference": {
-      "description": "Reference points 1 to 4 (G28, G30) and the floating one (G30.1) in machine coordinates.",
-      "type": "object", "additionalProperties": false,
-      "properties": {
-        "1": { "$ref": "#/$defs/axis_values" }, "2": { "$ref": "#/$defs/axis_values" }, "3": { "$ref": "#/$defs/axis_values" },
-        "4": { "$ref": "#/$defs/axis_values" }, "floating": { "$ref": "#/$defs/axis_values" }
-      }
-    },
-    "measurement": { "description": "G37: axis positions where the approach-end signal comes on, in workpiece coordinates without offsets; none: it never comes.", "$ref": "#/$defs/axis_values" }
-  },
+  "oneOf": [{ "$ref": "#/$defs/fanuc" }, { "$ref": "#/$defs/heidenhain" }],
   "$defs": {
+    "fanuc": {
+      "description": "A FANUC control.",
+      "type": "object",
+      "additionalProperties": false,
+      "properties": {
+        "control": { "description": "Whose rules apply.", "const": "fanuc", "default": "fanuc" },
+        "units": { "description": "Units of the setup, of the results, and of programs before G20 or G21.", "enum": ["mm", "inch"], "default": "mm" },
+        "axes": {
+          "description": "Controlled axes 1, 2, 3, …: the numbers that parameters such as 19681 mean.",
+          "type": "array", "items": { "enum": ["A", "B", "C", "U", "V", "W", "X", "Y", "Z"] },
+          "minItems": 1, "maxItems": 9, "uniqueItems": true, "default": ["X", "Y", "Z"]
+        },
+        "increment": { "description": "Increment system: what one unit of a number without point is, with 3401#0 = 0.", "enum": ["IS-A", "IS-B", "IS-C"], "default": "IS-B" },
+        "cutter_compensation": { "description": "Whether G39 to G42 are cutter compensation B (chapter 14.4) or C (14.5, 14.6).", "enum": ["B", "C"], "default": "C" },
+        "type_b_without_perpendicular": { "description": "Start-up and cancel of type B in tool side compensation leave out the vector perpendicular to the start-up or cancel block (fanuc.tool-side.type-b-perpendicular).", "type": "boolean", "default": false },
+        "block_skip": { "description": "Blocks that begin with / are skipped.", "type": "boolean", "default": false },
+        "parameters": {
+          "description": "Parameters by number, bits by number#bit.",
+          "type": "object", "additionalProperties": false,
+          "patternProperties": {
+            "^(0|[1-9][0-9]{0,4})$": { "$ref": "#/$defs/decimal" },
+            "^(0|[1-9][0-9]{0,4})#[0-7]$": { "enum": [0, 1, "0", "1", false, true] }
+          }
+        },
+        "offsets": {
+          "description": "Tool offset memory.",
+          "type": "object", "additionalProperties": false,
+          "properties": {
+            "memory": { "description": "A: one value an entry; B: geometry and wear; C: the same, H and D apart. Default: A if all entries are plain numbers, else C.", "enum": ["A", "B", "C"] },
+            "count": { "description": "Number of entries.", "type": "integer", "minimum": 1, "maximum": 999, "default": 400 },
+            "H": { "$ref": "#/$defs/entries" },
+            "D": { "$ref": "#/$defs/entries" }
+          }
+        },
+        "workpiece": {
+          "description": "Workpiece origins in machine coordinates.",
+          "type": "object", "additionalProperties": false,
+          "properties": {
+            "G54": { "$ref": "#/$defs/axis_values" }, "G55": { "$ref": "#/$defs/axis_values" }, "G56": { "$ref": "#/$defs/axis_values" },
+            "G57": { "$ref": "#/$defs/axis_values" }, "G58": { "$ref": "#/$defs/axis_values" }, "G59": { "$ref": "#/$defs/axis_values" }
+          }
+        },
+        "position": { "description": "Where the program starts: workpiece coordinates without offsets, 0 where not given.", "$ref": "#/$defs/axis_values" },
+        "reference": {
+          "description": "Reference points 1 to 4 (G28, G30) and the floating one (G30.1) in machine coordinates.",
+          "type": "object", "additionalProperties": false,
+          "properties": {
+            "1": { "$ref": "#/$defs/axis_values" }, "2": { "$ref": "#/$defs/axis_values" }, "3": { "$ref": "#/$defs/axis_values" },
+            "4": { "$ref": "#/$defs/axis_values" }, "floating": { "$ref": "#/$defs/axis_values" }
+          }
+        },
+        "measurement": { "description": "G37: axis positions where the approach-end signal comes on, in workpiece coordinates without offsets; none: it never comes.", "$ref": "#/$defs/axis_values" }
+      }
+    },
+    "heidenhain": {
+      "description": "A Heidenhain control; programs are Klartext.",
+      "type": "object",
+      "additionalProperties": false,
+      "required": ["control"],
+      "properties": {
+        "control": { "description": "Whose rules apply.", "const": "heidenhain" },
+        "units": { "description": "Units of position, and of programs without BEGIN PGM.", "enum": ["mm", "inch"], "default": "mm" },
+        "axes": {
+          "description": "Axes that a program may name; X, Y and Z are among them.",
+          "type": "array", "items": { "enum": ["A", "B", "C", "U", "V", "W", "X", "Y", "Z"] },
+          "allOf": [{ "contains": { "const": "X" } }, { "contains": { "const": "Y" } }, { "contains": { "const": "Z" } }],
+          "maxItems": 9, "uniqueItems": true, "default": ["X", "Y", "Z", "A", "B", "C"]
+        },
+        "block_skip": { "description": "Blocks with / are skipped.", "type": "boolean", "default": false },
+        "position": { "description": "Where the program starts: workpiece coordinates, 0 where not given.", "$ref": "#/$defs/axis_values" },
+        "tool": {
+          "description": "Rows of the tool table, mm; numbers and names occur once.",
+          "type": "array",
+          "items": {
+            "type": "object", "additionalProperties": false, "required": ["number"],
+            "properties": {
+              "number": {
+                "description": "1 to 32767, with an index from .1 to .9 where there is one.",
+                "oneOf": [
+                  { "type": "number", "minimum": 1, "maximum": 32767.9 },
+                  { "type": "string", "pattern": "^[1-9][0-9]{0,4}(\\.[1-9])?$" }
+                ]
+              },
+              "name": { "$ref": "#/$defs/name" },
+              "R": { "description": "Tool radius.", "$ref": "#/$defs/decimal" },
+              "R2": { "description": "Corner radius.", "$ref": "#/$defs/decimal" },
+              "L": { "description": "Overall length up to the tip; left out: unknown.", "$ref": "#/$defs/decimal" },
+              "DL": { "$ref": "#/$defs/decimal" }, "DR": { "$ref": "#/$defs/decimal" }, "DR2": { "$ref": "#/$defs/decimal" },
+              "DR2TABLE": { "description": "The name of a dr2table.", "$ref": "#/$defs/name" }
+            }
+          }
+        },
+        "correction": {
+          "description": "Compensation tables.",
+          "type": "object", "additionalProperties": false,
+          "properties": {
+            "tcs": {
+              "description": "Rows of the table in the tool system (.tco), mm; numbers occur once.",
+              "type": "array",
+              "items": {
+                "type": "object", "additionalProperties": false, "required": ["number"],
+                "properties": {
+                  "number": { "type": "integer", "minimum": 0, "maximum": 999999999 },
+                  "DL": { "$ref": "#/$defs/decimal" }, "DR": { "$ref": "#/$defs/decimal" }, "DR2": { "$ref": "#/$defs/decimal" }
+                }
+              }
+            }
+          }
+        },
+        "dr2table": {
+          "description": "Deviations of the corner radius by the angle of the contact (3D-ToolComp); names occur once.",
+          "type": "array",
+          "items": {
+            "type": "object", "additionalProperties": false, "required": ["name", "points"],
+            "properties": {
+              "name": { "$ref": "#/$defs/name" },
+              "points": {
+                "description": "Pairs of angle (0 to 180 degrees, strictly ascending) and deviation (mm).",
+                "type": "array", "minItems": 1,
+                "items": { "type": "array", "items": { "$ref": "#/$defs/decimal" }, "minItems": 2, "maxItems": 2 }
+              }
+            }
+          }
+        }
+      }
+    },
+    "name": { "description": "At most 32 bytes.", "type": "string", "minLength": 1, "maxLength": 32, "pattern": "^[^\"\\u0000-\\u001F\\u007F]*$" },
     "decimal": {
       "oneOf": [
         { "type": "number" },

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "spec/language/json_text.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::spec {
@@ -85,6 +86,61 @@ std::vector<Table> tables(const Setup& setup, Format format) {
   return list;
 }
 
+// A list of tables: [[tool]] and the like, in the order of the text.
+struct Rows {
+  std::string group;  // "correction" of [[correction.tcs]]
+  std::string name;
+  std::vector<std::vector<Pair>> rows;
+};
+
+std::string quoted(std::string_view text) {
+  std::string quotes;
+  append_json_string(quotes, text);  // what TOML escapes, JSON escapes alike; names have no control characters
+  return quotes;
+}
+
+std::vector<Pair> tool_row(const ToolRow& tool) {
+  const std::string text = std::to_string(tool.number / 10);
+  std::vector<Pair> row{
+      {"number", tool.number % 10 == 0 ? text : '"' + text + '.' + std::to_string(tool.number % 10) + '"'}};
+  if (!tool.name.empty()) row.emplace_back("name", quoted(tool.name));
+  const auto add = [&row](const char* key, const Decimal& value) {
+    if (value != Decimal{}) row.emplace_back(key, number(value));
+  };
+  add("R", tool.r);
+  add("R2", tool.r2);
+  if (tool.l) row.emplace_back("L", number(*tool.l));
+  add("DL", tool.dl);
+  add("DR", tool.dr);
+  add("DR2", tool.dr2);
+  if (!tool.dr2_table.empty()) row.emplace_back("DR2TABLE", quoted(tool.dr2_table));
+  return row;
+}
+
+std::vector<Pair> correction_row(std::uint32_t index, const CorrectionRow& correction) {
+  std::vector<Pair> row{{"number", std::to_string(index)}};
+  if (correction.dl != Decimal{}) row.emplace_back("DL", number(correction.dl));
+  if (correction.dr != Decimal{}) row.emplace_back("DR", number(correction.dr));
+  if (correction.dr2 != Decimal{}) row.emplace_back("DR2", number(correction.dr2));
+  return row;
+}
+
+std::vector<Pair> deviation_row(const std::string& name, const DeviationTable& table) {
+  std::string points;
+  for (const auto& [angle, deviation] : table)
+    points += (points.empty() ? "[" : ",[") + number(angle) + ',' + number(deviation) + ']';
+  return {{"name", quoted(name)}, {"points", '[' + points + ']'}};
+}
+
+// The tables of Heidenhain; all empty under another control.
+std::array<Rows, 3> tool_tables(const Setup& setup) {
+  std::array<Rows, 3> lists{{{"", "tool", {}}, {"correction", "tcs", {}}, {"", "dr2table", {}}}};
+  for (const ToolRow& tool : setup.tools) lists[0].rows.push_back(tool_row(tool));
+  for (const auto& [index, row] : setup.tcs) lists[1].rows.push_back(correction_row(index, row));
+  for (const auto& [name, table] : setup.dr2_tables) lists[2].rows.push_back(deviation_row(name, table));
+  return lists;
+}
+
 std::string axis_list(const Axes& axes) {
   std::string list;
   for (const char letter : axes.letters()) list += (list.empty() ? "\"" : ",\"") + std::string(1, letter) + '"';
@@ -93,13 +149,19 @@ std::string axis_list(const Axes& axes) {
 
 // A second reading of the manual is written only where it is chosen.
 std::vector<Pair> plain_keys(const Setup& setup) {
+  const std::string skip = setup.block_skip ? "true" : "false";
+  if (setup.control == Control::heidenhain)
+    return {{"control", name(kControls, setup.control)},
+            {"units", name(kUnits, setup.units)},
+            {"axes", axis_list(setup.axes)},
+            {"block_skip", skip}};
   std::vector<Pair> keys{{"control", name(kControls, setup.control)},
                          {"units", name(kUnits, setup.units)},
                          {"axes", axis_list(setup.axes)},
                          {"increment", name(kIncrements, setup.increment)},
                          {"cutter_compensation", name(kTypes, setup.cutter_compensation)}};
   if (setup.type_b_without_perpendicular) keys.emplace_back("type_b_without_perpendicular", "true");
-  keys.emplace_back("block_skip", setup.block_skip ? "true" : "false");
+  keys.emplace_back("block_skip", skip);
   return keys;
 }
 
@@ -125,12 +187,19 @@ std::string write_setup_toml(const Setup& setup) {
     for (const auto& [key, value] : pairs) text.append(key).append(" = ").append(value).append(1, '\n');
   };
   write(plain_keys(setup));
-  text += "\n[offsets]\nmemory = " + name(kMemories, setup.memory) + '\n';
-  text += "count = " + std::to_string(setup.offset_count) + '\n';
+  if (setup.control == Control::fanuc) {
+    text += "\n[offsets]\nmemory = " + name(kMemories, setup.memory) + '\n';
+    text += "count = " + std::to_string(setup.offset_count) + '\n';
+  }
   for (const Table& table : tables(setup, Format::toml)) {
     text += "\n[" + table.group + (table.group.empty() ? "" : ".") + table.name + "]\n";
     write(table.pairs);
   }
+  for (const Rows& list : tool_tables(setup))
+    for (const std::vector<Pair>& row : list.rows) {
+      text += "\n[[" + list.group + (list.group.empty() ? "" : ".") + list.name + "]]\n";
+      write(row);
+    }
   return text;
 }
 
@@ -153,15 +222,34 @@ std::string write_setup_json(const Setup& setup) {
     for (const Table& table : all)
       if (table.group.empty() && table.name == title) root.add(title, object(table));
   };
-  Members offsets;
-  offsets.add("memory", name(kMemories, setup.memory));
-  offsets.add("count", std::to_string(setup.offset_count));
   single("parameters");
-  group("offsets", offsets, true);
+  if (setup.control == Control::fanuc) {
+    Members offsets;
+    offsets.add("memory", name(kMemories, setup.memory));
+    offsets.add("count", std::to_string(setup.offset_count));
+    group("offsets", offsets, true);
+  }
   group("workpiece", {}, false);
   single("position");
   group("reference", {}, false);
   single("measurement");
+  for (const Rows& list : tool_tables(setup)) {
+    if (list.rows.empty()) continue;
+    std::string items;
+    for (const std::vector<Pair>& row : list.rows) {
+      Members members;
+      for (const auto& [key, value] : row) members.add(key, value);
+      items += (items.empty() ? "" : ",") + members.object();
+    }
+    const std::string rows = '[' + items + ']';
+    if (list.group.empty()) {
+      root.add(list.name, rows);
+    } else {
+      Members members;
+      members.add(list.name, rows);
+      root.add(list.group, members.object());
+    }
+  }
   return root.object();
 }
 

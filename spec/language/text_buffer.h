@@ -25,9 +25,10 @@ class TextBuffer {
 // event are inlined (gnu::flatten), the place stays in a register.
 class TextCursor {
  public:
-  // For what += and write() write. An event has at most 53 numbers (five maps of nine axes, the tool axis, sweep, two
-  // radii, feed, value), none of more than 60 characters with its key, and fewer than 800 characters besides.
-  static constexpr std::size_t kRoom = 4096;
+  // For what += and write() write. An event has at most 72 numbers (five maps of nine axes, the tool axis, sweep, two
+  // radii, feed, value, six vectors, an angle), none of more than 60 characters with its key, and fewer than 900
+  // characters besides.
+  static constexpr std::size_t kRoom = 6144;
 
   explicit TextCursor(TextBuffer& buffer) : buffer_(buffer), at_(room_behind(buffer.size_)) {}
   TextCursor(const TextCursor&) = delete;

@@ -66,8 +66,8 @@ std::vector<PoseScale> scales(const spec::Setup& setup, const std::vector<model:
   spec::Case c;
   c.setup = setup;
   c.program = std::move(program);
-  const DirectionWords words = DirectionWords::of(c);
-  PoseErrors errors(setup, c.program.empty() ? nullptr : &words);
+  const ProgramFacts facts = ProgramFacts::of(c);
+  PoseErrors errors(setup, c.program.empty() ? nullptr : &facts);
   std::vector<PoseScale> all;
   for (std::size_t i = 0; i < events.size(); ++i) all.push_back(errors.next(std::span(events).subspan(i), 100));
   return all;

@@ -21,11 +21,7 @@ TEST(Streams, GiveTheVerdictOfTheWholeCase) {
       const spec::Case c = generate(section, Mode::directed, source, 40);
       const Trial whole = try_case(c);
       if (whole.acceptance != Acceptance::accepted) continue;
-      const Verdict v = judge_stream(
-          [&] {
-            return spec::ProgramReader(spec::text_source(c.program), c.setup.axes, {"program", c.setup.block_skip});
-          },
-          c.setup, c.samples);
+      const Verdict v = judge_stream({[&] { return spec::text_source(c.program); }}, c.setup, c.samples);
       EXPECT_EQ(v.outcome, whole.verdict.outcome) << encode(c);
       if (v.outcome != Outcome::agrees) continue;
       EXPECT_EQ(v.values, whole.verdict.values) << encode(c);
@@ -72,8 +68,7 @@ TEST(Streams, HoldNoMoreThanTheirWindow) {
   constexpr int blocks = 20'000;
   spec::Setup setup;
   setup.d[1].geometry = spec::decimal(10);
-  spec::ProgramReader program(std::make_unique<Endless>(blocks), setup.axes);
-  const Verdict v = judge_stream(program, setup, 0,
+  const Verdict v = judge_stream({[] { return std::make_unique<Endless>(blocks); }}, setup, 0,
                                  [](std::uint64_t) { g_most_nodes = std::max(g_most_nodes, exact::live_nodes()); });
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GT(v.values, 9U * blocks);
@@ -89,15 +84,16 @@ TEST(Streams, SettleNearTiesByRunningAgain) {
   spec::Setup setup;
   setup.d[1].geometry = spec::decimal(10);
   setup.parameters[{19631, -1}] = spec::decimal(0);
-  const auto reader = [&](const std::string& text) { return spec::ProgramReader(spec::text_source(text), setup.axes); };
+  const auto text = [](const std::string& program, bool once = false) {
+    return StreamedProgram{[&program] { return spec::text_source(program); }, once};
+  };
   const std::string inside = program("0.0000000000001");
   const std::string outside = program("0.00000000001");
 
   fast::active_fault = fast::Fault::above_90_not_reversed;
-  const Verdict settled = judge_stream([&] { return reader(inside); }, setup);
-  spec::ProgramReader once = reader(inside);
-  const Verdict open = judge_stream(once, setup);
-  const Verdict wrong = judge_stream([&] { return reader(outside); }, setup);
+  const Verdict settled = judge_stream(text(inside), setup);
+  const Verdict open = judge_stream(text(inside, true), setup);
+  const Verdict wrong = judge_stream(text(outside), setup);
   fast::active_fault = fast::Fault::none;
 
   EXPECT_EQ(settled.outcome, Outcome::agrees)
@@ -105,8 +101,7 @@ TEST(Streams, SettleNearTiesByRunningAgain) {
   EXPECT_GT(settled.ties, 0U);
   EXPECT_EQ(open.outcome, Outcome::undecided);
   EXPECT_EQ(wrong.outcome, Outcome::differs);
-  spec::ProgramReader sound = reader(inside);
-  EXPECT_EQ(judge_stream(sound, setup).outcome, Outcome::agrees);
+  EXPECT_EQ(judge_stream(text(inside, true), setup).outcome, Outcome::agrees);
 }
 
 }  // namespace

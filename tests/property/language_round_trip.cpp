@@ -3,8 +3,8 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
-
 #include <string>
 #include <string_view>
 #include <utility>
@@ -110,7 +110,41 @@ AxisTable any_axis_table(const Axes& axes) {
   return table;
 }
 
+std::string any_name() {
+  const std::string name = any_text("AB-_.1 #\\\xC3").substr(0, 32);
+  return name.find('\xC3') == std::string::npos && !name.empty() ? name : "T";
+}
+
+spec::Setup any_heidenhain_setup() {
+  spec::Setup setup;
+  setup.control = Control::heidenhain;
+  setup.units = *rc::gen::element(Units::mm, Units::inch);
+  setup.block_skip = *rc::gen::arbitrary<bool>();
+  setup.axes = Axes(*rc::gen::elementOf(std::vector<std::string>{"XYZ", "XYZABC", "ZYX", "ABCUVWXYZ"}));
+  setup.position = any_axis_table(setup.axes);
+  for (int i = *inRange(0, 3); i > 0; --i) {
+    DeviationTable& table = setup.dr2_tables[any_name()];
+    table.clear();
+    for (int angle = *inRange(0, 9); table.empty() || angle < 180; angle += *inRange(1, 99))
+      table.emplace_back(decimal(angle), any_decimal(18));
+  }
+  for (int i = *inRange(0, 4); i > 0; --i) setup.tcs[*inRange<std::uint32_t>(0, 1'000'000'000)].dr = any_decimal(18);
+  std::uint32_t number = 10;
+  for (int i = *inRange(0, 4); i > 0; --i) {
+    ToolRow row;
+    row.number = number;
+    number += *inRange<std::uint32_t>(1, 50);
+    if (*rc::gen::arbitrary<bool>()) row.name = "TOOL \\ " + std::to_string(number);
+    for (Decimal* value : {&row.r, &row.r2, &row.dl, &row.dr, &row.dr2}) *value = any_decimal(18);
+    if (*rc::gen::arbitrary<bool>()) row.l = any_decimal(18);
+    if (!setup.dr2_tables.empty() && *rc::gen::arbitrary<bool>()) row.dr2_table = setup.dr2_tables.begin()->first;
+    setup.tools.push_back(row);
+  }
+  return setup;
+}
+
 spec::Setup any_setup() {
+  if (*rc::gen::arbitrary<bool>()) return any_heidenhain_setup();
   spec::Setup setup;
   setup.units = *rc::gen::element(Units::mm, Units::inch);
   setup.increment = *rc::gen::element(IncrementSystem::is_a, IncrementSystem::is_b, IncrementSystem::is_c);
@@ -160,12 +194,24 @@ AxisValues<NumberText> any_values() {
   return values;
 }
 
+std::array<NumberText, 3> any_vector() { return {any_number(), any_number(), any_number()}; }
+
+SpaceCompensation<NumberText> any_space() {
+  SpaceCompensation<NumberText> space{any_vector(), any_vector(), any_vector(), {}, {}};
+  if (*rc::gen::arbitrary<bool>()) space.carrier = any_vector();
+  if (!*rc::gen::arbitrary<bool>()) return space;
+  space.contact = Contact<NumberText>{any_vector(), any_vector(), *rc::gen::arbitrary<bool>(), {}};
+  if (*rc::gen::arbitrary<bool>()) space.contact->angle = any_number();
+  return space;
+}
+
 void fill_move(TextEvent& event) {
   event.type = *rc::gen::element(MoveType::rapid, MoveType::linear, MoveType::arc);
   event.cause = static_cast<Cause>(*inRange<std::size_t>(0, kNames<Cause>.size()));
   event.programmed = any_values();
   event.machine = any_values();
   if (*rc::gen::arbitrary<bool>()) event.feed = any_number();
+  if (*rc::gen::arbitrary<bool>()) event.space = any_space();
   if (event.type != MoveType::arc) return;
   event.arc.emplace();
   event.arc->center.set(0, any_number());
@@ -197,6 +243,7 @@ TextEvent any_event() {
     event.number = "PS0041";
   }
   if (event.kind == EventKind::undecided) event.permitted.tie = *rc::gen::arbitrary<bool>();
+  if (event.kind == EventKind::undecided) event.out_of_scope = *rc::gen::arbitrary<bool>();
   return event;
 }
 
@@ -207,6 +254,7 @@ Case any_case() {
   c.comment = any_text("ab \xC3");
   c.clauses = *rc::gen::container<std::vector<std::string>>(rc::gen::just(std::string("a.clause")));
   c.setup = any_setup();
+  c.dialect = dialect_of(c.setup.control);
   c.program = any_text("GX1 \n();\t");
   c.samples = *inRange<std::uint32_t>(0, 9);
   c.source.seed = any_text("0123456789");

@@ -136,10 +136,24 @@ TEST(Case, ErrorsHaveTheirPosition) {
   EXPECT_EQ(error("{\"case\":1,\n \"setup\":{\"unit\":1}}").substr(0, 40),
             "c.json:2:11: setup: unknown key \"unit\"; ");
   EXPECT_EQ(error("{\"case\":1,\"note\":1}").substr(0, 39), "c.json:1:11: case: unknown key \"note\"; ");
-  EXPECT_EQ(error("{\"case\":1,\"dialect\":\"klartext\"}"),
-            "c.json:1:21: dialect: \"klartext\" is not built yet; expected \"fanuc\"");
   EXPECT_EQ(error("{\"case\":1,\"program\":7,\"setup\":{}}"),
             "c.json:1:21: program: expected a string, found a number");
+}
+
+TEST(Case, TheControlDecidesTheDialect) {
+  const auto dialect = [](const std::string& fields, const std::string& setup) {
+    return "{\"case\":1," + fields + "\"setup\":{" + setup + "},\"program\":\"\"}";
+  };
+  const std::string heidenhain = R"("control":"heidenhain")";
+  EXPECT_EQ(read_case(dialect("", ""), "c").dialect, "fanuc");
+  EXPECT_EQ(read_case(dialect("", heidenhain), "c").dialect, "klartext");
+  EXPECT_EQ(read_case(dialect(R"("dialect":"klartext",)", heidenhain), "c").dialect, "klartext");
+  EXPECT_EQ(error(dialect(R"("dialect":"klartext",)", "")),
+            "c.json:1:21: dialect: the control of the setup takes \"fanuc\", found \"klartext\"");
+  EXPECT_EQ(error(dialect(R"("dialect":"fanuc",)", heidenhain)),
+            "c.json:1:21: dialect: the control of the setup takes \"klartext\", found \"fanuc\"");
+  EXPECT_EQ(error(dialect(R"("dialect":"iso",)", "")),
+            "c.json:1:21: dialect: unknown value \"iso\"; expected one of fanuc, klartext");
 }
 
 TEST(Case, EventsHaveTheFieldsOfTheirKind) {
@@ -163,6 +177,32 @@ TEST(Case, EventsHaveTheFieldsOfTheirKind) {
             "clauses: unknown clause \"no.such.clause\"");
   EXPECT_EQ(event_error(R"({"kind":"alarm","line":1,"number":")" + std::string(64, 'A') + "\"}"),
             "number: longer than 63 characters");
+}
+
+TEST(Case, FieldsOfSpaceCompensation) {
+  const auto move = [](const std::string& fields) {
+    return event_error(R"({"kind":"move","line":1,"type":"linear","cause":"programmed",)" + fields + "}");
+  };
+  const std::string vector = R"({"X":1,"Y":{"v":2,"r":0.5},"Z":-3})";
+  const std::string shifts = "\"shift\":" + vector + ",\"tool_shift\":" + vector;
+  const std::string center = "\"tool_center\":" + vector + "," + shifts;
+  const std::string contact = center + ",\"contact\":" + vector + ",\"normal\":[0,0.6,0.8]";
+  EXPECT_EQ(move(center), "no error");
+  EXPECT_EQ(move(center + ",\"carrier\":" + vector), "no error");
+  EXPECT_EQ(move(contact), "no error");
+  EXPECT_EQ(move(contact + R"(,"angle":45,"flat":false)"), "no error");
+  EXPECT_EQ(move(shifts), "event: without tool_center");
+  EXPECT_EQ(move(center + R"(,"normal":[0,0,1])"), "event: without contact");
+  EXPECT_EQ(move(center + ",\"contact\":" + vector), "event: without normal");
+  EXPECT_EQ(move(center + ",\"flat\":true"), "event: without contact");
+  EXPECT_EQ(move(R"("tool_center":{"X":1,"Y":2},)" + shifts), "tool_center: without Z");
+  EXPECT_EQ(move(R"("tool_center":{"X":1,"Y":2,"Z":3,"U":4},)" + shifts),
+            "tool_center: unknown key \"U\"; expected one of X, Y, Z");
+  EXPECT_EQ(move(center + R"(,"reason":"OUT_OF_SCOPE")"), "event: \"reason\" does not belong to move events");
+  EXPECT_EQ(event_error(R"({"kind":"undecided","line":1,"clause":"a","permitted":[],"reason":"OUT_OF_SCOPE"})"),
+            "no error");
+  EXPECT_EQ(event_error(R"({"kind":"undecided","line":1,"clause":"a","permitted":[],"reason":"WHY"})"),
+            "reason: unknown value \"WHY\"; expected one of OUT_OF_SCOPE");
 }
 
 TEST(Case, NumbersAreNumbers) {
@@ -192,6 +232,20 @@ TEST(Case, MalformedPartsAreRefused) {
   EXPECT_EQ(sample("\"3/4\""), "no error");
   for (const char* t : {"\"1/0\"", "\"/\"", "\"-1/2\"", "\"1.0/2\"", "\"4294967296/4294967296\""})
     EXPECT_EQ(sample(t), "t: expected a fraction such as \"1/4\"") << t;
+}
+
+TEST(Reply, PartsOfSpaceCompensation) {
+  const Reply reply = read_reply(
+      R"({"id":"7","events":[{"kind":"move","line":3,"contact":{"X":1,"Y":2,"Z":3}},{"kind":"move","line":4,"carrier":{"X":1,"Y":2,"Z":3}}]})",
+      Axes("XYZ"), "reply");
+  ASSERT_TRUE(reply.events[0].space && reply.events[0].space->contact);
+  EXPECT_EQ(reply.events[0].space->contact->point[2].v, "3");
+  EXPECT_EQ(reply.events[0].space->contact->normal[0].v, "0");
+  EXPECT_TRUE(reply.fields[0].has(Field::contact));
+  EXPECT_FALSE(reply.fields[0].has(Field::normal));
+  EXPECT_FALSE(reply.events[1].space->contact);
+  ASSERT_TRUE(reply.events[1].space->carrier);
+  EXPECT_EQ((*reply.events[1].space->carrier)[0].v, "1");
 }
 
 TEST(Reply, UnknownFieldsAreIgnoredAndKnownOnesNamed) {

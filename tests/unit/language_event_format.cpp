@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -117,6 +118,81 @@ TEST(EventJson, Others) {
   EXPECT_EQ(json(undecided), R"({"kind":"undecided","line":2,"clause":"a.clause","permitted":["positive","tie"]})");
   undecided.permitted = {};
   EXPECT_EQ(json(undecided), R"({"kind":"undecided","line":2,"clause":"a.clause","permitted":[]})");
+}
+
+Event<double> space_move() {
+  Event<double> event = line_move();
+  event.n.reset();
+  event.tool_axis = {0, 0, 1};
+  event.space.emplace();
+  event.space->tool_center = {1, 2, 3};
+  event.space->shift = {0.5, -0.0, 0};
+  event.space->tool_shift = {0.5, 0, 0.25};
+  return event;
+}
+
+TEST(EventJson, SpaceCompensation) {
+  Event<double> event = space_move();
+  const std::string head =
+      R"({"kind":"move","line":5,"type":"linear","cause":"programmed","programmed":{"X":10,"Y":0,"Z":0.1},)"
+      R"("point":{"X":10,"Y":1.5,"Z":0.1},"axes":{"X":10,"Y":1.5,"Z":4.1,"B":90},"tool_axis":[0,0,1],)"
+      R"("tool_center":{"X":1,"Y":2,"Z":3},)";
+  const std::string shifts = R"("shift":{"X":0.5,"Y":0,"Z":0},"tool_shift":{"X":0.5,"Y":0,"Z":0.25},)";
+  EXPECT_EQ(json(event), head + shifts + R"("feed":250})");
+  event.space->carrier = {1, 2, 103};
+  event.space->contact = Contact<double>{.point = {4, 5, 6}, .normal = {0.6, 0, 0.8}, .flat = true, .angle = 45};
+  EXPECT_EQ(json(event), head + R"("contact":{"X":4,"Y":5,"Z":6},"normal":[0.6,0,0.8],)" + shifts +
+                             R"("carrier":{"X":1,"Y":2,"Z":103},"angle":45,"flat":true,"feed":250})");
+  const auto same = [](double value) { return value; };
+  EXPECT_EQ(json(map_numbers<double>(event, same)), json(event));
+  EXPECT_EQ(json(map_numbers<double>(space_move(), same)), json(space_move()));
+}
+
+TEST(EventJson, OutOfScope) {
+  Event<double> event;
+  event.kind = EventKind::undecided;
+  event.line = 2;
+  event.number = "a.clause";
+  event.out_of_scope = true;
+  const std::string text =
+      R"({"kind":"undecided","line":2,"clause":"a.clause","permitted":[],"reason":"OUT_OF_SCOPE"})";
+  EXPECT_EQ(json(event), text);
+  EXPECT_EQ(json(map_numbers<double>(event, [](double value) { return value; })), text);
+  std::string gcode;
+  GcodeState<double> state;
+  append_event_gcode(gcode, event, kAxes, append_shortest_fixed, state);
+  EXPECT_EQ(gcode, "(line 2: undecided: a.clause, OUT_OF_SCOPE)\n");
+}
+
+TEST(EventCsv, ColumnsOfSpaceCompensation) {
+  std::string header;
+  append_csv_header(header, kAxes, Control::heidenhain);
+  EXPECT_NE(header.find("radius.end,tool_center.X,tool_center.Y,tool_center.Z,contact.X,contact.Y,contact.Z,normal.i,"
+                        "normal.j,normal.k,shift.X,shift.Y,shift.Z,tool_shift.X,tool_shift.Y,tool_shift.Z,carrier.X,"
+                        "carrier.Y,carrier.Z,angle,flat,feed,"),
+            std::string::npos)
+      << header;
+  EXPECT_TRUE(header.ends_with(",t,reason,clauses\n"));
+  const auto row = [](const Event<double>& event) {
+    std::string out;
+    append_event_csv(out, event, kAxes, append_shortest, Control::heidenhain);
+    return out;
+  };
+  Event<double> event = space_move();
+  EXPECT_EQ(row(event),
+            "move,5,,linear,programmed,10,0,0.1,10,1.5,0.1,10,1.5,4.1,90,,,,,0,0,1,,,,,,,,,"
+            "1,2,3,,,,,,,0.5,0,0,0.5,0,0.25,,,,,,250,,,,,,,\n");
+  event.space->carrier = {1, 2, 103};
+  event.space->contact = Contact<double>{.point = {4, 5, 6}, .normal = {0.6, 0, 0.8}, .flat = true, .angle = 45};
+  EXPECT_EQ(row(event),
+            "move,5,,linear,programmed,10,0,0.1,10,1.5,0.1,10,1.5,4.1,90,,,,,0,0,1,,,,,,,,,"
+            "1,2,3,4,5,6,0.6,0,0.8,0.5,0,0,0.5,0,0.25,1,2,103,45,true,250,,,,,,,\n");
+  Event<double> undecided;
+  undecided.kind = EventKind::undecided;
+  undecided.out_of_scope = true;
+  for (const Event<double>& each : {event, undecided, line_move(), arc_move()})
+    EXPECT_EQ(std::ranges::count(row(each), ','), std::ranges::count(header, ','));
+  EXPECT_TRUE(row(undecided).ends_with(",OUT_OF_SCOPE,\n"));
 }
 
 TEST(EventCsv, HeaderAndRowsHaveTheSameColumns) {

@@ -133,7 +133,22 @@ TEST(Setup, ExampleReads) {
   EXPECT_EQ(setup.cutter_compensation, CutterCompensationType::c);
   for (const std::uint32_t number : {5010U, 6241U, 6251U, 6254U}) EXPECT_TRUE(setup.parameter(number)) << number;
   EXPECT_EQ(setup.measurement.at('Z'), (Decimal{1980, 1, false, true}));
-  EXPECT_THROW((void)setup_example(Control::heidenhain), InputError);
+}
+
+TEST(Setup, ExampleOfHeidenhainReads) {
+  const spec::Setup setup = toml(setup_example(Control::heidenhain));
+  EXPECT_EQ(setup.control, Control::heidenhain);
+  EXPECT_EQ(setup.axes.letters(), "XYZBC");
+  ASSERT_EQ(setup.tools.size(), 3U);
+  EXPECT_EQ(setup.tools[0].name, "BALL_6");
+  EXPECT_EQ(setup.tools[0].dr2, (Decimal{1, 1, true, true}));
+  EXPECT_EQ(setup.tools[0].l, (Decimal{8025, 2, false, true}));
+  EXPECT_EQ(setup.tools[1].l, std::nullopt);
+  EXPECT_EQ(setup.tools[2].number, 51U);
+  EXPECT_EQ(setup.tcs.at(1).dl, (Decimal{5, 3, true, true}));
+  EXPECT_EQ(setup.dr2_tables.at(setup.tools[2].dr2_table).size(), 4U);
+  EXPECT_EQ(toml(write_setup_toml(setup)), setup);
+  EXPECT_EQ(json(write_setup_json(setup)), setup);
 }
 
 TEST(Setup, BitsComeFromTheirOwnKeyFirst) {
@@ -227,11 +242,98 @@ TEST(Setup, ColumnsCountBytes) {
             "f.json:1:39: o");
 }
 
-TEST(Setup, ControlsThatAreNotBuiltSaySo) {
-  EXPECT_EQ(toml_error("control = \"heidenhain\"\n[[tool]]\nR = 3"),
-            "f.toml:1:11: control: the sections of \"heidenhain\" are not built yet; expected \"fanuc\"");
+constexpr const char* kHeidenhain = "control = \"heidenhain\"\n";
+
+TEST(Setup, KeysOfAControlAreRefusedUnderTheOther) {
   EXPECT_EQ(toml_error("[[tool]]\nR = 3"), "f.toml:1:3: setup: \"tool\" belongs to control \"heidenhain\"");
   EXPECT_EQ(toml_error("[[correction.tcs]]").substr(12), "setup: \"correction\" belongs to control \"heidenhain\"");
+  EXPECT_EQ(toml_error("[[dr2table]]").substr(12), "setup: \"dr2table\" belongs to control \"heidenhain\"");
+  for (const char* key : {"increment", "cutter_compensation", "type_b_without_perpendicular", "parameters", "offsets",
+                          "workpiece", "reference", "measurement"})
+    EXPECT_EQ(toml_error(kHeidenhain + std::string(key) + " = 1"),
+              "f.toml:2:1: setup: \"" + std::string(key) + "\" belongs to control \"fanuc\"");
+  EXPECT_EQ(
+      toml_error(kHeidenhain + std::string("tools = 1")),
+      "f.toml:2:1: setup: unknown key \"tools\"; expected one of control, units, axes, block_skip, position, tool, "
+      "correction, dr2table");
+}
+
+TEST(Setup, HeidenhainDefaults) {
+  const spec::Setup setup = toml(kHeidenhain);
+  EXPECT_EQ(setup.axes.letters(), "XYZABC");
+  EXPECT_EQ(setup.units, Units::mm);
+  EXPECT_TRUE(setup.tools.empty());
+  EXPECT_EQ(write_setup_json(setup),
+            R"({"control":"heidenhain","units":"mm","axes":["X","Y","Z","A","B","C"],"block_skip":false})");
+  EXPECT_EQ(toml(write_setup_toml(setup)), setup);
+  EXPECT_EQ(toml_error(kHeidenhain + std::string("axes = [\"X\", \"Z\"]")),
+            "f.toml:2:8: axes: without Y; control \"heidenhain\" needs X, Y and Z");
+  EXPECT_EQ(toml_error(kHeidenhain + std::string("[position]\nU = 1")),
+            "f.toml:3:1: position: \"U\" is no axis of this setup; its axes are XYZABC");
+}
+
+std::string tool_error(const std::string& row) { return toml_error(kHeidenhain + ("[[tool]]\n" + row)); }
+
+TEST(Setup, ToolRows) {
+  const spec::Setup setup = toml(kHeidenhain + std::string("[[tool]]\nnumber = 5\n[[tool]]\nnumber = 32767.9\n"));
+  ASSERT_EQ(setup.tools.size(), 2U);
+  ToolRow fifth;
+  fifth.number = 50;
+  EXPECT_EQ(setup.tools[0], fifth);
+  EXPECT_EQ(setup.tools[1].number, 327679U);
+  for (const char* number : {"0", "0.5", "32768", "-1", "5.0", "5.12", "\"5.\"", "\".5\""})
+    EXPECT_EQ(tool_error("number = " + std::string(number)).substr(0, 63),
+              "f.toml:3:10: tool.number: expected a number from 1 to 32767, or")
+        << number;
+  EXPECT_EQ(tool_error("R = 1"), "f.toml:2:1: tool: without number");
+  EXPECT_EQ(tool_error("number = 1\nr = 2"),
+            "f.toml:4:1: tool: unknown key \"r\"; expected one of number, name, R, R2, L, DL, DR, DR2, DR2TABLE");
+  EXPECT_EQ(tool_error("number = 1\n[[tool]]\nnumber = \"1\""), "f.toml:5:10: tool.number: tool 1 is given twice");
+  EXPECT_EQ(tool_error("number = 1\nname = \"A\"\n[[tool]]\nnumber = 2\nname = \"A\""),
+            "f.toml:7:8: tool.name: the name \"A\" is given twice");
+  EXPECT_EQ(tool_error("number = 1\nname = \"\""),
+            "f.toml:4:8: tool.name: expected 1 to 32 characters without quotes and control characters, found \"\"");
+  EXPECT_EQ(tool_error("number = 1\nname = \"" + std::string(32, 'A') + "\""), "no error");
+  EXPECT_NE(tool_error("number = 1\nname = \"" + std::string(33, 'A') + "\""), "no error");
+  EXPECT_NE(tool_error("number = 1\nname = 'A\"B'"), "no error");
+  EXPECT_EQ(tool_error("number = 1\nDR2TABLE = \"T\""),
+            "f.toml:4:12: tool.DR2TABLE: there is no [[dr2table]] named \"T\"");
+  EXPECT_EQ(tool_error("number = 1\nR = 1e3"),
+            "f.toml:4:5: tool.R: \"1e3\" has an exponent; expected a plain decimal number such as 0.001");
+}
+
+TEST(Setup, CorrectionRows) {
+  const spec::Setup setup = toml(
+      kHeidenhain + std::string("[[correction.tcs]]\nnumber = 0\nDL = 1\n[[correction.tcs]]\nnumber = 999999999\n"));
+  ASSERT_EQ(setup.tcs.size(), 2U);
+  EXPECT_EQ(setup.tcs.at(0), (CorrectionRow{decimal(1), {}, {}}));
+  EXPECT_EQ(setup.tcs.at(999'999'999), CorrectionRow{});
+  EXPECT_EQ(toml_error(kHeidenhain + std::string("[[correction.tcs]]\nDL = 1")),
+            "f.toml:2:1: correction.tcs: without number");
+  EXPECT_EQ(toml_error(kHeidenhain + std::string("[[correction.wpl]]\nnumber = 1")),
+            "f.toml:2:14: correction: unknown key \"wpl\"; expected one of tcs");
+  EXPECT_EQ(toml_error(kHeidenhain + std::string("[[correction.tcs]]\nnumber = 7\n[[correction.tcs]]\nnumber = 7")),
+            "f.toml:5:10: correction.tcs.number: row 7 is given twice");
+}
+
+TEST(Setup, DeviationTables) {
+  const auto table = [](const std::string& points) {
+    return kHeidenhain + ("[[dr2table]]\nname = \"T\"\npoints = " + points);
+  };
+  const spec::Setup setup = toml(table(R"([["0.0", 0], ["0.000000000000000001", 1], [180, "-0.02"]])"));
+  ASSERT_EQ(setup.dr2_tables.at("T").size(), 3U);
+  EXPECT_EQ(setup.dr2_tables.at("T")[2].second, (Decimal{2, 2, true, true}));
+  EXPECT_EQ(toml(write_setup_toml(setup)), setup);
+  EXPECT_EQ(toml_error(table("[]")), "f.toml:4:10: dr2table.points: expected at least one point");
+  EXPECT_EQ(toml_error(table("[[1]]")), "f.toml:4:11: dr2table.points: expected [angle, deviation]");
+  EXPECT_EQ(toml_error(table("[[10, 0], [\"10.0\", 1]]")),
+            "f.toml:4:20: dr2table.points: the angles do not ascend at \"10.0\"");
+  EXPECT_EQ(toml_error(table("[[-1, 0]]")),
+            "f.toml:4:11: dr2table.points: expected an angle from 0 to 180 degrees, found \"-1\"");
+  EXPECT_EQ(toml_error(table("[[180.0001, 0]]")),
+            "f.toml:4:11: dr2table.points: expected an angle from 0 to 180 degrees, found \"180.0001\"");
+  EXPECT_EQ(toml_error(table("[[1, 0]]\n[[dr2table]]\nname = \"T\"\npoints = [[1, 0]]")),
+            "f.toml:6:8: dr2table.name: the table \"T\" is given twice");
 }
 
 TEST(Setup, MalformedTextHasItsPosition) {

@@ -1,10 +1,10 @@
-#include "fuzz/oracle/direction_words.h"
+#include "fuzz/oracle/program_facts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
-#include "spec/language/program_reader.h"
+#include "fuzz/oracle/control.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -16,15 +16,17 @@ double value(const spec::Word& word) {
 
 }  // namespace
 
-DirectionWords DirectionWords::of(const spec::Case& c) {
-  DirectionWords words;
-  spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes, {"program", c.setup.block_skip});
-  const auto block = std::make_unique<spec::Block>();
-  while (reader.next(*block)) words.read(*block);
-  return words;
+ProgramFacts ProgramFacts::of(const spec::Case& c) {
+  return with_control(c.setup, [&c]<class Control>(Control) {
+    ProgramFacts facts;
+    typename Control::Reader reader = Control::reader(spec::text_source(c.program), c.setup, "program");
+    const auto block = std::make_unique<typename Control::Block>();
+    while (reader.next(*block)) facts.read(*block);
+    return facts;
+  });
 }
 
-void DirectionWords::read(const spec::Block& block) {
+void ProgramFacts::read(const spec::Block& block) {
   constexpr double by_direction = 43.5;
   for (const spec::Word& word : block.words()) {
     if (word.address == 'G' && value(word) == by_direction) first_ = std::min(first_, block.line);
@@ -33,6 +35,10 @@ void DirectionWords::read(const spec::Block& block) {
     const auto known = [degrees](const Lean& lean) { return lean.degrees == degrees; };
     if (degrees != 0 && std::none_of(leans_.begin(), leans_.end(), known)) leans_.push_back({block.line, degrees});
   }
+}
+
+void ProgramFacts::read(const spec::klartext::Block& block) {
+  if (block.statement == spec::klartext::Statement::begin_program && !block.alarm) units_ = block.unit;
 }
 
 }  // namespace toolcomp::fuzz

@@ -1,0 +1,59 @@
+#include "fast/face_milling/face_milling.h"
+
+#include <cmath>
+
+namespace toolcomp::fast::klartext {
+namespace {
+
+// (T.T) N − (N.T) T, exactly.
+WideVector3 across(const WholeVector& normal, const WholeVector& tool) {
+  const WideVector3 t = tool.exact();
+  return cross(t, cross(normal.exact(), t));
+}
+
+}  // namespace
+
+void FaceMilling::meet_wide(const ToolVector& tool, Meeting& meeting) const {
+  const WideVector3 exact = cross(normal_.exact(), tool.vector().exact());
+  meeting.flat = exact.x.sign() == 0 && exact.y.sign() == 0 && exact.z.sign() == 0;
+  meeting.u = {};
+  if (meeting.flat) return;
+  const Vector c{exact.x.to_double(), exact.y.to_double(), exact.z.to_double()};
+  meeting.u = cross(meeting.t, unit_of(c));
+  // From the units of exact() to those of both vectors.
+  const Vector normal = normal_.nearest();
+  const double unit = (normal_.narrow ? 1e-10 : 1.0) * (tool.vector().narrow ? 1e-10 : 1.0);
+  meeting.sine = unit * std::sqrt(dot(c, c)) / std::sqrt(dot(normal, normal));
+}
+
+Alarm FaceMilling::deviate(const ToolVector& tool, bool along, const EffectiveTool& effective, bool permitted) {
+  if (const Alarm a = effective.check_before_angle()) return a;
+  const Meeting meeting = meet(tool, along);
+  // The sine still lacks |T|.
+  const ContactAngle angle(normal_, tool.vector(), meeting.sine / dot(tool.vector().nearest(), meeting.t),
+                           meeting.cosine);
+  double deviation = 0;
+  if (!effective.deviations()->find(angle, deviation)) return alarm::kAngleRange;
+  if (effective.deviations()->below(effective.corner_without_deviation(), angle, deviation))
+    return alarm::kCornerNegative;
+  degrees_ = angle.degrees();
+  // A ball: no ring.
+  ball_ = effective.values();
+  ball_.corner_delta = deviation + effective.corner_delta_without_deviation();
+  ball_.effective_corner = ball_.corner + ball_.corner_delta;
+  ball_.ring = ball_.effective_ring = ball_.ring_delta = 0;
+  return effective.check_after_angle(permitted);
+}
+
+bool FaceMilling::exactly_below(const ToolVector& tool) const {
+  const WideVector3 n = normal_.exact();
+  const WideVector3 t = tool.vector().exact();
+  const Wide product = dot(n, t);
+  return (Wide(25'000'000) * product * product - dot(n, n) * dot(t, t)).sign() > 0;
+}
+
+bool FaceMilling::exactly_opposed(const ToolVector& tool) const {
+  return dot(across(normal_, tool.vector()), across(before_.normal, before_.tool)).sign() < 0;
+}
+
+}  // namespace toolcomp::fast::klartext

@@ -1,0 +1,43 @@
+// What the state machine makes of a block that moves.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "fast/klartext/alarm.h"
+#include "fast/klartext/effective_tool.h"
+#include "fast/klartext/tool_vector.h"
+#include "fast/leading_edge_offset/displacement.h"
+#include "spec/language/axes.h"
+
+namespace toolcomp::fast::klartext {
+
+// What every event tells of its block.
+struct BlockHead {
+  std::uint64_t line = 0;
+  std::optional<std::uint64_t> n;
+};
+
+// The programmed end point and what else the event of a move repeats.
+struct MoveHead : BlockHead {
+  bool rapid = false;
+  bool cancels = false;                           // the first moving block behind RL or RR
+  Warnings warnings = 0;                          // found in the block
+  std::uint16_t rotary = 0;                       // bit by axis: a rotary axis with a word in this block
+  std::optional<double> feed;                     // in force
+  std::array<double, spec::kMaxAxes> position{};  // programmed, by axis
+};
+
+// A block under RL or RR, held until the next motion is known.
+struct PeripheralMotion {
+  MoveHead head;
+  ToolVector tool;
+  Displacement travel;
+  int side = 1;          // RL 1, RR −1
+  double tip_below = 0;  // programmed_contour.h
+  double lateral = 0;    // the distance of the tip from the programmed point: delta
+  ToolValues values;
+};
+
+}  // namespace toolcomp::fast::klartext

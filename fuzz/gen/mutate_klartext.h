@@ -1,0 +1,11 @@
+// Changes to a Klartext case (mutate.h chooses how many).
+#pragma once
+
+#include "fuzz/gen/choices.h"
+
+namespace toolcomp::fuzz {
+
+void change_klartext(Choices& choose, spec::Case& c, Mode mode);
+void change_tool_tables(Choices& choose, spec::Setup& setup);
+
+}  // namespace toolcomp::fuzz

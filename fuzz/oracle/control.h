@@ -1,0 +1,60 @@
+// The reader and the engines of a control. The one place where a setup's control chooses them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "fast/engine.h"
+#include "fast/klartext/engine.h"
+#include "model/engine.h"
+#include "model/klartext/engine.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/klartext_reader.h"
+#include "spec/language/program_reader.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::fuzz {
+
+// `file` is the name in messages. Every function throws spec::InputError for a setup the control could not have.
+struct FanucControl {
+  using Reader = spec::ProgramReader;
+  using Block = spec::Block;
+  using Model = model::Engine;
+  using Fast = fast::Engine;
+  static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file) {
+    return Reader(std::move(text), setup.axes, {.file = std::move(file), .block_skip = setup.block_skip});
+  }
+  static Model model(const spec::Setup& setup, model::Recorder& recorder, model::EventSink& sink,
+                     std::uint32_t samples) {
+    return Model(setup, recorder, sink, samples);
+  }
+  static Fast fast(const spec::Setup& setup, fast::EventSink& sink, std::uint32_t samples) {
+    return Fast(setup, sink, samples);
+  }
+};
+
+// Samples are of tool center point control alone: there are none here.
+struct HeidenhainControl {
+  using Reader = spec::klartext::Reader;
+  using Block = spec::klartext::Block;
+  using Model = model::klartext::Engine;
+  using Fast = fast::klartext::Engine;
+  static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file) {
+    return Reader(std::move(text), setup, {.file = std::move(file), .block_skip = setup.block_skip});
+  }
+  static Model model(const spec::Setup& setup, model::Recorder& recorder, model::EventSink& sink, std::uint32_t) {
+    return Model(setup, recorder, sink);
+  }
+  static Fast fast(const spec::Setup& setup, fast::EventSink& sink, std::uint32_t) { return Fast(setup, sink); }
+};
+
+// Calls `visit` with the control of the setup.
+template <class Visit>
+decltype(auto) with_control(const spec::Setup& setup, Visit&& visit) {
+  return setup.control == spec::Control::heidenhain ? std::forward<Visit>(visit)(HeidenhainControl{})
+                                                    : std::forward<Visit>(visit)(FanucControl{});
+}
+
+}  // namespace toolcomp::fuzz

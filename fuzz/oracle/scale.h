@@ -1,0 +1,18 @@
+// What the policy multiplies its k with.
+#pragma once
+
+#include "fuzz/oracle/pose_error.h"
+
+namespace toolcomp::fuzz {
+
+// Of one event, in units of its coordinates.
+struct Scale {
+  double position = 0;   // the largest linear magnitude that enters the event's coordinates
+  double vector = 0;     // length of the compensation vector
+  double condition = 1;  // error of the vector over error of the directions it is made of
+  double start = 0;      // the same product of the vector with which an arc begins
+  double turn = 0;   // arcs with a vector: sum over both ends of one unit of length over their distance to the centre
+  PoseScale pose{};  // what the rotary positions add; 3D compensation: what its directions add to every X Y Z
+};
+
+}  // namespace toolcomp::fuzz

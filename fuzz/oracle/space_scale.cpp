@@ -1,0 +1,149 @@
+#include "fuzz/oracle/space_scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fuzz/oracle/number.h"
+#include "fuzz/oracle/policy.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+constexpr double kMillimetresAnInch = 25.4;
+constexpr double kHalfTurn = 180;
+
+double value(const spec::Decimal& d) {
+  const double magnitude = static_cast<double>(d.digits) * std::pow(10.0, -d.decimals);
+  return d.negative ? -magnitude : magnitude;
+}
+
+Space space_of(const std::array<exact::Real, 3>& v) {
+  return {approximate(v[0]), approximate(v[1]), approximate(v[2])};
+}
+
+double length(const Space& v) { return std::hypot(v[0], v[1], v[2]); }
+double dot(const Space& a, const Space& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Space difference(const Space& a, const Space& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Space cross(const Space& a, const Space& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// Error of t x d / |t x d|, relative; nothing where it does not exist, as far as doubles can tell.
+std::optional<double> error_of(const Space& tool, const Space& travel, double position) {
+  const double distance = length(travel);
+  if (distance == 0) return std::nullopt;
+  const double sine = length(cross(tool, travel)) / distance;
+  if (sine < policy::kParallel) return std::nullopt;
+  return (policy::ulp(1) + policy::ulp(position) / distance) / sine;
+}
+
+double largest(double size, const std::array<exact::Real, 3>& v) {
+  for (const exact::Real& x : v) size = std::max(size, std::fabs(approximate(x)));
+  return size;
+}
+
+}  // namespace
+
+SpaceScales::SpaceScales(const spec::Setup& setup)
+    : index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')} {
+  for (const spec::ToolRow& tool : setup.tools)
+    for (const spec::Decimal& d : {tool.r, tool.r2, tool.dl, tool.dr, tool.dr2})
+      radius_ = std::max(radius_, std::fabs(value(d)));
+  for (const auto& [name, points] : setup.dr2_tables) {
+    auto& table = tables_.emplace_back();
+    for (const auto& [angle, deviation] : points) table.emplace_back(value(angle), value(deviation));
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto start = setup.position.find("XYZ"[i]);
+    if (start != setup.position.end()) before_.at(i) = value(start->second);
+  }
+  units(setup.units);
+}
+
+void SpaceScales::units(spec::Units units) { to_program_ = units == spec::Units::inch ? 1 / kMillimetresAnInch : 1; }
+
+Scale SpaceScales::next(std::span<const model::Event> window) {
+  const model::Event& event = window.front();
+  Scale scale;
+  scale.position = radius_ * to_program_;
+  if (event.kind != spec::EventKind::move) return scale;
+  const auto include = [&](const spec::AxisValues<model::Real>& values) {
+    for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
+      if (event.programmed.has(i) && values.has(i))
+        scale.position = std::max(scale.position, std::fabs(approximate(values[i])));
+  };
+  include(event.programmed);
+  include(event.point);
+  include(event.axes);
+  const Space at = fuzz::space_of(event.programmed, index_);
+  if (event.space) {
+    scale.position = largest(scale.position, event.space->tool_center);
+    if (event.space->carrier) scale.position = largest(scale.position, *event.space->carrier);
+    if (event.space->contact) scale.position = largest(scale.position, event.space->contact->point);
+    scale.pose.tip = event.space->contact ? face(event) : beside(window, at, scale.position);
+  }
+  if (!event.space || event.space->contact) former_ = 0;
+  before_ = at;
+  return scale;
+}
+
+double SpaceScales::face(const model::Event& event) const {
+  if (!event.tool_axis) return 0;
+  const spec::Contact<model::Real>& contact = *event.space->contact;
+  double error = 0;
+  const Space contact_to_center = difference(space_of(event.space->tool_center), space_of(contact.point));
+  const double ring = std::max(radius_ * to_program_, length(contact_to_center));
+  if (!contact.flat) {
+    const double sine = length(cross(space_of(contact.normal), space_of(*event.tool_axis)));
+    error = policy::ulp(ring) / std::max(sine, policy::kParallel);
+  }
+  if (contact.angle) error += steepest(approximate(*contact.angle)) * to_program_ * policy::ulp(kHalfTurn);
+  return error;
+}
+
+// Of the segments of all tables that the angle lies in, mm a degree.
+double SpaceScales::steepest(double angle) const {
+  double slope = 0;
+  for (const auto& table : tables_)
+    for (std::size_t i = 1; i < table.size(); ++i) {
+      const auto& [from, first] = table[i - 1];
+      const auto& [to, second] = table[i];
+      const double slack = policy::kSlack * kHalfTurn;
+      if (angle >= from - slack && angle <= to + slack)
+        slope = std::max(slope, std::fabs(second - first) / (to - from));
+    }
+  return slope;
+}
+
+double SpaceScales::beside(std::span<const model::Event> window, const Space& at, double position) {
+  const model::Event& event = window.front();
+  if (!event.tool_axis) return 0;
+  const Space tool = space_of(*event.tool_axis);
+  Space vector = difference(fuzz::space_of(event.point, index_), at);
+  const double along = dot(vector, tool);
+  for (std::size_t i = 0; i < 3; ++i) vector.at(i) -= along * tool.at(i);
+  const double size = length(vector);
+  const Space own = difference(at, before_);
+  Space next{};
+  for (std::size_t i = 1; i < window.size(); ++i)
+    if (window[i].kind == spec::EventKind::move) {
+      next = difference(fuzz::space_of(window[i].programmed, index_), at);
+      break;
+    }
+  const std::optional<double> own_error = error_of(tool, own, position);
+  const std::optional<double> next_error = error_of(tool, next, position);
+  const double worst = std::max(own_error.value_or(former_), next_error.value_or(former_));
+  const Space& path = own_error ? own : next;
+  // The offset, which the vector has across either path.
+  double offset = size;
+  if (own_error || next_error) {
+    const Space across = cross(tool, path);
+    offset = std::fabs(dot(vector, across)) / length(across);
+  }
+  former_ = next_error.value_or(own_error.value_or(former_));
+  if (size == 0) return 0;
+  return size * worst * (1 + size / std::max(offset, size * policy::kParallel));
+}
+
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,47 @@
+// The scale of events of 3D tool compensation (Heidenhain), from exact events alone.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "fuzz/oracle/corner.h"
+#include "fuzz/oracle/scale.h"
+#include "model/engine.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::fuzz {
+
+// Follows the events of one run, in order.
+//
+// Blocks with a normal: the ring of radius rho lies along u, the part of n across t, whose error is that of n and t
+// over the sine of their angle. With a table of deviations the radius is off by its slope times the error of the angle.
+//
+// Blocks beside the path: c = t x d / |t x d| has the error of t and of d, which is that of its ends over its length,
+// over the sine of their angle. The mitre of two directions, of length v for an offset of delta, turns and stretches
+// by 1 + v/delta times that. A direction that does not exist leaves the error of the one before.
+class SpaceScales {
+ public:
+  explicit SpaceScales(const spec::Setup& setup);
+  // Those of the program; until then those of the setup.
+  void units(spec::Units units);
+  // The scale of window[0]; `window` as for Conditions::next.
+  Scale next(std::span<const model::Event> window);
+
+ private:
+  [[nodiscard]] double face(const model::Event& event) const;
+  [[nodiscard]] double steepest(double angle) const;
+  double beside(std::span<const model::Event> window, const Space& at, double position);
+
+  std::array<std::size_t, 3> index_;  // of X Y Z
+  double to_program_ = 1;             // mm to units of the program
+  double radius_ = 0;                 // the largest of the tool table, mm
+  std::vector<std::vector<std::pair<double, double>>> tables_;
+  Space before_{};     // programmed, of the move before
+  double former_ = 0;  // error of the direction made last
+};
+
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,3 @@
+#include "fuzz/targets/twin.h"
+
+TOOLCOMP_TWIN_TARGET("heidenhain/face-milling", toolcomp::fuzz::Mode::directed)

@@ -1,0 +1,172 @@
+// Any bytes as a Klartext program: the reader ends, positions lie in the text, neither the size of the pieces it gets
+// nor carriage returns matter, and a block without alarm is read back from its own text.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "spec/language/input_error.h"
+#include "spec/language/klartext_reader.h"
+
+namespace {
+
+using namespace toolcomp::spec;
+using klartext::Block;
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+Setup setup_of(bool block_skip) {
+  Setup setup;
+  setup.control = Control::heidenhain;
+  setup.axes = Axes("XYZABCUV");
+  setup.block_skip = block_skip;
+  setup.tcs[1] = {};
+  setup.tcs[42] = {};
+  return setup;
+}
+
+class Pieces final : public ByteSource {
+ public:
+  Pieces(std::string_view text, std::size_t size) : text_(text), size_(size) {}
+  std::size_t read(char* buffer, std::size_t size) override {
+    const std::size_t count = text_.copy(buffer, std::min(size, size_));
+    text_.remove_prefix(count);
+    return count;
+  }
+
+ private:
+  std::string_view text_;
+  std::size_t size_;
+};
+
+// All that counts of a block, as text.
+struct Read {
+  std::string text;  // canonical; empty with an alarm
+  bool many_digits = false;
+  std::optional<klartext::ReadAlarm> alarm;
+  klartext::Statement statement{};
+  std::optional<std::uint64_t> n;
+  std::uint64_t line = 0;
+  std::uint32_t column = 0;
+};
+
+Read kept(const Block& block) {
+  const bool moves =
+      block.statement == klartext::Statement::line || block.statement == klartext::Statement::line_with_vectors;
+  return {block.alarm ? "" : to_string(block),
+          moves && !block.alarm && block.many_digits,
+          block.alarm,
+          block.statement,
+          block.n,
+          block.line,
+          block.column};
+}
+
+bool same(const Read& a, const Read& b) {
+  const bool alarms = a.alarm.has_value() == b.alarm.has_value() &&
+                      (!a.alarm || (a.alarm->number == b.alarm->number && a.alarm->line == b.alarm->line &&
+                                    a.alarm->column == b.alarm->column));
+  return alarms && a.text == b.text && a.many_digits == b.many_digits && a.statement == b.statement && a.n == b.n &&
+         a.line == b.line && a.column == b.column;
+}
+
+struct Outcome {
+  std::vector<Read> blocks;
+  std::string error;
+  std::uint64_t error_line = 1;
+  std::uint64_t error_column = 1;
+};
+
+Outcome read(std::unique_ptr<ByteSource> source, bool block_skip) {
+  klartext::Reader reader(std::move(source), setup_of(block_skip), {.file = "p"});
+  Outcome outcome;
+  Block block;
+  try {
+    while (reader.next(block)) outcome.blocks.push_back(kept(block));
+  } catch (const InputError& error) {
+    outcome.error = error.what();
+    outcome.error_line = error.line();
+    outcome.error_column = error.column();
+  }
+  require(!reader.next(block));
+  return outcome;
+}
+
+bool same(const Outcome& a, const Outcome& b) {
+  return a.error == b.error &&
+         std::ranges::equal(a.blocks, b.blocks, [](const Read& x, const Read& y) { return same(x, y); });
+}
+
+// Bytes of every line, without its line feed.
+std::vector<std::size_t> line_lengths(std::string_view text) {
+  std::vector<std::size_t> lengths;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    lengths.push_back(end - start);
+    start = end + 1;
+  }
+  return lengths;
+}
+
+void check_positions(const Outcome& outcome, std::string_view text) {
+  const std::vector<std::size_t> lengths = line_lengths(text);
+  const auto inside = [&](std::uint64_t line, std::uint64_t column) {
+    return line >= 1 && line <= lengths.size() && column >= 1 && column <= lengths[line - 1] + 1;
+  };
+  require(inside(outcome.error_line, outcome.error_column));
+  std::uint64_t line = 0;
+  for (const Read& block : outcome.blocks) {
+    require(block.line > line && block.line <= lengths.size());
+    require(!block.alarm || (block.alarm->line >= block.line && inside(block.alarm->line, block.alarm->column)));
+    line = block.line;
+  }
+}
+
+// BEGIN PGM without alarm is the first block and END PGM the last one, so that all texts together are a program.
+void read_back(const std::vector<Read>& blocks) {
+  std::string text;
+  std::vector<Read> sound;
+  for (const Read& block : blocks) {
+    if (block.alarm) continue;
+    sound.push_back(block);
+    text += block.text + '\n';
+  }
+  const Outcome again = read(text_source(text), false);
+  require(again.error.empty() && std::ranges::equal(again.blocks, sound, [](const Read& a, const Read& b) {
+            return !a.alarm && a.text == b.text && a.many_digits == b.many_digits && a.n == b.n &&
+                   a.statement == b.statement;
+          }));
+}
+
+std::string with_carriage_returns(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\n') result += '\r';
+    result += c;
+  }
+  return result;
+}
+
+}  // namespace
+
+// The first byte chooses block skip and the size of the pieces.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const bool block_skip = (data[0] & 1U) != 0;
+  // NOLINTNEXTLINE(*-reinterpret-cast): bytes as characters
+  const std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
+  const Outcome whole = read(text_source(text), block_skip);
+  require(same(whole, read(std::make_unique<Pieces>(text, 1 + data[0] / 2U), block_skip)));
+  require(same(whole, read(text_source(with_carriage_returns(text)), block_skip)));
+  check_positions(whole, text);
+  read_back(whole.blocks);
+  return 0;
+}
