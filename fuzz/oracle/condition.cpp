@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
