@@ -127,9 +127,11 @@ class Interpreter {
   }
 
   // arc_words.cpp
-  // G02 or G03 in force, and an axis word of the plane or a letter of an arc: anything else is straight.
+  // G02 or G03 in force, and an axis word of the plane or a letter of an arc: anything else is straight. A block with a
+  // code of group 00 but G45 to G48, a dwell say, is no arc, whatever its words.
   [[nodiscard]] bool is_arc(const Words& words) const {
-    return motion_ > 10 && ((words.axes() & plane_axes_) != 0 || words.has_any(arc_letters_));
+    return motion_ > 10 && ((words.axes() & plane_axes_) != 0 || words.has_any(arc_letters_)) &&
+           (words.code(Words::kOneShot) == kNone || words.is_tool_offset());
   }
   // Into an ArcWords or a CutterBlock.
   template <class Arc>

@@ -102,6 +102,12 @@ TEST(FastToolCenterPointControl, CommandedRotaryPositions) {
 }
 
 // A swing of 200 degrees is not the continuous one: conventional, with a warning before the move.
+// R of a dwell is no radius, so the table that has turned bars nothing; X without a centre is an arc that cannot be.
+TEST(FastToolCenterPointControl, ADwellIsNoArc) {
+  const ProgramRun run(machine_b_c_mixed("\"19696#5\"=1\n", ""), "G43.4\nC1\nR0 G04 G02\nX0\n");
+  EXPECT_EQ(run.alarm(), "PS0023@4");
+}
+
 TEST(FastToolCenterPointControl, OtherBranchIsConventional) {
   const ProgramRun run(machine_head("", "B=20\n"), "G43.4 H2 P1\nG01 B20 C200 F100\n", 2);
   ASSERT_EQ(run.alarm(), "");
