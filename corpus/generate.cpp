@@ -65,6 +65,7 @@ class Writer {
       c.section = file.section;
       c.comment = example.comment;
       c.setup = spec::read_setup_toml(example.setup, "setup of: " + std::string(example.comment));
+      c.dialect = spec::dialect_of(c.setup.control);
       c.program = example.program;
       c.samples = example.samples;
       c.source.generator = "by hand";

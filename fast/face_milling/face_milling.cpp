@@ -16,7 +16,7 @@ WideVector3 across(const WholeVector& normal, const WholeVector& tool) {
 void FaceMilling::meet_wide(const ToolVector& tool, Meeting& meeting) const {
   const WideVector3 exact = cross(normal_.exact(), tool.vector().exact());
   meeting.flat = exact.x.sign() == 0 && exact.y.sign() == 0 && exact.z.sign() == 0;
-  meeting.u = {};
+  meeting.u = zero_vector();
   if (meeting.flat) return;
   const Vector c{exact.x.to_double(), exact.y.to_double(), exact.z.to_double()};
   meeting.u = cross(meeting.t, unit_of(c));

@@ -66,19 +66,19 @@ class FaceMilling {
 };
 
 inline FaceMilling::Meeting FaceMilling::meet(const ToolVector& tool, bool along) const {
-  Meeting meeting;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  Meeting meeting;
   meeting.flat = true;
   meeting.sine = 0;
   meeting.cosine = 1;
   meeting.t = tool.unit();
   if (along) {
     meeting.n = meeting.t;
-    meeting.u = {};
+    meeting.u = zero_vector();
     return meeting;
   }
   const Vector normal = normal_.nearest();
   const double scale = 1 / std::sqrt(dot(normal, normal));
-  meeting.n = {normal.x * scale, normal.y * scale, normal.z * scale};
+  meeting.n = normal * scale;
   meeting.cosine = dot(meeting.n, meeting.t);
   const WholeVector& t = tool.vector();
   if (!normal_.narrow || !t.narrow) [[unlikely]] {
@@ -90,7 +90,7 @@ inline FaceMilling::Meeting FaceMilling::meet(const ToolVector& tool, bool along
   const std::int64_t y = normal_.small[2] * t.small[0] - normal_.small[0] * t.small[2];
   const std::int64_t z = normal_.small[0] * t.small[1] - normal_.small[1] * t.small[0];
   if ((x | y | z) == 0) [[unlikely]] {
-    meeting.u = {};
+    meeting.u = zero_vector();
     return meeting;
   }
   meeting.flat = false;
@@ -148,7 +148,7 @@ inline void FaceMilling::mill(MoveHead& head, const ToolVector& tool, bool along
   placement.shift = lean * values.corner_delta + meeting.u * values.ring_delta;
   if (fault(Fault::face_tip_along_normal))
     placement.shift = meeting.n * values.corner_delta + meeting.u * values.ring_delta;
-  Vector q{};  // from the programmed point
+  Vector q = zero_vector();  // from the programmed point
   const double tip_below = programmed.tip_below(values, true);
   if (programmed.contour) [[unlikely]] {
     const double corner = fault(Fault::contour_nominal_corner) ? values.corner : placement.corner;
@@ -163,7 +163,7 @@ inline void FaceMilling::mill(MoveHead& head, const ToolVector& tool, bool along
   }
   spec::Contact<double>& contact = writer_.contact();
   const std::array<std::size_t, 3>& xyz = writer_.xyz();
-  contact.point = {head.position[xyz[0]] + q.x, head.position[xyz[1]] + q.y, head.position[xyz[2]] + q.z};
+  put(contact.point, Vector(head.position[xyz[0]], head.position[xyz[1]], head.position[xyz[2]]) + q);
   put(contact.normal, meeting.n);
   contact.flat = meeting.flat;
   if (ball) [[unlikely]]

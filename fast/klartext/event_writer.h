@@ -48,11 +48,8 @@ class EventWriter {
   fast::Event report_;
 };
 
-inline void put(std::array<double, 3>& to, const Vector& v) { to = {v.x, v.y, v.z}; }
 // v + length unit.
-inline Vector along(const Vector& v, const Vector& unit, double length) {
-  return {v.x + length * unit.x, v.y + length * unit.y, v.z + length * unit.z};
-}
+inline Vector along(const Vector& v, const Vector& unit, double length) { return v + unit * length; }
 
 inline void EventWriter::send(fast::Event& event, const MoveHead& head, const Placement& placement,
                               const ToolValues& values, spec::Cause cause) {

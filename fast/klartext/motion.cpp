@@ -200,6 +200,7 @@ void Interpreter::plain_motion() {
   Placement placement;
   placement.tool = direction_.unit();
   placement.tip = placement.tool * -programmed_point().tip_below(values, false);
+  placement.shift = zero_vector();
   placement.corner = values.corner;
   writer_.move(head_, placement, values, cause());
 }

@@ -38,7 +38,7 @@ void ToolVector::turn(std::size_t axis, const std::array<Count, 3>& degrees) {
   for (std::size_t i = 0; i < 3; ++i)
     turn[i] = degrees[i].is_zero() ? SineCosine<double>{0, 1} : sine_cosine(degrees[i]);
   if (fault(Fault::klartext_rotary_order)) std::swap(turn[0], turn[2]);
-  unit_ = turned<double>(axis, turn[0], turn[1], turn[2], 1);
+  unit_ = Vector(turned<double>(axis, turn[0], turn[1], turn[2], 1));
   whole_ = is_quarter(turn[0]) && is_quarter(turn[1]) && is_quarter(turn[2]);
   if (whole_) {
     vector_.narrow = true;

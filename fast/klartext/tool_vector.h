@@ -2,19 +2,12 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include "fast/arithmetic/count.h"
 #include "fast/klartext/whole_vector.h"
 
 namespace toolcomp::fast::klartext {
-
-// v / |v|, each component within a few ulps of 1.
-[[nodiscard]] inline Vector unit_of(const Vector& v) {
-  const double scale = 1 / std::sqrt(dot(v, v));
-  return {v.x * scale, v.y * scale, v.z * scale};
-}
 
 // Vectors of LN blocks and axes are whole. Rotary words turn a tool axis by Rz(C) Ry(B) Rx(A)
 // (heidenhain.program.direction-of-rotary-axes); by multiples of 90 degrees that is whole again.

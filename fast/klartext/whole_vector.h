@@ -7,12 +7,11 @@
 #include "fast/arithmetic/double_double.h"
 #include "fast/arithmetic/int128.h"
 #include "fast/arithmetic/wide.h"
-#include "fast/geometry/vector3.h"
+#include "fast/klartext/vector.h"
 #include "spec/language/decimal.h"
 
 namespace toolcomp::fast::klartext {
 
-using Vector = Vector3<double>;
 using FineVector3 = Vector3<DoubleDouble>;
 using WideVector3 = Vector3<Wide>;
 
@@ -59,7 +58,7 @@ struct WholeVector {
   [[nodiscard]] FineVector3 fine() const {
     if (narrow) {
       const Vector v = nearest();
-      return {{v.x, 0}, {v.y, 0}, {v.z, 0}};
+      return {{v.x(), 0}, {v.y(), 0}, {v.z, 0}};
     }
     return {to_double_double(wide[0]), to_double_double(wide[1]), to_double_double(wide[2])};
   }

@@ -21,7 +21,8 @@ DoubleDouble length(const FineVector3& v) { return sqrt(dot(v, v)); }
 FineVector3 fine_unit(const Lateral& c) {
   FineVector3 v = cross(c.tool->fine(), fine(*c.travel));
   if (c.tool->is_whole()) {
-    const double square = dot(nearest(c.tool->fine()), nearest(c.tool->fine())) * c.travel->value.squaredNorm();
+    const double square =
+        dot(Vector(nearest(c.tool->fine())), Vector(nearest(c.tool->fine()))) * c.travel->value.squaredNorm();
     if (dot(v, v).hi < 0x1p-20 * square) {
       const WideVector3 exact = exact_cross(c);
       v = {exact.x.to_double_double(), exact.y.to_double_double(), exact.z.to_double_double()};
@@ -32,10 +33,7 @@ FineVector3 fine_unit(const Lateral& c) {
   return {v.x / size * one, v.y / size * one, v.z / size * one};
 }
 
-Vector signed_unit(const Vector& v, int side) {
-  const double scale = side / std::sqrt(dot(v, v));
-  return {v.x * scale, v.y * scale, v.z * scale};
-}
+Vector signed_unit(const Vector& v, int side) { return v * (side / std::sqrt(dot(v, v))); }
 
 }  // namespace
 
@@ -52,7 +50,7 @@ bool lean_direction(const Lateral& made_from, Vector& c) {
     return true;
   }
   if (sine < 0x1p-180) return false;
-  c = signed_unit(nearest(v), made_from.side);
+  c = signed_unit(Vector(nearest(v)), made_from.side);
   return true;
 }
 
@@ -70,7 +68,7 @@ bool sharp_mitre(const Lateral& c, const Lateral& next, Vector& between) {
     return false;
   }
   const DoubleDouble two{2, 0};
-  between = nearest(FineVector3{two * sum.x / square, two * sum.y / square, two * sum.z / square});
+  between = Vector(nearest(FineVector3{two * sum.x / square, two * sum.y / square, two * sum.z / square}));
   return true;
 }
 

@@ -13,7 +13,7 @@ class ByteCheck {
   // `any`: a structure block or a program name, where every byte from 0x80 may stand.
   ByteCheck(const std::string& file, std::uint64_t line, bool any) : file_(file), line_(line), any_(any) {}
 
-  void take(char byte);
+  void take(char character);
   // The byte order mark that a text may begin with.
   void take_byte_order_mark() { column_ += 3; }
   // The line goes on in the next one: its last byte but blanks is a ~.

@@ -11,7 +11,6 @@ namespace {
 
 using document::in_quotes;
 using document::Kind;
-using document::Member;
 using document::Node;
 using document::Reader;
 

@@ -17,7 +17,7 @@ inline std::vector<spec::klartext::Block> read(std::string_view program, const s
 
 template <class Number, class Engine>
 void run_round(benchmark::State& state, const Program& program, const spec::Setup& setup, Engine& engine,
-              const Path<Number>& path) {
+               const Path<Number>& path) {
   for (const spec::klartext::Block& block : read(program.head, setup)) engine.block(block);
   const auto blocks = read(program.body, setup);
   for (auto _ : state)

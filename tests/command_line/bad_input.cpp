@@ -73,6 +73,48 @@ TEST_F(BadInput, AlarmsOfReadingAreResults) {
   EXPECT_NE(outcome.err.find("p.nc:2:13: PS0007"), std::string::npos) << outcome.err;
 }
 
+TEST_F(BadInput, KlartextProgramsThatAreNoText) {
+  const std::string klartext = " --setup " + folder.write("heidenhain.toml", "control = \"heidenhain\"\n");
+  refused("run " + folder.write("latin.h", "L X+1 ;\xE4\nL X\xE4\n") + klartext, "latin.h:2:4:");
+  refused("run " + folder.write("nul.h", std::string("L X+1\n;\0\n", 9)) + klartext, "nul.h:2:2:");
+  refused("run " + folder.write("row.h", "M3\nFUNCTION CORRDATA TCS #5\n") + klartext, "row.h:2:23:");
+}
+
+TEST_F(BadInput, HeidenhainSetupsAndCases) {
+  const std::string program = folder.write("p.h", "L X+1\n");
+  const auto setup_refused = [&](const std::string& keys, const std::string& words) {
+    refused("run " + program + " --setup " + folder.write("s.toml", "control = \"heidenhain\"\n" + keys), words);
+  };
+  setup_refused("[parameters]\n", "s.toml:2:2: setup: \"parameters\" belongs to control \"fanuc\"");
+  setup_refused("[[tool]]\nnumber = 1\nDR2TABLE = \"T\"\n", "s.toml:4:12:");
+  setup_refused("[[tool]]\nnumber = 1\n[[tool]]\nnumber = 1\n", "s.toml:5:10:");
+  refused("config check " +
+              folder.write("case.json", R"({"case":1,"dialect":"klartext","setup":{"control":"fanuc"},"program":""})"),
+          "case.json:1:21: dialect:");
+}
+
+TEST_F(BadInput, AlarmsOfReadingKlartextAreResults) {
+  const std::string klartext = " --setup " + folder.write("heidenhain.toml", "control = \"heidenhain\"\n");
+  const Outcome outcome =
+      toolcomp("run " + folder.write("p.h", "L X+1 R0 FMAX\n20 LN X+1 Y+2 ~\n  NX0 NY0 NZ1 TX+Q1\nL X+9\n") + klartext);
+  EXPECT_EQ(outcome.status, 0);
+  ASSERT_EQ(outcome.events().size(), 2U);
+  EXPECT_EQ(outcome.events()[1].at("kind"), "alarm");
+  EXPECT_EQ(outcome.events()[1].at("number"), "E_SYNTAX");
+  EXPECT_EQ(outcome.events()[1].at("line"), 2);
+  EXPECT_EQ(outcome.events()[1].at("n"), 20);
+  EXPECT_NE(outcome.err.find("p.h:3:15: E_SYNTAX"), std::string::npos) << outcome.err;
+}
+
+TEST_F(BadInput, OneKlartextLineOfAHundredMegabytes) {
+  const std::string klartext = folder.write("heidenhain.toml", "control = \"heidenhain\"\n");
+  const Outcome outcome =
+      toolcomp("run - --setup " + klartext, kMemoryLimit + "yes 'L X+1 ' | tr -d '\\n' | head -c 100000000 | ");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(outcome.events().size(), 1U) << outcome.out.substr(0, 500);
+  EXPECT_EQ(outcome.events()[0].at("number"), "E_SYNTAX");
+}
+
 // A line of 100 MB under a memory limit of 400 MB for the whole process.
 TEST_F(BadInput, OneLineOfAHundredMegabytes) {
   for (const auto& [words, alarm] :
