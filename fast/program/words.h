@@ -31,8 +31,8 @@ class Words {
     kGroups
   };
 
-  // Codes the control does not have set unsupported().
-  Words(const spec::Block& block, const spec::Axes& axes);
+  // `axis_letters`: the set of letters of the axes. Codes the control does not have set unsupported().
+  Words(const spec::Block& block, const spec::Axes& axes, std::uint32_t axis_letters);
 
   // The code of a group, or kNone.
   [[nodiscard]] Code code(std::size_t group) const { return code_[group]; }
@@ -68,12 +68,13 @@ class Words {
   }
 
  private:
+  void read_codes(const spec::Block& block);
   void g_word(const spec::Decimal& value);
   void m_word(const spec::Decimal& value);
 
   std::array<Code, kGroups> code_;
-  std::array<const spec::Decimal*, 26> value_;  // set where letters_ has the bit
-  std::array<const spec::Decimal*, spec::kMaxAxes> axis_value_;
+  std::array<const spec::Decimal*, 26> value_;                       // set where letters_ has the bit
+  std::array<const spec::Decimal*, spec::kMaxAxes + 1> axis_value_;  // the last one: of letters that are no axes
   std::uint32_t letters_ = 0;
   std::uint16_t axes_ = 0;
   bool any_ = false;
@@ -83,36 +84,27 @@ class Words {
   bool end_ = false;
 };
 
-inline Words::Words(const spec::Block& block,
-                    const spec::Axes& axes) {  // NOLINT: arrays are read only where marked as set
+// NOLINTNEXTLINE: arrays are read only where marked as set
+inline Words::Words(const spec::Block& block, const spec::Axes& axes, std::uint32_t axis_letters) {
   code_.fill(kNone);
-  // Not in members while the loop runs: bytes are read in between, which may be any of them as far as a compiler knows.
+  // Not in members while the loop runs, and without a branch: which letter comes next follows no pattern.
   std::uint32_t letters = 0;
-  std::uint32_t others = 0;
   unsigned positions = 0;
   for (const spec::Word& word : block.words()) {
-    const char letter = word.address;
-    if (letter == 'G') {
-      g_word(word.value);
-      any_ = true;
-      continue;
-    }
-    const auto index = static_cast<std::size_t>(letter - 'A');
-    const std::uint32_t bit = std::uint32_t{1} << index;
-    letters |= bit;
+    const auto index = static_cast<std::size_t>(word.address - 'A');
+    const std::size_t axis = axes.index(word.address);
+    letters |= std::uint32_t{1} << index;
+    positions |= 1U << axis;
     value_[index] = &word.value;
-    if (const std::size_t axis = axes.index(letter); axis != spec::Axes::kNone) {
-      positions |= 1U << axis;
-      axis_value_[axis] = &word.value;
-      continue;
-    }
-    others |= bit;
-    if (letter == 'M') m_word(word.value);
+    axis_value_[axis] = &word.value;
   }
+  constexpr unsigned kAllAxes = (1U << spec::kMaxAxes) - 1;
+  const std::uint32_t others = letters & ~axis_letters;
   letters_ = letters;
-  axes_ = static_cast<std::uint16_t>(positions);
-  any_ |= (letters & ~set_of("NO")) != 0;
-  plain_ &= (others & ~set_of("FIJKR")) == 0;
+  axes_ = static_cast<std::uint16_t>(positions & kAllAxes);
+  any_ = (letters & ~set_of("NO")) != 0;
+  plain_ = (others & ~set_of("FGIJKR")) == 0;
+  if ((others & set_of("GM")) != 0) read_codes(block);
   if (plain_) [[likely]]
     return;
   if (code_[kOneShot] == 40 || code_[kOneShot] == 100) {
