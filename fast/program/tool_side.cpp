@@ -47,17 +47,13 @@ void Interpreter::start_tool_side_leg(ToolSideBlock& block) const {
 Alarm Interpreter::tool_side_move(const Words& words) {
   direction_before_ = direction_;
   const bool directed = by_vector_ && words.has_any(Words::set_of("IJK"));
-  if (directed && !plans_tool_) {
-    Direction& direction = new_direction();
-    if (!read_usual_direction(words, direction)) [[unlikely]]
-      read_direction(words, direction);
-  }
   ToolSideBlock& block = tool_side_.next();
   const Count& x = programmed_[0];
   const Count& y = programmed_[1];
   const Count& z = programmed_[2];
   const bool small = x.is_small() && y.is_small() && z.is_small();
   if (!small || !xyz_first_ || rounded_ != 0 || tool_offset_.live() != 0) [[unlikely]] {
+    if (directed && !plans_tool_) direct(words);
     block.repeated = false;
     return tool_side_motion(words, false, std::nullopt, ArcWords{});
   }
@@ -79,6 +75,12 @@ Alarm Interpreter::tool_side_move(const Words& words) {
     start[1].set_small(from_y);
     start[2].set_small(from_z);
     set_travel(travel, start, {x, y, z}, 0);
+  }
+  // Not earlier: its root is made while those of the corner are, which takes the direction before it.
+  if (directed && !plans_tool_) {
+    Direction& direction = new_direction();
+    if (!read_usual_direction(words, direction)) [[unlikely]]
+      read_direction(words, direction);
   }
   fill_here(block.event, straight(), spec::Cause::programmed);
   const Direction& tool = directions_[direction_];

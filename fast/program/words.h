@@ -88,16 +88,17 @@ class Words {
 inline Words::Words(const spec::Block& block, const spec::Axes& axes, std::uint32_t axis_letters) {
   code_.fill(kNone);
   // Not in members while the loop runs, and without a branch: which letter comes next follows no pattern.
-  std::uint32_t letters = 0;
+  std::uint32_t codes = 0;  // bit i: a letter of the code 64 + i
   unsigned positions = 0;
   for (const spec::Word& word : block.words()) {
-    const auto index = static_cast<std::size_t>(word.address - 'A');
+    const auto letter = static_cast<unsigned char>(word.address);
     const std::size_t axis = axes.index(word.address);
-    letters |= std::uint32_t{1} << index;
+    codes |= std::uint32_t{1} << (letter & 31U);
     positions |= 1U << axis;
-    value_[index] = &word.value;
+    value_[std::size_t{letter} - 'A'] = &word.value;
     axis_value_[axis] = &word.value;
   }
+  const std::uint32_t letters = codes >> 1U;
   constexpr unsigned kAllAxes = (1U << spec::kMaxAxes) - 1;
   const std::uint32_t others = letters & ~axis_letters;
   letters_ = letters;
