@@ -106,7 +106,8 @@ class Interpreter {
   // The positions of these axes and what follows from them: the tool direction, and what the axes are sent to.
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes);
   [[nodiscard]] Alarm place_positions(const Words& words, Mask axes);
-  [[nodiscard]] bool place_usual(const spec::Decimal& word, std::size_t axis, Mask offset);
+  [[nodiscard]] bool place_usual(const spec::Decimal& word, std::size_t axis);
+  void add_offset(std::size_t axis);
   [[nodiscard]] Alarm refresh();
   // Of an arc everything but event.arc.
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
@@ -429,40 +430,44 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
 }
 
 // The usual words without a detour: positions of at most six places, as they are written, with offsets of as many.
-[[gnu::always_inline]] inline bool Interpreter::place_usual(const spec::Decimal& word, std::size_t axis, Mask offset) {
+[[gnu::always_inline]] inline bool Interpreter::place_usual(const spec::Decimal& word, std::size_t axis) {
   if (!Count::is_usual(word)) [[unlikely]]
     return false;
   const std::int64_t small = Count::small_of_usual(word);
   programmed_[axis].set_small(small);
   const double position = Count::nearest_small(small);
   programmed_value_[axis] = position;
-  if ((offset & bit(axis)) == 0) [[likely]]
-    axes_value_[axis] = position;
-  else if (const std::int64_t sum = small + length_[axis].small();
-           (tool_offset_.live() & bit(axis)) == 0 && length_[axis].is_small() && Count::is_small(sum))
+  axes_value_[axis] = position;
+  return true;
+}
+
+// The usual length offset of an axis placed.
+[[gnu::always_inline]] inline void Interpreter::add_offset(std::size_t axis) {
+  const std::int64_t sum = programmed_[axis].small() + length_[axis].small();
+  if ((tool_offset_.live() & bit(axis)) == 0 && length_[axis].is_small() && Count::is_small(sum)) [[likely]]
     axes_value_[axis] = Count::nearest_small(sum);
   else
     stale_ = static_cast<Mask>(stale_ | bit(axis));
-  return true;
 }
 
 // The first three axes, X Y Z on most machines, without a loop.
 [[gnu::always_inline]] inline Alarm Interpreter::place_positions(const Words& words, Mask axes) {
   unsigned rest = axes;
   if (plain_words_ && !incremental_) [[likely]] {
-    const auto offset = static_cast<Mask>(length_.live() | tool_offset_.live());
     const auto placed = [&](std::size_t axis) {
       if ((rest & bit(axis)) == 0) return true;
-      if (!place_usual(words.axis(axis), axis, offset)) return false;
+      if (!place_usual(words.axis(axis), axis)) return false;
       rest &= ~static_cast<unsigned>(bit(axis));
       return true;
     };
     if (placed(0) && placed(1) && placed(2)) [[likely]]
       for (; rest != 0; rest &= rest - 1) {
         const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-        if (!place_usual(words.axis(axis), axis, offset)) [[unlikely]]
+        if (!place_usual(words.axis(axis), axis)) [[unlikely]]
           break;
       }
+    const unsigned offset = axes & ~rest & static_cast<unsigned>(length_.live() | tool_offset_.live());
+    for (unsigned some = offset; some != 0; some &= some - 1) add_offset(static_cast<std::size_t>(__builtin_ctz(some)));
   }
   if (rest != 0) [[unlikely]]
     if (const Alarm a =
@@ -474,9 +479,14 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
 
 [[gnu::always_inline]] inline bool Interpreter::read_usual_direction(const Words& words, Direction& direction) const {
   static constexpr spec::Decimal kNothing;
-  const spec::Decimal& i = words.has('I') ? words['I'] : kNothing;
-  const spec::Decimal& j = words.has('J') ? words['J'] : kNothing;
-  const spec::Decimal& k = words.has('K') ? words['K'] : kNothing;
+  const auto component = [&](char letter) -> const spec::Decimal& {
+    if (words.has(letter)) [[likely]]
+      return words[letter];
+    return kNothing;
+  };
+  const spec::Decimal& i = component('I');
+  const spec::Decimal& j = component('J');
+  const spec::Decimal& k = component('K');
   if (!plain_words_ || !Count::is_usual(i) || !Count::is_usual(j) || !Count::is_usual(k)) [[unlikely]]
     return false;
   set_small_direction(direction, Count::small_of_usual(i), Count::small_of_usual(j), Count::small_of_usual(k));
@@ -523,11 +533,7 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
 // The direction of the tool, and under G43.5 without kinematics its length along it.
 [[gnu::always_inline]] inline void Interpreter::fill_tool_axis(Event& event) {
   const Eigen::Vector3d& unit = directions_[direction_].unit;
-  if (!event.tool_axis) event.tool_axis.emplace();
-  std::array<double, 3>& axis = *event.tool_axis;
-  axis[0] = unit[0] + 0.0;  // never -0
-  axis[1] = unit[1] + 0.0;
-  axis[2] = unit[2] + 0.0;
+  event.tool_axis.emplace(std::array<double, 3>{unit[0] + 0.0, unit[1] + 0.0, unit[2] + 0.0});  // never -0
   if (tip_.active()) {
     event.t_numerator = tip_.tag();
     return;

@@ -63,18 +63,18 @@ Alarm Interpreter::tool_side_move(const Words& words) {
   const Mask axes = words.axes();
   if (const Alarm a = place_words(words, axes)) return a;
   block.own = axes != 0 || directed;
-  Travel& travel = tool_side_.next_travel();
+  SidePath& to = tool_side_.next_path();
   LineCorner corner;
   bool usual = false;
   if (x.is_small() && y.is_small() && z.is_small()) [[likely]] {
-    set_travel(travel, x.small() - from_x, y.small() - from_y, z.small() - from_z);
-    usual = tool_side_wanted_ && tool_side_.see_line(tool_side_sign_, travel.value, corner);
+    set_travel(to.travel, x.small() - from_x, y.small() - from_y, z.small() - from_z);
+    usual = tool_side_wanted_ && tool_side_.see_line(tool_side_sign_, to, to.travel.value, corner);
   } else {
     std::array<Count, 3> start;
     start[0].set_small(from_x);
     start[1].set_small(from_y);
     start[2].set_small(from_z);
-    set_travel(travel, start, {x, y, z}, 0);
+    set_travel(to.travel, start, {x, y, z}, 0);
   }
   // Not earlier: its root is made while those of the corner are, which takes the direction before it.
   if (directed && !plans_tool_) {

@@ -99,8 +99,6 @@ StageEnd ToolSideCompensation::block() {
   const StageEnd end = any_block(next());
   keep_tools();
   awaits_line_ = awaits_line();
-  const Vector3<double>& start = at_start().front().vector;
-  reach_ = std::abs(start.x) + std::abs(start.y) + std::abs(start.z);
   return end;
 }
 
@@ -199,6 +197,23 @@ bool ToolSideCompensation::awaits_line() {
          treatment_ == Treatment::none && !parameters_.no_interference && !last_->arc && last_->travel.narrow &&
          waits_ == 0 && last_->offset.nearest != 0 && at_start().size == 1 && !fault(Fault::side_handedness) &&
          !fault(Fault::side_tool_at_start) && !fault(Fault::side_turned_tool) && !fault(Fault::side_limit_by_length);
+}
+
+// |u|^2 + u . (vector - start), by |u|; u = U - (V . U) V.
+bool ToolSideCompensation::goes_forward(const SidePath& path, double length, const Vector3<double>& vector) {
+  const Vector3<double> v{path.tool->unit[0], path.tool->unit[1], path.tool->unit[2]};
+  const Vector3<double>& start = at_start().head[0].vector;
+  const Vector3<double> shift = vector - start;
+  const double way = length * (1 / static_cast<double>(Count::kSmallPerOne));
+  const double forward = way * length + (dot(path.travel.value, shift) - dot(v, path.travel.value) * dot(v, shift));
+  const double size = std::abs(vector.x) + std::abs(vector.y) + std::abs(vector.z) + std::abs(start.x) +
+                      std::abs(start.y) + std::abs(start.z);
+  return forward > 0x1p-38 * length * (way + size);
+}
+
+void ToolSideCompensation::send_rest() {
+  const Vector3<double>& vector = at_start().head[0].vector;
+  for (std::uint8_t i = 1; i < count_; ++i) send(held(i), vector, held(i).own);
 }
 
 void ToolSideCompensation::complete_line() {

@@ -20,12 +20,11 @@ namespace toolcomp::fast {
 // A corner of two lines as doubles see it: V the tool, U and W the movements before and behind it, u and w what is seen
 // of them along the tool.
 struct LineCorner {
-  Vector3<double> first;   // U
-  Vector3<double> second;  // W
-  double along = 0;        // V . U
-  double dot = 0;          // u . w
-  double length1 = 0;      // |u|
-  double length2 = 0;      // |w|
+  const SidePath* from = nullptr;
+  SidePath* to = nullptr;
+  double dot = 0;      // u . w
+  double length1 = 0;  // |u|
+  double length2 = 0;  // |w|
 };
 
 // Look-ahead: a block that moves in the plane, one block after it that does not, and the next one; before it, where the
@@ -52,13 +51,14 @@ class ToolSideCompensation {
   }
   // The block to fill in next and how it moves. It keeps what it held before: the caller writes every field.
   [[nodiscard]] ToolSideBlock& next() { return ring_[next_]; }
-  [[nodiscard]] Travel& next_travel() { return paths_[after(path_)].travel; }
+  [[nodiscard]] SidePath& next_path() { return paths_[after(path_)]; }
+  [[nodiscard]] Travel& next_travel() { return next_path().travel; }
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
   // The usual case of block() without a detour: after a line a line that wants compensation, one vector at both ends of
   // the former. Where next() is any other, one of the two answers false, and nothing is done. In between is a while for
-  // other work: the roots are long in coming. `side` as in next(); `way`: next_travel().value.
-  [[nodiscard]] bool see_line(int side, const Vector3<double>& way, LineCorner& corner) const;
+  // other work: the roots are long in coming. `side` as in next(); `to`: next_path(); `way`: its travel, at hand.
+  [[nodiscard]] bool see_line(int side, SidePath& to, const Vector3<double>& way, LineCorner& corner) const;
   // Of next() only the event and `own` need to be filled in. `tool` as in next().
   [[nodiscard]] bool take_line(const LineCorner& corner, const Direction& tool, int side);
   // No further block is known: one that raises an alarm of its own or stops the look-ahead, or the end of the program.
@@ -87,6 +87,11 @@ class ToolSideCompensation {
 
   // take_line() may take a line behind the path that is held.
   [[nodiscard]] bool awaits_line();
+  // The tool moves ahead for certain along the line, from the vector at its start to the one at its end; `length` in
+  // the plane, whole units.
+  [[nodiscard]] bool goes_forward(const SidePath& path, double length, const Vector3<double>& vector);
+  // The blocks behind the path that is held, at the vector in force.
+  void send_rest();
   // What take_line() leaves to be known of the path that is held and the corner at its start.
   void complete_line();
   [[nodiscard]] bool moves(const ToolSideBlock& block) const;
@@ -174,7 +179,6 @@ class ToolSideCompensation {
   const Amount* start_offset_of_path_ = nullptr;
   bool awaits_line_ = false;
   bool line_taken_ = false;  // the path that is held was taken by take_line()
-  double reach_ = 0;         // where it awaits a line: the vector at its start is not longer
 
   Amount start_offset_;  // of type C
   Amount value_;         // in force
@@ -200,26 +204,26 @@ class ToolSideCompensation {
 }
 
 // |u|^2 = |U|^2 - (V . U)^2, u . w = U . W - (V . U)(V . W).
-[[gnu::always_inline]] inline bool ToolSideCompensation::see_line(int side, const Vector3<double>& way,
+[[gnu::always_inline]] inline bool ToolSideCompensation::see_line(int side, SidePath& to, const Vector3<double>& way,
                                                                   LineCorner& corner) const {
   const SidePath& from = paths_[path_];
-  const Travel& to = paths_[after(path_)].travel;
-  if (!awaits_line_ || !to.narrow || to.zero || side != from.side || from.offset_change != value_change_) [[unlikely]]
+  if (!awaits_line_ || !to.travel.narrow || to.travel.zero || side != from.side || from.offset_change != value_change_)
+      [[unlikely]]
     return false;
   const Vector3<double> v{from.tool->unit[0], from.tool->unit[1], from.tool->unit[2]};
-  corner.first = from.travel.value;
-  corner.second = way;
-  const double along1 = dot(v, corner.first);
+  const Vector3<double> first = from.travel.value;
+  const double along1 = dot(v, first);
   const double along2 = dot(v, way);
   const double square1 = from.travel.square - along1 * along1;
-  const double square2 = to.square - along2 * along2;
+  const double square2 = to.travel.square - along2 * along2;
   // Nearer than 30 degrees to the tool the projection loses digits.
-  if (4 * square1 < from.travel.square || 4 * square2 < to.square) [[unlikely]]
+  if (4 * square1 < from.travel.square || 4 * square2 < to.travel.square) [[unlikely]]
     return false;
   corner.length1 = std::sqrt(square1);
   corner.length2 = std::sqrt(square2);
-  corner.along = along1;
-  corner.dot = dot(corner.first, way) - along1 * along2;
+  corner.dot = dot(first, way) - along1 * along2;
+  corner.from = &from;
+  corner.to = &to;
   return true;
 }
 
@@ -227,26 +231,26 @@ class ToolSideCompensation {
 // The vector: r (V x U / |u| + V x W / |w|) / (1 + cosine). Whether it turns left or right makes no difference.
 [[gnu::always_inline]] inline bool ToolSideCompensation::take_line(const LineCorner& corner, const Direction& tool,
                                                                    int side) {
-  const SidePath& from = paths_[path_];
   const double lengths = corner.length1 * corner.length2;
-  // A direction is good to 2^-43, |U||W| is at most 4 |u||w|: 14 times that and a few roundings in corner.dot, half as
-  // many in `forward`.
+  // A direction is good to 2^-43, |U||W| is at most 4 |u||w|: 14 times that and a few roundings.
   constexpr double kUncertain = 0x1p-38;
   if (corner.dot <= kUncertain * lengths || corner.length2 <= shortest_) [[unlikely]]
     return false;
+  const SidePath& from = *corner.from;
+  SidePath& to = *corner.to;
   const Vector3<double> v{from.tool->unit[0], from.tool->unit[1], from.tool->unit[2]};
   const double scale = (side > 0 ? value_.nearest : -value_.nearest) / (lengths + corner.dot);
-  const Vector3<double> vector = cross(v, corner.first * corner.length2 + corner.second * corner.length1) * scale;
-  // The tool goes forward for certain: |u|^2 + u . (vector - start), by |u|. Both vectors are at most 2^(1/2) r long.
-  const Vector3<double> shift = vector - at_start().head[0].vector;
-  const double way = corner.length1 * (1 / static_cast<double>(Count::kSmallPerOne));
-  const double forward = way * corner.length1 + (dot(corner.first, shift) - corner.along * dot(v, shift));
-  const double reach = 1.5 * value_.nearest;
-  if (forward <= kUncertain * corner.length1 * (way + (reach + reach_))) [[unlikely]]
+  const Vector3<double> vector =
+      cross(v, from.travel.value * corner.length2 + to.travel.value * corner.length1) * scale;
+  // The tool goes forward for certain: the vector moves by less than the way.
+  constexpr double kMost = (1 - 0x1p-30) / static_cast<double>(Count::kSmallPerOne);
+  const Vector3<double>& start = at_start().head[0].vector;
+  if (std::abs(vector.x - start.x) + std::abs(vector.y - start.y) + std::abs(vector.z - start.z) >=
+          kMost * corner.length1 &&
+      !goes_forward(from, corner.length1, vector)) [[unlikely]]
     return false;
 
   path_ = after(path_);
-  SidePath& to = paths_[path_];
   to.tool = &tool;
   to.side = side;
   to.arc = false;
@@ -259,12 +263,12 @@ class ToolSideCompensation {
   at_corner.x = vector.x;
   at_corner.y = vector.y;
   at_corner.z = vector.z;
-  reach_ = reach;
   line_taken_ = true;
   Event& event = ring_[first_].event;
   add(event, vector);
   sink_->on(event);
-  for (std::uint8_t i = 1; i < count_; ++i) send(held(i), vector, held(i).own);
+  if (count_ > 1) [[unlikely]]
+    send_rest();
   first_ = next_;
   count_ = 1;
   next_ = after_slot(next_);
