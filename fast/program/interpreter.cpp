@@ -11,7 +11,7 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
     : axes_(setup.axes),
       count_(setup.axes.size()),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
-      xyz_first_(xyz_ == std::array<std::size_t, 3>{0, 1, 2}),
+      letters_(axes_),
       inch_setup_(setup.units == spec::Units::inch),
       counts_increments_(!setup.bit(3401, 0, true)),
       increment_places_(2 + static_cast<int>(setup.increment)),
@@ -38,7 +38,6 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
   for (std::size_t axis = 0; axis < count_; ++axis) {
     Mask& kind = spec::is_linear_axis(axes_.letter(axis)) ? linear_ : rotary_;
     kind = static_cast<Mask>(kind | bit(axis));
-    axis_letters_ |= std::uint32_t{1} << (axes_.letter(axis) - 'A');
     if (kinematics_.turns_with(axis)) turning_ = static_cast<Mask>(turning_ | bit(axis));
   }
   all_ = static_cast<Mask>(linear_ | rotary_);
@@ -71,7 +70,7 @@ void Interpreter::block(const spec::Block& block) {
     if (!release_held()) send_alarm(block.alarm->number, block.alarm->message, line_, n_);
     return;
   }
-  const Words words(block, axes_, axis_letters_);
+  const Words words(block, letters_);
   if (words.unsupported()) [[unlikely]] {
     raise(alarm::kUnknownCode);
     return;

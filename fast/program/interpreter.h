@@ -289,8 +289,7 @@ class Interpreter {
   Mask all_ = 0;
   Mask turning_ = 0;  // axes that turn the tool
   std::array<std::size_t, 3> xyz_;
-  bool xyz_first_;  // X Y Z are the first three axes
-  std::uint32_t axis_letters_ = 0;
+  AxisLetters letters_;
   bool inch_setup_;
   bool counts_increments_;  // 3401#0 = 0
   int increment_places_;

@@ -52,7 +52,7 @@ Alarm Interpreter::tool_side_move(const Words& words) {
   const Count& y = programmed_[1];
   const Count& z = programmed_[2];
   const bool small = x.is_small() && y.is_small() && z.is_small();
-  if (!small || !xyz_first_ || rounded_ != 0 || tool_offset_.live() != 0) [[unlikely]] {
+  if (!small || !letters_.xyz_first || rounded_ != 0 || tool_offset_.live() != 0) [[unlikely]] {
     if (directed && !plans_tool_) direct(words);
     block.repeated = false;
     return tool_side_motion(words, false, std::nullopt, ArcWords{});
