@@ -428,7 +428,7 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
   if (arc.by_radius) read_word(arc.radius, words['R']);
 }
 
-// The usual words without a detour: positions of at most six places, as they are written, with offsets of as many.
+// A position of at most six places, as it is written.
 [[gnu::always_inline]] inline bool Interpreter::place_usual(const spec::Decimal& word, std::size_t axis) {
   if (!Count::is_usual(word)) [[unlikely]]
     return false;
@@ -449,13 +449,16 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
     stale_ = static_cast<Mask>(stale_ | bit(axis));
 }
 
-// The first three axes, X Y Z on most machines, without a loop.
+// The usual words without a detour: as they are written, and the first three axes, X Y Z on most machines, not in a
+// loop.
 [[gnu::always_inline]] inline Alarm Interpreter::place_positions(const Words& words, Mask axes) {
   unsigned rest = axes;
   if (plain_words_ && !incremental_) [[likely]] {
     const auto placed = [&](std::size_t axis) {
-      if ((rest & bit(axis)) == 0) return true;
-      if (!place_usual(words.axis(axis), axis)) return false;
+      if ((rest & bit(axis)) == 0) [[unlikely]]
+        return true;
+      if (!place_usual(words.axis(axis), axis)) [[unlikely]]
+        return false;
       rest &= ~static_cast<unsigned>(bit(axis));
       return true;
     };
