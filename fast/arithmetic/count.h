@@ -32,7 +32,9 @@ class Count {
   static constexpr Int128 kLimit = static_cast<Int128>(1) << 125;
 
   static constexpr int kSmallPlaces = 6;
-  static constexpr std::array<std::int64_t, 7> kSmallPower{1, 10, 100, 1'000, 10'000, 100'000, 1'000'000};
+  // What the last digit of a word is worth in `small`: by its decimals, from the 8th on of negative words.
+  static constexpr std::array<std::int64_t, 16> kSmallWorth{1'000'000,  100'000,  10'000,  1'000,  100,  10,  1,  0,  //
+                                                            -1'000'000, -100'000, -10'000, -1'000, -100, -10, -1, 0};
   static constexpr std::uint64_t kSmallDigits = 9'000'000'000'000;  // times 10^6 below 2^63
   // Up to which a word of so many decimals is at most kSmallLimit.
   static constexpr std::array<std::uint64_t, 7> kMostDigits{
@@ -94,12 +96,17 @@ class Count {
   }
   // The word as units of 10^-6, if it is a usual one; otherwise kNotSmall.
   static constexpr std::int64_t small_of(const spec::Decimal& value) {
-    if (value.decimals > kSmallPlaces || value.digits > kMostDigits[value.decimals]) [[unlikely]]
+    if (!is_usual(value)) [[unlikely]]
       return kNotSmall;
-    const auto magnitude =
-        static_cast<std::int64_t>(value.digits) * kSmallPower[static_cast<std::size_t>(kSmallPlaces - value.decimals)];
-    const std::int64_t sign = -static_cast<std::int64_t>(value.negative);  // without a branch: signs follow no pattern
-    return (magnitude ^ sign) - sign;
+    return small_of_usual(value);
+  }
+  // A word of few places and digits.
+  static constexpr bool is_usual(const spec::Decimal& value) {
+    return value.decimals <= kSmallPlaces && value.digits <= kMostDigits[value.decimals];
+  }
+  // Only where is_usual. Without a branch: signs follow no pattern.
+  static constexpr std::int64_t small_of_usual(const spec::Decimal& value) {
+    return static_cast<std::int64_t>(value.digits) * kSmallWorth[value.decimals + 8U * value.negative];
   }
   static constexpr std::int64_t kNotSmall = INT64_MIN;
 

@@ -11,6 +11,7 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
     : axes_(setup.axes),
       count_(setup.axes.size()),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
+      letters_(axes_),
       inch_setup_(setup.units == spec::Units::inch),
       counts_increments_(!setup.bit(3401, 0, true)),
       increment_places_(2 + static_cast<int>(setup.increment)),
@@ -69,7 +70,7 @@ void Interpreter::block(const spec::Block& block) {
     if (!release_held()) send_alarm(block.alarm->number, block.alarm->message, line_, n_);
     return;
   }
-  const Words words(block, axes_);
+  const Words words(block, letters_);
   if (words.unsupported()) [[unlikely]] {
     raise(alarm::kUnknownCode);
     return;
@@ -152,19 +153,19 @@ void Interpreter::end_run(const StageEnd& end) {
               by_vector_ ? (words.axes() & rotary_) == 0 && names_direction(words) : !words.has_any(kArcLetters);
           if (usual) {
             motion_ = motion_after;
-            set_feed(words);
+            if (words.has('F')) set_feed(words);
             return tip_move(words);
           }
         }
       } else if (tool_side_on() && motion_after <= 10 && (words.axes() & rotary_) == 0 && !takes_edited_value() &&
                  names_direction(words)) {
         motion_ = motion_after;
-        set_feed(words);
+        if (words.has('F')) set_feed(words);
         return tool_side_move(words);
       } else if (!plans_tool_ && !tool_side_on() && !cutter_active() && motion_after <= 10 &&
                  (words.axes() & rotary_) == 0 && names_direction(words)) {
         motion_ = motion_after;
-        set_feed(words);
+        if (words.has('F')) set_feed(words);
         direction_before_ = direction_;
         direct(words);
         return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false,
@@ -173,19 +174,19 @@ void Interpreter::end_run(const StageEnd& end) {
     } else if (tool_side_on()) {
       if (straight && !takes_edited_value()) {
         motion_ = motion_after;
-        set_feed(words);
+        if (words.has('F')) set_feed(words);
         return tool_side_move(words);
       }
     } else if (!cutter_active()) {
       if (straight) {
         motion_ = motion_after;
-        set_feed(words);
+        if (words.has('F')) set_feed(words);
         return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false,
                       std::nullopt);
       }
     } else if (!takes_edited_value() && (straight || (!is_b_ && makes_tool_arc(words) && is_usual_cutter_plane()))) {
       motion_ = motion_after;
-      set_feed(words);
+      if (words.has('F')) set_feed(words);
       return cutter_move(words);
     }
   }
@@ -195,7 +196,6 @@ void Interpreter::end_run(const StageEnd& end) {
 }
 
 void Interpreter::set_feed(const Words& words) {
-  if (!words.has('F')) return;
   feed_ = Count::of(words['F'], fault(Fault::feed_not_converted) ? Factor::one : factor(inch_program_)).nearest();
 }
 
@@ -208,7 +208,7 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
     inch_program_ = code == 200;
     plain_words_ = !counts_increments_ && inch_program_ == inch_setup_;
   }
-  set_feed(words);
+  if (words.has('F')) set_feed(words);
   if (plan.ends_along) {
     if (tip_.active())
       end_tip_control(plan.along);
@@ -237,6 +237,7 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   if (const Alarm a = length_.restore(words, memory_)) return a;
   if (const Alarm a = length_.apply(words, memory_, normal_axis())) return a;
   if (length_.changed()) stale_ = all_;
+  if (plan.along) along_length_ = tool_length().nearest();
   // G43.4 and G43.5 always make their move; the G49 that ends them makes none.
   const bool extra =
       words.starts_tip_control() || (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));

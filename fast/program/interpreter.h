@@ -106,11 +106,17 @@ class Interpreter {
   // The positions of these axes and what follows from them: the tool direction, and what the axes are sent to.
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes);
   [[nodiscard]] Alarm place_positions(const Words& words, Mask axes);
+  [[nodiscard]] bool place_usual(const spec::Decimal& word, std::size_t axis);
+  void add_offset(std::size_t axis);
   [[nodiscard]] Alarm refresh();
   // Of an arc everything but event.arc.
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
+  // The same in place, for the usual block.
+  void fill_here(Event& event, spec::MoveType type, spec::Cause cause);
   void fill_tool_axis(Event& event);
   void fill_machine(Event& event) const;
+  void fill_displaced_machine(Event& event) const;
+  void add_length(Event& event) const;
   // A word in setup units.
   [[nodiscard]] Count value(const spec::Decimal& word, bool linear, bool inch_program) const {
     if (!counts_increments_ && inch_program == inch_setup_) [[likely]]
@@ -206,9 +212,7 @@ class Interpreter {
 
   // tool_side.cpp: blocks that pass tool side compensation.
   // A code of the section is in force with a number, or a vector is not removed yet.
-  [[nodiscard]] bool tool_side_on() const {
-    return (tool_side_word_ != CutterSide::off && cutter_number_.number != 0) || tool_side_.active();
-  }
+  [[nodiscard]] bool tool_side_on() const { return tool_side_wanted_ || tool_side_.active(); }
   [[nodiscard]] static CutterSide tool_side(Code code);
   [[nodiscard]] static bool is_tool_side(Code code) { return code == 412 || code == 416 || code == 422 || code == 426; }
   void begin_tool_side(const Words& words);
@@ -233,11 +237,20 @@ class Interpreter {
   void direct(const Words& words);
   // The direction of the I J K of a block.
   void read_direction(const Words& words, Direction& direction) const;
+  // The same of usual words, in place; false, and nothing done, for any other.
+  [[nodiscard]] bool read_usual_direction(const Words& words, Direction& direction) const;
   // I J K are not all zero, or none is there.
-  [[nodiscard]] static bool names_direction(const Words& words);
+  [[nodiscard]] static bool names_direction(const Words& words) {
+    if (!words.has_any(Words::set_of("IJK"))) return true;
+    const auto some = [&](char letter) { return words.has(letter) && !words[letter].is_zero(); };
+    return some('I') || some('J') || some('K');
+  }
   void take_position_along_tool();
   void end_tool_direction(bool again);
-  [[nodiscard]] Direction& new_direction();
+  [[nodiscard]] Direction& new_direction() {
+    direction_ = static_cast<std::uint8_t>((direction_ + 1U) % directions_.size());
+    return directions_[direction_];
+  }
   // Under G43.4 or G43.5.
   [[nodiscard]] bool along_tool() const { return length_.mode() == ToolLengthOffset::Mode::along_tool; }
   // L: the offset of the H number and the tool holder offset.
@@ -278,6 +291,7 @@ class Interpreter {
   Mask all_ = 0;
   Mask turning_ = 0;  // axes that turn the tool
   std::array<std::size_t, 3> xyz_;
+  AxisLetters letters_;
   bool inch_setup_;
   bool counts_increments_;  // 3401#0 = 0
   int increment_places_;
@@ -316,7 +330,8 @@ class Interpreter {
   bool evr_;           // 5001#4: an edited cutter value counts from the next block on
   CutterSide cutter_side_ = CutterSide::off;
   CutterSide tool_side_word_ = CutterSide::off;
-  int tool_side_sign_ = 1;  // +1 left: by code and sign of the value
+  int tool_side_sign_ = 1;         // +1 left: by code and sign of the value
+  bool tool_side_wanted_ = false;  // a code is in force with a number
   OffsetNumber cutter_number_;
   Count cutter_offset_;  // of that number, when it was applied
   bool cutter_edited_ = false;
@@ -335,6 +350,7 @@ class Interpreter {
   Positions frozen_;              // of the rotary axes where the mode began
   Vector3<DoubleDouble> table_tip_;
   std::optional<double> feed_;
+  double along_length_ = 0;  // tool_length(), under G43.4 or G43.5
 
   // Positions.
   Positions programmed_;
@@ -393,8 +409,8 @@ constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t
 
 inline void Interpreter::read_word(Count& to, const spec::Decimal& word) const {
   if (plain_words_) [[likely]]
-    if (const std::int64_t small = Count::small_of(word); small != Count::kNotSmall) [[likely]] {
-      to.set_small(small);
+    if (Count::is_usual(word)) [[likely]] {
+      to.set_small(Count::small_of_usual(word));
       return;
     }
   to = value(word, true, inch_program_);
@@ -414,27 +430,48 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
   if (arc.by_radius) read_word(arc.radius, words['R']);
 }
 
-// The usual words without a detour: positions of at most six places, as they are written, with offsets of as many.
+// A position of at most six places, as it is written.
+[[gnu::always_inline]] inline bool Interpreter::place_usual(const spec::Decimal& word, std::size_t axis) {
+  if (!Count::is_usual(word)) [[unlikely]]
+    return false;
+  const std::int64_t small = Count::small_of_usual(word);
+  programmed_[axis].set_small(small);
+  const double position = Count::nearest_small(small);
+  programmed_value_[axis] = position;
+  axes_value_[axis] = position;
+  return true;
+}
+
+// The usual length offset of an axis placed.
+[[gnu::always_inline]] inline void Interpreter::add_offset(std::size_t axis) {
+  const std::int64_t sum = programmed_[axis].small() + length_[axis].small();
+  if ((tool_offset_.live() & bit(axis)) == 0 && length_[axis].is_small() && Count::is_small(sum)) [[likely]]
+    axes_value_[axis] = Count::nearest_small(sum);
+  else
+    stale_ = static_cast<Mask>(stale_ | bit(axis));
+}
+
+// The usual words without a detour: as they are written, and the first three axes, X Y Z on most machines, not in a
+// loop.
 [[gnu::always_inline]] inline Alarm Interpreter::place_positions(const Words& words, Mask axes) {
   unsigned rest = axes;
   if (plain_words_ && !incremental_) [[likely]] {
-    const unsigned offset = length_.live() | tool_offset_.live();
-    for (; rest != 0; rest &= rest - 1) {
-      const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-      const std::int64_t small = Count::small_of(words.axis(axis));
-      if (small == Count::kNotSmall) [[unlikely]]
-        break;
-      programmed_[axis].set_small(small);
-      const double position = Count::nearest_small(small);
-      programmed_value_[axis] = position;
-      if ((offset >> axis & 1U) == 0)
-        axes_value_[axis] = position;
-      else if (const std::int64_t sum = small + length_[axis].small();
-               (tool_offset_.live() & bit(axis)) == 0 && length_[axis].is_small() && Count::is_small(sum))
-        axes_value_[axis] = Count::nearest_small(sum);
-      else
-        stale_ = static_cast<Mask>(stale_ | bit(axis));
-    }
+    const auto placed = [&](std::size_t axis) {
+      if ((rest & bit(axis)) == 0) [[unlikely]]
+        return true;
+      if (!place_usual(words.axis(axis), axis)) [[unlikely]]
+        return false;
+      rest &= ~static_cast<unsigned>(bit(axis));
+      return true;
+    };
+    if (placed(0) && placed(1) && placed(2)) [[likely]]
+      for (; rest != 0; rest &= rest - 1) {
+        const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
+        if (!place_usual(words.axis(axis), axis)) [[unlikely]]
+          break;
+      }
+    const unsigned offset = axes & ~rest & static_cast<unsigned>(length_.live() | tool_offset_.live());
+    for (unsigned some = offset; some != 0; some &= some - 1) add_offset(static_cast<std::size_t>(__builtin_ctz(some)));
   }
   if (rest != 0) [[unlikely]]
     if (const Alarm a =
@@ -442,6 +479,86 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
       return a;
   if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
   return alarm::kNone;
+}
+
+[[gnu::always_inline]] inline bool Interpreter::read_usual_direction(const Words& words, Direction& direction) const {
+  static constexpr spec::Decimal kNothing;
+  const auto component = [&](char letter) -> const spec::Decimal& {
+    if (words.has(letter)) [[likely]]
+      return words[letter];
+    return kNothing;
+  };
+  const spec::Decimal& i = component('I');
+  const spec::Decimal& j = component('J');
+  const spec::Decimal& k = component('K');
+  if (!plain_words_ || !Count::is_usual(i) || !Count::is_usual(j) || !Count::is_usual(k)) [[unlikely]]
+    return false;
+  set_small_direction(direction, Count::small_of_usual(i), Count::small_of_usual(j), Count::small_of_usual(k));
+  return true;
+}
+
+// X Y Z by themselves: a loop would count for nothing on most machines. What is not present is not looked at.
+[[gnu::always_inline]] inline void Interpreter::fill_here(Event& event, spec::MoveType type, spec::Cause cause) {
+  event.line = line_;
+  event.n = n_;
+  event.type = type;
+  event.cause = cause;
+  event.programmed.present = linear_;
+  event.point.present = linear_;
+  event.axes.present = all_;
+  event.machine.present = 0;
+  const auto fill_axis = [&](std::size_t axis) {
+    const double programmed = programmed_value_[axis];
+    event.programmed.value[axis] = programmed;
+    event.point.value[axis] = programmed;
+    event.axes.value[axis] = axes_value_[axis];
+  };
+  fill_axis(0);
+  fill_axis(1);
+  fill_axis(2);
+  for (std::size_t axis = 3; axis < count_; ++axis) fill_axis(axis);
+  if (tool_offset_.live() != 0) [[unlikely]]
+    for (unsigned rest = tool_offset_.live(); rest != 0; rest &= rest - 1) {
+      const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
+      event.point.value[axis] = actual(axis).nearest();
+    }
+  event.t_numerator = 0;
+  if (type != spec::MoveType::arc) event.arc.reset();
+  if (type == spec::MoveType::rapid)
+    event.feed.reset();
+  else
+    event.feed = feed_;
+  if (!along_tool() && !kinematics_.defined())
+    event.tool_axis.reset();
+  else
+    fill_tool_axis(event);
+}
+
+// The direction of the tool, and under G43.5 without kinematics its length along it.
+[[gnu::always_inline]] inline void Interpreter::fill_tool_axis(Event& event) {
+  const Eigen::Vector3d& unit = directions_[direction_].unit;
+  event.tool_axis.emplace(std::array<double, 3>{unit[0] + 0.0, unit[1] + 0.0, unit[2] + 0.0});  // never -0
+  if (tip_.active()) {
+    event.t_numerator = tip_.tag();
+    return;
+  }
+  if (!along_tool()) return;
+  fill_machine(event);
+  if (tip_.samples()) [[unlikely]]
+    event.t_numerator = tag_direction();
+  if (along_length_ != 0) add_length(event);
+}
+
+[[gnu::always_inline]] inline void Interpreter::fill_machine(Event& event) const {
+  event.machine.present = all_;
+  if ((displaced_ | stale_) != 0) [[unlikely]] {
+    fill_displaced_machine(event);
+    return;
+  }
+  event.machine.value[0] = axes_value_[0];
+  event.machine.value[1] = axes_value_[1];
+  event.machine.value[2] = axes_value_[2];
+  for (std::size_t axis = 3; axis < count_; ++axis) event.machine.value[axis] = axes_value_[axis];
 }
 
 [[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {

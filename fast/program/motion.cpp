@@ -1,6 +1,4 @@
 // Own moves of blocks and the events they make: the path every block takes.
-#include <bit>
-
 #include "fast/fault.h"
 #include "fast/program/interpreter.h"
 
@@ -47,68 +45,19 @@ Alarm Interpreter::refresh() {
   return a;
 }
 
-void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) {
-  event.line = line_;
-  event.n = n_;
-  event.type = type;
-  event.cause = cause;
-  event.programmed.present = linear_;
-  event.point.present = linear_;
-  event.axes.present = all_;
-  event.machine.present = 0;
-  for (std::size_t axis = 0; axis < count_; ++axis) {
-    event.programmed.value[axis] = programmed_value_[axis];
-    event.point.value[axis] = programmed_value_[axis];
-    event.axes.value[axis] = axes_value_[axis];
-  }
-  if (tool_offset_.live() != 0) [[unlikely]]
-    for (unsigned rest = tool_offset_.live(); rest != 0; rest &= rest - 1) {
-      const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
-      event.point.value[axis] = actual(axis).nearest();
-    }
-  event.t_numerator = 0;
-  if (type != spec::MoveType::arc) event.arc.reset();
-  if (type == spec::MoveType::rapid)
-    event.feed.reset();
-  else
-    event.feed = feed_;
-  if (!along_tool() && !kinematics_.defined())
-    event.tool_axis.reset();
-  else
-    fill_tool_axis(event);
-}
+void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) { fill_here(event, type, cause); }
 
-// The direction of the tool, and under G43.5 without kinematics its length along it.
-void Interpreter::fill_tool_axis(Event& event) {
-  const Eigen::Vector3d& unit = directions_[direction_].unit;
-  if (!event.tool_axis) event.tool_axis.emplace();
-  std::array<double, 3>& axis = *event.tool_axis;
-  axis[0] = unit[0] + 0.0;  // never -0
-  axis[1] = unit[1] + 0.0;
-  axis[2] = unit[2] + 0.0;
-  if (tip_.active()) {
-    event.t_numerator = tip_.tag();
-    return;
-  }
-  if (!along_tool()) return;
-  fill_machine(event);
-  if (tip_.samples()) event.t_numerator = tag_direction();
-  if (tool_length().is_zero()) return;
-  const double length = tool_length().nearest();
+// L along the tool.
+void Interpreter::add_length(Event& event) const {
   for (std::size_t i = 0; i < 3; ++i) {
     if (xyz_[i] == spec::Axes::kNone) continue;
-    const double offset = length * unit[static_cast<Eigen::Index>(i)];
+    const double offset = along_length_ * directions_[direction_].unit[static_cast<Eigen::Index>(i)];
     event.axes.value[xyz_[i]] += offset;
     event.machine.value[xyz_[i]] += offset;
   }
 }
 
-void Interpreter::fill_machine(Event& event) const {
-  event.machine.present = all_;
-  if ((displaced_ | stale_) == 0) [[likely]] {
-    for (std::size_t axis = 0; axis < count_; ++axis) event.machine.value[axis] = axes_value_[axis];
-    return;
-  }
+void Interpreter::fill_displaced_machine(Event& event) const {
   for (std::size_t axis = 0; axis < count_; ++axis) {
     const bool displaced = ((displaced_ | stale_) & bit(axis)) != 0;
     event.machine.value[axis] =

@@ -18,11 +18,6 @@ std::optional<Int128> whole_length(const std::array<Int128, 3>& v) {
 
 }  // namespace
 
-Direction& Interpreter::new_direction() {
-  direction_ = static_cast<std::uint8_t>((direction_ + 1U) % directions_.size());
-  return directions_[direction_];
-}
-
 // The rotary axes stand at programmed_.
 void Interpreter::turn() { kinematics_.direct(programmed_, new_direction()); }
 
@@ -33,32 +28,13 @@ void Interpreter::direct(const Words& words) {
 
 // Missing ones of I J K are 0.
 void Interpreter::read_direction(const Words& words, Direction& direction) const {
-  bool usual = plain_words_;
-  const auto small = [&](char letter) {
-    if (!words.has(letter)) return std::int64_t{0};
-    const std::int64_t component = Count::small_of(words[letter]);
-    usual &= component != Count::kNotSmall;
-    return component;
-  };
-  const std::int64_t x = small('I');
-  const std::int64_t y = small('J');
-  const std::int64_t z = small('K');
-  if (usual) [[likely]] {
-    set_small_direction(direction, x, y, z);
-    return;
-  }
+  if (read_usual_direction(words, direction)) return;
   std::array<Count, 3> component;
   for (std::size_t i = 0; i < 3; ++i) {
     const char letter = static_cast<char>('I' + i);
     if (words.has(letter)) component[i] = value(words[letter], true, inch_program_);
   }
   direction = whole_direction({component[0].units(), component[1].units(), component[2].units()});
-}
-
-bool Interpreter::names_direction(const Words& words) {
-  if (!words.has_any(Words::set_of("IJK"))) return true;
-  const auto some = [&](char letter) { return words.has(letter) && !words[letter].is_zero(); };
-  return some('I') || some('J') || some('K');
 }
 
 // G49 after G43.5: the programmed position becomes that of the axes, P + L V. It is exact where |V| is whole and L V_i

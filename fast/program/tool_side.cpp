@@ -24,6 +24,7 @@ void Interpreter::begin_tool_side(const Words& words) {
   const CutterSide before = tool_side_word_;
   if (word != CutterSide::unchanged) tool_side_word_ = word;
   tool_side_.next().repeated = word == before && word != CutterSide::off;
+  tool_side_wanted_ = tool_side_word_ != CutterSide::off && cutter_number_.number != 0;
   if (tool_side_word_ == CutterSide::off) return;
   if (before == CutterSide::off || commanded_number(words) || takes_edited_value()) {
     cutter_offset_ = cutter_value(cutter_number_);
@@ -35,7 +36,7 @@ void Interpreter::begin_tool_side(const Words& words) {
 
 // Everything about a line but Q and where it ends.
 void Interpreter::start_tool_side_leg(ToolSideBlock& block) const {
-  block.wanted = tool_side_word_ != CutterSide::off && cutter_number_.number != 0;
+  block.wanted = tool_side_wanted_;
   block.side = tool_side_sign_;
   block.treatment = Treatment::none;
   block.arc = false;
@@ -46,38 +47,49 @@ void Interpreter::start_tool_side_leg(ToolSideBlock& block) const {
 Alarm Interpreter::tool_side_move(const Words& words) {
   direction_before_ = direction_;
   const bool directed = by_vector_ && words.has_any(Words::set_of("IJK"));
-  if (directed && !plans_tool_) direct(words);
   ToolSideBlock& block = tool_side_.next();
-  block.repeated = false;
-  const Count& x = programmed(xyz_[0]);
-  const Count& y = programmed(xyz_[1]);
-  const Count& z = programmed(xyz_[2]);
-  const bool small = rounded_ == 0 && tool_offset_.live() == 0 && x.is_small() && y.is_small() && z.is_small();
-  if (!small) [[unlikely]]
+  const Count& x = programmed_[0];
+  const Count& y = programmed_[1];
+  const Count& z = programmed_[2];
+  const bool small = x.is_small() && y.is_small() && z.is_small();
+  if (!small || !letters_.xyz_first || rounded_ != 0 || tool_offset_.live() != 0) [[unlikely]] {
+    if (directed && !plans_tool_) direct(words);
+    block.repeated = false;
     return tool_side_motion(words, false, std::nullopt, ArcWords{});
-  const Mask axes = words.axes();
-  start_tool_side_leg(block);
+  }
   const std::int64_t from_x = x.small();
   const std::int64_t from_y = y.small();
   const std::int64_t from_z = z.small();
+  const Mask axes = words.axes();
   if (const Alarm a = place_words(words, axes)) return a;
-  Travel& travel = tool_side_.next_travel();
+  block.own = axes != 0 || directed;
+  SidePath& to = tool_side_.next_path();
+  LineCorner corner;
+  bool usual = false;
   if (x.is_small() && y.is_small() && z.is_small()) [[likely]] {
-    set_travel(travel, x.small() - from_x, y.small() - from_y, z.small() - from_z);
+    set_travel(to.travel, x.small() - from_x, y.small() - from_y, z.small() - from_z);
+    usual = tool_side_wanted_ && tool_side_.see_line(tool_side_sign_, to, to.travel.value, corner);
   } else {
     std::array<Count, 3> start;
     start[0].set_small(from_x);
     start[1].set_small(from_y);
     start[2].set_small(from_z);
-    set_travel(travel, start, {x, y, z}, 0);
+    set_travel(to.travel, start, {x, y, z}, 0);
   }
-  block.tool = &directions_[direction_];
-  block.tool_before = &directions_[direction_before_];
-  block.own = axes != 0 || directed;
-  const bool taken = tool_side_.take_line(travel.value.x, travel.value.y, travel.value.z);
-  fill(block.event, straight(), spec::Cause::programmed);
-  if (taken) [[likely]]
+  // Not earlier: its root is made while those of the corner are, which takes the direction before it.
+  if (directed && !plans_tool_) {
+    Direction& direction = new_direction();
+    if (!read_usual_direction(words, direction)) [[unlikely]]
+      read_direction(words, direction);
+  }
+  fill_here(block.event, straight(), spec::Cause::programmed);
+  const Direction& tool = directions_[direction_];
+  if (usual && tool_side_.take_line(corner, tool, tool_side_sign_)) [[likely]]
     return alarm::kNone;
+  start_tool_side_leg(block);
+  block.repeated = false;
+  block.tool = &tool;
+  block.tool_before = &directions_[direction_before_];
   if (const StageEnd end = tool_side_.block()) end_run(end);
   return alarm::kNone;
 }

@@ -2,6 +2,14 @@
 
 namespace toolcomp::fast {
 
+void Words::read_codes(const spec::Block& block) {
+  for (const spec::Word& word : block.words())
+    if (word.address == 'G')
+      g_word(word.value);
+    else if (word.address == 'M')
+      m_word(word.value);
+}
+
 void Words::g_word(const spec::Decimal& value) {
   if (value.digits <= 3 && value.decimals == 0) {  // without a detour
     code_[kMotion] = static_cast<Code>(10 * value.digits);

@@ -14,6 +14,28 @@ namespace toolcomp::fast {
 using Code = std::int16_t;
 inline constexpr Code kNone = -1;
 
+// The letters of the axes of a setup.
+struct AxisLetters {
+  explicit AxisLetters(const spec::Axes& axes)
+      : count(axes.size()), xyz_first(axes.index('X') == 0 && axes.index('Y') == 1 && axes.index('Z') == 2) {
+    for (std::size_t axis = 0; axis < count; ++axis) {
+      index[axis] = static_cast<std::uint8_t>(axes.letter(axis) - 'A');
+      set |= std::uint32_t{1} << index[axis];
+    }
+  }
+  // Bit i: the letter of axis i is among them.
+  [[nodiscard]] unsigned positions(std::uint32_t letters) const {
+    unsigned found = xyz_first ? letters >> ('X' - 'A') & 7U : 0;
+    for (std::size_t axis = xyz_first ? 3 : 0; axis < count; ++axis) found |= (letters >> index[axis] & 1U) << axis;
+    return found;
+  }
+
+  std::size_t count;
+  bool xyz_first;                                    // X Y Z are the first three axes
+  std::array<std::uint8_t, spec::kMaxAxes> index{};  // in the alphabet, from 0
+  std::uint32_t set = 0;                             // as of has_any()
+};
+
 // A block taken apart. Of several codes of a group, and of several words of one letter, the last one counts.
 // Points into the block it was made from.
 class Words {
@@ -31,8 +53,8 @@ class Words {
     kGroups
   };
 
-  // Codes the control does not have set unsupported().
-  Words(const spec::Block& block, const spec::Axes& axes);
+  // Codes the control does not have set unsupported(). Refers to both.
+  Words(const spec::Block& block, const AxisLetters& axes);
 
   // The code of a group, or kNone.
   [[nodiscard]] Code code(std::size_t group) const { return code_[group]; }
@@ -48,7 +70,7 @@ class Words {
   // Bit i: axis i of the setup has a position. In a block with G04 or G10 axis letters and I J K are data of that code:
   // there the block has none of them.
   [[nodiscard]] std::uint16_t axes() const { return axes_; }
-  [[nodiscard]] const spec::Decimal& axis(std::size_t index) const { return *axis_value_[index]; }
+  [[nodiscard]] const spec::Decimal& axis(std::size_t index) const { return *value_[axis_letters_.index[index]]; }
   // G45 to G48.
   [[nodiscard]] bool is_tool_offset() const { return code_[kOneShot] >= 450 && code_[kOneShot] <= 480; }
   // G43.4, G43.5.
@@ -68,12 +90,13 @@ class Words {
   }
 
  private:
+  void read_codes(const spec::Block& block);
   void g_word(const spec::Decimal& value);
   void m_word(const spec::Decimal& value);
 
+  const AxisLetters& axis_letters_;
   std::array<Code, kGroups> code_;
   std::array<const spec::Decimal*, 26> value_;  // set where letters_ has the bit
-  std::array<const spec::Decimal*, spec::kMaxAxes> axis_value_;
   std::uint32_t letters_ = 0;
   std::uint16_t axes_ = 0;
   bool any_ = false;
@@ -83,36 +106,23 @@ class Words {
   bool end_ = false;
 };
 
-inline Words::Words(const spec::Block& block,
-                    const spec::Axes& axes) {  // NOLINT: arrays are read only where marked as set
+// NOLINTNEXTLINE: arrays are read only where marked as set
+inline Words::Words(const spec::Block& block, const AxisLetters& axes) : axis_letters_(axes) {
   code_.fill(kNone);
-  // Not in members while the loop runs: bytes are read in between, which may be any of them as far as a compiler knows.
-  std::uint32_t letters = 0;
-  std::uint32_t others = 0;
-  unsigned positions = 0;
+  // Not in a member while the loop runs, and without a branch: which letter comes next follows no pattern.
+  std::uint32_t codes = 0;  // bit i: a letter of the code 64 + i
   for (const spec::Word& word : block.words()) {
-    const char letter = word.address;
-    if (letter == 'G') {
-      g_word(word.value);
-      any_ = true;
-      continue;
-    }
-    const auto index = static_cast<std::size_t>(letter - 'A');
-    const std::uint32_t bit = std::uint32_t{1} << index;
-    letters |= bit;
-    value_[index] = &word.value;
-    if (const std::size_t axis = axes.index(letter); axis != spec::Axes::kNone) {
-      positions |= 1U << axis;
-      axis_value_[axis] = &word.value;
-      continue;
-    }
-    others |= bit;
-    if (letter == 'M') m_word(word.value);
+    const auto letter = static_cast<unsigned char>(word.address);
+    codes |= std::uint32_t{1} << (letter & 31U);
+    value_[std::size_t{letter} - 'A'] = &word.value;
   }
+  const std::uint32_t letters = codes >> 1U;
+  const std::uint32_t others = letters & ~axes.set;
   letters_ = letters;
-  axes_ = static_cast<std::uint16_t>(positions);
-  any_ |= (letters & ~set_of("NO")) != 0;
-  plain_ &= (others & ~set_of("FIJKR")) == 0;
+  axes_ = static_cast<std::uint16_t>(axes.positions(letters));
+  any_ = (letters & ~set_of("NO")) != 0;
+  plain_ = (others & ~set_of("FGIJKR")) == 0;
+  if ((others & set_of("GM")) != 0) read_codes(block);
   if (plain_) [[likely]]
     return;
   if (code_[kOneShot] == 40 || code_[kOneShot] == 100) {

@@ -28,18 +28,6 @@ struct SpaceTurn {
   bool ill = false;  // doubles lose more than a few bits: take the fine numbers
 };
 
-// A corner of two lines as doubles see it, not divided by the lengths.
-struct QuickTurn {
-  Vector3<double> left1;  // V x U1 and V x U2, whole units
-  Vector3<double> left2;
-  double length1 = 0;
-  double length2 = 0;
-  double lengths = 0;  // length1 * length2
-  double dot = 0;      // u1 . u2
-  double cross = 0;    // V . (U1 x U2)
-  double bound = 0;    // how far each of these two may be from the truth
-};
-
 // Double-double numbers of the same.
 struct FineTurn {
   Vector3<DoubleDouble> left1, ahead1, left2, ahead2;
@@ -66,24 +54,6 @@ class ToolPlane {
   [[nodiscard]] bool moves(const Travel& travel, const Count& limit) const;
   // The turn between two travels that move in the plane.
   [[nodiscard]] SpaceTurn turn(const Travel& first, const Travel& second) const;
-  // Two narrow travels, 30 degrees and more off the tool. False where one is nearer: the projection loses digits.
-  // `way` is the value of the second one: at hand where that has just been written.
-  [[nodiscard]] bool see(const Travel& first, const Travel& second, const Vector3<double>& way, QuickTurn& turn) const {
-    const Vector3<double> v = unit();
-    turn.left1 = cross(v, first.value);
-    turn.left2 = cross(v, way);
-    const double square1 = dot(turn.left1, turn.left1);
-    const double square2 = dot(turn.left2, turn.left2);
-    if (4 * square1 < first.square || 4 * square2 < second.square) return false;
-    turn.length1 = std::sqrt(square1);
-    turn.length2 = std::sqrt(square2);
-    turn.lengths = turn.length1 * turn.length2;
-    turn.dot = dot(turn.left1, turn.left2);
-    turn.cross = dot(turn.left1, way);
-    // |U1||U2| is at most 4 |u1||u2| here.
-    turn.bound = 4 * square_bound() * turn.lengths;
-    return true;
-  }
   // The turn by doubles alone and without left2 and ahead2, for the usual corner. False where doubles cannot tell, or
   // are not good enough.
   [[nodiscard]] bool quick_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const;

@@ -36,7 +36,7 @@ ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinem
       make_(geometry_, parameters_),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
       shortest_(parameters_.no_movement.nearest() * static_cast<double>(Count::kSmallPerOne) * (1 + 0x1p-40)),
-      has_xyz_(setup.axes.has('X') && setup.axes.has('Y') && setup.axes.has('Z')) {}
+      xyz_first_(xyz_ == std::array<std::size_t, 3>{0, 1, 2}) {}
 
 void ToolSideCompensation::set_path(SidePath& to, const ToolSideBlock& block) {
   to.arc = block.arc;
@@ -64,7 +64,7 @@ void ToolSideCompensation::keep_tool(std::uint8_t path) {
 // Of the path that is held and the one before it.
 void ToolSideCompensation::keep_tools() {
   keep_tool(path_);
-  keep_tool(after(after(after(path_))));
+  keep_tool(before(path_));
 }
 
 // Asked once: behind a block whose end vector is to be made in the plane there, else in the plane of its own end.
@@ -95,6 +95,7 @@ bool ToolSideCompensation::mismatches(const ToolSideBlock& block) const {
 }
 
 StageEnd ToolSideCompensation::block() {
+  if (line_taken_) complete_line();
   const StageEnd end = any_block(next());
   keep_tools();
   awaits_line_ = awaits_line();
@@ -198,82 +199,47 @@ bool ToolSideCompensation::awaits_line() {
          !fault(Fault::side_tool_at_start) && !fault(Fault::side_turned_tool) && !fault(Fault::side_limit_by_length);
 }
 
-// Inner and obtuse corners of up to 90 degrees: against the movement before, the change of the plane may matter.
-bool ToolSideCompensation::take_line(double way_x, double way_y, double way_z) {
-  if (!awaits_line_) return false;
-  const ToolSideBlock& block = next();
-  const SidePath& from = *last_;
-  SidePath& to = paths_[after(path_)];
-  if (!block.wanted || block.arc || block.repeated || !to.travel.narrow || to.travel.zero || block.side != from.side ||
-      from.offset_change != value_change_)
-    return false;
-  SideGroup& end = at_end();
-  SideCorner& corner = end.corner;
-  const ToolPlane plane(geometry_.plane(*from.tool));
-  QuickTurn turn;
-  if (!plane.see(from.travel, to.travel, {way_x, way_y, way_z}, turn) || turn.dot <= turn.bound ||
-      turn.length2 <= shortest_)
-    return false;
-  if (std::abs(turn.cross) > turn.bound) [[likely]]
-    corner.turn.cross = turn.cross > 0 ? 1 : -1;
-  else if (!plane.quick_turn(from.travel, to.travel, corner.turn))
-    return false;
-  corner.turn.dot = 1;
-  // r (l1 + l2) / (1 + k) of the unit normals.
-  const int side = block.side;
-  const double rho = side > 0 ? value_.nearest : -value_.nearest;
-  const double scale = rho / (turn.lengths + turn.dot);
-  const Vector3<double> sum = turn.left1 * turn.length2 + turn.left2 * turn.length1;
-  const double x = sum.x * scale;
-  const double y = sum.y * scale;
-  const double z = sum.z * scale;
-  // The tool goes forward for certain: |u1|^2 + u1 . (vector - start), by the length.
+// |u|^2 + u . (vector - start), by |u|; u = U - (V . U) V.
+bool ToolSideCompensation::goes_forward(const SidePath& path, double length, const Vector3<double>& vector) {
+  const Vector3<double> v{path.tool->unit[0], path.tool->unit[1], path.tool->unit[2]};
   const Vector3<double>& start = at_start().head[0].vector;
-  const Vector3<double> ahead = cross(turn.left1, plane.unit());
-  const double way = turn.length1 * (1 / static_cast<double>(Count::kSmallPerOne));
-  const double forward =
-      way * turn.length1 + (ahead.x * (x - start.x) + ahead.y * (y - start.y) + ahead.z * (z - start.z));
-  const double size =
-      std::abs(x) + std::abs(y) + std::abs(z) + std::abs(start.x) + std::abs(start.y) + std::abs(start.z);
-  if (forward <= 0x1p-42 * turn.length1 * (way + size)) return false;
+  const Vector3<double> shift = vector - start;
+  const double way = length * (1 / static_cast<double>(Count::kSmallPerOne));
+  const double forward = way * length + (dot(path.travel.value, shift) - dot(v, path.travel.value) * dot(v, shift));
+  const double size = std::abs(vector.x) + std::abs(vector.y) + std::abs(vector.z) + std::abs(start.x) +
+                      std::abs(start.y) + std::abs(start.z);
+  return forward > 0x1p-38 * length * (way + size);
+}
 
-  path_ = after(path_);
-  to.tool = block.tool;
-  to.arc = false;
-  to.side = side;
-  if (to.offset_change != value_change_) {
-    to.offset = value_;
-    to.offset_change = value_change_;
-  }
+void ToolSideCompensation::send_rest() {
+  const Vector3<double>& vector = at_start().head[0].vector;
+  for (std::uint8_t i = 1; i < count_; ++i) send(held(i), vector, held(i).own);
+}
+
+void ToolSideCompensation::complete_line() {
+  line_taken_ = false;
+  const SidePath& from = paths_[before(path_)];
+  const SidePath& to = paths_[path_];
+  last_ = &to;
+  start_tool_of_path_ = from.tool;
+  start_offset_of_path_ = &from.offset;
+  start_side_ = to.side;
+  mismatch_[first_] = false;
+  still_ = 0;
+  SideGroup& start = at_start();
+  start.size = 1;
+  start.head[0].kind = HeadKind::tangents_meet;
+  start.head[0].kept = false;
+  SideCorner& corner = start.corner;
   corner.first = &from;
   corner.second = &to;
   corner.tool = from.tool;
-  corner.first_side = side;
-  corner.second_side = side;
+  corner.first_side = from.side;
+  corner.second_side = to.side;
   corner.offset = &from.offset;
   corner.flat = false;
-  // Field by field: a head put together on the stack would have to be waited for.
-  SideHead& head = end.head[0];
-  head.vector.x = x;
-  head.vector.y = y;
-  head.vector.z = z;
-  head.kind = HeadKind::tangents_meet;
-  head.kept = false;
-  end.size = 1;
-  group_ ^= 1U;
-  start_tool_of_path_ = from.tool;
-  start_offset_of_path_ = &from.offset;
-  start_side_ = side;
-  treatment_ = block.treatment;
-  awaits_line_ = block.treatment == Treatment::none;
-  last_ = &to;
-  still_ = 0;
-  mismatch_[next_] = false;
-  send(ring_[first_], head.vector, true);
-  for (std::uint8_t i = 1; i < count_; ++i) send(held(i), head.vector, held(i).own);
-  count_ = 0;
-  hold();
-  return true;
+  corner.turn.cross = 1;  // of use where it is 0: there what is left is as good
+  corner.turn.dot = 1;
 }
 
 StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
@@ -449,6 +415,7 @@ void ToolSideCompensation::send_corner_moves(const ToolSideBlock* owner, std::ui
 }
 
 StageEnd ToolSideCompensation::release() {
+  if (line_taken_) complete_line();
   awaits_line_ = false;
   keep_tools();
   keep_without_direction();
@@ -531,28 +498,12 @@ StageEnd ToolSideCompensation::at_fault(const ToolSideBlock& block, const Alarm&
 void ToolSideCompensation::hold() {
   if (count_ == 0) first_ = next_;
   ++count_;
-  next_ = next_ + 1U == ring_.size() ? std::uint8_t{0} : static_cast<std::uint8_t>(next_ + 1U);
+  next_ = after_slot(next_);
 }
 
 void ToolSideCompensation::free_first() {
   --count_;
-  first_ = first_ + 1U == ring_.size() ? std::uint8_t{0} : static_cast<std::uint8_t>(first_ + 1U);
-}
-
-void ToolSideCompensation::add(Event& event, const Vector3<double>& vector) const {
-  const auto add_to = [&](spec::AxisValues<double>& values) {
-    if (has_xyz_) [[likely]] {
-      values.value[xyz_[0]] += vector.x;
-      values.value[xyz_[1]] += vector.y;
-      values.value[xyz_[2]] += vector.z;
-      return;
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-      if (xyz_[i] != spec::Axes::kNone) values.value[xyz_[i]] += vector[i];
-  };
-  add_to(event.point);
-  add_to(event.axes);
-  if (event.machine.present != 0) add_to(event.machine);
+  first_ = after_slot(first_);
 }
 
 void ToolSideCompensation::send(ToolSideBlock& block, const Vector3<double>& vector, bool own) {

@@ -17,6 +17,16 @@
 
 namespace toolcomp::fast {
 
+// A corner of two lines as doubles see it: V the tool, U and W the movements before and behind it, u and w what is seen
+// of them along the tool.
+struct LineCorner {
+  const SidePath* from = nullptr;
+  SidePath* to = nullptr;
+  double dot = 0;      // u . w
+  double length1 = 0;  // |u|
+  double length2 = 0;  // |w|
+};
+
 // Look-ahead: a block that moves in the plane, one block after it that does not, and the next one; before it, where the
 // corner at its start has several vectors, one block without movement that runs at the last of them. The slots are
 // fixed: nothing is allocated per block.
@@ -41,13 +51,16 @@ class ToolSideCompensation {
   }
   // The block to fill in next and how it moves. It keeps what it held before: the caller writes every field.
   [[nodiscard]] ToolSideBlock& next() { return ring_[next_]; }
-  [[nodiscard]] Travel& next_travel() { return paths_[after(path_)].travel; }
+  [[nodiscard]] SidePath& next_path() { return paths_[after(path_)]; }
+  [[nodiscard]] Travel& next_travel() { return next_path().travel; }
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
-  // The usual case of block() without a detour: after a line a line, one vector at both ends of the former. False, and
-  // nothing done, where next() is any other. If true its event is still to be filled in.
-  // x, y, z: next_travel().value.
-  [[nodiscard]] bool take_line(double x, double y, double z);
+  // The usual case of block() without a detour: after a line a line that wants compensation, one vector at both ends of
+  // the former. Where next() is any other, one of the two answers false, and nothing is done. In between is a while for
+  // other work: the roots are long in coming. `side` as in next(); `to`: next_path(); `way`: its travel, at hand.
+  [[nodiscard]] bool see_line(int side, SidePath& to, const Vector3<double>& way, LineCorner& corner) const;
+  // Of next() only the event and `own` need to be filled in. `tool` as in next().
+  [[nodiscard]] bool take_line(const LineCorner& corner, const Direction& tool, int side);
   // No further block is known: one that raises an alarm of its own or stops the look-ahead, or the end of the program.
   StageEnd release();
 
@@ -74,11 +87,19 @@ class ToolSideCompensation {
 
   // take_line() may take a line behind the path that is held.
   [[nodiscard]] bool awaits_line();
+  // The tool moves ahead for certain along the line, from the vector at its start to the one at its end; `length` in
+  // the plane, whole units.
+  [[nodiscard]] bool goes_forward(const SidePath& path, double length, const Vector3<double>& vector);
+  // The blocks behind the path that is held, at the vector in force.
+  void send_rest();
+  // What take_line() leaves to be known of the path that is held and the corner at its start.
+  void complete_line();
   [[nodiscard]] bool moves(const ToolSideBlock& block) const;
   [[nodiscard]] bool on_edge(const ToolSideBlock& block, const Direction& tool) const;
   [[nodiscard]] bool mismatches(const ToolSideBlock& block) const;
 
   static std::uint8_t after(std::uint8_t path) { return static_cast<std::uint8_t>((path + 1U) % 4); }
+  static std::uint8_t before(std::uint8_t path) { return static_cast<std::uint8_t>((path + 3U) % 4); }
   SidePath& new_path() { return paths_[path_ = after(path_)]; }
   // The path keeps its tool: until then it is the one of the interpreter, which keeps those of the last blocks.
   void keep_tool(std::uint8_t path);
@@ -100,6 +121,9 @@ class ToolSideCompensation {
 
   void hold();
   void free_first();
+  [[nodiscard]] std::uint8_t after_slot(std::uint8_t slot) const {
+    return slot + 1U == ring_.size() ? std::uint8_t{0} : static_cast<std::uint8_t>(slot + 1U);
+  }
   [[nodiscard]] ToolSideBlock& held(std::uint8_t i) {
     const std::size_t slot = std::size_t{first_} + i;
     return ring_[slot < ring_.size() ? slot : slot - ring_.size()];
@@ -119,7 +143,7 @@ class ToolSideCompensation {
   SideGroups make_;
   std::array<std::size_t, 3> xyz_;
   double shortest_;  // longer travels move for certain (No. 19630); 10^-6 of a setup unit
-  bool has_xyz_;     // none of the three axes is missing
+  bool xyz_first_;   // X Y Z are the first three axes
 
   // Held: a block that waits for the last vector of the corner before the path (waits_ 0 or 1), the path or a start of
   // type C, and blocks without movement behind it.
@@ -154,6 +178,7 @@ class ToolSideCompensation {
   int start_side_ = 1;
   const Amount* start_offset_of_path_ = nullptr;
   bool awaits_line_ = false;
+  bool line_taken_ = false;  // the path that is held was taken by take_line()
 
   Amount start_offset_;  // of type C
   Amount value_;         // in force
@@ -161,5 +186,93 @@ class ToolSideCompensation {
   Event corner_move_;  // of the corner whose moves have not gone out: the block before it, without a vector
   Event notice_;
 };
+
+[[gnu::always_inline]] inline void ToolSideCompensation::add(Event& event, const Vector3<double>& vector) const {
+  const auto add_to = [&](spec::AxisValues<double>& values) {
+    if (xyz_first_) [[likely]] {
+      values.value[0] += vector.x;
+      values.value[1] += vector.y;
+      values.value[2] += vector.z;
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      if (xyz_[i] != spec::Axes::kNone) values.value[xyz_[i]] += vector[i];
+  };
+  add_to(event.point);
+  add_to(event.axes);
+  if (event.machine.present != 0) add_to(event.machine);
+}
+
+// |u|^2 = |U|^2 - (V . U)^2, u . w = U . W - (V . U)(V . W).
+[[gnu::always_inline]] inline bool ToolSideCompensation::see_line(int side, SidePath& to, const Vector3<double>& way,
+                                                                  LineCorner& corner) const {
+  const SidePath& from = paths_[path_];
+  if (!awaits_line_ || !to.travel.narrow || to.travel.zero || side != from.side || from.offset_change != value_change_)
+      [[unlikely]]
+    return false;
+  const Vector3<double> v{from.tool->unit[0], from.tool->unit[1], from.tool->unit[2]};
+  const Vector3<double> first = from.travel.value;
+  const double along1 = dot(v, first);
+  const double along2 = dot(v, way);
+  const double square1 = from.travel.square - along1 * along1;
+  const double square2 = to.travel.square - along2 * along2;
+  // Nearer than 30 degrees to the tool the projection loses digits.
+  if (4 * square1 < from.travel.square || 4 * square2 < to.travel.square) [[unlikely]]
+    return false;
+  corner.length1 = std::sqrt(square1);
+  corner.length2 = std::sqrt(square2);
+  corner.dot = dot(first, way) - along1 * along2;
+  corner.from = &from;
+  corner.to = &to;
+  return true;
+}
+
+// Inner and obtuse corners of less than 90 degrees: against the movement before, the change of the plane may matter.
+// The vector: r (V x U / |u| + V x W / |w|) / (1 + cosine). Whether it turns left or right makes no difference.
+[[gnu::always_inline]] inline bool ToolSideCompensation::take_line(const LineCorner& corner, const Direction& tool,
+                                                                   int side) {
+  const double lengths = corner.length1 * corner.length2;
+  // A direction is good to 2^-43, |U||W| is at most 4 |u||w|: 14 times that and a few roundings.
+  constexpr double kUncertain = 0x1p-38;
+  if (corner.dot <= kUncertain * lengths || corner.length2 <= shortest_) [[unlikely]]
+    return false;
+  const SidePath& from = *corner.from;
+  SidePath& to = *corner.to;
+  const Vector3<double> v{from.tool->unit[0], from.tool->unit[1], from.tool->unit[2]};
+  const double scale = (side > 0 ? value_.nearest : -value_.nearest) / (lengths + corner.dot);
+  const Vector3<double> vector =
+      cross(v, from.travel.value * corner.length2 + to.travel.value * corner.length1) * scale;
+  // The tool goes forward for certain: the vector moves by less than the way.
+  constexpr double kMost = (1 - 0x1p-30) / static_cast<double>(Count::kSmallPerOne);
+  const Vector3<double>& start = at_start().head[0].vector;
+  if (std::abs(vector.x - start.x) + std::abs(vector.y - start.y) + std::abs(vector.z - start.z) >=
+          kMost * corner.length1 &&
+      !goes_forward(from, corner.length1, vector)) [[unlikely]]
+    return false;
+
+  path_ = after(path_);
+  to.tool = &tool;
+  to.side = side;
+  to.arc = false;
+  if (to.offset_change != value_change_) [[unlikely]] {
+    to.offset = value_;
+    to.offset_change = value_change_;
+  }
+  group_ ^= 1U;
+  Vector3<double>& at_corner = at_start().head[0].vector;
+  at_corner.x = vector.x;
+  at_corner.y = vector.y;
+  at_corner.z = vector.z;
+  line_taken_ = true;
+  Event& event = ring_[first_].event;
+  add(event, vector);
+  sink_->on(event);
+  if (count_ > 1) [[unlikely]]
+    send_rest();
+  first_ = next_;
+  count_ = 1;
+  next_ = after_slot(next_);
+  return true;
+}
 
 }  // namespace toolcomp::fast

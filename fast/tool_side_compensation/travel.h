@@ -13,7 +13,7 @@ namespace toolcomp::fast {
 struct Travel {
   Vector3<double> value;  // the doubles nearest to whole(): where `narrow` they are exact
   double square = 0;      // |value|^2
-  // Components up to 2^30.7 in 10^-6 of a setup unit: products of two, and sums of three of them, fit into 64 bits.
+  // Components up to 2^30 in 10^-6 of a setup unit: products of two, and sums of three of them, fit into 64 bits.
   bool narrow = false;
   bool zero = true;
   bool fine_units = false;
@@ -36,13 +36,12 @@ struct Travel {
 
 // By 10^-6 of a setup unit.
 inline void set_travel(Travel& travel, std::int64_t dx, std::int64_t dy, std::int64_t dz) {
-  // 3 kNarrow^2 < 2^63.
-  constexpr std::uint64_t kNarrow = 1'753'000'000;
-  const auto is_narrow = [](std::int64_t x) { return static_cast<std::uint64_t>(x) + kNarrow <= 2 * kNarrow; };
+  constexpr int kNarrowBits = 30;
+  const auto over = [](std::int64_t x) { return static_cast<std::uint64_t>(x) + (std::uint64_t{1} << kNarrowBits); };
   travel.slack = 0;
   travel.fine_units = false;
   travel.unit = static_cast<double>(Count::kSmallPerOne);
-  travel.narrow = is_narrow(dx) && is_narrow(dy) && is_narrow(dz);
+  travel.narrow = ((over(dx) | over(dy) | over(dz)) >> (kNarrowBits + 1)) == 0;
   if (!travel.narrow) [[unlikely]]
     travel.wide = {dx, dy, dz};
   const auto x = static_cast<double>(dx);
