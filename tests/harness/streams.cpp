@@ -68,7 +68,7 @@ TEST(Streams, HoldNoMoreThanTheirWindow) {
   constexpr int blocks = 20'000;
   spec::Setup setup;
   setup.d[1].geometry = spec::decimal(10);
-  const Verdict v = judge_stream({[] { return std::make_unique<Endless>(blocks); }}, setup, 0,
+  const Verdict v = judge_stream({[] { return std::make_unique<Endless>(int{blocks}); }}, setup, 0,
                                  [](std::uint64_t) { g_most_nodes = std::max(g_most_nodes, exact::live_nodes()); });
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GT(v.values, 9U * blocks);
@@ -84,8 +84,8 @@ TEST(Streams, SettleNearTiesByRunningAgain) {
   spec::Setup setup;
   setup.d[1].geometry = spec::decimal(10);
   setup.parameters[{19631, -1}] = spec::decimal(0);
-  const auto text = [](const std::string& program, bool once = false) {
-    return StreamedProgram{[&program] { return spec::text_source(program); }, once};
+  const auto text = [](const std::string& written, bool once = false) {
+    return StreamedProgram{[&written] { return spec::text_source(written); }, once};
   };
   const std::string inside = program("0.0000000000001");
   const std::string outside = program("0.00000000001");
