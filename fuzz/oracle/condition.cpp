@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "fuzz/oracle/control.h"
 #include "fuzz/oracle/number.h"
@@ -70,14 +69,11 @@ Conditions::Conditions(const spec::Setup& setup, std::string_view program)
   point_ = position_;
   if (setup.control != spec::Control::heidenhain) return;
   space_.emplace(setup);
-  if (program.empty()) return;
-  HeidenhainControl::Reader reader = HeidenhainControl::reader(spec::text_source(program), setup, "program");
-  const auto first = std::make_unique<HeidenhainControl::Block>();
-  if (reader.next(*first)) reading(*first);
+  if (!program.empty()) space_->units(program_units(setup, program));
 }
 
-void Conditions::reading(const spec::klartext::Block& block) {
-  if (space_ && block.statement == spec::klartext::Statement::begin_program && !block.alarm) space_->units(block.unit);
+void Conditions::units(spec::Units units) {
+  if (space_) space_->units(units);
 }
 
 double Conditions::condition(std::span<const model::Event> window, const Vector& at, const Vector& tool,

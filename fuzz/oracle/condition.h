@@ -12,8 +12,6 @@
 #include "fuzz/oracle/space_scale.h"
 #include "fuzz/oracle/tool_plane.h"
 #include "model/engine.h"
-#include "spec/language/block.h"
-#include "spec/language/klartext_block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {
@@ -38,9 +36,8 @@ class Conditions {
  public:
   // `program`: its text, where it is at hand (pose_error.h; the units of a Klartext program).
   explicit Conditions(const spec::Setup& setup, std::string_view program = {});
-  // Takes what a block says that no event does, before its events come: where the text is not at hand.
-  void reading(const spec::Block&) {}
-  void reading(const spec::klartext::Block& block);
+  // Those a program says, before its events come: where the text is not at hand.
+  void units(spec::Units units);
   // The scale of window[0]; `window` holds the events from it to the next one that moves, or all that follow.
   Scale next(std::span<const model::Event> window);
 

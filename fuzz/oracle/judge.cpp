@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "fuzz/oracle/compare.h"
+#include "fuzz/oracle/control.h"
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/verdict.h"
 
@@ -127,6 +128,7 @@ class Judge {
  public:
   Judge(const spec::Case& c, std::span<const spec::Event<Number>> actual, const JudgeOptions& options)
       : case_(c), rules_(c.setup, c.section, options) {
+    rules_.units(program_units(c.setup, c.program));
     const auto judged = [this](const spec::Event<Number>& event) { return is_judged(event); };
     std::copy_if(actual.begin(), actual.end(), std::back_inserter(kept_), judged);
     actual_ = kept_;

@@ -58,7 +58,10 @@ class Pass {
         end_epoch();
         begin_epoch();
       }
-      conditions_.reading(*block);
+      if (const auto units = units_of(*block)) {
+        conditions_.units(*units);
+        rules_.units(*units);
+      }
       model_.block(*block);
       fast_.block(*block);
       if (on_block != nullptr)
