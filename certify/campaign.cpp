@@ -77,7 +77,7 @@ FastEvents drawn_events(const spec::Case& c, const fuzz::ModelRun& run) {
 
 // The exact path, drawn.
 std::string picture_of(const spec::Case& c, const fuzz::ModelRun& run) {
-  return path_svg(drawn_events(c, run), c.setup.axes, path_options(c.setup));
+  return path_svg(drawn_events(c, run), c.setup.axes, path_options(c));
 }
 
 bool is_fault(const FailureKey& key) {

@@ -203,6 +203,8 @@ std::string contact_svg(const ContactPicture& picture, double left, double top, 
   out += panel.outline(picture.effective_tip, picture.effective, "tp-point");
   out += panel.arrow(picture.contact, picture.normal, "N");
   out += panel.arrow(plus(picture.effective_tip, picture.effective.corner, picture.tool), picture.tool, "T");
+  out += panel.dot_at(plus(picture.nominal_tip, picture.nominal.corner, picture.tool), "", 0, 0);
+  out += panel.dot_at(plus(picture.effective_tip, picture.effective.corner, picture.tool), "centre", 7, -4);
   out += panel.dot_at(picture.contact, "contact", 7, 12);
   out += panel.dot_at(picture.effective_tip, "tip", 7, 12);
   out += panel.cross_at(picture.programmed, "programmed");

@@ -13,6 +13,7 @@
 #include "certify/markup.h"
 #include "certify/path_detail.h"
 #include "certify/path_view.h"
+#include "fuzz/oracle/control.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -377,6 +378,12 @@ PathOptions path_options(const spec::Setup& setup) {
     const double corner = in_double(setup.tools.front().r2);
     options.tool = {in_double(setup.tools.front().r) - corner, corner};
   }
+  return options;
+}
+
+PathOptions path_options(const spec::Case& c) {
+  PathOptions options = path_options(c.setup);
+  options.unit = fuzz::program_units(c.setup, c.program) == spec::Units::mm ? "mm" : "inch";
   return options;
 }
 

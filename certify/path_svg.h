@@ -10,6 +10,7 @@
 #include "certify/contact_svg.h"
 #include "certify/path.h"
 #include "spec/language/axes.h"
+#include "spec/language/case.h"
 #include "spec/language/event.h"
 #include "spec/language/setup.h"
 
@@ -33,7 +34,8 @@ struct PathOptions {
 std::string path_svg(std::span<const spec::Event<double>> events, const spec::Axes& axes,
                      const PathOptions& options = {});
 
-// The start and the unit of a setup.
+// The start of a setup, the first tool of its table, and the unit: that of the setup, or what a program says.
 PathOptions path_options(const spec::Setup& setup);
+PathOptions path_options(const spec::Case& c);
 
 }  // namespace toolcomp::certify

@@ -118,7 +118,7 @@ std::string finding(const Finding& f, std::size_t index) {
   if (!f.errors.empty())
     out +=
         "<details><summary>Standard error of the controller</summary><pre>" + escape(f.errors) + "</pre></details>\n";
-  PathOptions options = path_options(f.smallest.setup);
+  PathOptions options = path_options(f.smallest);
   options.other = f.actual_events;
   options.marked = f.event;
   out += path_svg(f.expected_events, f.smallest.setup.axes, options);

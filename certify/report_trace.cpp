@@ -37,7 +37,8 @@ std::string findings(const TraceReport& report) {
 std::string html_report(const TraceReport& report) {
   const TraceResult& r = report.result;
   const spec::Setup& setup = report.c.setup;
-  const std::string unit = setup.units == spec::Units::mm ? "mm" : "inch";
+  const PathOptions drawing = path_options(report.c);
+  const std::string& unit = drawing.unit;
   const int status = exit_status(r);
   const std::string_view verdict = status == 0 ? "conforms" : status == 1 ? "does not conform" : "not decided";
   std::string body = "<h1>Trace " + escape(report.file) + "</h1>\n<p>" +
@@ -52,7 +53,7 @@ std::string html_report(const TraceReport& report) {
       "reached.</p>\n",
       r.samples, plain(report.options.tolerance, 9), unit, r.off, r.corners_missed, r.corners);
   body += "<h2>Findings</h2>\n" + findings(report);
-  body += "<h2>Path</h2>\n" + path_svg(r.events, setup.axes, path_options(setup));
+  body += "<h2>Path</h2>\n" + path_svg(r.events, setup.axes, drawing);
   std::uint64_t marked = r.findings.empty() ? 0 : r.findings.front().line;
   body += listing(report.c.program, marked);
   body +=

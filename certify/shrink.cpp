@@ -92,6 +92,9 @@ class Shrinker {
   // Keeps the candidate if it still fails.
   bool attempt(Candidate candidate) {
     if (exhausted() || candidate.program.empty() || !tried_.insert(key_of(candidate)).second) return false;
+    // A table of deviations has a point at least.
+    for (const auto& [name, points] : candidate.setup.dr2_tables)
+      if (points.empty()) return false;
     ++runs_;
     if (!still_fails_(build(candidate))) return false;
     best_ = std::move(candidate);

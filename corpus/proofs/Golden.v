@@ -2,7 +2,7 @@
 From Coq Require Import Reals Lra List.
 From Interval Require Import Tactic.
 From Toolcomp Require Import Vectors LeadingEdgeOffset ToolLengthOffset ToolDirection.
-From Toolcomp Require CutterCompensationC.
+From Toolcomp Require CutterCompensationC FaceMilling PeripheralMilling ProgrammedContour.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -362,3 +362,60 @@ Qed.
 Ltac by_half_way :=
   rewrite half_way_between by (unfold dot, cross; cbn [vx vy vz]; lra);
   unfold within_vec, within, unit, add, scale, norm, dot; cbn [vx vy vz]; repeat split; interval with (i_prec 90).
+
+(** * 3D tool compensation of Heidenhain controls *)
+
+(** The unit vector where the length is rational. *)
+Lemma space_unit v m : 0 < m -> dot v v = m * m -> FaceMilling.unit v = scale (/ m) v.
+Proof. intros P E. unfold FaceMilling.unit. rewrite (norm_is v m) by lra. reflexivity. Qed.
+
+Lemma space_flat_across N T : dot T T * dot (cross N T) (cross N T) = 0 ->
+  FaceMilling.u N T = zero.
+Proof.
+  intro E. unfold FaceMilling.u. rewrite <- FaceMilling.w_squared in E. apply dot_self_zero in E. rewrite E.
+  apply FaceMilling.unit_zero.
+Qed.
+
+Lemma space_mitre delta c1 c2 k : 1 + dot c1 c2 = k -> PeripheralMilling.mitre delta c1 c2 = scale (delta / k) (add c1 c2).
+Proof. intro E. unfold PeripheralMilling.mitre. rewrite E. reflexivity. Qed.
+
+Ltac space_open :=
+  cbv zeta;
+  unfold ProgrammedContour.contour_tip, FaceMilling.effective_tip, FaceMilling.tip, FaceMilling.contact,
+    FaceMilling.nominal_tip, FaceMilling.ring, FaceMilling.effective_ring;
+  cbn [FaceMilling.radius FaceMilling.corner FaceMilling.dL FaceMilling.dR FaceMilling.dR2];
+  try first [rewrite Rmax_right by lra | rewrite Rmax_left by lra].
+Ltac space_components :=
+  unfold FaceMilling.u, FaceMilling.w; cbn [vx vy vz add sub opp scale cross];
+  unfold norm, dot; cbn [vx vy vz add sub opp scale cross].
+Ltac space_side := unfold FaceMilling.w, dot; cbn [vx vy vz add sub opp scale cross]; unfold dot; cbn [vx vy vz]; lra.
+
+(** Where the lengths [n] of the normal, [t] of the tool vector and [k] of the vector across are rational; [k] does not
+    matter where there is no flat. *)
+Ltac space_units n t :=
+  match goal with |- context [FaceMilling.unit (Vec ?a ?b ?c)] =>
+    first [rewrite !(space_unit (Vec a b c) n) by space_side | rewrite !(space_unit (Vec a b c) t) by space_side] end.
+Ltac space_computed n t k :=
+  space_open; repeat space_units n t;
+  match goal with |- context [FaceMilling.u ?N ?T] =>
+    first [unfold FaceMilling.u; rewrite !(space_unit (FaceMilling.w N T) k) by space_side
+          | generalize (FaceMilling.u N T); intros [? ? ?]] end;
+  space_components; repeat split; lra.
+Ltac space_flat n t :=
+  space_open; repeat space_units n t; rewrite !space_flat_across by space_side;
+  unfold zero; space_components; repeat split; lra.
+
+(** Otherwise by intervals, components that are exact by computation whatever the lengths. *)
+Ltac space_enclosed :=
+  unfold PeripheralMilling.mitre, PeripheralMilling.c, FaceMilling.u; unfold FaceMilling.unit, recorded, zero;
+  space_components; repeat split; first [lra | interval with (i_prec 90)].
+Ltac space_by_intervals := space_open; space_enclosed.
+Ltac space_flat_by_intervals := space_open; rewrite !space_flat_across by space_side; space_enclosed.
+
+(** Under RL and RR: [t] the length of the tool vector, [a] and [b] those of its products with the movements. *)
+Ltac flank_units a b :=
+  match goal with |- context [FaceMilling.unit (cross ?T ?d)] =>
+    first [rewrite !(space_unit (cross T d) a) by space_side | rewrite !(space_unit (cross T d) b) by space_side] end.
+Ltac flank_computed t a b :=
+  space_open; unfold PeripheralMilling.c; repeat flank_units a b; repeat space_units t t;
+  unfold PeripheralMilling.mitre; space_components; repeat split; lra.

@@ -23,6 +23,9 @@ constexpr Section kSections[] = {
     {"fanuc/tool-side-compensation", "GoldenToolSideCompensation.v", tool_side_lemmas},
     {"fanuc/tool-center-point-control", "GoldenToolCenterPointControl.v", tool_center_point_lemmas},
     {"fanuc/tool-posture-control", "GoldenToolPostureControl.v", tool_posture_lemmas},
+    {"heidenhain/face-milling", "GoldenFaceMilling.v", face_milling_lemmas},
+    {"heidenhain/peripheral-milling", "GoldenPeripheralMilling.v", peripheral_milling_lemmas},
+    {"heidenhain/programmed-contour", "GoldenProgrammedContour.v", programmed_contour_lemmas},
 };
 
 ProofFile write(const Section& section, const std::vector<Vector>& vectors, const std::filesystem::path& output,
@@ -32,7 +35,7 @@ ProofFile write(const Section& section, const std::vector<Vector>& vectors, cons
       "(** Generated from the golden vectors of {}. *)\nFrom Coq Require Import Reals Lra List.\n"
       "From Toolcomp Require Import Vectors LeadingEdgeOffset ToolLengthOffset ToolDirection Golden.\n"
       "From Toolcomp Require ToolLengthMeasurement ToolOffset CutterCompensationB CutterCompensationC "
-      "ToolSideCompensation.\n"
+      "ToolSideCompensation FaceMilling PeripheralMilling ProgrammedContour.\n"
       "Import ListNotations.\nOpen Scope R_scope.\n",
       section.section);
   std::size_t computed = 0;

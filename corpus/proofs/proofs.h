@@ -33,7 +33,10 @@ struct Lemma {
 //                   are those of the class, exactly where the lengths in it are rational;
 //   tip control     a direction by I J K: that the recorded tool axis is its unit vector, that the recorded rotary
 //                   positions point along it, and on a head the recorded control point;
-//   posture         the middle of a block with P1: that the recorded tool axis lies in the plane, half way.
+//   posture         the middle of a block with P1: that the recorded tool axis lies in the plane, half way;
+//   face milling    a block with a normal: that the recorded point is the tip of the effective tool;
+//   flanks          a block under RL or RR: that the recorded point is the tip beside the end point, or at the mitre;
+//   contour         the same under IS CONTOUR.
 std::vector<Lemma> leading_edge_lemmas(const spec::Case& c);
 std::vector<Lemma> length_offset_lemmas(const spec::Case& c);
 std::vector<Lemma> length_measurement_lemmas(const spec::Case& c);
@@ -43,6 +46,9 @@ std::vector<Lemma> cutter_compensation_c_lemmas(const spec::Case& c);
 std::vector<Lemma> tool_side_lemmas(const spec::Case& c);
 std::vector<Lemma> tool_center_point_lemmas(const spec::Case& c);
 std::vector<Lemma> tool_posture_lemmas(const spec::Case& c);
+std::vector<Lemma> face_milling_lemmas(const spec::Case& c);
+std::vector<Lemma> peripheral_milling_lemmas(const spec::Case& c);
+std::vector<Lemma> programmed_contour_lemmas(const spec::Case& c);
 
 struct ProofOptions {
   std::size_t computed = 40;  // lemmas a section, at most

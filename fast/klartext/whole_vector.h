@@ -84,7 +84,7 @@ struct WholeVector {
   void set_wide(const std::array<spec::Decimal, 3>& v) {
     narrow = false;
     for (std::size_t i = 0; i < 3; ++i) {
-      Int128 magnitude = static_cast<Int128>(v[i].digits);
+      auto magnitude = static_cast<Int128>(v[i].digits);
       for (int place = v[i].decimals; place < kWidePlaces; ++place) magnitude *= 10;
       wide[i] = v[i].negative ? -magnitude : magnitude;
     }

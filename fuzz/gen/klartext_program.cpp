@@ -266,7 +266,14 @@ void KlartextProgram::cycle() {
 }
 
 void KlartextProgram::other() {
-  if (choose_.chance(30)) return write_.remark();
+  if (choose_.chance(25)) return write_.remark();
+  if (choose_.chance(25)) {
+    // L that moves nothing.
+    write_.word("L");
+    radius_word(choose_.one_of({Side::none, side_, Side::left, Side::right}));
+    feed();
+    return write_.word(choose_.one_of({"", "M8"})).end_block(false);
+  }
   write_
       .word(choose_.one_of({"PLANE RESET STAY", "PLANE SPATIAL SPA+0 SPB+0 SPC+0 STAY", "STOP", "STOP M8", "TOOL DEF 5",
                             "TOOL DEF 7 L+10 R+3", "Q20 = +5.5", "FN 0: Q21 = -3", "/ M8", "M138"}))
@@ -367,6 +374,23 @@ void KlartextProgram::position_words(std::string_view prefix, bool all) {
       write_.value(key, at_[i], decimals_);
     any = true;
   }
+  if (all) return;
+  for (const char letter : {'U', 'V', 'W'})
+    if (setup_.axes.has(letter) && choose_.chance(25))
+      write_.value(std::string(1, letter), choose_.between(-20 * one_, 20 * one_), decimals_);
+}
+
+// Words of L that move something: X Y Z and rotary axes, seldom rotary axes alone.
+void KlartextProgram::line_words(std::uint64_t rotary) {
+  const bool turns = setup_.axes.has('B') || setup_.axes.has('C');
+  if (turns && choose_.chance(6)) {
+    for (std::size_t i = 0; i < 3; ++i) at_[i] -= step_[i];
+    step_ = {};
+    write_.word("L").number(setup_.axes.has('B') ? "B" : "C", choose_.between(-90, 90), 0);
+    return;
+  }
+  position_words("L", false);
+  if (choose_.chance(rotary)) rotary_words();
 }
 
 void KlartextProgram::rotary_words() {
@@ -543,8 +567,7 @@ void KlartextProgram::stretch_block(bool first) {
     vector_words('T', tool);
     tool_vector_ = tool;
   } else {
-    position_words("L", false);
-    if (choose_.chance(first ? 60 : 45)) rotary_words();
+    line_words(first ? 60 : 45);
   }
   radius_word(side);
   feed();
@@ -560,8 +583,7 @@ void KlartextProgram::plain() {
     vector_words('T', tool);
     if (tcpm_) tool_vector_ = tool;
   } else {
-    position_words("L", false);
-    if (choose_.chance(35)) rotary_words();
+    line_words(35);
   }
   if (side_ != Side::none && !choose_.chance(5)) {
     write_.word("R0");

@@ -57,6 +57,7 @@ class KlartextProgram {
   void approach();
 
   void position_words(std::string_view prefix, bool all);
+  void line_words(std::uint64_t rotary);
   void rotary_words();
   void vector_words(char kind, const VectorWords& v);
   void radius_word(Side side);

@@ -57,7 +57,11 @@ KlartextWriter& KlartextWriter::value(std::string_view key, std::int64_t count, 
 }
 
 void KlartextWriter::put(std::string block, bool may_go_on) {
+  const bool skipped = choose_.chance(1);
+  const bool before = choose_.chance(50);
+  if (skipped && before) text_ += "/ ";
   if (numbered_ && choose_.chance(97)) text_ += fmt::format("{} ", n_);
+  if (skipped && !before) text_ += "/";
   ++n_;
   if (may_go_on && choose_.chance(2)) {
     const std::size_t blank = block.find(' ', block.size() / 2);

@@ -253,7 +253,7 @@ void mutate(spec::Case& c, Mode mode, ChoiceSource& source) {
   for (std::size_t n = choose.below(most) + 1; n > 0; --n) {
     const bool setup = choose.chance(20);
     if (klartext)
-      setup ? change_tool_tables(choose, c.setup) : change_klartext(choose, c, mode);
+      setup ? change_tool_tables(choose, c.setup, mode) : change_klartext(choose, c, mode);
     else
       setup ? change_setup(choose, mode, c.setup) : change_program(choose, c, mode);
   }

@@ -88,8 +88,9 @@ void change_word(Choices& choose, Mode mode, WordTexts& line) {
   }
 }
 
-void change_decimal(Choices& choose, spec::Decimal& value) {
-  switch (choose.below(4)) {
+// `gently`: the sign and the size stay.
+void change_decimal(Choices& choose, spec::Decimal& value, bool gently) {
+  switch (gently ? 1 + 2 * choose.below(2) : choose.below(4)) {
     case 0:
       value.negative = !value.negative && value.digits != 0;
       return;
@@ -141,15 +142,16 @@ void change_klartext(Choices& choose, spec::Case& c, Mode mode) {
   c.program = joined(text);
 }
 
-// Radii and deltas keep to what a table can hold; names and tables of deviations stay.
-void change_tool_tables(Choices& choose, spec::Setup& setup) {
+// Names and support points stay. Directed: the shape of a tool stays, too.
+void change_tool_tables(Choices& choose, spec::Setup& setup, Mode mode) {
+  const bool gently = mode == Mode::directed;
   if (!setup.tcs.empty() && choose.chance(20)) {
     spec::CorrectionRow& row = setup.tcs.begin()->second;
-    return change_decimal(choose, *choose.one_of({&row.dl, &row.dr, &row.dr2}));
+    return change_decimal(choose, *choose.one_of({&row.dl, &row.dr, &row.dr2}), gently);
   }
   if (!setup.dr2_tables.empty() && choose.chance(25)) {
     spec::DeviationTable& table = setup.dr2_tables.begin()->second;
-    return change_decimal(choose, table[choose.below(table.size())].second);
+    return change_decimal(choose, table[choose.below(table.size())].second, gently);
   }
   if (setup.tools.empty()) return;
   spec::ToolRow& tool = setup.tools[choose.below(setup.tools.size())];
@@ -160,7 +162,9 @@ void change_tool_tables(Choices& choose, spec::Setup& setup) {
       tool.l = spec::decimal(choose.between(0, 100));
     return;
   }
-  change_decimal(choose, *choose.one_of({&tool.r, &tool.r2, &tool.dl, &tool.dr, &tool.dr2}));
+  spec::Decimal* const delta = choose.one_of({&tool.dl, &tool.dr, &tool.dr2});
+  spec::Decimal* const radius = choose.one_of({&tool.r, &tool.r2});
+  change_decimal(choose, gently || choose.chance(60) ? *delta : *radius, gently);
 }
 
 }  // namespace toolcomp::fuzz

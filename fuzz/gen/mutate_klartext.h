@@ -6,6 +6,6 @@
 namespace toolcomp::fuzz {
 
 void change_klartext(Choices& choose, spec::Case& c, Mode mode);
-void change_tool_tables(Choices& choose, spec::Setup& setup);
+void change_tool_tables(Choices& choose, spec::Setup& setup, Mode mode);
 
 }  // namespace toolcomp::fuzz

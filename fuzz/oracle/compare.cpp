@@ -327,13 +327,17 @@ class Comparison {
 
 Rules::Rules(const spec::Setup& setup, std::string_view section, const JudgeOptions& options)
     : budget_(policy::budget(section)), axes_(setup.axes), fields_(options.fields) {
-  constexpr double um_per_mm = 1000;
-  constexpr double um_per_inch = 25400;
-  um_per_unit_ = setup.units == spec::Units::mm ? um_per_mm : um_per_inch;
+  units(setup.units);
   if (options.resolution.empty()) return;
   const std::optional<Rational> r = parse_number(options.resolution);
   if (!r || *r < 0) throw std::invalid_argument("resolution \"" + options.resolution + "\" is no decimal number");
   resolution_ = r->convert_to<double>();
+}
+
+void Rules::units(spec::Units units) {
+  constexpr double um_per_mm = 1000;
+  constexpr double um_per_inch = 25400;
+  um_per_unit_ = units == spec::Units::mm ? um_per_mm : um_per_inch;
 }
 
 bool Rules::is_near_tie(const model::Decision& decision, double band, const PositionErrors& positions) const {

@@ -16,6 +16,9 @@ class Rules {
   // Throws std::invalid_argument for a resolution that is no decimal number.
   Rules(const spec::Setup& setup, std::string_view section, const JudgeOptions& options);
 
+  // Of the events, where the program says other ones than the setup.
+  void units(spec::Units units);
+
   [[nodiscard]] bool judges(std::string_view field) const;
   [[nodiscard]] const policy::Budget& budget() const { return budget_; }
   [[nodiscard]] const spec::Axes& axes() const { return axes_; }

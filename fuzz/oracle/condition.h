@@ -11,8 +11,6 @@
 #include "fuzz/oracle/space_scale.h"
 #include "fuzz/oracle/tool_plane.h"
 #include "model/engine.h"
-#include "spec/language/block.h"
-#include "spec/language/klartext_block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {

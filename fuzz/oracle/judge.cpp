@@ -126,6 +126,7 @@ class Judge {
  public:
   Judge(const spec::Case& c, std::span<const spec::Event<Number>> actual, const JudgeOptions& options)
       : case_(c), facts_(ProgramFacts::of(c)), rules_(c.setup, c.section, options) {
+    if (facts_.units()) rules_.units(*facts_.units());
     const auto judged = [this](const spec::Event<Number>& event) { return is_judged(event); };
     std::copy_if(actual.begin(), actual.end(), std::back_inserter(kept_), judged);
     actual_ = kept_;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "fuzz/oracle/control.h"
+#include "spec/language/input_error.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -19,9 +20,13 @@ double value(const spec::Word& word) {
 ProgramFacts ProgramFacts::of(const spec::Case& c) {
   return with_control(c.setup, [&c]<class Control>(Control) {
     ProgramFacts facts;
-    typename Control::Reader reader = Control::reader(spec::text_source(c.program), c.setup, "program");
-    const auto block = std::make_unique<typename Control::Block>();
-    while (reader.next(*block)) facts.read(*block);
+    try {
+      typename Control::Reader reader = Control::reader(spec::text_source(c.program), c.setup, "program");
+      const auto block = std::make_unique<typename Control::Block>();
+      while (reader.next(*block)) facts.read(*block);
+    } catch (const spec::InputError&) {
+      // Where a run comes so far it is reported there; it may have ended before.
+    }
     return facts;
   });
 }
@@ -38,7 +43,7 @@ void ProgramFacts::read(const spec::Block& block) {
 }
 
 void ProgramFacts::read(const spec::klartext::Block& block) {
-  if (block.statement == spec::klartext::Statement::begin_program && !block.alarm) units_ = block.unit;
+  if (const auto units = units_of(block)) units_ = units;
 }
 
 }  // namespace toolcomp::fuzz

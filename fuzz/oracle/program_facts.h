@@ -22,6 +22,7 @@ class ProgramFacts {
     double degrees = 0;
   };
 
+  // As far as the text can be read.
   static ProgramFacts of(const spec::Case& c);
   void read(const spec::Block& block);
   void read(const spec::klartext::Block& block);

@@ -70,6 +70,7 @@ class Pass {
         begin_epoch();
       }
       facts_.read(*block);
+      if (facts_.units()) rules_.units(*facts_.units());
       model_.block(*block);
       fast_.block(*block);
       if (on_block != nullptr)

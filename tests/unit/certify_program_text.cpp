@@ -45,6 +45,14 @@ TEST(ProgramText, FindsTheNumberOfAWordThatIsAQuantity) {
   EXPECT_EQ(number_in("X").number, "");
 }
 
+TEST(ProgramText, OfKlartextWordsOnlyMIsAName) {
+  EXPECT_EQ(number_in("NX-0.4658107", "klartext").number, "-0.4658107");
+  EXPECT_EQ(number_in("NX-0.4658107", "klartext").prefix, "NX");
+  EXPECT_EQ(number_in("DR2:+0.3", "klartext").number, "+0.3");
+  EXPECT_EQ(number_in("M107", "klartext").number, "");
+  EXPECT_EQ(number_in("CONTOUR", "klartext").number, "");
+}
+
 // Every proposal is shorter, or as long and smaller digit by digit: the search for the simplest ends.
 TEST(ProgramText, SimplerNumbersAreSimpler) {
   for (const std::string number : {"987.654", "-0.001", "10", "+7", "0", "-0", "1", "100.", ".5", "12345678.12345678"})

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -124,6 +125,40 @@ TEST(Shrink, DropsTheExpectationOfTheOriginal) {
   const Shrunk s = shrink(c, [](const spec::Case&) { return true; });
   EXPECT_FALSE(s.smallest.has_expect);
   EXPECT_TRUE(s.smallest.expect.empty());
+}
+
+// Words between blanks, block numbers and comments; rows of the tool table that are not called.
+TEST(Shrink, TakesKlartextApart) {
+  spec::Case c = failing(
+      "0 BEGIN PGM A MM\n1 TOOL CALL 2 Z S5000 ; ball\n2 L Z+100 R0 FMAX\n"
+      "3 LN X+1.25 Y+2 Z+3.5 ~\n  NX-0.6 NY+0 NZ+0.8 ; wall\n4 END PGM A MM\n");
+  c.dialect = "klartext";
+  c.setup.control = spec::Control::heidenhain;
+  for (const std::uint32_t number : {10U, 20U}) {
+    spec::ToolRow& tool = c.setup.tools.emplace_back();
+    tool.number = number;
+    tool.r = spec::decimal(5);
+    tool.dr = *spec::parse_decimal("-0.125");
+    tool.l = spec::decimal(80);
+    tool.name = "T" + std::to_string(number);
+    tool.dr2_table = "D";
+  }
+  c.setup.tcs[3] = {};
+  c.setup.dr2_tables["D"] = {{spec::decimal(0), {}}, {spec::decimal(90), {}}};
+  const auto fails = [](const spec::Case& candidate) {
+    const bool called = std::ranges::any_of(candidate.setup.tools, [](const auto& tool) { return tool.number == 20; });
+    return called && contains(candidate.program, "TOOL CALL 2") && contains(candidate.program, "NX-0.6");
+  };
+  const Shrunk s = shrink(c, fails);
+  EXPECT_EQ(s.smallest.program, "TOOL CALL 2\nNX-0.6\n");
+  ASSERT_EQ(s.smallest.setup.tools.size(), 1U);
+  const spec::ToolRow& tool = s.smallest.setup.tools[0];
+  EXPECT_EQ(tool.number, 20U);
+  EXPECT_TRUE(tool.r.is_zero());
+  EXPECT_TRUE(tool.dr.is_zero());
+  EXPECT_TRUE(!tool.l && tool.name.empty() && tool.dr2_table.empty());
+  EXPECT_TRUE(s.smallest.setup.tcs.empty());
+  EXPECT_TRUE(s.smallest.setup.dr2_tables.empty());
 }
 
 }  // namespace

@@ -1,0 +1,135 @@
+// Klartext programs through every command, as a user runs them: the manual's situations of examples/heidenhain.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/command_line/command.h"
+
+namespace {
+
+using nlohmann::json;
+using toolcomp::test::Folder;
+using toolcomp::test::Outcome;
+using toolcomp::test::toolcomp;
+
+const std::string kExamples = TOOLCOMP_SOURCE_DIR "/examples/heidenhain/";
+const std::string kReworked = kExamples + "reworked-ball-at-tip/reworked.h";
+const std::string kOversize = kExamples + "oversize-at-tip/oversize.h";
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+class Heidenhain : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(BothEngines, Heidenhain, testing::Values("model", "fast"),
+                         [](const auto& engine) { return engine.param; });
+
+// Sheet, E1: block 13 of the manual with the re-worked ball.
+TEST_P(Heidenhain, BlockThirteenOfTheManual) {
+  const Outcome outcome = toolcomp("run " + kReworked + " --engine " + GetParam());
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto events = outcome.events();
+  json block;
+  for (const json& event : events)
+    if (event.value("n", 0) == 16) block = event;
+  EXPECT_NEAR(block.at("point").at("X"), 36.054981069776461, 1e-13);
+  EXPECT_NEAR(block.at("tool_center").at("Y"), 8.144653760860809, 1e-13);
+  EXPECT_NEAR(block.at("contact").at("Z"), -2.310969632306029, 1e-13);
+  EXPECT_NEAR(block.at("shift").at("X"), 0.046581069776461, 1e-13);
+  EXPECT_NEAR(block.at("normal").at(2), 0.884884395753506, 1e-13);
+}
+
+// E16 with an alarm behind it: M107 is missing.
+TEST_P(Heidenhain, AnAlarmIsTheResult) {
+  const Folder folder;
+  const std::string setup =
+      folder.write("setup.toml", "control = \"heidenhain\"\n[[tool]]\nnumber = 1\nR = 5\nR2 = 2\n");
+  const std::string program =
+      folder.write("p.h", "TOOL CALL 1 Z DR+0.3\nL X+1 R0 FMAX\nLN X+0 Y+0 Z+0 NX+0.6 NY+0 NZ+0.8\n");
+  const Outcome outcome = toolcomp("run " + program + " --setup " + setup + " --engine " + GetParam());
+  EXPECT_EQ(outcome.status, 0);
+  ASSERT_EQ(outcome.events().size(), 2U);
+  EXPECT_EQ(outcome.events()[1].at("number"), "E_OVERSIZE_DR");
+  EXPECT_NE(outcome.err.find("p.h:3:"), std::string::npos) << outcome.err;
+}
+
+// The fault stands in the second line of the block.
+TEST_P(Heidenhain, AFaultIsShownWhereItStands) {
+  const Folder folder;
+  const std::string setup = folder.write("setup.toml", "control = \"heidenhain\"\n");
+  const std::string program = folder.write("p.h", "0 BEGIN PGM A MM\n1 L X+1 ~\n  Y+2 Q+3\n");
+  const Outcome outcome = toolcomp("run " + program + " --setup " + setup + " --engine " + GetParam());
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.events().at(0).at("number"), "E_SYNTAX");
+  EXPECT_EQ(outcome.events().at(0).at("line"), 2);
+  EXPECT_NE(outcome.err.find("p.h:3:7:"), std::string::npos) << outcome.err;
+}
+
+// RL without TCPM is not modelled: the run goes on and says so at its end.
+TEST_P(Heidenhain, WhatIsOutOfScopeIsNoSilentPass) {
+  const Folder folder;
+  const std::string setup = folder.write("setup.toml", "control = \"heidenhain\"\n[[tool]]\nnumber = 1\nR = 5\n");
+  const std::string program = folder.write("p.h", "TOOL CALL 1 Z\nL X+1 R0\nL X+2 RL\nL X+3 R0\n");
+  const Outcome outcome = toolcomp("run " + program + " --setup " + setup + " --engine " + GetParam());
+  EXPECT_EQ(outcome.status, 3);
+  ASSERT_EQ(outcome.events().size(), 3U);
+  EXPECT_EQ(outcome.events()[1].at("kind"), "undecided");
+  EXPECT_EQ(outcome.events()[1].at("reason"), "OUT_OF_SCOPE");
+  EXPECT_EQ(outcome.events()[2].at("point").at("X"), 3);
+}
+
+// The units of a plain program are those of BEGIN PGM.
+TEST_P(Heidenhain, PlainProgramsSayTheUnitsOfTheProgram) {
+  const Folder folder;
+  const std::string setup = folder.write("setup.toml", "control = \"heidenhain\"\n");
+  const std::string program = folder.write("p.h", "BEGIN PGM A INCH\nL X+1 R0 FMAX\nEND PGM A INCH\n");
+  const Outcome outcome = toolcomp("run " + program + " --setup " + setup + " --format gcode --engine " + GetParam());
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("%\nG90 G94 G20\n")) << outcome.out;
+  EXPECT_NE(outcome.out.find("G00 X1"), std::string::npos) << outcome.out;
+}
+
+// A panel for every contact that differs, each with nominal and effective tool; the oversize shows the real one too.
+TEST_P(Heidenhain, PicturesShowBothToolsAtTheContact) {
+  const Outcome reworked = toolcomp("run " + kReworked + " --format svg --engine " + GetParam());
+  ASSERT_EQ(reworked.status, 0) << reworked.err;
+  EXPECT_GE(count(reworked.out, "cut by the plane of N and T"), 4U);
+  EXPECT_NE(reworked.out.find("nominal (grey) R 3 R2 3, effective (blue) R 2.9 R2 2.9 mm"), std::string::npos);
+  EXPECT_EQ(reworked.out.find("a tool as in the table"), std::string::npos);
+  const Outcome oversize = toolcomp("run " + kOversize + " --format svg --engine " + GetParam());
+  ASSERT_EQ(oversize.status, 0) << oversize.err;
+  EXPECT_NE(oversize.out.find("effective (blue) R 3.2 R2 3.2 mm"), std::string::npos);
+  EXPECT_NE(oversize.out.find("a tool as in the table (green) leaves 0.2 to the wall"), std::string::npos);
+}
+
+TEST(HeidenhainCommands, EveryExampleAgrees) {
+  for (const char* name :
+       {"reworked-ball-at-tip/reworked.h", "reworked-ball-at-center/reworked.h", "oversize-at-tip/oversize.h",
+        "oversize-at-center/oversize.h", "reworked-end-mill-flank/flank.h", "ball-on-contour/contour.h"})
+    EXPECT_EQ(toolcomp("diff " + kExamples + name).status, 0) << name;
+}
+
+TEST(HeidenhainCommands, ExplainShowsTheBlockAsWritten) {
+  const Outcome outcome = toolcomp("explain " + kReworked + " --block 16");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("16 LN X+36.0084 Y+6.177 Z-1.9209"), std::string::npos);
+  EXPECT_NE(outcome.out.find("heidenhain.face.along-the-tool"), std::string::npos);
+  EXPECT_NE(outcome.out.find("heidenhain.face.effective-tip"), std::string::npos);
+  EXPECT_NE(outcome.out.find("  double  {"), std::string::npos);
+}
+
+TEST(HeidenhainCommands, FuzzAndCertifyKnowTheSections) {
+  const Outcome fuzz = toolcomp("fuzz --section heidenhain/face-milling --runs 200 --seed 3");
+  EXPECT_EQ(fuzz.status, 0) << fuzz.out << fuzz.err;
+  const Folder folder;
+  const std::string served = std::string(TOOLCOMP_BINARY_DIR) + "/toolcomp serve --engine fast";
+  const Outcome certified =
+      toolcomp("certify --controller '" + served + "' --setup " + kExamples + "reworked-ball-at-tip/setup.toml " +
+               kReworked + " --report " + folder.path("report"));
+  EXPECT_EQ(certified.status, 0) << certified.out << certified.err;
+}
+
+}  // namespace
