@@ -12,7 +12,7 @@ namespace toolcomp::certify {
 namespace {
 
 // Below this 1 - n.t the tool stands along the normal, as far as the shapes are concerned.
-constexpr double kAlong = 1e-9;
+constexpr double kAlong = 1.0 / 1'000'000'000;
 constexpr double kWidth = 1.5;     // of the picture, in tool radii to either side
 constexpr double kAboveTip = 2.2;  // how high the tool is drawn, in picture half widths
 constexpr double kArrow = 46;      // length of the vectors on the paper
@@ -73,7 +73,7 @@ std::optional<ContactPicture> picture_of(const spec::Axes& axes, const spec::Eve
 
 // Whether the two would be the same picture.
 bool alike(const ContactPicture& a, const ContactPicture& b) {
-  constexpr double kSame = 1e-3;  // of the radius; of unit vectors
+  constexpr double kSame = 1.0 / 1000;  // of the radius; of unit vectors
   const double size = kSame * std::max(a.nominal.flat + a.nominal.corner, b.nominal.flat + b.nominal.corner);
   const auto near = [](double x, double y, double by) { return std::fabs(x - y) <= by; };
   const Point3 shift_a = plus(a.effective_tip, -1, a.nominal_tip);

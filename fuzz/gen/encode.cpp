@@ -138,7 +138,7 @@ double number(const Decimal& value) {
 // Ascending from 0 to 180 degrees, with a gap that doubles see.
 void put_deviation(Setup& setup, const Line& line) {
   constexpr double half_turn = 180;
-  constexpr double gap = 1e-9;
+  constexpr double gap = 1.0 / 1'000'000'000;
   const auto values = decimals<2>(line, 1);
   const std::string_view name = line.from[3];
   if (!values || name.empty() || number((*values)[0]) < 0 || number((*values)[0]) > half_turn) return;

@@ -106,7 +106,7 @@ KlartextProgram::Radii KlartextProgram::radii() const {
 
 // Positive deltas or a corner radius beyond the radius, which M107 permits.
 bool KlartextProgram::is_oversize() const {
-  constexpr double noise = 1e-9;
+  constexpr double noise = 1.0 / 1'000'000'000;  // far below a digit of the tables
   const Radii now = radii();
   return now.off_r > noise || now.off_r2 > noise || (!deviates() && now.r2 + now.off_r2 > now.r + now.off_r + noise);
 }
