@@ -49,6 +49,7 @@ Program::Program(const std::string& path, const std::string& setup, std::optiona
     case_ = spec::read_case(spec::read_file(path), path);
   } else {
     case_.setup = read_setup(setup.empty() ? setup_beside(path) : setup);
+    case_.dialect = spec::dialect_of(case_.setup.control);
     case_.id = path;
   }
   if (samples) case_.samples = *samples;
