@@ -381,15 +381,20 @@ bool describe(Finding& f, Subject& subject, const Capabilities& capabilities, sp
   return j.result == Result::differs && key_of(f.smallest, j) == f.key;
 }
 
-// Could a control have this setup? A generated program is always text.
-bool possible(const spec::Setup& setup) {
+// Could a control have this setup, with the tables the program asks for?
+bool possible(const spec::Case& c) {
   struct Nowhere final : spec::EventSink<exact::Real> {
     void on(const model::Event& /*event*/) override {}
   } nowhere;
   model::Recorder recorder;
   try {
-    fuzz::with_control(
-        setup, [&]<class Control>(Control) { const auto engine = Control::model(setup, recorder, nowhere, 0); });
+    fuzz::with_control(c.setup, [&]<class Control>(Control) {
+      const auto engine = Control::model(c.setup, recorder, nowhere, 0);
+      typename Control::Reader reader = Control::reader(spec::text_source(c.program), c.setup, "program");
+      const auto block = std::make_unique<typename Control::Block>();
+      while (reader.next(*block)) {
+      }
+    });
     return true;
   } catch (const spec::InputError&) {
     return false;
@@ -422,8 +427,8 @@ spec::Case generated_case(std::string_view section, std::uint64_t seed, std::uin
   const fuzz::Mode mode =
       index % kUnrestrictedEvery == kUnrestrictedEvery - 1 ? fuzz::Mode::unrestricted : fuzz::Mode::directed;
   spec::Case c = fuzz::generate(section, mode, source);
-  // A setup that no control could have cannot be given to a controller: another one is drawn.
-  while (!possible(c.setup)) c = fuzz::generate(section, mode, source);
+  // What no control could have cannot be given to a controller: another one is drawn.
+  while (!possible(c)) c = fuzz::generate(section, mode, source);
   std::string id(section);
   std::ranges::replace(id, '/', '.');
   c.id = id + ".seed-" + std::to_string(seed) + "." + std::to_string(index);
