@@ -156,7 +156,7 @@ class Panel {
     return fmt::format(
         "<path class=\"tp-cross\" d=\"M{0:.2f} {1:.2f}m-5 -5l10 10m0 -10l-10 10\"/><text class=\"tp-label\" "
         "x=\"{2:.2f}\" y=\"{3:.2f}\">{4}</text>\n",
-        q.first, q.second, q.first - 8, q.second + 16, name);
+        q.first, q.second, q.first - 70, q.second + 18, name);
   }
 
  private:
@@ -213,12 +213,14 @@ std::string contact_svg(const ContactPicture& picture, double left, double top, 
   out += fmt::format("<text class=\"tp-note\" x=\"6\" y=\"30\">nominal (grey) {}, effective (blue) {} {}</text>\n",
                      shape_text(picture.nominal), shape_text(picture.effective), unit);
   const Point3 shift = plus(picture.effective_tip, -1, picture.nominal_tip);
-  out += fmt::format("<text class=\"tp-note\" x=\"6\" y=\"{:.0f}\">tip moved by {} along N, {} in all{}</text>\n",
-                     side - 8, plain(dot(shift, picture.normal), 6), plain(length(shift), 6),
-                     picture.lengthened
-                         ? fmt::format("; a tool as in the table (green) leaves {} to the wall",
-                                       plain(dot(plus(picture.table_tip, -1, picture.nominal_tip), picture.normal), 6))
-                         : "");
+  const auto note = [&](double y, const std::string& text) {
+    out += fmt::format("<text class=\"tp-note\" x=\"6\" y=\"{:.0f}\">{}</text>\n", y, text);
+  };
+  if (picture.lengthened)
+    note(side - 24, fmt::format("a tool as in the table (green) leaves {} to the wall",
+                                plain(dot(plus(picture.table_tip, -1, picture.nominal_tip), picture.normal), 6)));
+  note(side - 8, fmt::format("tip moved by {} along N, {} in all", plain(dot(shift, picture.normal), 6),
+                             plain(length(shift), 6)));
   return out + "</svg>\n";
 }
 
