@@ -405,10 +405,13 @@ Ltac space_flat n t :=
   space_open; repeat space_units n t; rewrite !space_flat_across by space_side;
   unfold zero; space_components; repeat split; lra.
 
-(** Otherwise by intervals, components that are exact by computation whatever the lengths. *)
+(** Otherwise by intervals, near a reversal finer ones; components that are exact by computation whatever the lengths that
+    are not 1. *)
+Ltac space_of_units := repeat match goal with |- context [sqrt ?x] => replace x with 1 by lra; rewrite sqrt_1 end; lra.
 Ltac space_enclosed :=
   unfold PeripheralMilling.mitre, PeripheralMilling.c, FaceMilling.u; unfold FaceMilling.unit, recorded, zero;
-  space_components; repeat split; first [lra | interval with (i_prec 90)].
+  space_components; repeat split; 
+    first [lra | space_of_units | interval with (i_prec 90) | interval with (i_prec 200)].
 Ltac space_by_intervals := space_open; space_enclosed.
 Ltac space_flat_by_intervals := space_open; rewrite !space_flat_across by space_side; space_enclosed.
 
