@@ -93,7 +93,7 @@ struct Rows {
   std::vector<std::vector<Pair>> rows;
 };
 
-std::string quoted(std::string_view text) {
+std::string toml_text(std::string_view text) {
   std::string quotes;
   append_json_string(quotes, text);  // what TOML escapes, JSON escapes alike; names have no control characters
   return quotes;
@@ -103,7 +103,7 @@ std::vector<Pair> tool_row(const ToolRow& tool) {
   const std::string text = std::to_string(tool.number / 10);
   std::vector<Pair> row{
       {"number", tool.number % 10 == 0 ? text : '"' + text + '.' + std::to_string(tool.number % 10) + '"'}};
-  if (!tool.name.empty()) row.emplace_back("name", quoted(tool.name));
+  if (!tool.name.empty()) row.emplace_back("name", toml_text(tool.name));
   const auto add = [&row](const char* key, const Decimal& value) {
     if (value != Decimal{}) row.emplace_back(key, number(value));
   };
@@ -113,7 +113,7 @@ std::vector<Pair> tool_row(const ToolRow& tool) {
   add("DL", tool.dl);
   add("DR", tool.dr);
   add("DR2", tool.dr2);
-  if (!tool.dr2_table.empty()) row.emplace_back("DR2TABLE", quoted(tool.dr2_table));
+  if (!tool.dr2_table.empty()) row.emplace_back("DR2TABLE", toml_text(tool.dr2_table));
   return row;
 }
 
@@ -129,7 +129,7 @@ std::vector<Pair> deviation_row(const std::string& name, const DeviationTable& t
   std::string points;
   for (const auto& [angle, deviation] : table)
     points += (points.empty() ? "[" : ",[") + number(angle) + ',' + number(deviation) + ']';
-  return {{"name", quoted(name)}, {"points", '[' + points + ']'}};
+  return {{"name", toml_text(name)}, {"points", '[' + points + ']'}};
 }
 
 // The tables of Heidenhain; all empty under another control.
