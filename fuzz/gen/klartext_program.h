@@ -89,7 +89,6 @@ class KlartextProgram {
   // Where the program stands, as far as the generator knows.
   std::array<std::int64_t, 3> at_{};
   std::array<std::int64_t, 3> step_{};  // the travel before
-  std::array<std::size_t, 2> rotary_{};
   std::size_t tool_ = 0;
   char axis_ = 'Z';
   bool tcpm_ = false;
