@@ -215,7 +215,7 @@ TEST(KlartextText, DamagedTextsAreBlocksOrAnError) {
     std::string text = laid_out(any_block()) + "\n" + laid_out(any_block());
     for (int i = *inRange(0, 4); i > 0; --i)
       text[*inRange<std::size_t>(0, text.size())] =
-          *rc::gen::elementOf(std::string("\0 \n~;\"XLMQ#*/1.,-+\xE2\x88\x92", 23));
+          *rc::gen::elementOf(std::string("\0 \n~;\"XLMQ#*/1.,-+\xE2\x88\x92", 21));
     const auto lines = static_cast<std::uint64_t>(std::ranges::count(text, '\n')) + 1;
     Reader reader(text_source(text), setup);
     Block block;
