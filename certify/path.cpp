@@ -4,16 +4,12 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include "fuzz/oracle/number.h"
 
 namespace toolcomp::certify {
 namespace {
 
 constexpr std::array<char, 3> kLetters{'X', 'Y', 'Z'};
-
-double number(const spec::Decimal& value) {
-  const double magnitude = static_cast<double>(value.digits) / std::pow(10.0, value.decimals);
-  return value.negative ? -magnitude : magnitude;
-}
 
 // The first and second axis of the plane, and the one along it.
 std::array<std::size_t, 3> axes_of(spec::Plane plane) {
@@ -138,7 +134,7 @@ Point3 start_of(const spec::Setup& setup) {
   Point3 start{};
   for (std::size_t i = 0; i < start.size(); ++i)
     if (const auto entry = setup.position.find(kLetters[i]); entry != setup.position.end())
-      start[i] = number(entry->second);
+      start[i] = fuzz::approximate(entry->second);
   return start;
 }
 

@@ -13,7 +13,7 @@
 #include "certify/markup.h"
 #include "certify/path_detail.h"
 #include "certify/path_view.h"
-#include "fuzz/oracle/control.h"
+#include "fuzz/oracle/program_facts.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -383,7 +383,7 @@ PathOptions path_options(const spec::Setup& setup) {
 
 PathOptions path_options(const spec::Case& c) {
   PathOptions options = path_options(c.setup);
-  options.unit = fuzz::program_units(c.setup, c.program) == spec::Units::mm ? "mm" : "inch";
+  options.unit = fuzz::ProgramFacts::of(c).units().value_or(c.setup.units) == spec::Units::mm ? "mm" : "inch";
   return options;
 }
 

@@ -12,11 +12,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <initializer_list>
 #include <iterator>
 #include <optional>
 #include <tuple>
+#include "fuzz/oracle/number.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -130,20 +130,15 @@ void put_correction(Setup& setup, const Line& line) {
     setup.tcs[*number] = {(*values)[0], (*values)[1], (*values)[2]};
 }
 
-double number(const Decimal& value) {
-  const double magnitude = static_cast<double>(value.digits) * std::pow(10.0, -value.decimals);
-  return value.negative ? -magnitude : magnitude;
-}
-
 // Ascending from 0 to 180 degrees, with a gap that doubles see.
 void put_deviation(Setup& setup, const Line& line) {
   constexpr double half_turn = 180;
   constexpr double gap = 1.0 / 1'000'000'000;
   const auto values = decimals<2>(line, 1);
   const std::string_view name = line.from[3];
-  if (!values || name.empty() || number((*values)[0]) < 0 || number((*values)[0]) > half_turn) return;
+  if (!values || name.empty() || approximate((*values)[0]) < 0 || approximate((*values)[0]) > half_turn) return;
   spec::DeviationTable& table = setup.dr2_tables[std::string(name)];
-  if (table.empty() || number((*values)[0]) > number(table.back().first) + gap)
+  if (table.empty() || approximate((*values)[0]) > approximate(table.back().first) + gap)
     table.emplace_back((*values)[0], (*values)[1]);
 }
 

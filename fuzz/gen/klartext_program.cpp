@@ -3,21 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <string_view>
+#include "fuzz/oracle/number.h"
 
 namespace toolcomp::fuzz {
 namespace {
 
 constexpr double kMillimetresAnInch = 25.4;
 constexpr std::string_view kLetters = "XYZ";
-
-double value(const spec::Decimal& d) {
-  const double magnitude = static_cast<double>(d.digits) * std::pow(10.0, -d.decimals);
-  return d.negative ? -magnitude : magnitude;
-}
 
 std::array<std::int64_t, 3> cross(const std::array<std::int64_t, 3>& a, const std::array<std::int64_t, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -92,14 +87,14 @@ KlartextProgram::Radii KlartextProgram::radii() const {
   radii.off_r2 = call_r2_;
   if (tool_ < setup_.tools.size()) {
     const spec::ToolRow& tool = setup_.tools[tool_];
-    radii.r = value(tool.r);
-    radii.r2 = value(tool.r2);
-    radii.off_r += value(tool.dr);
-    if (!deviates()) radii.off_r2 += value(tool.dr2);
+    radii.r = approximate(tool.r);
+    radii.r2 = approximate(tool.r2);
+    radii.off_r += approximate(tool.dr);
+    if (!deviates()) radii.off_r2 += approximate(tool.dr2);
   }
   if (const auto row = setup_.tcs.find(row_); row != setup_.tcs.end()) {
-    radii.off_r += value(row->second.dr);
-    radii.off_r2 += value(row->second.dr2);
+    radii.off_r += approximate(row->second.dr);
+    radii.off_r2 += approximate(row->second.dr2);
   }
   return radii;
 }
@@ -522,12 +517,7 @@ void KlartextProgram::face() {
   } else if (tcpm_) {
     tool_vector_ = normal;
   }
-  if (side_ != Side::none && !choose_.chance(4)) {
-    write_.word("R0");
-    side_ = Side::none;
-  } else {
-    radius_word(side_);
-  }
+  leave_side(4);
   feed();
   end_motion();
   normal_ = normal;
@@ -574,6 +564,13 @@ void KlartextProgram::stretch_block(bool first) {
   end_motion();
 }
 
+// R0 where a side is in force, but in `stays` of 100.
+void KlartextProgram::leave_side(std::uint64_t stays) {
+  if (side_ == Side::none || choose_.chance(stays)) return radius_word(side_);
+  write_.word("R0");
+  side_ = Side::none;
+}
+
 void KlartextProgram::plain() {
   had_normal_ = false;
   travel();
@@ -585,12 +582,7 @@ void KlartextProgram::plain() {
   } else {
     line_words(35);
   }
-  if (side_ != Side::none && !choose_.chance(5)) {
-    write_.word("R0");
-    side_ = Side::none;
-  } else {
-    radius_word(side_);
-  }
+  leave_side(5);
   feed();
   end_motion();
 }

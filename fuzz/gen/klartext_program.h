@@ -52,6 +52,7 @@ class KlartextProgram {
   void stretch();
   void stretch_block(bool first);
   void plain();
+  void leave_side(std::uint64_t stays);
   void mistake();
   void out_of_scope();
   void approach();

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <span>
 
+#include "fuzz/gen/change_digit.h"
 #include "fuzz/gen/choices.h"
 #include "fuzz/gen/mutate_klartext.h"
 #include "fuzz/gen/program_text.h"
@@ -16,34 +17,6 @@ namespace toolcomp::fuzz {
 namespace {
 
 constexpr std::size_t kMostLines = 64;
-
-// Digits a word may grow to. A control's lengths have nine; far beyond, doubles are so far apart (0.016 at 1e14) that
-// the head of a vector cannot be told from the centre of its arc, and which of them it is would be judged, not the
-// rule.
-constexpr std::size_t kMostDigits = 10;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-// One digit of a word becomes another, or one is put in or taken out.
-void change_digit(Choices& choose, std::string& word) {
-  std::vector<std::size_t> places;
-  for (std::size_t i = 1; i < word.size(); ++i)
-    if (is_digit(word[i])) places.push_back(i);
-  if (places.empty()) return;
-  const std::size_t at = places[choose.below(places.size())];
-  const char digit = static_cast<char>('0' + choose.below(10));
-  switch (choose.weighted({60, 20, 20})) {
-    case 0:
-      word[at] = digit;
-      break;
-    case 1:
-      if (places.size() < kMostDigits) word.insert(at, 1, digit);
-      break;
-    default:
-      if (places.size() > 1) word.erase(at, 1);
-      break;
-  }
-}
 
 void negate(std::string& word) {
   if (word.size() < 2) return;
@@ -68,7 +41,7 @@ void change_word(Choices& choose, const spec::Case& c, Mode mode, WordTexts& lin
   }
   switch (choose.weighted({45, 15, 15, 10, 15})) {
     case 0:
-      change_digit(choose, word);
+      change_digit(choose, word, 1);
       break;
     case 1:
       negate(word);
@@ -77,7 +50,7 @@ void change_word(Choices& choose, const spec::Case& c, Mode mode, WordTexts& lin
       if (free)
         word = any_word(choose, c.setup, c.section);
       else
-        change_digit(choose, word);
+        change_digit(choose, word, 1);
       break;
     case 3:
       word = word.substr(0, 1) + boundary_number(choose);

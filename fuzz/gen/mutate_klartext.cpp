@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/gen/change_digit.h"
 #include "fuzz/gen/klartext_vocabulary.h"
 #include "fuzz/gen/program_text.h"
 
@@ -12,30 +13,6 @@ namespace toolcomp::fuzz {
 namespace {
 
 constexpr std::size_t kMostLines = 64;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-// One digit of a word becomes another, or one is put in or taken out.
-void change_digit(Choices& choose, std::string& word) {
-  constexpr std::size_t most = 10;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < word.size(); ++i)
-    if (is_digit(word[i])) places.push_back(i);
-  if (places.empty()) return;
-  const std::size_t at = places[choose.below(places.size())];
-  const char digit = static_cast<char>('0' + choose.below(10));
-  switch (choose.weighted({60, 20, 20})) {
-    case 0:
-      word[at] = digit;
-      break;
-    case 1:
-      if (places.size() < most) word.insert(at, 1, digit);
-      break;
-    default:
-      if (places.size() > 1) word.erase(at, 1);
-      break;
-  }
-}
 
 void negate(std::string& word) {
   const std::size_t sign = word.find_first_of("+-");
@@ -68,11 +45,11 @@ void change_word(Choices& choose, Mode mode, WordTexts& line) {
   }
   switch (choose.weighted({50, 20, 12, 8, 10})) {
     case 0:
-      return change_digit(choose, word);
+      return change_digit(choose, word, 0);
     case 1:
       return negate(word);
     case 2:
-      if (!free) return change_digit(choose, word);
+      if (!free) return change_digit(choose, word, 0);
       word = any_klartext_word(choose);
       return;
     case 3:
@@ -82,7 +59,7 @@ void change_word(Choices& choose, Mode mode, WordTexts& line) {
       return;
     default:
       // A word too few makes most blocks unreadable.
-      if (!free) return change_digit(choose, word);
+      if (!free) return change_digit(choose, word, 0);
       line.erase(line.begin() + static_cast<std::ptrdiff_t>(at));
       return;
   }

@@ -1,6 +1,7 @@
 #include "fuzz/gen/tool_direction.h"
 
 #include <cmath>
+#include "fuzz/oracle/number.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -9,9 +10,7 @@ constexpr double kRadiansPerDegree = 0.017453292519943295;
 
 double number(const spec::Setup& setup, std::uint32_t parameter, double otherwise = 0) {
   const auto value = setup.parameter(parameter);
-  if (!value) return otherwise;
-  const double magnitude = static_cast<double>(value->digits) * std::pow(10.0, -value->decimals);
-  return value->negative ? -magnitude : magnitude;
+  return value ? approximate(*value) : otherwise;
 }
 
 Direction axis(int code) {

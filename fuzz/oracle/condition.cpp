@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t kAngleRange = 19631;
 constexpr double kRadiansPerDegree = 0.017453292519943295;
 
-double value(const spec::Decimal& d) { return static_cast<double>(d.digits) * std::pow(10.0, -d.decimals); }
+double magnitude(const spec::Decimal& d) { return std::fabs(approximate(d)); }
 
 double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
@@ -43,7 +43,7 @@ Conditions::Conditions(const spec::Setup& setup, const ProgramFacts* facts)
   for (std::size_t i = 0; i < setup.axes.size(); ++i) linear_[i] = spec::is_linear_axis(setup.axes.letter(i));
   const auto table = [this](const spec::AxisTable& values) {
     for (const auto& [axis, number] : values)
-      if (spec::is_linear_axis(axis)) setup_scale_ = std::max(setup_scale_, value(number));
+      if (spec::is_linear_axis(axis)) setup_scale_ = std::max(setup_scale_, magnitude(number));
   };
   for (const spec::AxisTable& origin : setup.workpiece) table(origin);
   for (const auto& entry : setup.reference) table(entry.second);
@@ -51,19 +51,19 @@ Conditions::Conditions(const spec::Setup& setup, const ProgramFacts* facts)
   table(setup.position);
   for (const auto* memory : {&setup.h, &setup.d})
     for (const auto& entry : *memory)
-      setup_scale_ = std::max(setup_scale_, value(entry.second.geometry) + value(entry.second.wear));
+      setup_scale_ = std::max(setup_scale_, magnitude(entry.second.geometry) + magnitude(entry.second.wear));
   setup_scale_ = std::max(setup_scale_, longest_tool(setup));
   // Vectors of the table and of the head.
   for (std::uint32_t parameter = 19700; parameter <= 19714; ++parameter)
-    if (const auto given = setup.parameter(parameter)) setup_scale_ = std::max(setup_scale_, value(*given));
-  const double range = setup.parameter(kAngleRange) ? value(*setup.parameter(kAngleRange)) : 1.0;
+    if (const auto given = setup.parameter(parameter)) setup_scale_ = std::max(setup_scale_, magnitude(*given));
+  const double range = setup.parameter(kAngleRange) ? magnitude(*setup.parameter(kAngleRange)) : 1.0;
   const bool positive = !setup.parameter(kAngleRange) || !setup.parameter(kAngleRange)->negative;
   // A hair below, so that a pair the model did not classify is never left out here.
   if (positive) smallest_sine_ = std::sin(std::min(range, 90.0) * kRadiansPerDegree) * (1 - policy::kSlack);
   position_ = {};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto start = setup.position.find("XYZ"[i]);
-    if (start != setup.position.end()) position_[i] = value(start->second) * (start->second.negative ? -1 : 1);
+    if (start != setup.position.end()) position_[i] = approximate(start->second);
   }
   point_ = position_;
   if (setup.control == spec::Control::heidenhain) space_.emplace(setup);

@@ -3,9 +3,7 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "fast/engine.h"
@@ -57,16 +55,6 @@ template <class Visit>
 decltype(auto) with_control(const spec::Setup& setup, Visit&& visit) {
   return setup.control == spec::Control::heidenhain ? std::forward<Visit>(visit)(HeidenhainControl{})
                                                     : std::forward<Visit>(visit)(FanucControl{});
-}
-
-// The units of a run's events: a Klartext program says them in its first block, else they are those of the setup. Text
-// that cannot be read says nothing.
-spec::Units program_units(const spec::Setup& setup, std::string_view program);
-// Those a block says.
-inline std::optional<spec::Units> units_of(const spec::Block&) { return std::nullopt; }
-inline std::optional<spec::Units> units_of(const spec::klartext::Block& block) {
-  const bool says = block.statement == spec::klartext::Statement::begin_program && !block.alarm;
-  return says ? std::optional(block.unit) : std::nullopt;
 }
 
 }  // namespace toolcomp::fuzz

@@ -40,6 +40,11 @@ double approximate(const exact::Real& exact) {
   return e.lower + (e.upper - e.lower) / 2;
 }
 
+double approximate(const spec::Decimal& value) {
+  const double magnitude = static_cast<double>(value.digits) / std::pow(10.0, value.decimals);
+  return value.negative ? -magnitude : magnitude;
+}
+
 std::string text(const exact::Real& exact) {
   try {
     return exact.decimal(15);

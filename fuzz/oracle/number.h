@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "model/exact/real.h"
+#include "spec/language/decimal.h"
 
 namespace toolcomp::fuzz {
 
@@ -15,6 +16,7 @@ double outside(const exact::Real& exact, const exact::Rational& actual);
 
 // The value to double precision, for scales and conditions.
 double approximate(const exact::Real& exact);
+double approximate(const spec::Decimal& value);
 
 // For people: 15 decimals of an exact value, the shortest text of a double, the decimals of a rational.
 std::string text(const exact::Real& exact);

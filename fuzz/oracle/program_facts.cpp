@@ -1,22 +1,13 @@
 #include "fuzz/oracle/program_facts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "fuzz/oracle/control.h"
+#include "fuzz/oracle/number.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fuzz {
-namespace {
-
-double value(const spec::Word& word) {
-  const double magnitude = static_cast<double>(word.value.digits) / std::pow(10.0, word.value.decimals);
-  return word.value.negative ? -magnitude : magnitude;
-}
-
-}  // namespace
-
 ProgramFacts ProgramFacts::of(const spec::Case& c) {
   return with_control(c.setup, [&c]<class Control>(Control) {
     ProgramFacts facts;
@@ -34,16 +25,16 @@ ProgramFacts ProgramFacts::of(const spec::Case& c) {
 void ProgramFacts::read(const spec::Block& block) {
   constexpr double by_direction = 43.5;
   for (const spec::Word& word : block.words()) {
-    if (word.address == 'G' && value(word) == by_direction) first_ = std::min(first_, block.line);
+    if (word.address == 'G' && approximate(word.value) == by_direction) first_ = std::min(first_, block.line);
     if (word.address != 'Q') continue;
-    const double degrees = value(word);
+    const double degrees = approximate(word.value);
     const auto known = [degrees](const Lean& lean) { return lean.degrees == degrees; };
     if (degrees != 0 && std::none_of(leans_.begin(), leans_.end(), known)) leans_.push_back({block.line, degrees});
   }
 }
 
 void ProgramFacts::read(const spec::klartext::Block& block) {
-  if (const auto units = units_of(block)) units_ = units;
+  if (block.statement == spec::klartext::Statement::begin_program && !block.alarm) units_ = block.unit;
 }
 
 }  // namespace toolcomp::fuzz

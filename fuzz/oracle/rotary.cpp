@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
 
 namespace toolcomp::fuzz {
@@ -10,14 +11,9 @@ namespace {
 
 constexpr double kRadiansPerDegree = 0.017453292519943295;
 
-double value(const spec::Decimal& d) {
-  const double magnitude = static_cast<double>(d.digits) * std::pow(10.0, -d.decimals);
-  return d.negative ? -magnitude : magnitude;
-}
-
 double number(const spec::Setup& setup, std::uint32_t parameter, double otherwise = 0) {
   const auto given = setup.parameter(parameter);
-  return given ? value(*given) : otherwise;
+  return given ? approximate(*given) : otherwise;
 }
 
 Space vector(const spec::Setup& setup, std::uint32_t first) {
@@ -105,7 +101,8 @@ std::optional<RotaryMachine> RotaryMachine::of(const spec::Setup& setup) {
 double longest_tool(const spec::Setup& setup) {
   double length = 0;
   for (const auto& entry : setup.h)
-    length = std::max(length, std::fabs(value(entry.second.geometry)) + std::fabs(value(entry.second.wear)));
+    length =
+        std::max(length, std::fabs(approximate(entry.second.geometry)) + std::fabs(approximate(entry.second.wear)));
   return length + std::fabs(number(setup, 19666));
 }
 

@@ -13,11 +13,6 @@ namespace {
 constexpr double kMillimetresAnInch = 25.4;
 constexpr double kHalfTurn = 180;
 
-double value(const spec::Decimal& d) {
-  const double magnitude = static_cast<double>(d.digits) * std::pow(10.0, -d.decimals);
-  return d.negative ? -magnitude : magnitude;
-}
-
 Space space_of(const std::array<exact::Real, 3>& v) {
   return {approximate(v[0]), approximate(v[1]), approximate(v[2])};
 }
@@ -49,14 +44,14 @@ SpaceScales::SpaceScales(const spec::Setup& setup)
     : index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')} {
   for (const spec::ToolRow& tool : setup.tools)
     for (const spec::Decimal& d : {tool.r, tool.r2, tool.dl, tool.dr, tool.dr2})
-      radius_ = std::max(radius_, std::fabs(value(d)));
+      radius_ = std::max(radius_, std::fabs(approximate(d)));
   for (const auto& [name, points] : setup.dr2_tables) {
     auto& table = tables_.emplace_back();
-    for (const auto& [angle, deviation] : points) table.emplace_back(value(angle), value(deviation));
+    for (const auto& [angle, deviation] : points) table.emplace_back(approximate(angle), approximate(deviation));
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const auto start = setup.position.find("XYZ"[i]);
-    if (start != setup.position.end()) before_.at(i) = value(start->second);
+    if (start != setup.position.end()) before_.at(i) = approximate(start->second);
   }
   units(setup.units);
 }

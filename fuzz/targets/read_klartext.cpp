@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/targets/pieces.h"
 #include "spec/language/input_error.h"
 #include "spec/language/klartext_reader.h"
 
@@ -32,20 +33,6 @@ Setup setup_of(bool block_skip) {
   setup.tcs[42] = {};
   return setup;
 }
-
-class Pieces final : public ByteSource {
- public:
-  Pieces(std::string_view text, std::size_t size) : text_(text), size_(size) {}
-  std::size_t read(char* buffer, std::size_t size) override {
-    const std::size_t count = text_.copy(buffer, std::min(size, size_));
-    text_.remove_prefix(count);
-    return count;
-  }
-
- private:
-  std::string_view text_;
-  std::size_t size_;
-};
 
 // All that counts of a block, as text.
 struct Read {
@@ -164,7 +151,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // NOLINTNEXTLINE(*-reinterpret-cast): bytes as characters
   const std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
   const Outcome whole = read(text_source(text), block_skip);
-  require(same(whole, read(std::make_unique<Pieces>(text, 1 + data[0] / 2U), block_skip)));
+  require(same(whole, read(std::make_unique<toolcomp::fuzz::Pieces>(text, 1 + data[0] / 2U), block_skip)));
   require(same(whole, read(text_source(with_carriage_returns(text)), block_skip)));
   check_positions(whole, text);
   read_back(whole.blocks);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/targets/pieces.h"
 #include "spec/language/input_error.h"
 #include "spec/language/program_reader.h"
 
@@ -22,20 +23,6 @@ constexpr std::string_view kAxes = "XYZBC";
 void require(bool holds) {
   if (!holds) std::abort();
 }
-
-class Pieces final : public ByteSource {
- public:
-  Pieces(std::string_view text, std::size_t size) : text_(text), size_(size) {}
-  std::size_t read(char* buffer, std::size_t size) override {
-    const std::size_t count = text_.copy(buffer, std::min(size, size_));
-    text_.remove_prefix(count);
-    return count;
-  }
-
- private:
-  std::string_view text_;
-  std::size_t size_;
-};
 
 struct Outcome {
   std::vector<Block> blocks;
@@ -78,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // NOLINTNEXTLINE(*-reinterpret-cast): bytes as characters
   const std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
   const Outcome whole = read(text_source(text), block_skip);
-  const Outcome pieces = read(std::make_unique<Pieces>(text, 1 + data[0] / 2U), block_skip);
+  const Outcome pieces = read(std::make_unique<toolcomp::fuzz::Pieces>(text, 1 + data[0] / 2U), block_skip);
   require(whole.error == pieces.error && whole.blocks.size() == pieces.blocks.size());
   for (std::size_t i = 0; i < whole.blocks.size(); ++i) {
     require(same(whole.blocks[i], pieces.blocks[i]) && same_place(whole.blocks[i], pieces.blocks[i]));

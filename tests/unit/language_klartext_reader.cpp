@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/targets/pieces.h"
 #include "spec/language/input_error.h"
 
 namespace {
@@ -552,25 +553,11 @@ TEST(Klartext, ByteOrderMark) {
 }
 
 // Text in pieces of every size.
-class Pieces final : public ByteSource {
- public:
-  Pieces(std::string_view text, std::size_t size) : text_(text), size_(size) {}
-  std::size_t read(char* buffer, std::size_t size) override {
-    const std::size_t count = text_.copy(buffer, std::min(size, size_));
-    text_.remove_prefix(count);
-    return count;
-  }
-
- private:
-  std::string_view text_;
-  std::size_t size_;
-};
-
 TEST(Klartext, PiecesDoNotMatter) {
   const std::string text = "\xEF\xBB\xBF" + std::string(kExample) + "more";
   const Blocks whole = read(text);
   for (std::size_t size = 1; size < 40; ++size) {
-    Reader reader(std::make_unique<Pieces>(text, size), kSetup);
+    Reader reader(std::make_unique<toolcomp::fuzz::Pieces>(text, size), kSetup);
     Block block;
     std::size_t count = 0;
     while (reader.next(block)) ASSERT_EQ(std::to_string(block.line) + ": " + to_string(block), whole.at(count++));

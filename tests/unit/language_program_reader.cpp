@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/targets/pieces.h"
 #include "spec/language/input_error.h"
 
 namespace {
@@ -207,24 +208,10 @@ TEST(ProgramReader, BlocksBeforeABadByteStand) {
 }
 
 // Bytes in pieces of any size give the same blocks.
-class Pieces final : public ByteSource {
- public:
-  Pieces(std::string_view text, std::size_t size) : text_(text), size_(size) {}
-  std::size_t read(char* buffer, std::size_t size) override {
-    const std::size_t count = text_.copy(buffer, std::min(size, size_));
-    text_.remove_prefix(count);
-    return count;
-  }
-
- private:
-  std::string_view text_;
-  std::size_t size_;
-};
-
 TEST(ProgramReader, BufferBordersDoNotMatter) {
   const std::string_view text = "%\nN10 G01 X-12.345 (a comment) Y 6.7; Z8.9.1\n/3 F100\n";
   for (std::size_t size = 1; size < 8; ++size) {
-    ProgramReader reader(std::make_unique<Pieces>(text, size), Axes("XYZ"));
+    ProgramReader reader(std::make_unique<toolcomp::fuzz::Pieces>(text, size), Axes("XYZ"));
     Block block;
     ASSERT_TRUE(reader.next(block));
     EXPECT_EQ(to_string(block), "N10 G1 X-12.345 Y6.7");

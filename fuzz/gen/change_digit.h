@@ -1,0 +1,16 @@
+// One change that mutations of all languages make.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "fuzz/gen/choices.h"
+
+namespace toolcomp::fuzz {
+
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// One digit of a word, from a place on, becomes another, or one is put in or taken out.
+void change_digit(Choices& choose, std::string& word, std::size_t from);
+
+}  // namespace toolcomp::fuzz
