@@ -222,7 +222,8 @@ Step Engine::State::step(const Command& command) {
   }
   if (command.codes.one_shot == OneShot::data)
     pending_write = memory.read_write(command.words, numbers, command.incremental);
-  tip_control.rename_position(tip, interpreter);
+  if (tip.ends || tip.again)
+    tip_control.rename_position(tip, tool_offset.shifted(interpreter.stay(command)), interpreter);
   std::vector<Leg> legs = interpreter.legs(command, tip.directed, tip.starts);
   const Leg start = cutter_block ? tool_offset.shifted(interpreter.stay(command)) : Leg();
   tool_offset.apply(command, interpreter, cutter_words.number(),

@@ -38,6 +38,12 @@ constexpr Example kRules[] = {
      "X5 "
      "goes to (5, -10, 10).",
      TAC("", LENGTHS), "G90 G43.4 H1 P0 X10.\nG01 C90. F100\nG49\nG91 X5.\n"},
+    {"G49 with a shift of X by 2 left by G47: the tip (12, 0, 0) of the table at (0, -12, 0), the axes at (0, -12, "
+     "10), "
+     "which is (-2, -12, 10) without the shift; G91 X5 goes to programmed (3, -12, 10).",
+     TAC("", OFFSETS), "G91 G47 X0 D1\nG90 G43.4 H1 P0 X10.\nG01 C90. F100\nG49\nG91 X5.\n"},
+    {"G43.5 again with that shift: the tip at (0, -12, 0) of the workpiece system is programmed (-2, -12, 0).",
+     TAC("", OFFSETS), "G91 G47 X0 D1\nG90 G43.4 H1 P0 X10.\nG01 C90. F100\nG43.5 H1 P1\nG01 Z5. I0 J1 K1\n"},
     {"G28 under G43.4: FORBIDDEN_UNDER_TOOL_DIRECTION at line 2.", HC("", ""), "G43.4 H0\nG28 X0\n"},
     {"G43.4 under G02: TOOL_DIRECTION_FORMAT at line 1.", HC("", ""), "G02 G43.4 H0\n"},
     {"G49 in tool side compensation: TOOL_DIRECTION_FORMAT at line 3.", HC("", OFFSETS),

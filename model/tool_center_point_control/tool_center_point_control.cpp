@@ -100,19 +100,22 @@ void ToolCenterPointControl::follow(const Position& position) {
   tool_ = of_pose(position);
 }
 
-void ToolCenterPointControl::rename_position(const TipMarks& marks, Interpreter& interpreter) const {
+void ToolCenterPointControl::rename_position(const TipMarks& marks, const Leg& standing,
+                                             Interpreter& interpreter) const {
   if (!tip_) return;
   const bool on_table = tip_->frame && machine_->type() != MachineType::head;
-  const Vector tip = in_space(interpreter.position(), axes_);
+  const Vector shift = shift_of(standing, axes_);
+  const Vector tip = in_space(standing.end, axes_) + shift;
   if (marks.ends) {
     recorder_.reach(Clause::fanuc_tool_center_point_end);
     if (on_table)
-      interpreter.stand_in_space(control_point(*tip_, {tip, tool_.unit}));
+      interpreter.stand_in_space(control_point(*tip_, {tip, tool_.unit}) - shift);
     else
       interpreter.shift_position(control_point(*tip_, {Vector(), tool_.unit}));
   } else if (marks.again) {
     recorder_.reach(Clause::fanuc_tool_center_point_again);
-    if (on_table && !tip_->in_workpiece) interpreter.stand_in_space(tip_->frame->frame.in_workpiece(tip, tip_->pose));
+    if (on_table && !tip_->in_workpiece)
+      interpreter.stand_in_space(tip_->frame->frame.in_workpiece(tip, tip_->pose) - shift);
   }
 }
 

@@ -56,8 +56,9 @@ class ToolCenterPointControl {
   // The words of a block. Throws the alarms of the mode that words alone raise.
   TipMarks read(const Command& command, const ToolLengthOffset& length, const Compensated& compensated);
 
-  // The block ends the mode, or starts it again: what is called the position of the tool is renamed.
-  void rename_position(const TipMarks& marks, Interpreter& interpreter) const;
+  // The block ends the mode, or starts it again: what is called the position of the tool is renamed. `standing`: where
+  // the last block has ended, with the shift left by G45 to G48.
+  void rename_position(const TipMarks& marks, const Leg& standing, Interpreter& interpreter) const;
 
   // The end of the block's leg, with the offset of the H number in force there: rotary positions are filled in, behind
   // a post-turn. Throws the alarms of a pose that cannot be.
