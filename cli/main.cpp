@@ -84,7 +84,8 @@ class CommandLine {
     CLI::App* sub = verb("run", "Run a program and print its events", [this] { return cli::run(run_); });
     add_program(sub, run_.program, run_.setup);
     sub->add_option("--engine", run_.engine, "model (exact) or fast")->transform(CLI::CheckedTransformer(kEngines));
-    sub->add_option("--format", run_.format, "jsonl, csv, gcode or svg")->transform(CLI::CheckedTransformer(kFormats));
+    sub->add_option("--format", run_.format, "jsonl, csv, gcode (ends of blocks; with --samples, also inside) or svg")
+        ->transform(CLI::CheckedTransformer(kFormats));
     sub->add_option("--digits", run_.digits, "Decimals the model prints")->check(CLI::Range(0, 1000));
     add_samples(sub, run_.samples);
   }

@@ -35,7 +35,10 @@ class Printer final : public spec::EventSink<Number> {
 
   void on(const spec::Event<Number>& event) override {
     begin();
-    print(event);
+    if (format_ == Format::gcode && program_.samples() > 1)
+      print_inside(event);
+    else
+      print(event);
     if (buffer_.view().size() > kFlushAt) flush();
     if (event.kind == spec::EventKind::undecided) undecided_ = true;
     if (event.kind != spec::EventKind::alarm) return;
@@ -75,6 +78,21 @@ class Printer final : public spec::EventSink<Number> {
     spec::TextCursor(buffer_).append(head);
   }
 
+  // A program has no samples: the axes run straight from one to the next, also where the tip runs on an arc.
+  void print_inside(const spec::Event<Number>& event) {
+    if (event.kind == spec::EventKind::sample) {
+      inside_.push_back(event.axes);
+      return;
+    }
+    if (event.kind != spec::EventKind::move || inside_.empty()) {
+      print(event);
+      return;
+    }
+    for (const spec::AxisValues<Number>& axes : inside_) print(spec::straight_to(axes, event));
+    inside_.clear();
+    print(spec::straight_to(event.axes, event));
+  }
+
   [[gnu::flatten]] void print(const spec::Event<Number>& event) {
     const spec::Axes& axes = program_.setup().axes;
     spec::TextCursor out(buffer_);
@@ -100,6 +118,7 @@ class Printer final : public spec::EventSink<Number> {
   AppendNumber append_;
   spec::TextBuffer buffer_;
   spec::GcodeState<Number> gcode_;
+  std::vector<spec::AxisValues<Number>> inside_;  // axes at the samples of the block whose move comes next
   RecentBlocks recent_;
   spec::Units units_;
   bool begun_ = false;

@@ -130,12 +130,22 @@ class EventGcode {
 
 // Appends the event to a std::string or TextCursor as one line: a move to its `axes`, absolute, in the workpiece
 // coordinate system it was made in (events do not say when G54 to G59 change); alarms, warnings and settings as
-// comments; nothing for a sample. append_number(out, value) appends one number without exponent. Number needs a minus,
-// for I J K.
+// comments; nothing for a sample (straight_to makes a move of it). append_number(out, value) appends one number without
+// exponent. Number needs a minus, for I J K.
 template <class Text, class Number, class AppendNumber>
 void append_event_gcode(Text& out, const Event<Number>& event, const Axes& axes, const AppendNumber& append_number,
                         GcodeState<Number>& state) {
   EventGcode<Text, Number, AppendNumber>(out, axes, append_number, state).write(event);
+}
+
+// The move as a straight one to other `axes`, such as those of a sample inside it.
+template <class Number>
+[[nodiscard]] Event<Number> straight_to(const AxisValues<Number>& axes, const Event<Number>& move) {
+  Event<Number> result = move;
+  result.axes = axes;
+  result.arc.reset();
+  if (result.type == MoveType::arc) result.type = MoveType::linear;
+  return result;
 }
 
 }  // namespace toolcomp::spec

@@ -107,9 +107,15 @@ TEST_P(Samples, AreRowsOfTheTable) {
   EXPECT_EQ(samples, 6) << "N40 to N90";
 }
 
-// A program has blocks only; the picture shows the tool between them.
+// A program goes straight from sample to sample; the picture shows the tool between the ends of blocks. Half way along
+// N60 the tool leans by arctan 1/2 to -Y.
 TEST_P(Samples, InProgramsAndPictures) {
-  EXPECT_EQ(run(with_posture, "--samples 4 --format gcode").out, run(with_posture, "--format gcode").out);
+  const std::string gcode = run(with_posture, "--samples 2 --format gcode").out;
+  const std::string ends = run(with_posture, "--format gcode").out;
+  EXPECT_EQ(std::count(gcode.begin(), gcode.end(), '\n') - std::count(ends.begin(), ends.end(), '\n'), 6);
+  const std::string n60 = gcode.substr(gcode.find("N60 G01"));
+  EXPECT_NE(n60.substr(0, n60.find('\n')).find(" B-26.56505117707"), std::string::npos) << n60;
+  EXPECT_NE(n60.substr(0, n60.find('\n')).find(" C90 F500"), std::string::npos) << n60;
   const auto picture = [&](const std::string& program, const std::string& options) {
     const Outcome outcome = run(program, "--format svg " + options);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
