@@ -301,7 +301,28 @@ const char* BlockParser::functions(Block& block, const char* at) {
       Value ignored;
       at = keyed_value(block, at, 1, ignored);
       if (at == nullptr) return nullptr;
+    } else if (number == 118 || number == 120 || number == 138) {
+      at = words_without_effect(block, at);
+      if (at == nullptr) return nullptr;
     }
+  }
+  return at;
+}
+
+// X Y Z of M118, LA of M120, the axes of M138.
+const char* BlockParser::words_without_effect(Block& block, const char* at) {
+  for (char letter = upper(*at); is_linear_axis(letter) || is_rotary_axis(letter) || letter == 'L';
+       letter = upper(*at)) {
+    const char* const word = at;
+    const bool look_ahead = letter == 'L';
+    if (look_ahead && upper(*++at) != 'A') return bad_word(block, word);
+    ++at;
+    if (look_ahead || !at_word_end(at)) {
+      Value ignored;
+      at = read_value(at, ignored);
+      if (at == nullptr || !at_word_end(at)) return bad_word(block, word);
+    }
+    at = gap(at);
   }
   return at;
 }

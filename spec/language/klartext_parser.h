@@ -76,6 +76,7 @@ class BlockParser {
   const char* radius(Block& block, const char* at);
   const char* feed(Block& block, const char* at);
   const char* functions(Block& block, const char* at);
+  const char* words_without_effect(Block& block, const char* at);
 
   const char* rare_statement(Block& block, const char* at);
   const char* program(Block& block, const char* at);

@@ -115,7 +115,7 @@ TEST_P(Samples, InProgramsAndPictures) {
   EXPECT_EQ(std::count(gcode.begin(), gcode.end(), '\n') - std::count(ends.begin(), ends.end(), '\n'), 6);
   const std::string n60 = gcode.substr(gcode.find("N60 G01"));
   EXPECT_NE(n60.substr(0, n60.find('\n')).find(" B-26.56505117707"), std::string::npos) << n60;
-  EXPECT_NE(n60.substr(0, n60.find('\n')).find(" C90 F500"), std::string::npos) << n60;
+  EXPECT_NE(n60.substr(0, n60.find('\n')).find(" C90 F1000"), std::string::npos) << n60;
   const auto picture = [&](const std::string& program, const std::string& options) {
     const Outcome outcome = run(program, "--format svg " + options);
     EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -326,6 +326,13 @@ TEST(Klartext, Functions) {
   EXPECT_EQ(one("L X1 F125 M128 F1000"), "L X1 F125 M128");
   EXPECT_EQ(one("M128 FQ1 M3"), "M128 M3");
   EXPECT_EQ(one("M128 FMAX"), "!E_SYNTAX@1:6");
+  // Words without an effect on the path.
+  EXPECT_EQ(one("M138 A C"), "M138");
+  EXPECT_EQ(one("L X1 M118 X10 Y2 M120 LA3 M8"), "L X1 M118 M120 M8");
+  EXPECT_EQ(one("M120 LA"), "!E_SYNTAX@1:6");
+  EXPECT_EQ(one("M120 LB3"), "!E_SYNTAX@1:6");
+  EXPECT_EQ(one("M118 X1.x"), "!E_SYNTAX@1:6");
+  EXPECT_EQ(one("M8 A"), "!E_SYNTAX@1:4");
   EXPECT_EQ(one("M129 F100"), "!E_SYNTAX@1:6");
   EXPECT_EQ(one("M3 M3 M9999 M0000"), "M3 M3 M9999 M0");
   EXPECT_EQ(one("M10000"), "!E_SYNTAX@1:1");
