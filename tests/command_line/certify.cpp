@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/command_line/command.h"
+#include "tests/sanitized.h"
 
 namespace {
 
@@ -24,7 +25,9 @@ std::string wrapper(const Folder& folder, const std::string& name, const std::st
 
 TEST(Certify, TheFastEngineConforms) {
   const Folder folder;
-  const Outcome outcome = toolcomp("certify --controller '" + kServe + "' --report " + folder.path("report"));
+  const std::string cases = toolcomp::test::kSanitized ? " --cases 20" : "";
+  const Outcome outcome =
+      toolcomp("certify --controller '" + kServe + "'" + cases + " --report " + folder.path("report"));
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(folder.path("report/index.html")));
   EXPECT_TRUE(std::filesystem::exists(folder.path("report/junit.xml")));
