@@ -48,33 +48,50 @@ std::string_view member_text(std::string_view text, std::string_view name) {
   return {};
 }
 
+// The text before `part` with nothing but its line ends, then `part`: what stands in it keeps its line and column.
+std::string in_its_place(std::string_view text, std::string_view part) {
+  std::string placed(text.substr(0, static_cast<std::size_t>(part.data() - text.data())));
+  std::ranges::replace_if(placed, [](char c) { return c != '\n'; }, ' ');
+  return placed += part;
+}
+
 class Fields {
  public:
-  Fields(const Json& json, const std::string& file) : json_(json), file_(file) {}
+  Fields(const Json& json, std::string_view text, const std::string& file) : json_(json), text_(text), file_(file) {}
 
-  [[noreturn]] void fail(const std::string& what) const { throw spec::InputError(file_, 0, 0, what); }
+  // At the value of the member `key`, or at the object itself.
+  [[noreturn]] void fail(const std::string& key, const std::string& what) const {
+    const std::string_view value = member_text(text_, key);
+    std::size_t at = value.empty() ? text_.find('{') : static_cast<std::size_t>(value.data() - text_.data());
+    at = std::min(text_.find_first_not_of(" \t\r\n", at), text_.size());
+    const std::string_view before = text_.substr(0, at);
+    const std::size_t line_end = before.rfind('\n');
+    throw spec::InputError(file_, static_cast<std::uint64_t>(std::ranges::count(before, '\n')) + 1,
+                           line_end == std::string_view::npos ? at + 1 : at - line_end, what);
+  }
 
   [[nodiscard]] std::string text(const char* key) const {
     const auto entry = json_.find(key);
     if (entry == json_.end() || entry->is_null()) return {};
-    if (!entry->is_string()) fail(std::string(key) + " must be a string");
+    if (!entry->is_string()) fail(key, std::string(key) + " must be a string");
     return entry->get<std::string>();
   }
   [[nodiscard]] std::uint64_t count(const char* key, std::uint64_t otherwise) const {
     const auto entry = json_.find(key);
     if (entry == json_.end()) return otherwise;
-    if (!entry->is_number_unsigned()) fail(std::string(key) + " must be a whole number");
+    if (!entry->is_number_unsigned()) fail(key, std::string(key) + " must be a whole number");
     return entry->get<std::uint64_t>();
   }
   [[nodiscard]] double number(const char* key) const {
     const auto entry = json_.find(key);
     if (entry == json_.end() || entry->is_null()) return 0;
-    if (!entry->is_number()) fail(std::string(key) + " must be a number");
+    if (!entry->is_number()) fail(key, std::string(key) + " must be a number");
     return entry->get<double>();
   }
 
  private:
   const Json& json_;
+  std::string_view text_;
   const std::string& file_;
 };
 
@@ -115,12 +132,12 @@ Finding read_finding(std::string_view text, const std::string& file) {
     finding.first_case = finding.smallest.id;
     return finding;
   }
-  const Fields fields(json, file);
+  const Fields fields(json, text, file);
   for (const auto& [key, value] : json.items())
-    if (std::ranges::find(kKeys, key) == kKeys.end()) fields.fail("unknown key \"" + key + "\" in a finding");
-  if (json["finding"] != 1) fields.fail("finding must be 1");
-  if (!json.contains("case")) fields.fail("a finding needs a case");
-  finding.smallest = spec::read_case(member_text(text, "case"), file);
+    if (std::ranges::find(kKeys, key) == kKeys.end()) fields.fail(key, "unknown key \"" + key + "\" in a finding");
+  if (json["finding"] != 1) fields.fail("finding", "finding must be 1");
+  if (!json.contains("case")) fields.fail("case", "a finding needs a case");
+  finding.smallest = spec::read_case(in_its_place(text, member_text(text, "case")), file);
   finding.key = {finding.smallest.section, fields.text("clause"), fields.text("kind")};
   finding.line = fields.count("line", 0);
   finding.field = fields.text("field");

@@ -30,16 +30,44 @@ std::vector<spec::Case> read_inputs(const CertifyOptions& options) {
   std::vector<spec::Case> cases;
   for (const std::string& path : options.inputs) {
     if (fs::path(path).extension() == ".jsonl") {
-      for (spec::Case& c : corpus::read_cases(path)) {
+      std::vector<spec::Case> read = corpus::read_cases(path);
+      if (read.empty()) throw spec::InputError(path, 1, 1, "holds no case");
+      for (spec::Case& c : read) {
+        expect_readable(c, path + ": " + c.id);
         if (options.samples) c.samples = *options.samples;
         cases.push_back(std::move(c));
       }
     } else {
       const bool json = fs::path(path).extension() == ".json";
-      cases.push_back(Program(path, json ? std::string() : options.setup, options.samples).as_case());
+      const Program program(path, json ? std::string() : options.setup, options.samples);
+      cases.push_back(program.as_case());
+      expect_readable(cases.back(), program.is_case() ? path + ": program" : path);
     }
   }
   return cases;
+}
+
+double length_of(const std::string& text) {
+  std::size_t used = 0;
+  double length = 0;
+  try {
+    length = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  if (used == 0 || used < text.size()) usage("--tolerance takes a length");
+  return length;
+}
+
+// Why less was judged than a reader might think.
+void say_how_the_path_ends(const certify::TraceResult& result, const std::string& program) {
+  const std::string name = spec::display_name(program);
+  if (!result.undecided.empty()) std::cerr << name << ": " << result.undecided << '\n';
+  for (const spec::Event<double>& event : result.events)
+    if (event.kind == spec::EventKind::alarm)
+      std::cerr << name << ':' << event.line << ": the path ends in " << event.number.view() << '\n';
+  if (result.undecided.empty() && result.corners == 0) std::cerr << name << ": no move to judge\n";
+  if (result.corners > 0 && result.samples == 0) std::cerr << "the trace holds no sample\n";
 }
 
 int certify_trace(const CertifyOptions& options) {
@@ -48,11 +76,8 @@ int certify_trace(const CertifyOptions& options) {
   certify::TraceReport report;
   report.c = read_inputs(options).front();
   report.file = options.trace;
-  try {
-    report.options.tolerance = std::stod(options.tolerance);
-  } catch (const std::exception&) {
-    usage("--tolerance takes a length");
-  }
+  report.options.tolerance = length_of(options.tolerance);
+  if (fs::is_directory(options.trace)) throw spec::InputError(options.trace, 0, 0, "cannot be read: Is a directory");
   std::ifstream csv(options.trace);
   if (!csv) throw spec::InputError(options.trace, 0, 0, "cannot be read");
   report.result = certify::judge_trace(report.c, csv, options.trace, report.options);
@@ -62,6 +87,7 @@ int certify_trace(const CertifyOptions& options) {
   for (const certify::TraceFinding& finding : report.result.findings)
     fmt::print("{}:{}: {} of line {} by {:.6g}\n", options.trace, finding.sample, finding.kind, finding.line,
                finding.distance);
+  say_how_the_path_ends(report.result, options.inputs.front());
   return certify::exit_status(report.result);
 }
 
@@ -90,6 +116,7 @@ void print(const certify::Certificate& certificate, const std::vector<fs::path>&
 
 int certify(const CertifyOptions& options) {
   if (options.controller.empty() == options.trace.empty()) usage("name a --controller or a --trace");
+  expect_folder(options.report, "--report");
   if (!options.trace.empty()) return certify_trace(options);
 
   certify::CampaignOptions campaign;

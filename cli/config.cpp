@@ -33,10 +33,16 @@ int check(const std::string& file) {
   const std::string text = spec::read_file(file);
   const bool is_case = file.ends_with(".json") && text.find("\"program\"") != std::string::npos;
   try {
-    check_setup(is_case ? spec::read_case(text, file).setup : read_setup(file));
+    if (is_case) {
+      const spec::Case c = spec::read_case(text, file);
+      check_setup(c.setup);
+      expect_readable(c, file + ": program");
+    } else {
+      check_setup(read_setup(file));
+    }
   } catch (const spec::InputError& error) {
     // The engines know the key at fault, not the file.
-    if (error.line() == 0 && error.file() != file) throw spec::InputError(file, 0, 0, error.what());
+    if (error.line() == 0 && !error.file().starts_with(file)) throw spec::InputError(file, 0, 0, error.what());
     throw;
   }
   std::cerr << file << ": " << (is_case ? "a valid case" : "a valid setup") << '\n';

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "cli/controller.h"
+#include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "corpus/check.h"
@@ -90,6 +91,8 @@ std::string write_program(const CorpusOptions& options, const std::string& text,
   const fs::path program = fs::absolute(options.out);
   fs::path setup = program;
   setup.replace_extension(".toml");
+  expect_folder(program.parent_path(), "--out");
+  if (fs::is_directory(program)) throw spec::InputError(options.out, 0, 0, "is a folder");
   if (setup == program) throw spec::InputError(options.out, 0, 0, "the ending .toml is that of the setup beside it");
   spec::write_file(setup, setup_text);
   spec::write_file(program, text);

@@ -18,6 +18,7 @@
 #include "fuzz/oracle/control.h"
 #include "model/print.h"
 #include "spec/language/event_format.h"
+#include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
 namespace {
@@ -122,9 +123,11 @@ class Explanation {
       found = true;
       print_block(source);
     }
-    if (found) return kAgrees;
-    std::cerr << "no block has this sequence number or stands on this line\n";
-    return kBadInput;
+    if (!found && options_.block)
+      throw spec::InputError(
+          options_.program, 0, 0,
+          fmt::format("no block has the sequence number {0} or stands on line {0}", *options_.block));
+    return kAgrees;
   }
 
  private:

@@ -14,6 +14,7 @@
 #include "certify/finding.h"
 #include "certify/report.h"
 #include "cli/controller.h"
+#include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "fuzz/campaign/campaign.h"
@@ -215,6 +216,7 @@ void print_summary(const std::string& section, fuzz::Mode mode, const fuzz::Camp
 
 int fuzz(const FuzzOptions& options) {
   const Plan plan = plan_of(options);
+  expect_folder(options.findings, "--findings");
   fmt::print("seed {}\n", options.seed);
   std::size_t findings = 0;
   bool nothing_judged = false;

@@ -119,7 +119,8 @@ class CommandLine {
     sub->add_option("--corpus", certify_.corpus, "Folder of the golden corpus, to be judged besides the inputs");
     sub->add_option("--seed", certify_.seed, "Seed of every random choice");
     sub->add_option("--timeout", certify_.timeout, "Seconds a case may take")->check(CLI::PositiveNumber);
-    sub->add_option("--tolerance", certify_.tolerance, "Trace: greatest distance from the exact path, setup units");
+    sub->add_option("--tolerance", certify_.tolerance,
+                    "Trace: greatest distance from the exact path, in the units of the events");
     add_samples(sub, certify_.samples);
   }
   void add_fuzz() {

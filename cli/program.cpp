@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "fuzz/oracle/control.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
@@ -43,7 +44,7 @@ spec::Setup read_setup(const std::string& path) {
 Program::Program(const std::string& path, const std::string& setup, std::optional<std::uint32_t> samples)
     : path_(path) {
   // Standard input cannot be looked at twice: it is always a program.
-  is_case_ = path != "-" && begins_with_brace(path);
+  is_case_ = path != "-" && (is_json(path) || begins_with_brace(path));
   if (is_case_) {
     if (!setup.empty()) throw spec::InputError(path, 0, 0, "a case brings its own setup; leave out --setup");
     case_ = spec::read_case(spec::read_file(path), path);
@@ -64,6 +65,27 @@ spec::Case Program::as_case() const {
   spec::Case whole = case_;
   if (!is_case_) whole.program = spec::read_file(path_);
   return whole;
+}
+
+void expect_readable(const spec::Case& c, const std::string& name) {
+  struct Nowhere final : spec::EventSink<double> {
+    void on(const spec::Event<double>& /*event*/) override {}
+  } nowhere;
+  fuzz::with_control(c.setup, [&]<class Control>(Control) {
+    auto engine = Control::fast(c.setup, nowhere, 0);
+    auto reader = Control::reader(spec::text_source(c.program), c.setup, name);
+    typename Control::Block block;
+    while (!engine.stopped() && reader.next(block)) engine.block(block);
+  });
+}
+
+void expect_folder(const std::string& path, const std::string& option) {
+  // The nearest of the folders above it that exists; "" is the one we are in.
+  fs::path place = path;
+  std::error_code error;
+  while (!place.empty() && !fs::exists(place, error)) place = place.parent_path();
+  if (!place.empty() && !fs::is_directory(place, error))
+    throw spec::InputError(option, 0, 0, place.string() + " is no folder");
 }
 
 void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t column, std::string_view number,

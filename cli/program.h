@@ -18,9 +18,9 @@ namespace toolcomp::cli {
 // A program of any length with its setup. A case's program is held in memory, a program file is streamed.
 class Program {
  public:
-  // `path` names a case (its first character is `{`) or a program; "-" is standard input. `setup` names a setup file,
-  // TOML or JSON by its ending; empty: setup.toml beside the program. `samples` replaces those of a case. Throws
-  // spec::InputError.
+  // `path` names a case (it ends in .json, or its first character is `{`) or a program; "-" is standard input. `setup`
+  // names a setup file, TOML or JSON by its ending; empty: setup.toml beside the program. `samples` replaces those of a
+  // case. Throws spec::InputError.
   Program(const std::string& path, const std::string& setup, std::optional<std::uint32_t> samples = {});
 
   [[nodiscard]] const spec::Setup& setup() const { return case_.setup; }
@@ -40,6 +40,13 @@ class Program {
 };
 
 spec::Setup read_setup(const std::string& path);
+
+// Throws spec::InputError where the program of a case holds what no control would read, up to where the run ends.
+// `name` stands for the program in it.
+void expect_readable(const spec::Case& c, const std::string& name);
+
+// Throws spec::InputError that names the option if no folder can stand at `path`, before hours of work end there.
+void expect_folder(const std::string& path, const std::string& option);
 
 // Reports an alarm of reading or of the run on standard error: FILE:LINE:COLUMN: NUMBER message.
 void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t column, std::string_view number,

@@ -7,14 +7,29 @@
 #include "certify/finding.h"
 #include "cli/difference.h"
 #include "cli/verbs.h"
+#include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
+
+namespace {
+
+// A program that no control would read is bad input of the finding's file.
+certify::Replay judged(const std::string& file, const certify::ReplayOptions& how) {
+  try {
+    return certify::replay(file, how);
+  } catch (const spec::InputError& error) {
+    if (error.file() != "program") throw;
+    throw spec::InputError(file, 0, 0, error.what());
+  }
+}
+
+}  // namespace
 
 int replay(const ReplayOptions& options) {
   certify::ReplayOptions how;
   if (!options.controller.empty()) how.controller = options.controller;
   how.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000));
-  const certify::Replay replay = certify::replay(options.finding, how);
+  const certify::Replay replay = judged(options.finding, how);
   fmt::print("{}\n", replay.finding.smallest.program);
   if (replay.judgement.verdict.difference) print_difference(*replay.judgement.verdict.difference, options.finding);
   std::cerr << certify::name(replay.judgement.result) << (replay.reproduced() ? ", as in the finding" : "") << '\n';

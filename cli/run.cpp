@@ -18,6 +18,12 @@
 namespace toolcomp::cli {
 namespace {
 
+template <class Number>
+void report(const Program& program, const RecentBlocks& recent, const spec::Event<Number>& alarm) {
+  const RecentBlocks::Place place = recent.place(alarm.line);
+  report_alarm(program.path(), place.line, place.column, alarm.number.view(), alarm.message);
+}
+
 // Prints each event as it comes; an alarm also on standard error, with its place in the file.
 template <class Number, class AppendNumber>
 class Printer final : public spec::EventSink<Number> {
@@ -44,8 +50,7 @@ class Printer final : public spec::EventSink<Number> {
     if (event.kind != spec::EventKind::alarm) return;
     flush();
     std::cout.flush();
-    const RecentBlocks::Place place = recent_.place(event.line);
-    report_alarm(program_.path(), place.line, place.column, event.number.view(), event.message);
+    report(program_, recent_, event);
   }
 
   void reading(const spec::Block& block) { recent_.add(block); }
@@ -160,16 +165,23 @@ void feed_fast(const Program& program, Sink& sink) {
   });
 }
 
-// Keeps the events for a picture, in double.
+// Keeps the events for a picture, in double; alarms also on standard error, as above.
 template <class Number>
 struct Collector final : spec::EventSink<Number> {
+  explicit Collector(const Program& drawn) : program(drawn) {}
+  const Program& program;
+  RecentBlocks recent;
   std::vector<spec::Event<double>> events;
   void on(const spec::Event<Number>& event) override {
     events.push_back(spec::map_numbers<double>(event, [](const Number& value) { return nearest(value); }));
+    if (event.kind == spec::EventKind::undecided) undecided = true;
+    if (event.kind == spec::EventKind::alarm) report(program, recent, event);
   }
+  bool undecided = false;
   std::string unit;  // of a Klartext program
-  void reading(const spec::Block&) {}
+  void reading(const spec::Block& block) { recent.add(block); }
   void reading(const spec::klartext::Block& block) {
+    recent.add(block);
     if (block.statement == spec::klartext::Statement::begin_program && !block.alarm)
       unit = block.unit == spec::Units::mm ? "mm" : "inch";
   }
@@ -189,7 +201,7 @@ int draw(const Program& program, const Collector<Number>& run) {
   certify::PathOptions options = certify::path_options(program.setup());
   if (!run.unit.empty()) options.unit = run.unit;
   std::cout << certify::path_svg(run.events, program.setup().axes, options) << '\n';
-  return kAgrees;
+  return run.undecided ? kUndecided : kAgrees;
 }
 
 // The start of the setup, linear axes, by way of `number`.
@@ -215,7 +227,7 @@ int run(const RunOptions& options) {
       out.write([&](char* to) { return numbers.write(to, value); });
     };
     if (options.format == Format::svg) {
-      Collector<double> sink;
+      Collector<double> sink(program);
       feed_fast(program, sink);
       return draw(program, sink);
     }
@@ -227,7 +239,7 @@ int run(const RunOptions& options) {
   }
   model::Recorder recorder;
   if (options.format == Format::svg) {
-    Collector<exact::Real> sink;
+    Collector<exact::Real> sink(program);
     feed_model(program, recorder, sink);
     return draw(program, sink);
   }

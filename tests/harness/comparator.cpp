@@ -97,12 +97,14 @@ std::vector<spec::Event<Number>> events() {
   Event warning;
   warning.kind = spec::EventKind::warning;
   warning.line = 6;
+  warning.n = 60;
   warning.number = "ARC_PLANE_MISMATCH";
   list.push_back(warning);
 
   Event alarm;
   alarm.kind = spec::EventKind::alarm;
   alarm.line = 6;
+  alarm.n = 60;
   alarm.number = "PS5407";
   list.push_back(alarm);
   return list;
@@ -150,6 +152,16 @@ std::vector<Wrong> wrong_answers() {
       {"line of an alarm", "", [](auto& e) { e[6].line = 7; }},
       {"sequence number changed", "n", [](auto& e) { e[1].n = 21; }},
       {"sequence number lost", "n", [](auto& e) { e[1].n.reset(); }},
+      {"sequence number of a sample", "n", [](auto& e) { e[3].n = 40; }},
+      {"sequence number of a setting", "n", [](auto& e) { e[4].n = 50; }},
+      {"sequence number of a warning lost", "n", [](auto& e) { e[5].n.reset(); }},
+      {"sequence number of an alarm", "n", [](auto& e) { e[6].n = 61; }},
+      {"line of a setting", "", [](auto& e) { e[4].line = 4; }},
+      {"line of a warning", "", [](auto& e) { e[5].line = 5; }},
+      {"warning becomes undecided", "", [](auto& e) { e[5].kind = spec::EventKind::undecided; }},
+      {"arc lost", "center", [](auto& e) { e[2].arc.reset(); }},
+      {"arc of a line", "center", [](auto& e) { e[1].arc = e[2].arc; }},
+      {"one radius where there are two", "radius", [](auto& e) { e[2].arc->radius->second = e[2].arc->radius->first; }},
       {"type", "type", [](auto& e) { e[1].type = spec::MoveType::rapid; }},
       {"cause", "cause", [](auto& e) { e[1].cause = spec::Cause::cancel; }},
       {"alarm number", "number", [](auto& e) { e[6].number = "PS5408"; }},
@@ -315,6 +327,51 @@ TEST(Comparator, GrantsWhatThePolicySays) {
     actual[1].point.value[0] += sign * 2 * k * most;
     EXPECT_EQ(verdict(actual).outcome, Outcome::differs);
   }
+}
+
+// Every kind of number has the width of the policy's row and no more: a little less passes, a little more does not.
+// Units by hand: of the numbers of events() the largest linear one, its vector and the condition of the block.
+TEST(Comparator, GrantsEveryNumberWhatThePolicySays) {
+  struct Number {
+    std::string name;
+    double k, least, most;  // budget, and bounds of its unit
+    double& (*of)(std::vector<fast::Event>&);
+  };
+  const policy::Budget& row = policy::budget("fanuc/leading-edge-offset");
+  const double ulp_100 = policy::ulp(100);
+  const double ulp_110 = policy::ulp(110);
+  const Number numbers[] = {
+      {"programmed", row.coordinate, ulp_100, ulp_100 + 2 * policy::ulp(10),
+       [](auto& e) -> double& { return e[1].programmed.value[1]; }},
+      {"axes", row.coordinate, ulp_100, ulp_100 + 2 * policy::ulp(10),
+       [](auto& e) -> double& { return e[1].axes.value[2]; }},
+      {"machine", row.coordinate, ulp_110, 2 * ulp_110, [](auto& e) -> double& { return e[0].machine.value[1]; }},
+      // A rotary axis: 90 and 30 degrees.
+      {"rotary", row.rotary, policy::ulp(90), policy::ulp(90), [](auto& e) -> double& { return e[1].axes.value[3]; }},
+      {"rotary of the machine", row.rotary, policy::ulp(30), policy::ulp(30),
+       [](auto& e) -> double& { return e[0].machine.value[3]; }},
+      {"rotary of a sample", row.rotary, policy::ulp(4), policy::ulp(4),
+       [](auto& e) -> double& { return e[3].axes.value[3]; }},
+      {"tool axis", row.tool_axis, policy::ulp(1), policy::ulp(1),
+       [](auto& e) -> double& { return (*e[1].tool_axis)[0]; }},
+      {"tool axis of a sample", row.tool_axis, policy::ulp(1), policy::ulp(1),
+       [](auto& e) -> double& { return (*e[3].tool_axis)[0]; }},
+      {"centre", row.coordinate, ulp_110, 2 * ulp_110, [](auto& e) -> double& { return e[2].arc->center.value[0]; }},
+      {"start radius", row.coordinate, ulp_110, 2 * ulp_110,
+       [](auto& e) -> double& { return e[2].arc->radius->first; }},
+      {"end radius", row.coordinate, ulp_110, 2 * ulp_110, [](auto& e) -> double& { return e[2].arc->radius->second; }},
+      {"sweep", row.sweep, policy::ulp(360), 2 * policy::ulp(360), [](auto& e) -> double& { return *e[2].arc->sweep; }},
+  };
+  for (const Number& number : numbers)
+    for (const double sign : {-1.0, 1.0}) {
+      const auto off_by = [&](double distance) {
+        std::vector<fast::Event> actual = events<double>();
+        number.of(actual) += sign * distance;
+        return verdict(actual).outcome;
+      };
+      EXPECT_EQ(off_by(number.k * number.least / 2), Outcome::agrees) << number.name;
+      EXPECT_EQ(off_by(number.k * number.most * 2), Outcome::differs) << number.name;
+    }
 }
 
 // A whole list as a controller prints it.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/convert.h"
 #include "fuzz/oracle/condition.h"
 #include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/verdict.h"
@@ -91,6 +92,7 @@ std::vector<Wrong> wrong_answers() {
   vector("carrier", [](fast::Event& e) -> auto& { return *e.space->carrier; });
   vector("contact", [](fast::Event& e) -> auto& { return e.space->contact->point; });
   vector("normal", [](fast::Event& e) -> auto& { return e.space->contact->normal; });
+  list.push_back({"feed", "off", [](fast::Event& e) { *e.feed += small; }});
   list.push_back({"carrier", "lost", [](fast::Event& e) { e.space->carrier.reset(); }});
   list.push_back({"angle", "off", [](fast::Event& e) { *e.space->contact->angle += small; }});
   list.push_back({"angle", "lost", [](fast::Event& e) { e.space->contact->angle.reset(); }});
@@ -141,6 +143,110 @@ TEST(SpaceEvents, OutOfScopeIsSaidByBoth) {
   std::vector<fast::Event> actual = events<double>();
   actual[1].out_of_scope = false;
   EXPECT_EQ(verdict(actual).difference->field, "reason");
+}
+
+// One field of an undecided event at a time.
+TEST(SpaceEvents, WhatIsUndecidedIsJudged) {
+  const auto difference = [](const std::function<void(fast::Event&)>& apply) {
+    std::vector<fast::Event> actual = events<double>();
+    apply(actual[1]);
+    const Verdict v = verdict(actual);
+    return v.difference ? v.difference->field : std::string("none");
+  };
+  EXPECT_EQ(difference([](fast::Event&) {}), "none");
+  EXPECT_EQ(difference([](fast::Event& e) { e.number = "heidenhain.peripheral.mitre"; }), "number");
+  EXPECT_EQ(difference([](fast::Event& e) { e.line = 5; }), "line");
+  EXPECT_EQ(difference([](fast::Event& e) { e.n = 4; }), "n");
+  EXPECT_EQ(difference([](fast::Event& e) { e.kind = spec::EventKind::warning; }), "kind");
+  std::vector<fast::Event> actual = events<double>();
+  actual.erase(actual.begin() + 1);
+  EXPECT_EQ(verdict(actual).difference->kind, "missing event");
+}
+
+// What a move of 3D compensation shares with any other: tables, feed, and that the list is as long.
+TEST(SpaceEvents, AMoveIsJudgedAsAnyOther) {
+  const auto differs = [](const std::function<void(std::vector<fast::Event>&)>& apply) {
+    std::vector<fast::Event> actual = events<double>();
+    apply(actual);
+    return verdict(actual).outcome == Outcome::differs;
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(differs([i](auto& e) { e[2].programmed.value[i] += 1e-9; }));
+    EXPECT_TRUE(differs([i](auto& e) { e[2].point.value[i] += 1e-9; }));
+    EXPECT_TRUE(differs([i](auto& e) { e[2].axes.value[i] += 1e-9; }));
+    EXPECT_TRUE(differs([i](auto& e) { (*e[2].tool_axis)[i] += 1e-9; }));
+  }
+  EXPECT_TRUE(differs([](auto& e) { *e[2].feed += 1e-9; }));
+  EXPECT_TRUE(differs([](auto& e) { e[2].feed.reset(); }));
+  EXPECT_TRUE(differs([](auto& e) { e[2].n = 1; }));
+  EXPECT_TRUE(differs([](auto& e) { e[2].cause = spec::Cause::cancel; }));
+  EXPECT_TRUE(differs([](auto& e) { e[2].type = spec::MoveType::rapid; }));
+  EXPECT_TRUE(differs([](auto& e) { e.pop_back(); }));
+  EXPECT_TRUE(differs([](auto& e) { e.push_back(fast::Event(e[0])); }));
+}
+
+// Every number has the width of the policy's row and no more. The ring of the tool is 0 here (no setup has a tool), so
+// the unit of a length is an ulp of the largest number, 10.23; of a normal an ulp of 1, of an angle one of 180.
+TEST(SpaceEvents, NumbersAreGrantedWhatThePolicySays) {
+  const policy::Budget& row = policy::budget("heidenhain/face-milling");
+  struct Number {
+    std::string name;
+    double k, unit;
+    double& (*of)(fast::Event&);
+  };
+  const Number numbers[] = {
+      {"tool_center", row.coordinate, policy::ulp(10.23),
+       [](fast::Event& e) -> double& { return e.space->tool_center[2]; }},
+      {"shift", row.coordinate, policy::ulp(10.23), [](fast::Event& e) -> double& { return e.space->shift[0]; }},
+      {"tool_shift", row.coordinate, policy::ulp(10.23),
+       [](fast::Event& e) -> double& { return e.space->tool_shift[0]; }},
+      {"carrier", row.coordinate, policy::ulp(10.23), [](fast::Event& e) -> double& { return (*e.space->carrier)[0]; }},
+      {"contact", row.coordinate, policy::ulp(10.23),
+       [](fast::Event& e) -> double& { return e.space->contact->point[0]; }},
+      {"point", row.coordinate, policy::ulp(10.23), [](fast::Event& e) -> double& { return e.point.value[0]; }},
+      {"normal", row.tool_axis, policy::ulp(1), [](fast::Event& e) -> double& { return e.space->contact->normal[1]; }},
+      {"tool_axis", row.tool_axis, policy::ulp(1), [](fast::Event& e) -> double& { return (*e.tool_axis)[1]; }},
+      {"angle", row.sweep, policy::ulp(180), [](fast::Event& e) -> double& { return *e.space->contact->angle; }},
+  };
+  for (const Number& number : numbers)
+    for (const double sign : {-1.0, 1.0}) {
+      const auto off_by = [&](double distance) {
+        std::vector<fast::Event> actual = events<double>();
+        number.of(actual[0]) += sign * distance;
+        return verdict(actual).outcome;
+      };
+      EXPECT_EQ(off_by(number.k * number.unit / 2), Outcome::agrees) << number.name;
+      EXPECT_EQ(off_by(number.k * number.unit * 4), Outcome::differs) << number.name;
+    }
+}
+
+// The same as texts of a controller: each field is read for itself.
+TEST(SpaceEvents, TheTextsOfAControllerAreJudgedFieldByField) {
+  ModelRun run;
+  run.events = {face<Real>()};
+  const auto judged = [&](const std::function<void(spec::TextEvent&)>& apply) {
+    std::vector<spec::TextEvent> texts = {certify::in_text(face<Real>(), 30)};
+    apply(texts[0]);
+    const Verdict v = judge(plain_case(), run, std::span<const spec::TextEvent>(texts));
+    return v.difference ? v.difference->field : std::string("none");
+  };
+  EXPECT_EQ(judged([](spec::TextEvent&) {}), "none");
+  // No number of the event is 7.
+  const auto seven = [](spec::NumberText& text) { text.v = "7"; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string letter = std::string(".") + "XYZ"[i];
+    EXPECT_EQ(judged([&](auto& e) { seven(e.space->tool_center[i]); }), "tool_center" + letter);
+    EXPECT_EQ(judged([&](auto& e) { seven(e.space->shift[i]); }), "shift" + letter);
+    EXPECT_EQ(judged([&](auto& e) { seven(e.space->tool_shift[i]); }), "tool_shift" + letter);
+    EXPECT_EQ(judged([&](auto& e) { seven((*e.space->carrier)[i]); }), "carrier" + letter);
+    EXPECT_EQ(judged([&](auto& e) { seven(e.space->contact->point[i]); }), "contact" + letter);
+    EXPECT_EQ(judged([&](auto& e) { seven(e.space->contact->normal[i]); }), "normal[" + std::to_string(i) + "]");
+  }
+  EXPECT_EQ(judged([&](auto& e) { seven(*e.space->contact->angle); }), "angle");
+  EXPECT_EQ(judged([](auto& e) { e.space->contact->flat = true; }), "flat");
+  EXPECT_EQ(judged([](auto& e) { e.space->contact->angle.reset(); }), "angle");
+  EXPECT_EQ(judged([](auto& e) { e.space->carrier.reset(); }), "carrier");
+  EXPECT_EQ(judged([](auto& e) { e.space.reset(); }), "tool_center");
 }
 
 // What the program says of a run goes on, so a controller is judged up to there.

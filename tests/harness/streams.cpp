@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "fast/fault.h"
+#include "fuzz/faults/faults.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/trial.h"
@@ -28,6 +31,46 @@ TEST(Streams, GiveTheVerdictOfTheWholeCase) {
       EXPECT_EQ(v.decisions, whole.verdict.decisions) << encode(c);
       EXPECT_EQ(v.near_ties, whole.verdict.near_ties) << encode(c);
     }
+}
+
+// What is found in a whole case is found while reading too, with events that are missing, too many, or wrong.
+TEST(Streams, FindWhatTheWholeCaseFinds) {
+  constexpr std::uint64_t kMost = 20;  // seeds a fault
+  std::map<std::string, std::size_t> kinds;
+  for (std::size_t i = 0; i < seeded_faults().size(); ++i) {
+    const SeededFault& fault = seeded_faults()[i];
+    for (std::uint64_t seed = 1; seed <= kMost; ++seed) {
+      SeededSource source(seed);
+      const spec::Case c = generate(fault.section, Mode::directed, source);
+      fast::active_fault = static_cast<fast::Fault>(i + 1);
+      const Trial whole = try_case(c);
+      std::optional<Verdict> streamed;
+      if (whole.verdict.outcome == Outcome::differs && whole.acceptance == Acceptance::accepted)
+        streamed = judge_stream({[&] { return spec::text_source(c.program); }}, c.setup, c.samples);
+      fast::active_fault = fast::Fault::none;
+      if (!streamed) continue;
+      ASSERT_EQ(streamed->outcome, Outcome::differs) << fault.name << '\n' << encode(c);
+      EXPECT_EQ(streamed->difference->event, whole.verdict.difference->event) << fault.name << " seed " << seed;
+      ++kinds[streamed->difference->kind];
+      break;
+    }
+  }
+  for (const char* kind : {"missing event", "coordinate", "kind"}) EXPECT_GT(kinds[kind], 0U) << kind;
+}
+
+// 5001#2 = 1: the last block moves nothing, and the faulty engine moves by the new offset.
+TEST(Streams, NoticeAnEventTooManyAtTheEnd) {
+  spec::Setup setup;
+  setup.parameters[{5001, 2}] = spec::decimal(1);
+  setup.h[1].geometry = spec::decimal(1);
+  setup.h[2].geometry = spec::decimal(2);
+  const auto judged = [&] { return judge_stream({[] { return spec::text_source("G43 Z0 H1\nH2\n"); }}, setup); };
+  EXPECT_EQ(judged().outcome, Outcome::agrees);
+  fast::active_fault = fast::Fault::h_modal_under_ofh;
+  const Verdict v = judged();
+  fast::active_fault = fast::Fault::none;
+  ASSERT_EQ(v.outcome, Outcome::differs);
+  EXPECT_EQ(v.difference->kind, "extra event");
 }
 
 // Blocks in changing directions, made as they are read.
