@@ -17,6 +17,20 @@ namespace {
 
 using namespace toolcomp;  // NOLINT(google-build-using-namespace): the top of the program
 
+// A name of the map, given on as its number; CLI11's own check prints both.
+template <class Value>
+CLI::Validator one_of(const std::map<std::string, Value>& values) {
+  std::string names;
+  for (const auto& [name, value] : values) names += (names.empty() ? "" : ", ") + name;
+  return {[&values, names](std::string& word) {
+            const auto found = values.find(word);
+            if (found == values.end()) return "\"" + word + "\" is none of " + names;
+            word = std::to_string(static_cast<int>(found->second));
+            return std::string();
+          },
+          names};
+}
+
 const std::map<std::string, cli::EngineName> kEngines{{"model", cli::EngineName::model},
                                                       {"fast", cli::EngineName::fast}};
 const std::map<std::string, cli::Format> kFormats{
@@ -83,9 +97,9 @@ class CommandLine {
   void add_run() {
     CLI::App* sub = verb("run", "Run a program and print its events", [this] { return cli::run(run_); });
     add_program(sub, run_.program, run_.setup);
-    sub->add_option("--engine", run_.engine, "model (exact) or fast")->transform(CLI::CheckedTransformer(kEngines));
+    sub->add_option("--engine", run_.engine, "model (exact) or fast")->transform(one_of(kEngines));
     sub->add_option("--format", run_.format, "jsonl, csv, gcode (ends of blocks; with --samples, also inside) or svg")
-        ->transform(CLI::CheckedTransformer(kFormats));
+        ->transform(one_of(kFormats));
     sub->add_option("--digits", run_.digits, "Decimals the model prints")->check(CLI::Range(0, 1000));
     add_samples(sub, run_.samples);
   }
@@ -159,14 +173,14 @@ class CommandLine {
                     "contour: how many lines and arcs (default: 100000); flank: how many blocks (default: 20000); "
                     "freeform: how many LN blocks (default: 500000)");
     sub->add_option("--tool", corpus_.tool, "flank: the tool axis by B and C (rotary) or by I J K (vector)")
-        ->transform(CLI::CheckedTransformer(kTools));
+        ->transform(one_of(kTools));
     sub->add_flag("--no-tool-vector", corpus_.no_tool_vector, "freeform: without TX TY TZ, the tool stays along Z");
     sub->add_option("--arcs", corpus_.contour.arcs, "contour: how many of 100 blocks are arcs (default: 40)")
         ->check(CLI::Range(0, 100));
     sub->add_option("--variant", corpus_.contour.variant, "contour: pocket, island or tight (ends in PS0041)")
-        ->transform(CLI::CheckedTransformer(kVariants));
+        ->transform(one_of(kVariants));
     sub->add_option("--place", corpus_.contour.place, "contour, tight: the place that raises PS0041, arc or groove")
-        ->transform(CLI::CheckedTransformer(kPlaces));
+        ->transform(one_of(kPlaces));
     sub->add_option("--at", corpus_.contour.at,
                     "contour, tight: from which block on the place is (default: the middle)");
   }
@@ -183,7 +197,7 @@ class CommandLine {
   void add_serve() {
     CLI::App* sub = verb("serve", "Speak the controller protocol on standard input and output",
                          [this] { return cli::serve(serve_); });
-    sub->add_option("--engine", serve_, "model or fast")->required()->transform(CLI::CheckedTransformer(kEngines));
+    sub->add_option("--engine", serve_, "model or fast")->required()->transform(one_of(kEngines));
   }
   void add_config() {
     CLI::App* sub =

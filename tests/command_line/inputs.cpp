@@ -169,6 +169,12 @@ TEST_P(Inputs, ConfigCheckReadsSetupsAndCases) {
     EXPECT_EQ(toolcomp("config check " + name).status, 2) << name;
 }
 
+TEST(Options, NamesThatAreNone) {
+  const Outcome outcome = toolcomp("run p.nc --engine slow");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("--engine: \"slow\" is none of fast, model"), std::string::npos) << outcome.err;
+}
+
 // What the specification does not model is no pass, in a picture neither.
 TEST(Formats, OutOfScopeIsSaidByTheExitStatus) {
   const Folder folder;
