@@ -11,7 +11,7 @@ namespace {
 std::optional<spec::Clause> last_clause(const fuzz::ModelRun& run, std::size_t last) {
   for (std::size_t i = std::min(last + 1, run.events.size()); i-- > 0;) {
     const spec::ClauseList& list = run.events[i].clauses;
-    if (list.size > 0) return list.clause[list.size - 1U];
+    if (!list.empty()) return list.back();
   }
   return spec::find_clause("fanuc.program.own-move");
 }

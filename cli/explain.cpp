@@ -205,8 +205,8 @@ class Explanation {
       fmt::print("  exact   {}\n", text);
       if (event.kind == spec::EventKind::alarm || event.kind == spec::EventKind::warning)
         fmt::print("          {}\n", event.message);
-      for (std::size_t i = 0; i < event.clauses.size; ++i)
-        if (!decided.contains(event.clauses.clause[i])) print_clause(spec::info(event.clauses.clause[i]));
+      for (const spec::Clause clause : event.clauses)
+        if (!decided.contains(clause)) print_clause(spec::info(clause));
       print_words(index);
     }
     for (const auto& event : line.fast) {

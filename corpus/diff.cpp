@@ -11,16 +11,19 @@ namespace toolcomp::corpus {
 namespace {
 
 std::string clause_of(const spec::Case& c, std::size_t event) {
-  if (event >= c.expect.size() || c.expect[event].clauses.size == 0) return {};
-  const spec::ClauseList& clauses = c.expect[event].clauses;
-  return std::string(spec::info(clauses.clause.at(clauses.size - 1U)).id);
+  if (event >= c.expect.size() || c.expect[event].clauses.empty()) return {};
+  return std::string(spec::info(c.expect[event].clauses.back()).id);
 }
 
 Change compare(const spec::Case& before, const spec::Case& after) {
   Change change{ChangeKind::described, before.id, {}, {}, {}};
   for (std::size_t i = 0; i < std::max(before.expect.size(), after.expect.size()); ++i) {
+    // Without its clauses, which describe it.
     const auto text = [i](const spec::Case& c) {
-      return i < c.expect.size() ? event_text(c.expect[i], c.setup.axes) : std::string("nothing");
+      if (i >= c.expect.size()) return std::string("nothing");
+      spec::TextEvent event = c.expect[i];
+      event.clauses = {};
+      return event_text(event, c.setup.axes);
     };
     if (text(before) == text(after)) continue;
     change.kind = ChangeKind::changed;

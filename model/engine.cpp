@@ -385,7 +385,7 @@ void Engine::State::report(const Step& step, const OffsetSetting& setting) {
   event.setting = setting.name;
   event.value = setting.value;
   event.clauses = step.clauses;
-  append(event.clauses, setting.clauses);
+  event.clauses.add(setting.clauses);
   sink.on(event);
 }
 

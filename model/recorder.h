@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "model/exact/real.h"
@@ -54,8 +55,13 @@ class Recorder {
   // The line the decisions belong to, and where clauses applied from now on are listed for the next event.
   void at(std::uint64_t line) { line_ = line; }
 
+  // A clause that was asked, and that the next event rests on although what it asks does not hold.
+  void list(Clause clause) { applied_.add(clause); }
+
   // The clauses applied since the last call, for the event they produced.
   spec::ClauseList take_clauses();
+  // Gives back those of an event that is made further; others must have been taken.
+  void resume(spec::ClauseList clauses) { applied_ = std::move(clauses); }
 
   // The line given last.
   [[nodiscard]] std::uint64_t line() const { return line_; }

@@ -25,7 +25,6 @@ std::optional<Rational> radius_of(const spec::Case& c, const Blocks& blocks, std
 bool is_made_by(const spec::TextEvent& event, const spec::TextEvent& next) {
   const auto is_move = [](const spec::TextEvent& e) { return e.kind == spec::EventKind::move && !e.arc; };
   if (!is_move(event) || !is_move(next) || next.cause != spec::Cause::programmed) return false;
-  if (event.clauses.size >= spec::ClauseList::kCapacity) return false;  // some may not be listed
   for (const char* other : {"one-block-without-movement", "two-blocks-without-movement", "kept-without-look-ahead",
                             "kept-at-the-end", "before-cancel", "cancel"})
     if (rests_on(event, std::string("fanuc.leading-edge.") + other)) return false;

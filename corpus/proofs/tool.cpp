@@ -114,9 +114,7 @@ std::optional<Tool> tool_of(const spec::Case& c, const Blocks& blocks, const spe
 }
 
 bool rests_on(const spec::TextEvent& event, std::string_view clause) {
-  const auto& list = event.clauses;
-  return std::any_of(list.clause.begin(), list.clause.begin() + list.size,
-                     [&](spec::Clause c) { return spec::info(c).id == clause; });
+  return std::ranges::any_of(event.clauses, [&](spec::Clause c) { return spec::info(c).id == clause; });
 }
 
 }  // namespace toolcomp::corpus

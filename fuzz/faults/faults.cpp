@@ -126,7 +126,7 @@ constexpr Row kTip[] = {
     {"tip_sample_from_the_end", "", 500},
 };
 
-// The questions of a block with P1 are more than an event keeps clauses: those of its first ones.
+// The questions of a block with P1 that its faults may show at.
 constexpr std::string_view kPostureBlock =
     "fanuc.tool-posture.no-plane fanuc.tool-posture.great-circle fanuc.tool-posture.at-start "
     "fanuc.tool-posture.at-end fanuc.tool-posture.changed fanuc.tool-posture.refused "

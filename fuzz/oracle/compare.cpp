@@ -63,7 +63,7 @@ class Comparison {
     if (event()) {
       difference_.line = expected_.line;
       difference_.clauses = expected_.clauses;
-      if (expected_.clauses.size > 0) difference_.clause = expected_.clauses.clause[expected_.clauses.size - 1U];
+      if (!expected_.clauses.empty()) difference_.clause = expected_.clauses.back();
       return difference_;
     }
     return std::nullopt;

@@ -48,7 +48,7 @@ Difference unpaired(const std::vector<model::Event>& expected, std::span<const s
   d.line = i < expected.size() ? expected[i].line : actual[i].line;
   if (!expected.empty()) {
     d.clauses = expected[std::min(i, expected.size() - 1)].clauses;
-    if (d.clauses.size > 0) d.clause = d.clauses.clause[d.clauses.size - 1U];
+    if (!d.clauses.empty()) d.clause = d.clauses.back();
   }
   return d;
 }

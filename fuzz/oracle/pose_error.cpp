@@ -30,10 +30,6 @@ bool stepped(double from, double to) {
   return same(from, to) || std::fabs(step - std::round(step)) <= policy::kWholeStep;
 }
 
-bool has(const spec::ClauseList& list, spec::Clause clause) {
-  return std::find(list.clause.begin(), list.clause.begin() + list.size, clause) != list.clause.begin() + list.size;
-}
-
 bool moves(const model::Event& event) { return event.kind == spec::EventKind::move; }
 
 }  // namespace
@@ -218,7 +214,7 @@ PoseScale PoseErrors::next(std::span<const model::Event> window, double length) 
     return s;
   }
   // The pose of the block that begins it freezes the programming coordinate system.
-  const bool begins = !active_ || has(event.clauses, spec::Clause::fanuc_tool_center_point_block);
+  const bool begins = !active_ || event.clauses.contains(spec::Clause::fanuc_tool_center_point_block);
   if (begins) {
     carried_ = std::max(carried_, last_);
     frozen_ = 0;

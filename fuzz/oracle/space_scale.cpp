@@ -24,13 +24,17 @@ Space cross(const Space& a, const Space& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Error of t x d / |t x d|, relative; nothing where it does not exist, as far as doubles can tell.
-std::optional<double> error_of(const Space& tool, const Space& travel, double position) {
+double largest(const Space& v) { return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])}); }
+
+// Error of t x d / |t x d| of a movement between two programmed points, relative; nothing where it does not exist, as
+// far as doubles can tell.
+std::optional<double> error_of(const Space& tool, const Space& from, const Space& to) {
+  const Space travel = difference(to, from);
   const double distance = length(travel);
   if (distance == 0) return std::nullopt;
   const double sine = length(cross(tool, travel)) / distance;
   if (sine < policy::kParallel) return std::nullopt;
-  return (policy::ulp(1) + policy::ulp(position) / distance) / sine;
+  return (policy::ulp(1) + policy::ulp(std::max(largest(from), largest(to))) / distance) / sine;
 }
 
 double largest(double size, const std::array<exact::Real, 3>& v) {
@@ -76,7 +80,7 @@ Scale SpaceScales::next(std::span<const model::Event> window) {
     scale.position = largest(scale.position, event.space->tool_center);
     if (event.space->carrier) scale.position = largest(scale.position, *event.space->carrier);
     if (event.space->contact) scale.position = largest(scale.position, event.space->contact->point);
-    scale.pose.tip = event.space->contact ? face(event) : beside(window, at, scale.position);
+    scale.pose.tip = event.space->contact ? face(event) : beside(window, at);
   }
   if (!event.space || event.space->contact) former_ = 0;
   before_ = at;
@@ -111,7 +115,7 @@ double SpaceScales::steepest(double angle) const {
   return slope;
 }
 
-double SpaceScales::beside(std::span<const model::Event> window, const Space& at, double position) {
+double SpaceScales::beside(std::span<const model::Event> window, const Space& at) {
   const model::Event& event = window.front();
   if (!event.tool_axis) return 0;
   const Space tool = space_of(*event.tool_axis);
@@ -119,17 +123,16 @@ double SpaceScales::beside(std::span<const model::Event> window, const Space& at
   const double along = dot(vector, tool);
   for (std::size_t i = 0; i < 3; ++i) vector.at(i) -= along * tool.at(i);
   const double size = length(vector);
-  const Space own = difference(at, before_);
-  Space next{};
+  Space next = at;
   for (std::size_t i = 1; i < window.size(); ++i)
     if (window[i].kind == spec::EventKind::move) {
-      next = difference(fuzz::space_of(window[i].programmed, index_), at);
+      next = fuzz::space_of(window[i].programmed, index_);
       break;
     }
-  const std::optional<double> own_error = error_of(tool, own, position);
-  const std::optional<double> next_error = error_of(tool, next, position);
+  const std::optional<double> own_error = error_of(tool, before_, at);
+  const std::optional<double> next_error = error_of(tool, at, next);
   const double worst = std::max(own_error.value_or(former_), next_error.value_or(former_));
-  const Space& path = own_error ? own : next;
+  const Space path = own_error ? difference(at, before_) : difference(next, at);
   // The offset, which the vector has across either path.
   double offset = size;
   if (own_error || next_error) {

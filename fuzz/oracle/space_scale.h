@@ -20,9 +20,16 @@ namespace toolcomp::fuzz {
 // Blocks with a normal: the ring of radius rho lies along u, the part of n across t, whose error is that of n and t
 // over the sine of their angle. With a table of deviations the radius is off by its slope times the error of the angle.
 //
-// Blocks beside the path: c = t x d / |t x d| has the error of t and of d, which is that of its ends over its length,
-// over the sine of their angle. The mitre of two directions, of length v for an offset of delta, turns and stretches
-// by 1 + v/delta times that. A direction that does not exist leaves the error of the one before.
+// Blocks beside the path: c = t x d / |t x d| has the error of t and of d, which is that of its programmed ends over
+// its length, over the sine of their angle. A direction that does not exist leaves the error of the one before.
+//
+// Their mitre: let c and c' be 2 phi apart. v = delta (c + c')/(1 + c.c') is delta/cos phi long, along the bisector.
+// Errors of e in either turn the bisector by e and change phi by e: v moves by v e across and by v tan phi e along
+// itself, tan phi < v/delta; together v e (1 + v/delta). It is the condition of the point, however it is computed: near
+// a reversal v grows without bound, and metres are few ulps of t beside a mitre of thousands of kilometres. The
+// decision on the reversal is by 1 + c.c' = 2 (delta/v)^2: from v = 2^20 delta on (policy::kDoubleBand) E_REVERSAL is
+// permitted, too. (The sum 1 + c.c' itself, rounded, is worse than that by v/delta: beyond about a hundred it needs
+// |c x c'|^2/(1 - c.c').)
 class SpaceScales {
  public:
   explicit SpaceScales(const spec::Setup& setup);
@@ -34,7 +41,7 @@ class SpaceScales {
  private:
   [[nodiscard]] double face(const model::Event& event) const;
   [[nodiscard]] double steepest(double angle) const;
-  double beside(std::span<const model::Event> window, const Space& at, double position);
+  double beside(std::span<const model::Event> window, const Space& at);
 
   std::array<std::size_t, 3> index_;  // of X Y Z
   double to_program_ = 1;             // mm to units of the program

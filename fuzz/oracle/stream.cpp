@@ -190,7 +190,7 @@ class Pass {
       const model::Event& event = expected_.events[actual_.events.size()];
       d.line = event.line;
       d.clauses = event.clauses;
-      if (event.clauses.size > 0) d.clause = event.clauses.clause[event.clauses.size - 1U];
+      if (!event.clauses.empty()) d.clause = event.clauses.back();
       d.expected = describe(event);
       d.actual = "no more events";
     }

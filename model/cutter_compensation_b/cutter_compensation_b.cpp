@@ -48,7 +48,7 @@ void CutterCompensationB::take(const Step& step) {
   Step out = step;
   run(out);
   side_ = step.cutter->side;
-  append(out.clauses, recorder().take_clauses());
+  out.clauses.add(recorder().take_clauses());
   emit(out);
 }
 

@@ -105,7 +105,7 @@ void CutterCompensationC::start_alone(Step& now) {
 bool CutterCompensationC::take_behind_lone_start(Step& now, bool wanted, bool moves) {
   const CutterBlock& block = *now.cutter;
   if (!wanted || is_machine_move(block.motion)) {
-    append(now.clauses, recorder().take_clauses());
+    now.clauses.add(recorder().take_clauses());
     drop_lone_start();
     return true;
   }
@@ -171,7 +171,7 @@ void CutterCompensationC::take_without_motion(Step& now) {
     count_ +=
         recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel) ? 2 : 1;
   }
-  append(now.clauses, recorder().take_clauses());
+  now.clauses.add(recorder().take_clauses());
   const std::uint64_t line = now.line;
   between_.push_back(std::move(now));
   if (count_ >= 2) end_without_corner(Clause::fanuc_cutter_c_two_non_motion_blocks);
@@ -233,13 +233,13 @@ void CutterCompensationC::end_without_corner(Clause why) {
 }
 
 void CutterCompensationC::end_before(Step& now) {
-  append(now.clauses, recorder().take_clauses());
+  now.clauses.add(recorder().take_clauses());
   end_without_corner(Clause::fanuc_cutter_c_no_next_block);
   recorder().at(now.line);
 }
 
 void CutterCompensationC::decide_held(Step& now) {
-  append(now.clauses, recorder().take_clauses());
+  now.clauses.add(recorder().take_clauses());
   recorder().at(held_->step.line);
 }
 

@@ -93,7 +93,6 @@ class CutterCompensationC : public CutterCompensation {
   void run_corner_arc(Step& arc, const Heading& to, bool next_is_square);
 
   // emission.cpp: steps with their moves.
-  static void append(spec::ClauseList& list, const spec::ClauseList& more);
   void emit_at_head(Step& step);
   void emit_without_vector(Step& step);
   // The step of a code that makes or removes the vector without motion in the plane.

@@ -14,16 +14,12 @@ bool has_axis_word(const CutterBlock& block) {
 
 }  // namespace
 
-void CutterCompensationC::append(spec::ClauseList& list, const spec::ClauseList& more) {
-  for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
-}
-
 Vector CutterCompensationC::in_space_of(const Step& step, const PlanePoint& vector) const {
   return in_space(step.cutter->plane, vector);
 }
 
 void CutterCompensationC::send(Step& step) {
-  append(step.clauses, recorder().take_clauses());
+  step.clauses.add(recorder().take_clauses());
   emit(step);
   place_ = std::move(step.rest);
 }

@@ -142,7 +142,7 @@ void CutterCompensationC::run_lone_start(const OffsetPath& next) {
 }
 
 void CutterCompensationC::hold(Step& now, Held::Kind kind, const CutterOffset& offset, OffsetPath path) {
-  append(now.clauses, recorder().take_clauses());
+  now.clauses.add(recorder().take_clauses());
   held_ = Held{kind, std::move(now), offset, std::move(path), true};
   last_ = offset;
 }

@@ -23,8 +23,10 @@ FaceMilling::Checked FaceMilling::check(const Motion& motion) const {
   const Sign shape = checks_.table(tool);
   Checked result{ContactGeometry(motion), tool.dr2, {}};
   const bool by_table = recorder_.decide(Clause::heidenhain_tool_deviation_table, !tool.deviations.empty());
-  if (by_table && !recorder_.decide(Clause::heidenhain_tool_deviation_shape, shape == Sign::zero))
+  if (by_table && !recorder_.decide(Clause::heidenhain_tool_deviation_shape, shape == Sign::zero)) {
+    recorder_.list(Clause::heidenhain_tool_deviation_shape);
     throw Alarm("E_3DTC_SHAPE", "a table of deviations with a tool that is no ball-nose cutter");
+  }
   checks_.radius(tool);
   if (by_table) {
     const Deviation deviation = deviation_at(tool.deviations, result.geometry, recorder_);

@@ -15,7 +15,6 @@ struct Compensated {
   Vector shift;        // of the tip against that of the nominal tool
   std::optional<spec::Contact<Real>> contact;
   spec::Cause cause = spec::Cause::programmed;
-  spec::ClauseList clauses;  // applied while it was made
 };
 
 }  // namespace toolcomp::model::klartext

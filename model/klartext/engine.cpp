@@ -39,15 +39,13 @@ struct Engine::State {
   void run(const spec::klartext::Block& block);
   void run(Motion motion);
   [[nodiscard]] Compensated uncompensated(const Motion& motion) const;
+  Compensated compensated(Motion& motion, const std::optional<FaceMilling::Checked>& contact);
   // What is held goes out as if nothing followed.
   void finish() {
     peripheral.finish();
     stopped = true;
   }
   void report(const Motion& motion, const Compensated& end) { report_move(motion, end, setup, sink); }
-  // The move of a motion without peripheral milling, with its cause.
-  void report(const Motion& motion, Compensated end, bool cancels);
-
   // Runs `work`, and ends the run where it raises an alarm or cannot decide.
   template <class Work>
   void guarded(const Work& work);
@@ -117,7 +115,7 @@ void Engine::State::run(Motion motion) {
     contact = face.check(motion);
   else if (motion.vectors || motion.is_peripheral())
     checks.without_normal(motion);
-  motion.clauses = recorder.take_clauses();
+  motion.clauses = recorder.take_clauses();  // the motion held has its own
   peripheral.meet(motion);
   if (!contact) face.forget();
 
@@ -125,20 +123,30 @@ void Engine::State::run(Motion motion) {
     peripheral.take(std::move(motion));
     return;
   }
+  recorder.resume(std::move(motion.clauses));
   const bool cancels = peripheral.pass();
-  if (contact) {
-    Compensated end = face.compensate(motion, *contact);
-    report(motion, std::move(end), cancels);
-  } else if (motion.is_out_of_scope()) {
+  if (motion.is_out_of_scope()) {
     recorder.reach(Clause::heidenhain_peripheral_out_of_scope);
-    recorder.take_clauses();
+    motion.clauses = recorder.take_clauses();
     report_out_of_scope(motion, sink);
-  } else {
-    if (motion.vectors)
-      motion.warn(recorder, Clause::heidenhain_peripheral_no_lateral, "W_NO_LATERAL",
-                  "LN without a surface normal under R0: no lateral compensation");
-    report(motion, uncompensated(motion), cancels);
+    return;
   }
+  recorder.reach(Clause::heidenhain_program_length_along_the_tool);
+  Compensated end = compensated(motion, contact);
+  if (cancels) {
+    recorder.reach(Clause::heidenhain_peripheral_cancel);
+    end.cause = spec::Cause::cancel;
+  }
+  motion.clauses = recorder.take_clauses();
+  report(motion, end);
+}
+
+Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceMilling::Checked>& contact) {
+  if (contact) return face.compensate(motion, *contact);
+  if (motion.vectors)
+    motion.warn(recorder, Clause::heidenhain_peripheral_no_lateral, "W_NO_LATERAL",
+                "LN without a surface normal under R0: no lateral compensation");
+  return uncompensated(motion);
 }
 
 Compensated Engine::State::uncompensated(const Motion& motion) const {
@@ -147,16 +155,6 @@ Compensated Engine::State::uncompensated(const Motion& motion) const {
   end.point = ProgrammedContour::tip_of_reference(motion);
   end.tool_center = motion.center ? motion.position : motion.position + motion.tool->r2 * motion.direction.unit;
   return end;
-}
-
-void Engine::State::report(const Motion& motion, Compensated end, bool cancels) {
-  recorder.reach(Clause::heidenhain_program_length_along_the_tool);
-  if (cancels) {
-    recorder.reach(Clause::heidenhain_peripheral_cancel);
-    end.cause = spec::Cause::cancel;
-  }
-  end.clauses = recorder.take_clauses();
-  report(motion, end);
 }
 
 }  // namespace toolcomp::model::klartext

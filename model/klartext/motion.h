@@ -65,7 +65,7 @@ struct Motion {
   bool rapid = false;        // FMAX
 
   std::vector<Warning> warnings;
-  spec::ClauseList clauses;  // applied while it was read and checked
+  spec::ClauseList clauses;  // applied so far
 
   // Compensated by RL or RR in space (peripheral milling).
   [[nodiscard]] bool is_peripheral() const { return !normal && tcpm && side != Side::none; }

@@ -58,8 +58,7 @@ void report_move(const Motion& motion, const Compensated& compensated, const spe
   space.tool_shift = components(compensated.shift + lengthened);
   if (tool.l) space.carrier = components(compensated.point + (*tool.l + tool.dl) * t);
   space.contact = compensated.contact;
-  event.clauses = compensated.clauses;
-  append(event.clauses, motion.clauses);
+  event.clauses = motion.clauses;
   sink.on(event);
 }
 
@@ -69,8 +68,7 @@ void report_out_of_scope(const Motion& motion, EventSink& sink) {
   event.number = spec::info(Clause::heidenhain_peripheral_out_of_scope).id;
   event.message = "radius compensation in the plane, RL or RR without TCPM, is not modelled";
   event.out_of_scope = true;
-  event.clauses.add(Clause::heidenhain_peripheral_out_of_scope);
-  append(event.clauses, motion.clauses);
+  event.clauses = motion.clauses;
   sink.on(event);
 }
 

@@ -148,7 +148,7 @@ void LeadingEdgeOffset::take_cancel(const Step& step) {
   vector_ = {};
   recorder_.reach(Clause::fanuc_leading_edge_cancel);
   Step cancel = step;
-  append(cancel.clauses, recorder_.take_clauses());
+  cancel.clauses.add(recorder_.take_clauses());
   emit(cancel, spec::Cause::cancel);
 }
 
@@ -161,7 +161,7 @@ void LeadingEdgeOffset::finish() {
 }
 
 void LeadingEdgeOffset::release(const Step* now) {
-  append(held_->clauses, recorder_.take_clauses());
+  held_->clauses.add(recorder_.take_clauses());
   if (starting_) {
     emit(*held_, spec::Cause::start_up);
     starting_ = false;

@@ -22,8 +22,10 @@ LateralDirection LateralDirections::make(const Direction& tool, const Vector& tr
   const Real travel2 = squared_norm(travel);
   const Real scale = travel2.sign() == Sign::zero ? Real(1) : tool.norm2 * travel2;
   if (recorder_.decide(Clause::heidenhain_peripheral_direction, norm2, scale) == Sign::zero) {
-    if (!recorder_.decide(Clause::heidenhain_peripheral_former_direction, former_.has_value()))
+    if (!recorder_.decide(Clause::heidenhain_peripheral_former_direction, former_.has_value())) {
+      recorder_.list(Clause::heidenhain_peripheral_former_direction);
       throw Alarm("E_NO_DIRECTION", "no direction of compensation: the tool is along the movement, or nothing moves");
+    }
     return *former_;
   }
   if (norm2.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here

@@ -20,10 +20,12 @@ bool PeripheralMilling::pass() { return std::exchange(on_, false); }
 
 void PeripheralMilling::release(const Motion* next) {
   if (!held_) return;
-  const Motion motion = *std::exchange(held_, std::nullopt);
+  Motion motion = *std::exchange(held_, std::nullopt);
   recorder_.at(motion.line);
+  recorder_.resume(std::move(motion.clauses));
   Compensated result;
   try {
+    recorder_.reach(Clause::heidenhain_program_length_along_the_tool);
     recorder_.reach(Clause::heidenhain_peripheral_applies);
     const ProgrammedContour::Flank flank = contour_.flank(motion);
     const EffectiveTool& tool = *motion.tool;
@@ -38,7 +40,7 @@ void PeripheralMilling::release(const Motion* next) {
   }
   if (next == nullptr || !next->is_peripheral()) directions_.forget();
   result.cause = held_is_first_ ? spec::Cause::start_up : spec::Cause::programmed;
-  result.clauses = recorder_.take_clauses();
+  motion.clauses = recorder_.take_clauses();
   output_(motion, result);
 }
 

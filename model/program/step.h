@@ -170,9 +170,4 @@ struct Step {
   spec::ClauseList clauses;
 };
 
-// Adds clauses applied later to those of a step.
-inline void append(spec::ClauseList& list, const spec::ClauseList& more) {
-  for (std::uint8_t i = 0; i < more.size; ++i) list.add(more.clause.at(i));
-}
-
 }  // namespace toolcomp::model

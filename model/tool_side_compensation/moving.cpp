@@ -260,7 +260,7 @@ void ToolSideCompensation::run_lone_start(const SideEnd& start) {
 
 void ToolSideCompensation::hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement,
                                 const SideEnd& end) {
-  append(now.clauses, recorder_.take_clauses());
+  now.clauses.add(recorder_.take_clauses());
   Held held;
   held.kind = kind;
   held.offset = offset;

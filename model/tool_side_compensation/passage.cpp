@@ -25,7 +25,7 @@ void ToolSideCompensation::release(SideGroup at_end) {
     passage = remove_interference(held, at_end, run ? &*run : nullptr);
 
   Step step = std::move(held.step);
-  append(step.clauses, recorder_.take_clauses());
+  step.clauses.add(recorder_.take_clauses());
   flush();
   Move& own = step.moves.front();
   own.offset = at_end.front().vector;
@@ -35,7 +35,7 @@ void ToolSideCompensation::release(SideGroup at_end) {
     own.leg.arc.reset();
   } else if (arc) {
     const ToolArc tool = run->arc();
-    append(step.clauses, recorder_.take_clauses());
+    step.clauses.add(recorder_.take_clauses());
     own.leg.arc->sweep = tool.sweep;
     own.leg.arc->radius = tool.radius;
   }
@@ -144,7 +144,7 @@ void ToolSideCompensation::insert_corner_moves(Step& step) {
 }
 
 void ToolSideCompensation::emit(Step& step) {
-  append(step.clauses, recorder_.take_clauses());
+  step.clauses.add(recorder_.take_clauses());
   output_(step);
 }
 

@@ -147,7 +147,7 @@ void ToolSideCompensation::take_without_movement(Step& now) {
   }
   repeated_ = repeated_ || now.side->repeats_code();
   ++count_;
-  append(now.clauses, recorder_.take_clauses());
+  now.clauses.add(recorder_.take_clauses());
   const std::uint64_t line = now.line;
   between_.push_back(std::move(now));
   if (count_ >= 2) end_without_corner(Clause::fanuc_tool_side_two_blocks_without_movement);
@@ -182,13 +182,13 @@ void ToolSideCompensation::end_without_corner(Clause why) {
 }
 
 void ToolSideCompensation::end_before(Step& now, Clause why) {
-  append(now.clauses, recorder_.take_clauses());
+  now.clauses.add(recorder_.take_clauses());
   end_without_corner(why);
   recorder_.at(now.line);
 }
 
 void ToolSideCompensation::decide_held(Step& now) {
-  append(now.clauses, recorder_.take_clauses());
+  now.clauses.add(recorder_.take_clauses());
   recorder_.at(held_->step.line);
 }
 

@@ -1,10 +1,14 @@
 // What a run yields (contract, "Events"): one type for both engines, over their own number.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "spec/clauses/clauses.h"
 #include "spec/language/axes.h"
@@ -47,16 +51,33 @@ struct SpaceCompensation {
   std::optional<Contact<Number>> contact;        // blocks with a surface normal
 };
 
-// The clauses an event rests on, at most kCapacity of them, in the order they were applied.
-struct ClauseList {
-  static constexpr std::size_t kCapacity = 8;
-  std::array<Clause, kCapacity> clause{};
-  std::uint8_t size = 0;
-  void add(Clause c) {
-    for (std::uint8_t i = 0; i < size; ++i)
-      if (clause[i] == c) return;
-    if (size < kCapacity) clause[size++] = c;
+// The clauses an event rests on, all of them, each once, in the order they were applied: what decided comes last.
+class ClauseList {
+ public:
+  void add(Clause clause) {
+    if (!contains(clause)) clauses_.push_back(clause);
   }
+  void add(const ClauseList& more) {
+    for (const Clause clause : more) add(clause);
+  }
+  [[nodiscard]] bool contains(Clause clause) const { return std::find(begin(), end(), clause) != end(); }
+
+  [[nodiscard]] bool empty() const { return clauses_.empty(); }
+  [[nodiscard]] std::size_t size() const { return clauses_.size(); }
+  [[nodiscard]] Clause operator[](std::size_t i) const { return clauses_[i]; }
+  [[nodiscard]] Clause back() const { return clauses_.back(); }
+  [[nodiscard]] std::vector<Clause>::const_iterator begin() const { return clauses_.begin(); }
+  [[nodiscard]] std::vector<Clause>::const_iterator end() const { return clauses_.end(); }
+
+ private:
+  std::vector<Clause> clauses_;
+};
+
+// The list of an event in double precision: the fast engine marks no clauses, and its events stay small.
+struct NoClauses {
+  static constexpr bool empty() { return true; }
+  static constexpr const Clause* begin() { return nullptr; }
+  static constexpr const Clause* end() { return nullptr; }
 };
 
 // Undecided only: which outcomes of the decision the specification permits.
@@ -67,7 +88,7 @@ struct PermittedOutcomes {
   friend bool operator==(const PermittedOutcomes&, const PermittedOutcomes&) = default;
 };
 
-// A plain value: copying one does not allocate if copying Number does not. Fields that do not belong to `kind` are
+// A plain value: copying one in double precision does not allocate. Fields that do not belong to `kind` are
 // left at their defaults.
 template <class Number>
 struct Event {
@@ -103,7 +124,8 @@ struct Event {
   std::uint32_t t_numerator = 0;
   std::uint32_t t_denominator = 1;
 
-  ClauseList clauses;  // the model fills it; the fast engine leaves it empty
+  // the model fills it
+  [[no_unique_address]] std::conditional_t<std::is_same_v<Number, double>, NoClauses, ClauseList> clauses;
 };
 
 // Takes the events of a run, in order.

@@ -67,15 +67,23 @@ class EventCsv {
       if (event.out_of_scope) out_ += kOutOfScope;
       next();
     }
-    for (std::size_t i = 0; i < event.clauses.size; ++i) {
-      if (i != 0) out_ += ' ';
-      out_ += info(event.clauses.clause[i]).id;
-    }
+    clauses(event.clauses);
     out_ += '\n';
   }
 
  private:
   void next() { out_ += ','; }
+
+  template <class List>
+  void clauses(const List& list) {
+    if (list.empty()) return;
+    std::string ids;
+    for (const Clause clause : list) {
+      if (!ids.empty()) ids += ' ';
+      ids += info(clause).id;
+    }
+    out_.append(ids);
+  }
 
   void text(std::string_view value) {
     if (value.empty()) return;

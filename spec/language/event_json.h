@@ -202,13 +202,17 @@ class EventJson {
     out_ += ']';
   }
 
-  void clauses(const ClauseList& list) {
-    if (list.size == 0) return;
+  template <class List>
+  void clauses(const List& list) {
+    if (list.empty()) return;
     key("clauses");
-    for (std::size_t i = 0; i < list.size; ++i) {
-      out_ += i == 0 ? '[' : ',';
-      quoted(info(list.clause[i]).id);
+    std::string ids;
+    for (const Clause clause : list) {
+      ids += ids.empty() ? "[\"" : ",\"";
+      ids += info(clause).id;
+      ids += '"';
     }
+    out_.append(ids);
     out_ += ']';
   }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "spec/language/event.h"
@@ -40,7 +41,8 @@ SpaceCompensation<To> map_numbers(const SpaceCompensation<From>& space, const Fu
   return mapped;
 }
 
-// Every number of the event that is there, through `function`; everything else as it is.
+// Every number of the event that is there, through `function`; everything else as it is, but for clauses where one of
+// the two has none.
 template <class To, class From, class Function>
 Event<To> map_numbers(const Event<From>& event, const Function& function) {
   const auto optional = [&function](const std::optional<From>& value) {
@@ -76,7 +78,7 @@ Event<To> map_numbers(const Event<From>& event, const Function& function) {
   if (event.kind == EventKind::setting) mapped.value = function(event.value);
   mapped.t_numerator = event.t_numerator;
   mapped.t_denominator = event.t_denominator;
-  mapped.clauses = event.clauses;
+  if constexpr (std::is_same_v<decltype(mapped.clauses), decltype(event.clauses)>) mapped.clauses = event.clauses;
   return mapped;
 }
 

@@ -126,8 +126,7 @@ class Tracer {
         for (const std::string& id : c.clauses)
           if (const auto found = by_id_.find(id); found != by_id_.end()) named.insert(found->second);
         for (const TextEvent& event : c.expect)
-          for (std::uint8_t i = 0; i < event.clauses.size; ++i)
-            named.insert(static_cast<std::size_t>(event.clauses.clause.at(i)));
+          for (const spec::Clause clause : event.clauses) named.insert(static_cast<std::size_t>(clause));
         for (const std::size_t clause : named) table_[clause].vectors.push_back(c.id);
       });
   }

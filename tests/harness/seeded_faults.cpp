@@ -41,8 +41,8 @@ spec::Case fresh(std::string_view section, std::uint64_t seed) {
 
 bool rests_on(const Difference& difference, std::string_view ids) {
   if (ids.empty()) return true;
-  for (std::uint8_t i = 0; i < difference.clauses.size; ++i) {
-    const std::string_view id = spec::info(difference.clauses.clause[i]).id;
+  for (const spec::Clause clause : difference.clauses) {
+    const std::string_view id = spec::info(clause).id;
     for (std::size_t at = ids.find(id); at != std::string_view::npos; at = ids.find(id, at + 1))
       if (at + id.size() == ids.size() || ids[at + id.size()] == ' ') return true;
   }

@@ -86,6 +86,13 @@ inline Lines story(const std::string& setup, std::string_view program, int digit
   return result;
 }
 
+// The clause the last event of a run rests on last.
+inline std::string last_clause(const std::string& setup, std::string_view program) {
+  const std::vector<model::Event> events = events_of(setup, program);
+  return events.empty() || events.back().clauses.empty() ? ""
+                                                         : std::string(spec::info(events.back().clauses.back()).id);
+}
+
 // A tool table of one row: number 1 and these keys.
 inline std::string tool(const std::string& keys) { return "[[tool]]\nnumber = 1\n" + keys; }
 

@@ -256,7 +256,7 @@ TEST(Reply, UnknownFieldsAreIgnoredAndKnownOnesNamed) {
   ASSERT_EQ(reply.events.size(), 1U);
   EXPECT_EQ(reply.events[0].axes[0].v, "1e-7");
   EXPECT_EQ(reply.events[0].axes.present, 1U);
-  EXPECT_EQ(reply.events[0].clauses.size, 0U);
+  EXPECT_TRUE(reply.events[0].clauses.empty());
   EXPECT_EQ(reply.fields[0], (FieldSet{Field::kind, Field::line, Field::axes, Field::clauses}));
 }
 

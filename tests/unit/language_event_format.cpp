@@ -254,6 +254,28 @@ TEST(EventNames, GoBothWays) {
   round(ArcDirection{});
 }
 
+// However many clauses an event rests on, all of them are written.
+TEST(TextBuffer, AllClausesFit) {
+  const Axes axes("XYZ");
+  const auto integer = [](auto& out, int value) { out += std::to_string(value); };
+  Event<int> event;
+  for (const ClauseInfo& clause : clauses()) event.clauses.add(*find_clause(clause.id));
+  std::string expected;
+  TextBuffer buffer;
+  append_event_json(expected, event, axes, integer);
+  append_event_csv(expected, event, axes, integer);
+  {
+    TextCursor out(buffer);
+    append_event_json(out, event, axes, integer);
+  }
+  {
+    TextCursor out(buffer);
+    append_event_csv(out, event, axes, integer);
+  }
+  EXPECT_EQ(buffer.view(), expected);
+  for (const ClauseInfo& clause : clauses()) EXPECT_NE(expected.find(clause.id), std::string::npos) << clause.id;
+}
+
 // Every field of every kind at its longest, in the room that is made for one event.
 TEST(TextBuffer, AnEventFits) {
   const Axes axes("XYZABCUVW");
@@ -270,7 +292,6 @@ TEST(TextBuffer, AnEventFits) {
   const std::string message(10'000, '"');
   event.message = message.c_str();
   event.permitted = {true, true, true};
-  for (std::size_t i = 0; i < ClauseList::kCapacity; ++i) event.clauses.add(static_cast<Clause>(i));
   for (const EventKind kind : {EventKind::move, EventKind::sample, EventKind::alarm, EventKind::warning,
                                EventKind::setting, EventKind::undecided}) {
     event.kind = kind;

@@ -243,6 +243,17 @@ TEST(ModelFaceMilling, ToolAxisXAndY) {
   EXPECT_EQ(shown(last_move(kReworked, "TOOL CALL 1 Y\n" + block).point), "-0.08 0.04 0");
 }
 
+// The clause of an alarm of the checks; several tell E_TOOL.
+bool states(const std::string& clause, const std::string& alarm) {
+  if (alarm == "E_OVERSIZE_DR") return clause == "heidenhain.tool.oversize-radius";
+  if (alarm == "E_OVERSIZE_DR2") return clause == "heidenhain.tool.oversize-corner";
+  if (alarm == "E_R2_GT_R") return clause == "heidenhain.tool.corner-beyond-radius";
+  if (alarm == "E_R2_NEG") return clause == "heidenhain.tool.effective-corner-radius";
+  if (alarm == "E_TOOL_EFF") return clause == "heidenhain.tool.effective-radius";
+  if (alarm == "E_TOOL") return clause.starts_with("heidenhain.tool.table-");
+  return alarm.empty();
+}
+
 struct VerdictRow {
   const char* keys;
   const char* normal;       // N block, M108: the alarm, or ""
@@ -269,8 +280,13 @@ TEST(ModelFaceMilling, OversizeVerdicts) {
   };
   for (const VerdictRow& row : rows) {
     const auto verdict = [&row](const std::string& program) {
-      for (const model::Event& event : test::events_of(tool(row.keys), program))
-        if (event.kind == spec::EventKind::alarm) return std::string(event.number.view());
+      for (const model::Event& event : test::events_of(tool(row.keys), program)) {
+        if (event.kind != spec::EventKind::alarm) continue;
+        std::string number(event.number.view());
+        // It rests on its own clause last.
+        EXPECT_TRUE(states(std::string(spec::info(event.clauses.back()).id), number)) << number << ' ' << row.keys;
+        return number;
+      }
       return std::string();
     };
     const std::string normal = "LN X1 Y1 Z1 NX0.6 NY0 NZ0.8 TX0 TY0 TZ1 M128";
@@ -380,6 +396,8 @@ TEST(ModelToolComp, RangeAndSigns) {
   EXPECT_EQ(with("NX2.2460368 NY0 NZ1"), "3 E_R2_NEG");
   // A toroid cutter has no such table.
   EXPECT_EQ(verdict(tool("R = 3\nR2 = 2\nDR2TABLE = \"W\"\n") + table, "NX1 NY0 NZ1"), "2 E_3DTC_SHAPE");
+  EXPECT_EQ(test::last_clause(tool("R = 3\nR2 = 2\nDR2TABLE = \"W\"\n") + table, kCall + "LN X0 Y0 Z0 NX1 NY0 NZ1\n"),
+            "heidenhain.tool.deviation-shape");
   // Its values need no M107, those of TOOL CALL do.
   const std::string positive = "[[dr2table]]\nname = \"W\"\npoints = [[0, 1], [180, 1]]\n";
   EXPECT_EQ(verdict(ball + positive, "NX0 NY0 NZ1"), "2 0 0 0");

@@ -180,6 +180,41 @@ TEST(ModelPeripheralMilling, AlarmBehindTheHeldBlock) {
   EXPECT_EQ(story(kOne, "M128\nL X10 RL\n"), (Lines{"2 E_NO_TOOL"}));
 }
 
+// The clauses of a held block are those of its own words and of its compensation; those of the block behind, which
+// makes it go out, are not among them.
+TEST(ModelPeripheralMilling, ClausesOfTheHeldBlock) {
+  const auto has = [](const model::Event& event, spec::Clause clause) { return event.clauses.contains(clause); };
+  const test::Run run = run_klartext(kOne, kStart + "L X0 RL\nL IX10\nL X20 Y5 M108\nLN X30 Y5 Z0 TX0 TY0 TZ1 R0\n");
+  const std::vector<model::Event> all = moves(run);
+  ASSERT_EQ(all.size(), 4U);
+  for (const model::Event& event : all) {
+    EXPECT_EQ(has(event, spec::Clause::heidenhain_program_incremental), event.line == 5) << event.line;
+    EXPECT_EQ(has(event, spec::Clause::heidenhain_peripheral_tool_vector), event.line == 7) << event.line;
+    EXPECT_EQ(has(event, spec::Clause::heidenhain_tool_table_radius), event.line > 3) << event.line;
+    EXPECT_EQ(has(event, spec::Clause::heidenhain_peripheral_applies), event.line > 3 && event.line < 7) << event.line;
+    EXPECT_TRUE(has(event, spec::Clause::heidenhain_program_length_along_the_tool)) << event.line;
+  }
+  // What decided is last.
+  EXPECT_EQ(all[1].clauses.back(), spec::Clause::heidenhain_peripheral_mitre);
+  EXPECT_EQ(all[2].clauses.back(), spec::Clause::heidenhain_peripheral_last_block);
+  EXPECT_EQ(all[3].clauses.back(), spec::Clause::heidenhain_peripheral_cancel);
+}
+
+// An alarm rests on its own clause last.
+TEST(ModelPeripheralMilling, ClausesOfAlarms) {
+  const auto last = [](const std::string& setup, const std::string& program) {
+    return test::last_clause(setup, program);
+  };
+  EXPECT_EQ(last(kOne, kStart + "L X0 RL\nL IX10\nL IX-10\nL IY5\n"), "heidenhain.peripheral.reversal");
+  EXPECT_EQ(last(kOne, kStart + "L Z10 RL\nL IZ10\n"), "heidenhain.peripheral.former-direction");
+  EXPECT_EQ(last(kOne, kStart + "L Z10 RL\n"), "heidenhain.peripheral.former-direction");
+  EXPECT_EQ(last(kOne, kStart + "L X0 RL\nL X10\nLN X20 Y0 Z0 NX0 NY0 NZ1\n"), "heidenhain.face.radius-compensation");
+  EXPECT_EQ(last(kOne, kStart + "L X10 RL\nL Y10 M91\n"), "heidenhain.program.machine-coordinates-under-tcpm");
+  EXPECT_EQ(last(tool("R = 1\nDR = 1\n"), kCall + "M128\nL X10 RL\n"), "heidenhain.tool.oversize-radius");
+  EXPECT_EQ(last(kOne, "M128\nL X10 RL\n"), "heidenhain.tool.none");
+  EXPECT_EQ(last(kOne, kCall + "L X10 RL\n"), "heidenhain.peripheral.out-of-scope");
+}
+
 TEST(ModelPeripheralMilling, ForcedOutcomes) {
   // Forced to be no reversal: there is no finite point.
   const std::string program = kStart + "L X0 RL\nL X10\nL X0\n";

@@ -69,11 +69,20 @@ TEST(ModelRecorder, ListsClausesOnce) {
   recorder.decide(kSign, 1, 1);
   recorder.reach(kReach);
   const toolcomp::spec::ClauseList list = recorder.take_clauses();
-  ASSERT_EQ(list.size, 2);
-  EXPECT_EQ(list.clause[0], kReach);
-  EXPECT_EQ(list.clause[1], kSign);
-  EXPECT_EQ(recorder.take_clauses().size, 0);
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[0], kReach);
+  EXPECT_EQ(list[1], kSign);
+  EXPECT_TRUE(recorder.take_clauses().empty());
   EXPECT_EQ(recorder.latest(), kReach);
+}
+
+// No block asks as many.
+TEST(ModelRecorder, ListsAllClauses) {
+  Recorder recorder;
+  for (std::size_t i = 0; i < toolcomp::spec::kClauseCount; ++i) recorder.reach(static_cast<Clause>(i));
+  const toolcomp::spec::ClauseList list = recorder.take_clauses();
+  ASSERT_EQ(list.size(), toolcomp::spec::kClauseCount);
+  EXPECT_EQ(list.back(), static_cast<Clause>(toolcomp::spec::kClauseCount - 1));
 }
 
 }  // namespace
