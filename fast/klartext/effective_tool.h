@@ -25,6 +25,7 @@ struct ToolValues {
   double effective_corner = 0;  // R2' without a table of deviations
   double effective_ring = 0;    // rho' = max(0, R' − R2')
   double ring_delta = 0;        // rho' − rho
+  bool has_ring = false;        // rho or rho' is not 0
   double length = 0;            // L + dL
   bool has_length = false;
 };

@@ -126,7 +126,8 @@ void Interpreter::end_acting(Functions functions) {
 
 void Interpreter::switch_tcpm_off() {
   tcpm_ = false;
-  direction_.set_axis(tool_axis_);
+  face_.keep_tool();
+  direction_->set_axis(tool_axis_);
 }
 
 // What is held is sent as if this block were absent; where that fails, its block is the one at fault.
@@ -218,7 +219,7 @@ Alarm Interpreter::tool_call(const Block& block) {
   }
   if (block.tool_axis != 0) {
     tool_axis_ = static_cast<std::size_t>(block.tool_axis - 'X');
-    if (!tcpm_) direction_.set_axis(tool_axis_);
+    if (!tcpm_) direction_->set_axis(tool_axis_);
   }
   return feed(block, true);
 }

@@ -26,7 +26,8 @@ struct MoveHead : BlockHead {
   Warnings warnings = 0;                          // found in the block
   std::uint16_t rotary = 0;                       // bit by axis: a rotary axis with a word in this block
   std::optional<double> feed;                     // in force
-  std::array<double, spec::kMaxAxes> position{};  // programmed, by axis
+  Vector xyz{0, 0, 0};                            // programmed
+  std::array<double, spec::kMaxAxes> position{};  // programmed, by axis, but for X, Y, Z
 };
 
 // A block under RL or RR, held until the next motion is known.
