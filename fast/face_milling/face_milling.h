@@ -28,8 +28,8 @@ class FaceMilling {
   struct Meeting {
     Vector n, t, u;
     bool flat;      // w = 0
-    double sine;    // |n x T|, T in its own units
     double cosine;  // n.t
+    double square;  // where w is not 0: (N x T)², in the units of the vectors
   };
   // `along`: the tool stands along the normal.
   [[gnu::always_inline]] [[nodiscard]] Meeting meet(const ToolVector& tool, bool along,
@@ -56,6 +56,7 @@ class FaceMilling {
 
  private:
   void meet_wide(const ToolVector& tool, Meeting& meeting) const;
+  [[nodiscard]] double whole_dot(const ToolVector& tool) const;
   [[nodiscard]] Alarm deviate(const Meeting& meeting, const ToolVector& tool, const EffectiveTool& effective,
                               bool permitted);
   [[nodiscard]] bool below(double cosine, const ToolVector& tool) const;
@@ -72,6 +73,7 @@ class FaceMilling {
   // With a table of deviations, of the block checked.
   ToolValues ball_;
   double degrees_ = 0;
+  DeviationTable::Deviation deviation_;
 
   // The contact of the block before.
   struct Before {
@@ -88,7 +90,6 @@ inline FaceMilling::Meeting FaceMilling::meet(const ToolVector& tool, bool along
                                               const EffectiveTool& effective) const {
   Meeting meeting;
   meeting.flat = true;
-  meeting.sine = 0;
   meeting.cosine = 1;
   meeting.n = unit_normal_.unit;
   meeting.t = tool.unit();
@@ -109,13 +110,9 @@ inline FaceMilling::Meeting FaceMilling::meet(const ToolVector& tool, bool along
   if (meeting.flat) [[unlikely]]
     return meeting;
   const Vector c{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-  const double square = dot(c, c);
-  if (effective.deviations() != nullptr) [[unlikely]] {
-    meeting.sine = std::sqrt(square) * unit_normal_.scale;
-    return meeting;
-  }
+  meeting.square = dot(c, c);
   // Root and quotient side by side.
-  if (effective.values().has_ring) meeting.u = cross(meeting.t, c) * (std::sqrt(square) * (1 / square));
+  if (effective.values().has_ring) meeting.u = cross(meeting.t, c) * (std::sqrt(meeting.square) * (1 / meeting.square));
   return meeting;
 }
 

@@ -130,6 +130,7 @@ void EffectiveTool::update() {
   values_.has_length = length_.has_value();
   values_.length = length_ ? (*length_ + length_delta).nearest() : 0;
   corner_without_deviation_ = corner_ + added_corner;
+  nearest_corner_without_deviation_ = corner_without_deviation_.nearest();
   corner_delta_without_deviation_ = added_corner.nearest();
 
   // In the order of sheet 5.1 and 5.9; the first one counts.

@@ -23,8 +23,8 @@ EventWriter::EventWriter(const spec::Setup& setup, EventSink& sink)
   contact_.space->contact.emplace();
 }
 
-void EventWriter::move(const MoveHead& head, const Placement& placement, const ToolValues& values, spec::Cause cause) {
-  send(plain_, head, placement, values, cause);
+void EventWriter::move(const MoveHead& head, const Placement& placement, const ToolLength& length, spec::Cause cause) {
+  send(plain_, head, placement, length, cause);
 }
 
 void EventWriter::other_axes(fast::Event& event, const MoveHead& head) const {

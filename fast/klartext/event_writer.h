@@ -20,12 +20,12 @@ class EventWriter {
   EventWriter(const spec::Setup& setup, EventSink& sink);
 
   // A move of a block without contact.
-  void move(const MoveHead& head, const Placement& placement, const ToolValues& values, spec::Cause cause);
+  void move(const MoveHead& head, const Placement& placement, const ToolLength& length, spec::Cause cause);
   // One with the contact in contact().
   [[nodiscard]] spec::Contact<double>& contact() { return *contact_.space->contact; }
   [[gnu::always_inline]] void move_in_contact(const MoveHead& head, const Placement& placement,
-                                              const ToolValues& values, spec::Cause cause) {
-    send(contact_, head, placement, values, cause);
+                                              const ToolLength& length, spec::Cause cause) {
+    send(contact_, head, placement, length, cause);
   }
   void warnings(const BlockHead& head, Warnings warnings);
   void undecided(const BlockHead& head);
@@ -33,7 +33,7 @@ class EventWriter {
 
  private:
   [[gnu::always_inline]] void send(fast::Event& event, const MoveHead& head, const Placement& placement,
-                                   const ToolValues& values, spec::Cause cause);
+                                   const ToolLength& length, spec::Cause cause);
   void other_axes(fast::Event& event, const MoveHead& head) const;
   void put_xyz(spec::AxisValues<double>& to, const Vector& v) const {
     if (in_order_) [[likely]] {
@@ -59,7 +59,7 @@ class EventWriter {
 inline Vector along(const Vector& v, const Vector& unit, double length) { return v + unit * length; }
 
 inline void EventWriter::send(fast::Event& event, const MoveHead& head, const Placement& placement,
-                              const ToolValues& values, spec::Cause cause) {
+                              const ToolLength& length, spec::Cause cause) {
   if (head.warnings != 0) [[unlikely]]
     warnings(head, head.warnings);
   event.line = head.line;
@@ -77,16 +77,16 @@ inline void EventWriter::send(fast::Event& event, const MoveHead& head, const Pl
   const Vector& t = placement.tool;
   put(*event.tool_axis, t);
   const Vector& p = head.xyz;
-  const Vector longer = t * values.length_delta;
+  const Vector longer = t * length.length_delta;
   put_xyz(event.programmed, p);
   put_xyz(event.point, p + placement.tip);
   put_xyz(event.axes, p + (placement.tip + longer));
   put(space.tool_center, p + along(placement.tip, t, placement.corner));
   put(space.shift, placement.shift);
   put(space.tool_shift, placement.shift + longer);
-  if (values.has_length) {
+  if (length.has_length) {
     if (!space.carrier) space.carrier.emplace();
-    put(*space.carrier, p + along(placement.tip, t, values.length));
+    put(*space.carrier, p + along(placement.tip, t, length.length));
   } else {
     space.carrier.reset();
   }

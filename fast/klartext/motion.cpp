@@ -123,6 +123,7 @@ inline Alarm Interpreter::place(const Block& block, Functions functions) {
     if (const Alarm a = place_word(block, slot, (shifted & bit) != 0)) return a;
   }
   head_.rotary = static_cast<std::uint16_t>(rotary);
+  head_.more_axes = rotary != 0 || has_parallel_axes_;
   if (travels) arrive(peripheral_.next().travel);
   return alarm::kNone;
 }
@@ -228,13 +229,16 @@ void Interpreter::peripheral_motion() {
   face_.forget();
   head_.cancels = false;
   PeripheralMotion& motion = peripheral_.next();
-  motion.head = head_;
+  motion.head.copy(head_);
   motion.tool.copy(*direction_);
   motion.side = side_;
-  motion.values = tool_.values();
+  const ToolValues& values = tool_.values();
+  motion.radius_delta = values.radius_delta;
+  motion.effective_corner = values.effective_corner;
+  motion.length = values;
   const ProgrammedPoint programmed = programmed_point();
-  motion.tip_below = programmed.tip_below(motion.values, true);
-  motion.lateral = programmed.lateral(motion.values);
+  motion.tip_below = programmed.tip_below(values, true);
+  motion.lateral = programmed.lateral(values);
   if (const Alarm a = peripheral_.hold()) raise_at_held(a);
 }
 

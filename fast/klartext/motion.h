@@ -27,7 +27,22 @@ struct MoveHead : BlockHead {
   std::uint16_t rotary = 0;                       // bit by axis: a rotary axis with a word in this block
   std::optional<double> feed;                     // in force
   Vector xyz{0, 0, 0};                            // programmed
+  bool more_axes = false;                         // than X, Y, Z have a value
   std::array<double, spec::kMaxAxes> position{};  // programmed, by axis, but for X, Y, Z
+
+  // Only what counts, part by part.
+  void copy(const MoveHead& other) {
+    line = other.line;
+    n = other.n;
+    rapid = other.rapid;
+    cancels = other.cancels;
+    warnings = other.warnings;
+    rotary = other.rotary;
+    feed = other.feed;
+    xyz = other.xyz;
+    more_axes = other.more_axes;
+    if (more_axes) position = other.position;
+  }
 };
 
 // A block under RL or RR, held until the next motion is known.
@@ -38,7 +53,9 @@ struct PeripheralMotion {
   int side = 1;          // RL 1, RR −1
   double tip_below = 0;  // programmed_contour.h
   double lateral = 0;    // the distance of the tip from the programmed point: delta
-  ToolValues values;
+  double radius_delta = 0;
+  double effective_corner = 0;
+  ToolLength length;
 };
 
 }  // namespace toolcomp::fast::klartext
