@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/fault.h"
-
 namespace toolcomp::fast::klartext {
 
 DeviationTable::DeviationTable(const spec::DeviationTable& points) : points_(points), point_(points.size()) {
@@ -34,15 +32,12 @@ std::size_t DeviationTable::segment(double degrees) const {
   return std::clamp<std::size_t>(index, 1, point_.size() - 1) - 1;
 }
 
-bool DeviationTable::find(const ContactAngle& angle, Deviation& deviation) const {
+bool DeviationTable::find_anew(const ContactAngle& angle, Deviation& deviation) const {
   const Point& first = point_.front();
   const Point& last = point_.back();
   if (angle.compare(first.angle, first.degrees) < 0 || angle.compare(last.angle, last.degrees) > 0) return false;
-  if (!holds(deviation.segment, angle.degrees())) [[unlikely]]
-    deviation.segment = point_.size() == 1 ? 0 : segment(angle.degrees());
-  const Point& a = point_[deviation.segment];
-  deviation.value = a.value;
-  if (!fault(Fault::face_deviation_steps)) deviation.value += a.rate * (angle.degrees() - a.degrees);
+  deviation.segment = point_.size() == 1 ? 0 : segment(angle.degrees());
+  deviation.value = point_[deviation.segment].value_at(angle.degrees());
   return true;
 }
 

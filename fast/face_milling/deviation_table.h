@@ -7,6 +7,7 @@
 
 #include "fast/arithmetic/count.h"
 #include "fast/face_milling/contact_angle.h"
+#include "fast/fault.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast::klartext {
@@ -24,7 +25,16 @@ class DeviationTable {
     std::size_t segment = 0;
   };
   // Begins with the segment of `deviation`. False: E_3DTC_RANGE.
-  [[nodiscard]] bool find(const ContactAngle& angle, Deviation& deviation) const;
+  [[nodiscard]] bool find(const ContactAngle& angle, Deviation& deviation) const {
+    const double degrees = angle.degrees();
+    constexpr double kSure = 2 * ContactAngle::kError;
+    if (degrees - point_.front().degrees > kSure && point_.back().degrees - degrees > kSure &&
+        holds(deviation.segment, degrees)) [[likely]] {
+      deviation.value = point_[deviation.segment].value_at(degrees);
+      return true;
+    }
+    return find_anew(angle, deviation);
+  }
   // After find(): corner + tau < 0, exactly. `nearest` is the double nearest to `corner`.
   [[nodiscard]] bool below(const Count& corner, double nearest, const ContactAngle& angle,
                            const Deviation& deviation) const {
@@ -42,6 +52,11 @@ class DeviationTable {
     double degrees = 0, value = 0;
     double rate = 0;   // by degrees
     double bound = 0;  // of the error of a deviation
+
+    [[nodiscard]] double value_at(double other_degrees) const {
+      if (fault(Fault::face_deviation_steps)) return value;
+      return value + rate * (other_degrees - degrees);
+    }
   };
   static constexpr double kBound = 0x1p-48;
   // The first of the two points of the segment.
@@ -50,6 +65,7 @@ class DeviationTable {
     return segment + 1 < point_.size() && (segment == 0 || point_[segment].degrees <= degrees) &&
            (segment + 2 == point_.size() || degrees < point_[segment + 1].degrees);
   }
+  [[nodiscard]] bool find_anew(const ContactAngle& angle, Deviation& deviation) const;
   [[nodiscard]] bool exactly_below(const Count& corner, const ContactAngle& angle, std::size_t segment) const;
 
   const spec::DeviationTable& points_;

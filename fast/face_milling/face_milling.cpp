@@ -23,7 +23,7 @@ void FaceMilling::meet_wide(const ToolVector& tool, Meeting& meeting) const {
 }
 
 // In the units of Meeting::square.
-double FaceMilling::whole_dot(const ToolVector& tool) const {
+inline double FaceMilling::whole_dot(const ToolVector& tool) const {
   const WholeVector& n = normal();
   const WholeVector& t = tool.vector();
   if (n.narrow && t.narrow) [[likely]]
