@@ -27,7 +27,9 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink)
   if (setup_.control != spec::Control::heidenhain)
     throw spec::InputError("setup", 0, 0, "control: Klartext programs need a setup of control \"heidenhain\"");
   for (std::size_t slot = 0; slot < kSlots; ++slot) axis_[slot] = setup_.axes.index(kAxisLetters[slot]);
-  for (const char parallel : {'U', 'V', 'W'}) has_parallel_axes_ = has_parallel_axes_ || setup_.axes.has(parallel);
+  for (const char parallel : {'U', 'V', 'W'})
+    if (setup_.axes.has(parallel))
+      parallel_axes_ = static_cast<std::uint16_t>(parallel_axes_ | 1U << setup_.axes.index(parallel));
   for (std::size_t slot = 0; slot < 3; ++slot)
     if (axis_[slot] == spec::Axes::kNone) throw spec::InputError("setup", 0, 0, "axes: X, Y and Z are needed");
   for (const auto& [letter, value] : setup_.position)

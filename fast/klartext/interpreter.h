@@ -86,7 +86,7 @@ class Interpreter {
   PeripheralMilling peripheral_;
   Parameters parameters_;
   std::array<std::size_t, kSlots> axis_{};  // of a slot; spec::Axes::kNone where the setup has none
-  bool has_parallel_axes_ = false;          // U, V, W
+  std::uint16_t parallel_axes_ = 0;         // U, V, W: bit by axis
   bool started_ = false;
   bool stopped_ = false;
   bool inch_ = false;

@@ -123,7 +123,7 @@ inline Alarm Interpreter::place(const Block& block, Functions functions) {
     if (const Alarm a = place_word(block, slot, (shifted & bit) != 0)) return a;
   }
   head_.rotary = static_cast<std::uint16_t>(rotary);
-  head_.more_axes = rotary != 0 || has_parallel_axes_;
+  head_.more_axes = static_cast<std::uint16_t>(rotary | parallel_axes_);
   if (travels) arrive(peripheral_.next().travel);
   return alarm::kNone;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 
@@ -27,7 +28,7 @@ struct MoveHead : BlockHead {
   std::uint16_t rotary = 0;                       // bit by axis: a rotary axis with a word in this block
   std::optional<double> feed;                     // in force
   Vector xyz{0, 0, 0};                            // programmed
-  bool more_axes = false;                         // than X, Y, Z have a value
+  std::uint16_t more_axes = 0;                    // bit by axis: with a value, but for X, Y, Z
   std::array<double, spec::kMaxAxes> position{};  // programmed, by axis, but for X, Y, Z
 
   // Only what counts, part by part.
@@ -41,7 +42,10 @@ struct MoveHead : BlockHead {
     feed = other.feed;
     xyz = other.xyz;
     more_axes = other.more_axes;
-    if (more_axes) position = other.position;
+    for (unsigned rest = more_axes; rest != 0; rest &= rest - 1) {
+      const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
+      position[axis] = other.position[axis];
+    }
   }
 };
 
