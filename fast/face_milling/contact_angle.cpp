@@ -14,10 +14,7 @@ Count ContactAngle::fine() const {
   return fine_arctangent(sqrt(dot(c, c).to_double_double()), dot(n, t).to_double_double());
 }
 
-int ContactAngle::compare(const Count& degrees, double nearest) const {
-  const double difference = degrees_ - nearest;
-  if (difference > 2 * kError) return 1;
-  if (difference < -2 * kError) return -1;
+int ContactAngle::compare_exactly(const Count& degrees) const {
   const Int128 exact = fine().units() - degrees.units();
   if (exact > kFineUnits) return 1;
   return exact < -kFineUnits ? -1 : 0;

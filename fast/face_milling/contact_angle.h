@@ -18,9 +18,16 @@ class ContactAngle {
   [[nodiscard]] Count fine() const;
   static constexpr int kFineUnits = 3;
   // The sign of theta less `degrees`, whose double is `nearest`.
-  [[nodiscard]] int compare(const Count& degrees, double nearest) const;
+  [[nodiscard]] int compare(const Count& degrees, double nearest) const {
+    const double difference = degrees_ - nearest;
+    if (difference > 2 * kError) return 1;
+    if (difference < -2 * kError) return -1;
+    return compare_exactly(degrees);
+  }
 
  private:
+  [[nodiscard]] int compare_exactly(const Count& degrees) const;
+
   const WholeVector& normal_;
   const WholeVector& tool_;
   double degrees_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/fault.h"
-
 namespace toolcomp::fast::klartext {
 
 DeviationTable::DeviationTable(const spec::DeviationTable& points) : points_(points), point_(points.size()) {
@@ -20,6 +18,12 @@ void DeviationTable::set_units(Factor factor) {
     point_[i].deviation = Count::of(points_[i].second, factor);
     point_[i].value = point_[i].deviation.nearest();
   }
+  for (std::size_t i = 0; i < point_.size(); ++i) {
+    Point& a = point_[i];
+    const Point& b = point_[std::min(i + 1, point_.size() - 1)];
+    a.rate = &a == &b ? 0 : (b.value - a.value) / (b.degrees - a.degrees);
+    a.bound = 2 * ContactAngle::kError * std::abs(a.rate) + kBound * (std::abs(a.value) + std::abs(b.value));
+  }
 }
 
 std::size_t DeviationTable::segment(double degrees) const {
@@ -28,36 +32,19 @@ std::size_t DeviationTable::segment(double degrees) const {
   return std::clamp<std::size_t>(index, 1, point_.size() - 1) - 1;
 }
 
-bool DeviationTable::find(const ContactAngle& angle, double& deviation) const {
+bool DeviationTable::find_anew(const ContactAngle& angle, Deviation& deviation) const {
   const Point& first = point_.front();
   const Point& last = point_.back();
   if (angle.compare(first.angle, first.degrees) < 0 || angle.compare(last.angle, last.degrees) > 0) return false;
-  if (point_.size() == 1) {
-    deviation = first.value;
-    return true;
-  }
-  const std::size_t index = segment(angle.degrees());
-  const Point& a = point_[index];
-  const Point& b = point_[index + 1];
-  if (fault(Fault::face_deviation_steps)) {
-    deviation = a.value;
-    return true;
-  }
-  deviation = a.value + (b.value - a.value) * ((angle.degrees() - a.degrees) / (b.degrees - a.degrees));
+  deviation.segment = point_.size() == 1 ? 0 : segment(angle.degrees());
+  deviation.value = point_[deviation.segment].value_at(angle.degrees());
   return true;
 }
 
-bool DeviationTable::below(const Count& corner, const ContactAngle& angle, double deviation) const {
-  if (point_.size() == 1) return corner + point_.front().deviation < Count{};
-  const std::size_t index = segment(angle.degrees());
-  const Point& a = point_[index];
-  const Point& b = point_[index + 1];
-  const double sum = corner.nearest() + deviation;
-  const double slope = std::abs(b.value - a.value) / (b.degrees - a.degrees);
-  const double bound =
-      2 * ContactAngle::kError * slope + 0x1p-48 * (std::abs(corner.nearest()) + std::abs(a.value) + std::abs(b.value));
-  if (sum > bound) return false;
-  if (sum < -bound) return true;
+bool DeviationTable::exactly_below(const Count& corner, const ContactAngle& angle, std::size_t segment) const {
+  const Point& a = point_[segment];
+  if (point_.size() == 1) return corner + a.deviation < Count{};
+  const Point& b = point_[segment + 1];
   // (corner + v0)(b1 − b0) + (v1 − v0)(theta − b0) < 0.
   const Int128 rise = b.deviation.units() - a.deviation.units();
   const Wide exact = Wide((corner + a.deviation).units()) * Wide(b.angle.units() - a.angle.units()) +

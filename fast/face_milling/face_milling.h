@@ -16,33 +16,49 @@ class FaceMilling {
  public:
   explicit FaceMilling(EventWriter& writer) : writer_(writer) {}
 
-  // The surface normal of the block to come, to be written.
-  [[nodiscard]] WholeVector& normal() { return normal_; }
-  // The first alarm of sheet 5.1 or 5.9; with a table of deviations it is looked up. `along`: the tool stands along the
-  // normal.
-  [[nodiscard]] Alarm check(const ToolVector& tool, bool along, const EffectiveTool& effective, bool permitted) {
+  // The surface normal of the block to come.
+  void take_normal(const std::array<spec::Decimal, 3>& components) {
+    latest_ ^= 1U;
+    normal_[latest_].set(components);
+    unit_normal_ = unit_of(normal());
+  }
+  [[nodiscard]] const WholeVector& normal() const { return normal_[latest_]; }
+  [[nodiscard]] const Vector& unit_normal() const { return unit_normal_.unit; }
+  // Normal and tool, unit; u = t x (n x t)/|n x t|, and 0 where w = 0 or the tool has no ring.
+  struct Meeting {
+    Vector n, t, u;
+    bool flat;      // w = 0
+    double cosine;  // n.t
+    double square;  // where w is not 0: (N x T)², in the units of the vectors
+  };
+  // `along`: the tool stands along the normal.
+  [[gnu::always_inline]] [[nodiscard]] Meeting meet(const ToolVector& tool, bool along,
+                                                    const EffectiveTool& effective) const;
+  // The first alarm of sheet 5.1 or 5.9; with a table of deviations it is looked up.
+  [[nodiscard]] Alarm check(const Meeting& meeting, const ToolVector& tool, const EffectiveTool& effective,
+                            bool permitted) {
     if (effective.deviations() == nullptr) [[likely]]
       return effective.check(true, permitted);
-    return deviate(tool, along, effective, permitted);
+    return deviate(meeting, tool, effective, permitted);
   }
   // The block checked: its warnings, which are added to those of the head, and its move.
-  [[gnu::always_inline]] void mill(MoveHead& head, const ToolVector& tool, bool along,
+  [[gnu::always_inline]] void mill(MoveHead& head, const Meeting& meeting, const ToolVector& tool,
                                    const ProgrammedPoint& programmed, const EffectiveTool& effective,
                                    spec::Cause cause);
   // Any other motion and TOOL CALL: no contact is before the next.
   void forget() { before_.any = false; }
+  // The tool of the block before is about to change.
+  void keep_tool() {
+    if (!before_.any) return;
+    kept_.copy(*before_.tool);
+    before_.tool = &kept_;
+  }
 
  private:
-  // Normal and tool, unit; u = t x (n x t)/|n x t|, and 0 where w = 0.
-  struct Meeting {
-    Vector n, t, u;
-    bool flat;      // w = 0
-    double sine;    // |n x T|, T in its own units
-    double cosine;  // n.t
-  };
-  [[gnu::always_inline]] [[nodiscard]] Meeting meet(const ToolVector& tool, bool along) const;
   void meet_wide(const ToolVector& tool, Meeting& meeting) const;
-  [[nodiscard]] Alarm deviate(const ToolVector& tool, bool along, const EffectiveTool& effective, bool permitted);
+  [[nodiscard]] double whole_dot(const ToolVector& tool) const;
+  [[nodiscard]] Alarm deviate(const Meeting& meeting, const ToolVector& tool, const EffectiveTool& effective,
+                              bool permitted);
   [[nodiscard]] bool below(double cosine, const ToolVector& tool) const;
   [[nodiscard]] bool exactly_below(const ToolVector& tool) const;
   // w.w_before < 0 where both contacts are on the ring.
@@ -50,54 +66,53 @@ class FaceMilling {
   [[nodiscard]] bool exactly_opposed(const ToolVector& tool) const;
 
   EventWriter& writer_;
-  WholeVector normal_;
+  // Of the latest block and the one before.
+  std::array<WholeVector, 2> normal_;
+  unsigned latest_ = 0;
+  UnitVector unit_normal_;
   // With a table of deviations, of the block checked.
   ToolValues ball_;
   double degrees_ = 0;
+  DeviationTable::Deviation deviation_;
 
   // The contact of the block before.
   struct Before {
     bool any = false;
     bool flat = false;
     Vector u;
-    WholeVector normal, tool;
+    const ToolVector* tool = nullptr;
   };
   Before before_;
+  ToolVector kept_;
 };
 
-inline FaceMilling::Meeting FaceMilling::meet(const ToolVector& tool, bool along) const {
+inline FaceMilling::Meeting FaceMilling::meet(const ToolVector& tool, bool along,
+                                              const EffectiveTool& effective) const {
   Meeting meeting;
   meeting.flat = true;
-  meeting.sine = 0;
   meeting.cosine = 1;
+  meeting.n = unit_normal_.unit;
   meeting.t = tool.unit();
-  if (along) {
-    meeting.n = meeting.t;
-    meeting.u = zero_vector();
-    return meeting;
-  }
-  const Vector normal = normal_.nearest();
-  const double scale = 1 / std::sqrt(dot(normal, normal));
-  meeting.n = normal * scale;
+  meeting.u = zero_vector();
+  if (along) return meeting;
   meeting.cosine = dot(meeting.n, meeting.t);
+  const WholeVector& n = normal();
   const WholeVector& t = tool.vector();
-  if (!normal_.narrow || !t.narrow) [[unlikely]] {
+  if (!n.narrow || !t.narrow) [[unlikely]] {
     meet_wide(tool, meeting);
     return meeting;
   }
   // Components are below 2^30.
-  const std::int64_t x = normal_.small[1] * t.small[2] - normal_.small[2] * t.small[1];
-  const std::int64_t y = normal_.small[2] * t.small[0] - normal_.small[0] * t.small[2];
-  const std::int64_t z = normal_.small[0] * t.small[1] - normal_.small[1] * t.small[0];
-  if ((x | y | z) == 0) [[unlikely]] {
-    meeting.u = zero_vector();
+  const std::int64_t x = n.small[1] * t.small[2] - n.small[2] * t.small[1];
+  const std::int64_t y = n.small[2] * t.small[0] - n.small[0] * t.small[2];
+  const std::int64_t z = n.small[0] * t.small[1] - n.small[1] * t.small[0];
+  meeting.flat = (x | y | z) == 0;
+  if (meeting.flat) [[unlikely]]
     return meeting;
-  }
-  meeting.flat = false;
   const Vector c{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-  const double length = std::sqrt(dot(c, c));
-  meeting.u = cross(meeting.t, c) * (1 / length);
-  meeting.sine = length * scale;
+  meeting.square = dot(c, c);
+  // Root and quotient side by side.
+  if (effective.values().has_ring) meeting.u = cross(meeting.t, c) * (std::sqrt(meeting.square) * (1 / meeting.square));
   return meeting;
 }
 
@@ -121,14 +136,13 @@ inline bool FaceMilling::jump(const Meeting& meeting, const ToolVector& tool) co
   return !meeting.flat && (product < -kSure || exactly_opposed(tool));
 }
 
-inline void FaceMilling::mill(MoveHead& head, const ToolVector& tool, bool along, const ProgrammedPoint& programmed,
-                              const EffectiveTool& effective, spec::Cause cause) {
-  const Meeting meeting = meet(tool, along);
+inline void FaceMilling::mill(MoveHead& head, const Meeting& meeting, const ToolVector& tool,
+                              const ProgrammedPoint& programmed, const EffectiveTool& effective, spec::Cause cause) {
   const bool ball = effective.deviations() != nullptr;
   const ToolValues& values = ball ? ball_ : effective.values();
 
   unsigned warnings = head.warnings;
-  if (not_normalized(normal_)) [[unlikely]]
+  if (!unit_normal_.normalized) [[unlikely]]
     warnings |= kNormalNotNormalized;
   if (below(meeting.cosine, tool)) [[unlikely]]
     warnings |= kNormalBelow;
@@ -138,8 +152,7 @@ inline void FaceMilling::mill(MoveHead& head, const ToolVector& tool, bool along
   before_.any = true;
   before_.flat = meeting.flat;
   before_.u = meeting.u;
-  before_.normal.copy(normal_);
-  before_.tool.copy(tool.vector());
+  before_.tool = &tool;
 
   const Vector lean = meeting.n - meeting.t;
   Placement placement;
@@ -162,8 +175,7 @@ inline void FaceMilling::mill(MoveHead& head, const ToolVector& tool, bool along
     q = q - (lean * values.corner + meeting.u * values.ring);
   }
   spec::Contact<double>& contact = writer_.contact();
-  const std::array<std::size_t, 3>& xyz = writer_.xyz();
-  put(contact.point, Vector(head.position[xyz[0]], head.position[xyz[1]], head.position[xyz[2]]) + q);
+  put(contact.point, head.xyz + q);
   put(contact.normal, meeting.n);
   contact.flat = meeting.flat;
   if (ball) [[unlikely]]

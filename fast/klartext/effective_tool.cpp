@@ -126,9 +126,11 @@ void EffectiveTool::update() {
   values_.effective_corner = effective_corner.nearest();
   values_.effective_ring = effective_ring.nearest();
   values_.ring_delta = fault(Fault::face_radius_delta_ignored) ? 0 : (effective_ring - ring).nearest();
+  values_.has_ring = !ring.is_zero() || !effective_ring.is_zero();
   values_.has_length = length_.has_value();
   values_.length = length_ ? (*length_ + length_delta).nearest() : 0;
   corner_without_deviation_ = corner_ + added_corner;
+  nearest_corner_without_deviation_ = corner_without_deviation_.nearest();
   corner_delta_without_deviation_ = added_corner.nearest();
 
   // In the order of sheet 5.1 and 5.9; the first one counts.

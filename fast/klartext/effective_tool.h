@@ -14,19 +14,24 @@
 
 namespace toolcomp::fast::klartext {
 
+// The length of the tool in units of the program: what the real tool is longer than its table says, and all of it.
+struct ToolLength {
+  double length_delta = 0;  // dL
+  double length = 0;        // L + dL
+  bool has_length = false;
+};
+
 // Lengths of the tool in units of the program. Letters of tool.toml: ' is the effective tool.
-struct ToolValues {
+struct ToolValues : ToolLength {
   double corner = 0;            // R2
   double ring = 0;              // rho = R − R2
   double radius_delta = 0;      // dR
   double corner_delta = 0;      // dR2 without a table of deviations
-  double length_delta = 0;      // dL
   double effective_radius = 0;  // R'
   double effective_corner = 0;  // R2' without a table of deviations
   double effective_ring = 0;    // rho' = max(0, R' − R2')
   double ring_delta = 0;        // rho' − rho
-  double length = 0;            // L + dL
-  bool has_length = false;
+  bool has_ring = false;        // rho or rho' is not 0
 };
 
 class EffectiveTool {
@@ -61,6 +66,7 @@ class EffectiveTool {
   [[nodiscard]] const Alarm& check_after_angle(bool permitted) const { return after_angle_[permitted ? 1 : 0]; }
   // R2 + DR2_CALL + DR2_TCO: what the deviation is added to, exactly; and the deltas alone.
   [[nodiscard]] const Count& corner_without_deviation() const { return corner_without_deviation_; }
+  [[nodiscard]] double nearest_corner_without_deviation() const { return nearest_corner_without_deviation_; }
   [[nodiscard]] double corner_delta_without_deviation() const { return corner_delta_without_deviation_; }
 
  private:
@@ -86,6 +92,7 @@ class EffectiveTool {
   Alarm before_angle_;
   Alarm after_angle_[2];
   Count corner_without_deviation_;
+  double nearest_corner_without_deviation_ = 0;
   double corner_delta_without_deviation_ = 0;
 };
 

@@ -4,7 +4,9 @@
 
 namespace toolcomp::fast::klartext {
 EventWriter::EventWriter(const spec::Setup& setup, EventSink& sink)
-    : sink_(sink), xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')} {
+    : sink_(sink),
+      xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
+      in_order_(xyz_ == std::array<std::size_t, 3>{0, 1, 2}) {
   for (std::size_t axis = 0; axis < setup.axes.size(); ++axis) {
     const char letter = setup.axes.letter(axis);
     if (!spec::is_linear_axis(letter)) continue;
@@ -21,8 +23,8 @@ EventWriter::EventWriter(const spec::Setup& setup, EventSink& sink)
   contact_.space->contact.emplace();
 }
 
-void EventWriter::move(const MoveHead& head, const Placement& placement, const ToolValues& values, spec::Cause cause) {
-  send(plain_, head, placement, values, cause);
+void EventWriter::move(const MoveHead& head, const Placement& placement, const ToolLength& length, spec::Cause cause) {
+  send(plain_, head, placement, length, cause);
 }
 
 void EventWriter::other_axes(fast::Event& event, const MoveHead& head) const {

@@ -19,15 +19,13 @@ class EventWriter {
  public:
   EventWriter(const spec::Setup& setup, EventSink& sink);
 
-  // The axes X, Y, Z.
-  [[nodiscard]] const std::array<std::size_t, 3>& xyz() const { return xyz_; }
   // A move of a block without contact.
-  void move(const MoveHead& head, const Placement& placement, const ToolValues& values, spec::Cause cause);
+  void move(const MoveHead& head, const Placement& placement, const ToolLength& length, spec::Cause cause);
   // One with the contact in contact().
   [[nodiscard]] spec::Contact<double>& contact() { return *contact_.space->contact; }
   [[gnu::always_inline]] void move_in_contact(const MoveHead& head, const Placement& placement,
-                                              const ToolValues& values, spec::Cause cause) {
-    send(contact_, head, placement, values, cause);
+                                              const ToolLength& length, spec::Cause cause) {
+    send(contact_, head, placement, length, cause);
   }
   void warnings(const BlockHead& head, Warnings warnings);
   void undecided(const BlockHead& head);
@@ -35,12 +33,21 @@ class EventWriter {
 
  private:
   [[gnu::always_inline]] void send(fast::Event& event, const MoveHead& head, const Placement& placement,
-                                   const ToolValues& values, spec::Cause cause);
+                                   const ToolLength& length, spec::Cause cause);
   void other_axes(fast::Event& event, const MoveHead& head) const;
+  void put_xyz(spec::AxisValues<double>& to, const Vector& v) const {
+    if (in_order_) [[likely]] {
+      std::memcpy(to.value.data(), &v.xy, sizeof v.xy);
+      to.value[2] = v.z;
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i) to.value[xyz_[i]] = v[i];
+  }
   void report(spec::EventKind kind, const BlockHead& head, std::string_view number, const char* message);
 
   EventSink& sink_;
-  std::array<std::size_t, 3> xyz_;
+  std::array<std::size_t, 3> xyz_;  // the axes X, Y, Z
+  bool in_order_;                   // they come first
   std::uint16_t linear_ = 0;
   std::uint16_t others_ = 0;  // linear axes but X, Y, Z
   fast::Event plain_;         // moves without contact
@@ -52,7 +59,7 @@ class EventWriter {
 inline Vector along(const Vector& v, const Vector& unit, double length) { return v + unit * length; }
 
 inline void EventWriter::send(fast::Event& event, const MoveHead& head, const Placement& placement,
-                              const ToolValues& values, spec::Cause cause) {
+                              const ToolLength& length, spec::Cause cause) {
   if (head.warnings != 0) [[unlikely]]
     warnings(head, head.warnings);
   event.line = head.line;
@@ -69,21 +76,17 @@ inline void EventWriter::send(fast::Event& event, const MoveHead& head, const Pl
   spec::SpaceCompensation<double>& space = *event.space;
   const Vector& t = placement.tool;
   put(*event.tool_axis, t);
-  const Vector p{head.position[xyz_[0]], head.position[xyz_[1]], head.position[xyz_[2]]};
-  const Vector point = p + placement.tip;
-  const Vector center = p + along(placement.tip, t, placement.corner);
-  const Vector real = p + along(placement.tip, t, values.length_delta);
-  for (std::size_t i = 0; i < 3; ++i) {
-    event.programmed.value[xyz_[i]] = p[i];
-    event.point.value[xyz_[i]] = point[i];
-    event.axes.value[xyz_[i]] = real[i];
-  }
-  put(space.tool_center, center);
+  const Vector& p = head.xyz;
+  const Vector longer = t * length.length_delta;
+  put_xyz(event.programmed, p);
+  put_xyz(event.point, p + placement.tip);
+  put_xyz(event.axes, p + (placement.tip + longer));
+  put(space.tool_center, p + along(placement.tip, t, placement.corner));
   put(space.shift, placement.shift);
-  put(space.tool_shift, along(placement.shift, t, values.length_delta));
-  if (values.has_length) {
+  put(space.tool_shift, placement.shift + longer);
+  if (length.has_length) {
     if (!space.carrier) space.carrier.emplace();
-    put(*space.carrier, p + along(placement.tip, t, values.length));
+    put(*space.carrier, p + along(placement.tip, t, length.length));
   } else {
     space.carrier.reset();
   }

@@ -27,6 +27,9 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink)
   if (setup_.control != spec::Control::heidenhain)
     throw spec::InputError("setup", 0, 0, "control: Klartext programs need a setup of control \"heidenhain\"");
   for (std::size_t slot = 0; slot < kSlots; ++slot) axis_[slot] = setup_.axes.index(kAxisLetters[slot]);
+  for (const char parallel : {'U', 'V', 'W'})
+    if (setup_.axes.has(parallel))
+      parallel_axes_ = static_cast<std::uint16_t>(parallel_axes_ | 1U << setup_.axes.index(parallel));
   for (std::size_t slot = 0; slot < 3; ++slot)
     if (axis_[slot] == spec::Axes::kNone) throw spec::InputError("setup", 0, 0, "axes: X, Y and Z are needed");
   for (const auto& [letter, value] : setup_.position)
@@ -126,7 +129,8 @@ void Interpreter::end_acting(Functions functions) {
 
 void Interpreter::switch_tcpm_off() {
   tcpm_ = false;
-  direction_.set_axis(tool_axis_);
+  face_.keep_tool();
+  direction_->set_axis(tool_axis_);
 }
 
 // What is held is sent as if this block were absent; where that fails, its block is the one at fault.
@@ -218,7 +222,7 @@ Alarm Interpreter::tool_call(const Block& block) {
   }
   if (block.tool_axis != 0) {
     tool_axis_ = static_cast<std::size_t>(block.tool_axis - 'X');
-    if (!tcpm_) direction_.set_axis(tool_axis_);
+    if (!tcpm_) direction_->set_axis(tool_axis_);
   }
   return feed(block, true);
 }

@@ -50,18 +50,26 @@ class Interpreter {
   [[nodiscard]] Alarm datum_shift(const Block& block);
   [[nodiscard]] Alarm assign(const Block& block);
   void switch_tcpm_off();
+  [[nodiscard]] ToolVector& new_direction() {
+    direction_ = direction_ == direction_of_.data() ? &direction_of_[1] : direction_of_.data();
+    return *direction_;
+  }
   [[nodiscard]] Alarm feed(const Block& block, bool call);
 
   // L and LN.
   void modal_words(const Block& block);
   [[nodiscard]] Alarm line(const Block& block, Functions functions);
   [[nodiscard]] Alarm line_with_vectors(const Block& block, Functions functions);
+  [[gnu::always_inline]] [[nodiscard]] Alarm line_with_normal(const Block& block, Functions functions,
+                                                              unsigned warnings, bool turned);
   // The words of the block become the programmed position; peripheral_.next() gets its travel, where that is wanted.
   [[gnu::always_inline]] [[nodiscard]] Alarm place(const Block& block, Functions functions);
+  [[gnu::always_inline]] [[nodiscard]] bool place_xyz(const Block& block);
   void depart();
   void arrive(Displacement& travel);
   [[nodiscard]] Alarm place_word(const Block& block, std::size_t slot, bool shifted);
   void set_position(std::size_t slot, const Count& value);
+  void write_position(std::size_t slot, double nearest);
   [[nodiscard]] bool compensates() const { return tcpm_ && side_ != 0; }
   // What is held is sent before a motion without peripheral compensation; false after an alarm.
   [[nodiscard]] bool release_before_motion();
@@ -78,6 +86,7 @@ class Interpreter {
   PeripheralMilling peripheral_;
   Parameters parameters_;
   std::array<std::size_t, kSlots> axis_{};  // of a slot; spec::Axes::kNone where the setup has none
+  std::uint16_t parallel_axes_ = 0;         // U, V, W: bit by axis
   bool started_ = false;
   bool stopped_ = false;
   bool inch_ = false;
@@ -89,7 +98,10 @@ class Interpreter {
   bool oversize_ = false;  // M107
   int side_ = 0;           // RL 1, RR −1, R0 0
   std::size_t tool_axis_ = 2;
-  ToolVector direction_;  // of the tool now; along the tool axis while TCPM is off
+  // Of the tool now; along the tool axis while TCPM is off. LN blocks write it to two places in turn: face milling
+  // looks back at the one before.
+  std::array<ToolVector, 2> direction_of_;
+  ToolVector* direction_ = direction_of_.data();
   std::optional<double> feed_, call_feed_;
 
   // Positions by slot, in units of the program and degrees: programmed, preset coordinates.

@@ -1,4 +1,5 @@
 // Blocks that move: L and LN.
+#include <algorithm>
 #include <bit>
 
 #include "fast/fault.h"
@@ -13,12 +14,22 @@ using spec::klartext::RadiusWord;
 
 constexpr std::size_t kRotarySlot = 3;  // A, B, C
 constexpr unsigned kRotarySlots = 0b111U << kRotarySlot;
+constexpr unsigned kMainSlots = 0b111U;  // X, Y, Z
 
 }  // namespace
 
+inline void Interpreter::write_position(std::size_t slot, double nearest) {
+  if (slot > 2)
+    head_.position[axis_[slot]] = nearest;
+  else if (slot == 2)
+    head_.xyz.z = nearest;
+  else
+    head_.xyz.xy[slot] = nearest;
+}
+
 void Interpreter::set_position(std::size_t slot, const Count& value) {
   position_[slot] = value;
-  head_.position[axis_[slot]] = value.nearest();
+  write_position(slot, value.nearest());
 }
 
 void Interpreter::modal_words(const Block& block) {
@@ -56,6 +67,34 @@ inline void Interpreter::arrive(Displacement& travel) {
   set_displacement(travel, from_, {position_[0], position_[1], position_[2]}, 0);
 }
 
+// X, Y and Z as plain usual numbers: two of three divisions at once.
+inline bool Interpreter::place_xyz(const Block& block) {
+  static constexpr std::array<std::uint64_t, 8> kMost = [] {
+    std::array<std::uint64_t, 8> most{};
+    std::ranges::copy(Count::kMostDigits, most.begin());
+    return most;
+  }();
+  const spec::klartext::Value& x = block.axis[0];
+  const spec::klartext::Value& y = block.axis[1];
+  const spec::klartext::Value& z = block.axis[2];
+  using spec::klartext::ParameterKind;
+  if (x.parameter.kind != ParameterKind::none || y.parameter.kind != ParameterKind::none ||
+      z.parameter.kind != ParameterKind::none) [[unlikely]]
+    return false;
+  if ((x.number.decimals | y.number.decimals | z.number.decimals) >= kMost.size()) [[unlikely]]
+    return false;
+  if (x.number.digits > kMost[x.number.decimals] || y.number.digits > kMost[y.number.decimals] ||
+      z.number.digits > kMost[z.number.decimals]) [[unlikely]]
+    return false;
+  const std::array<std::int64_t, 3> small{Count::small_of_usual(x.number), Count::small_of_usual(y.number),
+                                          Count::small_of_usual(z.number)};
+  for (std::size_t i = 0; i < 3; ++i) position_[i].set_small(small[i]);
+  constexpr auto kOne = static_cast<double>(Count::kSmallPerOne);
+  head_.xyz.xy = DoublePair{static_cast<double>(small[0]), static_cast<double>(small[1])} / kOne;
+  head_.xyz.z = static_cast<double>(small[2]) / kOne;
+  return true;
+}
+
 inline Alarm Interpreter::place(const Block& block, Functions functions) {
   const bool travels = compensates() || peripheral_.holds();
   if (travels) depart();
@@ -63,7 +102,10 @@ inline Alarm Interpreter::place(const Block& block, Functions functions) {
   // Slots whose word is more than a plain position.
   const unsigned relative = block.incremental | shifted;
   unsigned rotary = 0;
-  for (unsigned rest = block.axes; rest != 0; rest &= rest - 1) {
+  unsigned rest = block.axes;
+  if ((rest & kMainSlots) == kMainSlots && (relative & kMainSlots) == 0 && place_xyz(block)) [[likely]]
+    rest &= ~kMainSlots;
+  for (; rest != 0; rest &= rest - 1) {
     const auto slot = static_cast<std::size_t>(std::countr_zero(rest));
     const std::size_t axis = axis_[slot];
     if (axis == spec::Axes::kNone) [[unlikely]]
@@ -74,13 +116,14 @@ inline Alarm Interpreter::place(const Block& block, Functions functions) {
     if (word.parameter.kind == spec::klartext::ParameterKind::none && (relative & bit) == 0) [[likely]] {
       if (const std::int64_t small = Count::small_of(word.number); small != Count::kNotSmall) [[likely]] {
         position_[slot].set_small(small);
-        head_.position[axis] = Count::nearest_small(small);
+        write_position(slot, Count::nearest_small(small));
         continue;
       }
     }
     if (const Alarm a = place_word(block, slot, (shifted & bit) != 0)) return a;
   }
   head_.rotary = static_cast<std::uint16_t>(rotary);
+  head_.more_axes = static_cast<std::uint16_t>(rotary | parallel_axes_);
   if (travels) arrive(peripheral_.next().travel);
   return alarm::kNone;
 }
@@ -107,7 +150,7 @@ Alarm Interpreter::line(const Block& block, Functions functions) {
   head_.warnings = block.many_digits ? kDigits : 0;
   if (const Alarm a = place(block, functions)) return a;
   if (tcpm_ && (block.axes & kRotarySlots) != 0)
-    direction_.turn(tool_axis_, {position_[kRotarySlot], position_[kRotarySlot + 1], position_[kRotarySlot + 2]});
+    direction_->turn(tool_axis_, {position_[kRotarySlot], position_[kRotarySlot + 1], position_[kRotarySlot + 2]});
   if (side_ == 0) {
     plain_motion();
     return alarm::kNone;
@@ -128,42 +171,45 @@ Alarm Interpreter::line_with_vectors(const Block& block, Functions functions) {
     if (const Alarm a = feed(block, false)) return a;
   head_.rapid = block.feed == FeedWord::f_max;
   head_.feed = feed_;
-  if (const Alarm a = place(block, functions)) [[unlikely]]
-    return a;
   unsigned warnings = block.many_digits ? kDigits : 0;
   if (block.has_tool_vector && !tcpm_) warnings |= kToolVectorIgnored;
+  const bool turned = tcpm_ && block.has_tool_vector;
+  if (turned && !new_direction().set(block.tool_vector)) [[unlikely]]
+    warnings |= kToolNotNormalized;
+  if (block.has_normal) [[likely]]
+    return line_with_normal(block, functions, warnings, turned);
+  if (const Alarm a = place(block, functions)) return a;
+  if (!tool_.called()) return alarm::kNoTool;
+  if (const Alarm a = tool_.check(false, oversize_)) return a;
+  if (side_ == 0) warnings |= kNoLateral;
+  head_.warnings = static_cast<Warnings>(warnings);
+  if (side_ == 0)
+    plain_motion();
+  else if (!tcpm_)
+    out_of_scope();
+  else
+    peripheral_motion();
+  return alarm::kNone;
+}
 
+// What takes the longest begins first: vectors, then the place, then what follows from both.
+inline Alarm Interpreter::line_with_normal(const Block& block, Functions functions, unsigned warnings, bool turned) {
+  face_.take_normal(block.normal);
+  const bool along = tcpm_ && !turned;
+  if (along) new_direction().set(face_.normal(), face_.unit_normal());
+  const FaceMilling::Meeting meeting = face_.meet(*direction_, along, tool_);
+  if (const Alarm a = place(block, functions)) [[unlikely]]
+    return a;
   if (!tool_.called()) [[unlikely]]
     return alarm::kNoTool;
-  const bool turned = tcpm_ && block.has_tool_vector;
-  if (turned) {
-    direction_.set(block.tool_vector);
-    if (not_normalized(direction_.vector())) [[unlikely]]
-      warnings |= kToolNotNormalized;
-  }
-  if (!block.has_normal) {
-    if (const Alarm a = tool_.check(false, oversize_)) return a;
-    if (side_ == 0) warnings |= kNoLateral;
-    head_.warnings = static_cast<Warnings>(warnings);
-    if (side_ == 0)
-      plain_motion();
-    else if (!tcpm_)
-      out_of_scope();
-    else
-      peripheral_motion();
-    return alarm::kNone;
-  }
   if (side_ != 0) [[unlikely]]
     return alarm::kRadiusWithNormal;
-  face_.normal().set(block.normal);
-  const bool along = tcpm_ && !turned;
-  if (along) direction_.set(face_.normal());
-  if (const Alarm a = face_.check(direction_, along, tool_, oversize_)) [[unlikely]]
+  if (const Alarm a = face_.check(meeting, *direction_, tool_, oversize_)) [[unlikely]]
     return a;
   if (!release_before_motion()) [[unlikely]]
     return alarm::kNone;
   head_.warnings = static_cast<Warnings>(warnings);
-  face_.mill(head_, direction_, along, programmed_point(), tool_, cause());
+  face_.mill(head_, meeting, *direction_, programmed_point(), tool_, cause());
   return alarm::kNone;
 }
 
@@ -183,13 +229,16 @@ void Interpreter::peripheral_motion() {
   face_.forget();
   head_.cancels = false;
   PeripheralMotion& motion = peripheral_.next();
-  motion.head = head_;
-  motion.tool.copy(direction_);
+  motion.head.copy(head_);
+  motion.tool.copy(*direction_);
   motion.side = side_;
-  motion.values = tool_.values();
+  const ToolValues& values = tool_.values();
+  motion.radius_delta = values.radius_delta;
+  motion.effective_corner = values.effective_corner;
+  motion.length = values;
   const ProgrammedPoint programmed = programmed_point();
-  motion.tip_below = programmed.tip_below(motion.values, true);
-  motion.lateral = programmed.lateral(motion.values);
+  motion.tip_below = programmed.tip_below(values, true);
+  motion.lateral = programmed.lateral(values);
   if (const Alarm a = peripheral_.hold()) raise_at_held(a);
 }
 
@@ -198,7 +247,7 @@ void Interpreter::plain_motion() {
   if (!release_before_motion()) return;
   const ToolValues& values = tool_.values();
   Placement placement;
-  placement.tool = direction_.unit();
+  placement.tool = direction_->unit();
   placement.tip = placement.tool * -programmed_point().tip_below(values, false);
   placement.shift = zero_vector();
   placement.corner = values.corner;

@@ -35,8 +35,10 @@ bool is_quarter(const SineCosine<double>& turn) { return turn.sine == 0 || turn.
 
 void ToolVector::turn(std::size_t axis, const std::array<Count, 3>& degrees) {
   std::array<SineCosine<double>, 3> turn;
-  for (std::size_t i = 0; i < 3; ++i)
-    turn[i] = degrees[i].is_zero() ? SineCosine<double>{0, 1} : sine_cosine(degrees[i]);
+  turn[0] = degrees[0].is_zero() ? SineCosine<double>{0, 1} : sine_cosine(degrees[0]);
+  const std::array<SineCosine<double>, 2> last = sine_cosine(degrees[1], degrees[2]);
+  turn[1] = last[0];
+  turn[2] = last[1];
   if (fault(Fault::klartext_rotary_order)) std::swap(turn[0], turn[2]);
   unit_ = Vector(turned<double>(axis, turn[0], turn[1], turn[2], 1));
   whole_ = is_quarter(turn[0]) && is_quarter(turn[1]) && is_quarter(turn[2]);

@@ -29,12 +29,13 @@ class ToolVector {
     vector_.copy(vector);
     unit_ = unit;
   }
-  void set(const WholeVector& vector) { set(vector, unit_of(vector.nearest())); }
-  // Of an LN block.
-  void set(const std::array<spec::Decimal, 3>& components) {
+  // Of an LN block; false where it is not normalized.
+  [[nodiscard]] bool set(const std::array<spec::Decimal, 3>& components) {
     whole_ = true;
     vector_.set(components);
-    unit_ = unit_of(vector_.nearest());
+    const UnitVector u = unit_of(vector_);
+    unit_ = u.unit;
+    return u.normalized;
   }
   void turn(std::size_t axis, const std::array<Count, 3>& degrees);
 

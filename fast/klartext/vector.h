@@ -19,6 +19,15 @@ struct Vector {
   Vector(double x, double y, double z_) : xy{x, y}, z(z_) {}
   Vector(DoublePair xy_, double z_) : xy(xy_), z(z_) {}
   explicit Vector(const Vector3<double>& v) : Vector(v.x, v.y, v.z) {}
+  // By parts: a processor that copies all bytes at once waits where z has just been written.
+  // NOLINTBEGIN(modernize-use-equals-default,cert-oop54-cpp): the default copies at once.
+  Vector(const Vector& other) : xy(other.xy), z(other.z) {}
+  Vector& operator=(const Vector& other) {
+    xy = other.xy;
+    z = other.z;
+    return *this;
+  }
+  // NOLINTEND(modernize-use-equals-default,cert-oop54-cpp)
   [[nodiscard]] double x() const { return xy[0]; }
   [[nodiscard]] double y() const { return xy[1]; }
   [[nodiscard]] double operator[](std::size_t i) const { return i == 2 ? z : xy[i]; }

@@ -27,13 +27,12 @@ struct WholeVector {
   std::array<Int128, 3> wide{};  // not narrow
 
   void set(const std::array<spec::Decimal, 3>& v) {
-    const unsigned places = v[0].decimals | v[1].decimals | v[2].decimals;
-    if (places > kPower.size() - 1 || !fits(v[0]) || !fits(v[1]) || !fits(v[2])) [[unlikely]] {
-      set_wide(v);
+    // Not above it: none of the three is.
+    if ((v[0].decimals | v[1].decimals | v[2].decimals) > kPlaces) [[unlikely]] {
+      set_any(v);
       return;
     }
-    narrow = true;
-    small = {scaled(v[0]), scaled(v[1]), scaled(v[2])};
+    set_narrow(v);
   }
   void set_axis(std::size_t axis, std::int64_t sign = 1) {
     narrow = true;
@@ -70,36 +69,56 @@ struct WholeVector {
   }
 
  private:
-  // By decimals; beyond kPlaces nothing is narrow.
-  static constexpr std::array<std::int64_t, 16> kPower{100'000'000, 10'000'000, 1'000'000, 100'000, 10'000,
-                                                       1'000,       100,        10,        1};
-  static constexpr std::array<std::uint64_t, 16> kBelow{10,        100,        1'000,       10'000,       100'000,
-                                                        1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
-  static bool fits(const spec::Decimal& value) { return value.digits < kBelow[value.decimals & 15U]; }
-  static std::int64_t scaled(const spec::Decimal& value) {
-    const std::int64_t magnitude = static_cast<std::int64_t>(value.digits) * kPower[value.decimals & 15U];
-    const auto sign = -static_cast<std::int64_t>(value.negative);
-    return (magnitude ^ sign) - sign;
-  }
-  void set_wide(const std::array<spec::Decimal, 3>& v) {
-    narrow = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      auto magnitude = static_cast<Int128>(v[i].digits);
-      for (int place = v[i].decimals; place < kWidePlaces; ++place) magnitude *= 10;
-      wide[i] = v[i].negative ? -magnitude : magnitude;
+  // What the last digit of a component is worth: by its decimals, from the 16th on of negative ones. Signs come in no
+  // order a processor could foresee: no branch.
+  static constexpr std::array<std::int64_t, 32> kWorth = [] {
+    std::array<std::int64_t, 32> worth{};
+    std::int64_t power = kOne;
+    for (std::size_t decimals = 0; decimals <= kPlaces; ++decimals, power /= 10) {
+      worth[decimals] = power;
+      worth[16 + decimals] = -power;
     }
+    return worth;
+  }();
+  static std::int64_t scaled(const spec::Decimal& value) {
+    return static_cast<std::int64_t>(value.digits) * kWorth[value.decimals + 16U * value.negative];
   }
+  void set_narrow(const std::array<spec::Decimal, 3>& v) {
+    narrow = true;
+    small[0] = scaled(v[0]);
+    small[1] = scaled(v[1]);
+    small[2] = scaled(v[2]);
+  }
+  void set_any(const std::array<spec::Decimal, 3>& v);
 };
 
-// |v·v − 1| > 2e-4, exactly (heidenhain.face.not-normalized).
-[[nodiscard]] bool not_normalized_wide(const WholeVector& v);
-[[nodiscard]] inline bool not_normalized(const WholeVector& v) {
-  if (!v.narrow) [[unlikely]]
-    return not_normalized_wide(v);
+// v / |v|, each component within two ulps of 1.
+struct UnitVector {
+  Vector unit;
+  double scale = 0;        // 1 / |v| in the units of v
+  bool normalized = true;  // |v·v − 1| <= 2e-4, exactly (heidenhain.face.not-normalized)
+};
+[[nodiscard]] UnitVector unit_of_any(const WholeVector& v);
+[[nodiscard]] inline UnitVector unit_of(const WholeVector& v) {
   constexpr std::int64_t kSquare = WholeVector::kOne * WholeVector::kOne;
   constexpr std::int64_t kLimit = kSquare / 5000;
+  if (!v.narrow) [[unlikely]]
+    return unit_of_any(v);
   const std::int64_t excess = v.small[0] * v.small[0] + v.small[1] * v.small[1] + v.small[2] * v.small[2] - kSquare;
-  return excess > kLimit || excess < -kLimit;
+  if (excess > kLimit || excess < -kLimit) [[unlikely]]
+    return unit_of_any(v);
+  // 1 / |v| = (1 + x)^(-1/2) by its series up to x^4; the next term is below 2^-63.
+  constexpr double kScale = 1.0 / static_cast<double>(WholeVector::kOne);
+  constexpr double kX = kScale * kScale;
+  const auto x = static_cast<double>(excess);
+  const double square = x * x;
+  UnitVector u;
+  u.scale =
+      (kScale - x * (kScale * kX / 2)) + square * ((kScale * kX * kX * 3 / 8 - x * (kScale * kX * kX * kX * 5 / 16)) +
+                                                   square * (kScale * kX * kX * kX * kX * 35 / 128));
+  u.unit = v.nearest() * u.scale;
+  u.normalized = true;
+  return u;
 }
 
 }  // namespace toolcomp::fast::klartext

@@ -33,9 +33,28 @@ struct Lateral {
   return true;
 }
 
+// Of two with the same tool; roots and quotients of both at once. False: one of them is not usual.
+[[gnu::always_inline, nodiscard]] inline bool directions_of(const Lateral& first, const Lateral& second, Vector& c,
+                                                            Vector& next) {
+  if (first.travel->zero || second.travel->zero) [[unlikely]]
+    return false;
+  const Vector d{first.travel->value[0], first.travel->value[1], first.travel->value[2]};
+  const Vector e{second.travel->value[0], second.travel->value[1], second.travel->value[2]};
+  const Vector v = cross(first.tool->unit(), d);
+  const Vector w = cross(first.tool->unit(), e);
+  const DoublePair square{dot(v, v), dot(w, w)};
+  if (4 * square[0] < dot(d, d) || 4 * square[1] < dot(e, e)) [[unlikely]]
+    return false;
+  const DoublePair root{std::sqrt(square[0]), std::sqrt(square[1])};
+  const DoublePair scale = DoublePair{static_cast<double>(first.side), static_cast<double>(second.side)} / root;
+  c = v * scale[0];
+  next = w * scale[1];
+  return true;
+}
+
 // (c + c')/(1 + c.c'), or false where both are opposite, exactly (turned tools: within 2^-85).
-[[nodiscard]] inline bool mitre(const Vector& c, const Lateral& made_from, const Vector& next, const Lateral& next_from,
-                                Vector& between) {
+[[gnu::always_inline, nodiscard]] inline bool mitre(const Vector& c, const Lateral& made_from, const Vector& next,
+                                                    const Lateral& next_from, Vector& between) {
   const double share = 1 + dot(c, next);
   if (share < 0.5) [[unlikely]]
     return sharp_mitre(made_from, next_from, between);

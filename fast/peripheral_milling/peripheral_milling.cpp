@@ -4,17 +4,19 @@
 
 namespace toolcomp::fast::klartext {
 
-inline bool PeripheralMilling::direct(const ToolVector& tool, const Displacement& travel, int side) {
-  if (fault(Fault::peripheral_sides_exchanged)) side = -side;
-  const Lateral own{&tool, &travel, side};
-  Vector c;
-  if (!direction_of(own, c)) [[unlikely]]
-    return keep_direction();
+inline void PeripheralMilling::keep(const Lateral& made_from, const Vector& unit) {
   // One by one: a processor that copies all bytes at once waits where a part has just been written.
-  last_.tool = &tool;
-  last_.travel = &travel;
-  last_.side = side;
-  last_unit_ = c;
+  last_.tool = made_from.tool;
+  last_.travel = made_from.travel;
+  last_.side = made_from.side;
+  last_unit_ = unit;
+}
+
+inline bool PeripheralMilling::direct(const Lateral& made_from) {
+  Vector c;
+  if (!direction_of(made_from, c)) [[unlikely]]
+    return keep_direction();
+  keep(made_from, c);
   return true;
 }
 
@@ -29,6 +31,32 @@ bool PeripheralMilling::keep_direction() {
   return true;
 }
 
+inline Lateral PeripheralMilling::lateral(const ToolVector& tool, const PeripheralMotion& motion) {
+  return {&tool, &motion.travel, fault(Fault::peripheral_sides_exchanged) ? -motion.side : motion.side};
+}
+
+inline Alarm PeripheralMilling::corner(const Lateral& own, const Lateral& coming, Vector& between) {
+  Vector c;
+  Vector next;
+  if (directions_of(own, coming, c, next)) [[likely]] {
+    keep(coming, next);
+    if (fault(Fault::peripheral_own_direction_at_corner))
+      between = c;
+    else if (!mitre(c, own, next, coming, between))
+      return alarm::kReversal;
+    return alarm::kNone;
+  }
+  if (!direct(own)) return alarm::kNoDirection;
+  c = last_unit_;
+  const Lateral made_from = last_;
+  (void)direct(coming);  // there is one
+  if (fault(Fault::peripheral_own_direction_at_corner))
+    between = c;
+  else if (!mitre(c, made_from, last_unit_, last_, between))
+    return alarm::kReversal;
+  return alarm::kNone;
+}
+
 Alarm PeripheralMilling::hold() {
   PeripheralMotion& coming = next();
   if (!holds_) {
@@ -41,17 +69,10 @@ Alarm PeripheralMilling::hold() {
   const ToolVector& tool = fault(Fault::peripheral_tool_of_next_block) ? coming.tool : former.tool;
   Vector between;
   if (first_) {
-    if (!direct(tool, coming.travel, coming.side)) return alarm::kNoDirection;
+    if (!direct(lateral(tool, coming))) return alarm::kNoDirection;
     between = last_unit_;
-  } else {
-    if (!direct(tool, former.travel, former.side)) return alarm::kNoDirection;
-    const Vector c = last_unit_;
-    const Lateral made_from = last_;
-    (void)direct(tool, coming.travel, coming.side);  // there is one
-    if (fault(Fault::peripheral_own_direction_at_corner))
-      between = c;
-    else if (!mitre(c, made_from, last_unit_, last_, between))
-      return alarm::kReversal;
+  } else if (const Alarm a = corner(lateral(tool, former), lateral(tool, coming), between)) [[unlikely]] {
+    return a;
   }
   send(between);
   first_ = false;
@@ -61,8 +82,9 @@ Alarm PeripheralMilling::hold() {
 
 Alarm PeripheralMilling::follow() {
   const PeripheralMotion& former = ring_[held_];
-  if (!(first_ ? direct(former.tool, next().travel, former.side) : direct(former.tool, former.travel, former.side)))
-    return alarm::kNoDirection;
+  Lateral own = lateral(former.tool, former);
+  if (first_) own.travel = &next().travel;
+  if (!direct(own)) return alarm::kNoDirection;
   send(last_unit_);
   holds_ = false;
   return alarm::kNone;
@@ -71,7 +93,7 @@ Alarm PeripheralMilling::follow() {
 Alarm PeripheralMilling::release() {
   if (!holds_) return alarm::kNone;
   const PeripheralMotion& former = ring_[held_];
-  if (!direct(former.tool, former.travel, former.side)) return alarm::kNoDirection;
+  if (!direct(lateral(former.tool, former))) return alarm::kNoDirection;
   send(last_unit_);
   holds_ = false;
   return alarm::kNone;
@@ -81,10 +103,10 @@ void PeripheralMilling::send(const Vector& between) {
   const PeripheralMotion& former = ring_[held_];
   Placement placement;
   placement.tool = former.tool.unit();
-  placement.shift = between * former.values.radius_delta;
+  placement.shift = between * former.radius_delta;
   placement.tip = between * former.lateral - placement.tool * former.tip_below;
-  placement.corner = former.values.effective_corner;
-  writer_.move(former.head, placement, former.values, first_ ? spec::Cause::start_up : spec::Cause::programmed);
+  placement.corner = former.effective_corner;
+  writer_.move(former.head, placement, former.length, first_ ? spec::Cause::start_up : spec::Cause::programmed);
 }
 
 }  // namespace toolcomp::fast::klartext

@@ -30,10 +30,14 @@ class PeripheralMilling {
 
  private:
   static std::uint8_t next_of(std::uint8_t slot) { return static_cast<std::uint8_t>(slot == 2 ? 0 : slot + 1); }
-  // The direction of these into last_ and last_unit_; where there is none the one made last in this stretch stays, if
-  // any: else false.
-  [[gnu::always_inline]] [[nodiscard]] bool direct(const ToolVector& tool, const Displacement& travel, int side);
+  [[nodiscard]] static Lateral lateral(const ToolVector& tool, const PeripheralMotion& motion);
+  // Its direction into last_ and last_unit_; where there is none the one made last in this stretch stays, if any: else
+  // false.
+  [[gnu::always_inline]] [[nodiscard]] bool direct(const Lateral& made_from);
   [[nodiscard]] bool keep_direction();
+  void keep(const Lateral& made_from, const Vector& unit);
+  // Between a block and the coming one.
+  [[gnu::always_inline]] [[nodiscard]] Alarm corner(const Lateral& own, const Lateral& coming, Vector& between);
   void send(const Vector& between);
 
   EventWriter& writer_;

@@ -303,6 +303,11 @@ TEST(FaceMilling, ContactJump) {
   EXPECT_EQ(KlartextRun(kToroid, head + right + flat + left).messages(), "W_CONTACT_JUMP@4 W_CONTACT_JUMP@5");
   EXPECT_EQ(KlartextRun(kBall, head + right + left).messages(), "");  // no flat
   EXPECT_EQ(KlartextRun(kToroid, head + right + "L X1\n" + left).messages(), "");
+  // M129 turns the tool of the block before, not its contact: w = (0.6, 0, 0) and (-1e-16, 0.6, 0).
+  EXPECT_EQ(KlartextRun(kToroid, head + "LN X0 Y0 Z0 NX0.6 NY0.8 NZ0 TX0 TY1 TZ0 R0 M129\n" +
+                                     "LN X0 Y0 Z0 NX-0.0000000000000001 NY0.6 NZ0.8 TX0 TY0 TZ1 M128\n")
+                .messages(),
+            "W_DIGITS@4 W_CONTACT_JUMP@4");
   EXPECT_EQ(KlartextRun(kToroid, head + right + "M8\n" + left).messages(), "W_CONTACT_JUMP@5");
   EXPECT_EQ(KlartextRun(kToroid, head + right + "TOOL CALL S100\n" + left).messages(), "");
 }
