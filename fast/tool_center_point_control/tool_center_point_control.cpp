@@ -68,16 +68,19 @@ void ToolCenterPointControl::on(const Event& event) {
   }
   const PosturePlan& plan = block.plan;
   if (event.cause == spec::Cause::corner) {
-    event_ = event;
+    take(event);
     finish(plan.end, plan.end, block.length);
     return;
   }
-  if (plan.branch_warning) warn(event);
-  if (plan.pre_turn) turn(event, plan.turned, block.length_before, spec::Cause::pre_turn);
+  if (plan.branch_warning) [[unlikely]]
+    warn(event);
+  if (plan.pre_turn) [[unlikely]]
+    turn(event, plan.turned, block.length_before, spec::Cause::pre_turn);
   if (sampled) send_samples(event, block);
-  event_ = event;
+  take(event);
   finish(plan.post_turn ? plan.arrived : plan.end, plan.end, block.length);
-  if (plan.post_turn) turn(event, plan.end, block.length, spec::Cause::post_turn);
+  if (plan.post_turn) [[unlikely]]
+    turn(event, plan.end, block.length, spec::Cause::post_turn);
 }
 
 void ToolCenterPointControl::warn(const Event& event) {
@@ -97,7 +100,8 @@ void ToolCenterPointControl::turn(const Event& owner, const Pose& pose, double l
   event_.arc.reset();
   event_.feed = owner.feed;
   const Turns<double> turned = turns(pose);
-  set_axes(event_, tip_, turned, {pose.axis[0].degrees, pose.axis[1].degrees}, length);
+  const Eigen::Vector3d& tool = pose.tool.unit;
+  set_axes(event_, tip_, turned, {tool[0], tool[1], tool[2]}, {pose.axis[0].degrees, pose.axis[1].degrees}, length);
   set_machine(event_);
   out_.on(event_);
 }
@@ -106,20 +110,42 @@ void ToolCenterPointControl::turn(const Event& owner, const Pose& pose, double l
 void ToolCenterPointControl::finish(const Pose& pose, const Pose& end, double length) {
   event_.t_numerator = 0;
   tip_ = on_table(point_of(event_), turns(end));
-  set_axes(event_, tip_, turns(pose), {pose.axis[0].degrees, pose.axis[1].degrees}, length);
+  const Vector3<double> tool{pose.tool.unit[0], pose.tool.unit[1], pose.tool.unit[2]};
+  set_axes(event_, tip_, turns(pose), tool, {pose.axis[0].degrees, pose.axis[1].degrees}, length);
   set_machine(event_);
-  const Eigen::Vector3d& tool = pose.tool.unit;
-  set_tool_axis(event_, {tool[0], tool[1], tool[2]});
+  set_tool_axis(event_, tool);
   out_.on(event_);
+}
+
+void ToolCenterPointControl::take(const Event& move) {
+  event_.line = move.line;
+  event_.n = move.n;
+  event_.type = move.type;
+  event_.cause = move.cause;
+  event_.feed = move.feed;
+  event_.programmed.present = move.programmed.present;
+  event_.point.present = move.point.present;
+  event_.axes.present = move.axes.present;
+  for (std::size_t axis = 0; axis < count_; ++axis) {
+    event_.programmed.value[axis] = move.programmed.value[axis];
+    event_.point.value[axis] = move.point.value[axis];
+    event_.axes.value[axis] = move.axes.value[axis];
+  }
+  if (move.arc || event_.arc) [[unlikely]]
+    event_.arc = move.arc;
 }
 
 void ToolCenterPointControl::set_tool_axis(Event& event, const Vector3<double>& tool) {
   event.tool_axis.emplace(std::array<double, 3>{tool.x + 0.0, tool.y + 0.0, tool.z + 0.0});  // never -0
 }
 
-void ToolCenterPointControl::set_axes(Event& event, const Vector3<double>& tip, const Turns<double>& turns,
-                                      const std::array<double, 2>& degrees, double length) const {
-  const Vector3<double> point = machine_.control_point(tip, turns, length, origin_xyz_);
+[[gnu::always_inline]] inline void ToolCenterPointControl::set_axes(Event& event, const Vector3<double>& tip,
+                                                                    const Turns<double>& turns,
+                                                                    const Vector3<double>& tool,
+                                                                    const std::array<double, 2>& degrees,
+                                                                    double length) const {
+  const Vector3<double> point =
+      machine_.along_tool() ? tip + tool * length : machine_.control_point(tip, turns, length, origin_xyz_);
   for (std::size_t i = 0; i < 3; ++i)
     if (xyz_[i] != spec::Axes::kNone) event.axes.value[xyz_[i]] = point[i];
   for (std::size_t i = 0; i < 2; ++i)
@@ -171,7 +197,7 @@ void ToolCenterPointControl::send_samples(const Event& event, TipBlock& block) {
     if (moves_on_table_) at = machine_.from_table(tip, sample.turns, origin_xyz_);
     for (std::size_t i = 0; i < 3; ++i)
       if (xyz_[i] != spec::Axes::kNone) sample_.point.value[xyz_[i]] = at[i];
-    set_axes(sample_, tip, sample.turns, sample.degrees, between(block.length_before, block.length, t));
+    set_axes(sample_, tip, sample.turns, sample.tool, sample.degrees, between(block.length_before, block.length, t));
     set_tool_axis(sample_, sample.tool);
     send_sample();
   }

@@ -65,8 +65,10 @@ class ToolCenterPointControl final : public EventSink {
   // The axes that go evenly from `event_` to `event`.
   void set_even(const Event& event, double t);
   void send_sample();
+  // event_ becomes this move but for what the posture makes: tool axis and axes that depend on it.
+  void take(const Event& move);
   // The axes of an event whose tip stands at `tip` on the table.
-  void set_axes(Event& event, const Vector3<double>& tip, const Turns<double>& turns,
+  void set_axes(Event& event, const Vector3<double>& tip, const Turns<double>& turns, const Vector3<double>& tool,
                 const std::array<double, 2>& degrees, double length) const;
   void set_machine(Event& event) const;
   void finish(const Pose& pose, const Pose& end, double length);
