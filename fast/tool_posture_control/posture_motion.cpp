@@ -75,8 +75,12 @@ void PostureMotion::set_linear(const Machine& machine, const Pose& start, const 
   law_ = Law::linear;
   denominator_ = 0;
   set_ends(machine, start, end);
+  const double first = std::max(std::abs(start_[0]), std::abs(end_[0]));
+  const double second = std::max(std::abs(start_[1]), std::abs(end_[1]));
+  wide_ = {first > kWide, second > kWide};
+  if (std::max(first, second) <= kWide) [[likely]]
+    return;
   for (std::size_t i = 0; i < 2; ++i) {
-    wide_[i] = std::abs(start_[i]) > kWide || std::abs(end_[i]) > kWide;
     if (!wide_[i]) continue;
     set_wide(wide_start_[i], start, i);
     set_wide(wide_end_[i], end, i);
@@ -192,7 +196,13 @@ void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, Postu
     circle_at(seen_.at(angle), sample);
   else
     meridian_at(seen_.at(angle), sample);
-  sample.tool = machine_->reports_machine_directions() ? machine_->tool_at(sample.turns) : reported_.at(angle);
+  if (machine_->reports_machine_directions()) [[unlikely]] {
+    sample.tool = machine_->tool_at(sample.turns);
+    return;
+  }
+  sample.tool.x = reported_.start.x * angle.cosine + reported_.side.x * angle.sine;
+  sample.tool.y = reported_.start.y * angle.cosine + reported_.side.y * angle.sine;
+  sample.tool.z = reported_.start.z * angle.cosine + reported_.side.z * angle.sine;
 }
 
 bool PostureMotion::goes_on(std::uint32_t numerator, std::uint32_t denominator) {
@@ -243,7 +253,7 @@ void PostureMotion::set_steps(DoublePair degrees) {
 }
 
 // Steps of sine and cosine are exact, or as small as the step, so that their product loses nothing.
-bool PostureMotion::follow(DoublePair sine, DoublePair cosine) {
+[[gnu::always_inline]] inline bool PostureMotion::follow(DoublePair sine, DoublePair cosine) {
   const DoublePair ds = sine - sine_;
   const DoublePair dc = cosine - cosine_;
   const DoublePair by = ds * cosine_ - dc * sine_;
@@ -260,7 +270,8 @@ bool PostureMotion::follow(DoublePair sine, DoublePair cosine) {
   return true;
 }
 
-void PostureMotion::set_angles(DoublePair sine, DoublePair cosine, PostureSample& sample) const {
+[[gnu::always_inline]] inline void PostureMotion::set_angles(DoublePair sine, DoublePair cosine,
+                                                             PostureSample& sample) const {
   const std::size_t t = machine_->tool_side();
   const std::size_t w = machine_->work_side();
   sample.degrees[t] = tool_base_ + machine_->sense(t) * psi_and_work_[0];
@@ -286,7 +297,7 @@ void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample
   if (polar.orthogonal()) {
     width = std::sqrt(n2);
     cos_psi = seen.z;
-    const double scale = branch_ / width;
+    const double scale = branch_ * width * (1 / n2);  // the quotient does not wait for the root
     work = {seen.x * scale, -seen.y * scale};
   } else {
     const Room space = room(c, seen.z, n2);
