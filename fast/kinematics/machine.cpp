@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fast/fault.h"
+#include "fast/kinematics/unit_angle.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -354,7 +355,7 @@ void Machine::set_rounded(Pose& pose, std::size_t i, const Count& count) const {
                                                                 Pose& pose) const {
   const SineCosine<double> psi{branch < 0 ? -pairs.sin_psi : pairs.sin_psi, pairs.cos_psi};
   const SineCosine<double> work = pairs.work(branch);
-  const DoublePair angles = arctangent(DoublePair{psi.sine, work.sine}, DoublePair{psi.cosine, work.cosine});
+  const DoublePair angles = unit_angle(DoublePair{psi.sine, work.sine}, DoublePair{psi.cosine, work.cosine});
   pose.psi = angles[0];
   pose.branch = branch < 0 ? -1 : 1;
   const DoublePair basic = DoublePair{polar_.phase_degrees() + angles[0], angles[1]} *
@@ -362,12 +363,18 @@ void Machine::set_rounded(Pose& pose, std::size_t i, const Count& count) const {
   constexpr double kShift = 0x1.8p52;
   const DoublePair turned = (near - basic) * (1.0 / 360) + kShift;
   const DoublePair degrees = basic + 360.0 * (turned - kShift);
-  const Turns<double> turn = turns_of<double>(psi, work);
-  pose.axis[0].turn = turn[0];
-  pose.axis[1].turn = turn[1];
-  pose.axis[0].kind = pose.axis[1].kind = RotaryPosition::Kind::inverse;
-  pose.axis[tool_side_].degrees = degrees[0];
-  pose.axis[work_side()].degrees = degrees[1];
+  // As turns_of().
+  const SineCosine<double>& phase = polar_.constants().phase;
+  RotaryPosition& tool_axis = pose.axis[tool_side_];
+  tool_axis.degrees = degrees[0];
+  tool_axis.turn.sine = (psi.sine * phase.cosine + psi.cosine * phase.sine) * axis_[tool_side_].sense;
+  tool_axis.turn.cosine = psi.cosine * phase.cosine - psi.sine * phase.sine;
+  tool_axis.kind = RotaryPosition::Kind::inverse;
+  RotaryPosition& work_axis = pose.axis[work_side()];
+  work_axis.degrees = degrees[1];
+  work_axis.turn.sine = work.sine * axis_[work_side()].sense;
+  work_axis.turn.cosine = work.cosine;
+  work_axis.kind = RotaryPosition::Kind::inverse;
   return degrees - near;
 }
 
