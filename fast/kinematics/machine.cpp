@@ -221,6 +221,8 @@ void Machine::freeze(Pose& pose) {
   if (!has_table() || fault(Fault::tip_frame_not_frozen)) return;
   if (!workpiece_frame_) {
     frozen_fine_ = fine_turns(pose);
+    const auto at_zero = [](const SineCosine<DoubleDouble>& turn) { return turn.sine.hi == 0 && turn.cosine.hi == 1; };
+    frozen_at_zero_ = at_zero(frozen_fine_[0]) && at_zero(frozen_fine_[1]);
     for (std::size_t i = 0; i < 2; ++i) frozen_rough_[i] = {frozen_fine_[i].sine.hi, frozen_fine_[i].cosine.hi};
     std::array<FineVector, 3> rows{};
     for (std::size_t j = 0; j < 3; ++j) {
@@ -252,6 +254,7 @@ void Machine::release() {
   frozen_rough_ = {SineCosine<double>{0, 1}, SineCosine<double>{0, 1}};
   const SineCosine<DoubleDouble> zero{{0, 0}, {1, 0}};
   frozen_fine_ = {zero, zero};
+  frozen_at_zero_ = true;
 }
 
 Vector3<double> Machine::in_turned_frame(const Vector3<double>& on_table) const {
@@ -363,18 +366,17 @@ void Machine::set_rounded(Pose& pose, std::size_t i, const Count& count) const {
   constexpr double kShift = 0x1.8p52;
   const DoublePair turned = (near - basic) * (1.0 / 360) + kShift;
   const DoublePair degrees = basic + 360.0 * (turned - kShift);
-  // As turns_of().
-  const SineCosine<double>& phase = polar_.constants().phase;
-  RotaryPosition& tool_axis = pose.axis[tool_side_];
-  tool_axis.degrees = degrees[0];
-  tool_axis.turn.sine = (psi.sine * phase.cosine + psi.cosine * phase.sine) * axis_[tool_side_].sense;
-  tool_axis.turn.cosine = psi.cosine * phase.cosine - psi.sine * phase.sine;
-  tool_axis.kind = RotaryPosition::Kind::inverse;
-  RotaryPosition& work_axis = pose.axis[work_side()];
-  work_axis.degrees = degrees[1];
-  work_axis.turn.sine = work.sine * axis_[work_side()].sense;
-  work_axis.turn.cosine = work.cosine;
-  work_axis.kind = RotaryPosition::Kind::inverse;
+  const auto set = [&](RotaryPosition& tool_axis, RotaryPosition& work_axis) {
+    tool_axis.degrees = degrees[0];
+    work_axis.degrees = degrees[1];
+    tool_axis.kind = work_axis.kind = RotaryPosition::Kind::inverse;
+    set_turns(psi, work, tool_axis.turn, work_axis.turn);
+  };
+  // Not by index, as in turns_of().
+  if (tool_side_ == 0)
+    set(pose.axis[0], pose.axis[1]);
+  else
+    set(pose.axis[1], pose.axis[0]);
   return degrees - near;
 }
 
@@ -540,13 +542,14 @@ template Vector3<double> Machine::in_machine(const Vector3<double>&, const Turns
 
 // T_m of sheet 5: where a point of the table stands in the machine.
 template <class T>
-Vector3<T> Machine::on_machine(const Vector3<T>& table_tip, const Turns<T>& turns, const Vector3<T>& origin) const {
+[[gnu::always_inline]] inline Vector3<T> Machine::on_machine(const Vector3<T>& table_tip, const Turns<T>& turns,
+                                                             const Vector3<T>& origin) const {
   const Turns<T>& frozen = frozen_turns<T>();
   const Vector3<T>& a = table_.get<T>();
   const Vector3<T> from_a = origin + table_tip - a;
-  if (type_ == 21) return a + turn(1, turn(1, from_a, frozen[1], true), turns[1]);
+  if (type_ == 21) return a + turn(1, frozen_at_zero_ ? from_a : turn(1, from_a, frozen[1], true), turns[1]);
   const Vector3<T>& d = second_table_.get<T>();
-  const Vector3<T> q = turn(1, turn(0, from_a, frozen[0], true) - d, frozen[1], true);
+  const Vector3<T> q = frozen_at_zero_ ? from_a - d : turn(1, turn(0, from_a, frozen[0], true) - d, frozen[1], true);
   return a + turn(0, d + turn(1, q, turns[1]), turns[0]);
 }
 

@@ -104,6 +104,16 @@ class Machine {
   template <class T>
   [[nodiscard]] Turns<T> turns_of(const SineCosine<T>& psi, const SineCosine<T>& work) const;
 
+  // The same into the turns of the tool-side and the work-side axis.
+  void set_turns(const SineCosine<double>& psi, const SineCosine<double>& work, SineCosine<double>& tool_turn,
+                 SineCosine<double>& work_turn) const {
+    const SineCosine<double>& phase = polar_.constants().phase;
+    tool_turn.sine = (psi.sine * phase.cosine + psi.cosine * phase.sine) * axis_[tool_side_].sense;
+    tool_turn.cosine = psi.cosine * phase.cosine - psi.sine * phase.sine;
+    work_turn.sine = work.sine * axis_[work_side()].sense;
+    work_turn.cosine = work.cosine;
+  }
+
   // The pose of the pair on a branch (+1, -1), at the whole turns nearest to `near`: the tool-side position, the
   // work-side one. The way from there.
   DoublePair set_pair(const PolarPairs& pairs, int branch, DoublePair near, Pose& pose) const;
@@ -181,6 +191,7 @@ class Machine {
   Vectors zero_;          // t0
   bool along_tool_ = false;
   bool frozen_ = false;
+  bool frozen_at_zero_ = true;  // the table stood at 0
   Turns<double> frozen_rough_{};
   Turns<DoubleDouble> frozen_fine_{};
 };

@@ -176,6 +176,80 @@ void PostureMotion::prepare_meridian() {
                           : Vector2<double>{-c.sc * half.cosine, -c.sa * half.sine};
 }
 
+[[gnu::always_inline]] inline bool PostureMotion::goes_on(std::uint32_t numerator, std::uint32_t denominator) {
+  // Afresh every eighth time: what is led on keeps within a few roundings.
+  constexpr std::uint32_t kAfresh = 8;
+  const bool next = denominator == denominator_ && numerator == numerator_ + 1 && numerator % kAfresh != 0;
+  numerator_ = numerator;
+  denominator_ = denominator;
+  return next;
+}
+
+// Steps of sine and cosine are exact, or as small as the step, so that their product loses nothing.
+[[gnu::always_inline]] inline bool PostureMotion::follow(DoublePair sine, DoublePair cosine) {
+  const DoublePair ds = sine - sine_;
+  const DoublePair dc = cosine - cosine_;
+  const DoublePair by = ds * cosine_ - dc * sine_;
+  const DoublePair chord = ds * ds + dc * dc;
+  sine_ = sine;
+  cosine_ = cosine;
+  constexpr double kNear = 0x1p-12;  // chords of 1/64
+  if (!goes_on_ || chord[0] > kNear || chord[1] > kNear) [[unlikely]]
+    return false;
+  // The arc sine in degrees: the next term is below 2^-52 of the first.
+  constexpr double kDegrees = 0x1.ca5dc1a63c1f8p+5;
+  const DoublePair z = by * by;
+  psi_and_work_ += by * (kDegrees + z * (kDegrees / 6 + z * (kDegrees * (3.0 / 40) + z * (kDegrees * (15.0 / 336)))));
+  return true;
+}
+
+[[gnu::always_inline]] inline void PostureMotion::set_angles(DoublePair sine, DoublePair cosine,
+                                                             PostureSample& sample) const {
+  const auto set = [&](std::size_t t, std::size_t w) {
+    sample.degrees[t] = tool_base_ + machine_->sense(t) * psi_and_work_[0];
+    sample.degrees[w] = start_[w] + machine_->sense(w) * psi_and_work_[1];
+    machine_->set_turns({sine[0], cosine[0]}, {sine[1], cosine[1]}, sample.turns[t], sample.turns[w]);
+  };
+  // Not by index: a processor that reads back what it has just written to an address it had to compute waits.
+  if (machine_->tool_side() == 0)
+    set(0, 1);
+  else
+    set(1, 0);
+}
+
+[[gnu::always_inline]] inline void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample) {
+  const PolarFrame& polar = machine_->polar();
+  const Frame& c = polar.constants();
+  const Vector2<double> heading{seen.x, seen.y};
+  const double n2 = dot(heading, heading);
+  double width = 0;  // |sin psi|
+  double cos_psi = 0;
+  Vector2<double> leaned;
+  SineCosine<double> work;
+  if (polar.orthogonal()) {
+    width = std::sqrt(n2);
+    cos_psi = seen.z;
+    const double scale = branch_ * width * (1 / n2);  // the quotient does not wait for the root
+    work = {seen.x * scale, -seen.y * scale};
+  } else {
+    const Room space = room(c, seen.z, n2);
+    width = std::sqrt(space.above * space.below) * c.per_ss;
+    cos_psi = (seen.z - c.cc) * c.per_ss;
+    leaned = lean(c, space, branch_ * width);
+    work = between(leaned, heading);
+  }
+  const DoublePair sine{branch_ * width, work.sine};
+  const DoublePair cosine{cos_psi, work.cosine};
+  if (!follow(sine, cosine)) [[unlikely]] {
+    const DoublePair angles = arctangent(DoublePair{width, cross(start_heading_, heading)},
+                                         DoublePair{cos_psi, dot(start_heading_, heading)});
+    const double swung = polar.orthogonal() ? 0 : arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
+    // V(t) turns one way about the work-side axis, by less than 180.
+    psi_and_work_ = DoublePair{branch_ * angles[0], about(angles[1], 90.0 * azimuth_) - swung};
+  }
+  set_angles(sine, cosine, sample);
+}
+
 void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) {
   if (fault(Fault::tip_sample_from_the_end)) numerator = denominator - numerator;
   switch (law_) {
@@ -203,15 +277,6 @@ void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, Postu
   sample.tool.x = reported_.start.x * angle.cosine + reported_.side.x * angle.sine;
   sample.tool.y = reported_.start.y * angle.cosine + reported_.side.y * angle.sine;
   sample.tool.z = reported_.start.z * angle.cosine + reported_.side.z * angle.sine;
-}
-
-bool PostureMotion::goes_on(std::uint32_t numerator, std::uint32_t denominator) {
-  // Afresh every eighth time: what is led on keeps within a few roundings.
-  constexpr std::uint32_t kAfresh = 8;
-  const bool next = denominator == denominator_ && numerator == numerator_ + 1 && numerator % kAfresh != 0;
-  numerator_ = numerator;
-  denominator_ = denominator;
-  return next;
 }
 
 void PostureMotion::linear_at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) {
@@ -252,70 +317,10 @@ void PostureMotion::set_steps(DoublePair degrees) {
   step_versine_ = 2.0 * half * half;
 }
 
-// Steps of sine and cosine are exact, or as small as the step, so that their product loses nothing.
-[[gnu::always_inline]] inline bool PostureMotion::follow(DoublePair sine, DoublePair cosine) {
-  const DoublePair ds = sine - sine_;
-  const DoublePair dc = cosine - cosine_;
-  const DoublePair by = ds * cosine_ - dc * sine_;
-  const DoublePair chord = ds * ds + dc * dc;
-  sine_ = sine;
-  cosine_ = cosine;
-  constexpr double kNear = 0x1p-12;  // chords of 1/64
-  if (!goes_on_ || chord[0] > kNear || chord[1] > kNear) [[unlikely]]
-    return false;
-  // The arc sine in degrees: the next term is below 2^-52 of the first.
-  constexpr double kDegrees = 0x1.ca5dc1a63c1f8p+5;
-  const DoublePair z = by * by;
-  psi_and_work_ += by * (kDegrees + z * (kDegrees / 6 + z * (kDegrees * (3.0 / 40) + z * (kDegrees * (15.0 / 336)))));
-  return true;
-}
-
-[[gnu::always_inline]] inline void PostureMotion::set_angles(DoublePair sine, DoublePair cosine,
-                                                             PostureSample& sample) const {
-  const std::size_t t = machine_->tool_side();
-  const std::size_t w = machine_->work_side();
-  sample.degrees[t] = tool_base_ + machine_->sense(t) * psi_and_work_[0];
-  sample.degrees[w] = start_[w] + machine_->sense(w) * psi_and_work_[1];
-  sample.turns = machine_->turns_of<double>({sine[0], cosine[0]}, {sine[1], cosine[1]});
-}
-
 void PostureMotion::wide_at(std::size_t i, const DoubleDouble& t, PostureSample& sample) const {
   const DoubleDouble position = from_[i] + by_[i] * t;
   sample.degrees[i] = position.hi;
   sample.turns[i] = sine_cosine(to_double(position - two_product(360, nearest_whole(position.hi / 360))));
-}
-
-void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample) {
-  const PolarFrame& polar = machine_->polar();
-  const Frame& c = polar.constants();
-  const Vector2<double> heading{seen.x, seen.y};
-  const double n2 = dot(heading, heading);
-  double width = 0;  // |sin psi|
-  double cos_psi = 0;
-  Vector2<double> leaned;
-  SineCosine<double> work;
-  if (polar.orthogonal()) {
-    width = std::sqrt(n2);
-    cos_psi = seen.z;
-    const double scale = branch_ * width * (1 / n2);  // the quotient does not wait for the root
-    work = {seen.x * scale, -seen.y * scale};
-  } else {
-    const Room space = room(c, seen.z, n2);
-    width = std::sqrt(space.above * space.below) * c.per_ss;
-    cos_psi = (seen.z - c.cc) * c.per_ss;
-    leaned = lean(c, space, branch_ * width);
-    work = between(leaned, heading);
-  }
-  const DoublePair sine{branch_ * width, work.sine};
-  const DoublePair cosine{cos_psi, work.cosine};
-  if (!follow(sine, cosine)) [[unlikely]] {
-    const DoublePair angles = arctangent(DoublePair{width, cross(start_heading_, heading)},
-                                         DoublePair{cos_psi, dot(start_heading_, heading)});
-    const double swung = polar.orthogonal() ? 0 : arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
-    // V(t) turns one way about the work-side axis, by less than 180.
-    psi_and_work_ = DoublePair{branch_ * angles[0], about(angles[1], 90.0 * azimuth_) - swung};
-  }
-  set_angles(sine, cosine, sample);
 }
 
 PostureMotion::OnMeridian PostureMotion::on_meridian(const Vector3<double>& seen) const {
