@@ -16,6 +16,11 @@ using FineVector = std::array<DoubleDouble, 3>;
 
 // A unit vector in double with its error, and what it was made from, so that a decision can be refined.
 struct Direction {
+  Direction() = default;
+  Direction(const Direction& other) = default;
+  // Without the origins that the other one was not made from.
+  Direction& operator=(const Direction& other);
+
   Eigen::Vector3d unit{0, 0, 1};
   double error = 0;  // |unit[i] - exact[i]| <= error
   // The exact direction is parallel to whole() (I J K words, or axes at multiples of 90 degrees). Otherwise it is
@@ -36,6 +41,33 @@ struct Direction {
     return wide;
   }
 };
+
+// By parts: a processor that copies many bytes at once waits where one of them has just been written.
+// NOLINTNEXTLINE(cert-oop54-cpp): itself onto itself does nothing
+[[gnu::always_inline]] inline Direction& Direction::operator=(const Direction& other) {
+  unit[0] = other.unit[0];
+  unit[1] = other.unit[1];
+  unit[2] = other.unit[2];
+  error = other.error;
+  is_whole = other.is_whole;
+  narrow = other.narrow;
+  is_fine = other.is_fine;
+  framed = other.framed;
+  zero = other.zero;
+  if (is_whole && narrow) [[likely]] {
+    small[0] = other.small[0];
+    small[1] = other.small[1];
+    small[2] = other.small[2];
+    return *this;
+  }
+  if (is_whole)
+    wide = other.wide;
+  else if (is_fine)
+    fine = other.fine;
+  else
+    angle = other.angle;
+  return *this;
+}
 
 // The direction of a vector of whole numbers, not all zero, each below 2^122.
 Direction whole_direction(const std::array<Int128, 3>& whole);

@@ -8,6 +8,7 @@
 
 #include "fast/arithmetic/double_double.h"
 #include "fast/arithmetic/trigonometry.h"
+#include "fast/geometry/vector3.h"
 #include "fast/kinematics/direction.h"
 #include "spec/language/setup.h"
 
@@ -50,6 +51,18 @@ class Kinematics {
   [[nodiscard]] const RotaryAxis& inner() const { return inner_; }
   [[nodiscard]] const RotaryAxis& outer() const { return outer_; }
   [[nodiscard]] const FineVector& zero_direction() const { return zero_direction_; }
+
+  // Sine and cosine of the angles of the inner (0) and the outer axis (1) that direct() was asked for last.
+  [[nodiscard]] SineCosine<double> turned(std::size_t i) const { return {trigonometry_[i][2], trigonometry_[i][1]}; }
+  // Every component of the direction is one product at most, as heads and tables along axes give, for any angles.
+  [[nodiscard]] bool has_one_term() const { return one_term_; }
+  [[nodiscard]] Vector3<double> one_term_direction(const SineCosine<double>& inner,
+                                                   const SineCosine<double>& outer) const {
+    const std::array<double, 3> i{1, inner.cosine, inner.sine};
+    const std::array<double, 3> o{1, outer.cosine, outer.sine};
+    const auto value = [&](const OneTerm& term) { return term.coefficient * i[term.inner] * o[term.outer]; };
+    return {value(term_[0]), value(term_[1]), value(term_[2])};
+  }
 
   // The programming coordinate system of tool center point control: table directions turned by `rows`. Directions
   // marked `framed` are refined in it.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fast/fault.h"
+#include "fast/kinematics/unit_angle.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -40,9 +41,6 @@ Int128 turns_to(Int128 value, Int128 near) {
   if (shifted < 0 && n * kTurn != shifted) --n;
   return n;
 }
-Count nearest_turn(const Count& value, const Count& near) {
-  return Count::of_units(value.units() + kTurn * turns_to(value.units(), near.units()));
-}
 
 }  // namespace
 
@@ -65,11 +63,14 @@ Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_
     axis.fixed = -rotary.reference;
     axis.upper = parameter(setup, i == 0 ? 19741 : 19743);
     axis.lower = parameter(setup, i == 0 ? 19742 : 19744);
+    axis.least = axis.lower.nearest();
+    axis.most = axis.upper.nearest();
     axis.limited = !axis.upper.is_zero() || !axis.lower.is_zero();
     if (axis.limited && axis.upper < axis.lower) ranges_valid_ = false;
   }
   polar_ = PolarFrame(kinematics.inner().axis, kinematics.outer().axis, kinematics.zero_direction());
-  reversed_order_ = setup.bit(19608, 5) && !fault(Fault::tip_order_ignored);
+  const bool reversed_order = setup.bit(19608, 5) && !fault(Fault::tip_order_ignored);
+  judged_first_ = (type_ == 21) == reversed_order ? 0 : 1;
   workpiece_frame_ = setup.bit(19696, 5);
   const auto set = [](Vectors& vectors, const Vector3<DoubleDouble>& v) { vectors = {v, rounded(v)}; };
   set(table_, three(setup, 19700));
@@ -77,6 +78,8 @@ Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_
   set(tool_offset_, three(setup, 19709));
   set(head_offset_, three(setup, 19712));
   set(zero_, vector(kinematics.zero_direction()));
+  const auto nowhere = [](const Vectors& v) { return v.rough.x == 0 && v.rough.y == 0 && v.rough.z == 0; };
+  along_tool_ = type_ == 2 && nowhere(tool_offset_) && nowhere(head_offset_);
 }
 
 // v turned by the mechanical rotation of axis i.
@@ -118,27 +121,28 @@ void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint1
     rotary.kind = index != kNone && (rounded_axes >> index & 1U) != 0 ? RotaryPosition::Kind::rounded
                                                                       : RotaryPosition::Kind::exact;
   }
-  const Turns<double> both = sine_cosine(pose.axis[0].count, pose.axis[1].count);
-  for (std::size_t i = 0; i < 2; ++i) pose.axis[i].turn = both[i];
   kinematics_.direct(position, pose.tool);
+  // The angles of the direction are these positions, or their opposites.
+  const SineCosine<double> inner = kinematics_.turned(0);
+  const SineCosine<double> outer = kinematics_.turned(1);
+  pose.axis[tool_side_].turn = {inner.sine * axis_[tool_side_].sense, inner.cosine};
+  pose.axis[work_side()].turn = {outer.sine * axis_[work_side()].sense, outer.cosine};
   set_branch(pose);
   // c(psi) turned by the work-side axis: near a singular posture as accurate as the sines.
   const PolarFrame::Constants<double>& c = polar_.constants();
   if (polar_.invertible()) {
-    const SineCosine<double>& tool = pose.axis[tool_side_].turn;
-    const SineCosine<double>& work = pose.axis[work_side()].turn;
-    SineCosine<double> psi{axis_[tool_side_].sense * tool.sine, tool.cosine};
+    SineCosine<double> psi = inner;
     if (!polar_.phase().is_zero()) {
       const Count& turned = pose.axis[tool_side_].count;
       psi = sine_cosine((axis_[tool_side_].sense < 0 ? -turned : turned) - polar_.phase());
     }
     const auto [sin_psi, cos_psi] = psi;
+    const auto [sin_work, cos_work] = outer;
     const double away = cos_psi > 0 ? sin_psi * sin_psi / (1 + cos_psi) : 1 - cos_psi;
     const double toward = cos_psi < 0 ? sin_psi * sin_psi / (1 - cos_psi) : 1 + cos_psi;
     const double hx = away <= toward ? c.skew + c.sc * away : c.sum - c.sc * toward;
     const double hy = -c.sa * sin_psi;
-    const double sin_work = axis_[work_side()].sense * work.sine;
-    pose.seen = {hx * work.cosine - hy * sin_work, hx * sin_work + hy * work.cosine, c.cc + c.ss * cos_psi};
+    pose.seen = {hx * cos_work - hy * sin_work, hx * sin_work + hy * cos_work, c.cc + c.ss * cos_psi};
     pose.relative = (polar_.has_plus() && cos_psi > 0) || (polar_.has_minus() && cos_psi < 0);
   }
   if (!frozen_) return;
@@ -161,8 +165,8 @@ void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint1
 
 void Machine::set_branch(Pose& pose) const {
   const RotaryPosition& rotary = pose.axis[tool_side_];
-  const double degrees = axis_[tool_side_].sense * rotary.degrees - polar_.phase().nearest();
-  pose.psi = degrees - 360 * nearest_whole(degrees / 360);
+  const double degrees = axis_[tool_side_].sense * rotary.degrees - polar_.phase_degrees();
+  pose.psi = degrees - 360 * nearest_whole(degrees * (1.0 / 360));
   // Well above the rounding of a position. One many turns from 0 has lost the digits that psi needs.
   const double distance = std::min(std::abs(pose.psi), 180 - std::abs(pose.psi));
   constexpr double kWide = 512;
@@ -184,7 +188,7 @@ void Machine::set_branch(Pose& pose) const {
 Count Machine::count(const Pose& pose, std::size_t i) const {
   const RotaryPosition& rotary = pose.axis[i];
   if (rotary.kind != RotaryPosition::Kind::inverse) return rotary.count;
-  PolarRoots<DoubleDouble> roots;
+  PolarRoots roots;
   (void)polar_.solve(fine_seen(pose.tool), roots);
   const Count principal = fine_pair(roots, pose.branch)[i];
   const double n = std::nearbyint((rotary.degrees - principal.nearest()) / 360);
@@ -193,7 +197,7 @@ Count Machine::count(const Pose& pose, std::size_t i) const {
 
 Turns<DoubleDouble> Machine::fine_turns(const Pose& pose) const {
   Turns<DoubleDouble> result;
-  PolarRoots<DoubleDouble> roots;
+  PolarRoots roots;
   bool solved = false;
   for (std::size_t i = 0; i < 2; ++i) {
     const RotaryPosition& rotary = pose.axis[i];
@@ -217,6 +221,8 @@ void Machine::freeze(Pose& pose) {
   if (!has_table() || fault(Fault::tip_frame_not_frozen)) return;
   if (!workpiece_frame_) {
     frozen_fine_ = fine_turns(pose);
+    const auto at_zero = [](const SineCosine<DoubleDouble>& turn) { return turn.sine.hi == 0 && turn.cosine.hi == 1; };
+    frozen_at_zero_ = at_zero(frozen_fine_[0]) && at_zero(frozen_fine_[1]);
     for (std::size_t i = 0; i < 2; ++i) frozen_rough_[i] = {frozen_fine_[i].sine.hi, frozen_fine_[i].cosine.hi};
     std::array<FineVector, 3> rows{};
     for (std::size_t j = 0; j < 3; ++j) {
@@ -248,6 +254,7 @@ void Machine::release() {
   frozen_rough_ = {SineCosine<double>{0, 1}, SineCosine<double>{0, 1}};
   const SineCosine<DoubleDouble> zero{{0, 0}, {1, 0}};
   frozen_fine_ = {zero, zero};
+  frozen_at_zero_ = true;
 }
 
 Vector3<double> Machine::in_turned_frame(const Vector3<double>& on_table) const {
@@ -267,12 +274,20 @@ FineVector Machine::fine_in_frame(const Vector3<DoubleDouble>& on_table) const {
 }
 
 Vector3<double> Machine::tool_at(const Turns<double>& turns) const {
+  const auto report = [&](const Vector3<double>& on_table) {
+    return reports_machine_directions() ? in_machine(on_table, turns) : in_frame(on_table);
+  };
+  if (kinematics_.has_one_term()) [[likely]] {
+    const auto seen = [&](std::size_t i) {
+      return SineCosine<double>{turns[i].sine * axis_[i].sense, turns[i].cosine};
+    };
+    return report(kinematics_.one_term_direction(seen(tool_side_), seen(work_side())));
+  }
   // A table turns the work, so the direction seen from it turns the other way.
   const auto turned = [&](std::size_t i, const Vector3<double>& v) {
     return turn(i, v, turns[i], axis_[i].sense != axis_[i].mechanical);
   };
-  const Vector3<double> on_table = turned(work_side(), turned(tool_side_, zero_.rough));
-  return reports_machine_directions() ? in_machine(on_table, turns) : in_frame(on_table);
+  return report(turned(work_side(), turned(tool_side_, zero_.rough)));
 }
 
 Vector3<double> Machine::seen(const Direction& tool, bool& relative) const {
@@ -294,11 +309,10 @@ Vector3<DoubleDouble> Machine::fine_seen(const Direction& tool) const {
 
 // --- inverse ---
 
-bool Machine::in_range(const Pose& pose, std::size_t i) const {
+bool Machine::in_limits(const Pose& pose, std::size_t i) const {
   const Axis& axis = axis_[i];
-  if (!axis.limited) return true;
-  const double lower = axis.lower.nearest();
-  const double upper = axis.upper.nearest();
+  const double lower = axis.least;
+  const double upper = axis.most;
   const double value = pose.axis[i].degrees;
   const double near = 1e-9 * (1 + std::abs(value));
   if (value > lower + near && value < upper - near) return true;
@@ -321,7 +335,7 @@ void Machine::set_direction(const Direction& tool, const Vector3<DoubleDouble>& 
   pose.relative = (seen.x.hi == 0 || std::abs(seen.x.hi) > kSmall) && (seen.y.hi == 0 || std::abs(seen.y.hi) > kSmall);
 }
 
-std::array<Count, 2> Machine::fine_pair(const PolarRoots<DoubleDouble>& roots, int branch) const {
+std::array<Count, 2> Machine::fine_pair(const PolarRoots& roots, int branch) const {
   const Int128 psi = fine_arctangent(roots.sin_psi, roots.cos_psi).units();
   const Int128 tool = polar_.phase().units() + (branch < 0 ? -psi : psi);
   const SineCosine<DoubleDouble>& turned = roots.work[branch < 0 ? 1 : 0];
@@ -340,57 +354,67 @@ void Machine::set_rounded(Pose& pose, std::size_t i, const Count& count) const {
   rotary.turn = sine_cosine(count);
 }
 
-void Machine::set_pair(const PolarRoots<double>& roots, const RootAngles& angles, int branch,
-                       const std::array<double, 2>& near, Pose& pose) const {
-  const std::size_t pair = branch < 0 ? 1 : 0;
-  const Turns<double> turn =
-      turns_of<double>({branch < 0 ? -roots.sin_psi : roots.sin_psi, roots.cos_psi}, roots.work[pair]);
-  pose.psi = branch < 0 ? -angles.psi : angles.psi;
+[[gnu::always_inline]] inline DoublePair Machine::set_pair_here(const PolarPairs& pairs, int branch, DoublePair near,
+                                                                Pose& pose) const {
+  const SineCosine<double> psi{branch < 0 ? -pairs.sin_psi : pairs.sin_psi, pairs.cos_psi};
+  const SineCosine<double> work = pairs.work(branch);
+  const DoublePair angles = unit_angle(DoublePair{psi.sine, work.sine}, DoublePair{psi.cosine, work.cosine});
+  pose.psi = angles[0];
   pose.branch = branch < 0 ? -1 : 1;
-  std::array<double, 2> value;
-  value[tool_side_] = axis_[tool_side_].sense * (polar_.phase().nearest() + pose.psi);
-  value[work_side()] = axis_[work_side()].sense * angles.work[pair];
-  for (std::size_t i = 0; i < 2; ++i) {
-    RotaryPosition& rotary = pose.axis[i];
-    rotary.degrees = value[i] + 360 * nearest_whole((near[i] - value[i]) / 360);
-    rotary.turn = turn[i];
-    rotary.kind = RotaryPosition::Kind::inverse;
-  }
+  const DoublePair basic = DoublePair{polar_.phase_degrees() + angles[0], angles[1]} *
+                           DoublePair{axis_[tool_side_].sense, axis_[work_side()].sense};
+  constexpr double kShift = 0x1.8p52;
+  const DoublePair turned = (near - basic) * (1.0 / 360) + kShift;
+  const DoublePair degrees = basic + 360.0 * (turned - kShift);
+  const auto set = [&](RotaryPosition& tool_axis, RotaryPosition& work_axis) {
+    tool_axis.degrees = degrees[0];
+    work_axis.degrees = degrees[1];
+    tool_axis.kind = work_axis.kind = RotaryPosition::Kind::inverse;
+    set_turns(psi, work, tool_axis.turn, work_axis.turn);
+  };
+  // Not by index, as in turns_of().
+  if (tool_side_ == 0)
+    set(pose.axis[0], pose.axis[1]);
+  else
+    set(pose.axis[1], pose.axis[0]);
+  return degrees - near;
 }
 
-void Machine::set_pair(const PolarRoots<DoubleDouble>& roots, int branch, const std::array<Count, 2>& near,
-                       Pose& pose) const {
-  const std::array<Count, 2> pair = fine_pair(roots, branch);
-  for (std::size_t i = 0; i < 2; ++i) set_rounded(pose, i, nearest_turn(pair[i], near[i]));
-  set_branch(pose);
+DoublePair Machine::set_pair(const PolarPairs& pairs, int branch, DoublePair near, Pose& pose) const {
+  return set_pair_here(pairs, branch, near, pose);
+}
+
+// By half the difference of the cosines of the moves.
+[[gnu::always_inline]] inline int Machine::nearer(const PolarPairs& pairs, const Pose& present) const {
+  const SineCosine<double>& at = present.axis[judged_first_].turn;
+  const double sine = axis_[judged_first_].sense * at.sine;
+  const SineCosine<double>& phase = polar_.constants().phase;
+  const double gain = judged_first_ == tool_side_ ? pairs.sin_psi * (sine * phase.cosine - at.cosine * phase.sine)
+                                                  : -(sine * pairs.apart[0] + at.cosine * pairs.apart[1]);
+  // Positions differ by more than 1e-10 degrees then.
+  constexpr double kSure = 0x1p-38;
+  return gain > kSure ? 1 : (gain < -kSure ? -1 : 0);
 }
 
 bool Machine::choose(const Direction& tool, const Pose& present, Pose& end) const {
   set_direction(tool, end);
-  PolarRoots<double> roots;
-  if (polar_.solve(end.seen, end.relative, roots) != Reach::two_pairs) return choose_fine(tool, present, end);
-  // The usual case in doubles: one pair is nearer in the axis judged first, by more than any rounding.
-  const std::size_t first = (type_ == 21) == reversed_order_ ? 0 : 1;
-  const std::array<double, 2> near{present.axis[0].degrees, present.axis[1].degrees};
-  const double slack = 1e-10 + 0x1p-45 * (std::abs(near[0]) + std::abs(near[1]));
-  std::array<double, 2> first_move{};
-  const RootAngles angles = angles_of(roots);
-  for (std::size_t pair = 0; pair < 2; ++pair) {
-    const double mechanical =
-        first == tool_side_ ? polar_.phase().nearest() + (pair == 0 ? angles.psi : -angles.psi) : angles.work[pair];
-    const double move = near[first] - axis_[first].sense * mechanical;
-    first_move[pair] = std::abs(move - 360 * nearest_whole(move / 360));
-  }
-  if (std::abs(first_move[0] - first_move[1]) < slack || fault(Fault::tip_second_axis_first))
+  PolarPairs pairs;
+  if (polar_.solve(end.seen, end.relative, pairs) != Reach::two_pairs) [[unlikely]]
     return choose_fine(tool, present, end);
-  set_pair(roots, angles, first_move[0] < first_move[1] ? 1 : -1, near, end);
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (std::abs(end.axis[i].degrees - near[i]) > 180 - slack) return choose_fine(tool, present, end);
-    if (!axis_[i].limited) continue;
-    if (end.axis[i].degrees < axis_[i].lower.nearest() + slack ||
-        end.axis[i].degrees > axis_[i].upper.nearest() - slack)
+  // The usual case in doubles: one pair is nearer in the axis judged first, by more than any rounding.
+  const int branch = nearer(pairs, present);
+  if (branch == 0 || fault(Fault::tip_second_axis_first)) [[unlikely]]
+    return choose_fine(tool, present, end);
+  const DoublePair near{present.axis[tool_side_].degrees, present.axis[work_side()].degrees};
+  const DoublePair move = set_pair_here(pairs, branch, near, end);
+  // Half a turn either way is a tie, and so is a limit.
+  const double slack = 1e-10 + 0x1p-45 * (std::abs(near[0]) + std::abs(near[1]));
+  if (std::max(std::abs(move[0]), std::abs(move[1])) > 180 - slack) [[unlikely]]
+    return choose_fine(tool, present, end);
+  for (std::size_t i = 0; i < 2; ++i)
+    if (axis_[i].limited &&
+        (end.axis[i].degrees < axis_[i].least + slack || end.axis[i].degrees > axis_[i].most - slack)) [[unlikely]]
       return choose_fine(tool, present, end);
-  }
   return true;
 }
 
@@ -431,7 +455,7 @@ Int128 from_zero(Int128 x) { return magnitude(x - kTurn * turns_to(0, x)); }
 bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end) const {
   const Vector3<DoubleDouble> fine = fine_seen(tool);
   set_direction(tool, fine, end);
-  PolarRoots<DoubleDouble> roots;
+  PolarRoots roots;
   const Reach reach = polar_.solve(fine, roots);
   if (reach == Reach::none) return false;
 
@@ -480,7 +504,7 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
       if (measure(pairs[i]) <= least + 2 * kSlack) pairs[kept++] = pairs[i];
     size = kept;
   };
-  const std::size_t first = (type_ == 21) == reversed_order_ ? 0 : 1;
+  const std::size_t first = judged_first_;
   const std::array<std::size_t, 2> order{first, 1 - first};
   if (fault(Fault::tip_second_axis_first))
     keep([&](const Pair& p) { return magnitude(p.value[1 - first] - from[1 - first]); });
@@ -518,13 +542,14 @@ template Vector3<double> Machine::in_machine(const Vector3<double>&, const Turns
 
 // T_m of sheet 5: where a point of the table stands in the machine.
 template <class T>
-Vector3<T> Machine::on_machine(const Vector3<T>& table_tip, const Turns<T>& turns, const Vector3<T>& origin) const {
+[[gnu::always_inline]] inline Vector3<T> Machine::on_machine(const Vector3<T>& table_tip, const Turns<T>& turns,
+                                                             const Vector3<T>& origin) const {
   const Turns<T>& frozen = frozen_turns<T>();
   const Vector3<T>& a = table_.get<T>();
   const Vector3<T> from_a = origin + table_tip - a;
-  if (type_ == 21) return a + turn(1, turn(1, from_a, frozen[1], true), turns[1]);
+  if (type_ == 21) return a + turn(1, frozen_at_zero_ ? from_a : turn(1, from_a, frozen[1], true), turns[1]);
   const Vector3<T>& d = second_table_.get<T>();
-  const Vector3<T> q = turn(1, turn(0, from_a, frozen[0], true) - d, frozen[1], true);
+  const Vector3<T> q = frozen_at_zero_ ? from_a - d : turn(1, turn(0, from_a, frozen[0], true) - d, frozen[1], true);
   return a + turn(0, d + turn(1, q, turns[1]), turns[0]);
 }
 

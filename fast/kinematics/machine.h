@@ -35,12 +35,14 @@ class Machine {
   [[nodiscard]] std::size_t work_side() const { return 1 - tool_side_; }
   [[nodiscard]] double sense(std::size_t i) const { return axis_[i].sense; }  // sigma: +1 or -1
   [[nodiscard]] bool hypothetical() const { return rotary_axis(0) == kNone || rotary_axis(1) == kNone; }
+  // A head without offsets: the control point lies on the axis of the tool.
+  [[nodiscard]] bool along_tool() const { return along_tool_; }
   [[nodiscard]] bool has_table() const { return type_ == 12 || type_ == 21; }
   [[nodiscard]] bool workpiece_frame() const { return workpiece_frame_; }      // WKP, 19696#5
   [[nodiscard]] const Count& holder_offset() const { return holder_offset_; }  // 19666
   [[nodiscard]] bool ranges_valid() const { return ranges_valid_; }            // no lower limit above the upper one
   // Axis i of the pose is inside 19741 to 19744; the limits belong to the range.
-  [[nodiscard]] bool in_range(const Pose& pose, std::size_t i) const;
+  [[nodiscard]] bool in_range(const Pose& pose, std::size_t i) const { return !axis_[i].limited || in_limits(pose, i); }
   // A direction can be reached by both axes: both turn (are not hypothetical), and rho is not 0.
   [[nodiscard]] bool invertible() const { return !hypothetical() && polar_.invertible(); }
 
@@ -102,15 +104,30 @@ class Machine {
   template <class T>
   [[nodiscard]] Turns<T> turns_of(const SineCosine<T>& psi, const SineCosine<T>& work) const;
 
-  // The pose of the pair on a branch (+1, -1) of roots, at the whole turns nearest to `near` (1st, 2nd position).
-  void set_pair(const PolarRoots<double>& roots, const RootAngles& angles, int branch,
-                const std::array<double, 2>& near, Pose& pose) const;
-  // The same in counts.
-  void set_pair(const PolarRoots<DoubleDouble>& roots, int branch, const std::array<Count, 2>& near, Pose& pose) const;
+  // The same into the turns of the tool-side and the work-side axis.
+  void set_turns(const SineCosine<double>& psi, const SineCosine<double>& work, SineCosine<double>& tool_turn,
+                 SineCosine<double>& work_turn) const {
+    const SineCosine<double>& phase = polar_.constants().phase;
+    tool_turn.sine = (psi.sine * phase.cosine + psi.cosine * phase.sine) * axis_[tool_side_].sense;
+    tool_turn.cosine = psi.cosine * phase.cosine - psi.sine * phase.sine;
+    work_turn.sine = work.sine * axis_[work_side()].sense;
+    work_turn.cosine = work.cosine;
+  }
+
+  // The pose of the pair on a branch (+1, -1), at the whole turns nearest to `near`: the tool-side position, the
+  // work-side one. The way from there.
+  DoublePair set_pair(const PolarPairs& pairs, int branch, DoublePair near, Pose& pose) const;
+  // Sine and cosine of psi.
+  [[nodiscard]] SineCosine<double> psi_of(const Pose& pose) const {
+    const SineCosine<double>& phase = polar_.constants().phase;
+    const SineCosine<double>& turn = pose.axis[tool_side_].turn;
+    const double sine = axis_[tool_side_].sense * turn.sine;
+    return {sine * phase.cosine - turn.cosine * phase.sine, turn.cosine * phase.cosine + sine * phase.sine};
+  }
   // A computed position.
   void set_rounded(Pose& pose, std::size_t i, const Count& count) const;
   // The principal positions of the pair on a branch.
-  [[nodiscard]] std::array<Count, 2> fine_pair(const PolarRoots<DoubleDouble>& roots, int branch) const;
+  [[nodiscard]] std::array<Count, 2> fine_pair(const PolarRoots& roots, int branch) const;
   // psi and branch from the tool-side position.
   void set_branch(Pose& pose) const;
   // Everything of a pose but its axes.
@@ -130,6 +147,8 @@ class Machine {
     Count fixed;                // hypothetical
     bool limited = false;
     Count lower, upper;
+    double least = 0;  // the same rounded
+    double most = 0;
   };
   struct Vectors {  // of the control point, constant
     Vector3<DoubleDouble> fine;
@@ -143,6 +162,10 @@ class Machine {
     }
   };
   [[nodiscard]] Vector3<double> in_turned_frame(const Vector3<double>& on_table) const;
+  DoublePair set_pair_here(const PolarPairs& pairs, int branch, DoublePair near, Pose& pose) const;
+  [[nodiscard]] bool in_limits(const Pose& pose, std::size_t i) const;
+  // The branch of the pair that moves the axis judged first by less; 0 where doubles cannot tell.
+  [[nodiscard]] int nearer(const PolarPairs& pairs, const Pose& present) const;
   [[nodiscard]] bool choose_fine(const Direction& tool, const Pose& present, Pose& end) const;
   template <class T>
   [[nodiscard]] Vector3<T> turn(std::size_t i, const Vector3<T>& v, const SineCosine<T>& by, bool back = false) const;
@@ -157,7 +180,7 @@ class Machine {
   int type_ = 0;
   std::size_t tool_side_ = 0;
   std::array<Axis, 2> axis_;
-  bool reversed_order_ = false;  // PRI, 19608#5
+  std::size_t judged_first_ = 0;  // by PRI, 19608#5
   bool workpiece_frame_ = false;
   bool ranges_valid_ = true;
   Count holder_offset_;
@@ -166,7 +189,9 @@ class Machine {
   Vectors tool_offset_;   // 19709 to 19711: from D to E
   Vectors head_offset_;   // 19712 to 19714: from E to F
   Vectors zero_;          // t0
+  bool along_tool_ = false;
   bool frozen_ = false;
+  bool frozen_at_zero_ = true;  // the table stood at 0
   Turns<double> frozen_rough_{};
   Turns<DoubleDouble> frozen_fine_{};
 };

@@ -18,18 +18,18 @@ bool along_axis(const Fine& v) {
 }
 
 // The roots where |C| < rho or = rho: f1 = top - k and f2 = k - bottom, both >= 0.
-template <class T>
-void fill(const PolarFrame::Constants<T>& c, const Vector3<T>& seen, const T& f1, const T& f2, PolarRoots<T>& roots) {
+void fill(const PolarFrame::Constants<DoubleDouble>& c, const Fine& seen, const DoubleDouble& f1,
+          const DoubleDouble& f2, PolarRoots& roots) {
   roots.cos_psi = (seen.z - c.cc) / c.ss;
   roots.sin_psi = root(f1 * f2) / c.ss;
   // cos a sin b - sin a cos b cos psi, without cancellation at the end that is near.
-  roots.hx = leading(f1) <= leading(f2) ? c.skew + c.sc * f1 / c.ss : c.sum - c.sc * f2 / c.ss;
+  roots.hx = f1.hi <= f2.hi ? c.skew + c.sc * f1 / c.ss : c.sum - c.sc * f2 / c.ss;
   roots.hy = -(c.sa * roots.sin_psi);
-  const T n2 = seen.x * seen.x + seen.y * seen.y;
-  const T xx = seen.x * roots.hx;
-  const T yy = seen.y * roots.hy;
-  const T yx = seen.y * roots.hx;
-  const T xy = seen.x * roots.hy;
+  const DoubleDouble n2 = seen.x * seen.x + seen.y * seen.y;
+  const DoubleDouble xx = seen.x * roots.hx;
+  const DoubleDouble yy = seen.y * roots.hy;
+  const DoubleDouble yx = seen.y * roots.hx;
+  const DoubleDouble xy = seen.x * roots.hy;
   roots.work[0] = {(yx - xy) / n2, (xx + yy) / n2};
   roots.work[1] = {(yx + xy) / n2, (xx - yy) / n2};
 }
@@ -54,6 +54,8 @@ PolarFrame::PolarFrame(const FineVector& tool_side, const FineVector& work_side,
   fine_.ss = sa * sb;
   fine_.sc = sa * cb;
   fine_.sa = sa;
+  fine_.per_ss = DoubleDouble{1, 0} / fine_.ss;
+  fine_.sc_per_ss = fine_.sc / fine_.ss;
   fine_.skew = snapped(sb * ca - cb * sa);
   fine_.sum = snapped(sa * cb + ca * sb);
   fine_.top = ca * cb + sa * sb;
@@ -72,6 +74,7 @@ PolarFrame::PolarFrame(const FineVector& tool_side, const FineVector& work_side,
   const DoubleDouble a = snapped(dot(uw, q));
   const DoubleDouble b = snapped(dot(uw, r));
   phase_ = fine_arctangent(b, a);
+  phase_degrees_ = phase_.nearest();
   fine_.phase = {b / fine_.ss, a / fine_.ss};
 
   for (std::size_t i = 0; i < 3; ++i) rough_.row[i] = nearest(fine_.row[i]);
@@ -80,6 +83,8 @@ PolarFrame::PolarFrame(const FineVector& tool_side, const FineVector& work_side,
   rough_.ss = round(fine_.ss);
   rough_.sc = round(fine_.sc);
   rough_.sa = round(fine_.sa);
+  rough_.per_ss = round(fine_.per_ss);
+  rough_.sc_per_ss = round(fine_.sc_per_ss);
   rough_.skew = round(fine_.skew);
   rough_.sum = round(fine_.sum);
   rough_.top = round(fine_.top);
@@ -89,28 +94,7 @@ PolarFrame::PolarFrame(const FineVector& tool_side, const FineVector& work_side,
   rough_.phase = {round(fine_.phase.sine), round(fine_.phase.cosine)};
 }
 
-Reach PolarFrame::solve(const Vector3<double>& seen, bool relative, PolarRoots<double>& roots) const {
-  // With an absolute error of 2^-50 in every component the azimuth loses a few bits here, and psi there.
-  constexpr double kSteep = 0x1p-3;
-  constexpr double kEdge = 0x1p-4;
-  const double n2 = seen.x * seen.x + seen.y * seen.y;
-  if (n2 == 0 || (!relative && n2 < kSteep * kSteep)) return Reach::unsure;
-  const double k = seen.z;
-  double f1 = rough_.top - k;
-  double f2 = k - rough_.bottom;
-  if (plus_ && k > 0)
-    f1 = n2 / (1 + k);
-  else if (f1 < kEdge)
-    return f1 < -kEdge ? Reach::none : Reach::unsure;
-  if (minus_ && k < 0)
-    f2 = n2 / (1 - k);
-  else if (f2 < kEdge)
-    return f2 < -kEdge ? Reach::none : Reach::unsure;
-  fill(rough_, seen, f1, f2, roots);
-  return Reach::two_pairs;
-}
-
-Reach PolarFrame::solve(const Vector3<DoubleDouble>& seen, PolarRoots<DoubleDouble>& roots) const {
+Reach PolarFrame::solve(const Vector3<DoubleDouble>& seen, PolarRoots& roots) const {
   const DoubleDouble n2 = seen.x * seen.x + seen.y * seen.y;
   const DoubleDouble& k = seen.z;
   if (!invertible_) return Reach::none;

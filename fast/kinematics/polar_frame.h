@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "fast/arithmetic/double_double.h"
@@ -31,25 +32,28 @@ enum class Reach : std::uint8_t {
 
 // The pairs as sines and cosines of psi and of the mechanical angle of the work-side axis, for psi >= 0 (0) and psi <=
 // 0 (1).
-template <class T>
 struct PolarRoots {
-  T cos_psi{};
-  T sin_psi{};  // >= 0
-  T hx{};       // the horizontal part of c(psi), psi >= 0
-  T hy{};       // <= 0; its opposite for psi <= 0
-  std::array<SineCosine<T>, 2> work{};
+  DoubleDouble cos_psi{};
+  DoubleDouble sin_psi{};  // >= 0
+  DoubleDouble hx{};       // the horizontal part of c(psi), psi >= 0
+  DoubleDouble hy{};       // <= 0; its opposite for psi <= 0
+  std::array<SineCosine<DoubleDouble>, 2> work{};
 };
 
-// Their angles in degrees: psi of the first one, that of the work-side axis of both.
-struct RootAngles {
-  double psi = 0;
-  std::array<double, 2> work{};
+// The same in doubles; the work-side axis is made for the pair that is taken.
+struct PolarPairs {
+  double cos_psi = 0;
+  double sin_psi = 0;  // >= 0
+  double hx = 0;
+  double hy = 0;
+  // Sine and cosine: middle - branch * apart.
+  DoublePair middle{};
+  DoublePair apart{};
+  [[nodiscard]] SineCosine<double> work(int branch) const {
+    const DoublePair turn = branch < 0 ? middle + apart : middle - apart;
+    return {turn[0], turn[1]};
+  }
 };
-inline RootAngles angles_of(const PolarRoots<double>& roots) {
-  const DoublePair first =
-      arctangent(DoublePair{roots.sin_psi, roots.work[0].sine}, DoublePair{roots.cos_psi, roots.work[0].cosine});
-  return {first[0], {first[1], arctangent(roots.work[1].sine, roots.work[1].cosine)}};
-}
 
 class PolarFrame {
  public:
@@ -57,6 +61,7 @@ class PolarFrame {
   struct Constants {
     std::array<Vector3<T>, 3> row{};  // e1, e2, e3
     T cc{}, ss{}, sc{}, sa{};         // cos a cos b, sin a sin b, sin a cos b, sin a
+    T per_ss{}, sc_per_ss{};          // 1 / ss, sc / ss
     T top{}, bottom{};                // cos(a - b), cos(a + b): the reach of k
     T skew{}, sum{};                  // sin(b - a), sin(a + b)
     T above{}, below{};               // 1 - top, 1 + bottom
@@ -76,23 +81,67 @@ class PolarFrame {
   // The rows are directions of machine axes: components of a whole direction keep their relative accuracy.
   [[nodiscard]] bool along_axes() const { return along_axes_; }
   [[nodiscard]] const Count& phase() const { return phase_; }  // degrees, rounded
+  [[nodiscard]] double phase_degrees() const { return phase_degrees_; }
   [[nodiscard]] const Constants<double>& constants() const { return rough_; }
   [[nodiscard]] const Constants<DoubleDouble>& fine_constants() const { return fine_; }
 
   // `seen`: the direction in this system, unit. `relative`: every component has a small relative error.
-  [[nodiscard]] Reach solve(const Vector3<double>& seen, bool relative, PolarRoots<double>& roots) const;
-  [[nodiscard]] Reach solve(const Vector3<DoubleDouble>& seen, PolarRoots<DoubleDouble>& roots) const;
+  [[nodiscard]] Reach solve(const Vector3<double>& seen, bool relative, PolarPairs& pairs) const;
+  [[nodiscard]] Reach solve(const Vector3<DoubleDouble>& seen, PolarRoots& roots) const;
 
  private:
   Constants<double> rough_;
   Constants<DoubleDouble> fine_;
   Count phase_;
+  double phase_degrees_ = 0;
   bool invertible_ = false;
   bool plus_ = false;
   bool minus_ = false;
   bool orthogonal_ = false;
   bool along_axes_ = false;
 };
+
+[[gnu::always_inline]] inline Reach PolarFrame::solve(const Vector3<double>& seen, bool relative,
+                                                      PolarPairs& pairs) const {
+  // With an absolute error of 2^-50 in every component the azimuth loses a few bits here, and psi there.
+  constexpr double kSteep = 0x1p-3;
+  constexpr double kEdge = 0x1p-4;
+  const double n2 = seen.x * seen.x + seen.y * seen.y;
+  if (n2 == 0 || (!relative && n2 < kSteep * kSteep)) [[unlikely]]
+    return Reach::unsure;
+  const double k = seen.z;
+  if (orthogonal_) [[likely]] {
+    // c(psi) = (0, -sin psi, cos psi).
+    const double width = std::sqrt(n2);
+    pairs.cos_psi = k;
+    pairs.sin_psi = width;
+    pairs.hx = 0;
+    pairs.hy = -width;
+    pairs.middle = DoublePair{};
+    pairs.apart = DoublePair{-seen.x, seen.y} / width;
+    return Reach::two_pairs;
+  }
+  const Constants<double>& c = rough_;
+  double f1 = c.top - k;
+  double f2 = k - c.bottom;
+  if (plus_ && k > 0)
+    f1 = n2 / (1 + k);
+  else if (f1 < kEdge)
+    return f1 < -kEdge ? Reach::none : Reach::unsure;
+  if (minus_ && k < 0)
+    f2 = n2 / (1 - k);
+  else if (f2 < kEdge)
+    return f2 < -kEdge ? Reach::none : Reach::unsure;
+  const double per_n2 = 1 / n2;
+  pairs.cos_psi = (k - c.cc) * c.per_ss;
+  pairs.sin_psi = std::sqrt(f1 * f2) * c.per_ss;
+  // cos a sin b - sin a cos b cos psi, without cancellation at the end that is near.
+  pairs.hx = f1 <= f2 ? c.skew + c.sc_per_ss * f1 : c.sum - c.sc_per_ss * f2;
+  pairs.hy = -(c.sa * pairs.sin_psi);
+  pairs.middle = DoublePair{seen.y, seen.x} * (pairs.hx * per_n2);
+  pairs.apart = DoublePair{seen.x, -seen.y} * (pairs.hy * per_n2);
+  return Reach::two_pairs;
+}
 
 template <class T>
 Vector3<T> seen_from(const PolarFrame::Constants<T>& constants, const Vector3<T>& v) {

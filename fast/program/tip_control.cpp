@@ -132,23 +132,29 @@ void Interpreter::take_posture(const Pose& pose) {
 }
 
 Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
-  const std::array<Count, 3> from = programmed_xyz();
+  // Where the block starts counts for a lean and on a table.
+  std::array<Count, 3> from;
   RotaryPositions before;
-  for (std::size_t i = 0; i < 2; ++i)
-    if (machine_.rotary_axis(i) != spec::kMaxAxes) before[i] = programmed_[machine_.rotary_axis(i)];
-  if (const Alarm a = place_positions(words, axes)) return a;
+  if (!lean_angle_.is_zero() || machine_.workpiece_frame()) [[unlikely]] {
+    from = programmed_xyz();
+    for (std::size_t i = 0; i < 2; ++i)
+      if (machine_.rotary_axis(i) != spec::kMaxAxes) before[i] = programmed_[machine_.rotary_axis(i)];
+  }
+  if (const Alarm a = place_positions(words, axes)) [[unlikely]]
+    return a;
   if (tip_.active()) {
     TipBlock& block = tip_.next();
-    block.length = tool_length().nearest();
+    block.length = along_length_;
     block.sampled = samples_block_;
-    if (const Alarm a = starts_tip_ ? start_tip_control(words) : plan_posture(words, axes, from, before)) return a;
+    if (const Alarm a = starts_tip_ ? start_tip_control(words) : plan_posture(words, axes, from, before)) [[unlikely]]
+      return a;
   } else if (starts_tip_) {
     commanded_ = directions_[direction_];
   } else if (asks_direction(words, from)) {
     new_direction() = leaned(words, from);
   }
   starts_tip_ = false;
-  return refresh();
+  return stale_ == 0 ? alarm::kNone : refresh();
 }
 
 Alarm Interpreter::plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
@@ -161,9 +167,8 @@ Alarm Interpreter::plan_posture(const Words& words, Mask axes, const std::array<
   if ((axes & turning_) == 0) {
     posture_.stand(start, block.plan);
   } else {
-    Pose commanded;
-    machine_.pose(programmed_, rounded_, commanded);
-    posture_.plan(start, commanded, posture_control_, block.plan);
+    machine_.pose(programmed_, rounded_, block.plan.end);
+    posture_.plan(start, block.plan.end, posture_control_, block.plan);
     if (const Alarm a = alarm_of(block.plan.outcome)) return a;
     take_posture(block.plan.end);
   }
@@ -188,7 +193,8 @@ Alarm Interpreter::plan_direction(const Words& words, const std::array<Count, 3>
 // I J K, or a travel under Q.
 bool Interpreter::asks_direction(const Words& words, const std::array<Count, 3>& from) {
   if (words.has_any(kDirectionLetters)) {
-    read_direction(words, commanded_);
+    if (!read_usual_direction(words, commanded_)) [[unlikely]]
+      read_direction(words, commanded_);
     return true;
   }
   return !lean_angle_.is_zero() && (!(from == programmed_xyz()) || is_arc(words));

@@ -17,6 +17,7 @@ ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, const M
       out_(out),
       samples_(samples),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
+      xyz_first_(xyz_[0] == 0 && xyz_[1] == 1 && xyz_[2] == 2),
       count_(setup.axes.size()),
       fraction_(samples) {
   for (std::size_t axis = 0; axis < count_; ++axis) {
@@ -47,6 +48,8 @@ TipBlock& ToolCenterPointControl::next() {
 }
 
 Vector3<double> ToolCenterPointControl::point_of(const Event& event) const {
+  if (xyz_first_) [[likely]]
+    return {event.point.value[0], event.point.value[1], event.point.value[2]};
   const auto of = [&](std::size_t i) { return xyz_[i] == spec::Axes::kNone ? 0 : event.point.value[xyz_[i]]; };
   return {of(0), of(1), of(2)};
 }
@@ -68,16 +71,19 @@ void ToolCenterPointControl::on(const Event& event) {
   }
   const PosturePlan& plan = block.plan;
   if (event.cause == spec::Cause::corner) {
-    event_ = event;
+    take(event);
     finish(plan.end, plan.end, block.length);
     return;
   }
-  if (plan.branch_warning) warn(event);
-  if (plan.pre_turn) turn(event, plan.turned, block.length_before, spec::Cause::pre_turn);
+  if (plan.branch_warning) [[unlikely]]
+    warn(event);
+  if (plan.pre_turn) [[unlikely]]
+    turn(event, plan.turned, block.length_before, spec::Cause::pre_turn);
   if (sampled) send_samples(event, block);
-  event_ = event;
+  take(event);
   finish(plan.post_turn ? plan.arrived : plan.end, plan.end, block.length);
-  if (plan.post_turn) turn(event, plan.end, block.length, spec::Cause::post_turn);
+  if (plan.post_turn) [[unlikely]]
+    turn(event, plan.end, block.length, spec::Cause::post_turn);
 }
 
 void ToolCenterPointControl::warn(const Event& event) {
@@ -88,6 +94,22 @@ void ToolCenterPointControl::warn(const Event& event) {
   out_.on(notice_);
 }
 
+[[gnu::always_inline]] inline void ToolCenterPointControl::set_axes(Event& event, const Vector3<double>& point,
+                                                                    double first, double second) const {
+  put(event.axes.value, point);
+  if (machine_.rotary_axis(0) != spec::kMaxAxes) event.axes.value[machine_.rotary_axis(0)] = first;
+  if (machine_.rotary_axis(1) != spec::kMaxAxes) event.axes.value[machine_.rotary_axis(1)] = second;
+}
+
+// Sines and cosines are not looked at where the tool itself tells the way.
+[[gnu::always_inline]] inline void ToolCenterPointControl::set_axes(Event& event, const Vector3<double>& tip,
+                                                                    const Pose& pose, double length) const {
+  const Vector3<double> tool{pose.tool.unit[0], pose.tool.unit[1], pose.tool.unit[2]};
+  const Vector3<double> point =
+      machine_.along_tool() ? tip + tool * length : machine_.control_point(tip, turns(pose), length, origin_xyz_);
+  set_axes(event, point, pose.axis[0].degrees, pose.axis[1].degrees);
+}
+
 // Only the work-side axis turns; X Y Z follow at a standing tip.
 void ToolCenterPointControl::turn(const Event& owner, const Pose& pose, double length, spec::Cause cause) {
   event_.line = owner.line;
@@ -96,8 +118,7 @@ void ToolCenterPointControl::turn(const Event& owner, const Pose& pose, double l
   event_.cause = cause;
   event_.arc.reset();
   event_.feed = owner.feed;
-  const Turns<double> turned = turns(pose);
-  set_axes(event_, tip_, turned, {pose.axis[0].degrees, pose.axis[1].degrees}, length);
+  set_axes(event_, tip_, pose, length);
   set_machine(event_);
   out_.on(event_);
 }
@@ -105,30 +126,57 @@ void ToolCenterPointControl::turn(const Event& owner, const Pose& pose, double l
 // An own or inserted move, as it ends; its point is that at the end of the block, where a turn may follow.
 void ToolCenterPointControl::finish(const Pose& pose, const Pose& end, double length) {
   event_.t_numerator = 0;
-  tip_ = on_table(point_of(event_), turns(end));
-  set_axes(event_, tip_, turns(pose), {pose.axis[0].degrees, pose.axis[1].degrees}, length);
+  tip_ = point_of(event_);
+  if (moves_on_table_) tip_ = on_table(tip_, turns(end));
+  set_axes(event_, tip_, pose, length);
   set_machine(event_);
-  const Eigen::Vector3d& tool = pose.tool.unit;
-  set_tool_axis(event_, {tool[0], tool[1], tool[2]});
+  set_tool_axis(event_, {pose.tool.unit[0], pose.tool.unit[1], pose.tool.unit[2]});
   out_.on(event_);
+}
+
+void ToolCenterPointControl::take(const Event& move) {
+  event_.line = move.line;
+  event_.n = move.n;
+  event_.type = move.type;
+  event_.cause = move.cause;
+  event_.feed = move.feed;
+  event_.programmed.present = move.programmed.present;
+  event_.point.present = move.point.present;
+  event_.axes.present = move.axes.present;
+  std::size_t axis = 0;
+  if (xyz_first_) [[likely]] {
+    event_.programmed.value[0] = move.programmed.value[0];
+    event_.programmed.value[1] = move.programmed.value[1];
+    event_.programmed.value[2] = move.programmed.value[2];
+    event_.point.value[0] = move.point.value[0];
+    event_.point.value[1] = move.point.value[1];
+    event_.point.value[2] = move.point.value[2];
+    // No axis is left that the posture does not make.
+    axis = even_ == 0 ? count_ : 3;
+  }
+  for (; axis < count_; ++axis) {
+    event_.programmed.value[axis] = move.programmed.value[axis];
+    event_.point.value[axis] = move.point.value[axis];
+    event_.axes.value[axis] = move.axes.value[axis];
+  }
+  if (move.arc || event_.arc) [[unlikely]]
+    event_.arc = move.arc;
 }
 
 void ToolCenterPointControl::set_tool_axis(Event& event, const Vector3<double>& tool) {
   event.tool_axis.emplace(std::array<double, 3>{tool.x + 0.0, tool.y + 0.0, tool.z + 0.0});  // never -0
 }
 
-void ToolCenterPointControl::set_axes(Event& event, const Vector3<double>& tip, const Turns<double>& turns,
-                                      const std::array<double, 2>& degrees, double length) const {
-  const Vector3<double> point = machine_.control_point(tip, turns, length, origin_xyz_);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (xyz_[i] != spec::Axes::kNone) event.axes.value[xyz_[i]] = point[i];
-  for (std::size_t i = 0; i < 2; ++i)
-    if (machine_.rotary_axis(i) != spec::kMaxAxes) event.axes.value[machine_.rotary_axis(i)] = degrees[i];
-}
-
 void ToolCenterPointControl::set_machine(Event& event) const {
   event.machine.present = all_;
-  for (std::size_t axis = 0; axis < count_; ++axis) event.machine.value[axis] = event.axes.value[axis] + origin_[axis];
+  std::size_t axis = 0;
+  if (xyz_first_) [[likely]] {
+    event.machine.value[0] = event.axes.value[0] + origin_[0];
+    event.machine.value[1] = event.axes.value[1] + origin_[1];
+    event.machine.value[2] = event.axes.value[2] + origin_[2];
+    axis = 3;
+  }
+  for (; axis < count_; ++axis) event.machine.value[axis] = event.axes.value[axis] + origin_[axis];
 }
 
 void ToolCenterPointControl::begin_samples(const Event& event) {
@@ -169,9 +217,12 @@ void ToolCenterPointControl::send_samples(const Event& event, TipBlock& block) {
     Vector3<double> tip = at;
     if (in_workpiece) tip = on_table(at, turns(block.plan.end));
     if (moves_on_table_) at = machine_.from_table(tip, sample.turns, origin_xyz_);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (xyz_[i] != spec::Axes::kNone) sample_.point.value[xyz_[i]] = at[i];
-    set_axes(sample_, tip, sample.turns, sample.degrees, between(block.length_before, block.length, t));
+    put(sample_.point.value, at);
+    const double length = between(block.length_before, block.length, t);
+    const Vector3<double> control = machine_.along_tool()
+                                        ? tip + sample.tool * length
+                                        : machine_.control_point(tip, sample.turns, length, origin_xyz_);
+    set_axes(sample_, control, sample.degrees[0], sample.degrees[1]);
     set_tool_axis(sample_, sample.tool);
     send_sample();
   }

@@ -52,6 +52,17 @@ class ToolCenterPointControl final : public EventSink {
 
  private:
   [[nodiscard]] Vector3<double> point_of(const Event& event) const;
+  // X Y Z of the axes of an event; not in loops, which would look up each of them.
+  void put(std::array<double, spec::kMaxAxes>& value, const Vector3<double>& point) const {
+    if (xyz_first_) [[likely]] {
+      value[0] = point.x;
+      value[1] = point.y;
+      value[2] = point.z;
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+      if (xyz_[i] != spec::Axes::kNone) value[xyz_[i]] = point[i];
+  }
   // Of the programming coordinate system, fixed to the table.
   [[nodiscard]] Vector3<double> on_table(const Vector3<double>& point, const Turns<double>& turns) const {
     return moves_on_table_ ? machine_.to_table(point, turns, origin_xyz_) : point;
@@ -65,9 +76,11 @@ class ToolCenterPointControl final : public EventSink {
   // The axes that go evenly from `event_` to `event`.
   void set_even(const Event& event, double t);
   void send_sample();
-  // The axes of an event whose tip stands at `tip` on the table.
-  void set_axes(Event& event, const Vector3<double>& tip, const Turns<double>& turns,
-                const std::array<double, 2>& degrees, double length) const;
+  // event_ becomes this move but for what the posture makes: tool axis and axes that depend on it.
+  void take(const Event& move);
+  // The axes of an event by its control point and rotary positions; by its tip on the table and its pose.
+  void set_axes(Event& event, const Vector3<double>& point, double first, double second) const;
+  void set_axes(Event& event, const Vector3<double>& tip, const Pose& pose, double length) const;
   void set_machine(Event& event) const;
   void finish(const Pose& pose, const Pose& end, double length);
   static void set_tool_axis(Event& event, const Vector3<double>& tool);
@@ -76,6 +89,7 @@ class ToolCenterPointControl final : public EventSink {
   EventSink& out_;
   std::uint32_t samples_;
   std::array<std::size_t, 3> xyz_;
+  bool xyz_first_;  // X Y Z are axes 0 1 2
   std::size_t count_;
   std::uint16_t all_ = 0;
   std::uint16_t linear_ = 0;

@@ -39,6 +39,16 @@ double swing(const Vector2<double>& from, const Vector2<double>& to, int branch)
   return -branch * (arctangent(std::abs(to.y), to.x) - arctangent(std::abs(from.y), from.x));
 }
 
+// The same to within 20 degrees: 90 (1 - cos) for the angle.
+double rough_swing(const Vector2<double>& from, const Vector2<double>& to, int branch) {
+  const Vector2<double> a{from.x, std::abs(from.y)};
+  const Vector2<double> b{to.x, std::abs(to.y)};
+  const double angle = 90 - 90 * dot(a, b) / std::sqrt(dot(a, a) * dot(b, b));
+  return cross(a, b) < 0 ? branch * angle : -branch * angle;
+}
+
+const NearLimit kNoLimit;
+
 }  // namespace
 
 // A block whose decisions are made in double-double.
@@ -46,8 +56,8 @@ struct ToolPostureControl::FineArc {
   const Pose& start;
   const Target& target;
   Vector3<DoubleDouble> s, e;
-  PolarRoots<DoubleDouble> roots;  // of the end
-  Reach reach = Reach::none;       // of the end
+  PolarRoots roots;           // of the end
+  Reach reach = Reach::none;  // of the end
   ArcFindings found;
   std::array<Int128, 2> from;  // positions at the start
   int branch = 0;              // at the start
@@ -89,8 +99,8 @@ void ToolPostureControl::conventional(const Pose& start, const Pose& end, Postur
 void ToolPostureControl::plan(const Pose& start, const Pose& commanded, bool posture, PosturePlan& plan) const {
   begin(plan);
   if (!posture || !machine_.invertible()) {
-    plan.end = commanded;
-    conventional(start, commanded, plan);
+    if (&commanded != &plan.end) plan.end = commanded;
+    conventional(start, plan.end, plan);
     return;
   }
   const Target target{&commanded, nullptr};
@@ -124,7 +134,7 @@ bool ToolPostureControl::plan_quickly(const Pose& start, const Target& target, P
   if (start.branch == 0) return false;
   Pose& end = plan.end;
   if (target.pose != nullptr) {
-    end = *target.pose;
+    if (target.pose != &end) end = *target.pose;
     if (end.branch == 0) return false;
   } else {
     machine_.set_direction(*target.tool, end);
@@ -136,43 +146,43 @@ bool ToolPostureControl::plan_quickly(const Pose& start, const Target& target, P
   arc.meridian = target.pose != nullptr && polar.orthogonal() && start.axis[w].kind == RotaryPosition::Kind::exact &&
                  end.axis[w].kind == RotaryPosition::Kind::exact && start.axis[w].count == end.axis[w].count;
   ArcFindings found;
-  if (!find(polar, arc, target.tool != nullptr ? near_ : NearLimit{}, found)) return false;
+  if (!find(polar, arc, target.tool != nullptr ? near_ : kNoLimit, found)) [[unlikely]]
+    return false;
   if (found.parallel || found.start_pole != 0 || found.end_pole != 0 || found.crossing != 0 || found.near != 0)
     return false;
 
-  PolarRoots<double> roots;
-  if (target.pose == nullptr && polar.solve(end.seen, end.relative, roots) != Reach::two_pairs) return false;
+  PolarPairs pairs;
+  if (target.pose == nullptr && polar.solve(end.seen, end.relative, pairs) != Reach::two_pairs) return false;
   if (found.leaves) {
     plan.outcome = PosturePlan::Outcome::unreachable;
     return true;
   }
-  // Where the lift ends, to less than half a turn.
-  RootAngles angles;
-  if (target.pose == nullptr) angles = angles_of(roots);
-  const double psi = target.pose != nullptr ? end.psi : angles.psi;
+  // Where the lift ends, to less than half a turn: V(t) turns about the work-side axis by less than that.
   double swung = 0;
   if (!polar.orthogonal()) {
-    const auto leaned = [&](double angle) {
-      const SineCosine<double> a = sine_cosine(angle);
+    const auto leaned = [&](const SineCosine<double>& psi) {
       const PolarFrame::Constants<double>& c = polar.constants();
-      return Vector2<double>{c.sc * (1 - a.cosine) + c.skew, -c.sa * a.sine};
+      return Vector2<double>{c.sc * (1 - psi.cosine) + c.skew, -c.sa * psi.sine};
     };
-    swung = swing(leaned(start.psi), leaned(start.branch * std::abs(psi)), start.branch);
+    const Vector2<double> to =
+        target.pose != nullptr ? leaned(machine_.psi_of(end)) : Vector2<double>{pairs.hx, pairs.hy};
+    swung = rough_swing(leaned(machine_.psi_of(start)), to, start.branch);
   }
-  std::array<double, 2> near;
-  near[t] = start.axis[t].degrees + machine_.sense(t) * (start.branch * std::abs(psi) - start.psi);
-  near[w] = start.axis[w].degrees + machine_.sense(w) * (90 * found.azimuth - swung);
+  const double near_work = start.axis[w].degrees + machine_.sense(w) * (90 * found.azimuth - swung);
   if (target.pose != nullptr) {
     // Other whole turns, or the other branch: at least half a turn away.
-    if (end.branch != start.branch || std::abs(end.axis[t].degrees - near[t]) > 1 ||
-        std::abs(end.axis[w].degrees - near[w]) > 180) {
+    const double near_tool = start.axis[t].degrees + machine_.sense(t) * (start.branch * std::abs(end.psi) - start.psi);
+    if (end.branch != start.branch || std::abs(end.axis[t].degrees - near_tool) > 1 ||
+        std::abs(end.axis[w].degrees - near_work) > 180) {
       plan.branch_warning = true;
       conventional(start, end, plan);
       return true;
     }
   } else {
-    machine_.set_pair(roots, angles, start.branch, near, end);
-    if (!ends_in_range(end)) {
+    // psi keeps its sign.
+    const double near_tool = start.axis[t].degrees + machine_.sense(t) * (90 * start.branch - start.psi);
+    machine_.set_pair(pairs, start.branch, DoublePair{near_tool, near_work}, end);
+    if (!ends_in_range(end)) [[unlikely]] {
       plan.outcome = PosturePlan::Outcome::unreachable;
       return true;
     }
@@ -204,8 +214,8 @@ void ToolPostureControl::plan_finely(const Pose& start, const Target& target, Po
     plan.outcome = PosturePlan::Outcome::unreachable;
     return;
   }
-  (void)find(polar, PostureArc<DoubleDouble>{arc.s, arc.e}, commanded ? NearLimit{} : near_, arc.found);
-  if (commanded) plan.end = *target.pose;
+  (void)find(polar, PostureArc<DoubleDouble>{arc.s, arc.e}, commanded ? kNoLimit : near_, arc.found);
+  if (commanded && target.pose != &plan.end) plan.end = *target.pose;
 
   // The pair of sheet 4, where no branch is to be followed.
   const bool singular = arc.found.start_pole != 0;
@@ -294,7 +304,7 @@ void ToolPostureControl::to_singular(const FineArc& arc, PosturePlan& plan) cons
   const int pole = arc.found.end_pole;
   const Int128 end_psi = pole > 0 ? Int128{0} : arc.branch * kHalf;
   const Int128 tool = arc.from[t] + signed_by(machine_.sense(t), end_psi - arc.psi);
-  PolarRoots<DoubleDouble> roots;
+  PolarRoots roots;
   (void)polar.solve(arc.s, roots);
   const DoubleDouble hy = arc.branch < 0 ? -roots.hy : roots.hy;
   const Int128 swung = from_limit(roots.hx, hy, arc.branch).units();
@@ -343,7 +353,7 @@ void ToolPostureControl::along(const FineArc& arc, PosturePlan& plan) const {
   std::array<Count, 2> lifted;
   lifted[t] = nearest_turn(pair[t], arc.from[t] + signed_by(machine_.sense(t), end_psi - arc.psi));
   // The azimuth of c(psi) on its way, with the half turn of a crossing taken off: by less than 180.
-  PolarRoots<DoubleDouble> from;
+  PolarRoots from;
   (void)polar.solve(arc.s, from);
   const double half = crossing != 0 ? -1 : 1;
   const double swung = swing({from.hx.hi, from.hy.hi}, {half * arc.roots.hx.hi, arc.roots.hy.hi}, arc.branch);

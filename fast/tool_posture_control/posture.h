@@ -36,7 +36,7 @@ class ToolPostureControl {
 
   [[nodiscard]] bool by_default() const { return by_default_; }  // 19604#0: P1 where P is not given
 
-  // Type 1: to the commanded pose. `posture`: P1. `plan` may not hold `start` or `commanded`.
+  // Type 1: to the commanded pose, which may be plan.end. `posture`: P1. `plan` may not hold `start`.
   void plan(const Pose& start, const Pose& commanded, bool posture, PosturePlan& plan) const;
   // Type 2: to the direction `tool` (programming coordinate system, after Q).
   void plan(const Pose& start, const Direction& tool, bool posture, PosturePlan& plan) const;

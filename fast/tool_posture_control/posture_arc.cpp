@@ -92,6 +92,10 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
       found.crossing = -1;
   }
 
+  // The usual block needs no more.
+  const bool looks_near = limit && free && found.crossing == 0;
+  if (!(top && !polar.has_plus()) && !(bottom && !polar.has_minus()) && !looks_near) return true;
+
   const T n2 = across * across;
   const T high = root(number<T>(1) - n2 / nn);  // the height of the highest point
   // N carries an absolute error: the shorter it is the less it tells of its direction.

@@ -24,6 +24,13 @@ DoubleDouble degrees(Int128 units) {
   return to_double_double(units) / DoubleDouble{static_cast<double>(Count::kRestPerOne), 0};
 }
 
+// A position in double-double by its sine and cosine: what its double has lost.
+DoubleDouble by_turn(double position, const SineCosine<double>& turn) {
+  const SineCosine<double> at = sine_cosine(position);
+  constexpr double kDegrees = 0x1.ca5dc1a63c1f8p+5;
+  return quick_two_sum(position, (turn.sine * at.cosine - turn.cosine * at.sine) * kDegrees);
+}
+
 // 1 - cos psi and 1 + cos psi times sin a sin b: the distances of k from the ends of its reach.
 struct Room {
   double above, below;
@@ -36,14 +43,14 @@ Room room(const Frame& c, double k, double n2) {
 
 // The horizontal part of c(psi) for the sine of psi.
 Vector2<double> lean(const Frame& c, const Room& room, double sin_psi) {
-  const double x = room.above <= room.below ? c.skew + c.sc * room.above / c.ss : c.sum - c.sc * room.below / c.ss;
+  const double x = room.above <= room.below ? c.skew + c.sc_per_ss * room.above : c.sum - c.sc_per_ss * room.below;
   return {x, -c.sa * sin_psi};
 }
 
 // The mechanical angle of the work-side axis that turns `from` to `to`, horizontal vectors of one length.
 SineCosine<double> between(const Vector2<double>& from, const Vector2<double>& to) {
-  const double n2 = dot(to, to);
-  return {cross(from, to) / n2, dot(from, to) / n2};
+  const double per_n2 = 1 / dot(to, to);
+  return {cross(from, to) * per_n2, dot(from, to) * per_n2};
 }
 
 }  // namespace
@@ -66,18 +73,44 @@ void PostureMotion::set_still(const Machine& machine, const Pose& pose) {
 
 void PostureMotion::set_linear(const Machine& machine, const Pose& start, const Pose& end) {
   law_ = Law::linear;
+  denominator_ = 0;
   set_ends(machine, start, end);
+  const double first = std::max(std::abs(start_[0]), std::abs(end_[0]));
+  const double second = std::max(std::abs(start_[1]), std::abs(end_[1]));
+  wide_ = {first > kWide, second > kWide};
+  if (std::max(first, second) <= kWide) [[likely]]
+    return;
   for (std::size_t i = 0; i < 2; ++i) {
-    wide_[i] = std::abs(start_[i]) > kWide || std::abs(end_[i]) > kWide;
     if (!wide_[i]) continue;
-    const Int128 from = machine.count(start, i).units();
-    from_[i] = degrees(from);
-    by_[i] = degrees(machine.count(end, i).units() - from);
+    set_wide(wide_start_[i], start, i);
+    set_wide(wide_end_[i], end, i);
+  }
+}
+
+void PostureMotion::set_wide(WideEnd& to, const Pose& pose, std::size_t i) const {
+  const RotaryPosition& rotary = pose.axis[i];
+  constexpr double kReduced = 0x1p36;  // of sine_cosine
+  to.by_turn = rotary.kind == RotaryPosition::Kind::inverse && std::abs(rotary.degrees) < kReduced;
+  if (to.by_turn)
+    to.turn = rotary.turn;
+  else
+    to.position = degrees(machine_->count(pose, i).units());
+}
+
+void PostureMotion::prepare_wide() {
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!wide_[i]) continue;
+    const auto position = [](const WideEnd& end, double rounded) {
+      return end.by_turn ? by_turn(rounded, end.turn) : end.position;
+    };
+    from_[i] = position(wide_start_[i], start_[i]);
+    by_[i] = position(wide_end_[i], end_[i]) - from_[i];
   }
 }
 
 void PostureMotion::set_arc(Law law, const Machine& machine, const Pose& start, const Pose& end, int branch) {
   law_ = law;
+  denominator_ = 0;
   set_ends(machine, start, end);
   branch_ = branch;
   start_seen_ = start.seen;
@@ -143,6 +176,80 @@ void PostureMotion::prepare_meridian() {
                           : Vector2<double>{-c.sc * half.cosine, -c.sa * half.sine};
 }
 
+[[gnu::always_inline]] inline bool PostureMotion::goes_on(std::uint32_t numerator, std::uint32_t denominator) {
+  // Afresh every eighth time: what is led on keeps within a few roundings.
+  constexpr std::uint32_t kAfresh = 8;
+  const bool next = denominator == denominator_ && numerator == numerator_ + 1 && numerator % kAfresh != 0;
+  numerator_ = numerator;
+  denominator_ = denominator;
+  return next;
+}
+
+// Steps of sine and cosine are exact, or as small as the step, so that their product loses nothing.
+[[gnu::always_inline]] inline bool PostureMotion::follow(DoublePair sine, DoublePair cosine) {
+  const DoublePair ds = sine - sine_;
+  const DoublePair dc = cosine - cosine_;
+  const DoublePair by = ds * cosine_ - dc * sine_;
+  const DoublePair chord = ds * ds + dc * dc;
+  sine_ = sine;
+  cosine_ = cosine;
+  constexpr double kNear = 0x1p-12;  // chords of 1/64
+  if (!goes_on_ || chord[0] > kNear || chord[1] > kNear) [[unlikely]]
+    return false;
+  // The arc sine in degrees: the next term is below 2^-52 of the first.
+  constexpr double kDegrees = 0x1.ca5dc1a63c1f8p+5;
+  const DoublePair z = by * by;
+  psi_and_work_ += by * (kDegrees + z * (kDegrees / 6 + z * (kDegrees * (3.0 / 40) + z * (kDegrees * (15.0 / 336)))));
+  return true;
+}
+
+[[gnu::always_inline]] inline void PostureMotion::set_angles(DoublePair sine, DoublePair cosine,
+                                                             PostureSample& sample) const {
+  const auto set = [&](std::size_t t, std::size_t w) {
+    sample.degrees[t] = tool_base_ + machine_->sense(t) * psi_and_work_[0];
+    sample.degrees[w] = start_[w] + machine_->sense(w) * psi_and_work_[1];
+    machine_->set_turns({sine[0], cosine[0]}, {sine[1], cosine[1]}, sample.turns[t], sample.turns[w]);
+  };
+  // Not by index: a processor that reads back what it has just written to an address it had to compute waits.
+  if (machine_->tool_side() == 0)
+    set(0, 1);
+  else
+    set(1, 0);
+}
+
+[[gnu::always_inline]] inline void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample) {
+  const PolarFrame& polar = machine_->polar();
+  const Frame& c = polar.constants();
+  const Vector2<double> heading{seen.x, seen.y};
+  const double n2 = dot(heading, heading);
+  double width = 0;  // |sin psi|
+  double cos_psi = 0;
+  Vector2<double> leaned;
+  SineCosine<double> work;
+  if (polar.orthogonal()) {
+    width = std::sqrt(n2);
+    cos_psi = seen.z;
+    const double scale = branch_ * width * (1 / n2);  // the quotient does not wait for the root
+    work = {seen.x * scale, -seen.y * scale};
+  } else {
+    const Room space = room(c, seen.z, n2);
+    width = std::sqrt(space.above * space.below) * c.per_ss;
+    cos_psi = (seen.z - c.cc) * c.per_ss;
+    leaned = lean(c, space, branch_ * width);
+    work = between(leaned, heading);
+  }
+  const DoublePair sine{branch_ * width, work.sine};
+  const DoublePair cosine{cos_psi, work.cosine};
+  if (!follow(sine, cosine)) [[unlikely]] {
+    const DoublePair angles = arctangent(DoublePair{width, cross(start_heading_, heading)},
+                                         DoublePair{cos_psi, dot(start_heading_, heading)});
+    const double swung = polar.orthogonal() ? 0 : arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
+    // V(t) turns one way about the work-side axis, by less than 180.
+    psi_and_work_ = DoublePair{branch_ * angles[0], about(angles[1], 90.0 * azimuth_) - swung};
+  }
+  set_angles(sine, cosine, sample);
+}
+
 void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) {
   if (fault(Fault::tip_sample_from_the_end)) numerator = denominator - numerator;
   switch (law_) {
@@ -157,19 +264,43 @@ void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, Postu
       break;
   }
   if (!prepared_) prepare();
+  goes_on_ = goes_on(numerator, denominator);
   const SineCosine<double> angle = angle_.at(numerator, denominator);
   if (law_ == Law::circle)
     circle_at(seen_.at(angle), sample);
   else
     meridian_at(seen_.at(angle), sample);
-  sample.tool = machine_->reports_machine_directions() ? machine_->tool_at(sample.turns) : reported_.at(angle);
+  if (machine_->reports_machine_directions()) [[unlikely]] {
+    sample.tool = machine_->tool_at(sample.turns);
+    return;
+  }
+  sample.tool.x = reported_.start.x * angle.cosine + reported_.side.x * angle.sine;
+  sample.tool.y = reported_.start.y * angle.cosine + reported_.side.y * angle.sine;
+  sample.tool.z = reported_.start.z * angle.cosine + reported_.side.z * angle.sine;
 }
 
-void PostureMotion::linear_at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) const {
+void PostureMotion::linear_at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) {
   const double t = static_cast<double>(numerator) / denominator;
-  for (std::size_t i = 0; i < 2; ++i)
-    sample.degrees[i] = start_[i] == end_[i] ? start_[i] : (1 - t) * start_[i] + t * end_[i];
-  sample.turns = apart(sine_cosine(DoublePair{sample.degrees[0], sample.degrees[1]}));
+  const DoublePair start{start_[0], start_[1]};
+  const DoublePair end{end_[0], end_[1]};
+  const DoublePair degrees = start == end ? start : (1 - t) * start + t * end;
+  const bool same_steps = denominator == denominator_;
+  if (goes_on(numerator, denominator) && small_steps_) [[likely]] {
+    // By the addition theorem.
+    const DoublePair sine = sine_ - (sine_ * step_versine_ - cosine_ * step_sine_);
+    cosine_ = cosine_ - (cosine_ * step_versine_ + sine_ * step_sine_);
+    sine_ = sine;
+  } else {
+    if (!same_steps) {
+      set_steps((end - start) / static_cast<double>(denominator));
+      prepare_wide();
+    }
+    const SineCosine<DoublePair> turn = sine_cosine(degrees);
+    sine_ = turn.sine;
+    cosine_ = turn.cosine;
+  }
+  sample.degrees = {degrees[0], degrees[1]};
+  sample.turns = apart(SineCosine<DoublePair>{sine_, cosine_});
   for (std::size_t i = 0; i < 2; ++i)
     if (wide_[i]) [[unlikely]]
       wide_at(i, DoubleDouble{static_cast<double>(numerator), 0} / DoubleDouble{static_cast<double>(denominator), 0},
@@ -177,43 +308,19 @@ void PostureMotion::linear_at(std::uint32_t numerator, std::uint32_t denominator
   sample.tool = machine_->tool_at(sample.turns);
 }
 
+void PostureMotion::set_steps(DoublePair degrees) {
+  constexpr double kSmall = 4;  // their own error counts little
+  small_steps_ = std::abs(degrees[0]) < kSmall && std::abs(degrees[1]) < kSmall;
+  if (!small_steps_) return;
+  const DoublePair half = sine_cosine(degrees * 0.5).sine;
+  step_sine_ = sine_cosine(degrees).sine;
+  step_versine_ = 2.0 * half * half;
+}
+
 void PostureMotion::wide_at(std::size_t i, const DoubleDouble& t, PostureSample& sample) const {
   const DoubleDouble position = from_[i] + by_[i] * t;
   sample.degrees[i] = position.hi;
   sample.turns[i] = sine_cosine(to_double(position - two_product(360, nearest_whole(position.hi / 360))));
-}
-
-void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample) const {
-  const PolarFrame& polar = machine_->polar();
-  const Frame& c = polar.constants();
-  const std::size_t t = machine_->tool_side();
-  const std::size_t w = machine_->work_side();
-  const Vector2<double> heading{seen.x, seen.y};
-  const double n2 = dot(heading, heading);
-  double width = 0;  // |sin psi|
-  double cos_psi = 0;
-  SineCosine<double> work;
-  double swung = 0;
-  if (polar.orthogonal()) {
-    width = std::sqrt(n2);
-    cos_psi = seen.z;
-    const double scale = branch_ / width;
-    work = {seen.x * scale, -seen.y * scale};
-  } else {
-    const Room space = room(c, seen.z, n2);
-    width = std::sqrt(space.above * space.below) / c.ss;
-    cos_psi = (seen.z - c.cc) / c.ss;
-    const Vector2<double> leaned = lean(c, space, branch_ * width);
-    work = between(leaned, heading);
-    swung = arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
-  }
-  const DoublePair angles =
-      arctangent(DoublePair{width, cross(start_heading_, heading)}, DoublePair{cos_psi, dot(start_heading_, heading)});
-  // V(t) turns one way about the work-side axis, by less than 180.
-  const double turned = about(angles[1], 90.0 * azimuth_) - swung;
-  sample.degrees[t] = tool_base_ + machine_->sense(t) * branch_ * angles[0];
-  sample.degrees[w] = start_[w] + machine_->sense(w) * turned;
-  sample.turns = machine_->turns_of<double>({branch_ * width, cos_psi}, work);
 }
 
 PostureMotion::OnMeridian PostureMotion::on_meridian(const Vector3<double>& seen) const {
@@ -227,21 +334,20 @@ PostureMotion::OnMeridian PostureMotion::on_meridian(const Vector3<double>& seen
   return {branch_ * g * slope / c.ss, {across / c.ss, -c.sa * branch_ * slope / c.ss}};
 }
 
-void PostureMotion::meridian_at(const Vector3<double>& seen, PostureSample& sample) const {
+void PostureMotion::meridian_at(const Vector3<double>& seen, PostureSample& sample) {
   const Frame& c = machine_->polar().constants();
   const auto [sin_psi, leaned] = on_meridian(seen);
   const double cos_psi = (seen.z - c.cc) / c.ss;
-  const DoublePair angles =
-      arctangent(DoublePair{sin_psi, cross(start_lean_, leaned)}, DoublePair{cos_psi, dot(start_lean_, leaned)});
-  // Behind -u_w psi goes on beyond 180.
-  const double psi = pole_ < 0 ? about(angles[0], 180 * branch_) : angles[0];
-  const std::size_t t = machine_->tool_side();
-  const std::size_t w = machine_->work_side();
-  sample.degrees[t] = tool_base_ + machine_->sense(t) * psi;
-  sample.degrees[w] = start_[w] - machine_->sense(w) * angles[1];
   const double n = std::sqrt(dot(leaned, leaned));
-  sample.turns = machine_->turns_of<double>({sin_psi, cos_psi},
-                                            {cross(leaned, start_heading_) / n, dot(leaned, start_heading_) / n});
+  const DoublePair sine{sin_psi, cross(leaned, start_heading_) / n};
+  const DoublePair cosine{cos_psi, dot(leaned, start_heading_) / n};
+  if (!follow(sine, cosine)) [[unlikely]] {
+    const DoublePair angles =
+        arctangent(DoublePair{sin_psi, cross(start_lean_, leaned)}, DoublePair{cos_psi, dot(start_lean_, leaned)});
+    // Behind -u_w psi goes on beyond 180.
+    psi_and_work_ = DoublePair{pole_ < 0 ? about(angles[0], 180 * branch_) : angles[0], -angles[1]};
+  }
+  set_angles(sine, cosine, sample);
 }
 
 }  // namespace toolcomp::fast

@@ -48,21 +48,39 @@ class PostureMotion {
   void prepare_circle();
   void prepare_meridian();
   void set_great_circle(const Vector3<double>& start, const Vector3<double>& side, double radians);
-  void linear_at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) const;
+  void linear_at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample);
   void wide_at(std::size_t i, const DoubleDouble& t, PostureSample& sample) const;
-  void circle_at(const Vector3<double>& seen, PostureSample& sample) const;
-  void meridian_at(const Vector3<double>& seen, PostureSample& sample) const;
+  void circle_at(const Vector3<double>& seen, PostureSample& sample);
+  void meridian_at(const Vector3<double>& seen, PostureSample& sample);
+  // Notes the sample that is asked for; true if it is the next one and its values may be led on from the last ones.
+  [[nodiscard]] bool goes_on(std::uint32_t numerator, std::uint32_t denominator);
+  // Leads psi_and_work_ on to this sine and cosine; false, and nothing done, where they are not near the last ones.
+  [[nodiscard]] bool follow(DoublePair sine, DoublePair cosine);
+  // The way of both positions from one sample to the next, linear.
+  void set_steps(DoublePair degrees);
+  void set_angles(DoublePair sine, DoublePair cosine, PostureSample& sample) const;
   struct OnMeridian {
     double sin_psi;
     Vector2<double> lean;
   };
   [[nodiscard]] OnMeridian on_meridian(const Vector3<double>& seen) const;
 
+  // How an end is known beyond its double.
+  struct WideEnd {
+    bool by_turn = false;
+    SineCosine<double> turn{};
+    DoubleDouble position;
+  };
+  void set_wide(WideEnd& to, const Pose& pose, std::size_t i) const;
+  void prepare_wide();
+
   const Machine* machine_ = nullptr;
   Law law_ = Law::still;
   std::array<double, 2> start_{};
   std::array<double, 2> end_{};
   std::array<bool, 2> wide_{};  // of the linear law: many turns from 0
+  std::array<WideEnd, 2> wide_start_;
+  std::array<WideEnd, 2> wide_end_;
   std::array<DoubleDouble, 2> from_{};
   std::array<DoubleDouble, 2> by_{};
   PostureSample still_;
@@ -77,6 +95,16 @@ class PostureMotion {
   double branch_ = 1;
   int pole_ = 0;
   int azimuth_ = 0;
+  // The last sample: its fraction, sines and cosines, the angles; from there on by the step to the next one.
+  std::uint32_t numerator_ = 0;
+  std::uint32_t denominator_ = 0;
+  bool goes_on_ = false;
+  bool small_steps_ = false;
+  DoublePair sine_{};  // linear: of the 1st and 2nd position; else of psi and the work-side axis, mechanical
+  DoublePair cosine_{};
+  DoublePair step_sine_{};         // linear
+  DoublePair step_versine_{};      // 1 - cosine
+  DoublePair psi_and_work_{};      // degrees; of the work-side axis from the start
   Vector2<double> start_heading_;  // of the tool at the start, horizontal
   Vector2<double> start_lean_;     // of c(psi) at the start; of a meridian: with the half turns taken off
 };
