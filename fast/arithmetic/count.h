@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "fast/arithmetic/int128.h"
 #include "spec/language/decimal.h"
@@ -35,6 +37,15 @@ class Count {
   // What the last digit of a word is worth in `small`: by its decimals, from the 8th on of negative words.
   static constexpr std::array<std::int64_t, 16> kSmallWorth{1'000'000,  100'000,  10'000,  1'000,  100,  10,  1,  0,  //
                                                             -1'000'000, -100'000, -10'000, -1'000, -100, -10, -1, 0};
+  // The same by shape(), 0 where the word is not usual; modulo 2^64.
+  static constexpr std::array<std::uint64_t, 512> kWorthOfShape = [] {
+    std::array<std::uint64_t, 512> worth{};
+    for (std::size_t i = 0; i <= kSmallPlaces; ++i) {
+      worth[i] = static_cast<std::uint64_t>(kSmallWorth[i]);
+      worth[256 + i] = 0 - worth[i];
+    }
+    return worth;
+  }();
   static constexpr std::uint64_t kSmallDigits = 9'000'000'000'000;  // times 10^6 below 2^63
   // Up to which a word of so many decimals is at most kSmallLimit.
   static constexpr std::array<std::uint64_t, 7> kMostDigits{
@@ -107,6 +118,22 @@ class Count {
   // Only where is_usual. Without a branch: signs follow no pattern.
   static constexpr std::int64_t small_of_usual(const spec::Decimal& value) {
     return static_cast<std::int64_t>(value.digits) * kSmallWorth[value.decimals + 8U * value.negative];
+  }
+  // The words of a block at once: `digits` holds the bits of all their digits, `shapes` those of all their shapes, each
+  // and one more. All of them are usual, and times 10^6 below kSmallLimit; only then small_of_short() is the word.
+  static constexpr bool are_short(std::uint64_t digits, unsigned shapes) {
+    return digits >> 33U == 0 && (shapes & 255U) <= kSmallPlaces + 1;
+  }
+  static std::int64_t small_of_short(const spec::Decimal& value) {
+    return static_cast<std::int64_t>(value.digits * kWorthOfShape[shape(value)]);
+  }
+  // Decimals and sign of a word at once: decimals + 256 * negative.
+  static unsigned shape(const spec::Decimal& value) {
+    static_assert(std::endian::native == std::endian::little);
+    static_assert(offsetof(spec::Decimal, negative) == offsetof(spec::Decimal, decimals) + 1);
+    std::uint16_t both = 0;
+    std::memcpy(&both, reinterpret_cast<const char*>(&value) + offsetof(spec::Decimal, decimals), sizeof both);
+    return both;
   }
   static constexpr std::int64_t kNotSmall = INT64_MIN;
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 
 #include "fast/arithmetic/count.h"
 #include "fast/arithmetic/double_double.h"
@@ -22,6 +23,12 @@ SineCosine<double> sine_cosine(const Count& degrees);
 SineCosine<double> sine_cosine(std::int64_t small);
 // Of two of them side by side, in the lanes of one register.
 using DoublePair [[gnu::vector_size(16)]] = double;
+inline DoublePair load_pair(const double* from) {
+  DoublePair pair;
+  std::memcpy(&pair, from, sizeof pair);
+  return pair;
+}
+inline void store_pair(double* to, DoublePair pair) { std::memcpy(to, &pair, sizeof pair); }
 SineCosine<DoublePair> sine_cosine(std::int64_t first, std::int64_t second);
 inline constexpr double kTrigonometryError = 6 * 0x1p-53;
 

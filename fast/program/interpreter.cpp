@@ -63,6 +63,13 @@ void Interpreter::read_positions(const spec::AxisTable& table, const char* key, 
 }
 
 void Interpreter::block(const spec::Block& block) {
+  if (side_letters_ != 0)
+    side_block(block);
+  else
+    any_block(block);
+}
+
+void Interpreter::any_block(const spec::Block& block) {
   if (stopped_) return;
   line_ = block.line;
   n_ = block.n;

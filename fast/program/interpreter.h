@@ -71,6 +71,7 @@ class Interpreter {
 
   // interpreter.cpp: one block, step by step.
   void read_positions(const spec::AxisTable& table, const char* key, Positions& to) const;
+  void any_block(const spec::Block& block);
   [[nodiscard]] Alarm run(const Words& words);
   [[nodiscard]] Alarm apply(const Words& words, const Plan& plan);
   void set_feed(const Words& words);
@@ -218,6 +219,18 @@ class Interpreter {
   void begin_tool_side(const Words& words);
   void start_tool_side_leg(ToolSideBlock& block) const;
   [[nodiscard]] Alarm tool_side_move(const Words& words);
+  // Behind a block that the stage has taken: whether the next one may be a usual line.
+  void await_side_lines();
+  // The usual line, without a detour: positions of few places, under G43.5 I J K, F and G00 or G01, and nothing of the
+  // modal state that needs a look. False, and nothing is done: any other block.
+  [[nodiscard]] bool side_line(const spec::Block& block);
+  // A block while usual lines may come.
+  void side_block(const spec::Block& block);
+  // Positions in 10^-6.
+  void fill_side_line(const spec::Block& block, DoublePair xy, double z);
+  // Where usual lines have led to becomes the programmed position. Before any other block.
+  void leave_side_lines();
+  void place_side_lines(double x, double y, double z);
   [[nodiscard]] Alarm tool_side_motion(const Words& words, bool extra, const std::optional<spec::Arc<double>>& arc,
                                        const ArcWords& arc_words);
 
@@ -332,6 +345,12 @@ class Interpreter {
   CutterSide tool_side_word_ = CutterSide::off;
   int tool_side_sign_ = 1;         // +1 left: by code and sign of the value
   bool tool_side_wanted_ = false;  // a code is in force with a number
+  // While usual lines may come: the letters of such a block, else 0; of their words in 10^-6 the last ones, by letter
+  // (A: 1), and where X Y Z stand.
+  std::uint32_t side_letters_ = 0;
+  bool side_plain_ = false;  // the axes are sent to the programmed position
+  std::array<std::int64_t, 32> side_word_{};
+  Vector3<double> side_at_;
   OffsetNumber cutter_number_;
   Count cutter_offset_;  // of that number, when it was applied
   bool cutter_edited_ = false;

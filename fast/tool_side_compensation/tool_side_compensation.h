@@ -17,12 +17,11 @@
 
 namespace toolcomp::fast {
 
-// A corner of two lines as doubles see it: V the tool, U and W the movements before and behind it, u and w what is seen
-// of them along the tool.
+// A corner of two lines as doubles see it: u and w are what is seen along the tool of the movements before and behind
+// it.
 struct LineCorner {
-  const SidePath* from = nullptr;
-  SidePath* to = nullptr;
-  double dot = 0;      // u . w
+  double square = 0;   // of the movement behind it
+  double product = 0;  // u . w
   double length1 = 0;  // |u|
   double length2 = 0;  // |w|
 };
@@ -55,12 +54,28 @@ class ToolSideCompensation {
   [[nodiscard]] Travel& next_travel() { return next_path().travel; }
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
-  // The usual case of block() without a detour: after a line a line that wants compensation, one vector at both ends of
-  // the former. Where next() is any other, one of the two answers false, and nothing is done. In between is a while for
-  // other work: the roots are long in coming. `side` as in next(); `to`: next_path(); `way`: its travel, at hand.
-  [[nodiscard]] bool see_line(int side, SidePath& to, const Vector3<double>& way, LineCorner& corner) const;
-  // Of next() only the event and `own` need to be filled in. `tool` as in next().
-  [[nodiscard]] bool take_line(const LineCorner& corner, const Direction& tool, int side);
+  // The usual case of block() without a detour: behind a line another one, one vector at both ends of the former. Asked
+  // behind block(): whether take_line() may take the next block, and those behind it, as long as they want compensation
+  // and nothing changes but where the tool is and how it stands.
+  [[nodiscard]] bool awaits_line() const { return awaits_line_; }
+  // `plain`: point, axes and machine of the lines to come would be `programmed` in X, Y and Z. They need not be filled
+  // in.
+  void await_lines(bool plain) {
+    plain_ = plain;
+    filled_ = 0;
+  }
+  // What is the same in the events of all these lines is in next().event; the first time it answers false.
+  [[nodiscard]] bool is_line_filled() {
+    const unsigned slot = 1U << next_;
+    const bool filled = (filled_ & slot) != 0;
+    filled_ |= slot;
+    return filled;
+  }
+  // A line that moves by `way` (10^-6 of a setup unit, whole numbers), in two steps. Where one answers false nothing is
+  // done: it is for block(), or doubles cannot tell. In between is a while for other work, as the roots are long in
+  // coming: the event of next() is to be filled in. `tool`: as in a block.
+  [[nodiscard]] bool see_line(const Vector3<double>& way, LineCorner& corner) const;
+  [[nodiscard]] bool take_line(const Vector3<double>& way, const LineCorner& corner, const Direction& tool);
   // No further block is known: one that raises an alarm of its own or stops the look-ahead, or the end of the program.
   StageEnd release();
 
@@ -85,8 +100,8 @@ class ToolSideCompensation {
   StageEnd undecide(const ToolSideBlock& block, const char* clause);
   StageEnd at_fault(const ToolSideBlock& block, const Alarm& alarm);
 
-  // take_line() may take a line behind the path that is held.
-  [[nodiscard]] bool awaits_line();
+  // take_line() may take a line behind the path that is held; `block` is the one just taken.
+  [[nodiscard]] bool can_await_line(const ToolSideBlock& block);
   // The tool moves ahead for certain along the line, from the vector at its start to the one at its end; `length` in
   // the plane, whole units.
   [[nodiscard]] bool goes_forward(const SidePath& path, double length, const Vector3<double>& vector);
@@ -131,6 +146,8 @@ class ToolSideCompensation {
   void send_behind();
   void send(ToolSideBlock& block, const Vector3<double>& vector, bool own);
   void add(Event& event, const Vector3<double>& vector) const;
+  // The same of a plain event.
+  static void set_from_programmed(Event& event, const Vector3<double>& vector);
   void warn_once(const ToolSideBlock& block);
   [[nodiscard]] bool vector_is_zero() {
     const Vector3<double>& v = at_start().front().vector;
@@ -179,6 +196,10 @@ class ToolSideCompensation {
   const Amount* start_offset_of_path_ = nullptr;
   bool awaits_line_ = false;
   bool line_taken_ = false;  // the path that is held was taken by take_line()
+  bool plain_ = false;
+  unsigned filled_ = 0;          // bit i: is_line_filled() of slot i
+  Vector3<double> line_vector_;  // at the start of that path
+  double line_radius_ = 0;       // positive to the left
 
   Amount start_offset_;  // of type C
   Amount value_;         // in force
@@ -203,69 +224,79 @@ class ToolSideCompensation {
   if (event.machine.present != 0) add_to(event.machine);
 }
 
+// X and Y side by side, as fill_side_line() writes them: half of what was written at once would be waited for.
+[[gnu::always_inline]] inline void ToolSideCompensation::set_from_programmed(Event& event,
+                                                                             const Vector3<double>& vector) {
+  const DoublePair xy = load_pair(event.programmed.value.data()) + DoublePair{vector.x, vector.y};
+  const double z = event.programmed.value[2] + vector.z;
+  const auto set = [&](spec::AxisValues<double>& values) {
+    store_pair(values.value.data(), xy);
+    values.value[2] = z;
+  };
+  set(event.point);
+  set(event.axes);
+  if (event.machine.present != 0) set(event.machine);
+}
+
+// U and W: the movements before and behind the corner, V: the tool, u and w: what is seen of them along the tool.
 // |u|^2 = |U|^2 - (V . U)^2, u . w = U . W - (V . U)(V . W).
-[[gnu::always_inline]] inline bool ToolSideCompensation::see_line(int side, SidePath& to, const Vector3<double>& way,
+[[gnu::always_inline]] inline bool ToolSideCompensation::see_line(const Vector3<double>& way,
                                                                   LineCorner& corner) const {
   const SidePath& from = paths_[path_];
-  if (!awaits_line_ || !to.travel.narrow || to.travel.zero || side != from.side || from.offset_change != value_change_)
-      [[unlikely]]
-    return false;
   const Vector3<double> v{from.tool->unit[0], from.tool->unit[1], from.tool->unit[2]};
-  const Vector3<double> first = from.travel.value;
+  const Vector3<double>& first = from.travel.value;
+  const double square = way.x * way.x + way.y * way.y + way.z * way.z;
   const double along1 = dot(v, first);
   const double along2 = dot(v, way);
   const double square1 = from.travel.square - along1 * along1;
-  const double square2 = to.travel.square - along2 * along2;
-  // Nearer than 30 degrees to the tool the projection loses digits.
-  if (4 * square1 < from.travel.square || 4 * square2 < to.travel.square) [[unlikely]]
+  const double square2 = square - along2 * along2;
+  // Nearer than 30 degrees to the tool the projection loses digits; longer ways are not narrow.
+  constexpr double kMostSquare = 0x1p60;
+  if (4 * square1 < from.travel.square || 4 * square2 < square || square > kMostSquare) [[unlikely]]
     return false;
+  corner.square = square;
   corner.length1 = std::sqrt(square1);
   corner.length2 = std::sqrt(square2);
-  corner.dot = dot(first, way) - along1 * along2;
-  corner.from = &from;
-  corner.to = &to;
+  corner.product = dot(first, way) - along1 * along2;
   return true;
 }
 
 // Inner and obtuse corners of less than 90 degrees: against the movement before, the change of the plane may matter.
 // The vector: r (V x U / |u| + V x W / |w|) / (1 + cosine). Whether it turns left or right makes no difference.
-[[gnu::always_inline]] inline bool ToolSideCompensation::take_line(const LineCorner& corner, const Direction& tool,
-                                                                   int side) {
+[[gnu::always_inline]] inline bool ToolSideCompensation::take_line(const Vector3<double>& way, const LineCorner& corner,
+                                                                   const Direction& tool) {
   const double lengths = corner.length1 * corner.length2;
   // A direction is good to 2^-43, |U||W| is at most 4 |u||w|: 14 times that and a few roundings.
   constexpr double kUncertain = 0x1p-38;
-  if (corner.dot <= kUncertain * lengths || corner.length2 <= shortest_) [[unlikely]]
+  if (corner.product <= kUncertain * lengths || corner.length2 <= shortest_) [[unlikely]]
     return false;
-  const SidePath& from = *corner.from;
-  SidePath& to = *corner.to;
+  const double scale = line_radius_ / (lengths + corner.product);
+  const SidePath& from = paths_[path_];
   const Vector3<double> v{from.tool->unit[0], from.tool->unit[1], from.tool->unit[2]};
-  const double scale = (side > 0 ? value_.nearest : -value_.nearest) / (lengths + corner.dot);
-  const Vector3<double> vector =
-      cross(v, from.travel.value * corner.length2 + to.travel.value * corner.length1) * scale;
+  const Vector3<double> vector = cross(v, from.travel.value * corner.length2 + way * corner.length1) * scale;
   // The tool goes forward for certain: the vector moves by less than the way.
   constexpr double kMost = (1 - 0x1p-30) / static_cast<double>(Count::kSmallPerOne);
-  const Vector3<double>& start = at_start().head[0].vector;
-  if (std::abs(vector.x - start.x) + std::abs(vector.y - start.y) + std::abs(vector.z - start.z) >=
+  if (std::abs(vector.x - line_vector_.x) + std::abs(vector.y - line_vector_.y) + std::abs(vector.z - line_vector_.z) >=
           kMost * corner.length1 &&
       !goes_forward(from, corner.length1, vector)) [[unlikely]]
     return false;
 
   path_ = after(path_);
-  to.tool = &tool;
-  to.side = side;
-  to.arc = false;
-  if (to.offset_change != value_change_) [[unlikely]] {
-    to.offset = value_;
-    to.offset_change = value_change_;
-  }
-  group_ ^= 1U;
-  Vector3<double>& at_corner = at_start().head[0].vector;
-  at_corner.x = vector.x;
-  at_corner.y = vector.y;
-  at_corner.z = vector.z;
+  Travel& travel = paths_[path_].travel;
+  travel.value.x = way.x;
+  travel.value.y = way.y;
+  travel.value.z = way.z;
+  travel.square = corner.square;
+  paths_[path_].tool = &tool;
+  line_vector_.x = vector.x;
+  line_vector_.y = vector.y;
+  line_vector_.z = vector.z;
   line_taken_ = true;
   Event& event = ring_[first_].event;
-  add(event, vector);
+  if (plain_) [[likely]]
+    set_from_programmed(event, vector);
+  else
+    add(event, vector);
   sink_->on(event);
   if (count_ > 1) [[unlikely]]
     send_rest();
