@@ -119,9 +119,15 @@ double SpaceScales::beside(std::span<const model::Event> window, const Space& at
   const model::Event& event = window.front();
   if (!event.tool_axis) return 0;
   const Space tool = space_of(*event.tool_axis);
-  Space vector = difference(fuzz::space_of(event.point, index_), at);
-  const double along = dot(vector, tool);
-  for (std::size_t i = 0; i < 3; ++i) vector.at(i) -= along * tool.at(i);
+  const auto across_tool = [&](Space v) {
+    const double along = dot(v, tool);
+    for (std::size_t i = 0; i < 3; ++i) v.at(i) -= along * tool.at(i);
+    return v;
+  };
+  // The shifts are made with the same direction, and may be longer: an effective radius of 0 leaves no vector.
+  Space vector = across_tool(difference(fuzz::space_of(event.point, index_), at));
+  for (const auto* shift : {&event.space->shift, &event.space->tool_shift})
+    if (const Space v = across_tool(space_of(*shift)); length(v) > length(vector)) vector = v;
   const double size = length(vector);
   Space next = at;
   for (std::size_t i = 1; i < window.size(); ++i)

@@ -334,6 +334,24 @@ TEST(SpaceScales, AMitreNearAReversal) {
   EXPECT_NEAR(conditions.next(events).pose.tip / (far * direction * (1.0 + far)), 1, 1e-6);
 }
 
+// The same mitre IS CONTOUR with an effective radius of 0: no vector, but shifts of that length.
+TEST(SpaceScales, AShiftMayBeLongerThanTheVector) {
+  spec::Setup setup;
+  setup.control = spec::Control::heidenhain;
+  setup.axes = spec::Axes("XYZ");
+  std::vector<model::Event> events = {beside(8, 0, Real(8), Real(0)), beside(8, 8, Real(8), Real(8))};
+  events[0].space->shift = events[0].space->tool_shift = {Real(-1), Real(1), Real(0)};
+  const double vector = std::sqrt(2.0);
+  const double direction = policy::ulp(1) + policy::ulp(8) / 8;
+  const double expected = vector * direction * (1 + vector);
+  EXPECT_NEAR(Conditions(setup).next(events).pose.tip / expected, 1, 1e-9);
+  events[0].space->shift = {Real(0), Real(0), Real(0)};
+  EXPECT_NEAR(Conditions(setup).next(events).pose.tip / expected, 1, 1e-9);
+  // Along the tool it has nothing of the direction.
+  events[0].space->tool_shift = {Real(0), Real(0), Real(5)};
+  EXPECT_EQ(Conditions(setup).next(events).pose.tip, 0);
+}
+
 // An offset that is nearly gone in the sine of tool and path.
 TEST(SpaceScales, APathAlongTheToolHasNoDirection) {
   spec::Setup setup;
