@@ -24,14 +24,14 @@ struct FanucControl {
   using Model = model::Engine;
   using Fast = fast::Engine;
   static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file) {
-    return Reader(std::move(text), setup.axes, {.file = std::move(file), .block_skip = setup.block_skip});
+    return {std::move(text), setup.axes, {.file = std::move(file), .block_skip = setup.block_skip}};
   }
   static Model model(const spec::Setup& setup, model::Recorder& recorder, model::EventSink& sink,
                      std::uint32_t samples) {
-    return Model(setup, recorder, sink, samples);
+    return {setup, recorder, sink, samples};
   }
   static Fast fast(const spec::Setup& setup, fast::EventSink& sink, std::uint32_t samples) {
-    return Fast(setup, sink, samples);
+    return {setup, sink, samples};
   }
 };
 
@@ -42,12 +42,12 @@ struct HeidenhainControl {
   using Model = model::klartext::Engine;
   using Fast = fast::klartext::Engine;
   static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file) {
-    return Reader(std::move(text), setup, {.file = std::move(file), .block_skip = setup.block_skip});
+    return {std::move(text), setup, {.file = std::move(file), .block_skip = setup.block_skip}};
   }
   static Model model(const spec::Setup& setup, model::Recorder& recorder, model::EventSink& sink, std::uint32_t) {
-    return Model(setup, recorder, sink);
+    return {setup, recorder, sink};
   }
-  static Fast fast(const spec::Setup& setup, fast::EventSink& sink, std::uint32_t) { return Fast(setup, sink); }
+  static Fast fast(const spec::Setup& setup, fast::EventSink& sink, std::uint32_t) { return {setup, sink}; }
 };
 
 // Calls `visit` with the control of the setup.
