@@ -1,6 +1,7 @@
 #include "fast/klartext/interpreter.h"
 
 #include <bit>
+#include <utility>
 
 #include "fast/fault.h"
 #include "spec/language/input_error.h"
@@ -22,8 +23,8 @@ bool has_functions(Statement statement) {
 
 }  // namespace
 
-Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink)
-    : setup_(setup), writer_(setup_, sink), tool_(setup_), face_(writer_), peripheral_(writer_) {
+Interpreter::Interpreter(spec::Setup setup, EventSink& sink)
+    : setup_(std::move(setup)), writer_(setup_, sink), tool_(setup_), face_(writer_), peripheral_(writer_) {
   if (setup_.control != spec::Control::heidenhain)
     throw spec::InputError("setup", 0, 0, "control: Klartext programs need a setup of control \"heidenhain\"");
   for (std::size_t slot = 0; slot < kSlots; ++slot) axis_[slot] = setup_.axes.index(kAxisLetters[slot]);

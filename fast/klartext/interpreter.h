@@ -17,7 +17,7 @@ namespace toolcomp::fast::klartext {
 
 class Interpreter {
  public:
-  Interpreter(const spec::Setup& setup, EventSink& sink);
+  Interpreter(spec::Setup setup, EventSink& sink);
 
   void block(const spec::klartext::Block& block);
   void end();

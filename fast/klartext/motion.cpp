@@ -9,7 +9,6 @@ namespace toolcomp::fast::klartext {
 namespace {
 
 using spec::klartext::FeedWord;
-using spec::klartext::kAxisLetters;
 using spec::klartext::RadiusWord;
 
 constexpr std::size_t kRotarySlot = 3;  // A, B, C
