@@ -69,45 +69,6 @@ Alarm CutterCompensationC::check(const CutterCommand& command) const {
   return command.arc ? check_arc(command.word, command.d) : alarm::kNone;
 }
 
-inline void CutterCompensationC::add(Event& event, const CutterBlock& block, const Vector2<double>& vector) {
-  const auto add_to = [&event](std::size_t axis, double component) {
-    if (axis == spec::Axes::kNone) [[unlikely]]
-      return;
-    event.point.value[axis] += component;
-    event.axes.value[axis] += component;
-    if (event.machine.present != 0) [[unlikely]]
-      event.machine.value[axis] += component;
-  };
-  add_to(block.axis[0], vector.x);
-  add_to(block.axis[1], vector.y);
-}
-
-void CutterCompensationC::send(CutterBlock& block, const Vector2<double>& vector, bool own) {
-  if (own) [[likely]] {
-    add(block.event, block, vector);
-    sink_.on(block.event);
-  }
-  if (block.sets) [[unlikely]]
-    send_setting(block);
-}
-
-inline void CutterCompensationC::hold() {
-  if (held_count_ == 0) first_ = next_;
-  ++held_count_;
-  rebased_ = false;
-  next_ = static_cast<std::uint8_t>((next_ + 1U) % ring_.size());
-}
-
-inline void CutterCompensationC::send_behind(const Vector2<double>& vector) {
-  for (std::uint8_t i = 1; i < held_count_; ++i) {
-    CutterBlock& block = ring_[(first_ + i) % ring_.size()];
-    send(block, vector, block.own);
-  }
-  held_count_ = 0;
-  held_ = Held::nothing;
-  plain_ = false;
-}
-
 void CutterCompensationC::keep_position(Position& position, const Event& event) const {
   for (std::size_t axis = 0; axis < axes_; ++axis) {
     position.programmed[axis] = event.programmed.value[axis];
@@ -120,11 +81,6 @@ void CutterCompensationC::keep_position(Position& position, const Event& event) 
 void CutterCompensationC::rebase() {
   keep_position(corners_[1U - group_], next().event);
   rebased_ = true;
-}
-
-int CutterCompensationC::side_of(const CutterBlock& block) {
-  const int side = block.side == CutterSide::right ? -1 : 1;
-  return block.offset < Count() && !fault(Fault::c_negative_offset_ignored) ? -side : side;
 }
 
 bool CutterCompensationC::make_arc_path(const CutterBlock& block) {
@@ -229,45 +185,6 @@ StageEnd CutterCompensationC::first_block(CutterBlock& block) {
   block.event.cause = spec::Cause::start_up;
   hold_path(to, true);
   return {};
-}
-
-bool CutterCompensationC::usual_line() {
-  CutterBlock& block = next();
-  CompensatedPath& to = paths_[path_];
-  const Heading& next = to.path.start;
-  const bool usual = plain_ && !repeated_ && block.offset == value_ && next.narrow && side_of(block) == last_->side &&
-                     !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
-  if (!usual) [[unlikely]]
-    return false;
-  const Heading& last = last_->path.start;
-  const int side = last_->side;
-  const Turn turned = turn_of_narrow(last, next);
-  // An inner or an obtuse corner.
-  if (turned.c == 0 || (side * turned.c < 0 && turned.k <= 0)) return false;
-  const Vector2<double> vector = where_tangents_meet(last, turned, side * amount_.nearest);
-  const Vector2<double>& from = at_start().front().vector;
-  const double length = last.norm / per_one(last_->path);
-  const double product = length + dot(last.unit, vector - from);
-  const double extent = std::abs(vector.x) + std::abs(vector.y) + std::abs(from.x) + std::abs(from.y);
-  if (product <= 0x1p-46 * (length + extent)) [[unlikely]]
-    return false;
-
-  to.side = side;
-  to.offset = amount_;
-  CornerGroup& end = at_end();
-  end.set(HeadKind::tangents_meet, vector);
-  end.corner = {&last_->path, &to.path, &last, &next, side, side, &last_->offset, turned};
-  group_ ^= 1U;
-  start_side_ = side;
-  start_offset_ = &last_->offset;
-  last_ = &to;
-  send(ring_[first_], vector, true);
-  send_behind(vector);
-  hold();
-  held_ = Held::path;
-  plain_ = true;
-  still_ = 0;
-  return true;
 }
 
 StageEnd CutterCompensationC::next_block(CutterBlock& block) {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
 #include "fast/cutter_compensation_c/corner_group.h"
 #include "fast/cutter_compensation_c/interference.h"
 #include "fast/engine.h"
+#include "fast/fault.h"
 #include "fast/geometry/path.h"
 #include "fast/program/cutter_block.h"
 #include "spec/language/setup.h"
@@ -187,5 +189,96 @@ class CutterCompensationC {
   Event corner_move_;
   Event notice_;
 };
+
+inline void CutterCompensationC::add(Event& event, const CutterBlock& block, const Vector2<double>& vector) {
+  const auto add_to = [&event](std::size_t axis, double component) {
+    if (axis == spec::Axes::kNone) [[unlikely]]
+      return;
+    event.point.value[axis] += component;
+    event.axes.value[axis] += component;
+    if (event.machine.present != 0) [[unlikely]]
+      event.machine.value[axis] += component;
+  };
+  add_to(block.axis[0], vector.x);
+  add_to(block.axis[1], vector.y);
+}
+
+inline void CutterCompensationC::send(CutterBlock& block, const Vector2<double>& vector, bool own) {
+  if (own) [[likely]] {
+    add(block.event, block, vector);
+    sink_.on(block.event);
+  }
+  if (block.sets) [[unlikely]]
+    send_setting(block);
+}
+
+inline void CutterCompensationC::hold() {
+  if (held_count_ == 0) first_ = next_;
+  ++held_count_;
+  rebased_ = false;
+  next_ = static_cast<std::uint8_t>((next_ + 1U) % ring_.size());
+}
+
+inline void CutterCompensationC::send_behind(const Vector2<double>& vector) {
+  for (std::uint8_t i = 1; i < held_count_; ++i) {
+    CutterBlock& block = ring_[(first_ + i) % ring_.size()];
+    send(block, vector, block.own);
+  }
+  held_count_ = 0;
+  held_ = Held::nothing;
+  plain_ = false;
+}
+
+inline int CutterCompensationC::side_of(const CutterBlock& block) {
+  const int side = block.side == CutterSide::right ? -1 : 1;
+  return block.offset < Count() && !fault(Fault::c_negative_offset_ignored) ? -side : side;
+}
+
+[[gnu::always_inline]] inline bool CutterCompensationC::usual_line() {
+  CutterBlock& block = next();
+  CompensatedPath& to = paths_[path_];
+  const Heading& next = to.path.start;
+  const bool usual = plain_ && !repeated_ && block.offset == value_ && next.narrow && side_of(block) == last_->side &&
+                     !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
+  if (!usual) [[unlikely]]
+    return false;
+  const Heading& last = last_->path.start;
+  const int side = last_->side;
+  const Turn turned = turn_of_narrow(last, next);
+  // An inner or an obtuse corner.
+  // Which way the path turns follows no pattern; that it turns by less than 90 degrees, does.
+  if (turned.c == 0 || (turned.k <= 0 && side * turned.c < 0)) [[unlikely]]
+    return false;
+  const Vector2<double> vector = where_tangents_meet(last, turned, side * amount_.nearest);
+  const Vector2<double>& from = at_start().front().vector;
+  const double length = last.norm / per_one(last_->path);
+  const double product = length + dot(last.unit, vector - from);
+  const double extent = std::abs(vector.x) + std::abs(vector.y) + std::abs(from.x) + std::abs(from.y);
+  if (product <= 0x1p-46 * (length + extent)) [[unlikely]]
+    return false;
+
+  to.side = side;
+  to.offset = amount_;
+  CornerGroup& end = at_end();
+  end.set(HeadKind::tangents_meet, vector);
+  end.corner = {&last_->path, &to.path, &last, &next, side, side, &last_->offset, turned};
+  group_ ^= 1U;
+  start_side_ = side;
+  start_offset_ = &last_->offset;
+  last_ = &to;
+  CutterBlock& held = ring_[first_];
+  add(held.event, held, vector);
+  sink_.on(held.event);
+  if (held.sets) [[unlikely]]
+    send_setting(held);
+  if (held_count_ > 1) [[unlikely]]
+    send_behind(vector);
+  held_count_ = 0;
+  hold();
+  held_ = Held::path;
+  plain_ = true;
+  still_ = 0;
+  return true;
+}
 
 }  // namespace toolcomp::fast

@@ -121,7 +121,7 @@ Alarm Interpreter::cutter_move(const Words& words) {
       block.motion = CutterMotion::line;
       block.path_made = !is_b_ && cutter_c_.make_line_path(block);
     }
-    fill(block.event, straight(), spec::Cause::programmed);
+    fill_here(block.event, straight(), spec::Cause::programmed);
     if (block.motion == CutterMotion::line && block.path_made && cutter_c_.usual_line()) [[likely]]
       return alarm::kNone;
   }

@@ -93,6 +93,11 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
 
   if (const Alarm a = place_words(words, axes)) return a;
 
+  // As early as can be: what has just been written is waited for.
+  const bool usual = compensated && small && x.is_small() && y.is_small() && z.is_small();
+  if (usual)
+    set_displacement(leading_edge_.next().displacement, x.small() - from_x, y.small() - from_y, z.small() - from_z);
+
   constexpr std::uint32_t kDirectionLetters = Words::set_of("IJK");
   const bool event = axes != 0 || extra || arc || (own && by_vector_ && words.has_any(kDirectionLetters));
   // A start or cancel move takes a change of the length offset along; the block makes no second move.
@@ -107,9 +112,7 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
       return alarm::kNone;
     case Compensation::stays: {
       Move& move = leading_edge_.next();
-      if (small && x.is_small() && y.is_small() && z.is_small()) [[likely]] {
-        set_displacement(move.displacement, x.small() - from_x, y.small() - from_y, z.small() - from_z);
-      } else {
+      if (!usual) [[unlikely]] {
         if (small) {
           from[0].set_small(from_x);
           from[1].set_small(from_y);
