@@ -33,7 +33,7 @@ bool is_narrow(const Interval& x, int bits) {
 
 // The best enclosure to be had, of relative width 2^-bits if the work reaches. The node is no rational.
 const Interval& narrowed(Node& node, int bits) {
-  if (is_narrow(node.enclosure, bits)) return node.enclosure;
+  if (is_narrow(node.base_enclosure(), bits)) return node.base_enclosure();
   Work work(readout_work);
   try {
     for (mpfr_prec_t precision = 2 * base_precision; precision <= greatest_readout_precision; precision *= 2) {

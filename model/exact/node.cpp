@@ -6,6 +6,8 @@
 #include <array>
 #include <utility>
 
+#include "model/exact/refinement.h"
+
 namespace toolcomp::exact {
 namespace {
 
@@ -67,7 +69,8 @@ Node::~Node() { mpq_clear(value); }
 
 const Interval& Node::base_enclosure() {
   if (!enclosed) {
-    set(enclosure, value);
+    enclose(enclosure, *this, left == nullptr ? nullptr : &left->base_enclosure(),
+            right == nullptr ? nullptr : &right->base_enclosure());
     enclosed = true;
   }
   return enclosure;

@@ -35,7 +35,7 @@ struct Node {
   std::uint32_t references = 0;
   Kind kind = Kind::rational;
   Knowledge knowledge = Knowledge::none;
-  bool enclosed = false;    ///< `enclosure` is set (a rational's is made when first needed)
+  bool enclosed = false;    ///< `enclosure` is set (a rational's and an angle's are made when first needed)
   bool algebraic = true;    ///< else made of angles that are results, and no zero of it is ever proven
   std::uint64_t visit = 0;  ///< stamp of the last walk, see operands_first
   std::size_t index = 0;    ///< place in the last walk's list, for the walker's own use
@@ -65,7 +65,7 @@ struct Node {
 
   [[nodiscard]] bool is_rational() const { return kind == Kind::rational; }
   [[nodiscard]] bool is_zero() const { return is_rational() && mpq_sgn(value) == 0; }
-  /// The enclosure at base_precision, made now for a rational that has none yet.
+  /// The enclosure at base_precision, made now for a node that has none yet.
   const Interval& base_enclosure();
   /// The best enclosure at hand.
   const Interval& best_enclosure() { return refined ? static_cast<const Interval&>(*refined) : base_enclosure(); }

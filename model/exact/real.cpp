@@ -39,6 +39,13 @@ Real settle(Node* node) {
   return {};
 }
 
+// An arc tangent, alone or with whole turns: dear to enclose, and mostly nobody asks for it. Nothing else waits, so
+// that an enclosure is never made by a long recursion.
+bool waits(const Node& node) {
+  if (node.kind == Kind::arctangent) return true;
+  return node.kind == Kind::sum && node.left->is_rational() && node.right->kind == Kind::arctangent;
+}
+
 Real operation(Kind kind, Node* left, Node* right = nullptr) {
   Node* const node = new_node(kind);
   ++left->references;
@@ -48,8 +55,7 @@ Real operation(Kind kind, Node* left, Node* right = nullptr) {
     node->right = right;
   }
   node->algebraic = is_algebraic(kind) && left->algebraic && (right == nullptr || right->algebraic);
-  enclose(node->enclosure, *node, &left->base_enclosure(), right == nullptr ? nullptr : &right->base_enclosure());
-  node->enclosed = true;
+  if (!waits(*node)) node->base_enclosure();
   return Node::adopt(node);
 }
 

@@ -20,15 +20,15 @@ constexpr mpfr_prec_t precision_before_proof = 256;
 constexpr mpfr_prec_t greatest_precision = mpfr_prec_t{1} << 20;
 
 // What can be told without work.
-std::optional<Sign> at_hand(const Node& node) {
+std::optional<Sign> at_hand(Node& node) {
   if (node.is_rational()) return static_cast<Sign>(mpq_sgn(node.value));
-  if (auto sign = certain_sign(node.enclosure)) return sign;
+  if (auto sign = certain_sign(node.base_enclosure())) return sign;
   if (node.knowledge == Knowledge::positive) return Sign::positive;
   if (node.knowledge == Knowledge::negative) return Sign::negative;
   return std::nullopt;
 }
 
-bool is_open(const Node& node) { return !at_hand(node) && node.knowledge != Knowledge::undecided; }
+bool is_open(Node& node) { return !at_hand(node) && node.knowledge != Knowledge::undecided; }
 
 // The sign of these is that of their operands.
 bool is_factored(const Node& node) {
@@ -98,7 +98,7 @@ std::optional<Sign> try_decide(Node& node) {
   if (!is_open(node)) return std::nullopt;
   if (!is_factored(node)) return sign_of_factor(node);
   std::vector<Node*> products;
-  operands_first(&node, products, [](const Node& n) { return is_factored(n) && is_open(n); });
+  operands_first(&node, products, [](Node& n) { return is_factored(n) && is_open(n); });
   for (Node* product : products) remember(*product, sign_of_factors(*product));
   return at_hand(node);
 }

@@ -21,9 +21,9 @@ Real swept_angle(const Real& sine, const Real& cosine, Sign side) {
   if (side == Sign::zero) return ahead == Sign::negative ? 180 : 360;
   if (ahead == Sign::zero) return side == Sign::positive ? 90 : 270;
   const int turned = ahead == Sign::negative ? 180 : side == Sign::positive ? 0 : 360;
-  Real angle = turned + exact::arctangent_degrees(sine / cosine);
-  if (angle.sign() != Sign::positive) throw NotFinite();  // only a forced side turns by nothing
-  return angle;
+  // Only a forced side turns by nothing, or by an angle below it.
+  if (turned == 0 && sine.sign() != Sign::positive) throw NotFinite();
+  return turned + exact::arctangent_degrees(sine / cosine);
 }
 
 ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& end,
