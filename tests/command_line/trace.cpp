@@ -1,4 +1,5 @@
 // `toolcomp certify --trace` as a user runs it, on both controls: positions by hand.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -149,7 +150,7 @@ TEST_F(Trace, BadInput) {
   refused(trace(csv) + "--controller cat " + program + setup, "a --controller or a --trace");
   refused("--trace " + csv + " " + program + setup, "--tolerance");
   for (const std::string tolerance : {"0", "-1", "nan", "inf", "0.001x", "''", "mm"})
-    refused("--trace " + csv + " --tolerance " + tolerance + " " + program + setup, "--tolerance");
+    refused(fmt::format("--trace {} --tolerance {} {}{}", csv, tolerance, program, setup), "--tolerance");
 }
 
 // The page cannot be written where a file stands: said before anything is judged.
