@@ -1,6 +1,8 @@
 // Blocks that pass tool side compensation: what the stage is told about each.
 #include "fast/program/interpreter.h"
 
+#include <bit>
+
 namespace toolcomp::fast {
 
 CutterSide Interpreter::tool_side(Code code) {
@@ -69,7 +71,7 @@ void Interpreter::await_side_lines() {
   for (std::size_t axis = 0; axis < count_; ++axis)
     if (!is_usual(length_[axis], kMostOffset)) return;
   const auto letter = [](char name) { return std::size_t{static_cast<unsigned char>(name)} - 'A' + 1; };
-  side_letters_ = 1U << letter('X') | 1U << letter('Y') | 1U << letter('Z') | 1U << letter('F');
+  side_letters_ = 1U << letter('X') | 1U << letter('Y') | 1U << letter('Z') | 1U << letter('F') | 1U << letter('G');
   if (along_tool()) {
     if (by_vector_) side_letters_ |= Words::set_of("IJK") << 1U;
   } else {
@@ -92,11 +94,12 @@ void Interpreter::side_block(const spec::Block& block) {
   if (stopped_ || block.alarm) [[unlikely]]
     return false;
   constexpr std::size_t kF = 'F' - 'A' + 1;
+  constexpr std::size_t kG = 'G' - 'A' + 1;
   constexpr std::size_t kI = 'I' - 'A' + 1;
   constexpr std::size_t kX = 'X' - 'A' + 1;
   constexpr std::uint32_t kDirection = Words::set_of("IJK") << 1U;
   constexpr std::uint32_t kXyz = Words::set_of("XYZ") << 1U;
-  constexpr std::uint32_t kXyzF = kXyz | 1U << kF;
+  constexpr std::uint32_t kXyzF = kXyz | 1U << kF | 1U << kG;
   side_word_[kI] = 0;
   side_word_[kI + 1] = 0;
   side_word_[kI + 2] = 0;
@@ -113,6 +116,10 @@ void Interpreter::side_block(const spec::Block& block) {
     side_word_[letter] = Count::small_of_short(word.value);
   }
   if ((letters & ~side_letters_) != 0 || !Count::are_short(digits, shapes) || letters == 0) [[unlikely]]
+    return false;
+  // The code in force again, and no other.
+  if ((letters & 1U << kG) != 0 && (10 * side_word_[kG] != motion_ * Count::kSmallPerOne ||
+                                    static_cast<std::size_t>(std::popcount(letters)) != block.words().size()))
     return false;
   // X and Y side by side: made so at once, and never apart in memory.
   DoublePair xy{static_cast<double>(side_word_[kX]), static_cast<double>(side_word_[kX + 1])};
