@@ -1,4 +1,4 @@
-// The figures that the posture sheet prints beside its positions (part 14, examples 2 to 5, 7 and 8): angles between
+// The figures that the posture sheet prints beside its positions (part 14, examples 2 to 5 and 7 to 9): angles between
 // directions, distances from the singular posture, moments and errors. Expected values are typed from the sheet (50
 // digits, printed to 15). Where a program can show a figure both engines run it.
 #include <gtest/gtest.h>
@@ -29,6 +29,7 @@ using model::Real;
 using model::Vector;
 using test::kHC;
 using test::kMBC;
+using test::kTAC;
 using test::polar;
 using test::PostureMachine;
 using test::sheet_digits;
@@ -94,6 +95,10 @@ template <class Figure, class... Runs>
 void expect_figure(const std::string& printed, const Figure& figure, const Runs&... runs) {
   EXPECT_EQ(sheet_digits(figure(runs.exact...)), printed);
   EXPECT_NEAR(figure(runs.fast...), std::stod(printed), kFast) << printed;
+}
+
+std::string sheet_text(const Vector& v) {
+  return sheet_digits(v.x) + ' ' + sheet_digits(v.y) + ' ' + sheet_digits(v.z);
 }
 
 // The point of an arc that is nearest to a direction along the work-side axis: f = s - (s·N/N²)N, inside the arc.
@@ -236,6 +241,38 @@ TEST(Example5Figures, NearestToTheSingularPosture) {
   const auto end = fast::TestMachine::direction(-207405228388532, 14503186401626, 978147600733806);
   EXPECT_NEAR(fast_at(machine, machine.at("0", "10"), end, 454489114, 1'000'000'000).degrees[1], 0.385422146761062,
               kFast);
+}
+
+// All digits of the rows, from the exact pose and direction (a program gives that direction to 15 digits only). C, B.
+TEST(Example5Figures, Rows) {
+  EXPECT_EQ(sheet_text(polar(12, 176).unit), "-0.207405228388532 0.0145031864016257 0.978147600733806");
+  const PostureMachine unchanged(kHC + "19738 = 1\n19739 = 3\n");
+  const PosturePlan swing = unchanged.to({10, 0}, polar(12, 176));
+  const auto row = [&swing](int tenths) {
+    const Pose pose = swing.motion->at(Rational(tenths, 10)).pose;
+    return sheet_digits(pose.work.degrees()) + ' ' + sheet_digits(pose.tool.degrees());
+  };
+  EXPECT_EQ(row(1), "0.627160532895321 7.80345595842618");
+  EXPECT_EQ(row(3), "4.27970316883873 3.41845337728643");
+  EXPECT_EQ(row(4), "15.6447476915161 1.25849039506375");
+  EXPECT_EQ(row(5), "156.749981593727 1.07228252285797");
+  EXPECT_EQ(row(6), "170.951321299778 3.2223902158916");
+
+  const PostureMachine hc(kHC + "19738 = 1\n19739 = 5\n");
+  const PosturePlan plan = hc.to({10, 0}, polar(12, 176));
+  const auto tool = [&plan](const Rational& t) { return plan.motion->at(t).tool; };
+  // The tip runs to (50, 0, 0); L is 80.
+  const auto control_point = [](const Rational& t, const Vector& direction) {
+    return sheet_text(Vector{50 * t, 0, 0} + 80 * direction);
+  };
+  const Rational quarter(1, 4);
+  EXPECT_EQ(sheet_text(tool(quarter)), "0.0784590957278449 0 0.996917333733128");
+  EXPECT_EQ(sheet_text(tool(2 * quarter)), "-0.0174524064372835 0 0.999847695156391");
+  EXPECT_EQ(sheet_text(plan.tool.unit), "-0.207911690817759 0 0.978147600733806");
+  EXPECT_EQ(control_point(quarter, tool(quarter)), "18.7767276582276 0 79.7533866986502");
+  EXPECT_EQ(control_point(2 * quarter, tool(2 * quarter)), "23.6038074850173 0 79.9878156125113");
+  EXPECT_EQ(control_point(3 * quarter, tool(3 * quarter)), "28.4437428985675 0 79.485748454127");
+  EXPECT_EQ(control_point(1, plan.tool.unit), "33.3670647345793 0 78.2518080587045");
 }
 
 // dC/dφ is greatest at the foot, 1/sin d there, φ being the swept angle.
@@ -406,6 +443,27 @@ TEST(Example8Figures, ConventionalControlGouges) {
   };
   expect_figure("-1.04997631296846", distance, pyramid("P0"));
   expect_figure("5", distance, pyramid("P1"));
+}
+
+// The tip in machine coordinates: the control point stands L = 100 above it, the axes' coordinates begin at (5, 10,
+// 20).
+TEST(Example9Figures, TipOfATableMachine) {
+  const Both run(kTAC + "19702 = -100\n19704 = 30\n19705 = 50\n",
+                 "[offsets.H]\n1 = 100\n[workpiece.G54]\nX = 5\nY = 10\nZ = 20\n",
+                 "G90 G00 X30 Y-30 Z0\nG43.5 H1 P1\nG01 X20 Y-20 I-1 J1 K2 F500\nX20 Y20 I-1 J-1 K2\n", 4);
+  const auto expect = [&run](const auto& event, const Triple<std::string>& printed) {
+    const std::array<int, 3> from_axes{5, 10, 20 - 100};
+    for (std::size_t i = 0; i < 3; ++i)
+      expect_figure(printed[i], [&](const auto& of) { return event(of).axes[i] + from_axes[i]; }, run);
+  };
+  const auto middle = [](std::uint32_t k, std::uint32_t n) {
+    return [k, n](const auto& of) { return of.sample(4, k, n); };
+  };
+  expect([](const auto& of) { return of.move(3); }, {"-10.6066017177982", "-82.314902372249", "-11.2360410931352"});
+  expect(middle(1, 4), {"-16.3075542211557", "-62.950174050187", "2.31002896251956"});
+  expect(middle(1, 2), {"-20", "-49.1934955049954", "9.5673308974897"});
+  expect(middle(3, 4), {"-19.7923489480995", "-47.8805445089336", "10.6588765871788"});
+  expect([](const auto& of) { return of.move(4); }, {"-17.6776695296637", "-59.220891604664", "5.09389052541932"});
 }
 
 }  // namespace
