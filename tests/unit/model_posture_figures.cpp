@@ -3,10 +3,12 @@
 // digits, printed to 15). Where a program can show a figure both engines run it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -64,20 +66,24 @@ struct Events {
 
   // The last move of a line.
   [[nodiscard]] const spec::Event<Number>& move(std::uint64_t line) const {
-    const spec::Event<Number>* found = nullptr;
-    for (const auto& event : all)
-      if (event.line == line && event.kind == spec::EventKind::move) found = &event;
-    return *found;
+    return last([line](const auto& event) { return event.line == line && event.kind == spec::EventKind::move; });
   }
   [[nodiscard]] const spec::Event<Number>& sample(std::uint64_t line, std::uint32_t k, std::uint32_t n) const {
-    const spec::Event<Number>* found = nullptr;
-    for (const auto& event : all)
-      if (event.line == line && event.t_numerator == k && event.t_denominator == n) found = &event;
-    return *found;
+    return last([line, k, n](const auto& event) {
+      return event.line == line && event.t_numerator == k && event.t_denominator == n;
+    });
   }
   [[nodiscard]] Triple<Number> tool(std::uint64_t line) const { return move(line).tool_axis.value(); }
   [[nodiscard]] Triple<Number> tool(std::uint64_t line, std::uint32_t k, std::uint32_t n) const {
     return sample(line, k, n).tool_axis.value();
+  }
+
+ private:
+  template <class Wanted>
+  [[nodiscard]] const spec::Event<Number>& last(const Wanted& wanted) const {
+    const auto found = std::find_if(all.rbegin(), all.rend(), wanted);
+    if (found == all.rend()) throw std::out_of_range("no such event");
+    return *found;
   }
 };
 
@@ -126,6 +132,10 @@ struct Printed {
   Rational upper;
 };
 
+std::string near_limits(const std::string& near, const std::string& veto) {
+  return "19738 = " + near + "\n19739 = " + veto + "\n";
+}
+
 // The fast engine inside a type 2 block, at k/n; pairs are (C, B).
 fast::PostureSample fast_at(fast::TestMachine& machine, const fast::Pose& start, const fast::Direction& tool,
                             std::uint32_t k, std::uint32_t n) {
@@ -146,7 +156,7 @@ TEST(Example2Figures, LiftInsteadOfTheChosenPair) {
     const Nearest nearest(GreatCircle(m.direction({30, 0}), m.direction({30, 170})), kUp);
     EXPECT_EQ(sheet_digits(nearest.distance), "2.88065908640527");
     const auto changed = [&machine](const std::string& limit) {
-      const PostureMachine near(machine + "19738 = " + limit + "\n19739 = 10\n");
+      const PostureMachine near(machine + near_limits(limit, "10"));
       return near.to({30, 0}, near.direction({30, 170})).changed;
     };
     EXPECT_TRUE(changed("2.88065908640527"));
@@ -230,7 +240,7 @@ TEST(Example5Figures, NearestToTheSingularPosture) {
     EXPECT_TRUE(at(moment.value + Rational(side, 1000)).tool.degrees() > at(moment.value).tool.degrees());
 
   const auto changed = [](const std::string& limit, const std::string& veto) {
-    return PostureMachine(kHC + "19738 = " + limit + "\n19739 = " + veto + "\n").to({10, 0}, polar(12, 176)).changed;
+    return PostureMachine(kHC + near_limits(limit, veto)).to({10, 0}, polar(12, 176)).changed;
   };
   EXPECT_TRUE(changed("0.385422146761062", "5"));
   EXPECT_FALSE(changed("0.385422146761061", "5"));
@@ -333,7 +343,7 @@ TEST(Example5Figures, AroundTheOtherPole) {
   EXPECT_EQ(sheet_digits(nearest.distance), "0.234590535913703");
   EXPECT_EQ(sheet_digits(nearest.moment), "0.444406200134002");
   const auto changed = [](const std::string& limit, const std::string& veto) {
-    return PostureMachine(kHC + "19738 = " + limit + "\n19739 = " + veto + "\n").to({172, 0}, polar(170, 177)).changed;
+    return PostureMachine(kHC + near_limits(limit, veto)).to({172, 0}, polar(170, 177)).changed;
   };
   EXPECT_TRUE(changed("0.234590535913704", "5"));
   EXPECT_FALSE(changed("0.234590535913703", "5"));
