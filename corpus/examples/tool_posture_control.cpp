@@ -1,5 +1,5 @@
-// Tool posture control: the worked examples 3 to 5, 7 to 9 and 11 of the fact sheet. The pyramid of 3 and 8 has the
-// edges from (20,-20,0) and (20,20,0) to (0,0,40); its face between them is 2x + z = 40.
+// Tool posture control: the worked examples 2 (what it does there), 3 to 5, 7 to 9 and 11 of the fact sheet. The
+// pyramid of 3 and 8 has the edges from (20,-20,0) and (20,20,0) to (0,0,40); its face between them is 2x + z = 40.
 #include "corpus/examples/machines.h"
 
 namespace toolcomp::corpus {
@@ -18,6 +18,14 @@ namespace {
 #define OFFSETS "[offsets.H]\n1 = 100\n[offsets.D]\n2 = 5\n"
 
 constexpr Example kExamples[] = {
+    // Halfway between (B 30, C 0) and (B 30, C 170) V is along their sum: C 85, tan B = sin 30 cos 85 / cos 30.
+    {"2 with P1: C-B head at C 0, B 30, to the direction of (170,30): C 170, B 30 on the branch of the start, not "
+     "C -10, B -30; C 85, B 2.88065908640527 in the middle.",
+     HC("", "[position]\nB = 30\n"), "G90 G43.5 H0 P1\nG01 X50. " TO_B30_C170 " F100\n", 2},
+    {"2 with P1: B tool at 30, C table at 0, to the direction of (30,170): B 30, C 170 on the branch of the start, not "
+     "B -30, C -10; B 2.88065908640527, C 85 in the middle.",
+     MBC("", "[position]\nB = 30\n"), "G90 G43.5 H0 P1\nG01 X50. " TO_B30_C170 " F100\n", 2},
+
     {"3: the edge of the pyramid, C-B head, L 100: in the middle V = (-1, 0, 2)/sqrt 5 at C 180, B 26.565051177078, "
      "control point (-24.7213595499958, 0, 89.4427190999916).",
      HC("", LENGTH_100 "[position]\nC = 130\nB = 30\n"),

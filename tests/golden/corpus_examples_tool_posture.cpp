@@ -1,4 +1,4 @@
-// Tool posture control: the vectors written by hand hold the figures of the posture sheet (part 14, examples 3 to 5, 7
+// Tool posture control: the vectors written by hand hold the figures of the posture sheet (part 14, examples 2 to 5, 7
 // to 9, 11), typed from it; those of the rules are worked out by hand in the vectors' comments.
 #include "tests/golden/pose_rows.h"
 
@@ -61,6 +61,14 @@ TEST(ToolPostureVectors, Sheet) {
   const std::string tool_35 = " B=-35.2643896827547";
 
   const std::vector<Expected> table = {
+      {"2 with P1: C-B head",
+       {"1 programmed C=0 B=30 i=0.5 k=0.866025403784439",
+        "2 t=1/2 C=85 B=2.88065908640527 i=0.004380082175591 j=0.050064568357393 k=0.9987363785681 ~",
+        "2 programmed C=170 B=30 X=50 Y=0 Z=0 ~"}},
+      {"2 with P1: B tool",
+       // The table carries X50 round by 85 and 170.
+       {"1 programmed B=30 C=0", "2 t=1/2 B=2.88065908640527 C=85 X=2.17889356869146 Y=-24.9048674522936 ~",
+        "2 programmed B=30 C=170 X=-49.2403876506104 Y=-8.68240888334652 ~"}},
       {"3: the edge of the pyramid", head},
       {"3: the same arc on an A-C table",
        from_upright('A', "225", {"225", "244.488330009362", "270", "295.511669990638", "315"})},
