@@ -296,6 +296,27 @@ TEST(NearTies, AnExactTieOfConvertedLengthsMayGoTheOtherWay) {
   EXPECT_EQ(judge(c, plain, rounded(run_model(c, forced_to(plain, rapid, Sign::positive)))).outcome, Outcome::differs);
 }
 
+// A table of deviations is read at the contact angle: 60 degrees between (1, 1, 0) and (1, 0, 1), where R2 + dR2 is
+// 1 - 1 = 0. No control knows that angle exactly.
+TEST(NearTies, ATieAtAContactAngleMayGoTheOtherWay) {
+  spec::Case c;
+  c.section = "heidenhain/face-milling";
+  c.dialect = "klartext";
+  c.setup.control = spec::Control::heidenhain;
+  spec::ToolRow& ball = c.setup.tools.emplace_back();
+  ball.number = 10;
+  ball.r = ball.r2 = spec::decimal(1);
+  ball.dr2_table = "deviations";
+  c.setup.dr2_tables["deviations"] = {{spec::decimal(30), spec::decimal(0)}, {spec::decimal(90), spec::decimal(-2)}};
+  c.program = "TOOL CALL 1 Z\nM128\nLN X0 Y0 Z0 NX1 NY1 NZ0 TX1 TY0 TZ1\n";
+  const ModelRun run = run_model(c);
+  const Clause corner = Clause::heidenhain_tool_effective_corner_radius;
+  ASSERT_EQ(run.events.back().kind, spec::EventKind::move);
+  const ModelRun below = run_model(c, forced_to(run, corner, Sign::negative));
+  ASSERT_EQ(below.events.back().number.view(), "E_R2_NEG");
+  EXPECT_EQ(judge(c, run, rounded(below)).outcome, Outcome::agrees);
+}
+
 // A change of side on a straight line: paths that are parallel have no intersection, whatever is forced.
 TEST(NearTies, AnIntersectionOfParallelLinesIsNotPermitted) {
   const spec::Case c = contour("X80.\nG42 X120.\nX160.\nG40 Y40.\n");
