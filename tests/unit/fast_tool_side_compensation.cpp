@@ -278,6 +278,22 @@ TEST(FastToolSideCompensation, StopPoint) {
             "1s 2p 3c 3pa 4x ");
 }
 
+// Blocks that name the code in force again, once or twice, or another one are blocks like those without.
+TEST(FastToolSideCompensation, CodesOfMotion) {
+  const auto points = [](const std::string& first, const std::string& second, const std::string& third) {
+    const ProgramRun run(setup("", -40, 0), kUntilted + "G41.6 D2 G01 X0 F100\nX100\n" + first + "Y100 I1 J0 K3\n" +
+                                                second + "X200 I0 J0 K1\n" + third + "Y0\nG40 Y-50\n");
+    std::vector<Vector> result;
+    for (std::size_t i = 0; i < run.events.size(); ++i) result.push_back(point(run, i));
+    return result;
+  };
+  const std::vector<Vector> expected = points("", "", "");
+  ASSERT_GE(expected.size(), 6U);
+  EXPECT_EQ(points("G01", "G1", "G01.0"), expected);
+  EXPECT_EQ(points("G01G01", "", "G94G01"), expected);
+  EXPECT_EQ(points("G00", "G01", "G00"), expected);
+}
+
 TEST(FastToolSideCompensation, BlocksWithoutMovement) {
   const std::string head = kUntilted + "G41.6 D2 G01 X0 F100\nX100\n";
   const Vector q{100, 0, 0};
