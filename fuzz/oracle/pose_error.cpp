@@ -35,7 +35,8 @@ bool moves(const model::Event& event) { return event.kind == spec::EventKind::mo
 }  // namespace
 
 PoseErrors::PoseErrors(const spec::Setup& setup, const ProgramFacts* facts)
-    : machine_(RotaryMachine::of(setup)),
+    : axes_(setup.axes),
+      machine_(RotaryMachine::of(setup)),
       length_(longest_tool(setup)),
       index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
       turning_frame_(machine_ && machine_->type != RotaryMachine::Type::head && setup.bit(19696, 5)),
@@ -152,6 +153,17 @@ void PoseErrors::inside_of_rotary(double t, const Pose& to, Pose& pose) const {
   pose.direction_error += tool_ulp + work_ulp * posture.polar_sine;
 }
 
+void PoseErrors::evenly(std::span<const model::Event> window, PoseScale& scale) const {
+  const auto end = std::ranges::find_if(window, moves);
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!spec::is_rotary_axis(axes_.letter(i)) || (machine_ && (i == machine_->tool || i == machine_->work))) continue;
+    double largest = 0;
+    if (axes_before_.has(i)) largest = std::fabs(approximate(axes_before_[i]));
+    if (end != window.end() && end->axes.has(i)) largest = std::max(largest, std::fabs(approximate(end->axes[i])));
+    scale.rotary.at(i) = policy::ulp(largest);
+  }
+}
+
 PoseScale PoseErrors::scale(const Pose& pose, double length) const {
   PoseScale s;
   s.direction = pose.direction_error;
@@ -198,8 +210,13 @@ double PositionErrors::at(std::uint64_t line) const {
 
 PoseScale PoseErrors::next(std::span<const model::Event> window, double length) {
   const model::Event& event = window.front();
-  if (event.kind == spec::EventKind::sample) return scale(inside(window), length);
+  if (event.kind == spec::EventKind::sample) {
+    PoseScale s = scale(inside(window), length);
+    evenly(window, s);
+    return s;
+  }
   if (!moves(event)) return {};
+  axes_before_ = event.axes;
   const bool controlled = event.tool_axis && !event.machine.empty() && event.cause != spec::Cause::reference;
   if (!controlled) {
     if (active_) carried_ = std::max(carried_, last_);

@@ -33,7 +33,8 @@ struct PoseScale {
 // has that error times the sine where it is used again (changed end, kept pose).
 //
 // Inside a block the direction of posture control carries the errors of both ends, enlarged as they come near to
-// opposite ones; where both rotary positions are linear in t they carry those of the ends.
+// opposite ones; where both rotary positions are linear in t they carry those of the ends. Rotary axes that do not turn
+// the tool run evenly: what is between two ends is rounded as these are.
 //
 // G91, and a code that ends the mode or begins it anew, go on from such positions.
 //
@@ -62,21 +63,24 @@ class PoseErrors {
   [[nodiscard]] Pose read(const model::Event& event) const;
   [[nodiscard]] Pose end(std::span<const model::Event> window) const;
   [[nodiscard]] Pose inside(std::span<const model::Event> window) const;
+  void evenly(std::span<const model::Event> window, PoseScale& scale) const;
   void keep(Pose& pose) const;
   void inside_of_rotary(double t, const Pose& to, Pose& pose) const;
   [[nodiscard]] double leant(const Pose& pose, std::uint64_t line) const;
   [[nodiscard]] PoseScale scale(const Pose& pose, double length) const;
 
+  spec::Axes axes_;
   std::optional<RotaryMachine> machine_;
   double length_ = 0;                 // of the longest tool
   std::array<std::size_t, 3> index_;  // of X Y Z
   bool turning_frame_ = false;        // 19696#5 = 1 on a table
   const ProgramFacts* facts_;
   Pose before_;
-  bool active_ = false;  // the move before was under tool center point control
-  double frozen_ = 0;    // error of the pose of the programming coordinate system, radians
-  double last_ = 0;      // control_point of the move before
-  double carried_ = 0;   // what programmed positions have of it
+  spec::AxisValues<model::Real> axes_before_;  // of the move before
+  bool active_ = false;                        // the move before was under tool center point control
+  double frozen_ = 0;                          // error of the pose of the programming coordinate system, radians
+  double last_ = 0;                            // control_point of the move before
+  double carried_ = 0;                         // what programmed positions have of it
 };
 
 // How many ulps the rotary positions at the ends of a line are off at most, and at the end of the line before: what a

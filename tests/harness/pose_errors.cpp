@@ -147,6 +147,21 @@ TEST(PoseErrors, InsideABlock) {
   EXPECT_NEAR(evenly[1].direction / (evenly[0].rotary[4] * kDegree * std::sin(45 * kDegree)), 1, 1e-2);
 }
 
+// An axis that does not turn the tool runs from -21.5 to 21.4: near 0 it is as good as its ends.
+TEST(PoseErrors, OtherRotaryAxesRunEvenly) {
+  spec::Setup setup = head();
+  setup.axes = spec::Axes("XYZBCA");
+  const auto at = [](model::Event e, double a) {
+    e.axes.set(5, real(a));
+    return e;
+  };
+  const auto s = scales(
+      setup, {at(pose(setup, 30, 0), -21.5), at(sample(setup, 1, 2, 30, 0), -0.05), at(pose(setup, 30, 0), 21.4)});
+  EXPECT_EQ(s[0].rotary[5], 0);
+  EXPECT_EQ(s[1].rotary[5], policy::ulp(21.5));
+  EXPECT_EQ(s[2].rotary[5], 0);
+}
+
 // V leant by Q in the plane of V and the travel: the plane is off by e/sin of their angle.
 TEST(PoseErrors, OfALeanAlmostAlongTheTravel) {
   const spec::Setup setup = head();
