@@ -229,6 +229,7 @@ Step Engine::State::step(const Command& command) {
   tool_offset.apply(command, interpreter, cutter_words.number(),
                     {command.codes.h.value_or(length.number()), length.axis_mode(command.codes.length)}, legs);
   if (cutter_block) cutter_words.add_movement(*cutter_block, start, legs);
+  if (cutter_block && cutter_block->position) cutter_block->tool = tip_control.at(*cutter_block->position).tool;
   const bool machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
   const LengthPlan plan = length.plan(length_command(command, legs));
   if (legs.empty() && !tip.ends && recorder.decide(Clause::fanuc_length_offset_move_without_axis_word, plan.changed))

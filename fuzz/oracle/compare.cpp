@@ -323,13 +323,17 @@ class Comparison {
   bool found_ = false;
 };
 
+// Inside a segment of a table of deviations the sign of the effective corner radius is that of an angle, at another
+// scale (clause heidenhain.tool.effective-corner-radius).
+bool compares_angles(const model::Decision& decision) {
+  return decision.clause == spec::Clause::heidenhain_tool_effective_corner_radius &&
+         !(decision.scale.is_rational() && decision.scale.rational() == 1);
+}
+
 }  // namespace
 
 Rules::Rules(const spec::Setup& setup, std::string_view section, const JudgeOptions& options)
-    : budget_(policy::budget(section)),
-      axes_(setup.axes),
-      fields_(options.fields),
-      reads_deviations_(!setup.dr2_tables.empty()) {
+    : budget_(policy::budget(section)), axes_(setup.axes), fields_(options.fields) {
   units(setup.units);
   if (options.resolution.empty()) return;
   const std::optional<Rational> r = parse_number(options.resolution);
@@ -348,7 +352,7 @@ bool Rules::is_near_tie(const model::Decision& decision, double band, const Posi
     band = std::max(band, std::min(band * positions.at(decision.line), policy::kWidestBand));
   const bool square = resolution_ == 0 && policy::is_square(decision.clause);
   if (margin(decision) > (square ? band * band : band)) return false;
-  if (resolution_ > 0 || reads_deviations_ || !policy::compares_exactly(decision.clause)) return true;
+  if (resolution_ > 0 || !policy::compares_exactly(decision.clause) || compares_angles(decision)) return true;
   if (!decision.quantity.is_rational() || decision.quantity.rational() != 0 || !decision.scale.is_rational())
     return true;
   // The scale is the sum of all numbers compared.

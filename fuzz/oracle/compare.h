@@ -32,7 +32,6 @@ class Rules {
   policy::Budget budget_;
   spec::Axes axes_;
   std::vector<std::string> fields_;
-  bool reads_deviations_;  // the setup has tables of deviations
   double resolution_ = 0;
   double um_per_unit_ = 0;
 };

@@ -119,9 +119,8 @@ inline double controller_band(double resolution, double shortest_move) {
 // Clauses whose two sides are sums of decimals of the program and the setup, without product, root or trigonometry. A
 // control compares them in whole numbers of its least increment, so nothing is rounded and an exact tie is no near tie:
 // the ends of a zone belong to it or do not, as the manual says. Three exceptions: lengths that no decimal writes
-// (millimetres given in a setup in inches), setups with tables of deviations, which are read at angles, and a
-// controller that announces a resolution: the numbers of a case may be finer than it, and are rounded before they are
-// compared.
+// (millimetres given in a setup in inches), angles at which a table of deviations is read, and a controller that
+// announces a resolution: the numbers of a case may be finer than it, and are rounded before they are compared.
 inline constexpr spec::Clause kExactComparisons[] = {
     // Coordinate commanded, start, signal, offsets in force, and the lengths of 6251 and 6254.
     spec::Clause::fanuc_length_measurement_rapid_part,

@@ -47,7 +47,10 @@ void CutterCompensationC::insert_corner_moves(Step& step) {
   move.leg.type = own.leg.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
   move.leg.cause = spec::Cause::corner;
   // In the coordinates of the block that owns the move.
-  if (step.cutter->position) move.leg.end = *step.cutter->position;
+  if (step.cutter->position) {
+    move.leg.end = *step.cutter->position;
+    move.tool = step.cutter->tool;
+  }
   move.feed = own.feed;
   move.zero.reset();
   std::vector<Move> moves;

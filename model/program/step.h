@@ -103,6 +103,7 @@ struct CutterBlock {
   PlanePoint end;                // of the block
   // The programmed position of every axis where the block starts, if the workpiece system changes in it.
   std::optional<Position> position;
+  Direction tool;  // there
   // With PlaneMotion::arc: sweep and radii as programmed; full circle: start and end alike, sweep 360.
   std::optional<ArcGeometry> arc;
   spec::ArcDirection arc_direction = spec::ArcDirection::cw;
