@@ -28,7 +28,7 @@ void EventWriter::move(const MoveHead& head, const Placement& placement, const T
 }
 
 void EventWriter::other_axes(fast::Event& event, const MoveHead& head) const {
-  for (unsigned rest = static_cast<unsigned>(others_ | head.rotary); rest != 0; rest &= rest - 1) {
+  for (auto rest = static_cast<unsigned>(others_ | head.rotary); rest != 0; rest &= rest - 1) {
     const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
     event.programmed.value[axis] = head.position[axis];
     event.point.value[axis] = head.position[axis];
