@@ -209,6 +209,8 @@ Step Engine::State::step(const Command& command) {
     tool_side.read(*side_block);
     tool_side_words.add_value(*side_block);
   }
+  if (tip.ends || tip.again)
+    tip_control.rename_position(tip, tool_offset.shifted(interpreter.stay(command)), interpreter);
   interpreter.select_workpiece_system(command);
   std::optional<CutterBlock> cutter_block = cutter_words.read(command, interpreter);
   if (cutter_block) {
@@ -222,8 +224,6 @@ Step Engine::State::step(const Command& command) {
   }
   if (command.codes.one_shot == OneShot::data)
     pending_write = memory.read_write(command.words, numbers, command.incremental);
-  if (tip.ends || tip.again)
-    tip_control.rename_position(tip, tool_offset.shifted(interpreter.stay(command)), interpreter);
   std::vector<Leg> legs = interpreter.legs(command, tip.directed, tip.starts);
   const Leg start = cutter_block ? tool_offset.shifted(interpreter.stay(command)) : Leg();
   tool_offset.apply(command, interpreter, cutter_words.number(),

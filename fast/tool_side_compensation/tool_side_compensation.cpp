@@ -243,7 +243,7 @@ void ToolSideCompensation::complete_line() {
   }
   ToolSideBlock& block = ring_[first_];
   block.own = true;
-  if (plain_) set_from_programmed(block.event, {});
+  if (held_plain_) set_from_programmed(block.event, {});
   last_ = &to;
   start_tool_of_path_ = from.tool;
   start_offset_of_path_ = &from.offset;

@@ -63,6 +63,8 @@ class ToolSideCompensation {
   void await_lines(bool plain) {
     plain_ = plain;
     filled_ = 0;
+    // What block() holds is filled in, whatever the lines to come will be.
+    if (!line_taken_) held_plain_ = false;
   }
   // What is the same in the events of all these lines is in next().event; the first time it answers false.
   [[nodiscard]] bool is_line_filled() {
@@ -197,6 +199,7 @@ class ToolSideCompensation {
   bool awaits_line_ = false;
   bool line_taken_ = false;  // the path that is held was taken by take_line()
   bool plain_ = false;
+  bool held_plain_ = false;      // the event that is held was left plain
   unsigned filled_ = 0;          // bit i: is_line_filled() of slot i
   Vector3<double> line_vector_;  // at the start of that path
   double line_radius_ = 0;       // positive to the left
@@ -293,10 +296,11 @@ class ToolSideCompensation {
   line_vector_.z = vector.z;
   line_taken_ = true;
   Event& event = ring_[first_].event;
-  if (plain_) [[likely]]
+  if (held_plain_) [[likely]]
     set_from_programmed(event, vector);
   else
     add(event, vector);
+  held_plain_ = plain_;
   sink_->on(event);
   if (count_ > 1) [[unlikely]]
     send_rest();

@@ -294,6 +294,17 @@ TEST(FastToolSideCompensation, CodesOfMotion) {
   EXPECT_EQ(points("G00", "G01", "G00"), expected);
 }
 
+// The line before a block that takes the length offset back keeps it.
+TEST(FastToolSideCompensation, LengthOffsetTakenBackBehindLines) {
+  const ProgramRun run(setup("", -40, 0), "G41.2 D2 G01 X0 F100\nG43 H1\nX100\nX150\nX200\nH0\nX250\nX300\nG40 X350\n");
+  for (std::size_t i = 0; i < run.events.size(); ++i) {
+    const std::uint64_t line = run.events[i].line;
+    if (line >= 2) {
+      EXPECT_EQ(run.axis(i, 'Z'), line < 6 ? 20 : 0) << line;
+    }
+  }
+}
+
 TEST(FastToolSideCompensation, BlocksWithoutMovement) {
   const std::string head = kUntilted + "G41.6 D2 G01 X0 F100\nX100\n";
   const Vector q{100, 0, 0};
