@@ -312,6 +312,8 @@ class Judge {
   static void take(Verdict& v, const Tally& tally) {
     v.values = tally.values;
     v.numbers = tally.numbers;
+    v.wide = tally.wide;
+    v.widths = tally.widths;
     v.worst_ulp = tally.worst_ulp;
     v.worst_um = tally.worst_um;
   }
