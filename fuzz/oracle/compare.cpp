@@ -111,7 +111,7 @@ class Comparison {
 
   bool move() {
     return named("cause", expected_.cause, actual_.cause) || named("type", expected_.type, actual_.type) ||
-           table("programmed", expected_.programmed, actual_.programmed) ||
+           table("programmed", expected_.programmed, actual_.programmed, kProgrammed) ||
            table("point", expected_.point, actual_.point) || table("axes", expected_.axes, actual_.axes) ||
            table("machine", expected_.machine, actual_.machine) || tool_axis() || space() || arc() || feed();
   }
@@ -203,7 +203,7 @@ class Comparison {
     const spec::Arc<Real>& e = *expected_.arc;
     const spec::Arc<Number>& a = *actual_.arc;
     if (named("plane", e.plane, a.plane) || named("direction", e.direction, a.direction) ||
-        table("center", e.center, a.center))
+        table("center", e.center, a.center, kProgrammed))
       return true;
     if (rules_.judges("radius")) {
       const bool same = e.radius.has_value() == a.radius.has_value();
@@ -237,16 +237,16 @@ class Comparison {
   bool table(std::string_view field, const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a,
              double error = 0) {
     if (!rules_.judges(field)) return false;
+    const double unit = error == kProgrammed ? programmed_unit() : length_unit(error);
     for (std::size_t i = 0; i < rules_.axes().size(); ++i) {
       const char letter = rules_.axes().letter(i);
       if (!e.has(i) && !a.has(i)) continue;
       const Path path{field, letter};
       if (absent(path, e.has(i), a.has(i))) return true;
       const bool linear = spec::is_linear_axis(letter);
-      if (linear
-              ? number("coordinate", path, e[i], a[i], rules_.budget().coordinate, length_unit(error), Measure::length)
-              : number("coordinate", path, e[i], a[i], rules_.budget().rotary,
-                       policy::ulp(rotary_scale(e, i)) + scale_.pose.rotary.at(i), Measure::angle))
+      if (linear ? number("coordinate", path, e[i], a[i], rules_.budget().coordinate, unit, Measure::length)
+                 : number("coordinate", path, e[i], a[i], rules_.budget().rotary,
+                          policy::ulp(rotary_scale(e, i)) + scale_.pose.rotary.at(i), Measure::angle))
         return true;
     }
     return false;
@@ -257,10 +257,16 @@ class Comparison {
     return expected_.axes.has(axis) ? std::max(value, std::fabs(approximate(expected_.axes[axis]))) : value;
   }
 
+  // What is programmed has no part in the compensation, but may once have been made of axes.
+  static constexpr double kProgrammed = -1;
+  [[nodiscard]] double programmed_unit() const {
+    return policy::ulp(scale_.position) + scale_.carried / rules_.budget().coordinate;
+  }
+
   // Of which lengths may be off k. `error`: of what else the length is made of.
   [[nodiscard]] double length_unit(double error = 0) const {
     const double own = scale_.condition * (scale_.vector > 0 ? policy::ulp(scale_.vector) : 0);
-    return policy::ulp(scale_.position) + scale_.pose.tip + std::max(own, error);
+    return programmed_unit() + scale_.pose.tip + std::max(own, error);
   }
 
   bool length(const Path& path, const Real& e, const Number& a, double error = 0) {

@@ -75,15 +75,20 @@ PoseErrors::End PoseErrors::end(const model::Event& event) const {
   return end;
 }
 
-// sin((1-t)A)/sin A and sin(tA)/sin A multiply the errors of the ends, and the plane turns by them over |V + W|.
+// On a great circle errors of the ends weigh sin((1-t)A)/sin A and sin(tA)/sin A, together 1/cos(A/2) = 2/|V + W| at
+// most. Under conventional control the direction is that of the positions.
 double PoseErrors::inside(std::span<const model::Event> window) const {
+  const model::Event& event = window.front();
   End to = before_;
   const auto next = std::ranges::find_if(window, moves);
   if (next != window.end()) to = end(*next);
-  // Unit vectors, or zero where no event before said one.
+  const double ends = std::max({before_.error, to.error, policy::ulp(1)});
+  if (machine_ && !event.clauses.contains(spec::Clause::fanuc_tool_posture_great_circle)) return ends;
+  // Unit vectors, or zero where no event before said one. Exactly opposite ones have no great circle.
   const bool known = scalar(before_.direction, before_.direction) > 0 && scalar(to.direction, to.direction) > 0;
-  const double bisector = known ? std::max(norm(sum(before_.direction, to.direction)), policy::kSlack) : 2;
-  return std::max({before_.error, to.error, policy::ulp(1)}) * (1 + 2 / bisector);
+  const double bisector = known ? norm(sum(before_.direction, to.direction)) : 2;
+  if (bisector < policy::kEstimateNoise) return ends;
+  return ends * 2 / std::max(bisector, policy::kSlack);
 }
 
 void PoseErrors::rotary(std::span<const model::Event> window, PoseScale& scale) const {
