@@ -163,15 +163,35 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
       for (std::size_t i = 0; i < 3; ++i) tool[i] = approximate((*event.tool_axis)[i]);
     if (may_be(event, "fanuc/leading-edge-offset")) scale.condition = condition(window, at, tool, compensation);
     const bool kept = length(difference(compensation, vector_)) <= policy::kSlack * scale.vector + noise;
+    const auto corner_error = [&](Heads* heads) {
+      double error = 0;
+      if (may_be(event, "fanuc/cutter-compensation-b", "fanuc/cutter-compensation-c"))
+        error = corners_.error(window, index_, compensation, shift_, heads);
+      if (tool_plane_ && may_be(event, "fanuc/tool-side-compensation"))
+        error = std::max(error, tool_plane_->error(window, index_, compensation, tool, shift_, heads));
+      return error;
+    };
+    // The vector is made of a tool axis that may be off by more than an ulp.
+    const double tilt = std::max(1.0, scale.pose.direction / policy::ulp(1));
+    double rest = scale.condition;
+    scale.condition = std::max(rest, 1 + corner_error(nullptr) / scale.vector);
     if (kept) scale.condition = std::max(scale.condition, condition_);
-    double error = 0;
-    if (may_be(event, "fanuc/cutter-compensation-b", "fanuc/cutter-compensation-c"))
-      error = corners_.error(window, index_, compensation, shift_);
-    if (tool_plane_ && may_be(event, "fanuc/tool-side-compensation"))
-      error = std::max(error, tool_plane_->error(window, index_, compensation, tool, shift_));
-    scale.condition = std::max(scale.condition, 1 + error / scale.vector);
-    // The vector is made of a tool axis that is off by more than an ulp.
-    scale.condition *= std::max(1.0, scale.pose.direction / policy::ulp(1));
+    scale.condition *= tilt;
+    if (scale.condition * policy::ulp(scale.vector) > policy::kByConditions) {
+      Heads heads;
+      rest = std::max(rest, 1 + corner_error(&heads) / scale.vector) * tilt;
+      const double unit = tilt * policy::ulp(scale.vector) / scale.vector;
+      const double position = policy::ulp(scale.position) + scale.pose.tip;
+      for (Head& head : heads) {
+        for (HeadBand& band : head.bands) band.width = position + unit * (scale.vector + band.width);
+        head.across.width = position + unit * scale.vector;
+        head.reach = position + unit * (scale.vector + head.reach);
+      }
+      if (kept) heads.insert(heads.end(), heads_.begin(), heads_.end());
+      if (kept && heads_.empty()) rest = std::max(rest, condition_);
+      scale.heads = std::move(heads);
+      scale.rest = rest;
+    }
   } else {
     scale.vector = 0;
   }
@@ -181,6 +201,7 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
   point_ = point;
   vector_ = compensation;
   condition_ = scale.condition;
+  heads_ = scale.heads;
   return scale;
 }
 

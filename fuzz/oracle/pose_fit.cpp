@@ -30,8 +30,6 @@ Rational rational(double x) { return Rational(x); }
 const Rational& rational(const Rational& x) { return x; }
 bool finite(double x) { return std::isfinite(x); }
 bool finite(const Rational&) { return true; }
-double distance(const Real& expected, double actual) { return actual - approximate(expected); }
-double distance(const Real& expected, const Rational& actual) { return approximate(Real(actual) - expected); }
 
 double length(const Vector& v) { return std::hypot(approximate(v.x), approximate(v.y), approximate(v.z)); }
 Vector vector(const std::array<Real, 3>& v) { return {v[0], v[1], v[2]}; }
@@ -97,7 +95,7 @@ PoseFit<Number>::Positions PoseFit<Number>::of(const spec::Event<Number>& actual
 template <class Number>
 PoseFit<Number>::Off PoseFit<Number>::off(const model::Event& expected, const spec::Event<Number>& actual) const {
   const auto of_axis = [&](const model::Turn& turn) {
-    return turn.axis ? distance(expected.axes[*turn.axis], actual.axes[*turn.axis]) : 0;
+    return turn.axis ? signed_distance(expected.axes[*turn.axis], actual.axes[*turn.axis]) : 0;
   };
   return {of_axis(machine_->tool_side()), of_axis(machine_->work_side())};
 }
@@ -217,13 +215,27 @@ std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::seen(std::span<co
     return std::nullopt;
   if (!turns_into(at, scale) && !goes_as_expected(window, at)) return std::nullopt;
   const double direction = length(at.own_tool - at.tool);
-  return Seen{adjusted(at), direction};
+  return Seen{adjusted(at, off_tip(event, actual, scale)), direction};
+}
+
+// A tip that two conditions place (head.h) lies where the controller has it; that it may is judged as of any point.
+template <class Number>
+Vector PoseFit<Number>::off_tip(const model::Event& event, const spec::Event<Number>& actual,
+                                const Scale& scale) const {
+  Vector off;
+  if (scale.heads.empty() || in_workpiece_) return off;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = index_.at(i);
+    if (axis == spec::Axes::kNone || !event.point.has(axis) || !actual.point.has(axis)) continue;
+    if (finite(actual.point[axis])) model::component(off, i) = Real(rational(actual.point[axis])) - event.point[axis];
+  }
+  return off;
 }
 
 // The event with the controller's own rotary positions, and what follows from them. On the work stand: the tip, where
 // it is programmed on the table; its coordinates in the workpiece system, where it is programmed in that.
 template <class Number>
-model::Event PoseFit<Number>::adjusted(const View& view) const {
+model::Event PoseFit<Number>::adjusted(const View& view, const Vector& off_tip) const {
   model::Event event = view.event;
   const auto place = [&](const model::Turn& turn, const Rational& own) {
     if (!turn.axis) return;
@@ -250,7 +262,7 @@ model::Event PoseFit<Number>::adjusted(const View& view) const {
   }
   const Vector axes = linear(event.axes);
   const Real length = dot(axes - view.frame.control_point(tip, expected, 0), machine_->direction_in_machine(expected));
-  const Vector own_axes = view.own_frame.control_point(own_tip, own, length);
+  const Vector own_axes = view.own_frame.control_point(own_tip + off_tip, own, length);
   if (!event.machine.empty()) set_linear(event.machine, linear(event.machine) + own_axes - axes);
   set_linear(event.axes, own_axes);
   return event;
@@ -298,7 +310,7 @@ void PoseFit<Number>::follow(const model::Event& expected, const spec::Event<Num
   if (controlled && axes)
     for (const std::size_t i : index_)
       if (i != spec::Axes::kNone && expected.axes.has(i) && actual.axes.has(i) && finite(actual.axes[i]))
-        last_ = std::max(last_, std::fabs(distance(expected.axes[i], actual.axes[i])));
+        last_ = std::max(last_, std::fabs(signed_distance(expected.axes[i], actual.axes[i])));
   if (has_positions(expected, actual)) {
     before_ = off(expected, actual);
     direction_ = direction;

@@ -74,7 +74,9 @@ class PoseFit {
 
   [[nodiscard]] bool turns_into(const View& view, const Scale& scale) const;
   [[nodiscard]] bool goes_as_expected(std::span<const model::Event> window, const View& view) const;
-  [[nodiscard]] model::Event adjusted(const View& view) const;
+  [[nodiscard]] model::Vector off_tip(const model::Event& event, const spec::Event<Number>& actual,
+                                      const Scale& scale) const;
+  [[nodiscard]] model::Event adjusted(const View& view, const model::Vector& off_tip) const;
   [[nodiscard]] std::optional<Seen> without_kinematics(const model::Event& event, const spec::Event<Number>& actual,
                                                        const Scale& scale) const;
   // What a position of a rotary axis lacks to the angle by which it turns.
