@@ -294,7 +294,7 @@ StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& 
       // It is passed over by the corner at the end of the path.
       repeated_ |= block.repeated;
       ++still_;
-      if (at_end) waiting_path_ = &to;
+      if (at_end && !fault(Fault::side_passed_over_keeps)) waiting_path_ = &to;
       mismatch_[next_] = false;
       hold();
       return {};
