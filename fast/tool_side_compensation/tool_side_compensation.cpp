@@ -159,7 +159,7 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
     return release();
   SidePath& to = new_path();
   set_path(to, block);
-  if (block.arc && to.flat.center_in_end) return release();
+  if (block.arc && to.flat.ends_in_center) return release();
   SideGroup& group = at_start();
   SideCorner& corner = group.corner;
   corner.first = &to;
@@ -264,7 +264,7 @@ StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
   if (!at_end && !leaves_path && !leaves_waiting) return still_block(block);
   SidePath& to = new_path();
   set_path(to, block);
-  if (block.arc && to.flat.center_in_end) return refuse(block, alarm::kArcCenter);
+  if (block.arc && to.flat.ends_in_center) return refuse(block, alarm::kArcCenter);
   if (to.side != last_->side && (after_start_ || (starts_up_ && leaves_path)))
     return refuse(block, alarm::kDirectionChangeAtStart);
   if (block.arc && ((held_ == Held::path && on_edge(block, *last_->tool)) ||

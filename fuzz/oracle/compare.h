@@ -22,6 +22,8 @@ class Rules {
   void units(spec::Units units);
 
   [[nodiscard]] bool judges(std::string_view field) const;
+  // A controller announced a field that only undecided events have: it says itself what is left open.
+  [[nodiscard]] bool judges_undecided() const;
   [[nodiscard]] const policy::Budget& budget() const { return budget_; }
   [[nodiscard]] const spec::Axes& axes() const { return axes_; }
   // 0: the actual numbers are doubles.
@@ -45,6 +47,9 @@ struct Tally {
   std::uint64_t values = 0;
   std::uint64_t numbers = 0;
   std::uint64_t wide = 0;
+  std::uint64_t events = 0;
+  std::uint64_t out_of_scope = 0;  // of the model's events, those behind one of reason OUT_OF_SCOPE
+  bool scope_left = false;         // such an event was there
   double worst_ulp = 0;
   double worst_um = 0;
   Widths widths;

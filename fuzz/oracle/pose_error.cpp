@@ -49,8 +49,10 @@ Space PoseErrors::travel(const model::Event& event, const Space& point) const {
 
 // How much more than e a direction is off that was leant by a Q word towards the travel: the plane of the two is as
 // good as their angle is large.
-double PoseErrors::leant(const Space& direction, const Space& travel, std::uint64_t line) const {
-  const double lean = facts_ == nullptr ? 0 : facts_->lean(line);
+double PoseErrors::leant(const Space& direction, const Space& travel, const model::Event& event) const {
+  const double lean = facts_ == nullptr ? 0 : facts_->lean(event.line);
+  // Along the travel nothing leans.
+  if (!event.clauses.empty() && !event.clauses.contains(spec::Clause::fanuc_tool_center_point_lean)) return 1;
   const Space normal = product(direction, travel);
   const double size = norm(normal);
   if (lean == 0 || !(norm(travel) > 0)) return 1;
@@ -71,7 +73,7 @@ PoseErrors::End PoseErrors::end(const model::Event& event) const {
   if (event.tool_axis)
     for (std::size_t i = 0; i < 3; ++i) end.direction.at(i) = approximate((*event.tool_axis)[i]);
   end.point = space_of(event.point, index_);
-  end.error = policy::ulp(1) * leant(end.direction, travel(event, end.point), event.line);
+  end.error = policy::ulp(1) * leant(end.direction, travel(event, end.point), event);
   return end;
 }
 

@@ -46,7 +46,7 @@ class PoseErrors {
 
   [[nodiscard]] End end(const model::Event& event) const;
   [[nodiscard]] double inside(std::span<const model::Event> window) const;
-  [[nodiscard]] double leant(const Space& direction, const Space& travel, std::uint64_t line) const;
+  [[nodiscard]] double leant(const Space& direction, const Space& travel, const model::Event& event) const;
   [[nodiscard]] Space travel(const model::Event& event, const Space& point) const;
   void rotary(std::span<const model::Event> window, PoseScale& scale) const;
 

@@ -141,12 +141,17 @@ void SpaceScales::beside(std::span<const model::Event> window, const Space& at, 
   const std::optional<double> own_error = error_of(tool, before_, at);
   const std::optional<double> next_error = error_of(tool, at, next);
   const double worst = std::max(own_error.value_or(former_), next_error.value_or(former_));
-  const Space path = own_error ? difference(at, before_) : difference(next, at);
-  // The offset, which the vector has across either path.
-  double offset = size;
-  if (own_error || next_error) {
+  // The offset, which a mitre has across either path; a perpendicular has all of it across one.
+  const auto offset_across = [&](const Space& path) {
     const Space across = cross(tool, path);
-    offset = std::fabs(dot(vector, across)) / length(across);
+    return std::fabs(dot(vector, across)) / length(across);
+  };
+  double offset = size;
+  if (own_error) offset = offset_across(difference(at, before_));
+  if (next_error) {
+    const double other = offset_across(difference(next, at));
+    const bool mitre = !own_error || std::fabs(other - offset) <= policy::kSlack * size;
+    offset = mitre ? other : std::max(offset, other);
   }
   former_ = next_error.value_or(own_error.value_or(former_));
   if (size == 0) return;

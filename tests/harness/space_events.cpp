@@ -158,6 +158,9 @@ TEST(SpaceEvents, WhatIsUndecidedIsJudged) {
   EXPECT_EQ(difference([](fast::Event& e) { e.line = 5; }), "line");
   EXPECT_EQ(difference([](fast::Event& e) { e.n = 4; }), "n");
   EXPECT_EQ(difference([](fast::Event& e) { e.kind = spec::EventKind::warning; }), "kind");
+  EXPECT_EQ(difference([](fast::Event& e) { e.permitted.positive = true; }), "permitted");
+  EXPECT_EQ(difference([](fast::Event& e) { e.permitted.negative = true; }), "permitted");
+  EXPECT_EQ(difference([](fast::Event& e) { e.permitted.tie = true; }), "permitted");
   std::vector<fast::Event> actual = events<double>();
   actual.erase(actual.begin() + 1);
   EXPECT_EQ(verdict(actual).difference->kind, "missing event");
@@ -258,6 +261,73 @@ TEST(SpaceEvents, AControllerIsNotJudgedBehindWhatIsOutOfScope) {
   EXPECT_EQ(judge(plain_case(), run, none).outcome, Outcome::nothing_judged);
 }
 
+// One that announces what only undecided events say must give them, each with what it says.
+TEST(SpaceEvents, AControllerThatAnnouncesReasonsMustGiveThem) {
+  ModelRun run;
+  run.events = events<Real>();
+  run.events[1].permitted = {true, true, true};
+  const auto judged = [&](const std::vector<std::string>& fields,
+                          const std::function<void(std::vector<spec::TextEvent>&)>& apply) {
+    std::vector<spec::TextEvent> texts;
+    for (const model::Event& event : run.events) texts.push_back(certify::in_text(event, 30));
+    apply(texts);
+    JudgeOptions options;
+    options.fields = fields;
+    const Verdict v = judge(plain_case(), run, texts, options);
+    return v.difference ? v.difference->kind + " " + v.difference->field : std::string("none");
+  };
+  const std::vector<std::string> none = {"kind", "line", "point"};
+  const std::vector<std::string> reason = {"kind", "line", "point", "reason"};
+  const std::vector<std::string> permitted = {"kind", "line", "point", "permitted"};
+  for (const auto& fields : {none, reason, permitted}) EXPECT_EQ(judged(fields, [](auto&) {}), "none");
+  const auto no_reason = [](auto& e) { e[1].out_of_scope = false; };
+  EXPECT_EQ(judged(reason, no_reason), "undecided reason");
+  EXPECT_EQ(judged(permitted, no_reason), "none");
+  const auto no_tie = [](auto& e) { e[1].permitted.tie = false; };
+  EXPECT_EQ(judged(permitted, no_tie), "undecided permitted");
+  EXPECT_EQ(judged(reason, no_tie), "none");
+  // A move in its place, or nothing.
+  const auto move = [](auto& e) { e.erase(e.begin() + 1); };
+  EXPECT_EQ(judged(none, move), "none");
+  EXPECT_EQ(judged(reason, move), "missing event event");
+  EXPECT_EQ(judged(permitted, [](auto& e) { e.resize(1); }), "missing event event");
+  // What follows is not judged.
+  EXPECT_EQ(judged(reason, [](auto& e) { e[2].point.value[0].v = "7"; }), "none");
+  EXPECT_EQ(judged(reason, [](auto& e) { e.resize(2); }), "none");
+}
+
+// Of a face move, an OUT_OF_SCOPE and a face move the engine is judged in all three, a controller in the first.
+TEST(SpaceEvents, WhatStandsBehindAnOutOfScopeEventIsCounted) {
+  const Verdict engine = verdict(events<double>());
+  EXPECT_EQ(engine.events, 3U);
+  EXPECT_EQ(engine.out_of_scope, 1U);
+  ModelRun run;
+  run.events = events<Real>();
+  const std::vector<spec::TextEvent> texts = {certify::in_text(face<Real>(), 30)};
+  const Verdict controller = judge(plain_case(), run, texts);
+  EXPECT_EQ(controller.events, 1U);
+  EXPECT_EQ(controller.out_of_scope, 1U);
+  // A second one changes nothing: the last three stand behind the first.
+  run.events.push_back(run.events[1]);
+  run.events.push_back(run.events[2]);
+  std::vector<fast::Event> actual = events<double>();
+  actual.push_back(fast::Event(actual[1]));
+  actual.push_back(fast::Event(actual[2]));
+  EXPECT_EQ(judge(plain_case(), run, actual).events, 5U);
+  EXPECT_EQ(judge(plain_case(), run, actual).out_of_scope, 3U);
+}
+
+// An event without a partner is none that was judged.
+TEST(SpaceEvents, EventsAreCountedInPairs) {
+  std::vector<fast::Event> actual = events<double>();
+  actual.pop_back();
+  EXPECT_EQ(verdict(actual).events, 2U);
+  EXPECT_EQ(verdict(actual).out_of_scope, 0U);
+  actual = events<double>();
+  actual.push_back(fast::Event(actual[0]));
+  EXPECT_EQ(verdict(actual).events, 3U);
+}
+
 Scale scale_of(const model::Event& event, spec::Setup setup) {
   setup.control = spec::Control::heidenhain;
   Conditions conditions(setup);
@@ -322,13 +392,14 @@ TEST(SpaceScales, AMitreStretchesItsErrors) {
   EXPECT_NEAR(conditions.next(events).pose.tip / (vector * direction * (1 + vector)), 1, 1e-9);
 }
 
-// Near a reversal the mitre is as long as its condition, and the directions stay those of the programmed ends.
+// Near a reversal, the turn back by 2/far, the mitre is as long as its condition, and the directions stay those of the programmed ends.
 TEST(SpaceScales, AMitreNearAReversal) {
   spec::Setup setup;
   setup.control = spec::Control::heidenhain;
   setup.axes = spec::Axes("XYZ");
   constexpr int far = 1'000'000'000;
-  const std::vector<model::Event> events = {beside(8, 0, Real(8 + far), Real(1)), beside(0, 1, Real(0), Real(2))};
+  const std::vector<model::Event> events = {beside(8, 0, Real(8 + far), Real(1)),
+                                           beside(0, -16.0 / far, Real(0), Real(2))};
   Conditions conditions(setup);
   const double direction = policy::ulp(1) + policy::ulp(8) / 8;
   EXPECT_NEAR(conditions.next(events).pose.tip / (far * direction * (1.0 + far)), 1, 1e-6);

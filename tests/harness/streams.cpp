@@ -28,6 +28,8 @@ TEST(Streams, GiveTheVerdictOfTheWholeCase) {
       EXPECT_EQ(v.outcome, whole.verdict.outcome) << encode(c);
       if (v.outcome != Outcome::agrees) continue;
       EXPECT_EQ(v.values + v.wide, whole.verdict.values + whole.verdict.wide) << encode(c);
+      EXPECT_EQ(v.events, whole.verdict.events) << encode(c);
+      EXPECT_EQ(v.out_of_scope, whole.verdict.out_of_scope) << encode(c);
       EXPECT_EQ(v.decisions, whole.verdict.decisions) << encode(c);
       EXPECT_EQ(v.near_ties, whole.verdict.near_ties) << encode(c);
     }
@@ -71,6 +73,18 @@ TEST(Streams, NoticeAnEventTooManyAtTheEnd) {
   fast::active_fault = fast::Fault::none;
   ASSERT_EQ(v.outcome, Outcome::differs);
   EXPECT_EQ(v.difference->kind, "extra event");
+}
+
+// A move without side, OUT_OF_SCOPE (RL without M128), two moves.
+TEST(Streams, CountWhatStandsBehindAnOutOfScopeEvent) {
+  spec::Setup setup;
+  setup.control = spec::Control::heidenhain;
+  setup.tools.emplace_back().number = 10;
+  const Verdict v =
+      judge_stream({[] { return spec::text_source("TOOL CALL 1 Z\nL X+1 R0\nL X+2 RL\nL X+3 R0\nL X+4\n"); }}, setup);
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  EXPECT_EQ(v.events, 4U);
+  EXPECT_EQ(v.out_of_scope, 2U);
 }
 
 // Blocks in changing directions, made as they are read.
@@ -145,6 +159,24 @@ TEST(Streams, SettleNearTiesByRunningAgain) {
   EXPECT_EQ(open.outcome, Outcome::undecided);
   EXPECT_EQ(wrong.outcome, Outcome::differs);
   EXPECT_EQ(judge_stream(text(inside, true), setup).outcome, Outcome::agrees);
+}
+
+// The near tie of NearTies.AForkThatEndsUndecidedNeverAgrees, and an engine that writes a wrong value behind it.
+TEST(Streams, AForkThatEndsUndecidedSettlesNothing) {
+  spec::Setup setup;
+  setup.h[1].geometry = spec::decimal(10);
+  setup.measurement['Z'] = *spec::parse_decimal("7.0710678118654");
+  const auto judged = [&] {
+    return judge_stream({[] { return spec::text_source("G90 G01 F100 G43.5 H1 I1. K1. Z0\nG49\nH1\nG37 Z5.\n"); }},
+                        setup);
+  };
+  const Verdict right = judged();
+  EXPECT_EQ(right.outcome, Outcome::agrees) << (right.difference ? explain(*right.difference) : right.undecided);
+  EXPECT_GE(right.near_ties, 1U);
+  fast::active_fault = fast::Fault::difference_reversed;
+  const Verdict wrong = judged();
+  fast::active_fault = fast::Fault::none;
+  EXPECT_EQ(wrong.outcome, Outcome::differs);
 }
 
 }  // namespace
