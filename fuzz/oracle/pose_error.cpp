@@ -34,9 +34,27 @@ bool moves(const model::Event& event) { return event.kind == spec::EventKind::mo
 
 }  // namespace
 
+RotaryZeros::RotaryZeros(const spec::Setup& setup, const std::optional<RotaryMachine>& machine)
+    : counts_(machine && setup.rotary_angles == spec::RotaryAngles::machine) {
+  if (!counts_) return;
+  axis_ = {machine->tool, machine->work};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (axis_.at(i) == spec::Axes::kNone) continue;
+    const auto found = setup.workpiece.front().find(setup.axes.letter(axis_.at(i)));
+    if (found != setup.workpiece.front().end()) zero_.at(i) = approximate(found->second);
+  }
+}
+
+void RotaryZeros::follow(const model::Event& event) {
+  for (std::size_t i = 0; counts_ && i < 2; ++i)
+    if (const std::size_t axis = axis_.at(i); event.machine.has(axis) && event.axes.has(axis))
+      zero_.at(i) = approximate(event.machine[axis]) - approximate(event.axes[axis]);
+}
+
 PoseErrors::PoseErrors(const spec::Setup& setup, const ProgramFacts* facts)
     : axes_(setup.axes),
       machine_(RotaryMachine::of(setup)),
+      zeros_(setup, machine_),
       length_(longest_tool(setup)),
       index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
       turning_frame_(machine_ && machine_->type != RotaryMachine::Type::head && setup.bit(19696, 5)),
@@ -44,8 +62,10 @@ PoseErrors::PoseErrors(const spec::Setup& setup, const ProgramFacts* facts)
 
 PoseErrors::Pose PoseErrors::read(const model::Event& event) const {
   Pose pose;
-  if (machine_ && event.axes.has(machine_->tool)) pose.tool = approximate(event.axes[machine_->tool]);
-  if (machine_ && event.axes.has(machine_->work)) pose.work = approximate(event.axes[machine_->work]);
+  if (machine_ && event.axes.has(machine_->tool)) 
+    pose.tool = approximate(event.axes[machine_->tool]) + zeros_.tool();
+  if (machine_ && event.axes.has(machine_->work)) 
+    pose.work = approximate(event.axes[machine_->work]) + zeros_.work();
   if (event.tool_axis)
     for (std::size_t i = 0; i < 3; ++i) pose.direction.at(i) = approximate((*event.tool_axis)[i]);
   pose.point = space_of(event.point, index_);
@@ -174,6 +194,9 @@ PoseScale PoseErrors::scale(const Pose& pose, double length) const {
   const double half_turn = std::numbers::pi;
   if (m.tool != spec::Axes::kNone) s.rotary.at(m.tool) = std::min(pose.tool_error, half_turn) * kDegreesPerRadian;
   if (m.work != spec::Axes::kNone) s.rotary.at(m.work) = std::min(pose.work_error, half_turn) * kDegreesPerRadian;
+  // A position is rounded as the angle that it is made of.
+  if (zeros_.tool() != 0) s.rotary.at(m.tool) += policy::ulp(pose.tool);
+  if (zeros_.work() != 0) s.rotary.at(m.work) += policy::ulp(pose.work);
   const double tool = m.length + norm(m.head);
   if (m.type == RotaryMachine::Type::head) {
     const Space head =
@@ -197,7 +220,8 @@ void PositionErrors::follow(const model::Event& event) {
   // In a block of which no move is given, an alarm say, positions are those of the block before.
   double& worst = of_line_.try_emplace(event.line, before_).first->second;
   if (!moves(event) || !event.axes.has(machine_->tool)) return;
-  const Posture posture(*machine_, approximate(event.axes[machine_->tool]));
+  zeros_.follow(event);
+  const Posture posture(*machine_, approximate(event.axes[machine_->tool]) + zeros_.tool());
   const double e = policy::ulp(1);
   before_ = posture.singular ? 1 : std::max(posture.tool_error(e), posture.work_error(e)) / e;
   worst = std::max(worst, before_);
@@ -216,6 +240,7 @@ PoseScale PoseErrors::next(std::span<const model::Event> window, double length) 
     return s;
   }
   if (!moves(event)) return {};
+  zeros_.follow(event);
   axes_before_ = event.axes;
   const bool controlled = event.tool_axis && !event.machine.empty() && event.cause != spec::Cause::reference;
   if (!controlled) {

@@ -24,6 +24,22 @@ struct PoseScale {
   double tip = 0;                               // of every X Y Z
 };
 
+// The angles of the tool-side and the work-side axis: positions of events plus the machine positions of their zeros, as
+// the last event says them that has machine coordinates, at first those of the setup; none where programmed positions
+// are the angles.
+class RotaryZeros {
+ public:
+  RotaryZeros(const spec::Setup& setup, const std::optional<RotaryMachine>& machine);
+  void follow(const model::Event& event);
+  [[nodiscard]] double tool() const { return zero_[0]; }
+  [[nodiscard]] double work() const { return zero_[1]; }
+
+ private:
+  bool counts_;
+  std::array<std::size_t, 2> axis_{spec::Axes::kNone, spec::Axes::kNone};
+  std::array<double, 2> zero_{};
+};
+
 // Follows the events of one run, in order.
 //
 // A direction is good to e = ulp(1). A tool-side position that reaches it is off by e but at an edge of reach, where it
@@ -71,6 +87,7 @@ class PoseErrors {
 
   spec::Axes axes_;
   std::optional<RotaryMachine> machine_;
+  RotaryZeros zeros_;
   double length_ = 0;                 // of the longest tool
   std::array<std::size_t, 3> index_;  // of X Y Z
   bool turning_frame_ = false;        // 19696#5 = 1 on a table
@@ -87,7 +104,7 @@ class PoseErrors {
 // decision on them is off by.
 class PositionErrors {
  public:
-  explicit PositionErrors(const spec::Setup& setup) : machine_(RotaryMachine::of(setup)) {}
+  explicit PositionErrors(const spec::Setup& setup) : machine_(RotaryMachine::of(setup)), zeros_(setup, machine_) {}
   // The events of one run, in order.
   void follow(const model::Event& event);
   // 1 where nothing is known.
@@ -97,6 +114,7 @@ class PositionErrors {
 
  private:
   std::optional<RotaryMachine> machine_;
+  RotaryZeros zeros_;
   double before_ = 1;
   std::map<std::uint64_t, double> of_line_;
 };

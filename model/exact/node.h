@@ -24,7 +24,8 @@ enum class Kind : std::uint8_t {
   root,
   arctangent,
   sine_of,   ///< of an operand in degrees
-  cosine_of  ///< of an operand in degrees
+  cosine_of,  ///< of an operand in degrees
+  pi
 };
 
 /// What is known of a node's sign beyond its enclosure.
