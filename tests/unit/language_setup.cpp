@@ -173,7 +173,8 @@ TEST(Setup, OffsetMemoryFollowsTheEntries) {
 TEST(Setup, RotaryAnglesAreOfTheMachineUnlessSaidOtherwise) {
   EXPECT_EQ(toml("").rotary_angles, spec::RotaryAngles::machine);
   EXPECT_EQ(toml("rotary_angles = \"machine\"").rotary_angles, spec::RotaryAngles::machine);
-  EXPECT_EQ(toml_error("rotary_angles = 1"), "f.toml:1:17: rotary_angles: must be a string");
+  EXPECT_EQ(toml_error("rotary_angles = \"workpiece\""),
+            "f.toml:1:17: rotary_angles: unknown value \"workpiece\"; expected one of machine, programmed");
 }
 
 TEST(Setup, TypeOfCutterCompensation) {
@@ -196,8 +197,8 @@ TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
   EXPECT_EQ(toml_error("units = \"cm\""), "f.toml:1:9: units: unknown value \"cm\"; expected one of mm, inch");
   EXPECT_EQ(toml_error("\n unit = 1"),
             "f.toml:2:2: setup: unknown key \"unit\"; expected one of control, units, axes, increment, "
-            "cutter_compensation, type_b_without_perpendicular, block_skip, parameters, offsets, workpiece, position, "
-            "reference, measurement");
+            "cutter_compensation, type_b_without_perpendicular, rotary_angles, block_skip, parameters, offsets, "
+            "workpiece, position, reference, measurement");
   EXPECT_EQ(toml_error("axes = [\"X\", \"Q\"]"),
             "f.toml:1:14: axes: \"Q\" is no axis; expected one of A B C U V W X Y Z");
   EXPECT_EQ(toml_error("axes = [\"X\", \"X\"]"), "f.toml:1:14: axes: axis X is given twice");

@@ -290,7 +290,8 @@ TEST(ModelToolCenterPoint, PointsAroundTurnsOfTheTable) {
 TEST(ModelToolCenterPoint, ZerosOfRotaryAxes) {
   const auto told = [](const std::string& machine, const std::string& zeros, const std::string& program) {
     Lines result;
-    for (const model::Event& event : run(setup(machine, zeros), program, nullptr, 2).events()) {
+    const auto done = run(setup(machine, zeros), program, nullptr, 2);
+    for (const model::Event& event : done.events()) {
       std::string line = std::to_string(event.line) + (event.kind == spec::EventKind::alarm ? " alarm " : " ");
       for (std::size_t i = 0; i < 6; ++i)
         if (event.machine.has(i)) line += event.machine[i].decimal(12) + " ";
@@ -328,7 +329,7 @@ TEST(ModelToolCenterPoint, ZerosOfRotaryAxes) {
   EXPECT_EQ(test::lines(run(programmed + setup(kHead, zeros(0, 30, 0)), "G43.4 H1\n")).back(),
             "1 rapid X0 Y0 Z50 A0 B0 C0");
   EXPECT_EQ(test::lines(run(setup(kHead, zeros(0, 30, 0)), "G43.4 H1\n")).back(),
-            "1 rapid X25 Y0 Z43.301270189 A0 B0 C0");
+            "1 rapid X25 Y0 Z43.301270189221932 A0 B0 C0");
   // What inverse kinematics has turned is called otherwise, exactly, and goes on from there: B 90 at the azimuth of
   // (1, 2).
   EXPECT_EQ(lines(kHead, "G43.5\nI1 J2\nG49\nG92 B0 C0\nX1\nG43.5\nX10\nG49\nG91 C5\n").back(),
