@@ -1,7 +1,8 @@
 // The lines, one letter first:
 //   u mm|inch   i A|B|C   a LETTERS   k b|c   s (block skip)   x (type B without perpendicular)   v (rotary angles as
-//   programmed)   p NUMBER[#BIT] VALUE   m a|b|c COUNT h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR   w 54…59 AXIS VALUE   o AXIS VALUE (position) r 1…4
-//   AXIS VALUE   f AXIS VALUE (floating reference)   t AXIS VALUE (measurement)   n COUNT (samples)
+//   programmed)   p NUMBER[#BIT] VALUE   m a|b|c COUNT h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR   w 54…59 AXIS
+//   VALUE   o AXIS VALUE (position) r 1…4 AXIS VALUE   f AXIS VALUE (floating reference)   t AXIS VALUE (measurement)
+//   n COUNT (samples)
 // of a Heidenhain control u a s o, and
 //   c heidenhain (before all others)   y TENTHS R R2 DL DR DR2 [L] (a tool)   e NAME (of the tool before)   g NAME (its
 //   table of deviations)   j NUMBER DL DR DR2 (a row of corrections)   q ANGLE DEVIATION NAME (a point of that table)

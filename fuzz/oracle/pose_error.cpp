@@ -62,10 +62,8 @@ PoseErrors::PoseErrors(const spec::Setup& setup, const ProgramFacts* facts)
 
 PoseErrors::Pose PoseErrors::read(const model::Event& event) const {
   Pose pose;
-  if (machine_ && event.axes.has(machine_->tool)) 
-    pose.tool = approximate(event.axes[machine_->tool]) + zeros_.tool();
-  if (machine_ && event.axes.has(machine_->work)) 
-    pose.work = approximate(event.axes[machine_->work]) + zeros_.work();
+  if (machine_ && event.axes.has(machine_->tool)) pose.tool = approximate(event.axes[machine_->tool]) + zeros_.tool();
+  if (machine_ && event.axes.has(machine_->work)) pose.work = approximate(event.axes[machine_->work]) + zeros_.work();
   if (event.tool_axis)
     for (std::size_t i = 0; i < 3; ++i) pose.direction.at(i) = approximate((*event.tool_axis)[i]);
   pose.point = space_of(event.point, index_);

@@ -23,7 +23,7 @@ enum class Kind : std::uint8_t {
   quotient,
   root,
   arctangent,
-  sine_of,   ///< of an operand in degrees
+  sine_of,    ///< of an operand in degrees
   cosine_of,  ///< of an operand in degrees
   pi
 };

@@ -13,8 +13,8 @@
 namespace toolcomp::model {
 
 // Angles of the two rotary axes, those that turn tool and table: machine coordinates, or programmed ones
-// (fanuc.tool-direction.rotary-angles). The tool-side axis tilts the tool against the work: the slave of a tool rotation
-// head, the master of a rotary table, the head's axis of a mixed machine.
+// (fanuc.tool-direction.rotary-angles). The tool-side axis tilts the tool against the work: the slave of a tool
+// rotation head, the master of a rotary table, the head's axis of a mixed machine.
 struct Pose {
   Angle tool;
   Angle work;

@@ -48,6 +48,14 @@ bool same(const Pose& a, const Pose& b) {
   return known_difference(a.tool, b.tool) == Rational(0) && known_difference(a.work, b.work) == Rational(0);
 }
 
+bool known_same(const Vector& a, const Vector& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real difference = component(a, i) - component(b, i);
+    if (!difference.is_rational() || difference.sign() != Sign::zero) return false;
+  }
+  return true;
+}
+
 Clause control_point_clause(MachineType type) {
   switch (type) {
     case MachineType::table:
@@ -245,14 +253,17 @@ TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipM
 
 PosturePlan ToolCenterPointControl::commanded(const Leg& leg) const {
   const Pose end = machine_->pose(angles(leg.end));
-  if (same(end, tip_->pose)) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, end});
-  return plan({tip_->pose, now_, of_unit(tip_->frame->frame.direction(end)), end});
+  if (same(end, tip_->pose)) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, end, {}});
+  return plan({tip_->pose, now_, of_unit(tip_->frame->frame.direction(end)), end, {}});
 }
 
 PosturePlan ToolCenterPointControl::directed(const Command& command, const Interpreter& interpreter, const Leg& leg) {
   const std::optional<Direction> to = direction_asked(command, interpreter, leg);
-  if (!to) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, {}});
-  PosturePlan found = plan({tip_->pose, now_, *to, {}});
+  if (!to) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, {}, {}});
+  PostureBlock block{tip_->pose, now_, *to, {}, {}};
+  // Leaned from where it stands the tool turns in the plane of the travel.
+  if (lean_ != 0 && !leg.arc && known_same(kept_.vector, now_.vector)) block.normal = cross(now_.vector, leg.travel);
+  PosturePlan found = plan(block);
   if (found.changed) kept_ = found.tool;
   return found;
 }

@@ -22,6 +22,8 @@ Goal goal(const SharedFrame& frame, const Direction& direction) {
   return result;
 }
 
+bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
+
 bool known_same(const Direction& a, const Direction& b) {
   try {
     return is_zero(cross(a.vector, b.vector)) && dot(a.vector, b.vector).sign() == Sign::positive;
@@ -102,6 +104,7 @@ PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBloc
   recorder_.reach(Clause::fanuc_tool_posture_great_circle);
   GreatCircle arc(std::move(at.from), std::move(at.to));
   AxisPassed work_axis = pass(arc, at.view.work_axis());
+  if (block.normal && known_zero(dot(*block.normal, at.view.work_axis()))) work_axis.side = Real();
   const Found found{frame, block, std::move(at.view), std::move(arc), std::move(work_axis), std::move(solutions)};
   if (const Pole* const pole = pole_along(Clause::fanuc_tool_posture_at_start, found, found.arc.from()))
     return from_pole(found, *pole);

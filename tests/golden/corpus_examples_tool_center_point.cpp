@@ -137,8 +137,7 @@ TEST(ToolCenterPointVectors, Rules) {
        {"1 programmed", "2 programmed i=0.5 j=0 k=0.866025403784439", "3 programmed i=0 j=0.5 k=0.866025403784439"}},
       {"Q 90 in an arc", {"1 programmed", "2 programmed i=0 j=1 k=0"}},
       // From an independent computation.
-      {"Q 30 in a helix",
-       {"1 programmed", "2 programmed i=0.866025403784439 j=0.308833912419428 k=0.393219550047692"}},
+      {"Q 30 in a helix", {"1 programmed", "2 programmed i=0.866025403784439 j=0.308833912419428 k=0.393219550047692"}},
       {"Q 30 in three quarters",
        {"1 programmed", "2 programmed i=0.866025403784439 j=-0.460262629256498 k=0.195341526844384"}},
       {"B with a zero of 30, length 10",

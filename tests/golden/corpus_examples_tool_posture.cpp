@@ -204,7 +204,8 @@ TEST(ToolPostureVectors, Rules) {
       {"Type 1 across", {"1 programmed", "2 t=1/2 B=0 C=0 k=1", "2 programmed B=-30 C=0"}},
       {"A nutating B",
        {"1 programmed B=180 C=0 j=1", "2 t=1/2 B=180 C=-45 i=" + half + " j=" + half, "2 programmed B=180 C=-90 i=1"}},
-      // In the middle, by angles of an independent computation: (1 + cos B)/2 is cos 45, C as far as its azimuth from 90.
+      // In the middle, by angles of an independent computation: (1 + cos B)/2 is cos 45, C as far as its azimuth
+      // from 90.
       {"A nutating B from its edge of reach",
        {"1 programmed B=180 C=0 X=0 Y=100 Z=0",
         "2 t=1/2 B=294.4698005207022 C=-65.5301994792978 X=5 Y=70.7106781186548 Z=70.7106781186548",
@@ -222,8 +223,7 @@ TEST(ToolPostureVectors, Rules) {
       {"WKP = 1: C, the table",
        {"1 programmed X=10", "2 pre-turn C=90 X=0 Y=-10 x=0 y=-10", "2 programmed X=0 Y=-10 B=30 x=0 y=-10"}},
       {"WKP = 1: C turns behind",
-       {"1 programmed B=30 C=90", "2 programmed X=0 Y=-10 B=0 C=90 x=0 y=-10",
-        "2 post-turn X=10 Y=0 C=0 x=10 y=0"}},
+       {"1 programmed B=30 C=90", "2 programmed X=0 Y=-10 B=0 C=90 x=0 y=-10", "2 post-turn X=10 Y=0 C=0 x=10 y=0"}},
       {"C and B with zeros",
        {"1 programmed B=3 C=-20 i=0.17364817766693", "2 programmed B=-19 C=-20 i=-0.207911690817759 ~"}},
       {"Tilted by RA 45, from (0,-1,1)",

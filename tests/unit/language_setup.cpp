@@ -257,8 +257,8 @@ TEST(Setup, KeysOfAControlAreRefusedUnderTheOther) {
   EXPECT_EQ(toml_error("[[tool]]\nR = 3"), "f.toml:1:3: setup: \"tool\" belongs to control \"heidenhain\"");
   EXPECT_EQ(toml_error("[[correction.tcs]]").substr(12), "setup: \"correction\" belongs to control \"heidenhain\"");
   EXPECT_EQ(toml_error("[[dr2table]]").substr(12), "setup: \"dr2table\" belongs to control \"heidenhain\"");
-  for (const char* key : {"increment", "cutter_compensation", "type_b_without_perpendicular", "rotary_angles", "parameters",
-                          "offsets", "workpiece", "reference", "measurement"})
+  for (const char* key : {"increment", "cutter_compensation", "type_b_without_perpendicular", "rotary_angles",
+                          "parameters", "offsets", "workpiece", "reference", "measurement"})
     EXPECT_EQ(toml_error(kHeidenhain + std::string(key) + " = 1"),
               "f.toml:2:1: setup: \"" + std::string(key) + "\" belongs to control \"fanuc\"");
   EXPECT_EQ(

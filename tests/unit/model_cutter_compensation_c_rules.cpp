@@ -222,7 +222,8 @@ TEST(ModelCutterCRules, WorkpieceSystemChangedOnTheWay) {
   const std::string rotary =
       "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\"]\n[offsets.D]\n1 = 10\n[workpiece.G55]\nB = 90\n";
   EXPECT_EQ(test::lines(run(rotary, started("G55 X10 Y-40\n")))[2], "3 linear X54 Y2 Z0 B-90 (corner)");
-  // The tool, of a head with A on B, stays; where programmed angles turn it it goes with the name: (sin -90, 0, cos -90).
+  // The tool, of a head with A on B, stays; where programmed angles turn it it goes with the name: (sin -90, 0, cos
+  // -90).
   const std::string head =
       "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"B\"]\n[parameters]\n19680 = 2\n19681 = 5\n"
       "19682 = 2\n19686 = 4\n19687 = 1\n[offsets.D]\n1 = 10\n[workpiece.G55]\nB = 90\n";

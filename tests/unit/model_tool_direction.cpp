@@ -71,8 +71,7 @@ TEST(ModelToolDirection, AChangeOfCoordinatesTurnsNothing) {
 
 // The other reading: VT follows the programmed coordinate.
 TEST(ModelToolDirection, FollowsTheProgrammedCoordinateWhereTheSetupSaysSo) {
-  const std::string work =
-      "rotary_angles = \"programmed\"\n" + machine(2, 6, 3, 5, 2) + "[workpiece.G55]\nB = 30\n";
+  const std::string work = "rotary_angles = \"programmed\"\n" + machine(2, 6, 3, 5, 2) + "[workpiece.G55]\nB = 30\n";
   EXPECT_EQ(axis(work, "B30.\nG55\nX1.\n"), "0 0 1");
   EXPECT_EQ(axis(work, "B30.\nG55\nG43.5\n"), "0 0 1");
   EXPECT_EQ(axis(work, "B30.\nG92 B0\nX1.\n"), "0 0 1");

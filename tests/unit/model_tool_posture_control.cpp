@@ -45,7 +45,7 @@ TEST(ModelToolPosture, Ex3OnAHead) {
 TEST(ModelToolPosture, Ex3Conventional) {
   const PostureMachine hc(kHC);
   const Pose start{pyramid(), 135};
-  const PosturePlan plan = hc.posture.conventional(hc.frame, {start, hc.direction(start), edge(-1, -1), {}});
+  const PosturePlan plan = hc.posture.conventional(hc.frame, {start, hc.direction(start), edge(-1, -1), {}, {}});
   EXPECT_EQ(text(plan.end), "35.2643896827547 225");
   EXPECT_EQ(text(plan.motion->at(Rational(1, 4)).tool), "-0.533402096794177 0.220942382690395 0.816496580927726");
   EXPECT_EQ(text(plan.motion->at(Rational(1, 2)).tool), "-0.577350269189626 0 0.816496580927726");
@@ -329,9 +329,9 @@ TEST(ModelToolPosture, Type1InAFrameAtAnyPose) {
 TEST(ModelToolPosture, TheSameDirectionStands) {
   const PostureMachine tac(kTAC, {pyramid(), Angle::of_direction(3, sqrt(Real(7)))});
   const PosturePlan first =
-      tac.posture.conventional(tac.frame, {Pose{0, 0}, tac.direction({0, 0}), Direction::of({1, 2, 3}), {}});
+      tac.posture.conventional(tac.frame, {Pose{0, 0}, tac.direction({0, 0}), Direction::of({1, 2, 3}), {}, {}});
   const PosturePlan again =
-      tac.posture.conventional(tac.frame, {first.end, Direction::of({1, 2, 3}), Direction::of({2, 4, 6}), {}});
+      tac.posture.conventional(tac.frame, {first.end, Direction::of({1, 2, 3}), Direction::of({2, 4, 6}), {}, {}});
   EXPECT_TRUE(again.end == first.end);
 }
 
