@@ -202,7 +202,7 @@ TEST(ToolPostureVectors, Rules) {
       {"Type 1 from upright to B 200", {"1 programmed", "2 posture-branch", "2 programmed B=200 C=0"}},
       {"Type 1 from B 30", {"1 programmed", "2 posture-branch", "2 programmed B=-30 C=90"}},
       {"Type 1 across", {"1 programmed", "2 t=1/2 B=0 C=0 k=1", "2 programmed B=-30 C=0"}},
-      {"A nutating B",
+      {"A nutating B on its edge of reach, from Y",
        {"1 programmed B=180 C=0 j=1", "2 t=1/2 B=180 C=-45 i=" + half + " j=" + half, "2 programmed B=180 C=-90 i=1"}},
       // In the middle, by angles of an independent computation: (1 + cos B)/2 is cos 45, C as far as its azimuth
       // from 90.
