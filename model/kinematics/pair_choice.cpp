@@ -115,7 +115,12 @@ PairChoice::Targets PairChoice::standing(const Axis& axis, const Angle& present)
 }
 
 bool PairChoice::are_alike(const Axis& axis, const Angle& about) const {
-  return axis.position == &Pose::tool && about.is_rational() && branch_quantity(machine_, about).sign() == Sign::zero;
+  if (axis.position != &Pose::tool) return false;
+  try {
+    return branch_quantity(machine_, about).sign() == Sign::zero;
+  } catch (const exact::Undecided&) {
+    return false;
+  }
 }
 
 // By half turns first, which only a range can tell apart; within one half turn the cosine falls, within the next it

@@ -291,6 +291,14 @@ TEST(ModelToolCenterPoint, ZerosThatAreKnown) {
       "B180.\nG43.5 H1 P1 Q2\nG03 Z-1012.113 Y-277.8303 R49.5659 I1. J-1. K2.\n"));
 }
 
+// The same from a singular position of 1.012, an angle that is known by its cosine and sine.
+TEST(ModelToolCenterPoint, MovesFromASingularPositionAreAlike) {
+  const auto done =
+      run(setup("19680 = 12\n19681 = 4\n19682 = 1\n19684 = 1\n19686 = 6\n19687 = 3\n19689 = 1\n19698 = -1.012\n"),
+          "G43.5 H1 P1 Q-2\nG01 X-20. Y0.706 Z39.994 F1\nI0 K1\nG43.5 Q2.\nX-14.803 Y1.967 Z-15.006 K1\n");
+  EXPECT_EQ(done.events().back().kind, spec::EventKind::move);
+}
+
 // Point and axes belong together: the point is where the tip is when the table has turned, the programmed end its name
 // at the start of the block, or at its end.
 TEST(ModelToolCenterPoint, PointsAroundTurnsOfTheTable) {
