@@ -24,9 +24,27 @@ bool moves(const model::Event& event) { return event.kind == spec::EventKind::mo
 
 }  // namespace
 
+RotaryZeros::RotaryZeros(const spec::Setup& setup, const std::optional<RotaryMachine>& machine)
+    : counts_(machine && setup.rotary_angles == spec::RotaryAngles::machine) {
+  if (!counts_) return;
+  axis_ = {machine->tool, machine->work};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (axis_.at(i) == spec::Axes::kNone) continue;
+    const auto found = setup.workpiece.front().find(setup.axes.letter(axis_.at(i)));
+    if (found != setup.workpiece.front().end()) zero_.at(i) = approximate(found->second);
+  }
+}
+
+void RotaryZeros::follow(const model::Event& event) {
+  for (std::size_t i = 0; counts_ && i < 2; ++i)
+    if (const std::size_t axis = axis_.at(i); event.machine.has(axis) && event.axes.has(axis))
+      zero_.at(i) = approximate(event.machine[axis]) - approximate(event.axes[axis]);
+}
+
 PoseErrors::PoseErrors(const spec::Setup& setup, const ProgramFacts* facts)
     : axes_(setup.axes),
       machine_(RotaryMachine::of(setup)),
+      zeros_(setup, machine_),
       index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
       facts_(facts) {}
 
@@ -103,8 +121,12 @@ void PoseErrors::rotary(std::span<const model::Event> window, PoseScale& scale) 
     if (sample && end != window.end() && end->axes.has(i))
       largest = std::max(largest, std::fabs(approximate(end->axes[i])));
     if (sample) scale.rotary.at(i) = policy::ulp(largest);
-    if (machine_ && (i == machine_->tool || i == machine_->work))
-      scale.rotary.at(i) += policy::ulp(1) * kDegreesPerRadian;
+    if (!machine_ || (i != machine_->tool && i != machine_->work)) continue;
+    scale.rotary.at(i) += policy::ulp(1) * kDegreesPerRadian;
+    // A position is rounded as the angle that it is made of.
+    const double zero = i == machine_->tool ? zeros_.tool() : zeros_.work();
+    const model::Event& event = window.front();
+    if (zero != 0 && event.axes.has(i)) scale.rotary.at(i) += policy::ulp(approximate(event.axes[i]) + zero);
   }
 }
 
@@ -117,6 +139,7 @@ PoseScale PoseErrors::next(std::span<const model::Event> window) {
     return scale;
   }
   if (!moves(event)) return scale;
+  zeros_.follow(event);
   before_ = end(event);
   axes_before_ = event.axes;
   scale.direction = before_.error;
@@ -129,7 +152,8 @@ void PositionErrors::follow(const model::Event& event) {
   // In a block of which no move is given, an alarm say, positions are those of the block before.
   double& worst = of_line_.try_emplace(event.line, before_).first->second;
   if (!moves(event) || !event.axes.has(machine_->tool)) return;
-  const Posture posture(*machine_, approximate(event.axes[machine_->tool]));
+  zeros_.follow(event);
+  const Posture posture(*machine_, approximate(event.axes[machine_->tool]) + zeros_.tool());
   const double e = policy::ulp(1);
   before_ = posture.singular ? 1 : std::max(posture.tool_error(e), posture.work_error(e)) / e;
   worst = std::max(worst, before_);

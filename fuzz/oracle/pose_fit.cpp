@@ -5,6 +5,7 @@
 
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
+#include "model/program/number.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -60,7 +61,13 @@ PoseFit<Number>::PoseFit(const Rules& rules, const spec::Setup& setup, const Pro
     : rules_(rules),
       facts_(facts),
       index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
-      estimate_(RotaryMachine::of(setup)) {
+      estimate_(RotaryMachine::of(setup)),
+      mechanical_(setup.rotary_angles == spec::RotaryAngles::machine) {
+  for (std::size_t i = 0; i < setup.axes.size(); ++i) {
+    const auto found = setup.workpiece.front().find(setup.axes.letter(i));
+    if (found != setup.workpiece.front().end() && spec::is_rotary_axis(setup.axes.letter(i)))
+      zero_.at(i) = model::plain(found->second);
+  }
   if (!estimate_) return;
   machine_.emplace(setup);
   in_workpiece_ = machine_->programs_workpiece() && machine_->type() != model::MachineType::head;
@@ -98,6 +105,12 @@ PoseFit<Number>::Off PoseFit<Number>::off(const model::Event& expected, const sp
     return turn.axis ? signed_distance(expected.axes[*turn.axis], actual.axes[*turn.axis]) : 0;
   };
   return {of_axis(machine_->tool_side()), of_axis(machine_->work_side())};
+}
+
+template <class Number>
+void PoseFit<Number>::find_zeros(const model::Event& event) {
+  for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
+    if (event.machine.has(i) && event.axes.has(i)) zero_.at(i) = middle(event.machine[i]) - middle(event.axes[i]);
 }
 
 // The pose of the block that begins the mode freezes the programming coordinate system.
@@ -203,12 +216,13 @@ bool PoseFit<Number>::goes_as_expected(std::span<const model::Event> window, con
 template <class Number>
 std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::seen(std::span<const model::Event> window,
                                                                     const spec::Event<Number>& actual,
-                                                                    const Scale& scale) const {
+                                                                    const Scale& scale) {
   const model::Event& event = window.front();
   if (event.kind != actual.kind || (event.kind != EventKind::move && event.kind != EventKind::sample))
     return std::nullopt;
   if (!machine_) return without_kinematics(event, actual, scale);
   if (!has_positions(event, actual)) return std::nullopt;
+  find_zeros(event);
   const View at = view(event, actual);
   // In coordinates whose zero no event has said positions do not tell what the tool is.
   if (!at.controlled && length(machine_->direction(at.expected.pose()) - at.tool) > policy::kEstimateNoise)
@@ -304,9 +318,7 @@ void PoseFit<Number>::follow(const model::Event& expected, const spec::Event<Num
   if (!controlled || begins(expected)) carried_ = std::max(carried_, last_);
   last_ = 0;
   const bool axes = rules_.judges("axes");
-  for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
-    if (expected.machine.has(i) && expected.axes.has(i))
-      zero_.at(i) = middle(expected.machine[i]) - middle(expected.axes[i]);
+  find_zeros(expected);
   if (controlled && axes)
     for (const std::size_t i : index_)
       if (i != spec::Axes::kNone && expected.axes.has(i) && actual.axes.has(i) && finite(actual.axes[i]))
