@@ -42,7 +42,7 @@ class RotaryProgram {
     constexpr std::size_t normals[] = {2, 1, 0};
     normal_ = normals[which];
     if (choose_.chance(35)) switch_mode();
-    if (choose_.chance(2) && setup_.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
+    write_.units();
     if (choose_.chance(75)) {
       motion("G01");
       write_.number('F', choose_.between(1, 50) * 100 * write_.one());
@@ -247,7 +247,8 @@ class RotaryProgram {
         choose_.between(1, static_cast<std::int64_t>(std::max<std::size_t>(setup_.d.size(), 1))));
     write_.word(fmt::format("D{}", number_));
     const auto entry = setup_.d.find(number_);
-    const std::int64_t counts = entry == setup_.d.end() ? 0 : counts_of(entry->second.geometry, setup_);
+    const std::int64_t counts =
+        entry == setup_.d.end() ? 0 : write_.in_program(counts_of(entry->second.geometry, setup_));
     path_.offset(counts);
   }
 
