@@ -366,6 +366,9 @@ bool Rules::judges(std::string_view field) const {
 template <class Number>
 std::optional<Difference> compare(const Rules& rules, const model::Event& expected, const Scale& scale,
                                   const spec::Event<Number>& actual, Tally& tally) {
+  ++tally.events;
+  if (tally.scope_left) ++tally.out_of_scope;
+  tally.scope_left = tally.scope_left || expected.out_of_scope;
   return Comparison<Number>(rules, expected, scale, actual, tally).run();
 }
 template std::optional<Difference> compare(const Rules&, const model::Event&, const Scale&, const spec::Event<double>&,

@@ -81,7 +81,10 @@ Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramF
         result.undecided = true;
         return result;
       }
-      if (!std::is_same_v<Number, double>) return result;
+      if (!std::is_same_v<Number, double>) {
+        if (expected[i].out_of_scope) result.tally.out_of_scope = expected.size() - i - 1;
+        return result;
+      }
     }
     if (i >= expected.size()) {
       result.difference = unpaired(expected, actual, i, "extra event");
@@ -312,6 +315,8 @@ class Judge {
   static void take(Verdict& v, const Tally& tally) {
     v.values = tally.values;
     v.numbers = tally.numbers;
+    v.events = tally.events;
+    v.out_of_scope = tally.out_of_scope;
     v.worst_ulp = tally.worst_ulp;
     v.worst_um = tally.worst_um;
   }

@@ -238,6 +238,8 @@ TEST(Comparator, AcceptsTheSameEvents) {
   // and the numbers of a warning and an alarm.
   EXPECT_EQ(v.values, 14U + 14U + 16U + 10U + 3U);
   EXPECT_EQ(v.numbers, v.values - 2);
+  EXPECT_EQ(v.events, 7U);
+  EXPECT_EQ(v.out_of_scope, 0U);
   EXPECT_EQ(v.worst_ulp, 0);
 }
 

@@ -258,6 +258,38 @@ TEST(SpaceEvents, AControllerIsNotJudgedBehindWhatIsOutOfScope) {
   EXPECT_EQ(judge(plain_case(), run, none).outcome, Outcome::nothing_judged);
 }
 
+// Of a face move, an OUT_OF_SCOPE and a face move the engine is judged in all three, a controller in the first.
+TEST(SpaceEvents, WhatStandsBehindAnOutOfScopeEventIsCounted) {
+  const Verdict engine = verdict(events<double>());
+  EXPECT_EQ(engine.events, 3U);
+  EXPECT_EQ(engine.out_of_scope, 1U);
+  ModelRun run;
+  run.events = events<Real>();
+  const std::vector<spec::TextEvent> texts = {certify::in_text(face<Real>(), 30)};
+  const Verdict controller = judge(plain_case(), run, texts);
+  EXPECT_EQ(controller.events, 1U);
+  EXPECT_EQ(controller.out_of_scope, 1U);
+  // A second one changes nothing: the last three stand behind the first.
+  run.events.push_back(run.events[1]);
+  run.events.push_back(run.events[2]);
+  std::vector<fast::Event> actual = events<double>();
+  actual.push_back(fast::Event(actual[1]));
+  actual.push_back(fast::Event(actual[2]));
+  EXPECT_EQ(judge(plain_case(), run, actual).events, 5U);
+  EXPECT_EQ(judge(plain_case(), run, actual).out_of_scope, 3U);
+}
+
+// An event without a partner is none that was judged.
+TEST(SpaceEvents, EventsAreCountedInPairs) {
+  std::vector<fast::Event> actual = events<double>();
+  actual.pop_back();
+  EXPECT_EQ(verdict(actual).events, 2U);
+  EXPECT_EQ(verdict(actual).out_of_scope, 0U);
+  actual = events<double>();
+  actual.push_back(fast::Event(actual[0]));
+  EXPECT_EQ(verdict(actual).events, 3U);
+}
+
 Scale scale_of(const model::Event& event, spec::Setup setup) {
   setup.control = spec::Control::heidenhain;
   Conditions conditions(setup);

@@ -28,6 +28,8 @@ TEST(Streams, GiveTheVerdictOfTheWholeCase) {
       EXPECT_EQ(v.outcome, whole.verdict.outcome) << encode(c);
       if (v.outcome != Outcome::agrees) continue;
       EXPECT_EQ(v.values, whole.verdict.values) << encode(c);
+      EXPECT_EQ(v.events, whole.verdict.events) << encode(c);
+      EXPECT_EQ(v.out_of_scope, whole.verdict.out_of_scope) << encode(c);
       EXPECT_EQ(v.decisions, whole.verdict.decisions) << encode(c);
       EXPECT_EQ(v.near_ties, whole.verdict.near_ties) << encode(c);
     }
@@ -71,6 +73,18 @@ TEST(Streams, NoticeAnEventTooManyAtTheEnd) {
   fast::active_fault = fast::Fault::none;
   ASSERT_EQ(v.outcome, Outcome::differs);
   EXPECT_EQ(v.difference->kind, "extra event");
+}
+
+// A move without side, OUT_OF_SCOPE (RL without M128), two moves.
+TEST(Streams, CountWhatStandsBehindAnOutOfScopeEvent) {
+  spec::Setup setup;
+  setup.control = spec::Control::heidenhain;
+  setup.tools.emplace_back().number = 10;
+  const Verdict v =
+      judge_stream({[] { return spec::text_source("TOOL CALL 1 Z\nL X+1 R0\nL X+2 RL\nL X+3 R0\nL X+4\n"); }}, setup);
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  EXPECT_EQ(v.events, 4U);
+  EXPECT_EQ(v.out_of_scope, 2U);
 }
 
 // Blocks in changing directions, made as they are read.
