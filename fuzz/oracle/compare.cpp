@@ -39,6 +39,11 @@ constexpr double kHalfTurn = 180;  // degrees
 
 std::string text_of(const std::optional<std::uint64_t>& n) { return n ? fmt::format("{}", *n) : "none"; }
 
+// What a number measures.
+enum class Measure : std::uint8_t { length, angle, direction, other };
+
+constexpr double kRadiansPerDegree = 0.017453292519943295;
+
 // Names a field; text is made only for a difference.
 struct Path {
   std::string_view field;
@@ -141,7 +146,8 @@ class Comparison {
     if (e == nullptr) return false;
     for (int i = 0; i < 3; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      if (number("normal", {"normal", 0, i}, e->normal[at], a->normal[at], rules_.budget().tool_axis, policy::ulp(1)))
+      if (number("normal", {"normal", 0, i}, e->normal[at], a->normal[at], rules_.budget().tool_axis, policy::ulp(1),
+                 Measure::direction))
         return true;
     }
     return false;
@@ -150,7 +156,8 @@ class Comparison {
   bool angle(const spec::Contact<Real>* e, const spec::Contact<Number>* a) {
     const bool expected = e != nullptr && e->angle;
     if (!rules_.judges("angle") || absent({"angle"}, expected, a != nullptr && a->angle)) return found_;
-    return expected && number("angle", {"angle"}, *e->angle, *a->angle, rules_.budget().sweep, policy::ulp(kHalfTurn));
+    return expected && number("angle", {"angle"}, *e->angle, *a->angle, rules_.budget().sweep, policy::ulp(kHalfTurn),
+                              Measure::angle);
   }
 
   bool flat(const spec::Contact<Real>* e, const spec::Contact<Number>* a) {
@@ -184,7 +191,7 @@ class Comparison {
     for (int i = 0; i < 3; ++i) {
       const auto at = static_cast<std::size_t>(i);
       if (number("tool axis", {"tool_axis", 0, i}, (*expected_.tool_axis)[at], (*actual_.tool_axis)[at],
-                 rules_.budget().tool_axis, std::max(policy::ulp(1), scale_.pose.direction)))
+                 rules_.budget().tool_axis, std::max(policy::ulp(1), scale_.pose.direction), Measure::direction))
         return true;
     }
     return false;
@@ -212,9 +219,13 @@ class Comparison {
     if (rules_.judges("sweep")) {
       constexpr double degrees = 57.29577951308232;  // in a radian
       const double unit = policy::ulp(360) + degrees * scale_.turn;
-      if (rules_.budget().sweep * unit >= policy::kUnknownSweep) return false;
+      if (rules_.budget().sweep * unit >= policy::kUnknownSweep) {
+        if (expected_.arc->sweep) ++tally_.wide;
+        return false;
+      }
       if (absent({"sweep"}, e.sweep.has_value(), a.sweep.has_value())) return true;
-      if (e.sweep && number("sweep", {"sweep"}, *e.sweep, *a.sweep, rules_.budget().sweep, unit)) return true;
+      if (e.sweep && number("sweep", {"sweep"}, *e.sweep, *a.sweep, rules_.budget().sweep, unit, Measure::angle))
+        return true;
     }
     return false;
   }
@@ -235,9 +246,9 @@ class Comparison {
       const Path path{field, letter};
       if (absent(path, e.has(i), a.has(i))) return true;
       const bool linear = spec::is_linear_axis(letter);
-      if (linear ? number("coordinate", path, e[i], a[i], rules_.budget().coordinate, length_unit(error) + more, true)
+      if (linear ? number("coordinate", path, e[i], a[i], rules_.budget().coordinate, length_unit(error) + more, Measure::length)
                  : number("coordinate", path, e[i], a[i], rules_.budget().rotary,
-                          policy::ulp(rotary_scale(e, i)) + scale_.pose.rotary.at(i)))
+                          policy::ulp(rotary_scale(e, i)) + scale_.pose.rotary.at(i), Measure::angle))
         return true;
     }
     return false;
@@ -255,7 +266,7 @@ class Comparison {
   }
 
   bool length(const Path& path, const Real& e, const Number& a, double error = 0) {
-    return number("coordinate", path, e, a, rules_.budget().coordinate, length_unit(error), true);
+    return number("coordinate", path, e, a, rules_.budget().coordinate, length_unit(error), Measure::length);
   }
 
   // Whether the two radii of an arc are so near that they may as well be one.
@@ -280,11 +291,33 @@ class Comparison {
     return number(kind, path, e, a, 0);
   }
 
+  // In micrometres.
+  [[nodiscard]] double moves(double width, Measure measure) const {
+    switch (measure) {
+      case Measure::length:
+        return width * rules_.um_per_unit();
+      case Measure::angle:
+        return width * kRadiansPerDegree * policy::kMicrometresAtOneMetre;
+      case Measure::direction:
+        return width * policy::kMicrometresAtOneMetre;
+      case Measure::other:
+        return 0;
+    }
+    return 0;
+  }
+
   // k·unit (and the controller's resolution) around the enclosure.
   bool number(std::string_view kind, const Path& path, const Real& e, const Number& a, double k, double unit = 0,
-              bool linear = false) {
-    ++tally_.values;
-    ++tally_.numbers;
+              Measure measure = Measure::other) {
+    const double granted = moves(k * unit, measure);
+    if (measure != Measure::other) tally_.widths.add(granted);
+    if (granted > rules_.cap_um()) {
+      ++tally_.wide;
+    } else {
+      ++tally_.values;
+      ++tally_.numbers;
+    }
+    const bool linear = measure == Measure::length;
     const double distance = outside(e, a);
     if (distance == 0) return false;
     if (unit > 0) tally_.worst_ulp = std::max(tally_.worst_ulp, distance / unit);

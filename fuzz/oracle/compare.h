@@ -1,12 +1,14 @@
 // One expected event against one actual event, by the policy table.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
 #include "fuzz/oracle/condition.h"
 #include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/verdict.h"
+#include "fuzz/oracle/widths.h"
 
 namespace toolcomp::fuzz {
 
@@ -27,6 +29,8 @@ class Rules {
   // Whether the other outcomes of a decision are permitted, with this relative half width of a near tie.
   [[nodiscard]] bool is_near_tie(const model::Decision& decision, double band, const PositionErrors& positions) const;
   [[nodiscard]] double um_per_unit() const { return um_per_unit_; }
+  // In micrometres: a value that is granted more is not judged.
+  [[nodiscard]] double cap_um() const { return std::max(policy::kCap, resolution_ * um_per_unit_); }
 
  private:
   policy::Budget budget_;
@@ -43,8 +47,10 @@ struct Tally {
   std::uint64_t events = 0;
   std::uint64_t out_of_scope = 0;  // of the model's events, those behind one of reason OUT_OF_SCOPE
   bool scope_left = false;         // such an event was there
+  std::uint64_t wide = 0;
   double worst_ulp = 0;
   double worst_um = 0;
+  Widths widths;
 };
 
 // The first difference between the two, or nothing. `Number` is double or exact::Rational.

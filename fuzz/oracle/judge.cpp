@@ -317,6 +317,8 @@ class Judge {
     v.numbers = tally.numbers;
     v.events = tally.events;
     v.out_of_scope = tally.out_of_scope;
+    v.wide = tally.wide;
+    v.widths = tally.widths;
     v.worst_ulp = tally.worst_ulp;
     v.worst_um = tally.worst_um;
   }

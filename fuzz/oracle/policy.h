@@ -95,6 +95,13 @@ constexpr const Budget& budget(std::string_view section) {
   return kAnySection;
 }
 
+// Micrometres: a value that is granted more than this beside the announced resolution (or more than the resolution, where
+// that is larger) was not judged. An angle, or a component of a unit vector, counts as what it moves at one metre. Such
+// values are counted apart, and where they are more than this share nothing simply conforms.
+inline constexpr double kCap = 1;
+inline constexpr double kMostWide = 0.01;
+inline constexpr double kMicrometresAtOneMetre = 1e6;  // of a radian
+
 // Degrees: a sweep with an error of this size is not judged.
 inline constexpr double kUnknownSweep = 90;
 
