@@ -74,6 +74,7 @@ spec::Case generate_with_slip(std::string_view section, ChoiceSource& source) {
   spec::Case c = generate(section, Mode::directed, source);
   Choices choose(source);
   slip(choose, c);
+  if (!choose.chance(kFaultsAnywhere)) put_fault_last(c);
   return c;
 }
 
