@@ -217,6 +217,18 @@ void PostureMotion::prepare_meridian() {
     set(1, 0);
 }
 
+// The azimuth from the start is as badly known as that of the start, which near the work-side axis is hardly at all; the
+// turn of the work-side axis itself is known well wherever the tool is. Between them lie a few roundings of the former.
+void PostureMotion::settle(PostureSample& sample) {
+  constexpr double kDegrees = 0x1.ca5dc1a63c1f8p+5;
+  const std::size_t w = machine_->work_side();
+  const SineCosine<double>& turn = sample.turns[w];
+  const SineCosine<double> at = sine_cosine(sample.degrees[w]);
+  const double off = (turn.sine * at.cosine - turn.cosine * at.sine) * kDegrees;
+  sample.degrees[w] += off;
+  psi_and_work_[1] += machine_->sense(w) * off;
+}
+
 [[gnu::always_inline]] inline void PostureMotion::circle_at(const Vector3<double>& seen, PostureSample& sample) {
   const PolarFrame& polar = machine_->polar();
   const Frame& c = polar.constants();
@@ -240,7 +252,8 @@ void PostureMotion::prepare_meridian() {
   }
   const DoublePair sine{branch_ * width, work.sine};
   const DoublePair cosine{cos_psi, work.cosine};
-  if (!follow(sine, cosine)) [[unlikely]] {
+  const bool led_on = follow(sine, cosine);
+  if (!led_on) [[unlikely]] {
     const DoublePair angles = arctangent(DoublePair{width, cross(start_heading_, heading)},
                                          DoublePair{cos_psi, dot(start_heading_, heading)});
     const double swung = polar.orthogonal() ? 0 : arctangent(cross(start_lean_, leaned), dot(start_lean_, leaned));
@@ -248,6 +261,8 @@ void PostureMotion::prepare_meridian() {
     psi_and_work_ = DoublePair{branch_ * angles[0], about(angles[1], 90.0 * azimuth_) - swung};
   }
   set_angles(sine, cosine, sample);
+  if (!led_on) [[unlikely]]
+    settle(sample);
 }
 
 void PostureMotion::at(std::uint32_t numerator, std::uint32_t denominator, PostureSample& sample) {
@@ -341,13 +356,16 @@ void PostureMotion::meridian_at(const Vector3<double>& seen, PostureSample& samp
   const double n = std::sqrt(dot(leaned, leaned));
   const DoublePair sine{sin_psi, cross(leaned, start_heading_) / n};
   const DoublePair cosine{cos_psi, dot(leaned, start_heading_) / n};
-  if (!follow(sine, cosine)) [[unlikely]] {
+  const bool led_on = follow(sine, cosine);
+  if (!led_on) [[unlikely]] {
     const DoublePair angles =
         arctangent(DoublePair{sin_psi, cross(start_lean_, leaned)}, DoublePair{cos_psi, dot(start_lean_, leaned)});
     // Behind -u_w psi goes on beyond 180.
     psi_and_work_ = DoublePair{pole_ < 0 ? about(angles[0], 180 * branch_) : angles[0], -angles[1]};
   }
   set_angles(sine, cosine, sample);
+  if (!led_on) [[unlikely]]
+    settle(sample);
 }
 
 }  // namespace toolcomp::fast

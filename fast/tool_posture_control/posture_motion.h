@@ -59,6 +59,8 @@ class PostureMotion {
   // The way of both positions from one sample to the next, linear.
   void set_steps(DoublePair degrees);
   void set_angles(DoublePair sine, DoublePair cosine, PostureSample& sample) const;
+  // Brings the work-side position of a sample, and those led on from it, to its turn.
+  void settle(PostureSample& sample);
   struct OnMeridian {
     double sin_psi;
     Vector2<double> lean;

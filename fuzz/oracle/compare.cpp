@@ -112,10 +112,8 @@ class Comparison {
   bool move() {
     return named("cause", expected_.cause, actual_.cause) || named("type", expected_.type, actual_.type) ||
            table("programmed", expected_.programmed, actual_.programmed) ||
-           table("point", expected_.point, actual_.point) ||
-           table("axes", expected_.axes, actual_.axes, scale_.pose.control_point) ||
-           table("machine", expected_.machine, actual_.machine, scale_.pose.control_point) || tool_axis() || space() ||
-           arc() || feed();
+           table("point", expected_.point, actual_.point) || table("axes", expected_.axes, actual_.axes) ||
+           table("machine", expected_.machine, actual_.machine) || tool_axis() || space() || arc() || feed();
   }
 
   // 3D tool compensation. Fields that only one of the two has are judged one by one.
@@ -173,8 +171,8 @@ class Comparison {
       return differ("sample", "t", fmt::format("{}/{}", expected_.t_numerator, expected_.t_denominator),
                     fmt::format("{}/{}", actual_.t_numerator, actual_.t_denominator));
     const double start = scale_.start;
-    return table("point", expected_.point, actual_.point, 0, start) ||
-           table("axes", expected_.axes, actual_.axes, scale_.pose.control_point, start) || tool_axis();
+    return table("point", expected_.point, actual_.point, start) ||
+           table("axes", expected_.axes, actual_.axes, start) || tool_axis();
   }
 
   bool setting() {
@@ -235,10 +233,9 @@ class Comparison {
     return expected_.feed && converted("feed", {"feed"}, *expected_.feed, *actual_.feed);
   }
 
-  // `more`: what lengths may be off k of beside the usual; `error` as in length_unit. A rotary axis of the machine is
-  // the sum of its position and an origin.
+  // `error` as in length_unit. A rotary axis of the machine is the sum of its position and an origin.
   bool table(std::string_view field, const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a,
-             double more = 0, double error = 0) {
+             double error = 0) {
     if (!rules_.judges(field)) return false;
     for (std::size_t i = 0; i < rules_.axes().size(); ++i) {
       const char letter = rules_.axes().letter(i);
@@ -246,9 +243,10 @@ class Comparison {
       const Path path{field, letter};
       if (absent(path, e.has(i), a.has(i))) return true;
       const bool linear = spec::is_linear_axis(letter);
-      if (linear ? number("coordinate", path, e[i], a[i], rules_.budget().coordinate, length_unit(error) + more, Measure::length)
-                 : number("coordinate", path, e[i], a[i], rules_.budget().rotary,
-                          policy::ulp(rotary_scale(e, i)) + scale_.pose.rotary.at(i), Measure::angle))
+      if (linear
+              ? number("coordinate", path, e[i], a[i], rules_.budget().coordinate, length_unit(error), Measure::length)
+              : number("coordinate", path, e[i], a[i], rules_.budget().rotary,
+                       policy::ulp(rotary_scale(e, i)) + scale_.pose.rotary.at(i), Measure::angle))
         return true;
     }
     return false;
@@ -382,7 +380,8 @@ void Rules::units(spec::Units units) {
 
 bool Rules::is_near_tie(const model::Decision& decision, double band, const PositionErrors& positions) const {
   if (policy::compares_positions(decision.clause))
-    band = std::max(band, std::min(band * positions.at(decision.line), policy::kWidestBand));
+    band = std::max(
+        {band, std::min(band * positions.at(decision.line), policy::kWidestBand), positions.deviation(decision.line)});
   const bool square = resolution_ == 0 && policy::is_square(decision.clause);
   if (margin(decision) > (square ? band * band : band)) return false;
   if (resolution_ > 0 || !policy::compares_exactly(decision.clause) || compares_angles(decision)) return true;

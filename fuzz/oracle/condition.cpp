@@ -121,13 +121,13 @@ Scale Conditions::sample(std::span<const model::Event> window, Scale scale) {
   scale.vector = of_move_->vector;
   scale.condition = of_move_->condition;
   scale.start = condition_ * policy::ulp(length(vector_));
-  scale.pose = pose_.next(window, scale.position);
+  scale.pose = pose_.next(window);
   return scale;
 }
 
 Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
   const model::Event& event = window.front();
-  scale.pose = pose_.next(window, scale.position);
+  scale.pose = pose_.next(window);
   const Vector at = vector(event.programmed);
   const Vector point = vector(event.point);
   if (event.cause == spec::Cause::start_up) {

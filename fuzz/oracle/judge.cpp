@@ -10,6 +10,7 @@
 
 #include "fuzz/oracle/compare.h"
 #include "fuzz/oracle/number.h"
+#include "fuzz/oracle/pairing.h"
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::fuzz {
@@ -25,6 +26,7 @@ struct Agreement {
   std::optional<Difference> difference;
   bool undecided = false;  // the run itself ends undecided, and everything before agrees
   Tally tally;
+  std::vector<Deviation> deviations;  // of rotary positions
 };
 
 // Whether two events agree out of their places, without a trace in the tally.
@@ -73,7 +75,7 @@ template <class Number>
 Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramFacts& facts,
                     const std::vector<model::Event>& expected, std::span<const spec::Event<Number>> actual) {
   Agreement result;
-  Conditions conditions(setup, &facts);
+  Pairing<Number> pairing(rules, setup, &facts);
   for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
     if (i < expected.size() && expected[i].kind == EventKind::undecided) {
       // What the specification leaves open an engine of ours says too; of a controller nothing is judged from here on.
@@ -91,15 +93,15 @@ Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramF
     } else if (i >= actual.size()) {
       result.difference = unpaired(expected, actual, i, "missing event");
     } else {
-      const Scale scale = conditions.next(std::span(expected).subspan(i));
-      result.difference = compare(rules, expected[i], scale, actual[i], result.tally);
+      result.difference = pairing.next(std::span(expected).subspan(i), actual[i], result.tally);
       if (result.difference) result.difference = name_difference(rules, setup, expected, actual, i, *result.difference);
     }
     if (result.difference) {
       result.difference->event = i;
-      return result;
+      break;
     }
   }
+  result.deviations = pairing.deviations();
   return result;
 }
 
@@ -138,7 +140,7 @@ class Judge {
   Verdict verdict(const ModelRun& run) {
     Verdict v;
     v.decisions = run.recorder.decision_count();
-    v.near_ties = near_ties(run, {}).size();
+    v.near_ties = near_ties(run, {}, {}).size();
     Agreement first = compared(run);
     if (first.undecided) return undecided(v, first, "the model could not decide this case");
     if (!first.difference) return agrees(v, first);
@@ -182,10 +184,12 @@ class Judge {
   };
 
   // Indices of the decisions inside their band and not forced yet.
-  std::vector<std::size_t> near_ties(const ModelRun& run, const Forced& forced) const {
+  std::vector<std::size_t> near_ties(const ModelRun& run, const Forced& forced,
+                                     std::span<const Deviation> deviations) const {
     std::vector<std::size_t> result;
     const auto& decisions = run.recorder.decisions();
     PositionErrors positions(case_.setup);
+    positions.deviate(deviations);
     for (const model::Event& event : run.events) positions.follow(event);
     for (std::size_t i = 0; i < decisions.size(); ++i) {
       if (forced.contains(i)) continue;
@@ -198,9 +202,9 @@ class Judge {
     return result;
   }
 
-  Node node(const ModelRun& run, Forced forced, Difference difference) const {
-    Node n{std::move(forced), {}, std::move(difference), {}, {}};
-    n.decisions = near_ties(run, n.forced);
+  Node node(const ModelRun& run, Forced forced, const Agreement& at) const {
+    Node n{std::move(forced), {}, *at.difference, {}, {}};
+    n.decisions = near_ties(run, n.forced, at.deviations);
     const auto& all = run.recorder.decisions();
     for (const auto& [index, outcome] : n.forced) n.places.push_back(place(run, index));
     const auto distance = [&](std::size_t i) {
@@ -273,7 +277,7 @@ class Judge {
     std::priority_queue<Node, std::vector<Node>, Later> open;
     std::set<Forced> seen;
     std::size_t forks = 0;
-    open.push(node(run, {}, original));
+    open.push(node(run, {}, first));
     while (!open.empty()) {
       const Node parent = open.top();
       open.pop();
@@ -292,7 +296,7 @@ class Judge {
             return agrees(v, a);
           }
           const bool changes = worth_following(*a.difference, parent.difference);
-          Node child = node(*fork, *std::move(forced), *std::move(a.difference));
+          Node child = node(*fork, *std::move(forced), a);
           if (!changes) keep_questions_after(child, *fork, parent.decisions[d]);
           if (!child.decisions.empty()) open.push(std::move(child));
         }

@@ -6,11 +6,11 @@
 //   names of settings, which axes are present
 //   linear coordinates, centres, radii            inside the enclosure widened by
 //                                                 k · (ulp(scale) + condition · ulp(|compensation vector|))
-//   … of the axes under tool center point control … and k · (errors of the rotary positions · their radii)
-//   rotary axes                                   … by k · (ulp(value) + error of the position, pose_error.h: one that
-//                                                 is commanded has none; machine: value or axes, the larger)
-//   tool axis                                     … by k · ulp(1), inside a block and where positions are kept by
-//                                                 k · its error (pose_error.h)
+//   rotary axes                                   … by k · ulp(value) (machine: value or axes, the larger); under tool
+//                                                 center point control k · (ulp(value) + ulp(1) in degrees); or where
+//                                                 they fit (pose_fit.h), and then what follows is judged from there
+//   tool axis                                     … by k · (error of a direction: ulp(1), leant or inside a block more,
+//                                                 pose_error.h)
 //   … of 3D compensation (Heidenhain)             … and k · its error (space_scale.h); normals by k · ulp(1), contact
 //                                                 angles by k · ulp(180); flat and reason equal exactly
 //   samples: t                                    equal exactly
@@ -26,7 +26,8 @@
 //   a decision by sign                            as the exact sign; the other outcomes are permitted where
 //                                                 |quantity| <= band · scale and the model yields finite vectors for
 //                                                 them
-//   … of rotary positions                         … |quantity| <= band · scale · the larger error of the positions
+//   … of rotary positions                         … |quantity| <= band · scale · the larger error of the positions, at
+//                                                 most kWidestBand; or what the controller's own lie off
 //   … whose quantity is a square                  … |quantity| <= band² · scale
 //   … where a clause compares sums of decimals    an exact tie goes as the clause says: no outcome but that one
 //   (kExactComparisons)                           (numbers finer than a controller's resolution excepted)
@@ -95,9 +96,9 @@ constexpr const Budget& budget(std::string_view section) {
   return kAnySection;
 }
 
-// Micrometres: a value that is granted more than this beside the announced resolution (or more than the resolution, where
-// that is larger) was not judged. An angle, or a component of a unit vector, counts as what it moves at one metre. Such
-// values are counted apart, and where they are more than this share nothing simply conforms.
+// Micrometres: a value that is granted more than this beside the announced resolution (or more than the resolution,
+// where that is larger) was not judged. An angle, or a component of a unit vector, counts as what it moves at one
+// metre. Such values are counted apart, and where they are more than this share nothing simply conforms.
 inline constexpr double kCap = 1;
 inline constexpr double kMostWide = 0.01;
 inline constexpr double kMicrometresAtOneMetre = 1e6;  // of a radian

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <iterator>
 
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
@@ -20,16 +20,6 @@ Space product(const Space& a, const Space& b) {
 Space sum(const Space& a, const Space& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Space difference(const Space& a, const Space& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-// Whether two positions are one, as far as doubles can tell.
-bool same(double a, double b) { return std::fabs(a - b) <= policy::kSlack * (1 + std::fabs(a)); }
-
-// Whether one position comes from the other by a number a program writes: kept, or moved by G91.
-bool stepped(double from, double to) {
-  constexpr double counts = 1e5;  // least increments in a degree
-  const double step = (to - from) * counts;
-  return same(from, to) || std::fabs(step - std::round(step)) <= policy::kWholeStep;
-}
-
 bool moves(const model::Event& event) { return event.kind == spec::EventKind::move; }
 
 }  // namespace
@@ -37,159 +27,94 @@ bool moves(const model::Event& event) { return event.kind == spec::EventKind::mo
 PoseErrors::PoseErrors(const spec::Setup& setup, const ProgramFacts* facts)
     : axes_(setup.axes),
       machine_(RotaryMachine::of(setup)),
-      length_(longest_tool(setup)),
       index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
-      turning_frame_(machine_ && machine_->type != RotaryMachine::Type::head && setup.bit(19696, 5)),
       facts_(facts) {}
 
-PoseErrors::Pose PoseErrors::read(const model::Event& event) const {
-  Pose pose;
-  if (machine_ && event.axes.has(machine_->tool)) pose.tool = approximate(event.axes[machine_->tool]);
-  if (machine_ && event.axes.has(machine_->work)) pose.work = approximate(event.axes[machine_->work]);
-  if (event.tool_axis)
-    for (std::size_t i = 0; i < 3; ++i) pose.direction.at(i) = approximate((*event.tool_axis)[i]);
-  pose.point = space_of(event.point, index_);
-  return pose;
+// Where the block goes at its end: the tangent of an arc or helix, else the way of the tip.
+Space PoseErrors::travel(const model::Event& event, const Space& point) const {
+  const Space way = difference(point, before_.point);
+  if (!event.arc) return way;
+  constexpr std::array<std::size_t, 3> normals = {2, 1, 0};  // of X Y, Z X, Y Z
+  const std::size_t normal = normals.at(static_cast<std::size_t>(event.arc->plane));
+  Space axis{};
+  axis.at(normal) = event.arc->direction == spec::ArcDirection::ccw ? 1 : -1;
+  Space from_center = difference(point, space_of(event.arc->center, index_));
+  from_center.at(normal) = 0;
+  Space tangent = product(axis, from_center);
+  // The pitch over the angle swept, where that is known.
+  const double sweep = event.arc->sweep ? approximate(*event.arc->sweep) / kDegreesPerRadian : 0;
+  if (sweep > 0) tangent.at(normal) = way.at(normal) / sweep;
+  return tangent;
 }
 
 // How much more than e a direction is off that was leant by a Q word towards the travel: the plane of the two is as
 // good as their angle is large.
-double PoseErrors::leant(const Pose& pose, std::uint64_t line) const {
-  if (facts_ == nullptr) return 1;
-  const Space travel = difference(pose.point, before_.point);
-  const Space normal = product(pose.direction, travel);
+double PoseErrors::leant(const Space& direction, const Space& travel, std::uint64_t line) const {
+  const double lean = facts_ == nullptr ? 0 : facts_->lean(line);
+  const Space normal = product(direction, travel);
   const double size = norm(normal);
+  if (lean == 0 || !(norm(travel) > 0)) return 1;
+  if (!(size > 0)) return 1 / policy::kSlack;
   double worst = 1;
-  for (const auto& [since, lean] : facts_->leans()) {
-    if (since > line) break;
-    if (!(size > 0)) return 1 / policy::kSlack;
-    for (const double sign : {1.0, -1.0}) {
-      const Space about{sign * normal[0] / size, sign * normal[1] / size, sign * normal[2] / size};
-      const Space upright = rotated(pose.direction, about, -lean);
-      const double sine = std::max(norm(product(upright, travel)) / norm(travel), policy::kSlack);
-      worst = std::max(worst, 1 + std::fabs(std::sin(lean / kDegreesPerRadian)) / sine);
-    }
+  // The lean may have carried the direction past the travel.
+  for (const double sign : {1.0, -1.0}) {
+    const Space about{sign * normal[0] / size, sign * normal[1] / size, sign * normal[2] / size};
+    const Space upright = rotated(direction, about, -lean);
+    const double sine = std::max(norm(product(upright, travel)) / norm(travel), policy::kSlack);
+    worst = std::max(worst, 1 + std::fabs(std::sin(lean / kDegreesPerRadian)) / sine);
   }
   return worst;
 }
 
-PoseErrors::Pose PoseErrors::end(std::span<const model::Event> window) const {
-  Pose pose = read(window.front());
-  const std::uint64_t line = window.front().line;
-  const double own = (policy::ulp(1) + frozen_) * leant(pose, line);
-  pose.direction_error = own;
-  const bool commanded = facts_ != nullptr && !facts_->give_positions(line);
-  if (commanded || !machine_) return pose;
-  const Posture posture(*machine_, pose.tool);
-  pose.tool_error = posture.tool_error(own);
-  pose.work_error = posture.work_error(own);
-  if (posture.singular) {
-    const double sine = std::max(norm(product(before_.direction, pose.direction)), policy::kSlack);
-    pose.work_error = std::max(before_.work_error, own / sine);
-    for (const model::Event& event : window.subspan(1)) {
-      if (!moves(event) || !event.tool_axis) continue;
-      const Posture next(*machine_, read(event).tool);
-      if (next.singular) continue;
-      pose.work_error = std::max(pose.work_error, next.work_error(own));
-      break;
-    }
-  }
-  keep(pose);
-  return pose;
+PoseErrors::End PoseErrors::end(const model::Event& event) const {
+  End end;
+  if (event.tool_axis)
+    for (std::size_t i = 0; i < 3; ++i) end.direction.at(i) = approximate((*event.tool_axis)[i]);
+  end.point = space_of(event.point, index_);
+  end.error = policy::ulp(1) * leant(end.direction, travel(event, end.point), event.line);
+  return end;
 }
 
-void PoseErrors::keep(Pose& pose) const {
-  if (!machine_) return;
-  if (stepped(before_.work, pose.work)) {
-    pose.work_error = std::max(pose.work_error, before_.work_error);
-    pose.direction_error += before_.work_error * Posture(*machine_, pose.tool).polar_sine;
-  }
-  if (stepped(before_.tool, pose.tool)) {
-    pose.tool_error = std::max(pose.tool_error, before_.tool_error);
-    pose.direction_error += before_.tool_error;
-  }
-}
-
-PoseErrors::Pose PoseErrors::inside(std::span<const model::Event> window) const {
-  const model::Event& event = window.front();
-  Pose pose = read(event);
-  Pose to = before_;
-  for (std::size_t i = 1; i < window.size(); ++i)
-    if (moves(window[i])) {
-      to = end(window.subspan(i));
-      break;
-    }
+// sin((1-t)A)/sin A and sin(tA)/sin A multiply the errors of the ends, and the plane turns by them over |V + W|.
+double PoseErrors::inside(std::span<const model::Event> window) const {
+  End to = before_;
+  const auto next = std::ranges::find_if(window, moves);
+  if (next != window.end()) to = end(*next);
   // Unit vectors, or zero where no event before said one.
   const bool known = scalar(before_.direction, before_.direction) > 0 && scalar(to.direction, to.direction) > 0;
   const double bisector = known ? std::max(norm(sum(before_.direction, to.direction)), policy::kSlack) : 2;
-  const double ends = std::max({before_.direction_error, to.direction_error, policy::ulp(1)});
-  pose.direction_error = ends * (1 + 2 / bisector);
-  const double t = static_cast<double>(event.t_numerator) / static_cast<double>(event.t_denominator);
-  if (machine_) inside_of_rotary(t, to, pose);
-  return pose;
+  return std::max({before_.error, to.error, policy::ulp(1)}) * (1 + 2 / bisector);
 }
 
-void PoseErrors::inside_of_rotary(double t, const Pose& to, Pose& pose) const {
-  const Posture posture(*machine_, pose.tool);
-  pose.tool_error = posture.tool_error(pose.direction_error);
-  // Counted from the azimuth of the start.
-  const Posture start(*machine_, before_.tool);
-  const double counted = start.singular ? before_.work_error : start.work_error(before_.direction_error);
-  pose.work_error = posture.singular ? std::max(before_.work_error, to.work_error)
-                                     : std::max(counted, posture.work_error(pose.direction_error));
-  const auto linear = [t](double from, double at, double until) { return same(at, from + t * (until - from)); };
-  if (linear(before_.work, pose.work, to.work) && linear(before_.tool, pose.tool, to.tool)) {
-    const double work = std::max(before_.work_error, to.work_error);
-    const double tool = std::max(before_.tool_error, to.tool_error);
-    pose.work_error = std::max(pose.work_error, work);
-    pose.tool_error = std::max(pose.tool_error, tool);
-    pose.direction_error = std::max(pose.direction_error, work * posture.polar_sine + tool);
-  }
-  // Positions of many turns are rounded before their sines are taken.
-  const double tool_ulp = policy::ulp(std::max(std::fabs(before_.tool), std::fabs(to.tool))) / kDegreesPerRadian;
-  const double work_ulp = policy::ulp(std::max(std::fabs(before_.work), std::fabs(to.work))) / kDegreesPerRadian;
-  pose.tool_error += tool_ulp;
-  pose.work_error += work_ulp;
-  pose.direction_error += tool_ulp + work_ulp * posture.polar_sine;
-}
-
-void PoseErrors::evenly(std::span<const model::Event> window, PoseScale& scale) const {
+void PoseErrors::rotary(std::span<const model::Event> window, PoseScale& scale) const {
+  const bool sample = !moves(window.front());
   const auto end = std::ranges::find_if(window, moves);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (!spec::is_rotary_axis(axes_.letter(i)) || (machine_ && (i == machine_->tool || i == machine_->work))) continue;
+    if (!spec::is_rotary_axis(axes_.letter(i))) continue;
     double largest = 0;
-    if (axes_before_.has(i)) largest = std::fabs(approximate(axes_before_[i]));
-    if (end != window.end() && end->axes.has(i)) largest = std::max(largest, std::fabs(approximate(end->axes[i])));
-    scale.rotary.at(i) = policy::ulp(largest);
+    if (sample && axes_before_.has(i)) largest = std::fabs(approximate(axes_before_[i]));
+    if (sample && end != window.end() && end->axes.has(i))
+      largest = std::max(largest, std::fabs(approximate(end->axes[i])));
+    if (sample) scale.rotary.at(i) = policy::ulp(largest);
+    if (machine_ && (i == machine_->tool || i == machine_->work))
+      scale.rotary.at(i) += policy::ulp(1) * kDegreesPerRadian;
   }
 }
 
-PoseScale PoseErrors::scale(const Pose& pose, double length) const {
-  PoseScale s;
-  s.direction = pose.direction_error;
-  s.tip = carried_;
-  s.control_point = pose.direction_error * length_;
-  if (!machine_) return s;
-  const RotaryMachine& m = *machine_;
-  const double half_turn = std::numbers::pi;
-  if (m.tool != spec::Axes::kNone) s.rotary.at(m.tool) = std::min(pose.tool_error, half_turn) * kDegreesPerRadian;
-  if (m.work != spec::Axes::kNone) s.rotary.at(m.work) = std::min(pose.work_error, half_turn) * kDegreesPerRadian;
-  const double tool = m.length + norm(m.head);
-  if (m.type == RotaryMachine::Type::head) {
-    const Space head =
-        rotated(rotated(m.head, m.tool_line, m.tool_sense * pose.tool), m.work_line, m.work_sense * pose.work);
-    const Space step = rotated(m.head_step, m.work_line, m.work_sense * pose.work);
-    const double radius = Posture(m, pose.tool).polar_sine * m.length + norm(product(m.work_line, sum(head, step)));
-    s.control_point += pose.work_error * radius + pose.tool_error * tool;
-  } else {
-    const double radius = 3 * length + norm(m.table) + norm(m.table_step) + tool;
-    s.control_point += (pose.work_error + pose.tool_error + frozen_) * radius;
+PoseScale PoseErrors::next(std::span<const model::Event> window) {
+  const model::Event& event = window.front();
+  PoseScale scale;
+  if (event.kind == spec::EventKind::sample) {
+    scale.direction = inside(window);
+    rotary(window, scale);
+    return scale;
   }
-  if (turning_frame_) {
-    s.tip += s.control_point;
-    s.direction += pose.work_error + pose.tool_error;
-  }
-  return s;
+  if (!moves(event)) return scale;
+  before_ = end(event);
+  axes_before_ = event.axes;
+  scale.direction = before_.error;
+  if (event.tool_axis && !event.machine.empty() && event.cause != spec::Cause::reference) rotary(window, scale);
+  return scale;
 }
 
 void PositionErrors::follow(const model::Event& event) {
@@ -208,41 +133,9 @@ double PositionErrors::at(std::uint64_t line) const {
   return found == of_line_.end() ? 1 : found->second;
 }
 
-PoseScale PoseErrors::next(std::span<const model::Event> window, double length) {
-  const model::Event& event = window.front();
-  if (event.kind == spec::EventKind::sample) {
-    PoseScale s = scale(inside(window), length);
-    evenly(window, s);
-    return s;
-  }
-  if (!moves(event)) return {};
-  axes_before_ = event.axes;
-  const bool controlled = event.tool_axis && !event.machine.empty() && event.cause != spec::Cause::reference;
-  if (!controlled) {
-    if (active_) carried_ = std::max(carried_, last_);
-    active_ = false;
-    Pose pose = read(event);
-    pose.direction_error = policy::ulp(1);
-    keep(pose);
-    before_ = pose;
-    PoseScale s = scale(pose, length);
-    s.control_point = 0;
-    s.tip = carried_;
-    return s;
-  }
-  // The pose of the block that begins it freezes the programming coordinate system.
-  const bool begins = !active_ || event.clauses.contains(spec::Clause::fanuc_tool_center_point_block);
-  if (begins) {
-    carried_ = std::max(carried_, last_);
-    frozen_ = 0;
-  }
-  const Pose pose = end(window);
-  if (begins && machine_ && machine_->type != RotaryMachine::Type::head) frozen_ = pose.tool_error + pose.work_error;
-  active_ = true;
-  const PoseScale s = scale(pose, length);
-  before_ = pose;
-  last_ = s.control_point;
-  return s;
+double PositionErrors::deviation(std::uint64_t line) const {
+  const auto later = std::ranges::lower_bound(deviations_, line, {}, &Deviation::after);
+  return later == deviations_.begin() ? 0 : std::prev(later)->radians;
 }
 
 }  // namespace toolcomp::fuzz

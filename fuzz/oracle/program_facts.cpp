@@ -1,6 +1,7 @@
 #include "fuzz/oracle/program_facts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "fuzz/oracle/control.h"
@@ -23,14 +24,32 @@ ProgramFacts ProgramFacts::of(const spec::Case& c) {
 }
 
 void ProgramFacts::read(const spec::Block& block) {
+  constexpr double by_positions = 43.4;
   constexpr double by_direction = 43.5;
+  constexpr double end = 49;
+  std::optional<double> code;
+  double lean = 0;
   for (const spec::Word& word : block.words()) {
-    if (word.address == 'G' && approximate(word.value) == by_direction) first_ = std::min(first_, block.line);
-    if (word.address != 'Q') continue;
-    const double degrees = approximate(word.value);
-    const auto known = [degrees](const Lean& lean) { return lean.degrees == degrees; };
-    if (degrees != 0 && std::none_of(leans_.begin(), leans_.end(), known)) leans_.push_back({block.line, degrees});
+    const double value = approximate(word.value);
+    if (word.address == 'G' && (value == by_positions || value == by_direction || value == end)) code = value;
+    if (word.address == 'Q') lean = value;
   }
+  if (code) modes_.push_back({block.line, *code == by_direction, *code == by_direction ? lean : 0});
+}
+
+const ProgramFacts::Mode* ProgramFacts::mode(std::uint64_t line) const {
+  const auto later = std::ranges::upper_bound(modes_, line, {}, &Mode::line);
+  return later == modes_.begin() ? nullptr : &*std::prev(later);
+}
+
+bool ProgramFacts::directed(std::uint64_t line) const {
+  const Mode* const in_force = mode(line);
+  return in_force != nullptr && in_force->directed;
+}
+
+double ProgramFacts::lean(std::uint64_t line) const {
+  const Mode* const in_force = mode(line);
+  return in_force != nullptr ? in_force->lean : 0;
 }
 
 void ProgramFacts::read(const spec::klartext::Block& block) {

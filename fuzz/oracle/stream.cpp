@@ -5,6 +5,7 @@
 
 #include "fuzz/oracle/compare.h"
 #include "fuzz/oracle/control.h"
+#include "fuzz/oracle/pairing.h"
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::fuzz {
@@ -50,7 +51,7 @@ class Pass {
  public:
   Pass(const spec::Setup& setup, std::uint32_t samples, const Choices& choices)
       : rules_(setup, {}, {}),
-        conditions_(setup, &facts_),
+        pairing_(rules_, setup, &facts_),
         choices_(choices),
         per_move_(std::max<std::size_t>(samples, 1)),
         expected_(setup),
@@ -150,8 +151,7 @@ class Pass {
         return;
       }
       look_ahead();
-      const Scale scale = conditions_.next(window_);
-      verdict_.difference = compare(rules_, window_.front(), scale, actual_.events.front(), tally_);
+      verdict_.difference = pairing_.next(window_, actual_.events.front(), tally_);
       if (verdict_.difference) {
         verdict_.difference->event = compared_;
         return;
@@ -203,7 +203,7 @@ class Pass {
 
   Rules rules_;
   ProgramFacts facts_;
-  Conditions conditions_;
+  Pairing<double> pairing_;
   const Choices& choices_;
   std::size_t per_move_;  // events of a move with its samples
   model::Recorder recorder_{true};

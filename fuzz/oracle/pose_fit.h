@@ -1,0 +1,103 @@
+// Poses judged by backward error: from the rotary positions that a controller reports, forward to what it does.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fuzz/oracle/compare.h"
+#include "fuzz/oracle/program_facts.h"
+#include "fuzz/oracle/rotary.h"
+#include "model/kinematics/machine.h"
+
+namespace toolcomp::fuzz {
+
+// Inverse kinematics is ill-conditioned near singular postures and edges of reach, and what comes out of it is kept and
+// built upon; forward kinematics is well-conditioned everywhere. So a controller's rotary positions are right if they
+// fit, and everything else is judged as seen from them:
+// * either they turn the tool into the direction expected, on its branch, less than half a turn away (where directions
+//   are commanded, and inside blocks of posture control);
+// * or each axis goes as expected from where the controller had it before: it stands, runs evenly, or takes a number of
+//   the program.
+// Tool axis and linear axes then follow from the positions reported, the tool length and the tip, with the programming
+// coordinate system frozen where the controller froze it. No width grows from block to block.
+//
+// What the controller reports is exact: a double or a decimal text is a rational, and the kinematics of the model are
+// run on it.
+template <class Number>
+class PoseFit {
+ public:
+  // `facts` as for Conditions. Both are kept by reference.
+  PoseFit(const Rules& rules, const spec::Setup& setup, const ProgramFacts* facts);
+
+  // The event as expected of a controller with the rotary positions of `actual`, and how far its tool axis lies off the
+  // expected one.
+  struct Seen {
+    model::Event event;
+    double direction = 0;
+  };
+  // Of window[0]; `window` as for Conditions::next. Nothing where the positions do not fit, or where there are none.
+  [[nodiscard]] std::optional<Seen> seen(std::span<const model::Event> window, const spec::Event<Number>& actual,
+                                         const Scale& scale) const;
+
+  // Goes on behind a pair that agreed, `direction` as above.
+  void follow(const model::Event& expected, const spec::Event<Number>& actual, double direction);
+
+  // How far programmed positions may lie off because they were once those of axes under tool center point control.
+  [[nodiscard]] double carried() const { return carried_; }
+  // Of the controller's rotary positions, where they lie farther off than they are rounded.
+  [[nodiscard]] const std::vector<Deviation>& deviations() const { return deviations_; }
+
+ private:
+  using Rational = exact::Rational;
+  // Mechanical angles of both rotary axes, in degrees; 0 of a hypothetical one.
+  struct Positions {
+    Rational tool;
+    Rational work;
+    [[nodiscard]] model::Pose pose() const { return {tool, work}; }
+  };
+  // What an axis is off by, degrees.
+  struct Off {
+    double tool = 0;
+    double work = 0;
+  };
+  struct View;  // one event from both positions
+
+  [[nodiscard]] bool has_positions(const model::Event& expected, const spec::Event<Number>& actual) const;
+  [[nodiscard]] Positions of(const model::Event& expected) const;
+  [[nodiscard]] Positions of(const spec::Event<Number>& actual) const;
+  [[nodiscard]] Off off(const model::Event& expected, const spec::Event<Number>& actual) const;
+  [[nodiscard]] bool begins(const model::Event& event) const;
+  [[nodiscard]] View view(const model::Event& event, const spec::Event<Number>& actual) const;
+
+  [[nodiscard]] bool turns_into(const View& view, const Scale& scale) const;
+  [[nodiscard]] bool goes_as_expected(std::span<const model::Event> window, const View& view) const;
+  [[nodiscard]] model::Event adjusted(const View& view) const;
+  [[nodiscard]] std::optional<Seen> without_kinematics(const model::Event& event, const spec::Event<Number>& actual,
+                                                       const Scale& scale) const;
+  // What a position of a rotary axis lacks to the angle by which it turns.
+  [[nodiscard]] Rational angle_zero(std::size_t axis) const { return mechanical_ ? zero_.at(axis) : Rational(0); }
+  [[nodiscard]] model::Vector linear(const spec::AxisValues<model::Real>& values) const;
+  void set_linear(spec::AxisValues<model::Real>& values, const model::Vector& to) const;
+
+  const Rules& rules_;
+  const ProgramFacts* facts_;
+  std::array<std::size_t, 3> index_;  // of X Y Z
+  std::optional<RotaryMachine> estimate_;
+  std::optional<model::Machine> machine_;
+  bool mechanical_ = false;                    // the angles that turn tool and table are those of machine coordinates
+  bool in_workpiece_ = false;                  // 19696#5 = 1 on a table
+  bool active_ = false;                        // the move before was under tool center point control
+  Positions frozen_;                           // where the programming coordinate system stands, expected
+  Positions own_frozen_;                       // and where the controller has it
+  std::array<Rational, spec::kMaxAxes> zero_;  // machine minus workpiece coordinates
+  Off before_;                                 // at the end of the move before
+  double direction_ = 0;                       // of the tool axis there
+  double last_ = 0;                            // of X Y Z of the axes there
+  double carried_ = 0;
+  std::vector<Deviation> deviations_;
+};
+
+}  // namespace toolcomp::fuzz
