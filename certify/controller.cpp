@@ -24,6 +24,7 @@ std::span<const Field> fields_of(spec::EventKind kind) {
   static constexpr std::array sample{Field::t};
   static constexpr std::array alarm{Field::number};
   static constexpr std::array setting{Field::name, Field::value};
+  static constexpr std::array undecided{Field::permitted};
   switch (kind) {
     case spec::EventKind::move:
       return move;
@@ -35,7 +36,7 @@ std::span<const Field> fields_of(spec::EventKind kind) {
     case spec::EventKind::setting:
       return setting;
     case spec::EventKind::undecided:
-      break;
+      return undecided;
   }
   return {};
 }

@@ -122,7 +122,10 @@ class Writer {
 
   std::string next_version(const Manifest& manifest) {
     if (!options_.version.empty()) return to_string(parse_version(options_.version));
-    if (!has_old_) return manifest.version;
+    // A new folder: it is the corpus of the tree that is made there.
+    if (!has_old_)
+      return fs::exists(default_folder() / "manifest.json") ? read_manifest(default_folder()).version
+                                                            : manifest.version;
     const Version old = parse_version(old_manifest_.version);
     if (!old_readable_) return to_string(Version{old.major + 1, 0, 0});
     std::vector<spec::Case> now;

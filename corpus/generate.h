@@ -22,7 +22,8 @@ struct GenerateOptions {
   std::uint64_t seed = 1;
   std::size_t vectors = 200;      // generated ones a section, at least
   std::size_t candidates = 6000;  // generated cases a section to choose from
-  std::string version;            // of the corpus; empty: the one there, raised by what has changed
+  // Of the corpus. Empty: the one there, raised by what has changed; where none is there that of the tree.
+  std::string version;
   std::function<void(const std::string& file, std::size_t vectors)> progress;
 };
 

@@ -224,7 +224,9 @@ Step Engine::State::step(const Command& command) {
   }
   if (command.codes.one_shot == OneShot::data)
     pending_write = memory.read_write(command.words, numbers, command.incremental);
-  std::vector<Leg> legs = interpreter.legs(command, tip.directed, tip.starts);
+  const bool compensated =
+      cutter_block && setup.cutter_compensation == spec::CutterCompensationType::c && cutter->wanted(*cutter_block);
+  std::vector<Leg> legs = interpreter.legs(command, tip.directed, tip.starts, compensated);
   const Leg start = cutter_block ? tool_offset.shifted(interpreter.stay(command)) : Leg();
   tool_offset.apply(command, interpreter, cutter_words.number(),
                     {command.codes.h.value_or(length.number()), length.axis_mode(command.codes.length)}, legs);

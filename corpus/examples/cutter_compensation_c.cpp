@@ -74,6 +74,9 @@ constexpr Example kExamples[] = {
     {"14.6.2, SUV = 1: a lone G41 moves by the perpendicular of the next movement, (0,10), and a lone G40 takes the "
      "vector away at once, (80,0).",
      CUTTER(SUV, "1 = 10"), "G17 G90 G01 F100\nG41 D1\nX40.\nX80.\nG40\nX90.\n"},
+    {"14.6.2, 5003#1 = 1: a second lone G41, behind one whose look-ahead ended without a motion block: start-up at the "
+     "fourth line to (-1.6,1.2).",
+     CUTTER(SUV, "1 = 2"), "G90 G00 X0 Y0\nG41 D1\nM05\nG41 D1\nG01 X30. Y40. F100\nX60. Y80.\n"},
 
     {"14.6.4 #1, type A, inner: (40,10).", CANCEL_A("G40 X40. Y30.")},
     {"14.6.4 #2, type A, exactly 90: (40,10).", CANCEL_A("G40 X40. Y-30.")},

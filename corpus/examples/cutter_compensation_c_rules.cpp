@@ -29,6 +29,7 @@ constexpr Example kRules[] = {
     {"G40 with I10 J10, 45 degrees to the left: (35.85786437626905,10).", A_LINE("G40 X80. Y-30. I10. J10.")},
     {"G41 with I J K is three-dimensional: PS0010.", A_LINE("G41 X60. I1. J1. K1.")},
     {"An arc that ends in its centre: PS0038; A ends perpendicular, (40,10).", A_LINE("G03 X60. Y0 I20. J0")},
+    {"An arc about its start: PS0038 as well.", A_LINE("G03 X60. Y0 I0 J0")},
     {"G53 of an axis outside the plane keeps the vector: (40,10) at Z5, then (80,10).", A_LINE("G53 Z5.\nX80.")},
     {"G53 of one axis of the plane, CCN = 0: both components go: (100,0).", A_LINE("G53 X100.\nX140.")},
     {"G53 of one axis of the plane, CCN = 1: only its own goes: (100,10).", A_CCN("G53 X100.\nX140.")},

@@ -35,6 +35,10 @@ constexpr Example kExamples[] = {
      OVERSIZE "LN " FACE_P " " FACE_N " R0 M128\n"},
     {"E7: block 11, a straight line L is not compensated whatever the deltas; no check looks at them.", TOOL_1(BALL_6),
      "TOOL CALL 1 Z F1000 DL+0.2 DR+0.2 DR2+0.2\nL " FACE_P " R0\n"},
+    {"5.10 without a normal: TCP' = P + R2' t with R2' = 0.98, (1,2,3.98), also with a tool vector, (1,2.588,3.784).",
+     TOOL_1(TOROID_E11), "TOOL CALL 1 Z\nL X1 Y2 Z3 R0\nLN X1 Y2 Z3 TX0 TY0.6 TZ0.8 R0 M128\n"},
+    {"5.10 without a normal under CNT-CNT: the tip P - R2 t, (1,2,2), TCP' = P + dR2 t, (1,2,2.98).",
+     TOOL_1(TOROID_E11), "TOOL CALL 1 Z\n" TCPM_CENTER "L X1 Y2 Z3 R0\n"},
     {"E7, E5, E1 and E6 one after another.", TOOL_1(REWORKED),
      "0 BEGIN PGM HHFACE MM\n1 BLK FORM 0.1 Z X-50 Y-50 Z-20\n2 BLK FORM 0.2 X+50 Y+50 Z+0\n3 TOOL CALL 1 Z S12000 "
      "F1000\n4 L Z+100 R0 FMAX M3\n5 L " FACE_P " R0\n6 LN " FACE_P " " FACE_N " R0\n7 LN " FACE_P " " FACE_N " " FACE_T

@@ -23,6 +23,7 @@ constexpr Example kRules[] = {
     {"G44 is in force, H1 = 15, signal at 183: the coordinate 198 is reached, 15 - 2 = 13 is written.", MEASURE("183"),
      "G44 H01\nG37 Z200.\n"},
     {"G43 in the block of G37: MEASUREMENT_FORMAT.", MEASURE("198"), "H01\nG43 G37 Z200.\n"},
+    {"G43 and H in the block of G37: PS0082.", MEASURE("198"), "G43 G37 Z200. H01\n"},
     {"G37 in cutter compensation: PS0036.", MEASURE("198"), "H01\nG01 F100 G41 X50. D1\nG37 Z200.\n"},
 };
 

@@ -194,7 +194,7 @@ StageEnd CutterCompensationC::next_block(CutterBlock& block) {
 }
 
 StageEnd CutterCompensationC::follow(CutterBlock& block, CompensatedPath& to) {
-  if (to.path.arc && to.path.center_in_end) return refuse(block, alarm::kArcCenter);
+  if (to.path.arc && to.path.ends_in_center) return refuse(block, alarm::kArcCenter);
   set_offset(to, block);
   if (mode_ == Mode::waits_for_block) {
     if (to.side != waiting_side_) return refuse(block, alarm::kDirectionChangeAtStart);
@@ -397,6 +397,8 @@ StageEnd CutterCompensationC::still_block(CutterBlock& block) {
     const int still = still_ + (block.motion == CutterMotion::zero ? 2 : 1);
     still_ = static_cast<std::uint8_t>(still > limit ? limit : still);
   }
+  if (mode_ == Mode::waits_for_block && !(asked && still_ < limit))
+    if (const StageEnd end = release()) return end;
   switch (mode_) {
     case Mode::off:
       if (!(parameters_.acts_alone && code && asked)) break;
@@ -409,12 +411,8 @@ StageEnd CutterCompensationC::still_block(CutterBlock& block) {
       hold();
       return {};
     case Mode::waits_for_block:
-      if (asked && still_ < limit) {
-        hold();
-        return {};
-      }
-      if (const StageEnd end = release()) return end;
-      break;
+      hold();
+      return {};
     case Mode::on:
       if (!asked) {
         if (const StageEnd end = release()) return end;

@@ -104,7 +104,7 @@ Interference check_interference(const CheckedBlock& block, const std::optional<s
 
 void set_programmed_arc(spec::Arc<double>& arc, const PlanePath& path) {
   arc.sweep.reset();
-  if (!path.center_in_end) arc.sweep = programmed_sweep(path);
+  if (!path.ends_in_center) arc.sweep = programmed_sweep(path);
   arc.radius.reset();
   if (path.spiral) arc.radius = {path.radius_start, path.radius_end};
 }

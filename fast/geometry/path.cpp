@@ -68,16 +68,18 @@ void set_any_arc(PlanePath& path, const std::array<Count, 2>& start, const std::
   // From the centre; the tangent is that turned left (counterclockwise) or right.
   const std::array<Int128, 2> from{-whole(to_center[0]), -whole(to_center[1])};
   const std::array<Int128, 2> to{from[0] + travel[0], from[1] + travel[1]};
+  const bool starts_in_center = from[0] == 0 && from[1] == 0;
+  path.ends_in_center = starts_in_center || (to[0] == 0 && to[1] == 0);
+  if (starts_in_center) return;
   const Int128 sigma = path.sigma;
   path.start = whole_heading({-sigma * from[1], sigma * from[0]});
   path.radius_start = path.start.norm / unit;
   path.from_center_start = {static_cast<double>(from[0]) / unit, static_cast<double>(from[1]) / unit};
   path.from_center_end = {static_cast<double>(to[0]) / unit, static_cast<double>(to[1]) / unit};
-  path.center_in_end = to[0] == 0 && to[1] == 0;
   path.spiral = true;
   path.semicircle = false;
   path.over_half = false;
-  if (path.center_in_end) {
+  if (path.ends_in_center) {
     path.arc_end = path.start;
     path.radius_end = 0;
     return;
@@ -114,10 +116,11 @@ void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::arra
   const std::array<std::int64_t, 2> to{end[0].small() - start[0].small() + from[0],
                                        end[1].small() - start[1].small() + from[1]};
   const bool narrow = is_narrow(from[0]) && is_narrow(from[1]) && is_narrow(to[0]) && is_narrow(to[1]);
-  if (!narrow || !(is_small(start) && is_small(end) && is_small(to_center)) || (to[0] == 0 && to[1] == 0)) [[unlikely]]
+  if (!narrow || !(is_small(start) && is_small(end) && is_small(to_center)) || (from[0] == 0 && from[1] == 0) ||
+      (to[0] == 0 && to[1] == 0)) [[unlikely]]
     return set_any_arc(path, start, end, to_center);
   path.fine_units = false;
-  path.center_in_end = false;
+  path.ends_in_center = false;
   set_narrow_arc(path, from, to);
 }
 
@@ -128,7 +131,7 @@ void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const
   path.sigma = clockwise ? -1 : 1;
   path.by_radius = true;
   path.spiral = false;
-  path.center_in_end = false;
+  path.ends_in_center = false;
   path.fine_units = whole.fine;
   const Int128 r = whole(radius);
   path.radius_whole = r < 0 ? -r : r;

@@ -24,10 +24,10 @@ struct PlanePath {
   Vector2<double> from_center_end;    // end - centre
   double radius_start = 0;
   double radius_end = 0;
-  bool spiral = false;      // the radii differ
-  bool semicircle = false;  // 180 degrees or more
-  bool over_half = false;   // more than 180 degrees
-  bool center_in_end = false;
+  bool spiral = false;          // the radii differ
+  bool semicircle = false;      // 180 degrees or more
+  bool over_half = false;       // more than 180 degrees
+  bool ends_in_center = false;  // or starts there: then nothing else is set
 
   // The sweep has this sine and cosine (of any length); arcs by R: its half. `turned` is the exact sign of the sine.
   double sine = 0;
@@ -55,7 +55,7 @@ inline void set_line(PlanePath& path, const std::array<Count, 2>& start, const s
   path.fine_units = false;
   set_narrow_heading(path.start, x, y);
 }
-// An arc round start + to_center, which is not zero.
+// An arc round start + to_center.
 void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
              const std::array<Count, 2>& to_center, bool clockwise);
 // An arc of |radius| at least half the chord; above 180 degrees where radius < 0.

@@ -249,7 +249,7 @@ void Interpreter::plain_motion() {
   placement.tool = direction_->unit();
   placement.tip = placement.tool * -programmed_point().tip_below(values, false);
   placement.shift = zero_vector();
-  placement.corner = values.corner;
+  placement.corner = values.effective_corner;
   writer_.move(head_, placement, values, cause());
 }
 

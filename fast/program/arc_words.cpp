@@ -39,7 +39,11 @@ Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>
   const auto& [clockwise, by_radius, to_center, radius] = arc_words;
   ArcGeometry geometry;
   Alarm a;
-  if (with_geometry)
+  // An arc about its start is refused by cutter compensation C, once the rest of the block is known.
+  const bool about_start = !by_radius && to_center[0].is_zero() && to_center[1].is_zero();
+  if (about_start && !is_b_ && cutter_wanted(words) && words.has_any(Words::set_of("IJK")))
+    geometry.center = {start[0].nearest(), start[1].nearest()};
+  else if (with_geometry)
     a = by_radius ? arc_by_radius(start, end, radius, clockwise, geometry)
                   : arc_by_center(start, end, to_center, clockwise, geometry);
   else

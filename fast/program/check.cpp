@@ -178,11 +178,11 @@ Alarm Interpreter::check_cutter(const Words& words, const Plan& plan) const {
 
 // The alarms of G37, in their order.
 Alarm Interpreter::check_measurement(const Words& words) const {
-  if (words.code(Words::kLength) != kNone) return alarm::kMeasurementFormat;
   if (words.has('H')) return alarm::kMeasurementNumberInBlock;
   if (length_.number() == 0) return alarm::kMeasurementNumberZero;
   const bool add = words.code(Words::kDistance) == kNone ? incremental_ : words.code(Words::kDistance) == 910;
   if (add || std::popcount(words.axes()) != 1 || (words.axes() & linear_) == 0) return alarm::kMeasurementAxis;
+  if (words.code(Words::kLength) != kNone) return alarm::kMeasurementFormat;
   if (cutter_on() || cutter_wanted(words)) return alarm::kMeasurementInCutter;
   return measurement_.parameters();
 }

@@ -146,8 +146,11 @@ Alarm Interpreter::read_cutter_arc(const Words& words, CutterBlock& block, std::
   if (const Alarm a = cutter_c_.check_arc(CutterSide::unchanged, cutter_number_.number)) return a;
   if (!block.end[0].in_range() || !block.end[1].in_range()) return alarm::kRange;
   read_arc(words, block);
-  return block.by_radius ? center_by_radius(block.start, block.end, block.radius, block.clockwise, center)
-                         : center_by_center(block.start, block.to_center, center);
+  if (block.by_radius) return center_by_radius(block.start, block.end, block.radius, block.clockwise, center);
+  // An arc about its start is refused by the stage.
+  if (block.to_center[0].is_zero() && block.to_center[1].is_zero()) [[unlikely]]
+    if (!is_b_ && cutter_wanted(words) && words.has_any(Words::set_of("IJK"))) return alarm::kNone;
+  return center_by_center(block.start, block.to_center, center);
 }
 
 // A code that cutter compensation does not touch where nothing is wanted or to be removed (G37, G45 to G48, G41.3): the

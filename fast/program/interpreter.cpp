@@ -136,6 +136,8 @@ void Interpreter::send_alarm(const spec::Name& number, const char* message, std:
   notice_.message = message;
   notice_.line = line;
   notice_.n = n;
+  const bool open = kind == spec::EventKind::undecided;  // whatever the outcome
+  notice_.permitted = {open, open, open};
   sink_.on(notice_);
 }
 

@@ -75,7 +75,7 @@ bool is_ill(const SideCorner& corner, HeadKind kind) {
 void set_line_path(PlanePath& path, const Travel& travel, const std::array<std::size_t, 2>& in) {
   path.arc = false;
   path.by_radius = false;
-  path.center_in_end = false;
+  path.ends_in_center = false;
   path.seen = false;
   path.fine_units = travel.fine_units;
   const std::array<Int128, 3> whole = travel.whole();

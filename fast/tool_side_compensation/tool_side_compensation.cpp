@@ -170,7 +170,7 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
     return release();
   SidePath& to = new_path();
   set_path(to, block);
-  if (block.arc && to.flat.center_in_end) return release();
+  if (block.arc && to.flat.ends_in_center) return release();
   SideGroup& group = at_start();
   SideCorner& corner = group.corner;
   corner.first = &to;
@@ -270,7 +270,7 @@ void ToolSideCompensation::complete_line() {
 StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
   SidePath& to = new_path();
   set_path(to, block);
-  if (block.arc && to.flat.center_in_end) return refuse(block, alarm::kArcCenter);
+  if (block.arc && to.flat.ends_in_center) return refuse(block, alarm::kArcCenter);
   if (after_start_ && to.side != last_->side) return refuse(block, alarm::kDirectionChangeAtStart);
   if (block.arc && ((held_ == Held::path && on_edge(block, *last_->tool)) || on_edge(block, *block.tool)))
     return undecide(block, "fanuc.tool-side.arc-plane");

@@ -43,6 +43,16 @@ std::string text_of(const std::optional<std::uint64_t>& n) { return n ? fmt::for
 enum class Measure : std::uint8_t { length, angle, direction, other };
 
 constexpr double kRadiansPerDegree = 0.017453292519943295;
+std::string text_of(const spec::PermittedOutcomes& outcomes) {
+  std::string text;
+  const auto add = [&text](bool permitted, std::string_view outcome) {
+    if (permitted) text += fmt::format("{}{}", text.empty() ? "" : ", ", outcome);
+  };
+  add(outcomes.positive, "positive");
+  add(outcomes.negative, "negative");
+  add(outcomes.tie, "tie");
+  return text.empty() ? "none" : text;
+}
 
 // Names a field; text is made only for a difference.
 struct Path {
@@ -92,6 +102,8 @@ class Comparison {
     if (rules_.judges("reason") && expected_.out_of_scope != actual_.out_of_scope)
       return differ("undecided", "reason", expected_.out_of_scope ? "OUT_OF_SCOPE" : "none",
                     actual_.out_of_scope ? "OUT_OF_SCOPE" : "none");
+    if (rules_.judges("permitted") && expected_.permitted != actual_.permitted)
+      return differ("undecided", "permitted", text_of(expected_.permitted), text_of(actual_.permitted));
     if (rules_.judges("n") && expected_.n != actual_.n)
       return differ("sequence number", "n", text_of(expected_.n), text_of(actual_.n));
     switch (expected_.kind) {
@@ -394,6 +406,8 @@ bool Rules::is_near_tie(const model::Decision& decision, double band, const Posi
 bool Rules::judges(std::string_view field) const {
   return fields_.empty() || std::find(fields_.begin(), fields_.end(), field) != fields_.end();
 }
+
+bool Rules::judges_undecided() const { return !fields_.empty() && (judges("reason") || judges("permitted")); }
 
 template <class Number>
 std::optional<Difference> compare(const Rules& rules, const model::Event& expected, const Scale& scale,

@@ -22,6 +22,8 @@ class Rules {
   void units(spec::Units units);
 
   [[nodiscard]] bool judges(std::string_view field) const;
+  // A controller announced a field that only undecided events have: it says itself what is left open.
+  [[nodiscard]] bool judges_undecided() const;
   [[nodiscard]] const policy::Budget& budget() const { return budget_; }
   [[nodiscard]] const spec::Axes& axes() const { return axes_; }
   // 0: the actual numbers are doubles.

@@ -77,16 +77,17 @@ Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramF
   Agreement result;
   Pairing<Number> pairing(rules, setup, &facts);
   for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
-    if (i < expected.size() && expected[i].kind == EventKind::undecided) {
-      // What the specification leaves open an engine of ours says too; of a controller nothing is judged from here on.
-      if (!left_open(expected[i])) {
-        result.undecided = true;
-        return result;
-      }
-      if (!std::is_same_v<Number, double>) {
-        if (expected[i].out_of_scope) result.tally.out_of_scope = expected.size() - i - 1;
-        return result;
-      }
+    const bool open = i < expected.size() && expected[i].kind == EventKind::undecided;
+    if (open && !left_open(expected[i])) {
+      result.undecided = true;
+      return result;
+    }
+    // What the specification leaves open an engine of ours says too; of a controller nothing is judged behind it, nor
+    // the event itself unless it announces what such an event says.
+    const bool last = open && !std::is_same_v<Number, double>;
+    if (last) {
+      if (expected[i].out_of_scope) result.tally.out_of_scope = expected.size() - i - 1;
+      if (!rules.judges_undecided()) return result;
     }
     if (i >= expected.size()) {
       result.difference = unpaired(expected, actual, i, "extra event");
@@ -100,6 +101,7 @@ Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramF
       result.difference->event = i;
       break;
     }
+    if (last) return result;
   }
   result.deviations = pairing.deviations();
   return result;
@@ -362,6 +364,7 @@ class Reading {
     r.type = e.type;
     r.cause = e.cause;
     r.number = e.number;
+    r.permitted = e.permitted;
     r.out_of_scope = e.out_of_scope;
     r.setting = e.setting;
     r.t_numerator = e.t_numerator;

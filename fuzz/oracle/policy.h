@@ -12,7 +12,7 @@
 //   tool axis                                     … by k · (error of a direction: ulp(1), leant or inside a block more,
 //                                                 pose_error.h)
 //   … of 3D compensation (Heidenhain)             … and k · its error (space_scale.h); normals by k · ulp(1), contact
-//                                                 angles by k · ulp(180); flat and reason equal exactly
+//                                                 angles by k · ulp(180); flat, reason and permitted equal
 //   samples: t                                    equal exactly
 //   sweeps                                        … by k · (ulp(360) + error of each end of a compensated arc over
 //                                                 its distance from the centre, in degrees); neither value nor

@@ -171,6 +171,13 @@ void CutterCompensationC::take_without_motion(Step& now) {
     count_ +=
         recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel) ? 2 : 1;
   }
+  if (held_->kind == Held::Kind::lone_start && count_ >= 2 && has_side_word(block)) {
+    // The look-ahead ends here without a moving block; the code has one of its own.
+    now.clauses.add(recorder().take_clauses());
+    drop_lone_start();
+    take_while_off(now, true, false);
+    return;
+  }
   now.clauses.add(recorder().take_clauses());
   const std::uint64_t line = now.line;
   between_.push_back(std::move(now));

@@ -9,7 +9,7 @@ namespace toolcomp::model {
 void CutterCompensationC::take_moving(Step& now) {
   const CutterBlock& block = *now.cutter;
   if (block.arc && !block.arc->sweep)
-    raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc that ends in its centre");
+    raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc about its start or its end");
   const CutterOffset offset = next_offset(block);
   OffsetPath path = path_of(block, offset, last_.distance);
   make_corner(now, path, offset);

@@ -153,7 +153,7 @@ Compensated Engine::State::uncompensated(const Motion& motion) const {
   recorder.reach(Clause::heidenhain_program_no_compensation);
   Compensated end;
   end.point = ProgrammedContour::tip_of_reference(motion);
-  end.tool_center = motion.center ? motion.position : motion.position + motion.tool->r2 * motion.direction.unit;
+  end.tool_center = end.point + (motion.tool->r2 + motion.tool->dr2) * motion.direction.unit;
   return end;
 }
 

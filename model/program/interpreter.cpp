@@ -154,7 +154,8 @@ std::vector<Leg> Interpreter::return_legs(const Command& command) const {
   return {intermediate, end};
 }
 
-std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Leg& leg, bool directed) {
+std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Leg& leg, bool directed,
+                                                bool compensated) {
   const PlaneLetters in_plane = letters(command.plane);
   const std::size_t first = axes_.index(in_plane.first);
   const std::size_t second = axes_.index(in_plane.second);
@@ -187,9 +188,12 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
     };
     const Rational to_first = component(in_plane.first_center);
     const Rational to_second = component(in_plane.second_center);
-    if (recorder_.decide(Clause::fanuc_program_arc_center_in_start, to_first == 0 && to_second == 0))
+    if (!recorder_.decide(Clause::fanuc_program_arc_center_in_start, to_first == 0 && to_second == 0))
+      geometry = arc_by_center(recorder_, start, end, {to_first, to_second}, arc.direction);
+    else if (compensated)
+      geometry.center = start;
+    else
       throw Alarm("PS0023", "an arc whose centre is its start");
-    geometry = arc_by_center(recorder_, start, end, {to_first, to_second}, arc.direction);
   }
   if (first != spec::Axes::kNone) arc.center.set(first, geometry.center[0]);
   if (second != spec::Axes::kNone) arc.center.set(second, geometry.center[1]);
@@ -204,7 +208,7 @@ void Interpreter::select_workpiece_system(const Command& command) {
   work_.select(*command.codes.workpiece, position_);
 }
 
-std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool always) {
+std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool always, bool compensated) {
   const OneShot one_shot = command.codes.one_shot;
   if (is_reference_return(one_shot)) return reference_legs(command);
   const bool goes = command.axes != 0;
@@ -221,7 +225,7 @@ std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool a
   Leg leg = toward(command);
   if (one_shot == OneShot::measure) return {leg};
   if (command.is_arc_motion() && (goes || command.direction || command.words.has('R')))
-    leg.arc = arc(command, leg, directed);
+    leg.arc = arc(command, leg, directed, compensated);
   if (leg.arc) leg.type = spec::MoveType::arc;
   if (goes || leg.arc || always || (directed && command.direction)) return {leg};
   return {};

@@ -42,8 +42,9 @@ class Interpreter {
   // G54 to G59: the position is called by the new system from here on.
   void select_workpiece_system(const Command& command);
   // Where the block goes. `directed`: G43.5 is in force in it, I J K are a tool direction and alone make a move;
-  // `always`: it makes a move even without. Throws Alarm PS0023 or PS0046. The position stays until arrive().
-  std::vector<Leg> legs(const Command& command, bool directed, bool always);
+  // `always`: it makes a move even without; `compensated`: by cutter compensation C, which refuses an arc about its
+  // start, here one without a sweep. Throws Alarm PS0023 or PS0046. The position stays until arrive().
+  std::vector<Leg> legs(const Command& command, bool directed, bool always, bool compensated);
   // A leg that stays where the block starts, or after arrive() where it ended.
   [[nodiscard]] Leg stay(const Command& command) const;
   // The straight leg to where the axis words of the block point, moving or not.
@@ -69,7 +70,8 @@ class Interpreter {
   // Ends an axis of the leg at `to`, `travel` away from where the block starts.
   void go(Leg& leg, std::size_t axis, const Coordinate& to, const Real& travel) const;
   void go(Leg& leg, std::size_t axis, const Coordinate& to) const;
-  [[nodiscard]] std::optional<spec::Arc<Real>> arc(const Command& command, const Leg& leg, bool directed);
+  [[nodiscard]] std::optional<spec::Arc<Real>> arc(const Command& command, const Leg& leg, bool directed,
+                                                   bool compensated);
   [[nodiscard]] Leg machine_leg(const Command& command) const;
   [[nodiscard]] std::vector<Leg> reference_legs(const Command& command);
   [[nodiscard]] std::vector<Leg> return_legs(const Command& command) const;

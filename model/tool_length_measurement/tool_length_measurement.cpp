@@ -33,9 +33,6 @@ ToolLengthMeasurement::ToolLengthMeasurement(const spec::Setup& setup, Recorder&
 
 void ToolLengthMeasurement::read(const Command& command, std::uint32_t number, bool cutter) const {
   const Codes& codes = command.codes;
-  if (sets_length_offset(codes.length))
-    raise(recorder_, Clause::fanuc_length_measurement_with_length_code, "MEASUREMENT_FORMAT",
-          "G43, G44 or G49 in the block with G37");
   if (codes.h)
     raise(recorder_, Clause::fanuc_length_measurement_number_in_block, "PS0082", "an H word in the block with G37");
   if (number == 0)
@@ -44,6 +41,9 @@ void ToolLengthMeasurement::read(const Command& command, std::uint32_t number, b
   if (!one_axis || command.incremental)
     raise(recorder_, Clause::fanuc_length_measurement_axis, "PS0083",
           "G37 needs G90 and exactly one axis, a linear one");
+  if (sets_length_offset(codes.length))
+    raise(recorder_, Clause::fanuc_length_measurement_with_length_code, "MEASUREMENT_FORMAT",
+          "G43, G44 or G49 in the block with G37");
   if (cutter)
     raise(recorder_, Clause::fanuc_length_measurement_in_cutter_compensation, "PS0036",
           "G37 while cutter compensation is on");

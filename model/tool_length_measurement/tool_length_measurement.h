@@ -34,7 +34,7 @@ class ToolLengthMeasurement {
   ToolLengthMeasurement(const spec::Setup& setup, Recorder& recorder);
 
   // The alarms that the words of a G37 block raise. `number`: H in force; `cutter`: cutter compensation is on. Throws
-  // Alarm MEASUREMENT_FORMAT, PS0082, PS0081, PS0083, PS0036 or MEASUREMENT_PARAMETERS.
+  // Alarm PS0082, PS0081, PS0083, MEASUREMENT_FORMAT, PS0036 or MEASUREMENT_PARAMETERS.
   void read(const Command& command, std::uint32_t number, bool cutter) const;
 
   // The axis the block names, after read().

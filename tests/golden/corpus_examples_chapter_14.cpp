@@ -100,6 +100,7 @@ TEST(LengthMeasurementVectors, Rules) {
           {"G44 is in force, H1 = 15: ", {"1 p G0 0 0 760", "2 p G0 0 0 220", "2 m G1 0 0 213", "2 PS0080"}},
           {"G44 is in force, H1 = 15, signal", {"1 p G0 0 0 760", "2 p G0 0 0 220", "2 m G1 0 0 198", "2 H1=13"}},
           {"G43 in the block of G37", {"2 MEASUREMENT_FORMAT"}},
+          {"G43 and H in the block of G37", {"1 PS0082"}},
           {"G37 in cutter compensation", {"2 s G1 50 10", "3 PS0036"}}});
 }
 

@@ -89,6 +89,8 @@ TEST(CutterCVectors, TheManualsFigureStartAndCancel) {
         {"1 s G1 100.099995000375 -9.999500037496875", "2 p G1 0.099995000375 -10.999500037496875"}},
        {"14.6.2, SUV = 0", {"3 s G1 40 10", "4 p G1 80 10"}},
        {"14.6.2, SUV = 1", {"2 s G1 0 10", "3 p G1 40 10", "4 p G1 80 10", "5 e G1 80 0", "6 p G1 90 0"}},
+       {"14.6.2, 5003#1 = 1: a second lone G41",
+        {"1 p G0 0 0", "4 s G0 -1.6 1.2", "5 p G1 28.4 41.2", "6 p G1 58.4 81.2"}},
 
        {"14.6.4 #1, type A", a({"2 p G1 40 10", "3 e G1 40 30"})},
        {"14.6.4 #2, type A", a({"2 p G1 40 10", "3 e G1 40 -30"})},
@@ -247,6 +249,7 @@ TEST(CutterCVectors, Rules) {
        {"G40 with I10 J10", a({"2 p G1 35.85786437626905 10", "3 e G1 80 -30"})},
        {"G41 with I J K", a({"2 p G1 40 10", "3 PS0010"})},
        {"An arc that ends in its centre", a({"2 p G1 40 10", "3 PS0038"})},
+       {"An arc about its start", a({"2 p G1 40 10", "3 PS0038"})},
        {"G53 of an axis outside the plane", a({"2 p G1 40 10", "3 p G0 40 10 5", "4 p G1 80 10 5"})},
        {"G53 of one axis of the plane, CCN = 0", a({"2 p G1 40 10", "3 p G0 100 0", "4 s G1 140 10"})},
        {"G53 of one axis of the plane, CCN = 1", a({"2 p G1 40 10", "3 p G0 100 10", "4 p G1 140 10"})},

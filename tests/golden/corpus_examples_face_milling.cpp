@@ -64,10 +64,15 @@ TEST(FaceMillingVectors, Examples) {
         "contact=36.0084,6.177,-1.9209 feed=1000 flat"}},
       {"E7: block 11, a straight",
        {"2 programmed tip=36.0084,6.177,-1.9209 shift=0,0,0 tool=0,0,0.2 axes=36.0084,6.177,-1.7209 "
-        "center=36.0084,6.177,1.0791 feed=1000"}},
+        "center=36.0084,6.177,1.2791 feed=1000"}},
+      {"5.10 without a normal: TCP",
+       {"2 programmed tip=1,2,3 shift=0,0,0 tool=0,0,0.05 axes=1,2,3.05 center=1,2,3.98", "3 W_NO_LATERAL",
+        "3 programmed tip=1,2,3 shift=0,0,0 axes=1,2.03,3.04 center=1,2.588,3.784 axis=0,0.6,0.8"}},
+      {"5.10 without a normal under",
+       {"3 programmed tip=1,2,2 shift=0,0,0 tool=0,0,0.05 axes=1,2,2.05 center=1,2,2.98"}},
       {"E7, E5, E1 and E6 one",
-       {"5 rapid programmed tip=0,0,100 shift=0,0,0 axes=0,0,100 center=0,0,103",
-        "6 programmed tip=36.0084,6.177,-1.9209 shift=0,0,0 axes=36.0084,6.177,-1.9209 center=36.0084,6.177,1.0791 "
+       {"5 rapid programmed tip=0,0,100 shift=0,0,0 axes=0,0,100 center=0,0,102.9",
+        "6 programmed tip=36.0084,6.177,-1.9209 shift=0,0,0 axes=36.0084,6.177,-1.9209 center=36.0084,6.177,0.9791 "
         "feed=1000",
         "7 programmed tip=36.054981069776461,6.177,-1.909388439575351 shift=0.046581069776461,0,0.011511560424649 "
         "axes=36.054981069776461,6.177,-1.909388439575351 center=36.054981069776461,6.177,0.990611560424649 "
@@ -82,7 +87,7 @@ TEST(FaceMillingVectors, Examples) {
         "center=34.657548976482633,6.177,0.645264747685168 normal=-0.465810697764609,0,0.884884395753506 "
         "axis=-0.465810697764609,0,0.884884395753506 contact=36.0084,6.177,-1.9209 feed=1000 flat",
         "10 rapid programmed tip=36.0084,6.177,100 shift=0,0,0 axes=36.0084,6.177,100 "
-        "center=34.610967906706172,6.177,102.654653187260518 axis=-0.465810697764609,0,0.884884395753506"}},
+        "center=34.657548976482633,6.177,102.566164747685168 axis=-0.465810697764609,0,0.884884395753506"}},
       {"E11: a toroid cutter",
        {"2 programmed tip=36.067790409959017,6.237213860946861,-1.964421433662979 "
         "shift=0.059390409959017,0.060213860946861,-0.043521433662979 "
@@ -169,7 +174,7 @@ TEST(FaceMillingVectors, Examples) {
       {"Oversize 3/3, DR -0.1,",
        {"4 programmed tip=0.94,2,3.02 shift=-0.06,0,0.02 axes=0.94,2,3.02 center=0.94,2,5.92 normal=0.6,0,0.8 "
         "contact=-0.8,2,3.6",
-        "6 W_NO_LATERAL", "6 programmed tip=1,2,4 shift=0,0,0 axes=1,2,4 center=1,2,7",
+        "6 W_NO_LATERAL", "6 programmed tip=1,2,4 shift=0,0,0 axes=1,2,4 center=1,2,6.9",
         "7 programmed tip=0.94,2,5.02 shift=-0.06,0,0.02 axes=0.94,2,5.02 center=0.94,2,7.92 normal=0.6,0,0.8 "
         "contact=-0.8,2,5.6"}},
       {"Oversize 3/3, DR 0.2, DR2 0.2:",
@@ -180,14 +185,14 @@ TEST(FaceMillingVectors, Examples) {
       {"Oversize 3/3, DR2 0",
        {"4 programmed tip=1.18,2,2.94 shift=0.18,0,-0.06 axes=1.18,2,2.94 center=1.18,2,6.24 normal=0.6,0,0.8 "
         "contact=-0.8,2,3.6",
-        "6 W_NO_LATERAL", "6 programmed tip=1,2,4 shift=0,0,0 axes=1,2,4 center=1,2,7", "7 E_OVERSIZE_DR2"}},
+        "6 W_NO_LATERAL", "6 programmed tip=1,2,4 shift=0,0,0 axes=1,2,4 center=1,2,7.3", "7 E_OVERSIZE_DR2"}},
       {"Oversize 3/3, DR -0.1:",
        {"4 programmed tip=1,2,3 shift=0,0,0 axes=1,2,3 center=1,2,6 normal=0.6,0,0.8 contact=-0.8,2,3.6",
         "6 W_NO_LATERAL", "6 programmed tip=1,2,4 shift=0,0,0 axes=1,2,4 center=1,2,7", "7 E_R2_GT_R"}},
       {"Oversize 3/3, DR2 -0",
        {"4 programmed tip=1.04,2,3.02 shift=0.04,0,0.02 axes=1.04,2,3.02 center=1.04,2,5.92 normal=0.6,0,0.8 "
         "contact=-0.8,2,3.6",
-        "6 W_NO_LATERAL", "6 programmed tip=1,2,4 shift=0,0,0 axes=1,2,4 center=1,2,7",
+        "6 W_NO_LATERAL", "6 programmed tip=1,2,4 shift=0,0,0 axes=1,2,4 center=1,2,6.9",
         "7 programmed tip=1.04,2,5.02 shift=0.04,0,0.02 axes=1.04,2,5.02 center=1.04,2,7.92 normal=0.6,0,0.8 "
         "contact=-0.8,2,5.6"}},
       {"Oversize 6/0, DR -0",

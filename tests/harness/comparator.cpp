@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/convert.h"
 #include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/verdict.h"
 
@@ -328,6 +329,40 @@ TEST(Comparator, GrantsWhatThePolicySays) {
     actual = events<double>();
     actual[1].point.value[0] += sign * 2 * k * most;
     EXPECT_EQ(verdict(actual).outcome, Outcome::differs);
+  }
+}
+
+// A long vector: G41 r = 10 along X to (40, 0) and back at (-1000, 1), x = 40 - 10·(1000 + √(1000² + 1)). It is 20000
+// long and slides by 2·√(1000² + 1) = 2000 times an error of the directions (conditions.cpp), so that much is granted.
+TEST(Comparator, GrantsALongVectorItsCondition) {
+  const Real x = 40 - Real(10) * (Real(1000) + sqrt(Real(1'000'001)));
+  const std::vector<std::array<Real, 4>> heads = {{Real(0), Real(0), Real(0), Real(10)},
+                                                  {Real(40), Real(0), x, Real(10)},
+                                                  {Real(-49'960), Real(50), Real(-49'960), Real(50)}};
+  ModelRun run;
+  std::vector<fast::Event> right;
+  for (const std::array<Real, 4>& head : heads) {
+    model::Event e;
+    e.cause = run.events.empty() ? spec::Cause::start_up : spec::Cause::programmed;
+    e.line = run.events.size() + 1;
+    e.programmed = values<Real>({head[0], head[1], Real(0)});
+    e.point = values<Real>({head[2], head[3], Real(0)});
+    e.axes = e.point;
+    run.events.push_back(e);
+    right.push_back(certify::in_double(e));
+  }
+  spec::Case c = plain_case();
+  c.section = "fanuc/cutter-compensation-c";
+  const double k = policy::budget(c.section).coordinate;
+  const auto off_by = [&](std::size_t event, double distance) {
+    std::vector<fast::Event> actual = right;
+    actual[event].point.value[0] += distance;
+    return judge(c, run, actual).outcome;
+  };
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_EQ(off_by(1, sign * k * 1000 * policy::ulp(20'000)), Outcome::agrees);
+    EXPECT_EQ(off_by(1, sign * k * 4000 * policy::ulp(20'000)), Outcome::differs);
+    EXPECT_EQ(off_by(0, sign * k * 1000 * policy::ulp(20'000)), Outcome::differs);
   }
 }
 

@@ -52,8 +52,8 @@ model::Event arc(model::Event e, const std::string& ox, const std::string& oy) {
   return e;
 }
 
-std::vector<Scale> scales(const std::vector<model::Event>& events) {
-  Conditions conditions{spec::Setup()};
+std::vector<Scale> scales(const std::vector<model::Event>& events, const spec::Setup& setup = {}) {
+  Conditions conditions{setup};
   std::vector<Scale> all;
   for (std::size_t i = 0; i < events.size(); ++i) all.push_back(conditions.next(std::span(events).subspan(i)));
   return all;
@@ -228,6 +228,35 @@ TEST(Conditions, OfAnIntersectionOfLinesNearTheTool) {
   };
   const double flat = corner(0);
   for (const int m : {1, 10, 100}) EXPECT_NEAR(corner(m), flat * std::sqrt(1 + double(m) * m), 1e-3 * flat * m);
+}
+
+// R·V/|V|, V = (VM × VT) × VT: an error of VM or VT turns it by that error over sin(VM, VT), here 1/√(1 + n²). The
+// vector lies in the plane of X and Z, square to the tool (n, 0, 1); what is kept keeps its condition, and samples have
+// that of their move.
+TEST(Conditions, OfALeadingEdgeNearTheTool) {
+  spec::Setup setup;
+  setup.parameters[{19631, -1}] = spec::decimal(0);  // no direction counts as along the tool
+  for (const int n : {10, 1000, 100'000}) {
+    const Real norm = sqrt(Real(n) * Real(n) + 1);
+    const Triple tool = {Real(n) / norm, Real(0), Real(1) / norm};
+    const Triple vector = {Real(-10) / norm, Real(0), Real(10 * n) / norm};
+    const Triple across = {Real(0), Real(1), Real(0)};
+    model::Event sample = beside(kOwn, {Real(90), Real(40), Real(0)}, vector, across);
+    sample.kind = spec::EventKind::sample;
+    const auto list = scales({beside(kStart, {Real(50), Real(0), Real(0)}, vector, tool),
+                              beside(kOwn, {Real(90), Real(0), Real(0)}, vector, tool),
+                              beside(kOwn, {Real(90), Real(30), Real(0)}, vector, across), sample,
+                              beside(kOwn, {Real(90), Real(50), Real(0)}, {Real(10), Real(0), Real(0)}, across)},
+                             setup);
+    const double sine = 1 / std::sqrt(double(n) * n + 1);
+    for (const std::size_t i : {0U, 1U, 2U}) {
+      EXPECT_GE(list[i].condition, (1 - 1e-6) / sine) << n << ' ' << i;
+      EXPECT_LE(list[i].condition, 3 / sine) << n << ' ' << i;
+    }
+    // Of the start that the sample's move has.
+    EXPECT_GE(list[3].start, (1 - 1e-6) / sine * policy::ulp(10)) << n;
+    EXPECT_LE(list[4].condition, 4) << n;
+  }
 }
 
 }  // namespace

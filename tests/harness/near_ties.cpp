@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "fuzz/oracle/compare.h"
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/verdict.h"
@@ -275,6 +276,59 @@ TEST(NearTies, AnExactTieOfDecimalsGoesAsTheClauseSays) {
     EXPECT_EQ(judge(c, run, rounded(other)).outcome, Outcome::differs);
     EXPECT_EQ(judge(c, run, rounded(other), {{}, "0.001"}).outcome, Outcome::agrees);
   }
+}
+
+// Behind G43.5 the tool stands at 5·√2 = 7.07106781186547…, 7·10^-14 before the signal. Where the signal is taken to be
+// on from the start, the run cannot be decided (no value of a memory is irrational): such a fork agrees with nothing.
+TEST(NearTies, AForkThatEndsUndecidedNeverAgrees) {
+  spec::Case c = measured("7.0710678118654", "5");
+  c.setup.position['Z'] = spec::decimal(0);
+  c.setup.h[1].geometry = spec::decimal(10);
+  c.program = "G90 G01 F100 G43.5 H1 I1. K1. Z0\nG49\nH1\nG37 Z5.\n";
+  const ModelRun run = run_model(c);
+  ASSERT_EQ(run.events.back().kind, spec::EventKind::setting);
+  const ModelRun fork =
+      run_model(c, forced_to(run, Clause::fanuc_length_measurement_signal_from_the_start, Sign::negative));
+  ASSERT_EQ(fork.events.back().kind, spec::EventKind::undecided);
+  ASSERT_GE(judge(c, run, rounded(run)).near_ties, 1U);
+  EXPECT_EQ(judge(c, run, rounded(run)).outcome, Outcome::agrees);
+  // Right up to where the fork ends, wrong there: neither run has it.
+  std::vector<fast::Event> wrong = rounded(run);
+  wrong.back().value += 1;
+  EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
+  wrong = rounded(run);
+  wrong[fork.events.size() - 1].point.value[2] += 1;
+  EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
+}
+
+// A head of B on C with B at 10^-9 degrees: C is off by 1/sin B = 6·10^10 ulps, 1/20 of a radian. No decision is a near
+// tie for that beyond 2^-12.
+TEST(NearTies, TheBandOfAPositionHasItsCap) {
+  spec::Setup setup;
+  setup.axes = spec::Axes("XYZBC");
+  for (const auto& [parameter, value] : {std::pair(19680U, 2), {19681U, 5}, {19682U, 3}, {19686U, 4}, {19687U, 2}})
+    setup.parameters[{parameter, -1}] = spec::decimal(value);
+  model::Event event;
+  event.line = 2;
+  event.tool_axis = {model::Real(0), model::Real(0), model::Real(1)};
+  for (std::size_t i = 0; i < 5; ++i) event.axes.set(i, 0);
+  event.axes.set(3, exact::Rational(1, 1'000'000'000));
+  event.machine = event.axes;
+  PositionErrors positions(setup);
+  positions.follow(event);
+  ASSERT_GT(policy::kDoubleBand * positions.at(2), 100 * policy::kWidestBand);
+  const Rules rules(setup, "fanuc/tool-center-point-control", {});
+  const auto near = [&](Clause clause, double quantity) {
+    return rules.is_near_tie({clause, 2, model::Real(exact::Rational(quantity)), 1, Sign::positive},
+                             policy::kDoubleBand, positions);
+  };
+  const Clause range = Clause::fanuc_tool_center_point_range;
+  EXPECT_TRUE(near(range, policy::kWidestBand * 0.999));
+  EXPECT_FALSE(near(range, policy::kWidestBand * 1.001));
+  // A clause that does not compare positions has the band of doubles.
+  const Clause corner = Clause::fanuc_cutter_c_obtuse_or_acute;
+  EXPECT_TRUE(near(corner, policy::kDoubleBand * 0.999));
+  EXPECT_FALSE(near(corner, policy::kDoubleBand * 1.001));
 }
 
 // In an inch setup the zone of 5 mm is no decimal: its end, named in millimetres, is rounded before it is compared.

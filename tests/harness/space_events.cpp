@@ -158,6 +158,9 @@ TEST(SpaceEvents, WhatIsUndecidedIsJudged) {
   EXPECT_EQ(difference([](fast::Event& e) { e.line = 5; }), "line");
   EXPECT_EQ(difference([](fast::Event& e) { e.n = 4; }), "n");
   EXPECT_EQ(difference([](fast::Event& e) { e.kind = spec::EventKind::warning; }), "kind");
+  EXPECT_EQ(difference([](fast::Event& e) { e.permitted.positive = true; }), "permitted");
+  EXPECT_EQ(difference([](fast::Event& e) { e.permitted.negative = true; }), "permitted");
+  EXPECT_EQ(difference([](fast::Event& e) { e.permitted.tie = true; }), "permitted");
   std::vector<fast::Event> actual = events<double>();
   actual.erase(actual.begin() + 1);
   EXPECT_EQ(verdict(actual).difference->kind, "missing event");
@@ -256,6 +259,41 @@ TEST(SpaceEvents, AControllerIsNotJudgedBehindWhatIsOutOfScope) {
   run.events = events<Real>();
   run.events.erase(run.events.begin());
   EXPECT_EQ(judge(plain_case(), run, none).outcome, Outcome::nothing_judged);
+}
+
+// One that announces what only undecided events say must give them, each with what it says.
+TEST(SpaceEvents, AControllerThatAnnouncesReasonsMustGiveThem) {
+  ModelRun run;
+  run.events = events<Real>();
+  run.events[1].permitted = {true, true, true};
+  const auto judged = [&](const std::vector<std::string>& fields,
+                          const std::function<void(std::vector<spec::TextEvent>&)>& apply) {
+    std::vector<spec::TextEvent> texts;
+    for (const model::Event& event : run.events) texts.push_back(certify::in_text(event, 30));
+    apply(texts);
+    JudgeOptions options;
+    options.fields = fields;
+    const Verdict v = judge(plain_case(), run, texts, options);
+    return v.difference ? v.difference->kind + " " + v.difference->field : std::string("none");
+  };
+  const std::vector<std::string> none = {"kind", "line", "point"};
+  const std::vector<std::string> reason = {"kind", "line", "point", "reason"};
+  const std::vector<std::string> permitted = {"kind", "line", "point", "permitted"};
+  for (const auto& fields : {none, reason, permitted}) EXPECT_EQ(judged(fields, [](auto&) {}), "none");
+  const auto no_reason = [](auto& e) { e[1].out_of_scope = false; };
+  EXPECT_EQ(judged(reason, no_reason), "undecided reason");
+  EXPECT_EQ(judged(permitted, no_reason), "none");
+  const auto no_tie = [](auto& e) { e[1].permitted.tie = false; };
+  EXPECT_EQ(judged(permitted, no_tie), "undecided permitted");
+  EXPECT_EQ(judged(reason, no_tie), "none");
+  // A move in its place, or nothing.
+  const auto move = [](auto& e) { e.erase(e.begin() + 1); };
+  EXPECT_EQ(judged(none, move), "none");
+  EXPECT_EQ(judged(reason, move), "missing event event");
+  EXPECT_EQ(judged(permitted, [](auto& e) { e.resize(1); }), "missing event event");
+  // What follows is not judged.
+  EXPECT_EQ(judged(reason, [](auto& e) { e[2].point.value[0].v = "7"; }), "none");
+  EXPECT_EQ(judged(reason, [](auto& e) { e.resize(2); }), "none");
 }
 
 // Of a face move, an OUT_OF_SCOPE and a face move the engine is judged in all three, a controller in the first.

@@ -161,5 +161,23 @@ TEST(Streams, SettleNearTiesByRunningAgain) {
   EXPECT_EQ(judge_stream(text(inside, true), setup).outcome, Outcome::agrees);
 }
 
+// The near tie of NearTies.AForkThatEndsUndecidedNeverAgrees, and an engine that writes a wrong value behind it.
+TEST(Streams, AForkThatEndsUndecidedSettlesNothing) {
+  spec::Setup setup;
+  setup.h[1].geometry = spec::decimal(10);
+  setup.measurement['Z'] = *spec::parse_decimal("7.0710678118654");
+  const auto judged = [&] {
+    return judge_stream({[] { return spec::text_source("G90 G01 F100 G43.5 H1 I1. K1. Z0\nG49\nH1\nG37 Z5.\n"); }},
+                        setup);
+  };
+  const Verdict right = judged();
+  EXPECT_EQ(right.outcome, Outcome::agrees) << (right.difference ? explain(*right.difference) : right.undecided);
+  EXPECT_GE(right.near_ties, 1U);
+  fast::active_fault = fast::Fault::difference_reversed;
+  const Verdict wrong = judged();
+  fast::active_fault = fast::Fault::none;
+  EXPECT_EQ(wrong.outcome, Outcome::differs);
+}
+
 }  // namespace
 }  // namespace toolcomp::fuzz

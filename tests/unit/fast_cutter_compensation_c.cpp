@@ -399,7 +399,45 @@ TEST(FastCutterCompensationC, Alarms) {
   EXPECT_EQ(alarm("G39 I1"), "PS0035@1");
   EXPECT_EQ(alarm("G41 D1 G01 X0\nG39 I0 J0"), "PS0035@2");
   EXPECT_EQ(alarm(kA + "G18 X60"), "PS0037@3");
-  EXPECT_EQ(alarm(kA + "G02 X60 Y-20 I20 J-20"), "PS0038@3");
+  // A centre in the end, and in the start, with any letter; PS0023 is for an R that cannot be, or without any.
+  for (const char* block : {"G02 X60 Y-20 I20 J-20", "G02 X60 I0", "G03 X50 Y5 J0", "G02 X40 J0", "G02 I0",
+                            "G02 X50 K3", "G02 G43 H0 X50 I0", "G02 X50 I0 M08"})
+    EXPECT_EQ(alarm(kA + block), "PS0038@3") << block;
+  EXPECT_EQ(alarm(kA + "G02 X60 R1"), "PS0023@3");
+  EXPECT_EQ(alarm(kA + "G02 X60"), "PS0023@3");
+  EXPECT_EQ(alarm("G41 D1 G02 X0 I0"), "PS0034@1");
+  EXPECT_EQ(alarm(kA + "G40 X60\nG02 X70 I0"), "PS0023@4");
+  EXPECT_EQ(alarm("G41 D0\nG02 X70 I0"), "PS0023@2");
+  EXPECT_EQ(alarm("G41 D1\nG02 X70 I0", kAlone), "PS0038@2");
+}
+
+// Sheet, decisions: a second lone G41 that ends the look-ahead of the first makes the vector by its own next block. By
+// hand: 10 square to (30, 40) is (-8, 6).
+TEST(FastCutterCompensationC, ASecondLoneStart) {
+  const auto start = [](const std::string& between) {
+    const ProgramRun run(setup(kAlone, 0, 0), "G41 D1 F100\n" + between + "G01 X30 Y40\nX60 Y80\n");
+    EXPECT_EQ(run.alarm(), "");
+    const Event& first = run.events.front();
+    EXPECT_EQ(first.cause, spec::Cause::start_up);
+    return std::pair(first.line, first.point.value[1]);
+  };
+  EXPECT_EQ(start("M05\nG41 D1\n"), std::pair(std::uint64_t{3}, 6.0));
+  EXPECT_EQ(start("M05\nG42 D1\n"), std::pair(std::uint64_t{3}, -6.0));
+  EXPECT_EQ(start("G41 X0\n"), std::pair(std::uint64_t{2}, 6.0));
+  EXPECT_EQ(start("G41 D1\n"), std::pair(std::uint64_t{1}, 6.0));
+  EXPECT_EQ(start("M05\nG41 D1\nM05\nG41 D1\n"), std::pair(std::uint64_t{5}, 6.0));
+  // Without a word in the block that ends it the next moving block is the start-up block.
+  EXPECT_EQ(start("M05\nM08\n"), std::pair(std::uint64_t{4}, 46.0));
+}
+
+// As the model has it: whatever the outcome of what is left open.
+TEST(FastCutterCompensationC, UndecidedPermitsEveryOutcome) {
+  for (const char* program : {"G41 D1 G01 X0\nG40\nG41 D1\nX40", "G41 D1 G01 X0\nG92 X7\nX40"}) {
+    const ProgramRun run(setup("", -50, 0), program);
+    ASSERT_EQ(run.events.back().kind, spec::EventKind::undecided) << program;
+    EXPECT_EQ(run.events.back().permitted, (spec::PermittedOutcomes{true, true, true}));
+  }
+  EXPECT_EQ(ProgramRun(setup("", -50, 0), kA + "G18").events.back().permitted, spec::PermittedOutcomes{});
 }
 
 TEST(FastCutterCompensationC, NoIntersectionNamesTheFormerBlock) {

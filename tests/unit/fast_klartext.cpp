@@ -29,13 +29,35 @@ TEST(Klartext, WithoutCompensation) {
   EXPECT_EQ(run.shift(0), (Triple{0, 0, 0}));
   EXPECT_EQ(run.tool_shift(0), (Triple{0, 0, 0.5}));
   expect_triple(run.axes(0), {36.0084, 6.177, -1.4209});
-  expect_triple(run.center(0), {36.0084, 6.177, 1.0791});
+  expect_triple(run.center(0), {36.0084, 6.177, 0.9791});
   expect_triple(*run.moves[0].space->carrier, {36.0084, 6.177, 98.5791}, 100);
   // Under CNT-CNT the tip lies R2 of the table below.
   const KlartextRun center(kTools, kCall + "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT CNT-CNT\nL X0 A90\n");
   expect_triple(center.tool_axis(0), {0, -1, 0});
   expect_triple(center.tip(0), {0, 3, 0});
-  expect_triple(center.center(0), {0, 0, 0});
+  expect_triple(center.center(0), {0, 0.1, 0});
+}
+
+// Sheet, D-25 and 5.10: TCP' = TIP' + R2' t without a normal too. Toroid of E11, R2 = 1, dR2 = -0.02, and 0.1 more of
+// the TOOL CALL: R2' = 0.98 and 1.08; by hand.
+TEST(Klartext, ToolCenterOfBlocksWithoutNormal) {
+  const std::string toroid = "[[tool]]\nnumber=1\nR=6\nR2=1\nDL=0.05\nDR=\"-0.1\"\nDR2=\"-0.02\"\n";
+  const auto expect = [&](const std::string& program, const Triple& tip, const Triple& center) {
+    const KlartextRun run(toroid, program);
+    ASSERT_FALSE(run.moves.empty()) << program;
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(run.tip(run.last())[i], tip[i], 1e-14) << program;
+      EXPECT_NEAR(run.center(run.last())[i], center[i], 1e-14) << program;
+    }
+  };
+  expect(kCall + "L X1 Y2 Z3 R0\n", {1, 2, 3}, {1, 2, 3.98});
+  expect("TOOL CALL 1 Z DR2+0.1\nL X1 Y2 Z3 R0\n", {1, 2, 3}, {1, 2, 4.08});
+  expect(kCall + "M128\nLN X1 Y2 Z3 TX0 TY0.6 TZ0.8 R0\n", {1, 2, 3}, {1, 2.588, 3.784});
+  expect(kCall + "M128\nL X1 B90 R0\n", {1, 0, 0}, {1.98, 0, 0});
+  // CNT-CNT: the tip is R2 of the table below the programmed point, the centre dR2 above it.
+  const std::string cnt = kCall + "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT CNT-CNT\n";
+  expect(cnt + "L X1 Y2 Z3 R0\n", {1, 2, 2}, {1, 2, 2.98});
+  expect(cnt + "LN X1 Y2 Z3 TX0 TY0.6 TZ0.8 R0\n", {1, 1.4, 2.2}, {1, 1.988, 2.984});
 }
 
 TEST(Klartext, Units) {

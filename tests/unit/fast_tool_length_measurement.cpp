@@ -134,7 +134,14 @@ TEST(ToolLengthMeasurement, Alarms) {
   EXPECT_EQ(alarm("H1\nG37 X1 Z1\n"), "PS0083@2");
   EXPECT_EQ(alarm("H1\nG37\n"), "PS0083@2");
   EXPECT_EQ(alarm("H1\nG37 B5\n"), "PS0083@2");
-  EXPECT_EQ(alarm("G37 G43 Z200 H01\n"), "MEASUREMENT_FORMAT@1");
+  // The order of alarms comes before the format.
+  for (const char* code : {"G43", "G44", "G49"}) {
+    const std::string block = std::string("G37 ") + code;
+    EXPECT_EQ(alarm((block + " Z200 H01\n").c_str()), "PS0082@1");
+    EXPECT_EQ(alarm((block + " Z200\n").c_str()), "PS0081@1");
+    EXPECT_EQ(alarm(("H1\n" + block + " X1 Z1\n").c_str()), "PS0083@2");
+    EXPECT_EQ(alarm(("H1\n" + block + " Z200\n").c_str()), "MEASUREMENT_FORMAT@2");
+  }
   EXPECT_EQ(alarm("H1\nG41 X1 D1\nG37 Z200\n"), "PS0036@3");
   const ProgramRun same(s, "H1\nG37 Z760\n");
   ASSERT_EQ(same.events.size(), 1U);

@@ -115,6 +115,44 @@ TEST(ModelCutterCRules, ArcAtStartOrCancel) {
   EXPECT_EQ(points(started("G40\nG02 X60 I10\n")).back(), "4 PS0034");
 }
 
+// Sheet, decisions: a second lone G41 that ends the look-ahead of the first makes the vector by its own next block. By
+// hand: 2 square to (30, 40) is (-1.6, 1.2).
+TEST(ModelCutterCRules, ASecondLoneStart) {
+  constexpr const char* kAtOnce = "\"5003#1\" = 1";
+  const auto lone = [&](const std::string& between, const std::string& program = "G01 X30 Y40 F100\nX60 Y80\n") {
+    return points("G90 G00 X0 Y0\nG10 L11 P1 R2\nG41 D1\n" + between + program, kAtOnce);
+  };
+  const auto without_setting = [](Lines seen) {
+    std::erase_if(seen, [](const std::string& line) { return line.find('=') != std::string::npos; });
+    return seen;
+  };
+  EXPECT_EQ(without_setting(lone("M05\nG41 D1\n")), (Lines{"1 rapid X0 Y0 Z0", "5 rapid X-1.6 Y1.2 Z0 (start-up)",
+                                                           "6 linear X28.4 Y41.2 Z0", "7 linear X58.4 Y81.2 Z0"}));
+  // By a G42 on the other side; by a zero travel with the word; without a block between the first one is the one.
+  EXPECT_EQ(without_setting(lone("M05\nG42 D1\n"))[1], "5 rapid X1.6 Y-1.2 Z0 (start-up)");
+  EXPECT_EQ(without_setting(lone("G41 X0\n"))[1], "4 rapid X-1.6 Y1.2 Z0 (start-up)");
+  EXPECT_EQ(without_setting(lone("G41 D1\n"))[1], "3 rapid X-1.6 Y1.2 Z0 (start-up)");
+  // The look-ahead of the second one ends likewise; a third makes the vector.
+  EXPECT_EQ(without_setting(lone("M05\nG41 D1\nM05\nG41 D1\n"))[1], "7 rapid X-1.6 Y1.2 Z0 (start-up)");
+  // Without a word in the block that ends it the next moving block is a start-up block.
+  EXPECT_EQ(without_setting(lone("M05\nM08\n"))[1], "6 linear X28.4 Y41.2 Z0 (start-up)");
+}
+
+// Sheet, decisions: a centre in the start and one in the end are alike; PS0023 is for an R that cannot be.
+TEST(ModelCutterCRules, ArcAboutItsStartOrItsEnd) {
+  for (const char* block :
+       {"G02 X50 I0\n", "G03 X50 Y5 J0\n", "G02 X40 I0\n", "G02 I0\n", "G02 X50 K3\n", "G02 X50 I10\n"})
+    EXPECT_EQ(points(started(block)), (Lines{"1 linear X20 Y10 Z0 (start-up)", "2 linear X40 Y10 Z0", "3 PS0038"}))
+        << block;
+  EXPECT_EQ(points(started("G02 X50 R1\n")).back(), "3 PS0023");
+  EXPECT_EQ(points(started("G02 X50\n")).back(), "3 PS0023");
+  // Words come first, and where the mode is not asked for it is PS0023.
+  EXPECT_EQ(points("G02 G41 D1 X40 I0 F1\n"), (Lines{"1 PS0034"}));
+  EXPECT_EQ(points(started("G40 X60\nG02 X70 I0\n")).back(), "4 PS0023");
+  EXPECT_EQ(points("G41 D0\nG02 X70 I0 F1\n").back(), "2 PS0023");
+  EXPECT_EQ(points("G41 D1\nG02 X70 I0 F1\n", "\"5003#1\" = 1").back(), "2 PS0038");
+}
+
 TEST(ModelCutterCRules, AlarmsBeforeAMove) {
   EXPECT_EQ(alarm(run(cutter_setup(), started("G18 X50\n"))), "3 PS0037");
   EXPECT_EQ(alarm(run(cutter_setup(), started("G40 G18 X50\n"))), "3 PS0037");

@@ -40,6 +40,24 @@ TEST(ModelKlartextState, ToolCall) {
   EXPECT_EQ(story(kTools, kCall + "L RL\nTOOL CALL S100\nL X1\n"), (Lines{"4 heidenhain.peripheral.out-of-scope"}));
 }
 
+// Sheet, D-25 and 5.10: TCP' = TIP' + R2' t without a normal too. Toroid of E11, R2 = 1, dR2 = -0.02, and 0.1 more of
+// the TOOL CALL: R2' = 0.98 and 1.08; by hand.
+TEST(ModelKlartextState, ToolCenterOfBlocksWithoutNormal) {
+  const std::string toroid = tool("R = 6\nR2 = 1\nDL = \"0.05\"\nDR = \"-0.1\"\nDR2 = \"-0.02\"\n");
+  const auto center = [&](const std::string& program) { return shown(last_move(toroid, program).space->tool_center); };
+  const auto tip = [&](const std::string& program) { return shown(last_move(toroid, program).point); };
+  EXPECT_EQ(center(kCall + "L X1 Y2 Z3 R0\n"), "1 2 3.98");
+  EXPECT_EQ(center("TOOL CALL 1 Z DR2+0.1\nL X1 Y2 Z3 R0\n"), "1 2 4.08");
+  EXPECT_EQ(center(kCall + "M128\nLN X1 Y2 Z3 TX0 TY0.6 TZ0.8 R0\n"), "1 2.588 3.784");
+  EXPECT_EQ(center(kCall + "M128\nL X1 B90 R0\n"), "1.98 0 0");
+  // CNT-CNT: the tip is R2 of the table below the programmed point, the centre dR2 above it.
+  const std::string cnt = kCall + "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT CNT-CNT\n";
+  EXPECT_EQ(tip(cnt + "L X1 Y2 Z3 R0\n"), "1 2 2");
+  EXPECT_EQ(center(cnt + "L X1 Y2 Z3 R0\n"), "1 2 2.98");
+  EXPECT_EQ(tip(cnt + "LN X1 Y2 Z3 TX0 TY0.6 TZ0.8 R0\n"), "1 1.4 2.2");
+  EXPECT_EQ(center(cnt + "LN X1 Y2 Z3 TX0 TY0.6 TZ0.8 R0\n"), "1 1.988 2.984");
+}
+
 TEST(ModelKlartextState, Deltas) {
   EXPECT_EQ(axes("TOOL CALL 1 DL+1\nFUNCTION CORRDATA TCS #1\nL X1\n"), "1 0 1.75");
   // A call without a tool replaces what it names; a row of the compensation table is dropped with the next tool.

@@ -120,7 +120,13 @@ TEST(ModelToolLengthMeasurement, Alarms) {
   EXPECT_EQ(measured("198", "H1\nG90 G37 X1 Z1\n").back(), "2 PS0083");
   EXPECT_EQ(measured("198", "H1\nG37 B10.\n").back(), "2 PS0083");
   EXPECT_EQ(measured("198", "H1\nG37\n").back(), "2 PS0083");
-  EXPECT_EQ(measured("198", "H1\nG43 G37 Z200 H1\n").back(), "2 MEASUREMENT_FORMAT");
+  // The order of alarms comes before the format.
+  for (const std::string code : {"G43", "G44", "G49"}) {
+    EXPECT_EQ(measured("198", "H1\n" + code + " G37 Z200 H1\n").back(), "2 PS0082");
+    EXPECT_EQ(measured("198", code + " G37 Z200\n").back(), "1 PS0081");
+    EXPECT_EQ(measured("198", "H1\n" + code + " G37 X1 Z1\n").back(), "2 PS0083");
+    EXPECT_EQ(measured("198", "H1\n" + code + " G37 Z200\n").back(), "2 MEASUREMENT_FORMAT");
+  }
   EXPECT_EQ(measured("198", "H1\nG37 Z200\n", "6251 = 5\n").back(), "2 MEASUREMENT_PARAMETERS");
   EXPECT_EQ(measured("198", "H1\nG37 Z200\n", "6254 = -1\n").back(), "2 MEASUREMENT_PARAMETERS");
   EXPECT_EQ(measured("198", "H1\nG37 Z200\n", "6241 = 0\n").back(), "2 MEASUREMENT_PARAMETERS");
