@@ -336,7 +336,10 @@ void KlartextProgram::travel() {
                                  : std::array<std::int64_t, 3>{before[2], before[1], -before[0]};
       break;
     case 5:  // along the tool
+      // Mostly by millimetres: vectors of one digit would be as many ten-thousandths.
       for (std::size_t i = 0; i < 3; ++i) step_[i] = tool_vector_.count[i] % 1'000'000'000;
+      if (std::ranges::all_of(step_, [](std::int64_t s) { return std::abs(s) < 1'000; }) && choose_.chance(85))
+        for (std::int64_t& s : step_) s *= one_;
       break;
     case 6:  // nearly back
       for (std::int64_t& s : step_) s = -s;
