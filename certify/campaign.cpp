@@ -14,12 +14,13 @@
 #include <utility>
 
 #include "certify/convert.h"
+#include "certify/event_fields.h"
 #include "certify/path_svg.h"
 #include "certify/program_text.h"
+#include "certify/selection.h"
 #include "certify/shrink.h"
 #include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
-#include "fuzz/oracle/control.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -31,22 +32,10 @@ constexpr unsigned kMostHangs = 2;
 constexpr unsigned kMostFaults = 20;
 // Programs of a faulty controller that shrinking tries again: each costs a restart, a hang its time-out.
 constexpr std::size_t kMostFaultyRuns = 40;
+// Cases with fewer events judged are counted apart.
+constexpr std::uint64_t kFewestEvents = 3;
 constexpr std::size_t kMostUnsettled = 100;
 constexpr std::size_t kMostPictures = 20;
-// Every fourth generated case is unrestricted: mostly alarms.
-constexpr std::uint64_t kUnrestrictedEvery = 4;
-
-// Mixes two numbers so that neighbours have nothing in common.
-std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
-  fuzz::SeededSource source(a);
-  return source.below(UINT64_MAX) ^ fuzz::SeededSource(b ^ 0x5bd1e995).below(UINT64_MAX);
-}
-
-std::uint64_t number_of(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return hash;
-}
 
 // What remains of one judged case.
 struct CaseResult {
@@ -59,6 +48,8 @@ struct CaseResult {
   std::string id;
   std::string why;
   std::string picture;
+  spec::FieldSet sent;  // by the controller
+  spec::FieldSet due;   // as the model's events have them
 };
 
 // What a picture shows of a run: inside blocks under tool center point control the tool turns, so the picture has
@@ -100,6 +91,7 @@ class Campaign {
       if (std::ranges::find(sections_, section) == sections_.end())
         throw spec::InputError("--section", 0, 0, "unknown section " + section);
     total_ = options.cases.size() + sections_.size() * options.generated;
+    generated_.resize(sections_.size());
     certificate_.clauses.resize(spec::kClauseCount);
   }
 
@@ -113,10 +105,12 @@ class Campaign {
       return std::move(certificate_);
     }
     certificate_.subject = std::get<Capabilities>(capabilities);
+    expect_fine_resolution(certificate_.subject, options_.accepted_resolution);
     results_.resize(total_);
     run_all(*first);
     summarize();
     shrink_all(*first);
+    find_fields_never_sent();
     return std::move(certificate_);
   }
 
@@ -142,18 +136,41 @@ class Campaign {
     id.controller = options_.controller;
   }
 
-  [[nodiscard]] CaseInput case_at(std::size_t index) const {
+  [[nodiscard]] CaseInput case_at(std::size_t index) {
     if (index < options_.cases.size()) return options_.cases[index];
     index -= options_.cases.size();
-    return {generated_case(sections_[index / options_.generated], options_.seed, index % options_.generated),
-            Origin::generated};
+    const std::size_t section = index / options_.generated;
+    return {generated(section).at(index % options_.generated), Origin::generated};
+  }
+
+  // Chosen when the first of them is asked for; none for a section the controller does not know.
+  const std::vector<spec::Case>& generated(std::size_t section) {
+    const std::scoped_lock lock(choosing_);
+    std::vector<spec::Case>& cases = generated_[section];
+    if (!cases.empty()) return cases;
+    const std::string& name = sections_[section];
+    const std::vector<std::string>& known = certificate_.subject.sections;
+    if (std::ranges::find(known, name) == known.end()) {
+      spec::Case none;
+      none.section = name;
+      none.id = name;
+      cases.assign(options_.generated, none);
+      return cases;
+    }
+    cases = select_cases(name, options_.seed, options_.generated, [&](std::uint64_t looked_at) {
+              if (options_.choosing) options_.choosing(name, looked_at);
+            }).cases;
+    return cases;
   }
 
   // No capabilities, so nothing can be judged: one finding, on a case of the first section.
   void cannot_be_asked(Subject& subject, const Fault& failure) {
     if (total_ == 0) throw spec::InputError("certify", 0, 0, "no cases to judge");
-    const CaseInput input = case_at(0);
-    const Judgement j = judge_answer({}, input.c, fuzz::run_model(input.c), {failure, {}});
+    const CaseInput input =
+        options_.cases.empty()
+            ? CaseInput{select_cases(sections_.front(), options_.seed, 1).cases.front(), Origin::generated}
+            : options_.cases.front();
+    const Judgement j = judge_answer({}, input.c, fuzz::run_model(input.c), {failure, {}, {}});
     certificate_.sections.push_back({});
     SectionResult& section = certificate_.sections.back();
     section.section = input.c.section;
@@ -227,8 +244,13 @@ class Campaign {
     // A controller that has hung before is not waited for that long again.
     std::optional<std::chrono::milliseconds> patience;
     if (faults.hangs > 0) patience = short_patience(subject, options_.timeout);
-    Judgement j = judge_answer(capabilities, c, run, subject.run(c, patience));
+    const Answer answer = subject.run(c, patience);
+    Judgement j = judge_answer(capabilities, c, run, answer);
     r.result = j.result;
+    r.sent = answer.sent;
+    // What is missing where something differs is part of that finding.
+    const bool agrees = j.result == Result::agrees || j.result == Result::partly_judged;
+    if (agrees && std::holds_alternative<TextEvents>(answer.result)) r.due = fields_of(run);
     r.key = key_of(c, j);
     r.why = std::move(j.why);
     r.setup = spec::write_setup_json(c.setup);
@@ -276,20 +298,27 @@ class Campaign {
     for (const CaseResult& r : results_) {
       SectionResult& s = section_of(r.section);
       ++s.cases[static_cast<std::size_t>(r.origin)];
-      ++s.results[static_cast<std::size_t>(r.result)];
+      // Of a user's own program each counts; of golden and generated cases, which go where it is steep, their section.
+      const bool wide = r.result == Result::partly_judged;
+      const Result result = wide && r.origin != Origin::own ? Result::agrees : r.result;
+      ++s.results[static_cast<std::size_t>(result)];
+      s.wide_cases += wide ? 1 : 0;
+      s.wide += r.verdict.wide;
+      s.out_of_scope += r.verdict.out_of_scope;
+      const bool judged = r.result == Result::agrees || r.result == Result::partly_judged;
+      s.few_events += judged && r.verdict.events < kFewestEvents ? 1 : 0;
       s.values += r.verdict.values;
       s.decisions += r.verdict.decisions;
       s.near_ties += r.verdict.near_ties;
       s.ties += r.verdict.ties;
       // The distance of a wrong answer is a finding, not a rounding error.
-      if (r.result == Result::agrees) {
+      if (judged) {
         s.worst_ulp = std::max(s.worst_ulp, r.verdict.worst_ulp);
         s.worst_um = std::max(s.worst_um, r.verdict.worst_um);
       }
       if (!r.setup.empty()) setups.insert(r.setup);
       if (!r.picture.empty()) certificate_.pictures.push_back({r.id, r.picture});
-      const bool settled =
-          r.result == Result::agrees || r.result == Result::differs || r.result == Result::not_applicable;
+      const bool settled = result == Result::agrees || result == Result::differs || result == Result::not_applicable;
       if (!settled && certificate_.unsettled.size() < kMostUnsettled)
         certificate_.unsettled.push_back({r.id, r.section, r.result, r.why});
     }
@@ -320,9 +349,62 @@ class Campaign {
     }
   }
 
+  // Announced, due in a case, and in no answer: a finding each, on the first such case.
+  void find_fields_never_sent() {
+    spec::FieldSet sent;
+    for (const CaseResult& r : results_) add(sent, r.sent);
+    for (const std::string& name : certificate_.subject.fields) {
+      const auto field = spec::find_field(name);
+      if (!field || sent.has(*field)) continue;
+      const auto due = std::ranges::find_if(results_, [&](const CaseResult& r) { return r.due.has(*field); });
+      const bool known = std::ranges::any_of(certificate_.findings, [&](const Finding& f) { return f.field == name; });
+      if (due == results_.end() || known) continue;
+      Finding f = never_sent(case_at(static_cast<std::size_t>(due - results_.begin())).c, *field);
+      f.occurrences = static_cast<std::uint64_t>(
+          std::ranges::count_if(results_, [&](const CaseResult& r) { return r.due.has(*field); }));
+      certificate_.findings.push_back(std::move(f));
+    }
+  }
+
+  Finding never_sent(const spec::Case& c, spec::Field field) const {
+    Finding f;
+    Shrunk shrunk = shrink(c,
+                           [field](const spec::Case& smaller) {
+                             try {
+                               return fields_of(fuzz::run_model(smaller)).has(field);
+                             } catch (const std::exception&) {
+                               return false;
+                             }
+                           },
+                           {options_.shrink_runs});
+    f.smallest = std::move(shrunk.smallest);
+    f.runs = shrunk.runs;
+    f.complete = shrunk.complete;
+    f.first_case = c.id;
+    f.key.section = c.section;
+    f.key.kind = kNeverSent;
+    f.field = spec::field_name(field);
+    f.expected = "sent, as announced in the capabilities";
+    f.actual = "in no answer";
+    const fuzz::ModelRun run = fuzz::run_model(f.smallest);
+    const auto event = std::ranges::find_if(run.events, [&](const model::Event& e) { return fields_of(e).has(field); });
+    if (event != run.events.end()) {
+      f.event = static_cast<std::size_t>(event - run.events.begin());
+      f.line = event->line;
+      if (!event->clauses.empty()) f.key.clause = spec::info(event->clauses.back()).id;
+    }
+    for (const model::Event& e : run.events) f.expected_events.push_back(certify::in_double(e));
+    f.controller = options_.controller;
+    f.seed = std::to_string(options_.seed);
+    f.tool = certificate_.identity.tool;
+    return f;
+  }
+
   const CampaignOptions& options_;
   std::vector<std::string> sections_;
   std::size_t total_ = 0;
+  std::vector<std::vector<spec::Case>> generated_;  // by section
+  std::mutex choosing_;
   Certificate certificate_;
   std::vector<CaseResult> results_;
   std::atomic<std::size_t> next_{0};
@@ -381,26 +463,6 @@ bool describe(Finding& f, Subject& subject, const Capabilities& capabilities, sp
   return j.result == Result::differs && key_of(f.smallest, j) == f.key;
 }
 
-// Could a control have this setup, with the tables the program asks for?
-bool possible(const spec::Case& c) {
-  struct Nowhere final : spec::EventSink<exact::Real> {
-    void on(const model::Event& /*event*/) override {}
-  } nowhere;
-  model::Recorder recorder;
-  try {
-    fuzz::with_control(c.setup, [&]<class Control>(Control) {
-      const auto engine = Control::model(c.setup, recorder, nowhere, 0);
-      typename Control::Reader reader = Control::reader(spec::text_source(c.program), c.setup, "program");
-      const auto block = std::make_unique<typename Control::Block>();
-      while (reader.next(*block)) {
-      }
-    });
-    return true;
-  } catch (const spec::InputError&) {
-    return false;
-  }
-}
-
 // The judge on a program whose last event sends an axis to a place that is known.
 std::string check_judge(const spec::Case& c, std::size_t axis, std::string_view place) {
   const fuzz::ModelRun run = fuzz::run_model(c);
@@ -421,20 +483,6 @@ std::string check_judge(const spec::Case& c, std::size_t axis, std::string_view 
 }
 
 }  // namespace
-
-spec::Case generated_case(std::string_view section, std::uint64_t seed, std::uint64_t index) {
-  fuzz::SeededSource source(mix(mix(seed, number_of(section)), index));
-  const fuzz::Mode mode =
-      index % kUnrestrictedEvery == kUnrestrictedEvery - 1 ? fuzz::Mode::unrestricted : fuzz::Mode::directed;
-  spec::Case c = fuzz::generate(section, mode, source);
-  // What no control could have cannot be given to a controller: another one is drawn.
-  while (!possible(c)) c = fuzz::generate(section, mode, source);
-  std::string id(section);
-  std::ranges::replace(id, '/', '.');
-  c.id = id + ".seed-" + std::to_string(seed) + "." + std::to_string(index);
-  c.source = {"toolcomp certify", TOOLCOMP_VERSION, std::to_string(seed) + ":" + std::to_string(index)};
-  return c;
-}
 
 Finding make_finding(Subject& subject, const Capabilities& capabilities, const spec::Case& failing,
                      const FailureKey& key, std::size_t max_runs, std::chrono::milliseconds timeout) {

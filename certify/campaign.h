@@ -21,16 +21,19 @@ struct CampaignOptions {
   std::string controller;             // command; empty: the fast engine in this process
   std::vector<std::string> sections;  // of the generated cases; empty: every section that is built
   std::vector<CaseInput> cases;       // judged first
-  std::uint32_t generated = 200;      // cases a section
+  std::uint32_t generated = 1000;     // cases a section (certify/selection.h)
   std::uint64_t seed = 1;
   std::chrono::milliseconds timeout{10'000};  // for one answer
   std::size_t reply_limit = kReplyLimit;      // bytes of one answer
+  std::string accepted_resolution;            // of the controller, where it is coarse (expect_fine_resolution)
   unsigned jobs = 1;                          // controllers side by side
   std::size_t shrink_runs = 2000;             // executions a finding may take
   std::string corpus = "none";                // version of the golden corpus, for the certificate
   std::string corpus_hash;                    // of its manifest
   // Called with the cases done and their number, from one thread at a time.
   std::function<void(std::uint64_t, std::uint64_t)> progress;
+  // Called while the generated cases of a section are chosen, with the candidates looked at; from one thread at a time.
+  std::function<void(const std::string&, std::uint64_t)> choosing;
 };
 
 // Judges every case, groups the failures by section, clause and kind, and shrinks the smallest of each group. Case k of
@@ -38,9 +41,6 @@ struct CampaignOptions {
 // cases are not run (and the certificate says so). Throws spec::InputError for cases no control could read, for an
 // unknown section, and for a command that cannot be run.
 Certificate certify(const CampaignOptions& options);
-
-// Generated case `index` of a section under a seed: the cases a certification uses.
-spec::Case generated_case(std::string_view section, std::uint64_t seed, std::uint64_t index);
 
 // Shrinks one failing case and describes it. `failing` fails with `key` under `subject`.
 Finding make_finding(Subject& subject, const Capabilities& capabilities, const spec::Case& failing,

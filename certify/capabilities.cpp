@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "spec/language/fields.h"
@@ -206,6 +207,22 @@ std::vector<std::string> fields_not_judged(const Capabilities& capabilities) {
 bool meets_minimum(const Capabilities& capabilities) {
   const auto& fields = capabilities.fields;
   return lists(fields, "kind") && lists(fields, "line") && (lists(fields, "point") || lists(fields, "axes"));
+}
+
+void expect_fine_resolution(const Capabilities& capabilities, const std::string& accepted) {
+  if (capabilities.resolution.empty()) return;
+  constexpr double kFineMm = 0.01;
+  constexpr double kFineInch = 0.0004;
+  const bool inch = !capabilities.setup.empty() &&
+                    spec::read_setup_json(capabilities.setup, std::string(kFile) + " setup").units == spec::Units::inch;
+  const double fine = inch ? kFineInch : kFineMm;
+  const double announced = std::stod(capabilities.resolution);
+  if (announced <= fine || (!accepted.empty() && announced <= std::stod(accepted))) return;
+  const std::string unit = inch ? " inch" : " mm";
+  throw spec::InputError("--controller", 0, 0,
+                         "the controller announces a resolution of " + capabilities.resolution + unit +
+                             ", coarser than 0.01 mm (0.0004 inch): whoever accepts that says --accept-resolution " +
+                             capabilities.resolution);
 }
 
 std::string why_not_applicable(const Capabilities& capabilities, const spec::Case& c) {

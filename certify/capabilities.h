@@ -32,6 +32,11 @@ std::vector<std::string> fields_not_judged(const Capabilities& capabilities);
 // Whether kind, line and one of point and axes are announced: with less, nothing can be judged.
 bool meets_minimum(const Capabilities& capabilities);
 
+// Throws spec::InputError for an announced resolution of more than 0.01 mm (0.0004 inch where the controller's setup is
+// in inches) that is more than `accepted`, a decimal in the same units, or empty: so coarse a controller is certified
+// only for a user who says so.
+void expect_fine_resolution(const Capabilities& capabilities, const std::string& accepted);
+
 // Why the case does not apply to the controller: "section …", "setup …"; empty where it applies. A setting that the
 // case leaves open counts as its default (0; bit 3401#0: 1; 19697: 3).
 std::string why_not_applicable(const Capabilities& capabilities, const spec::Case& c);

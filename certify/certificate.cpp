@@ -20,6 +20,21 @@ std::vector<spec::Clause> select(const Certificate& certificate, Wanted wanted) 
   return selected;
 }
 
+// Every case, and something in every section that applies.
+bool is_decided(const Certificate& certificate) {
+  std::uint64_t values = 0;
+  for (const SectionResult& s : certificate.sections) {
+    values += s.values;
+    const std::uint64_t applicable = s.total() - s.count(Result::not_applicable);
+    if (s.count(Result::undecided) > 0 || (applicable > 0 && s.values == 0)) return false;
+  }
+  return values > 0;
+}
+
+bool is_too_wide(const SectionResult& s) {
+  return s.count(Result::partly_judged) > 0 || too_many_wide(s.values, s.wide);
+}
+
 }  // namespace
 
 std::vector<spec::Clause> clauses_not_exercised(const Certificate& certificate) {
@@ -38,13 +53,8 @@ std::vector<spec::Clause> open_clauses_relied_on(const Certificate& certificate)
 int exit_status(const Certificate& certificate) {
   if (!certificate.self_check.empty()) return 4;
   if (!certificate.findings.empty()) return 1;
-  std::uint64_t values = 0;
-  for (const SectionResult& s : certificate.sections) {
-    values += s.values;
-    const std::uint64_t applicable = s.total() - s.count(Result::not_applicable);
-    if (s.count(Result::undecided) > 0 || (applicable > 0 && s.values == 0)) return 3;
-  }
-  return values > 0 ? 0 : 3;
+  if (!is_decided(certificate)) return 3;
+  return std::ranges::any_of(certificate.sections, is_too_wide) ? 3 : 0;
 }
 
 std::string_view verdict(const Certificate& certificate) {
@@ -56,7 +66,7 @@ std::string_view verdict(const Certificate& certificate) {
     case 4:
       return "self-check failed";
     default:
-      return "not decided";
+      return is_decided(certificate) ? "conforms only in part: more than 1 % not judged" : "not decided";
   }
 }
 

@@ -20,14 +20,18 @@ enum class Origin : std::uint8_t { golden, generated, own };
 
 // The sums of one section. Lengths in micrometres.
 struct SectionResult {
-  std::string section;                     // empty: programs of the user's own
-  std::array<std::uint64_t, 3> cases{};    // by origin
-  std::array<std::uint64_t, 6> results{};  // by Result
-  std::uint64_t values = 0;                // judged
-  std::uint64_t decisions = 0;             // of the model, by sign
-  std::uint64_t near_ties = 0;             // decisions inside their band
-  std::uint64_t ties = 0;                  // near ties in which the other, permitted, outcome was taken
-  double worst_ulp = 0;                    // in the units the verdict policy multiplies by its k
+  std::string section;                            // empty: programs of the user's own
+  std::array<std::uint64_t, 3> cases{};           // by origin
+  std::array<std::uint64_t, kResults> results{};  // by Result
+  std::uint64_t values = 0;                       // judged
+  std::uint64_t decisions = 0;                    // of the model, by sign
+  std::uint64_t near_ties = 0;                    // decisions inside their band
+  std::uint64_t ties = 0;                         // near ties in which the other, permitted, outcome was taken
+  std::uint64_t wide = 0;                         // values that were granted more than policy::kCap: not judged
+  std::uint64_t wide_cases = 0;                   // cases with more than policy::kMostWide of such
+  std::uint64_t out_of_scope = 0;                 // events behind one of reason OUT_OF_SCOPE
+  std::uint64_t few_events = 0;                   // cases with a verdict and fewer than three events judged
+  double worst_ulp = 0;                           // in the units the verdict policy multiplies by its k
   double worst_um = 0;
 
   [[nodiscard]] std::uint64_t count(Result result) const { return results[static_cast<std::size_t>(result)]; }
@@ -79,10 +83,11 @@ std::vector<spec::Clause> clauses_not_exercised(const Certificate& certificate);
 // Open clauses that were reached: results that rest on a definition of ours.
 std::vector<spec::Clause> open_clauses_relied_on(const Certificate& certificate);
 
-// 4 a self-check failed; 1 a finding; 3 the oracle could not decide a case, or a section that applies had no value
-// judged; else 0.
+// 4 a self-check failed; 1 a finding; 3 the oracle could not decide a case, a section that applies had no value judged,
+// or more than policy::kMostWide of the values of a section or of an own case were not judged; else 0.
 int exit_status(const Certificate& certificate);
-// "conforms", "does not conform", "not decided", "self-check failed".
+// "conforms", "does not conform", "not decided", "conforms only in part: more than 1 % not judged", "self-check
+// failed".
 std::string_view verdict(const Certificate& certificate);
 
 std::string_view kind_name(spec::ClauseKind kind);

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "certify/event_fields.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
 
@@ -118,21 +119,23 @@ std::variant<Capabilities, Fault> Controller::capabilities() {
 
 Answer Controller::run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience) {
   const std::chrono::milliseconds timeout = patience.value_or(options_.timeout);
-  if (auto failure = start(timeout)) return {std::move(*failure), {}};
+  if (auto failure = start(timeout)) return {std::move(*failure), {}, {}};
   spec::Case request = c;
   request.expect.clear();
   request.has_expect = false;
   auto reply = exchange(spec::write_case_line(request), timeout);
-  if (auto* failure = std::get_if<Fault>(&reply)) return {std::move(*failure), {}};
+  if (auto* failure = std::get_if<Fault>(&reply)) return {std::move(*failure), {}, {}};
   const std::string& line = std::get<std::string>(reply);
   try {
     spec::Reply read = spec::read_reply(line, c.setup.axes, "reply");
     if (read.id != c.id)
-      return {fault(FaultKind::malformed, "an answer to " + excerpt(read.id) + " instead of " + excerpt(c.id)), {}};
+      return {fault(FaultKind::malformed, "an answer to " + excerpt(read.id) + " instead of " + excerpt(c.id)), {}, {}};
     auto missing = find_missing(*capabilities_, read);
-    return {std::move(read.events), std::move(missing)};
+    spec::FieldSet sent;
+    for (const spec::FieldSet& fields : read.fields) add(sent, fields);
+    return {std::move(read.events), std::move(missing), sent};
   } catch (const spec::InputError& error) {
-    return {fault(FaultKind::malformed, error.message() + ": " + excerpt(line)), {}};
+    return {fault(FaultKind::malformed, error.message() + ": " + excerpt(line)), {}, {}};
   }
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "certify/controller.h"
+#include "certify/event_fields.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
@@ -95,6 +96,19 @@ class Fields {
   const std::string& file_;
 };
 
+// Whether the field of the finding is still announced and still not sent.
+void replay_never_sent(Replay& replay, Subject& subject) {
+  const auto capabilities = subject.capabilities();
+  const auto field = spec::find_field(replay.finding.field);
+  const auto* const able = std::get_if<Capabilities>(&capabilities);
+  if (able == nullptr || !field) return;
+  const bool announced = std::ranges::find(able->fields, replay.finding.field) != able->fields.end();
+  const Answer answer = subject.run(replay.finding.smallest);
+  if (!announced || !std::holds_alternative<TextEvents>(answer.result) || answer.sent.has(*field)) return;
+  replay.judgement.result = Result::differs;
+  replay.key = replay.finding.key;
+}
+
 }  // namespace
 
 std::string write_finding(const Finding& finding) {
@@ -172,10 +186,11 @@ Replay replay(const std::filesystem::path& file, const ReplayOptions& options) {
       subject_of(options.controller.value_or(result.finding.controller), options.timeout);
   const auto capabilities = subject->capabilities();
   if (const auto* failure = std::get_if<Fault>(&capabilities))
-    result.judgement = judge_answer({}, c, run, {*failure, {}});
+    result.judgement = judge_answer({}, c, run, {*failure, {}, {}});
   else
     result.judgement = judge_case(*subject, std::get<Capabilities>(capabilities), c, run);
   result.key = key_of(c, result.judgement);
+  if (result.finding.key.kind == kNeverSent) replay_never_sent(result, *subject);
   return result;
 }
 

@@ -1,7 +1,11 @@
 #include "certify/judge.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
+
+#include "fuzz/oracle/policy.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -79,10 +83,21 @@ std::string_view name(Result result) {
       return "nothing judged";
     case Result::not_applicable:
       return "not applicable";
+    case Result::partly_judged:
+      return "not judged";
     case Result::not_run:
       break;
   }
   return "not run";
+}
+
+bool too_many_wide(std::uint64_t values, std::uint64_t wide) {
+  return static_cast<double>(wide) > fuzz::policy::kMostWide * static_cast<double>(values + wide);
+}
+
+std::string words_on_wide(std::uint64_t values, std::uint64_t wide) {
+  return fmt::format("{} of {} values were granted more than {} µm: not judged", wide, values + wide,
+                     fuzz::policy::kCap);
 }
 
 std::optional<spec::Clause> clause_of_fault(const fuzz::ModelRun& run) { return last_clause(run, run.events.size()); }
@@ -119,6 +134,10 @@ Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, co
     if (j.difference && !j.difference->clause) j.difference->clause = last_clause(run, j.difference->event);
   }
   if (j.result == Result::undecided) j.why = j.verdict.undecided;
+  if (j.result == Result::agrees && too_many_wide(j.verdict.values, j.verdict.wide)) {
+    j.result = Result::partly_judged;
+    j.why = words_on_wide(j.verdict.values, j.verdict.wide);
+  }
   if (j.result == Result::nothing_judged) j.why = "the program makes no value that is judged";
   return j;
 }

@@ -18,15 +18,22 @@ enum class Result : std::uint8_t {
   nothing_judged,  // less than the minimum, or no value at all
   not_applicable,  // to this controller
   not_run,         // left out after many faults
+  partly_judged,   // agrees where it was judged, but more than policy::kMostWide of its values were not
 };
+inline constexpr std::size_t kResults = 7;
 std::string_view name(Result result);
+
+// Whether so many values that were granted more than policy::kCap are too many beside those judged.
+bool too_many_wide(std::uint64_t values, std::uint64_t wide);
+// "17 of 200 values were granted more than 1 µm: not judged".
+std::string words_on_wide(std::uint64_t values, std::uint64_t wide);
 
 struct Judgement {
   Result result = Result::nothing_judged;
   fuzz::Verdict verdict;                       // counts; the difference too
   std::optional<fuzz::Difference> difference;  // with `differs`
   std::string errors;                          // standard error, with a fault
-  std::string why;                             // with undecided, nothing_judged, not_applicable
+  std::string why;                             // with undecided, nothing_judged, partly_judged, not_applicable
 };
 
 // Two failures with one key are one finding, however different their programs: the section, the clause of the first

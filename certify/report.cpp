@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "certify/event_fields.h"
 #include "certify/markup.h"
 #include "spec/language/file_writer.h"
 
@@ -30,6 +31,10 @@ Json to_json(const SectionResult& s) {
   json["decisions"] = s.decisions;
   json["near_ties"] = s.near_ties;
   json["ties"] = s.ties;
+  json["values_not_judged"] = s.wide;
+  json["cases_with_more_than_1_percent_not_judged"] = s.wide_cases;
+  json["events_out_of_scope"] = s.out_of_scope;
+  json["cases_with_fewer_than_three_events"] = s.few_events;
   json["worst_um"] = s.worst_um;
   json["worst_ulp"] = s.worst_ulp;
   return json;
@@ -121,6 +126,10 @@ Suite suite_of(const Certificate& c, const SectionResult& s) {
             undecided == 0
                 ? ""
                 : fmt::format(R"(<error type="undecided" message="{} cases could not be decided"/>)", undecided));
+  suite.add(group, "not judged",
+            s.count(Result::partly_judged) == 0 && !too_many_wide(s.values, s.wide)
+                ? ""
+                : fmt::format(R"(<error type="not judged" message="{}"/>)", escape(words_on_wide(s.values, s.wide))));
   suite.add(group, "judged", s.values > 0 ? "" : R"(<error type="nothing judged" message="no value was judged"/>)");
   return suite;
 }
@@ -155,6 +164,7 @@ std::string explanation(const Finding& f) {
   if (kind == "missing field")
     return place + f.field + " is announced in the capabilities and missing in event " +
            std::to_string(f.event.value_or(0) + 1) + ".";
+  if (kind == kNeverSent) return place + f.field + " is announced in the capabilities and comes in no answer.";
   if (kind == "missing event") return place + "the event " + f.expected + " is missing; there is " + f.actual + ".";
   if (kind == "extra event") return place + "there is " + f.actual + " where the specification has " + f.expected + ".";
   if (kind == "order") return place + "the events come in another order: " + f.actual + " before " + f.expected + ".";

@@ -45,6 +45,10 @@ std::string summary(const Certificate& c) {
     for (std::size_t i = 0; i < all.cases.size(); ++i) all.cases.at(i) += s.cases.at(i);
     for (std::size_t i = 0; i < all.results.size(); ++i) all.results.at(i) += s.results.at(i);
     all.values += s.values;
+    all.wide += s.wide;
+    all.wide_cases += s.wide_cases;
+    all.out_of_scope += s.out_of_scope;
+    all.few_events += s.few_events;
     all.ties += s.ties;
     all.near_ties += s.near_ties;
     all.worst_ulp = std::max(all.worst_ulp, s.worst_ulp);
@@ -62,6 +66,12 @@ std::string summary(const Certificate& c) {
       all.total(), c.sections.size(), c.sections.size() == 1 ? "" : "s", all.count(Result::agrees),
       all.count(Result::differs), c.findings.size(), c.findings.size() == 1 ? "" : "s", all.count(Result::undecided),
       all.values, small(all.worst_um), small(all.worst_ulp));
+  if (all.wide > 0 || all.out_of_scope > 0)
+    out += fmt::format(
+        "<p>Not judged: {} values that the policy would have to grant more than {} µm ({} cases have more "
+        "than "
+        "{} % of such), and {} events behind what is out of scope.</p>\n",
+        all.wide, fuzz::policy::kCap, all.wide_cases, 100 * fuzz::policy::kMostWide, all.out_of_scope);
   out += R"(<nav><a href="#sections">Sections</a><a href="#findings">Findings</a>)";
   if (!c.pictures.empty()) out += R"(<a href="#programs">Programs</a>)";
   out += R"(<a href="#clauses">Clauses</a><a href="#identity">Identity</a></nav>)";
@@ -70,15 +80,48 @@ std::string summary(const Certificate& c) {
 }
 
 std::string sections(const Certificate& c) {
-  std::vector<Row> rows{{"section", "golden", "generated", "own", "agree", "differ", "undecided", "nothing judged",
-                         "not applicable", "not run", "values", "decisions", "near ties", "ties", "worst µm",
-                         "worst ulp", "permitted ulp"}};
+  std::vector<Row> rows{{"section",
+                         "golden",
+                         "generated",
+                         "own",
+                         "agree",
+                         "differ",
+                         "undecided",
+                         "nothing judged",
+                         "not applicable",
+                         "not run",
+                         "more than 1 % not judged",
+                         "fewer than three events",
+                         "values",
+                         "values not judged",
+                         "out of scope",
+                         "decisions",
+                         "near ties",
+                         "ties",
+                         "worst µm",
+                         "worst ulp",
+                         "permitted ulp"}};
   for (const SectionResult& s : c.sections)
-    rows.push_back({code(section_name(s.section)), count(s.count(Origin::golden)), count(s.count(Origin::generated)),
-                    count(s.count(Origin::own)), count(s.count(Result::agrees)), count(s.count(Result::differs)),
-                    count(s.count(Result::undecided)), count(s.count(Result::nothing_judged)),
-                    count(s.count(Result::not_applicable)), count(s.count(Result::not_run)), count(s.values),
-                    count(s.decisions), count(s.near_ties), count(s.ties), small(s.worst_um), small(s.worst_ulp),
+    rows.push_back({code(section_name(s.section)),
+                    count(s.count(Origin::golden)),
+                    count(s.count(Origin::generated)),
+                    count(s.count(Origin::own)),
+                    count(s.count(Result::agrees)),
+                    count(s.count(Result::differs)),
+                    count(s.count(Result::undecided)),
+                    count(s.count(Result::nothing_judged)),
+                    count(s.count(Result::not_applicable)),
+                    count(s.count(Result::not_run)),
+                    count(s.wide_cases),
+                    count(s.few_events),
+                    count(s.values),
+                    count(s.wide),
+                    count(s.out_of_scope),
+                    count(s.decisions),
+                    count(s.near_ties),
+                    count(s.ties),
+                    small(s.worst_um),
+                    small(s.worst_ulp),
                     plain(fuzz::policy::budget(s.section).coordinate)});
   std::string out = "<h2 id=\"sections\">Sections</h2>\n" + table(rows, 1);
   out +=

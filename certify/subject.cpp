@@ -18,7 +18,7 @@ class BuiltInEngine final : public Subject {
   }
 
   Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> /*patience*/) override {
-    return {fuzz::run_fast(c), {}};
+    return {fuzz::run_fast(c), {}, {}};
   }
 };
 

@@ -12,6 +12,7 @@
 #include "certify/capabilities.h"
 #include "fast/engine.h"
 #include "spec/language/case.h"
+#include "spec/language/fields.h"
 
 namespace toolcomp::certify {
 
@@ -44,6 +45,7 @@ using TextEvents = std::vector<spec::TextEvent>;
 struct Answer {
   std::variant<FastEvents, TextEvents, Fault> result;
   std::optional<MissingField> missing;  // with events: the first one
+  spec::FieldSet sent;                  // of a controller's events: the fields that any of them has
 };
 
 // One thread uses a subject at a time.

@@ -91,14 +91,15 @@ int certify_trace(const CertifyOptions& options) {
   return certify::exit_status(report.result);
 }
 
-void print(const certify::Certificate& certificate, const std::vector<fs::path>& findings, const std::string& report) {
+void print(const certify::Certificate& certificate, const std::vector<fs::path>& findings, const std::string& report,
+           double seconds) {
   for (const certify::SectionResult& section : certificate.sections)
     fmt::print(
         "{:<34} {:>6} cases, {:>6} agree, {:>4} differ, {:>4} undecided, {:>8} values, {} ties, worst {:.3g} ulp "
-        "{:.3g} µm\n",
+        "{:.3g} µm, {} values not judged, {} events out of scope, {} cases with fewer than three events\n",
         section.section.empty() ? "programs" : section.section, section.total(), section.count(certify::Result::agrees),
         section.count(certify::Result::differs), section.count(certify::Result::undecided), section.values,
-        section.ties, section.worst_ulp, section.worst_um);
+        section.ties, section.worst_ulp, section.worst_um, section.wide, section.out_of_scope, section.few_events);
   for (const certify::Unsettled& unsettled : certificate.unsettled)
     std::cerr << unsettled.id << ": " << certify::name(unsettled.result)
               << (unsettled.why.empty() ? "" : ", " + unsettled.why) << '\n';
@@ -108,7 +109,11 @@ void print(const certify::Certificate& certificate, const std::vector<fs::path>&
                finding.occurrences, certify::explanation(finding), finding.smallest.program, findings[i].string());
   }
   if (!certificate.self_check.empty()) std::cerr << "self-check failed: " << certificate.self_check << '\n';
-  fmt::print("{}; seed {}; {}\n", certify::verdict(certificate), certificate.identity.seed,
+  for (const certify::SectionResult& section : certificate.sections)
+    if (certify::too_many_wide(section.values, section.wide))
+      fmt::print("{}: {}\n", section.section.empty() ? "programs" : section.section,
+                 certify::words_on_wide(section.values, section.wide));
+  fmt::print("{}; seed {}; {:.0f} s; {}\n", certify::verdict(certificate), certificate.identity.seed, seconds,
              (fs::path(report) / "index.html").string());
 }
 
@@ -123,11 +128,12 @@ int certify(const CertifyOptions& options) {
   campaign.controller = options.controller;
   campaign.sections = options.sections;
   campaign.seed = options.seed;
+  campaign.accepted_resolution = options.accept_resolution;
   campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
   for (spec::Case& c : read_inputs(options)) campaign.cases.push_back({std::move(c), certify::Origin::own});
   // Cases named are judged alone, unless the corpus or generated cases are asked for too.
   const bool alone = !options.inputs.empty();
-  campaign.generated = options.cases.value_or(alone ? 0 : 200);
+  campaign.generated = options.cases.value_or(alone ? 0 : campaign.generated);
   if (!alone || !options.corpus.empty()) {
     const fs::path folder = options.corpus.empty() ? corpus::default_folder() : fs::path(options.corpus);
     for (spec::Case& c : corpus::read_golden(folder)) {
@@ -139,13 +145,20 @@ int certify(const CertifyOptions& options) {
     campaign.corpus = manifest.version;
     campaign.corpus_hash = manifest.hash;
   }
+  const auto start = std::chrono::steady_clock::now();
+  const auto elapsed = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   const Progress progress("cases");
-  campaign.progress = [](std::uint64_t done, std::uint64_t all) {
-    Progress::line(fmt::format("{} of {} cases", done, all));
+  campaign.progress = [elapsed](std::uint64_t done, std::uint64_t all) {
+    Progress::line(fmt::format("{} of {} cases, {:.0f} s", done, all, elapsed()));
+  };
+  campaign.choosing = [elapsed](const std::string& section, std::uint64_t looked_at) {
+    Progress::line(fmt::format("{}: cases chosen out of {}, {:.0f} s", section, looked_at, elapsed()));
   };
   const certify::Certificate certificate = certify::certify(campaign);
   const std::vector<fs::path> findings = certify::write_report(certificate, options.report);
-  print(certificate, findings, options.report);
+  print(certificate, findings, options.report, elapsed());
   return certify::exit_status(certificate);
 }
 

@@ -12,12 +12,15 @@
 
 namespace toolcomp::cli {
 
-fuzz::Subject controller_subject(const std::string& command, double timeout) {
+fuzz::Subject controller_subject(const std::string& command, double timeout,
+                                 const std::optional<std::string>& accepted_resolution) {
   const std::shared_ptr<certify::Subject> subject =
       certify::subject_of(command, std::chrono::milliseconds(std::llround(timeout * 1000)));
   const auto capabilities = subject->capabilities();
   if (const auto* fault = std::get_if<certify::Fault>(&capabilities))
     throw spec::InputError(command, 0, 0, "the controller cannot be used: " + fault->what);
+  if (accepted_resolution)
+    certify::expect_fine_resolution(std::get<certify::Capabilities>(capabilities), *accepted_resolution);
   return
       [subject, able = std::get<certify::Capabilities>(capabilities)](const spec::Case& c, const fuzz::ModelRun& run) {
         certify::Judgement judgement = certify::judge_case(*subject, able, c, run);

@@ -1,13 +1,16 @@
 // A controller as the subject of a campaign.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "fuzz/oracle/trial.h"
 
 namespace toolcomp::cli {
 
-// Judges what the command answers; `timeout` in seconds. Throws spec::InputError if it cannot be used.
-fuzz::Subject controller_subject(const std::string& command, double timeout);
+// Judges what the command answers; `timeout` in seconds. Throws spec::InputError if it cannot be used, or announces a
+// resolution coarser than what is certified and than `accepted_resolution`, which is looked at if it is there.
+fuzz::Subject controller_subject(const std::string& command, double timeout,
+                                 const std::optional<std::string>& accepted_resolution = {});
 
 }  // namespace toolcomp::cli

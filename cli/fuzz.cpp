@@ -124,7 +124,9 @@ fuzz::CampaignResult built_in(const std::string& section, fuzz::Mode mode, const
   campaign.jobs = options.jobs;
   campaign.seed = options.seed;
   if (!options.controller.empty())
-    campaign.subject = [&options](unsigned) { return controller_subject(options.controller, options.timeout); };
+    campaign.subject = [&options](unsigned) {
+      return controller_subject(options.controller, options.timeout, options.accept_resolution);
+    };
   campaign.progress = [](const fuzz::CampaignProgress& p) {
     Progress::line(fmt::format("{} executions, {:.0f} s, {} features, {} findings", p.executions, p.seconds, p.features,
                                p.findings));
@@ -209,6 +211,8 @@ void print_summary(const std::string& section, fuzz::Mode mode, const fuzz::Camp
       "\n  {} values judged, {} decisions, {} near ties, {} ties ({:.4f} % of decisions)\n", result.values,
       result.decisions, result.near_ties, result.ties,
       result.decisions == 0 ? 0 : 100 * static_cast<double>(result.ties) / static_cast<double>(result.decisions));
+  fmt::print("  {} values not judged, {} events out of scope, {} executions with fewer than three events judged\n",
+             result.wide, result.out_of_scope, result.few_events);
   fmt::print("  worst deviation {:.3g} ulp, {:.3g} µm\n", result.worst_ulp, result.worst_um);
 }
 
@@ -221,6 +225,7 @@ int fuzz(const FuzzOptions& options) {
   std::size_t findings = 0;
   bool nothing_judged = false;
   bool undecided = false;
+  bool wide = false;
   for (const std::string& section : plan.sections) {
     const bool clang =
         options.controller.empty() && fs::exists(target_folder() / target_name(section, fuzz::Mode::directed));
@@ -234,14 +239,19 @@ int fuzz(const FuzzOptions& options) {
       undecided = undecided || result.acceptance.at(static_cast<std::size_t>(fuzz::Acceptance::not_decided)) > 0;
       fuzz::add(sum, result);
     }
+    if (certify::too_many_wide(sum.values, sum.wide)) {
+      fmt::print("  {}\n", certify::words_on_wide(sum.values, sum.wide));
+      wide = true;
+    }
     std::fflush(stdout);
     fuzz::print_outcomes(std::cout, section, sum.clauses);
     std::cout.flush();
     for (const fuzz::Finding& finding : sum.findings) write_finding(finding, findings++, options);
   }
-  fmt::print("{}\n", findings == 0 ? "no finding" : fmt::format("{} findings", findings));
+  fmt::print("{}{}\n", findings == 0 ? "no finding" : fmt::format("{} findings", findings),
+             wide ? "; more than 1 % of a section not judged" : "");
   if (findings > 0) return kDiffers;
-  return nothing_judged || undecided ? kUndecided : kAgrees;
+  return nothing_judged || undecided || wide ? kUndecided : kAgrees;
 }
 
 }  // namespace toolcomp::cli

@@ -11,6 +11,7 @@
 #include "certify/process.h"
 #include "cli/verbs.h"
 #include "spec/language/case.h"
+#include "spec/language/decimal.h"
 #include "spec/language/input_error.h"
 
 namespace {
@@ -94,6 +95,15 @@ class CommandLine {
     sub->add_option("--section", sections, "Section, e.g. fanuc/leading-edge-offset (repeatable; default: all)");
   }
 
+  static void add_accept_resolution(CLI::App* sub, std::string& resolution) {
+    sub->add_option("--accept-resolution", resolution,
+                    "Controller: judge one that announces a resolution above 0.01 mm (0.0004 inch), up to this")
+        ->check([](const std::string& text) {
+          const auto value = spec::parse_decimal(text);
+          return value && !value->negative && !value->is_zero() ? "" : "\"" + text + "\" is no positive decimal";
+        });
+  }
+
   void add_run() {
     CLI::App* sub = verb("run", "Run a program and print its events", [this] { return cli::run(run_); });
     add_program(sub, run_.program, run_.setup);
@@ -129,10 +139,11 @@ class CommandLine {
     sub->add_option("--setup", certify_.setup, "Setup of the programs; without it, setup.toml beside each");
     add_sections(sub, certify_.sections);
     sub->add_option("--report", certify_.report, "Folder of the report");
-    sub->add_option("--cases", certify_.cases, "Generated cases a section (default: 200, none with inputs)");
+    sub->add_option("--cases", certify_.cases, "Generated cases a section (default: 1000, none with inputs)");
     sub->add_option("--corpus", certify_.corpus, "Folder of the golden corpus, to be judged besides the inputs");
     sub->add_option("--seed", certify_.seed, "Seed of every random choice");
     sub->add_option("--timeout", certify_.timeout, "Seconds a case may take")->check(CLI::PositiveNumber);
+    add_accept_resolution(sub, certify_.accept_resolution);
     sub->add_option("--tolerance", certify_.tolerance,
                     "Trace: greatest distance from the exact path, in the units of the events");
     add_samples(sub, certify_.samples);
@@ -146,6 +157,7 @@ class CommandLine {
     sub->add_option("--seed", fuzz_.seed, "Seed of every random choice");
     sub->add_option("--controller", fuzz_.controller, "Judge this controller instead of the fast engine");
     sub->add_option("--findings", fuzz_.findings, "Folder for findings");
+    add_accept_resolution(sub, fuzz_.accept_resolution);
     sub->add_option("--timeout", fuzz_.timeout, "Seconds a case may take the controller")->check(CLI::PositiveNumber);
   }
   void add_replay() {

@@ -59,6 +59,7 @@ struct CertifyOptions {
   std::uint64_t seed = 1;
   double timeout = 10;
   std::string tolerance;
+  std::string accept_resolution;         // a decimal
   std::optional<std::uint32_t> samples;  // of the cases and programs named
 };
 int certify(const CertifyOptions& options);
@@ -72,6 +73,7 @@ struct FuzzOptions {
   std::string controller;
   std::string findings = "findings";
   double timeout = 10;
+  std::string accept_resolution;  // a decimal
 };
 int fuzz(const FuzzOptions& options);
 

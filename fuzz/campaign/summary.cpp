@@ -60,6 +60,10 @@ void add(CampaignResult& total, const Trial& trial) {
   total.near_ties += v.near_ties;
   total.ties += v.ties;
   total.values += v.values;
+  total.wide += v.wide;
+  total.out_of_scope += v.out_of_scope;
+  constexpr std::uint64_t few = 3;
+  total.few_events += v.events < few ? 1 : 0;
   // What is outside the policy is a finding, not a figure of merit.
   if (!trial.found()) {
     total.worst_ulp = std::max(total.worst_ulp, v.worst_ulp);
@@ -76,6 +80,9 @@ void add(CampaignResult& total, const CampaignResult& part) {
   total.near_ties += part.near_ties;
   total.ties += part.ties;
   total.values += part.values;
+  total.wide += part.wide;
+  total.out_of_scope += part.out_of_scope;
+  total.few_events += part.few_events;
   total.features = std::max(total.features, part.features);
   total.worst_ulp = std::max(total.worst_ulp, part.worst_ulp);
   total.worst_um = std::max(total.worst_um, part.worst_um);
@@ -98,6 +105,9 @@ std::string write_summary(const CampaignResult& r) {
   line("near_ties", r.near_ties);
   line("ties", r.ties);
   line("values", r.values);
+  line("wide", r.wide);
+  line("out_of_scope", r.out_of_scope);
+  line("few_events", r.few_events);
   line("features", r.features);
   line("worst_ulp", r.worst_ulp);
   line("worst_um", r.worst_um);
@@ -127,6 +137,9 @@ CampaignResult read_summary(std::string_view text) {
     if (name == "near_ties") words >> r.near_ties;
     if (name == "ties") words >> r.ties;
     if (name == "values") words >> r.values;
+    if (name == "wide") words >> r.wide;
+    if (name == "out_of_scope") words >> r.out_of_scope;
+    if (name == "few_events") words >> r.few_events;
     if (name == "features") words >> r.features;
     if (name == "worst_ulp") words >> r.worst_ulp;
     if (name == "worst_um") words >> r.worst_um;

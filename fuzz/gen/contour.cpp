@@ -246,8 +246,32 @@ PlaneCounts Contour::arc_end(PlaneCounts start) {
   }
 }
 
+// A short piece of an arc of 1,000 to 100,000 millimetres: start and end lie alike to the centre, so that both radii
+// are the same number whatever it is.
+Segment Contour::huge_arc(PlaneCounts along, std::int64_t length) {
+  constexpr std::int64_t largest = 1'000'000'000;  // products of two are 64-bit numbers
+  const std::int64_t size = choose_.one_of<std::int64_t>({1'000, 1'000, 10'000, 10'000, 100'000});
+  const std::int64_t radius = std::min(largest, choose_.between(size / 10 * 11, size * 10) * one_ / 10);
+  const PlaneCounts half = parallel(along, std::max<std::int64_t>(1, length / 2));
+  const bool clockwise = choose_.chance(50);
+  const PlaneCounts across = primitive(clockwise ? right_of(half) : left_of(half));
+  const auto times = static_cast<std::int64_t>(static_cast<double>(radius) / length_of(across));
+  Segment s;
+  s.kind = Segment::Kind::arc;
+  s.clockwise = clockwise;
+  s.travel = 2 * half;
+  s.to_center = half + times * across;
+  if (choose_.chance(35)) {
+    s.kind = Segment::Kind::radius_arc;
+    s.radius = static_cast<std::int64_t>(std::ceil(length_of(s.to_center)));
+  }
+  follow(s);
+  return s;
+}
+
 Segment Contour::arc() {
   if (choose_.chance(12)) return any_radius_arc();
+  if (choose_.chance(4)) return huge_arc(choose_.chance(60) ? direction_ : any_direction(10 * one_), length());
   const bool clockwise = choose_.chance(50);
   const PlaneCounts center = to_center(clockwise);
   const PlaneCounts end = arc_end(-center);
@@ -299,7 +323,7 @@ Segment Contour::any_radius_arc() {
 Segment Contour::movement() { return choose_.chance(64) ? line() : arc(); }
 
 Segments Contour::shape() {
-  switch (choose_.weighted({16, 10, 14, 20, 14, 12, 8, 8, 10})) {
+  switch (choose_.weighted({16, 10, 14, 20, 14, 12, 8, 8, 10, 6})) {
     case 0:
       return groove();
     case 1:
@@ -316,6 +340,8 @@ Segments Contour::shape() {
       return concentric();
     case 7:
       return radial_arc();
+    case 8:
+      return huge_arcs();
     default:
       return circle();
   }
@@ -471,6 +497,23 @@ Segments Contour::circle() {
   const PlaneCounts center = to_center(clockwise);
   s.push_back(arc_about(center, -center, clockwise));
   s.push_back(choose_.chance(50) ? line() : line_along(parallel(direction_, length())));
+  return s;
+}
+
+// Where the tool does not fit, or just does: a groove whose bottom or whose sides are pieces of huge arcs; and such
+// pieces after one another, which meet almost straight on.
+Segments Contour::huge_arcs() {
+  const PlaneCounts in = axis_direction();
+  const PlaneCounts across = left() ? left_of(in) : right_of(in);
+  const std::int64_t about = choose_.chance(70) ? 2 * reach() : choose_.between(1, 4 * reach() + 1);
+  const std::int64_t width = std::max<std::int64_t>(2, about + choose_.between(-2, 2));
+  const auto piece = [this](PlaneCounts along, std::int64_t length, std::uint64_t arcs) {
+    return choose_.chance(arcs) ? huge_arc(along, length) : line_along(parallel(along, length));
+  };
+  Segments s;
+  s.push_back(piece(in, choose_.between(1, 12) * 5 * one_, 40));
+  s.push_back(piece(choose_.chance(70) ? across : in, width, 60));
+  s.push_back(piece(choose_.chance(70) ? -in : in, choose_.between(1, 12) * 5 * one_, 60));
   return s;
 }
 

@@ -79,6 +79,7 @@ class Contour {
   std::int64_t radius();
   Segment by_radius(const Segment& arc) const;
   Segment any_radius_arc();
+  Segment huge_arc(PlaneCounts along, std::int64_t length);
   Segment line_along(PlaneCounts v);
   Segment arc_about(PlaneCounts to_center, PlaneCounts end, bool clockwise);
   PlaneCounts axis_direction();
@@ -92,6 +93,7 @@ class Contour {
   Segments radial_arc();
   Segments concentric();
   Segments circle();
+  Segments huge_arcs();
 
   Choices& choose_;
   std::int64_t one_;

@@ -35,7 +35,7 @@ void CutterProgram::preamble() {
   if (which != 0 || choose_.chance(30)) write_.word(fmt::format("G{}", 17 + which));
   plane(which);
   if (choose_.chance(50)) switch_mode();
-  if (choose_.chance(3) && case_.setup.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
+  write_.units();
   if (choose_.chance(40)) {
     motion("G01");
     write_.number('F', choose_.between(1, 50) * 100 * write_.one());
@@ -121,7 +121,7 @@ void CutterProgram::take_offset() {
   std::int64_t counts = 0;
   if (entry != case_.setup.d.end())
     counts = counts_of(entry->second.geometry, case_.setup) + counts_of(entry->second.wear, case_.setup);
-  contour_.offset(side_ * counts);
+  contour_.offset(side_ * write_.in_program(counts));
 }
 
 void CutterProgram::normal_travel() {

@@ -32,8 +32,12 @@ enum class Mode : std::uint8_t { directed, unrestricted };
 
 // The sections that are built, in the order of the contract.
 std::span<const std::string_view> sections();
-// A case of `section` with `blocks` blocks or fewer (0: the generator chooses 4 to 8). Throws std::invalid_argument
+// A case of `section` with `blocks` blocks or fewer (0: the generator chooses: mostly 4 to 8, some
+// tens, seldom hundreds). Throws std::invalid_argument
 // for an unknown section.
 spec::Case generate(std::string_view section, Mode mode, ChoiceSource& source, std::uint32_t blocks = 0);
+
+// A directed case in whose program one word is changed, moved or left out. Throws as generate().
+spec::Case generate_with_slip(std::string_view section, ChoiceSource& source);
 
 }  // namespace toolcomp::fuzz

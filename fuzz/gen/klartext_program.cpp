@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kMillimetresAnInch = 25.4;
 constexpr std::string_view kLetters = "XYZ";
+constexpr std::int64_t kFarthest = 99'999;  // millimetres or inches from the datum
 
 std::array<std::int64_t, 3> cross(const std::array<std::int64_t, 3>& a, const std::array<std::int64_t, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -43,6 +44,8 @@ void KlartextProgram::head() {
   if (inch_ || choose_.chance(8)) decimals_ = 5;
   one_ = decimals_ == 5 ? 100'000 : 10'000;
   step_ = {10 * one_, 0, 0};
+  if (choose_.chance(2))  // at the end of the range of coordinates
+    for (std::int64_t& at : at_) at = choose_.one_of({-1, 0, 1}) * (kFarthest * one_ - choose_.between(0, 2));
   if (choose_.chance(20)) {
     write_.word("BLK FORM 0.1 Z X-50 Y-50 Z-20").end_block(false);
     write_.word(choose_.one_of({"BLK FORM 0.2 X+50 Y+50 Z+0", "BLK FORM 0.2 IX+100 IY+100 IZ+20"})).end_block(false);
@@ -333,7 +336,10 @@ void KlartextProgram::travel() {
                                  : std::array<std::int64_t, 3>{before[2], before[1], -before[0]};
       break;
     case 5:  // along the tool
+      // Mostly by millimetres: vectors of one digit would be as many ten-thousandths.
       for (std::size_t i = 0; i < 3; ++i) step_[i] = tool_vector_.count[i] % 1'000'000'000;
+      if (std::ranges::all_of(step_, [](std::int64_t s) { return std::abs(s) < 1'000; }) && choose_.chance(85))
+        for (std::int64_t& s : step_) s *= one_;
       break;
     case 6:  // nearly back
       for (std::int64_t& s : step_) s = -s;
@@ -347,10 +353,9 @@ void KlartextProgram::travel() {
                     {choose_.between(-9, 9) * 1000, choose_.between(-9, 9) * 1000, choose_.between(-9, 9) * 1000});
       break;
   }
-  constexpr std::int64_t far = 99'999;
   for (std::size_t i = 0; i < 3; ++i) {
     at_[i] += step_[i];
-    if (std::abs(at_[i]) > far * one_) at_[i] = 0;
+    if (std::abs(at_[i]) > kFarthest * one_) at_[i] = 0;
   }
 }
 

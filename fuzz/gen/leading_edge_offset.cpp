@@ -61,7 +61,7 @@ class LeadingEdge {
   };
 
   void preamble() {
-    if (choose_.chance(4) && case_.setup.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
+    write_.units();
     if (choose_.chance(50)) {
       write_.incremental(choose_.chance(60));
       write_.word(write_.incremental() ? "G91" : "G90");

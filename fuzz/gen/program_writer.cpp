@@ -52,6 +52,23 @@ ProgramWriter& ProgramWriter::axis(char letter, std::int64_t counts) {
   return number(letter, incremental_ ? counts : at);
 }
 
+void ProgramWriter::units() {
+  if (!choose_.chance(9)) return;
+  const bool inch = choose_.chance(50);
+  word(inch ? "G20" : "G21");
+  other_units_ = inch != (setup_.units == spec::Units::inch);
+  for (auto& [letter, counts] : position_)
+    if (spec::is_linear_axis(letter)) counts = in_program(counts);
+}
+
+// Near where it is not exact: generators aim with it, and the absolute words that follow are exact.
+std::int64_t ProgramWriter::in_program(std::int64_t counts) const {
+  if (!other_units_) return counts;
+  constexpr double factor = 25.4;
+  const auto value = static_cast<double>(counts);
+  return std::llround(setup_.units == spec::Units::inch ? value * factor : value / factor);
+}
+
 void ProgramWriter::end_block() {
   if (block_.empty()) return;
   ++blocks_;

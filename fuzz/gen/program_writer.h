@@ -22,6 +22,10 @@ class ProgramWriter {
   ProgramWriter& axis(char letter, std::int64_t counts);
   // The number as written: with a point, or without one where that means the same.
   ProgramWriter& number(char address, std::int64_t counts);
+  // In some programs G20 or G21, which may be other units than those of the setup: lengths are converted from there on.
+  void units();
+  // Counts of the setup as counts of the program.
+  [[nodiscard]] std::int64_t in_program(std::int64_t counts) const;
   // Ends the block; nothing happens without words.
   void end_block();
 
@@ -47,6 +51,7 @@ class ProgramWriter {
   bool counts_without_point_ = false;  // 3401#0 = 0
   bool incremental_ = false;
   bool numbered_ = false;
+  bool other_units_ = false;
   std::uint32_t blocks_ = 0;
 };
 

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "fuzz/gen/late_fault.h"
+
 namespace toolcomp::fuzz {
 namespace {
 
@@ -34,8 +36,17 @@ constexpr auto kSections = [] {
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = kGenerators[i].section;
   return names;
 }();
-constexpr std::int64_t kFewest = 4;
-constexpr std::int64_t kMost = 8;
+// Of a hundred directed cases, those that are left as they were made.
+constexpr std::uint64_t kFaultsAnywhere = 15;
+// Cases made one after the other until one has enough to judge.
+constexpr int kMostDraws = 3;
+
+// Mostly a few blocks, which are quick to run and to read; some tens; seldom hundreds, as real programs have.
+std::uint32_t number_of_blocks(Choices& choose) {
+  constexpr std::int64_t sizes[][2] = {{4, 8}, {9, 40}, {40, 300}};
+  const auto& size = sizes[choose.weighted({188, 10, 2})];
+  return static_cast<std::uint32_t>(choose.between(size[0], size[1]));
+}
 
 }  // namespace
 
@@ -43,13 +54,27 @@ std::span<const std::string_view> sections() { return kSections; }
 
 spec::Case generate(std::string_view section, Mode mode, ChoiceSource& source, std::uint32_t blocks) {
   Choices choose(source);
-  if (blocks == 0) blocks = static_cast<std::uint32_t>(choose.between(kFewest, kMost));
+  if (blocks == 0) blocks = number_of_blocks(choose);
   const auto* const generator = std::ranges::find(kGenerators, section, &Generator::section);
   if (generator == std::end(kGenerators))
     throw std::invalid_argument(fmt::format("no generator for section \"{}\"", section));
   spec::Case c = generator->make(choose, blocks);
   c.section = section;
-  if (mode == Mode::unrestricted) c = unrestricted(choose, std::move(c), blocks);
+  if (mode == Mode::unrestricted) return unrestricted(choose, std::move(c), blocks);
+  // Faults come late, so that something is judged before them; a few stay where they are.
+  if (choose.chance(kFaultsAnywhere)) return c;
+  for (int draws = 1; !put_fault_last(c) && draws < kMostDraws; ++draws) {
+    c = generator->make(choose, blocks);
+    c.section = section;
+  }
+  return c;
+}
+
+spec::Case generate_with_slip(std::string_view section, ChoiceSource& source) {
+  spec::Case c = generate(section, Mode::directed, source);
+  Choices choose(source);
+  slip(choose, c);
+  if (!choose.chance(kFaultsAnywhere)) put_fault_last(c);
   return c;
 }
 

@@ -22,4 +22,7 @@ spec::Case programmed_contour(Choices& choose, std::uint32_t blocks);
 // Any words over any setup of the section: valid programs with damage, words at random, look-alike text.
 spec::Case unrestricted(Choices& choose, spec::Case directed, std::uint32_t blocks);
 
+// One word of the program changed, moved or left out.
+void slip(Choices& choose, spec::Case& c);
+
 }  // namespace toolcomp::fuzz

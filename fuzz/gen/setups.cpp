@@ -89,6 +89,16 @@ spec::AxisTable table(Choices& choose, const Setup& setup, std::uint64_t percent
   return values;
 }
 
+// Programs that begin at the end of the range of coordinates, ±999999.999 at IS-B, or a few increments inside it.
+void far_away(Choices& choose, Setup& setup) {
+  const int decimals = increment_decimals(setup);
+  for (const char letter : setup.axes.letters()) {
+    if (!spec::is_linear_axis(letter) || !choose.chance(50)) continue;
+    const std::int64_t last = 1'000'000 * power_of_ten(decimals) - 1 - choose.between(0, 2);
+    setup.position[letter] = decimal(choose.chance(50) ? last : -last, decimals);
+  }
+}
+
 int direction_code(char rotary) { return rotary - 'A' + 1; }
 
 std::int64_t axis_number(const Setup& setup, char letter) {
@@ -223,6 +233,7 @@ Setup random_setup(Choices& choose, Kinematics wanted) {
   for (spec::AxisTable& origin : setup.workpiece)
     if (choose.chance(40)) origin = table(choose, setup, 70);
   if (choose.chance(40)) setup.position = table(choose, setup, 60);
+  if (choose.chance(2)) far_away(choose, setup);
   for (int number = 1; number <= 4; ++number)
     if (choose.chance(30))
       if (spec::AxisTable point = table(choose, setup, 70); !point.empty()) setup.reference[number] = std::move(point);

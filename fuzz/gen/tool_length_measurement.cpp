@@ -28,13 +28,17 @@ class LengthMeasurement {
   }
 
   std::string program(std::uint32_t blocks) {
-    if (choose_.chance(2) && case_.setup.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
+    write_.units();
     if (choose_.chance(20)) {
       write_.word("G92").number('Z', 500 * write_.one()).place('Z', 500 * write_.one());
       write_.end_block();
     }
     if (choose_.chance(20)) travel();
-    if (choose_.chance(90)) number();
+    if (choose_.chance(94)) {
+      // With OFH a lone H is the cutter's.
+      if (case_.setup.bit(5001, 2)) write_.word("G43");
+      number();
+    }
     write_.end_block();
     bool measured = false;
     while (write_.blocks() < blocks || !measured) {

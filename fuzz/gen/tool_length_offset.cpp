@@ -25,7 +25,7 @@ class LengthOffset {
 
   std::string program(std::uint32_t blocks) {
     const bool kinematic = case_.setup.axes.has('X') && case_.setup.axes.has('Y') && case_.setup.axes.has('Z');
-    if (choose_.chance(4) && case_.setup.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
+    write_.units();
     if (choose_.chance(60)) switch_mode();
     if (choose_.chance(30)) write_.word("G01").number('F', choose_.between(1, 50) * 100 * write_.one());
     if (choose_.chance(75)) move();

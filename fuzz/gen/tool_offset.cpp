@@ -14,7 +14,7 @@ class ToolOffset {
   ToolOffset(Choices& choose, spec::Case& c) : choose_(choose), case_(c), write_(choose, c.setup) {}
 
   std::string program(std::uint32_t blocks) {
-    if (choose_.chance(3) && case_.setup.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
+    write_.units();
     if (choose_.chance(50)) switch_mode();
     if (choose_.chance(50)) write_.word("G01").number('F', choose_.between(1, 50) * 100 * write_.one());
     if (choose_.chance(65)) number();
@@ -71,9 +71,9 @@ class ToolOffset {
     write_.word(fmt::format("{}{}", letter, n));
     const auto& table = letter == 'H' ? case_.setup.h : case_.setup.d;
     const auto entry = table.find(static_cast<std::uint32_t>(n));
-    offset_ = entry == table.end()
-                  ? 0
-                  : counts_of(entry->second.geometry, case_.setup) + counts_of(entry->second.wear, case_.setup);
+    offset_ = entry == table.end() ? 0
+                                   : write_.in_program(counts_of(entry->second.geometry, case_.setup) +
+                                                       counts_of(entry->second.wear, case_.setup));
   }
 
   // Larger than the offset, smaller, equal to it or to twice of it, or zero with either sign.

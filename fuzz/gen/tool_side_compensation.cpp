@@ -44,7 +44,7 @@ class ToolSide {
     if (which != 0 || choose_.chance(20)) write_.word(fmt::format("G{}", 17 + which));
     plane(which);
     if (choose_.chance(50)) switch_mode();
-    if (choose_.chance(3) && case_.setup.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
+    write_.units();
     if (choose_.chance(70)) {
       motion("G01");
       write_.number('F', choose_.between(1, 50) * 100 * write_.one());
@@ -109,7 +109,8 @@ class ToolSide {
     const auto entry = case_.setup.d.find(number_);
     std::int64_t counts = 0;
     if (entry != case_.setup.d.end())
-      counts = counts_of(entry->second.geometry, case_.setup) + counts_of(entry->second.wear, case_.setup);
+      counts = write_.in_program(counts_of(entry->second.geometry, case_.setup) +
+                                 counts_of(entry->second.wear, case_.setup));
     path_.offset(counts);
     // Contours lie in a plane; left and right are those of the tool.
     contour_.offset(side_ * (pose_.aim().direction[normal_] < 0 ? -counts : counts));
@@ -274,7 +275,7 @@ class ToolSide {
   // The travel in the plane is the limit of 19630, or a unit beside it.
   void limit_movement() {
     const std::int64_t length = limit_ + choose_.between(-1, 1);
-    linear(path_.of_length(pose_.aim(), std::max<std::int64_t>(0, length)));
+    linear(path_.of_length(pose_.aim(), std::max<std::int64_t>(0, write_.in_program(length))));
   }
 
   // A movement in which the tool turns, and which differs as seen along the tool before and after: along one of them,

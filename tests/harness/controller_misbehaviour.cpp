@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 
 #include "certify/campaign.h"
 #include "certify/program_text.h"
 #include "certify/report.h"
+#include "certify/selection.h"
+#include "fuzz/campaign/features.h"
 #include "fuzz/gen/generator.h"
 #include "spec/language/input_error.h"
 
@@ -169,6 +172,63 @@ TEST(Controller, TheCertificateIsDeterministic) {
   const Certificate a = certify(one);
   EXPECT_EQ(json_report(a), json_report(certify(one)));
   EXPECT_EQ(json_report(a), json_report(certify(three)));
+}
+
+// Coarser than 0.01 mm, or 0.0004 inch where the setup is fixed in inches: only for a user who accepts it.
+TEST(Controller, ACoarseResolutionMustBeAccepted) {
+  EXPECT_EQ(exit_status(certify(options(faulty("coarse")))), 0);
+  for (const std::string fault : {"very-coarse", "very-coarse-inch"}) {
+    CampaignOptions o = options(faulty(fault));
+    EXPECT_THROW(certify(o), spec::InputError) << fault;
+    o.accepted_resolution = "0.0009";
+    EXPECT_THROW(certify(o), spec::InputError) << fault;
+    o.accepted_resolution = "0.050";
+    EXPECT_EQ(exit_status(certify(o)), 0) << fault;
+  }
+}
+
+TEST(Controller, AFieldAnnouncedAndNeverSentIsAFinding) {
+  const Certificate c = certify(options(faulty("never-sends")));
+  EXPECT_EQ(exit_status(c), 1);
+  ASSERT_EQ(c.findings.size(), 1U);
+  EXPECT_EQ(c.findings[0].key.kind, "field never sent");
+  EXPECT_EQ(c.findings[0].field, "clauses");
+  EXPECT_LE(count_blocks(c.findings[0].smallest.program), 2U);
+  const auto paths = write_report(c, folder("never-sends"));
+  ASSERT_FALSE(paths.empty());
+  EXPECT_TRUE(replay(paths.front()).reproduced());
+  ReplayOptions sound;
+  sound.controller = faulty("none");
+  EXPECT_FALSE(replay(paths.front(), sound).reproduced());
+}
+
+std::size_t features_of(const std::vector<spec::Case>& cases) {
+  std::set<std::uint32_t> reached;
+  for (const spec::Case& c : cases) {
+    const std::vector<std::uint32_t> features = fuzz::features(fuzz::run_model(c).recorder);
+    reached.insert(features.begin(), features.end());
+  }
+  return reached.size();
+}
+
+// Chosen by the model alone: the same cases whatever answers, and the same again.
+TEST(Selection, IsTheSameForASeedAndReachesWhatRandomCasesDoNot) {
+  constexpr std::size_t kCount = 100;
+  for (const std::string_view section : {"fanuc/cutter-compensation-c", "heidenhain/face-milling"}) {
+    const Selection a = select_cases(section, 5, kCount);
+    const Selection b = select_cases(section, 5, kCount);
+    ASSERT_EQ(a.cases.size(), kCount);
+    ASSERT_EQ(b.cases.size(), kCount);
+    for (std::size_t i = 0; i < kCount; ++i) EXPECT_EQ(a.cases[i].program, b.cases[i].program);
+    EXPECT_NE(a.cases[0].program, select_cases(section, 6, kCount).cases[0].program);
+    std::vector<spec::Case> fresh;
+    for (std::uint64_t seed = 1; fresh.size() < kCount; ++seed) {
+      fuzz::SeededSource source(seed);
+      fresh.push_back(fuzz::generate(section, fuzz::Mode::directed, source));
+    }
+    const std::size_t at_random = features_of(fresh);
+    EXPECT_GT(features_of(a.cases), at_random + at_random / 10) << section;
+  }
 }
 
 TEST(Controller, AnUnknownSectionIsBadUsage) {

@@ -45,6 +45,13 @@ std::string hello(const std::string& fault, const std::string& request) {
   if (fault == "less-than-minimum") json["fields"] = {"kind", "line", "type"};
   if (fault == "no-type") std::erase(json["fields"].get_ref<Json::array_t&>(), Json("type"));
   if (fault == "coarse") json["resolution"] = "0.001";
+  if (fault == "very-coarse") json["resolution"] = "0.05";
+  if (fault == "very-coarse-inch") {
+    json["resolution"] = "0.001";
+    json["setup"] = {{"units", "inch"}};
+  }
+  // The fast engine marks none.
+  if (fault == "never-sends") json["fields"].push_back("clauses");
   if (fault == "fixed-setup") json["setup"] = {{"parameters", {{"5001#2", 1}}}};
   if (fault == "one-section") json["sections"] = {"fanuc/tool-length-offset"};
   return json.dump();

@@ -1,0 +1,78 @@
+#include "certify/event_fields.h"
+
+namespace toolcomp::certify {
+namespace {
+
+using spec::EventKind;
+using spec::Field;
+using spec::FieldSet;
+
+void add_if(FieldSet& fields, bool there, Field field) {
+  if (there) fields.add(field);
+}
+
+void add_arc(FieldSet& fields, const spec::Arc<exact::Real>& arc) {
+  add(fields, {Field::center, Field::plane, Field::direction});
+  add_if(fields, arc.sweep.has_value(), Field::sweep);
+  add_if(fields, arc.radius.has_value(), Field::radius);
+}
+
+void add_space(FieldSet& fields, const spec::SpaceCompensation<exact::Real>& space) {
+  add(fields, {Field::tool_center, Field::shift, Field::tool_shift});
+  add_if(fields, space.carrier.has_value(), Field::carrier);
+  if (!space.contact) return;
+  add(fields, {Field::contact, Field::normal});
+  add_if(fields, space.contact->angle.has_value(), Field::angle);
+  add_if(fields, space.contact->flat, Field::flat);
+}
+
+}  // namespace
+
+void add(FieldSet& fields, const FieldSet& more) {
+  for (std::size_t i = 0; i < spec::kFieldNames.size(); ++i) {
+    const auto field = static_cast<Field>(i);
+    if (more.has(field)) fields.add(field);
+  }
+}
+
+FieldSet fields_of(const model::Event& event) {
+  FieldSet fields{Field::kind, Field::line};
+  add_if(fields, event.n.has_value(), Field::n);
+  add_if(fields, !event.clauses.empty(), Field::clauses);
+  switch (event.kind) {
+    case EventKind::move:
+      add(fields, {Field::type, Field::cause});
+      add_if(fields, !event.programmed.empty(), Field::programmed);
+      if (event.arc) add_arc(fields, *event.arc);
+      if (event.space) add_space(fields, *event.space);
+      add_if(fields, event.feed.has_value(), Field::feed);
+      break;
+    case EventKind::sample:
+      fields.add(Field::t);
+      break;
+    case EventKind::alarm:
+    case EventKind::warning:
+      add(fields, {Field::number, Field::message});
+      return fields;
+    case EventKind::setting:
+      add(fields, {Field::name, Field::value});
+      return fields;
+    case EventKind::undecided:
+      add(fields, {Field::clause, Field::permitted});
+      add_if(fields, event.out_of_scope, Field::reason);
+      return fields;
+  }
+  add_if(fields, !event.point.empty(), Field::point);
+  add_if(fields, !event.axes.empty(), Field::axes);
+  add_if(fields, !event.machine.empty(), Field::machine);
+  add_if(fields, event.tool_axis.has_value(), Field::tool_axis);
+  return fields;
+}
+
+FieldSet fields_of(const fuzz::ModelRun& run) {
+  FieldSet fields;
+  for (const model::Event& event : run.events) add(fields, fields_of(event));
+  return fields;
+}
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,18 @@
+// Which fields the model's events have: what a controller that announces them has to send.
+#pragma once
+
+#include "fuzz/oracle/verdict.h"
+#include "spec/language/fields.h"
+
+namespace toolcomp::certify {
+
+// The kind of the finding on a field that was announced, was due, and came in no answer at all.
+inline constexpr std::string_view kNeverSent = "field never sent";
+
+spec::FieldSet fields_of(const model::Event& event);
+// Adds what is in `more`.
+void add(spec::FieldSet& fields, const spec::FieldSet& more);
+// Of all events of a run.
+spec::FieldSet fields_of(const fuzz::ModelRun& run);
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,237 @@
+// Acceptance of the harness: controllers that lie in one number of one event in one case of a hundred must be found,
+// and those that do nothing wrong must not be accused. The answers are the model's own, as doubles and as decimals, so
+// what is expected is known without computing it: a lie is a difference, its absence is none.
+//
+// TOOLCOMP_LIARS=1000 takes as many cases a section as `certify` does (minutes); without it a few tens.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "certify/selection.h"
+#include "fuzz/gen/generator.h"
+#include "tests/harness/liar.h"
+#include "tests/sanitized.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+std::size_t number_of_cases() {
+  const char* const wanted = std::getenv("TOOLCOMP_LIARS");  // NOLINT(concurrency-mt-unsafe): one thread
+  if (wanted != nullptr) return std::strtoul(wanted, nullptr, 10);
+  return test::kSanitized ? 20 : 60;
+}
+
+constexpr std::size_t kLiars = 40;  // a section
+constexpr double kLies[] = {1e-6, 1e-3, 1, 1e5};
+
+// A case of a section and what an honest controller answers.
+struct Honest {
+  spec::Case c;
+  ModelRun run;
+  bool judged_whole = false;  // nothing in it was granted more than the cap
+};
+
+// Where a lie is looked for: the state of the control, or how the tool stands.
+enum class Where : std::uint8_t { anywhere, after_cancel, after_q, near_singular, at_singular };
+constexpr Where kWheres[] = {Where::anywhere, Where::after_cancel, Where::after_q, Where::near_singular,
+                             Where::at_singular};
+
+bool after(const spec::Case& c, std::string_view word, std::uint64_t line) {
+  std::size_t at = 0;
+  for (std::uint64_t n = 1; n < line && at != std::string::npos; ++n) {
+    const std::size_t end = c.program.find('\n', at);
+    if (std::string_view(c.program).substr(at, end - at).find(word) != std::string_view::npos) return true;
+    at = end == std::string::npos ? end : end + 1;
+  }
+  return false;
+}
+
+bool is_there(Where where, const spec::Case& c, const spec::Event<double>& e) {
+  constexpr double near = 0.02;  // of a unit vector: a degree or so
+  const double beside =
+      e.tool_axis ? std::hypot((*e.tool_axis)[0], (*e.tool_axis)[1]) : std::numeric_limits<double>::infinity();
+  switch (where) {
+    case Where::anywhere:
+      return true;
+    case Where::after_cancel:
+      return after(c, "G49", e.line);
+    case Where::after_q:
+      return after(c, "Q", e.line);
+    case Where::near_singular:
+      return beside > 0 && beside < near;
+    case Where::at_singular:
+      return beside == 0;
+  }
+  return false;
+}
+
+template <class Event>
+Verdict judged(const Honest& honest, const std::vector<Event>& answer) {
+  return judge(honest.c, honest.run, std::span<const Event>(answer));
+}
+
+// One liar: a field, a size, a form of numbers, a preference of where.
+struct Liar {
+  std::string field;
+  double by = 0;
+  bool decimals = false;
+  Where where = Where::anywhere;
+};
+
+struct Told {
+  bool told = false;
+  bool found = false;
+  std::string what;
+};
+
+template <class Event>
+Told tell(const Honest& honest, std::vector<Event> answer, const std::vector<spec::Event<double>>& seen,
+          const Liar& liar, SeededSource& source) {
+  auto all = test::places(answer, honest.c.setup.axes);
+  std::erase_if(all, [&](const auto& place) {
+    return place.field != liar.field || !is_there(liar.where, honest.c, seen[place.event]);
+  });
+  if (all.empty()) return {};
+  const auto place = all[source.below(all.size())];
+  place.add(source.below(2) == 0 ? liar.by : -liar.by);
+  const Verdict v = judged(honest, answer);
+  return {
+      true, v.outcome == Outcome::differs,
+      fmt::format("{}, event {}, {} off by {}\n{}", honest.c.id, place.event, liar.field, liar.by, honest.c.program)};
+}
+
+Told tell(const Honest& honest, const Liar& liar, SeededSource& source) {
+  const std::vector<spec::Event<double>> seen = test::in_doubles(honest.run);
+  return liar.decimals ? tell(honest, test::in_texts(honest.run), seen, liar, source)
+                       : tell(honest, seen, seen, liar, source);
+}
+
+// Lies in one case of a hundred, in the first that has the place it wants; found if one of the lies is.
+Told lie_in_cases(const std::vector<Honest>& cases, const Liar& liar, SeededSource& source) {
+  const std::size_t lies = (cases.size() + 99) / 100;
+  const std::size_t first = source.below(cases.size());
+  Told result;
+  std::size_t told = 0;
+  for (std::size_t i = 0; i < cases.size() && told < lies; ++i) {
+    const Honest& honest = cases[(first + i) % cases.size()];
+    if (!honest.judged_whole) continue;
+    const Told one = tell(honest, liar, source);
+    if (!one.told) continue;
+    ++told;
+    result.told = true;
+    result.found = result.found || one.found;
+    if (!one.found) result.what = one.what;
+  }
+  return result;
+}
+
+class Liars : public testing::TestWithParam<std::string_view> {
+ protected:
+  void SetUp() override {
+    for (spec::Case& c : certify::select_cases(GetParam(), 77, number_of_cases()).cases) {
+      Honest honest{std::move(c), {}, false};
+      honest.run = run_model(honest.c);
+      cases_.push_back(std::move(honest));
+    }
+  }
+
+  std::vector<Honest> cases_;
+};
+
+// Both forms in which a controller can send numbers: neither is accused of anything; and the liars of the section.
+TEST_P(Liars, AreFoundAndTheModelIsNotAccused) {
+  std::set<std::string> fields;
+  std::size_t whole = 0;
+  for (Honest& honest : cases_) {
+    std::vector<spec::Event<double>> doubles = test::in_doubles(honest.run);
+    for (const auto& place : test::places(doubles, honest.c.setup.axes)) fields.insert(place.field);
+    const Verdict a = judged(honest, doubles);
+    EXPECT_NE(a.outcome, Outcome::differs) << explain(*a.difference) << '\n' << honest.c.program;
+    const Verdict b = judged(honest, test::in_texts(honest.run));
+    EXPECT_NE(b.outcome, Outcome::differs) << explain(*b.difference) << '\n' << honest.c.program;
+    honest.judged_whole = a.outcome == Outcome::agrees && b.outcome == Outcome::agrees && a.wide == 0 && b.wide == 0;
+    whole += honest.judged_whole ? 1 : 0;
+  }
+  EXPECT_GE(10 * whole, 5 * cases_.size()) << "cases in which every value is judged";
+  std::size_t made = 0;
+  std::size_t found = 0;
+  const std::vector<std::string> names(fields.begin(), fields.end());
+  SeededSource source(GetParam().size() * 1000 + cases_.size());
+  // Every field with every size comes before any comes twice; those that have no place there take any.
+  for (std::size_t k = 0; made < kLiars && k < 8 * kLiars; ++k) {
+    Liar liar{names[k % names.size()], kLies[(k / names.size() + k) % std::size(kLies)], source.below(2) == 0,
+              kWheres[source.below(std::size(kWheres))]};
+    Told told = lie_in_cases(cases_, liar, source);
+    if (!told.told) {
+      liar.where = Where::anywhere;
+      told = lie_in_cases(cases_, liar, source);
+    }
+    if (!told.told) continue;
+    ++made;
+    found += told.found ? 1 : 0;
+    EXPECT_TRUE(told.found) << told.what;
+  }
+  fmt::print("{:34} {} cases, {} judged whole, {} fields, {} of {} liars found\n", GetParam(), cases_.size(), whole,
+             names.size(), found, made);
+  EXPECT_EQ(made, kLiars);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sections, Liars, testing::ValuesIn(sections().begin(), sections().end()),
+                         [](const auto& section) {
+                           std::string name(section.param);
+                           std::ranges::replace_if(name, [](char c) { return c == '/' || c == '-'; }, '_');
+                           return name;
+                         });
+
+// A tool that stands on the work-side axis: a head whose C axis carries B, at B0. Where C stands there makes no
+// difference to the tool, and with the control point on the C axis none to the linear axes: a control may leave C where
+// it is or turn it in a block that asks for the direction alone. But it may not put B elsewhere.
+struct Singular {
+  Honest honest;
+  std::size_t c_axis = 0;
+  std::size_t b_axis = 0;
+};
+
+Singular at_the_singular_posture() {
+  Singular s;
+  spec::Case& c = s.honest.c;
+  c.id = "singular";
+  c.section = "fanuc/tool-center-point-control";
+  c.setup.axes = spec::Axes("XYZBC");
+  c.setup.parameters[{19680, -1}] = spec::decimal(2);
+  c.setup.parameters[{19681, -1}] = spec::decimal(5);
+  c.setup.parameters[{19682, -1}] = spec::decimal(3);
+  c.setup.parameters[{19686, -1}] = spec::decimal(4);
+  c.setup.parameters[{19687, -1}] = spec::decimal(2);
+  c.setup.h[1] = {spec::decimal(50), {}};
+  // The tool leans, then stands on the C axis in the last block.
+  c.program = "G90 G00 X0 Y0 Z100. B0 C0\nG43.5 H1 I0 J0 K1.\nG01 X10. I3. J0 K4. F1000\nX20. Y5. I0 J0 K1.\n";
+  s.honest.run = run_model(c);
+  for (std::size_t axis = 0; axis < c.setup.axes.size(); ++axis) {
+    if (c.setup.axes.letter(axis) == 'C') s.c_axis = axis;
+    if (c.setup.axes.letter(axis) == 'B') s.b_axis = axis;
+  }
+  return s;
+}
+
+void turn(spec::Event<double>& event, std::size_t axis, double degrees) {
+  event.axes.set(axis, event.axes[axis] + degrees);
+  if (event.machine.has(axis)) event.machine.set(axis, event.machine[axis] + degrees);
+}
+
+TEST(Singular, TheWorkSideAxisIsNotAccusedForWhatTheClausePermits) {
+  const Singular s = at_the_singular_posture();
+  std::vector<spec::Event<double>> answer = test::in_doubles(s.honest.run);
+  ASSERT_FALSE(answer.empty());
+  ASSERT_EQ(judged(s.honest, answer).outcome, Outcome::agrees);
+  std::vector<spec::Event<double>> leant = answer;
+  turn(leant.back(), s.b_axis, 1e-3);
+  EXPECT_EQ(judged(s.honest, leant).outcome, Outcome::differs);
+}
+
+}  // namespace
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,272 @@
+#!/usr/bin/env python3
+"""Random mutants of the sources: does anything notice?
+
+Makes N mutants of the fast engine, or of the oracle and the judges of certify: an operator, a condition or a constant
+changed, a statement left out. Each is one object file and one link. A mutant of the fast engine answers
+`toolcomp certify` as ./dev certify runs it; one of the oracle runs the tests of the harness. Killed: found. Survived:
+nobody noticed. Mutants whose object code is that of the original are counted apart, so are those that do not compile
+and those that took too long.
+
+The results stand in BUILD/mutants/SOURCES-SEED.json and .txt. A run that was ended goes on where it stopped.
+"""
+import argparse
+import hashlib
+import json
+import os
+import pathlib
+import random
+import re
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SOURCES = {
+    "fast": ["fast/**/*.cpp"],
+    "oracle": ["fuzz/oracle/*.cpp", "certify/judge.cpp", "certify/certificate.cpp", "certify/capabilities.cpp",
+               "certify/event_fields.cpp", "certify/controller.cpp"],
+}
+ORACLE_TESTS = ["harness_comparator", "harness_conditions", "harness_near_ties", "harness_pose_errors",
+                "harness_space_events", "harness_streams", "harness_controller_misbehaviour", "harness_liars",
+                "unit_certify_capabilities", "unit_certify_finding", "unit_certify_report"]
+
+SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" == ", " != "), (" != ", " == "),
+         (" && ", " || "), (" || ", " && "), (" + ", " - "), (" - ", " + "), (" * ", " / "), (" / ", " * "),
+         (" += ", " -= "), (" -= ", " += "), ("std::min", "std::max"), ("std::max", "std::min"),
+         ("return true;", "return false;"), ("return false;", "return true;"), ("++", "--"), (" < ", " > "),
+         (" > ", " < ")]
+CONSTANT = re.compile(r"(?<![\w.#])(\d+(?:\.\d+)?)(?![\w.'])")
+DELETABLE = re.compile(r"^\s+(?!return\b|case\b|default\b|using\b|const\b|constexpr\b|static\b|auto\b|struct\b|enum\b|"
+                       r"break;|template\b|friend\b|throw\b|explicit\b|typedef\b|delete\b|virtual\b)"
+                       r"[\w:.>\-\[\]*+]+(\(|\s*[-+*/|&]?=\s|\+\+;|--;).*;$")
+
+
+def code_of(line):
+    """The line with comments and texts blanked, so that places stay."""
+    line = re.sub(r'"(\\.|[^"\\])*"', lambda m: " " * len(m.group()), line)
+    line = re.sub(r"'(\\.|[^'\\])'", lambda m: " " * len(m.group()), line)
+    at = line.find("//")
+    return line if at < 0 else line[:at]
+
+
+def closing(text, opening):
+    depth = 0
+    for i in range(opening, len(text)):
+        depth += (text[i] == "(") - (text[i] == ")")
+        if depth == 0:
+            return i
+    return -1
+
+
+def mutations_of(line):
+    """(operator, line changed) for everything that can be changed in a line."""
+    code = code_of(line)
+    stripped = code.strip()
+    if not stripped or stripped.startswith(("#", "static_assert", "namespace", "using ", "template")):
+        return
+    for old, new in SWAPS:
+        for found in re.finditer(re.escape(old), code):
+            yield old.strip() + " as " + new.strip(), line[:found.start()] + new + line[found.end():]
+    for found in re.finditer(r"\bif (?:constexpr )?\(", code):
+        end = closing(code, found.end() - 1)
+        if end < 0 or "constexpr" in found.group():
+            continue
+        for value in ("true", "false"):
+            yield "condition " + value, line[:found.end()] + value + line[end:]
+    for found in re.finditer(r"(?<![\w)\]])!(?=[\w(])", code):
+        yield "negation left out", line[:found.start()] + line[found.end():]
+    for found in CONSTANT.finditer(code):
+        number = found.group(1)
+        changed = [number + "1" if "." in number else str(int(number) + 1), "0" if number != "0" else "1"]
+        for new in changed:
+            if float(new) != float(number):
+                yield f"{number} as {new}", line[:found.start()] + new + line[found.end():]
+    if DELETABLE.match(code.rstrip()) and closing(code, code.find("(")) != -2 and code.count("(") == code.count(")"):
+        yield "statement left out", re.match(r"\s*", line).group() + ";"
+
+
+def all_mutations(patterns):
+    for path in sorted({p for pattern in patterns for p in ROOT.glob(pattern)}):
+        lines = path.read_text().splitlines()
+        for i, line in enumerate(lines):
+            for operator, changed in mutations_of(line):
+                yield path.relative_to(ROOT), i, operator, line, changed
+
+
+def run(command, timeout, **how):
+    """Exit status, or None after the time-out; what it started ends with it."""
+    process = subprocess.Popen(command, start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **how)
+    try:
+        out, _ = process.communicate(timeout=timeout)
+        return process.returncode, out.decode(errors="replace")
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
+        return None, ""
+
+
+class Bench:
+    def __init__(self, build, sources, work, timeout, cases):
+        self.build, self.sources, self.work, self.timeout, self.cases = build, sources, work, timeout, cases
+        self.commands = {e["file"]: e for e in json.loads((build / "compile_commands.json").read_text())}
+        self.originals = {}
+        work.mkdir(parents=True, exist_ok=True)
+        self.libraries = self.link_line("toolcomp")
+        if sources == "fast":
+            main = ROOT / "tests/mutants/serve_main.cc"
+            self.main = work / "serve_main.o"
+            flags = ["-std=c++20", "-O1", f"-I{ROOT}", f"-I{build}/generated"]
+            subprocess.run(["g++", *flags, "-c", main, "-o", self.main], check=True)
+
+    def link_line(self, target):
+        """The libraries of a target, in the order of its link."""
+        out = subprocess.run(["ninja", "-C", self.build, "-t", "commands", target], check=True, capture_output=True,
+                             text=True).stdout.splitlines()[-1]
+        words = shlex.split(out)
+        words = words[words.index("-o") + 2:]
+        libraries = []
+        for word in words:
+            if word == "&&":
+                break
+            if word.endswith(".a") or ".so" in word or word.startswith("-l"):
+                libraries.append(str(self.build / word) if word.endswith(".a") and not word.startswith("/") else word)
+        return libraries
+
+    def compile(self, path, text):
+        """The object file of a text in place of a source, or None."""
+        entry = self.commands[str(ROOT / path)]
+        words = shlex.split(entry["command"])
+        if words[0].endswith("ccache"):
+            words = words[1:]
+        source, target = self.work / ("unit_" + path.name), self.work / "unit.o"
+        source.write_text(text)
+        keep = []
+        skip = 0
+        for word in words:
+            if skip:
+                skip -= 1
+            elif word in ("-o", "-c", "-MF", "-MT", "-MQ"):
+                skip = 1
+            elif word not in ("-Werror", "-MD", "-O2", "-O3"):
+                keep.append(word)
+        ccache = ["ccache"] if shutil.which("ccache") else []
+        status, _ = run([*ccache, *keep, "-w", "-O1", "-c", str(source), "-o", str(target)], 300,
+                        cwd=entry["directory"])
+        return target if status == 0 else None
+
+    def original_hash(self, path):
+        if path not in self.originals:
+            target = self.compile(path, (ROOT / path).read_text())
+            self.originals[path] = hashlib.sha256(target.read_bytes()).hexdigest()
+        return self.originals[path]
+
+    def link(self, objects, program, libraries):
+        status, out = run(["g++", *map(str, objects), *libraries, "-o", str(program)], 300, cwd=self.build)
+        return "" if status == 0 else out
+
+    def certify(self, program, arguments):
+        report = self.work / "report"
+        command = [str(self.build / "toolcomp"), "certify", "--controller", shlex.quote(str(program)), "--report",
+                   str(report), "--timeout", "5", "--corpus", str(ROOT / "corpus/golden"), *arguments]
+        return run(command, self.timeout, cwd=ROOT)[0]
+
+    def judge_fast(self, target):
+        program = self.work / "serve"
+        if self.link([self.main, target], program, self.libraries):
+            return "does not compile", "link"
+        programs = sorted(str(p) for e in ("nc", "h") for p in (ROOT / "examples").glob(f"*/*/*.{e}"))
+        # The golden corpus first: most end there, and it is quick.
+        for what, arguments in (("golden", ["--cases", "0", *programs[:1]]),
+                                ("certify", ["--cases", str(self.cases), *programs])):
+            status = self.certify(program, arguments)
+            if status is None:
+                return "timeout", what
+            if status not in (0, 3):
+                return "killed", f"{what}, status {status}"
+        return "survived", ""
+
+    def judge_oracle(self, target):
+        built = [t for t in ORACLE_TESTS if (self.build / t).exists()]
+        if not built:
+            sys.exit("no harness test is built: ./dev build")
+        for test in built:
+            folder, name = test.split("_", 1)
+            unit = self.build / f"tests/CMakeFiles/{test}.dir/{folder}/{name}.cpp.o"
+            program = self.work / "test"
+            if self.link([unit, target], program, self.link_line(test)):
+                return "does not compile", "link"
+            status, _ = run([str(program), "--gtest_fail_fast", "--gtest_brief=1"], self.timeout, cwd=self.build)
+            if status is None:
+                return "timeout", test
+            if status != 0:
+                return "killed", test
+        return "survived", ""
+
+    def judge(self, mutation):
+        path, i, _, _, changed = mutation
+        lines = (ROOT / path).read_text().splitlines()
+        original = self.original_hash(path)
+        lines[i] = changed
+        target = self.compile(path, "\n".join(lines) + "\n")
+        if target is None:
+            return "does not compile", ""
+        if hashlib.sha256(target.read_bytes()).hexdigest() == original:
+            return "same object code", ""
+        return self.judge_fast(target) if self.sources == "fast" else self.judge_oracle(target)
+
+
+def table(results):
+    counts = {}
+    for r in results:
+        counts[r["outcome"]] = counts.get(r["outcome"], 0) + 1
+    out = [f"{len(results)} mutants: " + ", ".join(f"{n} {o}" for o, n in sorted(counts.items()))]
+    judged = counts.get("killed", 0) + counts.get("survived", 0) + counts.get("timeout", 0)
+    if judged:
+        out.append(f"found, or ended by their time: {100 * (judged - counts.get('survived', 0)) / judged:.1f} %")
+    for r in sorted(results, key=lambda r: (r["outcome"] != "survived", r["outcome"], r["file"], r["line"])):
+        out.append(f"{r['outcome']:17} {r['file']}:{r['line']}: {r['operator']}   {r['by']}")
+        out.append(f"    - {r['original'].strip()}\n    + {r['changed'].strip()}")
+    return "\n".join(out) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--sources", choices=sorted(SOURCES), default="fast")
+    parser.add_argument("--count", type=int, default=150)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--file", help="mutants of this source alone, e.g. fast/geometry/path.cpp")
+    parser.add_argument("--cases", type=int, default=1000, help="generated cases a section")
+    parser.add_argument("--timeout", type=float, default=900, help="seconds a mutant may take")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
+    options = parser.parse_args()
+    every = list(all_mutations([options.file] if options.file else SOURCES[options.sources]))
+    chosen = random.Random(options.seed).sample(every, min(options.count, len(every)))
+    folder = options.build.resolve() / "mutants"
+    name = f"{options.sources}-{options.seed}" + (f"-{pathlib.Path(options.file).stem}" if options.file else "")
+    bench = Bench(options.build.resolve(), options.sources, folder / f"{name}.work", options.timeout, options.cases)
+    record = folder / f"{name}.json"
+    results = json.loads(record.read_text())["mutants"] if record.exists() else []
+    done = {(r["file"], r["line"], r["original"], r["changed"]) for r in results}
+    print(f"{len(every)} places, {len(chosen)} mutants, {len(done)} of an earlier run", flush=True)
+    for n, mutation in enumerate(chosen, 1):
+        path, i, operator, line, changed = mutation
+        if (str(path), i + 1, line, changed) in done:
+            continue
+        start = time.monotonic()
+        outcome, by = bench.judge(mutation)
+        results.append({"file": str(path), "line": i + 1, "operator": operator, "original": line, "changed": changed,
+                        "outcome": outcome, "by": by, "seconds": round(time.monotonic() - start, 1)})
+        print(f"{n}/{len(chosen)} {outcome:17} {path}:{i + 1}: {operator} {by}", flush=True)
+        partial = record.with_suffix(".part")
+        partial.write_text(json.dumps({"sources": options.sources, "seed": options.seed, "mutants": results}, indent=1))
+        partial.rename(record)
+    text = table(results)
+    (folder / f"{name}.txt").write_text(text)
+    print(text + str(record))
+
+
+if __name__ == "__main__":
+    main()
