@@ -206,8 +206,8 @@ void print_summary(const std::string& section, fuzz::Mode mode, const fuzz::Camp
     if (result.acceptance.at(i) > 0)
       fmt::print(", {} {}", result.acceptance.at(i), fuzz::name(static_cast<fuzz::Acceptance>(i)));
   fmt::print(
-      "\n  {} values judged, {} decisions, {} near ties, {} ties ({:.4f} % of decisions)\n", result.values,
-      result.decisions, result.near_ties, result.ties,
+      "\n  {} values judged, {} questions of laws, {} decisions, {} near ties, {} ties ({:.4f} % of decisions)\n",
+      result.values, result.law_checks, result.decisions, result.near_ties, result.ties,
       result.decisions == 0 ? 0 : 100 * static_cast<double>(result.ties) / static_cast<double>(result.decisions));
   fmt::print("  worst deviation {:.3g} ulp, {:.3g} µm\n", result.worst_ulp, result.worst_um);
 }

@@ -58,6 +58,7 @@ struct CampaignResult {
   std::uint64_t near_ties = 0;
   std::uint64_t ties = 0;
   std::uint64_t values = 0;
+  std::uint64_t law_checks = 0;
   double worst_ulp = 0;
   double worst_um = 0;
   std::vector<Finding> findings;  // by job, then by when they were found

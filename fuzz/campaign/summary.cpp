@@ -60,6 +60,7 @@ void add(CampaignResult& total, const Trial& trial) {
   total.near_ties += v.near_ties;
   total.ties += v.ties;
   total.values += v.values;
+  total.law_checks += trial.law_checks;
   // What is outside the policy is a finding, not a figure of merit.
   if (!trial.found()) {
     total.worst_ulp = std::max(total.worst_ulp, v.worst_ulp);
@@ -76,6 +77,7 @@ void add(CampaignResult& total, const CampaignResult& part) {
   total.near_ties += part.near_ties;
   total.ties += part.ties;
   total.values += part.values;
+  total.law_checks += part.law_checks;
   total.features = std::max(total.features, part.features);
   total.worst_ulp = std::max(total.worst_ulp, part.worst_ulp);
   total.worst_um = std::max(total.worst_um, part.worst_um);
@@ -98,6 +100,7 @@ std::string write_summary(const CampaignResult& r) {
   line("near_ties", r.near_ties);
   line("ties", r.ties);
   line("values", r.values);
+  line("law_checks", r.law_checks);
   line("features", r.features);
   line("worst_ulp", r.worst_ulp);
   line("worst_um", r.worst_um);
@@ -127,6 +130,7 @@ CampaignResult read_summary(std::string_view text) {
     if (name == "near_ties") words >> r.near_ties;
     if (name == "ties") words >> r.ties;
     if (name == "values") words >> r.values;
+    if (name == "law_checks") words >> r.law_checks;
     if (name == "features") words >> r.features;
     if (name == "worst_ulp") words >> r.worst_ulp;
     if (name == "worst_um") words >> r.worst_um;

@@ -1,0 +1,69 @@
+// How a law is asked: what it is given, and what it says.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "fuzz/laws/certainty.h"
+#include "model/engine.h"
+
+namespace toolcomp::fuzz::laws {
+
+// A law that the events break.
+struct Violation {
+  std::string_view law;
+  std::uint64_t line = 0;
+  std::size_t event = 0;  // index in the list of events
+  std::string text;       // what does not hold
+  std::string amount;     // by how much: the exact value, to 20 decimals
+};
+
+// The questions of one law to one list of events. Counts what was asked; keeps the first certain violation, after which
+// nothing more is asked.
+class Holding {
+ public:
+  Holding(std::string_view law, std::span<const model::Event> events) : law_(law), events_(events) {}
+
+  // `residual` is zero.
+  void zero(const Real& residual, std::size_t event, std::string_view what) {
+    ask(certainly_not_zero, residual, event, what);
+  }
+  // `value` is not negative.
+  void not_negative(const Real& value, std::size_t event, std::string_view what) {
+    ask(certainly_negative, value, event, what);
+  }
+  // All three components are zero.
+  void zero(const Vector& residual, std::size_t event, std::string_view what) {
+    for (const Real& component : residual) zero(component, event, what);
+  }
+  // A fact that needs no number.
+  void holds(bool fact, std::size_t event, std::string_view what) {
+    if (violation_) return;
+    ++checks_;
+    if (!fact) fail(event, what, "");
+  }
+
+  [[nodiscard]] std::uint64_t checks() const { return checks_; }
+  [[nodiscard]] const std::optional<Violation>& violation() const { return violation_; }
+
+ private:
+  void ask(bool (*broken)(const Real&), const Real& value, std::size_t event, std::string_view what) {
+    if (violation_) return;
+    ++checks_;
+    if (broken(value)) fail(event, what, amount(value));
+  }
+  void fail(std::size_t event, std::string_view what, std::string by) {
+    violation_ = {law_, event < events_.size() ? events_[event].line : 0, event, std::string(what), std::move(by)};
+  }
+
+  std::string_view law_;
+  std::span<const model::Event> events_;
+  std::uint64_t checks_ = 0;
+  std::optional<Violation> violation_;
+};
+
+}  // namespace toolcomp::fuzz::laws
