@@ -11,7 +11,11 @@ bool is_tool_side(const FanucBlock& b) {
 bool is_cutter(const FanucBlock& b) { return b.compensation == 410 || b.compensation == 420; }
 bool is_left(const FanucBlock& b) { return b.compensation == 410 || b.compensation == 412 || b.compensation == 416; }
 
-bool leaves_the_path(const Scene& s) { return s.program.has_code({100, 920, 530, 280, 290, 300, 301, 310}); }
+// Other vectors may stand between the programmed point and the tool: of G45 to G48, of G37.
+bool shifts_the_point(const Scene& s) { return s.program.has_code({450, 460, 470, 480, 370}); }
+bool leaves_the_path(const Scene& s) {
+  return shifts_the_point(s) || s.program.has_code({100, 920, 530, 280, 290, 300, 301, 310});
+}
 
 // T: the tool where it ends this block, or the normal of the plane.
 std::optional<Vector> across(const Scene& s, const Stop& stop) {
@@ -47,6 +51,15 @@ bool leads_across(const Scene& s, const FanucBlock& b, const Vector& t, const Ve
   return certainly_positive(dot(w, w) - limit * limit * tt);
 }
 
+bool is_line(const Scene& s, const Stop& stop) {
+  const FanucBlock& b = s.block(stop);
+  return stop.own->type != spec::MoveType::arc && (b.motion == 0 || b.motion == 10);
+}
+
+bool is_type_b(const Scene& s, const FanucBlock& b) {
+  return is_cutter(b) && s.c.setup.cutter_compensation == spec::CutterCompensationType::b;
+}
+
 // A stop with all that a law of distances asks for.
 struct Place {
   Vector t;
@@ -60,6 +73,8 @@ std::optional<Place> place(const Scene& s, const Stop& stop) {
   // D0 cancels.
   if (!left || *b.d == 0) return std::nullopt;
   if (b.has('I') && b.has('J') && b.has('K') && is_cutter(b)) return std::nullopt;
+  // Type B: a vector (I, J) of length zero keeps the vector before.
+  if (is_type_b(s, b) && (b.has('I') || b.has('J') || b.has('K')) && is_line(s, stop)) return std::nullopt;
   if (!leads_across(s, b, *t, *stop.displacement)) return std::nullopt;
   return Place{*t, *left};
 }
@@ -83,11 +98,6 @@ bool keeps_side(const Scene& s, std::size_t stop, const exact::Rational& left) {
   return true;
 }
 
-bool is_line(const Scene& s, const Stop& stop) {
-  const FanucBlock& b = s.block(stop);
-  return stop.own->type != spec::MoveType::arc && (b.motion == 0 || b.motion == 10);
-}
-
 bool interference_unchecked(const Scene& s) { return s.c.setup.bit(5008, 0); }
 
 // A corner of two lines that leads toward the tool's side: one head, which no check removes.
@@ -107,32 +117,6 @@ bool in_mode_before(const Scene& s, std::size_t stop) {
   if (stop == 0) return false;
   const FanucBlock& b = s.block(s.stops[stop - 1]);
   return is_tool_side(b) || is_cutter(b);
-}
-
-// What the last head at the end of stop `i` owes to the block after it.
-bool corner_is_plain(const Scene& s, std::size_t i, const Place& p) {
-  if (i + 1 >= s.stops.size()) return false;
-  const Stop& a = s.stops[i];
-  const Stop& b = s.stops[i + 1];
-  const FanucBlock& former = s.block(a);
-  const FanucBlock& latter = s.block(b);
-  if (b.block != a.block + 1 || !former.is_plain() || !latter.is_plain() || latter.says_compensation()) return false;
-  if (latter.compensation != former.compensation || latter.plane != former.plane) return false;
-  if (const auto limit = s.c.setup.parameter(5010); limit && !limit->is_zero()) return false;
-  if (a.own->cause != spec::Cause::programmed && a.own->cause != spec::Cause::start_up) return false;
-  if (b.own->cause != spec::Cause::programmed || !b.displacement) return false;
-  const auto left = left_offset(s, latter);
-  return left && *latter.d != 0 && same_sign(*left, p.left) && all_heads_stand(s, i, p);
-}
-
-bool is_type_b(const Scene& s, const FanucBlock& b) {
-  return is_cutter(b) && s.c.setup.cutter_compensation == spec::CutterCompensationType::b;
-}
-
-// V to the left of U, less ρ: zero at the distance r.
-Real distance_error(const Vector& v, const Place& p, const Vector& u) {
-  const Vector left = cross(p.t, u);
-  return dot(v, left) / length(left) - Real(p.left);
 }
 
 // Square of the distance of `from` from the centre, in the plane of the arc.
@@ -156,11 +140,40 @@ std::optional<Circle> circle(const Scene& s, const Stop& stop) {
   return c;
 }
 
+// R - σρ of the arc through `at`.
+Real parallel_radius(const Vector& at, const Place& p, const Circle& circle) {
+  return sqrt(square_of_radius(p.t, at, circle.center)) - Real(exact::Rational(circle.sense * p.left));
+}
+
+// What the last head at the end of stop `i` owes to the block after it.
+bool corner_is_plain(const Scene& s, std::size_t i, const Place& p) {
+  if (i + 1 >= s.stops.size()) return false;
+  const Stop& a = s.stops[i];
+  const Stop& b = s.stops[i + 1];
+  const FanucBlock& former = s.block(a);
+  const FanucBlock& latter = s.block(b);
+  if (b.block != a.block + 1 || !former.is_plain() || !latter.is_plain() || latter.says_compensation()) return false;
+  if (latter.compensation != former.compensation || latter.plane != former.plane) return false;
+  if (const auto limit = s.c.setup.parameter(5010); limit && !limit->is_zero()) return false;
+  if (a.own->cause != spec::Cause::programmed && a.own->cause != spec::Cause::start_up) return false;
+  if (b.own->cause != spec::Cause::programmed || !b.displacement) return false;
+  // An offset circle smaller than nothing meets nothing.
+  if (const auto arc = circle(s, a); arc && !certainly_positive(parallel_radius(a.programmed, p, *arc))) return false;
+  if (a.own->type == spec::MoveType::arc && !circle(s, a)) return false;
+  const auto left = left_offset(s, latter);
+  return left && *latter.d != 0 && same_sign(*left, p.left) && all_heads_stand(s, i, p);
+}
+
+// V to the left of U, less ρ: zero at the distance r.
+Real distance_error(const Vector& v, const Place& p, const Vector& u) {
+  const Vector left = cross(p.t, u);
+  return dot(v, left) / length(left) - Real(p.left);
+}
+
 // |at + v - O| = R - σρ with R = |at - O|, as squares.
 void on_the_parallel_circle(const Vector& at, const Head& head, const Place& p, const Circle& circle,
                             Holding& holding) {
-  const Real radius = sqrt(square_of_radius(p.t, at, circle.center));
-  const Real parallel = radius - Real(exact::Rational(circle.sense * p.left));
+  const Real parallel = parallel_radius(at, p, circle);
   if (!certainly_positive(parallel)) return;
   holding.zero(square_of_radius(p.t, at + head.vector, circle.center) - parallel * parallel, head.event,
                "square of the distance from the centre, less that of the parallel circle");
@@ -169,6 +182,7 @@ void on_the_parallel_circle(const Vector& at, const Head& head, const Place& p, 
 }  // namespace
 
 void perpendicular_to_the_tool(const Scene& s, Holding& holding) {
+  if (shifts_the_point(s)) return;
   for (const Stop& stop : s.stops) {
     const auto t = across(s, stop);
     if (!t || !stop.displacement || !leads_across(s, s.block(stop), *t, *stop.displacement)) continue;
@@ -245,7 +259,7 @@ void normal_of_the_block(const Scene& s, Holding& holding) {
 }
 
 void on_the_path_without_a_mode(const Scene& s, Holding& holding) {
-  if (s.program.has_code({450, 460, 470, 480})) return;
+  if (shifts_the_point(s)) return;
   bool on_path = true;
   for (const Stop& stop : s.stops) {
     const FanucBlock& b = s.block(stop);

@@ -3,9 +3,9 @@
 // a block, and T × U points to its left.
 //
 // Common exemptions: blocks whose start is unknown (the first of the program, or coordinates were renamed) or that are
-// not displaced across T; programs with G10, G92, G53, G28, G29, G30, whose vectors follow rules of their own; cutter
-// compensation with 5001#2 = 1 (H may be its number) where the radius counts. Blocks shorter in the plane than 19630
-// are no movement.
+// not displaced across T; programs with G37 or G45 to G48, which move the point by other vectors; for distances
+// programs with G10, G92, G53, G28, G29, G30, whose vectors follow rules of their own; cutter compensation with 5001#2
+// = 1 (H may be its number) where the radius counts. Blocks shorter in the plane than 19630 are no movement.
 #pragma once
 
 #include "fuzz/laws/scene.h"
@@ -29,7 +29,8 @@ void beside_the_line_before(const Scene& scene, Holding& holding);
 
 // The last head before a compensated line lies at the same distance of that line: V · (T × U) = ρ |T × U|, T and ρ of
 // the block that ends there. Sheet 2.3 (V · n2 = r), 2.7. Only where both blocks are plain and follow each other
-// directly, the latter says no code of group 07, no corner limit (5010) drops heads, and as above.
+// directly, the latter says no code of group 07, no corner limit (5010) drops heads, R' > 0 on an arc before it, and as
+// above.
 void beside_the_line_after(const Scene& scene, Holding& holding);
 
 // The path of the tool on a compensated arc is the circle parallel to the programmed one: |P + V - O| = R - σρ at its
@@ -43,8 +44,7 @@ void beside_the_arc(const Scene& scene, Holding& holding);
 void normal_of_the_block(const Scene& scene, Holding& holding);
 
 // Start and cancel leave from and return to the programmed path: without a mode in force no vector appears where there
-// was none, and the move that cancels ends on the programmed point. Sheet 2.7, 3.2; chapter 14.6.2, 14.6.4. Not in
-// programs with G45 to G48.
+// was none, and the move that cancels ends on the programmed point. Sheet 2.7, 3.2; chapter 14.6.2, 14.6.4.
 void on_the_path_without_a_mode(const Scene& scene, Holding& holding);
 
 }  // namespace toolcomp::fuzz::laws

@@ -4,6 +4,9 @@
 
 #include "fuzz/laws/beside_the_path.h"
 #include "fuzz/laws/laws.h"
+#include "fuzz/laws/leading_edge.h"
+#include "fuzz/laws/offsets.h"
+#include "fuzz/laws/tool_center_point.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {
@@ -26,6 +29,20 @@ constexpr Law kLaws[] = {
     {{"normal-of-the-block", "type B: the vector is the radius along the normal of its block"}, normal_of_the_block},
     {{"on-the-path-without-a-mode", "without a mode there is no vector, and cancelling ends on the programmed path"},
      on_the_path_without_a_mode},
+    {{"leading-edge-vector", "the vector is across the tool, in the plane of tool and movement, of the radius long"},
+     leading_edge_vector},
+    {{"length-offset", "the axes go to the point plus the offset of the block"}, length_offset},
+    {{"length-offset-stays", "the length offset changes only where a block says so"}, length_offset_stays},
+    {{"signed-sums", "the shift grows by the signed offset in every commanded axis"}, signed_sums},
+    {{"measured-difference", "the new offset is the old one plus the difference measured"}, measured_difference},
+    {{"axis-of-the-positions", "the tool axis is that of the rotary positions"}, axis_of_the_positions},
+    {{"tip-of-the-axes", "the tip that belongs to the axes, seen from the table, is the point"}, tip_of_the_axes},
+    {{"tip-on-the-path", "seen from the table the tip runs on its line or arc, in proportion"}, tip_on_the_path},
+    {{"commanded-direction", "the tool axis is the commanded direction, leant toward the travel by Q"},
+     commanded_direction},
+    {{"great-circle", "under P1 the tool stays in the plane of both ends and turns by equal angles"}, great_circle},
+    {{"positions-in-proportion", "under P0 rotary axes go in proportion"}, positions_in_proportion},
+    {{"positions-as-programmed", "rotary axes end at their words"}, positions_as_programmed},
 };
 
 // A law whose questions cannot be answered (a sign that is not certified) has said nothing more.
