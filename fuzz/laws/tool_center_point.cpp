@@ -24,7 +24,8 @@ bool frame_is_workpiece(const Scene& s) { return s.c.setup.bit(19696, 5); }
 struct Mode {
   std::size_t block = 0;  // of G43.4 or G43.5
   std::array<Turn, 2> turns;
-  Vector origin;  // of the workpiece, machine coordinates
+  Vector origin;                     // of the workpiece, machine coordinates
+  std::array<Real, 2> rotary_zeros;  // the same of the rotary axes
   std::optional<Real> length;
 };
 
@@ -33,17 +34,55 @@ struct Pose {
   const model::Event* event = nullptr;
   std::size_t index = 0;
   std::size_t block = 0;
+  std::array<Real, 2> degrees;  // machine coordinates
   std::array<Turn, 2> turns;
+  Vector control_point;  // machine coordinates
 };
 
-std::optional<std::array<Turn, 2>> turns_of(const Machine& machine, const model::Event& event) {
+std::optional<std::array<Real, 2>> rotary(const Machine& machine, const spec::AxisValues<Real>& values) {
   std::array<Real, 2> degrees;
   for (std::size_t i = 0; i < 2; ++i) {
     const std::size_t axis = machine.axes().at(i);
-    if (!event.machine.has(axis)) return std::nullopt;
-    degrees.at(i) = event.machine[axis];
+    if (!values.has(axis)) return std::nullopt;
+    degrees.at(i) = values[axis];
   }
-  return machine.turns(degrees);
+  return degrees;
+}
+
+// Samples give no machine coordinates: theirs are axes and workpiece zeros.
+std::optional<Pose> pose_of(const spec::Axes& axes, const Machine& machine, const Mode& mode,
+                            const model::Event& event) {
+  Pose pose;
+  pose.event = &event;
+  const bool given = !event.machine.empty();
+  const auto degrees = rotary(machine, given ? event.machine : event.axes);
+  const auto place = xyz(axes, given ? event.machine : event.axes);
+  if (!degrees || !place) return std::nullopt;
+  pose.degrees = *degrees;
+  pose.control_point = *place;
+  if (!given) {
+    pose.control_point = pose.control_point + mode.origin;
+    for (std::size_t i = 0; i < 2; ++i) pose.degrees.at(i) += mode.rotary_zeros.at(i);
+  }
+  pose.turns = machine.turns(pose.degrees);
+  return pose;
+}
+
+std::optional<Mode> mode_of(const Scene& s, const Machine& machine, std::size_t block, const model::Event& event) {
+  const auto place = xyz(s.c.setup.axes, event.machine);
+  const auto place_in_workpiece = xyz(s.c.setup.axes, event.axes);
+  const auto degrees = rotary(machine, event.machine);
+  const auto degrees_in_workpiece = rotary(machine, event.axes);
+  if (!place || !place_in_workpiece || !degrees || !degrees_in_workpiece) return std::nullopt;
+  Mode mode;
+  mode.block = block;
+  mode.turns = machine.turns(*degrees);
+  mode.origin = *place - *place_in_workpiece;
+  for (std::size_t i = 0; i < 2; ++i) mode.rotary_zeros.at(i) = degrees->at(i) - degrees_in_workpiece->at(i);
+  const FanucBlock& b = s.program.blocks()[block];
+  if (b.has('H') && b.h)
+    if (const auto value = length_value(s.c.setup, *b.h)) mode.length = Real(*value) + machine.holder_offset();
+  return mode;
 }
 
 // The moves and samples under tool center point control, up to its end or a second G43.4 or G43.5.
@@ -81,36 +120,28 @@ std::vector<Run> runs_of(const Scene& s, const Machine& machine) {
       }
     }
     if (!in_mode || spoiled) continue;
-    const auto turns = turns_of(machine, event);
-    if (!turns) continue;
-    if (runs.empty() || runs.back().mode.block != latest) {
+    if (runs.empty() || runs.back().mode.block != latest || block == latest) {
+      // The end of the mode's own block is where it begins; more moves of it only lead there.
       if (block != latest || event.kind != spec::EventKind::move) continue;
-      const auto where = xyz(axes, event.machine);
-      const auto axes_xyz = xyz(axes, event.axes);
-      if (!where || !axes_xyz) continue;
-      Run run;
-      run.mode = {latest, *turns, *where - *axes_xyz, std::nullopt};
-      const FanucBlock& b = blocks[latest];
-      if (b.has('H') && b.h)
-        if (const auto value = length_value(s.c.setup, *b.h)) run.mode.length = Real(*value) + machine.holder_offset();
-      runs.push_back(std::move(run));
-    } else if (block == latest) {
-      // More moves of the mode's own block: its end is what counts.
-      if (event.kind != spec::EventKind::move) continue;
-      runs.back().poses.clear();
-      runs.back().mode.turns = *turns;
+      const auto mode = mode_of(s, machine, latest, event);
+      if (!mode) continue;
+      if (runs.empty() || runs.back().mode.block != latest) runs.emplace_back();
+      runs.back() = {*mode, {}};
     }
     if (other_length) runs.back().mode.length.reset();
-    runs.back().poses.push_back({&event, i, block, *turns});
+    auto pose = pose_of(axes, machine, runs.back().mode, event);
+    if (!pose) continue;
+    pose->index = i;
+    pose->block = block;
+    runs.back().poses.push_back(std::move(*pose));
   }
   return runs;
 }
 
 // Tip in the coordinates of the table at its zero pose.
-std::optional<Vector> tip_on_table(const Scene& s, const Machine& machine, const Run& run, const Pose& pose) {
-  const auto control_point = xyz(s.c.setup.axes, pose.event->machine);
-  if (!control_point || !run.mode.length) return std::nullopt;
-  return machine.on_table(pose.turns, *control_point - machine.holder(pose.turns, *run.mode.length));
+std::optional<Vector> tip_on_table(const Machine& machine, const Run& run, const Pose& pose) {
+  if (!run.mode.length) return std::nullopt;
+  return machine.on_table(pose.turns, pose.control_point - machine.holder(pose.turns, *run.mode.length));
 }
 
 bool is_sample(const Pose& pose) { return pose.event->kind == spec::EventKind::sample; }
@@ -157,6 +188,9 @@ void in_each_run(const Scene& s, const Ask& ask) {
   for (const Run& run : runs_of(s, *machine)) ask(*machine, run);
 }
 
+// A component without a point, which 3401#0 = 0 reads in least increments.
+bool counts(const spec::Word& w) { return w.address >= 'I' && w.address <= 'K' && !w.value.point; }
+
 Real number_of(const FanucBlock& b, char letter) {
   const spec::Decimal* value = b.value(letter);
   return value != nullptr ? Real(rational(*value)) : Real(0);
@@ -180,7 +214,7 @@ void axis_of_the_positions(const Scene& s, Holding& holding) {
 void tip_of_the_axes(const Scene& s, Holding& holding) {
   in_each_run(s, [&](const Machine& machine, const Run& run) {
     for (const Pose& pose : run.poses) {
-      const auto q = tip_on_table(s, machine, run, pose);
+      const auto q = tip_on_table(machine, run, pose);
       const auto point = xyz(s.c.setup.axes, pose.event->point);
       if (!q || !point) continue;
       const auto& turns = frame_is_workpiece(s) ? pose.turns : run.mode.turns;
@@ -195,7 +229,7 @@ void tip_on_the_path(const Scene& s, Holding& holding) {
     for (const Block& block : sampled_blocks(run)) {
       const auto at = [&](const Pose& pose) -> std::optional<Vector> {
         if (!frame_is_workpiece(s)) return xyz(s.c.setup.axes, pose.event->point);
-        return tip_on_table(s, machine, run, pose);
+        return tip_on_table(machine, run, pose);
       };
       const bool arc = block.end->event->type == spec::MoveType::arc;
       if (arc && (frame_is_workpiece(s) || !block.end->event->arc || block.end->event->arc->radius)) continue;
@@ -238,6 +272,7 @@ void commanded_direction(const Scene& s, Holding& holding) {
           pose.event->cause != spec::Cause::cancel)
         continue;
       if (!b.has('I') && !b.has('J') && !b.has('K')) continue;
+      if (!s.c.setup.bit(3401, 0, true) && std::ranges::any_of(b.words, counts)) continue;
       const Vector given{number_of(b, 'I'), number_of(b, 'J'), number_of(b, 'K')};
       const Vector& axis = *pose.event->tool_axis;
       const bool leans = lean && certainly_not_zero(*lean);
@@ -296,14 +331,14 @@ void great_circle(const Scene& s, Holding& holding) {
 }
 
 void positions_in_proportion(const Scene& s, Holding& holding) {
-  in_each_run(s, [&](const Machine& machine, const Run& run) {
+  in_each_run(s, [&](const Machine&, const Run& run) {
     for (const Block& block : sampled_blocks(run)) {
       if (s.program.blocks()[block.end->block].posture) continue;
-      for (const std::size_t axis : machine.axes()) {
-        const Real& from = block.start->event->machine[axis];
-        const Real& to = block.end->event->machine[axis];
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        const Real& from = block.start->degrees.at(axis);
+        const Real& to = block.end->degrees.at(axis);
         for (const Pose& sample : block.samples)
-          holding.zero(sample.event->machine[axis] - from - fraction(sample) * (to - from), sample.index,
+          holding.zero(sample.degrees.at(axis) - from - fraction(sample) * (to - from), sample.index,
                        "rotary position, less its place between those of both ends");
       }
     }
