@@ -105,6 +105,13 @@ std::optional<Machine> Machine::of(const spec::Setup& setup) {
   return m;
 }
 
+bool Machine::leans_any_way() const {
+  const Vector& tilting = direction_.at(type_ == MachineType::tool ? 1 : 0);
+  const Vector by_axis = cross(tilting, reference_);
+  const Vector between = cross(direction_[0], direction_[1]);
+  return certainly_positive(dot(by_axis, by_axis)) && certainly_positive(dot(between, between));
+}
+
 std::array<Turn, 2> Machine::turns(const std::array<Real, 2>& degrees) const {
   return {turn_about(direction_[0], Real(sense_[0]) * degrees[0]),
           turn_about(direction_[1], Real(sense_[1]) * degrees[1])};

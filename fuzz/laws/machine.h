@@ -41,6 +41,8 @@ class Machine {
   // A point of the machine as the table at its zero pose has it; and back.
   [[nodiscard]] Vector on_table(const std::array<Turn, 2>& turns, const Vector& in_machine) const;
   [[nodiscard]] Vector in_machine(const std::array<Turn, 2>& turns, const Vector& on_table) const;
+  // Whether the tool can lean any way: not where the axis that tilts it is parallel to it, or to the other axis.
+  [[nodiscard]] bool leans_any_way() const;
   // 19666.
   [[nodiscard]] const Real& holder_offset() const { return holder_offset_; }
 

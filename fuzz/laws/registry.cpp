@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "fuzz/laws/beside_the_path.h"
+#include "fuzz/laws/contact.h"
 #include "fuzz/laws/laws.h"
 #include "fuzz/laws/leading_edge.h"
 #include "fuzz/laws/offsets.h"
@@ -43,6 +44,15 @@ constexpr Law kLaws[] = {
     {{"great-circle", "under P1 the tool stays in the plane of both ends and turns by equal angles"}, great_circle},
     {{"positions-in-proportion", "under P0 rotary axes go in proportion"}, positions_in_proportion},
     {{"positions-as-programmed", "rotary axes end at their words"}, positions_as_programmed},
+    {{"touches-the-contact-plane", "the effective tool touches the plane of contact point and normal in that point"},
+     touches_the_contact_plane},
+    {{"nominal-tool-touches", "the nominal tool at the programmed point touches it in the same point"},
+     nominal_tool_touches},
+    {{"direction-of-the-tool", "tool axis and normal have their programmed directions"}, direction_of_the_tool},
+    {{"length-along-the-tool", "lengths act along the tool"}, length_along_the_tool},
+    {{"shift-of-the-tip", "the shift leads from the nominal tip to the effective one"}, shift_of_the_tip},
+    {{"cylinder-beside-the-line", "under RL and RR the cylinder is tangent to its lines, at delta from them"},
+     cylinder_beside_the_line},
 };
 
 // A law whose questions cannot be answered (a sign that is not certified) has said nothing more.
@@ -58,7 +68,8 @@ void ask(const Law& law, const Scene& scene, Verdict& verdict) {
 
 }  // namespace
 
-Scene::Scene(const spec::Case& made, std::span<const model::Event> given) : c(made), events(given), program(made) {
+Scene::Scene(const spec::Case& made, std::span<const model::Event> given)
+    : c(made), events(given), program(made), klartext(made) {
   if (c.setup.control == spec::Control::fanuc) stops = stops_of(c.setup.axes, program, events);
 }
 

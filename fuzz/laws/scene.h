@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fuzz/laws/holding.h"
+#include "fuzz/laws/klartext_program.h"
 #include "fuzz/laws/stops.h"
 #include "spec/language/case.h"
 
@@ -13,8 +14,9 @@ namespace toolcomp::fuzz::laws {
 struct Scene {
   const spec::Case& c;
   std::span<const model::Event> events;
-  FanucProgram program;     // empty for other controls
-  std::vector<Stop> stops;  // of FANUC programs
+  FanucProgram program;      // FANUC; empty for other controls
+  KlartextProgram klartext;  // the same of Klartext
+  std::vector<Stop> stops;   // of FANUC programs
 
   Scene(const spec::Case& made, std::span<const model::Event> given);
   [[nodiscard]] const FanucBlock& block(const Stop& stop) const { return program.blocks()[stop.block]; }

@@ -303,7 +303,8 @@ void commanded_direction(const Scene& s, Holding& holding) {
 
 void great_circle(const Scene& s, Holding& holding) {
   if (frame_is_workpiece(s)) return;
-  in_each_run(s, [&](const Machine&, const Run& run) {
+  in_each_run(s, [&](const Machine& machine, const Run& run) {
+    if (!machine.leans_any_way()) return;
     for (const Block& block : sampled_blocks(run)) {
       const FanucBlock& b = s.program.blocks()[block.end->block];
       if (!b.posture || may_change_ends(s, b) || has_warning(s, b.line)) continue;

@@ -27,8 +27,8 @@ void tip_on_the_path(const Scene& scene, Holding& holding);
 void commanded_direction(const Scene& scene, Holding& holding);
 
 // Under P1 the tool stays in the plane of its directions at both ends, and turns by equal angles. Sheet 6
-// (DEF-6), 15.2. Not in a block with a warning (posture-branch), with parallel ends, or where its end may have been
-// changed (19738 > 0).
+// (DEF-6), 15.2. Not in a block with a warning (posture-branch), with parallel ends, on machines that cannot lean the
+// tool any way, or where its end may have been changed (19738 > 0).
 void great_circle(const Scene& scene, Holding& holding);
 
 // Under P0 both rotary axes go in proportion. Sheet 6.
