@@ -37,8 +37,11 @@ class State {
   explicit State(const spec::Setup& setup) : setup_(setup), inch_(setup.units == spec::Units::inch) {}
 
   KlartextBlock read_block(const Block& b) {
+    // Members that a statement does not have keep what they held.
+    const bool moves = b.statement == Statement::line || b.statement == Statement::line_with_vectors;
+    const bool has_functions = moves || b.statement == Statement::stop || b.statement == Statement::miscellaneous;
     bool ends_tcpm = false;
-    for (std::size_t i = 0; i < b.functions; ++i) {
+    for (std::size_t i = 0; has_functions && i < b.functions; ++i) {
       if (b.function.at(i) == 128) {
         state_.tcpm = true;
         state_.center = false;
@@ -71,7 +74,7 @@ class State {
       default:
         break;
     }
-    if (b.radius != RadiusWord::none)
+    if (moves && b.radius != RadiusWord::none)
       state_.side = b.radius == RadiusWord::rl ? 1 : b.radius == RadiusWord::rr ? -1 : 0;
     state_.line = b.line;
     state_.statement = b.statement;
