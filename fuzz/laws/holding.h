@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "fuzz/laws/certainty.h"
 #include "model/engine.h"
@@ -18,7 +19,7 @@ struct Violation {
   std::string_view law;
   std::uint64_t line = 0;
   std::size_t event = 0;  // index in the list of events
-  std::string text;       // what does not hold
+  std::string text;       // what should hold
   std::string amount;     // by how much: the exact value, to 20 decimals
 };
 
@@ -30,11 +31,11 @@ class Holding {
 
   // `residual` is zero.
   void zero(const Real& residual, std::size_t event, std::string_view what) {
-    ask(certainly_not_zero, residual, event, what);
+    ask(certainly_not_zero, residual, event, what, " = 0");
   }
   // `value` is not negative.
   void not_negative(const Real& value, std::size_t event, std::string_view what) {
-    ask(certainly_negative, value, event, what);
+    ask(certainly_negative, value, event, what, " >= 0");
   }
   // All three components are zero.
   void zero(const Vector& residual, std::size_t event, std::string_view what) {
@@ -44,20 +45,21 @@ class Holding {
   void holds(bool fact, std::size_t event, std::string_view what) {
     if (violation_) return;
     ++checks_;
-    if (!fact) fail(event, what, "");
+    if (!fact) fail(event, std::string(what), "");
   }
 
   [[nodiscard]] std::uint64_t checks() const { return checks_; }
   [[nodiscard]] const std::optional<Violation>& violation() const { return violation_; }
 
  private:
-  void ask(bool (*broken)(const Real&), const Real& value, std::size_t event, std::string_view what) {
+  void ask(bool (*broken)(const Real&), const Real& value, std::size_t event, std::string_view what,
+           std::string_view expected) {
     if (violation_) return;
     ++checks_;
-    if (broken(value)) fail(event, what, amount(value));
+    if (broken(value)) fail(event, std::string(what).append(expected), amount(value));
   }
-  void fail(std::size_t event, std::string_view what, std::string by) {
-    violation_ = {law_, event < events_.size() ? events_[event].line : 0, event, std::string(what), std::move(by)};
+  void fail(std::size_t event, std::string text, std::string by) {
+    violation_ = {law_, event < events_.size() ? events_[event].line : 0, event, std::move(text), std::move(by)};
   }
 
   std::string_view law_;

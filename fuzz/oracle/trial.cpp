@@ -1,9 +1,9 @@
 #include "fuzz/oracle/trial.h"
 
-#include <cmath>
 #include <optional>
 #include <utility>
 
+#include "fuzz/laws/changed_program.h"
 #include "fuzz/laws/laws.h"
 #include "spec/language/input_error.h"
 
@@ -47,15 +47,20 @@ std::string_view name(Acceptance acceptance) {
 
 std::uint64_t hold_laws(const spec::Case& c, const ModelRun& run, Verdict& verdict) {
   if (verdict.outcome != Outcome::agrees && verdict.outcome != Outcome::nothing_judged) return 0;
-  const laws::Verdict held = laws::hold(c, run.events);
+  laws::Verdict held = laws::hold(c, run.events);
+  if (!held.violation) {
+    const laws::Verdict changed =
+        laws::hold_changed(c, run.events, [](const spec::Case& other) { return run_model(other).events; });
+    held.checks += changed.checks;
+    held.violation = changed.violation;
+  }
   if (!held.violation) return held.checks;
   const laws::Violation& violation = *held.violation;
-  const std::uint64_t values = verdict.values;
-  const std::uint64_t numbers = verdict.numbers;
-  verdict = difference("law", violation.text + " 0", violation.amount);
-  verdict.values = values;
-  verdict.numbers = numbers;
-  Difference& d = *verdict.difference;
+  verdict.outcome = Outcome::differs;
+  Difference& d = verdict.difference.emplace();
+  d.kind = "law";
+  d.expected = violation.text;
+  d.actual = violation.amount.empty() ? "not so" : violation.amount;
   d.field = violation.law;
   d.line = violation.line;
   d.event = violation.event;

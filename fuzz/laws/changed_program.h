@@ -1,0 +1,39 @@
+// Metamorphic laws: a program changed in a way whose effect geometry knows. The model runs once more, so they are asked
+// of a share of the trials; which of them, and whether, follows from the text of the program alone.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/laws/laws.h"
+
+namespace toolcomp::fuzz::laws {
+
+// The events of a case.
+using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
+
+// One of:
+//   value-zero       with every offset (H, D, 19666; Klartext: every delta) zero, points are the programmed points, and
+//   axes
+//                    the points without tool center point control. Chapter 14; sheet "3D tool compensation" P6. Not
+//                    with G10, G37, nor under PROG PATH IS CONTOUR or with deltas in tool calls.
+//   mirrored         X mirrored, G41 with G42 and G02 with G03 exchanged: the events are mirrored. Planes G18 and G19
+//   and
+//                    length offset type C are exempt, and so is any program with a tool direction.
+//   quarter-turn     turned about Z by 90 degrees: the events are turned. Exempt as above.
+//   ten-times        all lengths of program and setup ten times as long: the events are ten times as large. Not with
+//   G10
+//                    (its range is fixed), nor where numbers grow too long to be read.
+// Of FANUC programs that can be read to their end, no two blocks in one line. Chapter 14 and the sheets know no other
+// length, side or direction than those of program and setup, so their geometry is equivariant.
+std::span<const std::string_view> changes();
+
+// The law of this name, whatever the share.
+Verdict hold_changed(std::string_view law, const spec::Case& c, std::span<const model::Event> events,
+                     const Runner& run);
+// One law for every sixteenth program, none for the others.
+Verdict hold_changed(const spec::Case& c, std::span<const model::Event> events, const Runner& run);
+
+}  // namespace toolcomp::fuzz::laws
