@@ -16,17 +16,18 @@
 namespace toolcomp::fuzz::laws {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"value-zero", "mirrored", "quarter-turn", "ten-times"};
+constexpr std::array<std::string_view, 4> kNames{"value-zero", "mirrored", "quarter-turn", "a-tenth"};
 
-// Image of X, Y, Z: component i is factor[i] times component from[i].
+// Image of X, Y, Z: component i is sign[i] times component from[i], or a tenth of that.
 struct Map {
   std::array<std::size_t, 3> from{0, 1, 2};
-  std::array<int, 3> factor{1, 1, 1};
+  std::array<int, 3> sign{1, 1, 1};
   bool mirrors = false;  // exchanges left and right
+  bool tenth = false;
 };
-constexpr Map kMirror{{0, 1, 2}, {-1, 1, 1}, true};
-constexpr Map kQuarterTurn{{1, 0, 2}, {-1, 1, 1}, false};  // X is -Y, Y is X
-constexpr Map kTenTimes{{0, 1, 2}, {10, 10, 10}, false};
+constexpr Map kMirror{{0, 1, 2}, {-1, 1, 1}, true, false};
+constexpr Map kQuarterTurn{{1, 0, 2}, {-1, 1, 1}, false, false};  // X is -Y, Y is X
+constexpr Map kTenth{{0, 1, 2}, {1, 1, 1}, false, true};
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 std::size_t component(char letter) {
@@ -39,17 +40,15 @@ std::size_t image_of(const Map& map, std::size_t component) {
   return static_cast<std::size_t>(std::ranges::find(map.from, component) - map.from.begin());
 }
 
-// By a factor of 1, -1 or 10; nothing where the number grows too long.
-std::optional<spec::Decimal> times(spec::Decimal value, int factor) {
-  if (factor < 0) value.negative = !value.negative;
-  if (factor != 10 && factor != -10) return value;
-  if (value.decimals > 0) {
-    --value.decimals;
-    return value;
-  }
-  constexpr std::uint64_t largest = 9'999'999;  // eight digits stay readable with any increment
-  if (value.digits > largest) return std::nullopt;
-  value.digits *= 10;
+// A tenth has one decimal more; nothing where that cannot be read, or would be another number (3401#0 = 0).
+std::optional<spec::Decimal> image_of(const Map& map, spec::Decimal value, int sign) {
+  if (sign < 0) value.negative = !value.negative;
+  if (!map.tenth) return value;
+  constexpr std::uint64_t largest = 99'999'999'999;
+  constexpr int most = 10;
+  if (value.digits > largest || value.decimals >= most) return std::nullopt;
+  ++value.decimals;
+  value.point = true;
   return value;
 }
 
@@ -58,13 +57,13 @@ bool change(const Map& map, spec::AxisTable& table) {
   for (const auto& [letter, value] : table) {
     const std::size_t source = component(letter);
     if (source == kNone) {
-      const auto scaled = spec::is_linear_axis(letter) && map.factor[0] == 10 ? times(value, 10) : value;
+      const auto scaled = spec::is_linear_axis(letter) ? image_of(map, value, 1) : value;
       if (!scaled) return false;
       image[letter] = *scaled;
       continue;
     }
     const std::size_t target = image_of(map, source);
-    const auto scaled = times(value, map.factor.at(target));
+    const auto scaled = image_of(map, value, map.sign.at(target));
     if (!scaled) return false;
     image["XYZ"[target]] = *scaled;
   }
@@ -86,17 +85,17 @@ bool is_length(std::uint32_t parameter) {
          (parameter >= 19700 && parameter <= 19714);
 }
 
-bool lengthen(spec::Setup& setup) {
+bool shorten(const Map& map, spec::Setup& setup) {
   for (auto& [id, value] : setup.parameters) {
     if (id.bit >= 0 || !is_length(id.number)) continue;
-    const auto scaled = times(value, 10);
+    const auto scaled = image_of(map, value, 1);
     if (!scaled) return false;
     value = *scaled;
   }
   for (auto* offsets : {&setup.h, &setup.d})
     for (auto& [number, entry] : *offsets) {
-      const auto geometry = times(entry.geometry, 10);
-      const auto wear = times(entry.wear, 10);
+      const auto geometry = image_of(map, entry.geometry, 1);
+      const auto wear = image_of(map, entry.wear, 1);
       if (!geometry || !wear) return false;
       entry = {*geometry, *wear};
     }
@@ -106,17 +105,16 @@ bool lengthen(spec::Setup& setup) {
 // A word in the image; nothing where it cannot be written.
 std::optional<spec::Word> change(const Map& map, const spec::Word& word) {
   spec::Word image = word;
-  const bool lengthens = map.factor[0] == 10;
   const std::size_t axis = component(word.address);
   const std::size_t vector = vector_component(word.address);
   if (axis != kNone || vector != kNone) {
     const std::size_t target = image_of(map, axis != kNone ? axis : vector);
-    const auto value = times(word.value, map.factor.at(target));
+    const auto value = image_of(map, word.value, map.sign.at(target));
     if (!value) return std::nullopt;
     image.address = axis != kNone ? "XYZ"[target] : "IJK"[target];
     image.value = *value;
-  } else if (lengthens && (word.address == 'R' || (word.address >= 'U' && word.address <= 'W'))) {
-    const auto value = times(word.value, 10);
+  } else if (map.tenth && (word.address == 'R' || (word.address >= 'U' && word.address <= 'W'))) {
+    const auto value = image_of(map, word.value, 1);
     if (!value) return std::nullopt;
     image.value = *value;
   } else if (map.mirrors && word.address == 'G' && word.value.is_integer()) {
@@ -161,12 +159,10 @@ void compare(const Map& map, const spec::Axes& axes, const Values& original, con
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const std::size_t target = component(axes.letter(i));
     std::size_t source = i;
-    int factor = 1;
+    Rational factor = map.tenth && spec::is_linear_axis(axes.letter(i)) ? Rational(1, 10) : Rational(1);
     if (target != kNone) {
       source = axes.index("XYZ"[map.from.at(target)]);
-      factor = map.factor.at(target);
-    } else if (spec::is_linear_axis(axes.letter(i)) && map.factor[0] == 10) {
-      factor = 10;
+      factor *= map.sign.at(target);
     }
     if (source == spec::Axes::kNone) continue;
     holding.holds(original.has(source) == image.has(i), event, what);
@@ -199,16 +195,17 @@ void image(const Map& map, const spec::Case& c, std::span<const model::Event> ev
            Holding& holding) {
   if (c.setup.control != spec::Control::fanuc || is_open(events)) return;
   const FanucProgram program(c);
-  const bool lengthens = map.factor[0] == 10;
-  if (lengthens) {
-    if (program.has_code({100})) return;
+  if (map.tenth) {
+    if (program.has_code({100, 370}) || !c.setup.bit(3401, 0, true)) return;
   } else {
+    if (!c.setup.axes.has('X') || !c.setup.axes.has('Y')) return;
+    if (program.has_code({412, 422, 413, 416, 426, 434, 435})) return;
     if (program.has_code({180, 190}) || (c.setup.bit(5001, 0) && program.has_code({430, 440}))) return;
     if (std::ranges::any_of(events, [](const model::Event& e) { return e.tool_axis.has_value(); })) return;
   }
   spec::Case changed = c;
   const auto text = change(map, c);
-  if (!text || !change_all(map, changed.setup) || (lengthens && !lengthen(changed.setup))) return;
+  if (!text || !change_all(map, changed.setup) || (map.tenth && !shorten(map, changed.setup))) return;
   changed.program = *text;
   const std::vector<model::Event> other = run(changed);
   if (is_open(other)) return;
@@ -294,7 +291,7 @@ Verdict hold_changed(std::string_view law, const spec::Case& c, std::span<const 
         image(kQuarterTurn, c, events, run, holding);
         break;
       default:
-        image(kTenTimes, c, events, run, holding);
+        image(kTenth, c, events, run, holding);
         break;
     }
   } catch (const exact::Undecided&) {

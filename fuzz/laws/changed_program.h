@@ -21,11 +21,12 @@ using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
 //                    with G10, G37, nor under PROG PATH IS CONTOUR or with deltas in tool calls.
 //   mirrored         X mirrored, G41 with G42 and G02 with G03 exchanged: the events are mirrored. Planes G18 and G19
 //   and
-//                    length offset type C are exempt, and so is any program with a tool direction.
+//                    length offset type C are exempt, and so is any program with a tool direction or 3D compensation,
+//                    and a control without X or Y.
 //   quarter-turn     turned about Z by 90 degrees: the events are turned. Exempt as above.
-//   ten-times        all lengths of program and setup ten times as long: the events are ten times as large. Not with
-//   G10
-//                    (its range is fixed), nor where numbers grow too long to be read.
+//   a-tenth          all lengths of program and setup a tenth as long: the events are a tenth as large. Not with G10,
+//   with
+//                    numbers in least increments (3401#0 = 0), nor where numbers grow too long to be read.
 // Of FANUC programs that can be read to their end, no two blocks in one line. Chapter 14 and the sheets know no other
 // length, side or direction than those of program and setup, so their geometry is equivariant.
 std::span<const std::string_view> changes();
