@@ -225,6 +225,10 @@ void beside_the_line_after(const Scene& s, Holding& holding) {
     if (!p || !corner_is_plain(s, i, *p) || !leads_across(s, s.block(stop), p->t, *next.displacement)) continue;
     holding.zero(distance_error(stop.heads.back().vector, *p, *next.displacement), stop.heads.back().event,
                  "distance from the line after, less the radius");
+    // Inside a corner one point is at the radius from both lines; another head would be beyond one of them.
+    if (is_inner(s, *p, stop, next) && stop.own->cause == spec::Cause::programmed)
+      holding.zero(distance_error(stop.heads.front().vector, *p, *next.displacement), stop.event,
+                   "distance of the first head from the line after an inner corner, less the radius");
   }
 }
 
