@@ -12,10 +12,8 @@ namespace toolcomp::fuzz::laws {
 using exact::Rational;
 using exact::Real;
 
-// Bounds of `value`, at most about 1e-29 apart near zero. They cost no proof of zero.
-exact::Enclosure bounds(const Real& value);
-
-// Each is true only where it is certain; neither of two opposites where it is not.
+// Each is true only where it is certain; neither of two opposites where it is not. They tell
+// values of 1e-27 from zero, by enclosures rounded outwards, and cost no proof of zero.
 bool certainly_positive(const Real& value);
 bool certainly_negative(const Real& value);
 bool certainly_not_zero(const Real& value);

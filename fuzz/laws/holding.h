@@ -1,6 +1,7 @@
 // How a law is asked: what it is given, and what it says.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -37,9 +38,12 @@ class Holding {
   void not_negative(const Real& value, std::size_t event, std::string_view what) {
     ask(certainly_negative, value, event, what, " >= 0");
   }
-  // All three components are zero.
+  // All three components are zero; the amount is the length.
   void zero(const Vector& residual, std::size_t event, std::string_view what) {
-    for (const Real& component : residual) zero(component, event, what);
+    if (violation_) return;
+    ++checks_;
+    if (std::ranges::any_of(residual, certainly_not_zero))
+      fail(event, std::string(what).append(" = 0"), amount(length(residual)));
   }
   // A fact that needs no number.
   void holds(bool fact, std::size_t event, std::string_view what) {
