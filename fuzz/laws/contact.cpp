@@ -7,33 +7,12 @@ namespace {
 
 using spec::klartext::Statement;
 
-// A move of a Klartext program with what its block says.
-struct Move {
-  const model::Event* event = nullptr;
-  std::size_t index = 0;
-  const KlartextBlock* block = nullptr;
-  Vector programmed;
-  Vector tip;
-  Vector tool;
-};
-
-std::optional<Move> move_at(const Scene& s, std::size_t index) {
-  const model::Event& event = s.events[index];
-  if (event.kind != spec::EventKind::move || !event.space || !event.tool_axis) return std::nullopt;
-  const KlartextBlock* block = s.klartext.block(event.line);
-  const auto programmed = xyz(s.c.setup.axes, event.programmed);
-  const auto tip = xyz(s.c.setup.axes, event.point);
-  if (block == nullptr || !programmed || !tip) return std::nullopt;
-  return Move{&event, index, block, *programmed, *tip, *event.tool_axis};
-}
+using Move = SpaceMove;
 
 template <class Ask>
 void for_each_move(const Scene& s, const Ask& ask) {
-  for (std::size_t i = 0; i < s.events.size(); ++i)
-    if (const auto move = move_at(s, i)) ask(*move);
+  for (const Move& move : s.moves) ask(move);
 }
-
-Vector real(const std::array<Rational, 3>& v) { return {Real(v[0]), Real(v[1]), Real(v[2])}; }
 
 Vector axis_of(char letter) {
   Vector v;
@@ -42,19 +21,19 @@ Vector axis_of(char letter) {
 }
 
 // From the contact point to the centre, less R2 n: it is ρ u, across the tool and toward the normal.
-void is_across(const Vector& across, const Move& move, const std::optional<Rational>& length, Holding& holding) {
+void is_across(const Vector& across, const Move& move, const std::optional<Real>& length, Holding& holding) {
   const spec::Contact<Real>& contact = *move.event->space->contact;
   const Vector& n = contact.normal;
-  const Vector side = cross(n, move.tool);
   if (contact.flat) {
     holding.zero(across, move.index, "centre over the contact point, across the tool");
     return;
   }
   holding.zero(dot(across, move.tool), move.index, "centre over the contact point, along the tool");
-  holding.zero(dot(across, side), move.index, "centre over the contact point, out of the plane of normal and tool");
+  holding.zero(dot(across, move.side), move.index,
+               "centre over the contact point, out of the plane of normal and tool");
   holding.not_negative(dot(across, n), move.index, "centre over the contact point, toward the normal");
-  if (length && std::ranges::any_of(side, certainly_not_zero))
-    holding.zero(dot(across, across) - Real(Rational(*length * *length)), move.index,
+  if (length && std::ranges::any_of(move.side, certainly_not_zero))
+    holding.zero(dot(across, across) - square(*length), move.index,
                  "square of the distance of tool axis and ring, less that of the tool");
 }
 
@@ -62,7 +41,7 @@ void is_across(const Vector& across, const Move& move, const std::optional<Ratio
 std::optional<Vector> nominal_tip(const Move& move) {
   if (!move.block->center || move.block->contour || !move.block->tcpm) return move.programmed;
   if (!move.block->cutter) return std::nullopt;
-  return move.programmed - Real(move.block->cutter->r2) * move.tool;
+  return move.programmed - move.block->cutter->r2 * move.tool;
 }
 
 }  // namespace
@@ -76,11 +55,10 @@ void touches_the_contact_plane(const Scene& s, Holding& holding) {
     holding.zero(dot(contact->normal, contact->normal) - Real(1), move.index, "square of the normal, less 1");
     holding.zero(dot(move.tool, move.tool) - Real(1), move.index, "square of the tool axis, less 1");
     holding.zero(from_tip - r2 * move.tool, move.index, "centre of the tool beside its axis");
-    std::optional<Rational> ring;
+    std::optional<Real> ring;
     if (const auto& cutter = move.block->cutter; cutter && !cutter->by_angle) {
-      const Rational effective = cutter->r2 + cutter->dr2;
-      holding.zero(r2 - Real(effective), move.index, "height of the centre over the tip, less the corner radius");
-      ring = std::max(Rational(0), Rational(cutter->r + cutter->dr - effective));
+      holding.zero(r2 - cutter->effective_r2, move.index, "height of the centre over the tip, less the corner radius");
+      ring = cutter->effective_ring;
     }
     is_across(move.event->space->tool_center - contact->point - r2 * contact->normal, move, ring, holding);
   });
@@ -97,9 +75,8 @@ void nominal_tool_touches(const Scene& s, Holding& holding) {
     const auto tip = nominal_tip(move);
     if (!tip || !move.block->cutter) return;
     const Cutter& cutter = *move.block->cutter;
-    const Vector center = *tip + Real(cutter.r2) * move.tool;
-    is_across(center - contact->point - Real(cutter.r2) * contact->normal, move, Rational(cutter.r - cutter.r2),
-              holding);
+    const Vector center = *tip + cutter.r2 * move.tool;
+    is_across(center - contact->point - cutter.r2 * contact->normal, move, cutter.ring, holding);
   });
 }
 
@@ -109,10 +86,10 @@ void direction_of_the_tool(const Scene& s, Holding& holding) {
     if (b.statement != Statement::line_with_vectors) return;
     const auto& contact = move.event->space->contact;
     if (b.normal && contact) {
-      holding.zero(cross(contact->normal, real(*b.normal)), move.index, "normal across N");
-      holding.not_negative(dot(contact->normal, real(*b.normal)), move.index, "normal along N");
+      holding.zero(cross(contact->normal, *b.normal), move.index, "normal across N");
+      holding.not_negative(dot(contact->normal, *b.normal), move.index, "normal along N");
     }
-    const Vector expected = !b.tcpm ? axis_of(b.axis) : b.tool ? real(*b.tool) : b.normal ? real(*b.normal) : move.tool;
+    const Vector expected = !b.tcpm ? axis_of(b.axis) : b.tool ? *b.tool : b.normal ? *b.normal : move.tool;
     holding.zero(cross(move.tool, expected), move.index, "tool axis across its direction");
     holding.not_negative(dot(move.tool, expected), move.index, "tool axis along its direction");
   });
@@ -130,9 +107,9 @@ void length_along_the_tool(const Scene& s, Holding& holding) {
       holding.zero(cross(given, move.tool), move.index, "length across the tool");
       return;
     }
-    holding.zero(given - Real(cutter->dl) * move.tool, move.index, "axes, less tip and delta of the length");
+    holding.zero(given - cutter->dl * move.tool, move.index, "axes, less tip and delta of the length");
     if (cutter->length && move.event->space->carrier)
-      holding.zero(*move.event->space->carrier - *axes - Real(*cutter->length) * move.tool, move.index,
+      holding.zero(*move.event->space->carrier - *axes - *cutter->length * move.tool, move.index,
                    "carrier, less axes and length");
   });
 }
@@ -146,13 +123,14 @@ void shift_of_the_tip(const Scene& s, Holding& holding) {
 }
 
 void cylinder_beside_the_line(const Scene& s, Holding& holding) {
-  for (std::size_t i = 1; i < s.events.size(); ++i) {
-    const auto before = move_at(s, i - 1);
-    const auto move = move_at(s, i);
-    if (!before || !move || move->block->side == 0 || !move->block->tcpm || !move->block->cutter) continue;
+  for (std::size_t k = 1; k < s.moves.size(); ++k) {
+    const Move* before = &s.moves[k - 1];
+    const Move* move = &s.moves[k];
+    const std::size_t i = move->index;
+    if (before->index + 1 != i || move->block->side == 0 || !move->block->tcpm || !move->block->cutter) continue;
     if (move->event->space->contact) continue;
     const Cutter& cutter = *move->block->cutter;
-    const Real offset = move->block->contour ? Real(Rational(cutter.r + cutter.dr)) : Real(cutter.dr);
+    const Real offset = move->block->contour ? cutter.r + cutter.dr : cutter.dr;
     const auto tip = nominal_tip(*move);
     if (!tip) continue;
     const Vector v = move->tip - *tip;
@@ -166,9 +144,9 @@ void cylinder_beside_the_line(const Scene& s, Holding& holding) {
     if (std::ranges::any_of(cross(move->tool, line), certainly_not_zero))
       holding.zero(dot(v, move->tool), i, "shift of the tip along the tool");
     if (!first) beside(line, move->block->side, "cylinder beside the line before, times its length");
-    if (i + 1 == s.events.size()) continue;
-    const auto next = move_at(s, i + 1);
-    if (!next || next->block->side == 0 || next->event->space->contact) continue;
+    if (k + 1 == s.moves.size()) continue;
+    const Move* next = &s.moves[k + 1];
+    if (next->index != i + 1 || next->block->side == 0 || next->event->space->contact) continue;
     if (s.klartext.calls_tool(move->block->line, next->block->line)) continue;
     if (!first && !std::ranges::any_of(cross(move->tool, line), certainly_not_zero)) continue;
     beside(next->programmed - move->programmed, next->block->side, "cylinder beside the line after, times its length");

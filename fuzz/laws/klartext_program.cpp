@@ -1,6 +1,7 @@
 #include "fuzz/laws/klartext_program.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "fuzz/laws/fanuc_program.h"
@@ -32,6 +33,10 @@ bool read(const std::optional<Value>& word, Rational& into) {
   return true;
 }
 
+Vector vector(const std::array<spec::Decimal, 3>& words) {
+  return {Real(rational(words[0])), Real(rational(words[1])), Real(rational(words[2]))};
+}
+
 class State {
  public:
   explicit State(const spec::Setup& setup) : setup_(setup), inch_(setup.units == spec::Units::inch) {}
@@ -51,6 +56,7 @@ class State {
     switch (b.statement) {
       case Statement::begin_program:
         inch_ = b.unit == spec::Units::inch;
+        stale_ = true;
         break;
       case Statement::tool_call:
         call(b);
@@ -67,9 +73,11 @@ class State {
         break;
       case Statement::correction_row:
         if (b.corrections != CorrectionTable::wpl) row_ = b.row;
+        stale_ = true;
         break;
       case Statement::reset_corrections:
         if (b.corrections != CorrectionTable::wpl) row_.reset();
+        stale_ = true;
         break;
       default:
         break;
@@ -81,11 +89,11 @@ class State {
     state_.normal.reset();
     state_.tool.reset();
     if (b.statement == Statement::line_with_vectors) {
-      if (b.has_normal) state_.normal = {rational(b.normal[0]), rational(b.normal[1]), rational(b.normal[2])};
-      if (b.has_tool_vector)
-        state_.tool = {rational(b.tool_vector[0]), rational(b.tool_vector[1]), rational(b.tool_vector[2])};
+      if (b.has_normal) state_.normal = vector(b.normal);
+      if (b.has_tool_vector) state_.tool = vector(b.tool_vector);
     }
-    state_.cutter = cutter();
+    if (stale_) state_.cutter = cutter();
+    stale_ = false;
     const KlartextBlock now = state_;
     if (ends_tcpm) state_.tcpm = false;
     return now;
@@ -93,6 +101,7 @@ class State {
 
  private:
   void call(const Block& b) {
+    stale_ = true;
     if (b.tool_axis != 0) state_.axis = b.tool_axis;
     if (b.tool != ToolWord::none) {
       tool_ = nullptr;
@@ -111,26 +120,32 @@ class State {
     known_ = read(b.dr2, called_.r2) && known_;
   }
 
-  [[nodiscard]] std::optional<Cutter> cutter() const {
-    if (tool_ == nullptr || !known_ || tool_->number == 0) return std::nullopt;
+  [[nodiscard]] std::shared_ptr<const Cutter> cutter() const {
+    if (tool_ == nullptr || !known_ || tool_->number == 0) return nullptr;
     // Tables are in millimetres.
     const Rational unit = inch_ ? Rational(5, 127) : Rational(1);
-    Cutter c;
-    c.r = rational(tool_->r) * unit;
-    c.r2 = rational(tool_->r2) * unit;
-    c.dl = rational(tool_->dl) * unit + called_.l;
-    c.dr = rational(tool_->dr) * unit + called_.r;
-    c.dr2 = rational(tool_->dr2) * unit + called_.r2;
-    if (tool_->l) c.length = rational(*tool_->l) * unit;
-    c.by_angle = !tool_->dr2_table.empty();
+    spec::CorrectionRow row;
     if (row_) {
       const auto found = setup_.tcs.find(*row_);
-      if (found == setup_.tcs.end()) return std::nullopt;
-      c.dl += rational(found->second.dl) * unit;
-      c.dr += rational(found->second.dr) * unit;
-      c.dr2 += rational(found->second.dr2) * unit;
+      if (found == setup_.tcs.end()) return nullptr;
+      row = found->second;
     }
-    return c;
+    const Rational r = rational(tool_->r) * unit;
+    const Rational r2 = rational(tool_->r2) * unit;
+    const Rational dr = (rational(tool_->dr) + rational(row.dr)) * unit + called_.r;
+    const Rational dr2 = (rational(tool_->dr2) + rational(row.dr2)) * unit + called_.r2;
+    Cutter c;
+    c.r = r;
+    c.r2 = r2;
+    c.dl = Rational((rational(tool_->dl) + rational(row.dl)) * unit + called_.l);
+    c.dr = dr;
+    c.dr2 = dr2;
+    c.ring = Rational(r - r2);
+    c.effective_r2 = Rational(r2 + dr2);
+    c.effective_ring = std::max(Rational(0), Rational(r + dr - r2 - dr2));
+    if (tool_->l) c.length = Real(Rational(rational(*tool_->l) * unit));
+    c.by_angle = !tool_->dr2_table.empty();
+    return std::make_shared<const Cutter>(c);
   }
 
   const spec::Setup& setup_;
@@ -139,6 +154,7 @@ class State {
   Deltas called_;
   bool known_ = true;
   bool inch_;
+  bool stale_ = true;  // the cutter is another than the state says
   std::optional<std::uint32_t> row_;
 };
 

@@ -2,8 +2,8 @@
 // text; nothing here knows a rule of compensation.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,9 +15,10 @@ namespace toolcomp::fuzz::laws {
 
 // Nominal tool and the sum of its deltas, in the units of the program.
 struct Cutter {
-  Rational r, r2, dl, dr, dr2;
-  std::optional<Rational> length;  // of the table
-  bool by_angle = false;           // a table gives the deviation of R2: dr2 is not all of it
+  Real r, r2, dl, dr, dr2;
+  Real ring, effective_r2, effective_ring;  // R - R2; R2'; R' - R2', but not below 0
+  std::optional<Real> length;               // of the table
+  bool by_angle = false;                    // a table gives the deviation of R2: dr2 is not all of it
 };
 
 struct KlartextBlock {
@@ -28,9 +29,9 @@ struct KlartextBlock {
   bool center = false;   // CNT-CNT: the programmed point is the tool centre
   bool contour = false;  // PROG PATH IS CONTOUR
   char axis = 'Z';
-  std::optional<Cutter> cutter;  // nothing where it cannot be known from the text (parameters, no tool)
-  std::optional<std::array<Rational, 3>> normal;
-  std::optional<std::array<Rational, 3>> tool;
+  std::shared_ptr<const Cutter> cutter;  // nothing where it cannot be known from the text (parameters, no tool)
+  std::optional<Vector> normal;
+  std::optional<Vector> tool;
 };
 
 class KlartextProgram {

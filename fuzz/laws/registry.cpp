@@ -55,6 +55,23 @@ constexpr Law kLaws[] = {
      cylinder_beside_the_line},
 };
 
+std::vector<SpaceMove> moves_of(const spec::Axes& axes, const KlartextProgram& program,
+                                std::span<const model::Event> events) {
+  std::vector<SpaceMove> moves;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const model::Event& event = events[i];
+    if (event.kind != spec::EventKind::move || !event.space || !event.tool_axis) continue;
+    const KlartextBlock* block = program.block(event.line);
+    const auto programmed = xyz(axes, event.programmed);
+    const auto tip = xyz(axes, event.point);
+    if (block == nullptr || !programmed || !tip) continue;
+    Vector side;
+    if (event.space->contact) side = cross(event.space->contact->normal, *event.tool_axis);
+    moves.push_back({&event, i, block, *programmed, *tip, *event.tool_axis, side});
+  }
+  return moves;
+}
+
 // A law whose questions cannot be answered (a sign that is not certified) has said nothing more.
 void ask(const Law& law, const Scene& scene, Verdict& verdict) {
   Holding holding(law.info.name, scene.events);
@@ -70,7 +87,13 @@ void ask(const Law& law, const Scene& scene, Verdict& verdict) {
 
 Scene::Scene(const spec::Case& made, std::span<const model::Event> given)
     : c(made), events(given), program(made), klartext(made) {
-  if (c.setup.control == spec::Control::fanuc) stops = stops_of(c.setup.axes, program, events);
+  if (c.setup.control != spec::Control::fanuc) {
+    moves = moves_of(c.setup.axes, klartext, events);
+    return;
+  }
+  stops = stops_of(c.setup.axes, program, events);
+  if (program.has_code({434, 435})) machine = Machine::of(c.setup);
+  if (machine) runs = runs_of(c.setup, program, events, *machine);
 }
 
 std::span<const LawInfo> all() {
