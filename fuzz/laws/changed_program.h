@@ -14,22 +14,23 @@ namespace toolcomp::fuzz::laws {
 // The events of a case.
 using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
 
-// One of:
-// - value-zero: with every offset zero (H, D, 19666; Klartext: every delta) points are the programmed points, and axes
-// the
-//   points where no tool center point control is. Chapter 14; sheet "3D tool compensation" P6. Not with G10 or G37, nor
-//   under PROG PATH IS CONTOUR or with deltas in tool calls.
-// - mirrored: X mirrored, G41 with G42 and G02 with G03 exchanged, the events are mirrored. Not in G18 and G19, for
-// length
-//   offset type C, with a tool direction or 3D compensation, nor for a control without X or Y.
-// - quarter-turn: turned about Z by 90 degrees, the events are turned. Exempt as above.
-// - a-tenth: with all lengths of program and setup a tenth as long, the events are a tenth as large. Not with G10 or
-// G37
-//   (ranges and distances of the control), with numbers in least increments (3401#0 = 0), nor where numbers grow too
-//   long.
+// One of, for FANUC programs that can be read to their end, no two blocks in one line:
 //
-// Of FANUC programs that can be read to their end, no two blocks in one line. Chapter 14 and the sheets know no other
-// length, side or direction than those of program and setup, so their geometry is equivariant.
+// value-zero: with every offset zero (H, D, 19666; Klartext: every delta) points are the programmed points, and axes
+// the points where no tool center point control is. Chapter 14; sheet "3D tool compensation" P6. Not with G10 or G37,
+// nor under PROG PATH IS CONTOUR or with deltas in tool calls.
+//
+// mirrored: X mirrored, G41 with G42 and G02 with G03 exchanged, the events are mirrored. Not in G18 and G19, for
+// length offset type C, with G37, with a tool direction or 3D compensation, nor for a control without X or Y.
+//
+// quarter-turn: turned about Z by 90 degrees, the events are turned. Exempt as above.
+//
+// a-tenth: with all lengths of program and setup a tenth as long, the events are a tenth as large. Not with G10 or G37
+// (ranges and distances of the control), with numbers in least increments (3401#0 = 0), nor where numbers grow too
+// long.
+//
+// Chapter 14 and the sheets know no other length, side or direction than those of program and setup, so what they
+// define is equivariant.
 std::span<const std::string_view> changes();
 
 // The law of this name, whatever the share.

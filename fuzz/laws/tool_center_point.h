@@ -14,7 +14,8 @@ namespace toolcomp::fuzz::laws {
 void axis_of_the_positions(const Scene& scene, Holding& holding);
 
 // The tip that belongs to the axes reported is the point reported: axes less holder and length, seen from the table.
-// Sheet 5. Only with H in the block of G43.4 or G43.5 and none after it.
+// Sheet 5. Only with H in the block of G43.4 or G43.5 and none after it; under WKP = 1 not for a move with a turn still
+// to come (its point is that of its block's end, which the sheet defines after the turn).
 void tip_of_the_axes(const Scene& scene, Holding& holding);
 
 // Between the ends of a block the tip seen from the table is on the straight line, in proportion; on an arc it keeps
