@@ -29,6 +29,10 @@ using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
 // (ranges and distances of the control), with numbers in least increments (3401#0 = 0), nor where numbers grow too
 // long.
 //
+// reversed: a contour of lines under cutter compensation C, run from its end with G41 and G42 exchanged, has the heads
+// of every corner in reverse order (14.6.2 and 14.6.4 are mirror images). Only contours of plain blocks from the
+// start-up to the cancelling move without a block between, with 5008#0 = 1 and without 5010; not type C (5003#1).
+//
 // Chapter 14 and the sheets know no other length, side or direction than those of program and setup, so what they
 // define is equivariant.
 std::span<const std::string_view> changes();
