@@ -42,7 +42,7 @@ class RotaryProgram {
     constexpr std::size_t normals[] = {2, 1, 0};
     normal_ = normals[which];
     if (choose_.chance(35)) switch_mode();
-    if (choose_.chance(2) && setup_.position.empty()) write_.word(choose_.one_of({"G20", "G21"}));
+    write_.units();
     if (choose_.chance(6)) rename();
     if (choose_.chance(75)) {
       motion("G01");
