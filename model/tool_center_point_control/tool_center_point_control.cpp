@@ -261,8 +261,7 @@ PosturePlan ToolCenterPointControl::directed(const Command& command, const Inter
   const std::optional<Direction> to = direction_asked(command, interpreter, leg);
   if (!to) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, {}, {}});
   PostureBlock block{tip_->pose, now_, *to, {}, {}};
-  // Leaned from where it stands the tool turns in the plane of the travel.
-  if (lean_ != 0 && !leg.arc && known_same(kept_.vector, now_.vector)) block.normal = cross(now_.vector, leg.travel);
+  if (lean_ != 0 && !leg.arc && known_same(kept_.vector, now_.vector)) block.leaned_toward = leg.travel;
   PosturePlan found = plan(block);
   if (found.changed) kept_ = found.tool;
   return found;

@@ -43,13 +43,16 @@ AxisPassed pass(const GreatCircle& arc, const Vector& axis) {
   result.side = dot(arc.normal(), axis);
   result.along_from = dot(arc.from().vector, axis);
   result.along_to = dot(arc.to().vector, axis);
+  result.cosine_from = dot(arc.from().unit, axis);
+  result.cosine_to = dot(arc.to().unit, axis);
   result.behind_start = arc.from().norm2 * result.along_to - product * result.along_from;
   result.before_end = arc.to().norm2 * result.along_from - product * result.along_to;
   return result;
 }
 
 AxisPassed operator-(const AxisPassed& passed) {
-  return {-passed.side, -passed.behind_start, -passed.before_end, -passed.along_from, -passed.along_to};
+  return {-passed.side,     -passed.behind_start, -passed.before_end, -passed.along_from,
+          -passed.along_to, -passed.cosine_from,  -passed.cosine_to};
 }
 
 }  // namespace toolcomp::model

@@ -47,6 +47,8 @@ struct AxisPassed {
   Real before_end;    // (axis × to) · N: positive where it comes before the end
   Real along_from;    // from · axis
   Real along_to;      // to · axis
+  Real cosine_from;   // of the angles between the axis and both
+  Real cosine_to;
 };
 AxisPassed pass(const GreatCircle& arc, const Vector& axis);
 // Of the opposite axis.

@@ -28,8 +28,8 @@ bool NearSingular::looks(bool type_2) const {
 
 NearSingular::Distance NearSingular::distance(const GreatCircle& arc, const AxisPassed& work_axis, int sign) const {
   if (has_foot_inside(recorder_, arc, work_axis, sign)) return {true, sqrt(1 - square(work_axis.side) / arc.normal2())};
-  const Real at_start = sign * work_axis.along_from / sqrt(arc.from().norm2);
-  const Real at_end = sign * work_axis.along_to / sqrt(arc.to().norm2);
+  const Real at_start = sign * work_axis.cosine_from;
+  const Real at_end = sign * work_axis.cosine_to;
   return {false, at_start < at_end ? at_end : at_start};
 }
 

@@ -24,6 +24,13 @@ Goal goal(const SharedFrame& frame, const Direction& direction) {
 
 bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
 
+// What is known to be zero of an arc that leans the tool from where it stands toward a travel: it runs in their plane.
+void pass_leaned(const GreatCircle& arc, const Vector& travel, const Vector& axis, AxisPassed& passed) {
+  const Vector& from = arc.from().vector;
+  if (known_zero(dot(cross(from, travel), axis))) passed.side = Real();
+  if (known_zero(dot(axis, travel)) && known_zero(dot(from, travel))) passed.behind_start = Real();
+}
+
 bool known_same(const Direction& a, const Direction& b) {
   try {
     return is_zero(cross(a.vector, b.vector)) && dot(a.vector, b.vector).sign() == Sign::positive;
@@ -104,7 +111,7 @@ PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBloc
   recorder_.reach(Clause::fanuc_tool_posture_great_circle);
   GreatCircle arc(std::move(at.from), std::move(at.to));
   AxisPassed work_axis = pass(arc, at.view.work_axis());
-  if (block.normal && known_zero(dot(*block.normal, at.view.work_axis()))) work_axis.side = Real();
+  if (block.leaned_toward) pass_leaned(arc, *block.leaned_toward, at.view.work_axis(), work_axis);
   const Found found{frame, block, std::move(at.view), std::move(arc), std::move(work_axis), std::move(solutions)};
   if (const Pole* const pole = pole_along(Clause::fanuc_tool_posture_at_start, found, found.arc.from()))
     return from_pole(found, *pole);
@@ -240,6 +247,27 @@ PosturePlan ToolPostureControl::along(const Found& found, const LiftStart& start
   return plan;
 }
 
+// Mirrored it reaches as far along the work-side axis as the one commanded, which may be known to be 0. With orthogonal
+// axes it leans the other way than at the start: of the same components across, which may be rational.
+Direction ToolPostureControl::mirrored(const Found& found, const Pose& end) const {
+  Vector unit = found.frame->frame.direction(end);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real& axis = component(found.frame->work_axis, i);
+    if (!axis.is_rational() || axis.rational() != 1) continue;
+    const Real& along = component(found.block.to.unit, i);
+    component(unit, i) = along;
+    if (!machine_.is_orthogonal()) break;
+    const Direction& from = found.block.from;
+    const Real across = sqrt((from.norm2 - square(component(from.vector, i))) / (1 - square(along)));
+    Vector vector = -from.vector;
+    component(vector, i) = along * across;
+    unit = vector / across;
+    component(unit, i) = along;
+    return {vector, square(across), unit, true};
+  }
+  return {unit, 1, unit, true};
+}
+
 std::optional<PosturePlan> ToolPostureControl::changed(const Found& found, const LiftStart& start,
                                                        const Pose& end) const {
   const Pole* const pole = near_.near(found.arc, found.work_axis, lift_.poles());
@@ -252,12 +280,7 @@ std::optional<PosturePlan> ToolPostureControl::changed(const Found& found, const
     recorder_.reach(Clause::fanuc_tool_posture_changed);
     recorder_.reach(Clause::fanuc_tool_posture_passing);
     plan.changed = true;
-    Vector tool = found.frame->frame.direction(plan.end);
-    // Mirrored it reaches as far along the work-side axis as the one commanded, which may be known to be 0.
-    for (std::size_t i = 0; i < 3; ++i)
-      if (const Real& along = component(found.frame->work_axis, i); along.is_rational() && along.rational() == 1)
-        component(tool, i) = component(found.block.to.unit, i);
-    plan.tool = {tool, 1, tool, true};
+    plan.tool = mirrored(found, plan.end);
     plan.motion = std::make_shared<LinearMotion>(found.frame, plan.start, plan.end);
     return plan;
   }

@@ -22,8 +22,8 @@ struct PostureBlock {
   Pose start;
   Direction from;
   Direction to;
-  std::optional<Pose> commanded;  // type 1: the end pair, which has the direction `to`
-  std::optional<Vector> normal;   // a vector to which both directions are known to be square
+  std::optional<Pose> commanded;        // type 1: the end pair, which has the direction `to`
+  std::optional<Vector> leaned_toward;  // a travel toward which `to` is `from` leaned
 };
 
 // What it does.
@@ -85,6 +85,8 @@ class ToolPostureControl {
   [[nodiscard]] PosturePlan from_pole(const Found& found, const Pole& pole) const;
   [[nodiscard]] PosturePlan to_pole(const Found& found, const LiftStart& start, const Pole& pole) const;
   [[nodiscard]] PosturePlan along(const Found& found, const LiftStart& start, const Passing& passed) const;
+  // The direction of a changed end.
+  [[nodiscard]] Direction mirrored(const Found& found, const Pose& end) const;
   // An end changed so that the block passes the singular posture that it comes near to; nothing where it stays.
   [[nodiscard]] std::optional<PosturePlan> changed(const Found& found, const LiftStart& start, const Pose& end) const;
   [[nodiscard]] PosturePlan give_way(const Found& found, const Pose& end) const;

@@ -284,6 +284,16 @@ TEST(ModelToolCenterPoint, ZerosThatAreKnown) {
       "19739 = 10\n",
       "G18 G01 F4800 X-40 Y40 Z-25 B360 A270\nG43.5 H1 P1 Q3.\nI-350.0422 J1844.4491 K8802.0156 X-70.0121 Y96.1797 "
       "Z-37.9659\nG02 Z-119.0909 R-41.093\nG01 I8994.5174 J-222.099 K-222.099 Z-119.0912\nX-50.0121 Y96.1797\n"));
+  // A changed end of a helix leans across the travel of the next block, which is level: the foot of the pole is the
+  // start.
+  EXPECT_TRUE(ends_with_a_move(kHead + "19738 = 10\n19739 = 53.096\n19741 = 360\n19742 = -180\n",
+                               "C-100 X19.9872\nG18 G01 F3300.\nG43.5 H1 P1 Q2 X-5.0128 I-1105.0902 J-1105.0902 "
+                               "K8863.2698\nG02 Z33.5812 X25.3414 Y25 R43.1958 I1562.8336 K8863.2698\nG01 X25.3413 "
+                               "Y25.0001\n"));
+  // From a changed end to the direction commanded there: both stand as near to the pole.
+  EXPECT_TRUE(ends_with_a_move(kTable + "19738 = 19.396\n19739 = 360\n",
+                               "G01 F3900. G18 C-1710.\nG43.5 H1 P1 Q6.975\nX60\nX60\nY39.8453 I-244.8128 J1345.7826 "
+                               "K8895.4447\nX31.7 Y75.86\nI-2. J3. K6\nI-2 J3 K6\n"));
   // The tool-side axis stands where both pairs lie alike on its two sides, and a helix makes the direction.
   EXPECT_TRUE(ends_with_a_move(
       "19680 = 12\n19681 = 5\n19682 = 2\n19686 = 6\n19687 = 3\n19689 = 1\n19698 = 20\n",
