@@ -227,7 +227,7 @@ void positions_as_programmed(const Scene& s, Holding& holding) {
       const Pose& pose = run.poses[i];
       const FanucBlock& b = s.program.blocks()[pose.block];
       const bool last = i + 1 == run.poses.size() || run.poses[i + 1].block != pose.block;
-      if (b.length != kByPositions || !b.absolute || is_sample(pose) || !last) continue;
+      if (b.length != kByPositions || !b.absolute || b.has_code(40) || is_sample(pose) || !last) continue;
       if (pose.event->cause == spec::Cause::corner) continue;
       for (const std::size_t axis : machine.axes()) {
         const spec::Decimal* word = b.value(s.c.setup.axes.letter(axis));
