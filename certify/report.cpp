@@ -168,6 +168,9 @@ std::string explanation(const Finding& f) {
   if (kind == "missing event") return place + "the event " + f.expected + " is missing; there is " + f.actual + ".";
   if (kind == "extra event") return place + "there is " + f.actual + " where the specification has " + f.expected + ".";
   if (kind == "order") return place + "the events come in another order: " + f.actual + " before " + f.expected + ".";
+  if (kind.starts_with("law "))
+    return place + "the model itself breaks the law " + f.field + ": " + f.expected + " does not hold, by " + f.actual +
+           ".";
   std::string text = place + f.field + " is " + f.actual + " and should be " + f.expected;
   if (f.deviation_um != 0) text += fmt::format(" ({:.3g} µm off)", f.deviation_um);
   return text + ".";

@@ -11,6 +11,16 @@ bool moves(const Stop& stop) {
   return stop.displacement && std::ranges::any_of(*stop.displacement, certainly_not_zero);
 }
 
+// Whether the mode had a value all the way from the block that began it: D0 cancels.
+bool has_value(const Scene& s, std::size_t block) {
+  for (std::size_t i = block + 1; i-- > 0;) {
+    const FanucBlock& b = s.program.blocks()[i];
+    if (!b.d || *b.d == 0) return false;
+    if (b.has_code(kLeadingEdge)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void leading_edge_vector(const Scene& s, Holding& holding) {
@@ -27,7 +37,7 @@ void leading_edge_vector(const Scene& s, Holding& holding) {
       continue;
     if (next.block != stop.block + 1 || !former.is_plain() || !latter.is_plain() || latter.has('D')) continue;
     if (!moves(next) || (!moves(stop) && !former.says_compensation())) continue;
-    if (!stop.own->tool_axis || !former.d || *former.d == 0) continue;
+    if (!stop.own->tool_axis || !has_value(s, stop.block)) continue;
     const auto radius = cutter_value(s.c.setup, *former.d);
     if (!radius) continue;
     const Vector& t = *stop.own->tool_axis;

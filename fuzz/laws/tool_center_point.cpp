@@ -145,7 +145,8 @@ void commanded_direction(const Scene& s, Holding& holding) {
       if (pose.event->cause != spec::Cause::programmed && pose.event->cause != spec::Cause::start_up &&
           pose.event->cause != spec::Cause::cancel)
         continue;
-      if (!b.has('I') && !b.has('J') && !b.has('K')) continue;
+      // G04 and G10 have words of their own.
+      if ((!b.has('I') && !b.has('J') && !b.has('K')) || b.has_code(40) || b.has_code(100)) continue;
       if (!s.c.setup.bit(3401, 0, true) && std::ranges::any_of(b.words, counts)) continue;
       const Vector given{number_of(b, 'I'), number_of(b, 'J'), number_of(b, 'K')};
       const Vector& axis = *pose.event->tool_axis;
@@ -226,7 +227,7 @@ void positions_as_programmed(const Scene& s, Holding& holding) {
       const Pose& pose = run.poses[i];
       const FanucBlock& b = s.program.blocks()[pose.block];
       const bool last = i + 1 == run.poses.size() || run.poses[i + 1].block != pose.block;
-      if (b.length != kByPositions || !b.absolute || is_sample(pose) || !last) continue;
+      if (b.length != kByPositions || !b.absolute || b.has_code(40) || is_sample(pose) || !last) continue;
       if (pose.event->cause == spec::Cause::corner) continue;
       for (const std::size_t axis : machine.axes()) {
         const spec::Decimal* word = b.value(s.c.setup.axes.letter(axis));

@@ -35,7 +35,7 @@ void great_circle(const Scene& scene, Holding& holding);
 // Under P0 both rotary axes go in proportion. Sheet 6.
 void positions_in_proportion(const Scene& scene, Holding& holding);
 
-// Rotary words of absolute blocks with a decimal point are where the axes end under G43.4. Sheet 1, 9.
+// Rotary words of absolute blocks with a decimal point are where the axes end under G43.4. Sheet 1, 9. Not with G04.
 void positions_as_programmed(const Scene& scene, Holding& holding);
 
 }  // namespace toolcomp::fuzz::laws

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/judge.h"
 #include "fuzz/faults/wrong_clauses.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/laws/changed_program.h"
@@ -307,6 +308,12 @@ TEST(Laws, ABrokenLawIsADifference) {
   EXPECT_EQ(verdict.difference->line, 4U);
   EXPECT_FALSE(verdict.difference->field.empty());
   EXPECT_GT(verdict.values, 0U);
+  // Findings, their shrinking and their replay go by the name of the law; no clause is to blame.
+  certify::Judgement judgement;
+  judgement.difference = verdict.difference;
+  const certify::FailureKey key = certify::key_of(c, judgement);
+  EXPECT_EQ(key.kind, "law " + verdict.difference->field);
+  EXPECT_TRUE(key.clause.empty());
   // A difference that is there already stays.
   verdict.difference->kind = "coordinate";
   EXPECT_EQ(hold_laws(c, run, verdict), 0U);

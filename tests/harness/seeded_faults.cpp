@@ -84,7 +84,9 @@ TEST(SeededFaults, EachIsFoundWithinItsBudgetUnderItsClause) {
         const Active active(fault.name);
         return try_case(c);
       }();
-      if (!t.found() || !rests_on(*t.verdict.difference, fault.clauses)) continue;
+      // A broken law is no word of the comparison.
+      if (!t.found() || t.verdict.difference->kind == "law" || !rests_on(*t.verdict.difference, fault.clauses))
+        continue;
       found = seed;
       what = explain(*t.verdict.difference);
     }
