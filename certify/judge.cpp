@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fuzz/oracle/policy.h"
+#include "fuzz/oracle/trial.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -107,7 +108,11 @@ FailureKey key_of(const spec::Case& c, const Judgement& judgement) {
   key.section = c.section;
   if (judgement.difference) {
     key.kind = judgement.difference->kind;
-    if (judgement.difference->clause) key.clause = spec::info(*judgement.difference->clause).id;
+    // No clause enters a law: its name is what differs.
+    if (key.kind == "law")
+      key.kind += " " + judgement.difference->field;
+    else if (judgement.difference->clause)
+      key.clause = spec::info(*judgement.difference->clause).id;
   }
   return key;
 }
@@ -127,6 +132,7 @@ Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, co
     j.verdict = fuzz::judge(c, run, *text, options);
   else
     j.verdict = fuzz::judge(c, run, std::get<FastEvents>(answer.result), options);
+  fuzz::hold_laws(c, run, j.verdict);
   j.result = result_of(j.verdict.outcome);
   if (j.result == Result::differs) {
     j.difference = j.verdict.difference;

@@ -1,12 +1,16 @@
 // toolcomp diff: model against fast, and the first difference explained.
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <iostream>
+#include <system_error>
 
 #include "cli/difference.h"
 #include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
+#include "fuzz/oracle/trial.h"
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::cli {
@@ -21,15 +25,33 @@ void print_difference(const fuzz::Difference& difference, const std::string& pat
   fmt::print("  clause    {}\n            {}\n", clause.id, clause.text);
 }
 
+namespace {
+
+// Laws are asked with all events at hand: of programs up to this size, and not of what can be read only once.
+constexpr std::uintmax_t kLargestForLaws = 1 << 20;  // bytes
+
+std::uint64_t ask_laws(const Program& program, fuzz::Verdict& verdict) {
+  if (verdict.outcome != fuzz::Outcome::agrees && verdict.outcome != fuzz::Outcome::nothing_judged) return 0;
+  if (program.text().once) return 0;
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(program.path(), unknown);
+  if (unknown || size > kLargestForLaws) return 0;
+  const spec::Case c = program.as_case();
+  return fuzz::hold_laws(c, fuzz::run_model(c), verdict);
+}
+
+}  // namespace
+
 int diff(const DiffOptions& options) {
   const Program program(options.program, options.setup, options.samples);
   const Progress progress("blocks");
-  const fuzz::Verdict verdict =
-      fuzz::judge_stream(program.text(), program.setup(), program.samples(), &Progress::count);
+  fuzz::Verdict verdict = fuzz::judge_stream(program.text(), program.setup(), program.samples(), &Progress::count);
+  const std::uint64_t questions = ask_laws(program, verdict);
   if (verdict.difference) print_difference(*verdict.difference, program.path());
-  std::cerr << fmt::format("{} values judged, {} decisions, {} near ties, {} ties; worst {:.3g} ulp, {:.3g} µm\n",
-                           verdict.values, verdict.decisions, verdict.near_ties, verdict.ties, verdict.worst_ulp,
-                           verdict.worst_um);
+  std::cerr << fmt::format(
+      "{} values judged, {} questions of laws, {} decisions, {} near ties, {} ties; worst {:.3g} ulp, {:.3g} µm\n",
+      verdict.values, questions, verdict.decisions, verdict.near_ties, verdict.ties, verdict.worst_ulp,
+      verdict.worst_um);
   switch (verdict.outcome) {
     case fuzz::Outcome::agrees:
       return kAgrees;

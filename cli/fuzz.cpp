@@ -208,8 +208,8 @@ void print_summary(const std::string& section, fuzz::Mode mode, const fuzz::Camp
     if (result.acceptance.at(i) > 0)
       fmt::print(", {} {}", result.acceptance.at(i), fuzz::name(static_cast<fuzz::Acceptance>(i)));
   fmt::print(
-      "\n  {} values judged, {} decisions, {} near ties, {} ties ({:.4f} % of decisions)\n", result.values,
-      result.decisions, result.near_ties, result.ties,
+      "\n  {} values judged, {} questions of laws, {} decisions, {} near ties, {} ties ({:.4f} % of decisions)\n",
+      result.values, result.law_checks, result.decisions, result.near_ties, result.ties,
       result.decisions == 0 ? 0 : 100 * static_cast<double>(result.ties) / static_cast<double>(result.decisions));
   fmt::print("  {} values not judged, {} events out of scope, {} executions with fewer than three events judged\n",
              result.wide, result.out_of_scope, result.few_events);

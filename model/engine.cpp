@@ -66,7 +66,7 @@ struct Engine::State {
         sink(the_sink),
         interpreter(setup, recorder),
         memory(setup, recorder),
-        tip_control(setup, recorder, interpreter.position(), samples_in_a_block > 1),
+        tip_control(setup, recorder, interpreter.work(), interpreter.position(), samples_in_a_block > 1),
         length(setup, memory, recorder),
         edge(setup, recorder, [this](const Step& step) { cutter->take(step); }),
         tool_offset(setup, memory, recorder),
@@ -353,13 +353,14 @@ void Engine::State::report(const Move& move) {
   event.type = move.leg.type;
   event.cause = move.leg.cause;
   const Vector control_point = move.tip ? axes_at(move, setup.axes) : Vector();
+  const std::optional<Vector> turned_tip = tip_beside_name(move, setup.axes);
   for (std::size_t i = 0; i < setup.axes.size(); ++i) {
     const char letter = setup.axes.letter(i);
     Real at = move.leg.actual(i).value();
     if (spec::is_linear_axis(letter)) {
       event.programmed.set(i, move.leg.end.at(i).value());
       if (is_space_axis(letter)) at += component(move.offset, space_index(letter));
-      event.point.set(i, at);
+      event.point.set(i, turned_tip && is_space_axis(letter) ? component(*turned_tip, space_index(letter)) : at);
     }
     const bool of_tip = move.tip && is_space_axis(letter);
     const Real axis = of_tip ? component(control_point, space_index(letter)) : at + move.length.at(i);

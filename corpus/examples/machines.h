@@ -23,6 +23,8 @@
 #define T45(more, rest) \
   MACHINE(BC, "19680 = 12\n19681 = 4\n19682 = 5\n19683 = 45\n19684 = 1\n19686 = 5\n19687 = 3\n19689 = 1\n", more, rest)
 #define MBC(more, rest) MACHINE(BC, "19680 = 21\n19681 = 4\n19682 = 2\n19686 = 5\n19687 = 3\n19689 = 1\n", more, rest)
+#define M45(more, rest) \
+  MACHINE(BC, "19680 = 21\n19681 = 4\n19682 = 5\n19683 = 45\n19686 = 5\n19687 = 3\n19689 = 1\n", more, rest)
 #define MAC(more, rest) MACHINE(AC, "19680 = 21\n19681 = 4\n19682 = 1\n19686 = 5\n19687 = 3\n19689 = 1\n", more, rest)
 #define MAB(more, rest) MACHINE(AB, "19680 = 21\n19681 = 4\n19682 = 1\n19686 = 5\n19687 = 2\n19689 = 1\n", more, rest)
 

@@ -6,6 +6,9 @@ namespace {
 
 #define NEAR(limit, veto, refuse) "19738 = " limit "\n19739 = " veto "\n\"19696#3\" = " refuse "\n"
 #define B_30 "[position]\nB = 30\n"
+#define LENGTH_AT(b) "[offsets.H]\n1 = 100\n[position]\nB = " b "\n"
+#define TO_POLE "G90 G43.5 H1 P1\nG01 X10. I0 J0 K1 F100\n"
+#define WORKPIECE "\"19696#5\" = 1\n"
 #define TILTED_45 "19698 = 45\n"
 #define ARC(from, to) "G90 G43.5 H0 P1\nG01 " from " F100\nX10. " to "\n"
 
@@ -39,6 +42,30 @@ constexpr Example kRules[] = {
 
     {"A nutating B on its edge of reach, from Y to X along the equator: B stays 180, C goes to -90.",
      N45("", "[position]\nB = 180\n"), "G90 G43.5 H0 P1\nG01 X10. I1 J0 K0 F100\n", 2},
+    {"A nutating B from its edge of reach, 180, to upright: on the branch toward the pair chosen, B 360, so C -90.",
+     N45("", LENGTH_AT("180")), TO_POLE, 2},
+    {"A nutating B from -180 to upright: the pair chosen is that of B 0, C -90.", N45("", LENGTH_AT("-180")), TO_POLE},
+    {"A nutating B from 540 to upright: the pair chosen is that of B 720, C -90.", N45("", LENGTH_AT("540")), TO_POLE},
+    {"The same on a mixed machine, B the tool, C the table: from 180 to B 360, C -90; the tip goes to (0, 10).",
+     M45("", LENGTH_AT("180")), TO_POLE, 2},
+    {"The same on a mixed machine from -180: B 0, C -90.", M45("", LENGTH_AT("-180")), TO_POLE},
+    {"The same on a mixed machine from 540: B 720, C -90.", M45("", LENGTH_AT("540")), TO_POLE},
+    {"The same on a table, whose frame stands at B 180, the pole along its Y: B 360, C -90; the tip goes to (0, -10).",
+     T45("", LENGTH_AT("180")), "G90 G43.5 H1 P1\nG01 X10. I0 J1 K0 F100\n"},
+    {"Type 1 from the edge to B 360, C -90: the great circle leads there.", N45("", LENGTH_AT("180")),
+     "G90 G43.4 H1 P1\nG01 X10. B360. C-90. F100\n"},
+    {"Type 1 from the edge to B 0, C 90: on the other branch it leads there too.", N45("", LENGTH_AT("180")),
+     "G90 G43.4 H1 P1\nG01 X10. B0 C90. F100\n"},
+
+    {"WKP = 1: C, the table, turns before the block; the tip at (10, 0) is at (0, -10) then, B 30 in the block.",
+     MBC(WORKPIECE, ""), "G90 G43.4 H0 P1 X10.\nG01 X0 Y-10. B30. C90. F100\n"},
+    {"WKP = 1: C turns behind the block; the point of its end, (10, 0), is at (0, -10) before that.",
+     MBC(WORKPIECE, ""), "G90 G43.4 H0 P1 B30. C90.\nG01 X10. B0 C0 F100\n"},
+
+    {"C and B with zeros of 20 and 7: from B 3, the angle 10, changed to the angle -12: B -19, C -20.",
+     HC(NEAR("1", "5", "0"), "[workpiece.G54]\nC = 20\nB = 7\n[position]\nC = -20\nB = 3\n"),
+     "G90 G43.5 H0 P1\nG01 X50. I-207405228388532 J14503186401626 K978147600733806 F100\n"},
+
     {"Tilted by RA 45, from (0,-1,1) on the edge of reach, B 0, to (1,-1,0): the branch is that of the pair chosen.",
      HC(TILTED_45, ""), "G90 G43.5 H0 P1\nG01 X10. I1 J-1 K0 F100\n", 2},
     {"Tilted by RA 45, over the pole: PS5459 at line 3.", HC(TILTED_45, ""), ARC("I1 J-7 K5", "I-1 J6 K5")},
@@ -83,6 +110,9 @@ constexpr Example kRules[] = {
 
 #undef NEAR
 #undef B_30
+#undef LENGTH_AT
+#undef TO_POLE
+#undef WORKPIECE
 #undef TILTED_45
 #undef ARC
 

@@ -101,21 +101,19 @@ constexpr Example kExamples[] = {
     {"TS7 by B, start (b), type B: (-8, 0, 6), (-8, 10, 6), (-1.6, 14, 1.2) but for the last digits of B.",
      HEAD(TYPE_B, "10", "B = 36.8698976458440\n"), START("G41.2", ACUTE)},
 
-    {"TS8, the manual's interference figure: 91 degrees between the tool axes, overcut: OVERCUT_PLANE_CHANGE at line "
+    {"TS8, the manual's interference figure: 91 degrees between the tool axes, overcut: PS0041 at line "
      "3.",
      TS8("", "", "")},
     {"TS8 with Q1: V = (10, 0, 0).", TS8("", " Q1", "")},
     {"TS8 with Q2: V1 = (10, -6.946583704589972867, -7.193398003386511394) alone.", TS8("", " Q2", "")},
     {"TS8 with Q3: V1 and V2 = (-10, -6.946583704589972867, -7.193398003386511394).", TS8("", " Q3", "")},
     {"TS8 with G41.2 again in the next block: V = (10, 0, 0).", TS8("", "", "G41.2 ")},
-    {"TS8 with the tool turning in the next block itself: OVERCUT_PLANE_CHANGE at line 3.",
-     HEAD_A("", "Y = 40\nZ = 40\n"),
+    {"TS8 with the tool turning in the next block itself: PS0041 at line 3.", HEAD_A("", "Y = 40\nZ = 40\n"),
      "G90 G00 A46.\nG01 G41.2 D1 X0 Y0 Z0 F1000\nY-200. Z-200.\nY-400. Z0 A-45.\n" AWAY},
     {"TS8 with 19605#5 = 1, no check: V1 and V2.", TS8("\"19605#5\" = 1\n", "", "")},
-    {"TS8 with 6261 = 91, the limit counts: OVERCUT_PLANE_CHANGE at line 3.", TS8("6261 = 91\n", "", "")},
+    {"TS8 with 6261 = 91, the limit counts: PS0041 at line 3.", TS8("6261 = 91\n", "", "")},
     {"TS8 with 6261 = 91.001: V1 and V2.", TS8("6261 = \"91.001\"\n", "", "")},
-    {"TS9: the same with I J K, VT (0, -4/5, 3/5), then (0, 4/5, 3/5): OVERCUT_PLANE_CHANGE at line 3.",
-     TS9("", "", "")},
+    {"TS9: the same with I J K, VT (0, -4/5, 3/5), then (0, 4/5, 3/5): PS0041 at line 3.", TS9("", "", "")},
     {"TS9 with Q1: V = (10, 0, 0).", TS9("", " Q1", "")},
     {"TS9 with Q2: V1 = (10, -6, -8) alone.", TS9("", " Q2", "")},
     {"TS9 with Q3: V1 and V2 = (-10, -6, -8).", TS9("", " Q3", "")},
@@ -158,6 +156,18 @@ constexpr Example kExamples[] = {
      TS11("G03 X90. Y70. I-40. J30.", "X50. Y100.")},
     {"TS11 under G43.5, the arc by R, acute: (10, 10, 0), (14, 2, 0), (8, -6, 0).", VECTOR("", "10", BEFORE_X),
      UNTILTED "G90 G17 G01 G41.6 D1 X0 Y0 F1000\nX100.\nG02 X30. Y-10. R50.\nG01 G40 X-10. Y20.\n"},
+
+    // The last decisions of part 9.
+    {"Movement, corner by corner: line 6 goes along the tool (0, 1, 0) of line 5 and turns it to (-4, 4, 7)/9. The "
+     "corner at the end of line 5 passes over it; it ends at (46.516308380, 83.483691620, 46.018638149).",
+     VECTOR("\"5008#0\" = 1\n", "5", ""),
+     "G43.5 H0 P0\nG00 X-50 Y0 Z0 J1 K0\nG41.6 G01 D1 X0 Z0 F1000\nX50\nZ50\nY80 I-4 J4 K7\nX100\n"},
+    {"No. 19630, corner by corner: line 4, 29 long in the plane of line 3, is 5.8 long in its own, under the limit of "
+     "12, and keeps the vector.",
+     "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"B\", \"C\"]\n[parameters]\n19680 = 2\n19681 = 6\n"
+     "19682 = 3\n19686 = 5\n19687 = 2\n\"5008#0\" = 1\n\"19605#5\" = 1\n19630 = 12\n[offsets.D]\n1 = \"3.25\"\n",
+     "G90 G43.4 H0\nG00 X-34.151 Y-80 Z-4 B5 C42.882\nG41.2 G01 D1 X-34.151 Y-55 Z-4 F1000\n"
+     "G01 X-10.739 Y-33 Z26.445 B54 C44.786\nX60\n"},
 };
 
 #undef VECTOR

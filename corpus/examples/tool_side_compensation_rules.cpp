@@ -90,6 +90,21 @@ constexpr Example kRules[] = {
     {"Across the tool at its start, along it at its end: line 4 goes along (3/5, 0, 4/5), keeps (0, 10, 0), and line 5 "
      "starts from it; it ends with (-8, 0, 6).",
      THERE, LEFT_VECTOR "X100.\nX130. Z40. I3 J0 K4\nY100.\nG40 Y150.\n"},
+    {"Along the tool before, which turns to (3/5, 0, 4/5): the corner at the end of line 3 passes over line 4, (-10, "
+     "10, "
+     "0); line 4 ends with a corner of its own, (-8, -10, 6), line 5 with (-8, 0, 6).",
+     THERE, LEFT_VECTOR "X100.\nZ50. I3 J0 K4\nY100.\nG40 Y150.\n"},
+    {"The tool alone, then along the tool before it: two blocks without movement at the end of line 3, (0, 10, 0), "
+     "which "
+     "line 4 keeps; line 5 moves at its own end, (-8, -10, 6).",
+     THERE, LEFT_VECTOR "X100.\nI3 J0 K4\nZ50.\nY100.\nG40 Y150.\n"},
+    {"A block passed over by the corner before it, (10, 10, 0), goes against its own movement: PS0041 at line 4. Its "
+     "corner is (8, -10, -6).",
+     THERE, LEFT_VECTOR "X100.\nZ3. I3 J0 K4\nY-100.\nG40 Y-150.\n"},
+    {"19630 = 6 in the plane of its own tool: 9.999 along Z is 5.9994 across (3/5, 0, 4/5), line 4 keeps (-10, 10, 0).",
+     VECTOR(XYZ, "19630 = 6\n") BEFORE_X, LEFT_VECTOR "X100.\nZ9.999 I3 J0 K4\nY100.\nG40 Y150.\n"},
+    {"19630 = 6 exactly in the plane of its own tool: 10 along Z moves, line 4 ends with (-8, -10, 6).",
+     VECTOR(XYZ, "19630 = 6\n") BEFORE_X, LEFT_VECTOR "X100.\nZ10. I3 J0 K4\nY100.\nG40 Y150.\n"},
     {"The end of the program: line 2 ends with the perpendicular (0, 10, 0).", HERE, LEFT "X100.\n"},
 
     // Start-up.
@@ -110,6 +125,11 @@ constexpr Example kRules[] = {
      "G90 G17 G01 G41.2 D1 X40. F1000\nG02 X0 Y-20. I-40. J30.\n"},
     {"An arc as start-up block: PS0034 at line 1.", HERE, "G90 G17 G02 G41.2 D1 X0 Y0 R40. F1000\nG01 X100.\n"},
     {"The side changes in the block after the start-up: DIR_CHANGE_AT_STARTUP at line 2.", HERE, LEFT "G42.2 X100.\n"},
+    {"The side changes in a block that only its own end sees, behind the start-up: DIR_CHANGE_AT_STARTUP at line 3.",
+     THERE, LEFT_VECTOR "G42.6 Z50. I3 J0 K4\nY100.\n"},
+    {"The side changes in the block that the start-up's corner is made with, behind one it passes over: "
+     "DIR_CHANGE_AT_STARTUP at line 4; line 3 goes from (0, 10, 0) to (0, -10, 0).",
+     THERE, LEFT_VECTOR "Z50. I3 J0 K4\nG42.6 Y100.\n"},
     {"Start-up and cancel at once, type B: the perpendicular (0, 10, 0).", HEAD(TYPE_B) BEFORE_X, LEFT "G40 Y-100.\n"},
     {"Type C before an arc: an inserted move to (8, -6, 0).", HEAD(TYPE_C) BEFORE_X,
      "G90 G17 G01 X40. F1000\nG41.2 D1\nG02 X0 Y-20. I-40. J30.\nG01\nG40\n"},
@@ -135,6 +155,13 @@ constexpr Example kRules[] = {
      RIGHT "X100.\nG40\nY50.\n"},
     {"G40 with a movement along the tool: line 3 keeps (0, -10, 0), line 4 takes it away.", HERE,
      RIGHT "X100.\nG40 Z30.\nY50.\n"},
+    {"G40 along the tool before, which turns: line 3 ends with the perpendicular (0, 10, 0), line 4 moves at its own "
+     "end "
+     "and takes the vector away.",
+     THERE, LEFT_VECTOR "X100.\nG40 Z50. I3 J0 K4\nX0\n"},
+    {"Type B, G40 along its own tool, (0, -3/5, 4/5): the group at the end of line 3 is that of a cancel, (10, 10, 0), "
+     "then (10, 0, 0), which line 4 keeps; line 5 takes it away.",
+     VECTOR(XYZ, TYPE_B) BEFORE_X, LEFT_VECTOR "X100.\nG40 Y-30. Z40. I0 J-3 K4\nX200.\n"},
     {"D0 cancels as G40 does.", HERE, LEFT "X100.\nD0 Y100.\nX0\n"},
 
     // Changes in the mode.
@@ -166,7 +193,7 @@ constexpr Example kRules[] = {
 
     // Interference.
     {"VT Z, then (-1, 0, 1) and a movement along it: exactly 45 degrees counts, and so does W = 0. "
-     "OVERCUT_PLANE_CHANGE at line 3.",
+     "PS0041 at line 3.",
      THERE, LEFT_VECTOR "X100.\nI-1 J0 K1\nX50. Z50.\n"},
     {"VT Z, then (-1, 0, 1) and a movement on in X: no alarm. Straight on with (0, 10, 0) everywhere.", THERE,
      LEFT_VECTOR "X100.\nI-1 J0 K1\nX150.\nG40 X200.\n"},

@@ -62,7 +62,7 @@ std::optional<RotaryMachine> rotary_machine(const spec::Setup& setup) {
 std::optional<Exact3> commanded_direction(const spec::Case& c, const Blocks& blocks, std::uint64_t line) {
   const auto machine = rotary_machine(c.setup);
   const auto near = c.setup.parameter(19738);
-  if (!machine || (near && !near->is_zero())) return std::nullopt;
+  if (!machine || (near && !near->is_zero()) || has_rotary_zeros(c, blocks)) return std::nullopt;
   bool in_force = false;
   for (const auto& [number, block] : blocks) {
     if (number > line) break;

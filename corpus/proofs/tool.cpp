@@ -94,6 +94,14 @@ std::optional<Rational> square_root(const Rational& value) {
   return root;
 }
 
+bool has_rotary_zeros(const spec::Case& c, const Blocks& blocks) {
+  if (c.setup.rotary_angles != spec::RotaryAngles::machine) return false;
+  for (const spec::AxisTable& origin : c.setup.workpiece)
+    for (const auto& [axis, zero] : origin)
+      if (spec::is_rotary_axis(axis) && !zero.is_zero()) return true;
+  return std::ranges::any_of(blocks, [](const auto& numbered) { return has(numbered.second, "G92"); });
+}
+
 std::optional<Tool> tool_of(const spec::Case& c, const Blocks& blocks, const spec::TextEvent& event) {
   bool by_words = false;
   std::optional<Exact3> words;
@@ -109,7 +117,7 @@ std::optional<Tool> tool_of(const spec::Case& c, const Blocks& blocks, const spe
   }
   if (words) return fixed(*words);
   if (!event.tool_axis) return fixed({0, 0, 1});
-  if (by_words) return std::nullopt;
+  if (by_words || has_rotary_zeros(c, blocks)) return std::nullopt;
   return of_head(c.setup, event);
 }
 

@@ -34,6 +34,9 @@ struct Tool {
   std::optional<Exact3> exactly;
 };
 
+// Positions of rotary axes are not the angles that turn the tool: they have zeros, or G92 may give them some.
+bool has_rotary_zeros(const spec::Case& c, const Blocks& blocks);
+
 // The direction in force at the end of an event's block: I J K under G43.5, Z of a setup that turns no tool, or a plain
 // tool rotation head (19680 = 2, axes along X Y Z, no tilt, no reversed sense), exactly where it turns by right angles.
 // Nothing for other kinematics.

@@ -105,6 +105,12 @@ Kinematics::Kinematics(const spec::Setup& setup) {
   } else if (whole_parameter(setup, 19610, 0, static_cast<int>(setup.axes.size())) != 0) {
     from_axis_groups(setup);
   }
+  reference_ = {inner_.reference, outer_.reference};
+}
+
+void Kinematics::set_zeros(const std::array<Count, spec::kMaxAxes>& zero) {
+  if (inner_.index != RotaryAxis::kNone) inner_.reference = reference_[0] - zero[inner_.index];
+  if (outer_.index != RotaryAxis::kNone) outer_.reference = reference_[1] - zero[outer_.index];
 }
 
 void Kinematics::from_unit_type(const spec::Setup& setup, int type) {

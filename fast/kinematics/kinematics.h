@@ -39,6 +39,8 @@ class Kinematics {
   // The machine unit type 19680 (0: none, or the parameters 19610 ff.).
   [[nodiscard]] int type() const { return type_; }
 
+  // Machine positions of the zeros from which direct() is given positions, by axis index; at first 0.
+  void set_zeros(const std::array<Count, spec::kMaxAxes>& zero);
   // Sets `direction` for the axis positions (degrees, by axis index of the setup).
   void direct(const std::array<Count, spec::kMaxAxes>& position, Direction& direction);
   // The unit vector in double-double, each component within fine_error().
@@ -99,6 +101,7 @@ class Kinematics {
   int type_ = 0;
   RotaryAxis inner_;
   RotaryAxis outer_;
+  std::array<Count, 2> reference_;  // of both, with zeros of 0
   std::vector<Term> terms_;
   bool whole_terms_ = false;  // every coefficient is 0 or +-1
   FineVector zero_direction_{};

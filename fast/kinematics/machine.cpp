@@ -112,11 +112,19 @@ template <class T>
 
 // --- poses ---
 
+void Machine::set_zeros(const std::array<Count, spec::kMaxAxes>& zero) {
+  for (Axis& axis : axis_) {
+    if (axis.index == kNone) continue;
+    axis.zero = zero[axis.index];
+    axis.zero_degrees = axis.zero.nearest();
+  }
+}
+
 void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint16_t rounded_axes, Pose& pose) {
   for (std::size_t i = 0; i < 2; ++i) {
     RotaryPosition& rotary = pose.axis[i];
     const std::size_t index = axis_[i].index;
-    rotary.count = index == kNone ? axis_[i].fixed : position[index];
+    rotary.count = index == kNone ? axis_[i].fixed : position[index] + axis_[i].zero;
     rotary.degrees = rotary.count.nearest();
     rotary.kind = index != kNone && (rounded_axes >> index & 1U) != 0 ? RotaryPosition::Kind::rounded
                                                                       : RotaryPosition::Kind::exact;
@@ -239,7 +247,7 @@ void Machine::freeze(Pose& pose) {
   std::uint16_t rounded_axes = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     if (axis_[i].index == kNone) continue;
-    position[axis_[i].index] = count(pose, i);
+    position[axis_[i].index] = programmed(pose, i);
     if (pose.axis[i].kind != RotaryPosition::Kind::exact)
       rounded_axes = static_cast<std::uint16_t>(rounded_axes | 1U << axis_[i].index);
   }

@@ -47,10 +47,25 @@ class Machine {
   [[nodiscard]] bool invertible() const { return !hypothetical() && polar_.invertible(); }
 
   // --- poses -------------------------------------------------------------------------------------------------------
+  // Machine positions of the zeros of commanded positions, by axis index, those of `kinematics`; at first 0. They do
+  // not change in the mode.
+  void set_zeros(const std::array<Count, spec::kMaxAxes>& zero);
   // The pose at commanded positions (by axis index of the setup). Bit i of `rounded`: position[i] was computed.
   void pose(const std::array<Count, spec::kMaxAxes>& position, std::uint16_t rounded, Pose& pose);
   // The position of axis i of a pose as a count; within 2^-63 rad unless it is exact.
   [[nodiscard]] Count count(const Pose& pose, std::size_t i) const;
+  // The same as it is commanded; and rounded.
+  [[nodiscard]] Count programmed(const Pose& pose, std::size_t i) const { return count(pose, i) - axis_[i].zero; }
+  [[nodiscard]] double programmed_degrees(const Pose& pose, std::size_t i) const {
+    const RotaryPosition& rotary = pose.axis[i];
+    if (axis_[i].zero_degrees == 0) [[likely]]
+      return rotary.degrees;
+    if (rotary.kind == RotaryPosition::Kind::inverse) return programmed_degrees(rotary.degrees, i);
+    return (rotary.count - axis_[i].zero).nearest();
+  }
+  [[nodiscard]] double programmed_degrees(double degrees, std::size_t i) const {
+    return degrees - axis_[i].zero_degrees;
+  }
   // Sines and cosines of a pose in double-double.
   [[nodiscard]] Turns<DoubleDouble> fine_turns(const Pose& pose) const;
 
@@ -145,6 +160,8 @@ class Machine {
     Vector3<double> line;
     std::size_t along = kNone;  // 0, 1, 2: the line is X, Y, Z
     Count fixed;                // hypothetical
+    Count zero;                 // of commanded positions
+    double zero_degrees = 0;
     bool limited = false;
     Count lower, upper;
     double least = 0;  // the same rounded

@@ -11,7 +11,8 @@
 
 namespace toolcomp::fast {
 
-// The position of one rotary axis, whole turns included: it is never wrapped.
+// The angle of one rotary axis that turns tool or table, whole turns included: it is never wrapped. It is its machine
+// position, or its programmed one (fanuc.tool-direction.rotary-angles).
 struct RotaryPosition {
   enum class Kind : std::uint8_t {
     exact,    // `count`: commanded, or the fixed angle of a hypothetical axis

@@ -53,8 +53,7 @@ inline constexpr Alarm kForbiddenInCompensation{"FORBIDDEN_IN_3D_COMPENSATION",
 inline constexpr Alarm kToolSideMode{"TOOL_SIDE_MODE", "G41.2 and G42.2 under G43.5, or G41.6 and G42.6 without it"};
 inline constexpr Alarm kTypeCFormat{"TYPE_C_FORMAT", "movement where type C starts or ends, or none behind its start"};
 inline constexpr Alarm kTreatment{"Q_FORMAT", "Q must be 1, 2 or 3"};
-inline constexpr Alarm kPlaneChangeInterference{"OVERCUT_PLANE_CHANGE",
-                                                "interference where the compensation plane changes"};
+inline constexpr Alarm kPlaneChangeInterference{"PS0041", "interference where the compensation plane changes"};
 inline constexpr Alarm kForbiddenInCutterCompensation{"FORBIDDEN_IN_CUTTER_COMPENSATION",
                                                       "command not allowed in cutter compensation"};
 inline constexpr Alarm kDirectionChangeAtStart{"DIR_CHANGE_AT_STARTUP",

@@ -15,6 +15,7 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
       inch_setup_(setup.units == spec::Units::inch),
       counts_increments_(!setup.bit(3401, 0, true)),
       increment_places_(2 + static_cast<int>(setup.increment)),
+      machine_angles_(setup.rotary_angles == spec::RotaryAngles::machine),
       kinematics_(setup),
       machine_(setup, kinematics_),
       posture_(setup, machine_),

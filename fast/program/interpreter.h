@@ -162,6 +162,10 @@ class Interpreter {
   [[nodiscard]] Alarm shift_in_cutter(const Words& words, bool extra);
   void select_workpiece(Code code);
   void mark_displaced();
+  // Axes whose angles, programmed positions and their zeros, are rounded.
+  [[nodiscard]] Mask rounded_angles() const {
+    return machine_angles_ ? static_cast<Mask>(rounded_ | shift_rounded_) : rounded_;
+  }
   [[nodiscard]] Count machine_origin(std::size_t axis) const { return origin_[workpiece_][axis] + shift_[axis]; }
 
   // cutter.cpp: blocks that pass cutter compensation B or C.
@@ -308,6 +312,7 @@ class Interpreter {
   bool inch_setup_;
   bool counts_increments_;  // 3401#0 = 0
   int increment_places_;
+  bool machine_angles_;  // rotary_angles: machine coordinates turn tool and table
   std::array<Positions, 6> origin_;
   std::array<Positions, 5> reference_;  // 0: floating, 1 to 4
 

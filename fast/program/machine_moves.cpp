@@ -79,6 +79,11 @@ void Interpreter::mark_displaced() {
   for (std::size_t axis = 0; axis < count_; ++axis)
     if (!origin_[workpiece_][axis].is_zero() || !shift_[axis].is_zero())
       displaced_ = static_cast<Mask>(displaced_ | bit(axis));
+  if (turning_ == 0 || !machine_angles_) return;
+  Positions zero;
+  for (std::size_t axis = 0; axis < count_; ++axis) zero[axis] = machine_origin(axis);
+  kinematics_.set_zeros(zero);
+  machine_.set_zeros(zero);
 }
 
 // The machine stays where it is: the programmed position shifts by the difference of the origins.
@@ -127,7 +132,7 @@ void Interpreter::rename_in_cutter() {
     event.point.value[axis] = position.nearest();
     event.axes.value[axis] = (position + length_[axis]).nearest();
   }
-  if (kinematics_.defined()) fill_tool_axis(event);  // turned by the coordinates of the rotary axes
+  if (kinematics_.defined()) fill_tool_axis(event);  // where the programmed coordinates of the rotary axes turn it
   cutter_c_.rebase();
 }
 

@@ -22,6 +22,22 @@ Count nearest_count(const DoubleDouble& value) {
                          static_cast<Int128>(std::nearbyint((units.hi - whole) + units.lo)));
 }
 
+// The sweep of an arc by radius, `center` from its start; units alike. Half of it is seen from the middle of the chord.
+DoubleDouble radians_of(const std::array<DoubleDouble, 2>& center, const std::array<Count, 2>& start,
+                        const std::array<Count, 2>& end, bool larger) {
+  std::array<DoubleDouble, 2> half_chord;
+  std::array<DoubleDouble, 2> height;
+  for (std::size_t i = 0; i < 2; ++i) {
+    half_chord[i] = to_double_double((end[i] - start[i]).units()) * 0.5;
+    height[i] = center[i] - half_chord[i];
+  }
+  const auto length = [](const std::array<DoubleDouble, 2>& v) { return sqrt(v[0] * v[0] + v[1] * v[1]); };
+  const DoubleDouble across = length(height);
+  const Count half = fine_arctangent(length(half_chord), larger ? -across : across);
+  constexpr DoubleDouble kTwiceRadians{0x1.1df46a2529d39p-5, 0x1.5c1d8becdd291p-61};  // pi / 90
+  return fine(half) * kTwiceRadians;
+}
+
 bool is_quarter(const SineCosine<double>& turn) { return turn.sine == 0 || turn.cosine == 0; }
 
 Alarm alarm_of(PosturePlan::Outcome outcome) {
@@ -128,7 +144,7 @@ void Interpreter::take_posture(const Pose& pose) {
   if (!by_vector_) return;
   for (std::size_t i = 0; i < 2; ++i)
     if (const std::size_t axis = machine_.rotary_axis(i); axis != spec::kMaxAxes)
-      programmed_value_[axis] = axes_value_[axis] = pose.axis[i].degrees;
+      programmed_value_[axis] = axes_value_[axis] = machine_.programmed_degrees(pose, i);
 }
 
 Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
@@ -167,7 +183,7 @@ Alarm Interpreter::plan_posture(const Words& words, Mask axes, const std::array<
   if ((axes & turning_) == 0) {
     posture_.stand(start, block.plan);
   } else {
-    machine_.pose(programmed_, rounded_, block.plan.end);
+    machine_.pose(programmed_, rounded_angles(), block.plan.end);
     posture_.plan(start, block.plan.end, posture_control_, block.plan);
     if (const Alarm a = alarm_of(block.plan.outcome)) return a;
     take_posture(block.plan.end);
@@ -224,6 +240,10 @@ bool Interpreter::lean(const Words& words, const std::array<Count, 3>& from, Dir
   FineVector tangent{};
   tangent[in[0]] = arc.clockwise ? radius[1] : -radius[1];
   tangent[in[1]] = arc.clockwise ? -radius[0] : radius[0];
+  // A helix climbs. Arcs are by radius here: R tells which of the two sweeps it is.
+  const std::size_t normal = 3 - in[0] - in[1];
+  if (const Count climb = to[normal] - from[normal]; !climb.is_zero())
+    tangent[normal] = to_double_double(climb.units()) / radians_of(center, start, end, arc.radius < Count());
   return fast::lean(kinematics_, commanded_, tangent, lean_angle_, to_direction);
 }
 
@@ -277,7 +297,7 @@ Alarm Interpreter::start_tip_control(const Words& words) {
   TipBlock& block = tip_.block();
   has_table_tip_ = false;
   Pose pose;
-  machine_.pose(programmed_, rounded_, pose);
+  machine_.pose(programmed_, rounded_angles(), pose);
   if (by_vector_ && words.has_any(kDirectionLetters)) {
     Direction direction;
     read_direction(words, direction);
@@ -323,7 +343,7 @@ void Interpreter::end_tip_control(bool again) {
     for (std::size_t i = 0; i < 2; ++i) {
       const std::size_t axis = machine_.rotary_axis(i);
       if (axis == spec::kMaxAxes) continue;
-      programmed_[axis] = machine_.count(pose, i);
+      programmed_[axis] = machine_.programmed(pose, i);
       programmed_value_[axis] = programmed_[axis].nearest();
       const bool exact = pose.axis[i].kind == RotaryPosition::Kind::exact;
       rounded_ = static_cast<Mask>(exact ? rounded_ & ~bit(axis) : rounded_ | bit(axis));

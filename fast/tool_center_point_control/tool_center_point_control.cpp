@@ -107,7 +107,7 @@ void ToolCenterPointControl::warn(const Event& event) {
   const Vector3<double> tool{pose.tool.unit[0], pose.tool.unit[1], pose.tool.unit[2]};
   const Vector3<double> point =
       machine_.along_tool() ? tip + tool * length : machine_.control_point(tip, turns(pose), length, origin_xyz_);
-  set_axes(event, point, pose.axis[0].degrees, pose.axis[1].degrees);
+  set_axes(event, point, machine_.programmed_degrees(pose, 0), machine_.programmed_degrees(pose, 1));
 }
 
 // Only the work-side axis turns; X Y Z follow at a standing tip.
@@ -120,10 +120,22 @@ void ToolCenterPointControl::turn(const Event& owner, const Pose& pose, double l
   event_.feed = owner.feed;
   set_axes(event_, tip_, pose, length);
   set_machine(event_);
-  out_.on(event_);
+  send_beside_name(pose);
 }
 
-// An own or inserted move, as it ends; its point is that at the end of the block, where a turn may follow.
+// `event_`, whose point is named for another pose.
+void ToolCenterPointControl::send_beside_name(const Pose& pose) {
+  if (!moves_on_table_) {
+    out_.on(event_);
+    return;
+  }
+  const auto named = event_.point.value;
+  put(event_.point.value, machine_.from_table(tip_, turns(pose), origin_xyz_));
+  out_.on(event_);
+  event_.point.value = named;
+}
+
+// An own or inserted move, as it ends; its point is named for the pose `end`, where a turn may follow.
 void ToolCenterPointControl::finish(const Pose& pose, const Pose& end, double length) {
   event_.t_numerator = 0;
   tip_ = point_of(event_);
@@ -131,7 +143,10 @@ void ToolCenterPointControl::finish(const Pose& pose, const Pose& end, double le
   set_axes(event_, tip_, pose, length);
   set_machine(event_);
   set_tool_axis(event_, {pose.tool.unit[0], pose.tool.unit[1], pose.tool.unit[2]});
-  out_.on(event_);
+  if (&pose != &end) [[unlikely]]
+    send_beside_name(pose);
+  else
+    out_.on(event_);
 }
 
 void ToolCenterPointControl::take(const Event& move) {
@@ -222,7 +237,8 @@ void ToolCenterPointControl::send_samples(const Event& event, TipBlock& block) {
     const Vector3<double> control = machine_.along_tool()
                                         ? tip + sample.tool * length
                                         : machine_.control_point(tip, sample.turns, length, origin_xyz_);
-    set_axes(sample_, control, sample.degrees[0], sample.degrees[1]);
+    set_axes(sample_, control, machine_.programmed_degrees(sample.degrees[0], 0),
+             machine_.programmed_degrees(sample.degrees[1], 1));
     set_tool_axis(sample_, sample.tool);
     send_sample();
   }

@@ -70,6 +70,7 @@ class ToolCenterPointControl final : public EventSink {
   void warn(const Event& event);
   // Turns `event_`, the last one sent, to a pose, and sends it as a move of `owner`.
   void turn(const Event& owner, const Pose& pose, double length, spec::Cause cause);
+  void send_beside_name(const Pose& pose);
   void send_samples(const Event& event, TipBlock& block);
   void send_direction_samples(const Event& event, TipBlock& block);
   void begin_samples(const Event& event);

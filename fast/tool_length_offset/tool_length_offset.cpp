@@ -153,6 +153,7 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
   if ((taken_ & axes) != 0 && holds_cutter_code(words)) {
     number_ = number;
     mode_ = mode;
+    edited_ = true;  // for the axes offset last, where those are others
     return alarm::kNone;
   }
   const Count value = memory.h(number);

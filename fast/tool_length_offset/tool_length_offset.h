@@ -65,7 +65,7 @@ class ToolLengthOffset {
   std::uint16_t last_ = 0;    // axes offset last
   std::uint16_t live_ = 0;
   std::uint16_t taken_ = 0;  // axes whose vector G53 or a reference return took away
-  bool edited_ = false;
+  bool edited_ = false;      // the axes offset last may not have the value of number and mode
   std::array<Count, spec::kMaxAxes> offset_;
   Count length_;
 

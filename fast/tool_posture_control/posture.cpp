@@ -129,6 +129,16 @@ bool ToolPostureControl::stays(const Pose& start, const Direction& tool) {
   return start.tool.is_whole && tool.is_whole && start.tool.whole() == tool.whole();
 }
 
+// From one edge of reach to the other, which may be a singular posture; 1 where both are one edge.
+int ToolPostureControl::branch_toward(const Pose& from, const Pose& to) const {
+  constexpr double kQuarter = 90;
+  const bool near = std::abs(from.psi) < kQuarter;
+  if (near == (std::abs(to.psi) < kQuarter)) return 1;
+  const std::size_t t = machine_.tool_side();
+  const bool up = (to.axis[t].degrees > from.axis[t].degrees) == (machine_.sense(t) > 0);
+  return up == near ? 1 : -1;
+}
+
 bool ToolPostureControl::plan_quickly(const Pose& start, const Target& target, PosturePlan& plan) const {
   const PolarFrame& polar = machine_.polar();
   if (start.branch == 0) return false;
@@ -228,8 +238,8 @@ void ToolPostureControl::plan_finely(const Pose& start, const Target& target, Po
     conventional(start, plan.end, plan);
     return;
   }
-  if (arc.branch == 0) arc.branch = plan.end.branch != 0 ? plan.end.branch : 1;
   for (std::size_t i = 0; i < 2; ++i) arc.from[i] = machine_.count(start, i).units();
+  if (arc.branch == 0) arc.branch = plan.end.branch != 0 ? plan.end.branch : branch_toward(start, plan.end);
   const std::size_t t = machine_.tool_side();
   arc.psi = wrapped(signed_by(machine_.sense(t), arc.from[t]) - polar.phase().units());
   // At 180 on the side of the branch.

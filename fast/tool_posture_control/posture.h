@@ -50,6 +50,7 @@ class ToolPostureControl {
     const Direction* tool = nullptr;
   };
   static void begin(PosturePlan& plan);
+  [[nodiscard]] int branch_toward(const Pose& from, const Pose& to) const;
   [[nodiscard]] static bool stays(const Pose& start, const Direction& tool);
   void conventional(const Pose& start, const Pose& end, PosturePlan& plan) const;
   // The usual block, in doubles. False where they cannot tell, or it is not usual.

@@ -67,21 +67,16 @@ void ToolSideCompensation::keep_tools() {
   keep_tool(before(path_));
 }
 
-// Asked once: behind a block whose end vector is to be made in the plane there, else in the plane of its own end.
-bool ToolSideCompensation::moves(const ToolSideBlock& block) const {
-  if (block.arc) return true;
-  const Travel& travel = paths_[after(path_)].travel;
+bool ToolSideCompensation::moves(bool arc, const Travel& travel, const Direction& tool) const {
+  if (arc) return true;
   if (travel.zero) return false;
-  const Direction* tool = block.tool;
-  if (held_ == Held::path) tool = last_->tool;
-  if (held_ == Held::start) tool = &start_tool_;
   if (fault(Fault::side_limit_by_length)) {
     // The length of the block itself, not of its projection.
     const double limit = parameters_.no_movement.nearest() * travel.unit;
     if (parameters_.no_movement < Count() || travel.square < limit * limit) return limit <= 0;
-    return geometry_.plane(*tool).moves(travel, Count());
+    return geometry_.plane(tool).moves(travel, Count());
   }
-  return geometry_.plane(*tool).moves(travel, parameters_.no_movement);
+  return geometry_.plane(tool).moves(travel, parameters_.no_movement);
 }
 
 bool ToolSideCompensation::on_edge(const ToolSideBlock& block, const Direction& tool) const {
@@ -134,18 +129,12 @@ StageEnd ToolSideCompensation::any_block(ToolSideBlock& block) {
     hold();
     return {};
   }
-  if (!moves(block)) return still_block(block);
-  switch (mode_) {
-    case Mode::off:
-      return first_block(block);
-    case Mode::on:
-      return block.wanted ? next_block(block) : cancel_block(block);
-    case Mode::ends:
-      return cancel_block(block);
-    case Mode::starts:
-      break;
+  if (mode_ == Mode::on) return block.wanted ? next_block(block) : cancel_block(block);
+  if (!next_moves(*block.tool)) {
+    send(block, at_start().front().vector, block.own);
+    return {};
   }
-  return {};
+  return mode_ == Mode::off ? first_block(block) : cancel_block(block);
 }
 
 // The start-up block of types A and B: straight from where it starts, without a vector, to the first head at its end.
@@ -165,7 +154,7 @@ StageEnd ToolSideCompensation::first_block(ToolSideBlock& block) {
 // The block right after a start of type C.
 StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   const int side = fault(Fault::side_handedness) ? -block.side : block.side;
-  if (!block.wanted || !moves(block) || side != start_side_ ||
+  if (!block.wanted || !next_moves(start_tool_) || side != start_side_ ||
       (block.arc && (on_edge(block, start_tool_) || on_edge(block, *block.tool))))
     return release();
   SidePath& to = new_path();
@@ -198,9 +187,9 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
 }
 
 bool ToolSideCompensation::can_await_line(const ToolSideBlock& block) {
-  return block.wanted && mode_ == Mode::on && held_ == Held::path && !starts_up_ && !after_start_ && !repeated_ &&
-         treatment_ == Treatment::none && !parameters_.no_interference && !last_->arc && last_->travel.narrow &&
-         waits_ == 0 && last_->offset.nearest != 0 && block.side == last_->side &&
+  return block.wanted && mode_ == Mode::on && held_ == Held::path && last_ == &paths_[path_] && !starts_up_ &&
+         !after_start_ && !repeated_ && treatment_ == Treatment::none && !parameters_.no_interference && !last_->arc &&
+         last_->travel.narrow && waits_ == 0 && last_->offset.nearest != 0 && block.side == last_->side &&
          last_->offset_change == value_change_ && at_start().size == 1 && !fault(Fault::side_handedness) &&
          !fault(Fault::side_tool_at_start) && !fault(Fault::side_turned_tool) && !fault(Fault::side_limit_by_length);
 }
@@ -267,26 +256,53 @@ void ToolSideCompensation::complete_line() {
   corner.turn.dot = 1;
 }
 
+// What counts is how the block moves at its own end and at the corners that are still to be made.
 StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
+  const bool at_end = next_moves(*block.tool);
+  const bool leaves_path = held_ == Held::path && next_moves(*last_->tool);
+  const bool leaves_waiting = waiting_path_ != nullptr && next_moves(*waiting_path_->tool);
+  if (!at_end && !leaves_path && !leaves_waiting) return still_block(block);
   SidePath& to = new_path();
   set_path(to, block);
   if (block.arc && to.flat.ends_in_center) return refuse(block, alarm::kArcCenter);
-  if (after_start_ && to.side != last_->side) return refuse(block, alarm::kDirectionChangeAtStart);
-  if (block.arc && ((held_ == Held::path && on_edge(block, *last_->tool)) || on_edge(block, *block.tool)))
+  if (to.side != last_->side && (after_start_ || (starts_up_ && leaves_path)))
+    return refuse(block, alarm::kDirectionChangeAtStart);
+  if (block.arc && ((held_ == Held::path && on_edge(block, *last_->tool)) ||
+                    (waiting_path_ != nullptr && on_edge(block, *waiting_path_->tool)) || on_edge(block, *block.tool)))
     return undecide(block, "fanuc.tool-side.arc-plane");
-  if (held_ == Held::path) {
-    const bool repeated = repeated_ || block.repeated;
-    const CornerRule rule =
-        repeated ? CornerRule::repeated : (starts_up_ ? CornerRule::start_up : CornerRule::ordinary);
-    if (const StageEnd end = join(to, rule)) return end;
-    start_tool_of_path_ = last_->tool;
-    start_offset_of_path_ = &last_->offset;
-  } else {
-    start_tool_of_path_ = to.tool;
-    start_offset_of_path_ = &to.offset;
-  }
-  start_side_ = to.side;
   after_start_ = false;
+  return path_block(block, to, at_end);
+}
+
+// A block that moves somewhere. Of two paths the first one is always out behind it.
+StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& to, bool at_end) {
+  // Of the corner at its start.
+  const Direction* tool = to.tool;
+  const Amount* offset = &to.offset;
+  while (held_ == Held::path) {
+    const SidePath& from = *last_;
+    if (moves(to.arc, to.travel, *from.tool)) {
+      const bool repeated = repeated_ || block.repeated;
+      const CornerRule rule =
+          repeated ? CornerRule::repeated : (starts_up_ ? CornerRule::start_up : CornerRule::ordinary);
+      if (const StageEnd end = join(to, rule)) return end;
+      tool = from.tool;
+      offset = &from.offset;
+    } else if (still_ > 0) {
+      if (const StageEnd end = release_path()) return end;
+    } else {
+      // It is passed over by the corner at the end of the path.
+      repeated_ |= block.repeated;
+      ++still_;
+      if (at_end && !fault(Fault::side_passed_over_keeps)) waiting_path_ = &to;
+      mismatch_[next_] = false;
+      hold();
+      return {};
+    }
+  }
+  start_tool_of_path_ = tool;
+  start_offset_of_path_ = offset;
+  start_side_ = to.side;
   hold_path(to, false);
   return {};
 }
@@ -303,7 +319,7 @@ void ToolSideCompensation::hold_path(const SidePath& to, bool starts_up) {
 }
 
 void ToolSideCompensation::keep_without_direction() {
-  if (held_ != Held::path || last_->arc || geometry_.plane(*last_->tool).moves(last_->travel, Count())) return;
+  if (held_ != Held::path || moves(last_->arc, last_->travel, *last_->tool)) return;
   ToolSideBlock& block = held(waits_);
   pass_corner(&block);
   make_.keep_last(at_start());
@@ -311,16 +327,24 @@ void ToolSideCompensation::keep_without_direction() {
   for (; count_ > 0; free_first()) send(held(0), at_start().front().vector, held(0).own);
 }
 
-// From the last head of the corner before it straight to its end, without a vector.
+// From the last head of the corner before it straight to its end, without a vector, where it moves at its own end.
 StageEnd ToolSideCompensation::cancel_block(ToolSideBlock& block) {
+  const bool at_end = next_moves(*block.tool);
   if (held_ == Held::path) {
     SidePath& to = new_path();
     set_path(to, block);
-    to.side = last_->side;
-    const bool repeated = repeated_ || block.repeated || starts_up_;
-    if (const StageEnd end = join(to, repeated ? CornerRule::repeated : CornerRule::cancel)) return end;
+    while (held_ == Held::path) {
+      if (!moves(to.arc, to.travel, *last_->tool)) {
+        if (const StageEnd end = release_path()) return end;
+        continue;
+      }
+      to.side = last_->side;
+      const bool repeated = repeated_ || block.repeated || starts_up_;
+      if (const StageEnd end = join(to, repeated ? CornerRule::repeated : CornerRule::cancel)) return end;
+    }
     pass_corner(&block);
   }
+  if (!at_end) return cancel_alone(block);
   block.event.cause = spec::Cause::cancel;
   at_start().clear();
   mode_ = Mode::off;
@@ -351,6 +375,7 @@ StageEnd ToolSideCompensation::join(const SidePath& to, CornerRule rule) {
                             !parameters_.no_plane_change;
   if (const StageEnd end = finish(plane_change, &to)) return end;
   group_ ^= 1U;
+  hold_waiting_path();
   return {};
 }
 
@@ -396,14 +421,30 @@ StageEnd ToolSideCompensation::finish(bool plane_change, const SidePath* to) {
   return {};
 }
 
-// The blocks behind the path that has just gone out: at its only vector, or later, at the last of several.
+// The blocks behind the path that has just gone out: at its only vector, or later, at the last of several; or one of
+// them is the next path.
 void ToolSideCompensation::send_behind() {
   held_ = Held::nothing;
+  if (waiting_path_ != nullptr) return;
   if (at_end().size > 1) {
     waits_ = count_;
     return;
   }
   for (; count_ > 0; free_first()) send(held(0), at_end().front().vector, held(0).own);
+}
+
+void ToolSideCompensation::hold_waiting_path() {
+  if (waiting_path_ == nullptr) return;
+  start_tool_of_path_ = last_->tool;
+  start_offset_of_path_ = &last_->offset;
+  last_ = waiting_path_;
+  waiting_path_ = nullptr;
+  start_side_ = last_->side;
+  held_ = Held::path;
+  starts_up_ = false;
+  treatment_ = held(0).treatment;
+  still_ = static_cast<std::uint8_t>(count_ - 1U);
+  repeated_ = false;
 }
 
 void ToolSideCompensation::pass_corner(ToolSideBlock* owner) {
@@ -456,6 +497,12 @@ StageEnd ToolSideCompensation::release() {
     case Held::path:
       break;
   }
+  while (held_ == Held::path)
+    if (const StageEnd end = release_path()) return end;
+  return {};
+}
+
+StageEnd ToolSideCompensation::release_path() {
   SideGroup& group = at_end();
   set_corner(group.corner, nullptr);
   (void)geometry_.set_turn(group.corner);
@@ -465,30 +512,27 @@ StageEnd ToolSideCompensation::release() {
     make_.set(group, HeadKind::first_normal);
   if (const StageEnd end = finish(false, nullptr)) return end;
   group_ ^= 1U;
+  hold_waiting_path();
   return {};
 }
 
+// In the mode, and nowhere does it move.
 StageEnd ToolSideCompensation::still_block(ToolSideBlock& block) {
-  if (mode_ != Mode::on) {
-    send(block, at_start().front().vector, block.own);
-    return {};
-  }
-  if (!block.wanted) {
-    if (const StageEnd end = release()) return end;
-    return cancel_alone(block);
-  }
-  repeated_ |= block.repeated;
   if (held_ == Held::nothing) {
     send(block, at_start().front().vector, block.own);
     return {};
   }
   hold();
-  return ++still_ < 2 ? StageEnd{} : release();
+  if (++still_ >= 2)
+    if (const StageEnd end = release_path()) return end;
+  repeated_ |= block.repeated;
+  return {};
 }
 
-// G40 or number 0 in a block that does not move; what is held is out.
+// G40 or number 0 in a block that does not move at its own end; what is held is out.
 StageEnd ToolSideCompensation::cancel_alone(ToolSideBlock& block) {
   const bool zero = vector_is_zero();
+  if (at_start().size > 1) make_.keep_last(at_start());
   if (parameters_.type == StartType::c) {
     block.event.cause = spec::Cause::cancel;
     at_start().clear();

@@ -26,9 +26,10 @@ struct LineCorner {
   double length2 = 0;  // |w|
 };
 
-// Look-ahead: a block that moves in the plane, one block after it that does not, and the next one; before it, where the
-// corner at its start has several vectors, one block without movement that runs at the last of them. The slots are
-// fixed: nothing is allocated per block.
+// Look-ahead: a block that moves at its own end, one block after it that does not move in the plane there, and the next
+// one. The one in between may move at its own end: it then waits, as a path of its own, until the one before it is out.
+// Before the path, where the corner at its start has several vectors, one block that keeps the last of them. The slots
+// are fixed: nothing is allocated per block.
 class ToolSideCompensation {
  public:
   // Throws spec::InputError for parameters no control could have.
@@ -95,6 +96,7 @@ class ToolSideCompensation {
   StageEnd second_block(ToolSideBlock& block);
   StageEnd first_block(ToolSideBlock& block);
   StageEnd next_block(ToolSideBlock& block);
+  StageEnd path_block(ToolSideBlock& block, const SidePath& to, bool at_end);
   StageEnd cancel_block(ToolSideBlock& block);
   StageEnd still_block(ToolSideBlock& block);
   StageEnd cancel_alone(ToolSideBlock& block);
@@ -111,7 +113,9 @@ class ToolSideCompensation {
   void send_rest();
   // What take_line() leaves to be known of the path that is held and the corner at its start.
   void complete_line();
-  [[nodiscard]] bool moves(const ToolSideBlock& block) const;
+  // Whether a block moves in the plane of `tool` (No. 19630).
+  [[nodiscard]] bool moves(bool arc, const Travel& travel, const Direction& tool) const;
+  [[nodiscard]] bool next_moves(const Direction& tool) { return moves(next().arc, next_travel(), tool); }
   [[nodiscard]] bool on_edge(const ToolSideBlock& block, const Direction& tool) const;
   [[nodiscard]] bool mismatches(const ToolSideBlock& block) const;
 
@@ -129,8 +133,12 @@ class ToolSideCompensation {
   // The path that is held goes out, up to its first head; at_end() is complete.
   StageEnd finish(bool plane_change, const SidePath* to);
   void hold_path(const SidePath& to, bool starts_up);
-  // Where the travel of the path that is held is along the tool at its end it goes out, with the vector it starts with.
+  // A path held that does not move in the plane at its end goes out, with the vector it starts with.
   void keep_without_direction();
+  // The path that is held ends without a next one.
+  StageEnd release_path();
+  // Behind the path that has gone out: the one that waited for it is held in its place.
+  void hold_waiting_path();
   // The vectors of the corner at the start of the path go out up to the block `owner` (nullptr: that block is at
   // fault), with the block without movement that waits for the last of them.
   void pass_corner(ToolSideBlock* owner);
@@ -180,9 +188,11 @@ class ToolSideCompensation {
   const SidePath* last_ = nullptr;  // of the moving block before
 
   Mode mode_ = Mode::off;
-  std::uint8_t still_ = 0;    // blocks without movement since the moving one
-  bool repeated_ = false;     // a repeated code among them
-  bool after_start_ = false;  // the moving block before was a start-up
+  std::uint8_t still_ = 0;  // blocks behind the path that do not move in the plane at its end
+  bool repeated_ = false;   // a repeated code among them
+  // Of these the last one, where it moves at its own end; nullptr: it does not, or is not there.
+  const SidePath* waiting_path_ = nullptr;
+  bool after_start_ = false;  // no block has moved since a start-up
   Direction start_tool_;      // of type C
 
   // Of the path that is held.
@@ -271,7 +281,7 @@ class ToolSideCompensation {
   const double lengths = corner.length1 * corner.length2;
   // A direction is good to 2^-43, |U||W| is at most 4 |u||w|: 14 times that and a few roundings.
   constexpr double kUncertain = 0x1p-38;
-  if (corner.product <= kUncertain * lengths || corner.length2 <= shortest_) [[unlikely]]
+  if (corner.product <= kUncertain * lengths || corner.length2 <= shortest_ || corner.length1 <= shortest_) [[unlikely]]
     return false;
   const double scale = line_radius_ / (lengths + corner.product);
   const SidePath& from = paths_[path_];

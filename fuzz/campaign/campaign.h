@@ -61,6 +61,7 @@ struct CampaignResult {
   std::uint64_t wide = 0;          // values that were granted more than policy::kCap: not judged
   std::uint64_t out_of_scope = 0;  // events behind one of reason OUT_OF_SCOPE
   std::uint64_t few_events = 0;    // executions with fewer than three events judged
+  std::uint64_t law_checks = 0;
   double worst_ulp = 0;
   double worst_um = 0;
   std::vector<Finding> findings;  // by job, then by when they were found

@@ -64,6 +64,7 @@ void add(CampaignResult& total, const Trial& trial) {
   total.out_of_scope += v.out_of_scope;
   constexpr std::uint64_t few = 3;
   total.few_events += v.events < few ? 1 : 0;
+  total.law_checks += trial.law_checks;
   // What is outside the policy is a finding, not a figure of merit.
   if (!trial.found()) {
     total.worst_ulp = std::max(total.worst_ulp, v.worst_ulp);
@@ -83,6 +84,7 @@ void add(CampaignResult& total, const CampaignResult& part) {
   total.wide += part.wide;
   total.out_of_scope += part.out_of_scope;
   total.few_events += part.few_events;
+  total.law_checks += part.law_checks;
   total.features = std::max(total.features, part.features);
   total.worst_ulp = std::max(total.worst_ulp, part.worst_ulp);
   total.worst_um = std::max(total.worst_um, part.worst_um);
@@ -108,6 +110,7 @@ std::string write_summary(const CampaignResult& r) {
   line("wide", r.wide);
   line("out_of_scope", r.out_of_scope);
   line("few_events", r.few_events);
+  line("law_checks", r.law_checks);
   line("features", r.features);
   line("worst_ulp", r.worst_ulp);
   line("worst_um", r.worst_um);
@@ -140,6 +143,7 @@ CampaignResult read_summary(std::string_view text) {
     if (name == "wide") words >> r.wide;
     if (name == "out_of_scope") words >> r.out_of_scope;
     if (name == "few_events") words >> r.few_events;
+    if (name == "law_checks") words >> r.law_checks;
     if (name == "features") words >> r.features;
     if (name == "worst_ulp") words >> r.worst_ulp;
     if (name == "worst_um") words >> r.worst_um;

@@ -113,6 +113,10 @@ constexpr Row kSide[] = {
     {"side_limit_by_length", "fanuc.tool-side.no-movement-limit", 5000},
     {"side_tilt_limit_always_45", "fanuc.tool-side.plane-change-angle fanuc.tool-side.plane-change-alarm", 5000},
     {"side_q2_ignored", "fanuc.tool-side.q2 fanuc.tool-side.along-the-tool fanuc.tool-side.no-movement-limit", 5000},
+    {"side_passed_over_keeps",
+     "fanuc.tool-side.moving-block fanuc.tool-side.along-the-tool fanuc.tool-side.no-movement-limit "
+     "fanuc.tool-side.plane",
+     2000},
     {"side_stop_owner", "fanuc.tool-side.stop-point fanuc.tool-side.corner-side"},
 };
 

@@ -1,7 +1,8 @@
 // The lines, one letter first:
-//   u mm|inch   i A|B|C   a LETTERS   k b|c   s (block skip)   x (type B without perpendicular)   p NUMBER[#BIT] VALUE
-//   m a|b|c COUNT h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR   w 54…59 AXIS VALUE   o AXIS VALUE (position) r 1…4
-//   AXIS VALUE   f AXIS VALUE (floating reference)   t AXIS VALUE (measurement)   n COUNT (samples)
+//   u mm|inch   i A|B|C   a LETTERS   k b|c   s (block skip)   x (type B without perpendicular)   v (rotary angles as
+//   programmed)   p NUMBER[#BIT] VALUE   m a|b|c COUNT h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR   w 54…59 AXIS
+//   VALUE   o AXIS VALUE (position) r 1…4 AXIS VALUE   f AXIS VALUE (floating reference)   t AXIS VALUE (measurement)
+//   n COUNT (samples)
 // of a Heidenhain control u a s o, and
 //   c heidenhain (before all others)   y TENTHS R R2 DL DR DR2 [L] (a tool)   e NAME (of the tool before)   g NAME (its
 //   table of deviations)   j NUMBER DL DR DR2 (a row of corrections)   q ANGLE DEVIATION NAME (a point of that table)
@@ -155,7 +156,7 @@ void make_possible(Setup& setup) {
 void apply(Setup& setup, const Line& line) {
   if (line.word[0].size() != 1) return;
   const bool heidenhain = setup.control == spec::Control::heidenhain;
-  if (std::string_view(heidenhain ? "ikxpmhdwrft" : "yegjq").find(line.word[0][0]) != std::string_view::npos) return;
+  if (std::string_view(heidenhain ? "ikxvpmhdwrft" : "yegjq").find(line.word[0][0]) != std::string_view::npos) return;
   const std::string_view first = line.word[1];
   const auto letter = [&](std::string_view letters) -> std::optional<std::size_t> {
     const std::size_t at = first.size() == 1 ? letters.find(first[0]) : std::string_view::npos;
@@ -179,6 +180,9 @@ void apply(Setup& setup, const Line& line) {
       break;
     case 'x':
       setup.type_b_without_perpendicular = true;
+      break;
+    case 'v':
+      setup.rotary_angles = spec::RotaryAngles::programmed;
       break;
     case 'p':
       put_parameter(setup, line);
@@ -280,6 +284,7 @@ std::string encode(const spec::Case& c) {
   if (s.cutter_compensation == spec::CutterCompensationType::b) out += "k b\n";
   if (s.block_skip) out += "s\n";
   if (s.type_b_without_perpendicular) out += "x\n";
+  if (s.rotary_angles == spec::RotaryAngles::programmed) out += "v\n";
   for (const auto& [id, value] : s.parameters)
     out += id.bit < 0 ? fmt::format("p {} {}\n", id.number, spec::to_string(value))
                       : fmt::format("p {}#{} {}\n", id.number, id.bit, spec::to_string(value));

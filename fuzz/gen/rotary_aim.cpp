@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
 
 namespace toolcomp::fuzz {
@@ -41,6 +42,15 @@ Direction as_direction(const SpaceCounts& c) {
 RotaryAim::RotaryAim(Choices& choose, ProgramWriter& write, const spec::Setup& setup, bool posture)
     : choose_(choose), write_(write), setup_(setup), posture_(posture), machine_(RotaryMachine::of(setup)) {
   if (!machine_) return;
+  if (setup.rotary_angles == spec::RotaryAngles::machine) {
+    const auto zero = [&](std::size_t axis) {
+      if (axis == spec::Axes::kNone) return 0.0;
+      const auto found = setup.workpiece.front().find(setup.axes.letter(axis));
+      return found == setup.workpiece.front().end() ? 0.0 : approximate(found->second);
+    };
+    machine_->tool_angle += zero(machine_->tool);
+    machine_->work_angle += zero(machine_->work);
+  }
   const RotaryMachine& m = *machine_;
   // cos(polar) = mean + a cos(turn) + b sin(turn).
   const double along = dot(m.reference, m.tool_line);

@@ -43,6 +43,7 @@ class RotaryProgram {
     normal_ = normals[which];
     if (choose_.chance(35)) switch_mode();
     write_.units();
+    if (choose_.chance(6)) rename();
     if (choose_.chance(75)) {
       motion("G01");
       write_.number('F', choose_.between(1, 50) * 100 * write_.one());
@@ -50,6 +51,16 @@ class RotaryProgram {
     if (choose_.chance(60)) travel(start_move());
     // The pose at which the mode starts.
     if (choose_.chance(60)) aim_.position();
+    write_.end_block();
+  }
+
+  // The rotary axes are called otherwise from here on.
+  void rename() {
+    const char axis = setup_.axes.letter(setup_.axes.size() - 1 - choose_.below(2));
+    if (choose_.chance(50))
+      write_.word(fmt::format("G{}", 54 + choose_.below(6)));
+    else
+      write_.word(fmt::format("G92 {}{}.", axis, choose_.between(-12, 12) * 15));
     write_.end_block();
   }
 
@@ -107,6 +118,7 @@ class RotaryProgram {
     }
     aim_.end();
     write_.end_block();
+    if (choose_.chance(5)) rename();
     for (std::int64_t n = choose_.between(0, 2); n > 0; --n) {
       straight_code();
       travel(path_.movement(aim_.aim()));
@@ -247,8 +259,7 @@ class RotaryProgram {
         choose_.between(1, static_cast<std::int64_t>(std::max<std::size_t>(setup_.d.size(), 1))));
     write_.word(fmt::format("D{}", number_));
     const auto entry = setup_.d.find(number_);
-    const std::int64_t counts =
-        entry == setup_.d.end() ? 0 : write_.in_program(counts_of(entry->second.geometry, setup_));
+    const std::int64_t counts = entry == setup_.d.end() ? 0 : counts_of(entry->second.geometry, setup_);
     path_.offset(counts);
   }
 

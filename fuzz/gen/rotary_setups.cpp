@@ -209,8 +209,7 @@ Setup random_rotary_setup(Choices& choose) {
   drop(setup.measurement);
   setup.reference.clear();
   setup.floating_reference.clear();
-  // Rotary positions of another zero are another pose: seldom.
-  if (choose.chance(90))
+  if (choose.chance(70))
     for (spec::AxisTable& origin : setup.workpiece)
       std::erase_if(origin, [](const auto& entry) { return spec::is_rotary_axis(entry.first); });
   tools(choose, setup);

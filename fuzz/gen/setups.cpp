@@ -214,7 +214,10 @@ Setup random_setup(Choices& choose, Kinematics wanted) {
   setup.axes = spec::Axes(five ? choose.one_of({"XYZBC", "XYZBC", "XYZAC", "XYZAB", "XYZABC", "ZYXCB", "XYZUVWABC"})
                                : choose.one_of({"XYZ", "XYZ", "XYZB", "XYZUVW", "YZX"}));
   if (five && (wanted == Kinematics::always ? choose.chance(90) : choose.chance(50))) kinematics(choose, setup);
-  if (wanted != Kinematics::none) angle_range(choose, setup);
+  if (wanted != Kinematics::none) {
+    angle_range(choose, setup);
+    if (choose.chance(25)) setup.rotary_angles = spec::RotaryAngles::programmed;
+  }
   for (const int bit : {0, 1, 2, 3, 6})
     if (choose.chance(40)) set_bit(setup, 5001, bit, choose.chance(70));
   if (choose.chance(12)) set_bit(setup, 3401, 0, choose.chance(30));

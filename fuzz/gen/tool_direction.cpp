@@ -19,12 +19,17 @@ Direction axis(int code) {
   return e;
 }
 
-// The controlled axis of this number; 0 where there is none.
+// Of the controlled axis of this number, in the first workpiece system; 0 where there is none.
 double position(const spec::Setup& setup, const Pose& pose, double axis_number) {
   const auto index = static_cast<std::size_t>(axis_number);
   if (index < 1 || index > setup.axes.size()) return 0;
-  const auto found = pose.find(setup.axes.letter(index - 1));
-  return found == pose.end() ? 0 : found->second;
+  const char letter = setup.axes.letter(index - 1);
+  const auto found = pose.find(letter);
+  const double programmed = found == pose.end() ? 0 : found->second;
+  const spec::AxisTable& zeros = setup.workpiece.front();
+  const auto zero = zeros.find(letter);
+  const bool moved = zero != zeros.end() && setup.rotary_angles == spec::RotaryAngles::machine;
+  return moved ? programmed + approximate(zero->second) : programmed;
 }
 
 // Codes 4, 5, 6: tilted from X to Y, Y to Z, Z to X by an angle.

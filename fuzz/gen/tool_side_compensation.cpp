@@ -278,6 +278,43 @@ class ToolSide {
     linear(path_.of_length(pose_.aim(), std::max<std::int64_t>(0, write_.in_program(length))));
   }
 
+  // A movement in which the tool turns, and which differs as seen along the tool before and after: along one of them,
+  // or in one of the planes of the length of 19630.
+  void turning_movement() {
+    straight_code();
+    const auto limit = [&](const ToolAim& aim) {
+      return path_.of_length(aim, std::max<std::int64_t>(0, limit_ + choose_.between(-1, 1)));
+    };
+    const std::size_t which = choose_.weighted({45, 20, 18, 17});
+    if (which == 1 || which == 3) pose_.turn();
+    const ToolAim aim = pose_.aim();
+    linear(which < 2 ? path_.parallel(aim) : limit(aim));
+    if (which == 0 || which == 2) pose_.turn();
+  }
+
+  // One or two of these, also behind the tool that turns alone.
+  void turning() {
+    const ToolAim before = pose_.aim();
+    if (choose_.chance(30)) {
+      pose_.turn();
+      write_.end_block();
+    }
+    if (choose_.chance(8)) treatment();
+    if (choose_.chance(5)) side_word(choose_.chance(50) ? side_ : -side_);
+    if (choose_.chance(25)) {
+      straight_code();
+      linear(path_.parallel(before));
+    } else {
+      turning_movement();
+    }
+    end_of_movement();
+    if (choose_.chance(25)) {
+      turning_movement();
+      end_of_movement();
+    }
+    if (choose_.chance(60)) movement();
+  }
+
   void switch_mode() {
     write_.incremental(!write_.incremental());
     write_.word(write_.incremental() ? "G91" : "G90");
@@ -292,10 +329,14 @@ class ToolSide {
     switch (choose_.weighted({74, 8, 5, 4, 4, 1, 3, 2})) {
       case 0:
         straight();
-        return end_of_movement();
+        end_of_movement();
+        return choose_.chance(8) ? turning() : void();
       case 1:
         write_.end_block();
-        straight();
+        if (choose_.chance(15))
+          turning_movement();
+        else
+          straight();
         return end_of_movement();
       case 2:
         write_.end_block();
@@ -341,7 +382,7 @@ class ToolSide {
     switch (choose_.weighted({94, 2, 2, 2})) {
       case 0:
         write_.end_block();
-        return movement();
+        return choose_.chance(8) ? turning() : movement();
       case 1:
         straight();
         return end_of_movement();
@@ -358,7 +399,7 @@ class ToolSide {
   // In the mode
 
   void inside() {
-    switch (choose_.weighted({40, 10, 8, 9, 6, 6, 5, 8, 4, 2, 2})) {
+    switch (choose_.weighted({36, 9, 7, 8, 6, 6, 5, 8, 4, 2, 2, 11})) {
       case 0:
         return movement();
       case 1:
@@ -382,8 +423,10 @@ class ToolSide {
       case 9:
         switch_mode();
         return movement();
-      default:
+      case 10:
         return seldom();
+      default:
+        return turning();
     }
   }
 
@@ -507,8 +550,12 @@ class ToolSide {
     if (type_c_) return cancel_alone();
     switch (choose_.weighted({54, 14, 9, 5, 2, 4, 7, 3})) {
       case 0:
+        if (choose_.chance(12)) turning();
         write_.word("G40");
-        straight();
+        if (choose_.chance(12))
+          turning_movement();
+        else
+          straight();
         return end_of_movement();
       case 1:
         write_.word("G40").end_block();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <type_traits>
 
@@ -39,10 +40,6 @@ constexpr double kHalfTurn = 180;  // degrees
 
 std::string text_of(const std::optional<std::uint64_t>& n) { return n ? fmt::format("{}", *n) : "none"; }
 
-// What a number measures.
-enum class Measure : std::uint8_t { length, angle, direction, other };
-
-constexpr double kRadiansPerDegree = 0.017453292519943295;
 std::string text_of(const spec::PermittedOutcomes& outcomes) {
   std::string text;
   const auto add = [&text](bool permitted, std::string_view outcome) {
@@ -53,6 +50,11 @@ std::string text_of(const spec::PermittedOutcomes& outcomes) {
   add(outcomes.tie, "tie");
   return text.empty() ? "none" : text;
 }
+
+// What a number measures.
+enum class Measure : std::uint8_t { length, angle, direction, other };
+
+constexpr double kRadiansPerDegree = 0.017453292519943295;
 
 // Names a field; text is made only for a difference.
 struct Path {
@@ -123,7 +125,7 @@ class Comparison {
 
   bool move() {
     return named("cause", expected_.cause, actual_.cause) || named("type", expected_.type, actual_.type) ||
-           table("programmed", expected_.programmed, actual_.programmed) ||
+           table("programmed", expected_.programmed, actual_.programmed, kProgrammed) ||
            table("point", expected_.point, actual_.point) || table("axes", expected_.axes, actual_.axes) ||
            table("machine", expected_.machine, actual_.machine) || tool_axis() || space() || arc() || feed();
   }
@@ -146,8 +148,16 @@ class Comparison {
   bool lengths(std::string_view field, const std::array<Real, 3>* e, const std::array<Number, 3>* a) {
     if (!rules_.judges(field) || absent({field}, e != nullptr, a != nullptr)) return found_;
     if (e == nullptr) return false;
+    std::array<double, 3> off{};
+    if (!scale_.heads.empty())
+      for (std::size_t i = 0; i < 3; ++i) off.at(i) = signed_distance((*e)[i], (*a)[i]);
+    const bool by_conditions = !scale_.heads.empty() && placed(off);
     for (std::size_t i = 0; i < 3; ++i)
-      if (length({field, "XYZ"[i]}, (*e)[i], (*a)[i])) return true;
+      if (by_conditions)
+        by_condition();
+      else if (number("coordinate", {field, "XYZ"[i]}, (*e)[i], (*a)[i], rules_.budget().coordinate, head_unit(),
+                      Measure::length))
+        return true;
     return false;
   }
 
@@ -215,7 +225,7 @@ class Comparison {
     const spec::Arc<Real>& e = *expected_.arc;
     const spec::Arc<Number>& a = *actual_.arc;
     if (named("plane", e.plane, a.plane) || named("direction", e.direction, a.direction) ||
-        table("center", e.center, a.center))
+        table("center", e.center, a.center, kProgrammed))
       return true;
     if (rules_.judges("radius")) {
       const bool same = e.radius.has_value() == a.radius.has_value();
@@ -249,19 +259,59 @@ class Comparison {
   bool table(std::string_view field, const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a,
              double error = 0) {
     if (!rules_.judges(field)) return false;
+    const bool by_conditions = error == 0 && placed(e, a);
+    const double unit = error == kProgrammed ? programmed_unit() : error == 0 ? head_unit() : length_unit(error);
     for (std::size_t i = 0; i < rules_.axes().size(); ++i) {
       const char letter = rules_.axes().letter(i);
       if (!e.has(i) && !a.has(i)) continue;
       const Path path{field, letter};
       if (absent(path, e.has(i), a.has(i))) return true;
-      const bool linear = spec::is_linear_axis(letter);
-      if (linear
-              ? number("coordinate", path, e[i], a[i], rules_.budget().coordinate, length_unit(error), Measure::length)
-              : number("coordinate", path, e[i], a[i], rules_.budget().rotary,
-                       policy::ulp(rotary_scale(e, i)) + scale_.pose.rotary.at(i), Measure::angle))
+      if (!spec::is_linear_axis(letter)) {
+        if (number("coordinate", path, e[i], a[i], rules_.budget().rotary,
+                   policy::ulp(rotary_scale(e, i)) + scale_.pose.rotary.at(i), Measure::angle))
+          return true;
+      } else if (by_conditions && letter >= 'X') {
+        by_condition();
+      } else if (number("coordinate", path, e[i], a[i], rules_.budget().coordinate, unit, Measure::length)) {
         return true;
+      }
     }
     return false;
+  }
+
+  // Whether X Y Z, in whatever frame parallel to that of the point, lie where two conditions place a head (head.h). Not
+  // asked where each is near enough by itself.
+  [[nodiscard]] bool placed(const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a) const {
+    if (scale_.heads.empty()) return false;
+    std::array<double, 3> off{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t axis = rules_.axes().index("XYZ"[i]);
+      if (axis == spec::Axes::kNone) continue;
+      if (!e.has(axis) || !a.has(axis)) return false;
+      off.at(i) = signed_distance(e[axis], a[axis]);
+    }
+    return placed(off);
+  }
+  [[nodiscard]] bool placed(const std::array<double, 3>& off) const {
+    const double k = rules_.budget().coordinate;
+    const auto near = [&](double x) { return std::fabs(x) <= k * head_unit() + rules_.resolution(); };
+    if (std::ranges::all_of(off, near)) return false;
+    const double size = std::hypot(off[0], off[1], off[2]);
+    const double rounded = 2 * rules_.resolution();
+    const auto within = [&](const HeadBand& band) {
+      const double out = off[0] * band.normal[0] + off[1] * band.normal[1] + off[2] * band.normal[2];
+      return std::fabs(out) <= k * band.width + band.curvature * size * size + rounded;
+    };
+    return std::ranges::any_of(scale_.heads, [&](const Head& head) {
+      return size <= k * head.reach + rounded && within(head.bands[0]) && within(head.bands[1]) && within(head.across);
+    });
+  }
+
+  // A value judged by conditions: the width of the narrowest pair is what it was granted.
+  void by_condition() {
+    double width = std::numeric_limits<double>::infinity();
+    for (const Head& head : scale_.heads) width = std::min(width, std::max(head.bands[0].width, head.bands[1].width));
+    count(moves(rules_.budget().coordinate * width, Measure::length));
   }
 
   [[nodiscard]] double rotary_scale(const spec::AxisValues<Real>& values, std::size_t axis) const {
@@ -269,10 +319,22 @@ class Comparison {
     return expected_.axes.has(axis) ? std::max(value, std::fabs(approximate(expected_.axes[axis]))) : value;
   }
 
+  // What is programmed has no part in the compensation, but may once have been made of axes.
+  static constexpr double kProgrammed = -1;
+  [[nodiscard]] double programmed_unit() const {
+    return policy::ulp(scale_.position) + scale_.carried / rules_.budget().coordinate;
+  }
+
+  // The same of what holds a head, where its two conditions judge what is farther off.
+  [[nodiscard]] double head_unit() const {
+    if (scale_.heads.empty()) return length_unit();
+    return programmed_unit() + scale_.rest * (scale_.vector > 0 ? policy::ulp(scale_.vector) : 0);
+  }
+
   // Of which lengths may be off k. `error`: of what else the length is made of.
   [[nodiscard]] double length_unit(double error = 0) const {
     const double own = scale_.condition * (scale_.vector > 0 ? policy::ulp(scale_.vector) : 0);
-    return policy::ulp(scale_.position) + scale_.pose.tip + std::max(own, error);
+    return programmed_unit() + scale_.pose.tip + std::max(own, error);
   }
 
   bool length(const Path& path, const Real& e, const Number& a, double error = 0) {
@@ -316,17 +378,25 @@ class Comparison {
     return 0;
   }
 
-  // k·unit (and the controller's resolution) around the enclosure.
-  bool number(std::string_view kind, const Path& path, const Real& e, const Number& a, double k, double unit = 0,
-              Measure measure = Measure::other) {
-    const double granted = moves(k * unit, measure);
-    if (measure != Measure::other) tally_.widths.add(granted);
-    if (granted > rules_.cap_um()) {
+  // A number that is granted that much.
+  void count(double granted_um) {
+    tally_.widths.add(granted_um);
+    if (granted_um > rules_.cap_um()) {
       ++tally_.wide;
     } else {
       ++tally_.values;
       ++tally_.numbers;
     }
+  }
+
+  // k·unit (and the controller's resolution) around the enclosure.
+  bool number(std::string_view kind, const Path& path, const Real& e, const Number& a, double k, double unit = 0,
+              Measure measure = Measure::other) {
+    const double granted = moves(k * unit, measure);
+    if (measure == Measure::other)
+      ++tally_.values, ++tally_.numbers;
+    else
+      count(granted);
     const bool linear = measure == Measure::length;
     const double distance = outside(e, a);
     if (distance == 0) return false;

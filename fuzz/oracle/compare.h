@@ -46,10 +46,10 @@ class Rules {
 struct Tally {
   std::uint64_t values = 0;
   std::uint64_t numbers = 0;
+  std::uint64_t wide = 0;
   std::uint64_t events = 0;
   std::uint64_t out_of_scope = 0;  // of the model's events, those behind one of reason OUT_OF_SCOPE
   bool scope_left = false;         // such an event was there
-  std::uint64_t wide = 0;
   double worst_ulp = 0;
   double worst_um = 0;
   Widths widths;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <string_view>
 
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
@@ -14,6 +16,19 @@ constexpr std::uint32_t kAngleRange = 19631;
 constexpr double kRadiansPerDegree = 0.017453292519943295;
 
 double magnitude(const spec::Decimal& d) { return std::fabs(approximate(d)); }
+
+// Whether a compensation may have made the vector of an event: the clauses it rests on name it, or no compensation.
+bool may_be(const model::Event& event, std::string_view section, std::string_view or_section = {}) {
+  constexpr std::string_view compensations[] = {"fanuc/leading-edge-offset", "fanuc/tool-side-compensation",
+                                                "fanuc/cutter-compensation-b", "fanuc/cutter-compensation-c"};
+  bool other = false;
+  for (const spec::Clause clause : event.clauses) {
+    const std::string_view of = spec::info(clause).section;
+    if (of == section || of == or_section) return true;
+    other = other || std::ranges::find(compensations, of) != std::end(compensations);
+  }
+  return !other;
+}
 
 double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
@@ -146,14 +161,37 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
     Vector tool{0, 0, 1};
     if (event.tool_axis)
       for (std::size_t i = 0; i < 3; ++i) tool[i] = approximate((*event.tool_axis)[i]);
-    scale.condition = condition(window, at, tool, compensation);
+    if (may_be(event, "fanuc/leading-edge-offset")) scale.condition = condition(window, at, tool, compensation);
     const bool kept = length(difference(compensation, vector_)) <= policy::kSlack * scale.vector + noise;
+    const auto corner_error = [&](Heads* heads) {
+      double error = 0;
+      if (may_be(event, "fanuc/cutter-compensation-b", "fanuc/cutter-compensation-c"))
+        error = corners_.error(window, index_, compensation, shift_, heads);
+      if (tool_plane_ && may_be(event, "fanuc/tool-side-compensation"))
+        error = std::max(error, tool_plane_->error(window, index_, compensation, tool, shift_, heads));
+      return error;
+    };
+    // The vector is made of a tool axis that may be off by more than an ulp.
+    const double tilt = std::max(1.0, scale.pose.direction / policy::ulp(1));
+    double rest = scale.condition;
+    scale.condition = std::max(rest, 1 + corner_error(nullptr) / scale.vector);
     if (kept) scale.condition = std::max(scale.condition, condition_);
-    double error = corners_.error(window, index_, compensation, shift_);
-    if (tool_plane_) error = std::max(error, tool_plane_->error(window, index_, compensation, tool, shift_));
-    scale.condition = std::max(scale.condition, 1 + error / scale.vector);
-    // The vector is made of a tool axis that is off by more than an ulp.
-    scale.condition *= std::max(1.0, scale.pose.direction / policy::ulp(1));
+    scale.condition *= tilt;
+    if (scale.condition * policy::ulp(scale.vector) > policy::kByConditions) {
+      Heads heads;
+      rest = std::max(rest, 1 + corner_error(&heads) / scale.vector) * tilt;
+      const double unit = tilt * policy::ulp(scale.vector) / scale.vector;
+      const double position = policy::ulp(scale.position) + scale.pose.tip;
+      for (Head& head : heads) {
+        for (HeadBand& band : head.bands) band.width = position + unit * (scale.vector + band.width);
+        head.across.width = position + unit * scale.vector;
+        head.reach = position + unit * (scale.vector + head.reach);
+      }
+      if (kept) heads.insert(heads.end(), heads_.begin(), heads_.end());
+      if (kept && heads_.empty()) rest = std::max(rest, condition_);
+      scale.heads = std::move(heads);
+      scale.rest = rest;
+    }
   } else {
     scale.vector = 0;
   }
@@ -163,6 +201,7 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
   point_ = point;
   vector_ = compensation;
   condition_ = scale.condition;
+  heads_ = scale.heads;
   return scale;
 }
 

@@ -54,6 +54,7 @@ class Conditions {
   Vector position_{};         // programmed, of the event before
   Vector vector_{};           // compensation, of the event before
   double condition_ = 1;      // of vector_
+  Heads heads_;               // that may have placed it
   Vector point_{};            // of the event before
   Vector shift_{};            // of point against programmed where there is no vector
   bool compensated_ = false;  // from a start-up to a cancel

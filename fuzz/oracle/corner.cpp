@@ -10,15 +10,22 @@ namespace toolcomp::fuzz {
 namespace {
 
 // X Y, Z X, Y Z.
-Flat in_plane(const Space& v, std::size_t plane) {
-  constexpr std::array<std::array<std::size_t, 2>, 3> axes = {{{0, 1}, {2, 0}, {1, 2}}};
-  return {v.at(axes.at(plane)[0]), v.at(axes.at(plane)[1])};
+constexpr std::array<std::array<std::size_t, 2>, 3> kInPlane = {{{0, 1}, {2, 0}, {1, 2}}};
+
+Flat in_plane(const Space& v, std::size_t plane) { return {v.at(kInPlane.at(plane)[0]), v.at(kInPlane.at(plane)[1])}; }
+
+Space in_space(const Flat& v, std::size_t plane) {
+  Space result{};
+  result.at(kInPlane.at(plane)[0]) = v[0];
+  result.at(kInPlane.at(plane)[1]) = v[1];
+  return result;
 }
 
-double normal_to(const Space& v, std::size_t plane) {
+std::size_t normal_axis(std::size_t plane) {
   constexpr std::array<std::size_t, 3> axes = {2, 1, 0};
-  return v.at(axes.at(plane));
+  return axes.at(plane);
 }
+double normal_to(const Space& v, std::size_t plane) { return v.at(normal_axis(plane)); }
 
 Space difference(const Space& a, const Space& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
@@ -48,7 +55,7 @@ std::optional<FlatPiece> Corners::piece(const model::Event& event, const std::ar
 }
 
 double Corners::error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
-                      const Space& vector, const Space& shift) const {
+                      const Space& vector, const Space& shift, Heads* heads) const {
   const Space at = space_of(window.front().programmed, index);
   double worst = 0;
   for (std::size_t plane = 0; plane < 3; ++plane) {
@@ -65,11 +72,25 @@ double Corners::error(std::span<const model::Event> window, const std::array<std
       cancels = window[i].cause == spec::Cause::cancel;
     }
     if (!former) continue;
+    const auto cross_at = [&](const HeadCondition& a, const HeadCondition& b) {
+      const double error = crossing(a, b, length(v));
+      if (heads == nullptr) worst = std::max(worst, error);
+      if (heads == nullptr || error == 0) return;
+      Head& head = heads->emplace_back();
+      for (const std::size_t i : {0U, 1U}) {
+        const HeadCondition& condition = i == 0 ? a : b;
+        head.bands.at(i) = {in_space(condition.normal, plane), condition.off(),
+                            condition.reach > 0 ? 1 / condition.reach : 0};
+      }
+      head.across.normal = in_space({0, 0}, plane);
+      head.across.normal.at(normal_axis(plane)) = 1;
+      head.reach = error;
+    };
     for (const auto& a : head_conditions(*former, corner, v)) {
       if (!a) continue;
       if (latter)
         for (const auto& b : head_conditions(*latter, corner, v))
-          if (b) worst = std::max(worst, crossing(*a, *b, length(v)));
+          if (b) cross_at(*a, *b);
       if (!cancels) continue;
       // G40 with I and J: some line at the same distance, on either side of the vector.
       const double along = std::sqrt(std::max(0.0, dot(v, v) - a->distance * a->distance));
@@ -81,7 +102,7 @@ double Corners::error(std::span<const model::Event> window, const std::array<std
         line.distance = a->distance;
         line.slide = along;
         line.size = length(v);
-        worst = std::max(worst, crossing(*a, line, length(v)));
+        cross_at(*a, line);
       }
     }
   }

@@ -11,9 +11,6 @@
 
 namespace toolcomp::fuzz {
 
-// X Y Z in setup units, 0 where the setup has no such axis. In double: an estimate, and no part of a verdict by itself.
-using Space = std::array<double, 3>;
-
 // Corners of cutter compensation B and C.
 //
 // A head is determined by two conditions: its distance from the straight line of a block, or from the centre of an arc.
@@ -28,9 +25,10 @@ class Corners {
  public:
   // The error of the head `window[0]` goes to, in multiples of an error of one unit in one unit of length, beyond that
   // of the vector's own length. `vector` is its compensation vector, `window` as for Conditions::next, `shift` what
-  // stands between programmed and actual positions without a vector.
+  // stands between programmed and actual positions without a vector. `heads`: what may place
+  // it where two conditions cross, in the same multiples; then the error is that of the rest.
   [[nodiscard]] double error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
-                             const Space& vector, const Space& shift) const;
+                             const Space& vector, const Space& shift, Heads* heads = nullptr) const;
   // Takes the movement of `event`, which starts at `from`.
   void follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Space& from,
               const Space& shift);

@@ -32,6 +32,7 @@ std::array<std::optional<HeadCondition>, 2> head_conditions(const FlatPiece& pie
   circle.slide = tangent.slide;
   circle.error = circle.size = reach + radius;
   circle.weight = piece.weight;
+  circle.reach = reach;
   return found;
 }
 
@@ -45,7 +46,7 @@ double crossing(const HeadCondition& a, const HeadCondition& b, double length) {
   const double sine = std::fabs(cross(a.normal, b.normal));
   if (sine < policy::kParallel) return 0;
   const bool circles = a.error > 0 || b.error > 0;
-  return (a.weight * (a.slide + a.error) + b.weight * (b.slide + b.error) + (circles ? length : 0)) / sine;
+  return (a.off() + b.off() + (circles ? length : 0)) / sine;
 }
 
 }  // namespace toolcomp::fuzz

@@ -3,11 +3,15 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace toolcomp::fuzz {
 
 // A vector of a plane, in setup units; in double: an estimate.
 using Flat = std::array<double, 2>;
+
+// X Y Z in setup units, 0 where the setup has no such axis. In double: an estimate, and no part of a verdict by itself.
+using Space = std::array<double, 3>;
 
 inline Flat operator-(const Flat& a, const Flat& b) { return {a[0] - b[0], a[1] - b[1]}; }
 inline Flat operator+(const Flat& a, const Flat& b) { return {a[0] + b[0], a[1] + b[1]}; }
@@ -32,6 +36,10 @@ struct HeadCondition {
   double error = 0;     // of the distance, besides the slide's: of centre and radius
   double size = 0;      // of the numbers it is made of
   double weight = 1;    // of the piece
+  double reach = 0;     // of a circle: its radius
+
+  // What its distance is off by, in multiples of an error of one unit of its directions.
+  [[nodiscard]] double off() const { return weight * (slide + error); }
 };
 
 // By the path itself, and for an arc by its tangent too: the vectors of an outer corner are made of tangents.
@@ -40,5 +48,22 @@ std::array<std::optional<HeadCondition>, 2> head_conditions(const FlatPiece& pie
 
 // The error of a head of a vector of this length that lies where the two cross; 0 where it does not.
 double crossing(const HeadCondition& a, const HeadCondition& b, double length);
+
+// A head in space that two conditions place: where they cross at a small angle it is hardly determined along both, but
+// well across either. So it is judged by the conditions themselves, as a mitre near a reversal: on both offset lines.
+struct HeadBand {
+  Space normal{};        // unit
+  double width = 0;      // that a head may be off in it, less the policy's k
+  double curvature = 0;  // of a circle: for each square of what it is off at all
+};
+struct Head {
+  std::array<HeadBand, 2> bands;
+  HeadBand across;   // of the plane in which they lie
+  double reach = 0;  // that it may be off at all, less k
+};
+
+// Those that a vector of this length may have been placed by; a condition of weight w and error e per unit of its
+// directions is off by w · e.
+using Heads = std::vector<Head>;
 
 }  // namespace toolcomp::fuzz

@@ -321,10 +321,10 @@ class Judge {
   static void take(Verdict& v, const Tally& tally) {
     v.values = tally.values;
     v.numbers = tally.numbers;
-    v.events = tally.events;
-    v.out_of_scope = tally.out_of_scope;
     v.wide = tally.wide;
     v.widths = tally.widths;
+    v.events = tally.events;
+    v.out_of_scope = tally.out_of_scope;
     v.worst_ulp = tally.worst_ulp;
     v.worst_um = tally.worst_um;
   }

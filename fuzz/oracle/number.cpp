@@ -35,6 +35,15 @@ double outside(const exact::Real& exact, const exact::Rational& actual) {
   return 0;
 }
 
+double signed_distance(const exact::Real& exact, double actual) {
+  if (!std::isfinite(actual)) return actual;
+  return signed_distance(exact, exact::Rational(actual));
+}
+
+double signed_distance(const exact::Real& exact, const exact::Rational& actual) {
+  return approximate(exact::Real(actual) - exact);
+}
+
 double approximate(const exact::Real& exact) {
   const exact::DoubleEnclosure e = exact.double_enclosure();
   return e.lower + (e.upper - e.lower) / 2;

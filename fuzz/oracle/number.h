@@ -14,6 +14,10 @@ namespace toolcomp::fuzz {
 double outside(const exact::Real& exact, double actual);
 double outside(const exact::Real& exact, const exact::Rational& actual);
 
+// `actual` less `exact`, to double precision; NaN for NaN.
+double signed_distance(const exact::Real& exact, double actual);
+double signed_distance(const exact::Real& exact, const exact::Rational& actual);
+
 // The value to double precision, for scales and conditions.
 double approximate(const exact::Real& exact);
 double approximate(const spec::Decimal& value);

@@ -24,7 +24,7 @@ class Pairing {
   std::optional<Difference> next(std::span<const model::Event> window, const spec::Event<Number>& actual,
                                  Tally& tally) {
     Scale scale = conditions_.next(window);
-    scale.pose.tip += fit_.carried() / rules_.budget().coordinate;
+    scale.carried = fit_.carried();
     double direction = 0;
     Tally judged = tally;
     std::optional<Difference> difference = compare(rules_, window.front(), scale, actual, judged);

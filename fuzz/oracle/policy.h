@@ -6,6 +6,9 @@
 //   names of settings, which axes are present
 //   linear coordinates, centres, radii            inside the enclosure widened by
 //                                                 k · (ulp(scale) + condition · ulp(|compensation vector|))
+//   … where two conditions place the head         each coordinate so with the condition of the rest; or the head within
+//   k · (offset lines and circles that cross at       their own error of both conditions and of their plane, and within
+//   a small angle; head.h)                        the width above
 //   rotary axes                                   … by k · ulp(value) (machine: value or axes, the larger); under tool
 //                                                 center point control k · (ulp(value) + ulp(1) in degrees); or where
 //                                                 they fit (pose_fit.h), and then what follows is judged from there
@@ -102,6 +105,10 @@ constexpr const Budget& budget(std::string_view section) {
 inline constexpr double kCap = 1;
 inline constexpr double kMostWide = 0.01;
 inline constexpr double kMicrometresAtOneMetre = 1e6;  // of a radian
+
+// Setup units, less k: where more would be granted to the head of a vector that two conditions place, it is judged by
+// these (head.h).
+inline constexpr double kByConditions = 0x1p-34;
 
 // Degrees: a sweep with an error of this size is not judged.
 inline constexpr double kUnknownSweep = 90;

@@ -24,9 +24,27 @@ bool moves(const model::Event& event) { return event.kind == spec::EventKind::mo
 
 }  // namespace
 
+RotaryZeros::RotaryZeros(const spec::Setup& setup, const std::optional<RotaryMachine>& machine)
+    : counts_(machine && setup.rotary_angles == spec::RotaryAngles::machine) {
+  if (!counts_) return;
+  axis_ = {machine->tool, machine->work};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (axis_.at(i) == spec::Axes::kNone) continue;
+    const auto found = setup.workpiece.front().find(setup.axes.letter(axis_.at(i)));
+    if (found != setup.workpiece.front().end()) zero_.at(i) = approximate(found->second);
+  }
+}
+
+void RotaryZeros::follow(const model::Event& event) {
+  for (std::size_t i = 0; counts_ && i < 2; ++i)
+    if (const std::size_t axis = axis_.at(i); event.machine.has(axis) && event.axes.has(axis))
+      zero_.at(i) = approximate(event.machine[axis]) - approximate(event.axes[axis]);
+}
+
 PoseErrors::PoseErrors(const spec::Setup& setup, const ProgramFacts* facts)
     : axes_(setup.axes),
       machine_(RotaryMachine::of(setup)),
+      zeros_(setup, machine_),
       index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
       facts_(facts) {}
 
@@ -49,8 +67,10 @@ Space PoseErrors::travel(const model::Event& event, const Space& point) const {
 
 // How much more than e a direction is off that was leant by a Q word towards the travel: the plane of the two is as
 // good as their angle is large.
-double PoseErrors::leant(const Space& direction, const Space& travel, std::uint64_t line) const {
-  const double lean = facts_ == nullptr ? 0 : facts_->lean(line);
+double PoseErrors::leant(const Space& direction, const Space& travel, const model::Event& event) const {
+  const double lean = facts_ == nullptr ? 0 : facts_->lean(event.line);
+  // Along the travel nothing leans.
+  if (!event.clauses.empty() && !event.clauses.contains(spec::Clause::fanuc_tool_center_point_lean)) return 1;
   const Space normal = product(direction, travel);
   const double size = norm(normal);
   if (lean == 0 || !(norm(travel) > 0)) return 1;
@@ -71,19 +91,24 @@ PoseErrors::End PoseErrors::end(const model::Event& event) const {
   if (event.tool_axis)
     for (std::size_t i = 0; i < 3; ++i) end.direction.at(i) = approximate((*event.tool_axis)[i]);
   end.point = space_of(event.point, index_);
-  end.error = policy::ulp(1) * leant(end.direction, travel(event, end.point), event.line);
+  end.error = policy::ulp(1) * leant(end.direction, travel(event, end.point), event);
   return end;
 }
 
-// sin((1-t)A)/sin A and sin(tA)/sin A multiply the errors of the ends, and the plane turns by them over |V + W|.
+// On a great circle errors of the ends weigh sin((1-t)A)/sin A and sin(tA)/sin A, together 1/cos(A/2) = 2/|V + W| at
+// most. Under conventional control the direction is that of the positions.
 double PoseErrors::inside(std::span<const model::Event> window) const {
+  const model::Event& event = window.front();
   End to = before_;
   const auto next = std::ranges::find_if(window, moves);
   if (next != window.end()) to = end(*next);
-  // Unit vectors, or zero where no event before said one.
+  const double ends = std::max({before_.error, to.error, policy::ulp(1)});
+  if (machine_ && !event.clauses.contains(spec::Clause::fanuc_tool_posture_great_circle)) return ends;
+  // Unit vectors, or zero where no event before said one. Exactly opposite ones have no great circle.
   const bool known = scalar(before_.direction, before_.direction) > 0 && scalar(to.direction, to.direction) > 0;
-  const double bisector = known ? std::max(norm(sum(before_.direction, to.direction)), policy::kSlack) : 2;
-  return std::max({before_.error, to.error, policy::ulp(1)}) * (1 + 2 / bisector);
+  const double bisector = known ? norm(sum(before_.direction, to.direction)) : 2;
+  if (bisector < policy::kEstimateNoise) return ends;
+  return ends * 2 / std::max(bisector, policy::kSlack);
 }
 
 void PoseErrors::rotary(std::span<const model::Event> window, PoseScale& scale) const {
@@ -96,8 +121,12 @@ void PoseErrors::rotary(std::span<const model::Event> window, PoseScale& scale) 
     if (sample && end != window.end() && end->axes.has(i))
       largest = std::max(largest, std::fabs(approximate(end->axes[i])));
     if (sample) scale.rotary.at(i) = policy::ulp(largest);
-    if (machine_ && (i == machine_->tool || i == machine_->work))
-      scale.rotary.at(i) += policy::ulp(1) * kDegreesPerRadian;
+    if (!machine_ || (i != machine_->tool && i != machine_->work)) continue;
+    scale.rotary.at(i) += policy::ulp(1) * kDegreesPerRadian;
+    // A position is rounded as the angle that it is made of.
+    const double zero = i == machine_->tool ? zeros_.tool() : zeros_.work();
+    const model::Event& event = window.front();
+    if (zero != 0 && event.axes.has(i)) scale.rotary.at(i) += policy::ulp(approximate(event.axes[i]) + zero);
   }
 }
 
@@ -110,6 +139,7 @@ PoseScale PoseErrors::next(std::span<const model::Event> window) {
     return scale;
   }
   if (!moves(event)) return scale;
+  zeros_.follow(event);
   before_ = end(event);
   axes_before_ = event.axes;
   scale.direction = before_.error;
@@ -122,7 +152,8 @@ void PositionErrors::follow(const model::Event& event) {
   // In a block of which no move is given, an alarm say, positions are those of the block before.
   double& worst = of_line_.try_emplace(event.line, before_).first->second;
   if (!moves(event) || !event.axes.has(machine_->tool)) return;
-  const Posture posture(*machine_, approximate(event.axes[machine_->tool]));
+  zeros_.follow(event);
+  const Posture posture(*machine_, approximate(event.axes[machine_->tool]) + zeros_.tool());
   const double e = policy::ulp(1);
   before_ = posture.singular ? 1 : std::max(posture.tool_error(e), posture.work_error(e)) / e;
   worst = std::max(worst, before_);

@@ -21,6 +21,22 @@ struct PoseScale {
   double tip = 0;                               // of every X Y Z
 };
 
+// The angles of the tool-side and the work-side axis: positions of events plus the machine positions of their zeros, as
+// the last event says them that has machine coordinates, at first those of the setup; none where programmed positions
+// are the angles.
+class RotaryZeros {
+ public:
+  RotaryZeros(const spec::Setup& setup, const std::optional<RotaryMachine>& machine);
+  void follow(const model::Event& event);
+  [[nodiscard]] double tool() const { return zero_[0]; }
+  [[nodiscard]] double work() const { return zero_[1]; }
+
+ private:
+  bool counts_;
+  std::array<std::size_t, 2> axis_{spec::Axes::kNone, spec::Axes::kNone};
+  std::array<double, 2> zero_{};
+};
+
 // Follows the events of one run, in order.
 //
 // A direction is good to e = ulp(1); one that a Q word leans towards the travel is worse as the plane of the two is
@@ -46,12 +62,13 @@ class PoseErrors {
 
   [[nodiscard]] End end(const model::Event& event) const;
   [[nodiscard]] double inside(std::span<const model::Event> window) const;
-  [[nodiscard]] double leant(const Space& direction, const Space& travel, std::uint64_t line) const;
+  [[nodiscard]] double leant(const Space& direction, const Space& travel, const model::Event& event) const;
   [[nodiscard]] Space travel(const model::Event& event, const Space& point) const;
   void rotary(std::span<const model::Event> window, PoseScale& scale) const;
 
   spec::Axes axes_;
   std::optional<RotaryMachine> machine_;
+  RotaryZeros zeros_;
   std::array<std::size_t, 3> index_;  // of X Y Z
   const ProgramFacts* facts_;
   End before_;
@@ -68,7 +85,7 @@ struct Deviation {
 // decision on them is off by.
 class PositionErrors {
  public:
-  explicit PositionErrors(const spec::Setup& setup) : machine_(RotaryMachine::of(setup)) {}
+  explicit PositionErrors(const spec::Setup& setup) : machine_(RotaryMachine::of(setup)), zeros_(setup, machine_) {}
   // The events of one run, in order.
   void follow(const model::Event& event);
   // 1 where nothing is known.
@@ -82,6 +99,7 @@ class PositionErrors {
 
  private:
   std::optional<RotaryMachine> machine_;
+  RotaryZeros zeros_;
   double before_ = 1;
   std::map<std::uint64_t, double> of_line_;
   std::span<const Deviation> deviations_;

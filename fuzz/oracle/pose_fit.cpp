@@ -5,6 +5,7 @@
 
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
+#include "model/program/number.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -30,8 +31,6 @@ Rational rational(double x) { return Rational(x); }
 const Rational& rational(const Rational& x) { return x; }
 bool finite(double x) { return std::isfinite(x); }
 bool finite(const Rational&) { return true; }
-double distance(const Real& expected, double actual) { return actual - approximate(expected); }
-double distance(const Real& expected, const Rational& actual) { return approximate(Real(actual) - expected); }
 
 double length(const Vector& v) { return std::hypot(approximate(v.x), approximate(v.y), approximate(v.z)); }
 Vector vector(const std::array<Real, 3>& v) { return {v[0], v[1], v[2]}; }
@@ -62,7 +61,13 @@ PoseFit<Number>::PoseFit(const Rules& rules, const spec::Setup& setup, const Pro
     : rules_(rules),
       facts_(facts),
       index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
-      estimate_(RotaryMachine::of(setup)) {
+      estimate_(RotaryMachine::of(setup)),
+      mechanical_(setup.rotary_angles == spec::RotaryAngles::machine) {
+  for (std::size_t i = 0; i < setup.axes.size(); ++i) {
+    const auto found = setup.workpiece.front().find(setup.axes.letter(i));
+    if (found != setup.workpiece.front().end() && spec::is_rotary_axis(setup.axes.letter(i)))
+      zero_.at(i) = model::plain(found->second);
+  }
   if (!estimate_) return;
   machine_.emplace(setup);
   in_workpiece_ = machine_->programs_workpiece() && machine_->type() != model::MachineType::head;
@@ -97,9 +102,15 @@ PoseFit<Number>::Positions PoseFit<Number>::of(const spec::Event<Number>& actual
 template <class Number>
 PoseFit<Number>::Off PoseFit<Number>::off(const model::Event& expected, const spec::Event<Number>& actual) const {
   const auto of_axis = [&](const model::Turn& turn) {
-    return turn.axis ? distance(expected.axes[*turn.axis], actual.axes[*turn.axis]) : 0;
+    return turn.axis ? signed_distance(expected.axes[*turn.axis], actual.axes[*turn.axis]) : 0;
   };
   return {of_axis(machine_->tool_side()), of_axis(machine_->work_side())};
+}
+
+template <class Number>
+void PoseFit<Number>::find_zeros(const model::Event& event) {
+  for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
+    if (event.machine.has(i) && event.axes.has(i)) zero_.at(i) = middle(event.machine[i]) - middle(event.axes[i]);
 }
 
 // The pose of the block that begins the mode freezes the programming coordinate system.
@@ -205,25 +216,40 @@ bool PoseFit<Number>::goes_as_expected(std::span<const model::Event> window, con
 template <class Number>
 std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::seen(std::span<const model::Event> window,
                                                                     const spec::Event<Number>& actual,
-                                                                    const Scale& scale) const {
+                                                                    const Scale& scale) {
   const model::Event& event = window.front();
   if (event.kind != actual.kind || (event.kind != EventKind::move && event.kind != EventKind::sample))
     return std::nullopt;
   if (!machine_) return without_kinematics(event, actual, scale);
   if (!has_positions(event, actual)) return std::nullopt;
+  find_zeros(event);
   const View at = view(event, actual);
   // In coordinates whose zero no event has said positions do not tell what the tool is.
   if (!at.controlled && length(machine_->direction(at.expected.pose()) - at.tool) > policy::kEstimateNoise)
     return std::nullopt;
   if (!turns_into(at, scale) && !goes_as_expected(window, at)) return std::nullopt;
   const double direction = length(at.own_tool - at.tool);
-  return Seen{adjusted(at), direction};
+  return Seen{adjusted(at, off_tip(event, actual, scale)), direction};
+}
+
+// A tip that two conditions place (head.h) lies where the controller has it; that it may is judged as of any point.
+template <class Number>
+Vector PoseFit<Number>::off_tip(const model::Event& event, const spec::Event<Number>& actual,
+                                const Scale& scale) const {
+  Vector off;
+  if (scale.heads.empty() || in_workpiece_) return off;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = index_.at(i);
+    if (axis == spec::Axes::kNone || !event.point.has(axis) || !actual.point.has(axis)) continue;
+    if (finite(actual.point[axis])) model::component(off, i) = Real(rational(actual.point[axis])) - event.point[axis];
+  }
+  return off;
 }
 
 // The event with the controller's own rotary positions, and what follows from them. On the work stand: the tip, where
 // it is programmed on the table; its coordinates in the workpiece system, where it is programmed in that.
 template <class Number>
-model::Event PoseFit<Number>::adjusted(const View& view) const {
+model::Event PoseFit<Number>::adjusted(const View& view, const Vector& off_tip) const {
   model::Event event = view.event;
   const auto place = [&](const model::Turn& turn, const Rational& own) {
     if (!turn.axis) return;
@@ -250,7 +276,7 @@ model::Event PoseFit<Number>::adjusted(const View& view) const {
   }
   const Vector axes = linear(event.axes);
   const Real length = dot(axes - view.frame.control_point(tip, expected, 0), machine_->direction_in_machine(expected));
-  const Vector own_axes = view.own_frame.control_point(own_tip, own, length);
+  const Vector own_axes = view.own_frame.control_point(own_tip + off_tip, own, length);
   if (!event.machine.empty()) set_linear(event.machine, linear(event.machine) + own_axes - axes);
   set_linear(event.axes, own_axes);
   return event;
@@ -292,13 +318,11 @@ void PoseFit<Number>::follow(const model::Event& expected, const spec::Event<Num
   if (!controlled || begins(expected)) carried_ = std::max(carried_, last_);
   last_ = 0;
   const bool axes = rules_.judges("axes");
-  for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
-    if (expected.machine.has(i) && expected.axes.has(i))
-      zero_.at(i) = middle(expected.machine[i]) - middle(expected.axes[i]);
+  find_zeros(expected);
   if (controlled && axes)
     for (const std::size_t i : index_)
       if (i != spec::Axes::kNone && expected.axes.has(i) && actual.axes.has(i) && finite(actual.axes[i]))
-        last_ = std::max(last_, std::fabs(distance(expected.axes[i], actual.axes[i])));
+        last_ = std::max(last_, std::fabs(signed_distance(expected.axes[i], actual.axes[i])));
   if (has_positions(expected, actual)) {
     before_ = off(expected, actual);
     direction_ = direction;

@@ -40,7 +40,7 @@ class PoseFit {
   };
   // Of window[0]; `window` as for Conditions::next. Nothing where the positions do not fit, or where there are none.
   [[nodiscard]] std::optional<Seen> seen(std::span<const model::Event> window, const spec::Event<Number>& actual,
-                                         const Scale& scale) const;
+                                         const Scale& scale);
 
   // Goes on behind a pair that agreed, `direction` as above.
   void follow(const model::Event& expected, const spec::Event<Number>& actual, double direction);
@@ -69,12 +69,15 @@ class PoseFit {
   [[nodiscard]] Positions of(const model::Event& expected) const;
   [[nodiscard]] Positions of(const spec::Event<Number>& actual) const;
   [[nodiscard]] Off off(const model::Event& expected, const spec::Event<Number>& actual) const;
+  void find_zeros(const model::Event& event);
   [[nodiscard]] bool begins(const model::Event& event) const;
   [[nodiscard]] View view(const model::Event& event, const spec::Event<Number>& actual) const;
 
   [[nodiscard]] bool turns_into(const View& view, const Scale& scale) const;
   [[nodiscard]] bool goes_as_expected(std::span<const model::Event> window, const View& view) const;
-  [[nodiscard]] model::Event adjusted(const View& view) const;
+  [[nodiscard]] model::Vector off_tip(const model::Event& event, const spec::Event<Number>& actual,
+                                      const Scale& scale) const;
+  [[nodiscard]] model::Event adjusted(const View& view, const model::Vector& off_tip) const;
   [[nodiscard]] std::optional<Seen> without_kinematics(const model::Event& event, const spec::Event<Number>& actual,
                                                        const Scale& scale) const;
   // What a position of a rotary axis lacks to the angle by which it turns.

@@ -18,7 +18,7 @@ struct RotaryMachine {
   Type type = Type::head;
   std::size_t tool = spec::Axes::kNone;  // the tool-side axis; kNone: hypothetical
   std::size_t work = spec::Axes::kNone;
-  double tool_angle = 0;  // of a hypothetical axis, degrees
+  double tool_angle = 0;  // at the position 0, degrees: of a hypothetical axis, or where positions have a zero
   double work_angle = 0;
   double tool_sense = 1;
   double work_sense = 1;

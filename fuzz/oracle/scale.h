@@ -1,6 +1,7 @@
 // What the policy multiplies its k with.
 #pragma once
 
+#include "fuzz/oracle/head.h"
 #include "fuzz/oracle/pose_error.h"
 
 namespace toolcomp::fuzz {
@@ -11,7 +12,12 @@ struct Scale {
   double vector = 0;     // length of the compensation vector
   double condition = 1;  // error of the vector over error of the directions it is made of
   double start = 0;      // the same product of the vector with which an arc begins
-  double turn = 0;   // arcs with a vector: sum over both ends of one unit of length over their distance to the centre
+  double turn = 0;  // arcs with a vector: sum over both ends of one unit of length over their distance to the centre
+  // Where the condition is large: heads that may place the vector, in lengths, and the condition of what does not.
+  Heads heads{};
+  double rest = 1;
+  double carried =
+      0;             // what X Y Z are off by that were once those of axes under tool center point control; not times k
   PoseScale pose{};  // what the rotary positions add; 3D compensation: what its directions add to every X Y Z
 };
 

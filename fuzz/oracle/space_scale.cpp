@@ -80,7 +80,10 @@ Scale SpaceScales::next(std::span<const model::Event> window) {
     scale.position = largest(scale.position, event.space->tool_center);
     if (event.space->carrier) scale.position = largest(scale.position, *event.space->carrier);
     if (event.space->contact) scale.position = largest(scale.position, event.space->contact->point);
-    scale.pose.tip = event.space->contact ? face(event) : beside(window, at);
+    if (event.space->contact)
+      scale.pose.tip = face(event);
+    else
+      beside(window, at, scale);
   }
   if (!event.space || event.space->contact) former_ = 0;
   before_ = at;
@@ -115,9 +118,9 @@ double SpaceScales::steepest(double angle) const {
   return slope;
 }
 
-double SpaceScales::beside(std::span<const model::Event> window, const Space& at) {
+void SpaceScales::beside(std::span<const model::Event> window, const Space& at, Scale& scale) {
   const model::Event& event = window.front();
-  if (!event.tool_axis) return 0;
+  if (!event.tool_axis) return;
   const Space tool = space_of(*event.tool_axis);
   const auto across_tool = [&](Space v) {
     const double along = dot(v, tool);
@@ -138,16 +141,39 @@ double SpaceScales::beside(std::span<const model::Event> window, const Space& at
   const std::optional<double> own_error = error_of(tool, before_, at);
   const std::optional<double> next_error = error_of(tool, at, next);
   const double worst = std::max(own_error.value_or(former_), next_error.value_or(former_));
-  const Space path = own_error ? difference(at, before_) : difference(next, at);
-  // The offset, which the vector has across either path.
-  double offset = size;
-  if (own_error || next_error) {
+  // The offset, which a mitre has across either path; a perpendicular has all of it across one.
+  const auto offset_across = [&](const Space& path) {
     const Space across = cross(tool, path);
-    offset = std::fabs(dot(vector, across)) / length(across);
+    return std::fabs(dot(vector, across)) / length(across);
+  };
+  double offset = size;
+  if (own_error) offset = offset_across(difference(at, before_));
+  if (next_error) {
+    const double other = offset_across(difference(next, at));
+    const bool mitre = !own_error || std::fabs(other - offset) <= policy::kSlack * size;
+    offset = mitre ? other : std::max(offset, other);
   }
   former_ = next_error.value_or(own_error.value_or(former_));
-  if (size == 0) return 0;
-  return size * worst * (1 + size / std::max(offset, size * policy::kParallel));
+  if (size == 0) return;
+  scale.pose.tip = size * worst * (1 + size / std::max(offset, size * policy::kParallel));
+  if (scale.pose.tip <= policy::kByConditions || !own_error || !next_error) return;
+  // On the offset line of either block.
+  const double position = policy::ulp(scale.position);
+  Head head;
+  const auto band = [&](const Space& from, const Space& to, double error) {
+    const Space across = cross(tool, difference(to, from));
+    const double length_across = length(across);
+    HeadBand result;
+    for (std::size_t i = 0; i < 3; ++i) result.normal.at(i) = across.at(i) / length_across;
+    result.width = position + size * error;
+    return result;
+  };
+  head.bands = {band(before_, at, *own_error), band(at, next, *next_error)};
+  head.across.normal = tool;
+  head.across.width = position + size * policy::ulp(1);
+  head.reach = position + scale.pose.tip;
+  scale.heads = {head};
+  scale.vector = size;
 }
 
 }  // namespace toolcomp::fuzz

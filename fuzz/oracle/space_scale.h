@@ -41,7 +41,7 @@ class SpaceScales {
  private:
   [[nodiscard]] double face(const model::Event& event) const;
   [[nodiscard]] double steepest(double angle) const;
-  double beside(std::span<const model::Event> window, const Space& at);
+  void beside(std::span<const model::Event> window, const Space& at, Scale& scale);
 
   std::array<std::size_t, 3> index_;  // of X Y Z
   double to_program_ = 1;             // mm to units of the program

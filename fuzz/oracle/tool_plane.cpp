@@ -34,6 +34,11 @@ class Plane {
     second_ = product(tool, first_);
   }
   [[nodiscard]] Flat flat(const Space& v) const { return {scalar(v, first_), scalar(v, second_)}; }
+  [[nodiscard]] Space space(const Flat& v) const {
+    Space result{};
+    for (std::size_t i = 0; i < 3; ++i) result.at(i) = v[0] * first_.at(i) + v[1] * second_.at(i);
+    return result;
+  }
 
  private:
   Space first_{};
@@ -81,7 +86,7 @@ std::optional<ToolPlane::Piece> ToolPlane::piece(const model::Event& event, cons
 }
 
 double ToolPlane::error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
-                        const Space& vector, const Space& tool, const Space& shift) const {
+                        const Space& vector, const Space& tool, const Space& shift, Heads* heads) const {
   const Plane plane(tool);
   const Flat v = plane.flat(vector);
   const double size = length(v);
@@ -117,11 +122,26 @@ double ToolPlane::error(std::span<const model::Event> window, const std::array<s
     from = space_of(window[i].programmed, index);
   }
   double worst = 0;
+  double crossed = 0;
   for (const auto* side : {&former, &latter})
     for (const HeadCondition& a : *side) worst = std::max(worst, alone(a, size));
   for (const HeadCondition& a : former)
-    for (const HeadCondition& b : latter) worst = std::max(worst, crossing(a, b, size));
-  return worst;
+    for (const HeadCondition& b : latter) {
+      const double error = crossing(a, b, size);
+      crossed = std::max(crossed, error);
+      if (heads == nullptr || error == 0) continue;
+      Head& head = heads->emplace_back();
+      for (const std::size_t i : {0U, 1U}) {
+        const HeadCondition& condition = i == 0 ? a : b;
+        head.bands.at(i) = {plane.space(condition.normal), condition.off(),
+                            condition.reach > 0 ? 1 / condition.reach : 0};
+      }
+      head.across.normal = tool;
+      head.reach = error;
+    }
+  // What one direction makes no two conditions place.
+  if (heads != nullptr) return worst;
+  return std::max(worst, crossed);
 }
 
 void ToolPlane::follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Space& from,

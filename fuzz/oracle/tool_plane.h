@@ -28,7 +28,7 @@ class ToolPlane {
  public:
   // As Corners::error; `tool` is the unit direction with which the vector was made.
   [[nodiscard]] double error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
-                             const Space& vector, const Space& tool, const Space& shift) const;
+                             const Space& vector, const Space& tool, const Space& shift, Heads* heads = nullptr) const;
   // Takes the movement of `event`, which starts at `from`.
   void follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Space& from,
               const Space& shift);

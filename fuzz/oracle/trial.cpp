@@ -1,7 +1,10 @@
 #include "fuzz/oracle/trial.h"
 
 #include <optional>
+#include <utility>
 
+#include "fuzz/laws/changed_program.h"
+#include "fuzz/laws/laws.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fuzz {
@@ -42,6 +45,30 @@ std::string_view name(Acceptance acceptance) {
   return names[static_cast<std::size_t>(acceptance)];
 }
 
+std::uint64_t hold_laws(const spec::Case& c, const ModelRun& run, Verdict& verdict) {
+  if (verdict.outcome != Outcome::agrees && verdict.outcome != Outcome::nothing_judged) return 0;
+  laws::Verdict held = laws::hold(c, run.events);
+  if (!held.violation) {
+    const laws::Verdict changed =
+        laws::hold_changed(c, run.events, [](const spec::Case& other) { return run_model(other).events; });
+    held.checks += changed.checks;
+    held.violation = changed.violation;
+  }
+  if (!held.violation) return held.checks;
+  const laws::Violation& violation = *held.violation;
+  verdict.outcome = Outcome::differs;
+  Difference& d = verdict.difference.emplace();
+  d.kind = "law";
+  d.expected = violation.text;
+  d.actual = violation.amount.empty() ? "not so" : violation.amount;
+  d.field = violation.law;
+  d.line = violation.line;
+  d.event = violation.event;
+  if (violation.event < run.events.size()) d.clauses = run.events[violation.event].clauses;
+  if (!d.clauses.empty()) d.clause = d.clauses.back();
+  return held.checks;
+}
+
 Trial try_case(const spec::Case& c) {
   Trial trial;
   std::optional<std::string> refused;
@@ -61,6 +88,7 @@ Trial try_case(const spec::Case& c) {
     }
     trial.verdict = judge(c, trial.run, events);
     trial.acceptance = acceptance(trial.verdict);
+    trial.law_checks = hold_laws(c, trial.run, trial.verdict);
   } catch (const spec::InputError& error) {
     if (!refused) {
       trial.verdict = difference("setup", "accepted", error.what());
@@ -84,6 +112,7 @@ Trial try_case(const spec::Case& c, const Subject& subject) {
   }
   trial.verdict = subject(c, trial.run);
   trial.acceptance = acceptance(trial.verdict);
+  trial.law_checks = hold_laws(c, trial.run, trial.verdict);
   return trial;
 }
 

@@ -23,11 +23,17 @@ struct Trial {
   Acceptance acceptance = Acceptance::no_text;
   Verdict verdict;
   ModelRun run;
+  std::uint64_t law_checks = 0;  // questions that laws asked
   [[nodiscard]] bool found() const { return verdict.outcome == Outcome::differs; }
 };
 
 // Judges what a subject does with a case. The default is the fast engine.
 using Subject = std::function<Verdict(const spec::Case&, const ModelRun&)>;
+
+// Holds the model's events against the laws that know no clause (laws.h). Where one is broken, a verdict that agrees,
+// or judged nothing, becomes a difference of kind "law" with the law as its field: both engines follow a wrong clause.
+// Gives the number of questions asked.
+std::uint64_t hold_laws(const spec::Case& c, const ModelRun& run, Verdict& verdict);
 
 // Refusal of a setup by one engine alone, and an exception out of an engine, are differences ("setup", "exception").
 Trial try_case(const spec::Case& c);

@@ -41,10 +41,10 @@ struct Verdict {
   std::optional<Difference> difference;  // also with `undecided`, where a difference could not be settled
   std::uint64_t values = 0;              // judged: numbers, and the numbers of alarms
   std::uint64_t numbers = 0;             // judged numbers alone
-  std::uint64_t events = 0;              // of the model, judged against one of the other side
-  std::uint64_t out_of_scope = 0;        // of the model, behind one of reason OUT_OF_SCOPE (a controller's: not judged)
   std::uint64_t wide = 0;                // numbers granted more than policy::kCap: not judged, and not among `values`
   Widths widths;                         // granted to the numbers, judged or not
+  std::uint64_t events = 0;              // of the model, judged against one of the other side
+  std::uint64_t out_of_scope = 0;        // of the model, behind one of reason OUT_OF_SCOPE (a controller's: not judged)
   std::uint64_t decisions = 0;           // of the model, by sign
   std::uint64_t near_ties = 0;           // decisions inside their band
   std::uint64_t ties = 0;                // near ties in which the engine took the other, permitted, outcome

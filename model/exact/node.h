@@ -23,8 +23,9 @@ enum class Kind : std::uint8_t {
   quotient,
   root,
   arctangent,
-  sine_of,   ///< of an operand in degrees
-  cosine_of  ///< of an operand in degrees
+  sine_of,    ///< of an operand in degrees
+  cosine_of,  ///< of an operand in degrees
+  pi
 };
 
 /// What is known of a node's sign beyond its enclosure.

@@ -263,6 +263,12 @@ Real cos_real_degrees(const Real& degrees) {
   return operation(Kind::cosine_of, is_negation(*x) ? x->left : x);
 }
 
+Real pi() {
+  Node* const node = new_node(Kind::pi);
+  node->algebraic = false;
+  return Node::adopt(node);
+}
+
 Real square(const Real& a) { return a * a; }
 
 }  // namespace toolcomp::exact

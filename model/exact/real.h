@@ -72,6 +72,7 @@ class Real {
   friend Real sqrt(const Real& a);  // std::domain_error if a is negative; its sign is certified
   friend Real sin_degrees(const Rational& degrees);
   friend Real cos_degrees(const Rational& degrees);
+  friend Real pi();
 
  private:
   explicit Real(Node* node) : node_(node) {}
@@ -92,6 +93,8 @@ Real arctangent_degrees(const Real& tangent);
 // Sine and cosine of any angle in degrees: of a rational as above, else an expression whose zeros are never proven.
 Real sin_real_degrees(const Real& degrees);
 Real cos_real_degrees(const Real& degrees);
+// For what hangs on the length of an arc: no zero of a sum with it is ever proven.
+Real pi();
 Real square(const Real& a);
 
 inline Sign sign(const Real& a) { return a.sign(); }

@@ -13,6 +13,7 @@ std::int64_t cost(const Node& node, mpfr_prec_t precision) {
     case Kind::arctangent:
     case Kind::sine_of:
     case Kind::cosine_of:
+    case Kind::pi:
       return 10 + limbs * limbs;
     case Kind::rational:
       return 2 + limbs * limbs / 16;
@@ -66,6 +67,10 @@ void enclose(Interval& result, const Node& node, const Interval* left, const Int
       break;
     case Kind::cosine_of:
       cosine_of_degrees(result, *left);
+      break;
+    case Kind::pi:
+      mpfr_const_pi(result.lower, MPFR_RNDD);
+      mpfr_const_pi(result.upper, MPFR_RNDU);
       break;
   }
   // NOLINTEND(clang-analyzer-core.NonNullParamChecker)

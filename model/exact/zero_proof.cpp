@@ -101,6 +101,7 @@ class Proof {
       case Kind::arctangent:
       case Kind::sine_of:
       case Kind::cosine_of:
+      case Kind::pi:
         break;
     }
     throw OutOfWork{};

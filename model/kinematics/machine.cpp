@@ -72,13 +72,13 @@ const SingularPosture* Machine::singular(int side) const {
   return nullptr;
 }
 
-Pose Machine::pose(const Position& position) const {
-  return {tool_side().position(position), work_side().position(position)};
+Pose Machine::pose(const Position& angles) const {
+  return {tool_side().position(angles), work_side().position(angles)};
 }
 
-void Machine::place(const Pose& pose, Position& position) const {
-  if (const auto axis = tool_side().axis) position.at(*axis) = Coordinate(pose.tool);
-  if (const auto axis = work_side().axis) position.at(*axis) = Coordinate(pose.work);
+void Machine::place(const Pose& pose, const Pose& zero, Position& position) const {
+  if (const auto axis = tool_side().axis) position.at(*axis) = Coordinate(pose.tool - zero.tool);
+  if (const auto axis = work_side().axis) position.at(*axis) = Coordinate(pose.work - zero.work);
 }
 
 Vector Machine::direction(const Pose& pose) const { return work_side().apply(tilted(pose.tool), pose.work); }

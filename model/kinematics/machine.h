@@ -12,8 +12,9 @@
 
 namespace toolcomp::model {
 
-// Positions of the two rotary axes. The tool-side axis tilts the tool against the work: the slave of a tool rotation
-// head, the master of a rotary table, the head's axis of a mixed machine.
+// Angles of the two rotary axes, those that turn tool and table: machine coordinates, or programmed ones
+// (fanuc.tool-direction.rotary-angles). The tool-side axis tilts the tool against the work: the slave of a tool
+// rotation head, the master of a rotary table, the head's axis of a mixed machine.
 struct Pose {
   Angle tool;
   Angle work;
@@ -48,8 +49,9 @@ class Machine {
   [[nodiscard]] bool programs_workpiece() const { return programs_workpiece_; }
 
   // A hypothetical axis stands at 0: its fixed angle is in the offset of its turn.
-  [[nodiscard]] Pose pose(const Position& position) const;
-  void place(const Pose& pose, Position& position) const;
+  [[nodiscard]] Pose pose(const Position& angles) const;
+  // Into the programmed positions of the axes; `zero`: their angles where those are 0.
+  void place(const Pose& pose, const Pose& zero, Position& position) const;
 
   // Of a pose; unit.
   [[nodiscard]] Vector direction(const Pose& pose) const;

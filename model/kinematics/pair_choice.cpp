@@ -114,10 +114,20 @@ PairChoice::Targets PairChoice::standing(const Axis& axis, const Angle& present)
   return result;
 }
 
+bool PairChoice::are_alike(const Axis& axis, const Angle& about) const {
+  if (axis.position != &Pose::tool) return false;
+  try {
+    return branch_quantity(machine_, about).sign() == Sign::zero;
+  } catch (const exact::Undecided&) {
+    return false;
+  }
+}
+
 // By half turns first, which only a range can tell apart; within one half turn the cosine falls, within the next it
 // rises.
-Sign PairChoice::compare_moves(const Axis& axis, const Targets& a, const Targets& b) const {
-  Real quantity = a.move.cosine() - b.move.cosine();
+Sign PairChoice::compare_moves(const Axis& axis, const Targets& a, const Targets& b, const Angle& present) const {
+  Real quantity;
+  if (axis.range || !are_alike(axis, present)) quantity = a.move.cosine() - b.move.cosine();
   if (axis.range) {
     const auto half_turns = [](const Angle& move) {
       const Integer turns = move.whole_turns();
@@ -134,12 +144,15 @@ Sign PairChoice::compare_moves(const Axis& axis, const Targets& a, const Targets
 }
 
 Sign PairChoice::compare_nearness(const Axis& axis, const Targets& a, const Targets& b) const {
-  return -recorder_.decide(axis.near_zero, a.at[0].cosine() - b.at[0].cosine(), 2);
+  Real quantity;
+  if (!are_alike(axis, 0)) quantity = a.at[0].cosine() - b.at[0].cosine();
+  return -recorder_.decide(axis.near_zero, quantity, 2);
 }
 
-bool PairChoice::takes_second(const Candidate& a, const Candidate& b) const {
+bool PairChoice::takes_second(const Candidate& a, const Candidate& b, const Pose& present) const {
   for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (const Sign sign = compare_moves(axes_.at(i), a.targets.at(i), b.targets.at(i)); sign != Sign::zero)
+    if (const Sign sign = compare_moves(axes_.at(i), a.targets.at(i), b.targets.at(i), present.*axes_.at(i).position);
+        sign != Sign::zero)
       return sign == Sign::positive;
   for (std::size_t i = 0; i < axes_.size(); ++i)
     if (const Sign sign = compare_nearness(axes_.at(i), a.targets.at(i), b.targets.at(i)); sign != Sign::zero)
@@ -193,7 +206,7 @@ Solution PairChoice::choose(Solutions solutions, const Pose& present, bool has_i
   if (candidates.empty())
     raise(recorder_, Clause::fanuc_tool_center_point_range_none, "PS5459",
           "no positions of the rotary axes in their ranges give the tool direction");
-  const bool second = candidates.size() == 2 && takes_second(candidates[0], candidates[1]);
+  const bool second = candidates.size() == 2 && takes_second(candidates[0], candidates[1], present);
   const Candidate& taken = candidates.at(second ? 1 : 0);
   Solution result = taken.solution;
   for (std::size_t i = 0; i < axes_.size(); ++i) {

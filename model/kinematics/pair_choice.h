@@ -63,10 +63,13 @@ class PairChoice {
   // Puts the pose in place of the pair of its branch, and what is its pair then where that is plain.
   void put_present(const Pose& present, Solutions& solutions) const;
   [[nodiscard]] Targets standing(const Axis& axis, const Angle& present) const;
+  // The two computed angles of the tool-side axis, and all of its whole turns, lie alike on both sides of `about`,
+  // whatever the direction: a singular position, or an edge of reach.
+  [[nodiscard]] bool are_alike(const Axis& axis, const Angle& about) const;
   // Negative: the first of two candidates moves less.
-  [[nodiscard]] Sign compare_moves(const Axis& axis, const Targets& a, const Targets& b) const;
+  [[nodiscard]] Sign compare_moves(const Axis& axis, const Targets& a, const Targets& b, const Angle& present) const;
   [[nodiscard]] Sign compare_nearness(const Axis& axis, const Targets& a, const Targets& b) const;
-  [[nodiscard]] bool takes_second(const Candidate& a, const Candidate& b) const;
+  [[nodiscard]] bool takes_second(const Candidate& a, const Candidate& b, const Pose& present) const;
 
   const Machine& machine_;
   Recorder& recorder_;

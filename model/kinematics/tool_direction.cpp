@@ -19,11 +19,11 @@ bool Kinematics::turns(std::size_t axis) const {
   return std::ranges::any_of(mechanism_.turns, [axis](const Turn& turn) { return turn.axis == axis; });
 }
 
-Direction Kinematics::direction(const Position& position) const {
+Direction Kinematics::direction(const Position& angles) const {
   Direction result;
   if (!present()) return result;
   result.vector = mechanism_.reference;
-  for (const Turn& turn : mechanism_.turns) result.vector = turn.apply(result.vector, turn.position(position));
+  for (const Turn& turn : mechanism_.turns) result.vector = turn.apply(result.vector, turn.position(angles));
   result.unit = result.vector;  // turns keep its length 1
   result.reported = true;
   return result;

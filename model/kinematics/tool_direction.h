@@ -35,8 +35,8 @@ class Kinematics {
   // A controlled axis on which the direction depends.
   [[nodiscard]] bool turns(std::size_t axis) const;
 
-  // V of the pose; rotary axes in degrees.
-  [[nodiscard]] Direction direction(const Position& position) const;
+  // V of the angles of the rotary axes.
+  [[nodiscard]] Direction direction(const Position& angles) const;
 
  private:
   Mechanism mechanism_;

@@ -8,7 +8,10 @@
 namespace toolcomp::model {
 namespace {
 
-// The tangent at the end of the arc, square to the radius there.
+bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
+
+// The tangent in space at the end of the arc: square to the radius there, and as long as that; on a helix with what it
+// climbs in an angle of 1 radian. Only that part is no algebraic number.
 Vector end_tangent(const Leg& leg, const spec::Axes& axes) {
   const spec::Arc<Real>& arc = *leg.arc;
   const PlaneLetters in_plane = letters(arc.plane);
@@ -18,10 +21,14 @@ Vector end_tangent(const Leg& leg, const spec::Axes& axes) {
     return leg.actual(axis).value() - arc.center[axis];
   };
   const PlanePoint counter_clockwise = left(PlanePoint{from_center(in_plane.first), from_center(in_plane.second)});
-  return in_space(arc.plane, arc.direction == spec::ArcDirection::ccw ? counter_clockwise : -counter_clockwise);
+  Vector tangent =
+      in_space(arc.plane, arc.direction == spec::ArcDirection::ccw ? counter_clockwise : -counter_clockwise);
+  const std::size_t normal = 3 - space_index(in_plane.first) - space_index(in_plane.second);
+  const Real& climb = component(leg.travel, normal);
+  constexpr int half_turn = 180;
+  if (arc.sweep && !known_zero(climb)) component(tangent, normal) = half_turn * climb / (*arc.sweep * exact::pi());
+  return tangent;
 }
-
-bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
 
 // The unit vector of one that is not zero and known to lie along a coordinate axis: it needs no root.
 std::optional<Vector> along_coordinate(const Vector& v) {

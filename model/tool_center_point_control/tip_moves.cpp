@@ -11,6 +11,15 @@ bool turns(const Machine& machine, std::size_t axis) {
   return machine.tool_side().axis == axis || machine.work_side().axis == axis;
 }
 
+// Inside a block no sign of an angle may be asked: positions are subtracted as numbers.
+Real programmed_position(const ControlFrame& frame, const Pose& pose, std::size_t axis) {
+  const bool tool = frame.machine.tool_side().axis == axis;
+  const Angle& angle = tool ? pose.tool : pose.work;
+  const Angle& zero = tool ? frame.zero.tool : frame.zero.work;
+  if (zero.is_rational()) return (angle - zero).degrees();
+  return angle.degrees() - zero.degrees();
+}
+
 TipPath path_of(const Move& last, const Move& move, const spec::Axes& axes) {
   Vector from = on_table(*last.tip, tip_at(last, axes));
   Vector to = on_table(*move.tip, tip_at(move, axes));
@@ -32,6 +41,11 @@ Vector axes_at(const Move& move, const spec::Axes& axes) {
   return control_point(*move.tip, {tip_at(move, axes), move.tool.unit});
 }
 
+std::optional<Vector> tip_beside_name(const Move& move, const spec::Axes& axes) {
+  if (!move.tip || !move.tip->in_workpiece || !move.tip->named_at) return std::nullopt;
+  return move.tip->frame->frame.in_workpiece(on_table(*move.tip, tip_at(move, axes)), move.tip->pose);
+}
+
 Event sample_at(const Move& last, const Move& move, const spec::Axes& axes, const Rational& t) {
   const OwnMotion& inside = *move.inside;
   const Posture posture = inside.motion->at(t);
@@ -48,8 +62,6 @@ Event sample_at(const Move& last, const Move& move, const spec::Axes& axes, cons
       tool = end.frame->machine.direction_in_machine(posture.pose);
     }
   }
-  Position rotary;
-  if (end.frame) end.frame->machine.place(posture.pose, rotary);
   Event event;
   event.kind = spec::EventKind::sample;
   event.t_numerator = static_cast<std::uint32_t>(numerator(t));
@@ -61,7 +73,7 @@ Event sample_at(const Move& last, const Move& move, const spec::Axes& axes, cons
       event.point.set(i, component(point, space_index(letter)));
       event.axes.set(i, component(control, space_index(letter)));
     } else if (end.frame && turns(end.frame->machine, i)) {
-      event.axes.set(i, rotary.at(i).value());
+      event.axes.set(i, programmed_position(*end.frame, posture.pose, i));
     } else {
       // Every other axis runs evenly.
       const Coordinate from = last.leg.actual(i);
@@ -88,7 +100,7 @@ void TipMoves::take(const Move& move) {
   turn(move, *move.inside->post_turn, spec::Cause::post_turn, move);
   last_->tip->pose = *move.inside->post_turn;
   last_->tip->named_at.reset();
-  last_->tip->frame->machine.place(last_->tip->pose, last_->leg.end);
+  last_->tip->frame->place(last_->tip->pose, last_->leg.end);
 }
 
 // The work-side axis alone turns, at a standing tip.
@@ -98,7 +110,7 @@ void TipMoves::turn(const Move& at, const Pose& to, spec::Cause cause, const Mov
   // The tip stands on the table.
   result.tip->named_at = at.tip->named_at.value_or(at.tip->pose);
   result.tip->pose = to;
-  result.tip->frame->machine.place(to, result.leg.end);
+  result.tip->frame->place(to, result.leg.end);
   result.leg.cause = cause;
   result.leg.type = of.leg.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
   result.leg.arc.reset();

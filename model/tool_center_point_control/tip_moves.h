@@ -40,6 +40,8 @@ class TipMoves {
 Vector axes_at(const Move& move, const spec::Axes& axes);
 // The compensated tip there, in the programming system.
 Vector tip_at(const Move& move, const spec::Axes& axes);
+// Where the tip is at the end of a move whose end is named for another pose, in the workpiece system: around a turn.
+std::optional<Vector> tip_beside_name(const Move& move, const spec::Axes& axes);
 
 // The position inside the block at the fraction t of its own move, 0 < t < 1, exact: point, axes and tool axis. `last`:
 // the move before it.

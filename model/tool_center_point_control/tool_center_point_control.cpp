@@ -48,6 +48,14 @@ bool same(const Pose& a, const Pose& b) {
   return known_difference(a.tool, b.tool) == Rational(0) && known_difference(a.work, b.work) == Rational(0);
 }
 
+bool known_same(const Vector& a, const Vector& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real difference = component(a, i) - component(b, i);
+    if (!difference.is_rational() || difference.sign() != Sign::zero) return false;
+  }
+  return true;
+}
+
 Clause control_point_clause(MachineType type) {
   switch (type) {
     case MachineType::table:
@@ -61,10 +69,12 @@ Clause control_point_clause(MachineType type) {
 
 }  // namespace
 
-ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, Recorder& recorder, const Position& start,
-                                               bool with_motion)
+ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, Recorder& recorder,
+                                               const WorkCoordinates& work, const Position& start, bool with_motion)
     : recorder_(recorder),
+      work_(work),
       axes_(setup.axes),
+      by_machine_(setup.rotary_angles == spec::RotaryAngles::machine),
       kinematics_(setup),
       holder_offset_(parameter(setup, 19666)),
       posture_by_default_(setup.bit(19604, 0)),
@@ -77,20 +87,42 @@ ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, Recorde
   tool_ = of_pose(start);
 }
 
+Position ToolCenterPointControl::angles(const Position& position) const {
+  Position result = position;
+  for (std::size_t i = 0; by_machine_ && i < axes_.size(); ++i)
+    if (kinematics_.turns(i)) result.at(i) = result.at(i) + work_.zero(i);
+  return result;
+}
+
+bool ToolCenterPointControl::is_displaced() const {
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!kinematics_.turns(i)) continue;
+    const Angle zero = work_.zero(i).angle();
+    if (!zero.is_rational() || zero.rational() != 0) return true;
+  }
+  return false;
+}
+
+void ToolCenterPointControl::decide_angles() const {
+  if (is_displaced()) recorder_.decide(Clause::fanuc_tool_direction_rotary_angles, by_machine_);
+}
+
 // Computed again only where an axis that turns the tool has moved.
 const Direction& ToolCenterPointControl::of_pose(const Position& position) {
+  Position turned = angles(position);
   bool same = pose_.has_value();
   for (std::size_t i = 0; same && i < axes_.size(); ++i)
-    if (kinematics_.turns(i)) same = position.at(i) == pose_->at(i);
+    if (kinematics_.turns(i)) same = turned.at(i) == pose_->at(i);
   if (!same) {
-    pose_direction_ = kinematics_.direction(position);
-    pose_ = position;
+    pose_direction_ = kinematics_.direction(turned);
+    pose_ = std::move(turned);
   }
   return pose_direction_;
 }
 
 ToolAtEnd ToolCenterPointControl::at(const Position& end) {
   recorder_.decide(Clause::fanuc_tool_direction_of_pose, kinematics_.present());
+  decide_angles();
   follow(end);
   return standing();
 }
@@ -152,15 +184,17 @@ void ToolCenterPointControl::start(const Command& command, const TipMarks& marks
     tool_ = kept_ = now_;
     return;
   }
-  frozen_ = machine_->pose(leg.end);
+  decide_angles();
+  frozen_ = machine_->pose(angles(leg.end));
   // Only heads have a direction here: their frame does not turn.
   if (direction) frozen_ = choice_->choose(now_, frozen_).pose;
-  machine_->place(frozen_, leg.end);
   Vector origin;
   for (std::size_t i = 0; i < axes_.size(); ++i)
     if (const char letter = axes_.letter(i); is_space_axis(letter))
       component(origin, space_index(letter)) = interpreter.work().zero(i).value();
-  tip_->frame = std::make_shared<const ControlFrame>(*machine_, frozen_, origin);
+  // No block of the mode changes the coordinates.
+  tip_->frame = std::make_shared<const ControlFrame>(*machine_, frozen_, origin, machine_->pose(angles(Position())));
+  place(frozen_, leg.end);
   tip_->in_workpiece = machine_->programs_workpiece() && machine_->type() != MachineType::head;
   tip_->pose = frozen_;
   if (!direction) now_ = of_unit(tip_->frame->frame.direction(frozen_));
@@ -199,7 +233,7 @@ TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipM
   PosturePlan found = marks.directed ? directed(command, interpreter, leg) : commanded(leg);
   const Pose end = found.post_turn.value_or(found.end);
   if (tip_->in_workpiece) keep_tip_on_table(tip_alone, interpreter.position(), end, leg);
-  machine_->place(end, leg.end);
+  place(end, leg.end);
 
   TurnedBlock result;
   result.motion.emplace();
@@ -218,15 +252,18 @@ TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipM
 }
 
 PosturePlan ToolCenterPointControl::commanded(const Leg& leg) const {
-  const Pose end = machine_->pose(leg.end);
-  if (same(end, tip_->pose)) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, end});
-  return plan({tip_->pose, now_, of_unit(tip_->frame->frame.direction(end)), end});
+  const Pose end = machine_->pose(angles(leg.end));
+  if (same(end, tip_->pose)) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, end, {}});
+  return plan({tip_->pose, now_, of_unit(tip_->frame->frame.direction(end)), end, {}});
 }
 
 PosturePlan ToolCenterPointControl::directed(const Command& command, const Interpreter& interpreter, const Leg& leg) {
   const std::optional<Direction> to = direction_asked(command, interpreter, leg);
-  if (!to) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, {}});
-  PosturePlan found = plan({tip_->pose, now_, *to, {}});
+  if (!to) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, {}, {}});
+  PostureBlock block{tip_->pose, now_, *to, {}, {}};
+  // Leaned from where it stands the tool turns in the plane of the travel.
+  if (lean_ != 0 && !leg.arc && known_same(kept_.vector, now_.vector)) block.normal = cross(now_.vector, leg.travel);
+  PosturePlan found = plan(block);
   if (found.changed) kept_ = found.tool;
   return found;
 }
@@ -236,7 +273,7 @@ PosturePlan ToolCenterPointControl::plan(const PostureBlock& block) const {
 }
 
 void ToolCenterPointControl::restrict_arc_on_table(const Leg& leg) const {
-  const Pose end = machine_->pose(leg.end);
+  const Pose end = machine_->pose(angles(leg.end));
   const std::size_t normal =
       3 - space_index(letters(leg.arc->plane).first) - space_index(letters(leg.arc->plane).second);
   bool turned_about_normal = false;

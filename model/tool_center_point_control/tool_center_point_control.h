@@ -49,9 +49,11 @@ struct TurnedBlock {
 // Clauses: fanuc.tool-center-point.*, fanuc.tool-posture.word, default, word-value.
 class ToolCenterPointControl {
  public:
-  // Outside the mode the direction follows the rotary axes; first they stand at `start`. `with_motion`: positions
-  // inside blocks will be asked for. Throws spec::InputError for parameters that make no sense.
-  ToolCenterPointControl(const spec::Setup& setup, Recorder& recorder, const Position& start, bool with_motion);
+  // Outside the mode the direction follows the rotary axes; first they stand at `start`. `work`: what their programmed
+  // positions mean at any time. `with_motion`: positions inside blocks will be asked for. Throws spec::InputError for
+  // parameters that make no sense.
+  ToolCenterPointControl(const spec::Setup& setup, Recorder& recorder, const WorkCoordinates& work,
+                         const Position& start, bool with_motion);
 
   // The words of a block. Throws the alarms of the mode that words alone raise.
   TipMarks read(const Command& command, const ToolLengthOffset& length, const Compensated& compensated);
@@ -66,11 +68,13 @@ class ToolCenterPointControl {
                    const Rational& offset, Leg& leg);
   // The tool where the last block has ended.
   [[nodiscard]] ToolAtEnd standing() const { return {tool_, tip_}; }
-  void place(const Pose& pose, Position& position) const { machine_->place(pose, position); }
+  // On a machine with kinematics, in the mode: into programmed positions.
+  void place(const Pose& pose, Position& position) const { tip_->frame->place(pose, position); }
 
   // Outside the mode, at the end of a leg; from there on it is in force.
   ToolAtEnd at(const Position& end);
-  // After a block outside the mode: the direction follows the programmed position also where only its zero has changed.
+  // After a block outside the mode: where programmed coordinates turn the tool (rotary_angles) the direction follows
+  // them also where only their zero has changed.
   void follow(const Position& position);
 
  private:
@@ -97,9 +101,16 @@ class ToolCenterPointControl {
   void keep_tip_on_table(bool tip_alone, const Position& from, const Pose& end, Leg& leg);
 
   [[nodiscard]] const Direction& of_pose(const Position& position);
+  // The positions with the angles of the axes that turn tool and table in their place.
+  [[nodiscard]] Position angles(const Position& position) const;
+  // One of them has a zero in force.
+  [[nodiscard]] bool is_displaced() const;
+  void decide_angles() const;
 
   Recorder& recorder_;
+  const WorkCoordinates& work_;
   spec::Axes axes_;
+  bool by_machine_;  // rotary_angles
   Kinematics kinematics_;
   std::optional<Machine> machine_;  // none: 19680 = 0
   std::optional<PairChoice> choice_;
@@ -108,7 +119,7 @@ class ToolCenterPointControl {
   bool posture_by_default_;  // 19604#0, TPC
   bool with_motion_;
 
-  std::optional<Position> pose_;  // of pose_direction_
+  std::optional<Position> pose_;  // the angles of pose_direction_
   Direction pose_direction_;
   Direction tool_;  // in force, as events report it; made by of_pose: declared behind what that needs
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "model/kinematics/machine.h"
 
@@ -12,9 +13,13 @@ struct ControlFrame {
   const Machine& machine;
   ProgrammingFrame frame;
   Vector work_axis;  // u_w, unit, in the frame
+  Pose zero;         // angles of the axes at their programmed position 0
 
-  ControlFrame(const Machine& of, const Pose& frozen, const Vector& origin)
-      : machine(of), frame(of, frozen, origin), work_axis(frame.work_axis()) {}
+  ControlFrame(const Machine& of, const Pose& frozen, const Vector& origin, Pose at_zero = {})
+      : machine(of), frame(of, frozen, origin), work_axis(frame.work_axis()), zero(std::move(at_zero)) {}
+
+  // Into programmed positions.
+  void place(const Pose& pose, Position& position) const { machine.place(pose, zero, position); }
 };
 
 // Blocks on their way through the stages keep it beyond the end of the mode.

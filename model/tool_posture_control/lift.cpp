@@ -26,6 +26,10 @@ int Lift::branch_between(const Angle& from, const Angle& to) const {
   return on_upper_edge(from) ? up : -up;
 }
 
+int Lift::branch_toward(const Angle& from, const Angle& to) const {
+  return on_upper_edge(from) == on_upper_edge(to) ? 1 : branch_between(from, to);
+}
+
 Vector Lift::limit(int branch) const {
   return Real(branch) * cross(machine_.tool_side().line, machine_.work_side().line);
 }

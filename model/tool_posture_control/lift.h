@@ -36,6 +36,8 @@ class Lift {
   [[nodiscard]] int branch_of(const Angle& tool) const;
   // The branch on which the tool-side axis goes from one edge of reach to another.
   [[nodiscard]] int branch_between(const Angle& from, const Angle& to) const;
+  // The same, 1 between two of greatest, or of least, height.
+  [[nodiscard]] int branch_toward(const Angle& from, const Angle& to) const;
 
   // The pose in which an arc reaches the pole.
   [[nodiscard]] Pose at_pole(const LiftStart& start, const Pole& pole) const;

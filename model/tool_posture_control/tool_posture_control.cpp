@@ -22,6 +22,8 @@ Goal goal(const SharedFrame& frame, const Direction& direction) {
   return result;
 }
 
+bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
+
 bool known_same(const Direction& a, const Direction& b) {
   try {
     return is_zero(cross(a.vector, b.vector)) && dot(a.vector, b.vector).sign() == Sign::positive;
@@ -102,6 +104,7 @@ PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBloc
   recorder_.reach(Clause::fanuc_tool_posture_great_circle);
   GreatCircle arc(std::move(at.from), std::move(at.to));
   AxisPassed work_axis = pass(arc, at.view.work_axis());
+  if (block.normal && known_zero(dot(*block.normal, at.view.work_axis()))) work_axis.side = Real();
   const Found found{frame, block, std::move(at.view), std::move(arc), std::move(work_axis), std::move(solutions)};
   if (const Pole* const pole = pole_along(Clause::fanuc_tool_posture_at_start, found, found.arc.from()))
     return from_pole(found, *pole);
@@ -131,7 +134,7 @@ LiftStart ToolPostureControl::lift_start(const Found& found) const {
   const Sign below = recorder_.decide(Clause::fanuc_tool_posture_branch, -branch_quantity(machine_, start.tool), 2);
   if (below != Sign::zero) return {start, -static_cast<int>(below), false};
   const Solution to = pair(found.frame, found.block);
-  return {start, to.branch != 0 ? to.branch : 1, true};
+  return {start, to.branch != 0 ? to.branch : lift_.branch_toward(start.tool, to.pose.tool), true};
 }
 
 ToolPostureControl::Passing ToolPostureControl::passing(const Found& found) const {
@@ -249,7 +252,11 @@ std::optional<PosturePlan> ToolPostureControl::changed(const Found& found, const
     recorder_.reach(Clause::fanuc_tool_posture_changed);
     recorder_.reach(Clause::fanuc_tool_posture_passing);
     plan.changed = true;
-    const Vector tool = found.frame->frame.direction(plan.end);
+    Vector tool = found.frame->frame.direction(plan.end);
+    // Mirrored it reaches as far along the work-side axis as the one commanded, which may be known to be 0.
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const Real& along = component(found.frame->work_axis, i); along.is_rational() && along.rational() == 1)
+        component(tool, i) = component(found.block.to.unit, i);
     plan.tool = {tool, 1, tool, true};
     plan.motion = std::make_shared<LinearMotion>(found.frame, plan.start, plan.end);
     return plan;

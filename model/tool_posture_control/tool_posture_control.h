@@ -23,6 +23,7 @@ struct PostureBlock {
   Direction from;
   Direction to;
   std::optional<Pose> commanded;  // type 1: the end pair, which has the direction `to`
+  std::optional<Vector> normal;   // a vector to which both directions are known to be square
 };
 
 // What it does.

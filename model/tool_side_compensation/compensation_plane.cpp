@@ -30,4 +30,14 @@ PlaneFrame CompensationPlane::frame() const {
   return {first, cross(tool_.unit, first)};
 }
 
+PlaneFrame CompensationPlane::frame_along(const Vector& v) const {
+  const Vector in_plane = along(v);
+  const Vector first = in_plane / sqrt(squared_norm(in_plane));
+  return {first, cross(tool_.unit, first)};
+}
+
+bool CompensationPlane::has_rational_tool() const {
+  return tool_.vector.x.is_rational() && tool_.vector.y.is_rational() && tool_.vector.z.is_rational();
+}
+
 }  // namespace toolcomp::model

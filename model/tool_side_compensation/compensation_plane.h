@@ -37,6 +37,9 @@ class CompensationPlane {
   // By Gram and Schmidt: the first vector is the part in the plane of a coordinate axis, the first one at right angles
   // to the tool if there is such an axis.
   [[nodiscard]] PlaneFrame frame() const;
+  // The same with the part in the plane of `v`, which is not along the tool.
+  [[nodiscard]] PlaneFrame frame_along(const Vector& v) const;
+  [[nodiscard]] bool has_rational_tool() const;
 
  private:
   Direction tool_;

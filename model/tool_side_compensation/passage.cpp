@@ -11,7 +11,7 @@ void ToolSideCompensation::release(SideGroup at_end) {
   recorder_.reach(Clause::fanuc_tool_side_plane);
   for (std::size_t i = 1; i < at_end.size(); ++i)
     recorder_.decide(Clause::fanuc_tool_side_stop_point, !at_end[i].after_stop);
-  Held& held = *held_;
+  Held& held = held_.front();
   const auto& arc = held.path.arc;
   std::optional<OffsetPath> as_seen;
   std::optional<ToolArcRun> run;
@@ -43,10 +43,9 @@ void ToolSideCompensation::release(SideGroup at_end) {
   corner_ = step.rest;
   here_ = std::move(at_end);
   here_plane_ = held.plane;
-  held_.reset();
   waiting_.push_back(std::move(step));
-  for (Step& other : between_) waiting_.push_back(std::move(other));
-  between_.clear();
+  for (Step& other : held.keeping) waiting_.push_back(std::move(other));
+  held_.pop_front();
   if (here_.size() == 1) flush();
 }
 

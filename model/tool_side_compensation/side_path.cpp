@@ -41,17 +41,24 @@ Vector perpendicular(const CompensationPlane& plane, const SideEnd& end) {
   return (Rational(-arc.turn * end.offset) / length) * plane.along(from_center);
 }
 
+Vector direction_of(const SideEnd& end) {
+  return end.arc ? in_space(end.arc->plane, end.arc->from_center) : end.travel;
+}
+
 PathEnd seen(const CompensationPlane& plane, const PlaneFrame& frame, const SideEnd& end) {
+  return seen(plane, project(frame, direction_of(end)), end);
+}
+
+PathEnd seen(const CompensationPlane& plane, const PlanePoint& direction, const SideEnd& end) {
   if (!end.arc) {
     PathEnd line;
-    line.heading = heading(project(frame, end.travel));
+    line.heading = heading(direction);
     line.offset = end.offset;
     return line;
   }
   const SideEnd::OfArc& arc = *end.arc;
-  const PlanePoint from_center = project(frame, in_space(arc.plane, arc.from_center));
   const auto radius = is_square_to(plane, arc.plane) ? arc.radius : std::nullopt;
-  return arc_end(from_center, arc.turn, radius, end.offset);
+  return arc_end(direction, arc.turn, radius, end.offset);
 }
 
 OffsetPath as_run(const SideArc& arc, const Rational& offset_at_start, const Rational& offset_at_end) {

@@ -62,9 +62,14 @@ SideEnd arc_end(const SideArc& arc, const Rational& offset);
 // r n: at right angles to the path, of the length of the offset. Without a frame.
 Vector perpendicular(const CompensationPlane& plane, const SideEnd& end);
 
+// What tells the direction of an end: the travel of a line, the radius of an arc from its centre.
+Vector direction_of(const SideEnd& end);
+
 // The end in the coordinates of a frame of the plane, as corners with arcs ask for it. Clause:
 // fanuc.tool-side.arc-in-the-plane.
 PathEnd seen(const CompensationPlane& plane, const PlaneFrame& frame, const SideEnd& end);
+// The same where the coordinates of direction_of(end) are known.
+PathEnd seen(const CompensationPlane& plane, const PlanePoint& direction, const SideEnd& end);
 
 // The arc in its own plane, as the machine runs it; the offsets are to the left as the tool sees them.
 OffsetPath as_run(const SideArc& arc, const Rational& offset_at_start, const Rational& offset_at_end);

@@ -6,16 +6,39 @@
 namespace toolcomp::model {
 namespace {
 
+bool is_known_zero(const Vector& v) {
+  const auto zero = [](const Real& x) { return x.is_rational() && x.sign() == Sign::zero; };
+  return zero(v.x) && zero(v.y) && zero(v.z);
+}
+
 // Both ends of a corner with an arc in a frame of the plane.
 struct Framed {
-  explicit Framed(const SideCorner& corner)
-      : frame(corner.plane.frame()),
-        former(seen(corner.plane, frame, corner.former)),
-        latter(seen(corner.plane, frame, corner.latter)) {}
+  explicit Framed(const SideCorner& corner) {
+    const Vector v1 = direction_of(corner.former);
+    const Vector v2 = direction_of(corner.latter);
+    if (is_known_zero(cross(v1, v2)) && !corner.plane.has_rational_tool()) {
+      set_parallel(corner, v1, v2);
+      return;
+    }
+    frame = corner.plane.frame();
+    former = seen(corner.plane, frame, corner.former);
+    latter = seen(corner.plane, frame, corner.latter);
+  }
 
   PlaneFrame frame;
   PathEnd former;
   PathEnd latter;
+
+ private:
+  // A line along a radius, or both arcs with theirs in one line, make corners of exactly 0, 90 or 180 degrees under any
+  // tool: in a frame along them this is no matter of proof.
+  void set_parallel(const SideCorner& corner, const Vector& v1, const Vector& v2) {
+    frame = corner.plane.frame_along(v2);
+    const Real length = sqrt(squared_norm(corner.plane.left(v2)) / corner.plane.tool().norm2);
+    const Real ratio = dot(v1, v2) / squared_norm(v2);
+    former = seen(corner.plane, PlanePoint{ratio * length, 0}, corner.former);
+    latter = seen(corner.plane, PlanePoint{length, 0}, corner.latter);
+  }
 };
 
 // The stop point is the head of the intersection or of the first vector of an acute corner: the first head, or the one

@@ -39,7 +39,7 @@ void ToolSideCompensation::read(const ToolSideBlock& words) {
   forbid(words);
   if (words.wanted() && words.treatment == 0)
     raise(recorder_, Clause::fanuc_tool_side_q_format, "Q_FORMAT", "a Q other than 1, 2 or 3");
-  const bool starts = words.wanted() && (state_ == State::off || state_ == State::waiting) && !held_;
+  const bool starts = words.wanted() && (state_ == State::off || state_ == State::waiting) && held_.empty();
   const bool cancels = !words.wanted() && (state_ == State::on || state_ == State::leaving);
   check_type_c(words, starts, cancels);
   if (words.arc_words && (starts || cancels))
@@ -72,12 +72,18 @@ void ToolSideCompensation::take(const Step& step) {
   const bool in_force = block.side != CutterSide::none;
   const bool wanted = in_force && !recorder_.decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
   const Direction tool = now.rest.tool;
-  if (held_ && now.stops_look_ahead) end_before(now, Clause::fanuc_tool_side_look_ahead_stopped);
-  std::optional<Movement> movement;
+  if (now.stops_look_ahead) end_before(now, Clause::fanuc_tool_side_look_ahead_stopped);
+  Movement movement;
   if (wanted || state_ == State::on || state_ == State::leaving) movement = movement_of(now);
-  if (held_ && held_->kind == Held::Kind::lone_start)
-    take_behind_lone_start(now, wanted, movement);
-  else if (state_ == State::off || state_ == State::waiting)
+  if (!held_.empty() && held_.front().kind == Held::Kind::lone_start) {
+    // The block right behind the code must move there and stay in the mode.
+    if (!wanted || !movement.starts.front()) {
+      decide_held(now);
+      raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
+    }
+    state_ = State::on;
+  }
+  if (state_ == State::off || state_ == State::waiting)
     take_while_off(now, wanted, movement);
   else
     take_while_on(now, wanted, movement);
@@ -86,21 +92,22 @@ void ToolSideCompensation::take(const Step& step) {
 
 void ToolSideCompensation::finish() { end_without_corner(Clause::fanuc_tool_side_no_next_block); }
 
-void ToolSideCompensation::take_while_off(Step& now, bool wanted, const std::optional<Movement>& movement) {
+void ToolSideCompensation::take_while_off(Step& now, bool wanted, Movement& movement) {
   state_ = wanted ? State::waiting : State::off;
   if (wanted && recorder_.decide(Clause::fanuc_tool_side_type_c, type_c_))
     start_alone(now);
-  else if (wanted && movement)
-    start_up(now, *movement);
+  else if (wanted && movement.end)
+    start_up(now, movement);
   else
     emit(now);
 }
 
-void ToolSideCompensation::start_up(Step& now, const Movement& movement) {
+void ToolSideCompensation::start_up(Step& now, Movement& movement) {
   recorder_.reach(Clause::fanuc_tool_side_start_up);
   const CutterOffset offset = offset_of(recorder_, now.side->side, now.side->offset);
   state_ = State::on;
-  hold(now, Held::Kind::start_up, offset, movement, end_of(movement, offset));
+  movement.end->offset = offset.left();
+  hold(now, Held::Kind::start_up, offset, movement);
   started_ = offset.side;
 }
 
@@ -108,57 +115,25 @@ void ToolSideCompensation::start_alone(Step& now) {
   const CutterOffset offset = offset_of(recorder_, now.side->side, now.side->offset);
   Movement movement;
   movement.own = CompensationPlane(now.rest.tool);
-  hold(now, Held::Kind::lone_start, offset, movement, {});
+  hold(now, Held::Kind::lone_start, offset, movement);
   started_ = offset.side;
 }
 
-// The block right behind the code must move and stay in the mode.
-void ToolSideCompensation::take_behind_lone_start(Step& now, bool wanted, const std::optional<Movement>& movement) {
-  if (!wanted || !movement) {
-    decide_held(now);
-    raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
-  }
-  state_ = State::on;
-  take_moving(now, *movement);
-}
-
-void ToolSideCompensation::take_while_on(Step& now, bool wanted, const std::optional<Movement>& movement) {
+void ToolSideCompensation::take_while_on(Step& now, bool wanted, Movement& movement) {
   if (wanted && state_ == State::leaving)
     leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
                   "tool side compensation again before the vector of the cancelled mode is removed");
-  if (!wanted) {
-    if (movement)
-      take_cancel(now, *movement);
-    else if (state_ == State::on)
-      cancel_alone(now);
-    else
-      emit_at_head(now);
-  } else if (movement) {
-    take_moving(now, *movement);
-  } else {
-    take_without_movement(now);
-  }
-}
-
-void ToolSideCompensation::take_without_movement(Step& now) {
-  if (!held_) {
+  if (wanted)
+    take_in_mode(now, movement);
+  else if (state_ == State::on || movement.end)
+    take_cancel(now, movement);
+  else
     emit_at_head(now);
-    return;
-  }
-  repeated_ = repeated_ || now.side->repeats_code();
-  ++count_;
-  now.clauses.add(recorder_.take_clauses());
-  const std::uint64_t line = now.line;
-  between_.push_back(std::move(now));
-  if (count_ >= 2) end_without_corner(Clause::fanuc_tool_side_two_blocks_without_movement);
-  recorder_.at(line);
 }
 
-// G40 or number 0 in a block that does not move in the plane.
-void ToolSideCompensation::cancel_alone(Step& now) {
-  end_before(now, Clause::fanuc_tool_side_no_next_block);
+// G40 or number 0 in a block that does not move in the plane at its own end.
+void ToolSideCompensation::cancel_alone(Step& now, bool cuts_corner) {
   const bool had_vector = !is_zero_vector(here_.front().vector);
-  started_.reset();
   if (recorder_.decide(Clause::fanuc_tool_side_type_c, type_c_)) {
     recorder_.reach(Clause::fanuc_tool_side_cancel_type_c);
     here_ = {SideVector{}};
@@ -168,17 +143,19 @@ void ToolSideCompensation::cancel_alone(Step& now) {
   }
   recorder_.reach(Clause::fanuc_tool_side_cancel_without_movement);
   state_ = had_vector ? State::leaving : State::off;
-  emit_at_head(now);
+  keep_vector(now, cuts_corner);
+}
+
+void ToolSideCompensation::end_first_without_corner(Clause why) {
+  const Held& held = held_.front();
+  recorder_.at(held.step.line);
+  if (held.kind == Held::Kind::lone_start) raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
+  recorder_.reach(why);
+  release(rules_.square_to(held.plane, held.end));
 }
 
 void ToolSideCompensation::end_without_corner(Clause why) {
-  if (!held_) return;
-  recorder_.at(held_->step.line);
-  if (held_->kind == Held::Kind::lone_start) raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
-  recorder_.reach(why);
-  release(rules_.square_to(held_->plane, held_->end));
-  count_ = 0;
-  repeated_ = false;
+  while (!held_.empty()) end_first_without_corner(why);
 }
 
 void ToolSideCompensation::end_before(Step& now, Clause why) {
@@ -189,17 +166,16 @@ void ToolSideCompensation::end_before(Step& now, Clause why) {
 
 void ToolSideCompensation::decide_held(Step& now) {
   now.clauses.add(recorder_.take_clauses());
-  recorder_.at(held_->step.line);
+  recorder_.at(held_.front().step.line);
 }
 
 void ToolSideCompensation::raise_held(Clause clause, spec::Name number, const char* message) {
   flush();
   recorder_.reach(clause);
   Alarm alarm(number, message);
-  alarm.line = held_->step.line;
-  alarm.n = held_->step.n;
-  held_.reset();
-  between_.clear();
+  alarm.line = held_.front().step.line;
+  alarm.n = held_.front().step.n;
+  held_.clear();
   throw Alarm(alarm);
 }
 

@@ -281,6 +281,28 @@ Example group_across_tool_instance :
   Forall (fun V => dot V (Vec 3 0 4) = 0) (group 10 1 (Vec 3 0 4) (Vec 0 100 0) (Vec 94 (-60) (-8))).
 Proof. apply group_across_tool; auto. Qed.
 
+(** fanuc.tool-side.moving-block: a block along the tool [Va] of the block before leaves nothing in the plane there; it
+    moves in the plane of its own tool [VT] all the same, and every vector made at its end is across that tool. *)
+Theorem along_the_tool_before r s k Va VT U2 : k <> 0 -> ~ parallel VT Va ->
+  across Va (scale k Va) = zero /\ across VT (scale k Va) <> zero /\
+  Forall (fun V => dot V VT = 0) (group r s VT (scale k Va) U2).
+Proof.
+  intros K H. pose proof (tool_nonzero VT Va H) as T.
+  assert (A : Va <> zero) by (intro E; apply H; subst; unfold parallel; vec_ring).
+  pose proof (dot_self_pos Va A) as P. split; [| split].
+  - unfold across. rewrite dot_scale_l. replace (k * dot Va Va / dot Va Va) with k by (field; lra). apply sub_self_zero.
+  - apply across_nonzero. unfold parallel. rewrite cross_scale_r. intro E. apply H.
+    apply (f_equal (scale (/ k))) in E. rewrite scale_scale, scale_zero_r in E.
+    replace (/ k * k) with 1 in E by (field; auto). rewrite scale_one in E. exact E.
+  - apply group_across_tool, T.
+Qed.
+
+(** The sheet's example: 80 along Y, the tool of the block before, while it turns to (-4, 4, 7)/9; then along X. *)
+Example along_the_tool_before_instance :
+  across (Vec 0 1 0) (scale 80 (Vec 0 1 0)) = zero /\ across (Vec (-4) 4 7) (scale 80 (Vec 0 1 0)) <> zero /\
+  Forall (fun V => dot V (Vec (-4) 4 7) = 0) (group 5 1 (Vec (-4) 4 7) (scale 80 (Vec 0 1 0)) (Vec 50 0 0)).
+Proof. apply along_the_tool_before; [lra | apply not_parallel_x; cbn; lra]. Qed.
+
 (** fanuc.tool-side.inner: the intersection vector lies on both offset lines: V.n1 = V.n2 = r. *)
 Theorem Vi_on_both_lines r s VT U1 U2 : sided s -> ~ parallel VT U1 -> ~ parallel VT U2 -> 1 + cosine VT U1 U2 <> 0 ->
   dot (Vi r s VT U1 U2) (n s VT U1) = r /\ dot (Vi r s VT U1 U2) (n s VT U2) = r.

@@ -13,6 +13,7 @@ axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z] controlled axes 1, 2, 3, …: th
 increment = "IS-B"                    # [IS-B] least input increment 0.001; IS-A 0.01, IS-C 0.0001
 cutter_compensation = "C"             # [C] or B: which section G39 to G42 are
 type_b_without_perpendicular = false  # [false] true: type B of tool side compensation has the intersection vectors alone
+rotary_angles = "machine"             # [machine] coordinates of rotary axes that turn tool and table; or programmed
 block_skip = false                    # [false] true: blocks that begin with / are skipped
 
 [parameters]                          # by number; bits as "number#bit"

@@ -149,9 +149,10 @@ void read_reference(const Node& node, const Reader& read, Setup& setup) {
 
 // Keys of one control are refused under the other.
 constexpr std::array<std::string_view, 3> kHeidenhainKeys{"tool", "correction", "dr2table"};
-constexpr std::array<std::string_view, 8> kFanucKeys{
-    "increment", "cutter_compensation", "type_b_without_perpendicular", "parameters", "offsets", "workpiece",
-    "reference", "measurement"};
+constexpr std::array<std::string_view, 9> kFanucKeys{
+    "increment",     "cutter_compensation", "type_b_without_perpendicular",
+    "rotary_angles", "parameters",          "offsets",
+    "workpiece",     "reference",           "measurement"};
 
 void check_keys(const Node& node, Control control, const Reader& read) {
   const bool fanuc = control == Control::fanuc;
@@ -163,9 +164,10 @@ void check_keys(const Node& node, Control control, const Reader& read) {
       read.fail(member.at,
                 "setup: " + in_quotes(member.name) + " belongs to control " + (fanuc ? "\"heidenhain\"" : "\"fanuc\""));
   if (fanuc)
-    read.keys(node, "setup",
-              {"control", "units", "axes", "increment", "cutter_compensation", "type_b_without_perpendicular",
-               "block_skip", "parameters", "offsets", "workpiece", "position", "reference", "measurement"});
+    read.keys(
+        node, "setup",
+        {"control", "units", "axes", "increment", "cutter_compensation", "type_b_without_perpendicular",
+         "rotary_angles", "block_skip", "parameters", "offsets", "workpiece", "position", "reference", "measurement"});
   else
     read.keys(node, "setup", {"control", "units", "axes", "block_skip", "position", "tool", "correction", "dr2table"});
 }
@@ -201,6 +203,8 @@ Setup setup_from(const Node& node, const Reader& read) {
         static_cast<CutterCompensationType>(read.choice(*type, "cutter_compensation", {"B", "C"}));
   if (const Node* without = node.find("type_b_without_perpendicular"))
     setup.type_b_without_perpendicular = read.boolean(*without, "type_b_without_perpendicular");
+  if (const Node* angles = node.find("rotary_angles"))
+    setup.rotary_angles = static_cast<RotaryAngles>(read.choice(*angles, "rotary_angles", {"machine", "programmed"}));
   if (const Node* skip = node.find("block_skip")) setup.block_skip = read.boolean(*skip, "block_skip");
   if (const Node* parameters = node.find("parameters")) {
     read.expect(*parameters, Kind::table, "parameters");

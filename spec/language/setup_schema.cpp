@@ -25,6 +25,7 @@ std::string_view setup_schema() {
         "increment": { "description": "Increment system: what one unit of a number without point is, with 3401#0 = 0.", "enum": ["IS-A", "IS-B", "IS-C"], "default": "IS-B" },
         "cutter_compensation": { "description": "Whether G39 to G42 are cutter compensation B (chapter 14.4) or C (14.5, 14.6).", "enum": ["B", "C"], "default": "C" },
         "type_b_without_perpendicular": { "description": "Start-up and cancel of type B in tool side compensation leave out the vector perpendicular to the start-up or cancel block (fanuc.tool-side.type-b-perpendicular).", "type": "boolean", "default": false },
+        "rotary_angles": { "description": "Which coordinates of the rotary axes give the angles that turn tool and table: those of the machine, or the programmed ones, which a workpiece zero or G92 shift of the axis renames (fanuc.tool-direction.rotary-angles).", "enum": ["machine", "programmed"], "default": "machine" },
         "block_skip": { "description": "Blocks that begin with / are skipped.", "type": "boolean", "default": false },
         "parameters": {
           "description": "Parameters by number, bits by number#bit.",

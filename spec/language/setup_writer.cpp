@@ -161,6 +161,7 @@ std::vector<Pair> plain_keys(const Setup& setup) {
                          {"increment", name(kIncrements, setup.increment)},
                          {"cutter_compensation", name(kTypes, setup.cutter_compensation)}};
   if (setup.type_b_without_perpendicular) keys.emplace_back("type_b_without_perpendicular", "true");
+  if (setup.rotary_angles == RotaryAngles::programmed) keys.emplace_back("rotary_angles", "\"programmed\"");
   keys.emplace_back("block_skip", skip);
   return keys;
 }

@@ -100,7 +100,7 @@ TEST_P(ToolSide, TheManualsInterferenceFigure) {
   const Outcome outcome = run("");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   ASSERT_EQ(outcome.events().size(), 3U) << outcome.out;
-  EXPECT_EQ(outcome.events().back().at("number"), "OVERCUT_PLANE_CHANGE");
+  EXPECT_EQ(outcome.events().back().at("number"), "PS0041");
   EXPECT_EQ(outcome.events().back().at("line"), 3);
   EXPECT_NE(outcome.err.find("p.nc:3:"), std::string::npos) << outcome.err;
 

@@ -99,7 +99,7 @@ TEST(ToolSideVectors, Sheet) {
     rest.insert(rest.begin(), figure.begin(), figure.end());
     return rest;
   };
-  const Rows overcut = with({"3 OVERCUT_PLANE_CHANGE"});
+  const Rows overcut = with({"3 PS0041"});
   const std::string v1 = "G1 10 -206.946583704589973 -207.193398003386511";
   const std::string v2 = "G1 -10 -206.946583704589973 -207.193398003386511";
   const Rows end = {"5 p G1 10 -400 0", "6 e G1 0 -440 40"};
@@ -187,7 +187,16 @@ TEST(ToolSideVectors, Sheet) {
            change({"2 p G1 95.278640450004206 10 0", "3 p G2 176 18 0 O 140 -30", "4 e G1 210 -20 0"})},
           {"TS11, counter-clockwise arc",
            change({"2 p G1 94.641016151377546 10 0", "3 p G3 84 62 0 O 60 30", "4 e G1 50 100 0"})},
-          {"TS11 under G43.5", x(acute_arc)}});
+          {"TS11 under G43.5", x(acute_arc)},
+          // By a computation of 50 digits from V . VT = 0 and the two lines; the first digits are the sheet's.
+          {"Movement, corner by corner",
+           {"1 p G0 0 0 0", "2 p G0 -50 0 0", "3 s G1 0 0 -5", "4 p G1 55 0 -5", "5 p G1 55 0 45",
+            "6 p G1 46.516308380364824 83.483691619635176 46.018638148988371",
+            "7 p G1 100 84.341215710622296 47.519305308215831"}},
+          {"No. 19630, corner by corner",
+           {"1 p G0 0 0 0", "2 p G0 -34.151 -80 -4", "3 s G1 -36.37782547090378 -52.632776944334234 -3.998176032184187",
+            "4 p G1 -12.96582547090378 -30.632776944334234 26.446823967815813",
+            "5 p G1 60 -30.666718951023702 24.182634082097225"}}});
 }
 
 // The corner move up to the stop point runs with the feed of the block before, the one behind it with that of the next.
@@ -268,6 +277,15 @@ TEST(ToolSideVectors, Rules) {
                                                    "5 p G1 200 -8 6", "6 e G1 250 0 0"}))},
           {"Across the tool at its start",
            vector(left({"2 p G1 100 10 0", "3 p G1 130 10 40", "4 p G1 122 100 46", "5 e G1 130 150 40"}))},
+          {"Along the tool before, which turns",
+           vector(left({"2 p G1 90 10 0", "3 p G1 92 -10 56", "4 p G1 92 100 56", "5 e G1 100 150 50"}))},
+          {"The tool alone, then along", vector(left({"2 p G1 100 10 0", "3 p G1 100 10 0", "4 p G1 92 -10 56",
+                                                      "5 p G1 92 100 56", "6 e G1 100 150 50"}))},
+          {"A block passed over by the corner", vector(left({"2 p G1 110 10 0", "3 PS0041"}))},
+          {"19630 = 6 in the plane",
+           vector(left({"2 p G1 90 10 0", "3 p G1 90 10 9.999", "4 p G1 92 100 15.999", "5 e G1 100 150 9.999"}))},
+          {"19630 = 6 exactly",
+           vector(left({"2 p G1 90 10 0", "3 p G1 92 -10 16", "4 p G1 92 100 16", "5 e G1 100 150 10"}))},
           {"The end of the program", left({"2 p G1 100 10 0"})},
 
           {"Types A and B: G41.2 without movement", {"2 s G1 0 10 0", "3 p G1 100 10 0", "4 e G1 150 0 0"}},
@@ -282,6 +300,9 @@ TEST(ToolSideVectors, Rules) {
           {"type_b_without_perpendicular, acute", {"1 s G1 50 10 0", "2 c G1 54 2 0", "2 c G1 48 -6 0", "2 p " + arc}},
           {"An arc as start-up block", {"1 PS0034"}},
           {"The side changes in the block after", left({"2 DIR_CHANGE_AT_STARTUP"})},
+          {"The side changes in a block that only", vector(left({"2 DIR_CHANGE_AT_STARTUP"}))},
+          {"The side changes in the block that the start-up's",
+           vector(left({"2 p G1 0 -10 50", "3 DIR_CHANGE_AT_STARTUP"}))},
           {"Start-up and cancel at once", left({"2 e G1 0 -100 0"})},
           {"Type C before an arc", {"1 p G1 40 0 0", "2 s G1 48 -6 0", "3 p " + arc, "5 e G1 0 -20 0"}},
           {"Type C with an axis word in the G41.2", {"1 TYPE_C_FORMAT"}},
@@ -302,6 +323,9 @@ TEST(ToolSideVectors, Rules) {
           {"An arc as cancel block", refused("PS0034")},
           {"G40 without movement", right({"2 p G1 100 -10 0", "4 e G1 100 50 0"})},
           {"G40 with a movement along", right({"2 p G1 100 -10 0", "3 p G1 100 -10 30", "4 e G1 100 50 30"})},
+          {"G40 along the tool before", vector(left({"2 p G1 100 10 0", "3 e G1 100 0 50", "4 p G1 0 0 50"}))},
+          {"Type B, G40 along its own tool",
+           vector(left({"2 p G1 110 10 0", "3 c G1 110 0 0", "3 p G1 110 -30 40", "4 e G1 200 -30 40"}))},
           {"D0 cancels", left({"2 p G1 100 10 0", "3 e G1 100 100 0", "4 p G1 0 100 0"})},
 
           {"G41.2 again: ", left({"2 p G1 100 10 0", "3 p G1 90 100 0", "4 e G1 100 150 0"})},
@@ -321,7 +345,7 @@ TEST(ToolSideVectors, Rules) {
           {"Q2 at an acute corner", reversal},
           {"Q2 with one vector", left({"2 p G1 90 10 0", "3 p G1 90 100 0", "4 e G1 100 150 0"})},
 
-          {"VT Z, then (-1, 0, 1) and a movement along it", vector(left({"2 OVERCUT_PLANE_CHANGE"}))},
+          {"VT Z, then (-1, 0, 1) and a movement along it", vector(left({"2 PS0041"}))},
           {"VT Z, then (-1, 0, 1) and a movement on in X",
            vector(left({"2 p G1 100 10 0", "3 p G1 100 10 0", "4 p G1 150 10 0", "5 e G1 200 0 0"}))},
           {"VT Z, then (-1, 0, 1) and a movement in Y",

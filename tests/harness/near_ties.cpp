@@ -418,7 +418,7 @@ TEST(NearTies, ASideCornerOfAlmostRightAnglesMayHaveTheVectorsOfEither) {
       Outcome::differs);
 }
 
-// The tool turns by 45 degrees less 5e-14 while the path goes back under it: OVERCUT_PLANE_CHANGE, or not.
+// The tool turns by 45 degrees less 5e-14 while the path goes back under it: PS0041, or not.
 TEST(NearTies, AChangeOfThePlaneByAHairLessThanTheLimitMayBeSeenOrNot) {
   const auto turning = [](const std::string& k) {
     return flank("G90 G01 F100 G43.5 H0 K1.\nG41.6 X50. D1\nX100.\nX200.\nX150. Z-100. I1. K" + k +
@@ -428,7 +428,7 @@ TEST(NearTies, AChangeOfThePlaneByAHairLessThanTheLimitMayBeSeenOrNot) {
   const ModelRun run = run_model(c);
   ASSERT_EQ(run.events.back().kind, spec::EventKind::move);
   const ModelRun other = run_model(c, opposite_near_ties(run, Clause::fanuc_tool_side_plane_change_angle));
-  ASSERT_EQ(other.events.back().number.view(), "OVERCUT_PLANE_CHANGE");
+  ASSERT_EQ(other.events.back().number.view(), "PS0041");
   const Verdict v = judge(c, run, rounded(other));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   // A thousandth of a degree is no hair.

@@ -392,13 +392,14 @@ TEST(SpaceScales, AMitreStretchesItsErrors) {
   EXPECT_NEAR(conditions.next(events).pose.tip / (vector * direction * (1 + vector)), 1, 1e-9);
 }
 
-// Near a reversal the mitre is as long as its condition, and the directions stay those of the programmed ends.
+// Near a reversal, the turn back by 2/far, the mitre is as long as its condition, and the directions stay those of the programmed ends.
 TEST(SpaceScales, AMitreNearAReversal) {
   spec::Setup setup;
   setup.control = spec::Control::heidenhain;
   setup.axes = spec::Axes("XYZ");
   constexpr int far = 1'000'000'000;
-  const std::vector<model::Event> events = {beside(8, 0, Real(8 + far), Real(1)), beside(0, 1, Real(0), Real(2))};
+  const std::vector<model::Event> events = {beside(8, 0, Real(8 + far), Real(1)),
+                                           beside(0, -16.0 / far, Real(0), Real(2))};
   Conditions conditions(setup);
   const double direction = policy::ulp(1) + policy::ulp(8) / 8;
   EXPECT_NEAR(conditions.next(events).pose.tip / (far * direction * (1.0 + far)), 1, 1e-6);

@@ -149,6 +149,7 @@ spec::Setup any_setup() {
   setup.units = *rc::gen::element(Units::mm, Units::inch);
   setup.increment = *rc::gen::element(IncrementSystem::is_a, IncrementSystem::is_b, IncrementSystem::is_c);
   setup.cutter_compensation = *rc::gen::element(CutterCompensationType::b, CutterCompensationType::c);
+  setup.rotary_angles = *rc::gen::element(RotaryAngles::machine, RotaryAngles::programmed);
   setup.type_b_without_perpendicular = *rc::gen::arbitrary<bool>();
   setup.block_skip = *rc::gen::arbitrary<bool>();
   setup.axes = Axes(*rc::gen::elementOf(std::vector<std::string>{"XYZ", "XYZBC", "ZAX", "ABCUVWXYZ"}));

@@ -175,10 +175,9 @@ RC_GTEST_PROP(LawsOfToolSide, ValueZeroIsTheIdentityInSpace, ()) {
 
 // Every vector lies in the plane of the tool, and the head of every block's end lies at the tool's radius from the line
 // the block is programmed on, on the side of the code: V . VT = 0, V . (VT x U) = r |VT x U|.
-RC_GTEST_PROP(LawsOfToolSide, HeadsLieInThePlaneAtTheRadius, ()) {
+void heads_lie_in_the_plane_at_the_radius(const Legs& legs) {
   const std::int64_t radius = any_radius();
   RC_PRE(radius != 0);
-  const Legs legs = any_legs();
   const spec::Case c = unchecked(in_space(radius, legs));
   const auto run = model_run(c);
   RC_LOG() << fuzz::encode(c);
@@ -202,6 +201,21 @@ RC_GTEST_PROP(LawsOfToolSide, HeadsLieInThePlaneAtTheRadius, ()) {
     RC_ASSERT((across.sign() == exact::Sign::positive) == (radius > 0));
     RC_ASSERT(equal(square(across), square(Real(Rational(radius, 1000))) * length2));
   }
+}
+
+RC_GTEST_PROP(LawsOfToolSide, HeadsLieInThePlaneAtTheRadius, ()) { heads_lie_in_the_plane_at_the_radius(any_legs()); }
+
+// Whether a block moves is asked at each corner by itself: so too where blocks go along the tool of the one before.
+RC_GTEST_PROP(LawsOfToolSide, HeadsOfBlocksAlongTheToolBefore, ()) {
+  Legs legs(*rc::gen::inRange<std::size_t>(4, 8));
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    legs[i] = {*not_zero(), *not_zero()};
+    if (i == 0 || *rc::gen::arbitrary<bool>()) continue;
+    const std::int64_t times = *rc::gen::elementOf(std::vector<std::int64_t>{-3, -1, 1, 2});
+    for (std::size_t k = 0; k < 3; ++k) legs[i].movement[k] = times * legs[i - 1].tool[k];
+  }
+  RC_PRE(std::ranges::all_of(legs, [](const Leg& leg) { return cross(leg.movement, leg.tool) != Vector{}; }));
+  heads_lie_in_the_plane_at_the_radius(legs);
 }
 
 // The heads at the end of each block, in order.

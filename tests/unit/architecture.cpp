@@ -60,6 +60,22 @@ TEST(Architecture, DependenciesRunOneWay) {
   EXPECT_GT(seen, 100U);
 }
 
+// A law is worth what its independence is worth: of the model it knows the events and the numbers.
+TEST(Architecture, LawsKnowNoEngine) {
+  const std::regex include(R"re(#include "([a-z_]+/[^"]*)")re");
+  const std::set<std::string> known{"model/engine.h", "model/exact/real.h"};
+  for (const fs::path& file : sources("fuzz/laws")) {
+    const std::string text = read(file);
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), include); it != std::sregex_iterator(); ++it) {
+      const std::string name = (*it)[1].str();
+      EXPECT_TRUE(known.contains(name) || name.starts_with("fuzz/laws/") || name.starts_with("spec/language/"))
+          << file << " includes " << name;
+    }
+    EXPECT_EQ(text.find("spec::Clause"), std::string::npos) << file;
+    EXPECT_EQ(text.find(".clauses"), std::string::npos) << file;
+  }
+}
+
 TEST(Architecture, SpecificationOfLanguageDoesNotKnowMeaning) {
   for (const fs::path& file : sources("spec/language"))
     EXPECT_EQ(read(file).find("boost/multiprecision"), std::string::npos) << file << ": syntax does no arithmetic";

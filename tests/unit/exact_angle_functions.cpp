@@ -67,6 +67,12 @@ TEST(AngleFunctions, OfRationalDegreesTheyAreTheCyclotomicOnes) {
   EXPECT_EQ((square(sin_real_degrees(Real(17))) + square(cos_real_degrees(Real(17))) - 1).sign(), Sign::zero);
 }
 
+TEST(AngleFunctions, Pi) {
+  EXPECT_EQ(pi().decimal(30), "3.14159265358979323846264338328");
+  EXPECT_EQ((Real(Rational(22, 7)) - pi()).sign(), Sign::positive);
+  EXPECT_THROW(static_cast<void>((pi() * pi() - square(pi())).sign()), Undecided);
+}
+
 TEST(AngleFunctions, AZeroOfTheirsIsUndecided) {
   const Real angle = arctangent_degrees(Rational(3, 4));
   EXPECT_THROW(static_cast<void>((sin_real_degrees(angle) - Rational(3, 5)).sign()), Undecided);

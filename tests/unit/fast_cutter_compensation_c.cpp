@@ -454,21 +454,26 @@ TEST(FastCutterCompensationC, NoIntersectionNamesTheFormerBlock) {
 }
 
 // By hand: straight back after B is called 1 degree. The corner moves stand where the block before ended, as it is
-// called now; so does the tool.
+// called now; the tool does not turn, but where programmed angles turn it.
 TEST(FastCutterCompensationC, CornerMovesCarryTheToolAsItIsCalled) {
-  const ProgramRun run(
-      "control=\"fanuc\"\naxes=[\"X\",\"Y\",\"Z\",\"B\"]\n[parameters]\n19610=4\n19611=3\n19612=1\n19613=2\n"
-      "[offsets.D]\n1=10\n",
-      "G42 D1 G01 Y10 F100\nY50\nG92 B1\nY0\nY-50\n");
-  EXPECT_EQ(run.alarm(), "");
-  std::size_t corners = 0;
-  for (const Event& event : run.events) {
-    if (event.cause != spec::Cause::corner) continue;
-    ++corners;
-    ASSERT_TRUE(event.tool_axis);
-    EXPECT_NEAR(event.tool_axis->at(0), std::sin(std::acos(-1.0) / 180), 1e-15);
-  }
-  EXPECT_EQ(corners, 1U);
+  const auto expect_tool = [](const std::string& angles, double x) {
+    const ProgramRun run(
+        angles +
+            "control=\"fanuc\"\naxes=[\"X\",\"Y\",\"Z\",\"B\"]\n[parameters]\n19610=4\n19611=3\n19612=1\n19613=2\n"
+            "[offsets.D]\n1=10\n",
+        "G42 D1 G01 Y10 F100\nY50\nG92 B1\nY0\nY-50\n");
+    EXPECT_EQ(run.alarm(), "");
+    std::size_t corners = 0;
+    for (const Event& event : run.events) {
+      if (event.cause != spec::Cause::corner) continue;
+      ++corners;
+      ASSERT_TRUE(event.tool_axis);
+      EXPECT_NEAR(event.tool_axis->at(0), x, 1e-15);
+    }
+    EXPECT_EQ(corners, 1U);
+  };
+  expect_tool("", 0);
+  expect_tool("rotary_angles=\"programmed\"\n", std::sin(std::acos(-1.0) / 180));
 }
 
 // By hand, clause fanuc.cutter-c.workpiece-change: Z 0 is called 7 in a block that drops the length of 20. Where the

@@ -174,6 +174,72 @@ TEST(FastToolCenterPointControlRules, Arc) {
   // Leant toward the end tangent, -X: by hand.
   const ProgramRun leant(machine_head("", "X=10\nC=180\n"), "G43.5 H1 Q30\nG03 X0 Y10 R10 K1 F100\n");
   expect_direction(leant, 1, {-0.5, 0, std::sqrt(0.75)});
+  // In a helix with its pitch, from an independent computation: d = (-5 pi, 0, 20), and (15 pi, 0, 20).
+  const ProgramRun helix(kNoKinematics + "[position]\nX=10\n", "G43.5 H1 Q30\nG03 X0 Y10 Z20 R10 J1 F100\n");
+  expect_direction(helix, 1, {-0.308833912419428, std::sqrt(0.75), 0.3932195500476916});
+  const ProgramRun larger(kNoKinematics + "[position]\nX=10\n", "G43.5 H1 Q30\nG02 X0 Y10 Z20 R-10 J1 F100\n");
+  expect_direction(larger, 1, {0.4602626292564982, std::sqrt(0.75), 0.1953415268443842});
+}
+
+// WKP = 1: point and axes belong together around the turns of the table; by hand.
+TEST(FastToolCenterPointControlRules, PointsAroundTurnsOfTheTable) {
+  const std::string wkp = "\"19696#5\"=1\n";
+  const ProgramRun before(machine_b_c_mixed(wkp, ""), "G43.4 H1 P1\nX10\nB30 C90\n");
+  ASSERT_EQ(before.alarm(), "");
+  ASSERT_EQ(before.events.size(), 4U);
+  EXPECT_EQ(before.events[2].cause, spec::Cause::pre_turn);
+  expect_point(before, 2, {0, -10, 0});
+  expect_axes(before, 2, "XYC", {0, -10, 90});
+  EXPECT_EQ(before.programmed(2, 'X'), 10);
+  expect_point(before, 3, {0, -10, 0});
+  const ProgramRun behind(machine_b_c_mixed(wkp, ""), "G43.4 H1 P1 B30 C90\nX0 Y-10 Z0\nX10 Y0 B0 C0\nX20\n");
+  ASSERT_EQ(behind.alarm(), "");
+  ASSERT_EQ(behind.events.size(), 5U);
+  expect_point(behind, 2, {0, -10, 0});
+  expect_axes(behind, 2, "XYC", {0, -10, 90});
+  EXPECT_EQ(behind.programmed(2, 'X'), 10);
+  EXPECT_EQ(behind.events[3].cause, spec::Cause::post_turn);
+  expect_point(behind, 3, {10, 0, 0});
+  expect_axes(behind, 3, "XYC", {10, 0, 0});
+  expect_point(behind, 4, {20, 0, 0});
+}
+
+// The angles are those of the machine: programmed position plus zero. By hand on the head of the sheet.
+TEST(FastToolCenterPointControlRules, ZerosOfRotaryAxes) {
+  const std::string zeros = "[workpiece.G54]\nB=30\n[workpiece.G55]\nB=30\nC=100\n";
+  const double root = std::sqrt(0.75);
+  const ProgramRun run(machine_head("", "", zeros), "G43.4 H1\nG01 X10 B60 F100\nG49\nG55\nG92 B5\nX0\n", 2);
+  ASSERT_EQ(run.alarm(), "");
+  expect_axes(run, 0, "XZB", {50, 100 * root, 0});
+  expect_direction(run, 0, {0.5, 0, root});
+  expect_axes(run, 1, "XZB", {5 + 100 * root, 50, 30});
+  expect_axes(run, 2, "XZB", {110, 0, 60});
+  EXPECT_NEAR(run.machine(2, 'B'), 90, 1e-13);
+  expect_axes(run, 3, "BC", {5, -100}, 0);
+  expect_direction(run, 3, {1, 0, 0});
+  const ProgramRun programmed("rotary_angles=\"programmed\"\n" + machine_head("", "", zeros),
+                              "G43.4 H1\nG01 X10 B60 F100\nG49\nG92 B5\nX0\n");
+  expect_axes(programmed, 0, "XZB", {0, 100, 0});
+  expect_axes(programmed, 1, "XZB", {10 + 100 * root, 50, 60});
+  expect_direction(programmed, 2, {std::sin(std::acos(-1.0) / 36), 0, std::cos(std::acos(-1.0) / 36)});
+  // Type 2: nearness to 0 and ranges by the angles, positions by the zero.
+  const ProgramRun near(machine_head("", "C=-55\n", "[workpiece.G54]\nC=100\n"), "G43.5 P0\nI-1 J1 K2\n");
+  expect_axes(near, 1, "BC", {-35.264389682754654, -145}, 1e-12);
+  const ProgramRun ranged(machine_head("19743=30\n", "", "[workpiece.G54]\nB=30\n"), "G43.5 P0\nI1 K2\n");
+  ASSERT_EQ(ranged.alarm(), "");
+  expect_axes(ranged, 1, "BC", {26.565051177077990 - 30, 0}, 1e-12);
+  // What inverse kinematics has turned, and is called otherwise since.
+  const ProgramRun named(machine_head("", ""), "G43.5 P0\nI1 J2\nG49\nG92 B0 C0\nG43.5 P0\nI-2 J1\n");
+  ASSERT_EQ(named.alarm(), "");
+  expect_axes(named, 3, "BC", {0, 90}, 1e-12);
+}
+
+// A block of G43.5 without I J K, and those that follow, leave axes outside their ranges where they are.
+TEST(FastToolCenterPointControlRules, WithoutDirectionTheAxesStandOutsideTheirRanges) {
+  const ProgramRun run(machine_head("19743=10\n19744=-10\n", "B=30\n"), "G43.5 H1 P1\nX10\nI1 K2\n");
+  EXPECT_EQ(run.alarm(), "PS5459@3");
+  expect_axes(run, 0, "BC", {30, 0}, 0);
+  expect_axes(run, 1, "BC", {30, 0}, 0);
 }
 
 // Without kinematics: I J K, on the great circle; by hand.

@@ -116,6 +116,23 @@ TEST(MachineMoves, OnlyTheAxisOffsetLastComesBack) {
   }
 }
 
+// By hand: Y has lost its vector and X was offset last, so the number stored for Y, 3 for 2, acts on X in the next
+// block.
+TEST(MachineMoves, WhatIsStoredActsOnTheAxesOffsetLast) {
+  const auto last = [](const char* evo, const std::string& rest) {
+    const ProgramRun run(setup(std::string("\"5001#1\"=1\n\"5001#6\"=") + evo, "[offsets.H]\n1=10\n2=20\n3=30\n"),
+                         "G18 G43 Y0 H1\nG19 H2\nG53 Y0\nG18\n" + rest);
+    EXPECT_EQ(run.alarm(), "");
+    return std::pair(run.events.back().axes.value[0], run.events.back().axes.value[1]);
+  };
+  EXPECT_EQ(last("1", "G40 H3\n"), std::pair(20.0, 0.0));
+  EXPECT_EQ(last("1", "G40 H3\nG91\n"), std::pair(30.0, 0.0));
+  EXPECT_EQ(last("1", "G40 H3\nG91\nG43\n"), std::pair(30.0, 30.0));
+  EXPECT_EQ(last("1", "G40 G44\nG91\n"), std::pair(-20.0, 0.0));
+  EXPECT_EQ(last("0", "G40 H3\nG91\n"), std::pair(20.0, 0.0));
+  EXPECT_EQ(last("0", "G40 H3\nG91\nG43\n"), std::pair(20.0, 30.0));
+}
+
 TEST(MachineMoves, CutterCodePutsRestorationOff) {
   // Example 7 of 14.1.2, with G40 for the G41 that belongs to another section.
   const ProgramRun run(setup("\"5001#6\"=1", kWorkZero), "G90 G43 Z0 H1\nG53 Z-10\nG40 X10\nX50\n");

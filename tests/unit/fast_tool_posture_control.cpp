@@ -364,6 +364,36 @@ TEST(FastPosture, Samples) {
   }
 }
 
+// By hand, as in the tests of the model: from the edge of reach to the pole, B half a turn up and C to -90.
+TEST(FastPosture, FromTheEdgeOfReachToAPole) {
+  const std::string mixed = machine_of(21, kB, 5, kC, 3, 0, 1) + parameter(19683, 45);
+  for (const auto& [from, to] : {std::pair{-180, 0}, std::pair{180, 360}, std::pair{540, 720}}) {
+    const std::string b = std::to_string(from);
+    TestMachine head(kN45);
+    PosturePlan plan = run(head, head.at("0", b), TestMachine::direction(0, 0, 1));
+    ASSERT_EQ(plan.outcome, Outcome::good);
+    expect_pair(plan.end, -90, to);
+    expect_sample(plan, 1, 2, -65.53019947929781, from + 114.4698005207022);
+    TestMachine tool_and_table(mixed);
+    plan = run(tool_and_table, tool_and_table.at(b, "0"), TestMachine::direction(0, 0, 1));
+    expect_pair(plan.end, to, -90);
+    TestMachine table(kT45);
+    Pose frozen = table.at(b, "0");
+    table.machine.freeze(frozen);
+    plan = run(table, frozen, TestMachine::direction(0, 1, 0));
+    expect_pair(plan.end, to, -90);
+  }
+  // Type 1: toward the pair commanded.
+  TestMachine head(kN45);
+  EXPECT_FALSE(run(head, head.at("0", "180"), head.at("-90", "360")).branch_warning);
+  EXPECT_FALSE(run(head, head.at("0", "180"), head.at("90", "0")).branch_warning);
+  const PosturePlan turned = run(head, head.at("0", "180"), head.at("10", "360"));
+  EXPECT_FALSE(turned.branch_warning);
+  EXPECT_TRUE(turned.post_turn);
+  expect_pair(turned.arrived, -90, 360);
+  EXPECT_TRUE(run(head, head.at("0", "180"), head.at("-90", "720")).branch_warning);
+}
+
 // Every block between directions of small whole numbers, where exact ties are common: singular and opposite ones,
 // through a pole, on the edge of reach. Doubles and double-double plan the same, and the motion has no jump.
 TEST(FastPosture, SmallDirections) {

@@ -139,14 +139,14 @@ TEST(FastToolSideCompensation, PlaneChange) {
     EXPECT_EQ(run.alarm(), alarm) << what;
     expect_heads(vectors_at(run, b), heads, what);
   };
-  expect("TS8", figure, ts8("", ""), {}, "OVERCUT_PLANE_CHANGE@3");
+  expect("TS8", figure, ts8("", ""), {}, "PS0041@3");
   // Moves to V1 and V2, then the rotation at V2.
   expect("TS8 Q1", figure, ts8(" Q1", ""), {{10, 0, 0}, {10, 0, 0}}, "");
   expect("TS8 Q2", figure, ts8(" Q2", ""), {v1, v1}, "");
   expect("TS8 Q3", figure, ts8(" Q3", ""), {v1, v2, v2}, "");
   expect("TS8 repeated", figure, ts8("", "G41.2 "), {{10, 0, 0}, {10, 0, 0}}, "");
   expect("TS8 unchecked", machine("\"19605#5\"=1\n", 'A', 0, 40, 40), ts8("", ""), {v1, v2, v2}, "");
-  expect("TS8, limit 91", machine("6261=91\n", 'A', 0, 40, 40), ts8("", ""), {}, "OVERCUT_PLANE_CHANGE@3");
+  expect("TS8, limit 91", machine("6261=91\n", 'A', 0, 40, 40), ts8("", ""), {}, "PS0041@3");
   expect("TS8, limit 91.001", machine("6261=\"91.001\"\n", 'A', 0, 40, 40), ts8("", ""), {v1, v2, v2}, "");
   EXPECT_EQ(ProgramRun(figure, ts8(" Q4", "")).alarm(), "Q_FORMAT@3");
 
@@ -154,7 +154,7 @@ TEST(FastToolSideCompensation, PlaneChange) {
     return "G43.5 H0 I0 J-4 K3\nG01 G41.6 D1 Y0 Z0 F100\nY-200 Z-200" + q + "\nI0 J4 K3\nY-400 Z0\nG40 Y-440 Z40\n";
   };
   const std::string rational = setup("", 0, 40, 40);
-  expect("TS9", rational, ts9(""), {}, "OVERCUT_PLANE_CHANGE@3");
+  expect("TS9", rational, ts9(""), {}, "PS0041@3");
   expect("TS9 Q1", rational, ts9(" Q1"), {{10, 0, 0}, {10, 0, 0}}, "");
   expect("TS9 Q3", rational, ts9(" Q3"), {{10, -6, -8}, {-10, -6, -8}, {-10, -6, -8}}, "");
   const ProgramRun ts9c(setup("", -40, 0),
@@ -324,6 +324,45 @@ TEST(FastToolSideCompensation, BlocksWithoutMovement) {
   EXPECT_EQ(kept.alarm(), "");
   expect_heads(vectors_at(kept, q), {{-5, 5, 0}}, "kept, start");
   expect_heads(vectors_at(kept, {100, 100, 0}), {{-5, 5, 0}}, "kept, end");
+}
+
+// Whether a block moves is asked at each corner by itself; the derivations stand beside the same programs in the test
+// of the model.
+TEST(FastToolSideCompensation, MovesAtItsOwnEnd) {
+  const auto mode = [](const std::string& parameters, const std::string& rest) {
+    return ProgramRun(setup(parameters, -40, 0), kUntilted + "G01 G41.6 D1 X0 F100\nX100\n" + rest);
+  };
+  const auto expect = [](const std::string& what, const ProgramRun& run, const std::vector<Vector>& points,
+                         const std::string& alarm = "") {
+    EXPECT_EQ(run.alarm(), alarm) << what;
+    const std::size_t moves = run.events.size() - (alarm.empty() ? 0U : 1U);
+    ASSERT_EQ(moves, points.size() + 2) << what;  // the G43.5 block and the start-up
+    for (std::size_t i = 0; i < points.size(); ++i) expect_near(point(run, i + 2), points[i], what);
+  };
+  expect("passed over", mode("", "Z50 I3 J0 K4\nY100\nG40 Y150\n"),
+         {{90, 10, 0}, {92, -10, 56}, {92, 100, 56}, {100, 150, 50}});
+  expect("behind the tool alone", mode("", "I3 J0 K4\nZ50\nY100\n"),
+         {{100, 10, 0}, {100, 10, 0}, {92, -10, 56}, {92, 100, 56}});
+  expect("two", mode("", "Z50 I3 J0 K4\nX130 Z90\nY100\n"),
+         {{100, 10, 0}, {92, -10, 56}, {122, -10, 96}, {122, 100, 96}});
+  expect("reversal", mode("\"19605#5\"=1\n", "Z50 I0 J3 K4\nX0\n"),
+         {{110, 10, 0}, {110, -10, 0}, {110, -8, 56}, {0, -8, 56}});
+  expect("interference", mode("", "Z3 I3 J0 K4\nY-100\n"), {{110, 10, 0}}, "PS0041@4");
+  expect("Q", mode("", "Z50 I3 J0 K4 Q1\nY100\n"), {{90, 10, 0}, {100, -10, 50}, {92, 100, 56}});
+  expect("value", mode("", "Z50 I3 J0 K4 D2\nY100\n"), {{90, 10, 0}, {96, -5, 53}, {96, 100, 53}});
+  expect("repeated in it", mode("", "G41.6 Z50 I3 J0 K4\nY100\n"), {{100, 10, 0}, {92, -10, 56}, {92, 100, 56}});
+  expect("repeated behind", mode("", "Z50 I3 J0 K4\nG41.6 Y100\n"), {{100, 10, 0}, {100, -10, 50}, {92, 100, 56}});
+  expect("stop", mode("", "Z50 I3 J0 K4\nM00\n"), {{100, 10, 0}, {100, -10, 50}});
+  expect("cancel", mode("", "G40 Z50 I3 J0 K4\n"), {{100, 10, 0}, {100, 0, 50}});
+  expect("cancel along its tool", mode(kTypeB, "G40 Y-30 Z40 I0 J-3 K4\nX200\n"),
+         {{110, 10, 0}, {110, 0, 0}, {110, -30, 40}, {200, -30, 40}});
+  expect("cancel behind", mode("", "Z50 I3 J0 K4\nG40 Y100\n"), {{100, 10, 0}, {100, -10, 50}, {100, 100, 50}});
+  // No. 19630 in its own plane, where Z is 3/5 as long.
+  const std::string limit = "19630=6\n";
+  expect("at the limit", mode(limit, "Z10 I3 J0 K4\nY100\n"), {{90, 10, 0}, {92, -10, 16}, {92, 100, 16}});
+  expect("under it", mode(limit, "Z9.999 I3 J0 K4\nY100\n"), {{90, 10, 0}, {90, 10, 9.999}, {92, 100, 15.999}});
+  expect("under it at its end alone", mode(limit, "X106 Z8.5 I3 J0 K4\nY100\n"),
+         {{100, 10, 0}, {106, 10, 8.5}, {98, 100, 14.5}});
 }
 
 TEST(FastToolSideCompensation, Alarms) {

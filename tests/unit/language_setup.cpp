@@ -41,6 +41,7 @@ axes = ["X", "Z", "B"]
 increment = "IS-C"
 cutter_compensation = "B"
 type_b_without_perpendicular = true
+rotary_angles = "programmed"
 block_skip = true
 [parameters]
 "5001#2" = true
@@ -73,7 +74,7 @@ Z = "198.0"
 
 constexpr std::string_view kJson = R"({
   "control": "fanuc", "units": "inch", "axes": ["X", "Z", "B"], "increment": "IS-C",
-  "cutter_compensation": "B", "type_b_without_perpendicular": true, "block_skip": true,
+  "cutter_compensation": "B", "type_b_without_perpendicular": true, "rotary_angles": "programmed", "block_skip": true,
   "parameters": { "5001#2": true, "5001#3": "0", "19631": 1.50, "19680": "2" },
   "offsets": { "memory": "B", "count": 99,
     "H": { "1": -4.0, "2": { "geometry": "120", "wear": -0.25 } }, "D": { "99": 5 } },
@@ -90,6 +91,7 @@ TEST(Setup, EveryKeyIsRead) {
   EXPECT_EQ(setup.increment, IncrementSystem::is_c);
   EXPECT_EQ(setup.cutter_compensation, CutterCompensationType::b);
   EXPECT_TRUE(setup.type_b_without_perpendicular);
+  EXPECT_EQ(setup.rotary_angles, spec::RotaryAngles::programmed);
   EXPECT_TRUE(setup.block_skip);
   EXPECT_EQ(setup.parameter(19631), (Decimal{150, 2, false, true}));
   EXPECT_EQ(setup.parameter(19680), decimal(2));
@@ -168,6 +170,13 @@ TEST(Setup, OffsetMemoryFollowsTheEntries) {
   EXPECT_EQ(toml("offsets.memory = \"C\"\n[offsets.H]\n1 = 2").memory, OffsetMemory::c);
 }
 
+TEST(Setup, RotaryAnglesAreOfTheMachineUnlessSaidOtherwise) {
+  EXPECT_EQ(toml("").rotary_angles, spec::RotaryAngles::machine);
+  EXPECT_EQ(toml("rotary_angles = \"machine\"").rotary_angles, spec::RotaryAngles::machine);
+  EXPECT_EQ(toml_error("rotary_angles = \"workpiece\""),
+            "f.toml:1:17: rotary_angles: unknown value \"workpiece\"; expected one of machine, programmed");
+}
+
 TEST(Setup, TypeOfCutterCompensation) {
   EXPECT_EQ(toml("").cutter_compensation, CutterCompensationType::c);
   EXPECT_EQ(toml("cutter_compensation = \"B\"").cutter_compensation, CutterCompensationType::b);
@@ -188,8 +197,8 @@ TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
   EXPECT_EQ(toml_error("units = \"cm\""), "f.toml:1:9: units: unknown value \"cm\"; expected one of mm, inch");
   EXPECT_EQ(toml_error("\n unit = 1"),
             "f.toml:2:2: setup: unknown key \"unit\"; expected one of control, units, axes, increment, "
-            "cutter_compensation, type_b_without_perpendicular, block_skip, parameters, offsets, workpiece, position, "
-            "reference, measurement");
+            "cutter_compensation, type_b_without_perpendicular, rotary_angles, block_skip, parameters, offsets, "
+            "workpiece, position, reference, measurement");
   EXPECT_EQ(toml_error("axes = [\"X\", \"Q\"]"),
             "f.toml:1:14: axes: \"Q\" is no axis; expected one of A B C U V W X Y Z");
   EXPECT_EQ(toml_error("axes = [\"X\", \"X\"]"), "f.toml:1:14: axes: axis X is given twice");
@@ -248,8 +257,8 @@ TEST(Setup, KeysOfAControlAreRefusedUnderTheOther) {
   EXPECT_EQ(toml_error("[[tool]]\nR = 3"), "f.toml:1:3: setup: \"tool\" belongs to control \"heidenhain\"");
   EXPECT_EQ(toml_error("[[correction.tcs]]").substr(12), "setup: \"correction\" belongs to control \"heidenhain\"");
   EXPECT_EQ(toml_error("[[dr2table]]").substr(12), "setup: \"dr2table\" belongs to control \"heidenhain\"");
-  for (const char* key : {"increment", "cutter_compensation", "type_b_without_perpendicular", "parameters", "offsets",
-                          "workpiece", "reference", "measurement"})
+  for (const char* key : {"increment", "cutter_compensation", "type_b_without_perpendicular", "rotary_angles",
+                          "parameters", "offsets", "workpiece", "reference", "measurement"})
     EXPECT_EQ(toml_error(kHeidenhain + std::string(key) + " = 1"),
               "f.toml:2:1: setup: \"" + std::string(key) + "\" belongs to control \"fanuc\"");
   EXPECT_EQ(

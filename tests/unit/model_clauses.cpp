@@ -316,6 +316,9 @@ std::vector<Program> tool_center_point_programs() {
       {ranges, "G43.5 P0\nI0 J1 K1\nI-1 J1 K2\n"},
       {of_machine(kHead + "19741 = 10\n19742 = -10\n"), "G43.5 P0\nI0 J1 K1\n"},
       {of_machine(kHead + "19741 = -10\n19742 = 10\n"), "G43.5\n"},
+      // Zeros of rotary axes
+      {of_machine(kHead) + "[workpiece.G54]\nB = 10\n", "X1\n"},
+      {"rotary_angles = \"programmed\"\n" + of_machine(kHead) + "[workpiece.G54]\nB = 10\n", "X1\n"},
   };
 }
 

@@ -260,16 +260,21 @@ TEST(ModelCutterCRules, WorkpieceSystemChangedOnTheWay) {
   const std::string rotary =
       "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\"]\n[offsets.D]\n1 = 10\n[workpiece.G55]\nB = 90\n";
   EXPECT_EQ(test::lines(run(rotary, started("G55 X10 Y-40\n")))[2], "3 linear X54 Y2 Z0 B-90 (corner)");
-  // And the tool, of a head with A on B, the direction that goes with it: (sin -90, 0, cos -90).
-  const auto head =
-      run("control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"B\"]\n[parameters]\n19680 = 2\n19681 = 5\n"
-          "19682 = 2\n19686 = 4\n19687 = 1\n[offsets.D]\n1 = 10\n[workpiece.G55]\nB = 90\n",
-          started("G55 X10 Y-40\n"));
-  const model::Event& corner = head.events().at(2);
-  ASSERT_EQ(corner.cause, spec::Cause::corner);
-  ASSERT_TRUE(corner.tool_axis);
-  EXPECT_EQ((*corner.tool_axis)[0].decimal(9), "-1");
-  EXPECT_EQ((*corner.tool_axis)[2].decimal(9), "0");
+  // The tool, of a head with A on B, stays; where programmed angles turn it it goes with the name: (sin -90, 0, cos
+  // -90).
+  const std::string head =
+      "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"B\"]\n[parameters]\n19680 = 2\n19681 = 5\n"
+      "19682 = 2\n19686 = 4\n19687 = 1\n[offsets.D]\n1 = 10\n[workpiece.G55]\nB = 90\n";
+  const auto expect_tool = [](const std::string& setup, const std::string& x, const std::string& z) {
+    const auto done = run(setup, started("G55 X10 Y-40\n"));
+    const model::Event& corner = done.events().at(2);
+    ASSERT_EQ(corner.cause, spec::Cause::corner);
+    ASSERT_TRUE(corner.tool_axis);
+    EXPECT_EQ((*corner.tool_axis)[0].decimal(9), x);
+    EXPECT_EQ((*corner.tool_axis)[2].decimal(9), z);
+  };
+  expect_tool(head, "0", "1");
+  expect_tool("rotary_angles = \"programmed\"\n" + head, "-1", "0");
 }
 
 // Every decision about a small movement, "quantity of scale".

@@ -171,6 +171,20 @@ TEST(ModelLengthOffset, StoredMeansStoredForEveryAxis) {
   EXPECT_EQ(moves("", "G43 Z0\nG53 Z0\nG40 H1 Z0\n").back(), "3 rapid X0 Y0 Z0 W0 B0");
 }
 
+// Found by fuzzing. Y has lost its vector and X was offset last: the number, or the mode, that is stored for Y acts on
+// X in the next block, and on Y with G43.
+TEST(ModelLengthOffset, WhatIsStoredActsOnTheAxesOffsetLast) {
+  const std::string start = "G18 G43 Y0 H1\nG19 H2\nG53 Y0\nG18\n";
+  const auto stored = [&](const std::string& parameters, const std::string& rest) {
+    Lines seen = moves(kTypeB + parameters, start + rest);
+    EXPECT_EQ(seen[2], "3 rapid X20 Y0 Z0 W0 B0");
+    return Lines(seen.begin() + 3, seen.end());
+  };
+  EXPECT_EQ(stored(kEvo, "G40 H3\nG91\nG43\n"), (Lines{"6 rapid X30 Y0 Z0 W0 B0", "7 rapid X30 Y30 Z0 W0 B0"}));
+  EXPECT_EQ(stored(kEvo, "G40 G44\nG91\n"), (Lines{"6 rapid X-20 Y0 Z0 W0 B0"}));
+  EXPECT_EQ(stored("", "G40 H3\nG91\nG43\n"), (Lines{"7 rapid X20 Y30 Z0 W0 B0"}));
+}
+
 // A program number is no block; G43.5 takes the place of G43, so nothing comes back with it.
 TEST(ModelLengthOffset, BlocksThatRestoreNothing) {
   EXPECT_EQ(moves(kEvo, "G43 Z0 H1\nG53 Z0\nO7\nX1\n"),

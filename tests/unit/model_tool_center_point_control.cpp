@@ -151,6 +151,13 @@ TEST(ModelToolCenterPoint, Lean) {
   EXPECT_EQ(last_tool(kNone, "G43.5 Q30 I1\n"), "1 0 0");
   // In an arc along the tangent at its end: counter-clockwise to (0, 10) that is -X.
   EXPECT_EQ(last_tool(kNone, "G43.5 Q30\nG01 X10 F1\nG17 G03 X0 Y10 R10\n"), "-0.5 0 0.866025404");
+  // A helix in space, from an independent computation: a quarter of a circle of 10 that climbs by 20, d = (-5 pi, 0,
+  // 20); three quarters of it the other way, d = (15 pi, 0, 20). The tool on the axis does not see the pitch.
+  EXPECT_EQ(last_tool(kNone, "G43.5 Q30 J1\nG01 X10 F1\nG17 G03 X0 Y10 Z20 R10 J1\n"),
+            "-0.308833912 0.866025404 0.39321955");
+  EXPECT_EQ(last_tool(kNone, "G43.5 Q30 J1\nG01 X10 F1\nG17 G02 X0 Y10 Z20 R-10 J1\n"),
+            "0.460262629 0.866025404 0.195341527");
+  EXPECT_EQ(last_tool(kNone, "G43.5 Q30\nG01 X10 F1\nG17 G03 X0 Y10 Z20 R10\n"), "-0.5 0 0.866025404");
   // On a head; Q0 and no Q do not lean; Q elsewhere nobody reads.
   EXPECT_EQ(last(kHead, "G43.5 Q30\nX10\n"), "2 rapid X10 Y0 Z0 A0 B30 C0");
   EXPECT_EQ(last(kHead, "G43.5\nX10 Q30\n"), "2 rapid X10 Y0 Z0 A0 B0 C0");
@@ -260,6 +267,104 @@ TEST(ModelToolCenterPoint, TurnsOfTheTableInTheWorkpieceSystem) {
       (Lines{"1 rapid X0 Y0 Z0 A0 B30 C90", "2 1/2 X0 Y-5 Z0 A0 B30 C90", "2 rapid X0 Y-10 Z0 A0 B30 C90",
              "3 1/2 X0 Y-10 Z0 A0 B15 C90", "3 rapid X0 Y-10 Z0 A0 B0 C90", "3 rapid X10 Y0 Z0 A0 B0 C0 (post-turn)",
              "4 1/2 X15 Y0 Z0 A0 B0 C0", "4 rapid X20 Y0 Z0 A0 B0 C0"}));
+}
+
+// Found by fuzzing: exact zeros that follow from how a direction was made, and of which no proof is at hand.
+TEST(ModelToolCenterPoint, ZerosThatAreKnown) {
+  const auto ends_with_a_move = [](const std::string& machine, const std::string& program) {
+    return run(setup(machine), program).events().back().kind == spec::EventKind::move;
+  };
+  // The changed end lies as far along u_w as the one commanded: at right angles to it, as the travel does.
+  EXPECT_TRUE(ends_with_a_move(
+      "19680 = 2\n19681 = 6\n19682 = 3\n19686 = 4\n19687 = 6\n19688 = 70.382\n19738 = 90\n19739 = 90\n",
+      "G91 G01 F4300 A56.215 C-540.\nG43.5 H1 Q5. P1 I1231.567 J7468.19 K4869.228\nJ-90000. Y65.\nY-75.001\n"));
+  // A changed end, then leaned toward u_w: the pole lies in the plane of the arc.
+  EXPECT_TRUE(ends_with_a_move(
+      "19680 = 12\n19681 = 5\n19682 = 2\n19684 = 1\n19686 = 4\n19687 = 1\n19689 = 1\n\"19608#5\" = 1\n19738 = 45\n"
+      "19739 = 10\n",
+      "G18 G01 F4800 X-40 Y40 Z-25 B360 A270\nG43.5 H1 P1 Q3.\nI-350.0422 J1844.4491 K8802.0156 X-70.0121 Y96.1797 "
+      "Z-37.9659\nG02 Z-119.0909 R-41.093\nG01 I8994.5174 J-222.099 K-222.099 Z-119.0912\nX-50.0121 Y96.1797\n"));
+  // The tool-side axis stands where both pairs lie alike on its two sides, and a helix makes the direction.
+  EXPECT_TRUE(ends_with_a_move(
+      "19680 = 12\n19681 = 5\n19682 = 2\n19686 = 6\n19687 = 3\n19689 = 1\n19698 = 20\n",
+      "G18 B180 C270.\nG43.4 H2 P0 Z25.\nG01 B60 C135 X5.004 Y-12.2593 Z-12.9523 F1\nX101.1596 Y-247.8303 Z-1002.5258 "
+      "B180.\nG43.5 H1 P1 Q2\nG03 Z-1012.113 Y-277.8303 R49.5659 I1. J-1. K2.\n"));
+}
+
+// The same from a singular position of 1.012, an angle that is known by its cosine and sine.
+TEST(ModelToolCenterPoint, MovesFromASingularPositionAreAlike) {
+  const auto done =
+      run(setup("19680 = 12\n19681 = 4\n19682 = 1\n19684 = 1\n19686 = 6\n19687 = 3\n19689 = 1\n19698 = -1.012\n"),
+          "G43.5 H1 P1 Q-2\nG01 X-20. Y0.706 Z39.994 F1\nI0 K1\nG43.5 Q2.\nX-14.803 Y1.967 Z-15.006 K1\n");
+  EXPECT_EQ(done.events().back().kind, spec::EventKind::move);
+}
+
+// Point and axes belong together: the point is where the tip is when the table has turned, the programmed end its name
+// at the start of the block, or at its end.
+TEST(ModelToolCenterPoint, PointsAroundTurnsOfTheTable) {
+  const std::string table = kMixed + kWorkpiece;
+  const std::string before = "G43.4 P1\nX10\nB30 C90\n";
+  EXPECT_EQ(lines(table, before, 0, Show::point),
+            (Lines{"1 rapid X0 Y0 Z0", "2 rapid X10 Y0 Z0", "3 rapid X0 Y-10 Z0 (pre-turn)", "3 rapid X0 Y-10 Z0"}));
+  const auto turned = run(setup(table), before);
+  EXPECT_EQ(turned.events()[2].programmed[0].decimal(9), "10");
+  EXPECT_EQ(turned.events()[2].programmed[1].decimal(9), "0");
+  const std::string behind = "G43.4 P1 B30 C90\nX0 Y-10 Z0\nX10 Y0 B0 C0\nX20\n";
+  EXPECT_EQ(lines(table, behind, 0, Show::point), (Lines{"1 rapid X0 Y0 Z0", "2 rapid X0 Y-10 Z0", "3 rapid X0 Y-10 Z0",
+                                                         "3 rapid X10 Y0 Z0 (post-turn)", "4 rapid X20 Y0 Z0"}));
+  EXPECT_EQ(run(setup(table), behind).events()[2].programmed[0].decimal(9), "10");
+}
+
+// The angles are those of the machine: a zero of an axis and its words moved against each other change nothing there.
+TEST(ModelToolCenterPoint, ZerosOfRotaryAxes) {
+  const auto told = [](const std::string& machine, const std::string& zeros, const std::string& program) {
+    Lines result;
+    const auto done = run(setup(machine, zeros), program, nullptr, 2);
+    for (const model::Event& event : done.events()) {
+      std::string line = std::to_string(event.line) + (event.kind == spec::EventKind::alarm ? " alarm " : " ");
+      for (std::size_t i = 0; i < 6; ++i)
+        if (event.machine.has(i)) line += event.machine[i].decimal(12) + " ";
+      for (std::size_t i = 0; i < 3; ++i)
+        if (event.axes.has(i)) line += event.axes[i].decimal(12) + " ";
+      result.push_back(line + tool(event, 12));
+    }
+    return result;
+  };
+  const std::string near = "19738 = 5\n19739 = 20\n";
+  const std::string ranges = "19741 = 200\n19742 = -170\n19743 = 100\n19744 = -100\n";
+  const auto zeros = [](int a, int b, int c) {
+    return "[workpiece.G54]\nA = " + std::to_string(a) + "\nB = " + std::to_string(b) + "\nC = " + std::to_string(c) +
+           "\n";
+  };
+  for (const std::string& machine : {kHead, kTable, kMixed, kTable + kWorkpiece, kMixed + kWorkpiece})
+    for (const std::string code : {"G43.4 P0 H1\n", "G43.4 P1 H1\n"}) {
+      const auto program = [&](int a, int b, int c) {
+        const auto rotary = [](char axis, int at) { return std::string(1, axis) + std::to_string(at) + " "; };
+        return "X5 " + rotary('A', 20 - a) + rotary('B', 10 - b) + rotary('C', -30 - c) + "\n" + code + "G01 X10 F1 " +
+               rotary('A', 35 - a) + rotary('B', -5 - b) + "\nY7 " + rotary('C', 60 - c) + "\n" + rotary('A', -a) +
+               rotary('B', -b) + "\nZ1 " + rotary('A', 8 - a) + rotary('B', 9 - b) + rotary('C', 100 - c) + "\n";
+      };
+      EXPECT_EQ(told(machine, zeros(0, 0, 0), program(0, 0, 0)),
+                told(machine, zeros(7, -15, 200), program(7, -15, 200)))
+          << machine << code;
+    }
+  const std::string directed = "G43.5 H1 P1\nG01 X10 I1 J2 K9 F1\nI-1 J-2 K8\nX0 I3 J1 K1\nI-3 J1 K2\nX5\nG49\nX9\n";
+  for (const std::string& machine : {kHead, kTable, kMixed, kHead + near, kTable + ranges, kMixed + near + ranges})
+    EXPECT_EQ(told(machine, "[position]\nA = 20\nB = 10\nC = -30\n", directed),
+              told(machine, zeros(7, -15, 200) + "[position]\nA = 13\nB = 25\nC = -230\n", directed))
+        << machine;
+  // Where programmed angles turn the tool a zero says nothing of it.
+  const std::string programmed = "rotary_angles = \"programmed\"\n";
+  EXPECT_EQ(test::lines(run(programmed + setup(kHead, zeros(0, 30, 0)), "G43.4 H1\n")).back(),
+            "1 rapid X0 Y0 Z50 A0 B0 C0");
+  EXPECT_EQ(test::lines(run(setup(kHead, zeros(0, 30, 0)), "G43.4 H1\n")).back(),
+            "1 rapid X25 Y0 Z43.301270189221932 A0 B0 C0");
+  // What inverse kinematics has turned is called otherwise, exactly, and goes on from there: B 90 at the azimuth of
+  // (1, 2).
+  EXPECT_EQ(lines(kHead, "G43.5\nI1 J2\nG49\nG92 B0 C0\nX1\nG43.5\nX10\nG49\nG91 C5\n").back(),
+            "9 rapid X10 Y0 Z0 A0 B0 C5");
+  EXPECT_EQ(last_tool(kHead, "G43.5\nI1 J2\nG49\nG92 B0 C0\nX1\nG43.5\nX10\n"), "0.447213595 0.894427191 0");
+  EXPECT_EQ(lines(kHead, "G43.5 P0\nI1 J2\nG49\nG92 B0 C0\nG43.5 P0\nI-2 J1\n").back(), "6 rapid X0 Y0 Z0 A0 B0 C90");
 }
 
 TEST(ModelToolCenterPoint, KeptDirection) {

@@ -56,11 +56,26 @@ TEST(ModelToolDirection, TheStartPoseIsInForceFirst) {
   EXPECT_EQ(axis(machine(2, 6, 3, 5, 2) + "[position]\nB = 90\n", "G43.5\n"), "1 0 0");
 }
 
-// B at 30 degrees of G54 is at 0 of a G55 that lies 30 degrees further: VT follows the programmed coordinate.
-TEST(ModelToolDirection, FollowsTheProgrammedCoordinate) {
+// B at 30 degrees of G54 is called 0 in a G55 that lies 30 degrees further, or by G92: VT stays (sin 30, 0, cos 30).
+TEST(ModelToolDirection, AChangeOfCoordinatesTurnsNothing) {
+  const std::string leaning = "0.5 0 0.866025403784439";
   const std::string work = machine(2, 6, 3, 5, 2) + "[workpiece.G55]\nB = 30\n";
+  EXPECT_EQ(axis(work, "B30.\nG55\nX1.\n"), leaning);
+  EXPECT_EQ(axis(work, "B30.\nG55\nG43.5\n"), leaning);
+  EXPECT_EQ(axis(work, "B30.\nG92 B0\nX1.\n"), leaning);
+  EXPECT_EQ(axis(work, "G55\nB0\n"), leaning);
+  EXPECT_EQ(axis(work, "G55\nG53 B30.\n"), leaning);
+  EXPECT_EQ(axis(work, "G55\nB-30.\n"), "0 0 1");
+  EXPECT_EQ(axis(machine(2, 6, 3, 5, 2) + "[workpiece.G54]\nB = 30\n", "X1.\n"), leaning);
+}
+
+// The other reading: VT follows the programmed coordinate.
+TEST(ModelToolDirection, FollowsTheProgrammedCoordinateWhereTheSetupSaysSo) {
+  const std::string work = "rotary_angles = \"programmed\"\n" + machine(2, 6, 3, 5, 2) + "[workpiece.G55]\nB = 30\n";
   EXPECT_EQ(axis(work, "B30.\nG55\nX1.\n"), "0 0 1");
   EXPECT_EQ(axis(work, "B30.\nG55\nG43.5\n"), "0 0 1");
+  EXPECT_EQ(axis(work, "B30.\nG92 B0\nX1.\n"), "0 0 1");
+  EXPECT_EQ(axis(work, "G55\nG53 B30.\n"), "0 0 1");
 }
 
 // Linear axis 3 of a rotary axis may be left out where nothing depends on it, but not contradict the other two.

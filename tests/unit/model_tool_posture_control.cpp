@@ -45,7 +45,7 @@ TEST(ModelToolPosture, Ex3OnAHead) {
 TEST(ModelToolPosture, Ex3Conventional) {
   const PostureMachine hc(kHC);
   const Pose start{pyramid(), 135};
-  const PosturePlan plan = hc.posture.conventional(hc.frame, {start, hc.direction(start), edge(-1, -1), {}});
+  const PosturePlan plan = hc.posture.conventional(hc.frame, {start, hc.direction(start), edge(-1, -1), {}, {}});
   EXPECT_EQ(text(plan.end), "35.2643896827547 225");
   EXPECT_EQ(text(plan.motion->at(Rational(1, 4)).tool), "-0.533402096794177 0.220942382690395 0.816496580927726");
   EXPECT_EQ(text(plan.motion->at(Rational(1, 2)).tool), "-0.577350269189626 0 0.816496580927726");
@@ -267,6 +267,35 @@ TEST(ModelToolPosture, TheEdgeOfReachBehindAPole) {
   EXPECT_EQ(above.end.tool.degrees().decimal(12), "-180");
 }
 
+// From the edge of reach, along Y, to upright. The pair chosen has B half a turn up, 0 or 360 alike near to 0, so the
+// greater; by hand the azimuth of the tilted direction goes from 90 to 180 on that way, so C to -90. A table sees the
+// pole, from its frame at B 180, along Y.
+TEST(ModelToolPosture, FromTheEdgeOfReachToAPole) {
+  const std::string nutating_table =
+      "19680 = 12\n19681 = 5\n19682 = 5\n19683 = 45\n19684 = 1\n19686 = 6\n19687 = 3\n19689 = 1\n";
+  const std::string nutating_mixed = "19680 = 21\n19681 = 5\n19682 = 5\n19683 = 45\n19686 = 6\n19687 = 3\n19689 = 1\n";
+  for (const auto& [from, to] : {std::pair{180, "360 -90"}, std::pair{-180, "0 -90"}, std::pair{540, "720 -90"}}) {
+    const PostureMachine n45(kN45);
+    const PosturePlan plan = n45.to({from, 0}, Direction::of({0, 0, 1}));
+    EXPECT_EQ(text(plan.end), to);
+    // (1 + cos B)/2 = cos 45 in the middle, from an independent computation.
+    EXPECT_EQ((plan.motion->at(Rational(1, 2)).pose.tool - Angle(from)).degrees().decimal(12), "114.469800520702");
+    EXPECT_EQ(plan.motion->at(Rational(1, 2)).pose.work.degrees().decimal(12), "-65.530199479298");
+    EXPECT_EQ(text(PostureMachine(nutating_mixed).to({from, 0}, Direction::of({0, 0, 1})).end), to);
+    EXPECT_EQ(text(PostureMachine(nutating_table, {from, 0}).to({from, 0}, Direction::of({0, 1, 0})).end), to);
+  }
+  // Type 1: toward the pair commanded.
+  const PostureMachine n45(kN45);
+  EXPECT_FALSE(n45.to({180, 0}, Pose{360, -90}).branch_differs);
+  EXPECT_FALSE(n45.to({180, 0}, Pose{0, 90}).branch_differs);
+  const PosturePlan turned = n45.to({180, 0}, Pose{360, 10});
+  EXPECT_FALSE(turned.branch_differs);
+  EXPECT_EQ(text(turned.end), "360 -90");
+  ASSERT_TRUE(turned.post_turn);
+  EXPECT_EQ(text(*turned.post_turn), "360 10");
+  EXPECT_TRUE(n45.to({180, 0}, Pose{720, -90}).branch_differs);
+}
+
 // The whole arc lies on the edge of reach of the nutating head: B stands at 180, V turns with C, evenly.
 TEST(ModelToolPosture, AlongTheEdgeOfReach) {
   const PostureMachine n45(kN45);
@@ -300,9 +329,9 @@ TEST(ModelToolPosture, Type1InAFrameAtAnyPose) {
 TEST(ModelToolPosture, TheSameDirectionStands) {
   const PostureMachine tac(kTAC, {pyramid(), Angle::of_direction(3, sqrt(Real(7)))});
   const PosturePlan first =
-      tac.posture.conventional(tac.frame, {Pose{0, 0}, tac.direction({0, 0}), Direction::of({1, 2, 3}), {}});
+      tac.posture.conventional(tac.frame, {Pose{0, 0}, tac.direction({0, 0}), Direction::of({1, 2, 3}), {}, {}});
   const PosturePlan again =
-      tac.posture.conventional(tac.frame, {first.end, Direction::of({1, 2, 3}), Direction::of({2, 4, 6}), {}});
+      tac.posture.conventional(tac.frame, {first.end, Direction::of({1, 2, 3}), Direction::of({2, 4, 6}), {}, {}});
   EXPECT_TRUE(again.end == first.end);
 }
 

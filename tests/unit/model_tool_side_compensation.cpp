@@ -148,7 +148,7 @@ TEST(ModelToolSide, Ts8PlaneChange) {
   // The vectors of the sheet at B(0,-200,-200), fifteen decimals.
   const std::string v1 = "X10 Y-206.946583704589973 Z-207.193398003386511";
   const std::string v2 = "X-10 Y-206.946583704589973 Z-207.193398003386511";
-  EXPECT_EQ(ts8(""), (Lines{"3 OVERCUT_PLANE_CHANGE"}));
+  EXPECT_EQ(ts8(""), (Lines{"3 PS0041"}));
   EXPECT_EQ(ts8(" Q1")[0], "3 linear X10 Y-200 Z-200");
   EXPECT_EQ(ts8(" Q1")[1], "4 linear X10 Y-200 Z-200");
   EXPECT_EQ(ts8(" Q2")[0], "3 linear " + v1);
@@ -159,7 +159,7 @@ TEST(ModelToolSide, Ts8PlaneChange) {
   EXPECT_EQ(ts8("", "G41.2 ")[0], "3 linear X10 Y-200 Z-200");
   EXPECT_EQ(ts8("", "", "\"19605#5\" = 1\n")[1], "4 linear " + v2 + " (corner)");
   // 91 degrees: the limit itself counts.
-  EXPECT_EQ(ts8("", "", "6261 = 91\n"), (Lines{"3 OVERCUT_PLANE_CHANGE"}));
+  EXPECT_EQ(ts8("", "", "6261 = 91\n"), (Lines{"3 PS0041"}));
   EXPECT_EQ(ts8("", "", "6261 = \"91.001\"\n")[1], "4 linear " + v2 + " (corner)");
   EXPECT_EQ(ts8(" Q4"), (Lines{"3 Q_FORMAT"}));
   EXPECT_THROW((void)ts8("", "", "6261 = 181\n"), spec::InputError);
@@ -171,7 +171,7 @@ TEST(ModelToolSide, Ts9RationalPlaneChange) {
         2, setup("", "Y = 40\nZ = 40\n"),
         "G43.5 J-4 K3\nG01 G41.6 D1 X0 Y0 Z0 F1\nY-200 Z-200" + q + "\nJ4 K3\n" + again + "Y-400 Z0\nG40 Y-440 Z40\n");
   };
-  EXPECT_EQ(rational(""), (Lines{"3 OVERCUT_PLANE_CHANGE"}));
+  EXPECT_EQ(rational(""), (Lines{"3 PS0041"}));
   EXPECT_EQ(rational(" Q1")[0], "3 linear X10 Y-200 Z-200");
   EXPECT_EQ(rational(" Q2")[0], "3 linear X10 Y-206 Z-208");
   EXPECT_EQ(rational(" Q2")[1], "4 linear X10 Y-206 Z-208");
@@ -280,6 +280,87 @@ TEST(ModelToolSide, AlongTheToolAtItsEnd) {
       behind(1, setup("\"19605#5\" = 1\n", "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\nX100\nY100 J1 K0\nX200\n"),
       (Lines{"2 linear X0 Y10 Z0 (start-up)", "3 linear X90 Y10 Z0", "4 linear X90 Y110 Z0",
              "5 linear X200 Y100 Z-10"}));
+}
+
+// Whether a block moves is asked at each corner by itself. Along the tool before, Z, which turns to (3/5, 0, 4/5): the
+// corner before passes over it, (-10, 10, 0); at its own end n1 = -Y and Y's left (-4/5, 0, 3/5) make (-8, -10, 6).
+TEST(ModelToolSide, MovesAtItsOwnEnd) {
+  const auto mode = [](const std::string& rest, const std::string& parameters = "") {
+    return behind(2, setup(parameters, "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\n" + rest);
+  };
+  EXPECT_EQ(mode("X100\nZ50 I3 K4\nY100\nG40 Y150\n"),
+            (Lines{"3 linear X90 Y10 Z0", "4 linear X92 Y-10 Z56", "5 linear X92 Y100 Z56",
+                   "6 linear X100 Y150 Z50 (cancel)"}));
+  // The tool alone before it: two blocks without movement at the end of X.
+  EXPECT_EQ(mode("X100\nI3 K4\nZ50\nY100\n"),
+            (Lines{"3 linear X100 Y10 Z0", "4 linear X100 Y10 Z0", "5 linear X92 Y-10 Z56", "6 linear X92 Y100 Z56"}));
+  // Two of them, the second along the tool of the first: X sees that one go straight on, (0, 10, 0); the first passes
+  // over it and meets Y as above; itself it keeps the vector.
+  EXPECT_EQ(mode("X100\nZ50 I3 K4\nX130 Z90\nY100\n"), (Lines{"3 linear X100 Y10 Z0", "4 linear X92 Y-10 Z56",
+                                                              "5 linear X122 Y-10 Z96", "6 linear X122 Y100 Z96"}));
+  // It owns the corner move behind the stop point: reversal with (10, 10, 0), (10, -10, 0). Its own corner with X back,
+  // VT (0, 3/5, 4/5): n1 = X, left of X back is (0, -4/5, 3/5), straight on across the tool, (10, -8, 6).
+  EXPECT_EQ(mode("X100\nZ50 J3 K4\nX0\n", "\"19605#5\" = 1\n"),
+            (Lines{"3 linear X110 Y10 Z0", "4 linear X110 Y-10 Z0 (corner)", "4 linear X110 Y-8 Z56",
+                   "5 linear X0 Y-8 Z56"}));
+  // Interference is asked of it, from (10, 10, 0) to (8, -10, -6), along (-12/25, 0, 9/25) of each unit of Z.
+  EXPECT_EQ(mode("X100\nZ3 I3 K4\nY-100\n"), (Lines{"3 linear X110 Y10 Z0", "4 PS0041"}));
+  // Q and the value count at its own end; a code repeated in it counts at the corner before it.
+  EXPECT_EQ(mode("X100\nZ50 I3 K4 Q1\nY100\n")[1], "4 linear X100 Y-10 Z50");
+  EXPECT_EQ(mode("X100\nZ50 I3 K4 D2\nY100\n")[1], "4 linear X96 Y-5 Z53");
+  EXPECT_EQ(mode("X100\nG41.6 Z50 I3 K4\nY100\n"),
+            (Lines{"3 linear X100 Y10 Z0", "4 linear X92 Y-10 Z56", "5 linear X92 Y100 Z56"}));
+  EXPECT_EQ(mode("X100\nZ50 I3 K4\nG41.6 Y100\n"),
+            (Lines{"3 linear X100 Y10 Z0", "4 linear X100 Y-10 Z50", "5 linear X92 Y100 Z56"}));
+  // An arc always moves, so that both corners ask how they see it: the first on edge.
+  EXPECT_EQ(behind(2, setup("", "X = -40\n"), "G19 G43.5 K1\nG01 G41.6 D1 X0 F1\nX100\nZ50 I1 K0\nG02 Y10 Z60 R10\n"),
+            (Lines{"3 linear X100 Y10 Z0", "4 linear X100 Y-10 Z50", "5 fanuc.tool-side.arc-plane"}));
+  // M00 ends both, and so does the end of the program.
+  for (const char* end : {"M00\n", ""})
+    EXPECT_EQ(mode(std::string("X100\nZ50 I3 K4\n") + end), (Lines{"3 linear X100 Y10 Z0", "4 linear X100 Y-10 Z50"}));
+}
+
+// No. 19630 in the plane of its own tool: Z is 3/5 as long across (3/5, 0, 4/5).
+TEST(ModelToolSide, LimitAtItsOwnEnd) {
+  const auto mode = [](const std::string& z) {
+    return behind(2, setup("19630 = 6\n", "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\nX100\n" + z + " I3 K4\nY100\n");
+  };
+  EXPECT_EQ(mode("Z10"), (Lines{"3 linear X90 Y10 Z0", "4 linear X92 Y-10 Z16", "5 linear X92 Y100 Z16"}));
+  EXPECT_EQ(mode("Z9.999"), (Lines{"3 linear X90 Y10 Z0", "4 linear X90 Y10 Z9.999", "5 linear X92 Y100 Z15.999"}));
+  // Long enough at the corner before it, not at its own end: it is the outgoing leg there, and keeps the vector.
+  EXPECT_EQ(mode("X106 Z8.5"), (Lines{"3 linear X100 Y10 Z0", "4 linear X106 Y10 Z8.5", "5 linear X98 Y100 Z14.5"}));
+}
+
+// Start-up, cancel and change of side beside a block that moves at its own end only, or not there.
+TEST(ModelToolSide, StartAndCancelByTheirOwnEnds) {
+  const auto mode = [](const std::string& rest, const std::string& parameters = "") {
+    return behind(2, setup(parameters, "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\n" + rest);
+  };
+  // G40 along the tool before takes the vector away; along its own it keeps the last vector of the cancel's group.
+  EXPECT_EQ(mode("X100\nG40 Z50 I3 K4\n"), (Lines{"3 linear X100 Y10 Z0", "4 linear X100 Y0 Z50 (cancel)"}));
+  EXPECT_EQ(mode("X100\nG40 Y-30 Z40 J-3 K4\nX200\n", kTypeB),
+            (Lines{"3 linear X110 Y10 Z0", "4 linear X110 Y0 Z0 (corner)", "4 linear X110 Y-30 Z40",
+                   "5 linear X200 Y-30 Z40 (cancel)"}));
+  // Behind a block that X passes over: r n1 of both, then the cancel.
+  EXPECT_EQ(mode("X100\nZ50 I3 K4\nG40 Y100\n"),
+            (Lines{"3 linear X100 Y10 Z0", "4 linear X100 Y-10 Z50", "5 linear X100 Y100 Z50 (cancel)"}));
+  EXPECT_EQ(mode("G42.6 Z50 I3 K4\nY100\n"), (Lines{"3 DIR_CHANGE_AT_STARTUP"}));
+  EXPECT_EQ(mode("Z50 I3 K4\nG42.6 Y100\n"), (Lines{"3 linear X0 Y-10 Z50", "4 DIR_CHANGE_AT_STARTUP"}));
+  // The start-up block's corner passes over it.
+  EXPECT_EQ(behind(1, setup("", "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\nZ50 I3 K4\nY100\n"),
+            (Lines{"2 linear X-10 Y0 Z0 (start-up)", "3 linear X-8 Y-10 Z56", "4 linear X-8 Y100 Z56"}));
+  // Type C: the block right behind must move in the plane there, whatever it does at its own end.
+  EXPECT_EQ(behind(1, setup(kTypeC), "G43.5 K1\nG01 G41.6 D1 F1\nZ50 I3 K4\n"), (Lines{"2 TYPE_C_FORMAT"}));
+}
+
+// A line along the last radius of an arc is square to its tangent under any tool, here B17 C30: no matter of proof. The
+// heads n1 and n1 + n2, times 10, by a computation of 50 digits.
+TEST(ModelToolSide, LineAlongARadius) {
+  EXPECT_EQ(behind(4, head("\"5008#0\" = 1\n", "Y = -40\nB = 17\nC = 30\n"),
+                   "G01 G41.2 D1 Y0 F1\nY50\nG02 X10 Y60 I10 J0\nG01 Y20\n"),
+            (Lines{"3 arc X9.625835895684062 Y69.892571438050777 Z-1.413163672793577",
+                   "3 linear X19.292733546629557 Y69.892571438050777 Z-3.972673353600525 (corner)",
+                   "4 linear X19.666897650945494 Y20 Z-2.559509680806948"}));
 }
 
 // P1 of A wherever the vector at its end is given: repeated code, two non-moving blocks.

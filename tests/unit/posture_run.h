@@ -43,11 +43,11 @@ struct PostureMachine {
 
   // Type 2: from a pose to a direction.
   [[nodiscard]] model::PosturePlan to(const model::Pose& start, const model::Direction& end) const {
-    return posture.plan(frame, {start, direction(start), end, {}});
+    return posture.plan(frame, {start, direction(start), end, {}, {}});
   }
   // Type 1: from pose to pose.
   [[nodiscard]] model::PosturePlan to(const model::Pose& start, const model::Pose& end) const {
-    return posture.plan(frame, {start, direction(start), direction(end), end});
+    return posture.plan(frame, {start, direction(start), direction(end), end, {}});
   }
   [[nodiscard]] model::Direction direction(const model::Pose& pose) const {
     const model::Vector unit = frame->frame.from_table(machine.direction(pose));

@@ -1,0 +1,194 @@
+#include "fuzz/faults/wrong_clauses.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+#include <string>
+
+#include "spec/language/input_error.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+using exact::Real;
+using exact::Sign;
+using Vector = std::array<Real, 3>;
+
+constexpr std::uint64_t kBudget = 50'000;
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+}
+
+spec::Case forty_four_as_forty_three(const spec::Case& c) {
+  spec::Case other = c;
+  replace_all(other.program, "G44", "G43");
+  return other;
+}
+
+spec::Case forty_six_as_forty_five(const spec::Case& c) {
+  spec::Case other = c;
+  replace_all(other.program, "G46", "G45");
+  return other;
+}
+
+spec::Case positive_values(const spec::Case& c) {
+  spec::Case other = c;
+  for (auto* offsets : {&other.setup.d, &other.setup.h})
+    for (auto& [number, entry] : *offsets) entry.geometry.negative = entry.wear.negative = false;
+  return other;
+}
+
+spec::Case negated_values(const spec::Case& c) {
+  spec::Case other = c;
+  for (auto* offsets : {&other.setup.d, &other.setup.h})
+    for (auto& [number, entry] : *offsets) {
+      entry.geometry.negative = !entry.geometry.negative;
+      entry.wear.negative = !entry.wear.negative;
+    }
+  return other;
+}
+
+spec::Case without_holder_offset(const spec::Case& c) {
+  spec::Case other = c;
+  other.setup.parameters.erase({19666, -1});
+  return other;
+}
+
+spec::Case other_sense(const spec::Case& c) {
+  spec::Case other = c;
+  spec::Decimal& sense = other.setup.parameters[{19689, -1}];
+  sense = spec::decimal(sense.is_zero() ? 1 : 0);
+  return other;
+}
+
+spec::Case lean_backward(const spec::Case& c) {
+  spec::Case other = c;
+  replace_all(other.program, "Q-", "Q+");
+  replace_all(other.program, "Q", "Q-");
+  replace_all(other.program, "Q-+", "Q");
+  return other;
+}
+
+spec::Case conventional(const spec::Case& c) {
+  spec::Case other = c;
+  replace_all(other.program, "P1", "P0");
+  other.setup.parameters[{19604, 0}] = spec::decimal(0);
+  return other;
+}
+
+spec::Case without_radius_delta(const spec::Case& c) {
+  spec::Case other = c;
+  for (spec::ToolRow& tool : other.setup.tools) tool.dr = {};
+  return other;
+}
+
+spec::Case sides_exchanged(const spec::Case& c) {
+  spec::Case other = c;
+  replace_all(other.program, " RL", " R?");
+  replace_all(other.program, " RR", " RL");
+  replace_all(other.program, " R?", " RR");
+  return other;
+}
+
+void reverse_difference(const spec::Case& c, std::vector<model::Event>& events) {
+  for (model::Event& event : events) {
+    if (event.kind != spec::EventKind::setting || !event.setting.view().starts_with("H")) continue;
+    const auto number = static_cast<std::uint32_t>(std::stoul(std::string(event.setting.view().substr(1))));
+    const auto entry = c.setup.h.find(number);
+    if (entry == c.setup.h.end()) continue;
+    const spec::Decimal& old = event.setting.view().ends_with(".wear") ? entry->second.wear : entry->second.geometry;
+    exact::Integer scale = 1;
+    for (int i = 0; i < old.decimals; ++i) scale *= 10;
+    exact::Rational value(exact::Integer(old.digits), scale);
+    if (old.negative) value = -value;
+    event.value = Real(value) + Real(value) - event.value;
+  }
+}
+
+Vector xyz(const spec::Axes& axes, const spec::AxisValues<Real>& values) {
+  Vector v;
+  for (std::size_t i = 0; i < v.size(); ++i) v.at(i) = values[axes.index("XYZ"[i])];
+  return v;
+}
+
+bool parallel(const Vector& a, const Vector& b) {
+  return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
+}
+
+// The end of a block displaced along the tool of the block before takes that block's last vector.
+void keep_along_the_former_tool(const spec::Case& c, std::vector<model::Event>& events) {
+  const spec::Axes& axes = c.setup.axes;
+  const model::Event* before = nullptr;
+  for (model::Event& event : events) {
+    if (event.kind != spec::EventKind::move) continue;
+    const bool own = event.cause == spec::Cause::programmed && event.tool_axis;
+    if (before != nullptr && own && before->tool_axis && !parallel(*before->tool_axis, *event.tool_axis)) {
+      const Vector from = xyz(axes, before->programmed);
+      const Vector to = xyz(axes, event.programmed);
+      Vector way;
+      bool moves = false;
+      for (std::size_t i = 0; i < way.size(); ++i) {
+        way.at(i) = to.at(i) - from.at(i);
+        moves = moves || way.at(i).sign() != Sign::zero;
+      }
+      if (moves && parallel(way, *before->tool_axis))
+        for (std::size_t i = 0; i < way.size(); ++i) {
+          const std::size_t axis = axes.index("XYZ"[i]);
+          const Real kept = before->point[axis] - before->programmed[axis] + event.programmed[axis];
+          event.axes.value.at(axis) += kept - event.point[axis];
+          event.point.value.at(axis) = kept;
+        }
+    }
+    before = &event;
+  }
+}
+
+constexpr WrongClause kWrong[] = {
+    {"side_along_the_former_tool", "fanuc/tool-side-compensation", "perpendicular-to-the-tool", kBudget, nullptr,
+     keep_along_the_former_tool},
+    {"side_negative_value", "fanuc/tool-side-compensation", "beside-the-line-before", kBudget, positive_values,
+     nullptr},
+    {"edge_sense", "fanuc/leading-edge-offset", "leading-edge-vector", kBudget, negated_values, nullptr},
+    {"length_44_as_43", "fanuc/tool-length-offset", "length-offset", kBudget, forty_four_as_forty_three, nullptr},
+    {"measured_reversed", "fanuc/tool-length-measurement", "measured-difference", kBudget, nullptr, reverse_difference},
+    {"offset_46_as_45", "fanuc/tool-offset", "signed-sums", kBudget, forty_six_as_forty_five, nullptr},
+    {"cutter_b_negative_value", "fanuc/cutter-compensation-b", "normal-of-the-block", kBudget, positive_values,
+     nullptr},
+    {"cutter_c_negative_value", "fanuc/cutter-compensation-c", "beside-the-line-before", kBudget, positive_values,
+     nullptr},
+    {"tip_without_holder_offset", "fanuc/tool-center-point-control", "tip-of-the-axes", kBudget, without_holder_offset,
+     nullptr},
+    {"tip_sense", "fanuc/tool-center-point-control", "axis-of-the-positions", kBudget, other_sense, nullptr},
+    {"tip_leans_backward", "fanuc/tool-center-point-control", "commanded-direction", kBudget, lean_backward, nullptr},
+    {"posture_conventional", "fanuc/tool-posture-control", "great-circle", kBudget, conventional, nullptr},
+    {"face_radius_delta", "heidenhain/face-milling", "touches-the-contact-plane", kBudget, without_radius_delta,
+     nullptr},
+    {"peripheral_sides", "heidenhain/peripheral-milling", "cylinder-beside-the-line", kBudget, sides_exchanged,
+     nullptr},
+};
+
+}  // namespace
+
+std::span<const WrongClause> wrong_clauses() { return kWrong; }
+
+Trial try_wrong(const WrongClause& wrong, const spec::Case& c) {
+  const spec::Case altered = wrong.altered != nullptr ? wrong.altered(c) : c;
+  Trial trial;
+  try {
+    trial.run = run_model(altered);
+    trial.verdict = judge(altered, trial.run, run_fast(altered));
+    if (wrong.events != nullptr) wrong.events(c, trial.run.events);
+    trial.law_checks = hold_laws(c, trial.run, trial.verdict);
+  } catch (const spec::InputError&) {
+    // A setup that the control could not have.
+    trial.acceptance = Acceptance::no_setup;
+  } catch (const exact::Undecided&) {
+    trial.acceptance = Acceptance::not_decided;
+  }
+  return trial;
+}
+
+}  // namespace toolcomp::fuzz

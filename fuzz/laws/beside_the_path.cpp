@@ -1,0 +1,279 @@
+#include "fuzz/laws/beside_the_path.h"
+
+#include <algorithm>
+
+namespace toolcomp::fuzz::laws {
+namespace {
+
+bool is_tool_side(const FanucBlock& b) {
+  return b.compensation == 412 || b.compensation == 422 || b.compensation == 416 || b.compensation == 426;
+}
+bool is_cutter(const FanucBlock& b) { return b.compensation == 410 || b.compensation == 420; }
+bool is_left(const FanucBlock& b) { return b.compensation == 410 || b.compensation == 412 || b.compensation == 416; }
+
+// Other vectors may stand between the programmed point and the tool: of G45 to G48, of G37.
+bool shifts_the_point(const Scene& s) { return s.program.has_code({450, 460, 470, 480, 370}); }
+bool leaves_the_path(const Scene& s) {
+  return shifts_the_point(s) || s.program.has_code({100, 920, 530, 280, 290, 300, 301, 310});
+}
+
+// T: the tool where it ends this block, or the normal of the plane.
+std::optional<Vector> across(const Scene& s, const Stop& stop) {
+  const FanucBlock& b = s.block(stop);
+  if (is_tool_side(b)) {
+    if (!stop.own->tool_axis) return std::nullopt;
+    return *stop.own->tool_axis;
+  }
+  if (!is_cutter(b)) return std::nullopt;
+  if (b.plane == 180) return Vector{0, 1, 0};
+  if (b.plane == 190) return Vector{1, 0, 0};
+  return Vector{0, 0, 1};
+}
+
+// Offset to the left of travel: G41 and a positive value.
+std::optional<exact::Rational> left_offset(const Scene& s, const FanucBlock& b) {
+  if (!b.d || s.c.setup.bit(5001, 2)) return std::nullopt;
+  const auto value = cutter_value(s.c.setup, *b.d);
+  if (!value) return std::nullopt;
+  return is_left(b) ? *value : exact::Rational(-*value);
+}
+
+// Whether U leads across T, by more than what counts as no movement.
+bool leads_across(const Scene& s, const FanucBlock& b, const Vector& t, const Vector& u) {
+  Real limit;
+  if (is_tool_side(b))
+    if (const auto p = s.c.setup.parameter(19630)) {
+      if (s.c.setup.units == spec::Units::inch && !p->is_zero()) return false;
+      limit = Real(rational(*p));
+    }
+  const Vector w = cross(t, u);
+  const Real tt = dot(t, t);
+  return certainly_positive(dot(w, w) - limit * limit * tt);
+}
+
+bool is_line(const Scene& s, const Stop& stop) {
+  const FanucBlock& b = s.block(stop);
+  return stop.own->type != spec::MoveType::arc && (b.motion == 0 || b.motion == 10);
+}
+
+bool is_type_b(const Scene& s, const FanucBlock& b) {
+  return is_cutter(b) && s.c.setup.cutter_compensation == spec::CutterCompensationType::b;
+}
+
+// A stop with all that a law of distances asks for.
+struct Place {
+  Vector t;
+  exact::Rational left;  // ρ
+};
+std::optional<Place> place(const Scene& s, const Stop& stop) {
+  const auto t = across(s, stop);
+  if (!t || !stop.displacement) return std::nullopt;
+  const FanucBlock& b = s.block(stop);
+  const auto left = left_offset(s, b);
+  // D0 cancels.
+  if (!left || *b.d == 0) return std::nullopt;
+  if (b.has('I') && b.has('J') && b.has('K') && is_cutter(b)) return std::nullopt;
+  // Type B: a vector (I, J) of length zero keeps the vector before.
+  if (is_type_b(s, b) && (b.has('I') || b.has('J') || b.has('K')) && is_line(s, stop)) return std::nullopt;
+  if (!leads_across(s, b, *t, *stop.displacement)) return std::nullopt;
+  return Place{*t, *left};
+}
+
+bool same_sign(const exact::Rational& a, const exact::Rational& b) { return (a < 0) == (b < 0) && (a > 0) == (b > 0); }
+
+// Whether the offset stays on one side from the block of this stop to that of the next that moves, or to the end.
+bool keeps_side(const Scene& s, std::size_t stop, const exact::Rational& left) {
+  std::size_t last = s.program.blocks().size() - 1;
+  for (std::size_t k = stop + 1; k < s.stops.size(); ++k)
+    if (s.stops[k].displacement && std::ranges::any_of(*s.stops[k].displacement, certainly_not_zero)) {
+      last = s.stops[k].block;
+      break;
+    }
+  for (std::size_t i = s.stops[stop].block + 1; i <= last; ++i) {
+    const FanucBlock& b = s.program.blocks()[i];
+    if (!is_cutter(b) && !is_tool_side(b)) continue;
+    const auto other = left_offset(s, b);
+    if (!other || !same_sign(left, *other)) return false;
+  }
+  return true;
+}
+
+bool interference_unchecked(const Scene& s) { return s.c.setup.bit(5008, 0); }
+
+// A corner of two lines that leads toward the tool's side: one head, which no check removes.
+bool is_inner(const Scene& s, const Place& p, const Stop& before, const Stop& after) {
+  if (!after.displacement || !is_line(s, before) || !is_line(s, after)) return false;
+  const Real turn = dot(p.t, cross(*before.displacement, *after.displacement));
+  return p.left > 0 ? certainly_positive(turn) : p.left < 0 && certainly_negative(turn);
+}
+
+// Nothing was removed at the end of `stop`.
+bool all_heads_stand(const Scene& s, std::size_t stop, const Place& p) {
+  if (interference_unchecked(s)) return true;
+  return stop + 1 < s.stops.size() && is_inner(s, p, s.stops[stop], s.stops[stop + 1]);
+}
+
+bool in_mode_before(const Scene& s, std::size_t stop) {
+  if (stop == 0) return false;
+  const FanucBlock& b = s.block(s.stops[stop - 1]);
+  return is_tool_side(b) || is_cutter(b);
+}
+
+// Square of the distance of `from` from the centre, in the plane of the arc.
+Real square_of_radius(const Vector& t, const Vector& from, const Vector& center) {
+  const Vector radius = cross(t, from - center);
+  return dot(radius, radius);
+}
+
+struct Circle {
+  Vector center;
+  exact::Rational sense;  // σ
+};
+std::optional<Circle> circle(const Scene& s, const Stop& stop) {
+  if (stop.own->type != spec::MoveType::arc || !stop.own->arc || !is_cutter(s.block(stop))) return std::nullopt;
+  const spec::Arc<Real>& arc = *stop.own->arc;
+  Circle c{stop.programmed, arc.direction == spec::ArcDirection::ccw ? 1 : -1};
+  for (std::size_t i = 0; i < c.center.size(); ++i) {
+    const std::size_t axis = s.c.setup.axes.index("XYZ"[i]);
+    if (arc.center.has(axis)) c.center.at(i) = arc.center[axis];
+  }
+  return c;
+}
+
+// R - σρ of the arc through `at`.
+Real parallel_radius(const Vector& at, const Place& p, const Circle& circle) {
+  return sqrt(square_of_radius(p.t, at, circle.center)) - Real(exact::Rational(circle.sense * p.left));
+}
+
+// What the last head at the end of stop `i` owes to the block after it.
+bool corner_is_plain(const Scene& s, std::size_t i, const Place& p) {
+  if (i + 1 >= s.stops.size()) return false;
+  const Stop& a = s.stops[i];
+  const Stop& b = s.stops[i + 1];
+  const FanucBlock& former = s.block(a);
+  const FanucBlock& latter = s.block(b);
+  if (b.block != a.block + 1 || !former.is_plain() || !latter.is_plain() || latter.says_compensation()) return false;
+  if (latter.compensation != former.compensation || latter.plane != former.plane) return false;
+  if (const auto limit = s.c.setup.parameter(5010); limit && !limit->is_zero()) return false;
+  if (a.own->cause != spec::Cause::programmed && a.own->cause != spec::Cause::start_up) return false;
+  if (b.own->cause != spec::Cause::programmed || !b.displacement) return false;
+  // An offset circle smaller than nothing meets nothing.
+  if (const auto arc = circle(s, a); arc && !certainly_positive(parallel_radius(a.programmed, p, *arc))) return false;
+  if (a.own->type == spec::MoveType::arc && !circle(s, a)) return false;
+  const auto left = left_offset(s, latter);
+  return left && *latter.d != 0 && same_sign(*left, p.left) && all_heads_stand(s, i, p);
+}
+
+// V to the left of U, less ρ: zero at the distance r.
+Real distance_error(const Vector& v, const Place& p, const Vector& u) {
+  const Vector left = cross(p.t, u);
+  return dot(v, left) / length(left) - Real(p.left);
+}
+
+// |at + v - O| = R - σρ with R = |at - O|, as squares.
+void on_the_parallel_circle(const Vector& at, const Head& head, const Place& p, const Circle& circle,
+                            Holding& holding) {
+  const Real parallel = parallel_radius(at, p, circle);
+  if (!certainly_positive(parallel)) return;
+  holding.zero(square_of_radius(p.t, at + head.vector, circle.center) - parallel * parallel, head.event,
+               "square of the distance from the centre, less that of the parallel circle");
+}
+
+}  // namespace
+
+void perpendicular_to_the_tool(const Scene& s, Holding& holding) {
+  if (shifts_the_point(s)) return;
+  for (const Stop& stop : s.stops) {
+    const auto t = across(s, stop);
+    if (!t || !stop.displacement || !leads_across(s, s.block(stop), *t, *stop.displacement)) continue;
+    for (const Head& head : stop.heads)
+      holding.zero(dot(head.vector, *t), head.event, "component of the vector along the tool");
+  }
+}
+
+void not_nearer_than_the_radius(const Scene& s, Holding& holding) {
+  if (leaves_the_path(s)) return;
+  for (const Stop& stop : s.stops) {
+    const auto p = place(s, stop);
+    if (!p) continue;
+    for (const Head& head : stop.heads)
+      holding.not_negative(dot(head.vector, head.vector) - Real(exact::Rational(p->left * p->left)), head.event,
+                           "square of the distance from the corner, less that of the radius");
+  }
+}
+
+void beside_the_line_before(const Scene& s, Holding& holding) {
+  if (leaves_the_path(s)) return;
+  for (std::size_t i = 0; i < s.stops.size(); ++i) {
+    const Stop& stop = s.stops[i];
+    if (stop.own->cause != spec::Cause::programmed || !is_line(s, stop) || !in_mode_before(s, i)) continue;
+    if (is_type_b(s, s.block(stop))) continue;
+    const auto p = place(s, stop);
+    if (!p || !all_heads_stand(s, i, *p) || !keeps_side(s, i, p->left)) continue;
+    holding.zero(distance_error(stop.heads.front().vector, *p, *stop.displacement), stop.event,
+                 "distance from the line before, less the radius");
+  }
+}
+
+void beside_the_line_after(const Scene& s, Holding& holding) {
+  if (leaves_the_path(s)) return;
+  for (std::size_t i = 0; i + 1 < s.stops.size(); ++i) {
+    const Stop& stop = s.stops[i];
+    const Stop& next = s.stops[i + 1];
+    if (!is_line(s, next) || is_type_b(s, s.block(stop))) continue;
+    const auto p = place(s, stop);
+    if (!p || !corner_is_plain(s, i, *p) || !leads_across(s, s.block(stop), p->t, *next.displacement)) continue;
+    holding.zero(distance_error(stop.heads.back().vector, *p, *next.displacement), stop.heads.back().event,
+                 "distance from the line after, less the radius");
+    // Inside a corner one point is at the radius from both lines; another head would be beyond one of them.
+    if (is_inner(s, *p, stop, next) && stop.own->cause == spec::Cause::programmed)
+      holding.zero(distance_error(stop.heads.front().vector, *p, *next.displacement), stop.event,
+                   "distance of the first head from the line after an inner corner, less the radius");
+  }
+}
+
+void beside_the_arc(const Scene& s, Holding& holding) {
+  if (leaves_the_path(s)) return;
+  for (std::size_t i = 0; i < s.stops.size(); ++i) {
+    const Stop& stop = s.stops[i];
+    const auto arc = circle(s, stop);
+    if (!arc || stop.own->cause != spec::Cause::programmed) continue;
+    const auto at_end = place(s, stop);
+    if (at_end && keeps_side(s, i, at_end->left))
+      on_the_parallel_circle(stop.programmed, stop.heads.front(), *at_end, *arc, holding);
+    if (i == 0 || is_type_b(s, s.block(stop))) continue;
+    const auto at_start = place(s, s.stops[i - 1]);
+    if (at_start && corner_is_plain(s, i - 1, *at_start))
+      on_the_parallel_circle(s.stops[i - 1].programmed, s.stops[i - 1].heads.back(), *at_start, *arc, holding);
+  }
+}
+
+void normal_of_the_block(const Scene& s, Holding& holding) {
+  if (leaves_the_path(s)) return;
+  for (const Stop& stop : s.stops) {
+    const FanucBlock& b = s.block(stop);
+    if (!is_type_b(s, b) || !is_line(s, stop) || b.has('I') || b.has('J') || b.has('K') || b.has_code(390)) continue;
+    const auto p = place(s, stop);
+    if (!p) continue;
+    const Vector& u = *stop.displacement;
+    const Vector left = cross(p->t, u);
+    holding.zero(length(left) * stop.heads.front().vector - Real(p->left) * left, stop.event,
+                 "vector, less the radius times the normal of the block");
+  }
+}
+
+void on_the_path_without_a_mode(const Scene& s, Holding& holding) {
+  if (shifts_the_point(s)) return;
+  bool on_path = true;
+  for (const Stop& stop : s.stops) {
+    const FanucBlock& b = s.block(stop);
+    const bool off = b.compensation == 400;
+    for (const Head& head : stop.heads) {
+      const bool cancels = s.events[head.event].cause == spec::Cause::cancel;
+      if ((off && on_path) || cancels) holding.zero(head.vector, head.event, "vector without a mode");
+      on_path = off && (on_path || cancels);
+    }
+  }
+}
+
+}  // namespace toolcomp::fuzz::laws

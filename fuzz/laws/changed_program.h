@@ -1,0 +1,46 @@
+// Metamorphic laws: a program changed in a way whose effect geometry knows. The model runs once more, so they are asked
+// of a share of the trials; which of them, and whether, follows from the text of the program alone.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/laws/laws.h"
+
+namespace toolcomp::fuzz::laws {
+
+// The events of a case.
+using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
+
+// One of, for FANUC programs that can be read to their end, no two blocks in one line:
+//
+// value-zero: with every offset zero (H, D, 19666; Klartext: every delta) points are the programmed points, and axes
+// the points where no tool center point control is. Chapter 14; sheet "3D tool compensation" P6. Not with G10 or G37,
+// nor under PROG PATH IS CONTOUR or with deltas in tool calls.
+//
+// mirrored: X mirrored, G41 with G42 and G02 with G03 exchanged, the events are mirrored. Not in G18 and G19, for
+// length offset type C, with G37, with a tool direction or 3D compensation, nor for a control without X or Y.
+//
+// quarter-turn: turned about Z by 90 degrees, the events are turned. Exempt as above.
+//
+// a-tenth: with all lengths of program and setup a tenth as long, the events are a tenth as large. Not with G10 or G37
+// (ranges and distances of the control), with numbers in least increments (3401#0 = 0), nor where numbers grow too
+// long.
+//
+// reversed: a contour of lines under cutter compensation C, run from its end with G41 and G42 exchanged, has the heads
+// of every corner in reverse order (14.6.2 and 14.6.4 are mirror images). Only contours of plain blocks from the
+// start-up to the cancelling move without a block between, with 5008#0 = 1 and without 5010; not type C (5003#1).
+//
+// Chapter 14 and the sheets know no other length, side or direction than those of program and setup, so what they
+// define is equivariant.
+std::span<const std::string_view> changes();
+
+// The law of this name, whatever the share.
+Verdict hold_changed(std::string_view law, const spec::Case& c, std::span<const model::Event> events,
+                     const Runner& run);
+// One law for every sixteenth program, none for the others.
+Verdict hold_changed(const spec::Case& c, std::span<const model::Event> events, const Runner& run);
+
+}  // namespace toolcomp::fuzz::laws

@@ -1,0 +1,41 @@
+// Laws of tool center point control and tool posture control (G43.4, G43.5).
+//
+// Rotary positions are the reported machine coordinates. Exempt: machines this reading of the parameters does not cover
+// (machine.h); what follows a second G43.4 or G43.5 without G49 between, or comes with G10, G37, G92, G53, G28 to G30
+// or a change of the workpiece system anywhere in the program (frames and lengths are then others).
+#pragma once
+
+#include "fuzz/laws/scene.h"
+
+namespace toolcomp::fuzz::laws {
+
+// The tool axis reported is that of the rotary positions reported, in the programming frame: M° V, M° the table where
+// the mode began (WKP = 0) or where it stands (WKP = 1). Sheet "tool posture control" 3, 5; contract, event rule 6.
+void axis_of_the_positions(const Scene& scene, Holding& holding);
+
+// The tip that belongs to the axes reported is the point reported: axes less holder and length, seen from the table.
+// Sheet 5. Only with H in the block of G43.4 or G43.5 and none after it; under WKP = 1 not for a move with a turn still
+// to come (its point is that of its block's end, which the sheet defines after the turn).
+void tip_of_the_axes(const Scene& scene, Holding& holding);
+
+// Between the ends of a block the tip seen from the table is on the straight line, in proportion; on an arc it keeps
+// its distance from the centre and goes by equal chords. Sheet 6. Arcs with two radii and under WKP = 1 are exempt.
+void tip_on_the_path(const Scene& scene, Holding& holding);
+
+// The tool direction at the end of a G43.5 block is that of its I J K; with Q it is in the plane of them and the
+// travel, Q degrees toward the travel. Sheet 8. Not where an end posture may be changed (P1 and 19738 > 0), for Q on
+// arcs, nor without travel across the direction.
+void commanded_direction(const Scene& scene, Holding& holding);
+
+// Under P1 the tool stays in the plane of its directions at both ends, and turns by equal angles. Sheet 6
+// (DEF-6), 15.2. Not in a block with a warning (posture-branch), with parallel ends, on machines that cannot lean the
+// tool any way, or where its end may have been changed (19738 > 0).
+void great_circle(const Scene& scene, Holding& holding);
+
+// Under P0 both rotary axes go in proportion. Sheet 6.
+void positions_in_proportion(const Scene& scene, Holding& holding);
+
+// Rotary words of absolute blocks with a decimal point are where the axes end under G43.4. Sheet 1, 9.
+void positions_as_programmed(const Scene& scene, Holding& holding);
+
+}  // namespace toolcomp::fuzz::laws

@@ -1,0 +1,369 @@
+// The third voice: every law holds for right events and breaks for wrong ones, and finds a wrong clause that both
+// engines follow. Programs are examples of the sheets; the events broken are the model's, changed by hand.
+#include "fuzz/laws/laws.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <ctime>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "fuzz/faults/wrong_clauses.h"
+#include "fuzz/gen/generator.h"
+#include "fuzz/laws/changed_program.h"
+#include "fuzz/oracle/trial.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+using exact::Real;
+using Events = std::vector<model::Event>;
+
+spec::Case fanuc(std::string section, std::string program) {
+  spec::Case c;
+  c.section = "fanuc/" + std::move(section);
+  c.setup.d[1].geometry = spec::decimal(10);
+  c.setup.h[1].geometry = spec::decimal(20);
+  c.setup.parameters[{5008, 0}] = spec::decimal(1);
+  c.program = std::move(program);
+  return c;
+}
+
+// Lines beside a tool that leans by 3-4-5: sheet of 3D cutter compensation, TS2 and TS3.
+spec::Case flank() {
+  return fanuc("tool-side-compensation",
+               "G90 G01 F100 G43.5 H0 I3. K4.\nG41.6 Y50. D1\nY100.\nX100.\nX200. Y150.\nG40 Y0\n");
+}
+
+// A line, an arc inside and a line: chapter 14.6.3.
+spec::Case rounded_corner() {
+  return fanuc("cutter-compensation-c", "G90 G01 F100 X0\nG41 X40. D1\nX80.\nG03 X100. Y20. J20.\nG01 Y60.\nG40 X0\n");
+}
+
+// An inner, an obtuse and an acute corner between start-up and cancel.
+spec::Case corners() {
+  return fanuc("cutter-compensation-c",
+               "G90 G01 F100 X0\nG41 X40. D1\nX80. Y10.\nX100. Y50.\nX150.\nX110. Y-40.\nG40 X0 Y-50.\n");
+}
+
+spec::Case type_b() {
+  spec::Case c = fanuc("cutter-compensation-b", "G90 G00 X0\nG41 X30. Y40. D1\nG01 F100 X60.\nG40 X0\n");
+  c.setup.cutter_compensation = spec::CutterCompensationType::b;
+  return c;
+}
+
+// Head with C about Z carrying B about Y (HC of the sheet), holder 5 long, zeros of its own.
+spec::Case head(std::string program) {
+  spec::Case c = fanuc("tool-center-point-control", std::move(program));
+  c.setup.axes = spec::Axes("XYZBC");
+  for (const auto& [number, value] : std::vector<std::pair<std::uint32_t, std::int64_t>>{
+           {19680, 2}, {19681, 5}, {19682, 3}, {19686, 4}, {19687, 2}, {19666, 5}, {19711, 40}, {19712, 25}})
+    c.setup.parameters[{number, -1}] = spec::decimal(value);
+  c.setup.workpiece[0]['X'] = spec::decimal(7);
+  c.samples = 4;
+  return c;
+}
+
+// Trunnion with A carrying C (TAC of the sheet, example 9).
+spec::Case table(std::string program) {
+  spec::Case c = fanuc("tool-center-point-control", std::move(program));
+  c.setup.axes = spec::Axes("XYZAC");
+  for (const auto& [number, value] : std::vector<std::pair<std::uint32_t, std::int64_t>>{{19680, 12},
+                                                                                         {19681, 4},
+                                                                                         {19682, 1},
+                                                                                         {19684, 1},
+                                                                                         {19686, 5},
+                                                                                         {19687, 3},
+                                                                                         {19689, 1},
+                                                                                         {19702, -100},
+                                                                                         {19704, 30},
+                                                                                         {19705, 50}})
+    c.setup.parameters[{number, -1}] = spec::decimal(value);
+  c.setup.workpiece[0]['Z'] = spec::decimal(20);
+  c.samples = 4;
+  return c;
+}
+
+const std::string kByPositions = "G90 G43.4 H1 P0 A20. C45.\nG01 F100 X20. Y-20. A-35. C10.\nG02 X40. Y0 I20.\n";
+const std::string kByDirection = "G90 G01 F100 G43.5 H1 Q2. P1\nX50. I-1. J1. K2.\nX60. Y30. I1. J2. K5.\n";
+
+spec::Case klartext(std::string section, std::string program) {
+  spec::Case c;
+  c.section = "heidenhain/" + std::move(section);
+  c.dialect = "klartext";
+  c.setup.control = spec::Control::heidenhain;
+  spec::ToolRow& toroid = c.setup.tools.emplace_back();
+  toroid.number = 10;
+  toroid.r = spec::decimal(6);
+  toroid.r2 = spec::decimal(1);
+  toroid.dr = *spec::parse_decimal("-0.1");
+  toroid.l = spec::decimal(100);
+  c.program = std::move(program);
+  return c;
+}
+
+// E11 of the sheet, without its deltas in the table.
+spec::Case face() {
+  return klartext("face-milling",
+                  "TOOL CALL 1 Z DL+0.05\nL Z+100 R0 FMAX\nM128\n"
+                  "LN X+36.0084 Y+6.177 Z-1.9209 NX-0.4658107 NY+0 NZ+0.8848844 TX+0 TY+0.6558846 TZ+0.7548612\n"
+                  "LN X+40 Y+6.177 Z-1.9209 NX-0.4658107 NY+0 NZ+0.8848844\n");
+}
+
+spec::Case contour() {
+  return klartext("programmed-contour",
+                  "TOOL CALL 1 Z\nM128\nFUNCTION PROG PATH IS CONTOUR\n"
+                  "LN X+1 Y+2 Z+3 NX+0.6 NY+0 NZ+0.8 TX+0 TY+0 TZ+1\n");
+}
+
+spec::Case side() {
+  return klartext("peripheral-milling",
+                  "TOOL CALL 1 Z\nM128\nL X+0 Y+0 Z+0 R0\nLN X+10 Y+0 Z+0 TX+0 TY+0 TZ+1 RL\n"
+                  "LN X+50 Y+0 Z+0 TX+0 TY+0.6 TZ+0.8\nLN X+50 Y+80 Z+0 TX+0 TY+0 TZ+1\nL Y+90 R0\n");
+}
+
+using Break = void (*)(Events&);
+
+model::Event& last_move(Events& events) {
+  for (auto e = events.rbegin(); e != events.rend(); ++e)
+    if (e->kind == spec::EventKind::move) return *e;
+  throw std::logic_error("no move");
+}
+model::Event& at_line(Events& events, std::uint64_t line, spec::EventKind kind = spec::EventKind::move) {
+  for (model::Event& event : events)
+    if (event.kind == kind && event.line == line) return event;
+  throw std::logic_error("no such event");
+}
+template <std::uint64_t line, std::size_t axis>
+void shift_point(Events& events) {
+  at_line(events, line).point.value.at(axis) += Real(1);
+}
+template <std::uint64_t line>
+void shift_axes(Events& events) {
+  at_line(events, line).axes.value[2] += Real(1);
+}
+void shorten_vector(Events& events) {
+  model::Event& event = at_line(events, 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    event.point.value.at(i) = event.programmed[i] + (event.point[i] - event.programmed[i]) / Real(2);
+}
+void shift_machine(Events& events) { last_move(events).machine.value[0] += Real(1); }
+void turn_axis(Events& events) { last_move(events).machine.value[3] += Real(1); }
+void turn_word(Events& events) { last_move(events).axes.value[3] += Real(1); }
+void shift_sample(Events& events) {
+  for (model::Event& event : events)
+    if (event.kind == spec::EventKind::sample) event.point.value[0] += Real(1);
+}
+void turn_samples(Events& events) {
+  for (model::Event& event : events)
+    if (event.kind == spec::EventKind::sample) event.axes.value[4] += Real(1);
+}
+void lean_tool(Events& events) {
+  for (model::Event& event : events)
+    if (event.tool_axis) event.tool_axis = {0, Real(exact::Rational(3, 5)), Real(exact::Rational(4, 5))};
+}
+void lean_samples(Events& events) {
+  for (model::Event& event : events)
+    if (event.kind == spec::EventKind::sample)
+      event.tool_axis = {0, Real(exact::Rational(3, 5)), Real(exact::Rational(4, 5))};
+}
+void change_setting(Events& events) {
+  for (model::Event& event : events)
+    if (event.kind == spec::EventKind::setting) event.value += Real(1);
+}
+void shift_contact(Events& events) { last_move(events).space->contact->point[0] += Real(1); }
+void shift_center(Events& events) { last_move(events).space->tool_center[1] += Real(1); }
+void shift_carrier(Events& events) { (*last_move(events).space->carrier)[1] += Real(1); }
+void shift_shift(Events& events) { last_move(events).space->shift[2] += Real(1); }
+
+struct Example {
+  std::string_view law;
+  spec::Case c;
+  Break wrong;
+};
+
+std::vector<Example> examples() {
+  const spec::Case conventional = head("G90 G43.4 H1 P0\nG01 F100 X20. Y-20. B20. C45.\nX50. B40. C60.\n");
+  return {
+      {"perpendicular-to-the-tool", flank(), shift_point<4, 2>},
+      {"not-nearer-than-the-radius", flank(), shorten_vector},
+      {"beside-the-line-before", flank(), shift_point<3, 0>},
+      {"beside-the-line-after", flank(), shift_point<4, 1>},
+      {"beside-the-line-before", rounded_corner(), shift_point<3, 1>},
+      {"beside-the-arc", rounded_corner(), shift_point<4, 0>},
+      {"normal-of-the-block", type_b(), shift_point<3, 1>},
+      {"on-the-path-without-a-mode", fanuc("tool-length-offset", "G01 F100 X10.\nX20.\n"), shift_point<2, 0>},
+      {"on-the-path-without-a-mode", rounded_corner(), shift_point<6, 0>},
+      {"leading-edge-vector",
+       fanuc("leading-edge-offset", "G90 G01 F100 G43.5 H0 I3. K4.\nG41.3 D1\nX100.\nX200. Y10.\nG40\n"),
+       shift_point<2, 0>},
+      {"length-offset", fanuc("tool-length-offset", "G90 G00 G44 Z100. H1\nX10.\nG49 Z50.\n"), shift_axes<1>},
+      {"length-offset", fanuc("tool-length-offset", "G90 G00 G44 Z100. H1\nX10.\nG49 Z50.\n"), shift_axes<3>},
+      {"length-offset-stays", fanuc("tool-length-offset", "G90 G00 G44 Z100. H1\nX10.\n"), shift_axes<2>},
+      {"signed-sums", fanuc("tool-offset", "G91 G46 G00 X80. Y50. D1\nG47 G01 F100 X50.\nG46 X-0 Y-5.\nG48 X40.\n"),
+       shift_point<3, 0>},
+      {"measured-difference",
+       [] {
+         spec::Case c = fanuc("tool-length-measurement", "H1\nG90 G00 Z700.\nG37 Z200.\n");
+         c.setup.position['Z'] = spec::decimal(760);
+         c.setup.measurement['Z'] = spec::decimal(198);
+         c.setup.parameters[{6251, -1}] = spec::decimal(20);
+         c.setup.parameters[{6254, -1}] = spec::decimal(5);
+         return c;
+       }(),
+       change_setting},
+      {"axis-of-the-positions", table(kByPositions), turn_axis},
+      {"axis-of-the-positions", head(kByDirection), lean_samples},
+      {"tip-of-the-axes", table(kByPositions), shift_machine},
+      {"tip-of-the-axes", head(kByDirection), shift_machine},
+      {"tip-on-the-path", table(kByPositions), shift_sample},
+      {"tip-on-the-path", head(kByDirection), shift_sample},
+      {"commanded-direction", head(kByDirection), lean_tool},
+      {"commanded-direction", head("G90 G01 F100 G43.5 H1 P0\nX50. I-1. J1. K2.\n"), lean_tool},
+      {"great-circle", head(kByDirection), lean_samples},
+      {"positions-in-proportion", conventional, turn_samples},
+      {"positions-as-programmed", conventional, turn_word},
+      {"touches-the-contact-plane", face(), shift_contact},
+      {"touches-the-contact-plane", face(), shift_center},
+      {"nominal-tool-touches", face(), shift_contact},
+      {"nominal-tool-touches", contour(), shift_contact},
+      {"direction-of-the-tool", face(), lean_tool},
+      {"length-along-the-tool", face(), shift_carrier},
+      {"shift-of-the-tip", face(), shift_shift},
+      {"cylinder-beside-the-line", side(), shift_point<4, 1>},
+      {"cylinder-beside-the-line", side(), shift_point<5, 0>},
+      {"cylinder-beside-the-line", side(), shift_point<6, 0>},
+  };
+}
+
+TEST(Laws, HoldForRightEventsAndBreakForWrongOnes) {
+  std::set<std::string_view> asked;
+  for (const Example& example : examples()) {
+    SCOPED_TRACE(std::string(example.law) + "\n" + example.c.program);
+    asked.insert(example.law);
+    Events events = run_model(example.c).events;
+    const laws::Verdict right = laws::hold(example.law, example.c, events);
+    EXPECT_GT(right.checks, 0U);
+    EXPECT_FALSE(right.violation) << right.violation->text << ": " << right.violation->amount;
+    const laws::Verdict every = laws::hold(example.c, events);
+    EXPECT_FALSE(every.violation) << every.violation->law << ": " << every.violation->amount;
+    example.wrong(events);
+    const laws::Verdict wrong = laws::hold(example.law, example.c, events);
+    ASSERT_TRUE(wrong.violation);
+    EXPECT_EQ(wrong.violation->law, example.law);
+    EXPECT_FALSE(wrong.violation->text.empty());
+    EXPECT_LT(wrong.violation->event, events.size());
+    EXPECT_EQ(wrong.violation->line, events[wrong.violation->event].line);
+  }
+  for (const laws::LawInfo& law : laws::all()) EXPECT_TRUE(asked.contains(law.name)) << law.name << " has no example";
+}
+
+TEST(Laws, OfChangedProgramsHoldAndBreak) {
+  const laws::Runner right = [](const spec::Case& c) { return run_model(c).events; };
+  const laws::Runner wrong = [](const spec::Case& c) {
+    Events events = run_model(c).events;
+    at_line(events, 4).point.value[1] += Real(1);
+    return events;
+  };
+  const laws::Runner wrong_shift = [](const spec::Case& c) {
+    Events events = run_model(c).events;
+    shift_shift(events);
+    return events;
+  };
+  for (const std::string_view law : laws::changes()) {
+    SCOPED_TRACE(law);
+    const spec::Case c = law == "reversed" ? corners() : rounded_corner();
+    const Events events = run_model(c).events;
+    const laws::Verdict held = laws::hold_changed(law, c, events, right);
+    EXPECT_GE(held.checks, events.size());
+    EXPECT_FALSE(held.violation) << held.violation->text << ": " << held.violation->amount;
+    const laws::Verdict broken = laws::hold_changed(law, c, events, wrong);
+    ASSERT_TRUE(broken.violation);
+    EXPECT_EQ(broken.violation->law, law);
+    EXPECT_FALSE(broken.violation->amount.empty());
+  }
+  spec::Case without_deltas = face();
+  without_deltas.program.replace(without_deltas.program.find(" DL+0.05"), 8, "");
+  const Events events = run_model(without_deltas).events;
+  EXPECT_GT(laws::hold_changed("value-zero", without_deltas, events, right).checks, 0U);
+  EXPECT_FALSE(laws::hold_changed("value-zero", without_deltas, events, right).violation);
+  EXPECT_TRUE(laws::hold_changed("value-zero", without_deltas, events, wrong_shift).violation);
+}
+
+// What a broken law becomes: a difference that names it, flows on and is counted.
+TEST(Laws, ABrokenLawIsADifference) {
+  const spec::Case c = rounded_corner();
+  ModelRun run = run_model(c);
+  Verdict verdict = judge(c, run, run_fast(c));
+  ASSERT_EQ(verdict.outcome, Outcome::agrees);
+  EXPECT_GT(hold_laws(c, run, verdict), 0U);
+  EXPECT_EQ(verdict.outcome, Outcome::agrees);
+  shift_point<4, 0>(run.events);
+  hold_laws(c, run, verdict);
+  ASSERT_EQ(verdict.outcome, Outcome::differs);
+  EXPECT_EQ(verdict.difference->kind, "law");
+  EXPECT_EQ(verdict.difference->line, 4U);
+  EXPECT_FALSE(verdict.difference->field.empty());
+  EXPECT_GT(verdict.values, 0U);
+  // A difference that is there already stays.
+  verdict.difference->kind = "coordinate";
+  EXPECT_EQ(hold_laws(c, run, verdict), 0U);
+  EXPECT_EQ(verdict.difference->kind, "coordinate");
+}
+
+// With one wrong clause in both engines the verdict agrees; its law finds it, first of all laws.
+TEST(Laws, FindWrongClausesThatBothEnginesFollow) {
+  std::set<std::string_view> sections;
+  for (const WrongClause& wrong : wrong_clauses()) {
+    SCOPED_TRACE(wrong.name);
+    sections.insert(wrong.section);
+    std::uint64_t executions = 0;
+    std::string found;
+    while (found.empty() && executions < wrong.budget) {
+      SeededSource source(++executions);
+      const spec::Case c = generate(wrong.section, Mode::directed, source);
+      const Trial trial = try_wrong(wrong, c);
+      if (!trial.found()) continue;
+      // What is found without the fault by another law is none of the fault's.
+      if (const Trial right = try_case(c); right.found() && right.verdict.difference->field != wrong.law) continue;
+      ASSERT_EQ(trial.verdict.difference->kind, "law");
+      found = trial.verdict.difference->field;
+    }
+    EXPECT_EQ(found, wrong.law);
+    std::printf("%-28s %-28s %llu executions\n", std::string(wrong.name).c_str(), found.c_str(),
+                static_cast<unsigned long long>(executions));
+  }
+  EXPECT_GE(sections.size(), 6U);
+}
+
+// The laws of the events cost about half of a model run; printed, and held to a generous bound.
+TEST(Laws, CostLessThanTheModel) {
+  for (const std::string_view section : sections()) {
+    std::clock_t model = 0;
+    std::clock_t asked = 0;
+    std::uint64_t checks = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+      SeededSource source(seed);
+      const spec::Case c = generate(section, Mode::directed, source);
+      try {
+        const auto start = std::clock();
+        const ModelRun run = run_model(c);
+        const auto middle = std::clock();
+        checks += laws::hold(c, run.events).checks;
+        asked += std::clock() - middle;
+        model += middle - start;
+      } catch (const std::exception&) {
+        // Not a case that both engines run.
+      }
+    }
+    const double share = static_cast<double>(asked) / static_cast<double>(model);
+    std::printf("%-32s %.2f of a model run, %llu questions\n", std::string(section).c_str(), share,
+                static_cast<unsigned long long>(checks));
+    EXPECT_LT(share, 1) << section;
+  }
+}
+
+}  // namespace
+}  // namespace toolcomp::fuzz

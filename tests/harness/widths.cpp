@@ -1,0 +1,60 @@
+// How wide what the policy grants is, over the golden corpus and generated cases: less than one value in a thousand
+// more than a micrometre, and nothing of the kind where rotary axes are judged by backward error. WIDTHS_CASES=1000 for
+// more.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "certify/campaign.h"
+#include "corpus/golden.h"
+#include "fuzz/gen/generator.h"
+#include "fuzz/oracle/trial.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+std::uint64_t generated_cases() {
+  const char* const wanted = std::getenv("WIDTHS_CASES");
+  return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 60;
+}
+
+class WidthsOf : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(WidthsOf, AreNarrow) {
+  const std::string section(GetParam());
+  Widths widths;
+  const auto judge = [&](const spec::Case& c) {
+    const Trial trial = try_case(c);
+    EXPECT_FALSE(trial.found()) << c.id << "\n" << c.program;
+    widths.add(trial.verdict.widths);
+  };
+  corpus::Selection selection;
+  selection.sections = {section};
+  for (const corpus::Vector& vector : corpus::read_vectors(corpus::default_folder(), selection)) judge(vector.c);
+  for (std::uint64_t i = 0; i < generated_cases(); ++i) judge(certify::generated_case(section, 1, i));
+  ASSERT_GT(widths.count(), 0U);
+  std::printf("%s\n",
+              fmt::format("{:<36} {:>8} values, median {:.2g} um, 99 % {:.2g} um, largest {:.2g} um, above 1 nm "
+                          "{:.4f} %, above 1 um {:.4f} %",
+                          section, widths.count(), widths.quantile(0.5), widths.quantile(0.99), widths.largest(),
+                          100 * widths.share_above_nm(), 100 * widths.share_above_um())
+                  .c_str());
+  EXPECT_LT(widths.share_above_um(), 1e-3);
+  const bool poses = section.starts_with("fanuc/tool-center") || section.starts_with("fanuc/tool-posture");
+  if (poses) {
+    EXPECT_EQ(widths.share_above_um(), 0);
+  }
+}
+
+std::string test_name(const testing::TestParamInfo<std::string_view>& section) {
+  std::string name(section.param);
+  for (char& c : name)
+    if (c == '/' || c == '-') c = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Sections, WidthsOf, testing::ValuesIn(sections().begin(), sections().end()), test_name);
+
+}  // namespace
+}  // namespace toolcomp::fuzz
