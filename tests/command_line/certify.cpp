@@ -25,7 +25,7 @@ std::string wrapper(const Folder& folder, const std::string& name, const std::st
 
 TEST(Certify, TheFastEngineConforms) {
   const Folder folder;
-  const std::string cases = toolcomp::test::kSanitized ? " --cases 20" : "";
+  const std::string cases = toolcomp::test::kSanitized ? " --cases 20" : " --cases 100";
   const Outcome outcome =
       toolcomp("certify --controller '" + kServe + "'" + cases + " --report " + folder.path("report"));
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
@@ -33,6 +33,24 @@ TEST(Certify, TheFastEngineConforms) {
   EXPECT_TRUE(std::filesystem::exists(folder.path("report/junit.xml")));
   const json certificate = json::parse(toolcomp::test::read(folder.path("report/certificate.json")));
   EXPECT_TRUE(certificate.is_object());
+}
+
+// What the user says about a coarse controller: nothing is bad usage, with a line that names the option.
+TEST(Certify, ACoarseResolutionMustBeAccepted) {
+  const Folder folder;
+  const std::string controller = wrapper(folder, "coarse.sh", R"(s/"protocol":1/"protocol":1,"resolution":"0.02"/)");
+  const std::string arguments = "certify --controller '" + controller +
+                                "' --section fanuc/tool-length-offset --cases 10 --report " + folder.path("report");
+  const Outcome refused = toolcomp(arguments);
+  EXPECT_EQ(refused.status, 2) << refused.out;
+  EXPECT_NE(refused.err.find("--accept-resolution 0.02"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path("report")));
+  const Outcome accepted = toolcomp(arguments + " --accept-resolution 0.02");
+  EXPECT_EQ(accepted.status, 0) << accepted.out << accepted.err;
+  EXPECT_NE(accepted.out.find(" s; "), std::string::npos) << "time elapsed";
+  EXPECT_NE(accepted.out.find("values not judged"), std::string::npos);
+  EXPECT_EQ(toolcomp(arguments + " --accept-resolution 0.01").status, 2);
+  EXPECT_EQ(toolcomp(arguments + " --accept-resolution no").status, 2);
 }
 
 // Every fault gives exit status 1 and a finding that replays.

@@ -13,7 +13,7 @@
 namespace toolcomp::fuzz {
 namespace {
 
-constexpr std::uint64_t kCases = test::kSanitized ? 200 : 1500;
+constexpr std::uint64_t kCases = test::kSanitized ? 200 : 1000;
 
 struct Seen {
   std::uint64_t few = 0;          // cases with fewer than three events that are judged

@@ -16,12 +16,19 @@ namespace toolcomp::test {
 
 inline void lie(double& value, double by) { value += by; }
 
-// In decimals, so that nothing else of the text changes but by the lie: 20 places are kept.
+// In decimals, as the shortest lie has them.
 inline void lie(spec::NumberText& value, double by) {
   const long double told = std::strtold(value.v.c_str(), nullptr) + static_cast<long double>(by);
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.12Lf", told);
   value.v = text.data();
+}
+
+template <class Number>
+void lie_in_axis(spec::AxisValues<Number>& values, std::size_t axis, double by) {
+  Number value = values[axis];
+  lie(value, by);
+  values.set(axis, value);
 }
 
 // One number of an answer.
@@ -48,11 +55,8 @@ std::vector<Place> places(std::vector<spec::Event<Number>>& events, const spec::
       for (std::size_t axis = 0; axis < axes.size(); ++axis) {
         if (!values.has(axis)) continue;
         const bool rotary = spec::is_rotary_axis(axes.letter(axis));
-        all.push_back({i, field + (rotary ? ", rotary" : ""), [&values, axis](double by) {
-                         Number value = values[axis];
-                         lie(value, by);
-                         values.set(axis, value);
-                       }});
+        all.push_back(
+            {i, field + (rotary ? ", rotary" : ""), [&values, axis](double by) { lie_in_axis(values, axis, by); }});
       }
     };
     const std::string sample = e.kind == spec::EventKind::sample ? "sample " : "";
@@ -93,7 +97,7 @@ inline std::vector<spec::Event<double>> in_doubles(const fuzz::ModelRun& run) {
 }
 
 inline std::vector<spec::TextEvent> in_texts(const fuzz::ModelRun& run) {
-  constexpr int kDigits = 15;
+  constexpr int kDigits = 40;  // as toolcomp serve --engine model has them
   std::vector<spec::TextEvent> events;
   for (const model::Event& event : run.events) events.push_back(certify::in_text(event, kDigits));
   return events;

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
+#include <optional>
 #include <set>
 
 #include "certify/selection.h"
@@ -33,6 +33,7 @@ struct Honest {
   spec::Case c;
   ModelRun run;
   bool judged_whole = false;  // nothing in it was granted more than the cap
+  bool narrow = false;        // … nor more than a nanometre
 };
 
 // Where a lie is looked for: the state of the control, or how the tool stands.
@@ -85,6 +86,7 @@ struct Liar {
 struct Told {
   bool told = false;
   bool found = false;
+  bool undecided = false;  // exit status 3: no pass, and no finding either
   std::string what;
 };
 
@@ -100,7 +102,7 @@ Told tell(const Honest& honest, std::vector<Event> answer, const std::vector<spe
   place.add(source.below(2) == 0 ? liar.by : -liar.by);
   const Verdict v = judged(honest, answer);
   return {
-      true, v.outcome == Outcome::differs,
+      true, v.outcome == Outcome::differs, v.outcome == Outcome::undecided,
       fmt::format("{}, event {}, {} off by {}\n{}", honest.c.id, place.event, liar.field, liar.by, honest.c.program)};
 }
 
@@ -118,12 +120,14 @@ Told lie_in_cases(const std::vector<Honest>& cases, const Liar& liar, SeededSour
   std::size_t told = 0;
   for (std::size_t i = 0; i < cases.size() && told < lies; ++i) {
     const Honest& honest = cases[(first + i) % cases.size()];
-    if (!honest.judged_whole) continue;
+    // What is granted a nanometre cannot be told from a lie of one.
+    if (!(liar.by < kLies[1] ? honest.narrow : honest.judged_whole)) continue;
     const Told one = tell(honest, liar, source);
     if (!one.told) continue;
     ++told;
     result.told = true;
     result.found = result.found || one.found;
+    result.undecided = result.undecided || one.undecided;
     if (!one.found) result.what = one.what;
   }
   return result;
@@ -154,11 +158,13 @@ TEST_P(Liars, AreFoundAndTheModelIsNotAccused) {
     const Verdict b = judged(honest, test::in_texts(honest.run));
     EXPECT_NE(b.outcome, Outcome::differs) << explain(*b.difference) << '\n' << honest.c.program;
     honest.judged_whole = a.outcome == Outcome::agrees && b.outcome == Outcome::agrees && a.wide == 0 && b.wide == 0;
+    honest.narrow = honest.judged_whole && a.widths.share_above_nm() == 0;
     whole += honest.judged_whole ? 1 : 0;
   }
   EXPECT_GE(10 * whole, 5 * cases_.size()) << "cases in which every value is judged";
   std::size_t made = 0;
   std::size_t found = 0;
+  std::size_t undecided = 0;
   const std::vector<std::string> names(fields.begin(), fields.end());
   SeededSource source(GetParam().size() * 1000 + cases_.size());
   // Every field with every size comes before any comes twice; those that have no place there take any.
@@ -173,10 +179,13 @@ TEST_P(Liars, AreFoundAndTheModelIsNotAccused) {
     if (!told.told) continue;
     ++made;
     found += told.found ? 1 : 0;
-    EXPECT_TRUE(told.found) << told.what;
+    undecided += told.found || !told.undecided ? 0 : 1;
+    EXPECT_TRUE(told.found || told.undecided) << told.what;
   }
-  fmt::print("{:34} {} cases, {} judged whole, {} fields, {} of {} liars found\n", GetParam(), cases_.size(), whole,
-             names.size(), found, made);
+  fmt::print("{:34} {} cases, {} judged whole, {} fields, {} of {} liars found, {} not decided\n", GetParam(),
+             cases_.size(), whole, names.size(), found, made, undecided);
+  // Where an honest answer agrees at once, many near ties may be tried in vain before a lie is one.
+  EXPECT_LE(undecided, 2U);
   EXPECT_EQ(made, kLiars);
 }
 
@@ -187,50 +196,40 @@ INSTANTIATE_TEST_SUITE_P(Sections, Liars, testing::ValuesIn(sections().begin(), 
                            return name;
                          });
 
-// A tool that stands on the work-side axis: a head whose C axis carries B, at B0. Where C stands there makes no
-// difference to the tool, and with the control point on the C axis none to the linear axes: a control may leave C where
-// it is or turn it in a block that asks for the direction alone. But it may not put B elsewhere.
-struct Singular {
+// A tool 1e-13 off the work-side axis, which no double can tell from one on it: a head whose C axis carries B. On it C
+// may stand anywhere and keeps its position; off it C goes to the azimuth of the tool. A control may do either.
+TEST(Singular, AControlMayTakeTheOtherWorkSidePosition) {
   Honest honest;
-  std::size_t c_axis = 0;
-  std::size_t b_axis = 0;
-};
-
-Singular at_the_singular_posture() {
-  Singular s;
-  spec::Case& c = s.honest.c;
+  spec::Case& c = honest.c;
   c.id = "singular";
   c.section = "fanuc/tool-center-point-control";
   c.setup.axes = spec::Axes("XYZBC");
-  c.setup.parameters[{19680, -1}] = spec::decimal(2);
-  c.setup.parameters[{19681, -1}] = spec::decimal(5);
-  c.setup.parameters[{19682, -1}] = spec::decimal(3);
-  c.setup.parameters[{19686, -1}] = spec::decimal(4);
-  c.setup.parameters[{19687, -1}] = spec::decimal(2);
+  for (const auto& [number, value] :
+       {std::pair{19680U, 2}, std::pair{19681U, 5}, std::pair{19682U, 3}, std::pair{19686U, 4}, std::pair{19687U, 2}})
+    c.setup.parameters[{number, -1}] = spec::decimal(value);
   c.setup.h[1] = {spec::decimal(50), {}};
-  // The tool leans, then stands on the C axis in the last block.
-  c.program = "G90 G00 X0 Y0 Z100. B0 C0\nG43.5 H1 I0 J0 K1.\nG01 X10. I3. J0 K4. F1000\nX20. Y5. I0 J0 K1.\n";
-  s.honest.run = run_model(c);
-  for (std::size_t axis = 0; axis < c.setup.axes.size(); ++axis) {
-    if (c.setup.axes.letter(axis) == 'C') s.c_axis = axis;
-    if (c.setup.axes.letter(axis) == 'B') s.b_axis = axis;
+  c.program =
+      "G90 G00 X0 Y0 Z100. B0 C0\nG43.5 H1 I0 J0 K1.\nG01 X10. I0 J3. K4. F1000\nX20. Y5. I.00001 J0 K100000000.\n";
+  honest.run = run_model(c);
+  const std::vector<spec::Event<double>> exact = test::in_doubles(honest.run);
+  ASSERT_EQ(judged(honest, exact).outcome, Outcome::agrees);
+  // The last question of the clause, answered the other way.
+  std::optional<std::size_t> question;
+  const auto& decisions = honest.run.recorder.decisions();
+  for (std::size_t i = 0; i < decisions.size(); ++i)
+    if (decisions[i].clause == spec::Clause::fanuc_tool_center_point_parallel_to_the_work_side) question = i;
+  ASSERT_TRUE(question);
+  const ModelRun other = run_model(c, {{*question, exact::Sign::zero}});
+  const std::vector<spec::Event<double>> stays = test::in_doubles(other);
+  const std::size_t c_axis = c.setup.axes.index('C');
+  ASSERT_GT(std::fabs(stays.back().axes[c_axis] - exact.back().axes[c_axis]), 10) << "another position, by hand 90";
+  EXPECT_EQ(judged(honest, stays).outcome, Outcome::agrees);
+  // A lie in the other position is one, too.
+  for (const double by : kLies) {
+    std::vector<spec::Event<double>> liar = stays;
+    test::lie_in_axis(liar.back().axes, c.setup.axes.index('B'), by);
+    EXPECT_EQ(judged(honest, liar).outcome, Outcome::differs) << by;
   }
-  return s;
-}
-
-void turn(spec::Event<double>& event, std::size_t axis, double degrees) {
-  event.axes.set(axis, event.axes[axis] + degrees);
-  if (event.machine.has(axis)) event.machine.set(axis, event.machine[axis] + degrees);
-}
-
-TEST(Singular, TheWorkSideAxisIsNotAccusedForWhatTheClausePermits) {
-  const Singular s = at_the_singular_posture();
-  std::vector<spec::Event<double>> answer = test::in_doubles(s.honest.run);
-  ASSERT_FALSE(answer.empty());
-  ASSERT_EQ(judged(s.honest, answer).outcome, Outcome::agrees);
-  std::vector<spec::Event<double>> leant = answer;
-  turn(leant.back(), s.b_axis, 1e-3);
-  EXPECT_EQ(judged(s.honest, leant).outcome, Outcome::differs);
 }
 
 }  // namespace

@@ -169,7 +169,7 @@ class Bench:
 
     def certify(self, program, arguments):
         report = self.work / "report"
-        command = [str(self.build / "toolcomp"), "certify", "--controller", shlex.quote(str(program)), "--report",
+        command = [str(self.build / "toolcomp"), "certify", "--controller", str(program), "--report",
                    str(report), "--timeout", "5", "--corpus", str(ROOT / "corpus/golden"), *arguments]
         return run(command, self.timeout, cwd=ROOT)[0]
 
@@ -177,31 +177,51 @@ class Bench:
         program = self.work / "serve"
         if self.link([self.main, target], program, self.libraries):
             return "does not compile", "link"
-        programs = sorted(str(p) for e in ("nc", "h") for p in (ROOT / "examples").glob(f"*/*/*.{e}"))
         # The golden corpus first: most end there, and it is quick.
-        for what, arguments in (("golden", ["--cases", "0", *programs[:1]]),
-                                ("certify", ["--cases", str(self.cases), *programs])):
+        for what, arguments in self.stages():
             status = self.certify(program, arguments)
             if status is None:
                 return "timeout", what
-            if status not in (0, 3):
+            if status != self.baseline[what]:
                 return "killed", f"{what}, status {status}"
         return "survived", ""
 
+    def stages(self):
+        programs = sorted(str(p) for e in ("nc", "h") for p in (ROOT / "examples").glob(f"*/*/*.{e}"))
+        return (("golden", ["--cases", "0", *programs[:1]]), ("certify", ["--cases", str(self.cases), *programs]))
+
+    def measure_baseline(self):
+        """What comes of it without a change: what fails then tells nothing of a mutant."""
+        if self.sources == "oracle":
+            built = [t for t in ORACLE_TESTS if (self.build / t).exists()]
+            self.baseline = [t for t in built if self.passes(self.build / t)]
+            print("tests:", *self.baseline, flush=True)
+            print("not built, or failing without a mutant:", *sorted(set(ORACLE_TESTS) - set(self.baseline)), flush=True)
+            if not self.baseline:
+                sys.exit("no test of the harness passes: ./dev build")
+            return
+        self.baseline = {what: self.certify(f"{self.build}/toolcomp serve --engine fast", arguments)
+                         for what, arguments in self.stages()}
+        print(f"exit statuses of the sound engine: {self.baseline}", flush=True)
+        if not set(self.baseline.values()) <= {0, 3}:
+            sys.exit("the sound engine does not conform")
+
+    def passes(self, program):
+        """None where it takes too long."""
+        status, _ = run([str(program), "--gtest_fail_fast", "--gtest_brief=1"], self.timeout, cwd=self.build)
+        return None if status is None else status == 0
+
     def judge_oracle(self, target):
-        built = [t for t in ORACLE_TESTS if (self.build / t).exists()]
-        if not built:
-            sys.exit("no harness test is built: ./dev build")
-        for test in built:
+        for test in self.baseline:
             folder, name = test.split("_", 1)
             unit = self.build / f"tests/CMakeFiles/{test}.dir/{folder}/{name}.cpp.o"
             program = self.work / "test"
             if self.link([unit, target], program, self.link_line(test)):
                 return "does not compile", "link"
-            status, _ = run([str(program), "--gtest_fail_fast", "--gtest_brief=1"], self.timeout, cwd=self.build)
-            if status is None:
+            passed = self.passes(program)
+            if passed is None:
                 return "timeout", test
-            if status != 0:
+            if not passed:
                 return "killed", test
         return "survived", ""
 
@@ -250,6 +270,7 @@ def main():
     record = folder / f"{name}.json"
     results = json.loads(record.read_text())["mutants"] if record.exists() else []
     done = {(r["file"], r["line"], r["original"], r["changed"]) for r in results}
+    bench.measure_baseline()
     print(f"{len(every)} places, {len(chosen)} mutants, {len(done)} of an earlier run", flush=True)
     for n, mutation in enumerate(chosen, 1):
         path, i, operator, line, changed = mutation
