@@ -47,6 +47,13 @@ Vector2<double> lean(const Frame& c, const Room& room, double sin_psi) {
   return {x, -c.sa * sin_psi};
 }
 
+// Sines and cosines that are off the unit circle by what small angles between the axes enlarge: a step of Newton's.
+inline void on_unit_circle(DoublePair& sine, DoublePair& cosine) {
+  const DoublePair by = 1.5 - 0.5 * (sine * sine + cosine * cosine);
+  sine *= by;
+  cosine *= by;
+}
+
 // The mechanical angle of the work-side axis that turns `from` to `to`, horizontal vectors of one length.
 SineCosine<double> between(const Vector2<double>& from, const Vector2<double>& to) {
   const double per_n2 = 1 / dot(to, to);
@@ -250,8 +257,9 @@ void PostureMotion::settle(PostureSample& sample) {
     leaned = lean(c, space, branch_ * width);
     work = between(leaned, heading);
   }
-  const DoublePair sine{branch_ * width, work.sine};
-  const DoublePair cosine{cos_psi, work.cosine};
+  DoublePair sine{branch_ * width, work.sine};
+  DoublePair cosine{cos_psi, work.cosine};
+  if (!polar.orthogonal()) on_unit_circle(sine, cosine);
   const bool led_on = follow(sine, cosine);
   if (!led_on) [[unlikely]] {
     const DoublePair angles = arctangent(DoublePair{width, cross(start_heading_, heading)},
@@ -354,8 +362,9 @@ void PostureMotion::meridian_at(const Vector3<double>& seen, PostureSample& samp
   const auto [sin_psi, leaned] = on_meridian(seen);
   const double cos_psi = (seen.z - c.cc) / c.ss;
   const double n = std::sqrt(dot(leaned, leaned));
-  const DoublePair sine{sin_psi, cross(leaned, start_heading_) / n};
-  const DoublePair cosine{cos_psi, dot(leaned, start_heading_) / n};
+  DoublePair sine{sin_psi, cross(leaned, start_heading_) / n};
+  DoublePair cosine{cos_psi, dot(leaned, start_heading_) / n};
+  on_unit_circle(sine, cosine);
   const bool led_on = follow(sine, cosine);
   if (!led_on) [[unlikely]] {
     const DoublePair angles =

@@ -34,13 +34,14 @@ std::optional<Pose> pose_of(const spec::Axes& axes, const Machine& machine, cons
   Pose pose;
   pose.event = &event;
   const bool given = !event.machine.empty();
-  const auto degrees = rotary(machine, given ? event.machine : event.axes);
+  const auto degrees = rotary(machine, given && mode.by_machine ? event.machine : event.axes);
   const auto place = xyz(axes, given ? event.machine : event.axes);
   if (!degrees || !place) return std::nullopt;
   pose.degrees = *degrees;
   pose.control_point = *place;
   if (!given) {
     pose.control_point = pose.control_point + mode.origin;
+    // 0 where the angles are the programmed ones.
     for (std::size_t i = 0; i < 2; ++i) pose.degrees.at(i) += mode.rotary_zeros.at(i);
   }
   pose.turns = machine.turns(pose.degrees);
@@ -51,11 +52,13 @@ std::optional<Mode> mode_of(const spec::Setup& setup, const FanucProgram& progra
                             std::size_t block, const model::Event& event) {
   const auto place = xyz(setup.axes, event.machine);
   const auto place_in_workpiece = xyz(setup.axes, event.axes);
-  const auto degrees = rotary(machine, event.machine);
+  const bool by_machine = setup.rotary_angles == spec::RotaryAngles::machine;
+  const auto degrees = rotary(machine, by_machine ? event.machine : event.axes);
   const auto degrees_in_workpiece = rotary(machine, event.axes);
   if (!place || !place_in_workpiece || !degrees || !degrees_in_workpiece) return std::nullopt;
   Mode mode;
   mode.block = block;
+  mode.by_machine = by_machine;
   mode.turns = machine.turns(*degrees);
   mode.origin = *place - *place_in_workpiece;
   for (std::size_t i = 0; i < 2; ++i) mode.rotary_zeros.at(i) = degrees->at(i) - degrees_in_workpiece->at(i);

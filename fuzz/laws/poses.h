@@ -16,8 +16,9 @@ namespace toolcomp::fuzz::laws {
 struct Mode {
   std::size_t block = 0;  // of G43.4 or G43.5
   std::array<Turn, 2> turns;
-  Vector origin;                     // of the workpiece, machine coordinates
-  std::array<Real, 2> rotary_zeros;  // the same of the rotary axes
+  Vector origin;           // of the workpiece, machine coordinates
+  bool by_machine = true;  // machine coordinates of the rotary axes are their angles, else the programmed ones
+  std::array<Real, 2> rotary_zeros;  // of their angles
   std::optional<Real> length;
 };
 
@@ -26,7 +27,7 @@ struct Pose {
   const model::Event* event = nullptr;
   std::size_t index = 0;
   std::size_t block = 0;
-  std::array<Real, 2> degrees;  // machine coordinates
+  std::array<Real, 2> degrees;  // angles
   std::array<Turn, 2> turns;
   Vector control_point;  // machine coordinates
 };

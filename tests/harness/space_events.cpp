@@ -364,7 +364,7 @@ TEST(SpaceScales, DeviationsFollowTheirSlope) {
   EXPECT_NEAR(scale_of(event, setup).pose.tip / policy::ulp(180), 0.005, 1e-12);
 }
 
-model::Event beside(int x, int y, const Real& px, const Real& py) {
+model::Event beside(double x, double y, const Real& px, const Real& py) {
   model::Event e;
   e.line = 1;
   e.programmed.set(0, Real(exact::Rational(x)));
@@ -392,14 +392,15 @@ TEST(SpaceScales, AMitreStretchesItsErrors) {
   EXPECT_NEAR(conditions.next(events).pose.tip / (vector * direction * (1 + vector)), 1, 1e-9);
 }
 
-// Near a reversal, the turn back by 2/far, the mitre is as long as its condition, and the directions stay those of the programmed ends.
+// Near a reversal, the turn back by 2/far, the mitre is as long as its condition, and the directions stay those of the
+// programmed ends.
 TEST(SpaceScales, AMitreNearAReversal) {
   spec::Setup setup;
   setup.control = spec::Control::heidenhain;
   setup.axes = spec::Axes("XYZ");
   constexpr int far = 1'000'000'000;
   const std::vector<model::Event> events = {beside(8, 0, Real(8 + far), Real(1)),
-                                           beside(0, -16.0 / far, Real(0), Real(2))};
+                                            beside(0, -16.0 / far, Real(0), Real(2))};
   Conditions conditions(setup);
   const double direction = policy::ulp(1) + policy::ulp(8) / 8;
   EXPECT_NEAR(conditions.next(events).pose.tip / (far * direction * (1.0 + far)), 1, 1e-6);

@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-#include "certify/campaign.h"
+#include "certify/selection.h"
 #include "corpus/golden.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/trial.h"
@@ -14,7 +14,7 @@
 namespace toolcomp::fuzz {
 namespace {
 
-std::uint64_t generated_cases() {
+std::size_t generated_cases() {
   const char* const wanted = std::getenv("WIDTHS_CASES");
   return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 60;
 }
@@ -32,7 +32,7 @@ TEST_P(WidthsOf, AreNarrow) {
   corpus::Selection selection;
   selection.sections = {section};
   for (const corpus::Vector& vector : corpus::read_vectors(corpus::default_folder(), selection)) judge(vector.c);
-  for (std::uint64_t i = 0; i < generated_cases(); ++i) judge(certify::generated_case(section, 1, i));
+  for (const spec::Case& c : certify::select_cases(section, 1, generated_cases()).cases) judge(c);
   ASSERT_GT(widths.count(), 0U);
   std::printf("%s\n",
               fmt::format("{:<36} {:>8} values, median {:.2g} um, 99 % {:.2g} um, largest {:.2g} um, above 1 nm "
