@@ -267,9 +267,7 @@ void normal_of_the_block(const Scene& s, Holding& holding) {
 
 void on_the_path_without_a_mode(const Scene& s, Holding& holding) {
   if (shifts_the_point(s)) return;
-  // Points programmed in the workpiece system are those for which a block ends; before and behind a turn of its own the
-  // tip is elsewhere.
-  if (s.c.setup.bit(19696, 5)) return;
+  if (s.names_other_points()) return;
   bool on_path = true;
   for (const Stop& stop : s.stops) {
     const FanucBlock& b = s.block(stop);

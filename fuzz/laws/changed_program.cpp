@@ -259,7 +259,8 @@ void value_zero(const spec::Case& c, std::span<const model::Event> events, const
       holding.zero(*axes - *point, place, "axes, less the tip, with deltas of zero");
       continue;
     }
-    holding.zero(*point - *programmed, place, "point, less the programmed one, with offsets of zero");
+    if (!scene.names_other_points())
+      holding.zero(*point - *programmed, place, "point, less the programmed one, with offsets of zero");
     const std::size_t index = scene.program.index(event.line);
     if (index == scene.program.blocks().size()) continue;
     const int length = scene.program.blocks()[index].length;

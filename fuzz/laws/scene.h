@@ -35,6 +35,9 @@ struct Scene {
   std::vector<Run> runs;  // under tool center point control, on this machine
 
   Scene(const spec::Case& made, std::span<const model::Event> given);
+  // Points programmed in the workpiece system (19696#5) are those for which a block ends; before and behind a turn of
+  // its own the tip is elsewhere.
+  [[nodiscard]] bool names_other_points() const { return c.setup.bit(19696, 5) && program.has_code({434}); }
   [[nodiscard]] const FanucBlock& block(const Stop& stop) const { return program.blocks()[stop.block]; }
 };
 
