@@ -18,6 +18,16 @@ bool changes_frames(const FanucProgram& program) {
   return program.has_code({100, 370, 920, 520, 530, 280, 290, 300, 301, 540, 541, 550, 560, 570, 580, 590});
 }
 
+// Setups that can say which coordinates turn tool and table say `machine` or, as the other value, `programmed`; all
+// others mean machine coordinates.
+template <class Setup>
+bool angles_are_programmed(const Setup& setup) {
+  if constexpr (requires { setup.rotary_angles; })
+    return setup.rotary_angles != decltype(setup.rotary_angles){};
+  else
+    return false;
+}
+
 std::optional<std::array<Real, 2>> rotary(const Machine& machine, const spec::AxisValues<Real>& values) {
   std::array<Real, 2> degrees;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -29,20 +39,19 @@ std::optional<std::array<Real, 2>> rotary(const Machine& machine, const spec::Ax
 }
 
 // Samples give no machine coordinates: theirs are axes and workpiece zeros.
-std::optional<Pose> pose_of(const spec::Axes& axes, const Machine& machine, const Mode& mode,
+std::optional<Pose> pose_of(const spec::Setup& setup, const Machine& machine, const Mode& mode,
                             const model::Event& event) {
   Pose pose;
   pose.event = &event;
   const bool given = !event.machine.empty();
-  const auto degrees = rotary(machine, given ? event.machine : event.axes);
-  const auto place = xyz(axes, given ? event.machine : event.axes);
+  const bool programmed = angles_are_programmed(setup);
+  const auto degrees = rotary(machine, given && !programmed ? event.machine : event.axes);
+  const auto place = xyz(setup.axes, given ? event.machine : event.axes);
   if (!degrees || !place) return std::nullopt;
   pose.degrees = *degrees;
   pose.control_point = *place;
-  if (!given) {
-    pose.control_point = pose.control_point + mode.origin;
-    for (std::size_t i = 0; i < 2; ++i) pose.degrees.at(i) += mode.rotary_zeros.at(i);
-  }
+  if (!given) pose.control_point = pose.control_point + mode.origin;
+  for (std::size_t i = 0; !given && !programmed && i < 2; ++i) pose.degrees.at(i) += mode.rotary_zeros.at(i);
   pose.turns = machine.turns(pose.degrees);
   return pose;
 }
@@ -56,7 +65,7 @@ std::optional<Mode> mode_of(const spec::Setup& setup, const FanucProgram& progra
   if (!place || !place_in_workpiece || !degrees || !degrees_in_workpiece) return std::nullopt;
   Mode mode;
   mode.block = block;
-  mode.turns = machine.turns(*degrees);
+  mode.turns = machine.turns(angles_are_programmed(setup) ? *degrees_in_workpiece : *degrees);
   mode.origin = *place - *place_in_workpiece;
   for (std::size_t i = 0; i < 2; ++i) mode.rotary_zeros.at(i) = degrees->at(i) - degrees_in_workpiece->at(i);
   const FanucBlock& b = program.blocks()[block];
@@ -71,7 +80,6 @@ std::vector<Run> runs_of(const spec::Setup& setup, const FanucProgram& program, 
                          const Machine& machine) {
   std::vector<Run> runs;
   if (changes_frames(program)) return runs;
-  const spec::Axes& axes = setup.axes;
   const auto& blocks = program.blocks();
   std::size_t latest = kNone;  // block that began the mode of the last run
   std::size_t seen = 0;        // blocks whose codes were read
@@ -106,7 +114,7 @@ std::vector<Run> runs_of(const spec::Setup& setup, const FanucProgram& program, 
       runs.back() = {*mode, {}};
     }
     if (other_length) runs.back().mode.length.reset();
-    auto pose = pose_of(axes, machine, runs.back().mode, event);
+    auto pose = pose_of(setup, machine, runs.back().mode, event);
     if (!pose) continue;
     pose->index = i;
     pose->block = block;

@@ -84,10 +84,7 @@ void axis_of_the_positions(const Scene& s, Holding& holding) {
 
 void tip_of_the_axes(const Scene& s, Holding& holding) {
   in_each_run(s, [&](const Machine& machine, const Run& run) {
-    for (std::size_t i = 0; i < run.poses.size(); ++i) {
-      const Pose& pose = run.poses[i];
-      const bool turns_after = i + 1 < run.poses.size() && run.poses[i + 1].event->cause == spec::Cause::post_turn;
-      if (frame_is_workpiece(s) && turns_after) continue;
+    for (const Pose& pose : run.poses) {
       const auto q = tip_on_table(machine, run, pose);
       const auto point = xyz(s.c.setup.axes, pose.event->point);
       if (!q || !point) continue;
