@@ -245,7 +245,9 @@ void value_zero(const spec::Case& c, std::span<const model::Event> events, const
   const Scene scene(changed, other);
   for (std::size_t i = 0; i < other.size(); ++i) {
     const model::Event& event = other[i];
-    if (event.kind != spec::EventKind::move) continue;
+    if (event.kind != spec::EventKind::move || event.cause == spec::Cause::pre_turn) continue;
+    // A turn still to come takes the point along (19696#5 = 1).
+    if (i + 1 < other.size() && other[i + 1].cause == spec::Cause::post_turn) continue;
     // Of the given events the place is named, where there is one.
     const std::size_t place = std::min(i, events.size() - 1);
     const auto programmed = xyz(c.setup.axes, event.programmed);

@@ -28,7 +28,12 @@ std::vector<Stop> stops_of(const spec::Axes& axes, const FanucProgram& program, 
       stops.back().heads.push_back(head);
       continue;
     }
-    if (event.cause == spec::Cause::pre_turn || event.cause == spec::Cause::post_turn) continue;
+    if (event.cause == spec::Cause::pre_turn) continue;
+    if (event.cause == spec::Cause::post_turn) {
+      // The block ends where its turn ends.
+      if (!stops.empty() && stops.back().block == block) stops.back().heads = {head};
+      continue;
+    }
     Stop stop;
     stop.own = &event;
     stop.event = i;

@@ -1,6 +1,7 @@
 // Laws of tool center point control and tool posture control (G43.4, G43.5).
 //
-// Rotary positions are the reported machine coordinates. Exempt: machines this reading of the parameters does not cover
+// Rotary positions are the reported machine coordinates, or those of the workpiece system where a setup can say so and
+// does (`rotary_angles`). Exempt: machines this reading of the parameters does not cover
 // (machine.h); what follows a second G43.4 or G43.5 without G49 between, or comes with G10, G37, G92, G53, G28 to G30
 // or a change of the workpiece system anywhere in the program (frames and lengths are then others).
 #pragma once
@@ -14,8 +15,7 @@ namespace toolcomp::fuzz::laws {
 void axis_of_the_positions(const Scene& scene, Holding& holding);
 
 // The tip that belongs to the axes reported is the point reported: axes less holder and length, seen from the table.
-// Sheet 5. Only with H in the block of G43.4 or G43.5 and none after it; under WKP = 1 not for a move with a turn still
-// to come (its point is that of its block's end, which the sheet defines after the turn).
+// Sheet 5. Only with H in the block of G43.4 or G43.5 and none after it.
 void tip_of_the_axes(const Scene& scene, Holding& holding);
 
 // Between the ends of a block the tip seen from the table is on the straight line, in proportion; on an arc it keeps
