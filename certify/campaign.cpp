@@ -304,6 +304,7 @@ class Campaign {
       ++s.results[static_cast<std::size_t>(result)];
       s.wide_cases += wide ? 1 : 0;
       s.wide += r.verdict.wide;
+      s.widths.add(r.verdict.widths);
       s.out_of_scope += r.verdict.out_of_scope;
       const bool judged = r.result == Result::agrees || r.result == Result::partly_judged;
       s.few_events += judged && r.verdict.events < kFewestEvents ? 1 : 0;

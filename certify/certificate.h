@@ -31,6 +31,7 @@ struct SectionResult {
   std::uint64_t wide_cases = 0;                   // cases with more than policy::kMostWide of such
   std::uint64_t out_of_scope = 0;                 // events behind one of reason OUT_OF_SCOPE
   std::uint64_t few_events = 0;                   // cases with a verdict and fewer than three events judged
+  fuzz::Widths widths;                            // that were granted
   double worst_ulp = 0;                           // in the units the verdict policy multiplies by its k
   double worst_um = 0;
 

@@ -32,6 +32,7 @@ Json to_json(const SectionResult& s) {
   json["near_ties"] = s.near_ties;
   json["ties"] = s.ties;
   json["values_not_judged"] = s.wide;
+  json["largest_width_um"] = s.widths.largest();
   json["cases_with_more_than_1_percent_not_judged"] = s.wide_cases;
   json["events_out_of_scope"] = s.out_of_scope;
   json["cases_with_fewer_than_three_events"] = s.few_events;

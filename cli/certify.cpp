@@ -117,6 +117,20 @@ void print(const certify::Certificate& certificate, const std::vector<fs::path>&
              (fs::path(report) / "index.html").string());
 }
 
+// Lengths in micrometres; an angle or a component of a unit vector counts as what it moves at the end of one metre.
+void print_widths(const certify::Certificate& certificate) {
+  fmt::print("{:<32} {:>8} {:>10} {:>10} {:>10} {:>9} {:>9}\n", "widths granted, µm", "values", "median", "99 %",
+             "largest", "> 1 nm", "> 1 µm");
+  constexpr double median = 0.5;
+  constexpr double most = 0.99;
+  for (const certify::SectionResult& section : certificate.sections) {
+    const fuzz::Widths& widths = section.widths;
+    fmt::print("{:<32} {:>8} {:>10.2g} {:>10.2g} {:>10.2g} {:>7.3f} % {:>7.3f} %\n",
+               section.section.empty() ? "programs" : section.section, widths.count(), widths.quantile(median),
+               widths.quantile(most), widths.largest(), 100 * widths.share_above_nm(), 100 * widths.share_above_um());
+  }
+}
+
 }  // namespace
 
 int certify(const CertifyOptions& options) {
@@ -159,6 +173,7 @@ int certify(const CertifyOptions& options) {
   const certify::Certificate certificate = certify::certify(campaign);
   const std::vector<fs::path> findings = certify::write_report(certificate, options.report);
   print(certificate, findings, options.report, elapsed());
+  if (options.widths) print_widths(certificate);
   return certify::exit_status(certificate);
 }
 

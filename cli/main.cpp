@@ -144,6 +144,7 @@ class CommandLine {
     sub->add_option("--seed", certify_.seed, "Seed of every random choice");
     sub->add_option("--timeout", certify_.timeout, "Seconds a case may take")->check(CLI::PositiveNumber);
     add_accept_resolution(sub, certify_.accept_resolution);
+    sub->add_flag("--widths", certify_.widths, "Print how wide what the verdict policy grants is, section by section");
     sub->add_option("--tolerance", certify_.tolerance,
                     "Trace: greatest distance from the exact path, in the units of the events");
     add_samples(sub, certify_.samples);

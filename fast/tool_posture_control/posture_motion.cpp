@@ -224,8 +224,9 @@ void PostureMotion::prepare_meridian() {
     set(1, 0);
 }
 
-// The azimuth from the start is as badly known as that of the start, which near the work-side axis is hardly at all; the
-// turn of the work-side axis itself is known well wherever the tool is. Between them lie a few roundings of the former.
+// The azimuth from the start is as badly known as that of the start, which near the work-side axis is hardly at all;
+// the turn of the work-side axis itself is known well wherever the tool is. Between them lie a few roundings of the
+// former.
 void PostureMotion::settle(PostureSample& sample) {
   constexpr double kDegrees = 0x1.ca5dc1a63c1f8p+5;
   const std::size_t w = machine_->work_side();

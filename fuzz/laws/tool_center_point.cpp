@@ -155,7 +155,8 @@ void commanded_direction(const Scene& s, Holding& holding) {
         holding.not_negative(dot(axis, given), pose.index, "tool axis along the commanded direction");
         continue;
       }
-      if (i == 0 || pose.event->type == spec::MoveType::arc) continue;
+      // An arc may have lost its centre to a head, and run straight.
+      if (i == 0 || b.motion > 10) continue;
       // The own move before, in the same frame.
       std::size_t k = i;
       while (k-- > 0 && is_sample(run.poses[k])) {

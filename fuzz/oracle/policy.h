@@ -195,6 +195,9 @@ constexpr bool compares_positions(spec::Clause clause) {
   return std::find(std::begin(kPositions), std::end(kPositions), clause) != std::end(kPositions);
 }
 
+// Radians: decisions on rotary positions hear of a controller's own where they lie that far off.
+inline constexpr double kDeviation = 1e-9;
+
 // No decision is a near tie for its position alone beyond this band.
 inline constexpr double kWidestBand = 0x1p-12;
 

@@ -17,8 +17,6 @@ using spec::EventKind;
 
 constexpr double kDegreesPerRadian = 57.29577951308232;
 constexpr double kHalfTurn = 180;
-// Radians: a deviation of which decisions on positions hear.
-constexpr double kShown = 1e-9;
 
 // Far finer than any width: the enclosure of an exact value is 2^-100 of it wide.
 Rational middle(const Real& x) {
@@ -331,7 +329,7 @@ void PoseFit<Number>::follow(const model::Event& expected, const spec::Event<Num
       own_frozen_ = of(actual);
     }
     const double radians = std::max(std::fabs(before_.tool), std::fabs(before_.work)) / kDegreesPerRadian;
-    if (radians > kShown || !deviations_.empty()) deviations_.push_back({expected.line, radians});
+    if (radians > policy::kDeviation || !deviations_.empty()) deviations_.push_back({expected.line, radians});
   }
   active_ = controlled;
 }

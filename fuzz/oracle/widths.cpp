@@ -6,7 +6,7 @@
 namespace toolcomp::fuzz {
 
 void Widths::add(double um) {
-  constexpr double nanometre = 1e-3;
+  constexpr double nanometre = 1.0 / 1000;
   ++count_;
   if (um > nanometre) ++above_nm_;
   if (um > 1) ++above_um_;
