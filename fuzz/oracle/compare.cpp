@@ -259,8 +259,8 @@ class Comparison {
   bool table(std::string_view field, const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a,
              double error = 0) {
     if (!rules_.judges(field)) return false;
-    const bool by_conditions = error == 0 && placed(e, a);
-    const double unit = error == kProgrammed ? programmed_unit() : error == 0 ? head_unit() : length_unit(error);
+    const bool by_conditions = error != kProgrammed && placed(e, a, error);
+    const double unit = error == kProgrammed ? programmed_unit() : head_unit(error);
     for (std::size_t i = 0; i < rules_.axes().size(); ++i) {
       const char letter = rules_.axes().letter(i);
       if (!e.has(i) && !a.has(i)) continue;
@@ -281,7 +281,7 @@ class Comparison {
 
   // Whether X Y Z, in whatever frame parallel to that of the point, lie where two conditions place a head (head.h). Not
   // asked where each is near enough by itself.
-  [[nodiscard]] bool placed(const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a) const {
+  [[nodiscard]] bool placed(const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a, double error) const {
     if (scale_.heads.empty()) return false;
     std::array<double, 3> off{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -290,17 +290,17 @@ class Comparison {
       if (!e.has(axis) || !a.has(axis)) return false;
       off.at(i) = signed_distance(e[axis], a[axis]);
     }
-    return placed(off);
+    return placed(off, error);
   }
-  [[nodiscard]] bool placed(const std::array<double, 3>& off) const {
+  [[nodiscard]] bool placed(const std::array<double, 3>& off, double error = 0) const {
     const double k = rules_.budget().coordinate;
-    const auto near = [&](double x) { return std::fabs(x) <= k * head_unit() + rules_.resolution(); };
+    const auto near = [&](double x) { return std::fabs(x) <= k * head_unit(error) + rules_.resolution(); };
     if (std::ranges::all_of(off, near)) return false;
     const double size = std::hypot(off[0], off[1], off[2]);
     const double rounded = 2 * rules_.resolution();
     const auto within = [&](const HeadBand& band) {
       const double out = off[0] * band.normal[0] + off[1] * band.normal[1] + off[2] * band.normal[2];
-      return std::fabs(out) <= k * band.width + band.curvature * size * size + rounded;
+      return std::fabs(out) <= k * (band.width + error) + band.curvature * size * size + rounded;
     };
     return std::ranges::any_of(scale_.heads, [&](const Head& head) {
       return size <= k * head.reach + rounded && within(head.bands[0]) && within(head.bands[1]) && within(head.across);
@@ -326,9 +326,9 @@ class Comparison {
   }
 
   // The same of what holds a head, where its two conditions judge what is farther off.
-  [[nodiscard]] double head_unit() const {
-    if (scale_.heads.empty()) return length_unit();
-    return programmed_unit() + scale_.rest * (scale_.vector > 0 ? policy::ulp(scale_.vector) : 0);
+  [[nodiscard]] double head_unit(double error = 0) const {
+    if (scale_.heads.empty()) return length_unit(error);
+    return programmed_unit() + std::max(scale_.rest * (scale_.vector > 0 ? policy::ulp(scale_.vector) : 0), error);
   }
 
   // Of which lengths may be off k. `error`: of what else the length is made of.

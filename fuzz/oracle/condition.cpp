@@ -136,6 +136,14 @@ Scale Conditions::sample(std::span<const model::Event> window, Scale scale) {
   scale.vector = of_move_->vector;
   scale.condition = of_move_->condition;
   scale.start = condition_ * policy::ulp(length(vector_));
+  // On a line the sample lies between the heads as the controller has them (pairing.h).
+  const auto own = std::ranges::find(window, spec::EventKind::move, &model::Event::kind);
+  if (own != window.end() && !own->arc) {
+    scale.heads = of_move_->heads;
+    scale.rest = of_move_->rest;
+    if (!heads_.empty()) scale.start = rest_ * policy::ulp(length(vector_));
+    scale.between = true;
+  }
   scale.pose = pose_.next(window);
   return scale;
 }
@@ -188,7 +196,7 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
         head.reach = position + unit * (scale.vector + head.reach);
       }
       if (kept) heads.insert(heads.end(), heads_.begin(), heads_.end());
-      if (kept && heads_.empty()) rest = std::max(rest, condition_);
+      if (kept) rest = std::max(rest, heads_.empty() ? condition_ : rest_);
       scale.heads = std::move(heads);
       scale.rest = rest;
     }
@@ -202,6 +210,7 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
   vector_ = compensation;
   condition_ = scale.condition;
   heads_ = scale.heads;
+  rest_ = scale.rest;
   return scale;
 }
 

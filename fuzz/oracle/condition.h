@@ -55,6 +55,7 @@ class Conditions {
   Vector vector_{};           // compensation, of the event before
   double condition_ = 1;      // of vector_
   Heads heads_;               // that may have placed it
+  double rest_ = 1;           // the condition of what else did
   Vector point_{};            // of the event before
   Vector shift_{};            // of point against programmed where there is no vector
   bool compensated_ = false;  // from a start-up to a cancel

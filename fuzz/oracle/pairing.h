@@ -1,6 +1,7 @@
 // One run of the model against one list of events, pair by pair.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,44 +12,35 @@
 
 namespace toolcomp::fuzz {
 
-// `Number` is double or exact::Rational.
+// Every event is compared as it is expected; where that fails, as seen from what the controller has: its rotary
+// positions (pose_fit.h), and inside a block the heads of both ends where two conditions place them (head.h). `Number`
+// is double or exact::Rational.
 template <class Number>
 class Pairing {
  public:
   // Both are kept by reference, and so are `facts`.
   Pairing(const Rules& rules, const spec::Setup& setup, const ProgramFacts* facts)
-      : rules_(rules), conditions_(setup, facts), fit_(rules, setup, facts) {}
+      : rules_(rules),
+        conditions_(setup, facts),
+        fit_(rules, setup, facts),
+        index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')} {}
 
   // The first difference between window[0] and `actual`, or nothing; `window` as for Conditions::next. Pairs are given
   // in order, none behind a difference.
-  std::optional<Difference> next(std::span<const model::Event> window, const spec::Event<Number>& actual,
-                                 Tally& tally) {
-    Scale scale = conditions_.next(window);
-    scale.carried = fit_.carried();
-    double direction = 0;
-    Tally judged = tally;
-    std::optional<Difference> difference = compare(rules_, window.front(), scale, actual, judged);
-    if (difference) {
-      if (const auto seen = fit_.seen(window, actual, scale)) {
-        judged = tally;
-        direction = seen->direction;
-        // A vector made with that tool axis is off with it.
-        scale.condition *= std::max(1.0, direction / policy::ulp(1));
-        difference = compare(rules_, seen->event, scale, actual, judged);
-      }
-    }
-    tally = judged;
-    if (!difference) fit_.follow(window.front(), actual, direction);
-    return difference;
-  }
+  std::optional<Difference> next(std::span<const model::Event> window, const spec::Event<Number>& actual, Tally& tally);
 
   // Of the controller's rotary positions.
   [[nodiscard]] const std::vector<Deviation>& deviations() const { return fit_.deviations(); }
 
  private:
+  [[nodiscard]] std::optional<model::Vector> shift(const model::Event& sample, const Scale& scale) const;
+  void follow(const model::Event& expected, const spec::Event<Number>& actual, const Scale& scale);
+
   const Rules& rules_;
   Conditions conditions_;
   PoseFit<Number> fit_;
+  std::array<std::size_t, 3> index_;   // of X Y Z
+  std::optional<model::Vector> head_;  // how far the head of the move before lies off, where two conditions placed it
 };
 
 }  // namespace toolcomp::fuzz

@@ -235,7 +235,7 @@ template <class Number>
 Vector PoseFit<Number>::off_tip(const model::Event& event, const spec::Event<Number>& actual,
                                 const Scale& scale) const {
   Vector off;
-  if (scale.heads.empty() || in_workpiece_) return off;
+  if ((scale.heads.empty() && !scale.between) || in_workpiece_ || !rules_.judges("point")) return off;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = index_.at(i);
     if (axis == spec::Axes::kNone || !event.point.has(axis) || !actual.point.has(axis)) continue;

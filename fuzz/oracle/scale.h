@@ -16,6 +16,7 @@ struct Scale {
   // Where the condition is large: heads that may place the vector, in lengths, and the condition of what does not.
   Heads heads{};
   double rest = 1;
+  bool between = false;  // a sample between two heads, on a line
   double carried =
       0;             // what X Y Z are off by that were once those of axes under tool center point control; not times k
   PoseScale pose{};  // what the rotary positions add; 3D compensation: what its directions add to every X Y Z

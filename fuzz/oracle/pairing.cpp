@@ -1,0 +1,90 @@
+#include "fuzz/oracle/pairing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fuzz/oracle/policy.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+using exact::Rational;
+using exact::Real;
+using model::Vector;
+using spec::EventKind;
+
+bool finite(double x) { return std::isfinite(x); }
+bool finite(const Rational&) { return true; }
+
+void add(spec::AxisValues<Real>& values, const std::array<std::size_t, 3>& index, const Vector& shift) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (index.at(i) != spec::Axes::kNone && values.has(index.at(i)))
+      values.set(index.at(i), values[index.at(i)] + model::component(shift, i));
+}
+
+}  // namespace
+
+// On a line, (1 - t) of what the head it starts from lies off; the rest is the business of the head it leads to.
+template <class Number>
+std::optional<Vector> Pairing<Number>::shift(const model::Event& sample, const Scale& scale) const {
+  if (!head_ || !scale.between) return std::nullopt;
+  const Real t = Real(Rational(sample.t_numerator, sample.t_denominator));
+  return (1 - t) * *head_;
+}
+
+template <class Number>
+std::optional<Difference> Pairing<Number>::next(std::span<const model::Event> window, const spec::Event<Number>& actual,
+                                                Tally& tally) {
+  const model::Event& event = window.front();
+  Scale scale = conditions_.next(window);
+  scale.carried = fit_.carried();
+  const std::optional<Vector> by = event.kind == EventKind::sample ? shift(event, scale) : std::nullopt;
+  Tally judged = tally;
+  std::optional<Difference> difference;
+  if (by) {
+    model::Event shifted = event;
+    add(shifted.point, index_, *by);
+    add(shifted.axes, index_, *by);
+    difference = compare(rules_, shifted, scale, actual, judged);
+  } else {
+    difference = compare(rules_, event, scale, actual, judged);
+  }
+  double direction = 0;
+  if (difference) {
+    if (auto seen = fit_.seen(window, actual, scale)) {
+      judged = tally;
+      direction = seen->direction;
+      // A vector made with that tool axis is off with it.
+      const double tilt = std::max(1.0, direction / policy::ulp(1));
+      scale.condition *= tilt;
+      scale.rest *= tilt;
+      if (by) add(seen->event.point, index_, *by);
+      difference = compare(rules_, seen->event, scale, actual, judged);
+    }
+  }
+  tally = judged;
+  if (difference) return difference;
+  fit_.follow(event, actual, direction);
+  follow(event, actual, scale);
+  return std::nullopt;
+}
+
+template <class Number>
+void Pairing<Number>::follow(const model::Event& expected, const spec::Event<Number>& actual, const Scale& scale) {
+  if (expected.kind != EventKind::move) return;
+  head_.reset();
+  if (scale.heads.empty() || !rules_.judges("point")) return;
+  Vector off;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = index_.at(i);
+    if (axis == spec::Axes::kNone || !expected.point.has(axis)) continue;
+    if (!actual.point.has(axis) || !finite(actual.point[axis])) return;
+    model::component(off, i) = Real(Rational(actual.point[axis])) - expected.point[axis];
+  }
+  head_ = off;
+}
+
+template class Pairing<double>;
+template class Pairing<Rational>;
+
+}  // namespace toolcomp::fuzz
