@@ -91,7 +91,10 @@ PoseErrors::End PoseErrors::end(const model::Event& event) const {
   if (event.tool_axis)
     for (std::size_t i = 0; i < 3; ++i) end.direction.at(i) = approximate((*event.tool_axis)[i]);
   end.point = space_of(event.point, index_);
-  end.error = policy::ulp(1) * leant(end.direction, travel(event, end.point), event);
+  // A move inserted at a corner goes with the tool of the block that ends there.
+  end.error = event.cause == spec::Cause::corner
+                  ? std::max(before_.error, policy::ulp(1))
+                  : policy::ulp(1) * leant(end.direction, travel(event, end.point), event);
   return end;
 }
 
