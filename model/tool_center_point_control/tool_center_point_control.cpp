@@ -261,7 +261,7 @@ PosturePlan ToolCenterPointControl::directed(const Command& command, const Inter
   const std::optional<Direction> to = direction_asked(command, interpreter, leg);
   if (!to) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, {}, {}});
   PostureBlock block{tip_->pose, now_, *to, {}, {}};
-  if (lean_ != 0 && !leg.arc && known_same(kept_.vector, now_.vector)) block.leaned_toward = leg.travel;
+  if (lean_ != 0 && known_same(kept_.vector, now_.vector)) block.leaned_toward = lean_travel(leg, axes_);
   PosturePlan found = plan(block);
   if (found.changed) kept_ = found.tool;
   return found;

@@ -31,11 +31,12 @@ void pass_leaned(const GreatCircle& arc, const Vector& travel, const Vector& axi
   if (known_zero(dot(axis, travel)) && known_zero(dot(from, travel))) passed.behind_start = Real();
 }
 
-bool known_same(const Direction& a, const Direction& b) {
+// Positive: one direction, negative: opposite ones; zero where neither is known.
+Sign known_parallel(const Direction& a, const Direction& b) {
   try {
-    return is_zero(cross(a.vector, b.vector)) && dot(a.vector, b.vector).sign() == Sign::positive;
+    return is_zero(cross(a.vector, b.vector)) ? dot(a.vector, b.vector).sign() : Sign::zero;
   } catch (const exact::Undecided&) {
-    return false;
+    return Sign::zero;
   }
 }
 
@@ -60,7 +61,7 @@ Solution ToolPostureControl::pair(const SharedFrame& frame, const PostureBlock& 
   if (!block.commanded) {
     const Goal to = goal(frame, block.to);
     return choice_.choose(inverse(machine_, recorder_, to.direction, to.work), block.start,
-                          known_same(block.from, block.to));
+                          known_parallel(block.from, block.to));
   }
   return {*block.commanded, lift_.is_possible() ? lift_.branch_of(block.commanded->tool) : 0};
 }
@@ -294,7 +295,8 @@ SharedMotion ToolPostureControl::motion(const Found& found, const BranchPart& pa
                                         const std::optional<Crossing>& crossing, const Pose& end) const {
   if (machine_.is_orthogonal() && (side == 0 || part.pole != 0))
     return std::make_shared<LinearMotion>(found.frame, part.start, end);
-  return std::make_shared<GreatCircleMotion>(found.view, found.arc, side, part, crossing);
+  const bool in_plane = found.work_axis.side.sign() == Sign::zero;
+  return std::make_shared<GreatCircleMotion>(found.view, found.arc, side, in_plane, part, crossing);
 }
 
 }  // namespace toolcomp::model
