@@ -33,6 +33,7 @@ void pass_leaned(const GreatCircle& arc, const Vector& travel, const Vector& axi
 
 // Positive: one direction, negative: opposite ones; zero where neither is known.
 Sign known_parallel(const Direction& a, const Direction& b) {
+  if (known_same(a.vector, b.vector)) return Sign::positive;
   try {
     return is_zero(cross(a.vector, b.vector)) ? dot(a.vector, b.vector).sign() : Sign::zero;
   } catch (const exact::Undecided&) {
@@ -93,8 +94,11 @@ ToolPostureControl::Ends ToolPostureControl::ends(const SharedFrame& frame, cons
 }
 
 bool ToolPostureControl::spans_plane(const Ends& ends) const {
-  return recorder_.decide(Clause::fanuc_tool_posture_no_plane, squared_norm(cross(ends.from.vector, ends.to.vector)),
-                          ends.from.norm2 * ends.to.norm2) == Sign::positive;
+  const Vector& from = ends.from.vector;
+  const Vector& to = ends.to.vector;
+  const Real normal2 = known_same(from, to) ? Real() : squared_norm(cross(from, to));
+  return recorder_.decide(Clause::fanuc_tool_posture_no_plane, normal2, ends.from.norm2 * ends.to.norm2) ==
+         Sign::positive;
 }
 
 PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBlock& block) const {

@@ -299,6 +299,10 @@ TEST(ModelToolCenterPoint, ZerosThatAreKnown) {
       "19680 = 2\n19681 = 6\n19682 = 3\n19686 = 5\n19687 = 5\n19688 = 45\n19738 = 26.965\n19739 = 120\n",
       "G18\nG43.5 P1 Q10.\nG01 X55. Y-15 F1\nG03 Z69.1775 X27.4675 R-45.8875 I-2705.5974 J-1079.9713 K8515.4803\n"
       "Z49.1775 X47.4675 R20\n"));
+  // The same lean twice: the tool stands.
+  EXPECT_TRUE(
+      ends_with_a_move("19680 = 2\n19681 = 6\n19682 = 3\n19686 = 4\n19687 = 6\n19688 = 40.848\n\"19604#0\" = 1\n",
+                       "A-160 C140\nG91\nG43.5 Q2.\nX-22.971 Y-30.412 Z-39.019\nX-22.971 Y-30.412 Z-39.019\n"));
   // The tool-side axis stands where both pairs lie alike on its two sides, and a helix makes the direction.
   EXPECT_TRUE(ends_with_a_move(
       "19680 = 12\n19681 = 5\n19682 = 2\n19686 = 6\n19687 = 3\n19689 = 1\n19698 = 20\n",
