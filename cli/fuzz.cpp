@@ -214,6 +214,8 @@ void print_summary(const std::string& section, fuzz::Mode mode, const fuzz::Camp
   fmt::print("  {} values not judged, {} events out of scope, {} executions with fewer than three events judged\n",
              result.wide, result.out_of_scope, result.few_events);
   fmt::print("  worst deviation {:.3g} ulp, {:.3g} µm\n", result.worst_ulp, result.worst_um);
+  if (const auto& open = result.not_decided)
+    fmt::print("  could not decide the case below: {}\n{}\n", open->why, fuzz::encode(open->input));
 }
 
 }  // namespace

@@ -89,6 +89,7 @@ class Job {
   void execute(spec::Case c) {
     Trial trial = try_case(c, subject_);
     add(result_, trial);
+    if (trial.acceptance == Acceptance::not_decided) keep_shortest(result_.not_decided, {c, trial.verdict.undecided});
     if (trial.found()) {
       record(std::move(c), *trial.verdict.difference);
       return;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct Finding {
   Difference difference;
   std::uint64_t executions = 0;  // of the same key
   std::uint64_t first = 0;       // execution of its job at which it was found, from 1
+};
+
+// A case that could not be decided, and why.
+struct NotDecided {
+  spec::Case input;
+  std::string why;
 };
 
 struct CampaignOptions {
@@ -64,7 +71,8 @@ struct CampaignResult {
   std::uint64_t law_checks = 0;
   double worst_ulp = 0;
   double worst_um = 0;
-  std::vector<Finding> findings;  // by job, then by when they were found
+  std::vector<Finding> findings;          // by job, then by when they were found
+  std::optional<NotDecided> not_decided;  // the one with the shortest program
 
   [[nodiscard]] double accepted_share() const;
 };

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 namespace toolcomp::fuzz {
 namespace {
@@ -90,9 +91,14 @@ void add(CampaignResult& total, const CampaignResult& part) {
   total.worst_um = std::max(total.worst_um, part.worst_um);
   for (std::size_t i = 0; i < kAcceptances; ++i) total.acceptance.at(i) += part.acceptance.at(i);
   add(total.clauses, part.clauses);
+  if (part.not_decided) keep_shortest(total.not_decided, *part.not_decided);
   total.findings.insert(total.findings.end(), part.findings.begin(), part.findings.end());
   if (total.seconds > 0 && total.cores > 0)
     total.per_second_per_core = static_cast<double>(total.executions) / total.seconds / total.cores;
+}
+
+void keep_shortest(std::optional<NotDecided>& kept, NotDecided other) {
+  if (!kept || other.input.program.size() < kept->input.program.size()) kept = std::move(other);
 }
 
 std::string write_summary(const CampaignResult& r) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,10 @@ void add(CampaignResult& total, const Trial& trial);
 // and the rate that of all executions over it: parts run side by side.
 void add(CampaignResult& total, const CampaignResult& part);
 
-// Everything but findings, as lines of names and numbers.
+// Keeps the case of the two that has the shorter program.
+void keep_shortest(std::optional<NotDecided>& kept, NotDecided other);
+
+// Everything but cases, as lines of names and numbers.
 std::string write_summary(const CampaignResult& result);
 // Reads it back; lines it does not know are left out.
 CampaignResult read_summary(std::string_view text);

@@ -144,7 +144,7 @@ class Judge {
     v.decisions = run.recorder.decision_count();
     v.near_ties = near_ties(run, {}, {}).size();
     Agreement first = compared(run);
-    if (first.undecided) return undecided(v, first, "the model could not decide this case");
+    if (first.undecided) return undecided(v, first, why(run));
     if (!first.difference) return agrees(v, first);
     return search(v, run, std::move(first));
   }
@@ -161,6 +161,11 @@ class Judge {
     for (const model::Event& event : run.events)
       if (is_judged(event)) expected.push_back(event);
     return agreement(rules_, case_.setup, facts_, expected, actual_);
+  }
+
+  static std::string why(const ModelRun& run) {
+    const model::Event& open = run.events.back();
+    return fmt::format("the model could not decide line {} ({})", open.line, open.number.view());
   }
 
   // Which decision of a run, whatever others come and go before it.

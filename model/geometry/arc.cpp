@@ -26,18 +26,17 @@ Real swept_angle(const Real& sine, const Real& cosine, Sign side) {
   return turned + exact::arctangent_degrees(sine / cosine);
 }
 
-ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& end,
+ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& travel,
                           const PlanePoint& to_center, spec::ArcDirection direction) {
   ArcGeometry arc;
   arc.center = start + to_center;
-  const PlanePoint travel = end - start;
   const bool closed = travel[0].sign() == Sign::zero && travel[1].sign() == Sign::zero;
   if (recorder.decide(Clause::fanuc_program_arc_full_circle, closed)) {
     arc.sweep = 360;
     return arc;
   }
-  const PlanePoint from = start - arc.center;
-  const PlanePoint to = end - arc.center;
+  const PlanePoint from = Real(-1) * to_center;
+  const PlanePoint to = travel - to_center;
   const Real start_radius2 = dot(from, from);
   const Real end_radius2 = dot(to, to);
   const bool ends_in_center = end_radius2.sign() == Sign::zero;
@@ -53,10 +52,9 @@ ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const Pla
   return arc;
 }
 
-ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, const Real& radius,
+ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const PlanePoint& travel, const Real& radius,
                           spec::ArcDirection direction) {
-  const PlanePoint chord = end - start;
-  const Real chord2 = dot(chord, chord);
+  const Real chord2 = dot(travel, travel);
   if (chord2.sign() == Sign::zero || radius.sign() == Sign::zero)
     raise(recorder, Clause::fanuc_program_arc_radius_without_chord, "PS0023", kNoArc);
 
@@ -70,9 +68,9 @@ ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const Pla
 
   const bool larger = recorder.decide(Clause::fanuc_program_arc_larger, radius.sign() == Sign::negative);
   const bool center_left = (direction == spec::ArcDirection::ccw) != larger;
-  const PlanePoint left{-chord[1], chord[0]};
+  const PlanePoint left{-travel[1], travel[0]};
   ArcGeometry arc;
-  arc.center = start + Real(exact::Rational(1, 2)) * chord + (center_left ? height : -height) * left;
+  arc.center = start + Real(exact::Rational(1, 2)) * travel + (center_left ? height : -height) * left;
   const Sign side = reach == Sign::zero ? Sign::zero : larger ? Sign::negative : Sign::positive;
   const Real sine = (larger ? -height : height) * chord2;
   const Real cosine = radius2 - chord2 / 2;

@@ -16,12 +16,14 @@ struct ArcGeometry {
   std::optional<std::pair<Real, Real>> radius;  // at start and end, where they differ
 };
 
-// By the vector from start to centre (I J K), not zero. Start and end alike: a full circle.
-ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& end,
+// `travel`: from start to end. It is asked for, not the end: where the start is irrational it may still be rational.
+
+// By the vector from start to centre (I J K), not zero. Without travel: a full circle.
+ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const PlanePoint& travel,
                           const PlanePoint& to_center, spec::ArcDirection direction);
 
 // By R: positive for the arc up to a half circle, negative for the larger one. Throws Alarm PS0023 where there is none.
-ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const PlanePoint& end, const Real& radius,
+ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const PlanePoint& travel, const Real& radius,
                           spec::ArcDirection direction);
 
 // The angle turned through in degrees, over 0 up to 360, of which `sine` and `cosine` are multiples by one positive

@@ -167,27 +167,32 @@ bool PairChoice::takes_second(const Candidate& a, const Candidate& b, const Pose
   return false;
 }
 
-void PairChoice::put_present(const Pose& present, Solutions& solutions) const {
+void PairChoice::put(const Pose& pose, Solutions& solutions) const {
   if (solutions.work_free) return;
   const bool on_edge = solutions.count == 1;
-  const int branch = on_edge ? 0 : static_cast<int>(branch_quantity(machine_, present.tool).sign());
+  const int branch = on_edge ? 0 : static_cast<int>(branch_quantity(machine_, pose.tool).sign());
   for (std::size_t i = 0; i < solutions.count; ++i) {
-    Pose& pose = solutions.at.at(i).pose;
+    Pose& of_pair = solutions.at.at(i).pose;
     if (solutions.at.at(i).branch == branch) {
-      pose = {present.tool.principal(), present.work.principal()};
+      of_pair = {pose.tool.principal(), pose.work.principal()};
     } else if (machine_.is_orthogonal()) {
       const Angle& singular = machine_.singular(1)->tool;
-      pose = {((singular - present.tool) + singular).principal(), (present.work + 180).principal()};
+      of_pair = {((singular - pose.tool) + singular).principal(), (pose.work + 180).principal()};
     }
   }
 }
 
-Solution PairChoice::choose(const Direction& direction, const Pose& present) const {
-  return choose(inverse(machine_, recorder_, direction), present, false);
+void PairChoice::put_present(const Pose& present, Sign has_it, Solutions& solutions) const {
+  if (has_it == Sign::positive) put(present, solutions);
+  if (has_it == Sign::negative && machine_.is_orthogonal()) put({present.tool + 180, present.work}, solutions);
 }
 
-Solution PairChoice::choose(Solutions solutions, const Pose& present, bool has_it) const {
-  if (has_it) put_present(present, solutions);
+Solution PairChoice::choose(const Direction& direction, const Pose& present) const {
+  return choose(inverse(machine_, recorder_, direction), present, Sign::zero);
+}
+
+Solution PairChoice::choose(Solutions solutions, const Pose& present, Sign has_it) const {
+  put_present(present, has_it, solutions);
   recorder_.reach(Clause::fanuc_tool_center_point_choice);
   recorder_.decide(Clause::fanuc_tool_center_point_choice_order, reversed_);
   std::vector<Candidate> candidates;

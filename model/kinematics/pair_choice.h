@@ -24,11 +24,12 @@ class PairChoice {
   void require_inside(const Pose& pose) const;
 
   // The pair that the rules take from `present` for a direction in the table frame, or of its pairs, whole turns
-  // included; its branch with it. `has_it`: the present pose has that direction; then it is taken for one of the pairs
-  // as it is, so that an axis that stands is known to. Throws the alarm PS5459 where the direction is out of reach or
+  // included; its branch with it. `has_it`: the present pose is known to have that direction, or where negative the
+  // opposite one; then one of the pairs is made of it as it is, so that an axis is known to stand, or to turn by just
+  // half a turn. Throws the alarm PS5459 where the direction is out of reach or
   // no pair is in range.
   [[nodiscard]] Solution choose(const Direction& direction, const Pose& present) const;
-  [[nodiscard]] Solution choose(Solutions solutions, const Pose& present, bool has_it) const;
+  [[nodiscard]] Solution choose(Solutions solutions, const Pose& present, Sign has_it) const;
 
  private:
   // Limits of one rotary axis, inclusive; degrees.
@@ -60,8 +61,10 @@ class PairChoice {
   [[nodiscard]] Targets targets(const Axis& axis, const Angle& angle, const Angle& present) const;
   // The other way round, where that is equally far.
   void add_other_way(const Axis& axis, const Angle& present, Targets& targets) const;
-  // Puts the pose in place of the pair of its branch, and what is its pair then where that is plain.
-  void put_present(const Pose& present, Solutions& solutions) const;
+  // Puts a pose of the direction in place of the pair of its branch, and what is its pair then where that is plain.
+  void put(const Pose& pose, Solutions& solutions) const;
+  // Of the direction that the present pose has, or where negative of the opposite one, if that is plain.
+  void put_present(const Pose& present, Sign has_it, Solutions& solutions) const;
   [[nodiscard]] Targets standing(const Axis& axis, const Angle& present) const;
   // The two computed angles of the tool-side axis, and all of its whole turns, lie alike on both sides of `about`,
   // whatever the direction: a singular position, or an edge of reach.

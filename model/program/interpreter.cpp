@@ -172,15 +172,18 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   const auto at = [](const Position& position, std::size_t axis) {
     return axis == spec::Axes::kNone ? Real(0) : position.at(axis).value();
   };
+  const auto along = [&](std::size_t axis) {
+    return axis == spec::Axes::kNone ? Real(0) : (leg.end.at(axis) - position_.at(axis)).value();
+  };
   const PlanePoint start{at(position_, first), at(position_, second)};
-  const PlanePoint end{at(leg.end, first), at(leg.end, second)};
+  const PlanePoint travel{along(first), along(second)};
   spec::Arc<Real> arc;
   arc.plane = command.plane;
   arc.direction = command.motion == Motion::arc_cw ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   ArcGeometry geometry;
   if (r != nullptr) {
     recorder_.decide(Clause::fanuc_program_arc_radius_wins, center);
-    geometry = arc_by_radius(recorder_, start, end, numbers_.length(*r), arc.direction);
+    geometry = arc_by_radius(recorder_, start, travel, numbers_.length(*r), arc.direction);
   } else {
     const auto component = [&](char letter) {
       const spec::Decimal* const value = command.words.find(letter);
@@ -189,7 +192,7 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
     const Rational to_first = component(in_plane.first_center);
     const Rational to_second = component(in_plane.second_center);
     if (!recorder_.decide(Clause::fanuc_program_arc_center_in_start, to_first == 0 && to_second == 0))
-      geometry = arc_by_center(recorder_, start, end, {to_first, to_second}, arc.direction);
+      geometry = arc_by_center(recorder_, start, travel, {to_first, to_second}, arc.direction);
     else if (compensated)
       geometry.center = start;
     else

@@ -43,14 +43,13 @@ std::optional<Vector> along_coordinate(const Vector& v) {
 
 }  // namespace
 
+Vector lean_travel(const Leg& leg, const spec::Axes& axes) { return leg.arc ? end_tangent(leg, axes) : leg.travel; }
+
 // V' = cos Q V + sin Q n × V, with n = V × d / |V × d|.
 Direction leaned(Recorder& recorder, const Direction& tool, const Leg& leg, const spec::Axes& axes,
                  const Rational& degrees) {
-  Vector travel = leg.travel;
-  if (leg.arc) {
-    recorder.reach(Clause::fanuc_tool_center_point_lean_in_an_arc);
-    travel = end_tangent(leg, axes);
-  }
+  if (leg.arc) recorder.reach(Clause::fanuc_tool_center_point_lean_in_an_arc);
+  const Vector travel = lean_travel(leg, axes);
   const Vector normal = cross(tool.vector, travel);
   const Real normal2 = squared_norm(normal);
   const Real scale = tool.norm2 * squared_norm(travel);

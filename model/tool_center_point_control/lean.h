@@ -8,7 +8,10 @@
 
 namespace toolcomp::model {
 
-// The direction leaned by `degrees` towards the travel of the leg, or the direction itself where it lies along that.
+// What the lean of a leg is toward: its travel; of an arc the tangent at its end, of any length.
+Vector lean_travel(const Leg& leg, const spec::Axes& axes);
+
+// The direction leaned by `degrees` towards lean_travel of the leg, or the direction itself where it lies along that.
 // Clauses: fanuc.tool-center-point.lean, lean-along-the-travel, lean-in-an-arc.
 Direction leaned(Recorder& recorder, const Direction& tool, const Leg& leg, const spec::Axes& axes,
                  const Rational& degrees);

@@ -48,14 +48,6 @@ bool same(const Pose& a, const Pose& b) {
   return known_difference(a.tool, b.tool) == Rational(0) && known_difference(a.work, b.work) == Rational(0);
 }
 
-bool known_same(const Vector& a, const Vector& b) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Real difference = component(a, i) - component(b, i);
-    if (!difference.is_rational() || difference.sign() != Sign::zero) return false;
-  }
-  return true;
-}
-
 Clause control_point_clause(MachineType type) {
   switch (type) {
     case MachineType::table:
@@ -173,6 +165,7 @@ void ToolCenterPointControl::start(const Command& command, const TipMarks& marks
                                    Leg& leg) {
   recorder_.reach(Clause::fanuc_tool_center_point_block);
   standing_.reset();
+  last_lean_.reset();
   const bool direction =
       marks.directed && recorder_.decide(Clause::fanuc_tool_center_point_direction_words, command.direction);
   if (direction) now_ = direction_words(command, interpreter.numbers());
@@ -208,7 +201,14 @@ std::optional<Direction> ToolCenterPointControl::direction_asked(const Command& 
   const bool given = recorder_.decide(Clause::fanuc_tool_center_point_direction_words, command.direction);
   const bool may_lean = lean_ != 0 && (given || !is_zero(leg.travel));
   if (given) kept_ = direction_words(command, interpreter.numbers());
-  if (may_lean) return leaned(recorder_, kept_, leg, axes_, lean_);
+  if (may_lean) {
+    Lean now{kept_.vector, lean_travel(leg, axes_), leaned(recorder_, kept_, leg, axes_, lean_)};
+    // The same lean again is known to be the same direction.
+    if (last_lean_ && known_same(last_lean_->tool, now.tool) && known_same(last_lean_->travel, now.travel))
+      now.to = last_lean_->to;
+    last_lean_ = now;
+    return now.to;
+  }
   return given ? std::optional(kept_) : std::nullopt;
 }
 
@@ -261,7 +261,7 @@ PosturePlan ToolCenterPointControl::directed(const Command& command, const Inter
   const std::optional<Direction> to = direction_asked(command, interpreter, leg);
   if (!to) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, {}, {}});
   PostureBlock block{tip_->pose, now_, *to, {}, {}};
-  if (lean_ != 0 && !leg.arc && known_same(kept_.vector, now_.vector)) block.leaned_toward = leg.travel;
+  if (lean_ != 0 && known_same(kept_.vector, now_.vector)) block.leaned_toward = lean_travel(leg, axes_);
   PosturePlan found = plan(block);
   if (found.changed) kept_ = found.tool;
   return found;

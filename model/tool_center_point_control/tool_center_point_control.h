@@ -124,11 +124,18 @@ class ToolCenterPointControl {
   Direction tool_;  // in force, as events report it; made by of_pose: declared behind what that needs
 
   // The mode.
-  bool with_posture_ = false;       // P1
-  Rational lean_;                   // Q, degrees
-  std::optional<ToolPose> tip_;     // at the end of the last block
-  Direction now_;                   // the tool there, in the frame
-  Direction kept_;                  // what a block without I J K keeps
+  bool with_posture_ = false;    // P1
+  Rational lean_;                // Q, degrees
+  std::optional<ToolPose> tip_;  // at the end of the last block
+  Direction now_;                // the tool there, in the frame
+  Direction kept_;               // what a block without I J K keeps
+  // The last block leaned `tool` toward `travel` and came to `to`.
+  struct Lean {
+    Vector tool;
+    Vector travel;
+    Direction to;
+  };
+  std::optional<Lean> last_lean_;   // of this G43.5
   Pose frozen_;                     // where the frame stands
   std::optional<Vector> standing_;  // the tip on the table while it stands there, in the frame
 };

@@ -37,6 +37,14 @@ Vector GreatCircle::at(const Rational& t) const {
   return exact::cos_real_degrees(angle) * from_.unit + exact::sin_real_degrees(angle) * turning().ahead;
 }
 
+bool known_same(const Vector& a, const Vector& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real difference = component(a, i) - component(b, i);
+    if (!difference.is_rational() || difference.sign() != Sign::zero) return false;
+  }
+  return true;
+}
+
 AxisPassed pass(const GreatCircle& arc, const Vector& axis) {
   const Real product = dot(arc.from().vector, arc.to().vector);
   AxisPassed result;

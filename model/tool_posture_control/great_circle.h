@@ -40,6 +40,9 @@ class GreatCircle {
   mutable std::optional<Turning> turning_;  // made when it is asked for
 };
 
+// Known to be equal, without asking a sign that might be hard to prove.
+bool known_same(const Vector& a, const Vector& b);
+
 // How the arc passes an axis. The foot is the point of the whole great circle nearest to the axis.
 struct AxisPassed {
   Real side;          // N · axis: positive where the axis lies on the left of the arc

@@ -29,16 +29,16 @@ Turned power(const Turned& z, const Integer& n) {
 
 }  // namespace
 
-GreatCircleMotion::GreatCircleMotion(ArcView view, GreatCircle arc, int side, BranchPart part,
+GreatCircleMotion::GreatCircleMotion(ArcView view, GreatCircle arc, int side, bool in_plane, BranchPart part,
                                      std::optional<Crossing> crossing)
     : view_(std::move(view)),
       arc_(std::move(arc)),
       side_(side),
+      in_plane_(in_plane),
       part_(std::move(part)),
       crossing_(std::move(crossing)) {
   along_ = dot(machine().tool_side().line, machine().heights().along);
   across_ = dot(machine().tool_side().line, machine().work_side().line);
-  in_plane_ = dot(arc_.normal(), view_.work_axis()).sign() == Sign::zero;
 }
 
 Posture GreatCircleMotion::at(const Rational& t) const {

@@ -25,8 +25,10 @@ struct Crossing {
 // Clauses: fanuc.tool-posture.great-circle, lift.
 class GreatCircleMotion : public PostureMotion {
  public:
-  // `side`: the work-side axis lies to the left of the arc (1), to the right (-1), or in its plane (0).
-  GreatCircleMotion(ArcView view, GreatCircle arc, int side, BranchPart part, std::optional<Crossing> crossing);
+  // `side`: the work-side axis lies to the left of the arc (1), to the right (-1), or in its plane (0), as decided;
+  // `in_plane`: it does lie in its plane.
+  GreatCircleMotion(ArcView view, GreatCircle arc, int side, bool in_plane, BranchPart part,
+                    std::optional<Crossing> crossing);
 
   [[nodiscard]] Posture at(const Rational& t) const override;
 
@@ -59,7 +61,7 @@ class GreatCircleMotion : public PostureMotion {
   ArcView view_;
   GreatCircle arc_;
   int side_;
-  bool in_plane_ = false;              // the work-side axis lies in the plane of the arc
+  bool in_plane_;
   mutable std::optional<bool> level_;  // it is normal to that; decided when it is asked for
   BranchPart part_;
   std::optional<Crossing> crossing_;

@@ -31,11 +31,13 @@ void pass_leaned(const GreatCircle& arc, const Vector& travel, const Vector& axi
   if (known_zero(dot(axis, travel)) && known_zero(dot(from, travel))) passed.behind_start = Real();
 }
 
-bool known_same(const Direction& a, const Direction& b) {
+// Positive: one direction, negative: opposite ones; zero where neither is known.
+Sign known_parallel(const Direction& a, const Direction& b) {
+  if (known_same(a.vector, b.vector)) return Sign::positive;
   try {
-    return is_zero(cross(a.vector, b.vector)) && dot(a.vector, b.vector).sign() == Sign::positive;
+    return is_zero(cross(a.vector, b.vector)) ? dot(a.vector, b.vector).sign() : Sign::zero;
   } catch (const exact::Undecided&) {
-    return false;
+    return Sign::zero;
   }
 }
 
@@ -60,7 +62,7 @@ Solution ToolPostureControl::pair(const SharedFrame& frame, const PostureBlock& 
   if (!block.commanded) {
     const Goal to = goal(frame, block.to);
     return choice_.choose(inverse(machine_, recorder_, to.direction, to.work), block.start,
-                          known_same(block.from, block.to));
+                          known_parallel(block.from, block.to));
   }
   return {*block.commanded, lift_.is_possible() ? lift_.branch_of(block.commanded->tool) : 0};
 }
@@ -92,8 +94,11 @@ ToolPostureControl::Ends ToolPostureControl::ends(const SharedFrame& frame, cons
 }
 
 bool ToolPostureControl::spans_plane(const Ends& ends) const {
-  return recorder_.decide(Clause::fanuc_tool_posture_no_plane, squared_norm(cross(ends.from.vector, ends.to.vector)),
-                          ends.from.norm2 * ends.to.norm2) == Sign::positive;
+  const Vector& from = ends.from.vector;
+  const Vector& to = ends.to.vector;
+  const Real normal2 = known_same(from, to) ? Real() : squared_norm(cross(from, to));
+  return recorder_.decide(Clause::fanuc_tool_posture_no_plane, normal2, ends.from.norm2 * ends.to.norm2) ==
+         Sign::positive;
 }
 
 PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBlock& block) const {
@@ -294,7 +299,8 @@ SharedMotion ToolPostureControl::motion(const Found& found, const BranchPart& pa
                                         const std::optional<Crossing>& crossing, const Pose& end) const {
   if (machine_.is_orthogonal() && (side == 0 || part.pole != 0))
     return std::make_shared<LinearMotion>(found.frame, part.start, end);
-  return std::make_shared<GreatCircleMotion>(found.view, found.arc, side, part, crossing);
+  const bool in_plane = found.work_axis.side.sign() == Sign::zero;
+  return std::make_shared<GreatCircleMotion>(found.view, found.arc, side, in_plane, part, crossing);
 }
 
 }  // namespace toolcomp::model

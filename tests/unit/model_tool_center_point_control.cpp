@@ -294,11 +294,71 @@ TEST(ModelToolCenterPoint, ZerosThatAreKnown) {
   EXPECT_TRUE(ends_with_a_move(kTable + "19738 = 19.396\n19739 = 360\n",
                                "G01 F3900. G18 C-1710.\nG43.5 H1 P1 Q6.975\nX60\nX60\nY39.8453 I-244.8128 J1345.7826 "
                                "K8895.4447\nX31.7 Y75.86\nI-2. J3. K6\nI-2 J3 K6\n"));
+  // A changed end, then leaned toward the end of an arc, which is along Z as u_w is: the pole lies in the plane again.
+  EXPECT_TRUE(ends_with_a_move(
+      "19680 = 2\n19681 = 6\n19682 = 3\n19686 = 5\n19687 = 5\n19688 = 45\n19738 = 26.965\n19739 = 120\n",
+      "G18\nG43.5 P1 Q10.\nG01 X55. Y-15 F1\nG03 Z69.1775 X27.4675 R-45.8875 I-2705.5974 J-1079.9713 K8515.4803\n"
+      "Z49.1775 X47.4675 R20\n"));
+  // The same lean twice: the tool stands.
+  EXPECT_TRUE(
+      ends_with_a_move("19680 = 2\n19681 = 6\n19682 = 3\n19686 = 4\n19687 = 6\n19688 = 40.848\n\"19604#0\" = 1\n",
+                       "A-160 C140\nG91\nG43.5 Q2.\nX-22.971 Y-30.412 Z-39.019\nX-22.971 Y-30.412 Z-39.019\n"));
   // The tool-side axis stands where both pairs lie alike on its two sides, and a helix makes the direction.
   EXPECT_TRUE(ends_with_a_move(
       "19680 = 12\n19681 = 5\n19682 = 2\n19686 = 6\n19687 = 3\n19689 = 1\n19698 = 20\n",
       "G18 B180 C270.\nG43.4 H2 P0 Z25.\nG01 B60 C135 X5.004 Y-12.2593 Z-12.9523 F1\nX101.1596 Y-247.8303 Z-1002.5258 "
       "B180.\nG43.5 H1 P1 Q2\nG03 Z-1012.113 Y-277.8303 R49.5659 I1. J-1. K2.\n"));
+}
+
+// Found by fuzzing. An incremental arc from where a machine of tables left its points, which is irrational: the words
+// alone say how far it turns.
+TEST(ModelToolCenterPoint, ArcsFromIrrationalPoints) {
+  const auto sweep = [](const std::string& machine, const std::string& program) {
+    const model::Event end = run(setup(machine), program).events().back();
+    return end.arc && end.arc->sweep ? end.arc->sweep->decimal(9) : "none";
+  };
+  // The chord is twice the radius, 37.855.
+  EXPECT_EQ(sweep("19680 = 12\n19681 = 4\n19682 = 1\n19686 = 6\n19687 = 3\n",
+                  "G91 A75.\nG43.5\nI136.035 K23369.542\nG43.4\nZ-15.33 A20.886\nG43.5 Z-20\nJ-8693.332 K-2329.371\n"
+                  "G43.5\nI-1745 J48267. K12933.000\nG43.4\nG02 Y75.71 R37.855\n"),
+            "180");
+  // 39.18584 and 29.38938 are 0.8 and 0.6 of twice the radius, 24.49115.
+  EXPECT_EQ(sweep("19680 = 21\n19681 = 4\n19682 = 2\n19686 = 6\n19687 = 3\n",
+                  "G91\nG43.5 Q3\nG02 Y28.72469 Z10. R-14.92026 J13.59115\nG01 G43.5\n"
+                  "G03 X39.18584 Y-29.38938 R24.49115\n"),
+            "180");
+  // From (0.175, 62.731) to (62.731, -0.175) about the centre: a quarter clockwise, so three counter-clockwise.
+  EXPECT_EQ(sweep("19680 = 12\n19681 = 5\n19682 = 5\n19683 = 45\n19684 = 1\n19686 = 6\n19687 = 3\n",
+                  "B40.405\nG91\nG43.5\nJ-99.397 K8920.141\nG43.4\nG43.5\nY-0.002 I-1 J1\nG43.4\n"
+                  "G03 X62.556 Y-62.906 I-0.175 J-62.731\n"),
+            "270");
+  // The chord is twice the way to the centre.
+  EXPECT_EQ(sweep("19680 = 12\n19681 = 4\n19682 = 1\n19686 = 6\n19687 = 3\n",
+                  "G18 G91\nA100\nG43.5\nJ-30781.81 K-84572.34\nG43.5 Q2\nZ14.46 I161.05 J5781.13 K6895.84\n"
+                  "G43.5 Z-20\nG43.4\nG02 Z15.38 X-108.92 K7.69 I-54.46\n"),
+            "180");
+  // A quarter, from (37.989, 11.678) to (11.678, -37.989), that is refused: the table is turned out of its plane.
+  EXPECT_EQ(last("19680 = 12\n19681 = 4\n19682 = 1\n19686 = 6\n19687 = 3\n" + kWorkpiece,
+                 "G91\nG43.4\nX-9.988 Y-0.483 C-30.000\nC5.015\nY0.002 A-47.325\nA60. C295\nG43.4 A-65.381\n"
+                 "A-7.402 C14.28 Z5\nA-17.173 C22.342\nG02 X-26.311 Y-49.667 I-37.989 J-11.678\n"),
+            "10 PS5421");
+}
+
+// Found by fuzzing: the direction opposite to where the tool stands. B, whose singular positions are 60 and -120 for a
+// tool that leans by -30 toward A, goes to 60 - (B + 180 - 60) as the shorter way, and A turns by 180.
+TEST(ModelToolCenterPoint, TheOppositeDirection) {
+  const auto done = run(setup("19680 = 12\n19681 = 5\n19682 = 2\n19686 = 4\n19687 = 1\n19699 = -30\n"),
+                        "B180\nG43.5\nI-2699.589 J23.562 K-40.809\nG43.5\nJ-436.353 K270.456\nG43.5\n"
+                        "I-4363.17 J297.782 K7866.007\nI4363.17 J-297.782 K-7866.007\n");
+  const model::Event& end = done.events().back();
+  const model::Event& before = done.events()[done.events().size() - 2];
+  ASSERT_EQ(end.kind, spec::EventKind::move);
+  constexpr std::size_t kA = 3;
+  constexpr std::size_t kB = 4;
+  EXPECT_EQ((end.axes[kA] - before.axes[kA]).decimal(9), "180");
+  EXPECT_EQ((end.axes[kB] + before.axes[kB]).decimal(9), "300");
+  // The words over their length.
+  EXPECT_EQ(tool(end), "0.484796689 -0.03308689 -0.874000817");
 }
 
 // The same from a singular position of 1.012, an angle that is known by its cosine and sine.
