@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "spec/language/input_error.h"
 #include "spec/language/klartext_reader.h"
 
 namespace toolcomp::corpus {
@@ -30,9 +31,13 @@ class Program {
 
   std::optional<std::vector<SpaceMove>> moves() {
     if (case_.setup.units != spec::Units::mm) return std::nullopt;
-    spec::klartext::Reader reader(spec::text_source(case_.program), case_.setup);
-    for (Block block; reader.next(block);)
-      if (!take(block)) return std::nullopt;
+    try {
+      spec::klartext::Reader reader(spec::text_source(case_.program), case_.setup);
+      for (Block block; reader.next(block);)
+        if (!take(block)) return std::nullopt;
+    } catch (const spec::InputError&) {
+      return std::nullopt;  // behind the end of the run, as the vector has one
+    }
     return std::move(moves_);
   }
 

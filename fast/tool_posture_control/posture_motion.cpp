@@ -233,6 +233,9 @@ void PostureMotion::settle(PostureSample& sample) {
   const SineCosine<double>& turn = sample.turns[w];
   const SineCosine<double> at = sine_cosine(sample.degrees[w]);
   const double off = (turn.sine * at.cosine - turn.cosine * at.sine) * kDegrees;
+  // What is only rounded stays: multiples of 90 are exact.
+  constexpr double kRoundings = 0x1p-50;
+  if (std::abs(off) <= kRoundings * std::max(std::abs(sample.degrees[w]), 64.0)) return;
   sample.degrees[w] += off;
   psi_and_work_[1] += machine_->sense(w) * off;
 }
