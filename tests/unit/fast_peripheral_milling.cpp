@@ -79,7 +79,8 @@ TEST(PeripheralMilling, SideAndTool) {
   expect_triple(*center.moves[1].space->carrier, {10, -0.1, 48.5});
   expect_shift(center.tool_shift(1), {0, -0.1, 0.5});
   expect_triple(center.tip(2), {20, 0, -2});
-  expect_triple(center.center(2), {20, 0, 0});
+  // R2' above it: -2 + 2 - 0.2.
+  expect_triple(center.center(2), {20, 0, -0.2});
 }
 
 TEST(PeripheralMilling, Directions) {

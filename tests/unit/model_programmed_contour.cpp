@@ -49,7 +49,8 @@ TEST(ModelProgrammedContour, IsModal) {
 TEST(ModelProgrammedContour, UncompensatedBlocksKeepTheReference) {
   EXPECT_EQ(story(kToroid, kCall + kContour + kCenter + "L X1 Y2 Z3\n"), (Lines{"4 1 2 1"}));
   const model::Event event = last_move(kToroid, kCall + kContour + kCenter + "L X1 Y2 Z3\n");
-  EXPECT_EQ(shown(event.space->tool_center), "1 2 3");
+  // R2' above the tip: 1 + 2 - 0.25.
+  EXPECT_EQ(shown(event.space->tool_center), "1 2 2.75");
 }
 
 }  // namespace
