@@ -108,7 +108,8 @@ Scale Conditions::next(std::span<const model::Event> window) {
     if (facts_ != nullptr && facts_->units()) space_->units(*facts_->units());
     return space_->next(window);
   }
-  Scale scale{setup_scale_, 0, 1};
+  Scale scale;
+  scale.position = setup_scale_;
   if (event.kind != spec::EventKind::move && event.kind != spec::EventKind::sample) return scale;
   const auto include = [&](const spec::AxisValues<model::Real>& values) {
     for (std::size_t i = 0; i < spec::kMaxAxes; ++i)

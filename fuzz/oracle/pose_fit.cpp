@@ -25,8 +25,11 @@ Rational middle(const Real& x) {
   return (e.lower + e.upper) / 2;
 }
 
-Rational rational(double x) { return Rational(x); }
-const Rational& rational(const Rational& x) { return x; }
+Rational rational(double x) {
+  const Rational exact(x);
+  return exact;
+}
+Rational rational(const Rational& x) { return x; }
 bool finite(double x) { return std::isfinite(x); }
 bool finite(const Rational&) { return true; }
 

@@ -78,7 +78,7 @@ class PoseFit {
   [[nodiscard]] model::Vector off_tip(const model::Event& event, const spec::Event<Number>& actual,
                                       const Scale& scale) const;
   [[nodiscard]] model::Event adjusted(const View& view, const model::Vector& off_tip) const;
-  [[nodiscard]] std::optional<Seen> without_kinematics(const model::Event& event, const spec::Event<Number>& actual,
+  [[nodiscard]] std::optional<Seen> without_kinematics(const model::Event& expected, const spec::Event<Number>& actual,
                                                        const Scale& scale) const;
   // What a position of a rotary axis lacks to the angle by which it turns.
   [[nodiscard]] Rational angle_zero(std::size_t axis) const { return mechanical_ ? zero_.at(axis) : Rational(0); }

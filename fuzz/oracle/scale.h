@@ -14,7 +14,7 @@ struct Scale {
   double start = 0;      // the same product of the vector with which an arc begins
   double turn = 0;  // arcs with a vector: sum over both ends of one unit of length over their distance to the centre
   // Where the condition is large: heads that may place the vector, in lengths, and the condition of what does not.
-  Heads heads{};
+  Heads heads;
   double rest = 1;
   bool between = false;  // a sample between two heads, on a line
   double carried =
