@@ -20,10 +20,7 @@ bool leaves_the_path(const Scene& s) {
 // T: the tool where it ends this block, or the normal of the plane.
 std::optional<Vector> across(const Scene& s, const Stop& stop) {
   const FanucBlock& b = s.block(stop);
-  if (is_tool_side(b)) {
-    if (!stop.own->tool_axis) return std::nullopt;
-    return *stop.own->tool_axis;
-  }
+  if (is_tool_side(b)) return stop.own->tool_axis;
   if (!is_cutter(b)) return std::nullopt;
   if (b.plane == 180) return Vector{0, 1, 0};
   if (b.plane == 190) return Vector{1, 0, 0};

@@ -167,8 +167,7 @@ KlartextProgram::KlartextProgram(const spec::Case& c) {
     spec::klartext::Reader reader(spec::text_source(c.program), c.setup, {.file = "program"});
     const auto block = std::make_unique<Block>();
     while (reader.next(*block) && !block->alarm) blocks_.push_back(state.read_block(*block));
-  } catch (const spec::InputError&) {
-    // The run says so, where it comes so far.
+  } catch (const spec::InputError&) {  // NOLINT(bugprone-empty-catch): the run says so, where it comes so far
   }
 }
 

@@ -66,6 +66,7 @@ TEST(Generators, DirectedCasesGiveTheJudgeSomethingToDo) {
     const auto share = [](std::uint64_t n) { return 100.0 * static_cast<double>(n) / static_cast<double>(kCases); };
     fmt::print("{:34} fewer than three events {:.1f} %, alarms {:.1f} % ({} kinds), in the first half {:.1f} %\n",
                section, share(seen.few), share(seen.alarms), seen.numbers.size(), share(seen.early));
+    if (test::kSanitized) continue;  // too few cases for shares
     EXPECT_LE(share(seen.few), 5) << section;
     EXPECT_GE(share(seen.alarms), 5) << section;
     EXPECT_LE(3 * seen.early, seen.alarms) << section << ": alarms come late";

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <ctime>
 #include <set>
 #include <string>
 #include <vector>
@@ -343,33 +342,6 @@ TEST(Laws, FindWrongClausesThatBothEnginesFollow) {
                 static_cast<unsigned long long>(executions));
   }
   EXPECT_GE(sections.size(), 6U);
-}
-
-// The laws of the events cost about half of a model run; printed, and held to a generous bound.
-TEST(Laws, CostLessThanTheModel) {
-  for (const std::string_view section : sections()) {
-    std::clock_t model = 0;
-    std::clock_t asked = 0;
-    std::uint64_t checks = 0;
-    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-      SeededSource source(seed);
-      const spec::Case c = generate(section, Mode::directed, source);
-      try {
-        const auto start = std::clock();
-        const ModelRun run = run_model(c);
-        const auto middle = std::clock();
-        checks += laws::hold(c, run.events).checks;
-        asked += std::clock() - middle;
-        model += middle - start;
-      } catch (const std::exception&) {
-        // Not a case that both engines run.
-      }
-    }
-    const double share = static_cast<double>(asked) / static_cast<double>(model);
-    std::printf("%-32s %.2f of a model run, %llu questions\n", std::string(section).c_str(), share,
-                static_cast<unsigned long long>(checks));
-    EXPECT_LT(share, 1) << section;
-  }
 }
 
 }  // namespace
