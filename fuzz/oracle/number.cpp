@@ -44,6 +44,9 @@ double signed_distance(const exact::Real& exact, const exact::Rational& actual) 
   return approximate(exact::Real(actual) - exact);
 }
 
+bool is_finite(double x) { return std::isfinite(x); }
+bool is_finite(const exact::Rational&) { return true; }
+
 double approximate(const exact::Real& exact) {
   const exact::DoubleEnclosure e = exact.double_enclosure();
   return e.lower + (e.upper - e.lower) / 2;

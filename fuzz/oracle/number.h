@@ -18,6 +18,9 @@ double outside(const exact::Real& exact, const exact::Rational& actual);
 double signed_distance(const exact::Real& exact, double actual);
 double signed_distance(const exact::Real& exact, const exact::Rational& actual);
 
+bool is_finite(double x);
+bool is_finite(const exact::Rational& x);
+
 // The value to double precision, for scales and conditions.
 double approximate(const exact::Real& exact);
 double approximate(const spec::Decimal& value);

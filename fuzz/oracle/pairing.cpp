@@ -1,8 +1,8 @@
 #include "fuzz/oracle/pairing.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
 
 namespace toolcomp::fuzz {
@@ -12,9 +12,6 @@ using exact::Rational;
 using exact::Real;
 using model::Vector;
 using spec::EventKind;
-
-bool finite(double x) { return std::isfinite(x); }
-bool finite(const Rational&) { return true; }
 
 void add(spec::AxisValues<Real>& values, const std::array<std::size_t, 3>& index, const Vector& shift) {
   for (std::size_t i = 0; i < 3; ++i)
@@ -78,7 +75,7 @@ void Pairing<Number>::follow(const model::Event& expected, const spec::Event<Num
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = index_.at(i);
     if (axis == spec::Axes::kNone || !expected.point.has(axis)) continue;
-    if (!actual.point.has(axis) || !finite(actual.point[axis])) return;
+    if (!actual.point.has(axis) || !is_finite(actual.point[axis])) return;
     model::component(off, i) = Real(Rational(actual.point[axis])) - expected.point[axis];
   }
   head_ = off;

@@ -30,8 +30,6 @@ Rational rational(double x) {
   return exact;
 }
 Rational rational(const Rational& x) { return x; }
-bool finite(double x) { return std::isfinite(x); }
-bool finite(const Rational&) { return true; }
 
 double length(const Vector& v) { return std::hypot(approximate(v.x), approximate(v.y), approximate(v.z)); }
 Vector vector(const std::array<Real, 3>& v) { return {v[0], v[1], v[2]}; }
@@ -79,7 +77,7 @@ bool PoseFit<Number>::has_positions(const model::Event& expected, const spec::Ev
   if (!machine_ || !expected.tool_axis || !rules_.judges("axes")) return false;
   const auto has = [&](const model::Turn& turn) {
     if (!turn.axis) return true;
-    return expected.axes.has(*turn.axis) && actual.axes.has(*turn.axis) && finite(actual.axes[*turn.axis]);
+    return expected.axes.has(*turn.axis) && actual.axes.has(*turn.axis) && is_finite(actual.axes[*turn.axis]);
   };
   return has(machine_->tool_side()) && has(machine_->work_side());
 }
@@ -242,7 +240,8 @@ Vector PoseFit<Number>::off_tip(const model::Event& event, const spec::Event<Num
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = index_.at(i);
     if (axis == spec::Axes::kNone || !event.point.has(axis) || !actual.point.has(axis)) continue;
-    if (finite(actual.point[axis])) model::component(off, i) = Real(rational(actual.point[axis])) - event.point[axis];
+    if (is_finite(actual.point[axis]))
+      model::component(off, i) = Real(rational(actual.point[axis])) - event.point[axis];
   }
   return off;
 }
@@ -293,7 +292,7 @@ std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::without_kinematic
       expected.kind == EventKind::sample || (!expected.machine.empty() && expected.cause != spec::Cause::reference);
   if (!controlled || !expected.tool_axis || !actual.tool_axis || !rules_.judges("tool_axis")) return std::nullopt;
   for (const Number& x : *actual.tool_axis)
-    if (!finite(x)) return std::nullopt;
+    if (!is_finite(x)) return std::nullopt;
   const auto& a = *actual.tool_axis;
   const Vector own{Real(rational(a[0])), Real(rational(a[1])), Real(rational(a[2]))};
   const Vector tool = vector(*expected.tool_axis);
@@ -322,7 +321,7 @@ void PoseFit<Number>::follow(const model::Event& expected, const spec::Event<Num
   find_zeros(expected);
   if (controlled && axes)
     for (const std::size_t i : index_)
-      if (i != spec::Axes::kNone && expected.axes.has(i) && actual.axes.has(i) && finite(actual.axes[i]))
+      if (i != spec::Axes::kNone && expected.axes.has(i) && actual.axes.has(i) && is_finite(actual.axes[i]))
         last_ = std::max(last_, std::fabs(signed_distance(expected.axes[i], actual.axes[i])));
   if (has_positions(expected, actual)) {
     before_ = off(expected, actual);
