@@ -232,13 +232,13 @@ class Comparison {
       if (!same && !radii_agree(e.radius) && !radii_agree(a.radius))
         return absent({"radius"}, e.radius.has_value(), a.radius.has_value());
       if (same && e.radius &&
-          (length({"radius", 0, 0}, e.radius->first, a.radius->first, scale_.start) ||
-           length({"radius", 0, 1}, e.radius->second, a.radius->second)))
+          (radius(0, e.radius->first, a.radius->first, scale_.start) || radius(1, e.radius->second, a.radius->second)))
         return true;
     }
     if (rules_.judges("sweep")) {
       constexpr double degrees = 57.29577951308232;  // in a radian
-      const double unit = policy::ulp(360) + degrees * scale_.turn;
+      const double turn = scale_.by_own_heads ? scale_.own_turn * own_head_unit(rules_.budget().sweep) : scale_.turn;
+      const double unit = policy::ulp(360) + degrees * turn;
       if (rules_.budget().sweep * unit >= policy::kUnknownSweep) {
         if (expected_.arc->sweep) ++tally_.wide;
         return false;
@@ -337,8 +337,14 @@ class Comparison {
     return programmed_unit() + scale_.pose.tip + std::max(own, error);
   }
 
-  bool length(const Path& path, const Real& e, const Number& a, double error = 0) {
-    return number("coordinate", path, e, a, rules_.budget().coordinate, length_unit(error), Measure::length);
+  // Of a head as the controller tells it, with this k: rounded to its resolution.
+  [[nodiscard]] double own_head_unit(double k) const {
+    return programmed_unit() + scale_.pose.tip + rules_.resolution() / k;
+  }
+
+  bool radius(int index, const Real& e, const Number& a, double error = 0) {
+    const double unit = scale_.by_own_heads ? own_head_unit(rules_.budget().coordinate) : length_unit(error);
+    return number("coordinate", {"radius", 0, index}, e, a, rules_.budget().coordinate, unit, Measure::length);
   }
 
   // Whether the two radii of an arc are so near that they may as well be one.

@@ -8,6 +8,7 @@
 
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
+#include "model/program/number.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -79,12 +80,14 @@ Conditions::Conditions(const spec::Setup& setup, const ProgramFacts* facts)
   for (std::size_t i = 0; i < 3; ++i) {
     const auto start = setup.position.find("XYZ"[i]);
     if (start != setup.position.end()) position_[i] = approximate(start->second);
+    if (index_.at(i) != spec::Axes::kNone)
+      programmed_.set(index_.at(i), start != setup.position.end() ? model::plain(start->second) : exact::Rational(0));
   }
   point_ = position_;
   if (setup.control == spec::Control::heidenhain) space_.emplace(setup);
 }
 
-double Conditions::condition(std::span<const model::Event> window, const Vector& at, const Vector& tool,
+double Conditions::condition(std::span<const model::Event> window, const Vector& tool,
                              const Vector& compensation) const {
   double worst = 1;
   const auto pair = [&](const Vector& movement) {
@@ -92,10 +95,11 @@ double Conditions::condition(std::span<const model::Event> window, const Vector&
     const double s = sine(movement, tool);
     if (s > 0 && s >= smallest_sine_ && coplanar(compensation, movement, tool, s)) worst = std::max(worst, 1 / s);
   };
-  pair(difference(at, position_));
+  const Programmed& at = window.front().programmed;
+  pair(way_of(programmed_, at, index_));
   for (std::size_t i = 1; i < window.size(); ++i) {
     if (window[i].kind != spec::EventKind::move) continue;
-    const Vector movement = difference(vector(window[i].programmed), at);
+    const Vector movement = way_of(at, window[i].programmed, index_);
     pair(movement);
     if (length(movement) != 0) break;
   }
@@ -163,14 +167,14 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
   const Vector compensation = difference(difference(point, at), shift_);
   const double noise = policy::kSlack * scale.position;  // of three differences of doubles, far below any vector
   scale.vector = length(compensation);
-  corners_.follow(event, index_, position_, shift_);
+  corners_.follow(event, index_, programmed_, shift_);
   if (event.tool_axis && !tool_plane_) tool_plane_.emplace();
-  if (tool_plane_) tool_plane_->follow(event, index_, position_, shift_);
+  if (tool_plane_) tool_plane_->follow(event, index_, programmed_, shift_);
   if (scale.vector > noise * policy::kNoVector) {
     Vector tool{0, 0, 1};
     if (event.tool_axis)
       for (std::size_t i = 0; i < 3; ++i) tool[i] = approximate((*event.tool_axis)[i]);
-    if (may_be(event, "fanuc/leading-edge-offset")) scale.condition = condition(window, at, tool, compensation);
+    if (may_be(event, "fanuc/leading-edge-offset")) scale.condition = condition(window, tool, compensation);
     const bool kept = length(difference(compensation, vector_)) <= policy::kSlack * scale.vector + noise;
     const auto corner_error = [&](Heads* heads) {
       double error = 0;
@@ -206,6 +210,7 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
   }
   if (event.arc) arc(event, compensation, scale);
   if (event.cause == spec::Cause::cancel) compensated_ = false;
+  programmed_ = event.programmed;
   position_ = at;
   point_ = point;
   vector_ = compensation;
@@ -233,6 +238,7 @@ void Conditions::arc(const model::Event& event, const Vector& compensation, Scal
     return event.arc->sweep ? std::numeric_limits<double>::infinity() : 0.0;
   };
   scale.turn += turned(error + scale.start, length(from)) + turned(error + own, length(to));
+  scale.own_turn = turned(1, length(from)) + turned(1, length(to));
 }
 
 }  // namespace toolcomp::fuzz

@@ -42,7 +42,7 @@ class Conditions {
   using Vector = Space;
   [[nodiscard]] Scale move(std::span<const model::Event> window, Scale scale);
   [[nodiscard]] Scale sample(std::span<const model::Event> window, Scale scale);
-  [[nodiscard]] double condition(std::span<const model::Event> window, const Vector& at, const Vector& tool,
+  [[nodiscard]] double condition(std::span<const model::Event> window, const Vector& tool,
                                  const Vector& compensation) const;
   [[nodiscard]] Vector vector(const spec::AxisValues<model::Real>& values) const { return space_of(values, index_); }
   void arc(const model::Event& event, const Vector& compensation, Scale& scale) const;
@@ -51,7 +51,8 @@ class Conditions {
   std::array<bool, spec::kMaxAxes> linear_{};
   double setup_scale_ = 0;
   double smallest_sine_ = 0;  // of an angle that is not classified as 0 or 180
-  Vector position_{};         // programmed, of the event before
+  Programmed programmed_;     // of the event before
+  Vector position_{};         // the same
   Vector vector_{};           // compensation, of the event before
   double condition_ = 1;      // of vector_
   Heads heads_;               // that may have placed it

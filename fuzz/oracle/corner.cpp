@@ -41,16 +41,24 @@ Space space_of(const spec::AxisValues<model::Real>& values, const std::array<std
   return v;
 }
 
+Space way_of(const Programmed& from, const Programmed& to, const std::array<std::size_t, 3>& index) {
+  Space v{};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const std::size_t axis = index.at(i); axis != spec::Axes::kNone && from.has(axis) && to.has(axis))
+      v.at(i) = approximate(to[axis] - from[axis]);
+  return v;
+}
+
 std::optional<FlatPiece> Corners::piece(const model::Event& event, const std::array<std::size_t, 3>& index,
-                                        const Space& from, const Space& shift, std::size_t plane) {
+                                        const Programmed& from, const Space& shift, std::size_t plane) {
   const bool inserted = event.cause == spec::Cause::corner;
   if (event.kind != spec::EventKind::move || inserted) return std::nullopt;
   FlatPiece p;
-  p.start = in_plane(from, plane);
+  p.way = in_plane(way_of(from, event.programmed, index), plane);
   p.end = in_plane(space_of(event.programmed, index), plane);
   if (event.arc && static_cast<std::size_t>(event.arc->plane) == plane)
     p.center = in_plane(difference(space_of(event.arc->center, index), shift), plane);
-  if (!p.center && p.start == p.end) return std::nullopt;
+  if (!p.center && p.way == Flat{}) return std::nullopt;
   return p;
 }
 
@@ -68,7 +76,7 @@ double Corners::error(std::span<const model::Event> window, const std::array<std
     std::optional<FlatPiece> latter;
     bool cancels = false;
     for (std::size_t i = 1; i < window.size() && !latter; ++i) {
-      latter = piece(window[i], index, at, shift, plane);
+      latter = piece(window[i], index, window.front().programmed, shift, plane);
       cancels = window[i].cause == spec::Cause::cancel;
     }
     if (!former) continue;
@@ -109,7 +117,7 @@ double Corners::error(std::span<const model::Event> window, const std::array<std
   return worst;
 }
 
-void Corners::follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Space& from,
+void Corners::follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Programmed& from,
                      const Space& shift) {
   for (std::size_t plane = 0; plane < 3; ++plane)
     if (auto p = piece(event, index, from, shift, plane)) before_.at(plane) = p;

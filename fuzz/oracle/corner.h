@@ -11,6 +11,9 @@
 
 namespace toolcomp::fuzz {
 
+// A programmed position, exactly.
+using Programmed = spec::AxisValues<model::Real>;
+
 // Corners of cutter compensation B and C.
 //
 // A head is determined by two conditions: its distance from the straight line of a block, or from the centre of an arc.
@@ -30,17 +33,20 @@ class Corners {
   [[nodiscard]] double error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
                              const Space& vector, const Space& shift, Heads* heads = nullptr) const;
   // Takes the movement of `event`, which starts at `from`.
-  void follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Space& from,
+  void follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Programmed& from,
               const Space& shift);
 
  private:
   static std::optional<FlatPiece> piece(const model::Event& event, const std::array<std::size_t, 3>& index,
-                                        const Space& from, const Space& shift, std::size_t plane);
+                                        const Programmed& from, const Space& shift, std::size_t plane);
 
   std::array<std::optional<FlatPiece>, 3> before_;  // the latest movement in each plane
 };
 
 // Of X Y Z in the values of an event.
 Space space_of(const spec::AxisValues<model::Real>& values, const std::array<std::size_t, 3>& index);
+// From one to the other, rounded once: the difference of rounded positions carries their errors, far from the origin
+// more than a movement along the tool has across it.
+Space way_of(const Programmed& from, const Programmed& to, const std::array<std::size_t, 3>& index);
 
 }  // namespace toolcomp::fuzz

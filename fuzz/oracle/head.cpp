@@ -12,7 +12,7 @@ double length(const Flat& a) { return std::hypot(a[0], a[1]); }
 std::array<std::optional<HeadCondition>, 2> head_conditions(const FlatPiece& piece, const Flat& corner,
                                                             const Flat& vector) {
   std::array<std::optional<HeadCondition>, 2> found;
-  const Flat out = piece.center ? corner - *piece.center : left_of(piece.end - piece.start);
+  const Flat out = piece.center ? corner - *piece.center : left_of(piece.way);
   const double radius = length(out);
   if (radius == 0) return found;
   const Flat normal = {out[0] / radius, out[1] / radius};

@@ -22,8 +22,8 @@ inline Flat left_of(const Flat& a) { return {-a[1], a[0]}; }
 
 // A movement seen in a plane, programmed.
 struct FlatPiece {
-  Flat start{};
   Flat end{};
+  Flat way{};  // from its start to its end
   std::optional<Flat> center;
   double weight = 1;  // error of its direction over the error of what it is made of
 };

@@ -24,9 +24,9 @@ void add(spec::AxisValues<Real>& values, const std::array<std::size_t, 3>& index
 // On a line, (1 - t) of what the head it starts from lies off; the rest is the business of the head it leads to.
 template <class Number>
 std::optional<Vector> Pairing<Number>::shift(const model::Event& sample, const Scale& scale) const {
-  if (!head_ || !scale.between) return std::nullopt;
+  if (!head_ || !placed_ || !scale.between) return std::nullopt;
   const Real t = Real(Rational(sample.t_numerator, sample.t_denominator));
-  return (1 - t) * *head_;
+  return (1 - t) * head_->off;
 }
 
 template <class Number>
@@ -44,7 +44,7 @@ std::optional<Difference> Pairing<Number>::next(std::span<const model::Event> wi
     add(shifted.axes, index_, *by);
     difference = compare(rules_, shifted, scale, actual, judged);
   } else {
-    difference = compare(rules_, event, scale, actual, judged);
+    difference = compared(event, scale, actual, judged);
   }
   double direction = 0;
   if (difference) {
@@ -56,29 +56,61 @@ std::optional<Difference> Pairing<Number>::next(std::span<const model::Event> wi
       scale.condition *= tilt;
       scale.rest *= tilt;
       if (by) add(seen->event.point, index_, *by);
-      difference = compare(rules_, seen->event, scale, actual, judged);
+      difference = compared(seen->event, scale, actual, judged);
     }
   }
   tally = judged;
   if (difference) return difference;
   fit_.follow(event, actual, direction);
-  follow(event, actual, scale);
+  follow(event, actual);
+  if (event.kind == EventKind::move) placed_ = !scale.heads.empty();
   return std::nullopt;
 }
 
 template <class Number>
-void Pairing<Number>::follow(const model::Event& expected, const spec::Event<Number>& actual, const Scale& scale) {
-  if (expected.kind != EventKind::move) return;
-  head_.reset();
-  if (scale.heads.empty() || !rules_.judges("point")) return;
+std::optional<Difference> Pairing<Number>::compared(const model::Event& expected, const Scale& scale,
+                                                    const spec::Event<Number>& actual, Tally& tally) const {
+  const bool uncertain =
+      std::max(scale.start, scale.vector > 0 ? scale.condition * policy::ulp(scale.vector) : 0) > policy::kByConditions;
+  if (expected.arc && uncertain && head_)
+    if (const auto by = off(expected, actual)) {
+      if (auto arc = fitted(*expected.arc, *head_, {space(expected.point), *by}, index_)) {
+        model::Event own = expected;
+        own.arc = std::move(arc);
+        Scale narrow = scale;
+        narrow.by_own_heads = true;
+        return compare(rules_, own, narrow, actual, tally);
+      }
+    }
+  return compare(rules_, expected, scale, actual, tally);
+}
+
+template <class Number>
+std::optional<Vector> Pairing<Number>::off(const model::Event& expected, const spec::Event<Number>& actual) const {
+  if (!rules_.judges("point")) return std::nullopt;
   Vector off;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = index_.at(i);
     if (axis == spec::Axes::kNone || !expected.point.has(axis)) continue;
-    if (!actual.point.has(axis) || !is_finite(actual.point[axis])) return;
+    if (!actual.point.has(axis) || !is_finite(actual.point[axis])) return std::nullopt;
     model::component(off, i) = Real(Rational(actual.point[axis])) - expected.point[axis];
   }
-  head_ = off;
+  return off;
+}
+
+template <class Number>
+Vector Pairing<Number>::space(const spec::AxisValues<Real>& values) const {
+  Vector v;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (index_.at(i) != spec::Axes::kNone && values.has(index_.at(i))) model::component(v, i) = values[index_.at(i)];
+  return v;
+}
+
+template <class Number>
+void Pairing<Number>::follow(const model::Event& expected, const spec::Event<Number>& actual) {
+  if (expected.kind != EventKind::move) return;
+  head_.reset();
+  if (const auto by = off(expected, actual)) head_ = {space(expected.point), *by};
 }
 
 template class Pairing<double>;

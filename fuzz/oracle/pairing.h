@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "fuzz/oracle/arc_fit.h"
 #include "fuzz/oracle/compare.h"
 #include "fuzz/oracle/condition.h"
 #include "fuzz/oracle/pose_fit.h"
@@ -13,7 +14,8 @@
 namespace toolcomp::fuzz {
 
 // Every event is compared as it is expected; where that fails, as seen from what the controller has: its rotary
-// positions (pose_fit.h), and inside a block the heads of both ends where two conditions place them (head.h). `Number`
+// positions (pose_fit.h), and inside a block the heads of both ends where two conditions place them (head.h); sweep and
+// radii of an arc with such an end as they are between these heads. `Number`
 // is double or exact::Rational.
 template <class Number>
 class Pairing {
@@ -34,13 +36,19 @@ class Pairing {
 
  private:
   [[nodiscard]] std::optional<model::Vector> shift(const model::Event& sample, const Scale& scale) const;
-  void follow(const model::Event& expected, const spec::Event<Number>& actual, const Scale& scale);
+  void follow(const model::Event& expected, const spec::Event<Number>& actual);
+  std::optional<Difference> compared(const model::Event& expected, const Scale& scale,
+                                     const spec::Event<Number>& actual, Tally& tally) const;
+  [[nodiscard]] model::Vector space(const spec::AxisValues<model::Real>& values) const;
+  // How far the controller's point lies off the exact one; nothing where it does not say.
+  [[nodiscard]] std::optional<model::Vector> off(const model::Event& expected, const spec::Event<Number>& actual) const;
 
   const Rules& rules_;
   Conditions conditions_;
   PoseFit<Number> fit_;
-  std::array<std::size_t, 3> index_;   // of X Y Z
-  std::optional<model::Vector> head_;  // how far the head of the move before lies off, where two conditions placed it
+  std::array<std::size_t, 3> index_;  // of X Y Z
+  std::optional<ArcEnd> head_;        // of the move before
+  bool placed_ = false;               // two conditions placed it
 };
 
 }  // namespace toolcomp::fuzz

@@ -13,6 +13,8 @@ struct Scale {
   double condition = 1;  // error of the vector over error of the directions it is made of
   double start = 0;      // the same product of the vector with which an arc begins
   double turn = 0;  // arcs with a vector: sum over both ends of one unit of length over their distance to the centre
+  double own_turn = 0;        // arcs with a vector: sum over both ends of one over the distance to the centre
+  bool by_own_heads = false;  // sweep and radii are those between the controller's own heads (arc_fit.h)
   // Where the condition is large: heads that may place the vector, in lengths, and the condition of what does not.
   Heads heads;
   double rest = 1;

@@ -45,15 +45,14 @@ class Plane {
   Space second_{};
 };
 
-// A movement as the plane sees it, at one of its ends; nothing where it has no direction there.
-std::optional<FlatPiece> seen(const Plane& plane, const Space& start, const Space& end,
-                              const std::optional<Space>& out) {
+// A movement that ends at `end` as the plane sees it: a line by its way, an arc by what leads `out` of its centre
+// there; nothing where it has no direction.
+std::optional<FlatPiece> seen(const Plane& plane, const Space& end, const Space& way, const std::optional<Space>& out) {
   FlatPiece piece;
-  piece.start = plane.flat(start);
   piece.end = plane.flat(end);
-  const Space way = out ? *out : difference(end, start);
-  const Flat flat = plane.flat(way);
-  const double sine = length(flat) / norm(way);
+  piece.way = plane.flat(way);
+  const Flat flat = out ? plane.flat(*out) : piece.way;
+  const double sine = length(flat) / norm(out ? *out : way);
   if (!(sine >= policy::kParallel)) return std::nullopt;
   if (out) piece.center = piece.end - flat;
   piece.weight = 1 / sine;
@@ -70,18 +69,19 @@ double alone(const HeadCondition& a, double length) {
 }  // namespace
 
 std::optional<ToolPlane::Piece> ToolPlane::piece(const model::Event& event, const std::array<std::size_t, 3>& index,
-                                                 const Space& from, const Space& shift) {
+                                                 const Programmed& from, const Space& shift) {
   const bool inserted = event.cause == spec::Cause::corner;
   if (event.kind != spec::EventKind::move || inserted) return std::nullopt;
   Piece p;
-  p.start = from;
+  p.start = space_of(from, index);
   p.end = space_of(event.programmed, index);
   if (event.arc) {
     constexpr std::array<std::size_t, 3> across = {2, 1, 0};  // of X Y, Z X, Y Z
     p.across = across.at(static_cast<std::size_t>(event.arc->plane));
     p.center = difference(space_of(event.arc->center, index), shift);
   }
-  if (!p.center && p.start == p.end) return std::nullopt;
+  p.way = way_of(from, event.programmed, index);
+  if (!p.center && p.way == Space{}) return std::nullopt;
   return p;
 }
 
@@ -100,7 +100,7 @@ double ToolPlane::error(std::span<const model::Event> window, const std::array<s
       out->at(p.across) = 0;
     }
     // Of an arc only the corner and the centre are asked.
-    const auto flat = p.center ? seen(plane, corner, corner, out) : seen(plane, p.start, p.end, out);
+    const auto flat = seen(plane, p.center ? corner : p.end, p.way, out);
     if (!flat) return {};
     return head_conditions(*flat, plane.flat(corner), v);
   };
@@ -111,15 +111,15 @@ double ToolPlane::error(std::span<const model::Event> window, const std::array<s
       if (c) to.push_back(*c);
   };
   for (const Piece& p : before_) take(former, conditions(p, true));
-  Space from = space_of(window.front().programmed, index);
+  const Programmed* from = &window.front().programmed;
   std::size_t after = 0;
   for (std::size_t i = 1; i < window.size() && after < kAfter; ++i) {
     if (window[i].kind != spec::EventKind::move) continue;
-    if (const auto p = piece(window[i], index, from, shift)) {
+    if (const auto p = piece(window[i], index, *from, shift)) {
       take(latter, conditions(*p, false));
       ++after;
     }
-    from = space_of(window[i].programmed, index);
+    from = &window[i].programmed;
   }
   double worst = 0;
   double crossed = 0;
@@ -144,7 +144,7 @@ double ToolPlane::error(std::span<const model::Event> window, const std::array<s
   return std::max(worst, crossed);
 }
 
-void ToolPlane::follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Space& from,
+void ToolPlane::follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Programmed& from,
                        const Space& shift) {
   if (const auto p = piece(event, index, from, shift)) {
     before_.push_front(*p);

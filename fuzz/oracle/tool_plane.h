@@ -30,7 +30,7 @@ class ToolPlane {
   [[nodiscard]] double error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
                              const Space& vector, const Space& tool, const Space& shift, Heads* heads = nullptr) const;
   // Takes the movement of `event`, which starts at `from`.
-  void follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Space& from,
+  void follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Programmed& from,
               const Space& shift);
 
  private:
@@ -38,11 +38,12 @@ class ToolPlane {
   struct Piece {
     Space start{};
     Space end{};
+    Space way{};                  // from start to end
     std::optional<Space> center;  // of an arc; its coordinate across the arc's plane is not set
     std::size_t across = 0;       // that coordinate
   };
   static std::optional<Piece> piece(const model::Event& event, const std::array<std::size_t, 3>& index,
-                                    const Space& from, const Space& shift);
+                                    const Programmed& from, const Space& shift);
 
   std::deque<Piece> before_;  // the last two movements, the latest first
 };

@@ -44,9 +44,7 @@ TEST_P(WidthsOf, AreNarrow) {
                   .c_str());
   // The cases that reach something new come first, and they go where it is steep.
   if (test::kSanitized) return;
-  // Beside a movement along the tool but for 1e-12 a vector has hardly a direction: three values in two thousand.
-  const bool along_the_tool = section == "fanuc/tool-side-compensation" || section == "fanuc/tool-posture-control";
-  EXPECT_LT(widths.share_above_um(), along_the_tool ? 3e-3 : 1e-3);
+  EXPECT_LT(widths.share_above_um(), 1e-3);
 }
 
 std::string test_name(const testing::TestParamInfo<std::string_view>& section) {

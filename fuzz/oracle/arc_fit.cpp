@@ -1,0 +1,47 @@
+#include "fuzz/oracle/arc_fit.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+using exact::Real;
+using exact::Sign;
+
+// In the plane of an arc, from its centre.
+struct Ray {
+  Real u;
+  Real v;
+};
+
+// How far `to` is turned from `from` counterclockwise, in degrees; nothing for a right angle and more.
+std::optional<Real> turned(const Ray& from, const Ray& to) {
+  const Real cosine = from.u * to.u + from.v * to.v;
+  if (cosine.sign() != Sign::positive) return std::nullopt;
+  return arctangent_degrees((from.u * to.v - from.v * to.u) / cosine);
+}
+
+Real length(const Ray& ray) { return sqrt(square(ray.u) + square(ray.v)); }
+
+}  // namespace
+
+std::optional<spec::Arc<Real>> fitted(const spec::Arc<Real>& arc, const ArcEnd& start, const ArcEnd& end,
+                                      const std::array<std::size_t, 3>& index) {
+  constexpr std::size_t in_plane[][2] = {{0, 1}, {2, 0}, {1, 2}};  // X Y, Z X, Y Z
+  const auto& [first, second] = in_plane[static_cast<std::size_t>(arc.plane)];
+  const auto ray = [&](const model::Vector& point) {
+    return Ray{model::component(point, first) - arc.center[index.at(first)],
+               model::component(point, second) - arc.center[index.at(second)]};
+  };
+  spec::Arc<Real> own = arc;
+  const Ray own_start = ray(start.head + start.off);
+  const Ray own_end = ray(end.head + end.off);
+  if (arc.radius) own.radius = {length(own_start), length(own_end)};
+  if (!arc.sweep) return own;
+  const auto at_start = turned(ray(start.head), own_start);
+  const auto at_end = turned(ray(end.head), own_end);
+  if (!at_start || !at_end) return std::nullopt;
+  const Real more = *at_end - *at_start;
+  own.sweep = arc.direction == spec::ArcDirection::ccw ? *arc.sweep + more : *arc.sweep - more;
+  return own;
+}
+
+}  // namespace toolcomp::fuzz
