@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "fuzz/campaign/features.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/gen/mutate.h"
+#include "fuzz/gen/program_text.h"
 #include "fuzz/oracle/control.h"
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/input_error.h"
@@ -21,6 +23,8 @@ constexpr std::uint64_t kDirected = 68;
 constexpr std::uint64_t kSlipped = 20;
 // Cases that are to reach the same: what is wrong in one clause shows in some of them only.
 constexpr std::uint8_t kWitnesses = 4;
+// An alarm is looked for behind so many events less one.
+constexpr std::size_t kFewEvents = 4;
 // Rounds of half the cases wanted; at least so many candidates each, for small numbers.
 constexpr std::size_t kSmallestRound = 25;
 constexpr std::size_t kMostRounds = 10;
@@ -60,9 +64,38 @@ bool possible(const spec::Case& c) {
   }
 }
 
+// An alarm beside a word of its block: an alarm that has several reasons must come for each.
+using AlarmAndWord = std::pair<spec::Clause, std::string>;
+
+// G1 and G01 are one word, X1 and X2 too; of Klartext the letters of a word count.
+std::string kind_of(const std::string& word) {
+  const std::size_t letters = std::min(word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), word.size());
+  std::string kind = word.substr(0, letters);
+  const std::size_t digit = std::min(word.find_first_not_of('0', letters), word.size());
+  if (kind == "G" || kind == "M") kind += word.substr(digit);
+  return kind;
+}
+
+std::set<AlarmAndWord> alarms_and_words(const spec::Case& c, const std::vector<model::Event>& events) {
+  std::set<AlarmAndWord> found;
+  // Cases that end at once say little else.
+  if (events.size() < kFewEvents) return found;
+  const std::vector<std::string> lines = fuzz::lines(c.program);
+  const bool klartext = c.setup.control == spec::Control::heidenhain;
+  for (const model::Event& event : events) {
+    if (event.kind != spec::EventKind::alarm || event.clauses.empty()) continue;
+    if (event.line == 0 || event.line > lines.size()) continue;
+    const std::string& line = lines[event.line - 1];
+    for (const std::string& word : klartext ? fuzz::words_between_blanks(line) : fuzz::words(line))
+      found.emplace(event.clauses.back(), kind_of(word));
+  }
+  return found;
+}
+
 struct Candidate {
   spec::Case c;
   std::vector<std::uint32_t> features;
+  std::set<AlarmAndWord> alarms;
 };
 
 class Selecting {
@@ -117,13 +150,16 @@ class Selecting {
   // Whether the case reaches something for the first time; it is chosen then, and else put by.
   bool look_at(spec::Case c) {
     ++selection_.looked_at;
-    Candidate candidate{std::move(c), {}};
+    Candidate candidate{std::move(c), {}, {}};
     try {
-      candidate.features = fuzz::features(fuzz::run_model(candidate.c).recorder);
+      const fuzz::ModelRun run = fuzz::run_model(candidate.c);
+      candidate.features = fuzz::features(run.recorder);
+      candidate.alarms = alarms_and_words(candidate.c, run.events);
     } catch (const spec::InputError&) {
       return false;
     }
-    if (reaches_what_few_do(candidate, 1)) {
+    const bool new_alarm = !std::ranges::includes(alarms_, candidate.alarms);
+    if (new_alarm || reaches_what_few_do(candidate, 1)) {
       choose(std::move(candidate));
       return true;
     }
@@ -140,6 +176,7 @@ class Selecting {
       selection_.features += reached_[feature] == 0 ? 1 : 0;
       if (reached_[feature] < kWitnesses) ++reached_[feature];
     }
+    alarms_.merge(candidate.alarms);
     choose(std::move(candidate.c));
   }
 
@@ -157,6 +194,7 @@ class Selecting {
   std::size_t count_;
   std::uint64_t made_ = 0;
   std::vector<std::uint8_t> reached_;  // by feature: in how many of the cases chosen, up to kWitnesses
+  std::set<AlarmAndWord> alarms_;
   std::vector<Candidate> put_by_;
   Selection selection_;
 };

@@ -33,7 +33,9 @@ void slip(Choices& choose, spec::Case& c) {
   WordTexts block = split(line);
   if (block.empty()) return;
   const auto place = block.begin() + static_cast<std::ptrdiff_t>(choose.below(block.size()));
-  switch (choose.weighted({35, 12, 13, 20, 20})) {
+  constexpr std::size_t kMoved = 4;
+  const std::size_t kind = choose.weighted({32, 10, 12, 16, 15, 15});
+  switch (kind) {
     case 0:
       change_digit(choose, *place, 0);
       break;
@@ -46,9 +48,9 @@ void slip(Choices& choose, spec::Case& c) {
     case 3:
       block.erase(place);
       break;
-    default: {  // into another block, at any place there
+    default: {  // into another block, at any place there; sometimes it stays as well
       const std::string word = *place;
-      block.erase(place);
+      if (kind == kMoved) block.erase(place);
       std::string& other = text[choose.below(text.size())];
       if (&other == &line) {
         block.insert(block.begin() + static_cast<std::ptrdiff_t>(choose.below(block.size() + 1)), word);
