@@ -92,7 +92,7 @@ void write_finding(const fuzz::Finding& found, std::size_t index, const FuzzOpti
         finding =
             certify::make_finding(*subject, *able, found.input, certify::key_of(found.input, judgement), 2000, timeout);
     }
-  } catch (const spec::InputError&) {
+  } catch (const spec::InputError&) {  // NOLINT(bugprone-empty-catch)
     // One engine refuses the setup and the other does not: there is no run to shrink.
   }
   if (finding.key.kind.empty()) {
@@ -177,7 +177,8 @@ fuzz::CampaignResult clang_targets(const std::string& section, fuzz::Mode mode, 
                                    const FuzzOptions& options) {
   const WorkFolder work;
   const unsigned jobs = std::max(1U, options.jobs);
-  const std::string limit = plan.runs > 0 ? fmt::format("-runs={}", (plan.runs + 2 * jobs - 1) / (2 * jobs))
+  const std::uint64_t parts = 2 * std::uint64_t{jobs};
+  const std::string limit = plan.runs > 0 ? fmt::format("-runs={}", (plan.runs + parts - 1) / parts)
                                           : fmt::format("-max_total_time={}", (plan.seconds + 1) / 2);
   std::string script;
   for (unsigned job = 0; job < jobs; ++job) {
@@ -192,8 +193,8 @@ fuzz::CampaignResult clang_targets(const std::string& section, fuzz::Mode mode, 
   Progress::line(fmt::format("{}: {}", target_name(section, mode), limit));
   spec::write_file(work.path() / "run", script);
   const std::string command = fmt::format("/bin/sh '{}'", (work.path() / "run").string());
-  if (std::system(command.c_str()) != 0)
-    usage("the fuzz targets cannot be run");  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
+  // NOLINTNEXTLINE(cert-env33-c,concurrency-mt-unsafe): a script of our own, on the only thread
+  if (std::system(command.c_str()) != 0) usage("the fuzz targets cannot be run");
   fuzz::CampaignResult sum;
   for (unsigned job = 0; job < jobs; ++job) collect(work.path() / std::to_string(job), section, sum);
   return sum;
@@ -245,7 +246,7 @@ int fuzz(const FuzzOptions& options) {
       fmt::print("  {}\n", certify::words_on_wide(sum.values, sum.wide));
       wide = true;
     }
-    std::fflush(stdout);
+    static_cast<void>(std::fflush(stdout));
     fuzz::print_outcomes(std::cout, section, sum.clauses);
     std::cout.flush();
     for (const fuzz::Finding& finding : sum.findings) write_finding(finding, findings++, options);

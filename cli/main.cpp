@@ -239,14 +239,14 @@ class CommandLine {
 // Controllers run in process groups of their own, which the terminal's interrupt does not reach.
 void interrupted(int signal) {
   certify::kill_processes();
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
+  static_cast<void>(std::signal(signal, SIG_DFL));
+  static_cast<void>(std::raise(signal));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, interrupted);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) static_cast<void>(std::signal(signal, interrupted));
   try {
     CommandLine command_line;
     return command_line.execute(argc, argv);

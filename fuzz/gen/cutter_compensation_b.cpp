@@ -86,6 +86,7 @@ class CompensationB final : public CutterProgram {
   // By I J or by X Y, which direct and do not move.
   void corner_arc() {
     write_.word("G39");
+    if (choose_.chance(6)) write_.word(choose_.one_of(kNotWithCornerArc));
     if (choose_.chance(60)) {
       direction_words();
     } else {

@@ -117,6 +117,7 @@ class CompensationC final : public CutterProgram {
 
   void corner_arc() {
     write_.word("G39");
+    if (choose_.chance(4)) write_.word(choose_.one_of(kNotWithCornerArc));
     if (choose_.chance(50)) direction_words();
     if (choose_.chance(4)) write_.axis(first(), 5 * write_.one());
     write_.end_block();

@@ -23,6 +23,9 @@ class CutterProgram {
  protected:
   ~CutterProgram() = default;
 
+  // What G39 does not take into its block, each an alarm by itself.
+  static constexpr const char* kNotWithCornerArc[] = {"G40", "G41", "G42", "D1", "D2", "D0", "X5. Y5. Z5.", "G28 X0"};
+
   virtual void start_up() = 0;
   virtual void inside() = 0;
   virtual void cancel() = 0;
