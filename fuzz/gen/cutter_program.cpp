@@ -12,6 +12,7 @@ CutterProgram::CutterProgram(Choices& choose, spec::Case& c)
 std::string CutterProgram::program(std::uint32_t blocks, std::uint64_t cancels) {
   preamble();
   do {
+    write_.switch_units();
     start_up();
     // The last two blocks are left for the cancel.
     do {

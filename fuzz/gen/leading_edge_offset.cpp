@@ -87,6 +87,7 @@ class LeadingEdge {
   }
 
   void cycle(std::uint32_t blocks) {
+    write_.switch_units();
     write_.word("G41.3");
     if (!compensated_once_ || choose_.chance(50)) offset_number();
     write_.end_block();

@@ -7,6 +7,15 @@
 #include "fuzz/gen/setups.h"
 
 namespace toolcomp::fuzz {
+namespace {
+
+std::int64_t converted(std::int64_t counts, bool to_millimetres) {
+  constexpr double factor = 25.4;
+  const auto value = static_cast<double>(counts);
+  return std::llround(to_millimetres ? value * factor : value / factor);
+}
+
+}  // namespace
 
 ProgramWriter::ProgramWriter(Choices& choose, const spec::Setup& setup)
     : choose_(choose),
@@ -57,16 +66,30 @@ void ProgramWriter::units() {
   const bool inch = choose_.chance(50);
   word(inch ? "G20" : "G21");
   other_units_ = inch != (setup_.units == spec::Units::inch);
+  convert_positions();
+}
+
+void ProgramWriter::switch_units() {
+  if (!choose_.chance(other_units_ ? 30 : 3)) return;
+  if (other_units_) {
+    for (auto& [letter, counts] : position_)
+      if (spec::is_linear_axis(letter)) counts = converted(counts, setup_.units == spec::Units::mm);
+    other_units_ = false;
+  } else {
+    other_units_ = true;
+    convert_positions();
+  }
+  word((setup_.units == spec::Units::inch) != other_units_ ? "G20" : "G21").end_block();
+}
+
+void ProgramWriter::convert_positions() {
   for (auto& [letter, counts] : position_)
     if (spec::is_linear_axis(letter)) counts = in_program(counts);
 }
 
 // Near where it is not exact: generators aim with it, and the absolute words that follow are exact.
 std::int64_t ProgramWriter::in_program(std::int64_t counts) const {
-  if (!other_units_) return counts;
-  constexpr double factor = 25.4;
-  const auto value = static_cast<double>(counts);
-  return std::llround(setup_.units == spec::Units::inch ? value * factor : value / factor);
+  return other_units_ ? converted(counts, setup_.units == spec::Units::inch) : counts;
 }
 
 void ProgramWriter::end_block() {

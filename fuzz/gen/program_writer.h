@@ -24,6 +24,9 @@ class ProgramWriter {
   ProgramWriter& number(char address, std::int64_t counts);
   // In some programs G20 or G21, which may be other units than those of the setup: lengths are converted from there on.
   void units();
+  // In some the other of the two from here on: what was written before stands in units that are finer, or coarser, than
+  // what follows.
+  void switch_units();
   // Counts of the setup as counts of the program.
   [[nodiscard]] std::int64_t in_program(std::int64_t counts) const;
   // Ends the block; nothing happens without words.
@@ -41,6 +44,9 @@ class ProgramWriter {
   [[nodiscard]] std::string text() const { return text_; }
 
  private:
+  // Of the setup to the program.
+  void convert_positions();
+
   Choices& choose_;
   const spec::Setup& setup_;
   std::map<char, std::int64_t> position_;

@@ -72,6 +72,7 @@ class RotaryProgram {
 
   // From the block of the code to G49, or to the end.
   void mode() {
+    write_.switch_units();
     start();
     do {
       inside();

@@ -80,6 +80,7 @@ class ToolSide {
   }
 
   void cycle() {
+    write_.switch_units();
     start_up();
     // The last two blocks are left for the cancel.
     do {
