@@ -23,19 +23,27 @@ void tip_of_the_axes(const Scene& scene, Holding& holding);
 void tip_on_the_path(const Scene& scene, Holding& holding);
 
 // The tool direction at the end of a G43.5 block is that of its I J K; with Q it is in the plane of them and the
-// travel, Q degrees toward the travel. Sheet 8. Not where an end posture may be changed (P1 and 19738 > 0), for Q on
-// arcs, nor without travel across the direction.
+// travel, Q degrees toward the travel, which is the tangent at the end of arcs and helices. Sheet 8, 17. Not where P1
+// changed the end (19738 > 0), for Q on arcs under compensation, nor without travel across the direction.
 void commanded_direction(const Scene& scene, Holding& holding);
+
+// The end of a P1 block under G43.5 is the commanded one, or with 19738 > 0 one changed so that the tool goes through a
+// singular posture: then the work-side axis stays where it was, the tool leans as far against the singular posture as
+// commanded, to its other side, and the arc from start to command comes nearer to it than 19738. On machines whose axes
+// are orthogonal the changed direction is within 19739 (azimuth) of the commanded one; and an arc that comes near to
+// one singular posture, not through it, has its end changed if that is within 19739 (no ranges 19741 to 19744). Sheet
+// 7.2, 7.3 (DEF-10, DEF-15), invariants 5 and 6 of 15. Only blocks with I, J or K whose direction is known as above.
+void changed_end(const Scene& scene, Holding& holding);
 
 // Under P1 the tool stays in the plane of its directions at both ends, and turns by equal angles. Sheet 6
 // (DEF-6), 15.2. Not in a block with a warning (posture-branch), with parallel ends, on machines that cannot lean the
-// tool any way, or where its end may have been changed (19738 > 0).
+// tool any way, or where its end was changed, or may have been (19738 > 0, no direction of its own).
 void great_circle(const Scene& scene, Holding& holding);
 
-// Under P0 both rotary axes go in proportion. Sheet 6.
+// Under P0, and where P1 changed the end, both rotary axes go in proportion. Sheet 6, DEF-11.
 void positions_in_proportion(const Scene& scene, Holding& holding);
 
-// Rotary words of absolute blocks with a decimal point are where the axes end under G43.4. Sheet 1, 9. Not with G04.
+// Rotary words of absolute blocks with a decimal point are where the axes end under G43.4. Sheet 1, 9.
 void positions_as_programmed(const Scene& scene, Holding& holding);
 
 }  // namespace toolcomp::fuzz::laws
