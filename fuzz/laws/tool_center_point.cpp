@@ -109,9 +109,23 @@ std::optional<Vector> travel(const Scene& s, const Pose& start, const Pose& end)
   return *given->sweep * exact::pi() / Real(half_turn) * tangent + pitch * normal;
 }
 
+bool says_direction(const FanucBlock& b) { return b.has('I') || b.has('J') || b.has('K'); }
+
+// I J K that count for this block, the latest of the mode; the tool where the mode began, if there are none. Nothing
+// where they are not read.
+std::optional<Vector> latest_direction(const Scene& s, const Run& run, std::size_t block) {
+  for (std::size_t k = block + 1; k-- > run.mode.block;) {
+    const FanucBlock& b = s.program.blocks()[k];
+    if (!says_direction(b)) continue;
+    if (!s.c.setup.bit(3401, 0, true) && std::ranges::any_of(b.words, counts)) return std::nullopt;
+    return Vector{number_of(b, 'I'), number_of(b, 'J'), number_of(b, 'K')};
+  }
+  return run.poses.front().event->tool_axis;
+}
+
 // What a G43.5 block commands of its end.
 struct Command {
-  Vector given;                   // I J K
+  Vector given;                   // I J K, or the vector kept
   std::optional<Vector> towards;  // the travel, where Q leans the tool
   Real lean;                      // degrees
 };
@@ -119,13 +133,18 @@ std::optional<Command> command(const Scene& s, const Run& run, std::size_t i) {
   const Pose& pose = run.poses[i];
   const FanucBlock& b = s.program.blocks()[pose.block];
   if (b.length != kByDirection || !is_end_of_block(pose) || !pose.event->tool_axis) return std::nullopt;
-  if (!b.has('I') && !b.has('J') && !b.has('K')) return std::nullopt;
-  if (!s.c.setup.bit(3401, 0, true) && std::ranges::any_of(b.words, counts)) return std::nullopt;
-  Command command{{number_of(b, 'I'), number_of(b, 'J'), number_of(b, 'K')}, std::nullopt, 0};
-  command.lean = number_of(s.program.blocks()[run.mode.block], 'Q');
-  if (!certainly_not_zero(command.lean)) return command;
   const Pose* start = start_of(run, i);
-  if (pose.block == run.mode.block || start == nullptr) return std::nullopt;
+  const Real lean = number_of(s.program.blocks()[run.mode.block], 'Q');
+  const bool leans = certainly_not_zero(lean);
+  if (leans && (pose.block == run.mode.block || start == nullptr)) return std::nullopt;
+  std::optional<Vector> given;
+  if (says_direction(b) || (leans && !may_change_ends(s, b)))
+    given = latest_direction(s, run, pose.block);
+  else if (!leans && start != nullptr)
+    given = start->event->tool_axis;
+  if (!given) return std::nullopt;
+  Command command{*given, std::nullopt, lean};
+  if (!leans) return command;
   command.towards = travel(s, *start, pose);
   if (!command.towards || is_zero(cross(command.given, *command.towards))) return std::nullopt;
   return command;
@@ -277,9 +296,9 @@ void changed_end(const Scene& s, Holding& holding) {
       const Vector& reached = *end.event->tool_axis;
       const bool changed = !is_zero(reached - commanded);
       const Arc arc{*start->event->tool_axis, commanded, cross(*start->event->tool_axis, commanded)};
-      bool is_near = true;
-      bool is_far = false;
-      if (range < right_angle) {
+      bool is_near = false;
+      bool is_far = is_zero(arc.normal);
+      if (!is_far && range < right_angle) {
         const Real sine = exact::sin_degrees(range);
         const Real cosine = exact::cos_degrees(range);
         const Real one = nearness(arc, singular, sine, cosine);
@@ -304,7 +323,7 @@ void changed_end(const Scene& s, Holding& holding) {
         if (machine.is_orthogonal())
           holding.not_negative(dot(across(reached, singular), aside) - cosine * dot(aside, aside), end.index,
                                "a changed end within 19739 of the commanded one: cosine of what 19739 leaves");
-      } else if (machine.is_orthogonal() && !has_ranges && range < right_angle && is_near && error >= 0 &&
+      } else if (machine.is_orthogonal() && !has_ranges && is_near && error >= 0 &&
                  certainly_not_zero(dot(arc.normal, singular))) {
         // From behind the singular posture the work-side axis would turn by all but half a turn.
         const Vector behind = across(arc.from, singular);
