@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "fuzz/laws/beside_the_path.h"
+#include "fuzz/laws/commanded_direction.h"
 #include "fuzz/laws/contact.h"
 #include "fuzz/laws/laws.h"
 #include "fuzz/laws/leading_edge.h"
