@@ -122,11 +122,12 @@ std::optional<Place> place(const Scene& s, const Stop& stop) {
 
 bool same_sign(const exact::Rational& a, const exact::Rational& b) { return (a < 0) == (b < 0) && (a > 0) == (b > 0); }
 
-// Whether the offset stays on one side from the block of this stop to that of the next that moves, or to the end.
-bool keeps_side(const Scene& s, std::size_t stop, const exact::Rational& left) {
+// Whether the offset stays on one side from the block of this stop to that of the next that leads across its T, or to
+// the end.
+bool keeps_side(const Scene& s, std::size_t stop, const Place& p) {
   std::size_t last = s.program.blocks().size() - 1;
   for (std::size_t k = stop + 1; k < s.stops.size(); ++k)
-    if (s.stops[k].displacement && std::ranges::any_of(*s.stops[k].displacement, certainly_not_zero)) {
+    if (const auto& u = s.stops[k].displacement; u && leads_across(s, s.block(s.stops[stop]), p.t, *u)) {
       last = s.stops[k].block;
       break;
     }
@@ -134,7 +135,7 @@ bool keeps_side(const Scene& s, std::size_t stop, const exact::Rational& left) {
     const FanucBlock& b = s.program.blocks()[i];
     if (!is_cutter(b) && !is_tool_side(b)) continue;
     const auto other = left_offset(s, b);
-    if (!other || !same_sign(left, *other)) return false;
+    if (!other || !same_sign(p.left, *other)) return false;
   }
   return true;
 }
@@ -177,13 +178,13 @@ bool corner_is_plain(const Scene& s, std::size_t i, const Place& p) {
   if (const auto limit = s.c.setup.parameter(5010); limit && !limit->is_zero()) return false;
   if (a.own->cause != spec::Cause::programmed && a.own->cause != spec::Cause::start_up) return false;
   if (b.own->cause != spec::Cause::programmed || !b.displacement) return false;
-  // An offset circle smaller than nothing meets nothing.
-  if (a.own->type == spec::MoveType::arc) {
+  // An offset circle smaller than nothing meets nothing; an arc that runs straight may have had one.
+  if (!is_line(s, a)) {
     const auto arc = circle(s, a, a.programmed, p.t);
     if (!arc || !certainly_positive(parallel_radius(a.programmed, p, *arc))) return false;
   }
   const auto left = left_offset(s, latter);
-  return left && *latter.d != 0 && same_sign(*left, p.left) && all_heads_stand(s, i, p);
+  return left && *latter.d != 0 && same_sign(*left, p.left);
 }
 
 // V to the left of U, less ρ: zero at the distance r.
@@ -236,7 +237,7 @@ void beside_the_line_before(const Scene& s, Holding& holding) {
     if (stop.own->cause != spec::Cause::programmed || !is_line(s, stop) || !in_mode_before(s, i)) continue;
     if (is_type_b(s, s.block(stop))) continue;
     const auto p = place(s, stop);
-    if (!p || !all_heads_stand(s, i, *p) || !keeps_side(s, i, p->left)) continue;
+    if (!p || !all_heads_stand(s, i, *p) || !keeps_side(s, i, *p)) continue;
     holding.zero(distance_error(stop.heads.front().vector, *p, *stop.displacement), stop.event,
                  "distance from the line before, less the radius");
   }
@@ -249,7 +250,9 @@ void beside_the_line_after(const Scene& s, Holding& holding) {
     const Stop& next = s.stops[i + 1];
     if (!is_line(s, next) || is_type_b(s, s.block(stop))) continue;
     const auto p = place(s, stop);
-    if (!p || !corner_is_plain(s, i, *p) || !leads_across(s, s.block(stop), p->t, *next.displacement)) continue;
+    if (!p || !corner_is_plain(s, i, *p) || !all_heads_stand(s, i, *p) ||
+        !leads_across(s, s.block(stop), p->t, *next.displacement))
+      continue;
     holding.zero(distance_error(stop.heads.back().vector, *p, *next.displacement), stop.heads.back().event,
                  "distance from the line after, less the radius");
     // Inside a corner one point is at the radius from both lines; another head would be beyond one of them.
@@ -264,9 +267,10 @@ void beside_the_arc(const Scene& s, Holding& holding) {
   for (std::size_t i = 0; i < s.stops.size(); ++i) {
     const Stop& stop = s.stops[i];
     if (!is_arc(stop) || stop.own->cause != spec::Cause::programmed) continue;
-    if (const auto at_end = place(s, stop); at_end && keeps_side(s, i, at_end->left))
+    if (const auto at_end = place(s, stop); at_end && keeps_side(s, i, *at_end))
       on_the_parallel_circle(s, stop, stop.programmed, stop.heads.front(), *at_end, holding);
     if (i == 0 || is_type_b(s, s.block(stop))) continue;
+    // An arc that has lost a vector to the interference check is none.
     const Stop& before = s.stops[i - 1];
     if (const auto at_start = place(s, before); at_start && corner_is_plain(s, i - 1, *at_start))
       on_the_parallel_circle(s, stop, before.programmed, before.heads.back(), *at_start, holding);

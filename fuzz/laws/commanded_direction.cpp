@@ -206,8 +206,13 @@ void ask_unchanged(const Machine& machine, const Limits& limits, const Turning& 
 End end_of(const Scene& s, const Run& run, const Pose& end) {
   if (!may_change_ends(s, s.program.blocks()[end.block])) return End::commanded;
   const auto given = command(s, run, end);
-  if (!given) return End::unknown;
-  return is_zero(*end.event->tool_axis - direction_of(*given)) ? End::commanded : End::changed;
+  const Pose* start = start_of(run, end);
+  if (!given || start == nullptr) return End::unknown;
+  if (!is_zero(*end.event->tool_axis - direction_of(*given))) return End::changed;
+  // Where the tool-side axis is inclined, the changed end may have the commanded direction.
+  const Machine& machine = *s.machine;
+  const bool stands = !certainly_not_zero(end.degrees.at(machine.work_side()) - start->degrees.at(machine.work_side()));
+  return stands && !machine.is_orthogonal() ? End::unknown : End::commanded;
 }
 
 void commanded_direction(const Scene& s, Holding& holding) {

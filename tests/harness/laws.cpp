@@ -293,6 +293,28 @@ TEST(Laws, HoldForRightEventsAndBreakForWrongOnes) {
   for (const laws::LawInfo& law : laws::all()) EXPECT_TRUE(asked.contains(law.name)) << law.name << " has no example";
 }
 
+// Exemptions that searches asked for.
+TEST(Laws, HoldWhereTheyOnceCriedWolf) {
+  // A line along the tool lies between the end of the arc and the block that changes the side.
+  spec::Case side_change =
+      fanuc("cutter-compensation-c", "G90 G01 F100\nG42 D1\nG02 X60. I30.\nG00 Z1.\nG41 X0\n");
+  side_change.setup.parameters[{5003, 1}] = spec::decimal(1);
+  // An inclined tool-side axis reaches the commanded direction by the changed end, and not along a great circle.
+  spec::Case inclined = fanuc("tool-posture-control", "B1.\nG43.5 P1\nI-10. J1. K50.\n");
+  inclined.setup.axes = spec::Axes("XYZCB");
+  inclined.setup.rotary_angles = spec::RotaryAngles::programmed;
+  for (const auto& [number, value] : std::vector<std::pair<std::uint32_t, std::int64_t>>{
+           {19680, 21}, {19681, 5}, {19682, 5}, {19683, 45}, {19686, 4}, {19687, 3}, {19738, 120}, {19739, 31}})
+    inclined.setup.parameters[{number, -1}] = spec::decimal(value);
+  inclined.samples = 2;
+  for (const spec::Case& c : {side_change, inclined}) {
+    SCOPED_TRACE(c.program);
+    const laws::Verdict verdict = laws::hold(c, run_model(c).events);
+    EXPECT_GT(verdict.checks, 0U);
+    EXPECT_FALSE(verdict.violation) << verdict.violation->law << ": " << verdict.violation->amount;
+  }
+}
+
 // Words that are another's: of G04, and of a second block in the line (events name lines, so such lines are no places).
 TEST(Laws, ReadWordsAsTheirOwnersDo) {
   for (const spec::Case& c :
