@@ -25,8 +25,8 @@ void not_nearer_than_the_radius(const Scene& scene, Holding& holding);
 
 // The first head at the end of a compensated line lies at the signed distance r left of it: V · (T × U) = ρ |T × U|.
 // Sheet 2.3 checks (V · n1 = r); chapter 14, 14.6.2 to 14.6.4. Not for a start-up block, nor where the side changes up
-// to the next movement; with the interference check on, only at inner corners of two lines (a removed vector is
-// another).
+// to the next movement across T; with the interference check on, only at inner corners of two lines (a removed vector
+// is another).
 void beside_the_line_before(const Scene& scene, Holding& holding);
 
 // The last head before a compensated line lies at the same distance of that line: V · (T × U) = ρ |T × U|, T and ρ of
@@ -39,7 +39,8 @@ void beside_the_line_after(const Scene& scene, Holding& holding);
 // end, and at its start where the corner before it is free of exemptions. Chapter 14, notation (R' = R - σρ)
 // and 14.6.3. Tool side compensation: all lengths as T sees them where the corner is, R at each end by itself, σ the
 // sense that T sees. Sheet 2.4 (table; OP-14b). Cutter compensation B: at the end alone. Not where R' <= 0 or T stands
-// in the plane of the arc, nor where the side changes up to the next movement.
+// in the plane of the arc, nor where the side changes up to the next movement across T. An arc that lost a head to
+// the interference check runs straight and is not asked.
 void beside_the_arc(const Scene& scene, Holding& holding);
 
 // Cutter compensation B: the vector of a line is ρ times the left normal of (I, J), or of the block itself without

@@ -98,7 +98,7 @@ std::optional<Command> command(const Scene& s, const Run& run, const Pose& pose)
     given = latest_direction(s, run, pose.block);
   else if (!leans && start != nullptr)
     given = start->event->tool_axis;
-  if (!given) return std::nullopt;
+  if (!given || is_zero(*given)) return std::nullopt;
   Command command{*given, std::nullopt, lean};
   if (!leans) return command;
   command.towards = travel(s, *start, pose);

@@ -22,7 +22,8 @@ void commanded_direction(const Scene& scene, Holding& holding);
 // 7.2, 7.3 (DEF-10, DEF-15), invariants 5 and 6 of 15. Only blocks whose direction is known as above.
 void changed_end(const Scene& scene, Holding& holding);
 
-// Whether a move ends in the commanded direction: a P1 block with 19738 > 0 may not. Unknown where the command is.
+// Whether a move ends in the commanded direction: a P1 block with 19738 > 0 may not. Unknown where the command is, and
+// where an inclined tool-side axis may have reached the commanded direction by a changed end.
 enum class End : std::uint8_t { commanded, changed, unknown };
 End end_of(const Scene& scene, const Run& run, const Pose& end);
 

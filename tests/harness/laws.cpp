@@ -296,8 +296,7 @@ TEST(Laws, HoldForRightEventsAndBreakForWrongOnes) {
 // Exemptions that searches asked for.
 TEST(Laws, HoldWhereTheyOnceCriedWolf) {
   // A line along the tool lies between the end of the arc and the block that changes the side.
-  spec::Case side_change =
-      fanuc("cutter-compensation-c", "G90 G01 F100\nG42 D1\nG02 X60. I30.\nG00 Z1.\nG41 X0\n");
+  spec::Case side_change = fanuc("cutter-compensation-c", "G90 G01 F100\nG42 D1\nG02 X60. I30.\nG00 Z1.\nG41 X0\n");
   side_change.setup.parameters[{5003, 1}] = spec::decimal(1);
   // An inclined tool-side axis reaches the commanded direction by the changed end, and not along a great circle.
   spec::Case inclined = fanuc("tool-posture-control", "B1.\nG43.5 P1\nI-10. J1. K50.\n");
