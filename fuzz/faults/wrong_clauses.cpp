@@ -79,6 +79,12 @@ spec::Case conventional(const spec::Case& c) {
   return other;
 }
 
+spec::Case without_veto(const spec::Case& c) {
+  spec::Case other = c;
+  other.setup.parameters[{19739, -1}] = spec::decimal(360);
+  return other;
+}
+
 spec::Case without_radius_delta(const spec::Case& c) {
   spec::Case other = c;
   for (spec::ToolRow& tool : other.setup.tools) tool.dr = {};
@@ -146,11 +152,30 @@ void keep_along_the_former_tool(const spec::Case& c, std::vector<model::Event>& 
   }
 }
 
+// The vector at the end of an arc is taken with the sense of the arc in its plane, although the tool sees it from
+// below.
+void sense_from_above(const spec::Case& c, std::vector<model::Event>& events) {
+  const spec::Axes& axes = c.setup.axes;
+  for (model::Event& event : events) {
+    if (event.kind != spec::EventKind::move || event.cause != spec::Cause::programmed || !event.arc || !event.tool_axis)
+      continue;
+    const std::size_t across = event.arc->plane == spec::Plane::xy ? 2 : event.arc->plane == spec::Plane::zx ? 1 : 0;
+    if (event.tool_axis->at(across).sign() != Sign::negative) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t axis = axes.index("XYZ"[i]);
+      const Real mirrored = event.programmed[axis] + event.programmed[axis] - event.point[axis];
+      event.axes.value.at(axis) += mirrored - event.point[axis];
+      event.point.value.at(axis) = mirrored;
+    }
+  }
+}
+
 constexpr WrongClause kWrong[] = {
     {"side_along_the_former_tool", "fanuc/tool-side-compensation", "perpendicular-to-the-tool", kBudget, nullptr,
      keep_along_the_former_tool},
     {"side_negative_value", "fanuc/tool-side-compensation", "beside-the-line-before", kBudget, positive_values,
      nullptr},
+    {"side_arc_from_above", "fanuc/tool-side-compensation", "beside-the-arc", kBudget, nullptr, sense_from_above},
     {"edge_sense", "fanuc/leading-edge-offset", "leading-edge-vector", kBudget, negated_values, nullptr},
     {"length_44_as_43", "fanuc/tool-length-offset", "length-offset", kBudget, forty_four_as_forty_three, nullptr},
     {"measured_reversed", "fanuc/tool-length-measurement", "measured-difference", kBudget, nullptr, reverse_difference},
@@ -164,6 +189,7 @@ constexpr WrongClause kWrong[] = {
     {"tip_sense", "fanuc/tool-center-point-control", "axis-of-the-positions", kBudget, other_sense, nullptr},
     {"tip_leans_backward", "fanuc/tool-center-point-control", "commanded-direction", kBudget, lean_backward, nullptr},
     {"posture_conventional", "fanuc/tool-posture-control", "great-circle", kBudget, conventional, nullptr},
+    {"posture_error_unlimited", "fanuc/tool-posture-control", "changed-end", kBudget, without_veto, nullptr},
     {"face_radius_delta", "heidenhain/face-milling", "touches-the-contact-plane", kBudget, without_radius_delta,
      nullptr},
     {"peripheral_sides", "heidenhain/peripheral-milling", "cylinder-beside-the-line", kBudget, sides_exchanged,

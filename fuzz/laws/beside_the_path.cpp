@@ -17,14 +17,18 @@ bool leaves_the_path(const Scene& s) {
   return shifts_the_point(s) || s.program.has_code({100, 920, 530, 280, 290, 300, 301, 310});
 }
 
+Vector normal_of(int plane) {
+  if (plane == 180) return {0, 1, 0};
+  if (plane == 190) return {1, 0, 0};
+  return {0, 0, 1};
+}
+
 // T: the tool where it ends this block, or the normal of the plane.
 std::optional<Vector> across(const Scene& s, const Stop& stop) {
   const FanucBlock& b = s.block(stop);
   if (is_tool_side(b)) return stop.own->tool_axis;
   if (!is_cutter(b)) return std::nullopt;
-  if (b.plane == 180) return Vector{0, 1, 0};
-  if (b.plane == 190) return Vector{1, 0, 0};
-  return Vector{0, 0, 1};
+  return normal_of(b.plane);
 }
 
 // Offset to the left of travel: G41 and a positive value.
@@ -57,6 +61,46 @@ bool is_type_b(const Scene& s, const FanucBlock& b) {
   return is_cutter(b) && s.c.setup.cutter_compensation == spec::CutterCompensationType::b;
 }
 
+// Square of the distance of `from` from the centre, seen along T.
+Real square_of_radius(const Vector& t, const Vector& from, const Vector& center) {
+  const Vector radius = cross(t, from - center);
+  return dot(radius, radius);
+}
+
+bool is_arc(const Stop& stop) { return stop.own->type == spec::MoveType::arc && stop.own->arc; }
+
+// At the height of `at`: a helix has no other.
+Vector center_of(const Scene& s, const Stop& stop, const Vector& at) {
+  Vector center = at;
+  const auto& given = stop.own->arc->center;
+  for (std::size_t i = 0; i < center.size(); ++i)
+    if (const std::size_t axis = s.c.setup.axes.index("XYZ"[i]); given.has(axis)) center.at(i) = given[axis];
+  return center;
+}
+
+struct Circle {
+  Vector center;
+  exact::Rational sense;  // σ as T sees it
+};
+// The arc of this stop as T sees it at one of its ends; nothing where T stands in its plane.
+std::optional<Circle> circle(const Scene& s, const Stop& stop, const Vector& at, const Vector& t) {
+  if (!is_arc(stop)) return std::nullopt;
+  const FanucBlock& b = s.block(stop);
+  const Real along = dot(t, normal_of(b.plane));
+  const bool below = certainly_negative(along);
+  if (!below && !certainly_positive(along)) return std::nullopt;
+  return Circle{center_of(s, stop, at), (b.motion == 30) != below ? 1 : -1};
+}
+
+// Whether the block of this stop makes a vector at its end: a line displaced across T, or an arc round a centre that T
+// does not see in its end.
+bool moves_across(const Scene& s, const Stop& stop, const Vector& t) {
+  if (!stop.displacement) return false;
+  if (is_arc(stop))
+    return certainly_positive(square_of_radius(t, stop.programmed, center_of(s, stop, stop.programmed)));
+  return leads_across(s, s.block(stop), t, *stop.displacement);
+}
+
 // A stop with all that a law of distances asks for.
 struct Place {
   Vector t;
@@ -72,17 +116,18 @@ std::optional<Place> place(const Scene& s, const Stop& stop) {
   if (b.has('I') && b.has('J') && b.has('K') && is_cutter(b)) return std::nullopt;
   // Type B: a vector (I, J) of length zero keeps the vector before.
   if (is_type_b(s, b) && (b.has('I') || b.has('J') || b.has('K')) && is_line(s, stop)) return std::nullopt;
-  if (!leads_across(s, b, *t, *stop.displacement)) return std::nullopt;
+  if (!moves_across(s, stop, *t)) return std::nullopt;
   return Place{*t, *left};
 }
 
 bool same_sign(const exact::Rational& a, const exact::Rational& b) { return (a < 0) == (b < 0) && (a > 0) == (b > 0); }
 
-// Whether the offset stays on one side from the block of this stop to that of the next that moves, or to the end.
-bool keeps_side(const Scene& s, std::size_t stop, const exact::Rational& left) {
+// Whether the offset stays on one side from the block of this stop to that of the next that leads across its T, or to
+// the end.
+bool keeps_side(const Scene& s, std::size_t stop, const Place& p) {
   std::size_t last = s.program.blocks().size() - 1;
   for (std::size_t k = stop + 1; k < s.stops.size(); ++k)
-    if (s.stops[k].displacement && std::ranges::any_of(*s.stops[k].displacement, certainly_not_zero)) {
+    if (const auto& u = s.stops[k].displacement; u && leads_across(s, s.block(s.stops[stop]), p.t, *u)) {
       last = s.stops[k].block;
       break;
     }
@@ -90,7 +135,7 @@ bool keeps_side(const Scene& s, std::size_t stop, const exact::Rational& left) {
     const FanucBlock& b = s.program.blocks()[i];
     if (!is_cutter(b) && !is_tool_side(b)) continue;
     const auto other = left_offset(s, b);
-    if (!other || !same_sign(left, *other)) return false;
+    if (!other || !same_sign(p.left, *other)) return false;
   }
   return true;
 }
@@ -116,27 +161,6 @@ bool in_mode_before(const Scene& s, std::size_t stop) {
   return is_tool_side(b) || is_cutter(b);
 }
 
-// Square of the distance of `from` from the centre, in the plane of the arc.
-Real square_of_radius(const Vector& t, const Vector& from, const Vector& center) {
-  const Vector radius = cross(t, from - center);
-  return dot(radius, radius);
-}
-
-struct Circle {
-  Vector center;
-  exact::Rational sense;  // σ
-};
-std::optional<Circle> circle(const Scene& s, const Stop& stop) {
-  if (stop.own->type != spec::MoveType::arc || !stop.own->arc || !is_cutter(s.block(stop))) return std::nullopt;
-  const spec::Arc<Real>& arc = *stop.own->arc;
-  Circle c{stop.programmed, arc.direction == spec::ArcDirection::ccw ? 1 : -1};
-  for (std::size_t i = 0; i < c.center.size(); ++i) {
-    const std::size_t axis = s.c.setup.axes.index("XYZ"[i]);
-    if (arc.center.has(axis)) c.center.at(i) = arc.center[axis];
-  }
-  return c;
-}
-
 // R - σρ of the arc through `at`.
 Real parallel_radius(const Vector& at, const Place& p, const Circle& circle) {
   return sqrt(square_of_radius(p.t, at, circle.center)) - Real(exact::Rational(circle.sense * p.left));
@@ -154,11 +178,13 @@ bool corner_is_plain(const Scene& s, std::size_t i, const Place& p) {
   if (const auto limit = s.c.setup.parameter(5010); limit && !limit->is_zero()) return false;
   if (a.own->cause != spec::Cause::programmed && a.own->cause != spec::Cause::start_up) return false;
   if (b.own->cause != spec::Cause::programmed || !b.displacement) return false;
-  // An offset circle smaller than nothing meets nothing.
-  if (const auto arc = circle(s, a); arc && !certainly_positive(parallel_radius(a.programmed, p, *arc))) return false;
-  if (a.own->type == spec::MoveType::arc && !circle(s, a)) return false;
+  // An offset circle smaller than nothing meets nothing; an arc that runs straight may have had one.
+  if (!is_line(s, a)) {
+    const auto arc = circle(s, a, a.programmed, p.t);
+    if (!arc || !certainly_positive(parallel_radius(a.programmed, p, *arc))) return false;
+  }
   const auto left = left_offset(s, latter);
-  return left && *latter.d != 0 && same_sign(*left, p.left) && all_heads_stand(s, i, p);
+  return left && *latter.d != 0 && same_sign(*left, p.left);
 }
 
 // V to the left of U, less ρ: zero at the distance r.
@@ -167,12 +193,14 @@ Real distance_error(const Vector& v, const Place& p, const Vector& u) {
   return dot(v, left) / length(left) - Real(p.left);
 }
 
-// |at + v - O| = R - σρ with R = |at - O|, as squares.
-void on_the_parallel_circle(const Vector& at, const Head& head, const Place& p, const Circle& circle,
+// |at + v - O| = R - σρ with R = |at - O| for the arc of this stop, as squares, seen along T.
+void on_the_parallel_circle(const Scene& s, const Stop& stop, const Vector& at, const Head& head, const Place& p,
                             Holding& holding) {
-  const Real parallel = parallel_radius(at, p, circle);
+  const auto arc = circle(s, stop, at, p.t);
+  if (!arc) return;
+  const Real parallel = parallel_radius(at, p, *arc);
   if (!certainly_positive(parallel)) return;
-  holding.zero(square_of_radius(p.t, at + head.vector, circle.center) - parallel * parallel, head.event,
+  holding.zero(square_of_radius(p.t, at + head.vector, arc->center) - parallel * parallel, head.event,
                "square of the distance from the centre, less that of the parallel circle");
 }
 
@@ -182,7 +210,7 @@ void perpendicular_to_the_tool(const Scene& s, Holding& holding) {
   if (shifts_the_point(s)) return;
   for (const Stop& stop : s.stops) {
     const auto t = across(s, stop);
-    if (!t || !stop.displacement || !leads_across(s, s.block(stop), *t, *stop.displacement)) continue;
+    if (!t || !moves_across(s, stop, *t)) continue;
     for (const Head& head : stop.heads)
       holding.zero(dot(head.vector, *t), head.event, "component of the vector along the tool");
   }
@@ -209,7 +237,7 @@ void beside_the_line_before(const Scene& s, Holding& holding) {
     if (stop.own->cause != spec::Cause::programmed || !is_line(s, stop) || !in_mode_before(s, i)) continue;
     if (is_type_b(s, s.block(stop))) continue;
     const auto p = place(s, stop);
-    if (!p || !all_heads_stand(s, i, *p) || !keeps_side(s, i, p->left)) continue;
+    if (!p || !all_heads_stand(s, i, *p) || !keeps_side(s, i, *p)) continue;
     holding.zero(distance_error(stop.heads.front().vector, *p, *stop.displacement), stop.event,
                  "distance from the line before, less the radius");
   }
@@ -222,7 +250,9 @@ void beside_the_line_after(const Scene& s, Holding& holding) {
     const Stop& next = s.stops[i + 1];
     if (!is_line(s, next) || is_type_b(s, s.block(stop))) continue;
     const auto p = place(s, stop);
-    if (!p || !corner_is_plain(s, i, *p) || !leads_across(s, s.block(stop), p->t, *next.displacement)) continue;
+    if (!p || !corner_is_plain(s, i, *p) || !all_heads_stand(s, i, *p) ||
+        !leads_across(s, s.block(stop), p->t, *next.displacement))
+      continue;
     holding.zero(distance_error(stop.heads.back().vector, *p, *next.displacement), stop.heads.back().event,
                  "distance from the line after, less the radius");
     // Inside a corner one point is at the radius from both lines; another head would be beyond one of them.
@@ -236,15 +266,14 @@ void beside_the_arc(const Scene& s, Holding& holding) {
   if (leaves_the_path(s)) return;
   for (std::size_t i = 0; i < s.stops.size(); ++i) {
     const Stop& stop = s.stops[i];
-    const auto arc = circle(s, stop);
-    if (!arc || stop.own->cause != spec::Cause::programmed) continue;
-    const auto at_end = place(s, stop);
-    if (at_end && keeps_side(s, i, at_end->left))
-      on_the_parallel_circle(stop.programmed, stop.heads.front(), *at_end, *arc, holding);
+    if (!is_arc(stop) || stop.own->cause != spec::Cause::programmed) continue;
+    if (const auto at_end = place(s, stop); at_end && keeps_side(s, i, *at_end))
+      on_the_parallel_circle(s, stop, stop.programmed, stop.heads.front(), *at_end, holding);
     if (i == 0 || is_type_b(s, s.block(stop))) continue;
-    const auto at_start = place(s, s.stops[i - 1]);
-    if (at_start && corner_is_plain(s, i - 1, *at_start))
-      on_the_parallel_circle(s.stops[i - 1].programmed, s.stops[i - 1].heads.back(), *at_start, *arc, holding);
+    // An arc that has lost a vector to the interference check is none.
+    const Stop& before = s.stops[i - 1];
+    if (const auto at_start = place(s, before); at_start && corner_is_plain(s, i - 1, *at_start))
+      on_the_parallel_circle(s, stop, before.programmed, before.heads.back(), *at_start, holding);
   }
 }
 

@@ -3,16 +3,18 @@
 // a block, and T × U points to its left.
 //
 // Common exemptions: blocks whose start is unknown (the first of the program, or coordinates were renamed) or that are
-// not displaced across T; programs with G37 or G45 to G48, which move the point by other vectors; for distances
-// programs with G10, G92, G53, G28, G29, G30, whose vectors follow rules of their own; cutter compensation with 5001#2
-// = 1 (H may be its number) where the radius counts. Blocks shorter in the plane than 19630 are no movement.
+// not displaced across T (arcs always are); programs with G37 or G45 to G48, which move the point by other vectors; for
+// distances programs with G10, G92, G53, G28, G29, G30, whose vectors follow rules of their own; cutter compensation
+// with 5001#2 = 1 (H may be its number) where the radius counts. Blocks shorter in the plane than 19630 are no
+// movement.
 #pragma once
 
 #include "fuzz/laws/scene.h"
 
 namespace toolcomp::fuzz::laws {
 
-// V · T = 0 for every head at the end of a block displaced across its own tool, T being its tool axis there.
+// V · T = 0 for every head at the end of a block displaced across its own tool, T being its tool axis there; at the end
+// of every arc, unless T sees its centre there.
 // Sheet "3-dimensional cutter compensation" 2.1 (the component of VD' along e1 is 0), 5.4, and the invariant of 9.
 void perpendicular_to_the_tool(const Scene& scene, Holding& holding);
 
@@ -23,8 +25,8 @@ void not_nearer_than_the_radius(const Scene& scene, Holding& holding);
 
 // The first head at the end of a compensated line lies at the signed distance r left of it: V · (T × U) = ρ |T × U|.
 // Sheet 2.3 checks (V · n1 = r); chapter 14, 14.6.2 to 14.6.4. Not for a start-up block, nor where the side changes up
-// to the next movement; with the interference check on, only at inner corners of two lines (a removed vector is
-// another).
+// to the next movement across T; with the interference check on, only at inner corners of two lines (a removed vector
+// is another).
 void beside_the_line_before(const Scene& scene, Holding& holding);
 
 // The last head before a compensated line lies at the same distance of that line: V · (T × U) = ρ |T × U|, T and ρ of
@@ -35,8 +37,10 @@ void beside_the_line_after(const Scene& scene, Holding& holding);
 
 // The path of the tool on a compensated arc is the circle parallel to the programmed one: |P + V - O| = R - σρ at its
 // end, and at its start where the corner before it is free of exemptions. Chapter 14, notation (R' = R - σρ)
-// and 14.6.3. Cutter compensation B: at the end alone. Not where R' <= 0, nor where the side changes up to the next
-// movement.
+// and 14.6.3. Tool side compensation: all lengths as T sees them where the corner is, R at each end by itself, σ the
+// sense that T sees. Sheet 2.4 (table; OP-14b). Cutter compensation B: at the end alone. Not where R' <= 0 or T stands
+// in the plane of the arc, nor where the side changes up to the next movement across T. An arc that lost a head to
+// the interference check runs straight and is not asked.
 void beside_the_arc(const Scene& scene, Holding& holding);
 
 // Cutter compensation B: the vector of a line is ρ times the left normal of (I, J), or of the block itself without

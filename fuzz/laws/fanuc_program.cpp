@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <string_view>
 
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
@@ -22,6 +23,12 @@ bool among(int code, std::initializer_list<int> codes) { return std::ranges::fin
 bool is_motion(int code) { return among(code, {0, 10, 20, 30}); }
 bool is_length(int code) { return among(code, {430, 440, 490, 434, 435}); }
 bool is_compensation(int code) { return among(code, {400, 410, 420, 412, 422, 413, 416, 426}); }
+
+// G04 and G10 have words of their own; to the rest of the block these letters alone say what they always say.
+bool is_shared_with_data(char address) {
+  constexpr std::string_view letters = "GDHFMSTNO";
+  return letters.find(address) != std::string_view::npos;
+}
 
 // The position may get another name, or leave the path altogether.
 bool is_renaming(int code) {
@@ -110,7 +117,9 @@ FanucProgram::FanucProgram(const spec::Case& c) {
     while (reader.next(*block) && !block->alarm) {
       state.line = block->line;
       state.words.assign(block->words().begin(), block->words().end());
-      for (const spec::Word& w : block->words()) {
+      if (state.has_code(40) || state.has_code(100))
+        std::erase_if(state.words, [](const spec::Word& w) { return !is_shared_with_data(w.address); });
+      for (const spec::Word& w : state.words) {
         if (w.address == 'D') state.d = number(w.value);
         if (w.address == 'H') state.h = number(w.value);
         if (w.address != 'G') continue;
@@ -135,6 +144,7 @@ FanucProgram::FanucProgram(const spec::Case& c) {
 std::size_t FanucProgram::index(std::uint64_t line) const {
   const auto found = std::ranges::lower_bound(blocks_, line, {}, &FanucBlock::line);
   if (found == blocks_.end() || found->line != line) return blocks_.size();
+  if (const auto next = found + 1; next != blocks_.end() && next->line == line) return blocks_.size();
   return static_cast<std::size_t>(found - blocks_.begin());
 }
 

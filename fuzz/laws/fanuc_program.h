@@ -16,9 +16,9 @@ namespace toolcomp::fuzz::laws {
 // One block. Codes are ten times the number behind G: 412 is G41.2.
 struct FanucBlock {
   std::uint64_t line = 0;
-  std::vector<spec::Word> words;
-  int compensation = 400;  // group 07 behind the block
-  int motion = 0;          // group 01
+  std::vector<spec::Word> words;  // without those that G04 or G10 takes as data
+  int compensation = 400;         // group 07 behind the block
+  int motion = 0;                 // group 01
   int plane = 170;
   int length = 490;      // group 08
   bool absolute = true;  // G90
@@ -42,7 +42,7 @@ class FanucProgram {
   explicit FanucProgram(const spec::Case& c);
 
   [[nodiscard]] const std::vector<FanucBlock>& blocks() const { return blocks_; }
-  // Index of the block that begins in this line; size of the list where there is none.
+  // Index of the only block in this line; size of the list where there is none, or a second one (events name lines).
   [[nodiscard]] std::size_t index(std::uint64_t line) const;
   // Whether any block has one of these codes.
   [[nodiscard]] bool has_code(std::initializer_list<int> codes) const;

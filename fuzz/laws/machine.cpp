@@ -106,10 +106,21 @@ std::optional<Machine> Machine::of(const spec::Setup& setup) {
 }
 
 bool Machine::leans_any_way() const {
-  const Vector& tilting = direction_.at(type_ == MachineType::tool ? 1 : 0);
+  const Vector& tilting = direction_.at(tool_side());
   const Vector by_axis = cross(tilting, reference_);
   const Vector between = cross(direction_[0], direction_[1]);
   return certainly_positive(dot(by_axis, by_axis)) && certainly_positive(dot(between, between));
+}
+
+bool Machine::is_orthogonal() const {
+  const Vector& tilting = direction_.at(tool_side());
+  return !certainly_not_zero(dot(tilting, reference_)) && !certainly_not_zero(dot(tilting, singular()));
+}
+
+Real Machine::side(const Real& degrees) const {
+  const Vector& tilting = direction_.at(tool_side());
+  const int sense = sense_.at(tool_side()) * (type_ == MachineType::table ? -1 : 1);
+  return dot(singular(), cross(tilting, turn_about(tilting, Real(sense) * degrees) * reference_));
 }
 
 std::array<Turn, 2> Machine::turns(const std::array<Real, 2>& degrees) const {

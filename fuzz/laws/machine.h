@@ -43,6 +43,17 @@ class Machine {
   [[nodiscard]] Vector in_machine(const std::array<Turn, 2>& turns, const Vector& on_table) const;
   // Whether the tool can lean any way: not where the axis that tilts it is parallel to it, or to the other axis.
   [[nodiscard]] bool leans_any_way() const;
+  // The axis that leans the tool against the work, and the other: indices into axes().
+  [[nodiscard]] std::size_t tool_side() const { return type_ == MachineType::tool ? 1 : 0; }
+  [[nodiscard]] std::size_t work_side() const { return 1 - tool_side(); }
+  // Direction of the work-side axis at the zero pose: along it and against it postures are singular, where the tool
+  // reaches them.
+  [[nodiscard]] const Vector& singular() const { return direction_.at(work_side()); }
+  // Tool-side axis across the tool and across the work-side axis.
+  [[nodiscard]] bool is_orthogonal() const;
+  // Zero where the tool-side axis at this position leans the tool least or most against the work-side axis; the sign
+  // tells on which side of that it stands.
+  [[nodiscard]] Real side(const Real& degrees) const;
   // 19666.
   [[nodiscard]] const Real& holder_offset() const { return holder_offset_; }
 

@@ -30,6 +30,8 @@ struct Pose {
   std::array<Real, 2> degrees;  // angles
   std::array<Turn, 2> turns;
   Vector control_point;  // machine coordinates
+
+  [[nodiscard]] bool is_sample() const { return event->kind == spec::EventKind::sample; }
 };
 
 // The moves and samples under tool center point control, up to its end or a second G43.4 or G43.5.

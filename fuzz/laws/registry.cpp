@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "fuzz/laws/beside_the_path.h"
+#include "fuzz/laws/commanded_direction.h"
 #include "fuzz/laws/contact.h"
 #include "fuzz/laws/laws.h"
 #include "fuzz/laws/leading_edge.h"
@@ -41,6 +42,9 @@ constexpr Law kLaws[] = {
     {{"tip-on-the-path", "seen from the table the tip runs on its line or arc, in proportion"}, tip_on_the_path},
     {{"commanded-direction", "the tool axis is the commanded direction, leant toward the travel by Q"},
      commanded_direction},
+    {{"changed-end",
+      "an end that P1 changes lies beyond the singular posture the tool comes near, with the work side still"},
+     changed_end},
     {{"great-circle", "under P1 the tool stays in the plane of both ends and turns by equal angles"}, great_circle},
     {{"positions-in-proportion", "under P0 rotary axes go in proportion"}, positions_in_proportion},
     {{"positions-as-programmed", "rotary axes end at their words"}, positions_as_programmed},

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "fuzz/laws/commanded_direction.h"
 #include "fuzz/laws/machine.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {
 
 constexpr int kByPositions = 434;
-constexpr int kByDirection = 435;
 
 bool frame_is_workpiece(const Scene& s) { return s.c.setup.bit(19696, 5); }
 
@@ -17,8 +17,6 @@ std::optional<Vector> tip_on_table(const Machine& machine, const Run& run, const
   if (!run.mode.length) return std::nullopt;
   return machine.on_table(pose.turns, pose.control_point - machine.holder(pose.turns, *run.mode.length));
 }
-
-bool is_sample(const Pose& pose) { return pose.event->kind == spec::EventKind::sample; }
 
 // The samples of one block with the moves before and after them.
 struct Block {
@@ -29,9 +27,9 @@ struct Block {
 std::vector<Block> sampled_blocks(const Run& run) {
   std::vector<Block> blocks;
   for (std::size_t i = 1; i < run.poses.size(); ++i) {
-    if (!is_sample(run.poses[i]) || is_sample(run.poses[i - 1])) continue;
+    if (!run.poses[i].is_sample() || run.poses[i - 1].is_sample()) continue;
     std::size_t end = i;
-    while (end < run.poses.size() && is_sample(run.poses[end])) ++end;
+    while (end < run.poses.size() && run.poses[end].is_sample()) ++end;
     if (end == run.poses.size()) break;
     const bool one = std::all_of(run.poses.begin() + static_cast<std::ptrdiff_t>(i),
                                  run.poses.begin() + static_cast<std::ptrdiff_t>(end),
@@ -48,23 +46,9 @@ bool has_warning(const Scene& s, std::uint64_t line) {
       s.events, [line](const model::Event& e) { return e.kind == spec::EventKind::warning && e.line == line; });
 }
 
-// An end posture may be another than the commanded one.
-bool may_change_ends(const Scene& s, const FanucBlock& b) {
-  const auto near = s.c.setup.parameter(19738);
-  return b.posture && b.length == kByDirection && near && !near->negative && !near->is_zero();
-}
-
 template <class Ask>
 void in_each_run(const Scene& s, const Ask& ask) {
   for (const Run& run : s.runs) ask(*s.machine, run);
-}
-
-// A component without a point, which 3401#0 = 0 reads in least increments.
-bool counts(const spec::Word& w) { return w.address >= 'I' && w.address <= 'K' && !w.value.point; }
-
-Real number_of(const FanucBlock& b, char letter) {
-  const spec::Decimal* value = b.value(letter);
-  return value != nullptr ? Real(rational(*value)) : Real(0);
 }
 
 }  // namespace
@@ -132,56 +116,13 @@ void tip_on_the_path(const Scene& s, Holding& holding) {
   });
 }
 
-void commanded_direction(const Scene& s, Holding& holding) {
-  in_each_run(s, [&](const Machine&, const Run& run) {
-    std::optional<Real> lean;  // degrees
-    if (s.program.blocks()[run.mode.block].has('Q')) lean = number_of(s.program.blocks()[run.mode.block], 'Q');
-    for (std::size_t i = 0; i < run.poses.size(); ++i) {
-      const Pose& pose = run.poses[i];
-      const FanucBlock& b = s.program.blocks()[pose.block];
-      if (b.length != kByDirection || is_sample(pose) || !pose.event->tool_axis || may_change_ends(s, b)) continue;
-      if (pose.event->cause != spec::Cause::programmed && pose.event->cause != spec::Cause::start_up &&
-          pose.event->cause != spec::Cause::cancel)
-        continue;
-      // G04 and G10 have words of their own.
-      if ((!b.has('I') && !b.has('J') && !b.has('K')) || b.has_code(40) || b.has_code(100)) continue;
-      if (!s.c.setup.bit(3401, 0, true) && std::ranges::any_of(b.words, counts)) continue;
-      const Vector given{number_of(b, 'I'), number_of(b, 'J'), number_of(b, 'K')};
-      const Vector& axis = *pose.event->tool_axis;
-      const bool leans = lean && certainly_not_zero(*lean);
-      if (!leans || pose.block == run.mode.block) {
-        if (leans) continue;
-        holding.zero(cross(axis, given), pose.index, "tool axis across the commanded direction");
-        holding.not_negative(dot(axis, given), pose.index, "tool axis along the commanded direction");
-        continue;
-      }
-      // An arc may have lost its centre to a head, and run straight.
-      if (i == 0 || b.motion > 10) continue;
-      // The own move before, in the same frame.
-      std::size_t k = i;
-      while (k-- > 0 && is_sample(run.poses[k])) {
-      }
-      const auto from = xyz(s.c.setup.axes, run.poses[k].event->programmed);
-      const auto to = xyz(s.c.setup.axes, pose.event->programmed);
-      if (!from || !to) continue;
-      const Vector travel = *to - *from;
-      const Vector normal = cross(given, travel);
-      if (!std::ranges::any_of(normal, certainly_not_zero)) continue;
-      holding.zero(dot(axis, normal), pose.index, "tool axis across the plane of direction and travel");
-      const Turn turn = turn_about(Real(1) / length(normal) * normal, *lean);
-      holding.zero(axis - turn * (Real(1) / length(given) * given), pose.index,
-                   "tool axis, less the direction leant toward the travel");
-    }
-  });
-}
-
 void great_circle(const Scene& s, Holding& holding) {
   if (frame_is_workpiece(s)) return;
   in_each_run(s, [&](const Machine& machine, const Run& run) {
     if (!machine.leans_any_way()) return;
     for (const Block& block : sampled_blocks(run)) {
       const FanucBlock& b = s.program.blocks()[block.end->block];
-      if (!b.posture || may_change_ends(s, b) || has_warning(s, b.line)) continue;
+      if (!b.posture || has_warning(s, b.line) || end_of(s, run, *block.end) != End::commanded) continue;
       if (!block.start->event->tool_axis || !block.end->event->tool_axis) continue;
       const Vector& from = *block.start->event->tool_axis;
       const Vector& to = *block.end->event->tool_axis;
@@ -208,7 +149,8 @@ void great_circle(const Scene& s, Holding& holding) {
 void positions_in_proportion(const Scene& s, Holding& holding) {
   in_each_run(s, [&](const Machine&, const Run& run) {
     for (const Block& block : sampled_blocks(run)) {
-      if (s.program.blocks()[block.end->block].posture) continue;
+      const bool changed = end_of(s, run, *block.end) == End::changed;
+      if (s.program.blocks()[block.end->block].posture && !changed) continue;
       for (std::size_t axis = 0; axis < 2; ++axis) {
         const Real& from = block.start->degrees.at(axis);
         const Real& to = block.end->degrees.at(axis);
@@ -226,7 +168,7 @@ void positions_as_programmed(const Scene& s, Holding& holding) {
       const Pose& pose = run.poses[i];
       const FanucBlock& b = s.program.blocks()[pose.block];
       const bool last = i + 1 == run.poses.size() || run.poses[i + 1].block != pose.block;
-      if (b.length != kByPositions || !b.absolute || b.has_code(40) || is_sample(pose) || !last) continue;
+      if (b.length != kByPositions || !b.absolute || pose.is_sample() || !last) continue;
       if (pose.event->cause == spec::Cause::corner) continue;
       for (const std::size_t axis : machine.axes()) {
         const spec::Decimal* word = b.value(s.c.setup.axes.letter(axis));

@@ -22,20 +22,15 @@ void tip_of_the_axes(const Scene& scene, Holding& holding);
 // its distance from the centre and goes by equal chords. Sheet 6. Arcs with two radii and under WKP = 1 are exempt.
 void tip_on_the_path(const Scene& scene, Holding& holding);
 
-// The tool direction at the end of a G43.5 block is that of its I J K; with Q it is in the plane of them and the
-// travel, Q degrees toward the travel. Sheet 8. Not where an end posture may be changed (P1 and 19738 > 0), for Q on
-// arcs, nor without travel across the direction.
-void commanded_direction(const Scene& scene, Holding& holding);
-
 // Under P1 the tool stays in the plane of its directions at both ends, and turns by equal angles. Sheet 6
 // (DEF-6), 15.2. Not in a block with a warning (posture-branch), with parallel ends, on machines that cannot lean the
-// tool any way, or where its end may have been changed (19738 > 0).
+// tool any way, or where its end was changed, or may have been.
 void great_circle(const Scene& scene, Holding& holding);
 
-// Under P0 both rotary axes go in proportion. Sheet 6.
+// Under P0, and where P1 changed the end, both rotary axes go in proportion. Sheet 6, DEF-11.
 void positions_in_proportion(const Scene& scene, Holding& holding);
 
-// Rotary words of absolute blocks with a decimal point are where the axes end under G43.4. Sheet 1, 9. Not with G04.
+// Rotary words of absolute blocks with a decimal point are where the axes end under G43.4. Sheet 1, 9.
 void positions_as_programmed(const Scene& scene, Holding& holding);
 
 }  // namespace toolcomp::fuzz::laws

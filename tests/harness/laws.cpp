@@ -37,6 +37,13 @@ spec::Case flank() {
                "G90 G01 F100 G43.5 H0 I3. K4.\nG41.6 Y50. D1\nY100.\nX100.\nX200. Y150.\nG40 Y0\n");
 }
 
+// A line, an arc inside and a line that goes on along its tangent, for a tool of this direction: sheet of 3D cutter
+// compensation, TS11.
+spec::Case arc_of_the_side(const std::string& direction) {
+  return fanuc("tool-side-compensation", "G90 G01 F100 G43.5 H0 " + direction +
+                                             "\nG41.6 X50. D1\nX100.\nG02 X190. Y-30. R50.\nG01 Y-80.\nG40 Y-90.\n");
+}
+
 // A line, an arc inside and a line: chapter 14.6.3.
 spec::Case rounded_corner() {
   return fanuc("cutter-compensation-c", "G90 G01 F100 X0\nG41 X40. D1\nX80.\nG03 X100. Y20. J20.\nG01 Y60.\nG40 X0\n");
@@ -66,6 +73,16 @@ spec::Case head(std::string program) {
   return c;
 }
 
+// From B 10 past the pole to about B 12 on its other side, 4 degrees off: sheet of tool posture control, example 5.
+// Within 5 degrees the end is changed, within 3 it is not.
+spec::Case near_the_pole(std::int64_t largest_error) {
+  spec::Case c = head("G90 G01 F100 G43.5 H1 P1 I173.6 K984.8\nX50. I-207. J14. K978.\n");
+  c.section = "fanuc/tool-posture-control";
+  c.setup.parameters[{19738, -1}] = spec::decimal(1);
+  c.setup.parameters[{19739, -1}] = spec::decimal(largest_error);
+  return c;
+}
+
 // Trunnion with A carrying C (TAC of the sheet, example 9).
 spec::Case table(std::string program) {
   spec::Case c = fanuc("tool-center-point-control", std::move(program));
@@ -87,6 +104,7 @@ spec::Case table(std::string program) {
 }
 
 const std::string kByPositions = "G90 G43.4 H1 P0 A20. C45.\nG01 F100 X20. Y-20. A-35. C10.\nG02 X40. Y0 I20.\n";
+const std::string kHelix = "G90 G01 F100 G43.5 H1 Q5. P0\nG02 X40. Y10. Z15. R50. I-1. J1. K2.\n";
 const std::string kByDirection = "G90 G01 F100 G43.5 H1 Q2. P1\nX50. I-1. J1. K2.\nX60. Y30. I1. J2. K5.\n";
 
 spec::Case klartext(std::string section, std::string program) {
@@ -164,6 +182,10 @@ void lean_tool(Events& events) {
   for (model::Event& event : events)
     if (event.tool_axis) event.tool_axis = {0, Real(exact::Rational(3, 5)), Real(exact::Rational(4, 5))};
 }
+void end_as_commanded(Events& events) {
+  const Real size = sqrt(Real(207 * 207 + 14 * 14 + 978 * 978));
+  last_move(events).tool_axis = {Real(-207) / size, Real(14) / size, Real(978) / size};
+}
 void lean_samples(Events& events) {
   for (model::Event& event : events)
     if (event.kind == spec::EventKind::sample)
@@ -193,6 +215,11 @@ std::vector<Example> examples() {
       {"beside-the-line-after", flank(), shift_point<4, 1>},
       {"beside-the-line-before", rounded_corner(), shift_point<3, 1>},
       {"beside-the-arc", rounded_corner(), shift_point<4, 0>},
+      {"beside-the-arc", arc_of_the_side("K1."), shift_point<4, 0>},
+      {"beside-the-arc", arc_of_the_side("K1."), shift_point<3, 1>},
+      {"beside-the-arc", arc_of_the_side("K-1."), shift_point<4, 0>},
+      {"beside-the-arc", arc_of_the_side("I3. K4."), shift_point<4, 0>},
+      {"perpendicular-to-the-tool", arc_of_the_side("I3. K4."), shift_point<4, 2>},
       {"normal-of-the-block", type_b(), shift_point<3, 1>},
       {"on-the-path-without-a-mode", fanuc("tool-length-offset", "G01 F100 X10.\nX20.\n"), shift_point<2, 0>},
       {"on-the-path-without-a-mode", rounded_corner(), shift_point<6, 0>},
@@ -222,7 +249,13 @@ std::vector<Example> examples() {
       {"tip-on-the-path", head(kByDirection), shift_sample},
       {"commanded-direction", head(kByDirection), lean_tool},
       {"commanded-direction", head("G90 G01 F100 G43.5 H1 P0\nX50. I-1. J1. K2.\n"), lean_tool},
+      {"commanded-direction", head(kHelix), lean_tool},
+      {"changed-end", near_the_pole(3), lean_tool},
+      {"changed-end", near_the_pole(5), lean_tool},
+      {"changed-end", near_the_pole(5), end_as_commanded},
       {"great-circle", head(kByDirection), lean_samples},
+      {"great-circle", near_the_pole(3), lean_samples},
+      {"positions-in-proportion", near_the_pole(5), turn_samples},
       {"positions-in-proportion", conventional, turn_samples},
       {"positions-as-programmed", conventional, turn_word},
       {"touches-the-contact-plane", face(), shift_contact},
@@ -258,6 +291,53 @@ TEST(Laws, HoldForRightEventsAndBreakForWrongOnes) {
     EXPECT_EQ(wrong.violation->line, events[wrong.violation->event].line);
   }
   for (const laws::LawInfo& law : laws::all()) EXPECT_TRUE(asked.contains(law.name)) << law.name << " has no example";
+}
+
+// Exemptions that searches asked for.
+TEST(Laws, HoldWhereTheyOnceCriedWolf) {
+  // A line along the tool lies between the end of the arc and the block that changes the side.
+  spec::Case side_change = fanuc("cutter-compensation-c", "G90 G01 F100\nG42 D1\nG02 X60. I30.\nG00 Z1.\nG41 X0\n");
+  side_change.setup.parameters[{5003, 1}] = spec::decimal(1);
+  // An inclined tool-side axis reaches the commanded direction by the changed end, and not along a great circle.
+  spec::Case inclined = fanuc("tool-posture-control", "B1.\nG43.5 P1\nI-10. J1. K50.\n");
+  inclined.setup.axes = spec::Axes("XYZCB");
+  inclined.setup.rotary_angles = spec::RotaryAngles::programmed;
+  for (const auto& [number, value] : std::vector<std::pair<std::uint32_t, std::int64_t>>{
+           {19680, 21}, {19681, 5}, {19682, 5}, {19683, 45}, {19686, 4}, {19687, 3}, {19738, 120}, {19739, 31}})
+    inclined.setup.parameters[{number, -1}] = spec::decimal(value);
+  inclined.samples = 2;
+  for (const spec::Case& c : {side_change, inclined}) {
+    SCOPED_TRACE(c.program);
+    const laws::Verdict verdict = laws::hold(c, run_model(c).events);
+    EXPECT_GT(verdict.checks, 0U);
+    EXPECT_FALSE(verdict.violation) << verdict.violation->law << ": " << verdict.violation->amount;
+  }
+}
+
+// Words that are another's: of G04, and of a second block in the line (events name lines, so such lines are no places).
+TEST(Laws, ReadWordsAsTheirOwnersDo) {
+  for (const spec::Case& c :
+       {head("G90 G01 F100\nG43.4 G04 H1 P1\nX50. B40. C80.\n"),
+        head("G90 G01 F100\nG43.5 G04 H1 Q2. P1\nX50. I1. J2. K3.\n"),
+        head("G90 G01 F100\nG43.4 H1 P0\nX50. B20.\nG49; G43.4 H0 P1\nX0 B40. C80.\n"),
+        fanuc("cutter-compensation-c", "G90 G01 F100 X0\nG41 X40. D1\nX80.\nX100. Y20.; Y40.; G40 Y60.; X70.\n")}) {
+    SCOPED_TRACE(c.program);
+    const laws::Verdict verdict = laws::hold(c, run_model(c).events);
+    EXPECT_GT(verdict.checks, 0U);
+    EXPECT_FALSE(verdict.violation) << verdict.violation->law << ": " << verdict.violation->amount;
+  }
+}
+
+// The tool of a helix without its pitch leans another way.
+TEST(Laws, LeanAlongTheTangentOfAHelix) {
+  const spec::Case helix = head(kHelix);
+  spec::Case flat = helix;
+  flat.program.erase(flat.program.find(" Z15."), 5);
+  Events events = run_model(helix).events;
+  Events other = run_model(flat).events;
+  EXPECT_FALSE(laws::hold("commanded-direction", helix, events).violation);
+  last_move(events).tool_axis = last_move(other).tool_axis;
+  EXPECT_TRUE(laws::hold("commanded-direction", helix, events).violation);
 }
 
 TEST(Laws, OfChangedProgramsHoldAndBreak) {
