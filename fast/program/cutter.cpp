@@ -90,7 +90,6 @@ Alarm Interpreter::cutter_move(const Words& words) {
   block.plane = plane_;
   block.axis = plane;
   block.has_direction = false;
-  block.axis_word = axes != 0;
   block.feed = feed_;
   block.own = axes != 0 || arc;
   block.start[0] = programmed_[plane[0]];

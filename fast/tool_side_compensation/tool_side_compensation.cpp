@@ -179,7 +179,6 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   send(start, group.front().vector, start.own || !vector_is_zero());
   count_ = 0;
   mode_ = Mode::on;
-  after_start_ = false;
   start_tool_of_path_ = &start_tool_;
   start_offset_of_path_ = &start_offset_;
   hold_path(to, false);
