@@ -186,7 +186,17 @@ class Judge {
   // A near tie of a run, and the outcome taken.
   struct Tie {
     std::size_t index = 0;
+    Place place;
     Sign taken{};
+  };
+
+  // That a near tie, taken otherwise, brought a question up, while this was expected at an event.
+  struct Raised {
+    std::size_t event = 0;
+    std::string expected;
+    Place by;
+    Place question;
+    friend auto operator<=>(const Raised&, const Raised&) = default;
   };
 
   // A run that differs, and the forced outcomes it came from. The one that agrees longest is followed first.
@@ -242,8 +252,9 @@ class Judge {
     for (const auto& [index, outcome] : n.forced) n.places.push_back(place(run, index));
     for (const std::size_t i : near_ties(run, at.deviations)) {
       if (i >= end) break;
-      n.asked.insert(place(run, i));
-      if (!n.forced.contains(i)) n.ties.push_back({i, all[i].outcome});
+      const Place p = place(run, i);
+      n.asked.insert(p);
+      if (!n.forced.contains(i)) n.ties.push_back({i, p, all[i].outcome});
     }
     const auto distance = [&](const Tie& tie) {
       const std::uint64_t line = all[tie.index].line;
@@ -286,23 +297,31 @@ class Judge {
     return forced;
   }
 
-  // A fork is followed where it moves the first difference on; or where something comes up that none of the forks it
-  // came from had: another event expected there, or a near tie that was not asked before. So a chain of decisions that
-  // each explain one more event is found, whatever its length, and decisions that show in an event only together are,
-  // if one asks the other. What only changes things back and forth explains nothing.
-  static bool worth_following(const Node& child, const Node& parent) {
+  // A fork is followed where it moves the first difference on, so a chain of decisions that each explain one more event
+  // is found, whatever its length. Where it does not: if another event is expected there than in all the runs it came
+  // from; or if it brings up a near tie that was not asked before, for two decisions may show only together. What only
+  // changes the event back and forth explains nothing, and what a decision brings up is looked at once.
+  static bool worth_following(const Node& child, const Node& parent, const Place& flipped, std::set<Raised>& raised) {
     if (child.event != parent.event) return child.event > parent.event;
-    return !std::ranges::includes(parent.expected, child.expected) || !std::ranges::includes(parent.asked, child.asked);
+    const std::string& expected = *child.expected.begin();
+    if (!parent.expected.contains(expected)) return true;
+    bool any = false;
+    for (const Place& question : child.asked)
+      if (!parent.asked.contains(question))
+        any = raised.insert({child.event, expected, flipped, question}).second || any;
+    return any;
   }
 
   Verdict search(Verdict v, const ModelRun& run, Agreement first) {
     std::priority_queue<Node, std::vector<Node>, Later> open;
     std::set<Forced> seen;
+    std::set<Raised> raised;
     std::size_t followed = 0;
     open.push(node(run, {}, first));
     while (!open.empty()) {
       const Node parent = open.top();
       open.pop();
+      if (getenv("TCDEBUG") && followed>20) fmt::print("followed {} {}\n", followed, seen.size());
       if (followed++ > policy::kMaxForks) return undecided(v, first, "more than 64 combinations of near ties");
       for (const Tie& tie : parent.ties)
         for (const Sign outcome : {Sign::negative, Sign::zero, Sign::positive}) {
@@ -318,7 +337,7 @@ class Judge {
             return agrees(v, a);
           }
           Node child = node(*fork, *std::move(forced), a);
-          if (!worth_following(child, parent)) continue;
+          if (!worth_following(child, parent, tie.place, raised)) continue;
           if (child.event == parent.event) {
             child.expected.insert(parent.expected.begin(), parent.expected.end());
             child.asked.insert(parent.asked.begin(), parent.asked.end());
