@@ -13,6 +13,7 @@
 
 #include "certify/selection.h"
 #include "fuzz/gen/generator.h"
+#include "fuzz/oracle/compare.h"
 #include "tests/harness/liar.h"
 #include "tests/sanitized.h"
 
@@ -196,6 +197,58 @@ INSTANTIATE_TEST_SUITE_P(Sections, Liars, testing::ValuesIn(sections().begin(), 
                            std::ranges::replace_if(name, [](char c) { return c == '/' || c == '-'; }, '_');
                            return name;
                          });
+
+// A run of the model with some of its near ties taken otherwise: what a controller of other rounding gives.
+ModelRun decided_otherwise(const spec::Case& c, SeededSource& source, std::uint64_t of_eight, std::size_t& otherwise) {
+  const Rules rules(c.setup, c.section, {});
+  Forced forced;
+  ModelRun run = run_model(c);
+  for (std::size_t i = 0; i < run.recorder.decisions().size(); ++i) {
+    PositionErrors positions(c.setup);
+    for (const model::Event& event : run.events) positions.follow(event);
+    const model::Decision& decision = run.recorder.decisions()[i];
+    if (!rules.is_near_tie(decision, policy::kDoubleBand, positions) || source.below(8) >= of_eight) continue;
+    constexpr exact::Sign signs[] = {exact::Sign::negative, exact::Sign::zero, exact::Sign::positive};
+    const exact::Sign outcome = signs[source.below(3)];
+    if (outcome == decision.outcome) continue;
+    Forced more = forced;
+    more[i] = outcome;
+    try {
+      ModelRun other = run_model(c, more);
+      // Neither an answer nor permitted.
+      if (!other.events.empty() && other.events.back().kind == spec::EventKind::undecided) continue;
+      run = std::move(other);
+      forced = std::move(more);
+    } catch (const std::exception&) {
+      continue;  // no finite vectors
+    }
+  }
+  otherwise = forced.size();
+  return run;
+}
+
+TEST_P(Liars, WhoDecideNearTiesOtherwiseAreNotAccused) {
+  SeededSource source(GetParam().size());
+  std::size_t otherwise = 0;
+  std::size_t accused = 0;
+  std::size_t undecided = 0;
+  std::size_t controllers = 0;
+  for (const Honest& honest : cases_)
+    for (const std::uint64_t of_eight : {1U, 4U, 8U}) {
+      std::size_t n = 0;
+      const ModelRun other = decided_otherwise(honest.c, source, of_eight, n);
+      if (n == 0) continue;
+      ++controllers;
+      otherwise += n;
+      const Verdict v = judged(honest, test::in_doubles(other));
+      accused += v.outcome == Outcome::differs ? 1 : 0;
+      undecided += v.outcome == Outcome::undecided ? 1 : 0;
+      if (v.outcome == Outcome::differs) fmt::print("accused: {} {} {}\n{}\n", honest.c.id, n, explain(*v.difference), honest.c.program);
+    }
+  fmt::print("{:34} {} controllers, {} near ties otherwise, {} accused, {} not decided\n", GetParam(), controllers,
+             otherwise, accused, undecided);
+  EXPECT_EQ(accused, 0U);
+}
 
 // A tool 1e-13 off the work-side axis, which no double can tell from one on it: a head whose C axis carries B. On it C
 // may stand anywhere and keeps its position; off it C goes to the azimuth of the tool. A control may do either.
