@@ -190,24 +190,14 @@ class Judge {
     Sign taken{};
   };
 
-  // That a near tie, taken otherwise, brought a question up, while this was expected at an event.
-  struct Raised {
-    std::size_t event = 0;
-    std::string expected;
-    Place by;
-    Place question;
-    friend auto operator<=>(const Raised&, const Raised&) = default;
-  };
-
   // A run that differs, and the forced outcomes it came from. The one that agrees longest is followed first.
   struct Node {
     Forced forced;
     std::vector<Place> places;  // of the decisions forced, in their order
     std::size_t event = 0;      // of the first difference
-    std::vector<Tie> ties;      // not forced, asked before that event was given; those closest to it first
-    // With the runs it came from, as far as they differ at the same event: what they expect there, and the near ties
-    // they asked.
-    std::set<std::string> expected;
+    std::vector<Tie> ties;      // to be tried: asked before that event was given; those closest to it first
+    // With the runs it came from: what they expect where they differ, and the near ties they asked.
+    std::set<std::pair<std::size_t, std::string>> expected;
     std::set<Place> asked;
   };
   struct Later {
@@ -246,7 +236,7 @@ class Judge {
   }
 
   Node node(const ModelRun& run, Forced forced, const Agreement& at) const {
-    Node n{std::move(forced), {}, at.difference->event, {}, {at.expected}, {}};
+    Node n{std::move(forced), {}, at.difference->event, {}, {{at.difference->event, at.expected}}, {}};
     const auto& all = run.recorder.decisions();
     const std::size_t end = asked_before(run, n.event);
     for (const auto& [index, outcome] : n.forced) n.places.push_back(place(run, index));
@@ -297,25 +287,21 @@ class Judge {
     return forced;
   }
 
-  // A fork is followed where it moves the first difference on, so a chain of decisions that each explain one more event
-  // is found, whatever its length. Where it does not: if another event is expected there than in all the runs it came
-  // from; or if it brings up a near tie that was not asked before, for two decisions may show only together. What only
-  // changes the event back and forth explains nothing, and what a decision brings up is looked at once.
-  static bool worth_following(const Node& child, const Node& parent, const Place& flipped, std::set<Raised>& raised) {
-    if (child.event != parent.event) return child.event > parent.event;
-    const std::string& expected = *child.expected.begin();
-    if (!parent.expected.contains(expected)) return true;
-    bool any = false;
-    for (const Place& question : child.asked)
-      if (!parent.asked.contains(question))
-        any = raised.insert({child.event, expected, flipped, question}).second || any;
-    return any;
+  // Leaves in a fork the near ties that are worth trying. All of them, where it moves the first difference on, so a chain
+  // of decisions that each explain one more event is found, whatever its length; and where it expects another event
+  // there than all the runs it came from. Else those that it brought up: two decisions may show only together, and the
+  // second be asked only after the first. What only changes the event back and forth explains nothing.
+  static void follow(Node& child, const Node& parent) {
+    const bool another = child.event == parent.event && !std::ranges::includes(parent.expected, child.expected);
+    if (child.event <= parent.event && !another)
+      std::erase_if(child.ties, [&](const Tie& tie) { return parent.asked.contains(tie.place); });
+    child.expected.insert(parent.expected.begin(), parent.expected.end());
+    child.asked.insert(parent.asked.begin(), parent.asked.end());
   }
 
   Verdict search(Verdict v, const ModelRun& run, Agreement first) {
     std::priority_queue<Node, std::vector<Node>, Later> open;
     std::set<Forced> seen;
-    std::set<Raised> raised;
     std::size_t followed = 0;
     open.push(node(run, {}, first));
     while (!open.empty()) {
@@ -337,11 +323,7 @@ class Judge {
             return agrees(v, a);
           }
           Node child = node(*fork, *std::move(forced), a);
-          if (!worth_following(child, parent, tie.place, raised)) continue;
-          if (child.event == parent.event) {
-            child.expected.insert(parent.expected.begin(), parent.expected.end());
-            child.asked.insert(parent.asked.begin(), parent.asked.end());
-          }
+          follow(child, parent);
           if (!child.ties.empty()) open.push(std::move(child));
         }
     }
