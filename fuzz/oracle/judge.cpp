@@ -196,7 +196,8 @@ class Judge {
     std::vector<Place> places;  // of the decisions forced, in their order
     std::size_t event = 0;      // of the first difference
     std::vector<Tie> ties;      // to be tried: asked before that event was given; those closest to it first
-    // With the runs it came from: what they expect where they differ, and the near ties they asked.
+    // With the runs it came from: how far they agree, what they expect where they differ, the near ties they asked.
+    std::size_t farthest = 0;
     std::set<std::pair<std::size_t, std::string>> expected;
     std::set<Place> asked;
   };
@@ -236,7 +237,13 @@ class Judge {
   }
 
   Node node(const ModelRun& run, Forced forced, const Agreement& at) const {
-    Node n{std::move(forced), {}, at.difference->event, {}, {{at.difference->event, at.expected}}, {}};
+    Node n{std::move(forced),
+           {},
+           at.difference->event,
+           {},
+           at.difference->event,
+           {{at.difference->event, at.expected}},
+           {}};
     const auto& all = run.recorder.decisions();
     const std::size_t end = asked_before(run, n.event);
     for (const auto& [index, outcome] : n.forced) n.places.push_back(place(run, index));
@@ -287,14 +294,15 @@ class Judge {
     return forced;
   }
 
-  // Leaves in a fork the near ties that are worth trying. All of them, where it moves the first difference on, so a chain
-  // of decisions that each explain one more event is found, whatever its length; and where it expects another event
-  // there than all the runs it came from. Else those that it brought up: two decisions may show only together, and the
-  // second be asked only after the first. What only changes the event back and forth explains nothing.
+  // Leaves in a fork the near ties that are worth trying. All of them, where it moves the first difference on, so a
+  // chain of decisions that each explain one more event is found, whatever its length; and where it expects another
+  // event there than all the runs it came from. Else those that it brought up: two decisions may show only together,
+  // and the second be asked only after the first. What only changes the event back and forth explains nothing.
   static void follow(Node& child, const Node& parent) {
-    const bool another = child.event == parent.event && !std::ranges::includes(parent.expected, child.expected);
-    if (child.event <= parent.event && !another)
-      std::erase_if(child.ties, [&](const Tie& tie) { return parent.asked.contains(tie.place); });
+    const bool on = child.event > parent.farthest;
+    const bool another = child.event == parent.farthest && !std::ranges::includes(parent.expected, child.expected);
+    if (!on && !another) std::erase_if(child.ties, [&](const Tie& tie) { return parent.asked.contains(tie.place); });
+    child.farthest = std::max(child.event, parent.farthest);
     child.expected.insert(parent.expected.begin(), parent.expected.end());
     child.asked.insert(parent.asked.begin(), parent.asked.end());
   }
@@ -307,7 +315,7 @@ class Judge {
     while (!open.empty()) {
       const Node parent = open.top();
       open.pop();
-      if (getenv("TCDEBUG") && followed>20) fmt::print("followed {} {}\n", followed, seen.size());
+      if (getenv("TCDEBUG") && followed > 20) fmt::print("followed {} {}\n", followed, seen.size());
       if (followed++ > policy::kMaxForks) return undecided(v, first, "more than 64 combinations of near ties");
       for (const Tie& tie : parent.ties)
         for (const Sign outcome : {Sign::negative, Sign::zero, Sign::positive}) {
