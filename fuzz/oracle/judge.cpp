@@ -225,13 +225,12 @@ class Judge {
     return result;
   }
 
-  // Decisions a run had taken when it gave the event of the difference and the next move, which says how far that event
-  // may be off. What was asked later has no part in it.
+  // Decisions a run had taken when it gave the event of the difference: what was asked later has no part in it.
   [[nodiscard]] std::size_t asked_before(const ModelRun& run, std::size_t event) const {
     std::size_t judged = 0;
     for (std::size_t i = 0; i < run.asked.size(); ++i) {
       if (!is_judged(run.events[i])) continue;
-      if (judged++ > event && run.events[i].kind == EventKind::move) return run.asked[i];
+      if (judged++ == event) return run.asked[i];
     }
     return run.recorder.decisions().size();
   }
