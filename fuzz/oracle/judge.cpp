@@ -195,6 +195,7 @@ class Judge {
     Forced forced;
     std::vector<Place> places;  // of the decisions forced, in their order
     std::size_t event = 0;      // of the first difference
+    bool explains = true;       // moves the difference on, or expects something else there
     std::vector<Tie> ties;      // to be tried: asked before that event was given; those closest to it first
     // With the runs it came from: how far they agree, what they expect where they differ, the near ties they asked.
     std::size_t farthest = 0;
@@ -236,13 +237,10 @@ class Judge {
   }
 
   Node node(const ModelRun& run, Forced forced, const Agreement& at) const {
-    Node n{std::move(forced),
-           {},
-           at.difference->event,
-           {},
-           at.difference->event,
-           {{at.difference->event, at.expected}},
-           {}};
+    Node n;
+    n.forced = std::move(forced);
+    n.event = n.farthest = at.difference->event;
+    n.expected.emplace(n.event, at.expected);
     const auto& all = run.recorder.decisions();
     const std::size_t end = asked_before(run, n.event);
     for (const auto& [index, outcome] : n.forced) n.places.push_back(place(run, index));
@@ -295,12 +293,19 @@ class Judge {
 
   // Leaves in a fork the near ties that are worth trying. All of them, where it moves the first difference on, so a
   // chain of decisions that each explain one more event is found, whatever its length; and where it expects another
-  // event there than all the runs it came from. Else those that it brought up: two decisions may show only together,
-  // and the second be asked only after the first. What only changes the event back and forth explains nothing.
-  static void follow(Node& child, const Node& parent) {
+  // event there than all the runs it came from. Else two decisions may show only together: those that it brought up are
+  // tried, and what its clause asks behind it in this line. What only changes the event back and forth explains
+  // nothing.
+  static void follow(Node& child, const Node& parent, const Tie& flipped) {
     const bool on = child.event > parent.farthest;
     const bool another = child.event == parent.farthest && !std::ranges::includes(parent.expected, child.expected);
-    if (!on && !another) std::erase_if(child.ties, [&](const Tie& tie) { return parent.asked.contains(tie.place); });
+    child.explains = on || another;
+    if (!child.explains)
+      std::erase_if(child.ties, [&](const Tie& tie) {
+        const bool together = tie.index > flipped.index && tie.place.clause == flipped.place.clause &&
+                              tie.place.line == flipped.place.line;
+        return parent.asked.contains(tie.place) && !together;
+      });
     child.farthest = std::max(child.event, parent.farthest);
     child.expected.insert(parent.expected.begin(), parent.expected.end());
     child.asked.insert(parent.asked.begin(), parent.asked.end());
@@ -315,7 +320,8 @@ class Judge {
       const Node parent = open.top();
       open.pop();
       if (getenv("TCDEBUG") && followed > 20) fmt::print("followed {} {}\n", followed, seen.size());
-      if (followed++ > policy::kMaxForks) return undecided(v, first, "more than 64 combinations of near ties");
+      if (parent.explains && followed++ > policy::kMaxForks)
+        return undecided(v, first, "more than 64 combinations of near ties");
       for (const Tie& tie : parent.ties)
         for (const Sign outcome : {Sign::negative, Sign::zero, Sign::positive}) {
           if (outcome == tie.taken) continue;
@@ -330,7 +336,7 @@ class Judge {
             return agrees(v, a);
           }
           Node child = node(*fork, *std::move(forced), a);
-          follow(child, parent);
+          follow(child, parent, tie);
           if (!child.ties.empty()) open.push(std::move(child));
         }
     }
