@@ -302,8 +302,8 @@ class Judge {
     child.explains = on || another;
     if (!child.explains)
       std::erase_if(child.ties, [&](const Tie& tie) {
-        const bool together = tie.index > flipped.index && tie.place.clause == flipped.place.clause &&
-                              tie.place.line == flipped.place.line;
+        const bool together = parent.explains && tie.index > flipped.index &&
+                              tie.place.clause == flipped.place.clause && tie.place.line == flipped.place.line;
         return parent.asked.contains(tie.place) && !together;
       });
     child.farthest = std::max(child.event, parent.farthest);
