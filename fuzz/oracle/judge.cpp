@@ -72,7 +72,8 @@ Difference name_difference(const Rules& rules, const spec::Setup& setup, const s
   return found;
 }
 
-std::string asked_of(const Difference& d) { return fmt::format("{} {}: {}", d.kind, d.field, d.expected); }
+// What differs, and what is expected there.
+std::string wanted_by(const Difference& d) { return fmt::format("{} {}: {}", d.kind, d.field, d.expected); }
 
 template <class Number>
 Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramFacts& facts,
@@ -99,12 +100,12 @@ Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramF
     } else {
       result.difference = pairing.next(std::span(expected).subspan(i), actual[i], result.tally);
       if (result.difference) {
-        result.expected = asked_of(*result.difference);
+        result.expected = wanted_by(*result.difference);
         result.difference = name_difference(rules, setup, expected, actual, i, *result.difference);
       }
     }
     if (result.difference) {
-      if (result.expected.empty()) result.expected = asked_of(*result.difference);
+      if (result.expected.empty()) result.expected = wanted_by(*result.difference);
       result.difference->event = i;
       break;
     }

@@ -217,8 +217,8 @@ inline constexpr double kParallel = 0x1p-46;
 // A compensation vector below this share of the noise of its two ends is no vector.
 inline constexpr double kNoVector = 0x1p-16;
 
-// Combinations of forced outcomes that are followed before a verdict is "could not decide"; of a streamed program, passes
-// over it.
+// Combinations of forced outcomes that each explain something new (judge.cpp), before a verdict is "could not decide";
+// of a streamed program, passes over it.
 inline constexpr std::size_t kMaxForks = 64;
 
 // The distance of neighbouring doubles at |x|; of the smallest normal number at 0.

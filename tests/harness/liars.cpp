@@ -1,6 +1,7 @@
-// Acceptance of the harness: controllers that lie in one number of one event in one case of a hundred must be found,
-// and those that do nothing wrong must not be accused. The answers are the model's own, as doubles and as decimals, so
-// what is expected is known without computing it: a lie is a difference, its absence is none.
+// Acceptance of the harness: controllers that lie in one value of one event in one case of a hundred must be found,
+// and those that do nothing wrong must not be accused, however they decide near ties. The answers are the model's own,
+// as doubles and as decimals, so what is expected is known without computing it: a lie is a difference, its absence is
+// none.
 //
 // TOOLCOMP_LIARS=1000 takes as many cases a section as `certify` does (minutes); without it a few tens.
 #include <fmt/format.h>
