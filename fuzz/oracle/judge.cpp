@@ -24,6 +24,7 @@ using spec::EventKind;
 // How far one run of the model agrees with the actual events.
 struct Agreement {
   std::optional<Difference> difference;
+  std::string expected;    // what differs there, and what the run has: of the field, also where whole events are named
   bool undecided = false;  // the run itself ends undecided, and everything before agrees
   Tally tally;
   std::vector<Deviation> deviations;  // of rotary positions
@@ -71,6 +72,9 @@ Difference name_difference(const Rules& rules, const spec::Setup& setup, const s
   return found;
 }
 
+// What differs, and what is expected there.
+std::string wanted_by(const Difference& d) { return fmt::format("{} {}: {}", d.kind, d.field, d.expected); }
+
 template <class Number>
 Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramFacts& facts,
                     const std::vector<model::Event>& expected, std::span<const spec::Event<Number>> actual) {
@@ -95,9 +99,13 @@ Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramF
       result.difference = unpaired(expected, actual, i, "missing event");
     } else {
       result.difference = pairing.next(std::span(expected).subspan(i), actual[i], result.tally);
-      if (result.difference) result.difference = name_difference(rules, setup, expected, actual, i, *result.difference);
+      if (result.difference) {
+        result.expected = wanted_by(*result.difference);
+        result.difference = name_difference(rules, setup, expected, actual, i, *result.difference);
+      }
     }
     if (result.difference) {
+      if (result.expected.empty()) result.expected = wanted_by(*result.difference);
       result.difference->event = i;
       break;
     }
@@ -142,7 +150,7 @@ class Judge {
   Verdict verdict(const ModelRun& run) {
     Verdict v;
     v.decisions = run.recorder.decision_count();
-    v.near_ties = near_ties(run, {}, {}).size();
+    v.near_ties = near_ties(run, {}).size();
     Agreement first = compared(run);
     if (first.undecided) return undecided(v, first, why(run));
     if (!first.difference) return agrees(v, first);
@@ -173,33 +181,43 @@ class Judge {
     Clause clause{};
     std::uint64_t line = 0;
     std::size_t before = 0;  // decisions of this clause and line
+    friend auto operator<=>(const Place&, const Place&) = default;
+  };
+
+  // A near tie of a run, and the outcome taken.
+  struct Tie {
+    std::size_t index = 0;
+    Place place;
+    Sign taken{};
   };
 
   // A run that differs, and the forced outcomes it came from. The one that agrees longest is followed first.
   struct Node {
     Forced forced;
     std::vector<Place> places;  // of the decisions forced, in their order
-    Difference difference;
-    std::vector<std::size_t> decisions;  // near ties, those closest to the difference first
-    std::vector<Sign> taken;
+    std::size_t event = 0;      // of the first difference
+    bool explains = true;       // moves the difference on, or expects something else there
+    std::vector<Tie> ties;      // to be tried: asked before that event was given; those closest to it first
+    // With the runs it came from: how far they agree, what they expect where they differ, the near ties they asked.
+    std::size_t farthest = 0;
+    std::set<std::pair<std::size_t, std::string>> expected;
+    std::set<Place> asked;
   };
   struct Later {
     bool operator()(const Node& a, const Node& b) const {
-      if (a.difference.event != b.difference.event) return a.difference.event < b.difference.event;
+      if (a.event != b.event) return a.event < b.event;
       return a.forced.size() > b.forced.size();
     }
   };
 
-  // Indices of the decisions inside their band and not forced yet.
-  std::vector<std::size_t> near_ties(const ModelRun& run, const Forced& forced,
-                                     std::span<const Deviation> deviations) const {
+  // Indices of the decisions inside their band.
+  std::vector<std::size_t> near_ties(const ModelRun& run, std::span<const Deviation> deviations) const {
     std::vector<std::size_t> result;
     const auto& decisions = run.recorder.decisions();
     PositionErrors positions(case_.setup);
     positions.deviate(deviations);
     for (const model::Event& event : run.events) positions.follow(event);
     for (std::size_t i = 0; i < decisions.size(); ++i) {
-      if (forced.contains(i)) continue;
       const double band = rules_.resolution() > 0
                               ? policy::controller_band(rules_.resolution(),
                                                         shortest_move(run.events, case_.setup.axes, decisions[i].line))
@@ -209,18 +227,35 @@ class Judge {
     return result;
   }
 
+  // Decisions a run had taken when it gave the event of the difference: what was asked later has no part in it.
+  [[nodiscard]] std::size_t asked_before(const ModelRun& run, std::size_t event) const {
+    std::size_t judged = 0;
+    for (std::size_t i = 0; i < run.asked.size(); ++i) {
+      if (!is_judged(run.events[i])) continue;
+      if (judged++ == event) return run.asked[i];
+    }
+    return run.recorder.decisions().size();
+  }
+
   Node node(const ModelRun& run, Forced forced, const Agreement& at) const {
-    Node n{std::move(forced), {}, *at.difference, {}, {}};
-    n.decisions = near_ties(run, n.forced, at.deviations);
+    Node n;
+    n.forced = std::move(forced);
+    n.event = n.farthest = at.difference->event;
+    n.expected.emplace(n.event, at.expected);
     const auto& all = run.recorder.decisions();
+    const std::size_t end = asked_before(run, n.event);
     for (const auto& [index, outcome] : n.forced) n.places.push_back(place(run, index));
-    const auto distance = [&](std::size_t i) {
-      const std::uint64_t line = all[i].line;
-      return line > n.difference.line ? line - n.difference.line : n.difference.line - line;
+    for (const std::size_t i : near_ties(run, at.deviations)) {
+      if (i >= end) break;
+      const Place p = place(run, i);
+      n.asked.insert(p);
+      if (!n.forced.contains(i)) n.ties.push_back({i, p, all[i].outcome});
+    }
+    const auto distance = [&](const Tie& tie) {
+      const std::uint64_t line = all[tie.index].line;
+      return line > at.difference->line ? line - at.difference->line : at.difference->line - line;
     };
-    std::sort(n.decisions.begin(), n.decisions.end(),
-              [&](std::size_t a, std::size_t b) { return std::pair(distance(a), a) < std::pair(distance(b), b); });
-    for (const std::size_t i : n.decisions) n.taken.push_back(all[i].outcome);
+    std::ranges::stable_sort(n.ties, {}, distance);
     return n;
   }
 
@@ -257,59 +292,57 @@ class Judge {
     return forced;
   }
 
-  // A fork is followed where it moves the first difference on, or changes what the model expects there. So a chain of
-  // decisions that each explain one more event is found, whatever its length.
-  static bool worth_following(const Difference& child, const Difference& parent) {
-    if (child.event != parent.event) return child.event > parent.event;
-    return child.kind != parent.kind || child.field != parent.field || child.expected != parent.expected;
-  }
-
-  // After a flip that changes nothing: the near ties of the other axis, if its clause asks of both.
-  static void keep_questions_after(Node& child, const ModelRun& run, std::size_t flipped) {
-    const auto& all = run.recorder.decisions();
-    Node kept{child.forced, child.places, child.difference, {}, {}};
-    for (std::size_t d = 0; d < child.decisions.size(); ++d) {
-      const std::size_t i = child.decisions[d];
-      if (!policy::asks_both_axes(all[flipped].clause) || i <= flipped || all[i].clause != all[flipped].clause ||
-          all[i].line != all[flipped].line)
-        continue;
-      kept.decisions.push_back(i);
-      kept.taken.push_back(child.taken[d]);
-    }
-    child = std::move(kept);
+  // Leaves in a fork the near ties that are worth trying. All of them, where it moves the first difference on, so a
+  // chain of decisions that each explain one more event is found, whatever its length; and where it expects another
+  // event there than all the runs it came from. Else two decisions may show only together: those that it brought up are
+  // tried, and what its clause asks behind it in this line. What only changes the event back and forth explains
+  // nothing.
+  static void follow(Node& child, const Node& parent, const Tie& flipped) {
+    const bool on = child.event > parent.farthest;
+    const bool another = child.event == parent.farthest && !std::ranges::includes(parent.expected, child.expected);
+    child.explains = on || another;
+    if (!child.explains)
+      std::erase_if(child.ties, [&](const Tie& tie) {
+        const bool together = parent.explains && tie.index > flipped.index &&
+                              tie.place.clause == flipped.place.clause && tie.place.line == flipped.place.line;
+        return parent.asked.contains(tie.place) && !together;
+      });
+    child.farthest = std::max(child.event, parent.farthest);
+    child.expected.insert(parent.expected.begin(), parent.expected.end());
+    child.asked.insert(parent.asked.begin(), parent.asked.end());
   }
 
   Verdict search(Verdict v, const ModelRun& run, Agreement first) {
-    const Difference& original = *first.difference;
     std::priority_queue<Node, std::vector<Node>, Later> open;
     std::set<Forced> seen;
-    std::size_t forks = 0;
+    std::size_t followed = 0;
     open.push(node(run, {}, first));
     while (!open.empty()) {
       const Node parent = open.top();
       open.pop();
-      for (std::size_t d = 0; d < parent.decisions.size(); ++d)
-        for (const Sign outcome : {-parent.taken[d], Sign::zero, Sign::positive, Sign::negative}) {
-          if (outcome == parent.taken[d]) continue;
-          std::optional<Forced> forced = forced_too(parent, parent.decisions[d], outcome);
+      if (getenv("TCDEBUG") && followed > 20) fmt::print("followed {} {}\n", followed, seen.size());
+      if (parent.explains && followed++ > policy::kMaxForks)
+        return undecided(v, first, "more than 64 combinations of near ties");
+      for (const Tie& tie : parent.ties)
+        for (const Sign outcome : {Sign::negative, Sign::zero, Sign::positive}) {
+          if (outcome == tie.taken) continue;
+          std::optional<Forced> forced = forced_too(parent, tie.index, outcome);
           if (!forced || !seen.insert(*forced).second) continue;
-          if (++forks > policy::kMaxForks) return undecided(v, first, "more than 64 combinations of near ties");
           const std::optional<ModelRun> fork = permitted(*forced);
           if (!fork) continue;
-          Agreement a = compared(*fork);
+          const Agreement a = compared(*fork);
           if (a.undecided) continue;
           if (!a.difference) {
             v.ties = forced->size();
             return agrees(v, a);
           }
-          const bool changes = worth_following(*a.difference, parent.difference);
           Node child = node(*fork, *std::move(forced), a);
-          if (!changes) keep_questions_after(child, *fork, parent.decisions[d]);
-          if (!child.decisions.empty()) open.push(std::move(child));
+          follow(child, parent, tie);
+          if (!child.ties.empty()) open.push(std::move(child));
         }
     }
     v.outcome = Outcome::differs;
-    v.difference = original;
+    v.difference = first.difference;
     take(v, first.tally);
     return v;
   }

@@ -201,12 +201,6 @@ inline constexpr double kDeviation = 1e-9;
 // No decision is a near tie for its position alone beyond this band.
 inline constexpr double kWidestBand = 0x1p-12;
 
-// A clause asked of one axis of the plane after the other, where nothing shows before both answers are known: near ties
-// of both axes are tried together.
-constexpr bool asks_both_axes(spec::Clause clause) {
-  return clause == spec::Clause::fanuc_cutter_c_small_corner_movement;
-}
-
 // The oracle estimates condition numbers in double: its estimates are widened by this share, far above their rounding.
 inline constexpr double kSlack = 0x1p-30;
 
@@ -223,7 +217,8 @@ inline constexpr double kParallel = 0x1p-46;
 // A compensation vector below this share of the noise of its two ends is no vector.
 inline constexpr double kNoVector = 0x1p-16;
 
-// Runs of the model with forced outcomes before a verdict is "could not decide".
+// Combinations of forced outcomes that each explain something new (judge.cpp), before a verdict is "could not decide";
+// of a streamed program, passes over it.
 inline constexpr std::size_t kMaxForks = 64;
 
 // The distance of neighbouring doubles at |x|; of the smallest normal number at 0.

@@ -6,14 +6,25 @@
 namespace toolcomp::fuzz {
 namespace {
 
-template <class Number>
-class Collector final : public spec::EventSink<Number> {
+class ModelEvents final : public model::EventSink {
  public:
-  explicit Collector(std::vector<spec::Event<Number>>& events) : events_(events) {}
-  void on(const spec::Event<Number>& event) override { events_.push_back(event); }
+  explicit ModelEvents(ModelRun& run) : run_(run) {}
+  void on(const model::Event& event) override {
+    run_.events.push_back(event);
+    run_.asked.push_back(run_.recorder.decision_count());
+  }
 
  private:
-  std::vector<spec::Event<Number>>& events_;
+  ModelRun& run_;
+};
+
+class FastEvents final : public fast::EventSink {
+ public:
+  explicit FastEvents(std::vector<fast::Event>& events) : events_(events) {}
+  void on(const fast::Event& event) override { events_.push_back(event); }
+
+ private:
+  std::vector<fast::Event>& events_;
 };
 
 // The whole program of a case through an engine of its control.
@@ -30,7 +41,7 @@ void run(const spec::Case& c, Engine& engine) {
 ModelRun run_model(const spec::Case& c, const Forced& forced) {
   ModelRun result;
   for (const auto& [index, sign] : forced) result.recorder.force(index, sign);
-  Collector<model::Real> sink(result.events);
+  ModelEvents sink(result);
   with_control(c.setup, [&]<class Control>(Control) {
     auto engine = Control::model(c.setup, result.recorder, sink, c.samples);
     run<Control>(c, engine);
@@ -40,7 +51,7 @@ ModelRun run_model(const spec::Case& c, const Forced& forced) {
 
 std::vector<fast::Event> run_fast(const spec::Case& c) {
   std::vector<fast::Event> events;
-  Collector<double> sink(events);
+  FastEvents sink(events);
   with_control(c.setup, [&]<class Control>(Control) {
     auto engine = Control::fast(c.setup, sink, c.samples);
     run<Control>(c, engine);

@@ -62,6 +62,7 @@ struct JudgeOptions {
 // The model on one case. `undecided` where a decision could not be certified.
 struct ModelRun {
   std::vector<model::Event> events;
+  std::vector<std::size_t> asked;  // of every event: the decisions by sign that had been taken when it was given
   model::Recorder recorder{true};
 };
 // Outcomes to take, by index of the decision.

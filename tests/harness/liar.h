@@ -31,61 +31,105 @@ void lie_in_axis(spec::AxisValues<Number>& values, std::size_t axis, double by) 
   values.set(axis, value);
 }
 
-// One number of an answer.
+// What a value measures, and so how much a lie in it is.
+enum class Measure : std::uint8_t { length, angle, direction, exact };
+
+// One value of an answer.
 struct Place {
   std::size_t event = 0;
-  std::string field;                // "axes.B", "normal"
-  std::function<void(double)> add;  // makes a lie of it
+  std::string field;  // as the protocol has it
+  Measure measure = Measure::exact;
+  bool rotary = false;
+  bool sample = false;
+  std::function<void(double)> add;  // makes a lie of it; what is no number has another value then, whatever is added
+
+  [[nodiscard]] std::string name() const { return (sample ? "sample " : "") + field + (rotary ? ", rotary" : ""); }
 };
 
-// Every number of the events, in order; events behind one that is undecided are not judged, so they are left out.
+// The next of an enumeration with so many.
+template <class Enumeration>
+void lie_in_name(Enumeration& value, std::size_t count) {
+  value = static_cast<Enumeration>((static_cast<std::size_t>(value) + 1) % count);
+}
+
+// Every value of the events, in order; of a controller's not those behind one that is undecided, for they are not
+// judged.
 template <class Number>
 std::vector<Place> places(std::vector<spec::Event<Number>>& events, const spec::Axes& axes) {
+  constexpr bool controller = !std::is_same_v<Number, double>;
   std::vector<Place> all;
   for (std::size_t i = 0; i < events.size(); ++i) {
     spec::Event<Number>& e = events[i];
-    if (e.kind == spec::EventKind::undecided) break;
-    const auto one = [&](std::string field, Number& value) {
-      all.push_back({i, std::move(field), [&value](double by) { lie(value, by); }});
+    const bool open = e.kind == spec::EventKind::undecided;
+    if (open && controller) break;
+    const bool sample = e.kind == spec::EventKind::sample;
+    const auto one = [&](std::string field, Measure measure, Number& value) {
+      all.push_back({i, std::move(field), measure, false, sample, [&value](double by) { lie(value, by); }});
     };
-    const auto vector = [&](const std::string& field, std::array<Number, 3>& v) {
-      for (Number& component : v) one(field, component);
+    const auto vector = [&](const std::string& field, Measure measure, std::array<Number, 3>& v) {
+      for (Number& component : v) one(field, measure, component);
     };
     const auto table = [&](const std::string& field, spec::AxisValues<Number>& values) {
       for (std::size_t axis = 0; axis < axes.size(); ++axis) {
         if (!values.has(axis)) continue;
         const bool rotary = spec::is_rotary_axis(axes.letter(axis));
-        all.push_back(
-            {i, field + (rotary ? ", rotary" : ""), [&values, axis](double by) { lie_in_axis(values, axis, by); }});
+        all.push_back({i, field, rotary ? Measure::angle : Measure::length, rotary, sample,
+                       [&values, axis](double by) { lie_in_axis(values, axis, by); }});
       }
     };
-    const std::string sample = e.kind == spec::EventKind::sample ? "sample " : "";
-    table(sample + "programmed", e.programmed);
-    table(sample + "point", e.point);
-    table(sample + "axes", e.axes);
-    table(sample + "machine", e.machine);
-    if (e.tool_axis) vector(sample + "tool_axis", *e.tool_axis);
+    const auto other = [&](const std::string& field, auto change) {
+      all.push_back({i, field, Measure::exact, false, sample, [change](double) { change(); }});
+    };
+
+    other("kind", [&e] { lie_in_name(e.kind, 3); });
+    other("line", [&e] { ++e.line; });
+    other("n", [&e] { e.n = e.n.value_or(0) + 1; });
+    if (i + 1 < events.size() && e.line != events[i + 1].line)
+      other("order", [&e, &next = events[i + 1]] { std::swap(e, next); });
+    other("number of events", [&events, i] { events.erase(events.begin() + static_cast<std::ptrdiff_t>(i)); });
+    if (e.kind == spec::EventKind::alarm || e.kind == spec::EventKind::warning || open)
+      other("number", [&e] { e.number = e.number.view() == "PS0041" ? "PS0042" : "PS0041"; });
+    if (open) {
+      other("permitted", [&e] { e.permitted.tie = !e.permitted.tie; });
+      other("reason", [&e] { e.out_of_scope = !e.out_of_scope; });
+    }
+    if (e.kind == spec::EventKind::setting) {
+      other("name", [&e] { e.setting = "H1.lie"; });
+      one("value", Measure::exact, e.value);
+    }
+    if (sample) other("t", [&e] { ++e.t_denominator; });
+    if (e.kind == spec::EventKind::move) {
+      other("cause", [&e] { lie_in_name(e.cause, 8); });
+      other("type", [&e] { lie_in_name(e.type, 2); });
+    }
+    table("programmed", e.programmed);
+    table("point", e.point);
+    table("axes", e.axes);
+    table("machine", e.machine);
+    if (e.tool_axis) vector("tool_axis", Measure::direction, *e.tool_axis);
     if (e.arc) {
+      other("plane", [&e] { lie_in_name(e.arc->plane, 3); });
+      other("direction", [&e] { lie_in_name(e.arc->direction, 2); });
       table("center", e.arc->center);
-      if (e.arc->sweep) one("sweep", *e.arc->sweep);
+      if (e.arc->sweep) one("sweep", Measure::angle, *e.arc->sweep);
       if (e.arc->radius) {
-        one("radius", e.arc->radius->first);
-        one("radius", e.arc->radius->second);
+        one("radius", Measure::length, e.arc->radius->first);
+        one("radius", Measure::length, e.arc->radius->second);
       }
     }
     if (e.space) {
-      vector("tool_center", e.space->tool_center);
-      vector("shift", e.space->shift);
-      vector("tool_shift", e.space->tool_shift);
-      if (e.space->carrier) vector("carrier", *e.space->carrier);
+      vector("tool_center", Measure::length, e.space->tool_center);
+      vector("shift", Measure::length, e.space->shift);
+      vector("tool_shift", Measure::length, e.space->tool_shift);
+      if (e.space->carrier) vector("carrier", Measure::length, *e.space->carrier);
       if (e.space->contact) {
-        vector("contact", e.space->contact->point);
-        vector("normal", e.space->contact->normal);
-        if (e.space->contact->angle) one("angle", *e.space->contact->angle);
+        vector("contact", Measure::length, e.space->contact->point);
+        vector("normal", Measure::direction, e.space->contact->normal);
+        if (e.space->contact->angle) one("angle", Measure::angle, *e.space->contact->angle);
+        other("flat", [&e] { e.space->contact->flat = !e.space->contact->flat; });
       }
     }
-    if (e.feed) one("feed", *e.feed);
-    if (e.kind == spec::EventKind::setting) one("value", e.value);
+    if (e.feed) one("feed", Measure::exact, *e.feed);
   }
   return all;
 }
