@@ -320,7 +320,6 @@ class Judge {
     while (!open.empty()) {
       const Node parent = open.top();
       open.pop();
-      if (getenv("TCDEBUG") && followed > 20) fmt::print("followed {} {}\n", followed, seen.size());
       if (parent.explains && followed++ > policy::kMaxForks)
         return undecided(v, first, "more than 64 combinations of near ties");
       for (const Tie& tie : parent.ties)
