@@ -28,7 +28,7 @@ DoubleDouble dot(const FineVector& a, const FineVector& b) { return a[0] * b[0] 
 
 }  // namespace
 
-Direction fine_direction(const FineVector& vector) {
+Direction fine_direction(const FineVector& vector, double error) {
   Direction direction;
   direction.is_whole = false;
   direction.is_fine = true;
@@ -39,7 +39,9 @@ Direction fine_direction(const FineVector& vector) {
     direction.unit[static_cast<Eigen::Index>(i)] = direction.fine[i].hi;
     if (direction.fine[i].hi == 0) direction.zero = static_cast<std::uint8_t>(direction.zero | 1U << i);
   }
-  direction.error = 0x1p-53;
+  // Made a unit vector it is off by what lies across it, and by a few roundings.
+  direction.fine_error = 2 * error + 0x1p-98;
+  direction.error = 0x1p-53 + direction.fine_error;
   return direction;
 }
 
@@ -66,7 +68,9 @@ bool lean(const Kinematics& kinematics, const Direction& direction, const FineVe
   if (fault(Fault::tip_lean_backwards)) q.sine = -q.sine;
   FineVector turned;
   for (std::size_t i = 0; i < 3; ++i) turned[i] = v[i] * q.cosine + across[i] * (q.sine / width);
-  leaned = fine_direction(turned);
+  // The unit vector across is as much worse as it is shorter than the travel.
+  constexpr double kFine = 0x1p-98;
+  leaned = fine_direction(turned, 4 * (direction.refined_error() + kFine) * (1 + length.hi / width.hi));
   return true;
 }
 
