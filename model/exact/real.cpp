@@ -176,6 +176,8 @@ Real operator+(const Real& a, const Real& b) {
   if (y->is_rational()) std::swap(x, y);
   if (y->is_rational()) return fold(mpq_add, *x, *y);
   if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_add, *x, *y->left) + Node::share(y->right);
+  if (x->is_rational() && has_rational(*y, Kind::difference))
+    return fold(mpq_add, *x, *y->left) - Node::share(y->right);
   if (is_negation(*y)) return x == y->left ? Real() : operation(Kind::difference, x, y->left);
   if (is_negation(*x)) return x->left == y ? Real() : operation(Kind::difference, y, x->left);
   return operation(Kind::sum, x, y);
@@ -189,6 +191,9 @@ Real operator-(const Real& a, const Real& b) {
   if (is_zero(x)) return -b;
   if (y->is_rational()) return x->is_rational() ? fold(mpq_sub, *x, *y) : -b + a;
   if (is_negation(*y)) return a + Node::share(y->left);
+  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_sub, *x, *y->left) - Node::share(y->right);
+  if (x->is_rational() && has_rational(*y, Kind::difference))
+    return fold(mpq_sub, *x, *y->left) + Node::share(y->right);
   return operation(Kind::difference, x, y);
 }
 
