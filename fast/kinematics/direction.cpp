@@ -39,8 +39,7 @@ Direction fine_direction(const FineVector& vector, double error) {
     direction.unit[static_cast<Eigen::Index>(i)] = direction.fine[i].hi;
     if (direction.fine[i].hi == 0) direction.zero = static_cast<std::uint8_t>(direction.zero | 1U << i);
   }
-  // Made a unit vector it is off by what lies across it, and by a few roundings.
-  direction.fine_error = 2 * error + 0x1p-98;
+  direction.fine_error = error + 0x1p-98;
   direction.error = 0x1p-53 + direction.fine_error;
   return direction;
 }
@@ -68,9 +67,11 @@ bool lean(const Kinematics& kinematics, const Direction& direction, const FineVe
   if (fault(Fault::tip_lean_backwards)) q.sine = -q.sine;
   FineVector turned;
   for (std::size_t i = 0; i < 3; ++i) turned[i] = v[i] * q.cosine + across[i] * (q.sine / width);
-  // The unit vector across is as much worse as it is shorter than the travel.
-  constexpr double kFine = 0x1p-98;
-  leaned = fine_direction(turned, 4 * (direction.refined_error() + kFine) * (1 + length.hi / width.hi));
+  // An error of V turns the unit vector across by up to 2 |travel| / |across| of it, and so do roundings.
+  constexpr double kFine = 0x1p-96;
+  const double error = direction.refined_error();
+  leaned =
+      fine_direction(turned, error + kFine + std::abs(q.sine.hi) * 2 * (error + kFine) * (length.hi / width.hi));
   return true;
 }
 

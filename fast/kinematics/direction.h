@@ -23,7 +23,7 @@ struct Direction {
 
   Eigen::Vector3d unit{0, 0, 1};
   double error = 0;  // |unit[i] - exact[i]| <= error
-  // Not where is_whole: how far a component of Kinematics::refine() may be from the truth.
+  // Not where is_whole: how long the vector from the truth to Kinematics::refine() may be.
   double fine_error = 0;
   // The exact direction is parallel to whole() (I J K words, or axes at multiples of 90 degrees). Otherwise it is
   // `fine` (leaned by Q, or the end of a block changed at a singular posture), or that of the kinematics at `angle`.
@@ -37,7 +37,7 @@ struct Direction {
   std::array<Count, 2> angle;  // of the inner and the outer rotary axis, degrees
   FineVector fine{};           // unit
 
-  // How far a component of Kinematics::refine() may be from the truth.
+  // As fine_error, of any direction.
   [[nodiscard]] double refined_error() const { return is_whole ? kWholeError : fine_error; }
   static constexpr double kWholeError = 0x1p-100;
 
@@ -79,8 +79,8 @@ struct Direction {
 // The direction of a vector of whole numbers, not all zero, each below 2^122.
 Direction whole_direction(const std::array<Int128, 3>& whole);
 
-// The direction of a vector in double-double, not zero; `error`: how far its components may be from the truth, over its
-// length.
+// The direction of a vector in double-double, not zero; `error`: how long the vector from the truth to it may be, over
+// its length.
 Direction fine_direction(const FineVector& vector, double error);
 
 class Kinematics;

@@ -1,6 +1,5 @@
 #include "fast/tool_posture_control/posture.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -434,15 +433,16 @@ bool ToolPostureControl::change_end(const FineArc& arc, int pole, PosturePlan& p
   const DoubleDouble hx = arc.roots.hx;
   const Vector3<DoubleDouble> seen{hx * turn.cosine - hy * sine, hx * sine + hy * turn.cosine, arc.e.z};
   const Vector3<DoubleDouble> on_table = seen_back(polar.fine_constants(), seen);
-  // A computed position is rounded, and near a singular posture as badly known as the azimuth of the tool; and so is
-  // (hx, hy) near the edge of reach.
-  constexpr double kFine = 0x1p-96;
-  double turn_error = 0;
-  if (arc.start.axis[w].kind != RotaryPosition::Kind::exact)
-    turn_error = std::max(RotaryPosition::kRounded,
-                          (arc.start.tool.refined_error() + kFine) / std::hypot(arc.s.x.hi, arc.s.y.hi));
-  const double tilt_error = (arc.target.tool->refined_error() + kFine) / arc.roots.sin_psi.hi;
-  const double error = 4 * (turn_error + tilt_error + machine_.kinematics().frame().fine_error);
+  // The work-side position is rounded, or as badly known as the azimuth of the tool; (hx, hy) follows from the height of
+  // the tool, which near the edge of reach tells little about it.
+  constexpr double kFine = 0x1p-94;
+  const RotaryPosition::Kind kind = arc.start.axis[w].kind;
+  double error = kFine + arc.target.tool->refined_error();
+  if (!polar.orthogonal()) error /= arc.roots.sin_psi.hi;
+  if (kind == RotaryPosition::Kind::rounded) error += RotaryPosition::kRounded;
+  if (kind == RotaryPosition::Kind::inverse)
+    error += (arc.start.tool.refined_error() + kFine) / std::hypot(arc.s.x.hi, arc.s.y.hi);
+  error += machine_.kinematics().frame().fine_error;
   Machine::set_direction(fine_direction(machine_.fine_in_frame(on_table), error), seen, changed);
   machine_.set_branch(changed);
   plan.end = changed;
