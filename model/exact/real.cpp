@@ -1,6 +1,7 @@
 // Construction of values: everything that can be folded to a rational or to a smaller expression is folded here.
 #include "model/exact/real.h"
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -31,6 +32,51 @@ bool is_algebraic(Kind kind) {
 }
 // A sum or product with a rational operand has it on the left.
 bool has_rational(const Node& node, Kind kind) { return node.kind == kind && node.left->is_rational(); }
+
+bool is_sum(const Node& node) { return node.kind == Kind::sum || node.kind == Kind::difference; }
+
+// What short sums are made of, by signs.
+struct Addends {
+  struct Addend {
+    Node* node = nullptr;  // null: taken out
+    bool negative = false;
+  };
+  std::array<Addend, 6> list{};
+  std::size_t size = 0;
+
+  // False where there are too many, or sums of sums of sums.
+  bool add(Node* node, bool negative, int depth = 3) {
+    if (is_sum(*node)) {
+      const bool subtracted = node->kind == Kind::difference;
+      return depth > 0 && add(node->left, negative, depth - 1) && add(node->right, negative != subtracted, depth - 1);
+    }
+    if (size == list.size()) return false;
+    list.at(size++) = {node, negative};
+    return true;
+  }
+};
+
+// x - y where both are short sums with a number in common, which goes out: what is measured from an irrational position
+// does not hang on it.
+std::optional<Real> difference_of_sums(Node* x, Node* y) {
+  Addends a;
+  if (!a.add(x, false) || !a.add(y, true)) return std::nullopt;
+  bool common = false;
+  for (std::size_t i = 0; i < a.size; ++i)
+    for (std::size_t j = i + 1; j < a.size && a.list.at(i).node != nullptr; ++j) {
+      if (a.list.at(i).node != a.list.at(j).node || a.list.at(i).negative == a.list.at(j).negative) continue;
+      a.list.at(i).node = a.list.at(j).node = nullptr;
+      common = true;
+    }
+  if (!common) return std::nullopt;
+  Real rest;
+  for (const Addends::Addend& addend : a.list) {
+    if (addend.node == nullptr) continue;
+    const Real value = Node::share(addend.node);
+    rest = addend.negative ? rest - value : rest + value;
+  }
+  return rest;
+}
 
 // A rational node whose value has just been computed.
 Real settle(Node* node) {
@@ -194,6 +240,8 @@ Real operator-(const Real& a, const Real& b) {
   if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_sub, *x, *y->left) - Node::share(y->right);
   if (x->is_rational() && has_rational(*y, Kind::difference))
     return fold(mpq_sub, *x, *y->left) + Node::share(y->right);
+  if (is_sum(*x) && is_sum(*y))
+    if (auto rest = difference_of_sums(x, y)) return *std::move(rest);
   return operation(Kind::difference, x, y);
 }
 
