@@ -35,32 +35,32 @@ bool has_rational(const Node& node, Kind kind) { return node.kind == kind && nod
 
 bool is_sum(const Node& node) { return node.kind == Kind::sum || node.kind == Kind::difference; }
 
-// What short sums are made of, by signs.
+// What a sum is made of, by signs.
 struct Addends {
   struct Addend {
     Node* node = nullptr;  // null: taken out
     bool negative = false;
   };
-  std::array<Addend, 6> list{};
+  std::array<Addend, 6> list{};  // of one sum of sums and one of others
   std::size_t size = 0;
 
-  // False where there are too many, or sums of sums of sums.
-  bool add(Node* node, bool negative, int depth = 3) {
-    if (is_sum(*node)) {
-      const bool subtracted = node->kind == Kind::difference;
-      return depth > 0 && add(node->left, negative, depth - 1) && add(node->right, negative != subtracted, depth - 1);
+  // `depth`: of the sums in it that are looked into.
+  void add(Node* node, bool negative, int depth) {
+    if (depth == 0 || !is_sum(*node)) {
+      list.at(size++) = {node, negative};
+      return;
     }
-    if (size == list.size()) return false;
-    list.at(size++) = {node, negative};
-    return true;
+    add(node->left, negative, depth - 1);
+    add(node->right, negative != (node->kind == Kind::difference), depth - 1);
   }
 };
 
-// x - y where both are short sums with a number in common, which goes out: what is measured from an irrational position
-// does not hang on it.
-std::optional<Real> difference_of_sums(Node* x, Node* y) {
+// x - y where both are sums with a number in common, which goes out: what is measured from an irrational position does
+// not hang on it.
+std::optional<Real> difference_of_sums(Node* x, int depth_of_x, Node* y, int depth_of_y) {
   Addends a;
-  if (!a.add(x, false) || !a.add(y, true)) return std::nullopt;
+  a.add(x, false, depth_of_x);
+  a.add(y, true, depth_of_y);
   bool common = false;
   for (std::size_t i = 0; i < a.size; ++i)
     for (std::size_t j = i + 1; j < a.size && a.list.at(i).node != nullptr; ++j) {
@@ -240,8 +240,11 @@ Real operator-(const Real& a, const Real& b) {
   if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_sub, *x, *y->left) - Node::share(y->right);
   if (x->is_rational() && has_rational(*y, Kind::difference))
     return fold(mpq_sub, *x, *y->left) + Node::share(y->right);
-  if (is_sum(*x) && is_sum(*y))
-    if (auto rest = difference_of_sums(x, y)) return *std::move(rest);
+  if (is_sum(*x) && is_sum(*y)) {
+    if (auto rest = difference_of_sums(x, 1, y, 1)) return *std::move(rest);
+    if (auto rest = difference_of_sums(x, 1, y, 2)) return *std::move(rest);
+    if (auto rest = difference_of_sums(x, 2, y, 1)) return *std::move(rest);
+  }
   return operation(Kind::difference, x, y);
 }
 
