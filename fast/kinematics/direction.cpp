@@ -70,8 +70,7 @@ bool lean(const Kinematics& kinematics, const Direction& direction, const FineVe
   // An error of V turns the unit vector across by up to 2 |travel| / |across| of it, and so do roundings.
   constexpr double kFine = 0x1p-96;
   const double error = direction.refined_error();
-  leaned =
-      fine_direction(turned, error + kFine + std::abs(q.sine.hi) * 2 * (error + kFine) * (length.hi / width.hi));
+  leaned = fine_direction(turned, error + kFine + std::abs(q.sine.hi) * 2 * (error + kFine) * (length.hi / width.hi));
   return true;
 }
 

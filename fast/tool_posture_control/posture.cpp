@@ -433,8 +433,8 @@ bool ToolPostureControl::change_end(const FineArc& arc, int pole, PosturePlan& p
   const DoubleDouble hx = arc.roots.hx;
   const Vector3<DoubleDouble> seen{hx * turn.cosine - hy * sine, hx * sine + hy * turn.cosine, arc.e.z};
   const Vector3<DoubleDouble> on_table = seen_back(polar.fine_constants(), seen);
-  // The work-side position is rounded, or as badly known as the azimuth of the tool; (hx, hy) follows from the height of
-  // the tool, which near the edge of reach, not on it, tells little about it.
+  // The work-side position is rounded, or as badly known as the azimuth of the tool; (hx, hy) follows from the height
+  // of the tool, which near the edge of reach, not on it, tells little about it.
   constexpr double kFine = 0x1p-94;
   const RotaryPosition::Kind kind = arc.start.axis[w].kind;
   double error = kFine + arc.target.tool->refined_error();

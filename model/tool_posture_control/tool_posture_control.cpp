@@ -119,10 +119,11 @@ PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBloc
   if (block.leaned_toward) pass_leaned(arc, *block.leaned_toward, at.view.work_axis(), work_axis);
   const Found found{frame, block, std::move(at.view), std::move(arc), std::move(work_axis), std::move(solutions)};
   const bool of_positions = block.commanded.has_value();
-  if (const Pole* const pole = pole_along(Clause::fanuc_tool_posture_at_start, found, found.arc.from(), of_positions ? &block.start : nullptr))
+  if (const Pole* const pole = pole_along(Clause::fanuc_tool_posture_at_start, found, found.arc.from(),
+                                          of_positions ? &block.start : nullptr))
     return from_pole(found, *pole);
-  const Pole* const end_pole = pole_along(
-      Clause::fanuc_tool_posture_at_end, found, found.arc.to(), of_positions ? &*block.commanded : nullptr);
+  const Pole* const end_pole =
+      pole_along(Clause::fanuc_tool_posture_at_end, found, found.arc.to(), of_positions ? &*block.commanded : nullptr);
   const LiftStart start = lift_start(found);
   if (end_pole != nullptr) {
     require_reach_inside(found);

@@ -136,8 +136,8 @@ TEST(Adversarial, ChainsOfOneHundredThousandOperations) {
   EXPECT_EQ(live_nodes(), 0U);
 }
 
-// Zero, but with sixty independent roots: far beyond the work allowed. It must say so, in a tenth of a second, the second
-// time at once.
+// Zero, but with sixty independent roots: far beyond the work allowed. It must say so, in a tenth of a second, the
+// second time at once.
 TEST(Adversarial, AHopelessProofEndsUndecided) {
   Real a = 0;
   Real b = 0;
