@@ -438,7 +438,7 @@ TEST(FastPosture, SmallDirections) {
         Pose fine_start = start;
         fine_start.tool = fine_direction(m.kinematics.refine(from), 0x1p-98);
         for (std::size_t i = 0; i < 2; ++i) m.machine.set_rounded(fine_start, i, m.machine.count(start, i));
-        const PosturePlan fine = run(m, fine_start, fine_direction(m.kinematics.refine(to)));
+        const PosturePlan fine = run(m, fine_start, fine_direction(m.kinematics.refine(to), 0x1p-98));
         ASSERT_EQ(plan.outcome, fine.outcome) << from.unit.transpose() << " to " << to.unit.transpose();
         if (plan.outcome != Outcome::good) continue;
         ++blocks;
@@ -490,8 +490,8 @@ TEST(FastPosture, CommandedPositions) {
               m.machine.set_rounded(rounded_start, i, start.axis[i].count);
               m.machine.set_rounded(rounded_end, i, end.axis[i].count);
             }
-            rounded_start.tool = fine_direction(m.kinematics.refine(start.tool));
-            rounded_end.tool = fine_direction(m.kinematics.refine(end.tool));
+            rounded_start.tool = fine_direction(m.kinematics.refine(start.tool), 0x1p-98);
+            rounded_end.tool = fine_direction(m.kinematics.refine(end.tool), 0x1p-98);
             rounded_start.relative = rounded_end.relative = false;
             const PosturePlan fine = run(m, rounded_start, rounded_end);
             const std::string which = std::string(a) + "," + b + " to " + c + "," + d;
