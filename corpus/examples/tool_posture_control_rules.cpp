@@ -103,6 +103,14 @@ constexpr Example kRules[] = {
     {"Toward an end at 45 degrees with 19738 = 44: not near.", HC(NEAR("44", "10", "1"), ""),
      ARC("I3 J1 K1", "I1 J0 K1")},
 
+    {"Leant by Q1 from Z toward (3,4), then to -Y: changed to B -90 at C 53.13, the tool at (-3,-4)/5; a movement "
+     "exactly "
+     "along it makes no vector.",
+     HC(NEAR("10", "90", "0"), "[offsets.D]\n1 = 1\n"),
+     "G90 G43.5 H0 P1 Q1\nG01 X3. Y4. K1 F100\nJ-1\nG42.6 D1 X0 Y0\n"},
+    {"The same helix twice, which the tool leans toward by Q5 at its end: it stands in the second one.", HC("", ""),
+     "G91 G43.5 H0 P1 Q5 I1 J2 K5\nG03 X-48. Y-24. Z-20. R-30. F100\nX-48. Y-24. Z-20. R-30.\n", 2},
+
     {"An arc of XY about (0,10) with P1, the tool from X to Y: in the middle at azimuth 45.",
      HC("", "[offsets.H]\n1 = 10\n"), "G90 G17 G43.5 H1 P1 I1 J0 K0\nG03 X10. Y10. R10. I0 J1 K0 F100\n", 2},
     {"G00 goes the same way as G01.", HC("", ""), "G90 G43.5 H0 P1 I1 J0 K2\nG00 X10. I0 J1 K2\n", 2},

@@ -28,7 +28,7 @@ DoubleDouble dot(const FineVector& a, const FineVector& b) { return a[0] * b[0] 
 
 }  // namespace
 
-Direction fine_direction(const FineVector& vector) {
+Direction fine_direction(const FineVector& vector, double error) {
   Direction direction;
   direction.is_whole = false;
   direction.is_fine = true;
@@ -39,7 +39,8 @@ Direction fine_direction(const FineVector& vector) {
     direction.unit[static_cast<Eigen::Index>(i)] = direction.fine[i].hi;
     if (direction.fine[i].hi == 0) direction.zero = static_cast<std::uint8_t>(direction.zero | 1U << i);
   }
-  direction.error = 0x1p-53;
+  direction.fine_error = error + 0x1p-98;
+  direction.error = 0x1p-53 + direction.fine_error;
   return direction;
 }
 
@@ -66,7 +67,10 @@ bool lean(const Kinematics& kinematics, const Direction& direction, const FineVe
   if (fault(Fault::tip_lean_backwards)) q.sine = -q.sine;
   FineVector turned;
   for (std::size_t i = 0; i < 3; ++i) turned[i] = v[i] * q.cosine + across[i] * (q.sine / width);
-  leaned = fine_direction(turned);
+  // An error of V turns the unit vector across by up to 2 |travel| / |across| of it, and so do roundings.
+  constexpr double kFine = 0x1p-96;
+  const double error = direction.refined_error();
+  leaned = fine_direction(turned, error + kFine + std::abs(q.sine.hi) * 2 * (error + kFine) * (length.hi / width.hi));
   return true;
 }
 

@@ -23,6 +23,8 @@ struct Direction {
 
   Eigen::Vector3d unit{0, 0, 1};
   double error = 0;  // |unit[i] - exact[i]| <= error
+  // Not where is_whole: how long the vector from the truth to Kinematics::refine() may be.
+  double fine_error = 0;
   // The exact direction is parallel to whole() (I J K words, or axes at multiples of 90 degrees). Otherwise it is
   // `fine` (leaned by Q, or the end of a block changed at a singular posture), or that of the kinematics at `angle`.
   bool is_whole = true;
@@ -33,7 +35,11 @@ struct Direction {
   std::array<std::int64_t, 3> small{0, 0, 1};
   std::array<Int128, 3> wide{};
   std::array<Count, 2> angle;  // of the inner and the outer rotary axis, degrees
-  FineVector fine{};           // unit, within 2^-90
+  FineVector fine{};           // unit
+
+  // As fine_error, of any direction.
+  [[nodiscard]] double refined_error() const { return is_whole ? kWholeError : fine_error; }
+  static constexpr double kWholeError = 0x1p-100;
 
   // Only where is_whole.
   [[nodiscard]] std::array<Int128, 3> whole() const {
@@ -60,6 +66,7 @@ struct Direction {
     small[2] = other.small[2];
     return *this;
   }
+  fine_error = other.fine_error;
   if (is_whole)
     wide = other.wide;
   else if (is_fine)
@@ -72,8 +79,9 @@ struct Direction {
 // The direction of a vector of whole numbers, not all zero, each below 2^122.
 Direction whole_direction(const std::array<Int128, 3>& whole);
 
-// The direction of a vector in double-double, not zero.
-Direction fine_direction(const FineVector& vector);
+// The direction of a vector in double-double, not zero; `error`: how long the vector from the truth to it may be, over
+// its length.
+Direction fine_direction(const FineVector& vector, double error);
 
 class Kinematics;
 // The direction leaned by `degrees` toward the travel (programming coordinate system), as Q commands. False where Q has

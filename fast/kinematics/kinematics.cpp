@@ -176,8 +176,9 @@ void Kinematics::from_axis_groups(const spec::Setup& setup) {
   expand(tilted(angle_parameter(setup, 19622), angle_parameter(setup, 19623), 2));
 }
 
-void Kinematics::set_frame(const std::array<FineVector, 3>& rows) {
+void Kinematics::set_frame(const std::array<FineVector, 3>& rows, double fine_error) {
   frame_ = Frame{};
+  frame_.fine_error = fine_error;
   refined_.valid = false;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
@@ -267,6 +268,7 @@ void Kinematics::direct(const std::array<Count, spec::kMaxAxes>& position, Direc
   const std::array<double, 3>& inner = trigonometry_[0];
   const std::array<double, 3>& outer = trigonometry_[1];
   direction.error = error_;
+  direction.fine_error = fine_error_;
   direction.is_fine = false;
   direction.framed = false;
   direction.is_whole = false;

@@ -43,11 +43,10 @@ class Kinematics {
   void set_zeros(const std::array<Count, spec::kMaxAxes>& zero);
   // Sets `direction` for the axis positions (degrees, by axis index of the setup).
   void direct(const std::array<Count, spec::kMaxAxes>& position, Direction& direction);
-  // The unit vector in double-double, each component within fine_error().
+  // The unit vector in double-double, each component within direction.refined_error().
   [[nodiscard]] const FineVector& refine(const Direction& direction) const;
   // The same seen from the table at its zero pose, whatever the frame.
   [[nodiscard]] FineVector refine_on_table(const Direction& direction) const;
-  [[nodiscard]] double fine_error() const { return fine_error_; }
 
   // The rotary axes in the order in which they turn the direction, and the direction with both at 0.
   [[nodiscard]] const RotaryAxis& inner() const { return inner_; }
@@ -71,10 +70,11 @@ class Kinematics {
   struct Frame {
     bool turned = false;                           // not the identity
     bool along_axes = true;                        // every entry is 0 or +-1
+    double fine_error = 0;                         // of an entry of `fine`
     std::array<std::array<double, 3>, 3> rough{};  // rows
     std::array<FineVector, 3> fine{};              // rows
   };
-  void set_frame(const std::array<FineVector, 3>& rows);
+  void set_frame(const std::array<FineVector, 3>& rows, double fine_error);
   void clear_frame() {
     frame_ = Frame{};
     refined_.valid = false;

@@ -133,6 +133,7 @@ void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint1
   // The angles of the direction are these positions, or their opposites.
   const SineCosine<double> inner = kinematics_.turned(0);
   const SineCosine<double> outer = kinematics_.turned(1);
+  if (rounded_axes != 0) pose.tool.fine_error += 4 * RotaryPosition::kRounded;
   pose.axis[tool_side_].turn = {inner.sine * axis_[tool_side_].sense, inner.cosine};
   pose.axis[work_side()].turn = {outer.sine * axis_[work_side()].sense, outer.cosine};
   set_branch(pose);
@@ -166,6 +167,7 @@ void Machine::pose(const std::array<Count, spec::kMaxAxes>& position, std::uint1
   const Vector3<double> v = in_frame({direction.unit[0], direction.unit[1], direction.unit[2]});
   direction.unit = {v.x, v.y, v.z};
   direction.error = 3 * direction.error + 6 * 0x1p-53;
+  direction.fine_error = 3 * (direction.refined_error() + frame.fine_error);
   direction.zero = 0;
   direction.is_whole = false;
   direction.framed = true;
@@ -240,7 +242,9 @@ void Machine::freeze(Pose& pose) {
       if (type_ == 12) column = turn(0, column, frozen_fine_[0]);
       for (std::size_t i = 0; i < 3; ++i) rows[i][j] = column[i];
     }
-    kinematics_.set_frame(rows);
+    const bool exact =
+        pose.axis[0].kind == RotaryPosition::Kind::exact && pose.axis[1].kind == RotaryPosition::Kind::exact;
+    kinematics_.set_frame(rows, exact ? 0x1p-96 : 4 * RotaryPosition::kRounded);
   }
   // The pose again, in the new system.
   std::array<Count, spec::kMaxAxes> position;

@@ -16,9 +16,10 @@ namespace toolcomp::fast {
 struct RotaryPosition {
   enum class Kind : std::uint8_t {
     exact,    // `count`: commanded, or the fixed angle of a hypothetical axis
-    rounded,  // `count`: computed, within 2^-63 rad of the truth
+    rounded,  // `count`: computed, within kRounded rad of the truth
     inverse,  // of the pose's direction and branch; Machine::count makes the count when it is asked for
   };
+  static constexpr double kRounded = 0x1p-63;
   double degrees = 0;
   SineCosine<double> turn{0, 1};  // sine and cosine of degrees
   Kind kind = Kind::exact;

@@ -31,9 +31,8 @@ FineVector fine(const std::array<Int128, 3>& v) {
 bool is_exact(const Displacement& m, const Direction& v) { return v.is_whole && m.slack == 0; }
 
 // How far M.V or a component of M x V in double-double may be from the truth.
-double fine_bound(const Kinematics& kinematics, const Displacement& m, const Direction& v) {
-  const double direction = v.is_whole ? 0x1p-100 : kinematics.fine_error();
-  return 3 * direction * m.value.norm() + 4 * m.slack;
+double fine_bound(const Displacement& m, const Direction& v) {
+  return 3 * v.refined_error() * m.value.norm() + 4 * m.slack;
 }
 
 // How far the square of d or |c| in doubles may be from the truth, over |m|^2 (compensation_vector.h, level 1).
@@ -77,7 +76,7 @@ int CompensationVector::dot_sign(const Kinematics& kinematics, const Displacemen
   if (drop_fine_level()) return d > 0 ? 1 : -1;
   if (is_exact(m, v)) return dot(wide(m.whole()), wide(v.whole())).sign();
   const double refined = dot(fine(m.whole()), kinematics.refine(v)).hi;
-  if (std::abs(refined) <= fine_bound(kinematics, m, v)) return 0;
+  if (std::abs(refined) <= fine_bound(m, v)) return 0;
   return refined > 0 ? 1 : -1;
 }
 
@@ -117,7 +116,7 @@ int CompensationVector::compare(const Kinematics& kinematics, const Displacement
     squared = dot(c, c);
   }
   const double refined = (squared - limit.fine * dot(movement, movement)).hi;
-  const double error = 2 * fine_bound(kinematics, m, v);
+  const double error = 2 * fine_bound(m, v);
   const double refined_bound = error * (2 * std::sqrt(left) + error) + 0x1p-98 * limit.value * square;
   if (std::abs(refined) <= refined_bound) return 0;
   return refined > 0 ? 1 : -1;

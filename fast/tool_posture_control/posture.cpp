@@ -433,7 +433,17 @@ bool ToolPostureControl::change_end(const FineArc& arc, int pole, PosturePlan& p
   const DoubleDouble hx = arc.roots.hx;
   const Vector3<DoubleDouble> seen{hx * turn.cosine - hy * sine, hx * sine + hy * turn.cosine, arc.e.z};
   const Vector3<DoubleDouble> on_table = seen_back(polar.fine_constants(), seen);
-  Machine::set_direction(fine_direction(machine_.fine_in_frame(on_table)), seen, changed);
+  // The work-side position is rounded, or as badly known as the azimuth of the tool; (hx, hy) follows from the height
+  // of the tool, which near the edge of reach, not on it, tells little about it.
+  constexpr double kFine = 0x1p-94;
+  const RotaryPosition::Kind kind = arc.start.axis[w].kind;
+  double error = kFine + arc.target.tool->refined_error();
+  if (!polar.orthogonal() && arc.roots.sin_psi.hi > 0) error /= arc.roots.sin_psi.hi;
+  if (kind == RotaryPosition::Kind::rounded) error += RotaryPosition::kRounded;
+  if (kind == RotaryPosition::Kind::inverse)
+    error += (arc.start.tool.refined_error() + kFine) / std::hypot(arc.s.x.hi, arc.s.y.hi);
+  error += machine_.kinematics().frame().fine_error;
+  Machine::set_direction(fine_direction(machine_.fine_in_frame(on_table), error), seen, changed);
   machine_.set_branch(changed);
   plan.end = changed;
   plan.changed = true;

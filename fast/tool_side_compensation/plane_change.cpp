@@ -58,7 +58,7 @@ bool PlaneChangeLimit::reached(const Kinematics& kinematics, const Direction& fi
   const FineVector& b = kinematics.refine(second);
   DoubleDouble refined = -cosine_;
   for (std::size_t i = 0; i < 3; ++i) refined = refined + a[i] * b[i];
-  const double tie = 8 * kinematics.fine_error() + 0x1p-96;
+  const double tie = 4 * (first.refined_error() + second.refined_error()) + 0x1p-96;
   return refined.hi <= tie;
 }
 

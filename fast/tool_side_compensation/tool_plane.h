@@ -78,7 +78,7 @@ class ToolPlane {
     return {v[0], v[1], v[2]};
   }
   // How far a component of fine_unit() may be from the truth.
-  [[nodiscard]] double fine_error() const { return tool_.is_whole ? 0x1p-100 : kinematics_.fine_error(); }
+  [[nodiscard]] double fine_error() const { return tool_.refined_error(); }
 
  private:
   // The exact signs.

@@ -384,9 +384,14 @@ class Comparison {
     return 0;
   }
 
+  // What a compensation vector is, or ends an arc with, is the business of the section that makes it.
+  [[nodiscard]] bool has_vector() const {
+    return scale_.vector > 0 || scale_.start > policy::ulp(1) * policy::kNoVector || !scale_.heads.empty();
+  }
+
   // A number that is granted that much.
   void count(double granted_um) {
-    tally_.widths.add(granted_um);
+    tally_.widths.add(granted_um, scale_.pose.hardly || has_vector());
     if (granted_um > rules_.cap_um()) {
       ++tally_.wide;
     } else {

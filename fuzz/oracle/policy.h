@@ -210,6 +210,9 @@ inline constexpr double kEstimateNoise = 0x1p-44;
 // A step counts as one of whole increments where it is that but for this share of one.
 inline constexpr double kWholeStep = 1e-6;
 
+// Radians: directions nearer to one another than this, or to opposite ones, span a plane that doubles hardly know.
+inline constexpr double kHardly = 1e-7;
+
 // Below this sine two paths count as parallel in an estimate: no finite vector of a control's range lies where they
 // cross.
 inline constexpr double kParallel = 0x1p-46;

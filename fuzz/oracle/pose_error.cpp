@@ -66,24 +66,23 @@ Space PoseErrors::travel(const model::Event& event, const Space& point) const {
 }
 
 // How much more than e a direction is off that was leant by a Q word towards the travel: the plane of the two is as
-// good as their angle is large.
-double PoseErrors::leant(const Space& direction, const Space& travel, const model::Event& event) const {
+// good as the angle between them was large before.
+PoseErrors::Lean PoseErrors::leant(const Space& direction, const Space& travel, const model::Event& event) const {
   const double lean = facts_ == nullptr ? 0 : facts_->lean(event.line);
   // Along the travel nothing leans.
-  if (!event.clauses.empty() && !event.clauses.contains(spec::Clause::fanuc_tool_center_point_lean)) return 1;
-  const Space normal = product(direction, travel);
-  const double size = norm(normal);
-  if (lean == 0 || !(norm(travel) > 0)) return 1;
-  if (!(size > 0)) return 1 / policy::kSlack;
-  double worst = 1;
-  // The lean may have carried the direction past the travel.
-  for (const double sign : {1.0, -1.0}) {
-    const Space about{sign * normal[0] / size, sign * normal[1] / size, sign * normal[2] / size};
-    const Space upright = rotated(direction, about, -lean);
-    const double sine = std::max(norm(product(upright, travel)) / norm(travel), policy::kSlack);
-    worst = std::max(worst, 1 + std::fabs(std::sin(lean / kDegreesPerRadian)) / sine);
+  if (!event.clauses.empty() && !event.clauses.contains(spec::Clause::fanuc_tool_center_point_lean)) return {};
+  if (lean == 0 || !(norm(travel) > 0)) return {};
+  const double by = lean / kDegreesPerRadian;
+  const double angle = std::atan2(norm(product(direction, travel)), scalar(direction, travel));
+  Lean result;
+  // What leant was at an angle to the travel between 0 and a half turn; the lean may have carried it past the travel.
+  for (const double beside : {angle, -angle}) {
+    const double sine = std::sin(beside + by);
+    if (sine <= -policy::kSlack) continue;
+    result.factor = std::max(result.factor, 1 + std::fabs(std::sin(by)) / std::max(sine, policy::kSlack));
+    result.hardly = result.hardly || sine < policy::kHardly;
   }
-  return worst;
+  return result;
 }
 
 PoseErrors::End PoseErrors::end(const model::Event& event) const {
@@ -92,26 +91,33 @@ PoseErrors::End PoseErrors::end(const model::Event& event) const {
     for (std::size_t i = 0; i < 3; ++i) end.direction.at(i) = approximate((*event.tool_axis)[i]);
   end.point = space_of(event.point, index_);
   // A move inserted at a corner goes with the tool of the block that ends there.
-  end.error = event.cause == spec::Cause::corner
-                  ? std::max(before_.error, policy::ulp(1))
-                  : policy::ulp(1) * leant(end.direction, travel(event, end.point), event);
+  if (event.cause == spec::Cause::corner) {
+    end.error = std::max(before_.error, policy::ulp(1));
+    end.hardly = before_.hardly;
+    return end;
+  }
+  const Lean lean = leant(end.direction, travel(event, end.point), event);
+  end.error = policy::ulp(1) * lean.factor;
+  end.hardly = lean.hardly;
   return end;
 }
 
 // On a great circle errors of the ends weigh sin((1-t)A)/sin A and sin(tA)/sin A, together 1/cos(A/2) = 2/|V + W| at
 // most. Under conventional control the direction is that of the positions.
-double PoseErrors::inside(std::span<const model::Event> window) const {
+void PoseErrors::inside(std::span<const model::Event> window, PoseScale& scale) const {
   const model::Event& event = window.front();
   End to = before_;
   const auto next = std::ranges::find_if(window, moves);
   if (next != window.end()) to = end(*next);
-  const double ends = std::max({before_.error, to.error, policy::ulp(1)});
-  if (machine_ && !event.clauses.contains(spec::Clause::fanuc_tool_posture_great_circle)) return ends;
+  scale.direction = std::max({before_.error, to.error, policy::ulp(1)});
+  scale.hardly = before_.hardly || to.hardly;
+  if (machine_ && !event.clauses.contains(spec::Clause::fanuc_tool_posture_great_circle)) return;
   // Unit vectors, or zero where no event before said one. Exactly opposite ones have no great circle.
   const bool known = scalar(before_.direction, before_.direction) > 0 && scalar(to.direction, to.direction) > 0;
   const double bisector = known ? norm(sum(before_.direction, to.direction)) : 2;
-  if (bisector < policy::kEstimateNoise) return ends;
-  return ends * 2 / std::max(bisector, policy::kSlack);
+  if (bisector < policy::kEstimateNoise) return;
+  scale.direction *= 2 / std::max(bisector, policy::kSlack);
+  scale.hardly = scale.hardly || bisector < policy::kHardly;
 }
 
 void PoseErrors::rotary(std::span<const model::Event> window, PoseScale& scale) const {
@@ -137,7 +143,7 @@ PoseScale PoseErrors::next(std::span<const model::Event> window) {
   const model::Event& event = window.front();
   PoseScale scale;
   if (event.kind == spec::EventKind::sample) {
-    scale.direction = inside(window);
+    inside(window, scale);
     rotary(window, scale);
     return scale;
   }
@@ -146,6 +152,7 @@ PoseScale PoseErrors::next(std::span<const model::Event> window) {
   before_ = end(event);
   axes_before_ = event.axes;
   scale.direction = before_.error;
+  scale.hardly = before_.hardly;
   if (event.tool_axis && !event.machine.empty() && event.cause != spec::Cause::reference) rotary(window, scale);
   return scale;
 }

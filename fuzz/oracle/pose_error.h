@@ -19,6 +19,7 @@ struct PoseScale {
   double direction = 0;                         // of a component of the tool axis, beyond an ulp of 1
   std::array<double, spec::kMaxAxes> rotary{};  // degrees, beyond an ulp of the value
   double tip = 0;                               // of every X Y Z
+  bool hardly = false;                          // the direction has a plane that doubles hardly know (policy::kHardly)
 };
 
 // The angles of the tool-side and the work-side axis: positions of events plus the machine positions of their zeros, as
@@ -58,11 +59,17 @@ class PoseErrors {
     Space direction{};  // as the event says it
     Space point{};
     double error = 0;  // of the direction
+    bool hardly = false;
+  };
+  // What a direction carries beyond an ulp of 1, as a factor.
+  struct Lean {
+    double factor = 1;
+    bool hardly = false;
   };
 
   [[nodiscard]] End end(const model::Event& event) const;
-  [[nodiscard]] double inside(std::span<const model::Event> window) const;
-  [[nodiscard]] double leant(const Space& direction, const Space& travel, const model::Event& event) const;
+  void inside(std::span<const model::Event> window, PoseScale& scale) const;
+  [[nodiscard]] Lean leant(const Space& direction, const Space& travel, const model::Event& event) const;
   [[nodiscard]] Space travel(const model::Event& event, const Space& point) const;
   void rotary(std::span<const model::Event> window, PoseScale& scale) const;
 

@@ -5,11 +5,12 @@
 
 namespace toolcomp::fuzz {
 
-void Widths::add(double um) {
+void Widths::add(double um, bool known) {
   constexpr double nanometre = 1.0 / 1000;
   ++count_;
   if (um > nanometre) ++above_nm_;
   if (um > 1) ++above_um_;
+  if (um > 1 && !known) ++unexpected_;
   largest_ = std::fmax(largest_, um);
   int exponent = kLowest;
   if (um > 0) std::frexp(std::fmin(um, 0x1p200), &exponent);
@@ -22,6 +23,7 @@ void Widths::add(const Widths& more) {
   count_ += more.count_;
   above_nm_ += more.above_nm_;
   above_um_ += more.above_um_;
+  unexpected_ += more.unexpected_;
   largest_ = std::fmax(largest_, more.largest_);
 }
 

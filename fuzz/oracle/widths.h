@@ -10,7 +10,8 @@ namespace toolcomp::fuzz {
 // In micrometres; an angle, or a component of a unit vector, counts as what it moves at the end of one metre.
 class Widths {
  public:
-  void add(double um);
+  // `known`: in a situation in which doubles hardly know the value (README, widths).
+  void add(double um, bool known = false);
   void add(const Widths& more);
 
   [[nodiscard]] std::uint64_t count() const { return count_; }
@@ -18,6 +19,8 @@ class Widths {
   // Share of the values that were granted more than a nanometre, and more than a micrometre.
   [[nodiscard]] double share_above_nm() const { return share(above_nm_); }
   [[nodiscard]] double share_above_um() const { return share(above_um_); }
+  // Values granted more than a micrometre elsewhere than in a known situation.
+  [[nodiscard]] std::uint64_t unexpected() const { return unexpected_; }
   // A width that at least this share of the values stay below, rounded up to a power of two; 0 <= share <= 1.
   [[nodiscard]] double quantile(double share) const;
 
@@ -32,6 +35,7 @@ class Widths {
   std::uint64_t count_ = 0;
   std::uint64_t above_nm_ = 0;
   std::uint64_t above_um_ = 0;
+  std::uint64_t unexpected_ = 0;
   double largest_ = 0;
 };
 

@@ -1,6 +1,7 @@
 // Construction of values: everything that can be folded to a rational or to a smaller expression is folded here.
 #include "model/exact/real.h"
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -31,6 +32,51 @@ bool is_algebraic(Kind kind) {
 }
 // A sum or product with a rational operand has it on the left.
 bool has_rational(const Node& node, Kind kind) { return node.kind == kind && node.left->is_rational(); }
+
+bool is_sum(const Node& node) { return node.kind == Kind::sum || node.kind == Kind::difference; }
+
+// What a sum is made of, by signs.
+struct Addends {
+  struct Addend {
+    Node* node = nullptr;  // null: taken out
+    bool negative = false;
+  };
+  std::array<Addend, 6> list{};  // of one sum of sums and one of others
+  std::size_t size = 0;
+
+  // `depth`: of the sums in it that are looked into.
+  void add(Node* node, bool negative, int depth) {
+    if (depth == 0 || !is_sum(*node)) {
+      list.at(size++) = {node, negative};
+      return;
+    }
+    add(node->left, negative, depth - 1);
+    add(node->right, negative != (node->kind == Kind::difference), depth - 1);
+  }
+};
+
+// x - y where both are sums with a number in common, which goes out: what is measured from an irrational position does
+// not hang on it.
+std::optional<Real> difference_of_sums(Node* x, int depth_of_x, Node* y, int depth_of_y) {
+  Addends a;
+  a.add(x, false, depth_of_x);
+  a.add(y, true, depth_of_y);
+  bool common = false;
+  for (std::size_t i = 0; i < a.size; ++i)
+    for (std::size_t j = i + 1; j < a.size && a.list.at(i).node != nullptr; ++j) {
+      if (a.list.at(i).node != a.list.at(j).node || a.list.at(i).negative == a.list.at(j).negative) continue;
+      a.list.at(i).node = a.list.at(j).node = nullptr;
+      common = true;
+    }
+  if (!common) return std::nullopt;
+  Real rest;
+  for (const Addends::Addend& addend : a.list) {
+    if (addend.node == nullptr) continue;
+    const Real value = Node::share(addend.node);
+    rest = addend.negative ? rest - value : rest + value;
+  }
+  return rest;
+}
 
 // A rational node whose value has just been computed.
 Real settle(Node* node) {
@@ -176,6 +222,8 @@ Real operator+(const Real& a, const Real& b) {
   if (y->is_rational()) std::swap(x, y);
   if (y->is_rational()) return fold(mpq_add, *x, *y);
   if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_add, *x, *y->left) + Node::share(y->right);
+  if (x->is_rational() && has_rational(*y, Kind::difference))
+    return fold(mpq_add, *x, *y->left) - Node::share(y->right);
   if (is_negation(*y)) return x == y->left ? Real() : operation(Kind::difference, x, y->left);
   if (is_negation(*x)) return x->left == y ? Real() : operation(Kind::difference, y, x->left);
   return operation(Kind::sum, x, y);
@@ -189,6 +237,14 @@ Real operator-(const Real& a, const Real& b) {
   if (is_zero(x)) return -b;
   if (y->is_rational()) return x->is_rational() ? fold(mpq_sub, *x, *y) : -b + a;
   if (is_negation(*y)) return a + Node::share(y->left);
+  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_sub, *x, *y->left) - Node::share(y->right);
+  if (x->is_rational() && has_rational(*y, Kind::difference))
+    return fold(mpq_sub, *x, *y->left) + Node::share(y->right);
+  if (is_sum(*x) && is_sum(*y)) {
+    if (auto rest = difference_of_sums(x, 1, y, 1)) return *std::move(rest);
+    if (auto rest = difference_of_sums(x, 1, y, 2)) return *std::move(rest);
+    if (auto rest = difference_of_sums(x, 2, y, 1)) return *std::move(rest);
+  }
   return operation(Kind::difference, x, y);
 }
 

@@ -9,13 +9,16 @@ bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zer
 
 Rational with_sign(Sign sign, int value) { return sign == Sign::negative ? -value : value; }
 
-// The angles of which sine and cosine, or their magnitudes, agree with small whole numbers; (x, y) is not (0, 0).
-std::optional<Rational> multiple_of_45(const Real& x, const Real& y) {
+// The angles of which sine and cosine, or their magnitudes, agree with small whole numbers; (x, y) is not (0, 0). One
+// that is not proven to be such an angle is as good as another.
+std::optional<Rational> multiple_of_45(const Real& x, const Real& y) try {
   const Sign of_x = x.sign();
   const Sign of_y = y.sign();
   if (of_y == Sign::zero) return Rational(of_x == Sign::negative ? 180 : 0);
   if (of_x == Sign::zero) return with_sign(of_y, 90);
   if ((of_x == of_y ? x - y : x + y).sign() == Sign::zero) return with_sign(of_y, of_x == Sign::positive ? 45 : 135);
+  return std::nullopt;
+} catch (const exact::Undecided&) {
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "model/engine.h"
+#include "model/exact/alike.h"
 #include "model/kinematics/angle.h"
 
 namespace toolcomp::model {
@@ -38,10 +39,8 @@ Vector GreatCircle::at(const Rational& t) const {
 }
 
 bool known_same(const Vector& a, const Vector& b) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Real difference = component(a, i) - component(b, i);
-    if (!difference.is_rational() || difference.sign() != Sign::zero) return false;
-  }
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!exact::alike(component(a, i), component(b, i))) return false;
   return true;
 }
 

@@ -56,11 +56,10 @@ const Pole* NearSingular::near(const GreatCircle& arc, const AxisPassed& work_ax
   return is_near ? pole : nullptr;
 }
 
-bool NearSingular::may_stand(const Angle& start, const Angle& end) const {
+bool NearSingular::may_stand(const Angle& turned) const {
   if (veto_ < 0) return false;
   if (veto_ >= 180) return true;
-  const Real cosine = start.cosine() * end.cosine() + start.sine() * end.sine();
-  return recorder_.decide(Clause::fanuc_tool_posture_veto, -cosine - veto_cosine_, 2) != Sign::negative;
+  return recorder_.decide(Clause::fanuc_tool_posture_veto, -turned.cosine() - veto_cosine_, 2) != Sign::negative;
 }
 
 }  // namespace toolcomp::model

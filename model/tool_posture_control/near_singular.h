@@ -29,9 +29,8 @@ class NearSingular {
   // The pole that an arc which meets none comes near to. Clauses: fanuc.tool-posture.nearer-singular, near.
   [[nodiscard]] const Pole* near(const GreatCircle& arc, const AxisPassed& work_axis,
                                  const std::vector<Pole>& poles) const;
-  // The work-side axis turns from `start` to `end` by so nearly 180 degrees that it may stand instead. Clause:
-  // fanuc.tool-posture.veto.
-  [[nodiscard]] bool may_stand(const Angle& start, const Angle& end) const;
+  // The work-side axis turns by so nearly 180 degrees that it may stand instead. Clause: fanuc.tool-posture.veto.
+  [[nodiscard]] bool may_stand(const Angle& turned) const;
 
  private:
   // The least distance d of an arc from a pole.

@@ -118,9 +118,12 @@ PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBloc
   AxisPassed work_axis = pass(arc, at.view.work_axis());
   if (block.leaned_toward) pass_leaned(arc, *block.leaned_toward, at.view.work_axis(), work_axis);
   const Found found{frame, block, std::move(at.view), std::move(arc), std::move(work_axis), std::move(solutions)};
-  if (const Pole* const pole = pole_along(Clause::fanuc_tool_posture_at_start, found, found.arc.from()))
+  const bool of_positions = block.commanded.has_value();
+  if (const Pole* const pole = pole_along(Clause::fanuc_tool_posture_at_start, found, found.arc.from(),
+                                          of_positions ? &block.start : nullptr))
     return from_pole(found, *pole);
-  const Pole* const end_pole = pole_along(Clause::fanuc_tool_posture_at_end, found, found.arc.to());
+  const Pole* const end_pole =
+      pole_along(Clause::fanuc_tool_posture_at_end, found, found.arc.to(), of_positions ? &*block.commanded : nullptr);
   const LiftStart start = lift_start(found);
   if (end_pole != nullptr) {
     require_reach_inside(found);
@@ -131,8 +134,17 @@ PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBloc
   return along(found, start, passed);
 }
 
-const Pole* ToolPostureControl::pole_along(Clause clause, const Found& found, const Direction& direction) const {
-  const Vector& axis = found.view.work_axis();
+const Pole* ToolPostureControl::pole_along(Clause clause, const Found& found, const Direction& direction,
+                                           const Pose* commanded) const {
+  if (commanded != nullptr) {
+    // Turning about the work-side axis changes nothing about that: what its position is need not be asked.
+    const Vector tilted = machine_.tilted(commanded->tool);
+    return pole_along(clause, machine_.work_side().line, {tilted, 1, tilted, true});
+  }
+  return pole_along(clause, found.view.work_axis(), direction);
+}
+
+const Pole* ToolPostureControl::pole_along(Clause clause, const Vector& axis, const Direction& direction) const {
   for (const Pole& pole : lift_.poles()) {
     if (recorder_.decide(clause, squared_norm(cross(axis, direction.vector)), direction.norm2) == Sign::positive)
       continue;
@@ -243,7 +255,7 @@ PosturePlan ToolPostureControl::along(const Found& found, const LiftStart& start
     plan.end = *commanded;
   }
   if (near_.looks(!commanded) && !behind) {
-    if (auto other = changed(found, start, plan.end)) return *std::move(other);
+    if (auto other = changed(found, start, way, plan.end)) return *std::move(other);
   }
   if (!commanded) choice_.require_inside(plan.end);
   std::optional<Crossing> crossing;
@@ -273,7 +285,7 @@ Direction ToolPostureControl::mirrored(const Found& found, const Pose& end) cons
   return {unit, 1, unit, true};
 }
 
-std::optional<PosturePlan> ToolPostureControl::changed(const Found& found, const LiftStart& start,
+std::optional<PosturePlan> ToolPostureControl::changed(const Found& found, const LiftStart& start, const Way& way,
                                                        const Pose& end) const {
   const Pole* const pole = near_.near(found.arc, found.work_axis, lift_.poles());
   if (pole == nullptr) return std::nullopt;
@@ -281,7 +293,10 @@ std::optional<PosturePlan> ToolPostureControl::changed(const Found& found, const
   PosturePlan plan;
   plan.start = start.pose;
   plan.end = {singular + (singular - end.tool), start.pose.work};
-  if (near_.may_stand(start.pose.work, end.work) && choice_.inside(plan.end)) {
+  // With orthogonal axes the work-side axis turns as the directions do, whose components are simpler than positions.
+  const bool by_directions = machine_.is_orthogonal() && way.side != 0;
+  const Angle turned = by_directions ? azimuth(machine_, way.from, way.to) : end.work - start.pose.work;
+  if (near_.may_stand(turned) && choice_.inside(plan.end)) {
     recorder_.reach(Clause::fanuc_tool_posture_changed);
     recorder_.reach(Clause::fanuc_tool_posture_passing);
     plan.changed = true;

@@ -73,7 +73,10 @@ class ToolPostureControl {
   };
   [[nodiscard]] static Ends ends(const SharedFrame& frame, const PostureBlock& block);
   [[nodiscard]] bool spans_plane(const Ends& ends) const;
-  [[nodiscard]] const Pole* pole_along(Clause clause, const Found& found, const Direction& direction) const;
+  // `commanded`: the pose of that direction, where poses are commanded (type 1).
+  [[nodiscard]] const Pole* pole_along(Clause clause, const Found& found, const Direction& direction,
+                                       const Pose* commanded) const;
+  [[nodiscard]] const Pole* pole_along(Clause clause, const Vector& axis, const Direction& direction) const;
   // The pole that the arc goes through inside, and on which side it passes the work-side axis else.
   struct Passing {
     const Pole* crossed = nullptr;
@@ -88,7 +91,8 @@ class ToolPostureControl {
   // The direction of a changed end.
   [[nodiscard]] Direction mirrored(const Found& found, const Pose& end) const;
   // An end changed so that the block passes the singular posture that it comes near to; nothing where it stays.
-  [[nodiscard]] std::optional<PosturePlan> changed(const Found& found, const LiftStart& start, const Pose& end) const;
+  [[nodiscard]] std::optional<PosturePlan> changed(const Found& found, const LiftStart& start, const Way& way,
+                                                   const Pose& end) const;
   [[nodiscard]] PosturePlan give_way(const Found& found, const Pose& end) const;
   [[nodiscard]] Solution pair(const SharedFrame& frame, const PostureBlock& block) const;
   [[nodiscard]] LiftStart lift_start(const Found& found) const;

@@ -9,7 +9,8 @@ LineCorner::LineCorner(Recorder& recorder, const CompensationPlane& plane, const
       plane_(plane),
       former_(former),
       latter_(latter),
-      turn_(dot(former.left, latter.travel)),
+      // W1 · U2, of travels that are often rational.
+      turn_(dot(plane.tool().vector, cross(former.travel, latter.travel))),
       ahead_(dot(former.left, latter.left)) {}
 
 Real LineCorner::scale_of_turn() const {

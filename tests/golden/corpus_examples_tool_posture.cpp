@@ -257,6 +257,13 @@ TEST(ToolPostureVectors, Rules) {
         "3 t=1/3 B=11.7547965609182 C=0", "3 t=2/3 B=-21.4904068781636 C=0", "3 programmed B=-" + slope + " C=0"}},
       {"The same with 19739 = 44.999", {"1 programmed", "2 programmed B=45", "3 PS5421"}},
       {"The same with 19739 = 45 and B", {"1 programmed", "2 programmed B=45", "3 PS5421"}},
+      {"Leant by Q1 from Z",
+       {"1 programmed", "2 pre-turn C=53.130102354156", "2 programmed B=1 C=53.130102354156",
+        "3 programmed B=-90 C=53.130102354156 i=-0.6 j=-0.8 k=0", "4 programmed B=-90 x=0 y=0"}},
+      // By hand: the centre is (-30, 0), the tangent at the end (24, -18, -20 / 4.0689 rad).
+      {"The same helix twice",
+       {"1 programmed C=63.434948822922", "2 t=1/2", "2 programmed C=51.168096837986 B=24.095369062470",
+        "3 t=1/2 C=51.168096837986 B=24.095369062470", "3 programmed C=51.168096837986 B=24.095369062470"}},
       {"The same with NPC = 0", {"1 programmed", "2 programmed B=45", "3 programmed C=135 B=" + slope}},
       {"The same with C kept", {"1 programmed", "2 programmed B=45", "3 PS5459"}},
       // acos of 1/sqrt 11, atan of 1/3

@@ -8,6 +8,7 @@
 
 #include "certify/selection.h"
 #include "corpus/golden.h"
+#include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/trial.h"
 #include "tests/sanitized.h"
@@ -43,8 +44,43 @@ TEST_P(WidthsOf, AreNarrow) {
                           100 * widths.share_above_nm(), 100 * widths.share_above_um())
                   .c_str());
   // The cases that reach something new come first, and they go where it is steep.
+  // Where rotary axes follow directions nothing is wide but in the situations that the README lists.
+  if (section == "fanuc/tool-center-point-control" || section == "fanuc/tool-posture-control") {
+    EXPECT_EQ(widths.unexpected(), 0U);
+  }
   if (test::kSanitized) return;
   EXPECT_LT(widths.share_above_um(), 1e-3);
+}
+
+Widths widths_of(const std::string& case_text) {
+  const Trial trial = try_case(decode("fanuc/tool-posture-control", case_text));
+  EXPECT_FALSE(trial.found()) << case_text;
+  return trial.verdict.widths;
+}
+
+const std::string kHead = "a XYZBC\np 19680 2\np 19681 5\np 19682 3\np 19686 4\np 19687 2\nn 3\n%%\n";
+
+// Leant by 90 degrees into the travel itself, from across it: as good as any direction.
+TEST(Widths, LeantIntoTheTravel) { EXPECT_LT(widths_of(kHead + "G43.5 H0 Q90\nG01 X10 F100\n").largest(), 1e-3); }
+
+// The situations that the README lists, and the count of what is wide elsewhere.
+TEST(Widths, KnownSituations) {
+  for (const char* const program :
+       {"G43.5 P1 I1 J0 K0\nG01 X10 I-100000000 J1 K0 F100\nX20 K1\nX30 I1000000 J1 K0\nX40 I-1000000000 J-1001 K0\n",
+        "G43.5 P1 Q1 K1\nG01 X.001 Z900000 F100\nX10\n"}) {
+    const Widths widths = widths_of(kHead + program);
+    EXPECT_GT(widths.largest(), 1e-2) << program;
+    EXPECT_EQ(widths.unexpected(), 0U) << program;
+  }
+  Widths widths;
+  widths.add(2, true);
+  widths.add(0.5);
+  EXPECT_EQ(widths.unexpected(), 0U);
+  widths.add(2);
+  EXPECT_EQ(widths.unexpected(), 1U);
+  Widths sum;
+  sum.add(widths);
+  EXPECT_EQ(sum.unexpected(), 1U);
 }
 
 std::string test_name(const testing::TestParamInfo<std::string_view>& section) {

@@ -1,4 +1,5 @@
 // Real as a number: folding to rationals, errors, comparisons, copies, the pool.
+#include "model/exact/alike.h"
 #include "model/exact/real.h"
 
 #include <gtest/gtest.h>
@@ -73,6 +74,27 @@ TEST(Real, FoldsWhatIsTheSameNode) {
   EXPECT_EQ((x / x).rational(), 1);
   EXPECT_TRUE((sqrt(x * x) - x).is_rational());
   EXPECT_TRUE((sqrt(-x * -x) - x).sign() == Sign::zero);
+}
+
+// What positions have in common goes out of their difference.
+TEST(Real, FoldsWhatSumsHaveInCommon) {
+  const Real x = sin_degrees(1) * sqrt(Real(2)) + cos_degrees(1);
+  const Real y = sqrt(Real(3));
+  EXPECT_TRUE(((x + 5) - (x + 3)).is_rational());
+  EXPECT_EQ(((x + 5) - (x + 3)).rational(), 2);
+  EXPECT_TRUE(((x + 5) - (3 - -x)).is_rational());
+  EXPECT_TRUE(alike((x + 5) - ((x + 3) + y), 2 - y));
+  EXPECT_TRUE(alike(7 - (3 + y), 4 - y));
+  EXPECT_TRUE(alike(7 - (3 - y), 4 + y));
+}
+
+TEST(Real, AlikeIsEqual) {
+  const auto made = [](const Rational& r) { return arctangent_degrees(sqrt(Real(r)) / pi()) + sin_degrees(r); };
+  EXPECT_TRUE(alike(made(2), made(2)));
+  EXPECT_FALSE(alike(made(2), made(3)));
+  EXPECT_TRUE(alike(Real(), Real(0)));
+  EXPECT_FALSE(alike(Real(), made(2)));
+  EXPECT_FALSE(alike(sin_degrees(1), cos_degrees(1)));
 }
 
 TEST(Real, ConstantsAroundAnExpressionAreGathered) {

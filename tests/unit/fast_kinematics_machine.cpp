@@ -112,7 +112,7 @@ TEST(FastMachine, MixedMachinesJudgeTheTableFirst) {
   const Pose mixed = mbc.at("30", "170");
   // A direction out of rotary positions belongs to its own machine: refined where it was made.
   Pose end;
-  ASSERT_TRUE(mbc.machine.choose(fine_direction(mbc.kinematics.refine(mixed.tool)), mbc.at("30", "0"), end));
+  ASSERT_TRUE(mbc.machine.choose(fine_direction(mbc.kinematics.refine(mixed.tool), 0x1p-98), mbc.at("30", "0"), end));
   expect_pair(end, -30, -10);
   const std::string pri = parameter("19608#5", "1");
   TestMachine other(kMBC + pri);

@@ -127,7 +127,7 @@ TEST(FastPosture, Example4) {
 Direction polar(const std::string& angle, const std::string& azimuth) {
   const auto p = fine_sine_cosine(TestMachine::degrees(angle));
   const auto a = fine_sine_cosine(TestMachine::degrees(azimuth));
-  return fine_direction({p.sine * a.cosine, p.sine * a.sine, p.cosine});
+  return fine_direction({p.sine * a.cosine, p.sine * a.sine, p.cosine}, 0x1p-98);
 }
 
 TEST(FastPosture, Example5Unchanged) {
@@ -189,6 +189,28 @@ TEST(FastPosture, Example5Changed) {
   plan = run(ranged, ranged.at("0", "10"), polar("12", "176"));
   EXPECT_FALSE(plan.changed);
   expect_pair(plan.end, 176, 12);
+}
+
+// What a changed end is known to does not wear off from block to block: the work-side axis stands.
+TEST(FastPosture, ChangedEndsInAChain) {
+  TestMachine m(kHC + parameter(19738, 30) + parameter(19739, 5));
+  Pose pose = posed(m, TestMachine::direction(3, 1, 17), "0", "10");
+  for (int i = 0; i < 40; ++i) {
+    const int side = i % 2 == 0 ? -10 : 10;
+    const PosturePlan plan = run(m, pose, TestMachine::direction(3 * side, side + side / 10, 170));
+    ASSERT_TRUE(plan.changed) << i;
+    EXPECT_LT(plan.end.tool.fine_error, 0x1p-55) << i;
+    pose = plan.end;
+  }
+}
+
+// Exactly on the edge of reach the end is as well known as elsewhere: from near Z to X, B goes from 0 to -180.
+TEST(FastPosture, ChangedOnTheEdge) {
+  TestMachine m(kN45 + parameter(19738, 27) + parameter(19739, 90));
+  const PosturePlan plan =
+      run(m, posed(m, TestMachine::direction(0, 1, 10000), "90", "0"), TestMachine::direction(1, 0, 0));
+  ASSERT_TRUE(plan.changed);
+  EXPECT_LT(plan.end.tool.fine_error, 0x1p-55);
 }
 
 TEST(FastPosture, Example7) {
@@ -414,9 +436,9 @@ TEST(FastPosture, SmallDirections) {
       for (const Direction& to : directions) {
         PosturePlan plan = run(m, start, to);
         Pose fine_start = start;
-        fine_start.tool = fine_direction(m.kinematics.refine(from));
+        fine_start.tool = fine_direction(m.kinematics.refine(from), 0x1p-98);
         for (std::size_t i = 0; i < 2; ++i) m.machine.set_rounded(fine_start, i, m.machine.count(start, i));
-        const PosturePlan fine = run(m, fine_start, fine_direction(m.kinematics.refine(to)));
+        const PosturePlan fine = run(m, fine_start, fine_direction(m.kinematics.refine(to), 0x1p-98));
         ASSERT_EQ(plan.outcome, fine.outcome) << from.unit.transpose() << " to " << to.unit.transpose();
         if (plan.outcome != Outcome::good) continue;
         ++blocks;
@@ -468,8 +490,8 @@ TEST(FastPosture, CommandedPositions) {
               m.machine.set_rounded(rounded_start, i, start.axis[i].count);
               m.machine.set_rounded(rounded_end, i, end.axis[i].count);
             }
-            rounded_start.tool = fine_direction(m.kinematics.refine(start.tool));
-            rounded_end.tool = fine_direction(m.kinematics.refine(end.tool));
+            rounded_start.tool = fine_direction(m.kinematics.refine(start.tool), 0x1p-98);
+            rounded_end.tool = fine_direction(m.kinematics.refine(end.tool), 0x1p-98);
             rounded_start.relative = rounded_end.relative = false;
             const PosturePlan fine = run(m, rounded_start, rounded_end);
             const std::string which = std::string(a) + "," + b + " to " + c + "," + d;
