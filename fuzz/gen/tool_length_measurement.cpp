@@ -16,7 +16,7 @@ class LengthMeasurement {
     half_zone_ = choose.chance(80) ? choose.between(0, 8) * one : choose.between(0, 8 * one);
     slow_ = half_zone_ + (choose.chance(80) ? choose.between(1, 20) * one : choose.between(1, 3));
     if (choose.chance(3)) slow_ = half_zone_ - choose.between(0, 1);
-    set(6241, choose.between(1, 100) * 10, 0);
+    set(6241, choose.chance(97) ? choose.between(1, 100) * 10 : choose.between(-1, 0), 0);
     if (choose.chance(96)) set(6251, slow_, increment_decimals(c.setup));
     if (choose.chance(96)) set(6254, half_zone_, increment_decimals(c.setup));
     if (choose.chance(2)) c.setup.parameters.erase({6241, -1});
