@@ -397,7 +397,7 @@ StageEnd CutterCompensationC::still_block(CutterBlock& block) {
     const int still = still_ + (block.motion == CutterMotion::zero ? 2 : 1);
     still_ = static_cast<std::uint8_t>(still > limit ? limit : still);
   }
-  if (mode_ == Mode::waits_for_block && !(asked && still_ < limit))
+  if (mode_ == Mode::waits_for_block && (!asked || still_ >= limit))
     if (const StageEnd end = release()) return end;
   switch (mode_) {
     case Mode::off:

@@ -250,7 +250,7 @@ PlaneCounts Contour::arc_end(PlaneCounts start) {
 // are the same number whatever it is.
 Segment Contour::huge_arc(PlaneCounts along, std::int64_t length) {
   constexpr std::int64_t largest = 1'000'000'000;  // products of two are 64-bit numbers
-  const std::int64_t size = choose_.one_of<std::int64_t>({1'000, 1'000, 10'000, 10'000, 100'000});
+  const auto size = choose_.one_of<std::int64_t>({1'000, 1'000, 10'000, 10'000, 100'000});
   const std::int64_t radius = std::min(largest, choose_.between(size / 10 * 11, size * 10) * one_ / 10);
   const PlaneCounts half = parallel(along, std::max<std::int64_t>(1, length / 2));
   const bool clockwise = choose_.chance(50);

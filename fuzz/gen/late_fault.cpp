@@ -50,9 +50,8 @@ std::optional<Progress> run(const spec::Case& c) {
 }
 
 bool ends_the_program(const std::string& line) {
-  for (const std::string_view word : {"M30", "M02", "M2", "END PGM", "m30", "m2", "end pgm"})
-    if (line.find(word) != std::string::npos) return true;
-  return false;
+  constexpr std::string_view words[] = {"M30", "M02", "M2", "END PGM", "m30", "m2", "end pgm"};
+  return std::ranges::any_of(words, [&](std::string_view word) { return line.find(word) != std::string::npos; });
 }
 
 // The lines of a block: those of Klartext go on behind a tilde.

@@ -201,7 +201,7 @@ void RotaryAim::turn_axes() {
       return move_to(beside(tilt), work + around);
     }
     case 5: {  // half a turn, more, whole turns
-      const std::int64_t by = choose_.one_of<std::int64_t>({180, -180, 200, 360, -360, 720, 540});
+      const auto by = choose_.one_of<std::int64_t>({180, -180, 200, 360, -360, 720, 540});
       const std::int64_t aside = choose_.chance(70) ? 0 : choose_.between(-1, 1);
       return move_to(choose_.chance(50) ? tool : beside(choose_.between(1, 17) * 5 * one), work + by * one + aside);
     }
@@ -235,7 +235,7 @@ bool RotaryAim::at_45_degrees() {
   constexpr double angle = 45;
   const auto axis = whole_along(to_frame(machine_->work_line), 1);
   if (!axis || parameter(19738) != angle) return false;
-  const auto place = std::ranges::find_if(*axis, [](std::int64_t x) { return x != 0; });
+  const auto* const place = std::ranges::find_if(*axis, [](std::int64_t x) { return x != 0; });
   const auto along = static_cast<std::size_t>(place - axis->begin());
   if (along > 2) return false;
   const auto about = [&](std::int64_t a, std::int64_t b, std::int64_t c) {
@@ -393,7 +393,7 @@ void RotaryAim::turn_by_words() {
     case 7: {  // the same, the opposite, or one a unit beside
       if (!words_) return write_direction(direction_, true);
       SpaceCounts d = *words_;
-      const std::int64_t factor = choose_.one_of<std::int64_t>({1, 2, -1, -1, -2});
+      const auto factor = choose_.one_of<std::int64_t>({1, 2, -1, -1, -2});
       for (std::int64_t& x : d) x *= factor;
       if (choose_.chance(25)) d.at(choose_.below(3)) += choose_.one_of<std::int64_t>({-1, 1});
       if (d == SpaceCounts{}) d[2] = 1;

@@ -108,8 +108,8 @@ void distances(Choices& choose, Setup& setup, std::int64_t type) {
 void ranges(Choices& choose, Setup& setup) {
   for (const std::uint32_t upper : {19741U, 19743U}) {
     if (!choose.chance(10)) continue;
-    std::int64_t high = choose.one_of<std::int64_t>({360, 360, 180, 120, 90, 720});
-    std::int64_t low = choose.one_of<std::int64_t>({0, -180, -120, -90, -360, -360});
+    auto high = choose.one_of<std::int64_t>({360, 360, 180, 120, 90, 720});
+    auto low = choose.one_of<std::int64_t>({0, -180, -120, -90, -360, -360});
     if (choose.chance(3)) std::swap(high, low);
     const std::int64_t aside = choose.chance(80) ? 0 : choose.between(-kThousandths, kThousandths);
     set(setup, upper, degrees(high * kThousandths + aside));

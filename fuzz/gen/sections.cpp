@@ -43,9 +43,14 @@ constexpr int kMostDraws = 3;
 
 // Mostly a few blocks, which are quick to run and to read; some tens; seldom hundreds, as real programs have.
 std::uint32_t number_of_blocks(Choices& choose) {
-  constexpr std::int64_t sizes[][2] = {{4, 8}, {9, 40}, {40, 300}};
-  const auto& size = sizes[choose.weighted({188, 10, 2})];
-  return static_cast<std::uint32_t>(choose.between(size[0], size[1]));
+  switch (choose.weighted({188, 10, 2})) {
+    case 0:
+      return static_cast<std::uint32_t>(choose.between(4, 8));
+    case 1:
+      return static_cast<std::uint32_t>(choose.between(9, 40));
+    default:
+      return static_cast<std::uint32_t>(choose.between(40, 300));
+  }
 }
 
 }  // namespace

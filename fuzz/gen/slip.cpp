@@ -1,5 +1,6 @@
 // Programs with the slip of a pen: what a control meets when a program was typed or edited by hand.
 #include <string>
+#include <utility>
 
 #include "fuzz/gen/change_digit.h"
 #include "fuzz/gen/klartext_vocabulary.h"
@@ -49,15 +50,15 @@ void slip(Choices& choose, spec::Case& c) {
       block.erase(place);
       break;
     default: {  // into another block, at any place there; sometimes it stays as well
-      const std::string word = *place;
+      std::string word = *place;
       if (kind == kMoved) block.erase(place);
       std::string& other = text[choose.below(text.size())];
       if (&other == &line) {
-        block.insert(block.begin() + static_cast<std::ptrdiff_t>(choose.below(block.size() + 1)), word);
+        block.insert(block.begin() + static_cast<std::ptrdiff_t>(choose.below(block.size() + 1)), std::move(word));
         break;
       }
       WordTexts there = split(other);
-      there.insert(there.begin() + static_cast<std::ptrdiff_t>(choose.below(there.size() + 1)), word);
+      there.insert(there.begin() + static_cast<std::ptrdiff_t>(choose.below(there.size() + 1)), std::move(word));
       other = joined_words(there);
       break;
     }
