@@ -48,7 +48,8 @@ ProgramWriter& ProgramWriter::number(char address, std::int64_t counts) {
     return word(fmt::format("{}{}{}", address, sign, magnitude));
   std::string fraction = fmt::format("{:0{}}", magnitude % one_, decimals_);
   // Converted lengths of so many places are whole in no small unit of the setup.
-  if (linear && other_units_ && decimals_ <= 4 && choose_.chance(8)) fraction += fmt::format("{}", choose_.between(1, 99'999));
+  if (linear && other_units_ && decimals_ <= 4 && choose_.chance(8))
+    fraction += fmt::format("{}", choose_.between(1, 99'999));
   if (!choose_.chance(10)) fraction.erase(fraction.find_last_not_of('0') + 1);
   const bool no_point = magnitude % one_ == 0 && (address == 'F' || !counts_without_point_) && choose_.chance(50);
   if (no_point) return word(fmt::format("{}{}{}", address, sign, whole));
