@@ -1,5 +1,9 @@
 #include "fuzz/oracle/arc_fit.h"
 
+#include <cmath>
+
+#include "fuzz/oracle/number.h"
+
 namespace toolcomp::fuzz {
 namespace {
 
@@ -21,6 +25,20 @@ std::optional<Real> turned(const Ray& from, const Ray& to) {
 
 Real length(const Ray& ray) { return sqrt(square(ray.u) + square(ray.v)); }
 
+// Whether the arc runs from one to the other, to a millionth: behind a change of the workpiece system the head before
+// it is called otherwise.
+bool runs(const spec::Arc<Real>& arc, const Ray& start, const Ray& end) {
+  constexpr double share = 1e-6;
+  const auto size = [](const Ray& ray) { return std::hypot(approximate(ray.u), approximate(ray.v)); };
+  const double first = arc.radius ? approximate(arc.radius->first) : size(end);
+  if (!(std::fabs(size(start) - first) <= share * first)) return false;
+  if (!arc.sweep) return true;
+  constexpr double degrees = 57.29577951308232;  // in a radian
+  const auto angle = [](const Ray& ray) { return degrees * std::atan2(approximate(ray.v), approximate(ray.u)); };
+  const double swept = arc.direction == spec::ArcDirection::ccw ? angle(end) - angle(start) : angle(start) - angle(end);
+  return std::fabs(std::remainder(swept - approximate(*arc.sweep), 360)) <= share;
+}
+
 }  // namespace
 
 std::optional<spec::Arc<Real>> fitted(const spec::Arc<Real>& arc, const ArcEnd& start, const ArcEnd& end,
@@ -32,6 +50,7 @@ std::optional<spec::Arc<Real>> fitted(const spec::Arc<Real>& arc, const ArcEnd& 
                model::component(point, second) - arc.center[index.at(second)]};
   };
   spec::Arc<Real> own = arc;
+  if (!runs(arc, ray(start.head), ray(end.head))) return std::nullopt;
   const Ray own_start = ray(start.head + start.off);
   const Ray own_end = ray(end.head + end.off);
   if (arc.radius) own.radius = {length(own_start), length(own_end)};

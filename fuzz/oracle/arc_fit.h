@@ -17,7 +17,7 @@ struct ArcEnd {
 
 // The arc that runs between the controller's own heads about the same centre: sweep and radii are well conditioned
 // functions of these, however badly the heads are determined. Nothing where a head is off by a right angle, seen from
-// the centre. `index`: of X Y Z.
+// the centre, and where the arc does not start at that head: it may be called otherwise since then. `index`: of X Y Z.
 std::optional<spec::Arc<model::Real>> fitted(const spec::Arc<model::Real>& arc, const ArcEnd& start, const ArcEnd& end,
                                              const std::array<std::size_t, 3>& index);
 

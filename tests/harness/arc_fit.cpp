@@ -61,6 +61,14 @@ TEST(ArcFit, InEveryPlane) {
   expect(yz.with(at(0, 0, 10), at(0, 0, 0)), "45", "14.142135623731", "10");
 }
 
+// After a G92 the head before the arc has other coordinates than its start.
+TEST(ArcFit, NothingBehindAnotherStart) {
+  Quarter shifted(spec::Plane::xy, spec::ArcDirection::ccw, at(20, 0, 0), at(0, 10, 0));
+  EXPECT_FALSE(shifted.with(at(0, 0, 0), at(0, 0, 0)).has_value());
+  Quarter turned(spec::Plane::xy, spec::ArcDirection::ccw, at(-10, 0, 0), at(0, 10, 0));
+  EXPECT_FALSE(turned.with(at(0, 0, 0), at(0, 0, 0)).has_value());
+}
+
 TEST(ArcFit, NothingWhereAHeadIsOffByARightAngle) {
   const Quarter quarter(spec::Plane::xy, spec::ArcDirection::ccw, at(10, 0, 0), at(0, 10, 0));
   EXPECT_FALSE(quarter.with(at(-10, 10, 0), at(0, 0, 0)).has_value());
