@@ -55,7 +55,7 @@ void check(const std::string& parameters, std::size_t t, std::size_t w, const Cl
       const double unit = direction.unit[static_cast<Eigen::Index>(k)];
       // 1e-90: what MPFR itself rounds.
       ASSERT_LE(abs(exact[k] - Big(unit)).convert_to<double>(), direction.error + 1e-90) << parameters;
-      ASSERT_LE(abs(exact[k] - Big(fine[k].hi) - Big(fine[k].lo)).convert_to<double>(), kinematics.fine_error());
+      ASSERT_LE(abs(exact[k] - Big(fine[k].hi) - Big(fine[k].lo)).convert_to<double>(), direction.refined_error());
       if ((direction.zero >> k & 1U) != 0) {
         ASSERT_LE(abs(exact[k]).convert_to<double>(), 1e-90);
       }
