@@ -116,15 +116,19 @@ TEST(PoseErrors, OtherRotaryAxesRunEvenly) {
   EXPECT_EQ(s[2].rotary[5], 0);
 }
 
-// V leant by Q in the plane of V and the travel: the plane is off by e/sin of their angle.
+// V leant by Q toward the travel, in the plane of the two: the plane is off by e/sin of their angle before the lean.
 TEST(PoseErrors, OfALeanAlmostAlongTheTravel) {
   const spec::Setup setup = head();
-  // 0.001 degrees off the travel before the lean.
-  model::Event end = pose(setup, 5.001000001414, 0.000001732);
-  end.point.set(2, 50);
-  const auto s = scales(setup, {pose(setup, 10.000003141, 0), end}, "G43.5 H1 Q5.\n");
-  EXPECT_NEAR(s[1].direction / policy::ulp(1) / (std::sin(5 * kDegree) / std::sin(0.001 * kDegree)), 1, 1e-2);
-  EXPECT_NEAR(scales(setup, {pose(setup, 10.000003141, 0), end}, "G43.5 H1\n")[1].direction / policy::ulp(1), 1, 1e-9);
+  const auto leant = [&](double angle, const char* program) {
+    model::Event end = pose(setup, angle, 0);
+    end.point.set(2, 50);
+    return scales(setup, {pose(setup, 10, 0), end}, program)[1].direction / policy::ulp(1);
+  };
+  // 5 - 4.999 = 0.001 degrees off the travel before a lean that carried it past the travel.
+  EXPECT_NEAR(leant(4.999, "G43.5 H1 Q5.\n") / (std::sin(5 * kDegree) / std::sin(0.001 * kDegree)), 1, 1e-2);
+  // 10.001 before one that did not.
+  EXPECT_NEAR(leant(5.001, "G43.5 H1 Q5.\n"), 1 + std::sin(5 * kDegree) / std::sin(10.001 * kDegree), 1e-6);
+  EXPECT_NEAR(leant(4.999, "G43.5 H1\n"), 1, 1e-9);
 }
 
 // Without travel there is no lean, of an arc the tangent counts, of a helix with its pitch; Q of other blocks is
