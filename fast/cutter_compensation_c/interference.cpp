@@ -72,12 +72,12 @@ bool line_interferes(const PlanePath& path, const CornerGroup& start, const Corn
   const Vector2<double> way = travel(path);
   const double product = dot(way, way + w - v);
   const double size = extent(way);
+  if (fault(Fault::c_right_angle_interferes)) return product < 0x1p-7 * size * size;
   const double bound = 0x1p-46 * size * (size + extent(w) + extent(v));
   if (std::abs(product) > bound) [[likely]]
     return product < 0;
   const Vector2<DoubleDouble> fine_way = fine_travel(path);
   const DoubleDouble fine = dot(fine_way, fine_way + end.fine(0) - start.fine(start.size - 1U));
-  if (fault(Fault::c_right_angle_interferes)) return fine.hi <= 0x1p-42 * bound;
   return fine.hi < -0x1p-42 * bound;
 }
 

@@ -98,7 +98,7 @@ constexpr Row kCutterC[] = {
     {"c_offset_one_corner_late", "fanuc.cutter-c.value-at-a-corner fanuc.cutter.side", 2000},
     {"c_negative_offset_ignored", "fanuc.cutter.side"},
     {"c_small_movement_one_axis", "fanuc.cutter-c.small-corner-movement", 5000},
-    {"c_right_angle_interferes", "fanuc.cutter-c.interference-check fanuc.cutter-c.moving-block", 20'000},
+    {"c_right_angle_interferes", "fanuc.cutter-c.interference-check fanuc.cutter-c.moving-block", 2'000},
     {"c_negative_radius_unnoticed", "fanuc.cutter-c.interference-radius", 2000},
     {"c_sweep_unchecked", "fanuc.cutter-c.interference-sweep", 5000},
     {"c_arc_after_removal", "fanuc.cutter-c.interference-straightened fanuc.cutter-c.interference-radius", 5000},

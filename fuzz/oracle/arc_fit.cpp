@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fuzz/oracle/number.h"
+#include "fuzz/oracle/policy.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -28,15 +29,14 @@ Real length(const Ray& ray) { return sqrt(square(ray.u) + square(ray.v)); }
 // Whether the arc runs from one to the other, to a millionth: behind a change of the workpiece system the head before
 // it is called otherwise.
 bool runs(const spec::Arc<Real>& arc, const Ray& start, const Ray& end) {
-  constexpr double share = 1e-6;
   const auto size = [](const Ray& ray) { return std::hypot(approximate(ray.u), approximate(ray.v)); };
   const double first = arc.radius ? approximate(arc.radius->first) : size(end);
-  if (!(std::fabs(size(start) - first) <= share * first)) return false;
+  if (!(std::fabs(size(start) - first) <= policy::kSameStart * first)) return false;
   if (!arc.sweep) return true;
   constexpr double degrees = 57.29577951308232;  // in a radian
   const auto angle = [](const Ray& ray) { return degrees * std::atan2(approximate(ray.v), approximate(ray.u)); };
   const double swept = arc.direction == spec::ArcDirection::ccw ? angle(end) - angle(start) : angle(start) - angle(end);
-  return std::fabs(std::remainder(swept - approximate(*arc.sweep), 360)) <= share;
+  return std::fabs(std::remainder(swept - approximate(*arc.sweep), 360)) <= policy::kSameStart;
 }
 
 }  // namespace

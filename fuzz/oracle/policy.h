@@ -217,6 +217,9 @@ inline constexpr double kHardly = 1e-7;
 // cross.
 inline constexpr double kParallel = 0x1p-46;
 
+// Of a radius, and degrees: an arc that starts farther from the head before it starts elsewhere (arc_fit.h).
+inline constexpr double kSameStart = 1e-6;
+
 // A compensation vector below this share of the noise of its two ends is no vector.
 inline constexpr double kNoVector = 0x1p-16;
 

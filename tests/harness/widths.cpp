@@ -19,7 +19,7 @@ namespace {
 std::size_t generated_cases() {
   const char* const wanted = std::getenv("WIDTHS_CASES");
   if (wanted != nullptr) return std::strtoull(wanted, nullptr, 10);
-  return test::kSanitized ? 20 : 400;
+  return test::kSanitized ? 20 : 1000;
 }
 
 class WidthsOf : public testing::TestWithParam<std::string_view> {};

@@ -29,9 +29,10 @@ SOURCES = {
     "oracle": ["fuzz/oracle/*.cpp", "certify/judge.cpp", "certify/certificate.cpp", "certify/capabilities.cpp",
                "certify/event_fields.cpp", "certify/controller.cpp"],
 }
-ORACLE_TESTS = ["harness_comparator", "harness_conditions", "harness_near_ties", "harness_pose_errors",
-                "harness_space_events", "harness_streams", "harness_controller_misbehaviour", "harness_liars",
-                "unit_certify_capabilities", "unit_certify_finding", "unit_certify_report"]
+ORACLE_TESTS = ["harness_comparator", "harness_conditions", "harness_arc_fit", "harness_pose_errors", "harness_pose_fit",
+                "harness_near_ties", "harness_space_events", "unit_certify_capabilities", "unit_certify_finding",
+                "unit_certify_report", "harness_controller_misbehaviour", "harness_liars", "harness_widths",
+                "harness_seeded_faults", "harness_streams"]
 
 SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" == ", " != "), (" != ", " == "),
          (" && ", " || "), (" || ", " && "), (" + ", " - "), (" - ", " + "), (" * ", " / "), (" / ", " * "),
@@ -169,6 +170,15 @@ class Bench:
         status, out = run(["g++", *map(str, objects), *libraries, "-o", str(program)], 300, cwd=self.build)
         return "" if status == 0 else out
 
+    def link_test(self, test, objects, program):
+        """As the build links a test, its own objects too, with these before its libraries."""
+        command = subprocess.run(["ninja", "-C", self.build, "-t", "commands", test], check=True, capture_output=True,
+                                 text=True).stdout.splitlines()[-1]
+        words = [w for w in shlex.split(command) if w not in (":", "&&")]
+        at = words.index("-o")
+        status, out = run([*words[:at], *map(str, objects), "-o", str(program), *words[at + 2:]], 300, cwd=self.build)
+        return "" if status == 0 else out
+
     def certify(self, program, arguments):
         report = self.work / "report"
         command = [str(self.build / "toolcomp"), "certify", "--controller", str(program), "--report",
@@ -195,8 +205,11 @@ class Bench:
     def measure_baseline(self):
         """What comes of it without a change: what fails then tells nothing of a mutant."""
         if self.sources == "oracle":
-            built = [t for t in ORACLE_TESTS if (self.build / t).exists()]
-            self.baseline = [t for t in built if self.passes(self.build / t)]
+            # By the same way as with a mutant.
+            program = self.work / "test"
+            self.baseline = [t for t in ORACLE_TESTS
+                             if (self.build / t).exists() and not self.link_test(t, [], program) and
+                             self.passes(program)]
             print("tests:", *self.baseline, flush=True)
             print("not built, or failing without a mutant:", *sorted(set(ORACLE_TESTS) - set(self.baseline)), flush=True)
             if not self.baseline:
@@ -215,10 +228,8 @@ class Bench:
 
     def judge_oracle(self, target):
         for test in self.baseline:
-            folder, name = test.split("_", 1)
-            unit = self.build / f"tests/CMakeFiles/{test}.dir/{folder}/{name}.cpp.o"
             program = self.work / "test"
-            if self.link([unit, target], program, self.link_line(test)):
+            if self.link_test(test, [target], program):
                 return "does not compile", "link"
             passed = self.passes(program)
             if passed is None:
