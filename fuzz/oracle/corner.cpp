@@ -85,11 +85,7 @@ double Corners::error(std::span<const model::Event> window, const std::array<std
       if (heads == nullptr) worst = std::max(worst, error);
       if (heads == nullptr || error == 0) return;
       Head& head = heads->emplace_back();
-      for (const std::size_t i : {0U, 1U}) {
-        const HeadCondition& condition = i == 0 ? a : b;
-        head.bands.at(i) = {in_space(condition.normal, plane), condition.off(),
-                            condition.reach > 0 ? 1 / condition.reach : 0};
-      }
+      head.bands = {band_of(a, in_space(a.normal, plane)), band_of(b, in_space(b.normal, plane))};
       head.across.normal = in_space({0, 0}, plane);
       head.across.normal.at(normal_axis(plane)) = 1;
       head.reach = error;

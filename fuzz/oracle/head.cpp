@@ -36,6 +36,10 @@ std::array<std::optional<HeadCondition>, 2> head_conditions(const FlatPiece& pie
   return found;
 }
 
+HeadBand band_of(const HeadCondition& condition, const Space& normal) {
+  return {normal, condition.off(), condition.reach > 0 ? 1 / condition.reach : 0};
+}
+
 double crossing(const HeadCondition& a, const HeadCondition& b, double length) {
   const double size = a.size + b.size;
   // Directions of this weight are no better known here.

@@ -56,6 +56,8 @@ struct HeadBand {
   double width = 0;      // that a head may be off in it, less the policy's k
   double curvature = 0;  // of a circle: for each square of what it is off at all
 };
+// Of a condition; `normal`: its own in space.
+HeadBand band_of(const HeadCondition& condition, const Space& normal);
 struct Head {
   std::array<HeadBand, 2> bands;
   HeadBand across;   // of the plane in which they lie

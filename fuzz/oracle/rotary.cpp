@@ -32,7 +32,7 @@ Space coordinate(int code) {
   return e;
 }
 
-// Codes 4, 5, 6: inclined from X to Y, Y to Z, X to Z.
+// Codes 4, 5, 6: inclined from X to Y, Y to Z, Z to X.
 Space line(const spec::Setup& setup, std::uint32_t parameter, int otherwise) {
   const int code = static_cast<int>(number(setup, parameter, otherwise));
   if (code <= 3) return coordinate(code);

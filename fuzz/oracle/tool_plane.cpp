@@ -131,11 +131,7 @@ double ToolPlane::error(std::span<const model::Event> window, const std::array<s
       crossed = std::max(crossed, error);
       if (heads == nullptr || error == 0) continue;
       Head& head = heads->emplace_back();
-      for (const std::size_t i : {0U, 1U}) {
-        const HeadCondition& condition = i == 0 ? a : b;
-        head.bands.at(i) = {plane.space(condition.normal), condition.off(),
-                            condition.reach > 0 ? 1 / condition.reach : 0};
-      }
+      head.bands = {band_of(a, plane.space(a.normal)), band_of(b, plane.space(b.normal))};
       head.across.normal = tool;
       head.reach = error;
     }

@@ -63,6 +63,20 @@ constexpr spec::Cause kStart = spec::Cause::start_up;
 constexpr spec::Cause kOwn = spec::Cause::programmed;
 constexpr spec::Cause kCorner = spec::Cause::corner;
 
+// A circle is left by the square of what a head is off at all over its radius, a line by nothing of it.
+TEST(Conditions, OfALineAndOfACircle) {
+  HeadCondition condition;
+  condition.slide = 3;
+  condition.error = 4;
+  condition.weight = 2;
+  const HeadBand line = band_of(condition, {0, 1, 0});
+  EXPECT_EQ(line.width, 14);
+  EXPECT_EQ(line.curvature, 0);
+  EXPECT_EQ(line.normal, (Space{0, 1, 0}));
+  condition.reach = 8;
+  EXPECT_EQ(band_of(condition, {0, 1, 0}).curvature, 0.125);
+}
+
 // G41 d = 10 along X, then back at an angle θ to straight back: M = r(N1 + N2)/(1 + k), |M| = r·√(2/(1 + k)), and an
 // error of a direction turns into √(2/(1 + k)) of it, relative to |M|.
 TEST(Conditions, OfAnIntersectionNearAReversal) {
@@ -190,11 +204,13 @@ model::Event beside(spec::Cause cause, const Triple& programmed, const Triple& v
 TEST(Conditions, OfAPerpendicularVectorNearTheTool) {
   const Triple tool = {Real(0), Real(0), Real(1)};
   const Triple up = {Real(0), Real(10), Real(0)};
-  for (const int n : {0, 10, 1000, 100'000}) {
-    const Triple end = {Real(1), Real(0), Real(n)};
-    const auto list = scales({beside(kStart, end, up, tool)});
-    EXPECT_NEAR(list[0].condition, 1 + std::sqrt(1 + double(n) * n), 1e-6 * (n + 1));
-  }
+  const Triple prolonged = {Real(10), Real(10), Real(0)};  // by the radius, along the movement as the tool sees it
+  for (const int n : {0, 10, 1000, 100'000})
+    for (const Triple& vector : {up, prolonged}) {
+      const Triple end = {Real(1), Real(0), Real(n)};
+      const auto list = scales({beside(kStart, end, vector, tool)});
+      EXPECT_NEAR(list[0].condition, 1 + std::sqrt(1 + double(n) * n), 1e-6 * (n + 1));
+    }
 }
 
 // The corner of OfAnIntersectionNearAReversal, turned to the plane of the tool (3, 0, 4)/5: X becomes (4, 0, -3)/5.

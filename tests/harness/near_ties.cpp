@@ -132,6 +132,11 @@ TEST(NearTies, ACoarserControllerHasAWiderBand) {
   const std::vector<fast::Event> other = rounded(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
   EXPECT_EQ(judge(c, run, other).outcome, Outcome::differs);
   EXPECT_EQ(judge(c, run, other, {{}, "0.001"}).outcome, Outcome::agrees);
+  // A lean of 1e-2 it knows as well: what it moves is long.
+  const spec::Case clear = leaning("0.01");
+  const ModelRun sure = run_model(clear);
+  const std::vector<fast::Event> wrong = rounded(run_model(clear, opposite(sure, Clause::fanuc_leading_edge_sign)));
+  EXPECT_EQ(judge(clear, sure, wrong, {{}, "0.001"}).outcome, Outcome::differs);
   EXPECT_GT(policy::controller_band(0.001, 100), 1e-5);
   EXPECT_LT(policy::controller_band(0.001, 100), 1e-3);
 }

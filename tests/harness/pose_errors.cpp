@@ -116,6 +116,29 @@ TEST(PoseErrors, OtherRotaryAxesRunEvenly) {
   EXPECT_EQ(s[2].rotary[5], 0);
 }
 
+// Mechanical angles: the zeros of G54 until an event shows others, machine less programmed; under the other reading
+// none.
+TEST(PoseErrors, ZerosOfRotaryAxes) {
+  spec::Setup setup = head();
+  setup.workpiece.front()['B'] = spec::decimal(7);
+  setup.workpiece.front()['C'] = spec::decimal(30);
+  const auto machine = RotaryMachine::of(setup);
+  RotaryZeros zeros(setup, machine);
+  EXPECT_EQ(zeros.tool(), 7);
+  EXPECT_EQ(zeros.work(), 30);
+  model::Event event = pose(setup, 10, 20);
+  event.machine.set(3, real(15));
+  event.machine.set(4, real(-70));
+  zeros.follow(event);
+  EXPECT_EQ(zeros.tool(), 5);
+  EXPECT_EQ(zeros.work(), -90);
+  setup.rotary_angles = spec::RotaryAngles::programmed;
+  RotaryZeros none(setup, machine);
+  none.follow(event);
+  EXPECT_EQ(none.tool(), 0);
+  EXPECT_EQ(none.work(), 0);
+}
+
 // V leant by Q toward the travel, in the plane of the two: the plane is off by e/sin of their angle before the lean.
 TEST(PoseErrors, OfALeanAlmostAlongTheTravel) {
   const spec::Setup setup = head();

@@ -403,7 +403,28 @@ TEST(SpaceScales, AMitreNearAReversal) {
                                             beside(0, -16.0 / far, Real(0), Real(2))};
   Conditions conditions(setup);
   const double direction = policy::ulp(1) + policy::ulp(8) / 8;
-  EXPECT_NEAR(conditions.next(events).pose.tip / (far * direction * (1.0 + far)), 1, 1e-6);
+  const Scale scale = conditions.next(events);
+  EXPECT_NEAR(scale.pose.tip / (far * direction * (1.0 + far)), 1, 1e-6);
+  // So it is judged by both offset lines, which the errors of their own directions move at that distance.
+  ASSERT_EQ(scale.heads.size(), 1U);
+  for (const HeadBand& band : scale.heads[0].bands) {
+    EXPECT_NEAR(std::fabs(band.normal[1]), 1, 1e-6);
+    EXPECT_NEAR(band.width / (policy::ulp(8.0 + far) + far * direction), 1, 1e-6);
+  }
+  EXPECT_NEAR(scale.heads[0].across.width / (policy::ulp(8.0 + far) + far * policy::ulp(1)), 1, 1e-6);
+  EXPECT_NEAR(scale.heads[0].reach / scale.pose.tip, 1, 1e-6);
+}
+
+// The largest coordinate, whichever it is.
+TEST(SpaceScales, ThePositionIsThatOfTheLargestCoordinate) {
+  const spec::Setup setup;
+  for (std::size_t i = 0; i < 3; ++i) {
+    model::Event event = beside(1, 1, Real(1), Real(1));
+    event.programmed.set(i, Real(50));
+    event.point.set(i, Real(51));
+    event.axes = event.point;
+    EXPECT_EQ(scale_of(event, setup).position, 51) << i;
+  }
 }
 
 // The same mitre IS CONTOUR with an effective radius of 0: no vector, but shifts of that length.
@@ -419,9 +440,13 @@ TEST(SpaceScales, AShiftMayBeLongerThanTheVector) {
   EXPECT_NEAR(Conditions(setup).next(events).pose.tip / expected, 1, 1e-9);
   events[0].space->shift = {Real(0), Real(0), Real(0)};
   EXPECT_NEAR(Conditions(setup).next(events).pose.tip / expected, 1, 1e-9);
-  // Along the tool it has nothing of the direction.
+  // Along the tool it has nothing of the direction, whichever axis that is.
   events[0].space->tool_shift = {Real(0), Real(0), Real(5)};
   EXPECT_EQ(Conditions(setup).next(events).pose.tip, 0);
+  std::vector<model::Event> lying = {beside(0, 8, Real(0), Real(8)), beside(0, 16, Real(0), Real(16))};
+  for (model::Event& event : lying) event.tool_axis = {Real(1), Real(0), Real(0)};
+  lying[0].space->tool_shift = {Real(5), Real(0), Real(0)};
+  EXPECT_EQ(Conditions(setup).next(lying).pose.tip, 0);
 }
 
 // An offset that is nearly gone in the sine of tool and path.

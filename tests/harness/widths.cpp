@@ -22,6 +22,19 @@ std::size_t generated_cases() {
   return test::kSanitized ? 20 : 1000;
 }
 
+// 90 of 1e-6 um, which is below 2^-19, and 10 of 1.
+TEST(Widths, QuantilesAreRoundedUpToPowersOfTwo) {
+  Widths widths;
+  for (int i = 0; i < 90; ++i) widths.add(1e-6);
+  for (int i = 0; i < 10; ++i) widths.add(1.0);
+  EXPECT_EQ(widths.count(), 100U);
+  EXPECT_EQ(widths.quantile(0.5), 0x1p-19);
+  EXPECT_EQ(widths.quantile(0.9), 0x1p-19);
+  EXPECT_EQ(widths.quantile(0.91), 1);
+  EXPECT_DOUBLE_EQ(widths.share_above_nm(), 0.1);
+  EXPECT_EQ(widths.share_above_um(), 0);
+}
+
 class WidthsOf : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(WidthsOf, AreNarrow) {

@@ -30,7 +30,7 @@ SOURCES = {
                "certify/event_fields.cpp", "certify/controller.cpp"],
 }
 ORACLE_TESTS = ["harness_comparator", "harness_conditions", "harness_arc_fit", "harness_pose_errors", "harness_pose_fit",
-                "harness_near_ties", "harness_space_events", "unit_certify_capabilities", "unit_certify_finding",
+                "harness_rotary_machines", "harness_near_ties", "harness_space_events", "unit_certify_capabilities", "unit_certify_finding",
                 "unit_certify_report", "harness_controller_misbehaviour", "harness_liars", "harness_widths",
                 "harness_seeded_faults", "harness_streams"]
 
