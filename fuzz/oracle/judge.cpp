@@ -253,9 +253,9 @@ class Judge {
     }
     const auto distance = [&](const Tie& tie) {
       const std::uint64_t line = all[tie.index].line;
-      return line > at.difference->line ? line - at.difference->line : at.difference->line - line;
+      return std::pair(line > at.difference->line ? line - at.difference->line : at.difference->line - line, tie.index);
     };
-    std::ranges::stable_sort(n.ties, {}, distance);
+    std::ranges::sort(n.ties, {}, distance);
     return n;
   }
 
