@@ -23,7 +23,7 @@ struct Functions {
     using spec::klartext::Statement;
     const bool has_functions = block.statement == Statement::line || block.statement == Statement::line_with_vectors ||
                                block.statement == Statement::stop || block.statement == Statement::miscellaneous;
-    const auto end = block.function.begin() + (has_functions ? block.functions : 0);
+    const auto* const end = block.function.begin() + (has_functions ? block.functions : 0);
     const auto any = [&block, end](std::initializer_list<std::uint16_t> numbers) {
       return std::find_first_of(block.function.begin(), end, numbers.begin(), numbers.end()) != end;
     };

@@ -20,8 +20,8 @@ class TipMoves {
   using SampleOutput = std::function<void(const Event& sample)>;
 
   // `samples`: N of the fractions k/N inside a block; 0: none.
-  TipMoves(const spec::Axes& axes, std::uint32_t samples, MoveOutput moves, SampleOutput inside)
-      : axes_(axes), samples_(samples), moves_(std::move(moves)), inside_(std::move(inside)) {}
+  TipMoves(spec::Axes axes, std::uint32_t samples, MoveOutput moves, SampleOutput inside)
+      : axes_(std::move(axes)), samples_(samples), moves_(std::move(moves)), inside_(std::move(inside)) {}
 
   void take(const Move& move);
 
