@@ -287,6 +287,7 @@ class Interpreter {
   [[nodiscard]] Alarm plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
                                    const RotaryPositions& before);
   void end_tip_control(bool again);
+  [[nodiscard]] bool stands_as_before() const;
   [[nodiscard]] Alarm plan_direction(const Words& words, const std::array<Count, 3>& from, TipBlock& block);
   [[nodiscard]] bool asks_direction(const Words& words, const std::array<Count, 3>& from);
   // Of a block that asks for a direction: the one commanded or kept, under Q leaned where it can be.
@@ -370,8 +371,11 @@ class Interpreter {
   bool has_table_tip_ = false;    // WKP = 1: the tip has kept its place on the table since table_tip_
   Count lean_angle_;              // Q
   Direction commanded_;           // the direction kept, without the lean
-  Direction leaned_;              // and with it
-  Positions frozen_;              // of the rotary axes where the mode began
+  // Where a head stood, and its rotary positions, as another G43.4 or G43.5 ended the mode of I J K.
+  std::optional<Pose> standing_;
+  std::array<Count, 2> standing_at_;
+  Direction leaned_;  // and with it
+  Positions frozen_;  // of the rotary axes where the mode began
   Vector3<DoubleDouble> table_tip_;
   std::optional<double> feed_;
   double along_length_ = 0;  // tool_length(), under G43.4 or G43.5

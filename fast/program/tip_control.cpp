@@ -298,6 +298,8 @@ Alarm Interpreter::start_tip_control(const Words& words) {
   has_table_tip_ = false;
   Pose pose;
   machine_.pose(programmed_, rounded_angles(), pose);
+  if (stands_as_before()) pose = *standing_;
+  standing_.reset();
   if (by_vector_ && words.has_any(kDirectionLetters)) {
     Direction direction;
     read_direction(words, direction);
@@ -315,6 +317,15 @@ Alarm Interpreter::start_tip_control(const Words& words) {
   tip_.set_origin(origin);
   send_to(tip_);
   return alarm::kNone;
+}
+
+// Whether another G43.4 or G43.5 finds the head as the one before left it: its tool is better known than by the
+// positions made of it.
+bool Interpreter::stands_as_before() const {
+  for (std::size_t i = 0; standing_ && i < 2; ++i)
+    if (const std::size_t axis = machine_.rotary_axis(i); axis != spec::kMaxAxes)
+      if (programmed_[axis] != standing_at_[i]) return false;
+  return standing_.has_value();
 }
 
 // G49: the programmed position becomes that of the axes. Another G43.4 or G43.5: that of the tip where it is.
@@ -347,7 +358,10 @@ void Interpreter::end_tip_control(bool again) {
       programmed_value_[axis] = programmed_[axis].nearest();
       const bool exact = pose.axis[i].kind == RotaryPosition::Kind::exact;
       rounded_ = static_cast<Mask>(exact ? rounded_ & ~bit(axis) : rounded_ | bit(axis));
+      standing_at_[i] = programmed_[axis];
     }
+  standing_.reset();
+  if (again && by_vector_ && !on_table) standing_ = pose;
   stale_ = all_;
   machine_.release();
   turn();
