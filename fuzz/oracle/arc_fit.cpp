@@ -43,8 +43,10 @@ bool runs(const spec::Arc<Real>& arc, const Ray& start, const Ray& end) {
 
 std::optional<spec::Arc<Real>> fitted(const spec::Arc<Real>& arc, const ArcEnd& start, const ArcEnd& end,
                                       const std::array<std::size_t, 3>& index) {
-  constexpr std::size_t in_plane[][2] = {{0, 1}, {2, 0}, {1, 2}};  // X Y, Z X, Y Z
-  const auto& [first, second] = in_plane[static_cast<std::size_t>(arc.plane)];
+  // X Y, Z X, Y Z.
+  constexpr std::array<std::array<std::size_t, 2>, 3> in_plane = {{{0, 1}, {2, 0}, {1, 2}}};
+  const std::size_t first = in_plane.at(static_cast<std::size_t>(arc.plane))[0];
+  const std::size_t second = in_plane.at(static_cast<std::size_t>(arc.plane))[1];
   const auto ray = [&](const model::Vector& point) {
     return Ray{model::component(point, first) - arc.center[index.at(first)],
                model::component(point, second) - arc.center[index.at(second)]};

@@ -151,10 +151,10 @@ class Judge {
     Verdict v;
     v.decisions = run.recorder.decision_count();
     v.near_ties = near_ties(run, {}).size();
-    Agreement first = compared(run);
+    const Agreement first = compared(run);
     if (first.undecided) return undecided(v, first, why(run));
     if (!first.difference) return agrees(v, first);
-    return search(v, run, std::move(first));
+    return search(v, run, first);
   }
 
  private:
@@ -312,7 +312,7 @@ class Judge {
     child.asked.insert(parent.asked.begin(), parent.asked.end());
   }
 
-  Verdict search(Verdict v, const ModelRun& run, Agreement first) {
+  Verdict search(Verdict v, const ModelRun& run, const Agreement& first) {
     std::priority_queue<Node, std::vector<Node>, Later> open;
     std::set<Forced> seen;
     std::size_t followed = 0;

@@ -15,8 +15,7 @@ namespace toolcomp::fuzz {
 
 // Every event is compared as it is expected; where that fails, as seen from what the controller has: its rotary
 // positions (pose_fit.h), and inside a block the heads of both ends where two conditions place them (head.h); sweep and
-// radii of an arc with such an end as they are between these heads. `Number`
-// is double or exact::Rational.
+// radii of an arc with such an end as they are between these heads (arc_fit.h). `Number` is double or exact::Rational.
 template <class Number>
 class Pairing {
  public:
