@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fuzz/oracle/head.h"
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
 
@@ -43,10 +44,7 @@ bool runs(const spec::Arc<Real>& arc, const Ray& start, const Ray& end) {
 
 std::optional<spec::Arc<Real>> fitted(const spec::Arc<Real>& arc, const ArcEnd& start, const ArcEnd& end,
                                       const std::array<std::size_t, 3>& index) {
-  // X Y, Z X, Y Z.
-  constexpr std::array<std::array<std::size_t, 2>, 3> in_plane = {{{0, 1}, {2, 0}, {1, 2}}};
-  const std::size_t first = in_plane.at(static_cast<std::size_t>(arc.plane))[0];
-  const std::size_t second = in_plane.at(static_cast<std::size_t>(arc.plane))[1];
+  const auto [first, second] = kInPlane.at(static_cast<std::size_t>(arc.plane));
   const auto ray = [&](const model::Vector& point) {
     return Ray{model::component(point, first) - arc.center[index.at(first)],
                model::component(point, second) - arc.center[index.at(second)]};

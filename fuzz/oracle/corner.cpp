@@ -9,9 +9,6 @@
 namespace toolcomp::fuzz {
 namespace {
 
-// X Y, Z X, Y Z.
-constexpr std::array<std::array<std::size_t, 2>, 3> kInPlane = {{{0, 1}, {2, 0}, {1, 2}}};
-
 Flat in_plane(const Space& v, std::size_t plane) { return {v.at(kInPlane.at(plane)[0]), v.at(kInPlane.at(plane)[1])}; }
 
 Space in_space(const Flat& v, std::size_t plane) {

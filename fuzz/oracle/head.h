@@ -13,6 +13,9 @@ using Flat = std::array<double, 2>;
 // X Y Z in setup units, 0 where the setup has no such axis. In double: an estimate, and no part of a verdict by itself.
 using Space = std::array<double, 3>;
 
+// First and second axis of the planes X Y, Z X, Y Z.
+inline constexpr std::array<std::array<std::size_t, 2>, 3> kInPlane = {{{0, 1}, {2, 0}, {1, 2}}};
+
 inline Flat operator-(const Flat& a, const Flat& b) { return {a[0] - b[0], a[1] - b[1]}; }
 inline Flat operator+(const Flat& a, const Flat& b) { return {a[0] + b[0], a[1] + b[1]}; }
 inline double dot(const Flat& a, const Flat& b) { return a[0] * b[0] + a[1] * b[1]; }
