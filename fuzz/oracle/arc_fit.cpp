@@ -44,10 +44,10 @@ bool runs(const spec::Arc<Real>& arc, const Ray& start, const Ray& end) {
 
 std::optional<spec::Arc<Real>> fitted(const spec::Arc<Real>& arc, const ArcEnd& start, const ArcEnd& end,
                                       const std::array<std::size_t, 3>& index) {
-  const auto [first, second] = kInPlane.at(static_cast<std::size_t>(arc.plane));
+  const auto& axes = kInPlane.at(static_cast<std::size_t>(arc.plane));
   const auto ray = [&](const model::Vector& point) {
-    return Ray{model::component(point, first) - arc.center[index.at(first)],
-               model::component(point, second) - arc.center[index.at(second)]};
+    return Ray{model::component(point, axes.at(0)) - arc.center[index.at(axes.at(0))],
+               model::component(point, axes.at(1)) - arc.center[index.at(axes.at(1))]};
   };
   spec::Arc<Real> own = arc;
   if (!runs(arc, ray(start.head), ray(end.head))) return std::nullopt;
