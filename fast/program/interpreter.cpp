@@ -316,7 +316,8 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   const bool own = one_shot == kNone || words.is_tool_offset();
   if (const Alarm a = motion(words, plan.compensation, own, extra, arc)) return a;
   if (one_shot == 920) return shift_coordinates(words);
-  if (plan.writes) write_offset(plan.write);
+  // A block that cutter compensation has taken carries it, also where that ends with it.
+  if (plan.writes && !plan.cutter) write_offset(plan.write);
   return alarm::kNone;
 }
 

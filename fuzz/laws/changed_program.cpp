@@ -395,7 +395,7 @@ Verdict hold_changed(std::string_view law, const spec::Case& c, std::span<const 
         break;
     }
   } catch (const exact::Undecided&) {
-    return {holding.checks(), holding.violation()};  // nothing more is certain
+    return {holding.checks(), holding.violation(), 1};
   } catch (const spec::InputError&) {
     return {holding.checks(), holding.violation()};  // the changed setup is one no control could have
   }

@@ -53,13 +53,19 @@ std::optional<Vector> travel(const Scene& s, const Pose& start, const Pose& end)
   if (!arc) return *to - *from;
   const auto& given = end.event->arc;
   if (b.compensation != 400 || !given || given->radius || !given->sweep) return std::nullopt;
+  // G45 to G48 displace both ends, and the centre with them.
+  const auto tip = xyz(s.c.setup.axes, end.event->point);
+  const auto first = xyz(s.c.setup.axes, start.event->point);
+  if (!tip || !first) return std::nullopt;
+  const Vector apart = (*tip - *to) - (*first - *from);
+  if (std::ranges::any_of(apart, certainly_not_zero)) return std::nullopt;
   Vector radius;  // from the centre
   Vector normal;
   const std::size_t across = b.plane == 190 ? 0 : b.plane == 180 ? 1 : 2;
   normal.at(across) = 1;
   for (std::size_t i = 0; i < radius.size(); ++i)
-    if (i != across) radius.at(i) = to->at(i) - given->center[s.c.setup.axes.index("XYZ"[i])];
-  const Vector tangent = Real(b.motion == 30 ? 1 : -1) * cross(normal, radius);
+    if (i != across) radius.at(i) = tip->at(i) - given->center[s.c.setup.axes.index("XYZ"[i])];
+  Vector tangent = Real(b.motion == 30 ? 1 : -1) * cross(normal, radius);
   const Real pitch = to->at(across) - from->at(across);
   if (!certainly_not_zero(pitch)) return tangent;
   constexpr int half_turn = 180;
@@ -107,7 +113,7 @@ std::optional<Command> command(const Scene& s, const Run& run, const Pose& pose)
 }
 // As a unit vector.
 Vector direction_of(const Command& command) {
-  const Vector given = unit(command.given);
+  Vector given = unit(command.given);
   if (!command.towards) return given;
   return turn_about(unit(cross(command.given, *command.towards)), command.lean) * given;
 }

@@ -36,6 +36,19 @@ bool is_renaming(int code) {
          (code >= 540 && code <= 599);
 }
 
+// Of the codes that hold for their block alone the last one counts.
+void keep_last_one_shot(std::vector<spec::Word>& words) {
+  const auto is_one_shot = [](const spec::Word& w) {
+    return w.address == 'G' &&
+           among(code_of(w.value), {40, 100, 280, 290, 300, 301, 370, 390, 450, 460, 470, 480, 530, 920});
+  };
+  const auto last = std::find_if(words.rbegin(), words.rend(), is_one_shot);
+  if (last == words.rend()) return;
+  const spec::Word kept = *last;
+  std::erase_if(words, is_one_shot);
+  words.push_back(kept);
+}
+
 std::optional<std::uint64_t> number(const spec::Decimal& d) {
   if (d.negative && d.digits != 0) return std::nullopt;
   if (d.decimals != 0) return std::nullopt;
@@ -117,6 +130,7 @@ FanucProgram::FanucProgram(const spec::Case& c) {
     while (reader.next(*block) && !block->alarm) {
       state.line = block->line;
       state.words.assign(block->words().begin(), block->words().end());
+      keep_last_one_shot(state.words);
       if (state.has_code(40) || state.has_code(100))
         std::erase_if(state.words, [](const spec::Word& w) { return !is_shared_with_data(w.address); });
       for (const spec::Word& w : state.words) {

@@ -23,11 +23,12 @@ std::span<const LawInfo> all();
 struct Verdict {
   std::uint64_t checks = 0;            // questions asked, of all laws
   std::optional<Violation> violation;  // the first
+  std::uint64_t left_open = 0;         // laws that came to a question without an answer
 };
 
 // All laws that ask the events alone.
 Verdict hold(const spec::Case& c, std::span<const model::Event> events);
 // One of them, by name.
-Verdict hold(std::string_view law, const spec::Case& c, std::span<const model::Event> events);
+Verdict hold(std::string_view name, const spec::Case& c, std::span<const model::Event> events);
 
 }  // namespace toolcomp::fuzz::laws

@@ -141,7 +141,7 @@ Vector Machine::tool(const std::array<Turn, 2>& turns) const {
 }
 
 Vector Machine::holder(const std::array<Turn, 2>& turns, const Real& length) const {
-  const Vector along = length * tool(turns);
+  Vector along = length * tool(turns);
   if (type_ == MachineType::table) return along;
   if (type_ == MachineType::mixed) return along + turns[0] * tool_to_axis_;
   return along + turns[0] * (turns[1] * tool_to_axis_) + turns[0] * axis_to_first_;

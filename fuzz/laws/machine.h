@@ -39,8 +39,8 @@ class Machine {
   // From the tip to the control point, in the machine.
   [[nodiscard]] Vector holder(const std::array<Turn, 2>& turns, const Real& length) const;
   // A point of the machine as the table at its zero pose has it; and back.
-  [[nodiscard]] Vector on_table(const std::array<Turn, 2>& turns, const Vector& in_machine) const;
-  [[nodiscard]] Vector in_machine(const std::array<Turn, 2>& turns, const Vector& on_table) const;
+  [[nodiscard]] Vector on_table(const std::array<Turn, 2>& turns, const Vector& p) const;
+  [[nodiscard]] Vector in_machine(const std::array<Turn, 2>& turns, const Vector& q) const;
   // Whether the tool can lean any way: not where the axis that tilts it is parallel to it, or to the other axis.
   [[nodiscard]] bool leans_any_way() const;
   // The axis that leans the tool against the work, and the other: indices into axes().

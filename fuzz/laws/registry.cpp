@@ -76,12 +76,13 @@ std::vector<SpaceMove> moves_of(const spec::Axes& axes, const KlartextProgram& p
   return moves;
 }
 
-// A law whose questions cannot be answered (a sign that is not certified) has said nothing more.
+// A law with a question that cannot be answered (a sign that is not certified) says nothing more: it is left open.
 void ask(const Law& law, const Scene& scene, Verdict& verdict) {
   Holding holding(law.info.name, scene.events);
   try {
     law.ask(scene, holding);
   } catch (const exact::Undecided&) {
+    ++verdict.left_open;
   }
   verdict.checks += holding.checks();
   if (!verdict.violation) verdict.violation = holding.violation();

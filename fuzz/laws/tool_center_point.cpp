@@ -39,7 +39,10 @@ std::vector<Block> sampled_blocks(const Run& run) {
   return blocks;
 }
 
-Real fraction(const Pose& pose) { return Real(exact::Rational(pose.event->t_numerator, pose.event->t_denominator)); }
+Real fraction(const Pose& pose) {
+  const exact::Rational t(pose.event->t_numerator, pose.event->t_denominator);
+  return {t};
+}
 
 bool has_warning(const Scene& s, std::uint64_t line) {
   return std::ranges::any_of(

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 #include "fuzz/oracle/number.h"
 
@@ -72,9 +73,9 @@ struct Path {
 template <class Number>
 class Comparison {
  public:
-  Comparison(const Rules& rules, const model::Event& expected, const Scale& scale, const spec::Event<Number>& actual,
+  Comparison(const Rules& rules, const model::Event& expected, Scale scale, const spec::Event<Number>& actual,
              Tally& tally)
-      : rules_(rules), expected_(expected), actual_(actual), tally_(tally), scale_(scale) {}
+      : rules_(rules), expected_(expected), actual_(actual), tally_(tally), scale_(std::move(scale)) {}
 
   std::optional<Difference> run() {
     if (event()) {

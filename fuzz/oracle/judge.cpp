@@ -320,8 +320,10 @@ class Judge {
     while (!open.empty()) {
       const Node parent = open.top();
       open.pop();
-      if (parent.explains && followed++ > policy::kMaxForks)
-        return undecided(v, first, "more than 64 combinations of near ties");
+      if (parent.explains && followed++ == policy::kMaxForks)
+        return undecided(v, first, fmt::format("more than {} combinations of near ties", policy::kMaxForks));
+      if (seen.size() > policy::kMaxRuns)
+        return undecided(v, first, fmt::format("more than {} runs with near ties otherwise", policy::kMaxRuns));
       for (const Tie& tie : parent.ties)
         for (const Sign outcome : {Sign::negative, Sign::zero, Sign::positive}) {
           if (outcome == tie.taken) continue;

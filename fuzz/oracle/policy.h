@@ -223,9 +223,12 @@ inline constexpr double kSameStart = 1e-6;
 // A compensation vector below this share of the noise of its two ends is no vector.
 inline constexpr double kNoVector = 0x1p-16;
 
-// Combinations of forced outcomes that each explain something new (judge.cpp), before a verdict is "could not decide";
-// of a streamed program, passes over it.
-inline constexpr std::size_t kMaxForks = 64;
+// Before a verdict on a case is "could not decide": combinations of forced outcomes followed because they explain
+// something new (judge.cpp; a lie between two near singular postures takes 117), and runs of the model for all of them.
+inline constexpr std::size_t kMaxForks = 256;
+inline constexpr std::size_t kMaxRuns = 8192;
+// Of a streamed program, passes over it.
+inline constexpr std::size_t kMaxPasses = 64;
 
 // The distance of neighbouring doubles at |x|; of the smallest normal number at 0.
 inline double ulp(double x) {

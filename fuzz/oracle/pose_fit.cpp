@@ -168,8 +168,9 @@ PoseFit<Number>::View PoseFit<Number>::view(const model::Event& event, const spe
 // tool it may stand elsewhere; a position of many turns is rounded before its sine is taken.
 template <class Number>
 bool PoseFit<Number>::turns_into(const View& view, const Scale& scale) const {
-  const bool derived = view.sample || facts_ == nullptr || facts_->directed(view.event.line);
-  if (!view.controlled || !derived) return false;
+  const bool along_a_great_circle =
+      view.sample && view.event.clauses.contains(spec::Clause::fanuc_tool_posture_great_circle);
+  if (!view.controlled || !(along_a_great_circle || directed(view.event))) return false;
   const double rounded =
       (policy::ulp(magnitude(view.own.tool)) + policy::ulp(magnitude(view.own.work))) / kDegreesPerRadian;
   const double error = std::max(policy::ulp(1), scale.pose.direction) + rounded;
@@ -194,7 +195,7 @@ bool PoseFit<Number>::goes_as_expected(std::span<const model::Event> window, con
     const auto next = std::ranges::find_if(window.subspan(view.sample ? 0 : 1), [](const model::Event& event) {
       return event.kind == EventKind::move && event.tool_axis.has_value();
     });
-    if (next != window.end()) {
+    if (next != window.end() && directed(*next)) {
       const Posture end(*estimate_, of(*next).tool.template convert_to<double>());
       const double k = rules_.budget().rotary * kDegreesPerRadian;
       ahead.tool = k * end.tool_error(policy::ulp(1));

@@ -73,6 +73,10 @@ class PoseFit {
   [[nodiscard]] bool begins(const model::Event& event) const;
   [[nodiscard]] View view(const model::Event& event, const spec::Event<Number>& actual) const;
 
+  // Its positions come out of a direction, as far as is known.
+  [[nodiscard]] bool directed(const model::Event& event) const {
+    return facts_ == nullptr || facts_->directed(event.line);
+  }
   [[nodiscard]] bool turns_into(const View& view, const Scale& scale) const;
   [[nodiscard]] bool goes_as_expected(std::span<const model::Event> window, const View& view) const;
   [[nodiscard]] model::Vector off_tip(const model::Event& event, const spec::Event<Number>& actual,

@@ -1,4 +1,6 @@
 // Both engines in step over a program of any length.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
 #include <memory>
@@ -237,9 +239,9 @@ Verdict judge_passes(const StreamedProgram& program, const spec::Setup& setup, s
   while (!tasks.empty()) {
     const Task task = std::move(tasks.back());
     tasks.pop_back();
-    if (passes++ > policy::kMaxForks) {
+    if (passes++ > policy::kMaxPasses) {
       first->outcome = Outcome::undecided;
-      first->undecided = "more than 64 combinations of near ties";
+      first->undecided = fmt::format("more than {} combinations of near ties", policy::kMaxPasses);
       return *first;
     }
     std::optional<Pass<Control>> pass;

@@ -94,7 +94,7 @@ struct StreamedProgram {
 
 // Runs both engines over it in bounded memory and judges as it goes; stops at the first difference. `samples` as in a
 // case. `on_block` is called with the number of blocks read, for progress. A difference with a near tie in the last
-// blocks is settled by running again with the other outcomes, at most policy::kMaxForks times; it stays `undecided` in
+// blocks is settled by running again with the other outcomes, at most policy::kMaxPasses times; it stays `undecided` in
 // a program that can be opened once.
 Verdict judge_stream(const StreamedProgram& program, const spec::Setup& setup, std::uint32_t samples = 0,
                      void (*on_block)(std::uint64_t) = nullptr);

@@ -43,7 +43,10 @@ GreatCircleMotion::GreatCircleMotion(ArcView view, GreatCircle arc, int side, bo
 
 Posture GreatCircleMotion::at(const Rational& t) const {
   const Vector tool = arc_.at(t);
-  if (!crossing_) return posture(part_, tool);
+  if (!crossing_) {
+    if (const auto met = met_pole(tool)) return *met;
+    return posture(part_, tool);
+  }
   switch (beyond_pole(t)) {
     case Sign::negative:
       return posture(part_, tool);
@@ -70,8 +73,12 @@ GreatCircleMotion::Angles GreatCircleMotion::angles(const Tilt& tilt, int branch
   return {upper_angle(tilt.height, tilt.aside), -branch * upper_angle(tilt.toward, tilt.aside)};
 }
 
+GreatCircleMotion::Angles GreatCircleMotion::at_pole(int pole, int branch) {
+  return {pole > 0 ? 0 : 180, -90 * branch};
+}
+
 GreatCircleMotion::Angles GreatCircleMotion::at_start(const BranchPart& part) const {
-  if (part.pole != 0) return {part.pole > 0 ? 0 : 180, -90 * part.branch};
+  if (part.pole != 0) return at_pole(part.pole, part.branch);
   const Tilt start = tilt(dot(view_.work_axis(), arc_.from().unit));
   return angles(start, part.branch);
 }
@@ -106,6 +113,22 @@ Posture GreatCircleMotion::posture(const BranchPart& part, const Vector& tool) c
   return {{Angle::known(at.tool_cosine, at.tool_sine, part.start.tool.degrees() + machine().tool_side().sense * tilt),
            Angle::known(at.work_cosine, at.work_sine, part.start.work.degrees() + machine().work_side().sense * swing)},
           view_.in_frame(tool)};
+}
+
+// There the directions have swung by 90 degrees.
+std::optional<Posture> GreatCircleMotion::met_pole(const Vector& tool) const {
+  if (!in_plane_ || side_ == 0) return std::nullopt;
+  if (squared_norm(cross(view_.work_axis(), tool)).sign() != Sign::zero) return std::nullopt;
+  const int pole = dot(view_.work_axis(), tool).sign() == Sign::positive ? 1 : -1;
+  const Angles before = at_start(part_);
+  const Angles here = at_pole(pole, part_.branch);
+  const auto moved = [](const Turn& turn, const Angle& from, const Real& by) {
+    const Real degrees = from.degrees() + turn.sense * by;
+    return Angle::known(exact::cos_real_degrees(degrees), exact::sin_real_degrees(degrees), degrees);
+  };
+  return Posture{{moved(machine().tool_side(), part_.start.tool, part_.branch * (here.tool - before.tool)),
+                  moved(machine().work_side(), part_.start.work, side_ * 90 - (here.work - before.work))},
+                 view_.in_frame(tool)};
 }
 
 // Where the enclosures do not tell the angles apart they may be equal: with t = p/q then q times the angle of the pole

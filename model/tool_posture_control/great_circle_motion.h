@@ -44,6 +44,7 @@ class GreatCircleMotion : public PostureMotion {
     Real tool;  // from the extreme angle, 0 to 180
     Real work;  // azimuth of the tilted direction, from that of u_t
   };
+  static Angles at_pole(int pole, int branch);
 
   [[nodiscard]] Tilt tilt(const Real& along_work_axis) const;
   [[nodiscard]] Angles angles(const Tilt& tilt, int branch) const;
@@ -53,6 +54,8 @@ class GreatCircleMotion : public PostureMotion {
   // The azimuth that the tool has swung about the work-side axis, degrees.
   [[nodiscard]] Real swung(const Vector& tool, const Real& along_work_axis) const;
   [[nodiscard]] Posture posture(const BranchPart& part, const Vector& tool) const;
+  // The pole that an arc beside it meets after all: only a forced outcome says that it does not.
+  [[nodiscard]] std::optional<Posture> met_pole(const Vector& tool) const;
   // Of the angle at t against that of the pole.
   [[nodiscard]] Sign beyond_pole(const Rational& t) const;
 

@@ -279,6 +279,7 @@ TEST(Laws, HoldForRightEventsAndBreakForWrongOnes) {
     Events events = run_model(example.c).events;
     const laws::Verdict right = laws::hold(example.law, example.c, events);
     EXPECT_GT(right.checks, 0U);
+    EXPECT_EQ(right.left_open, 0U);
     EXPECT_FALSE(right.violation) << right.violation->text << ": " << right.violation->amount;
     const laws::Verdict every = laws::hold(example.c, events);
     EXPECT_FALSE(every.violation) << every.violation->law << ": " << every.violation->amount;
@@ -310,6 +311,7 @@ TEST(Laws, HoldWhereTheyOnceCriedWolf) {
     SCOPED_TRACE(c.program);
     const laws::Verdict verdict = laws::hold(c, run_model(c).events);
     EXPECT_GT(verdict.checks, 0U);
+    EXPECT_EQ(verdict.left_open, 0U);
     EXPECT_FALSE(verdict.violation) << verdict.violation->law << ": " << verdict.violation->amount;
   }
 }
@@ -320,10 +322,13 @@ TEST(Laws, ReadWordsAsTheirOwnersDo) {
        {head("G90 G01 F100\nG43.4 G04 H1 P1\nX50. B40. C80.\n"),
         head("G90 G01 F100\nG43.5 G04 H1 Q2. P1\nX50. I1. J2. K3.\n"),
         head("G90 G01 F100\nG43.4 H1 P0\nX50. B20.\nG49; G43.4 H0 P1\nX0 B40. C80.\n"),
+        fanuc("tool-offset", "G91 G01 F100 X10.\nG04 G46 D1 X20.\nG45 G04 X3.\nX5.\n"),
+        head("G90 G01 F100\nG45 X10. D1\nG43.5 H1 Q2. P0\nX0 I1 K1\nG02 X20. R15.\n"),
         fanuc("cutter-compensation-c", "G90 G01 F100 X0\nG41 X40. D1\nX80.\nX100. Y20.; Y40.; G40 Y60.; X70.\n")}) {
     SCOPED_TRACE(c.program);
     const laws::Verdict verdict = laws::hold(c, run_model(c).events);
     EXPECT_GT(verdict.checks, 0U);
+    EXPECT_EQ(verdict.left_open, 0U);
     EXPECT_FALSE(verdict.violation) << verdict.violation->law << ": " << verdict.violation->amount;
   }
 }

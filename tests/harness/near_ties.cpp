@@ -2,6 +2,7 @@
 // answers are the model's own, with the decision forced: a controller whose arithmetic errs would give just these.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/verdict.h"
+#include "tests/harness/liar.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -26,40 +28,6 @@ spec::Case leaning(const std::string& i, const std::string& range = "0") {
   return c;
 }
 
-fast::Event rounded(const model::Event& e) {
-  const auto table = [](const spec::AxisValues<model::Real>& from) {
-    spec::AxisValues<double> to;
-    for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
-      if (from.has(i)) to.set(i, approximate(from[i]));
-    return to;
-  };
-  fast::Event f;
-  f.kind = e.kind;
-  f.line = e.line;
-  f.n = e.n;
-  f.type = e.type;
-  f.cause = e.cause;
-  f.number = e.number;
-  f.setting = e.setting;
-  if (e.kind == spec::EventKind::setting) f.value = approximate(e.value);
-  f.programmed = table(e.programmed);
-  f.point = table(e.point);
-  f.axes = table(e.axes);
-  f.machine = table(e.machine);
-  if (e.tool_axis) {
-    f.tool_axis.emplace();
-    for (std::size_t i = 0; i < 3; ++i) (*f.tool_axis)[i] = approximate((*e.tool_axis)[i]);
-  }
-  if (e.feed) f.feed = approximate(*e.feed);
-  return f;
-}
-
-std::vector<fast::Event> rounded(const ModelRun& run) {
-  std::vector<fast::Event> events;
-  for (const model::Event& e : run.events) events.push_back(rounded(e));
-  return events;
-}
-
 // Every decision of `clause` takes the opposite outcome.
 Forced opposite(const ModelRun& run, Clause clause) {
   Forced forced;
@@ -73,22 +41,22 @@ TEST(NearTies, InsideTheBandTheOtherOutcomeIsPermittedAndCounted) {
   // The lean is 1e-13 of a right angle's: |VM·VT| / (|VM| |VT|) = 1e-13 < 2^-40 = 9.1e-13.
   const spec::Case c = leaning("0.0000000000001");
   const ModelRun run = run_model(c);
-  const std::vector<fast::Event> other = rounded(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
-  ASSERT_NE(other[1].point.value[0], rounded(run)[1].point.value[0]);  // -10 and +10
+  const std::vector<fast::Event> other = test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
+  ASSERT_NE(other[1].point.value[0], test::in_doubles(run)[1].point.value[0]);  // -10 and +10
   const Verdict v = judge(c, run, other);
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GE(v.ties, 1U);
   EXPECT_GE(v.near_ties, v.ties);
   // The exact answer is right as well, and no tie was needed.
-  EXPECT_EQ(judge(c, run, rounded(run)).outcome, Outcome::agrees);
-  EXPECT_EQ(judge(c, run, rounded(run)).ties, 0U);
+  EXPECT_EQ(judge(c, run, test::in_doubles(run)).outcome, Outcome::agrees);
+  EXPECT_EQ(judge(c, run, test::in_doubles(run)).ties, 0U);
 }
 
 TEST(NearTies, OutsideTheBandTheOtherOutcomeIsADifference) {
   // 1e-11 > 2^-40.
   const spec::Case c = leaning("0.00000000001");
   const ModelRun run = run_model(c);
-  const Verdict v = judge(c, run, rounded(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign))));
+  const Verdict v = judge(c, run, test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign))));
   ASSERT_EQ(v.outcome, Outcome::differs);
   EXPECT_EQ(v.difference->field, "point.X");
   EXPECT_NEAR(v.difference->deviation_um, 20'000, 1);
@@ -97,11 +65,11 @@ TEST(NearTies, OutsideTheBandTheOtherOutcomeIsADifference) {
 TEST(NearTies, OneWrongEventInAnOtherwisePermittedListIsADifference) {
   const spec::Case c = leaning("0.0000000000001");
   const ModelRun run = run_model(c);
-  std::vector<fast::Event> other = rounded(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
+  std::vector<fast::Event> other = test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
   other[2].point.value[2] += 0.001;
   EXPECT_EQ(judge(c, run, other).outcome, Outcome::differs);
   // Neither outcome: the vector of a run is one of the two, not something between.
-  other = rounded(run);
+  other = test::in_doubles(run);
   other[1].point.value[0] = 0;
   EXPECT_EQ(judge(c, run, other).outcome, Outcome::differs);
 }
@@ -119,9 +87,41 @@ TEST(NearTies, AnOutcomeWithoutFiniteVectorsIsNotPermitted) {
     EXPECT_THROW(run_model(c, {{i, Sign::negative}}), std::exception);
   }
   EXPECT_TRUE(tried);
-  std::vector<fast::Event> wrong = rounded(run);
+  std::vector<fast::Event> wrong = test::in_doubles(run);
   wrong[2].point.value[0] += 3;
   EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
+}
+
+// A great circle through the pole of a tool side inclined by 45 degrees, X10 with I-1 K4 to X20 with I1 K4; beside the
+// pole the work-side axis has turned by 90 degrees in the middle, where exactly through it it stands.
+TEST(NearTies, ASampleInThePoleOfAGreatCircle) {
+  spec::Case c;
+  c.section = "fanuc/tool-posture-control";
+  c.setup.axes = spec::Axes("XYZBC");
+  for (const auto& [number, value] : std::vector<std::pair<std::uint32_t, std::int64_t>>{
+           {19680, 2}, {19681, 5}, {19682, 3}, {19686, 4}, {19687, 5}, {19688, 45}})
+    c.setup.parameters[{number, -1}] = spec::decimal(value);
+  c.program = "G90 G01 F1000\nG43.5 H1 P1\nX10. I-1 K4\nX20. I1 K4\n";
+  c.samples = 2;
+  const ModelRun run = run_model(c);
+  const auto middle = [](const ModelRun& of) { return test::in_doubles(of).at(of.events.size() - 2); };
+  ASSERT_EQ(middle(run).kind, spec::EventKind::sample);
+  const auto& decisions = run.recorder.decisions();
+  int tried = 0;
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    if (decisions[i].clause != Clause::fanuc_tool_posture_crossing || decisions[i].line != 4) continue;
+    if (decisions[i].outcome != Sign::zero) continue;
+    for (const Sign side : {Sign::positive, Sign::negative}) {
+      const ModelRun beside = run_model(c, {{i, side}});
+      EXPECT_DOUBLE_EQ(std::fabs(middle(beside).axes[4] - middle(run).axes[4]), 90);
+      EXPECT_DOUBLE_EQ(middle(beside).axes[3], middle(run).axes[3]);
+      const Verdict v = judge(c, run, test::in_doubles(beside));
+      EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+      EXPECT_EQ(v.ties, 1U);
+      ++tried;
+    }
+  }
+  EXPECT_EQ(tried, 2);
 }
 
 // A controller of resolution 0.001 cannot know the lean of 1e-7 over a movement of 100 (its band is some 1e-4); one in
@@ -129,13 +129,14 @@ TEST(NearTies, AnOutcomeWithoutFiniteVectorsIsNotPermitted) {
 TEST(NearTies, ACoarserControllerHasAWiderBand) {
   const spec::Case c = leaning("0.0000001");
   const ModelRun run = run_model(c);
-  const std::vector<fast::Event> other = rounded(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
+  const std::vector<fast::Event> other = test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
   EXPECT_EQ(judge(c, run, other).outcome, Outcome::differs);
   EXPECT_EQ(judge(c, run, other, {{}, "0.001"}).outcome, Outcome::agrees);
   // A lean of 1e-2 it knows as well: what it moves is long.
   const spec::Case clear = leaning("0.01");
   const ModelRun sure = run_model(clear);
-  const std::vector<fast::Event> wrong = rounded(run_model(clear, opposite(sure, Clause::fanuc_leading_edge_sign)));
+  const std::vector<fast::Event> wrong =
+      test::in_doubles(run_model(clear, opposite(sure, Clause::fanuc_leading_edge_sign)));
   EXPECT_EQ(judge(clear, sure, wrong, {{}, "0.001"}).outcome, Outcome::differs);
   EXPECT_GT(policy::controller_band(0.001, 100), 1e-5);
   EXPECT_LT(policy::controller_band(0.001, 100), 1e-3);
@@ -149,7 +150,7 @@ TEST(NearTies, AChainOfTiesIsFollowed) {
   for (int i = 0; i < 6; ++i) c.program += i % 2 == 0 ? "X100.\n" : "X-50.\n";
   c.program += "G40\n";
   const ModelRun run = run_model(c);
-  const Verdict v = judge(c, run, rounded(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign))));
+  const Verdict v = judge(c, run, test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign))));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GT(v.ties, 3U);
 }
@@ -202,16 +203,16 @@ TEST(NearTies, ACornerOfAlmostRightAnglesMayHaveTheVectorsOfEither) {
   const ModelRun run = run_model(c);
   const ModelRun other = run_model(c, opposite_at_first(run, Clause::fanuc_cutter_c_obtuse_or_acute));
   ASSERT_EQ(other.events.size(), run.events.size() + 1);
-  const Verdict v = judge(c, run, rounded(other));
+  const Verdict v = judge(c, run, test::in_doubles(other));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GE(v.ties, 1U);
   // A degree less is no tie.
   const spec::Case clear = contour("X80.\nX80.01 Y-100.\nY-200.\nG40 X0\n");
   const ModelRun sharp = run_model(clear);
-  EXPECT_EQ(
-      judge(clear, sharp, rounded(run_model(clear, opposite_at_first(sharp, Clause::fanuc_cutter_c_obtuse_or_acute))))
-          .outcome,
-      Outcome::differs);
+  EXPECT_EQ(judge(clear, sharp,
+                  test::in_doubles(run_model(clear, opposite_at_first(sharp, Clause::fanuc_cutter_c_obtuse_or_acute))))
+                .outcome,
+            Outcome::differs);
 }
 
 // A groove 1e-12 narrower than the tool: PS0041, or not.
@@ -221,15 +222,16 @@ TEST(NearTies, InterferenceByAHairMayBeSeenOrNot) {
   ASSERT_EQ(run.events.back().number.view(), "PS0041");
   const ModelRun other = run_model(c, opposite_near_ties(run, Clause::fanuc_cutter_c_interference_direction));
   ASSERT_EQ(other.events.back().kind, spec::EventKind::move);
-  const Verdict v = judge(c, run, rounded(other));
+  const Verdict v = judge(c, run, test::in_doubles(other));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   // A micrometre narrower there is nothing to permit.
   const spec::Case narrow = contour("X80.\nY19.999\nX40.\nG40 Y40.\n");
   const ModelRun alarm = run_model(narrow);
-  EXPECT_EQ(judge(narrow, alarm,
-                  rounded(run_model(narrow, opposite_at_last(alarm, Clause::fanuc_cutter_c_interference_direction))))
-                .outcome,
-            Outcome::differs);
+  EXPECT_EQ(
+      judge(narrow, alarm,
+            test::in_doubles(run_model(narrow, opposite_at_last(alarm, Clause::fanuc_cutter_c_interference_direction))))
+          .outcome,
+      Outcome::differs);
 }
 
 // The two heads of this corner lie 12 apart in X and in Y (10·(sin a1 - sin a2 - cos a1 - cos a2) with a1 of -3 : 4 and
@@ -250,7 +252,7 @@ TEST(NearTies, BothAxesOfASmallCornerMovementMayGoTheOtherWay) {
   forced.merge(next);
   const ModelRun other = run_model(c, forced);
   ASSERT_EQ(other.events.size() + 1, run.events.size());
-  const Verdict v = judge(c, run, rounded(other));
+  const Verdict v = judge(c, run, test::in_doubles(other));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_EQ(v.ties, 2U);
 }
@@ -277,9 +279,9 @@ TEST(NearTies, AnExactTieOfDecimalsGoesAsTheClauseSays) {
     const ModelRun other = run_model(c, forced_to(run, clause, Sign::negative));
     ASSERT_EQ(run.events.back().kind, spec::EventKind::setting);
     ASSERT_EQ(other.events.back().number.view(), "PS0080");
-    EXPECT_EQ(judge(c, run, rounded(run)).near_ties, 0U);
-    EXPECT_EQ(judge(c, run, rounded(other)).outcome, Outcome::differs);
-    EXPECT_EQ(judge(c, run, rounded(other), {{}, "0.001"}).outcome, Outcome::agrees);
+    EXPECT_EQ(judge(c, run, test::in_doubles(run)).near_ties, 0U);
+    EXPECT_EQ(judge(c, run, test::in_doubles(other)).outcome, Outcome::differs);
+    EXPECT_EQ(judge(c, run, test::in_doubles(other), {{}, "0.001"}).outcome, Outcome::agrees);
   }
 }
 
@@ -295,13 +297,13 @@ TEST(NearTies, AForkThatEndsUndecidedNeverAgrees) {
   const ModelRun fork =
       run_model(c, forced_to(run, Clause::fanuc_length_measurement_signal_from_the_start, Sign::negative));
   ASSERT_EQ(fork.events.back().kind, spec::EventKind::undecided);
-  ASSERT_GE(judge(c, run, rounded(run)).near_ties, 1U);
-  EXPECT_EQ(judge(c, run, rounded(run)).outcome, Outcome::agrees);
+  ASSERT_GE(judge(c, run, test::in_doubles(run)).near_ties, 1U);
+  EXPECT_EQ(judge(c, run, test::in_doubles(run)).outcome, Outcome::agrees);
   // Right up to where the fork ends, wrong there: neither run has it.
-  std::vector<fast::Event> wrong = rounded(run);
+  std::vector<fast::Event> wrong = test::in_doubles(run);
   wrong.back().value += 1;
   EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
-  wrong = rounded(run);
+  wrong = test::in_doubles(run);
   wrong[fork.events.size() - 1].point.value[2] += 1;
   EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
 }
@@ -346,13 +348,15 @@ TEST(NearTies, AnExactTieOfConvertedLengthsMayGoTheOtherWay) {
   c.program = "G21 H1\nG00 Z220.\nG90 G37 Z200.\n";
   const ModelRun run = run_model(c);
   const Clause rapid = Clause::fanuc_length_measurement_rapid_part;
-  EXPECT_EQ(judge(c, run, rounded(run)).near_ties, 1U);
-  EXPECT_EQ(judge(c, run, rounded(run_model(c, forced_to(run, rapid, Sign::positive)))).outcome, Outcome::agrees);
+  EXPECT_EQ(judge(c, run, test::in_doubles(run)).near_ties, 1U);
+  EXPECT_EQ(judge(c, run, test::in_doubles(run_model(c, forced_to(run, rapid, Sign::positive)))).outcome,
+            Outcome::agrees);
   // The same in millimetres is exact.
   c.setup.units = spec::Units::mm;
   const ModelRun plain = run_model(c);
-  EXPECT_EQ(judge(c, plain, rounded(plain)).near_ties, 0U);
-  EXPECT_EQ(judge(c, plain, rounded(run_model(c, forced_to(plain, rapid, Sign::positive)))).outcome, Outcome::differs);
+  EXPECT_EQ(judge(c, plain, test::in_doubles(plain)).near_ties, 0U);
+  EXPECT_EQ(judge(c, plain, test::in_doubles(run_model(c, forced_to(plain, rapid, Sign::positive)))).outcome,
+            Outcome::differs);
 }
 
 // A table of deviations is read at the contact angle: 60 degrees between (1, 1, 0) and (1, 0, 1), where R2 + dR2 is
@@ -373,7 +377,7 @@ TEST(NearTies, ATieAtAContactAngleMayGoTheOtherWay) {
   ASSERT_EQ(run.events.back().kind, spec::EventKind::move);
   const ModelRun below = run_model(c, forced_to(run, corner, Sign::negative));
   ASSERT_EQ(below.events.back().number.view(), "E_R2_NEG");
-  EXPECT_EQ(judge(c, run, rounded(below)).outcome, Outcome::agrees);
+  EXPECT_EQ(judge(c, run, test::in_doubles(below)).outcome, Outcome::agrees);
 }
 
 // A change of side on a straight line: paths that are parallel have no intersection, whatever is forced.
@@ -390,7 +394,7 @@ TEST(NearTies, AnIntersectionOfParallelLinesIsNotPermitted) {
       EXPECT_THROW(run_model(c, {{i, outcome}}), std::exception);
   }
   EXPECT_TRUE(tried);
-  std::vector<fast::Event> wrong = rounded(run);
+  std::vector<fast::Event> wrong = test::in_doubles(run);
   wrong[1].point.value[0] += 1;
   EXPECT_EQ(judge(c, run, wrong).outcome, Outcome::differs);
 }
@@ -411,16 +415,16 @@ TEST(NearTies, ASideCornerOfAlmostRightAnglesMayHaveTheVectorsOfEither) {
   const ModelRun run = run_model(c);
   const ModelRun other = run_model(c, opposite_at_last(run, Clause::fanuc_tool_side_obtuse_or_acute));
   ASSERT_EQ(other.events.size() + 1, run.events.size());
-  const Verdict v = judge(c, run, rounded(other));
+  const Verdict v = judge(c, run, test::in_doubles(other));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GE(v.ties, 1U);
   // A degree less is no tie.
   const spec::Case clear = flank(start + "X80. Y99.99 Z-60.\nX160. Z-120.\nG40 X0\n");
   const ModelRun sharp = run_model(clear);
-  EXPECT_EQ(
-      judge(clear, sharp, rounded(run_model(clear, opposite_at_last(sharp, Clause::fanuc_tool_side_obtuse_or_acute))))
-          .outcome,
-      Outcome::differs);
+  EXPECT_EQ(judge(clear, sharp,
+                  test::in_doubles(run_model(clear, opposite_at_last(sharp, Clause::fanuc_tool_side_obtuse_or_acute))))
+                .outcome,
+            Outcome::differs);
 }
 
 // The tool turns by 45 degrees less 5e-14 while the path goes back under it: PS0041, or not.
@@ -434,7 +438,7 @@ TEST(NearTies, AChangeOfThePlaneByAHairLessThanTheLimitMayBeSeenOrNot) {
   ASSERT_EQ(run.events.back().kind, spec::EventKind::move);
   const ModelRun other = run_model(c, opposite_near_ties(run, Clause::fanuc_tool_side_plane_change_angle));
   ASSERT_EQ(other.events.back().number.view(), "PS0041");
-  const Verdict v = judge(c, run, rounded(other));
+  const Verdict v = judge(c, run, test::in_doubles(other));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   // A thousandth of a degree is no hair.
   const spec::Case clear = turning("1.00004");
@@ -444,7 +448,7 @@ TEST(NearTies, AChangeOfThePlaneByAHairLessThanTheLimitMayBeSeenOrNot) {
     const model::Decision& d = apart.recorder.decisions()[i];
     if (d.clause == Clause::fanuc_tool_side_plane_change_angle) forced[i] = Sign::positive;
   }
-  EXPECT_EQ(judge(clear, apart, rounded(run_model(clear, forced))).outcome, Outcome::differs);
+  EXPECT_EQ(judge(clear, apart, test::in_doubles(run_model(clear, forced))).outcome, Outcome::differs);
 }
 
 // A line along the tool has no direction in the plane, whatever is forced.

@@ -112,6 +112,17 @@ TEST(PoseFit, NoChoiceWhereThePositionIsCommanded) {
   const char* const program = "G43.4 H1 P0\nG01 X10 Y20 B0 C0\nX30\n";
   for (const double c : {1e-9, 1.0})
     EXPECT_EQ(judged(mixed(), program, [c](auto& events) { turn_table(events.at(1), c); }).outcome, Outcome::differs);
+  // Inside a block too, where an axis of the head turns nothing; 1 degree went unseen once.
+  for (const double c : {1e-9, 1.0})
+    EXPECT_EQ(judged(
+                  head(), program,
+                  [c](auto& events) {
+                    for (fast::Event& event : events)
+                      if (event.kind == spec::EventKind::sample) return set(event, kC, c);
+                  },
+                  2)
+                  .outcome,
+              Outcome::differs);
 }
 
 // Away from singular postures the direction decides: a hair off, or the other pair, all of it consistent.
