@@ -473,6 +473,7 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
 
   struct Pair {
     std::array<Int128, 2> value;
+    int branch = 0;
   };
   std::array<Pair, 8> pairs;
   std::size_t size = 0;
@@ -503,7 +504,7 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
       }
     }
     for (std::size_t i = 0; i < values[0].size; ++i)
-      for (std::size_t j = 0; j < values[1].size; ++j) pairs[size++] = {{values[0].value[i], values[1].value[j]}};
+      for (std::size_t j = 0; j < values[1].size; ++j) pairs[size++] = {{values[0].value[i], values[1].value[j]}, b == 0 ? 1 : -1};
   }
   if (size == 0) return false;
 
@@ -531,6 +532,9 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
       set_rounded(end, i, Count::of_units(pairs[0].value[i]));
   }
   set_branch(end);
+  // So near a singular posture that the tool-side position no longer tells, the work-side position is of this branch.
+  constexpr double kRightAngle = 90;
+  if (end.branch == 0 && reach == Reach::two_pairs && std::abs(end.psi) < kRightAngle) end.branch = pairs[0].branch;
   return true;
 }
 

@@ -272,13 +272,13 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   if (const std::optional<OffsetNumber> number = commanded_number(words)) cutter_number_ = *number;
   if (in_cutter_) {
     begin_cutter(words);
-    CutterBlock& block = cutter_next();
-    block.sets = plan.writes;
-    if (plan.writes) store_offset(plan.write, block.setting, block.setting_value);
     const Code code = words.code(Words::kCompensation);
-    if (code == 413 || is_tool_side(code) || words.is_tool_offset() || words.starts_tip_control() ||
-        plan.compensation == Compensation::cancels)
-      retire_cutter();
+    const bool retires = code == 413 || is_tool_side(code) || words.is_tool_offset() || words.starts_tip_control() ||
+                         plan.compensation == Compensation::cancels;
+    CutterBlock& block = cutter_next();
+    block.sets = plan.writes && !retires;
+    if (block.sets) store_offset(plan.write, block.setting, block.setting_value);
+    if (retires) retire_cutter();
     if (stopped_) return alarm::kNone;
   }
   begin_tool_side(words);
@@ -316,8 +316,7 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   const bool own = one_shot == kNone || words.is_tool_offset();
   if (const Alarm a = motion(words, plan.compensation, own, extra, arc)) return a;
   if (one_shot == 920) return shift_coordinates(words);
-  // A block that cutter compensation has taken carries it, also where that ends with it.
-  if (plan.writes && !plan.cutter) write_offset(plan.write);
+  if (plan.writes) write_offset(plan.write);
   return alarm::kNone;
 }
 

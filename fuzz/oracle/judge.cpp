@@ -202,6 +202,7 @@ class Judge {
     std::size_t farthest = 0;
     std::set<std::pair<std::size_t, std::string>> expected;
     std::set<Place> asked;
+    std::set<Place> brought;  // of them those that its own forced outcome brought up
   };
   struct Later {
     bool operator()(const Node& a, const Node& b) const {
@@ -295,16 +296,19 @@ class Judge {
   // Leaves in a fork the near ties that are worth trying. All of them, where it moves the first difference on, so a
   // chain of decisions that each explain one more event is found, whatever its length; and where it expects another
   // event there than all the runs it came from. Else two decisions may show only together: those that it brought up are
-  // tried, and what its clause asks behind it in this line. What only changes the event back and forth explains
-  // nothing.
+  // tried, what its clause asks behind it in this line, and two that one forced outcome brought up (beside a pole, not
+  // in it, its branch and its side are asked). What only changes the event back and forth explains nothing.
   static void follow(Node& child, const Node& parent, const Tie& flipped) {
     const bool on = child.event > parent.farthest;
     const bool another = child.event == parent.farthest && !std::ranges::includes(parent.expected, child.expected);
     child.explains = on || another;
+    std::ranges::set_difference(child.asked, parent.asked, std::inserter(child.brought, child.brought.end()));
     if (!child.explains)
       std::erase_if(child.ties, [&](const Tie& tie) {
-        const bool together = parent.explains && tie.index > flipped.index &&
-                              tie.place.clause == flipped.place.clause && tie.place.line == flipped.place.line;
+        const bool together =
+            parent.explains && tie.index > flipped.index && tie.place.line == flipped.place.line &&
+            (tie.place.clause == flipped.place.clause ||
+             (parent.brought.contains(tie.place) && parent.brought.contains(flipped.place)));
         return parent.asked.contains(tie.place) && !together;
       });
     child.farthest = std::max(child.event, parent.farthest);
