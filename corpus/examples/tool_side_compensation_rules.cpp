@@ -66,6 +66,9 @@ constexpr Example kRules[] = {
     {"An arc to its centre: PS0038 at line 3.", HERE, LEFT "X100.\nG02 X100. Y-50. I0 J-50.\n"},
     {"An arc smaller than the tool inside, R' = -5: line 2 ends with the perpendicular, PS0041 at line 3.", HERE,
      LEFT "X100.\nG03 X90. Y0 I-5. J0\n"},
+    {"The value changes where the arc begins: the start of R6 has the 10 of the line before, R' = -4, and not the 4 of "
+     "the arc. Line 2 ends with the perpendicular, PS0041 at line 3.",
+     HERE, LEFT "X100.\nG03 X106. Y6. I0 J6. D4\n"},
     {"Offset circles of radius 2 that lie apart: PS0033 at line 2.", HERE,
      LEFT "G03 X12. Y12. I0 J12.\nX0 Y0 I0 J-12.\n"},
 
@@ -190,6 +193,11 @@ constexpr Example kRules[] = {
     {"Q1 at a corner of one orientation: the perpendicular (0, 10, 0).", HERE, LEFT "X100. Q1\nY100.\nG40 Y150.\n"},
     {"Q2 at an acute corner of one orientation: K1 alone.", HERE, LEFT "X100. Q2\nX0\nG40 X-40.\n"},
     {"Q2 with one vector changes nothing.", HERE, LEFT "X100. Q2\nY100.\nG40 Y150.\n"},
+
+    {"19630 = 0.5: line 6 moves behind lines of 1 mm, the first with more decimals than a control counts. Value 1, at "
+     "the end (0, 1, 0): X90 Y2.",
+     "control = \"fanuc\"\naxes = [" XYZ "]\n[parameters]\n19630 = \"0.5\"\n[offsets.D]\n1 = 1\n",
+     "G43.5\nG41.6 D1 X10.0000000\nX10 Y1\nY0\nX80 Y1\nX90\n"},
 
     // Interference.
     {"VT Z, then (-1, 0, 1) and a movement along it: exactly 45 degrees counts, and so does W = 0. "

@@ -504,7 +504,8 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
       }
     }
     for (std::size_t i = 0; i < values[0].size; ++i)
-      for (std::size_t j = 0; j < values[1].size; ++j) pairs[size++] = {{values[0].value[i], values[1].value[j]}, b == 0 ? 1 : -1};
+      for (std::size_t j = 0; j < values[1].size; ++j)
+        pairs[size++] = {{values[0].value[i], values[1].value[j]}, b == 0 ? 1 : -1};
   }
   if (size == 0) return false;
 

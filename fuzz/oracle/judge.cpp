@@ -305,10 +305,9 @@ class Judge {
     std::ranges::set_difference(child.asked, parent.asked, std::inserter(child.brought, child.brought.end()));
     if (!child.explains)
       std::erase_if(child.ties, [&](const Tie& tie) {
-        const bool together =
-            parent.explains && tie.index > flipped.index && tie.place.line == flipped.place.line &&
-            (tie.place.clause == flipped.place.clause ||
-             (parent.brought.contains(tie.place) && parent.brought.contains(flipped.place)));
+        const bool together = parent.explains && tie.index > flipped.index && tie.place.line == flipped.place.line &&
+                              (tie.place.clause == flipped.place.clause ||
+                               (parent.brought.contains(tie.place) && parent.brought.contains(flipped.place)));
         return parent.asked.contains(tie.place) && !together;
       });
     child.farthest = std::max(child.event, parent.farthest);
