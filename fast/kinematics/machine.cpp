@@ -195,6 +195,13 @@ void Machine::set_branch(Pose& pose) const {
   pose.branch = magnitude <= slack || magnitude >= kTurn / 2 - slack ? 0 : (psi > 0 ? 1 : -1);
 }
 
+void Machine::set_branch(Pose& pose, int branch) const {
+  set_branch(pose);
+  constexpr double kRightAngle = 90;
+  const bool ahead = std::abs(pose.psi) < kRightAngle;
+  if (pose.branch == 0 && (ahead ? polar_.has_plus() : polar_.has_minus())) pose.branch = branch;
+}
+
 Count Machine::count(const Pose& pose, std::size_t i) const {
   const RotaryPosition& rotary = pose.axis[i];
   if (rotary.kind != RotaryPosition::Kind::inverse) return rotary.count;
@@ -532,10 +539,10 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
     else
       set_rounded(end, i, Count::of_units(pairs[0].value[i]));
   }
-  set_branch(end);
-  // So near a singular posture that the tool-side position no longer tells, the work-side position is of this branch.
-  constexpr double kRightAngle = 90;
-  if (end.branch == 0 && reach == Reach::two_pairs && std::abs(end.psi) < kRightAngle) end.branch = pairs[0].branch;
+  if (reach == Reach::two_pairs)
+    set_branch(end, pairs[0].branch);
+  else
+    set_branch(end);
   return true;
 }
 

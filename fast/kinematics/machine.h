@@ -145,6 +145,8 @@ class Machine {
   [[nodiscard]] std::array<Count, 2> fine_pair(const PolarRoots& roots, int branch) const;
   // psi and branch from the tool-side position.
   void set_branch(Pose& pose) const;
+  // The same of a pose on this branch, not singular: a position may be too near a singular posture to tell.
+  void set_branch(Pose& pose, int branch) const;
   // Everything of a pose but its axes.
   void set_direction(const Direction& tool, Pose& pose) const;
   // The same where it is known in double-double: near a singular posture the azimuth needs it.

@@ -383,7 +383,7 @@ void ToolPostureControl::along(const FineArc& arc, PosturePlan& plan) const {
   } else {
     Machine::set_direction(*arc.target.tool, arc.e, plan.end);
     for (std::size_t i = 0; i < 2; ++i) machine_.set_rounded(plan.end, i, lifted[i]);
-    machine_.set_branch(plan.end);
+    machine_.set_branch(plan.end, branch);
     if (arc.found.near != 0) {
       if (change_end(arc, arc.found.near, plan)) return;
       if (refusal_alarms_) {
@@ -444,7 +444,7 @@ bool ToolPostureControl::change_end(const FineArc& arc, int pole, PosturePlan& p
     error += (arc.start.tool.refined_error() + kFine) / std::hypot(arc.s.x.hi, arc.s.y.hi);
   error += machine_.kinematics().frame().fine_error;
   Machine::set_direction(fine_direction(machine_.fine_in_frame(on_table), error), seen, changed);
-  machine_.set_branch(changed);
+  machine_.set_branch(changed, -arc.branch);
   plan.end = changed;
   plan.changed = true;
   conventional(arc.start, plan.end, plan);
