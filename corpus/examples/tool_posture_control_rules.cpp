@@ -26,6 +26,9 @@ constexpr Example kRules[] = {
     {"From upright to 1 1 2: C turns to 45 before the block, length 10 with the head 5 beside the tool: the axes "
      "follow.",
      HC("19712 = 5\n", "[offsets.H]\n1 = 10\n"), "G90 G43.5 H1 P1\nG01 X10. I1 J1 K2 F100\n", 2},
+    {"Out of upright by 1e-19 towards Y, C there at -1350 as it is at 90: the table stands, X2.5, X5, X7.5 and X10.",
+     TAC("", "[offsets.H]\n1 = 60\n[position]\nA = 360\nC = -1350\n"),
+     "G90 G43.5 H1 P1\nG01 X10. I0 J.0000000000001 K984808 F100\n", 4},
     {"Type 2 to upright: C stays.", HC("", B_30), "G90 G43.5 H0 P1\nG01 X10. I0 J0 K1 F100\n"},
     {"Type 1 to upright at C 90: the block ends at C 0, then C turns to 90.", HC("", B_30),
      "G90 G43.4 H0 P1\nG01 X10. B0 C90. F100\n", 2},

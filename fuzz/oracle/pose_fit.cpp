@@ -164,6 +164,11 @@ PoseFit<Number>::View PoseFit<Number>::view(const model::Event& event, const spe
   return view;
 }
 
+template <class Number>
+double PoseFit<Number>::rounded(const View& view) {
+  return (policy::ulp(magnitude(view.own.tool)) + policy::ulp(magnitude(view.own.work))) / kDegreesPerRadian;
+}
+
 // The positions turn the tool into the direction expected, on its branch. Where the work-side axis does not turn the
 // tool it may stand elsewhere; a position of many turns is rounded before its sine is taken.
 template <class Number>
@@ -171,9 +176,7 @@ bool PoseFit<Number>::turns_into(const View& view, const Scale& scale) const {
   const bool along_a_great_circle =
       view.sample && view.event.clauses.contains(spec::Clause::fanuc_tool_posture_great_circle);
   if (!view.controlled || !(along_a_great_circle || directed(view.event))) return false;
-  const double rounded =
-      (policy::ulp(magnitude(view.own.tool)) + policy::ulp(magnitude(view.own.work))) / kDegreesPerRadian;
-  const double error = std::max(policy::ulp(1), scale.pose.direction) + rounded;
+  const double error = std::max(policy::ulp(1), scale.pose.direction) + rounded(view);
   // Inside a block the directions at its ends count, as the controller has them.
   const double inherited = view.sample ? direction_ * scale.pose.direction / policy::ulp(1) : 0;
   if (length(view.own_tool - view.tool) >
@@ -229,7 +232,7 @@ std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::seen(std::span<co
     return std::nullopt;
   if (!turns_into(at, scale) && !goes_as_expected(window, at)) return std::nullopt;
   const double direction = length(at.own_tool - at.tool);
-  return Seen{adjusted(at, off_tip(event, actual, scale)), direction};
+  return Seen{adjusted(at, off_tip(event, actual, scale)), direction, rounded(at)};
 }
 
 // A tip that two conditions place (head.h) lies where the controller has it; that it may is judged as of any point.
@@ -302,7 +305,7 @@ std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::without_kinematic
   if (direction >
       rules_.budget().tool_axis * std::max(policy::ulp(1), scale.pose.direction) + inherited + 2 * rules_.resolution())
     return std::nullopt;
-  Seen result{expected, direction};
+  Seen result{expected, direction, 0};
   const Vector axes = linear(expected.axes);
   const Vector moved = dot(axes - linear(expected.point), tool) * (own - tool);
   set_linear(result.event.axes, axes + moved);

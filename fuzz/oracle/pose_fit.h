@@ -32,11 +32,12 @@ class PoseFit {
   // `facts` as for Conditions. Both are kept by reference.
   PoseFit(const Rules& rules, const spec::Setup& setup, const ProgramFacts* facts);
 
-  // The event as expected of a controller with the rotary positions of `actual`, and how far its tool axis lies off the
-  // expected one.
+  // The event as expected of a controller with the rotary positions of `actual`, how far its tool axis lies off the
+  // expected one, and by what angle, in radians, these positions may be off those that it has and told rounded.
   struct Seen {
     model::Event event;
     double direction = 0;
+    double rounded = 0;
   };
   // Of window[0]; `window` as for Conditions::next. Nothing where the positions do not fit, or where there are none.
   [[nodiscard]] std::optional<Seen> seen(std::span<const model::Event> window, const spec::Event<Number>& actual,
@@ -77,6 +78,8 @@ class PoseFit {
   [[nodiscard]] bool directed(const model::Event& event) const {
     return facts_ == nullptr || facts_->directed(event.line);
   }
+  // Of positions as doubles tell them, in radians.
+  static double rounded(const View& view);
   [[nodiscard]] bool turns_into(const View& view, const Scale& scale) const;
   [[nodiscard]] bool goes_as_expected(std::span<const model::Event> window, const View& view) const;
   [[nodiscard]] model::Vector off_tip(const model::Event& event, const spec::Event<Number>& actual,
