@@ -57,8 +57,7 @@ std::optional<Difference> Pairing<Number>::next(std::span<const model::Event> wi
       scale.rest *= tilt;
       // So is all that positions told rounded to a double do not tell.
       scale.pose.tip += seen->rounded * scale.position / rules_.budget().coordinate;
-      scale.pose.direction =
-          std::max(scale.pose.direction, policy::ulp(1)) + seen->rounded / rules_.budget().tool_axis;
+      scale.pose.direction = std::max(scale.pose.direction, policy::ulp(1)) + seen->rounded / rules_.budget().tool_axis;
       if (by) add(seen->event.point, index_, *by);
       difference = compared(seen->event, scale, actual, judged);
     }
