@@ -11,7 +11,7 @@
 #include "certify/capabilities.h"
 #include "certify/finding.h"
 #include "certify/judge.h"
-#include "model/recorder.h"
+#include "model/basis/recorder.h"
 
 namespace toolcomp::certify {
 

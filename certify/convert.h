@@ -1,7 +1,7 @@
 // Events of the model and of controllers over numbers that can be drawn and compared.
 #pragma once
 
-#include "model/engine.h"
+#include "model/basis/event.h"
 #include "spec/language/case.h"
 #include "spec/language/event.h"
 

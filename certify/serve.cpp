@@ -2,10 +2,10 @@
 
 #include <streambuf>
 
-#include "fast/print.h"
+#include "fast/basis/print.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/verdict.h"
-#include "model/print.h"
+#include "model/basis/print.h"
 #include "spec/language/case_format.h"
 #include "spec/language/event_json.h"
 #include "spec/language/input_error.h"

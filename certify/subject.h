@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "certify/capabilities.h"
-#include "fast/engine.h"
+#include "fast/basis/event.h"
 #include "spec/language/case.h"
 #include "spec/language/fields.h"
 

@@ -13,10 +13,10 @@
 #include "cli/explanation.h"
 #include "cli/program.h"
 #include "cli/verbs.h"
-#include "fast/print.h"
+#include "fast/basis/print.h"
 #include "fuzz/gen/program_text.h"
 #include "fuzz/oracle/control.h"
-#include "model/print.h"
+#include "model/basis/print.h"
 #include "spec/language/event_format.h"
 #include "spec/language/input_error.h"
 

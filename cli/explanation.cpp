@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "model/print.h"
-#include "model/program/number.h"
+#include "model/basis/number.h"
+#include "model/basis/print.h"
 
 namespace toolcomp::cli {
 namespace {

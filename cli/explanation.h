@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "model/engine.h"
+#include "model/basis/event.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::cli {

@@ -6,7 +6,7 @@
 
 #include "corpus/sha256.h"
 #include "fuzz/oracle/compare.h"
-#include "model/print.h"
+#include "model/basis/print.h"
 #include "spec/language/event_json.h"
 #include "spec/language/number_text.h"
 #include "spec/language/setup_format.h"

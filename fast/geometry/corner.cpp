@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/fault.h"
+#include "fast/basis/fault.h"
 
 namespace toolcomp::fast {
 namespace {

@@ -1,6 +1,6 @@
 #include "fast/kinematics/direction.h"
 
-#include "fast/fault.h"
+#include "fast/basis/fault.h"
 #include "fast/kinematics/kinematics.h"
 
 namespace toolcomp::fast {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "fast/fault.h"
+#include "fast/basis/fault.h"
 #include "fast/kinematics/unit_angle.h"
 #include "spec/language/input_error.h"
 

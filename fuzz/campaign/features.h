@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "model/recorder.h"
+#include "model/basis/recorder.h"
 
 namespace toolcomp::fuzz {
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "fuzz/laws/certainty.h"
-#include "model/engine.h"
+#include "model/basis/event.h"
 
 namespace toolcomp::fuzz::laws {
 

@@ -7,7 +7,7 @@
 
 #include "fuzz/laws/fanuc_program.h"
 #include "fuzz/laws/machine.h"
-#include "model/engine.h"
+#include "model/basis/event.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz::laws {

@@ -7,7 +7,7 @@
 
 #include "fuzz/laws/certainty.h"
 #include "fuzz/laws/fanuc_program.h"
-#include "model/engine.h"
+#include "model/basis/event.h"
 
 namespace toolcomp::fuzz::laws {
 

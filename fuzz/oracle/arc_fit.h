@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "model/engine.h"
+#include "model/basis/event.h"
 #include "model/geometry/vector.h"
 
 namespace toolcomp::fuzz {

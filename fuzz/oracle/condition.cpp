@@ -8,7 +8,7 @@
 
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
-#include "model/program/number.h"
+#include "model/basis/number.h"
 
 namespace toolcomp::fuzz {
 namespace {

@@ -10,7 +10,7 @@
 #include "fuzz/oracle/scale.h"
 #include "fuzz/oracle/space_scale.h"
 #include "fuzz/oracle/tool_plane.h"
-#include "model/engine.h"
+#include "model/basis/event.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {

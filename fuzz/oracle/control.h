@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "fast/engine.h"
-#include "fast/klartext/engine.h"
-#include "model/engine.h"
-#include "model/klartext/engine.h"
+#include "fast/fanuc/engine.h"
+#include "fast/heidenhain/engine.h"
+#include "model/fanuc/engine.h"
+#include "model/heidenhain/engine.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/klartext_reader.h"
 #include "spec/language/program_reader.h"

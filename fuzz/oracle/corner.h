@@ -6,7 +6,7 @@
 #include <span>
 
 #include "fuzz/oracle/head.h"
-#include "model/engine.h"
+#include "model/basis/event.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {

@@ -9,7 +9,7 @@
 
 #include "fuzz/oracle/program_facts.h"
 #include "fuzz/oracle/rotary.h"
-#include "model/engine.h"
+#include "model/basis/event.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {

@@ -10,7 +10,7 @@
 
 #include "fuzz/oracle/corner.h"
 #include "fuzz/oracle/scale.h"
-#include "model/engine.h"
+#include "model/basis/event.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "fast/engine.h"
+#include "fast/basis/event.h"
 #include "fuzz/oracle/widths.h"
-#include "model/engine.h"
+#include "model/basis/event.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case.h"
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "model/basis/recorder.h"
 #include "model/geometry/plane.h"
-#include "model/recorder.h"
 #include "spec/language/event.h"
 
 namespace toolcomp::model {

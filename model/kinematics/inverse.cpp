@@ -1,7 +1,7 @@
 #include "model/kinematics/inverse.h"
 
-#include "model/engine.h"
-#include "model/program/alarm.h"
+#include "model/basis/alarm.h"
+#include "model/basis/event.h"
 
 namespace toolcomp::model {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstddef>
 
+#include "model/basis/recorder.h"
 #include "model/kinematics/machine.h"
 #include "model/kinematics/tool_direction.h"
-#include "model/recorder.h"
 
 namespace toolcomp::model {
 

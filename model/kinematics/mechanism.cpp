@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "model/program/number.h"
+#include "model/basis/number.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::model {

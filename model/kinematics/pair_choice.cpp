@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "model/basis/alarm.h"
 #include "model/kinematics/mechanism.h"
-#include "model/program/alarm.h"
 
 namespace toolcomp::model {
 namespace {

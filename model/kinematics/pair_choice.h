@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
+#include "model/basis/recorder.h"
 #include "model/kinematics/inverse.h"
 #include "model/kinematics/machine.h"
-#include "model/recorder.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {

@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "model/geometry/vector.h"
+#include "model/kinematics/coordinate.h"
 #include "model/kinematics/mechanism.h"
-#include "model/program/coordinate.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {

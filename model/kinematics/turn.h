@@ -6,7 +6,7 @@
 
 #include "model/geometry/vector.h"
 #include "model/kinematics/angle.h"
-#include "model/program/coordinate.h"
+#include "model/kinematics/coordinate.h"
 
 namespace toolcomp::model {
 

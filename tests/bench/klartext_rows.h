@@ -1,8 +1,8 @@
 // Rows of the benchmarks of Heidenhain programs.
 #pragma once
 
-#include "fast/klartext/engine.h"
-#include "model/klartext/engine.h"
+#include "fast/heidenhain/engine.h"
+#include "model/heidenhain/engine.h"
 #include "spec/language/klartext_reader.h"
 #include "tests/bench/rows.h"
 

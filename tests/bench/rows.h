@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fast/engine.h"
-#include "fast/print.h"
-#include "model/engine.h"
+#include "fast/basis/print.h"
+#include "fast/fanuc/engine.h"
+#include "model/fanuc/engine.h"
 #include "spec/language/event_json.h"
 #include "spec/language/program_reader.h"
 #include "spec/language/setup_format.h"

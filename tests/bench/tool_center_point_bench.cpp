@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "fast/fanuc/tool_posture_control/posture.h"
 #include "fast/kinematics/machine.h"
-#include "fast/tool_posture_control/posture.h"
 #include "tests/bench/leaning_tool.h"
 
 namespace {

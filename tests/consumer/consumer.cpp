@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "fast/engine.h"
-#include "model/engine.h"
+#include "fast/fanuc/engine.h"
+#include "model/fanuc/engine.h"
 #include "spec/language/program_reader.h"
 
 namespace {

@@ -10,7 +10,7 @@
 
 #include "corpus/sha256.h"
 #include "fuzz/oracle/verdict.h"
-#include "model/program/number.h"
+#include "model/basis/number.h"
 #include "spec/language/program_reader.h"
 #include "spec/language/setup_format.h"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "model/print.h"
+#include "model/basis/print.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/setup_format.h"
 #include "tests/golden/space_rows.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fast/fault.h"
+#include "fast/basis/fault.h"
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/trial.h"
@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kNames[] = {
     "none",
 #define TOOLCOMP_FAULT(name, description) #name,
-#include "fast/faults.inc"
+#include "fast/basis/faults.inc"
 #undef TOOLCOMP_FAULT
 };
 

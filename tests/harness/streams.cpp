@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "fast/fault.h"
+#include "fast/basis/fault.h"
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"

@@ -1,6 +1,7 @@
 // The rules of the house that a compiler does not enforce: who may include whom, and where doubles and tolerances live.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -60,10 +61,54 @@ TEST(Architecture, DependenciesRunOneWay) {
   EXPECT_GT(seen, 100U);
 }
 
+// What each folder of both engines includes of the others.
+std::map<std::string, std::set<std::string>> includes_of_folders() {
+  const std::regex include(R"re(#include "((model|fast)/[a-z_/]+)/[a-z_0-9]+\.)re");
+  std::map<std::string, std::set<std::string>> result;
+  for (const std::string room : {"model", "fast"})
+    for (const fs::path& file : sources(room)) {
+      const std::string folder = fs::relative(file.parent_path(), kSource).generic_string();
+      std::set<std::string>& others = result[folder];
+      const std::string text = read(file);
+      for (auto it = std::sregex_iterator(text.begin(), text.end(), include); it != std::sregex_iterator(); ++it)
+        if ((*it)[1].str() != folder) others.insert((*it)[1].str());
+    }
+  return result;
+}
+
+// A folder is read when those it includes have been: there is an order in which the house can be read.
+TEST(Architecture, FoldersHaveAnOrder) {
+  std::map<std::string, std::set<std::string>> left = includes_of_folders();
+  EXPECT_GT(left.size(), 30U);
+  std::set<std::string> read_before;
+  for (bool goes_on = true; goes_on;) {
+    goes_on = std::erase_if(left, [&](const auto& folder) {
+                const bool next = std::ranges::includes(read_before, folder.second);
+                if (next) read_before.insert(folder.first);
+                return next;
+              }) > 0;
+  }
+  for (const auto& [folder, others] : left)
+    for (const std::string& other : others)
+      EXPECT_TRUE(read_before.contains(other)) << folder << " and " << other << " are in a circle";
+}
+
+// The dialects stand side by side above what they share, and what they share knows neither.
+TEST(Architecture, DialectsKnowNothingOfEachOther) {
+  const auto dialect = [](const std::string& folder) -> std::string {
+    for (const std::string name : {"fanuc", "heidenhain"})
+      if (folder.ends_with("/" + name) || folder.find("/" + name + "/") != std::string::npos) return name;
+    return "";
+  };
+  for (const auto& [folder, others] : includes_of_folders())
+    for (const std::string& other : others)
+      EXPECT_TRUE(dialect(other).empty() || dialect(other) == dialect(folder)) << folder << " includes " << other;
+}
+
 // A law is worth what its independence is worth: of the model it knows the events and the numbers.
 TEST(Architecture, LawsKnowNoEngine) {
   const std::regex include(R"re(#include "([a-z_]+/[^"]*)")re");
-  const std::set<std::string> known{"model/engine.h", "model/exact/real.h"};
+  const std::set<std::string> known{"model/basis/event.h", "model/exact/real.h"};
   for (const fs::path& file : sources("fuzz/laws")) {
     const std::string text = read(file);
     for (auto it = std::sregex_iterator(text.begin(), text.end(), include); it != std::sregex_iterator(); ++it) {

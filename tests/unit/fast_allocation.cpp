@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "count_allocations.h"
-#include "fast/engine.h"
+#include "fast/fanuc/engine.h"
 #include "spec/language/program_reader.h"
 #include "spec/language/setup_format.h"
 

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "fast/arithmetic/wide.h"
-#include "fast/leading_edge_offset/compensation_vector.h"
+#include "fast/fanuc/leading_edge_offset/compensation_vector.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::fast {

@@ -1,4 +1,4 @@
-#include "fast/tool_center_point_control/fraction_counter.h"
+#include "fast/fanuc/tool_center_point_control/fraction_counter.h"
 
 #include <gtest/gtest.h>
 

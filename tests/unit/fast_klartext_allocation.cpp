@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "count_allocations.h"
-#include "fast/klartext/engine.h"
+#include "fast/heidenhain/engine.h"
 #include "spec/language/klartext_reader.h"
 #include "spec/language/setup_format.h"
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fast/klartext/engine.h"
+#include "fast/heidenhain/engine.h"
 #include "spec/language/klartext_reader.h"
 #include "spec/language/setup_format.h"
 

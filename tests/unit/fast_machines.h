@@ -7,8 +7,8 @@
 #include <initializer_list>
 #include <string>
 
+#include "fast/fanuc/tool_posture_control/posture.h"
 #include "fast/kinematics/machine.h"
-#include "fast/tool_posture_control/posture.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::fast {

@@ -1,5 +1,5 @@
 // Numbers of the fast engine as text: shortest, plain, and read back to the same double.
-#include "fast/print.h"
+#include "fast/basis/print.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fast/engine.h"
+#include "fast/fanuc/engine.h"
 #include "spec/language/program_reader.h"
 #include "spec/language/setup_format.h"
 

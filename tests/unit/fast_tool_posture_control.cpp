@@ -1,6 +1,6 @@
 // Plans and samples of tool posture control in the fast engine: posture sheet, examples 3 to 5, 7, 8 and 11, the rules
 // of its parts 7.3 and 17, and its invariants 2 to 6.
-#include "fast/tool_posture_control/posture.h"
+#include "fast/fanuc/tool_posture_control/posture.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "model/klartext/engine.h"
-#include "model/recorder.h"
+#include "model/basis/recorder.h"
+#include "model/heidenhain/engine.h"
 #include "spec/language/event_names.h"
 #include "spec/language/klartext_reader.h"
 #include "spec/language/setup_format.h"

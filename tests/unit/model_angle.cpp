@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/kinematics/angle.h"
-#include "model/program/coordinate.h"
+#include "model/kinematics/coordinate.h"
 
 namespace toolcomp::model {
 namespace {

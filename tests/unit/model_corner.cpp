@@ -1,14 +1,14 @@
 // The geometry of a corner by itself: classes, vectors, meeting points, groups, and what is left of a block between two
 // groups. Expected values: the tables of 14.6.1 to 14.6.5 of the sheet; where a comment says so, derived here.
-#include "model/geometry/corner.h"
+#include "model/fanuc/corner/corner.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "model/engine.h"
-#include "model/geometry/interference.h"
-#include "model/geometry/vector_group.h"
+#include "model/basis/event.h"
+#include "model/fanuc/corner/interference.h"
+#include "model/fanuc/corner/vector_group.h"
 #include "spec/language/setup_format.h"
 
 namespace {

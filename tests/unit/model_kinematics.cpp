@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "model/basis/alarm.h"
 #include "model/kinematics/inverse.h"
 #include "model/kinematics/machine.h"
 #include "model/kinematics/pair_choice.h"
-#include "model/program/alarm.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 #include "tests/unit/sheet_digits.h"

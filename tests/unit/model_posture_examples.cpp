@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "model/engine.h"
+#include "model/fanuc/engine.h"
 #include "spec/language/program_reader.h"
 #include "tests/unit/model_run.h"
 #include "tests/unit/sheet_digits.h"

@@ -1,5 +1,5 @@
 // Exact values as text. Digits of 1/3, 2/3 and of the square root of 2 are the known ones.
-#include "model/print.h"
+#include "model/basis/print.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The recorder: what is counted, what is listed, what can be forced.
 #include <gtest/gtest.h>
 
-#include "model/recorder.h"
+#include "model/basis/recorder.h"
 
 namespace {
 

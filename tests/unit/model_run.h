@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "model/engine.h"
-#include "model/recorder.h"
+#include "model/basis/recorder.h"
+#include "model/fanuc/engine.h"
 #include "spec/language/event_names.h"
 #include "spec/language/program_reader.h"
 #include "spec/language/setup_format.h"

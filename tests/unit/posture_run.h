@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "model/basis/alarm.h"
+#include "model/fanuc/tool_posture_control/tool_posture_control.h"
 #include "model/kinematics/pair_choice.h"
-#include "model/program/alarm.h"
-#include "model/tool_posture_control/tool_posture_control.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::test {

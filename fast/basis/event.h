@@ -1,0 +1,11 @@
+// What the engines give.
+#pragma once
+
+#include "spec/language/event.h"
+
+namespace toolcomp::fast {
+
+using Event = spec::Event<double>;
+using EventSink = spec::EventSink<double>;
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,34 @@
+// The fast engine: what a controller would ship. Double precision, streaming, no allocation per block.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "fast/basis/event.h"
+#include "spec/language/block.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::fast {
+
+// Runs one program, block by block, in memory of fixed size. After an alarm or the end of the program further blocks
+// are ignored. Only the constructor allocates.
+class Engine {
+ public:
+  // `samples`: into how many equal parts a block under tool center point control is divided; 0 or 1: no samples.
+  // Throws spec::InputError for a setup the control could not have (message names the key).
+  Engine(const spec::Setup& setup, EventSink& sink, std::uint32_t samples = 0);
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  void block(const spec::Block& block);
+  // The end of the text: flushes the look-ahead.
+  void end();
+  [[nodiscard]] bool stopped() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace toolcomp::fast

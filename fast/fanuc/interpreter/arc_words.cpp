@@ -1,0 +1,63 @@
+// G02, G03: which words make an arc, in the selected plane.
+#include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/program/arc.h"
+
+namespace toolcomp::fast {
+
+std::size_t Interpreter::normal_axis() const {
+  if (plane_ == spec::Plane::xy) return xyz_[2];
+  return plane_ == spec::Plane::zx ? xyz_[1] : xyz_[0];
+}
+
+std::array<std::size_t, 2> Interpreter::plane_axes(spec::Plane plane) const {
+  return {xyz_[in_plane(plane, 0)], xyz_[in_plane(plane, 1)]};
+}
+
+void Interpreter::select_plane(spec::Plane plane) {
+  plane_ = plane;
+  plane_axis_ = plane_axes(plane);
+  plane_axes_ = 0;
+  plane_letter_ = {direction_letter(plane, 0), direction_letter(plane, 1)};
+  for (const std::size_t axis : plane_axis_)
+    if (axis != spec::Axes::kNone) plane_axes_ = static_cast<Mask>(plane_axes_ | bit(axis));
+}
+
+Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
+                            bool with_geometry) const {
+  if (!is_arc(words)) return alarm::kNone;
+  const std::array<std::size_t, 2>& plane = plane_axis_;
+  std::array<Count, 2> start;
+  std::array<Count, 2> end;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t axis = plane[i];
+    if (axis == spec::Axes::kNone) continue;
+    start[i] = end[i] = actual(axis);
+    if ((words.axes() & bit(axis)) != 0) end[i] = target(words, axis) + tool_offset_[axis];
+  }
+  if (!end[0].in_range() || !end[1].in_range()) return alarm::kRange;
+  read_arc(words, arc_words);
+  const auto& [clockwise, by_radius, to_center, radius] = arc_words;
+  ArcGeometry geometry;
+  Alarm a;
+  // An arc about its start is refused by cutter compensation C, once the rest of the block is known.
+  const bool about_start = !by_radius && to_center[0].is_zero() && to_center[1].is_zero();
+  if (about_start && !is_b_ && cutter_wanted(words) && words.has_any(Words::set_of("IJK")))
+    geometry.center = {start[0].nearest(), start[1].nearest()};
+  else if (with_geometry)
+    a = by_radius ? arc_by_radius(start, end, radius, clockwise, geometry)
+                  : arc_by_center(start, end, to_center, clockwise, geometry);
+  else
+    a = by_radius ? center_by_radius(start, end, radius, clockwise, geometry.center)
+                  : center_by_center(start, to_center, geometry.center);
+  if (a) return a;
+  arc.emplace();
+  arc->plane = plane_;
+  arc->direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (plane[i] != spec::Axes::kNone) arc->center.set(plane[i], geometry.center[i]);
+  arc->sweep = geometry.sweep;
+  arc->radius = geometry.radius;
+  return alarm::kNone;
+}
+
+}  // namespace toolcomp::fast

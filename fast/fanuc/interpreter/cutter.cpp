@@ -1,0 +1,218 @@
+// Blocks that pass cutter compensation, B or C: what the stage is told about each.
+#include "fast/fanuc/interpreter/interpreter.h"
+
+namespace toolcomp::fast {
+
+// The number a block commands: its D, or with 5001#2 = 1 its H where it has no D.
+std::optional<Interpreter::OffsetNumber> Interpreter::commanded_number(const Words& words) const {
+  if (words.has('D')) return OffsetNumber{whole_number(words['D'], memory_.count()), false};
+  if (ofh_ && words.has('H')) return OffsetNumber{whole_number(words['H'], memory_.count()), true};
+  return std::nullopt;
+}
+
+CutterSide Interpreter::cutter_side(Code code) {
+  switch (code) {
+    case 400:
+    case 412:  // of the same group
+    case 413:
+    case 416:
+    case 422:
+    case 426:
+      return CutterSide::off;
+    case 410:
+      return CutterSide::left;
+    case 420:
+      return CutterSide::right;
+    default:
+      return CutterSide::unchanged;
+  }
+}
+
+// What the codes and numbers of a block say to the stage, and where its path starts. cutter_number_ is taken already.
+void Interpreter::begin_cutter(const Words& words) {
+  const bool d_word = commanded_number(words).has_value();
+  const CutterSide word = cutter_side(words.code(Words::kCompensation));
+  const bool begins = cutter_side_ == CutterSide::off && word != CutterSide::off && word != CutterSide::unchanged;
+  if (begins || d_word || takes_edited_value()) {
+    cutter_offset_ = cutter_value(cutter_number_);
+    cutter_edited_ = false;
+  }
+  if (word != CutterSide::unchanged) cutter_side_ = word;
+  start_cutter_leg(words, word, d_word);
+}
+
+// Everything about a move but where it ends. The second move of G28 or G29 commands nothing of its own.
+void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_word) {
+  CutterBlock& block = cutter_next();
+  block.sets = false;
+  block.word = word;
+  block.side = cutter_side_;
+  block.d_word = d_word;
+  block.d = cutter_number_.number;
+  block.offset = cutter_offset_;
+  block.plane = plane_;
+  block.axis = plane_axis_;
+  block.named = 0;
+  block.has_direction = false;
+  block.path_made = false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t axis = block.axis[i];
+    block.start[i] = actual(axis);
+    if (axis != spec::Axes::kNone && (words.axes() & bit(axis)) != 0)
+      block.named = static_cast<std::uint8_t>(block.named | 1U << i);
+    const char letter = direction_letter(plane_, i);
+    if (words.has(letter)) {
+      block.direction[i] = value(words[letter], true, inch_program_);
+      block.has_direction = true;
+    } else {
+      block.direction[i] = Count();
+    }
+  }
+}
+
+// The usual block: positions, F and the letters of an arc, or nothing but its number. What check(), begin_cutter(),
+// plan_arc(), cutter_motion() and send_cutter() do for any block, without the detours.
+Alarm Interpreter::cutter_move(const Words& words) {
+  if (!is_usual_cutter_plane()) [[unlikely]] {
+    start_cutter_leg(words, CutterSide::unchanged, false);
+    return cutter_motion(words, kNone, false, std::nullopt, ArcWords{});
+  }
+  const std::array<std::size_t, 2>& plane = plane_axis_;
+  CutterBlock& block = cutter_next();
+  const Mask axes = words.axes();
+  const bool arc = is_arc(words);
+  block.sets = false;
+  block.word = CutterSide::unchanged;
+  block.side = cutter_side_;
+  block.d_word = false;
+  block.d = cutter_number_.number;
+  block.offset = cutter_offset_;
+  block.plane = plane_;
+  block.axis = plane;
+  block.has_direction = false;
+  block.feed = feed_;
+  block.own = axes != 0 || arc;
+  block.start[0] = programmed_[plane[0]];
+  block.start[1] = programmed_[plane[1]];
+  block.named = static_cast<std::uint8_t>((axes >> plane[0] & 1U) | (axes >> plane[1] & 1U) << 1U);
+  if (const Alarm placed = place_words(words, axes)) [[unlikely]]
+    return refuse_cutter_move(words, block, placed);
+  block.end[0] = programmed_[plane[0]];
+  block.end[1] = programmed_[plane[1]];
+  if (arc) {
+    std::array<double, 2> center{};
+    if (const Alarm a = read_cutter_arc(words, block, center)) return a;
+    block.motion = CutterMotion::arc;
+    block.path_made = !is_b_ && cutter_c_.make_arc_path(block);
+    fill(block.event, spec::MoveType::arc, spec::Cause::programmed);
+    if (!block.event.arc) block.event.arc.emplace();
+    spec::Arc<double>& numbers = *block.event.arc;
+    numbers.center.present = 0;
+    numbers.plane = plane_;
+    numbers.direction = block.clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
+    for (std::size_t i = 0; i < 2; ++i) numbers.center.set(plane[i], center[i]);
+  } else {
+    if (block.named == 0) {
+      block.motion = CutterMotion::still;
+    } else if (block.start[0] == block.end[0] && block.start[1] == block.end[1]) {
+      block.motion = CutterMotion::zero;
+    } else {
+      block.motion = CutterMotion::line;
+      block.path_made = !is_b_ && cutter_c_.make_line_path(block);
+    }
+    fill_here(block.event, straight(), spec::Cause::programmed);
+    if (block.motion == CutterMotion::line && block.path_made && cutter_c_.usual_line()) [[likely]]
+      return alarm::kNone;
+  }
+  if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);
+  return alarm::kNone;
+}
+
+// The alarm of a block whose words could not be placed: those of its arc come first.
+Alarm Interpreter::refuse_cutter_move(const Words& words, CutterBlock& block, const Alarm& placed) {
+  if (!is_arc(words)) return placed;
+  for (std::size_t i = 0; i < 2; ++i) programmed_[plane_axis_[i]] = block.start[i];
+  for (std::size_t i = 0; i < 2; ++i)
+    block.end[i] = (block.named >> i & 1U) != 0 ? target(words, plane_axis_[i]) : block.start[i];
+  std::array<double, 2> center{};
+  const Alarm a = read_cutter_arc(words, block, center);
+  return a ? a : placed;
+}
+
+// The alarms of an arc from block.start to block.end, in their order, its words and its centre. Sweep and radii are
+// left to the stage.
+Alarm Interpreter::read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const {
+  if (const Alarm a = cutter_c_.check_arc(CutterSide::unchanged, cutter_number_.number)) return a;
+  if (!block.end[0].in_range() || !block.end[1].in_range()) return alarm::kRange;
+  read_arc(words, block);
+  if (block.by_radius) return center_by_radius(block.start, block.end, block.radius, block.clockwise, center);
+  // An arc about its start is refused by the stage.
+  if (block.to_center[0].is_zero() && block.to_center[1].is_zero()) [[unlikely]]
+    if (!is_b_ && cutter_wanted(words) && words.has_any(Words::set_of("IJK"))) return alarm::kNone;
+  return center_by_center(block.start, block.to_center, center);
+}
+
+// A code that cutter compensation does not touch where nothing is wanted or to be removed (G37, G45 to G48, G41.3): the
+// stage learns of a G40 in the block, which then goes its own way.
+void Interpreter::retire_cutter() {
+  CutterBlock& block = cutter_next();
+  fill(block.event, straight(), spec::Cause::programmed);
+  block.own = false;
+  block.axis_word = false;
+  block.named = 0;
+  block.motion = CutterMotion::still;
+  (void)send_cutter(block);
+  in_cutter_ = false;
+}
+
+// G39 with axis words and without I J K: the words are a direction, from the current point.
+Alarm Interpreter::corner_direction(const Words& words, CutterBlock& block) const {
+  if (block.has_direction) return alarm::kNone;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if ((block.named >> i & 1U) == 0) continue;
+    const Count to = target(words, block.axis[i]);
+    if (!to.in_range()) return alarm::kRange;
+    block.direction[i] = to - programmed_[block.axis[i]];
+    block.has_direction = true;
+  }
+  return alarm::kNone;
+}
+
+Alarm Interpreter::cutter_motion(const Words& words, Code one_shot, bool extra,
+                                 const std::optional<spec::Arc<double>>& arc, const ArcWords& arc_words) {
+  CutterBlock& block = cutter_next();
+  const Mask axes = one_shot == kNone ? words.axes() : Mask{0};
+  if (const Alarm a = place_words(words, axes)) return a;
+
+  block.own = axes != 0 || extra || arc;
+  block.axis_word = axes != 0;
+  block.feed = feed_;
+  fill(block.event, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
+  if (arc) {
+    block.event.arc = arc;
+    block.clockwise = arc_words.clockwise;
+    block.by_radius = arc_words.by_radius;
+    block.to_center = arc_words.to_center;
+    block.radius = arc_words.radius;
+    block.motion = CutterMotion::arc;
+  } else if (one_shot == 390) {
+    if (const Alarm a = corner_direction(words, block)) return a;
+    block.motion = CutterMotion::corner_arc;
+  } else if (axes == 0 || block.named == 0) {
+    block.named = 0;
+    block.motion = CutterMotion::still;
+  } else {
+    block.motion = CutterMotion::line;
+  }
+  return send_cutter(block);
+}
+
+Alarm Interpreter::send_cutter(CutterBlock& block) {
+  for (std::size_t i = 0; i < 2; ++i) block.end[i] = actual(block.axis[i]);
+  if (block.motion == CutterMotion::line && block.start[0] == block.end[0] && block.start[1] == block.end[1])
+    block.motion = CutterMotion::zero;
+  if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);
+  return alarm::kNone;
+}
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,338 @@
+#include "fast/fanuc/interpreter/interpreter.h"
+
+#include <string>
+
+#include "fast/basis/fault.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::fast {
+
+Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_t samples)
+    : axes_(setup.axes),
+      count_(setup.axes.size()),
+      xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
+      letters_(axes_),
+      inch_setup_(setup.units == spec::Units::inch),
+      counts_increments_(!setup.bit(3401, 0, true)),
+      increment_places_(2 + static_cast<int>(setup.increment)),
+      machine_angles_(setup.rotary_angles == spec::RotaryAngles::machine),
+      kinematics_(setup),
+      machine_(setup, kinematics_),
+      posture_(setup, machine_),
+      memory_(setup),
+      length_(setup),
+      tool_offset_(setup),
+      measurement_(setup),
+      sink_(sink),
+      leading_edge_(setup, kinematics_, sink),
+      is_b_(setup.cutter_compensation == spec::CutterCompensationType::b),
+      cutter_b_(setup, sink),
+      cutter_c_(setup, sink),
+      tool_side_(setup, kinematics_, sink),
+      tip_(setup, machine_, sink, samples),
+      inch_program_(inch_setup_),
+      plain_words_(!counts_increments_),
+      ofh_(setup.bit(5001, 2)),
+      evr_(setup.bit(5001, 4)) {
+  if (setup.control != spec::Control::fanuc)
+    throw spec::InputError("setup", 0, 0, "control: only \"fanuc\" programs can be run");
+  for (std::size_t axis = 0; axis < count_; ++axis) {
+    Mask& kind = spec::is_linear_axis(axes_.letter(axis)) ? linear_ : rotary_;
+    kind = static_cast<Mask>(kind | bit(axis));
+    if (kinematics_.turns_with(axis)) turning_ = static_cast<Mask>(turning_ | bit(axis));
+  }
+  all_ = static_cast<Mask>(linear_ | rotary_);
+  select_plane(plane_);
+  for (std::size_t i = 0; i < origin_.size(); ++i) read_positions(setup.workpiece[i], "workpiece", origin_[i]);
+  mark_displaced();
+  read_positions(setup.floating_reference, "reference.floating", reference_[0]);
+  for (const auto& [number, table] : setup.reference)
+    if (number >= 1 && number <= 4) read_positions(table, "reference", reference_[static_cast<std::size_t>(number)]);
+  read_positions(setup.position, "position", programmed_);
+  for (std::size_t axis = 0; axis < count_; ++axis)
+    if (place(axis, programmed_[axis])) throw spec::InputError("setup", 0, 0, "position: out of range");
+  if (kinematics_.defined()) turn();
+}
+
+void Interpreter::read_positions(const spec::AxisTable& table, const char* key, Positions& to) const {
+  for (const auto& [letter, decimal] : table) {
+    const std::size_t axis = axes_.index(letter);
+    if (axis == spec::Axes::kNone) continue;
+    if (!fits_count(decimal)) throw spec::InputError("setup", 0, 0, std::string(key) + "." + letter + ": too large");
+    to[axis] = Count::of(decimal);
+  }
+}
+
+void Interpreter::block(const spec::Block& block) {
+  if (side_letters_ != 0)
+    side_block(block);
+  else
+    any_block(block);
+}
+
+void Interpreter::any_block(const spec::Block& block) {
+  if (stopped_) return;
+  line_ = block.line;
+  n_ = block.n;
+  if (block.alarm) [[unlikely]] {
+    if (!release_held()) send_alarm(block.alarm->number, block.alarm->message, line_, n_);
+    return;
+  }
+  const Words words(block, letters_);
+  if (words.unsupported()) [[unlikely]] {
+    raise(alarm::kUnknownCode);
+    return;
+  }
+  if (!words.any()) {
+    // A sequence or program number alone is a block without movement where blocks are counted.
+    if (cutter_active()) {
+      if (const Alarm a = cutter_move(words)) raise(a);
+    } else if (tool_side_on()) {
+      if (const Alarm a = tool_side_move(words)) raise(a);
+    }
+    return;
+  }
+  if (const Alarm a = run(words)) [[unlikely]] {
+    raise(a);
+    return;
+  }
+  if (words.ends_program()) end();
+}
+
+void Interpreter::end() {
+  if (stopped_) return;
+  if (release_held()) return;
+  stopped_ = true;
+}
+
+bool Interpreter::release_held() {
+  if (leading_edge_.active() && leading_edge_.release()) {
+    raise_at_start(alarm::kLeadingEdgeCommand);
+    return true;
+  }
+  if (tool_side_.active())
+    if (const StageEnd held = tool_side_.release()) end_run(held);
+  if (stopped_ || !cutter_active()) return stopped_;
+  const StageEnd held = is_b_ ? cutter_b_.release() : cutter_c_.release();
+  if (held) end_run(held);
+  return stopped_;
+}
+
+// A command alarm: what is held goes out as if the block and everything after it were absent. A block held may then
+// itself be at fault.
+void Interpreter::raise(const Alarm& alarm) {
+  if (release_held()) return;
+  send_alarm(alarm.number, alarm.message, line_, n_);
+}
+
+void Interpreter::raise_at_start(const Alarm& alarm) {
+  send_alarm(alarm.number, alarm.message, leading_edge_.start_line(), leading_edge_.start_n());
+}
+
+void Interpreter::send_alarm(const spec::Name& number, const char* message, std::uint64_t line,
+                             const std::optional<std::uint64_t>& n, spec::EventKind kind) {
+  stopped_ = true;
+  notice_.kind = kind;
+  notice_.number = number;
+  notice_.message = message;
+  notice_.line = line;
+  notice_.n = n;
+  const bool open = kind == spec::EventKind::undecided;  // whatever the outcome
+  notice_.permitted = {open, open, open};
+  sink_.on(notice_);
+}
+
+void Interpreter::end_run(const StageEnd& end) {
+  if (end.undecided == nullptr)
+    send_alarm(end.alarm.number, end.alarm.message, end.line, end.n);
+  else
+    send_alarm(end.undecided, "", end.line, end.n, spec::EventKind::undecided);
+}
+
+[[gnu::always_inline]] inline Alarm Interpreter::run(const Words& words) {
+  // The usual block, and nothing that waits for a block to come.
+  if (words.plain() && !length_.pending()) [[likely]] {
+    const Code code = words.code(Words::kMotion);
+    const Code motion_after = code == kNone ? motion_ : code;
+    const bool straight = motion_after <= 10 && !words.has_any(kArcLetters);
+    if (along_tool()) {
+      samples_block_ = true;
+      if (tip_.active()) {
+        if (motion_after <= 10 && !takes_edited_value()) {
+          const bool usual =
+              by_vector_ ? (words.axes() & rotary_) == 0 && names_direction(words) : !words.has_any(kArcLetters);
+          if (usual) {
+            motion_ = motion_after;
+            if (words.has('F')) set_feed(words);
+            return tip_move(words);
+          }
+        }
+      } else if (tool_side_on() && motion_after <= 10 && (words.axes() & rotary_) == 0 && !takes_edited_value() &&
+                 names_direction(words)) {
+        motion_ = motion_after;
+        if (words.has('F')) set_feed(words);
+        return tool_side_move(words);
+      } else if (!plans_tool_ && !tool_side_on() && !cutter_active() && motion_after <= 10 &&
+                 (words.axes() & rotary_) == 0 && names_direction(words)) {
+        motion_ = motion_after;
+        if (words.has('F')) set_feed(words);
+        direction_before_ = direction_;
+        direct(words);
+        return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false,
+                      std::nullopt);
+      }
+    } else if (tool_side_on()) {
+      if (straight && !takes_edited_value()) {
+        motion_ = motion_after;
+        if (words.has('F')) set_feed(words);
+        return tool_side_move(words);
+      }
+    } else if (!cutter_active()) {
+      if (straight) {
+        motion_ = motion_after;
+        if (words.has('F')) set_feed(words);
+        return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false,
+                      std::nullopt);
+      }
+    } else if (!takes_edited_value() && (straight || (!is_b_ && makes_tool_arc(words) && is_usual_cutter_plane()))) {
+      motion_ = motion_after;
+      if (words.has('F')) set_feed(words);
+      return cutter_move(words);
+    }
+  }
+  Plan plan;
+  if (const Alarm a = check(words, plan)) return a;
+  return apply(words, plan);
+}
+
+void Interpreter::set_feed(const Words& words) {
+  feed_ = Count::of(words['F'], fault(Fault::feed_not_converted) ? Factor::one : factor(inch_program_)).nearest();
+}
+
+// Everything is allowed but what depends on positions (arcs) and on the length offset, whose alarms come last.
+Alarm Interpreter::apply(const Words& words, const Plan& plan) {
+  motion_ = plan.motion;
+  if (const Code code = words.code(Words::kPlane); code != kNone) select_plane(plane_of(code));
+  if (const Code code = words.code(Words::kDistance); code != kNone) incremental_ = code == 910;
+  if (const Code code = words.code(Words::kUnits); code != kNone) {
+    inch_program_ = code == 200;
+    plain_words_ = !counts_increments_ && inch_program_ == inch_setup_;
+  }
+  if (words.has('F')) set_feed(words);
+  if (plan.ends_along) {
+    if (tip_.active())
+      end_tip_control(plan.along);
+    else
+      end_tool_direction(plan.along);
+  }
+  by_vector_ = plan.vector;
+  arc_letters_ = plan.vector ? Words::set_of("R") : kArcLetters;
+  if (const Code code = words.code(Words::kWorkpiece); code != kNone) {
+    select_workpiece(code);
+    if (plan.cutter) rename_in_cutter();
+  }
+
+  const Code one_shot = words.code(Words::kOneShot);
+  std::optional<spec::Arc<double>> arc;
+  ArcWords arc_words;
+  if ((one_shot == kNone || words.is_tool_offset()) && motion_ > 10)
+    if (const Alarm a =
+            plan_arc(words, arc, arc_words, !makes_tool_arc(words) && !(plan.side_before || plan.side_after)))
+      return a;
+  Shifts shifts;
+  if (words.is_tool_offset())
+    if (const Alarm a = plan_tool_offset(words, arc_words, arc, shifts)) return a;
+
+  length_.begin_block();
+  if (const Alarm a = length_.restore(words, memory_)) return a;
+  if (const Alarm a = length_.apply(words, memory_, normal_axis())) return a;
+  if (length_.changed()) stale_ = all_;
+  if (plan.along) along_length_ = tool_length().nearest();
+  // G43.4 and G43.5 always make their move; the G49 that ends them makes none.
+  const bool extra =
+      words.starts_tip_control() || (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
+  direction_before_ = direction_;
+  if (plan.along) {
+    // Moves that a compensation inserts are none of the block; G41.3 and its G40 take a change of the length along.
+    const bool edge = plan.compensation == Compensation::starts || plan.compensation == Compensation::cancels;
+    const bool type_c = tool_side_.type() == StartType::c && plan.side_before != plan.side_after;
+    samples_block_ = !words.starts_tip_control() && !edge && (!type_c || extra);
+    if (words.starts_tip_control()) begin_tip_control(words);
+    if (!tip_.active() && (!plans_tool_ || starts_tip_)) direct(words);
+  }
+
+  d_ = plan.d;
+  if (plan.compensation == Compensation::starts || (plan.compensation == Compensation::stays && words.has('D')))
+    radius_ = memory_.d(d_).nearest();
+  if (words.suppresses_look_ahead() &&
+      (plan.compensation == Compensation::stays || plan.compensation == Compensation::cancels))
+    if (const Alarm a = leading_edge_.release()) return a;
+
+  in_cutter_ = plan.cutter;
+  if (const std::optional<OffsetNumber> number = commanded_number(words)) cutter_number_ = *number;
+  if (in_cutter_) {
+    begin_cutter(words);
+    const Code code = words.code(Words::kCompensation);
+    const bool retires = code == 413 || is_tool_side(code) || words.is_tool_offset() || words.starts_tip_control() ||
+                         plan.compensation == Compensation::cancels;
+    CutterBlock& block = cutter_next();
+    block.sets = plan.writes && !retires;
+    if (block.sets) store_offset(plan.write, block.setting, block.setting_value);
+    if (retires) retire_cutter();
+    if (stopped_) return alarm::kNone;
+  }
+  begin_tool_side(words);
+  if (plan.side_before || plan.side_after) {
+    if (words.suppresses_look_ahead())
+      if (const StageEnd end = tool_side_.release()) {
+        end_run(end);
+        return alarm::kNone;
+      }
+    return tool_side_motion(words, extra, arc, arc_words);
+  }
+  if (const Alarm a = for_each_axis(shifts.axes, [&](std::size_t axis) {
+        tool_offset_.add(axis, shifts.by[axis]);
+        return tool_offset_[axis].in_range() ? alarm::kNone : alarm::kRange;
+      }))
+    return a;
+
+  if (words.axes() != 0) switch (one_shot) {
+      case 280:
+      case 300:
+      case 301:
+        return to_reference(words);
+      case 290:
+        return from_reference(words);
+      case 530:
+        if (!incremental_) return to_machine_position(words);
+        break;
+      case 370:
+        return measure(words);
+      default:
+        break;
+    }
+  if (in_cutter_)
+    return one_shot == 920 ? shift_in_cutter(words, extra) : cutter_motion(words, one_shot, extra, arc, arc_words);
+  const bool own = one_shot == kNone || words.is_tool_offset();
+  if (const Alarm a = motion(words, plan.compensation, own, extra, arc)) return a;
+  if (one_shot == 920) return shift_coordinates(words);
+  if (plan.writes) write_offset(plan.write);
+  return alarm::kNone;
+}
+
+void Interpreter::store_offset(const OffsetMemory::Write& write, spec::Name& name, double& stored) {
+  name = memory_.store(write);
+  stored = memory_.value(write).nearest();
+  if (memory_.changes_h(write)) length_.edited(write.number);
+  cutter_edited_ = true;
+}
+
+void Interpreter::write_offset(const OffsetMemory::Write& write) {
+  notice_.kind = spec::EventKind::setting;
+  notice_.line = line_;
+  notice_.n = n_;
+  store_offset(write, notice_.setting, notice_.value);
+  sink_.on(notice_);
+}
+
+}  // namespace toolcomp::fast

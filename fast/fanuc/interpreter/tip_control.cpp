@@ -1,0 +1,373 @@
+// Tool center point control G43.4 G43.5: words, the state of the mode, what a block does with the rotary axes.
+#include <bit>
+#include <cmath>
+
+#include "fast/basis/fault.h"
+#include "fast/fanuc/interpreter/interpreter.h"
+
+namespace toolcomp::fast {
+namespace {
+
+constexpr std::uint32_t kDirectionLetters = Words::set_of("IJK");
+const DoubleDouble kUnitsPerOne = to_double_double(Count::kRestPerOne);
+
+DoubleDouble fine(const Count& value) { return to_double_double(value.units()) / kUnitsPerOne; }
+Vector3<DoubleDouble> fine(const std::array<Count, 3>& v) { return {fine(v[0]), fine(v[1]), fine(v[2])}; }
+
+// The nearest whole number of units.
+Count nearest_count(const DoubleDouble& value) {
+  const DoubleDouble units = value * kUnitsPerOne;
+  const double whole = std::nearbyint(units.hi);
+  return Count::of_units(static_cast<Int128>(whole) +
+                         static_cast<Int128>(std::nearbyint((units.hi - whole) + units.lo)));
+}
+
+// The sweep of an arc by radius, `center` from its start; units alike. Half of it is seen from the middle of the chord.
+DoubleDouble radians_of(const std::array<DoubleDouble, 2>& center, const std::array<Count, 2>& start,
+                        const std::array<Count, 2>& end, bool larger) {
+  std::array<DoubleDouble, 2> half_chord;
+  std::array<DoubleDouble, 2> height;
+  for (std::size_t i = 0; i < 2; ++i) {
+    half_chord[i] = to_double_double((end[i] - start[i]).units()) * 0.5;
+    height[i] = center[i] - half_chord[i];
+  }
+  const auto length = [](const std::array<DoubleDouble, 2>& v) { return sqrt(v[0] * v[0] + v[1] * v[1]); };
+  const DoubleDouble across = length(height);
+  const Count half = fine_arctangent(length(half_chord), larger ? -across : across);
+  constexpr DoubleDouble kTwiceRadians{0x1.1df46a2529d39p-5, 0x1.5c1d8becdd291p-61};  // pi / 90
+  return fine(half) * kTwiceRadians;
+}
+
+bool is_quarter(const SineCosine<double>& turn) { return turn.sine == 0 || turn.cosine == 0; }
+
+Alarm alarm_of(PosturePlan::Outcome outcome) {
+  switch (outcome) {
+    case PosturePlan::Outcome::unreachable:
+      return alarm::kUnreachable;
+    case PosturePlan::Outcome::refused:
+      return alarm::kSingularPosture;
+    case PosturePlan::Outcome::good:
+      break;
+  }
+  return alarm::kNone;
+}
+
+}  // namespace
+
+// The alarms that words and state alone show (clause fanuc.tool-center-point.alarm-order).
+Alarm Interpreter::check_tip_control(const Words& words, const Plan& plan) const {
+  const Code length = words.code(Words::kLength);
+  const Code one_shot = words.code(Words::kOneShot);
+  const bool starts = words.starts_tip_control();
+  const bool forbidden = one_shot != kNone && one_shot != 40 && one_shot != 100;
+  const bool cutter = words.code(Words::kCompensation) == 410 || words.code(Words::kCompensation) == 420;
+  if (plan.along && (forbidden || cutter || words.code(Words::kWorkpiece) != kNone))
+    return alarm::kForbiddenUnderDirection;
+  if (along_tool() && (length == 430 || length == 440)) return alarm::kLengthExclusion;
+  if (starts)
+    if (const Alarm a = check_tip_control_start(words, plan)) return a;
+  const bool side = plan.side_before || plan.side_after;
+  const bool edge_after = plan.compensation == Compensation::starts || plan.compensation == Compensation::stays;
+  if (plan.ends_along && (leading_edge_.active() || edge_after || side)) return alarm::kDirectionFormat;
+  if (!plan.along) return alarm::kNone;
+  if (machine_.workpiece_frame() && machine_.has_table() && (plan.side_after || edge_after))
+    return alarm::kCompensationInWorkpiece;
+  const bool ijk = words.has_any(kDirectionLetters);
+  if (plan.vector) {
+    if ((words.axes() & rotary_) != 0) return side ? alarm::kRotaryWord : alarm::kToolDirection;
+    if (length == 435 && ijk && machine_.has_table()) return alarm::kDirectionAtStart;
+    if (!names_direction(words)) return alarm::kToolDirection;
+  }
+  if (plan.motion <= 10) return alarm::kNone;
+  const Code plane = words.code(Words::kPlane);
+  Mask in_plane = 0;
+  for (const std::size_t axis : plane_axes(plane == kNone ? plane_ : plane_of(plane)))
+    if (axis != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(axis));
+  const bool turns_alone = (words.axes() & linear_) == 0 &&
+                           (plan.vector ? ijk : (words.axes() & rotary_) != 0 && !words.has_any(kArcLetters));
+  if (turns_alone || (plan.vector && (words.axes() & in_plane) != 0 && !words.has('R'))) return alarm::kTipControlArc;
+  return alarm::kNone;
+}
+
+Alarm Interpreter::check_tip_control_start(const Words& words, const Plan& plan) const {
+  if (length_.live() != 0) return alarm::kLengthExclusion;
+  const bool vector = plan.vector;
+  if (!vector && !machine_.defined()) return alarm::kTipControl;
+  if (vector && machine_.defined() && machine_.workpiece_frame()) return alarm::kTipControl;
+  if (words.has('P') && words.code(Words::kOneShot) == kNone && whole_number(words['P'], 1) > 1)
+    return alarm::kTipControlWord;
+  if (vector && machine_.defined()) {
+    if (!machine_.invertible()) return alarm::kTipControl;
+    if (!machine_.ranges_valid()) return alarm::kRotaryLimits;
+  }
+  if (leading_edge_.active() || plan.compensation == Compensation::starts || plan.side_before || plan.side_after ||
+      plan.motion > 10)
+    return alarm::kDirectionFormat;
+  return alarm::kNone;
+}
+
+Alarm Interpreter::tip_move(const Words& words) {
+  if (tool_side_on()) return tool_side_move(words);
+  return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
+}
+
+std::array<Count, 3> Interpreter::programmed_xyz() const {
+  std::array<Count, 3> xyz;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (xyz_[i] != spec::Axes::kNone) xyz[i] = programmed_[xyz_[i]];
+  return xyz;
+}
+
+std::array<Count, 3> Interpreter::shift_xyz() const {
+  std::array<Count, 3> shift;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (xyz_[i] != spec::Axes::kNone) shift[i] = tool_offset_[xyz_[i]];
+  return shift;
+}
+
+Vector3<DoubleDouble> Interpreter::fine_origin() const {
+  std::array<Count, 3> origin;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (xyz_[i] != spec::Axes::kNone) origin[i] = machine_origin(xyz_[i]);
+  return fine(origin);
+}
+
+void Interpreter::set_programmed(std::size_t axis, const DoubleDouble& position) {
+  programmed_[axis] = nearest_count(position);
+  programmed_value_[axis] = programmed_[axis].nearest();
+  rounded_ = static_cast<Mask>(rounded_ | bit(axis));
+}
+
+// What the stages and the events see of a pose. The exact positions of the rotary axes are made when the mode ends.
+void Interpreter::take_posture(const Pose& pose) {
+  new_direction() = pose.tool;
+  if (!by_vector_) return;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (const std::size_t axis = machine_.rotary_axis(i); axis != spec::kMaxAxes)
+      programmed_value_[axis] = axes_value_[axis] = machine_.programmed_degrees(pose, i);
+}
+
+Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
+  // Where the block starts counts for a lean and on a table.
+  std::array<Count, 3> from;
+  RotaryPositions before;
+  if (!lean_angle_.is_zero() || machine_.workpiece_frame()) [[unlikely]] {
+    from = programmed_xyz();
+    for (std::size_t i = 0; i < 2; ++i)
+      if (machine_.rotary_axis(i) != spec::kMaxAxes) before[i] = programmed_[machine_.rotary_axis(i)];
+  }
+  if (const Alarm a = place_positions(words, axes)) [[unlikely]]
+    return a;
+  if (tip_.active()) {
+    TipBlock& block = tip_.next();
+    block.length = along_length_;
+    block.sampled = samples_block_;
+    if (const Alarm a = starts_tip_ ? start_tip_control(words) : plan_posture(words, axes, from, before)) [[unlikely]]
+      return a;
+  } else if (starts_tip_) {
+    commanded_ = directions_[direction_];
+  } else if (asks_direction(words, from)) {
+    new_direction() = leaned(words, from);
+  }
+  starts_tip_ = false;
+  return stale_ == 0 ? alarm::kNone : refresh();
+}
+
+Alarm Interpreter::plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
+                                const RotaryPositions& before) {
+  TipBlock& block = tip_.block();
+  if (by_vector_) return plan_direction(words, from, block);
+  const Pose& start = tip_.before().plan.end;
+  if (machine_.workpiece_frame() && is_arc(words))
+    if (const Alarm a = check_workpiece_arc(before)) return a;
+  if ((axes & turning_) == 0) {
+    posture_.stand(start, block.plan);
+  } else {
+    machine_.pose(programmed_, rounded_angles(), block.plan.end);
+    posture_.plan(start, block.plan.end, posture_control_, block.plan);
+    if (const Alarm a = alarm_of(block.plan.outcome)) return a;
+    take_posture(block.plan.end);
+  }
+  if (machine_.workpiece_frame() && machine_.has_table()) keep_tip_on_table(axes, start, block.plan.end, from);
+  return alarm::kNone;
+}
+
+// Type 2: the direction commanded or kept, leaned, and what it makes of the rotary axes.
+Alarm Interpreter::plan_direction(const Words& words, const std::array<Count, 3>& from, TipBlock& block) {
+  const Pose& start = tip_.before().plan.end;
+  if (!asks_direction(words, from)) {
+    posture_.stand(start, block.plan);
+    return alarm::kNone;
+  }
+  posture_.plan(start, leaned(words, from), posture_control_, block.plan);
+  if (const Alarm a = alarm_of(block.plan.outcome)) return a;
+  if (block.plan.changed) commanded_ = block.plan.end.tool;
+  take_posture(block.plan.end);
+  return alarm::kNone;
+}
+
+// I J K, or a travel under Q.
+bool Interpreter::asks_direction(const Words& words, const std::array<Count, 3>& from) {
+  if (words.has_any(kDirectionLetters)) {
+    if (!read_usual_direction(words, commanded_)) [[unlikely]]
+      read_direction(words, commanded_);
+    return true;
+  }
+  return !lean_angle_.is_zero() && (!(from == programmed_xyz()) || is_arc(words));
+}
+
+const Direction& Interpreter::leaned(const Words& words, const std::array<Count, 3>& from) {
+  if (lean_angle_.is_zero()) return commanded_;
+  return lean(words, from, leaned_) ? leaned_ : commanded_;
+}
+
+// By Q, toward the travel; in an arc toward its tangent at the end.
+bool Interpreter::lean(const Words& words, const std::array<Count, 3>& from, Direction& to_direction) const {
+  const std::array<Count, 3> to = programmed_xyz();
+  if (!is_arc(words)) {
+    std::array<Int128, 3> travel{};
+    for (std::size_t i = 0; i < 3; ++i) travel[i] = to[i].units() - from[i].units();
+    return fast::lean(kinematics_, commanded_, travel, lean_angle_, to_direction);
+  }
+  ArcWords arc;
+  read_arc(words, arc);
+  const std::array<std::size_t, 2> in{in_plane(plane_, 0), in_plane(plane_, 1)};
+  const std::array<Count, 2> start{from[in[0]], from[in[1]]};
+  const std::array<Count, 2> end{to[in[0]], to[in[1]]};
+  const std::array<DoubleDouble, 2> center = fine_center(start, end, arc);
+  std::array<DoubleDouble, 2> radius;
+  for (std::size_t i = 0; i < 2; ++i) radius[i] = to_double_double((end[i] - start[i]).units()) - center[i];
+  FineVector tangent{};
+  tangent[in[0]] = arc.clockwise ? radius[1] : -radius[1];
+  tangent[in[1]] = arc.clockwise ? -radius[0] : radius[0];
+  // A helix climbs. Arcs are by radius here: R tells which of the two sweeps it is.
+  const std::size_t normal = 3 - in[0] - in[1];
+  if (const Count climb = to[normal] - from[normal]; !climb.is_zero())
+    tangent[normal] = to_double_double(climb.units()) / radians_of(center, start, end, arc.radius < Count());
+  return fast::lean(kinematics_, commanded_, tangent, lean_angle_, to_direction);
+}
+
+// WKP = 1: the table must stand as it did when the mode began.
+Alarm Interpreter::check_workpiece_arc(const RotaryPositions& before) const {
+  bool turned = false;
+  for (std::size_t i = machine_.type() == 12 ? 0 : 1; machine_.has_table() && i < 2; ++i) {
+    const std::size_t axis = machine_.rotary_axis(i);
+    if (axis == spec::kMaxAxes || (before[i] == frozen_[axis] && programmed_[axis] == frozen_[axis])) continue;
+    const FineVector& direction = (i == 0 ? kinematics_.inner() : kinematics_.outer()).axis;
+    if (direction[in_plane(plane_, 0)].hi != 0 || direction[in_plane(plane_, 1)].hi != 0)
+      return alarm::kTableTurnedInArc;
+    turned = true;
+  }
+  return turned ? alarm::kArcWithTableTurned : alarm::kNone;
+}
+
+// WKP = 1: without X Y Z the tip keeps its place on the table, and the programmed position follows it.
+void Interpreter::keep_tip_on_table(Mask axes, const Pose& start, const Pose& end, const std::array<Count, 3>& from) {
+  bool named = false;
+  for (const std::size_t axis : xyz_) named |= axis != spec::Axes::kNone && (axes & bit(axis)) != 0;
+  if (named) {
+    has_table_tip_ = false;
+    return;
+  }
+  if ((axes & turning_) == 0) return;
+  const Vector3<DoubleDouble> origin = fine_origin();
+  const Vector3<DoubleDouble> shift = fine(shift_xyz());
+  if (!has_table_tip_) table_tip_ = machine_.to_table(fine(from) + shift, machine_.fine_turns(start), origin);
+  has_table_tip_ = true;
+  const Vector3<DoubleDouble> tip = machine_.from_table(table_tip_, machine_.fine_turns(end), origin);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (xyz_[i] != spec::Axes::kNone) set_programmed(xyz_[i], tip[i] - shift[i]);
+  stale_ = all_;
+}
+
+// P and Q; with G04 or G10 they are data of that code.
+void Interpreter::begin_tip_control(const Words& words) {
+  const bool data = words.code(Words::kOneShot) != kNone;
+  posture_control_ = words.has('P') && !data ? whole_number(words['P'], 1) == 1 : posture_.by_default();
+  lean_angle_ = by_vector_ && words.has('Q') && !data ? Count::of(words['Q']) : Count();
+  starts_tip_ = plans_tool_ = machine_.defined() || !lean_angle_.is_zero();
+  if (machine_.defined())
+    tip_.start();
+  else if (tip_.samples())
+    send_to(tip_);
+}
+
+// The block of G43.4 or G43.5 has gone to its positions: the length is applied, the frame is that of the pose here.
+Alarm Interpreter::start_tip_control(const Words& words) {
+  TipBlock& block = tip_.block();
+  has_table_tip_ = false;
+  Pose pose;
+  machine_.pose(programmed_, rounded_angles(), pose);
+  if (stands_as_before()) pose = *standing_;
+  standing_.reset();
+  if (by_vector_ && words.has_any(kDirectionLetters)) {
+    Direction direction;
+    read_direction(words, direction);
+    Pose turned;
+    if (!machine_.choose(direction, pose, turned)) return alarm::kUnreachable;
+    pose = turned;
+  }
+  machine_.freeze(pose);
+  posture_.stand(pose, block.plan);
+  commanded_ = pose.tool;
+  frozen_ = programmed_;
+  take_posture(pose);
+  std::array<double, spec::kMaxAxes> origin{};
+  for (std::size_t axis = 0; axis < count_; ++axis) origin[axis] = machine_origin(axis).nearest();
+  tip_.set_origin(origin);
+  send_to(tip_);
+  return alarm::kNone;
+}
+
+// Whether another G43.4 or G43.5 finds the head as the one before left it: its tool is better known than by the
+// positions made of it.
+bool Interpreter::stands_as_before() const {
+  for (std::size_t i = 0; standing_ && i < 2; ++i)
+    if (const std::size_t axis = machine_.rotary_axis(i); axis != spec::kMaxAxes)
+      if (programmed_[axis] != standing_at_[i]) return false;
+  return standing_.has_value();
+}
+
+// G49: the programmed position becomes that of the axes. Another G43.4 or G43.5: that of the tip where it is.
+void Interpreter::end_tip_control(bool again) {
+  const Pose& pose = tip_.block().plan.end;
+  const Turns<DoubleDouble> turns = machine_.fine_turns(pose);
+  const Vector3<DoubleDouble> origin = fine_origin();
+  const bool on_table = machine_.has_table();
+  // A shift of G45 to G48 from before goes on.
+  const std::array<Count, 3> shift = shift_xyz();
+  Vector3<DoubleDouble> tip = fine(programmed_xyz()) + fine(shift);
+  if (on_table && machine_.workpiece_frame()) tip = has_table_tip_ ? table_tip_ : machine_.to_table(tip, turns, origin);
+  if (!again || (on_table && !machine_.workpiece_frame())) {
+    const Vector3<DoubleDouble> position = again ? machine_.from_table(tip, turns, origin)
+                                                 : machine_.control_point(tip, turns, fine(tool_length()), origin);
+    // Turned by quarters, along the axes of the machine, the position is exact.
+    const bool exact = machine_.polar().along_axes() && kinematics_.frame().along_axes &&
+                       is_quarter(pose.axis[0].turn) && is_quarter(pose.axis[1].turn) &&
+                       std::popcount(pose.tool.zero) == 2;
+    const Mask rounded = rounded_;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (xyz_[i] != spec::Axes::kNone) set_programmed(xyz_[i], position[i] - fine(shift[i]));
+    if (exact) rounded_ = rounded;
+  }
+  if (by_vector_)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::size_t axis = machine_.rotary_axis(i);
+      if (axis == spec::kMaxAxes) continue;
+      programmed_[axis] = machine_.programmed(pose, i);
+      programmed_value_[axis] = programmed_[axis].nearest();
+      const bool exact = pose.axis[i].kind == RotaryPosition::Kind::exact;
+      rounded_ = static_cast<Mask>(exact ? rounded_ & ~bit(axis) : rounded_ | bit(axis));
+      standing_at_[i] = programmed_[axis];
+    }
+  standing_.reset();
+  if (again && by_vector_ && !on_table) standing_ = pose;
+  stale_ = all_;
+  machine_.release();
+  turn();
+  tip_.end();
+  plans_tool_ = false;
+  send_to(sink_);
+}
+
+}  // namespace toolcomp::fast

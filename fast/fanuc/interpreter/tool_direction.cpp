@@ -1,0 +1,89 @@
+// The tool direction in force: from the rotary axes, or from I J K under G43.5 without kinematics.
+#include <cmath>
+
+#include "fast/arithmetic/wide.h"
+#include "fast/fanuc/interpreter/interpreter.h"
+
+namespace toolcomp::fast {
+namespace {
+
+// The square root of a sum of three squares, if it is whole.
+std::optional<Int128> whole_length(const std::array<Int128, 3>& v) {
+  const Wide square = Wide(v[0]) * Wide(v[0]) + Wide(v[1]) * Wide(v[1]) + Wide(v[2]) * Wide(v[2]);
+  const DoubleDouble root = sqrt(square.to_double_double());
+  const Int128 whole = static_cast<Int128>(root.hi) + static_cast<Int128>(std::nearbyint(root.lo));
+  if ((square - Wide(whole) * Wide(whole)).sign() != 0) return std::nullopt;
+  return whole;
+}
+
+}  // namespace
+
+// The rotary axes stand at programmed_.
+void Interpreter::turn() { kinematics_.direct(programmed_, new_direction()); }
+
+// A block under G43.5: I J K, or the direction in force.
+void Interpreter::direct(const Words& words) {
+  if (words.has_any(Words::set_of("IJK"))) read_direction(words, new_direction());
+}
+
+// Missing ones of I J K are 0.
+void Interpreter::read_direction(const Words& words, Direction& direction) const {
+  if (read_usual_direction(words, direction)) return;
+  std::array<Count, 3> component;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const char letter = static_cast<char>('I' + i);
+    if (words.has(letter)) component[i] = value(words[letter], true, inch_program_);
+  }
+  direction = whole_direction({component[0].units(), component[1].units(), component[2].units()});
+}
+
+// G49 after G43.5: the programmed position becomes that of the axes, P + L V. It is exact where |V| is whole and L V_i
+// a multiple of the unit; elsewhere it is rounded to the unit, 8e-21, and the axis is marked.
+void Interpreter::take_position_along_tool() {
+  const Direction& tool = directions_[direction_];
+  const Int128 length = tool_length().units();
+  const std::optional<Int128> norm = tool.is_whole ? whole_length(tool.whole()) : std::nullopt;
+  const FineVector unit = kinematics_.refine(tool);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = xyz_[i];
+    if (axis == spec::Axes::kNone) continue;
+    const DoubleDouble along = to_double_double(length) * unit[i];
+    const Int128 units = static_cast<Int128>(along.hi) + static_cast<Int128>(std::nearbyint(along.lo));
+    // Two terms within the range: the next position is checked.
+    programmed_[axis] += Count::of_units(units);
+    programmed_value_[axis] = programmed_[axis].nearest();
+    const bool exact =
+        length == 0 || (norm && (Wide(units) * Wide(*norm) - Wide(length) * Wide(tool.whole()[i])).sign() == 0);
+    if (!exact) rounded_ = static_cast<Mask>(rounded_ | bit(axis));
+  }
+}
+
+// Where the moves of blocks under G43.4 or G43.5 go. Nothing is held where the mode begins or ends.
+void Interpreter::send_to(EventSink& sink) {
+  leading_edge_.set_sink(sink);
+  tool_side_.set_sink(sink);
+}
+
+// Under G43.5 without kinematics the moves are complete; only their samples are made on the way out.
+std::uint32_t Interpreter::tag_direction() {
+  TipBlock& block = tip_.next();
+  block.direction = DirectionMotion(kinematics_, directions_[direction_before_], directions_[direction_]);
+  block.length = tool_length().nearest();
+  block.sampled = samples_block_;
+  return tip_.tag();
+}
+
+// Another G43.5 leaves the tip and the direction.
+void Interpreter::end_tool_direction(bool again) {
+  send_to(sink_);
+  plans_tool_ = false;
+  if (again) return;
+  take_position_along_tool();
+  stale_ = all_;
+  if (kinematics_.defined())
+    turn();
+  else
+    new_direction() = Direction{};
+}
+
+}  // namespace toolcomp::fast

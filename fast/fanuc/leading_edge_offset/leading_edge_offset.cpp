@@ -1,0 +1,162 @@
+#include "fast/fanuc/leading_edge_offset/leading_edge_offset.h"
+
+#include "fast/basis/fault.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::fast {
+namespace {
+
+// Parameter 19631, normally 1.0 degree.
+spec::Decimal angle_limit(const spec::Setup& setup) {
+  const auto value = setup.parameter(19631);
+  if (!value) return spec::decimal(1);
+  spec::Decimal magnitude = *value;
+  magnitude.negative = false;
+  if (!fits_count(magnitude) || Count::of(spec::decimal(90)) < Count::of(magnitude))
+    throw spec::InputError("setup", 0, 0, "parameters.\"19631\": must be from -90 to 90 degrees");
+  return *value;
+}
+
+}  // namespace
+
+LeadingEdgeOffset::LeadingEdgeOffset(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink)
+    : kinematics_(kinematics),
+      compensation_(angle_limit(setup)),
+      sink_(&sink),
+      xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')} {}
+
+void LeadingEdgeOffset::take_free() {
+  for (std::uint8_t i = 0; i < ring_.size(); ++i) {
+    bool used = false;
+    for (std::uint8_t k = 0; k < held_count_; ++k) used |= held_[k] == i;
+    if (!used) {
+      free_ = i;
+      return;
+    }
+  }
+}
+
+void LeadingEdgeOffset::send(Move& move, const Eigen::Vector3d& vector) {
+  Event& event = move.event;
+  if (active_)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t axis = xyz_[i];
+      if (axis == spec::Axes::kNone) continue;
+      event.point.value[axis] += vector[static_cast<Eigen::Index>(i)];
+      event.axes.value[axis] += vector[static_cast<Eigen::Index>(i)];
+      event.machine.value[axis] += vector[static_cast<Eigen::Index>(i)];  // read only where present
+    }
+  sink_->on(event);
+}
+
+void LeadingEdgeOffset::send_held() {
+  for (std::uint8_t i = 0; i < held_count_; ++i) send(ring_[held_[i]], vector_);
+  held_count_ = 0;
+}
+
+Alarm LeadingEdgeOffset::update(const Displacement& displacement, const Direction& direction, double radius) {
+  const Lean lean = compensation_.lean(kinematics_, displacement, direction);
+  switch (lean.angle) {
+    case AngleClass::near_0:
+    case AngleClass::near_180:
+      // The vector is kept; a start-up has none to keep.
+      return starting_ ? alarm::kLeadingEdgeStart : alarm::kNone;
+    case AngleClass::near_90:
+      // The sense is inherited; without history that of the pair, backward at exactly 90 degrees.
+      if (starting_ || fault(Fault::right_angle_without_history))
+        backward_ = CompensationVector::dot_sign(kinematics_, displacement, direction) >= 0 ? 1 : -1;
+      break;
+    case AngleClass::below_90:
+      backward_ = 1;
+      break;
+    case AngleClass::above_90:
+      backward_ = fault(Fault::above_90_not_reversed) ? 1 : -1;
+      break;
+  }
+  const int sense = fault(Fault::vector_sign) ? -backward_ : backward_;
+  vector_ = lean.backward * (sense * radius / lean.norm);
+  return alarm::kNone;
+}
+
+void LeadingEdgeOffset::start() {
+  active_ = true;
+  starting_ = true;
+  still_ = 0;
+  vector_.setZero();
+  start_line_ = next().event.line;
+  start_n_ = next().event.n;
+  hold();
+}
+
+Alarm LeadingEdgeOffset::block(bool own, bool moving) {
+  Move& move = next();
+  if (starting_) {
+    if (!moving) return alarm::kLeadingEdgeCommand;
+    const Move& start = ring_[held_[0]];
+    if (const Alarm a = update(move.displacement, *start.direction, start.radius)) return a;
+    starting_ = false;
+    send_held();
+    hold();
+    return alarm::kNone;
+  }
+  if (moving) {
+    if (held_count_ > 0) {
+      const Move& former = ring_[held_[0]];
+      const bool turned = fault(Fault::turned_direction_at_still_block) && held_count_ > 1;
+      const Displacement& way = fault(Fault::own_movement) ? former.displacement : move.displacement;
+      update(way, turned ? *ring_[held_[1]].direction : *former.direction,
+             fault(Fault::radius_of_next_block) ? ring_[free_].radius : former.radius);
+      send_held();
+    }
+    hold();
+    still_ = 0;
+    return alarm::kNone;
+  }
+  // No movement: one such block shares the vector of the moving block before it, which looks past it; a second one
+  // makes both keep the vector from before.
+  if (still_ < 2) ++still_;
+  if (held_count_ == 0) {
+    if (own) send_compensated();
+    return alarm::kNone;
+  }
+  if (still_ == 1) {
+    if (own) hold();
+    return alarm::kNone;
+  }
+  if (fault(Fault::second_still_block_recomputed)) {
+    const Move& former = ring_[held_[0]];
+    update(former.displacement, *former.direction, former.radius);
+  }
+  send_held();
+  if (own) send_compensated();
+  return alarm::kNone;
+}
+
+Alarm LeadingEdgeOffset::release() {
+  if (starting_) return alarm::kLeadingEdgeCommand;
+  // The free slot is not touched: next() may already be filled.
+  send_held();
+  return alarm::kNone;
+}
+
+Alarm LeadingEdgeOffset::finish() {
+  if (starting_) return alarm::kLeadingEdgeCommand;
+  if (held_count_ > 0) {
+    // The last moving block has no next one: its own movement serves.
+    const Move& former = ring_[held_[0]];
+    update(former.displacement, *former.direction, former.radius);
+  }
+  send_held();
+  return alarm::kNone;
+}
+
+void LeadingEdgeOffset::cancel() {
+  if (fault(Fault::cancel_keeps_vector))
+    send_compensated();
+  else
+    send(next(), Eigen::Vector3d::Zero());
+  active_ = false;
+  vector_.setZero();
+}
+
+}  // namespace toolcomp::fast

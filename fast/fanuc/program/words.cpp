@@ -1,0 +1,127 @@
+#include "fast/fanuc/program/words.h"
+
+namespace toolcomp::fast {
+
+void Words::read_codes(const spec::Block& block) {
+  for (const spec::Word& word : block.words())
+    if (word.address == 'G')
+      g_word(word.value);
+    else if (word.address == 'M')
+      m_word(word.value);
+}
+
+void Words::g_word(const spec::Decimal& value) {
+  if (value.digits <= 3 && value.decimals == 0) {  // without a detour
+    code_[kMotion] = static_cast<Code>(10 * value.digits);
+    return;
+  }
+  plain_ = false;
+  std::uint64_t tenths = value.digits;
+  unsigned decimals = value.decimals;
+  while (decimals > 1 && tenths % 10 == 0) {
+    tenths /= 10;
+    --decimals;
+  }
+  if (decimals > 1 || tenths > 9999) {
+    unsupported_ = true;
+    return;
+  }
+  if (decimals == 0) tenths *= 10;
+  std::size_t group = kGroups;
+  switch (tenths) {
+    case 0:
+    case 10:
+    case 20:
+    case 30:
+      group = kMotion;
+      break;
+    case 40:
+    case 100:
+    case 280:
+    case 290:
+    case 300:
+    case 301:
+    case 370:
+    case 390:
+    case 450:
+    case 460:
+    case 470:
+    case 480:
+    case 530:
+    case 920:
+      group = kOneShot;
+      break;
+    case 170:
+    case 180:
+    case 190:
+      group = kPlane;
+      break;
+    case 200:
+    case 210:
+      group = kUnits;
+      break;
+    case 400:
+    case 410:
+    case 412:
+    case 413:
+    case 416:
+    case 420:
+    case 422:
+    case 426:
+      group = kCompensation;
+      break;
+    case 430:
+    case 434:
+    case 435:
+    case 440:
+    case 490:
+      group = kLength;
+      break;
+    case 540:
+    case 550:
+    case 560:
+    case 570:
+    case 580:
+    case 590:
+      group = kWorkpiece;
+      break;
+    case 900:
+    case 910:
+      group = kDistance;
+      break;
+    case 940:
+      group = kFeedMode;
+      break;
+    default:
+      unsupported_ = true;
+      return;
+  }
+  code_[group] = static_cast<Code>(tenths);
+}
+
+void Words::m_word(const spec::Decimal& value) {
+  switch (whole_number(value, 99)) {
+    case 0:
+    case 1:
+      stop_ = true;
+      break;
+    case 2:
+    case 30:
+      end_ = true;
+      break;
+    default:
+      break;
+  }
+}
+
+std::uint32_t whole_number(const spec::Decimal& value, std::uint32_t limit) {
+  std::uint64_t digits = value.digits;
+  for (unsigned decimals = value.decimals; decimals > 0; --decimals) {
+    if (digits % 10 != 0) return limit + 1;
+    digits /= 10;
+  }
+  if (digits > limit || (value.negative && digits != 0)) return limit + 1;
+  return static_cast<std::uint32_t>(digits);
+}
+
+}  // namespace toolcomp::fast

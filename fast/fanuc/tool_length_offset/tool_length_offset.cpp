@@ -1,0 +1,176 @@
+#include "fast/fanuc/tool_length_offset/tool_length_offset.h"
+
+#include <bit>
+
+#include "fast/basis/fault.h"
+
+namespace toolcomp::fast {
+namespace {
+
+constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
+
+bool holds_cutter_code(const Words& words) {
+  const Code code = words.code(Words::kCompensation);
+  return code == 400 || code == 410 || code == 420;
+}
+
+}  // namespace
+
+ToolLengthOffset::ToolLengthOffset(const spec::Setup& setup)
+    : ofh_(setup.bit(5001, 2)),
+      tal_(setup.bit(5001, 3)),
+      evo_(setup.bit(5001, 6)),
+      axes_(setup.axes.size()),
+      z_(setup.axes.index('Z')) {
+  for (std::size_t axis = 0; axis < axes_; ++axis)
+    if (spec::is_linear_axis(setup.axes.letter(axis))) linear_ = static_cast<std::uint16_t>(linear_ | bit(axis));
+  if (setup.bit(5001, 0))
+    type_ = Type::c;
+  else if (setup.bit(5001, 1))
+    type_ = Type::b;
+}
+
+ToolLengthOffset::Mode ToolLengthOffset::mode_after(Code code) const {
+  switch (code) {
+    case 430:
+      return Mode::plus;
+    case 440:
+      return fault(Fault::g44_as_g43) ? Mode::plus : Mode::minus;
+    case 434:
+    case 435:
+      return Mode::along_tool;
+    case 490:
+      return Mode::off;
+    default:
+      return mode_;
+  }
+}
+
+bool ToolLengthOffset::changed() const {
+  if ((touched_ & kLength) != 0 && !(length_ == length_before_)) return true;
+  for (unsigned rest = touched_ & ~static_cast<unsigned>(kLength); rest != 0; rest &= rest - 1) {
+    const auto axis = static_cast<std::size_t>(std::countr_zero(rest));
+    if (!(offset_[axis] == offset_before_[axis])) return true;
+  }
+  return false;
+}
+
+void ToolLengthOffset::set(std::size_t axis, const Count& value) {
+  if ((touched_ & bit(axis)) == 0) offset_before_[axis] = offset_[axis];
+  touched_ = static_cast<std::uint16_t>(touched_ | bit(axis));
+  offset_[axis] = fault(Fault::offset_accumulates) && !value.is_zero() ? offset_[axis] + value : value;
+  live_ = static_cast<std::uint16_t>(offset_[axis].is_zero() ? live_ & ~bit(axis) : live_ | bit(axis));
+}
+
+void ToolLengthOffset::set_length(const Count& value) {
+  if ((touched_ & kLength) == 0) length_before_ = length_;
+  touched_ = static_cast<std::uint16_t>(touched_ | kLength);
+  length_ = value;
+}
+
+void ToolLengthOffset::cancel(std::size_t axis) {
+  // An axis whose offset is 0 just now is taken away too: an H number may give it a value later.
+  if (((live_ | last_) & bit(axis)) == 0 || fault(Fault::g53_keeps_offset)) return;
+  set(axis, Count());
+  taken_ = static_cast<std::uint16_t>(taken_ | bit(axis));
+}
+
+Alarm ToolLengthOffset::restore(const Words& words, const OffsetMemory& memory) {
+  if (!pending() || type_ == Type::c || !evo_ || mode_ == Mode::off) return alarm::kNone;
+  // A block with a length code, or an H that counts, acts by them alone.
+  if (words.code(Words::kLength) != kNone || (words.has('H') && !ofh_)) return alarm::kNone;
+  // A block with G40, G41 or G42 puts the restoration off, but not an edited value.
+  const bool back = (taken_ & last_) != 0 && (!holds_cutter_code(words) || fault(Fault::restore_in_g40));
+  if (!back && !edited_) return alarm::kNone;
+  const Count value = memory.h(number_);
+  if (!memory.fits(value)) return alarm::kOffsetValue;
+  edited_ = false;
+  if (mode_ == Mode::along_tool) {
+    set_length(value);
+    return alarm::kNone;
+  }
+  std::uint16_t axes = back ? last_ : static_cast<std::uint16_t>(last_ & ~taken_);
+  if (back && fault(Fault::restore_any_axis)) axes = static_cast<std::uint16_t>(axes | taken_);
+  taken_ = static_cast<std::uint16_t>(taken_ & ~axes);
+  for (std::size_t axis = 0; axis < axes_; ++axis)
+    if ((axes & bit(axis)) != 0) set(axis, signed_value(value, mode_));
+  return alarm::kNone;
+}
+
+std::uint16_t ToolLengthOffset::affected(const Words& words, Code code, std::size_t normal) const {
+  switch (type_) {
+    case Type::a:
+      return z_ == spec::Axes::kNone ? std::uint16_t{0} : bit(z_);
+    case Type::b:
+      return normal == spec::Axes::kNone ? std::uint16_t{0} : bit(normal);
+    case Type::c:
+      break;
+  }
+  return code == kNone ? last_ : static_cast<std::uint16_t>(words.axes() & linear_);
+}
+
+Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, std::size_t normal) {
+  const Code code = words.code(Words::kLength);
+  const bool has_h = words.has('H');
+  if (code == kNone && !has_h) [[likely]]
+    return alarm::kNone;
+
+  if (code == 490) {
+    if (std::popcount(live_) >= 3 && !fault(Fault::g49_any_number)) return alarm::kLengthAxes;
+    for (std::size_t axis = 0; axis < axes_; ++axis)
+      if ((live_ & bit(axis)) != 0 && (axis == z_ || !fault(Fault::g49_z_only))) set(axis, Count());
+    set_length(Count());
+    last_ = taken_ = 0;
+    edited_ = false;
+  }
+
+  // Which number holds: an H word of any block, or with OFH = 1 of a block with G43, G44 (or G43.4, G43.5) only; there
+  // a first G43 without H means H0.
+  const bool sets = code == 430 || code == 440 || words.starts_tip_control();
+  const bool ofh = ofh_ && !fault(Fault::h_modal_under_ofh);
+  std::uint32_t number = number_;
+  bool takes = false;
+  if (has_h && (!ofh || sets)) {
+    number = whole_number(words['H'], memory.count());
+    takes = true;
+  } else if (ofh && sets && mode_ == Mode::off) {
+    number = 0;
+  }
+  const Mode mode = mode_after(code);
+  if (code == 490 || mode == Mode::off || (!takes && !sets)) {
+    number_ = number;
+    mode_ = mode;
+    return alarm::kNone;
+  }
+
+  const std::uint16_t axes = mode == Mode::along_tool ? std::uint16_t{0} : affected(words, code, normal);
+  if (type_ == Type::c && sets && mode != Mode::along_tool && !(tal_ || fault(Fault::tal_ignored))) {
+    // One axis at a time, unless TAL allows more.
+    if (std::popcount(axes) > 1 || (live_ & ~axes) != 0) return alarm::kLengthAxisMissing;
+  }
+  if (type_ == Type::c && sets && mode != Mode::along_tool && axes == 0) return alarm::kLengthAxisMissing;
+  // Where it would bring back a vector that was taken away, a block with G40, G41 or G42 only stores number and mode.
+  if ((taken_ & axes) != 0 && holds_cutter_code(words)) {
+    number_ = number;
+    mode_ = mode;
+    edited_ = true;  // for the axes offset last, where those are others
+    return alarm::kNone;
+  }
+  const Count value = memory.h(number);
+  if (!memory.fits(value)) return alarm::kOffsetValue;
+  number_ = number;
+  mode_ = mode;
+  edited_ = false;
+  if (mode == Mode::along_tool) {
+    set_length(value);
+    last_ = taken_ = 0;
+    return alarm::kNone;
+  }
+  taken_ = static_cast<std::uint16_t>(taken_ & ~axes);
+  for (std::size_t axis = 0; axis < axes_; ++axis)
+    if ((axes & bit(axis)) != 0) set(axis, signed_value(value, mode));
+  last_ = axes;
+  return alarm::kNone;
+}
+
+}  // namespace toolcomp::fast

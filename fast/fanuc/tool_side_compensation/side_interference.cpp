@@ -1,0 +1,139 @@
+#include "fast/fanuc/tool_side_compensation/side_interference.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fast/basis/fault.h"
+
+namespace toolcomp::fast {
+namespace {
+
+constexpr double kEqualAngle = 0x1p-40;
+
+double extent(const Vector3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+// Whether the tool goes against the projected travel, of which exactly 90 degrees is no case.
+bool line_interferes(const SideGroups& groups, const SidePath& path, const SideGroup& start, std::size_t v,
+                     const SideGroup& end, std::size_t w) {
+  const Vector3<double> shift = end.head[w].vector - start.head[v].vector;
+  const double size = extent(end.head[w].vector) + extent(start.head[v].vector);
+  const bool lines = end.corner.first == &path && !end.corner.flat;
+  const ToolPlane plane = groups.geometry().plane(*path.tool);
+  // An arc may end where it starts, or above it along the tool.
+  if (!lines && !plane.moves(path.travel, Count())) return false;
+  const SpaceTurn seen = lines ? SpaceTurn{} : plane.straight(path.travel);
+  const SpaceTurn& turn = lines ? end.corner.turn : seen;
+  const double product = turn.length1 + dot(turn.ahead1, shift);
+  if (std::abs(product) > 0x1p-42 * (turn.length1 + size)) [[likely]]
+    return product < 0;
+  const FineTurn fine = plane.fine_turn(path.travel, path.travel);
+  const DoubleDouble refined = fine.length1 + dot(fine.ahead1, groups.fine(end, w) - groups.fine(start, v));
+  const double steep = std::max(1.0, std::sqrt(path.travel.square) / path.travel.unit / turn.length1);
+  return refined.hi < -0x1p-88 * steep * (turn.length1 + size);
+}
+
+bool arc_interferes(const SideGroups& groups, const CheckedSide& block, const std::optional<double>& sweep) {
+  const SidePath& path = *block.path;
+  const SideGeometry& geometry = groups.geometry();
+  const int start = geometry.offset_radius_sign(path, false, *block.start_tool, block.start_side, *block.start_offset);
+  if (start < 0) return true;
+  const int end = geometry.offset_radius_sign(path, true, *path.tool, path.side, path.offset);
+  if (end < 0) return true;
+  if (start == 0 || end == 0 || !sweep) return false;
+  // Both up to 180 degrees, or both over it, never differ by more.
+  if ((*sweep > 180) == path.flat.over_half) return false;
+  return std::abs(*sweep - programmed_sweep(path.flat)) > 180 + kEqualAngle;
+}
+
+Vector2<double> seen(const SidePath& path, const Vector3<double>& v) { return {v[path.in[0]], v[path.in[1]]}; }
+
+// How the distances of the heads from the centre compare, by what the vectors are, where the tool stands along the
+// normal of the arc at both ends.
+Radii compare_radii(const SidePath& path, const SideGroup& start, const SideGroup& end) {
+  const bool cornered = start.corner.second == &path && !start.back().kept && start.corner.flat &&
+                        start.corner.aligned && end.corner.first == &path && end.corner.flat && end.corner.aligned &&
+                        start.corner.facing == end.corner.facing;
+  if (!cornered || !(start.corner.offset->exact == path.offset.exact) || start.corner.second_side != path.side)
+    return Radii::unknown;
+  const HeadKind first = start.back().kind;
+  const HeadKind last = end.front().kind;
+  const auto meets = [](HeadKind kind) { return kind == HeadKind::paths_meet || kind == HeadKind::paths_cross; };
+  const Turn& turn = start.corner.plane.turn;
+  const bool tangent = first == HeadKind::first_normal && turn.c == 0 &&
+                       (turn.k > 0) == (start.corner.first_side == start.corner.second_side);
+  const bool on_start = meets(first) || first == HeadKind::second_normal || tangent;
+  const bool on_end = meets(last) || last == HeadKind::first_normal;
+  if (!on_start || !on_end || path.flat.spiral) return Radii::unknown;
+  return Radii::agree;
+}
+
+// The same to about 80 bits, where doubles cannot tell.
+bool radii_agree(const SideGroups& groups, const SidePath& path, const SideGroup& start, const SideGroup& end) {
+  const auto square = [&](bool at_end, const Vector3<DoubleDouble>& vector) {
+    const Heading& heading = at_end ? path.flat.end() : path.flat.start;
+    const Vector2<DoubleDouble> outward = left_of(fine_unit(heading));
+    const DoubleDouble radius = fine_radius(path.flat, at_end);
+    const DoubleDouble toward = path.flat.sigma > 0 ? -radius : radius;
+    const Vector2<DoubleDouble> head{outward.x * toward + vector[path.in[0]], outward.y * toward + vector[path.in[1]]};
+    return dot(head, head);
+  };
+  const DoubleDouble a = square(false, groups.fine(start, start.size - 1U));
+  const DoubleDouble b = square(true, groups.fine(end, 0));
+  const double size = path.flat.radius_start + path.flat.radius_end + path.offset.nearest;
+  return std::abs((a - b).hi) <= 0x1p-80 * size * size;
+}
+
+}  // namespace
+
+Interference check_interference(const SideGroups& groups, const CheckedSide& block, const std::optional<double>& sweep,
+                                SideGroup& start, SideGroup& end) {
+  const SidePath& path = *block.path;
+  if (start.size == 1 && end.size == 1 && !path.arc) [[likely]]
+    return line_interferes(groups, path, start, 0, end, 0) ? Interference::alarm : Interference::none;
+  const std::size_t m = start.size;
+  const std::size_t n = end.size;
+  const std::size_t pairs = std::max(m, n);
+  bool arc = path.arc;
+  Interference result = Interference::none;
+  std::size_t dropped_start = 0;
+  std::size_t dropped_end = 0;
+  for (std::size_t q = 0; q < pairs; ++q) {
+    const std::size_t v = m > q ? m - q - 1 : 0;
+    const std::size_t w = std::min(q, n - 1);
+    // Only the first pair is tested as an arc.
+    const bool interferes =
+        arc ? arc_interferes(groups, block, sweep) : line_interferes(groups, path, start, v, end, w);
+    if (!interferes) break;
+    if (q + 1 == pairs) return Interference::alarm;
+    if (arc) result = Interference::straightened;
+    arc = false;
+    if (v > 0) ++dropped_start;
+    if (q + 1 < n) ++dropped_end;
+  }
+  for (; dropped_start > 0; --dropped_start) start.drop_last();
+  for (; dropped_end > 0; --dropped_end) end.drop_first();
+  return result;
+}
+
+void set_tool_arc(spec::Arc<double>& arc, const SideGroups& groups, const SidePath& path, const SideGroup& start,
+                  const SideGroup& end) {
+  Radii radii = compare_radii(path, start, end);
+  const Vector2<double> v = seen(path, start.back().vector);
+  Vector2<double> w = seen(path, end.front().vector);
+  // A whole circle from a head back to itself: the two are made apart, and near the centre a rounding turns far.
+  const PlanePath& flat = path.flat;
+  const bool whole =
+      flat.from_center_start.x == flat.from_center_end.x && flat.from_center_start.y == flat.from_center_end.y;
+  if (whole && length(v - w) <= 0x1p-46 * length(v)) w = v;
+  if (radii == Radii::unknown) {
+    const double difference = length(path.flat.from_center_start + v) - length(path.flat.from_center_end + w);
+    const double size = path.flat.radius_start + path.flat.radius_end + path.offset.nearest;
+    if (std::abs(difference) <= 0x1p-36 * size)
+      radii = radii_agree(groups, path, start, end) ? Radii::agree : Radii::differ;
+    else
+      radii = Radii::differ;
+  }
+  set_tool_arc(arc, path.flat, v, w, radii);
+}
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,26 @@
+// The general interference check of tool side compensation: chapter 14's, line by line in the plane of the tool.
+#pragma once
+
+#include "fast/fanuc/cutter_compensation_c/interference.h"
+#include "fast/fanuc/tool_side_compensation/side_group.h"
+
+namespace toolcomp::fast {
+
+// A block between the groups at its start and its end.
+struct CheckedSide {
+  const SidePath* path = nullptr;
+  const Direction* start_tool = nullptr;  // of the corner at its start; where there is none, of its end
+  int start_side = 1;
+  const Amount* start_offset = nullptr;
+};
+
+// Drops the vectors that interfere from the end of `start` and the beginning of `end`; where the answer is an alarm it
+// drops none. `sweep`: of an arc, the tool's own, between the last of `start` and the first of `end`.
+Interference check_interference(const SideGroups& groups, const CheckedSide& block, const std::optional<double>& sweep,
+                                SideGroup& start, SideGroup& end);
+
+// Sweep and radii of the tool's own arc, in the selected plane.
+void set_tool_arc(spec::Arc<double>& arc, const SideGroups& groups, const SidePath& path, const SideGroup& start,
+                  const SideGroup& end);
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,251 @@
+#include "fast/fanuc/tool_side_compensation/tool_plane.h"
+
+#include <cmath>
+
+#include "fast/arithmetic/wide.h"
+
+namespace toolcomp::fast {
+namespace {
+
+constexpr double u = 0x1p-53;
+// Rounding of one double-double expression of a few terms, over their magnitude.
+constexpr double kFine = 0x1p-98;
+
+using Fine = Vector3<DoubleDouble>;
+using Exact = Vector3<Wide>;
+
+Fine fine(const std::array<Int128, 3>& v) {
+  return {to_double_double(v[0]), to_double_double(v[1]), to_double_double(v[2])};
+}
+Exact exact(const std::array<Int128, 3>& v) { return {Wide(v[0]), Wide(v[1]), Wide(v[2])}; }
+Fine fine(const Exact& v) { return {v.x.to_double_double(), v.y.to_double_double(), v.z.to_double_double()}; }
+
+int sign_of(double value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }
+
+// Bit i: component i is not 0.
+unsigned live(const Travel& travel) {
+  return static_cast<unsigned>(travel.value.x != 0) | static_cast<unsigned>(travel.value.y != 0) << 1U |
+         static_cast<unsigned>(travel.value.z != 0) << 2U;
+}
+unsigned live(const Direction& tool) { return ~static_cast<unsigned>(tool.zero) & 7U; }
+
+bool is_exact(const Travel& travel, const Direction& tool) { return tool.is_whole && travel.slack == 0; }
+
+// A tool along one axis turns the other two only.
+bool is_axis(const Direction& tool) { return tool.zero == 0b011 || tool.zero == 0b101 || tool.zero == 0b110; }
+
+}  // namespace
+
+bool ToolPlane::moves(const Travel& travel, const Count& limit) const {
+  if (travel.zero) return false;
+  const unsigned tool_axes = live(tool_);
+  const unsigned travel_axes = live(travel);
+  // Every product of unlike components is zero: along the tool.
+  if (travel.slack == 0 && tool_axes == travel_axes && is_axis(tool_)) return false;
+  const bool limited = Count() < limit;
+  const double shortest = limited ? limit.nearest() * travel.unit : 0;
+  const Vector3<double> w = cross(unit(), travel.value);
+  const double over = dot(w, w) - shortest * shortest;
+  const double bound = square_bound() * travel.square + 4 * u * shortest * shortest;
+  if (travel.slack == 0 && std::abs(over) > bound) [[likely]]
+    return over > 0;
+  if (is_exact(travel, tool_)) {
+    const bool fine_units = travel.fine_units || !limit.is_small();
+    std::array<Int128, 3> whole = travel.whole();
+    if (fine_units && !travel.fine_units)
+      for (Int128& component : whole) component *= Count::kRestPerSmall;
+    const Exact tool = exact(tool_.whole());
+    const Exact c = cross(tool, exact(whole));
+    const Wide square = dot(c, c);
+    if (square.sign() == 0 || !limited) return square.sign() != 0;
+    const Wide least(fine_units ? limit.units() : Int128{limit.small()});
+    return (square - least * least * dot(tool, tool)).sign() >= 0;
+  }
+  const Fine left = fine_left(travel);
+  const double refined = std::sqrt(dot(left, left).hi);
+  const double error = 4 * (fine_error() + kFine) * std::sqrt(travel.square) + 4 * travel.slack;
+  if (refined <= error) return false;
+  if (!limited) return true;
+  const DoubleDouble least =
+      to_double_double(limit.units()) * travel.unit / DoubleDouble{static_cast<double>(Count::kRestPerOne), 0};
+  return (dot(left, left) - least * least).hi >= -2 * error * (refined + shortest);
+}
+
+int ToolPlane::cross_sign(const Travel& first, const Travel& second) const {
+  if (first.slack == 0 && second.slack == 0 && tool_.is_whole)
+    return dot(exact(tool_.whole()), cross(exact(first.whole()), exact(second.whole()))).sign();
+  const Fine normal = cross(fine(first.whole()), fine(second.whole()));
+  const double refined = dot(fine_unit(), normal).hi;
+  const double lengths = std::sqrt(first.square) * std::sqrt(second.square);
+  const double size = std::abs(normal.x.hi) + std::abs(normal.y.hi) + std::abs(normal.z.hi);
+  const double slack =
+      4 * (first.slack * std::sqrt(second.square) + second.slack * std::sqrt(first.square)) + kFine * lengths;
+  return std::abs(refined) <= (fine_error() + kFine) * size + slack ? 0 : sign_of(refined);
+}
+
+int ToolPlane::dot_sign(const Travel& first, const Travel& second) const {
+  return fast::dot_sign(kinematics_, first, tool_, second, tool_);
+}
+
+int dot_sign(const Kinematics& kinematics, const Travel& first, const Direction& first_tool, const Travel& second,
+             const Direction& second_tool) {
+  const ToolPlane a(kinematics, first_tool);
+  const ToolPlane b(kinematics, second_tool);
+  const double lengths = std::sqrt(first.square) * std::sqrt(second.square);
+  const double estimate = dot(cross(a.unit(), first.value), cross(b.unit(), second.value));
+  const bool clean = first.slack == 0 && second.slack == 0;
+  if (clean && std::abs(estimate) > (a.square_bound() + b.square_bound()) * lengths) return sign_of(estimate);
+  if (is_exact(first, first_tool) && is_exact(second, second_tool))
+    return dot(cross(exact(first_tool.whole()), exact(first.whole())),
+               cross(exact(second_tool.whole()), exact(second.whole())))
+        .sign();
+  const Fine first_unit = a.fine_unit();  // by value: refining the other tool takes its place
+  const Fine second_unit = b.fine_unit();
+  const double refined = dot(cross(first_unit, fine(first.whole())), cross(second_unit, fine(second.whole()))).hi;
+  const double bound = 6 * (a.fine_error() + b.fine_error() + kFine) * lengths +
+                       4 * (first.slack * std::sqrt(second.square) + second.slack * std::sqrt(first.square));
+  return std::abs(refined) <= bound ? 0 : sign_of(refined);
+}
+
+Vector3<DoubleDouble> ToolPlane::fine_left(const Travel& travel) const {
+  if (!is_exact(travel, tool_)) return cross(fine_unit(), fine(travel.whole()));
+  const Exact tool = exact(tool_.whole());
+  const Fine left = fine(cross(tool, exact(travel.whole())));
+  const DoubleDouble norm = sqrt(dot(tool, tool).to_double_double());
+  return {left.x / norm, left.y / norm, left.z / norm};
+}
+
+bool ToolPlane::quick_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const {
+  if (!first.narrow || !second.narrow) return false;
+  const Vector3<double> v = unit();
+  const Vector3<double> w1 = fast::cross(v, first.value);
+  const Vector3<double> w2 = fast::cross(v, second.value);
+  const double square1 = fast::dot(w1, w1);
+  const double square2 = fast::dot(w2, w2);
+  // Nearer than 30 degrees to the tool the projection loses digits.
+  if (4 * square1 < first.square || 4 * square2 < second.square) return false;
+  const std::array<std::int64_t, 3> a = first.small();
+  const std::array<std::int64_t, 3> b = second.small();
+  const std::array<std::int64_t, 3> n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const Vector3<double> normal{static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])};
+  const double s = fast::dot(v, normal);
+  const double size = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
+  if (std::abs(s) > (tool_.error + 5 * u) * size) [[likely]] {
+    turn.cross = s > 0 ? 1 : -1;
+    turn.c = s;
+  } else {
+    const unsigned used = static_cast<unsigned>(n[0] != 0) | static_cast<unsigned>(n[1] != 0) << 1U |
+                          static_cast<unsigned>(n[2] != 0) << 2U;
+    if ((used & live(tool_)) != 0) return false;
+    turn.cross = 0;
+    turn.c = 0;
+  }
+  const double norm1 = std::sqrt(square1);
+  const double norm2 = std::sqrt(square2);
+  double k = fast::dot(w1, w2);
+  // |U1||U2| is at most 4 |w1||w2| here.
+  if (std::abs(k) > 4 * square_bound() * norm1 * norm2) [[likely]] {
+    turn.dot = k > 0 ? 1 : -1;
+  } else {
+    std::int64_t product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const unsigned tool_axes = live(tool_);
+    const bool across1 = (live(first) & tool_axes) == 0;
+    const bool across2 = (live(second) & tool_axes) == 0;
+    if (is_axis(tool_)) {
+      const std::size_t i = tool_axes == 1 ? 0 : (tool_axes == 2 ? 1 : 2);
+      product -= a[i] * b[i];
+    } else if (!(across1 || across2)) {
+      return false;
+    }
+    turn.dot = product > 0 ? 1 : (product < 0 ? -1 : 0);
+    k = static_cast<double>(product);
+  }
+  const double inverse1 = 1 / norm1;
+  const double inverse2 = 1 / norm2;
+  turn.c *= inverse1 * inverse2;
+  turn.k = k * (inverse1 * inverse2);
+  turn.left1 = w1 * inverse1;
+  turn.ahead1 = fast::cross(turn.left1, v);
+  constexpr double kOne = 1 / static_cast<double>(Count::kSmallPerOne);
+  turn.length1 = norm1 * kOne;
+  turn.length2 = norm2 * kOne;
+  turn.ill = false;
+  return true;
+}
+
+SpaceTurn ToolPlane::turn(const Travel& first, const Travel& second) const {
+  SpaceTurn result;
+  if (quick_turn(first, second, result)) [[likely]] {
+    const Vector3<double> w2 = fast::cross(unit(), second.value);
+    result.left2 = w2 * (1 / std::sqrt(fast::dot(w2, w2)));
+    result.ahead2 = fast::cross(result.left2, unit());
+    return result;
+  }
+  const FineTurn numbers = fine_turn(first, second);
+  result.cross = cross_sign(first, second);
+  result.dot = dot_sign(first, second);
+  result.left1 = nearest(numbers.left1);
+  result.left2 = nearest(numbers.left2);
+  result.ahead1 = nearest(numbers.ahead1);
+  result.ahead2 = nearest(numbers.ahead2);
+  result.c = result.cross == 0 ? 0 : numbers.c.hi;
+  result.k = result.dot == 0 ? 0 : numbers.k.hi;
+  result.length1 = numbers.length1.hi;
+  result.length2 = numbers.length2.hi;
+  result.ill = true;
+  return result;
+}
+
+FineTurn ToolPlane::fine_turn(const Travel& first, const Travel& second) const {
+  FineTurn turn;
+  const Fine v = fine_unit();
+  const auto leg = [&](const Travel& travel, Fine& left, Fine& ahead) {
+    const Fine w = fine_left(travel);
+    const DoubleDouble norm = sqrt(fast::dot(w, w));
+    left = {w.x / norm, w.y / norm, w.z / norm};
+    ahead = fast::cross(left, v);
+    return norm;
+  };
+  turn.length1 = leg(first, turn.left1, turn.ahead1) / DoubleDouble{first.unit, 0};
+  turn.length2 = leg(second, turn.left2, turn.ahead2) / DoubleDouble{second.unit, 0};
+  turn.c = fast::dot(v, fast::cross(turn.left1, turn.left2));
+  turn.k = fast::dot(turn.left1, turn.left2);
+  return turn;
+}
+
+SpaceTurn ToolPlane::straight(const Travel& travel) const {
+  SpaceTurn result;
+  const Vector3<double> v = unit();
+  const Vector3<double> w = fast::cross(v, travel.value);
+  const double square = fast::dot(w, w);
+  if (4 * square >= travel.square && travel.slack == 0) [[likely]] {
+    const double norm = std::sqrt(square);
+    result.left1 = {w.x / norm, w.y / norm, w.z / norm};
+    result.ahead1 = fast::cross(result.left1, v);
+    result.length1 = norm / travel.unit;
+  } else {
+    const FineTurn numbers = fine_turn(travel, travel);
+    result.left1 = nearest(numbers.left1);
+    result.ahead1 = nearest(numbers.ahead1);
+    result.length1 = numbers.length1.hi;
+    result.ill = true;
+  }
+  result.dot = 1;
+  result.left2 = result.left1;
+  result.ahead2 = result.ahead1;
+  result.length2 = result.length1;
+  return result;
+}
+
+int ToolPlane::facing(std::size_t axis) const {
+  if ((tool_.zero >> axis & 1U) != 0) return 0;
+  const double component = tool_.unit[static_cast<Eigen::Index>(axis)];
+  if (std::abs(component) > tool_.error) return sign_of(component);
+  if (tool_.is_whole) return sign_of(tool_.unit[static_cast<Eigen::Index>(axis)]);
+  const double refined = fine_unit()[axis].hi;
+  return std::abs(refined) <= fine_error() ? 0 : sign_of(refined);
+}
+
+bool ToolPlane::along(std::size_t axis) const { return facing((axis + 1) % 3) == 0 && facing((axis + 2) % 3) == 0; }
+
+}  // namespace toolcomp::fast

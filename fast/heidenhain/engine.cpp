@@ -1,0 +1,19 @@
+#include "fast/heidenhain/engine.h"
+
+#include "fast/heidenhain/interpreter/interpreter.h"
+
+namespace toolcomp::fast::klartext {
+
+struct Engine::State {
+  State(const spec::Setup& setup, EventSink& sink) : interpreter(setup, sink) {}
+  Interpreter interpreter;
+};
+
+Engine::Engine(const spec::Setup& setup, EventSink& sink) : state_(std::make_unique<State>(setup, sink)) {}
+Engine::~Engine() = default;
+
+void Engine::block(const spec::klartext::Block& block) { state_->interpreter.block(block); }
+void Engine::end() { state_->interpreter.end(); }
+bool Engine::stopped() const { return state_->interpreter.stopped(); }
+
+}  // namespace toolcomp::fast::klartext

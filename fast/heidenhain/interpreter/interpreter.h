@@ -1,0 +1,119 @@
+// The state machine of a Klartext program (heidenhain.program.*, sheet 4): blocks to motions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "fast/heidenhain/face_milling/face_milling.h"
+#include "fast/heidenhain/peripheral_milling/peripheral_milling.h"
+#include "fast/heidenhain/program/effective_tool.h"
+#include "fast/heidenhain/program/event_writer.h"
+#include "fast/heidenhain/program/parameters.h"
+#include "fast/heidenhain/programmed_contour/programmed_contour.h"
+#include "spec/language/klartext_block.h"
+
+namespace toolcomp::fast::klartext {
+
+class Interpreter {
+ public:
+  Interpreter(spec::Setup setup, EventSink& sink);
+
+  void block(const spec::klartext::Block& block);
+  void end();
+  [[nodiscard]] bool stopped() const { return stopped_; }
+
+ private:
+  using Block = spec::klartext::Block;
+  // M functions of a block that mean something here, as bits.
+  enum Function : std::uint8_t {
+    kEnd = 1U << 0U,          // M2, M30
+    kMachine = 1U << 1U,      // M91, M92
+    kOversize = 1U << 2U,     // M107
+    kOversizeEnd = 1U << 3U,  // M108
+    kTcpm = 1U << 4U,         // M128
+    kTcpmEnd = 1U << 5U,      // M129
+  };
+  using Functions = unsigned;
+  static constexpr std::size_t kSlots = spec::klartext::kAxisLetters.size();
+
+  void start(const Block& block);
+  [[nodiscard]] static Functions functions(const Block& block);
+  void start_acting(Functions functions);
+  void end_acting(Functions functions);
+  [[nodiscard]] Alarm execute(const Block& block, Functions functions);
+  void raise(const Alarm& alarm);
+  void raise(std::string_view number, const char* message);
+  void raise_at_held(const Alarm& alarm);
+
+  [[nodiscard]] Alarm tool_call(const Block& block);
+  [[nodiscard]] Alarm datum_shift(const Block& block);
+  [[nodiscard]] Alarm assign(const Block& block);
+  void switch_tcpm_off();
+  [[nodiscard]] ToolVector& new_direction() {
+    direction_ = direction_ == direction_of_.data() ? &direction_of_[1] : direction_of_.data();
+    return *direction_;
+  }
+  [[nodiscard]] Alarm feed(const Block& block, bool call);
+
+  // L and LN.
+  void modal_words(const Block& block);
+  [[nodiscard]] Alarm line(const Block& block, Functions functions);
+  [[nodiscard]] Alarm line_with_vectors(const Block& block, Functions functions);
+  [[gnu::always_inline]] [[nodiscard]] Alarm line_with_normal(const Block& block, Functions functions,
+                                                              unsigned warnings, bool turned);
+  // The words of the block become the programmed position; peripheral_.next() gets its travel, where that is wanted.
+  [[gnu::always_inline]] [[nodiscard]] Alarm place(const Block& block, Functions functions);
+  [[gnu::always_inline]] [[nodiscard]] bool place_xyz(const Block& block);
+  void depart();
+  void arrive(Displacement& travel);
+  [[nodiscard]] Alarm place_word(const Block& block, std::size_t slot, bool shifted);
+  void set_position(std::size_t slot, const Count& value);
+  void write_position(std::size_t slot, double nearest);
+  [[nodiscard]] bool compensates() const { return tcpm_ && side_ != 0; }
+  // What is held is sent before a motion without peripheral compensation; false after an alarm.
+  [[nodiscard]] bool release_before_motion();
+  [[nodiscard]] spec::Cause cause() const { return head_.cancels ? spec::Cause::cancel : spec::Cause::programmed; }
+  [[nodiscard]] ProgrammedPoint programmed_point() const { return {contour_, center_ && tcpm_}; }
+  void peripheral_motion();
+  void plain_motion();
+  void out_of_scope();
+
+  const spec::Setup setup_;
+  EventWriter writer_;
+  EffectiveTool tool_;
+  FaceMilling face_;
+  PeripheralMilling peripheral_;
+  Parameters parameters_;
+  std::array<std::size_t, kSlots> axis_{};  // of a slot; spec::Axes::kNone where the setup has none
+  std::uint16_t parallel_axes_ = 0;         // U, V, W: bit by axis
+  bool started_ = false;
+  bool stopped_ = false;
+  bool inch_ = false;
+
+  // Modal state.
+  bool tcpm_ = false;
+  bool center_ = false;    // REFPNT CNT-CNT
+  bool contour_ = false;   // PROG PATH IS CONTOUR
+  bool oversize_ = false;  // M107
+  int side_ = 0;           // RL 1, RR −1, R0 0
+  std::size_t tool_axis_ = 2;
+  // Of the tool now; along the tool axis while TCPM is off. LN blocks write it to two places in turn: face milling
+  // looks back at the one before.
+  std::array<ToolVector, 2> direction_of_;
+  ToolVector* direction_ = direction_of_.data();
+  std::optional<double> feed_, call_feed_;
+
+  // Positions by slot, in units of the program and degrees: programmed, preset coordinates.
+  std::array<Count, kSlots> position_;
+  std::array<Count, kSlots> shift_;  // datum shift of cycle 7
+  bool shifted_ = false;
+  // X, Y, Z before the block, where travel is wanted: small_from_ if all three are small, else from_.
+  bool from_small_ = false;
+  std::array<std::int64_t, 3> small_from_{};
+  std::array<Count, 3> from_;
+
+  MoveHead head_;  // of the block that is run
+};
+
+}  // namespace toolcomp::fast::klartext

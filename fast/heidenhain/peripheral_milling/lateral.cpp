@@ -1,0 +1,75 @@
+#include "fast/heidenhain/peripheral_milling/lateral.h"
+
+namespace toolcomp::fast::klartext {
+namespace {
+
+FineVector3 fine(const Displacement& travel) {
+  if (travel.narrow) return {{travel.value[0], 0}, {travel.value[1], 0}, {travel.value[2], 0}};
+  return {to_double_double(travel.wide[0]), to_double_double(travel.wide[1]), to_double_double(travel.wide[2])};
+}
+
+// Below 2^192 with a tool vector below 2^64.
+WideVector3 exact_cross(const Lateral& c) {
+  const auto d = c.travel->whole();
+  const WideVector3 travel{Wide(d[0]), Wide(d[1]), Wide(d[2])};
+  return cross(c.tool->vector().exact(), travel);
+}
+
+DoubleDouble length(const FineVector3& v) { return sqrt(dot(v, v)); }
+
+// c to about 2^-90, or as good as the whole numbers allow.
+FineVector3 fine_unit(const Lateral& c) {
+  FineVector3 v = cross(c.tool->fine(), fine(*c.travel));
+  if (c.tool->is_whole()) {
+    const double square =
+        dot(Vector(nearest(c.tool->fine())), Vector(nearest(c.tool->fine()))) * c.travel->value.squaredNorm();
+    if (dot(v, v).hi < 0x1p-20 * square) {
+      const WideVector3 exact = exact_cross(c);
+      v = {exact.x.to_double_double(), exact.y.to_double_double(), exact.z.to_double_double()};
+    }
+  }
+  const DoubleDouble size = length(v);
+  const DoubleDouble one{c.side > 0 ? 1.0 : -1.0, 0};
+  return {v.x / size * one, v.y / size * one, v.z / size * one};
+}
+
+Vector signed_unit(const Vector& v, int side) { return v * (side / std::sqrt(dot(v, v))); }
+
+}  // namespace
+
+bool lean_direction(const Lateral& made_from, Vector& c) {
+  const FineVector3 tool = made_from.tool->fine();
+  const FineVector3 travel = fine(*made_from.travel);
+  const FineVector3 v = cross(tool, travel);
+  const double square = dot(nearest(tool), nearest(tool)) * dot(nearest(travel), nearest(travel));
+  const double sine = dot(nearest(v), nearest(v)) / square;  // squared
+  if (made_from.tool->is_whole() && sine < 0x1p-80) {
+    const WideVector3 exact = exact_cross(made_from);
+    if (exact.x.sign() == 0 && exact.y.sign() == 0 && exact.z.sign() == 0) return false;
+    c = signed_unit({exact.x.to_double(), exact.y.to_double(), exact.z.to_double()}, made_from.side);
+    return true;
+  }
+  if (sine < 0x1p-180) return false;
+  c = signed_unit(Vector(nearest(v)), made_from.side);
+  return true;
+}
+
+bool sharp_mitre(const Lateral& c, const Lateral& next, Vector& between) {
+  const FineVector3 sum = fine_unit(c) + fine_unit(next);
+  const DoubleDouble square = dot(sum, sum);  // 2 (1 + c.c')
+  const bool whole = c.tool->is_whole() && next.tool->is_whole();
+  if (square.hi < 0x1p-80 && whole) {
+    const WideVector3 a = exact_cross(c);
+    const WideVector3 b = exact_cross(next);
+    const WideVector3 turn = cross(a, b);
+    // Opposite it is: a double cannot come near 1 + c.c' = 0 from vectors that agree.
+    if (turn.x.sign() == 0 && turn.y.sign() == 0 && turn.z.sign() == 0) return false;
+  } else if (square.hi < 0x1p-170) {
+    return false;
+  }
+  const DoubleDouble two{2, 0};
+  between = Vector(nearest(FineVector3{two * sum.x / square, two * sum.y / square, two * sum.z / square}));
+  return true;
+}
+
+}  // namespace toolcomp::fast::klartext

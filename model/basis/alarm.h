@@ -1,0 +1,49 @@
+// How a block ends the run.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <optional>
+
+#include "model/basis/recorder.h"
+#include "spec/language/name.h"
+
+namespace toolcomp::model {
+
+// The block at fault makes nothing at all; the run ends with this alarm (contract, event rules 4 and 5).
+class Alarm : public std::exception {
+ public:
+  Alarm(spec::Name alarm_number, const char* text) : number(alarm_number), message(text) {}
+  [[nodiscard]] const char* what() const noexcept override { return message; }
+
+  spec::Name number;       // PS0027, TOOL_DIRECTION_FORMAT
+  const char* message;     // static text
+  std::uint64_t line = 0;  // of the block at fault; 0: the block being interpreted
+  std::optional<std::uint64_t> n;
+};
+
+// The specification leaves open what a block does: the run ends with an `undecided` event that names the clause.
+class LeftOpen : public std::exception {
+ public:
+  LeftOpen(Clause left_open_by, const char* text) : clause(left_open_by), message(text) {}
+  [[nodiscard]] const char* what() const noexcept override { return message; }
+
+  Clause clause;
+  const char* message;     // static text: what is left open
+  std::uint64_t line = 0;  // of the block; 0: the block being interpreted
+  std::optional<std::uint64_t> n;
+};
+
+// Applies the clause that leaves it open, and ends the run there.
+[[noreturn]] inline void leave_open(Recorder& recorder, Clause clause, const char* message) {
+  recorder.reach(clause);
+  throw LeftOpen(clause, message);
+}
+
+// Applies the clause that states the alarm, and raises it.
+[[noreturn]] inline void raise(Recorder& recorder, Clause clause, spec::Name number, const char* message) {
+  recorder.reach(clause);
+  throw Alarm(number, message);
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,59 @@
+#include "model/basis/number.h"
+
+namespace toolcomp::model {
+namespace {
+
+using exact::Integer;
+
+Integer power_of_ten(unsigned exponent) {
+  Integer power = 1;
+  while (exponent-- != 0) power *= 10;
+  return power;
+}
+
+Rational least_increment(spec::IncrementSystem system) {
+  switch (system) {
+    case spec::IncrementSystem::is_a:
+      return {1, 100};
+    case spec::IncrementSystem::is_b:
+      return {1, 1000};
+    case spec::IncrementSystem::is_c:
+      return {1, 10000};
+  }
+  return {1, 1000};
+}
+
+}  // namespace
+
+Rational plain(const spec::Decimal& value) {
+  Rational result(Integer(value.digits), power_of_ten(value.decimals));
+  return value.negative ? -result : result;
+}
+
+Numbers::Numbers(const spec::Setup& setup, Recorder& recorder)
+    : recorder_(recorder),
+      setup_(setup.units),
+      program_(setup.units),
+      as_written_(setup.bit(3401, 0, true)),
+      increment_(least_increment(setup.increment)) {}
+
+Rational Numbers::counted(const spec::Decimal& word, const Rational& increment) const {
+  const bool counts = !word.point && !as_written_;
+  return recorder_.decide(Clause::fanuc_program_least_increments, counts) ? plain(word) * increment : plain(word);
+}
+
+Rational Numbers::converted(const Rational& value) const {
+  if (!recorder_.decide(Clause::fanuc_program_units, program_ != setup_)) return value;
+  const Rational mm_in_an_inch(254, 10);
+  return setup_ == spec::Units::mm ? value * mm_in_an_inch : value / mm_in_an_inch;
+}
+
+Rational Numbers::length(const spec::Decimal& word) const {
+  return converted(counted(word, program_ == spec::Units::mm ? increment_ : increment_ / 10));
+}
+
+Rational Numbers::angle(const spec::Decimal& word) const { return counted(word, increment_); }
+
+Rational Numbers::feed(const spec::Decimal& word) const { return converted(plain(word)); }
+
+}  // namespace toolcomp::model

@@ -1,0 +1,43 @@
+// What the decimals of a program and of a setup are worth.
+#pragma once
+
+#include "model/basis/recorder.h"
+#include "model/exact/real.h"
+#include "spec/language/decimal.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model {
+
+using exact::Rational;
+
+// The decimal as it stands.
+Rational plain(const spec::Decimal& value);
+
+// Values of program words in setup units: inch or mm input (G20, G21), and least input increments where a number is
+// written without decimal point (parameter 3401#0). Clauses: fanuc.program.units, fanuc.program.least-increments.
+class Numbers {
+ public:
+  Numbers(const spec::Setup& setup, Recorder& recorder);
+
+  // Units of program words from here on.
+  void program_units(spec::Units units) { program_ = units; }
+
+  // Linear words (X Y Z U V W I J K R).
+  [[nodiscard]] Rational length(const spec::Decimal& word) const;
+  // Rotary words (A B C): degrees.
+  [[nodiscard]] Rational angle(const spec::Decimal& word) const;
+  // F: never least increments.
+  [[nodiscard]] Rational feed(const spec::Decimal& word) const;
+
+ private:
+  [[nodiscard]] Rational counted(const spec::Decimal& word, const Rational& increment) const;
+  [[nodiscard]] Rational converted(const Rational& value) const;
+
+  Recorder& recorder_;
+  spec::Units setup_;
+  spec::Units program_;
+  bool as_written_;     // parameter 3401#0
+  Rational increment_;  // least input increment, mm or degrees
+};
+
+}  // namespace toolcomp::model

@@ -1,0 +1,73 @@
+#include "model/fanuc/corner/interference.h"
+
+#include <algorithm>
+
+namespace toolcomp::model {
+namespace {
+
+// Sweeps of up to 360° differ by more than 180° only if one is over a half circle and the other is not: L - S > 180
+// where sin(S - L) is positive.
+bool sweeps_far_apart(Recorder& recorder, ToolArcRun& run) {
+  const Sweep programmed = run.programmed();
+  const Sweep& tool = run.sweep();
+  if (programmed.up_to_half() == tool.up_to_half()) return false;
+  const Real gain = tool.sine * programmed.cosine - tool.cosine * programmed.sine;
+  return recorder.decide(Clause::fanuc_cutter_c_interference_sweep, programmed.up_to_half() ? -gain : gain,
+                         run.radii()) == Sign::positive;
+}
+
+// Not less than the length, and cheap.
+Real bound(const PlanePoint& vector) {
+  Real sum;
+  for (const Real& component : vector) sum += component.sign() == Sign::negative ? -component : component;
+  return sum;
+}
+
+// The tool's path against the programmed one, end to end.
+bool line_interferes(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to) {
+  const Real length2 = path.is_arc() ? squared_norm(path.travel) : path.start.heading.length2;
+  const Real length = path.is_arc() ? sqrt(length2) : path.start.heading.length;
+  const Real along = length2 + dot(path.travel, to.vector - from.vector);
+  const Real scale = length * (length + bound(from.vector) + bound(to.vector));
+  return recorder.decide(Clause::fanuc_cutter_c_interference_direction, along, scale) == Sign::negative;
+}
+
+}  // namespace
+
+bool arc_interferes(Recorder& recorder, const PathEnd& start, const PathEnd& end, ToolArcRun& run) {
+  const Clause radius = Clause::fanuc_cutter_c_interference_radius;
+  const Sign at_start = decide_offset_radius(recorder, radius, start);
+  if (at_start == Sign::negative) return true;
+  const Sign at_end = decide_offset_radius(recorder, radius, end);
+  if (at_end == Sign::negative) return true;
+  if (at_start == Sign::zero || at_end == Sign::zero) return false;
+  if (run.in_center() || run.turns_as_programmed()) return false;
+  return sweeps_far_apart(recorder, run);
+}
+
+Kept inner_pair(Recorder& recorder, std::size_t at_start, std::size_t at_end, const Interferes& interferes) {
+  Kept kept{Passage::free, at_start - 1, 0};
+  for (std::size_t pairs = std::max(at_start, at_end); pairs > 0; --pairs) {
+    const bool first = kept.passage == Passage::free;
+    if (!recorder.decide(Clause::fanuc_cutter_c_interference_pairs, interferes(first, kept.from, kept.to))) return kept;
+    kept.passage = Passage::shortened;
+    if (kept.from > 0) --kept.from;
+    if (kept.to + 1 < at_end) ++kept.to;
+  }
+  kept.passage = Passage::blocked;
+  return kept;
+}
+
+Passage remove_interference(Recorder& recorder, const OffsetPath& path, VectorGroup& at_start, VectorGroup& at_end,
+                            ToolArcRun* arc) {
+  const Kept kept =
+      inner_pair(recorder, at_start.size(), at_end.size(), [&](bool first, std::size_t from, std::size_t to) {
+        return first && arc != nullptr ? arc_interferes(recorder, path.start, path.end, *arc)
+                                       : line_interferes(recorder, path, at_start[from], at_end[to]);
+      });
+  at_start.resize(kept.from + 1);
+  at_end.erase(at_end.begin(), at_end.begin() + static_cast<std::ptrdiff_t>(kept.to));
+  return kept.passage;
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,56 @@
+#include "model/fanuc/corner/offset_path.h"
+
+namespace toolcomp::model {
+namespace {
+
+// The offset lies away from the centre: the offset circle is larger than the programmed one.
+bool grows(const PathEnd& end) { return end.turn * end.offset <= 0; }
+// R - |offset| has the sign of R² - offset².
+Real radius_difference(const PathEnd& end) { return end.heading.length2 - Rational(end.offset * end.offset); }
+
+}  // namespace
+
+Heading heading(const PlanePoint& along) {
+  Heading result{along, squared_norm(along), {}};
+  result.length = sqrt(result.length2);
+  return result;
+}
+
+OffsetPath line_path(const PlanePoint& travel, const Rational& offset_at_start, const Rational& offset_at_end) {
+  OffsetPath path;
+  path.travel = travel;
+  path.start.heading = heading(travel);
+  path.start.offset = offset_at_start;
+  path.end = path.start;
+  path.end.offset = offset_at_end;
+  return path;
+}
+
+PathEnd arc_end(const PlanePoint& from_center, int turn, const std::optional<Rational>& radius,
+                const Rational& offset) {
+  PathEnd end;
+  const PlanePoint along = Real(turn) * left(from_center);
+  end.heading = radius ? Heading{along, Rational(*radius * *radius), *radius} : heading(along);
+  end.turn = turn;
+  end.offset = offset;
+  return end;
+}
+
+OffsetPath arc_path(const ArcEnds& arc, const Rational& offset_at_start, const Rational& offset_at_end) {
+  OffsetPath path;
+  path.travel = arc.end - arc.start;
+  path.one_radius = arc.one_radius;
+  path.start = arc_end(arc.start, arc.turn, arc.radius, offset_at_start);
+  path.end = arc_end(arc.end, arc.turn, arc.radius, offset_at_end);
+  return path;
+}
+
+Sign decide_offset_radius(Recorder& recorder, Clause clause, const PathEnd& end) {
+  const Rational offset2 = end.offset * end.offset;
+  if (grows(end)) return recorder.decide(clause, end.heading.length2 + offset2, end.heading.length2 + offset2);
+  return recorder.decide(clause, radius_difference(end), end.heading.length2 + offset2);
+}
+
+Sign offset_radius(const PathEnd& end) { return grows(end) ? Sign::positive : radius_difference(end).sign(); }
+
+}  // namespace toolcomp::model

@@ -1,0 +1,74 @@
+#include "model/fanuc/corner/tool_arc.h"
+
+#include "model/geometry/arc.h"
+
+namespace toolcomp::model {
+namespace {
+
+PlanePoint from_center(const PathEnd& end, const PlanePoint& vector) { return vector - end.to_center(); }
+
+// The distance of a head from the centre. |R'| where it lies on the offset circle.
+Real distance(bool on, const PathEnd& end, const Real& square, Sign sign) {
+  if (!on) return sqrt(square);
+  return sign == Sign::negative ? -end.radius() : end.radius();
+}
+
+}  // namespace
+
+ToolArcRun::ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to,
+                       HeadPair heads)
+    : recorder_(recorder),
+      path_(path),
+      start_(from_center(path.start, from.vector)),
+      end_(from_center(path.end, to.vector)),
+      start_on_(from.latter != Seat::off),
+      end_on_(to.former != Seat::off),
+      start2_(start_on_ ? path.start.radius2() : squared_norm(start_)),
+      end2_(end_on_ ? path.end.radius2() : squared_norm(end_)),
+      start_sign_(start_on_ ? offset_radius(path.start) : start2_.sign()),
+      end_sign_(end_on_ ? offset_radius(path.end) : end2_.sign()),
+      as_programmed_(from.latter == Seat::square && to.former == Seat::square && start_sign_ == end_sign_),
+      heads_(heads) {}
+
+Sweep ToolArcRun::programmed() const {
+  const PlanePoint& from = path_.start.heading.along;
+  const PlanePoint& to = path_.end.heading.along;
+  Sweep sweep{Real(path_.start.turn) * cross(from, to), dot(from, to), {}};
+  sweep.side = sweep.sine.sign();
+  return sweep;
+}
+
+Real ToolArcRun::radii() const { return path_.start.heading.length * path_.end.heading.length * sqrt(start2_ * end2_); }
+
+const Sweep& ToolArcRun::sweep() {
+  if (sweep_) return *sweep_;
+  Real scale;
+  if (as_programmed_) {
+    sweep_ = programmed();
+    scale = path_.start.heading.length * path_.end.heading.length;
+  } else if (heads_ != HeadPair::any) {
+    sweep_ = Sweep{0, heads_ == HeadPair::same ? start2_ : -start2_, {}};
+    scale = start2_;
+  } else {
+    sweep_ = Sweep{Real(path_.start.turn) * cross(start_, end_), dot(start_, end_), {}};
+    scale = sqrt(start2_ * end2_);
+  }
+  sweep_->side = recorder_.decide(Clause::fanuc_cutter_c_arc_sweep, sweep_->sine, scale);
+  return *sweep_;
+}
+
+ToolArc ToolArcRun::arc() {
+  ToolArc arc;
+  // On one circle the squares are one number, which needs no proof; of such heads too.
+  const bool one_circle = start_on_ && end_on_ && path_.one_radius && path_.start.offset == path_.end.offset;
+  const Real growth = one_circle || heads_ != HeadPair::any ? Real(0) : end2_ - start2_;
+  if (recorder_.decide(Clause::fanuc_cutter_c_arc_radii, growth, end2_ + start2_) != Sign::zero)
+    arc.radius = {distance(start_on_, path_.start, start2_, start_sign_),
+                  distance(end_on_, path_.end, end2_, end_sign_)};
+  if (in_center()) return arc;
+  const Sweep& turned = sweep();
+  arc.sweep = swept_angle(turned.sine, turned.cosine, turned.side);
+  return arc;
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,49 @@
+// Cutter compensation B: G40, G41, G42 and G39.
+#pragma once
+
+#include "model/basis/recorder.h"
+#include "model/fanuc/program/cutter_compensation.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model {
+
+// Every block by itself, without look-ahead: the tool goes from head to head. Clauses: fanuc.cutter-b.*.
+class CutterCompensationB : public CutterCompensation {
+ public:
+  CutterCompensationB(const spec::Setup& setup, Recorder& recorder, Output output);
+
+  [[nodiscard]] bool on() const override { return side_ != CutterSide::none; }
+  // Throws Alarm PS0028, PS0037, FORBIDDEN_IN_CUTTER_COMPENSATION, PS0042, PS0035 or PS0034.
+  void read(const CutterBlock& words) override;
+  // Throws Alarm PS0038.
+  void take(const Step& step) override;
+  void finish() override {}
+
+ private:
+  void read_corner_arc(const CutterBlock& words) const;
+  void read_arc(const CutterBlock& words) const;
+
+  // The kinds of blocks; each gives the moves of `step` their vectors.
+  void run(Step& step);
+  void cancel(Step& step);
+  void corner_arc(Step& step);
+  void line(Step& step);
+  void arc(Step& step);
+  void machine_position(Step& step);
+  // All moves end with the vector in force.
+  void keep(Step& step) const;
+
+  // The offset value to the left of the path, with its sign.
+  [[nodiscard]] Rational to_the_left(const CutterBlock& block);
+  // The vector of this length at right angles to `direction`, which is not zero.
+  [[nodiscard]] static PlanePoint across(const Rational& length, const PlanePoint& direction);
+  // Sweep and radii of the tool's arc from head to head, each counted from the centre. True where the heads are one.
+  bool tool_arc(spec::Arc<Real>& arc, const PlanePoint& from, const PlanePoint& to) const;
+
+  spec::Axes axes_;
+  CutterSide side_ = CutterSide::none;  // group 07 in force
+  bool started_ = false;                // the start-up is made
+  PlanePoint vector_;                   // in force
+};
+
+}  // namespace toolcomp::model

@@ -1,0 +1,201 @@
+#include "model/fanuc/leading_edge_offset/leading_edge_offset.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "model/basis/alarm.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::model {
+namespace {
+
+Rational fluctuation(const spec::Setup& setup) {
+  const std::optional<spec::Decimal> given = setup.parameter(19631);
+  const Rational degrees = given ? plain(*given) : Rational(1);
+  if (degrees > 90 || degrees < -90)
+    throw spec::InputError("setup", 0, 0, "parameters.19631: an angle from -90 to 90 must stand here");
+  return degrees;
+}
+
+constexpr const char* kStartFormat = "a move, or a code that stops the look-ahead, in the block with G41.3";
+constexpr const char* kCancelFormat = "a move in the block that cancels the leading edge offset";
+constexpr const char* kNoMovement = "the block after G41.3 has no linear movement";
+
+}  // namespace
+
+LeadingEdgeOffset::LeadingEdgeOffset(const spec::Setup& setup, Recorder& recorder, Output output)
+    : recorder_(recorder), output_(std::move(output)), rules_(fluctuation(setup), recorder) {}
+
+bool LeadingEdgeOffset::concerns(const Command& command) const {
+  return active_ || (command.codes.compensation == Compensation::leading_edge && number(command) != 0);
+}
+
+bool LeadingEdgeOffset::active_after(const Command& command) const {
+  const Codes& codes = command.codes;
+  if (codes.compensation == Compensation::leading_edge) return number(command) != 0;
+  return active_ && codes.compensation != Compensation::cancel && codes.d != 0U;
+}
+
+LeadingEdgeOffset::Marks LeadingEdgeOffset::read(const Command& command, bool moves, const OffsetMemory& memory) {
+  const Codes& codes = command.codes;
+  number_ = number(command);
+  Marks marks;
+  if (codes.compensation == Compensation::leading_edge) {
+    if (moves || codes.stops_look_ahead)
+      raise(recorder_, Clause::fanuc_leading_edge_start_format, "PS5406", kStartFormat);
+    if (command.is_arc_motion())
+      raise(recorder_, Clause::fanuc_leading_edge_start_in_arc_mode, "PS5408",
+            "leading edge offset started in G02 or G03");
+    if (active_)
+      raise(recorder_, Clause::fanuc_leading_edge_repeated, "PS5407", "G41.3 while the leading edge offset is on");
+    if (!recorder_.decide(Clause::fanuc_leading_edge_start_with_d0, number_ == 0)) marks.edge = EdgeCommand::start;
+  } else if (active_) {
+    const bool by_number = recorder_.decide(Clause::fanuc_leading_edge_d0_cancels, codes.d == 0U);
+    if (codes.compensation == Compensation::cancel || by_number) {
+      if (moves) raise(recorder_, Clause::fanuc_leading_edge_cancel_format, "PS5406", kCancelFormat);
+      marks.edge = EdgeCommand::cancel;
+    }
+    if (command.is_arc_motion())
+      raise(recorder_, Clause::fanuc_leading_edge_arc, "PS5407", "G02 or G03 while the leading edge offset is on");
+  }
+  if (marks.edge == EdgeCommand::start || (active_ && marks.edge == EdgeCommand::none)) {
+    forbid(command, moves);
+    marks.radius = memory.d(number_);
+    recorder_.decide(Clause::fanuc_leading_edge_number_changed, active_ && codes.d.has_value());
+  }
+  return marks;
+}
+
+void LeadingEdgeOffset::forbid(const Command& command, bool moves) {
+  const Codes& codes = command.codes;
+  const bool other = codes.compensation && (is_cutter_side(*codes.compensation) || is_tool_side(*codes.compensation));
+  const bool code = codes.one_shot != OneShot::none || codes.workpiece || codes.units || other;
+  if (code || (codes.auxiliary && moves))
+    raise(recorder_, Clause::fanuc_leading_edge_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
+          "a command that is not allowed while the leading edge offset is on");
+}
+
+void LeadingEdgeOffset::take(const Step& step) {
+  if (step.edge == EdgeCommand::start) {
+    active_ = starting_ = true;
+    vector_ = {};
+    held_ = step;
+  } else if (!active_) {
+    output_(step);
+  } else if (step.edge == EdgeCommand::cancel) {
+    take_cancel(step);
+  } else if (step.travels) {
+    take_moving(step);
+  } else {
+    take_other(step);
+  }
+}
+
+void LeadingEdgeOffset::take_moving(const Step& step) {
+  if (held_) {
+    const Vector& movement = step.moves.front().leg.travel;
+    decide_held();
+    if (starting_) {
+      recorder_.reach(Clause::fanuc_leading_edge_start);
+      try {
+        vector_ = rules_.first(movement, held_->rest.tool, held_->radius);
+      } catch (Alarm& alarm) {
+        alarm.line = held_->line;
+        alarm.n = held_->n;
+        held_.reset();
+        throw;
+      }
+    } else {
+      recorder_.decide(Clause::fanuc_leading_edge_one_block_without_movement, !behind_.empty());
+      vector_ = rules_.next(vector_, movement, held_->rest.tool, held_->radius);
+    }
+    release(&step);
+  }
+  held_ = step;
+}
+
+// A block without linear movement.
+void LeadingEdgeOffset::take_other(const Step& step) {
+  if (step.has_word && starting_)
+    start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, "PS5407", kNoMovement);
+  if (!held_) {
+    emit(step);
+    return;
+  }
+  behind_.push_back(step);
+  const auto counted = std::ranges::count_if(behind_, [](const Step& s) { return s.has_word; });
+  if (!step.stops_look_ahead && counted < 2) return;
+  decide_held();
+  recorder_.reach(step.stops_look_ahead ? Clause::fanuc_leading_edge_kept_without_look_ahead
+                                        : Clause::fanuc_leading_edge_two_blocks_without_movement);
+  release(&step);
+}
+
+// The block before makes its vector from its own movement; then the tool returns to the programmed point.
+void LeadingEdgeOffset::take_cancel(const Step& step) {
+  if (starting_) start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, "PS5407", kNoMovement);
+  if (held_) {
+    decide_held();
+    if (step.stops_look_ahead) {
+      recorder_.reach(Clause::fanuc_leading_edge_kept_without_look_ahead);
+    } else {
+      recorder_.reach(Clause::fanuc_leading_edge_before_cancel);
+      vector_ = rules_.next(vector_, held_->moves.front().leg.travel, held_->rest.tool, held_->radius);
+    }
+    release(&step);
+  }
+  active_ = false;
+  vector_ = {};
+  recorder_.reach(Clause::fanuc_leading_edge_cancel);
+  Step cancel = step;
+  cancel.clauses.add(recorder_.take_clauses());
+  emit(cancel, spec::Cause::cancel);
+}
+
+void LeadingEdgeOffset::finish() {
+  if (!held_) return;
+  if (starting_) start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, "PS5407", kNoMovement);
+  decide_held();
+  recorder_.reach(Clause::fanuc_leading_edge_kept_at_the_end);
+  release(nullptr);
+}
+
+void LeadingEdgeOffset::release(const Step* now) {
+  held_->clauses.add(recorder_.take_clauses());
+  if (starting_) {
+    emit(*held_, spec::Cause::start_up);
+    starting_ = false;
+  } else {
+    emit(*held_);
+  }
+  for (const Step& step : behind_) emit(step);
+  held_.reset();
+  behind_.clear();
+  if (now != nullptr) recorder_.at(now->line);
+}
+
+void LeadingEdgeOffset::emit(const Step& step) {
+  Step out = step;
+  for (Move& move : out.moves) move.offset = vector_.vector;
+  output_(out);
+}
+
+void LeadingEdgeOffset::emit(const Step& step, spec::Cause inserted) {
+  Step out = step;
+  out.moves = {step.rest};
+  out.moves.front().leg.cause = inserted;
+  out.moves.front().offset = vector_.vector;
+  output_(out);
+}
+
+void LeadingEdgeOffset::start_alarm(Clause clause, spec::Name alarm, const char* message) {
+  decide_held();
+  recorder_.reach(clause);
+  Alarm raised(alarm, message);
+  raised.line = held_->line;
+  raised.n = held_->n;
+  held_.reset();
+  throw Alarm(raised);
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,199 @@
+#include "model/fanuc/program/codes.h"
+
+#include <utility>
+
+#include "model/basis/alarm.h"
+#include "model/fanuc/program/offset_memory.h"
+
+namespace toolcomp::model {
+namespace {
+
+// A G number in tenths (G30.1 is 301), or nothing if it has more decimals than any code.
+std::optional<std::uint64_t> tenths(const spec::Decimal& value) {
+  std::uint64_t digits = value.digits;
+  unsigned decimals = value.decimals;
+  for (; decimals > 1; --decimals) {
+    if (digits % 10 != 0) return std::nullopt;
+    digits /= 10;
+  }
+  // No code has more than three digits; larger numbers need not be told apart.
+  if (digits > 100000) return std::nullopt;
+  return decimals == 1 ? digits : digits * 10;
+}
+
+class Reader {
+ public:
+  Reader(Codes& codes, Recorder& recorder) : codes_(codes), recorder_(recorder) {}
+
+  // False if the code is not supported.
+  bool read(std::uint64_t code) {
+    switch (code) {
+      case 0:
+        return group(codes_.motion, Motion::rapid);
+      case 10:
+        return group(codes_.motion, Motion::linear);
+      case 20:
+        return group(codes_.motion, Motion::arc_cw);
+      case 30:
+        return group(codes_.motion, Motion::arc_ccw);
+      case 40:
+        return one_shot(OneShot::dwell);
+      case 100:
+        return one_shot(OneShot::data);
+      case 170:
+        return group(codes_.plane, spec::Plane::xy);
+      case 180:
+        return group(codes_.plane, spec::Plane::zx);
+      case 190:
+        return group(codes_.plane, spec::Plane::yz);
+      case 200:
+        return group(codes_.units, spec::Units::inch);
+      case 210:
+        return group(codes_.units, spec::Units::mm);
+      case 280:
+        return one_shot(OneShot::reference);
+      case 290:
+        return one_shot(OneShot::from_reference);
+      case 300:
+        return one_shot(OneShot::other_reference);
+      case 301:
+        return one_shot(OneShot::floating_reference);
+      case 370:
+        return one_shot(OneShot::measure);
+      case 390:
+        return one_shot(OneShot::corner_arc);
+      case 400:
+        return group(codes_.compensation, Compensation::cancel);
+      case 410:
+        return group(codes_.compensation, Compensation::left);
+      case 412:
+        return group(codes_.compensation, Compensation::tool_side_left);
+      case 413:
+        return group(codes_.compensation, Compensation::leading_edge);
+      case 416:
+        return group(codes_.compensation, Compensation::directed_tool_side_left);
+      case 420:
+        return group(codes_.compensation, Compensation::right);
+      case 422:
+        return group(codes_.compensation, Compensation::tool_side_right);
+      case 426:
+        return group(codes_.compensation, Compensation::directed_tool_side_right);
+      case 430:
+        return group(codes_.length, LengthCode::plus);
+      case 434:
+        return group(codes_.length, LengthCode::tip_control);
+      case 435:
+        return group(codes_.length, LengthCode::tool_direction);
+      case 440:
+        return group(codes_.length, LengthCode::minus);
+      case 450:
+        return one_shot(OneShot::increase);
+      case 460:
+        return one_shot(OneShot::decrease);
+      case 470:
+        return one_shot(OneShot::double_increase);
+      case 480:
+        return one_shot(OneShot::double_decrease);
+      case 490:
+        return group(codes_.length, LengthCode::cancel);
+      case 530:
+        return one_shot(OneShot::machine_coordinates);
+      case 540:
+      case 550:
+      case 560:
+      case 570:
+      case 580:
+      case 590:
+        return group(codes_.workpiece, static_cast<std::size_t>((code - 540) / 10));
+      case 900:
+        return group(codes_.incremental, false);
+      case 910:
+        return group(codes_.incremental, true);
+      case 920:
+        return one_shot(OneShot::shift);
+      case 940:
+        return true;  // feed per minute, the only kind
+      default:
+        return false;
+    }
+  }
+
+ private:
+  template <class Code>
+  bool group(std::optional<Code>& slot, Code code) {
+    if (slot) recorder_.reach(Clause::fanuc_program_last_code_of_group);
+    slot = code;
+    return true;
+  }
+  bool one_shot(OneShot code) {
+    if (codes_.one_shot != OneShot::none) recorder_.reach(Clause::fanuc_program_last_code_of_group);
+    codes_.one_shot = code;
+    return true;
+  }
+
+  Codes& codes_;
+  Recorder& recorder_;
+};
+
+void read_m(const spec::Decimal& value, Codes& codes) {
+  codes.auxiliary = true;
+  switch (value.digits) {
+    case 2:
+    case 30:
+      codes.ends_program = true;
+      [[fallthrough]];
+    case 0:
+    case 1:
+      codes.stops_look_ahead = true;
+      break;
+    default:
+      break;
+  }
+}
+
+// An H or D number; the reader admits neither sign nor point.
+std::optional<std::uint32_t> offset_number(const spec::Decimal* word, const spec::Setup& setup, Recorder& recorder) {
+  if (word == nullptr) return std::nullopt;
+  if (word->digits > setup.offset_count)
+    raise(recorder, Clause::fanuc_program_offset_number_range, "PS0030", "offset number beyond the tool offset memory");
+  return static_cast<std::uint32_t>(word->digits);
+}
+
+}  // namespace
+
+Words::Words(const spec::Block& block, Recorder& recorder) {
+  for (const spec::Word& word : block.words()) {
+    if (word.address == 'G' || word.address == 'M' || word.address == 'N' || word.address == 'O') continue;
+    const spec::Decimal*& slot = word_[static_cast<std::size_t>(word.address - 'A')];
+    if (slot != nullptr) recorder.reach(Clause::fanuc_program_last_word_of_address);
+    slot = &word.value;
+  }
+}
+
+Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup& setup, Recorder& recorder) {
+  Codes codes;
+  Reader reader(codes, recorder);
+  for (const spec::Word& word : block.words()) {
+    codes.any = codes.any || word.address != 'O';
+    if (word.address == 'G') {
+      const auto code = tenths(word.value);
+      if (!code || !reader.read(*code))
+        raise(recorder, Clause::fanuc_program_unknown_code, "PS0010", "G code unknown or not supported");
+    } else if (word.address == 'M') {
+      read_m(word.value, codes);
+    } else if (word.address == 'S' || word.address == 'T') {
+      codes.auxiliary = true;
+    }
+  }
+  const bool side = codes.compensation && is_cutter_side(*codes.compensation);
+  if (side && !takes_letters_as_data(codes.one_shot) && words.has('I') && words.has('J') && words.has('K') &&
+      setup.cutter_compensation == spec::CutterCompensationType::c)
+    raise(recorder, Clause::fanuc_cutter_c_three_dimensional, "PS0010", "three-dimensional compensation is not built");
+  if (codes.one_shot == OneShot::data && !offset_kind(words, setup.memory))
+    raise(recorder, Clause::fanuc_memory_g10_kind, "PS0010", "G10 with an L that this offset memory does not have");
+  codes.h = offset_number(words.find('H'), setup, recorder);
+  codes.d = offset_number(words.find('D'), setup, recorder);
+  return codes;
+}
+
+}  // namespace toolcomp::model

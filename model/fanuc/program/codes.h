@@ -1,0 +1,101 @@
+// The codes of one block: which G codes of which modal group, which M codes, which numbers of tool offsets.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "model/basis/number.h"
+#include "model/basis/recorder.h"
+#include "spec/language/block.h"
+#include "spec/language/event.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model {
+
+enum class Motion : std::uint8_t { rapid, linear, arc_cw, arc_ccw };  // group 01: G00–G03
+enum class Compensation : std::uint8_t {                              // group 07
+  cancel,                                                             // G40
+  left,                                                               // G41
+  right,                                                              // G42
+  leading_edge,                                                       // G41.3
+  tool_side_left,                                                     // G41.2
+  tool_side_right,                                                    // G42.2
+  directed_tool_side_left,                                            // G41.6: the same under G43.5
+  directed_tool_side_right                                            // G42.6
+};
+enum class LengthCode : std::uint8_t {  // group 08
+  plus,                                 // G43
+  minus,                                // G44
+  tip_control,                          // G43.4: tool center point control, type 1
+  tool_direction,                       // G43.5: type 2
+  cancel                                // G49
+};
+enum class OneShot : std::uint8_t {  // group 00
+  none,
+  dwell,                // G04
+  data,                 // G10
+  reference,            // G28
+  from_reference,       // G29
+  other_reference,      // G30
+  floating_reference,   // G30.1
+  measure,              // G37
+  corner_arc,           // G39
+  increase,             // G45
+  decrease,             // G46
+  double_increase,      // G47
+  double_decrease,      // G48
+  machine_coordinates,  // G53
+  shift                 // G92
+};
+
+// G45–G48.
+constexpr bool is_tool_offset(OneShot code) { return code >= OneShot::increase && code <= OneShot::double_decrease; }
+
+// G04 and G10: axis letters and I J K are their data.
+constexpr bool takes_letters_as_data(OneShot code) { return code == OneShot::dwell || code == OneShot::data; }
+
+// G41, G42.
+constexpr bool is_cutter_side(Compensation code) { return code == Compensation::left || code == Compensation::right; }
+// G43.4, G43.5.
+constexpr bool is_tip_control(LengthCode code) {
+  return code == LengthCode::tip_control || code == LengthCode::tool_direction;
+}
+// G41.2, G42.2, G41.6, G42.6.
+constexpr bool is_tool_side(Compensation code) { return code >= Compensation::tool_side_left; }
+
+// The last word of each address.
+class Words {
+ public:
+  Words(const spec::Block& block, Recorder& recorder);
+  // Null where the block has no such word. G, M, N and O are not kept.
+  [[nodiscard]] const spec::Decimal* find(char address) const { return word_[static_cast<std::size_t>(address - 'A')]; }
+  [[nodiscard]] bool has(char address) const { return find(address) != nullptr; }
+
+ private:
+  std::array<const spec::Decimal*, 26> word_{};
+};
+
+// What a block says in G, M, H and D words; groups it does not mention are absent. Of several codes of one group the
+// last counts.
+struct Codes {
+  OneShot one_shot = OneShot::none;
+  std::optional<Motion> motion;
+  std::optional<spec::Plane> plane;          // group 02
+  std::optional<bool> incremental;           // group 03
+  std::optional<spec::Units> units;          // group 06
+  std::optional<Compensation> compensation;  // group 07
+  std::optional<LengthCode> length;          // group 08
+  std::optional<std::size_t> workpiece;      // group 14: 0 for G54 … 5 for G59
+  std::optional<std::uint32_t> h;            // offset numbers
+  std::optional<std::uint32_t> d;
+  bool stops_look_ahead = false;  // M00 M01 M02 M30
+  bool ends_program = false;      // M02 M30
+  bool auxiliary = false;         // an M, S or T word
+  bool any = false;               // a word other than O
+};
+
+// Throws Alarm: PS0010 for the first code that is not supported, PS0030 for an offset number beyond the memory.
+Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup& setup, Recorder& recorder);
+
+}  // namespace toolcomp::model

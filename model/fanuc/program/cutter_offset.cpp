@@ -1,0 +1,12 @@
+#include "model/fanuc/program/cutter_offset.h"
+
+namespace toolcomp::model {
+
+CutterOffset offset_of(Recorder& recorder, CutterSide side, const Rational& value) {
+  const int of_code = side == CutterSide::left ? 1 : -1;
+  const Rational distance = abs(value);
+  const Sign decided = recorder.decide(Clause::fanuc_cutter_side, Rational(of_code * value), distance);
+  return {decided == Sign::zero ? of_code : static_cast<int>(decided), distance, value};
+}
+
+}  // namespace toolcomp::model

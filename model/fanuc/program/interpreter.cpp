@@ -1,0 +1,272 @@
+#include "model/fanuc/program/interpreter.h"
+
+#include "model/basis/alarm.h"
+
+namespace toolcomp::model {
+namespace {
+
+bool in(AxisMask mask, std::size_t axis) { return (mask >> axis & 1U) != 0; }
+AxisMask bit(std::size_t axis) { return static_cast<AxisMask>(1U << axis); }
+
+// The kind of a straight move under a code of group 01.
+spec::MoveType straight(Motion motion) {
+  return motion == Motion::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
+}
+
+bool is_reference_return(OneShot code) {
+  return code == OneShot::reference || code == OneShot::other_reference || code == OneShot::floating_reference;
+}
+
+}  // namespace
+
+Interpreter::Interpreter(const spec::Setup& setup, Recorder& recorder)
+    : setup_(setup), recorder_(recorder), axes_(setup.axes), numbers_(setup, recorder), work_(setup) {
+  const auto start = by_axis(setup.position, axes_);
+  for (std::size_t i = 0; i < axes_.size(); ++i) position_.at(i) = start.at(i);
+}
+
+AxisMask Interpreter::axis_words(const Words& words) const {
+  AxisMask mask = 0;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (words.has(axes_.letter(i))) mask = static_cast<AxisMask>(mask | bit(i));
+  return mask;
+}
+
+Command Interpreter::read(const spec::Block& block) {
+  if (block.alarm) {
+    recorder_.reach(Clause::fanuc_program_unreadable_block);
+    throw Alarm(block.alarm->number, block.alarm->message);
+  }
+  const Words words(block, recorder_);
+  Command command{words, read_codes(block, words, setup_, recorder_)};
+  const Codes& codes = command.codes;
+  if (codes.units) numbers_.program_units(*codes.units);
+  if (codes.motion) motion_ = *codes.motion;
+  if (codes.plane) plane_ = *codes.plane;
+  if (codes.incremental) incremental_ = *codes.incremental;
+  command.is_block = block.size != 0 || block.n;
+  command.motion = motion_;
+  command.plane = plane_;
+  command.incremental = incremental_;
+  if (const spec::Decimal* f = words.find('F')) feed_ = numbers_.feed(*f);
+  if (!recorder_.decide(Clause::fanuc_program_letters_as_data, takes_letters_as_data(codes.one_shot))) {
+    command.axes = axis_words(words);
+    command.direction = words.has('I') || words.has('J') || words.has('K');
+  }
+  return command;
+}
+
+Rational Interpreter::word(const Command& command, std::size_t axis) const {
+  const char letter = axes_.letter(axis);
+  const spec::Decimal& value = *command.words.find(letter);
+  return spec::is_linear_axis(letter) ? numbers_.length(value) : numbers_.angle(value);
+}
+
+void Interpreter::go(Leg& leg, std::size_t axis, const Coordinate& to, const Real& travel) const {
+  leg.end.at(axis) = to;
+  const char letter = axes_.letter(axis);
+  if (is_space_axis(letter)) component(leg.travel, space_index(letter)) = travel;
+}
+
+void Interpreter::go(Leg& leg, std::size_t axis, const Coordinate& to) const {
+  // The travel of a rotary axis is nobody's concern, and may be a sum of angles.
+  go(leg, axis, to, is_space_axis(axes_.letter(axis)) ? (to - position_.at(axis)).value() : Real());
+}
+
+Leg Interpreter::ordinary(const Command& command, spec::MoveType type) const {
+  Leg leg;
+  leg.type = type;
+  leg.end = position_;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!in(command.axes, i)) continue;
+    const Rational value = word(command, i);
+    if (recorder_.decide(Clause::fanuc_program_incremental, command.incremental))
+      go(leg, i, position_.at(i) + value, value);
+    else
+      go(leg, i, value);
+  }
+  return leg;
+}
+
+// G53: machine coordinates of the named axes.
+Leg Interpreter::machine_leg(const Command& command) const {
+  recorder_.reach(Clause::fanuc_program_machine_coordinates);
+  Leg leg;
+  leg.type = spec::MoveType::rapid;
+  leg.end = position_;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (in(command.axes, i)) go(leg, i, Coordinate(word(command, i)) - work_.zero(i));
+  return leg;
+}
+
+const Rational& Interpreter::reference(const Command& command, std::size_t axis) const {
+  switch (command.codes.one_shot) {
+    case OneShot::floating_reference:
+      return work_.floating_reference(axis);
+    case OneShot::other_reference: {
+      const spec::Decimal* const p = command.words.find('P');
+      return work_.reference(p == nullptr ? 2 : static_cast<std::size_t>(p->digits), axis);
+    }
+    default:
+      return work_.reference(1, axis);
+  }
+}
+
+// G28, G30, G30.1: to the intermediate point, then the named axes to the reference position.
+std::vector<Leg> Interpreter::reference_legs(const Command& command) {
+  if (!recorder_.decide(Clause::fanuc_program_reference_return, command.axes != 0)) return {};
+  if (command.codes.one_shot == OneShot::other_reference) {
+    if (const spec::Decimal* p = command.words.find('P')) {
+      const Rational number = plain(*p);
+      if (recorder_.decide(Clause::fanuc_program_reference_number, number != 2 && number != 3 && number != 4))
+        throw Alarm("PS0046", "G30 with a P that names none of the reference positions 2, 3, 4");
+    }
+  }
+  Leg intermediate = ordinary(command, spec::MoveType::rapid);
+  intermediate.cause = spec::Cause::reference;
+  Leg reference_leg = intermediate;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!in(command.axes, i)) continue;
+    intermediate_.at(i) = intermediate.end.at(i);
+    go(reference_leg, i, Coordinate(reference(command, i)) - work_.zero(i));
+  }
+  return {intermediate, reference_leg};
+}
+
+// G29: the named axes by way of the last intermediate point.
+std::vector<Leg> Interpreter::return_legs(const Command& command) const {
+  recorder_.reach(Clause::fanuc_program_return_from_reference);
+  Leg intermediate;
+  intermediate.type = spec::MoveType::rapid;
+  intermediate.end = position_;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!in(command.axes, i)) continue;
+    if (recorder_.decide(Clause::fanuc_program_return_without_intermediate, !intermediate_.at(i))) continue;
+    go(intermediate, i, *intermediate_.at(i));
+  }
+  Leg end = intermediate;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!in(command.axes, i)) continue;
+    const Coordinate value = word(command, i);
+    const bool incremental = recorder_.decide(Clause::fanuc_program_return_incremental, command.incremental);
+    go(end, i, incremental ? intermediate.end.at(i) + value : value);
+  }
+  return {intermediate, end};
+}
+
+std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Leg& leg, bool directed,
+                                                bool compensated) {
+  const PlaneLetters in_plane = letters(command.plane);
+  const std::size_t first = axes_.index(in_plane.first);
+  const std::size_t second = axes_.index(in_plane.second);
+  const spec::Decimal* const r = command.words.find('R');
+  const bool center = command.direction && !directed;
+  const bool travels = in(command.axes, first) || in(command.axes, second);
+  if (r == nullptr && !center) {
+    if (travels)
+      raise(recorder_, Clause::fanuc_program_arc_without_center, "PS0023", "an arc without radius or centre");
+    recorder_.reach(Clause::fanuc_program_arc_without_plane_words);
+    return std::nullopt;
+  }
+  // A machine without an axis of the plane stands at 0 in it.
+  const auto at = [](const Position& position, std::size_t axis) {
+    return axis == spec::Axes::kNone ? Real(0) : position.at(axis).value();
+  };
+  const auto along = [&](std::size_t axis) {
+    return axis == spec::Axes::kNone ? Real(0) : (leg.end.at(axis) - position_.at(axis)).value();
+  };
+  const PlanePoint start{at(position_, first), at(position_, second)};
+  const PlanePoint travel{along(first), along(second)};
+  spec::Arc<Real> arc;
+  arc.plane = command.plane;
+  arc.direction = command.motion == Motion::arc_cw ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
+  ArcGeometry geometry;
+  if (r != nullptr) {
+    recorder_.decide(Clause::fanuc_program_arc_radius_wins, center);
+    geometry = arc_by_radius(recorder_, start, travel, numbers_.length(*r), arc.direction);
+  } else {
+    const auto component = [&](char letter) {
+      const spec::Decimal* const value = command.words.find(letter);
+      return value == nullptr ? Rational(0) : numbers_.length(*value);
+    };
+    const Rational to_first = component(in_plane.first_center);
+    const Rational to_second = component(in_plane.second_center);
+    if (!recorder_.decide(Clause::fanuc_program_arc_center_in_start, to_first == 0 && to_second == 0))
+      geometry = arc_by_center(recorder_, start, travel, {to_first, to_second}, arc.direction);
+    else if (compensated)
+      geometry.center = start;
+    else
+      throw Alarm("PS0023", "an arc whose centre is its start");
+  }
+  if (first != spec::Axes::kNone) arc.center.set(first, geometry.center[0]);
+  if (second != spec::Axes::kNone) arc.center.set(second, geometry.center[1]);
+  arc.sweep = geometry.sweep;
+  arc.radius = geometry.radius;
+  return arc;
+}
+
+void Interpreter::select_workpiece_system(const Command& command) {
+  if (!command.codes.workpiece) return;
+  recorder_.reach(Clause::fanuc_program_workpiece_system);
+  work_.select(*command.codes.workpiece, position_);
+}
+
+std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool always, bool compensated) {
+  const OneShot one_shot = command.codes.one_shot;
+  if (is_reference_return(one_shot)) return reference_legs(command);
+  const bool goes = command.axes != 0;
+  if (one_shot == OneShot::from_reference) return goes ? return_legs(command) : std::vector<Leg>{};
+  if (one_shot == OneShot::machine_coordinates) {
+    if (!goes || recorder_.decide(Clause::fanuc_program_machine_coordinates_incremental, command.incremental))
+      return {};
+    return {machine_leg(command)};
+  }
+  if (one_shot == OneShot::corner_arc) return {};
+  if (one_shot == OneShot::shift || one_shot == OneShot::dwell || one_shot == OneShot::data) {
+    return always ? std::vector{stay(command)} : std::vector<Leg>{};
+  }
+  Leg leg = toward(command);
+  if (one_shot == OneShot::measure) return {leg};
+  if (command.is_arc_motion() && (goes || command.direction || command.words.has('R')))
+    leg.arc = arc(command, leg, directed, compensated);
+  if (leg.arc) leg.type = spec::MoveType::arc;
+  if (goes || leg.arc || always || (directed && command.direction)) return {leg};
+  return {};
+}
+
+Leg Interpreter::toward(const Command& command) const { return ordinary(command, straight(command.motion)); }
+
+Leg Interpreter::stay(const Command& command) const {
+  Leg leg;
+  leg.end = position_;
+  leg.type = straight(command.motion);
+  return leg;
+}
+
+void Interpreter::arrive(const Command& command, const std::vector<Leg>& legs) {
+  if (!legs.empty()) position_ = legs.back().end;
+  if (command.codes.one_shot != OneShot::shift) return;
+  recorder_.reach(Clause::fanuc_program_shift);
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!in(command.axes, i)) continue;
+    const Coordinate called = word(command, i);
+    work_.shift(i, position_.at(i), called);
+    position_.at(i) = called;
+  }
+}
+
+void Interpreter::shift_position(const Vector& by) {
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const char letter = axes_.letter(i);
+    if (is_space_axis(letter)) position_.at(i) = position_.at(i) + Coordinate(component(by, space_index(letter)));
+  }
+}
+
+void Interpreter::stand_in_space(const Vector& at) {
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const char letter = axes_.letter(i);
+    if (is_space_axis(letter)) position_.at(i) = Coordinate(component(at, space_index(letter)));
+  }
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,93 @@
+// From words to movements: modal groups, absolute positions, planes, arcs, workpiece offsets.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "model/basis/number.h"
+#include "model/basis/recorder.h"
+#include "model/fanuc/program/codes.h"
+#include "model/fanuc/program/step.h"
+#include "model/fanuc/program/work_coordinates.h"
+#include "model/kinematics/coordinate.h"
+#include "spec/language/block.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model {
+
+using AxisMask = std::uint16_t;  // bit i: controlled axis i
+
+// A block with the modal words in force in it. Points into the block it was made of.
+struct Command {
+  Words words;
+  Codes codes;
+  Motion motion = Motion::rapid;
+  spec::Plane plane = spec::Plane::xy;
+  bool incremental = false;
+  AxisMask axes = 0;       // axes commanded; none where the letters mean something else (G04, G10)
+  bool direction = false;  // I, J or K
+  bool is_block = true;    // any word, N and O included
+  [[nodiscard]] bool is_arc_motion() const { return motion == Motion::arc_cw || motion == Motion::arc_ccw; }
+};
+
+// Interprets blocks one after the other and keeps the programmed position. Clauses: fanuc.program.*.
+class Interpreter {
+ public:
+  Interpreter(const spec::Setup& setup, Recorder& recorder);
+
+  // Reads the words and updates the modal groups. Throws Alarm for a block that cannot be read, PS0010, PS0030.
+  Command read(const spec::Block& block);
+
+  // G54 to G59: the position is called by the new system from here on.
+  void select_workpiece_system(const Command& command);
+  // Where the block goes. `directed`: G43.5 is in force in it, I J K are a tool direction and alone make a move;
+  // `always`: it makes a move even without; `compensated`: by cutter compensation C, which refuses an arc about its
+  // start, here one without a sweep. Throws Alarm PS0023 or PS0046. The position stays until arrive().
+  std::vector<Leg> legs(const Command& command, bool directed, bool always, bool compensated);
+  // A leg that stays where the block starts, or after arrive() where it ended.
+  [[nodiscard]] Leg stay(const Command& command) const;
+  // The straight leg to where the axis words of the block point, moving or not.
+  [[nodiscard]] Leg toward(const Command& command) const;
+  // After the block: its end, and what G92 redefines.
+  void arrive(const Command& command, const std::vector<Leg>& legs);
+
+  // An axis stands elsewhere than its word said: where G37 has stopped it.
+  void stand(std::size_t axis, const Coordinate& at) { position_.at(axis) = at; }
+  // X Y Z are called otherwise from here on: where G49 leaves the axes, or in another coordinate system.
+  void shift_position(const Vector& by);
+  void stand_in_space(const Vector& at);
+
+  [[nodiscard]] const Position& position() const { return position_; }
+  [[nodiscard]] const WorkCoordinates& work() const { return work_; }
+  [[nodiscard]] const Numbers& numbers() const { return numbers_; }
+  [[nodiscard]] const std::optional<Rational>& feed() const { return feed_; }
+
+ private:
+  [[nodiscard]] AxisMask axis_words(const Words& words) const;
+  [[nodiscard]] Rational word(const Command& command, std::size_t axis) const;
+  [[nodiscard]] Leg ordinary(const Command& command, spec::MoveType type) const;
+  // Ends an axis of the leg at `to`, `travel` away from where the block starts.
+  void go(Leg& leg, std::size_t axis, const Coordinate& to, const Real& travel) const;
+  void go(Leg& leg, std::size_t axis, const Coordinate& to) const;
+  [[nodiscard]] std::optional<spec::Arc<Real>> arc(const Command& command, const Leg& leg, bool directed,
+                                                   bool compensated);
+  [[nodiscard]] Leg machine_leg(const Command& command) const;
+  [[nodiscard]] std::vector<Leg> reference_legs(const Command& command);
+  [[nodiscard]] std::vector<Leg> return_legs(const Command& command) const;
+  [[nodiscard]] const Rational& reference(const Command& command, std::size_t axis) const;
+
+  const spec::Setup& setup_;
+  Recorder& recorder_;
+  spec::Axes axes_;
+  Numbers numbers_;
+  WorkCoordinates work_;
+  Position position_;
+  std::array<std::optional<Coordinate>, spec::kMaxAxes> intermediate_;  // of the last G28 or G30
+  std::optional<Rational> feed_;
+  Motion motion_ = Motion::rapid;
+  spec::Plane plane_ = spec::Plane::xy;
+  bool incremental_ = false;
+};
+
+}  // namespace toolcomp::model

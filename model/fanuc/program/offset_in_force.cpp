@@ -1,0 +1,32 @@
+#include "model/fanuc/program/offset_in_force.h"
+
+namespace toolcomp::model {
+
+OffsetInForce::OffsetInForce(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder)
+    : memory_(memory), recorder_(recorder), ofh_(setup.bit(5001, 2)), evr_(setup.bit(5001, 4)) {}
+
+std::optional<OffsetNumber> OffsetInForce::given(const Codes& codes) const {
+  if (codes.d) return OffsetNumber{*codes.d, false};
+  if (ofh_ && codes.h) return OffsetNumber{*codes.h, true};
+  return std::nullopt;
+}
+
+OffsetNumber OffsetInForce::number_after(const Codes& codes) const { return given(codes).value_or(number_); }
+
+bool OffsetInForce::take(const Codes& codes) {
+  const auto given_here = given(codes);
+  if (given_here) number_ = *given_here;
+  return given_here.has_value();
+}
+
+void OffsetInForce::decide_address(const Codes& codes) const {
+  if (codes.h && !codes.d) recorder_.decide(Clause::fanuc_cutter_number, ofh_);
+}
+
+const Rational& OffsetInForce::value(bool taken_anew) {
+  if (recorder_.decide(Clause::fanuc_cutter_value_edited, taken_anew || evr_))
+    value_ = number_.of_h ? memory_.h(number_.number) : memory_.d(number_.number);
+  return value_;
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,148 @@
+#include "model/fanuc/program/offset_memory.h"
+
+#include <string>
+
+#include "model/basis/alarm.h"
+
+namespace toolcomp::model {
+namespace {
+
+// The largest geometry value. One more digit before the point than a wear value has.
+Rational geometry_limit(const spec::Setup& setup) {
+  const bool mm = setup.units == spec::Units::mm;
+  switch (setup.increment) {
+    case spec::IncrementSystem::is_a:
+      return mm ? Rational(99999, 100) : Rational(99999, 1000);
+    case spec::IncrementSystem::is_b:
+      return mm ? Rational(999999, 1000) : Rational(999999, 10000);
+    case spec::IncrementSystem::is_c:
+      return mm ? Rational(9999999, 10000) : Rational(9999999, 100000);
+  }
+  return 0;
+}
+Rational wear_limit(const spec::Setup& setup) {
+  const bool mm = setup.units == spec::Units::mm;
+  switch (setup.increment) {
+    case spec::IncrementSystem::is_a:
+      return mm ? Rational(9999, 100) : Rational(9999, 1000);
+    case spec::IncrementSystem::is_b:
+      return mm ? Rational(99999, 1000) : Rational(99999, 10000);
+    case spec::IncrementSystem::is_c:
+      return mm ? Rational(999999, 10000) : Rational(999999, 100000);
+  }
+  return 0;
+}
+
+Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) : value; }
+
+}  // namespace
+
+std::optional<OffsetWrite> offset_kind(const Words& words, spec::OffsetMemory memory) {
+  const spec::Decimal* const l = words.find('L');
+  return offset_kind(l == nullptr ? 0 : l->digits == 1 ? 11 : l->digits, memory);
+}
+
+std::optional<OffsetWrite> offset_kind(std::uint64_t l, spec::OffsetMemory memory) {
+  OffsetWrite write;
+  switch (memory) {
+    case spec::OffsetMemory::a:
+      write.h = write.d = l == 11;
+      break;
+    case spec::OffsetMemory::b:
+      write.h = write.d = l == 10 || l == 11;
+      write.wear = l == 11;
+      break;
+    case spec::OffsetMemory::c:
+      write.h = l == 10 || l == 11;
+      write.d = l == 12 || l == 13;
+      write.wear = l == 11 || l == 13;
+      break;
+  }
+  if (!write.h && !write.d) return std::nullopt;
+  return write;
+}
+
+OffsetMemory::OffsetMemory(const spec::Setup& setup, Recorder& recorder)
+    : recorder_(recorder),
+      kind_(setup.memory),
+      count_(setup.offset_count),
+      geometry_limit_(geometry_limit(setup)),
+      wear_limit_(wear_limit(setup)) {
+  const auto fill = [this](Table& table, const std::map<std::uint32_t, spec::OffsetEntry>& from) {
+    for (const auto& [number, entry] : from)
+      table.insert_or_assign(
+          number, Entry{plain(entry.geometry), kind_ == spec::OffsetMemory::a ? Rational(0) : plain(entry.wear)});
+  };
+  // Where H and D share their numbers, each reads its own entry where the setup gives it one.
+  if (kind_ != spec::OffsetMemory::c) {
+    fill(h_, setup.d);
+    fill(d_, setup.h);
+  }
+  fill(h_, setup.h);
+  fill(d_, setup.d);
+}
+
+OffsetMemory::Entry OffsetMemory::entry(const Table& table, std::uint32_t number) {
+  const auto found = table.find(number);
+  return number == 0 || found == table.end() ? Entry{} : found->second;
+}
+
+Rational OffsetMemory::applied(const Table& table, std::uint32_t number) const {
+  if (number == 0) {
+    recorder_.reach(Clause::fanuc_memory_number_zero);
+    return 0;
+  }
+  const Entry offset = entry(table, number);
+  Rational value = offset.geometry + offset.wear;
+  if (recorder_.decide(Clause::fanuc_memory_value_too_large, magnitude(value) > geometry_limit_))
+    throw Alarm("PS0029", "tool offset value beyond the range of the memory");
+  return value;
+}
+
+std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Numbers& numbers,
+                                                    bool incremental) const {
+  OffsetWrite write = offset_kind(words, kind_).value();  // read_codes has refused others
+  write.add = incremental;
+  const spec::Decimal* const p = words.find('P');
+  const Rational number = p == nullptr ? Rational(0) : plain(*p);
+  if (denominator(number) != 1 || number < 1 || number > count_)
+    raise(recorder_, Clause::fanuc_memory_g10_number, "PS0031", "G10 with an offset number that does not exist");
+  write.number = static_cast<std::uint32_t>(numerator(number));
+
+  const spec::Decimal* const r = words.find('R');
+  recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr);
+  if (r == nullptr) return std::nullopt;
+  write.value = numbers.length(*r);
+  const Rational& limit = write.wear ? wear_limit_ : geometry_limit_;
+  const bool too_large =
+      (write.h && magnitude(written(h_, write)) > limit) || (write.d && magnitude(written(d_, write)) > limit);
+  if (recorder_.decide(Clause::fanuc_memory_g10_range, too_large))
+    throw Alarm("PS0032", "G10 with a value beyond the range of the memory");
+  return write;
+}
+
+OffsetWrite OffsetMemory::measured(std::uint32_t number, const Rational& difference) const {
+  OffsetWrite write = offset_kind(11, kind_).value();  // every memory has an L11
+  recorder_.decide(Clause::fanuc_length_measurement_store, write.wear);
+  write.add = true;
+  write.number = number;
+  write.value = difference;
+  return write;
+}
+
+Rational OffsetMemory::written(const Table& table, const OffsetWrite& write) const {
+  return write.add ? entry(table, write.number).part(write.wear) + write.value : write.value;
+}
+
+OffsetSetting OffsetMemory::write(const OffsetWrite& write) {
+  recorder_.decide(Clause::fanuc_memory_g10_adds, write.add);
+  const Rational h = written(h_, write);
+  const Rational d = written(d_, write);
+  if (write.h) h_[write.number].part(write.wear) = h;
+  if (write.d) d_[write.number].part(write.wear) = d;
+  std::string name = (write.h ? "H" : "D") + std::to_string(write.number);
+  if (kind_ != spec::OffsetMemory::a) name += write.wear ? ".wear" : ".geometry";
+  return {spec::Name(name), write.h ? h : d, {}};
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,50 @@
+// The last stage under tool center point control: axis positions of a move from its compensated tip, the turns before
+// and behind it, and the positions inside it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "model/basis/event.h"
+#include "model/fanuc/program/step.h"
+#include "spec/language/axes.h"
+
+namespace toolcomp::model {
+
+// Takes the moves of a run in order.
+class TipMoves {
+ public:
+  // Receives a move whose axes are known, and a sample of the move that follows.
+  using MoveOutput = std::function<void(const Move& move)>;
+  using SampleOutput = std::function<void(const Event& sample)>;
+
+  // `samples`: N of the fractions k/N inside a block; 0: none.
+  TipMoves(spec::Axes axes, std::uint32_t samples, MoveOutput moves, SampleOutput inside)
+      : axes_(std::move(axes)), samples_(samples), moves_(std::move(moves)), inside_(std::move(inside)) {}
+
+  void take(const Move& move);
+
+ private:
+  void turn(const Move& at, const Pose& to, spec::Cause cause, const Move& of) const;
+  void sample(const Move& move) const;
+
+  spec::Axes axes_;
+  std::uint32_t samples_;
+  MoveOutput moves_;
+  SampleOutput inside_;
+  std::optional<Move> last_;  // where the tool stands, under tool center point control
+};
+
+// X Y Z of the axes, workpiece coordinates, at the end of a move under tool center point control.
+Vector axes_at(const Move& move, const spec::Axes& axes);
+// The compensated tip there, in the programming system.
+Vector tip_at(const Move& move, const spec::Axes& axes);
+// Where the tip is at the end of a move whose end is named for another pose, in the workpiece system: around a turn.
+std::optional<Vector> tip_beside_name(const Move& move, const spec::Axes& axes);
+
+// The position inside the block at the fraction t of its own move, 0 < t < 1, exact: point, axes and tool axis. `last`:
+// the move before it.
+Event sample_at(const Move& last, const Move& move, const spec::Axes& axes, const Rational& t);
+
+}  // namespace toolcomp::model

@@ -1,0 +1,58 @@
+// Automatic tool length measurement: G37.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "model/basis/recorder.h"
+#include "model/fanuc/program/interpreter.h"
+#include "model/fanuc/program/step.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model {
+
+// Where a measurement starts from: values of the axis that the block names, setup units.
+struct MeasurementStart {
+  Rational length;     // length offset in force on it in this block
+  Rational shift;      // of G45 to G48
+  bool minus = false;  // G44 is in force
+};
+
+// What came of a measurement.
+struct Measurement {
+  std::vector<Leg> legs;  // a rapid and a measuring one, or one of them; end: the commanded coordinate
+  std::size_t axis = 0;
+  Rational difference;   // programmed coordinate at which the tool stands, less the commanded one
+  bool in_zone = false;  // else PS0080, once the moves are made
+};
+
+// Clauses: fanuc.length-measurement.*.
+class ToolLengthMeasurement {
+ public:
+  ToolLengthMeasurement(const spec::Setup& setup, Recorder& recorder);
+
+  // The alarms that the words of a G37 block raise. `number`: H in force; `cutter`: cutter compensation is on. Throws
+  // Alarm PS0082, PS0081, PS0083, MEASUREMENT_FORMAT, PS0036 or MEASUREMENT_PARAMETERS.
+  void read(const Command& command, std::uint32_t number, bool cutter) const;
+
+  // The axis the block names, after read().
+  [[nodiscard]] std::size_t axis(const Command& command) const;
+  // Goes from the programmed position `from` towards the end of `leg` (shifted as the tool offset says) until the
+  // signal comes on. Throws LeftOpen where the block starts on the commanded coordinate.
+  [[nodiscard]] Measurement measure(const Command& command, const Position& from, const Leg& leg,
+                                    const MeasurementStart& start) const;
+  // The feed of the measuring move, if a parameter gives it.
+  [[nodiscard]] std::optional<Rational> feed() const;
+
+ private:
+  Recorder& recorder_;
+  spec::Axes axes_;
+  std::optional<Rational> feed_;                                // 6241, setup units a minute
+  Rational deceleration_;                                       // 6251, setup units
+  Rational half_zone_;                                          // 6254, setup units
+  std::array<std::optional<Rational>, spec::kMaxAxes> signal_;  // axis position where the signal comes on
+};
+
+}  // namespace toolcomp::model

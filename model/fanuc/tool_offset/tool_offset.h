@@ -1,0 +1,57 @@
+// Tool offset: G45, G46, G47, G48, and the shift that stays behind.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/basis/recorder.h"
+#include "model/fanuc/program/interpreter.h"
+#include "model/fanuc/program/offset_in_force.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model {
+
+// What G45 to G48 need to know of the length offset.
+struct LengthState {
+  std::uint32_t number = 0;  // H in force at the end of the block
+  bool active = false;       // G43 or G44 is in force after the codes of the block
+};
+
+// Takes the blocks one after the other; no look-ahead. Clauses: fanuc.tool-offset.*.
+class ToolOffset {
+ public:
+  ToolOffset(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder);
+
+  // Makes the legs of the block longer or shorter where it holds G45 to G48, and shifts them. `cutter`: the number in
+  // force at the end of the block. Throws Alarm G45_LENGTH_OFFSET, PS0029, G45_ARC or PS0038.
+  void apply(const Command& command, const Interpreter& interpreter, const OffsetNumber& cutter,
+             const LengthState& length, std::vector<Leg>& legs);
+
+  // The leg, its programmed end shifted as after the last block.
+  [[nodiscard]] Leg shifted(Leg leg) const;
+  // Actual minus programmed position of an axis after the last block, setup units.
+  [[nodiscard]] const Rational& shift(std::size_t axis) const { return shift_.at(axis); }
+
+ private:
+  // By how much the code in force lengthens a travel.
+  [[nodiscard]] Rational lengthening(const Command& command, const OffsetNumber& cutter,
+                                     const LengthState& length) const;
+  // +1 or −1 for the sense in which the axis goes, 0 if it takes no offset.
+  [[nodiscard]] int sense(const Command& command, std::size_t axis, const Real& travel) const;
+  // The arc as the tool runs it. Throws Alarm G45_ARC or PS0038.
+  void lengthen(const Command& command, const Interpreter& interpreter, const Rational& by, spec::Arc<Real>& arc,
+                const Leg& leg) const;
+  // G53, G28, G30, G30.1: the axes they name lose their shift.
+  void take_away(AxisMask axes);
+  void put(Leg& leg) const;
+
+  const OffsetMemory& memory_;
+  Recorder& recorder_;
+  spec::Axes axes_;
+  bool by_length_number_;  // 5001#5 with 5001#2 = 0
+  std::array<Rational, spec::kMaxAxes> shift_;
+  bool shifted_ = false;  // some axis is
+};
+
+}  // namespace toolcomp::model

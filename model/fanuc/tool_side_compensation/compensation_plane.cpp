@@ -1,0 +1,43 @@
+#include "model/fanuc/tool_side_compensation/compensation_plane.h"
+
+#include <cstddef>
+
+namespace toolcomp::model {
+namespace {
+
+bool is_known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
+
+// Any axis that is not the tool's will do: nothing that follows depends on the choice.
+std::size_t axis_across(const Vector& tool) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (is_known_zero(component(tool, i))) return i;
+  return square(tool.x) < square(tool.y) + square(tool.z) ? 0 : 1;
+}
+
+}  // namespace
+
+bool CompensationPlane::is_same_as(const CompensationPlane& other) const {
+  const Vector difference = tool_.vector - other.tool_.vector;
+  return is_known_zero(difference.x) && is_known_zero(difference.y) && is_known_zero(difference.z);
+}
+
+PlaneFrame CompensationPlane::frame() const {
+  const std::size_t i = axis_across(tool_.vector);
+  Vector axis;
+  component(axis, i) = 1;
+  const Vector in_plane = axis - component(tool_.unit, i) * tool_.unit;
+  const Vector first = in_plane / sqrt(squared_norm(in_plane));
+  return {first, cross(tool_.unit, first)};
+}
+
+PlaneFrame CompensationPlane::frame_along(const Vector& v) const {
+  const Vector in_plane = along(v);
+  const Vector first = in_plane / sqrt(squared_norm(in_plane));
+  return {first, cross(tool_.unit, first)};
+}
+
+bool CompensationPlane::has_rational_tool() const {
+  return tool_.vector.x.is_rational() && tool_.vector.y.is_rational() && tool_.vector.z.is_rational();
+}
+
+}  // namespace toolcomp::model

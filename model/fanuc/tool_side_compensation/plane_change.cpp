@@ -1,0 +1,53 @@
+#include "model/fanuc/tool_side_compensation/plane_change.h"
+
+#include "model/basis/number.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::model {
+namespace {
+
+Rational limit_angle(const spec::Setup& setup) {
+  const std::optional<spec::Decimal> given = setup.parameter(6261);
+  const Rational degrees = given ? plain(*given) : Rational(0);
+  if (degrees < 0 || degrees > 180)
+    throw spec::InputError("setup", 0, 0, "parameters.6261: an angle from 0 to 180 must stand here");
+  return degrees == 0 ? Rational(45) : degrees;
+}
+
+}  // namespace
+
+PlaneChangeCheck::PlaneChangeCheck(const spec::Setup& setup, Recorder& recorder)
+    : recorder_(recorder), checks_(!setup.bit(19605, 5)) {
+  const Rational degrees = limit_angle(setup);
+  cosine_ = exact::cos_degrees(degrees);
+  cosine2_ = (1 + exact::cos_degrees(Rational(2 * degrees))) / 2;
+}
+
+// cos(limit) |Va||Vb| - Va · Vb. Where both terms have one sign their squares tell it, without a root.
+bool PlaneChangeCheck::turns_far(const Direction& former, const Direction& latter) const {
+  const Real product = dot(former.vector, latter.vector);
+  const Real norms2 = former.norm2 * latter.norm2;
+  const bool both_positive = cosine_.sign() == Sign::positive && product.sign() == Sign::positive;
+  const bool both_negative = cosine_.sign() == Sign::negative && product.sign() == Sign::negative;
+  const bool equal =
+      both_positive || both_negative ? (cosine2_ * norms2 - square(product)).sign() == Sign::zero : false;
+  const Real scale = sqrt(norms2);
+  const Real quantity = equal ? Real(0) : cosine_ * scale - product;
+  return recorder_.decide(Clause::fanuc_tool_side_plane_change_angle, quantity, scale) != Sign::negative;
+}
+
+bool PlaneChangeCheck::interferes(const TurningBlock& former, const TurningBlock& latter) const {
+  if (!recorder_.decide(Clause::fanuc_tool_side_plane_change_check, checks_)) return false;
+  if (!turns_far(former.tool, latter.tool)) return false;
+  const Vector wa = cross(former.tool.vector, former.travel);
+  const Vector wb = cross(latter.tool.vector, latter.travel);
+  const Real travels = sqrt(squared_norm(former.travel) * squared_norm(latter.travel));
+  const Sign side = recorder_.decide(Clause::fanuc_tool_side_plane_change_side, dot(wa, wb),
+                                     sqrt(former.tool.norm2 * latter.tool.norm2) * travels);
+  if (side == Sign::negative) return false;
+  const Real along = dot(wa, cross(former.tool.vector, latter.travel));
+  return recorder_.decide(Clause::fanuc_tool_side_plane_change_reversal, -along, former.tool.norm2 * travels) ==
+         Sign::positive;
+}
+
+}  // namespace toolcomp::model

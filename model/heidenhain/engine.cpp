@@ -1,0 +1,160 @@
+#include "model/heidenhain/engine.h"
+
+#include <optional>
+#include <utility>
+
+#include "model/basis/alarm.h"
+#include "model/heidenhain/face_milling/face_milling.h"
+#include "model/heidenhain/peripheral_milling/peripheral_milling.h"
+#include "model/heidenhain/program/interpreter.h"
+#include "model/heidenhain/program/report.h"
+#include "model/heidenhain/program/tool_checks.h"
+#include "model/heidenhain/programmed_contour/programmed_contour.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::model::klartext {
+namespace {
+
+// The setup, once it is known to be one of this control.
+spec::Setup checked(const spec::Setup& setup) {
+  if (setup.control != spec::Control::heidenhain)
+    throw spec::InputError("setup", 0, 0, "control: \"heidenhain\" must stand here for a Klartext program");
+  return setup;
+}
+
+}  // namespace
+
+// A block is read and executed; if it moves, its tool is checked, the motion held goes out, and one of four rules
+// applies: face milling (a normal), peripheral milling (RL, RR under TCPM), out of scope (RL, RR without), none.
+struct Engine::State {
+  State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink)
+      : setup(checked(given)),
+        recorder(the_recorder),
+        sink(the_sink),
+        interpreter(setup, recorder),
+        checks(recorder),
+        face(recorder),
+        peripheral(recorder, [this](const Motion& motion, const Compensated& end) { report(motion, end); }) {}
+
+  void run(const spec::klartext::Block& block);
+  void run(Motion motion);
+  [[nodiscard]] Compensated uncompensated(const Motion& motion) const;
+  Compensated compensated(Motion& motion, const std::optional<FaceMilling::Checked>& contact);
+  // What is held goes out as if nothing followed.
+  void finish() {
+    peripheral.finish();
+    stopped = true;
+  }
+  void report(const Motion& motion, const Compensated& end) { report_move(motion, end, setup, sink); }
+  // Runs `work`, and ends the run where it raises an alarm or cannot decide.
+  template <class Work>
+  void guarded(const Work& work);
+  void fail(const Alarm& alarm);
+
+  spec::Setup setup;
+  Recorder& recorder;
+  EventSink& sink;
+  Interpreter interpreter;
+  ToolChecks checks;
+  FaceMilling face;
+  PeripheralMilling peripheral;
+  Place current;  // the block being executed
+  bool stopped = false;
+};
+
+Engine::Engine(const spec::Setup& setup, Recorder& recorder, EventSink& sink)
+    : state_(std::make_unique<State>(setup, recorder, sink)) {}
+Engine::~Engine() = default;
+
+void Engine::block(const spec::klartext::Block& block) {
+  if (!state_->stopped) state_->guarded([&] { state_->run(block); });
+}
+
+void Engine::end() {
+  if (!state_->stopped) state_->guarded([&] { state_->finish(); });
+}
+
+bool Engine::stopped() const { return state_->stopped; }
+
+template <class Work>
+void Engine::State::guarded(const Work& work) {
+  try {
+    work();
+  } catch (const Alarm& alarm) {
+    fail(alarm);
+  } catch (const exact::Undecided&) {
+    stopped = true;
+    report_undecided(recorder, current, sink);
+  }
+}
+
+// The motion held is at fault before the block that follows it.
+void Engine::State::fail(const Alarm& alarm) {
+  stopped = true;
+  const spec::ClauseList clauses = recorder.take_clauses();
+  guarded([&] {
+    peripheral.finish();
+    report_alarm(alarm, current, clauses, sink);
+  });
+}
+
+void Engine::State::run(const spec::klartext::Block& block) {
+  current = {block.line, block.n};
+  recorder.at(block.line);
+  std::optional<Motion> motion = interpreter.read(block);
+  if (interpreter.tool_call()) face.forget();
+  if (motion) run(*std::move(motion));
+  const bool ends = recorder.decide(Clause::heidenhain_program_end, interpreter.ends());
+  recorder.take_clauses();  // of a block without an event
+  if (ends) finish();
+}
+
+void Engine::State::run(Motion motion) {
+  std::optional<FaceMilling::Checked> contact;
+  if (motion.normal)
+    contact = face.check(motion);
+  else if (motion.vectors || motion.is_peripheral())
+    checks.without_normal(motion);
+  motion.clauses = recorder.take_clauses();  // the motion held has its own
+  peripheral.meet(motion);
+  if (!contact) face.forget();
+
+  if (motion.is_peripheral()) {
+    peripheral.take(std::move(motion));
+    return;
+  }
+  recorder.resume(std::move(motion.clauses));
+  const bool cancels = peripheral.pass();
+  if (motion.is_out_of_scope()) {
+    recorder.reach(Clause::heidenhain_peripheral_out_of_scope);
+    motion.clauses = recorder.take_clauses();
+    report_out_of_scope(motion, sink);
+    return;
+  }
+  recorder.reach(Clause::heidenhain_program_length_along_the_tool);
+  Compensated end = compensated(motion, contact);
+  if (cancels) {
+    recorder.reach(Clause::heidenhain_peripheral_cancel);
+    end.cause = spec::Cause::cancel;
+  }
+  motion.clauses = recorder.take_clauses();
+  report(motion, end);
+}
+
+Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceMilling::Checked>& contact) {
+  if (contact) return face.compensate(motion, *contact);
+  if (motion.vectors)
+    motion.warn(recorder, Clause::heidenhain_peripheral_no_lateral, "W_NO_LATERAL",
+                "LN without a surface normal under R0: no lateral compensation");
+  return uncompensated(motion);
+}
+
+Compensated Engine::State::uncompensated(const Motion& motion) const {
+  recorder.reach(Clause::heidenhain_program_no_compensation);
+  Compensated end;
+  end.point = ProgrammedContour::tip_of_reference(motion);
+  end.tool_center = end.point + (motion.tool->r2 + motion.tool->dr2) * motion.direction.unit;
+  return end;
+}
+
+}  // namespace toolcomp::model::klartext

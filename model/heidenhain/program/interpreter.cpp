@@ -1,0 +1,201 @@
+#include "model/heidenhain/program/interpreter.h"
+
+#include <array>
+
+#include "model/basis/alarm.h"
+#include "model/basis/number.h"
+#include "model/heidenhain/program/read_alarm.h"
+
+namespace toolcomp::model::klartext {
+
+using spec::klartext::Block;
+using spec::klartext::CorrectionTable;
+using spec::klartext::FeedWord;
+using spec::klartext::RadiusWord;
+using spec::klartext::Statement;
+
+namespace {
+
+Vector vector_of(const std::array<spec::Decimal, 3>& components) {
+  return {plain(components[0]), plain(components[1]), plain(components[2])};
+}
+
+}  // namespace
+
+Interpreter::Interpreter(const spec::Setup& setup, Recorder& recorder)
+    : setup_(setup),
+      recorder_(recorder),
+      values_(setup, recorder),
+      position_(values_, recorder),
+      tool_(setup, values_, recorder),
+      direction_(recorder),
+      feed_(values_) {}
+
+std::optional<Motion> Interpreter::read(const Block& block) {
+  tool_call_ = false;
+  if (!begun_) begin(block);
+  if (block.alarm) raise_read_alarm(recorder_, *block.alarm);
+  const Functions functions = Functions::of(block);
+  act_at_start(functions);
+  if (functions.machine_coordinates && direction_.tcpm())
+    raise(recorder_, Clause::heidenhain_program_machine_coordinates_under_tcpm, "E_TCPM_M91", "M91 or M92 under TCPM");
+  std::optional<Motion> motion = execute(block, functions);
+  act_at_end(functions);
+  ends_ = functions.ends_program || block.statement == Statement::end_program;
+  return motion;
+}
+
+void Interpreter::begin(const Block& block) {
+  begun_ = true;
+  if (block.statement == Statement::begin_program && !block.alarm) values_.program_units(block.unit);
+  recorder_.decide(Clause::heidenhain_program_units, values_.inch());
+  position_.start(setup_);
+}
+
+void Interpreter::act_at_start(const Functions& functions) {
+  if (functions.m128) direction_.function_m128();
+  if (functions.m107) oversize_allowed_ = recorder_.decide(Clause::heidenhain_program_oversize_switch, true);
+}
+
+void Interpreter::act_at_end(const Functions& functions) {
+  if (functions.m129) direction_.tcpm_off(true);
+  if (functions.m108) oversize_allowed_ = recorder_.decide(Clause::heidenhain_program_oversize_switch, false);
+}
+
+std::optional<Motion> Interpreter::execute(const Block& block, const Functions& functions) {
+  switch (block.statement) {
+    case Statement::line:
+    case Statement::line_with_vectors:
+      return line(block, functions);
+    case Statement::tool_call:
+      call_tool(block);
+      break;
+    case Statement::tcpm:
+      direction_.function_tcpm(block.reference);
+      break;
+    case Statement::reset_tcpm:
+      direction_.tcpm_off(false);
+      break;
+    case Statement::programmed_path:
+      contour_ = recorder_.decide(Clause::heidenhain_contour_switch, block.contour);
+      break;
+    case Statement::correction_row:
+    case Statement::reset_corrections:
+      correct(block);
+      break;
+    case Statement::cycle:
+      if (block.cycle == 7) position_.shift_datum(block);
+      break;
+    case Statement::assignment:
+      values_.assign(block.target, block.value);
+      break;
+    case Statement::begin_program:
+    case Statement::end_program:
+    case Statement::block_form:
+    case Statement::tool_definition:
+    case Statement::select_corrections:
+    case Statement::plane:
+    case Statement::stop:
+    case Statement::miscellaneous:
+      break;
+  }
+  return std::nullopt;
+}
+
+void Interpreter::call_tool(const Block& block) {
+  tool_call_ = true;
+  if (tool_.call(block, direction_.tcpm())) side_ = Side::none;
+  direction_.tool_axis(block.tool_axis);
+  feed_.of_tool_call(block);
+}
+
+void Interpreter::correct(const Block& block) {
+  if (block.corrections != CorrectionTable::tcs) recorder_.reach(Clause::heidenhain_program_workpiece_corrections);
+  if (block.corrections == CorrectionTable::wpl) return;
+  if (block.statement == Statement::correction_row)
+    tool_.use_correction(block.row);
+  else
+    tool_.drop_correction();
+}
+
+// Modal words count also where nothing moves.
+std::optional<Motion> Interpreter::line(const Block& block, const Functions& functions) {
+  if (block.radius != RadiusWord::none)
+    side_ = block.radius == RadiusWord::rl ? Side::left : block.radius == RadiusWord::rr ? Side::right : Side::none;
+  feed_.of_block(block);
+  if (block.axes == 0) return std::nullopt;
+
+  Motion motion;
+  motion.line = block.line;
+  motion.n = block.n;
+  motion.vectors = block.statement == Statement::line_with_vectors;
+  motion.side = side_;
+  motion.contour = contour_;
+  motion.oversize_allowed = oversize_allowed_;
+  motion.feed = feed_.in_force();
+  motion.rapid = block.feed == FeedWord::f_max;
+  if (recorder_.decide(Clause::heidenhain_program_many_digits, block.many_digits))
+    motion.warnings.push_back(
+        {"W_DIGITS", "more digits than the control takes", Clause::heidenhain_program_many_digits});
+
+  const Vector before = position_.point();
+  position_.move(block, functions.machine_coordinates);
+  motion.position = position_.point();
+  motion.travel = motion.position - before;
+  for (std::size_t slot = 0; slot < spec::klartext::kAxisLetters.size(); ++slot) {
+    const std::size_t axis = setup_.axes.index(spec::klartext::kAxisLetters.at(slot));
+    if (axis == spec::Axes::kNone) continue;
+    if (!is_rotary_slot(slot))
+      motion.programmed.set(axis, position_.at(slot));
+    else if (block.has_axis(slot))
+      motion.rotary.set(axis, position_.at(slot));
+  }
+  motion.tool = tool_.effective();
+  motion.tcpm = direction_.tcpm();
+  motion.center = recorder_.decide(Clause::heidenhain_program_reference_point, direction_.at_center());
+  direct(motion, block);
+  return motion;
+}
+
+void Interpreter::direct(Motion& motion, const Block& block) {
+  if (motion.vectors)
+    take_vectors(motion, block);
+  else
+    direction_.take_rotary_words(block, position_);
+  motion.direction = direction_.current();
+}
+
+void Interpreter::take_vectors(Motion& motion, const Block& block) {
+  const bool tcpm = direction_.tcpm();
+  if (!tcpm) {
+    recorder_.reach(Clause::heidenhain_program_direction_without_tcpm);
+    if (recorder_.decide(Clause::heidenhain_face_tool_vector_ignored, block.has_tool_vector))
+      motion.warnings.push_back(
+          {"W_T_IGNORED", "a tool vector without TCPM", Clause::heidenhain_face_tool_vector_ignored});
+  }
+  if (block.has_normal) {
+    motion.normal = vector_of(block.normal);
+    check_length(motion, *motion.normal, "the surface normal is not normalised");
+  }
+  if (!tcpm) return;
+  if (block.has_normal) {
+    if (!recorder_.decide(Clause::heidenhain_face_tool_vector, block.has_tool_vector)) {
+      direction_.take_vector(*motion.normal);
+      return;
+    }
+  } else {
+    recorder_.reach(Clause::heidenhain_peripheral_tool_vector);
+  }
+  const Vector vector = vector_of(block.tool_vector);
+  check_length(motion, vector, "the tool vector is not normalised");
+  direction_.take_vector(vector);
+}
+
+void Interpreter::check_length(Motion& motion, const Vector& vector, const char* message) {
+  const Real norm2 = squared_norm(vector);
+  const Real off = norm2 < 1 ? 1 - norm2 : norm2 - 1;
+  if (recorder_.decide(Clause::heidenhain_face_not_normalized, off - Rational(1, 5000), 1 + norm2) == Sign::positive)
+    motion.warnings.push_back({"W_NOT_NORMALIZED", message, Clause::heidenhain_face_not_normalized});
+}
+
+}  // namespace toolcomp::model::klartext

@@ -1,0 +1,45 @@
+// The programmed position: end points of blocks, travels, and the datum shift of cycle 7.
+#pragma once
+
+#include <array>
+
+#include "model/basis/recorder.h"
+#include "model/exact/real.h"
+#include "model/geometry/vector.h"
+#include "model/heidenhain/program/values.h"
+#include "spec/language/klartext_block.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model::klartext {
+
+// One value for each letter of spec::klartext::kAxisLetters: units of the program, or degrees.
+using BySlot = std::array<Real, spec::klartext::kAxisLetters.size()>;
+
+// Slots of kAxisLetters.
+inline constexpr std::size_t kFirstRotarySlot = 3;
+inline constexpr std::size_t kFirstParallelSlot = 6;
+constexpr bool is_rotary_slot(std::size_t slot) { return slot >= kFirstRotarySlot && slot < kFirstParallelSlot; }
+
+// Workpiece coordinates. Clauses: heidenhain.program.incremental, .datum-shift, .machine-coordinates.
+class ProgrammedPosition {
+ public:
+  ProgrammedPosition(const Values& values, Recorder& recorder) : values_(values), recorder_(recorder) {}
+
+  // The start of the run: linear axes from the setup, rotary axes at 0.
+  void start(const spec::Setup& setup);
+  // The axis words of L and LN. `machine_coordinates`: M91 or M92 in the block.
+  void move(const spec::klartext::Block& block, bool machine_coordinates);
+  // Cycle 7.
+  void shift_datum(const spec::klartext::Block& block);
+
+  [[nodiscard]] const Real& at(std::size_t slot) const { return at_.at(slot); }
+  [[nodiscard]] Vector point() const { return {at_[0], at_[1], at_[2]}; }
+
+ private:
+  const Values& values_;
+  Recorder& recorder_;
+  BySlot at_;
+  BySlot datum_;
+};
+
+}  // namespace toolcomp::model::klartext

@@ -1,0 +1,69 @@
+#include "model/heidenhain/program/tool_direction.h"
+
+namespace toolcomp::model::klartext {
+
+using spec::klartext::ReferenceWord;
+
+Direction direction_of(const Vector& vector) {
+  const Real norm2 = squared_norm(vector);
+  // The factor is a rational times one root, and so are the components: they stay as short as that.
+  return {vector, norm2, (sqrt(norm2) / norm2) * vector, true};
+}
+
+void ToolDirection::tool_axis(char letter) {
+  if (!recorder_.decide(Clause::heidenhain_program_tool_axis, letter != 0)) return;
+  Vector e;
+  component(e, space_index(letter)) = 1;
+  axis_ = {e, 1, e, true};
+  if (!tcpm_) current_ = axis_;
+}
+
+void ToolDirection::function_m128() {
+  recorder_.decide(Clause::heidenhain_program_tcpm_on, true);
+  switch_on(false);
+}
+
+void ToolDirection::function_tcpm(ReferenceWord reference) {
+  recorder_.decide(Clause::heidenhain_program_tcpm_on, false);
+  switch_on(reference == ReferenceWord::center_center);
+}
+
+void ToolDirection::switch_on(bool center) {
+  tcpm_ = true;
+  center_ = center;
+}
+
+void ToolDirection::tcpm_off(bool m129) {
+  recorder_.decide(Clause::heidenhain_program_tcpm_off, m129);
+  tcpm_ = false;
+  current_ = axis_;
+}
+
+void ToolDirection::take_rotary_words(const spec::klartext::Block& block, const ProgrammedPosition& position) {
+  if (!tcpm_) {
+    recorder_.reach(Clause::heidenhain_program_direction_without_tcpm);
+    return;
+  }
+  bool rotary_word = false;
+  for (std::size_t slot = kFirstRotarySlot; slot < kFirstParallelSlot; ++slot) rotary_word |= block.has_axis(slot);
+  if (!recorder_.decide(Clause::heidenhain_program_direction_of_rotary_axes, rotary_word)) return;
+  const auto degrees = [&position](std::size_t slot) { return position.at(slot).rational(); };
+  current_ = turned(degrees(kFirstRotarySlot), degrees(kFirstRotarySlot + 1), degrees(kFirstRotarySlot + 2));
+}
+
+Direction ToolDirection::turned(const Rational& a, const Rational& b, const Rational& c) const {
+  Vector v = axis_.vector;
+  const auto turn = [](Real& x, Real& y, const Rational& degrees) {
+    const Real cosine = exact::cos_degrees(degrees);
+    const Real sine = exact::sin_degrees(degrees);
+    const Real before = x;
+    x = cosine * x - sine * y;
+    y = sine * before + cosine * y;
+  };
+  turn(v.y, v.z, a);
+  turn(v.z, v.x, b);
+  turn(v.x, v.y, c);
+  return {v, 1, v, true};  // turns keep its length 1
+}
+
+}  // namespace toolcomp::model::klartext

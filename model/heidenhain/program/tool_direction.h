@@ -1,0 +1,51 @@
+// Where the tool points: the tool axis, TCPM, vectors and rotary axes.
+#pragma once
+
+#include "model/basis/recorder.h"
+#include "model/heidenhain/program/position.h"
+#include "model/kinematics/tool_direction.h"
+#include "spec/language/klartext_block.h"
+
+namespace toolcomp::model::klartext {
+
+// The direction of a vector of rational components, not all zero.
+Direction direction_of(const Vector& vector);
+
+// Clauses: heidenhain.program.tcpm-on, .tcpm-off, .direction-without-tcpm, .direction-of-rotary-axes, .tool-axis.
+class ToolDirection {
+ public:
+  explicit ToolDirection(Recorder& recorder) : recorder_(recorder) {}
+
+  [[nodiscard]] bool tcpm() const { return tcpm_; }
+  // The programmed point is the centre of the tool.
+  [[nodiscard]] bool at_center() const { return tcpm_ && center_; }
+  // Where the tool points now; along the tool axis without TCPM.
+  [[nodiscard]] const Direction& current() const { return current_; }
+
+  // X, Y or Z of TOOL CALL; 0: none.
+  void tool_axis(char letter);
+  // M128.
+  void function_m128();
+  // FUNCTION TCPM.
+  void function_tcpm(spec::klartext::ReferenceWord reference);
+  // M129, or FUNCTION RESET TCPM.
+  void tcpm_off(bool m129);
+
+  // An L block: rotary words turn the tool under TCPM.
+  void take_rotary_words(const spec::klartext::Block& block, const ProgrammedPosition& position);
+  // An LN block under TCPM.
+  void take_vector(const Vector& vector) { current_ = direction_of(vector); }
+
+ private:
+  void switch_on(bool center);
+  // Rz(C) Ry(B) Rx(A) e, degrees.
+  [[nodiscard]] Direction turned(const Rational& a, const Rational& b, const Rational& c) const;
+
+  Recorder& recorder_;
+  bool tcpm_ = false;
+  bool center_ = false;
+  Direction axis_;     // e of the tool axis
+  Direction current_;  // under TCPM it outlives a change of the tool axis
+};
+
+}  // namespace toolcomp::model::klartext

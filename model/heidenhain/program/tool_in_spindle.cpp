@@ -1,0 +1,94 @@
+#include "model/heidenhain/program/tool_in_spindle.h"
+
+#include <algorithm>
+#include <string>
+
+#include "model/basis/alarm.h"
+#include "model/basis/number.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::model::klartext {
+
+using spec::klartext::Block;
+using spec::klartext::ToolWord;
+
+ToolInSpindle::ToolInSpindle(const spec::Setup& setup, const Values& values, Recorder& recorder)
+    : setup_(setup), values_(values), recorder_(recorder) {}
+
+bool ToolInSpindle::call(const Block& block, bool tcpm) {
+  const bool calls = recorder_.decide(Clause::heidenhain_program_tool_call, block.tool != ToolWord::none);
+  if (calls) {
+    if (tcpm)
+      raise(recorder_, Clause::heidenhain_program_tool_call_under_tcpm, "E_TCPM_TOOLCALL",
+            "TOOL CALL of a tool under TCPM");
+    table_ = EffectiveTool();
+    table_.called = true;
+    of_table_ = of_call_ = Deltas();
+    const bool null_tool = block.tool == ToolWord::number && block.tool_number == 0;
+    if (!null_tool) {
+      const spec::ToolRow* const row = find(block);
+      if (row == nullptr)
+        raise(recorder_, Clause::heidenhain_program_tool_unknown, "E_NO_TOOL", "the tool table has no such tool");
+      take_over(*row);
+    }
+    if (recorder_.decide(Clause::heidenhain_program_correction_row_dropped, corrected_)) {
+      corrected_ = false;
+      of_correction_ = Deltas();
+    }
+  }
+  if (block.dl) of_call_.dl = values_.word(*block.dl);
+  if (block.dr) of_call_.dr = values_.word(*block.dr);
+  if (block.dr2) of_call_.dr2 = values_.word(*block.dr2);
+  effective_.reset();
+  return calls;
+}
+
+const spec::ToolRow* ToolInSpindle::find(const Block& block) const {
+  const auto row = std::ranges::find_if(setup_.tools, [&block](const spec::ToolRow& tool) {
+    if (block.tool == ToolWord::number) return tool.number == block.tool_number;
+    return block.tool == ToolWord::name && !tool.name.empty() && tool.name == block.tool_name.view();
+  });
+  return row == setup_.tools.end() ? nullptr : &*row;
+}
+
+void ToolInSpindle::take_over(const spec::ToolRow& row) {
+  table_.r = values_.of_table(row.r);
+  table_.r2 = values_.of_table(row.r2);
+  if (row.l) table_.l = values_.of_table(*row.l);
+  of_table_ = {values_.of_table(row.dl), values_.of_table(row.dr), values_.of_table(row.dr2)};
+  if (row.dr2_table.empty()) return;
+  for (const auto& [angle, deviation] : setup_.dr2_tables.at(row.dr2_table)) {
+    const Rational degrees = plain(angle);
+    table_.deviations.push_back({degrees, exact::cos_degrees(degrees), values_.of_table(deviation)});
+  }
+}
+
+void ToolInSpindle::use_correction(std::uint32_t row) {
+  const auto found = setup_.tcs.find(row);
+  if (found == setup_.tcs.end()) throw spec::InputError("setup", 0, 0, "correction.tcs: no row " + std::to_string(row));
+  corrected_ = recorder_.decide(Clause::heidenhain_program_correction_row, true);
+  const spec::CorrectionRow& values = found->second;
+  of_correction_ = {values_.of_table(values.dl), values_.of_table(values.dr), values_.of_table(values.dr2)};
+  effective_.reset();
+}
+
+void ToolInSpindle::drop_correction() {
+  corrected_ = recorder_.decide(Clause::heidenhain_program_correction_row, false);
+  of_correction_ = Deltas();
+  effective_.reset();
+}
+
+std::shared_ptr<const EffectiveTool> ToolInSpindle::effective() {
+  recorder_.reach(Clause::heidenhain_program_delta_sum);
+  if (!effective_) {
+    EffectiveTool sum = table_;
+    sum.dl = of_table_.dl + of_call_.dl + of_correction_.dl;
+    sum.dr = of_table_.dr + of_call_.dr + of_correction_.dr;
+    sum.dr2_of_program = of_call_.dr2 + of_correction_.dr2;
+    sum.dr2 = of_table_.dr2 + sum.dr2_of_program;
+    effective_ = std::make_shared<const EffectiveTool>(std::move(sum));
+  }
+  return effective_;
+}
+
+}  // namespace toolcomp::model::klartext
