@@ -108,6 +108,8 @@ TEST(LengthOffsetVectors, Rules) {
        {"G10 without R", {"2 X0 Y0 Z20", "3 H1=7", "4 X0 Y0 Z7"}},
        {"After G53 an H", {"1 X0 Y0 Z70", "2 X0 Y0 Z-10", "4 X0 Y0 Z50", "5 X0 Y0 Z57"}},
        {"G49 while three axes", {"1 X4 Y0 Z0", "2 X4 Y7 Z0", "3 X4 Y7 Z20", "4 PS0015"}},
+       {"EVO = 1: X5 brings back",
+        {"1 X0 Y0 Z15", "2 X0 Y0 Z25", "2 X0 Y0 Z100", "3 X5 Y0 Z105", "4 H1=7", "5 X6 Y0 Z107", "6 X7 Y0 Z107"}},
        {"Type C without an axis", {"1 PS0027"}},
        {"An H beyond", {"1 PS0030"}},
        {"G53 under G91", {"1 X0 Y0 Z20", "3 X0 Y0 Z20"}},
@@ -223,7 +225,7 @@ TEST(LeadingEdgeVectors, LeaningBackALittle) {
 
 // The tables above hold every vector that is written by hand.
 TEST(ExampleVectors, AllAreHeldToFigures) {
-  std::size_t length = 8 + 7 + 4 + 12;
+  std::size_t length = 8 + 7 + 4 + 13;
   std::size_t edge = 14 + 20 + 1;
   for (const auto& [section, count] :
        {std::pair{"fanuc/tool-length-offset", length}, {"fanuc/leading-edge-offset", edge}})

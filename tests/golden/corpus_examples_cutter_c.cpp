@@ -172,6 +172,9 @@ TEST(CutterCVectors, Corners) {
        {"14.5, G18", {"1 s G1 10 0 0", "2 p G1 10 0 30", "3 p G1 30 0 30"}},
        {"14.5, G19", {"1 s G1 0 0 10", "2 p G1 0 30 10", "3 p G1 0 30 30"}},
        {"14.5, a helix", {"1 s G1 0 10 0", "2 p G1 34.64101615137755 10 0", "3 p G3 0 70 8 O 0 30"}},
+       {"14.5, a spiral from radius 5 m",
+        {"1 s G1 -437.2 5070.4", "2 p G1 -1397.2 4790.4", "3 p G3 -1990 0 O 0 0 r 4990 1990 w 73.73979529168804",
+         "4 p G1 -1990 -1000"}},
        {"14.5, the plane changes", a({"2 p G1 40 10", "3 PS0037"})},
        {"14.8, memory A", {"1 H3=12", "2 s G1 0 12", "3 p G1 40 12"}}});
 }
@@ -240,6 +243,7 @@ TEST(CutterCVectors, Rules) {
       {{"G41 again after a lone G40", a({"2 p G1 40 10", "4 fanuc.cutter-c.restart-before-removal"})},
        {"Two blocks without motion behind G39", a({"2 p G1 40 10", "3 fanuc.cutter-c.corner-arc-without-next-block"})},
        {"G39 with the end", a({"2 p G1 40 10"})},
+       {"G41.3 without a number", {"1 p G1 177 0", "2 H1=0.7", "3 p G1 177 0 275"}},
        {"G92 of an axis", a({"2 p G1 40 10", "3 fanuc.cutter-c.coordinate-shift"})},
        {"Offset circles that touch from outside",
         {"1 s G1 2.307692307692308 -5.538461538461538", "2 p G3 6 0 O 0 0", "3 p G3 18.8 -6.4 O 14 0"}},

@@ -261,10 +261,15 @@ TEST(ToolSideVectors, Rules) {
                             "4 e G1 -10 20 20"})},
           {"An arc to its centre", refused("PS0038")},
           {"An arc smaller than the tool", refused("PS0041")},
+          {"The value changes where the arc", refused("PS0041")},
           {"Offset circles of radius 2", left({"2 PS0033"})},
 
           {"A movement along the tool",
            tilted({"1 s G1 -8 0 6", "2 p G1 -8 110 6", "3 p G1 22 110 46", "4 p G1 130 110 40", "5 e G1 150 100 40"})},
+          // Beside X10 Y0 to X80 Y1, of length sqrt 4901: (1 + sqrt 4901) / 70 and 150 - sqrt 4901.
+          {"19630 = 0.5: line 6 moves",
+           {"1 p G0 0 0 0", "2 s G0 9 0 0", "3 p G0 9 2 0", "4 c G0 11 2 0", "4 p G0 11 1.014387749896408 0",
+            "5 p G0 79.99285750725145 2 0", "6 p G0 90 2 0"}},
           {"19630 = 0.5, a block of 0.4",
            right({"2 p G1 110 -10 0", "3 p G1 110.4 -10 0", "4 p G1 110.4 100 0", "5 e G1 100.4 150 0"})},
           {"19630 = 0.5, a block of exactly",
