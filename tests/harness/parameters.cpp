@@ -1,0 +1,124 @@
+// The registry of parameters against both engines, on generated programs: its defaults are what counts where a setup
+// gives nothing, every parameter has an effect, and those that are accepted without effect have none.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fuzz/gen/generator.h"
+#include "fuzz/oracle/verdict.h"
+#include "spec/language/event_format.h"
+#include "spec/language/input_error.h"
+#include "spec/language/number_text.h"
+#include "spec/language/parameter.h"
+#include "tests/sanitized.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+constexpr std::uint64_t kSeeds = test::kSanitized ? 4 : 40;
+
+struct Texts {
+  std::string model;
+  std::string fast;
+  friend bool operator==(const Texts&, const Texts&) = default;
+};
+
+template <class Events, class Append>
+std::string text(const Events& events, const spec::Axes& axes, const Append& append) {
+  std::string out;
+  for (const auto& event : events) {
+    spec::append_event_json(out, event, axes, append);
+    out += '\n';
+  }
+  return out;
+}
+
+std::string run_fast_text(const spec::Case& c) {
+  try {
+    return text(run_fast(c), c.setup.axes, spec::append_shortest);
+  } catch (const spec::InputError&) {
+    return "refused";
+  }
+}
+
+Texts run(const spec::Case& c) {
+  Texts texts;
+  texts.fast = run_fast_text(c);
+  try {
+    texts.model = text(run_model(c).events, c.setup.axes,
+                       [](std::string& out, const exact::Real& value) { out += '"' + value.decimal(12) + '"'; });
+  } catch (const spec::InputError&) {
+    texts.model = "refused";
+  }
+  return texts;
+}
+
+bool has_effect(const spec::ParameterInfo& p) {
+  return p.text.find("Accepted, without effect") == std::string_view::npos;
+}
+
+// The case with every parameter that its setup does not give, as the registry has it.
+spec::Case with_defaults(spec::Case c) {
+  for (const spec::ParameterInfo& p : spec::parameters())
+    if (const auto value = spec::default_value(p.id, c.setup.units)) c.setup.parameters.try_emplace(p.id, *value);
+  return c;
+}
+
+template <class Visit>
+void for_cases(const Visit& visit) {
+  for (const std::string_view section : sections()) {
+    if (!section.starts_with("fanuc/")) continue;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      SeededSource source(seed);
+      visit(generate(section, Mode::directed, source, 8));
+    }
+  }
+}
+
+TEST(Parameters, DefaultsAreWhatCountsWhereNothingIsGiven) {
+  for_cases([](const spec::Case& c) {
+    const Texts given = run(with_defaults(c));
+    const Texts absent = run(c);
+    EXPECT_EQ(given.model, absent.model) << c.section << '\n' << c.program;
+    EXPECT_EQ(given.fast, absent.fast) << c.section << '\n' << c.program;
+  });
+}
+
+TEST(Parameters, ThoseWithoutEffectHaveNone) {
+  for_cases([](const spec::Case& c) {
+    spec::Case other = c;
+    for (const spec::ParameterInfo& p : spec::parameters())
+      if (!has_effect(p)) other.setup.parameters[p.id] = p.greatest;
+    EXPECT_TRUE(run(c) == run(other)) << c.section << '\n' << c.program;
+  });
+}
+
+// One that the other test could not tell from a wrong default would be worth nothing: a step changes something in both
+// engines.
+TEST(Parameters, AllOthersHaveOne) {
+  std::set<spec::ParameterId> left;
+  for (const spec::ParameterInfo& p : spec::parameters())
+    if (has_effect(p)) left.insert(p.id);
+  for_cases([&](const spec::Case& c) {
+    const Texts texts = run(c);
+    std::erase_if(left, [&](const spec::ParameterId& id) {
+      spec::Case other = c;
+      const bool set = id.bit >= 0 ? c.setup.bit(id.number, id.bit, id.number == 3401) : false;
+      spec::Decimal& value = other.setup.parameters[id];
+      if (id.bit >= 0)
+        value = spec::decimal(set ? 0 : 1);
+      else
+        value = spec::decimal(value.digits == 0 ? 2 : 0);
+      const Texts changed = run(other);
+      return changed.model != texts.model && changed.fast != texts.fast;
+    });
+  });
+  for (const spec::ParameterId& id : left) ADD_FAILURE() << spec::to_string(id) << " changed nothing";
+}
+
+}  // namespace
+}  // namespace toolcomp::fuzz
