@@ -203,7 +203,8 @@ std::string parameter_properties() {
   std::string text;
   std::uint32_t last = 0;
   const auto add = [&text](ParameterId id, const std::string& schema) {
-    text += (text.empty() ? "" : ",\n") + std::string(12, ' ') + '"' + to_string(id) + "\": " + schema + " }";
+    text.append(text.empty() ? "" : ",\n").append(12, ' ');
+    text.append(1, '"').append(to_string(id)).append("\": ").append(schema).append(" }");
   };
   for (const ParameterInfo& p : parameters()) {
     if (p.id.bit >= 0 && p.id.number != last)
@@ -211,11 +212,12 @@ std::string parameter_properties() {
           R"({ "description": "Its bits as one number.", "$ref": "#/$defs/decimal", "minimum": 0, "maximum": )" +
               std::to_string(known_bits(p.id.number)));
     last = p.id.number;
-    const std::string type = p.type == ParameterType::bit ? R"("enum": [0, 1, "0", "1", false, true])"
-                             : p.values.empty()           ? bounds(p)
-                                                          : enumeration(p.values);
-    const std::string otherwise = p.default_value ? ", \"default\": " + to_string(*p.default_value) : "";
-    add(p.id, description(p) + type + otherwise);
+    std::string schema = description(p);
+    schema += p.type == ParameterType::bit ? R"("enum": [0, 1, "0", "1", false, true])"
+              : p.values.empty()           ? bounds(p)
+                                           : enumeration(p.values);
+    if (p.default_value) schema.append(R"(, "default": )").append(to_string(*p.default_value));
+    add(p.id, schema);
   }
   return text;
 }

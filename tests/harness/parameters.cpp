@@ -9,14 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "certify/selection.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/event_format.h"
 #include "spec/language/input_error.h"
 #include "spec/language/number_text.h"
 #include "spec/language/parameter.h"
-#include "spec/language/setup_format.h"
 #include "tests/sanitized.h"
 
 namespace toolcomp::fuzz {
@@ -91,14 +89,6 @@ TEST(Parameters, OfDirectedCasesAreAllowedAndOfAllOthersKnown) {
       for (const auto& [id, value] : generate(section, Mode::unrestricted, other).setup.parameters)
         EXPECT_TRUE(spec::is_known(id)) << section << seed << ' ' << spec::to_string(id);
     }
-}
-
-// What is sent to a controller can be read there.
-TEST(Parameters, OfCasesThatCertifyAreAllowed) {
-  constexpr std::size_t cases = test::kSanitized ? 20 : 200;
-  for (const std::string_view section : {"fanuc/tool-side-compensation", "fanuc/leading-edge-offset"})
-    for (const spec::Case& c : certify::select_cases(section, 1, cases).cases)
-      EXPECT_TRUE(spec::has_allowed_parameters(c.setup)) << section << '\n' << spec::write_setup_toml(c.setup);
 }
 
 TEST(Parameters, DefaultsAreWhatCountsWhereNothingIsGiven) {
