@@ -4,12 +4,12 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "spec/language/fields.h"
 #include "spec/language/input_error.h"
+#include "spec/language/parameter.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::certify {
@@ -77,24 +77,21 @@ bool equal_offsets(const std::map<std::uint32_t, spec::OffsetEntry>& a,
   return covered(a, b) && covered(b, a);
 }
 
+// What counts where a setup does not give a parameter stands in the registry.
 bool equal_parameters(const spec::Setup& a, const spec::Setup& b) {
-  std::set<std::uint32_t> numbers;
-  std::set<std::uint32_t> with_bits;
-  for (const auto* setup : {&a, &b})
-    for (const auto& [id, value] : setup->parameters) {
-      numbers.insert(id.number);
-      if (id.bit >= 0) with_bits.insert(id.number);
-    }
-  return std::ranges::all_of(numbers, [&](std::uint32_t number) {
-    if (with_bits.contains(number)) {
-      for (int bit = 0; bit < 8; ++bit) {
-        const bool otherwise = number == 3401 && bit == 0;
-        if (a.bit(number, bit, otherwise) != b.bit(number, bit, otherwise)) return false;
-      }
-      return true;
-    }
-    const spec::Decimal otherwise = spec::decimal(number == 19697 ? 3 : number == 3401 ? 1 : 0);
-    return equal(a.parameter(number).value_or(otherwise), b.parameter(number).value_or(otherwise));
+  const auto value = [](const spec::Setup& setup, std::uint32_t number) {
+    const std::optional<spec::Decimal> given = setup.parameter(number);
+    return given ? given : spec::default_value({number, -1}, setup.units);
+  };
+  const auto bit = [](const spec::Setup& setup, spec::ParameterId id) {
+    const std::optional<spec::Decimal> otherwise = spec::default_value(id, setup.units);
+    return setup.bit(id.number, id.bit, otherwise && !otherwise->is_zero());
+  };
+  return std::ranges::all_of(spec::parameters(), [&](const spec::ParameterInfo& p) {
+    if (p.id.bit >= 0) return bit(a, p.id) == bit(b, p.id);
+    const std::optional<spec::Decimal> one = value(a, p.id.number);
+    const std::optional<spec::Decimal> other = value(b, p.id.number);
+    return one.has_value() == other.has_value() && (!one || equal(*one, *other));
   });
 }
 

@@ -38,7 +38,7 @@ bool meets_minimum(const Capabilities& capabilities);
 void expect_fine_resolution(const Capabilities& capabilities, const std::string& accepted);
 
 // Why the case does not apply to the controller: "section …", "setup …"; empty where it applies. A setting that the
-// case leaves open counts as its default (0; bit 3401#0: 1; 19697: 3).
+// case leaves open counts as its default (0; of a parameter what the registry says).
 std::string why_not_applicable(const Capabilities& capabilities, const spec::Case& c);
 
 // Whether two setups mean the same, whatever is written out and what is left at its default.

@@ -14,6 +14,7 @@
 #include "fuzz/oracle/control.h"
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/input_error.h"
+#include "spec/language/parameter.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -150,6 +151,7 @@ class Selecting {
   // Whether the case reaches something for the first time; it is chosen then, and else put by.
   bool look_at(spec::Case c) {
     ++selection_.looked_at;
+    if (!spec::has_allowed_parameters(c.setup)) return false;  // no reader would take it
     Candidate candidate{std::move(c), {}, {}};
     try {
       const fuzz::ModelRun run = fuzz::run_model(candidate.c);

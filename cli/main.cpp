@@ -198,11 +198,11 @@ class CommandLine {
                     "contour, tight: from which block on the place is (default: the middle)");
   }
   void add_spec() {
-    CLI::App* sub =
-        verb("spec", "The clauses: list, show, trace, coverage, sections", [this] { return cli::spec(spec_); });
-    sub->add_option("verb", spec_.verb, "list, show, trace, coverage or sections")
+    CLI::App* sub = verb("spec", "The clauses: list, show, trace, coverage, sections; parameters",
+                         [this] { return cli::spec(spec_); });
+    sub->add_option("verb", spec_.verb, "list, show, trace, coverage, sections or parameters")
         ->required()
-        ->check(CLI::IsMember({"list", "show", "trace", "coverage", "sections"}));
+        ->check(CLI::IsMember({"list", "show", "trace", "coverage", "sections", "parameters"}));
     sub->add_option("id", spec_.id, "show: the clause");
     sub->add_option("--dir", spec_.directory, "Source tree (trace) or corpus (coverage); default: where it was built");
     sub->add_flag("--json", spec_.json, "JSON instead of text");

@@ -102,7 +102,7 @@ struct CorpusOptions {
 int corpus(const CorpusOptions& options);
 
 struct SpecOptions {
-  std::string verb;  // list, show, trace, coverage, sections
+  std::string verb;  // list, show, trace, coverage, sections, parameters
   std::string id;
   std::string directory;
   bool json = false;

@@ -9,6 +9,7 @@
 #include "corpus/vector.h"
 #include "fuzz/campaign/features.h"
 #include "fuzz/gen/generator.h"
+#include "spec/language/parameter.h"
 
 namespace toolcomp::corpus {
 namespace {
@@ -53,6 +54,7 @@ std::vector<spec::Case> select(std::string_view section, const SelectOptions& op
   std::vector<spec::Case> spare;
   for (std::size_t i = 0; i < options.candidates; ++i) {
     Candidate made = candidate(section, options.seed, i);
+    if (!spec::has_allowed_parameters(made.c.setup)) continue;  // no reader would take it
     const fuzz::Trial trial = fuzz::try_case(made.c);
     if (trial.found()) {
       chosen.push_back(std::move(made.c));

@@ -18,6 +18,7 @@
 #include <optional>
 #include <tuple>
 #include "fuzz/oracle/number.h"
+#include "spec/language/parameter.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -83,7 +84,7 @@ void put_parameter(Setup& setup, const Line& line) {
     if (!bit) return;
     id.bit = static_cast<int>(*bit);
   }
-  setup.parameters[id] = *value;
+  if (spec::is_known(id)) setup.parameters[id] = *value;
 }
 
 bool all_different_axes(std::string_view letters) {

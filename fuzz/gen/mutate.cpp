@@ -12,6 +12,7 @@
 #include "fuzz/gen/program_text.h"
 #include "fuzz/gen/setups.h"
 #include "fuzz/gen/vocabulary.h"
+#include "spec/language/parameter.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -130,26 +131,16 @@ auto any_of(Choices& choose, Map& map) {
   return it;
 }
 
-// Angles of kinematics: any value is a control that could exist; numbers of axes and types are not.
-bool is_angle(std::uint32_t parameter) {
-  constexpr std::uint32_t angles[] = {6261,  19614, 19619, 19620, 19621, 19622, 19623, 19631, 19683, 19685,
-                                      19688, 19690, 19698, 19699, 19738, 19739, 19741, 19742, 19743, 19744};
-  return std::find(std::begin(angles), std::end(angles), parameter) != std::end(angles);
+// Any angle, length or bit is a control that could exist; numbers of axes and types are not.
+bool is(const spec::ParameterId& id, spec::ParameterType type) {
+  const spec::ParameterInfo* const p = spec::find_parameter(id);
+  return p != nullptr && p->type == type;
 }
 
-// Vector omission; deceleration distance and permitted zone of G37; least travel in the compensation plane; holder
-// offset and the distances of rotary axes.
-bool is_length(std::uint32_t parameter) {
-  return parameter == 5010 || parameter == 6251 || parameter == 6254 || parameter == 19630 || parameter == 19666 ||
-         (parameter >= 19700 && parameter <= 19714);
-}
-
-// Bits: any value is a control that could exist.
+// Bits but those that give every number another meaning or take an axis away.
 bool is_choice(const spec::ParameterId& id) {
-  const std::uint32_t parameter = id.number;
-  constexpr int kFirstHypothetical = 2;  // bits 0 and 1 of 19696: an axis less
-  return parameter == 19604 || parameter == 19608 || (parameter == 19696 && id.bit >= kFirstHypothetical) ||
-         parameter == 5001 || parameter == 5003 || parameter == 5008 || parameter == 19605;
+  constexpr spec::ParameterId no_choice[] = {{3401, 0}, {19696, 0}, {19696, 1}};
+  return is(id, spec::ParameterType::bit) && std::ranges::find(no_choice, id) == std::end(no_choice);
 }
 
 void change_parameter(Choices& choose, Mode mode, spec::Setup& setup) {
@@ -171,8 +162,8 @@ void change_parameter(Choices& choose, Mode mode, spec::Setup& setup) {
     default: {
       const auto parameter = any_of(choose, setup.parameters);
       if (parameter == setup.parameters.end()) return;
-      const bool angle = is_angle(parameter->first.number);
-      if (mode == Mode::directed && is_length(parameter->first.number)) {
+      const bool angle = is(parameter->first, spec::ParameterType::angle);
+      if (mode == Mode::directed && is(parameter->first, spec::ParameterType::length)) {
         if (!parameter->second.negative && parameter->second.digits < 99'999'999)
           parameter->second.digits += choose.below(3);
         return;

@@ -11,6 +11,7 @@
 #include "fuzz/laws/scene.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
+#include "spec/language/parameter.h"
 #include "spec/language/program_reader.h"
 
 namespace toolcomp::fuzz::laws {
@@ -79,15 +80,14 @@ bool change_all(const Map& map, spec::Setup& setup) {
   return change(map, setup.position) && change(map, setup.floating_reference) && change(map, setup.measurement);
 }
 
-// Parameters that are lengths.
-bool is_length(std::uint32_t parameter) {
-  return parameter == 5010 || parameter == 6251 || parameter == 6254 || parameter == 19630 || parameter == 19666 ||
-         (parameter >= 19700 && parameter <= 19714);
+bool is_length(spec::ParameterId id) {
+  const spec::ParameterInfo* const p = spec::find_parameter(id);
+  return p != nullptr && p->type == spec::ParameterType::length;
 }
 
 bool shorten(const Map& map, spec::Setup& setup) {
   for (auto& [id, value] : setup.parameters) {
-    if (id.bit >= 0 || !is_length(id.number)) continue;
+    if (!is_length(id)) continue;
     const auto scaled = image_of(map, value, 1);
     if (!scaled) return false;
     value = *scaled;

@@ -1,9 +1,13 @@
+#include <algorithm>
+#include <string>
+
+#include "spec/language/parameter.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::spec {
 namespace {
 
-constexpr std::string_view kFanuc =
+constexpr std::string_view kFanucKeys =
     R"toml(# A FANUC machining centre with a head that turns the tool about Z (C) and then about Y (B).
 # Every key may be left out; the values shown in brackets are then used. Decimals are exact, quoted or not.
 
@@ -16,33 +20,11 @@ type_b_without_perpendicular = false  # [false] true: type B of tool side compen
 rotary_angles = "machine"             # [machine] coordinates of rotary axes that turn tool and table; or programmed
 block_skip = false                    # [false] true: blocks that begin with / are skipped
 
-[parameters]                          # by number; bits as "number#bit"
-"3401#0" = 1                          # numbers without decimal point are mm or degrees; 0: least input increments
-"5001#0" = 0                          # TLC and TLB: type of tool length offset
-"5001#1" = 0
-"5001#2" = 0                          # OFH: how G43, G44 and H act
-"5001#3" = 0                          # TAL: offset along several axes
-"5001#4" = 0                          # EVR: when a changed value of cutter compensation takes effect
-"5001#5" = 0                          # TPH: G45 to G48 take their number from D; 1: from H
-"5001#6" = 0                          # EVO: when a changed length offset value takes effect
-"5003#0" = 0                          # SUP: type A of start-up and cancel in cutter and tool side compensation; 1: type B
-"5003#1" = 0                          # SUV: 1: type C, a lone G41, G42, G41.2, G42.2 or G40 moves the tool
-"5003#2" = 0                          # CCN: 1: the mode goes on after G28, G30 and G53
-"5008#0" = 0                          # CNI: interference check; 1: none
-5010 = 0                              # corner movements up to this length are left out (cutter compensation C: on either axis)
-6241 = 100                            # G37: measuring feed [F in force] …
-6251 = 20                             # … from this distance before the commanded coordinate [20 mm] …
-6254 = 5                              # … and the signal may be off by this much [5 mm]
-6261 = 45                             # tool side: turns of the tool from this angle on are checked for interference [45]
-"19605#5" = 0                         # NIC: the check of 6261; 1: none
-19630 = 0                             # tool side: movements shorter than this across the tool count as none
-19631 = "1.0"                         # range of angles (degrees) taken as 0, 90 or 180 by the leading edge offset
-19680 = 2                             # kinematics: 2 tool rotation, 12 table rotation, 21 mixed, 0 none
-19681 = 5                             # master rotary axis: controlled axis 5 (C) …
-19682 = 3                             # … about Z
-19686 = 4                             # slave rotary axis: controlled axis 4 (B) …
-19687 = 2                             # … about Y
+[parameters]                          # by number; bits as "number#bit"; `toolcomp spec parameters` lists all
+)toml";
 
+constexpr std::string_view kFanucTables =
+    R"toml(
 [offsets]                             # tool offset memory
 memory = "C"                          # A one value; B geometry and wear; C the same, H and D apart [A, or C if an entry has both]
 count = 400                           # [400] number of entries
@@ -116,8 +98,29 @@ name = "BALL_6_MEASURED"
 points = [[0, 0], [40, "0.03"], [50, "-0.02"], [90, "0.01"]]  # [degrees, mm], straight lines between
 )toml";
 
+constexpr std::size_t kCommentColumn = 38;
+
+// A line for each parameter of the registry that has an example.
+std::string parameter_lines() {
+  std::string text;
+  for (const ParameterInfo& p : parameters()) {
+    if (p.example.empty()) continue;
+    std::string line = p.id.bit < 0 ? to_string(p.id) : '"' + to_string(p.id) + '"';
+    const std::string quote = p.example.find('.') == std::string_view::npos ? "" : "\"";
+    line.append(" = ").append(quote).append(p.example).append(quote);
+    line.resize(std::max(kCommentColumn, line.size() + 1), ' ');
+    line += "# ";
+    if (p.default_value) line += '[' + to_string(*p.default_value) + "] ";
+    text.append(line).append(p.text).append(1, '\n');
+  }
+  return text;
+}
+
 }  // namespace
 
-std::string_view setup_example(Control control) { return control == Control::heidenhain ? kHeidenhain : kFanuc; }
+std::string_view setup_example(Control control) {
+  static const std::string fanuc = std::string(kFanucKeys) + parameter_lines() + std::string(kFanucTables);
+  return control == Control::heidenhain ? kHeidenhain : std::string_view(fanuc);
+}
 
 }  // namespace toolcomp::spec

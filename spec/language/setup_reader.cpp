@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "spec/language/parameter.h"
 #include "spec/language/setup_document.h"
 #include "spec/language/setup_format.h"
 
@@ -40,30 +42,38 @@ Axes axes_from(const Node& node, const Reader& read) {
   return Axes(letters);
 }
 
-void read_parameter(const Member& member, const Reader& read, Setup& setup) {
-  const std::string_view name = member.name;
+// "5001" or "5001#2"; nothing where it is neither.
+std::optional<ParameterId> parameter_id(std::string_view name) {
   const std::size_t mark = name.find('#');
-  ParameterId id;
   const std::optional<std::uint32_t> number = small_number(name.substr(0, mark), kMaxParameter);
-  const bool bit = mark != std::string_view::npos;
-  const std::string_view bit_text = bit ? name.substr(mark + 1) : "0";
-  if (!number || bit_text.size() != 1 || bit_text[0] < '0' || bit_text[0] > '7')
+  if (!number) return std::nullopt;
+  if (mark == std::string_view::npos) return ParameterId{*number, -1};
+  const std::string_view bit = name.substr(mark + 1);
+  if (bit.size() != 1 || bit[0] < '0' || bit[0] > '7') return std::nullopt;
+  return ParameterId{*number, bit[0] - '0'};
+}
+
+void read_parameter(const Member& member, const Reader& read, Setup& setup) {
+  const std::string& name = member.name;
+  const std::optional<ParameterId> id = parameter_id(name);
+  if (!id)
     read.fail(member.at, "parameters: " + in_quotes(name) +
                              " is no parameter; expected a number up to 99999, or number#bit with a bit from 0 to 7");
-  id.number = *number;
-  if (!bit) {
-    setup.parameters[id] = read.decimal(member.value, name);
-    return;
-  }
-  id.bit = bit_text[0] - '0';
-  if (member.value.kind == Kind::boolean) {
-    setup.parameters[id] = decimal(member.value.boolean ? 1 : 0);
+  if (!is_known(*id))
+    read.fail(member.at, "parameters: " + in_quotes(name) + " is not known; the nearest that is known is " +
+                             in_quotes(to_string(nearest_parameter(*id).id)) +
+                             "; `toolcomp spec parameters` lists them");
+  if (id->bit >= 0 && member.value.kind == Kind::boolean) {
+    setup.parameters[*id] = decimal(member.value.boolean ? 1 : 0);
     return;
   }
   const Decimal value = read.decimal(member.value, name);
-  if (value != decimal(0) && value != decimal(1))
-    read.fail(member.value.at, std::string(name) + ": a bit is 0 or 1, found " + in_quotes(member.value.text));
-  setup.parameters[id] = value;
+  if (!allows(*id, value, setup.axes)) {
+    if (id->bit >= 0) read.fail(member.value.at, name + ": a bit is 0 or 1, found " + in_quotes(member.value.text));
+    read.fail(member.value.at, "parameters." + name + ": expected " + expected_value(*id, setup.axes) + ", found " +
+                                   in_quotes(member.value.text));
+  }
+  setup.parameters[*id] = value;
 }
 
 OffsetEntry entry_from(const Node& node, const std::string& name, const Reader& read) {

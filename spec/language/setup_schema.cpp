@@ -1,9 +1,14 @@
+#include <cstdint>
+#include <string>
+
+#include "spec/language/json_text.h"
+#include "spec/language/parameter.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::spec {
+namespace {
 
-std::string_view setup_schema() {
-  return R"schema({
+constexpr std::string_view kHead = R"schema({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "$id": "setup.schema.json",
   "title": "Setup of a control",
@@ -30,9 +35,10 @@ std::string_view setup_schema() {
         "parameters": {
           "description": "Parameters by number, bits by number#bit.",
           "type": "object", "additionalProperties": false,
-          "patternProperties": {
-            "^(0|[1-9][0-9]{0,4})$": { "$ref": "#/$defs/decimal" },
-            "^(0|[1-9][0-9]{0,4})#[0-7]$": { "enum": [0, 1, "0", "1", false, true] }
+          "properties": {
+)schema";
+
+constexpr std::string_view kTail = R"schema(
           }
         },
         "offsets": {
@@ -167,6 +173,60 @@ std::string_view setup_schema() {
   }
 }
 )schema";
+
+// The only values, as numbers and in quotes.
+std::string enumeration(std::string_view values) {
+  std::string numbers;
+  std::string texts;
+  while (!values.empty()) {
+    const std::size_t end = values.find(' ');
+    const std::string value(values.substr(0, end));
+    numbers += value + ", ";
+    texts += (texts.empty() ? "\"" : ", \"") + value + '"';
+    values.remove_prefix(end == std::string_view::npos ? values.size() : end + 1);
+  }
+  return "\"enum\": [" + numbers + texts + ']';
+}
+
+std::string bounds(const ParameterInfo& p) {
+  return R"("$ref": "#/$defs/decimal", "minimum": )" + to_string(p.least) + R"(, "maximum": )" + to_string(p.greatest);
+}
+
+std::string description(const ParameterInfo& p) {
+  std::string text;
+  append_json_string(text, std::string(p.text) + (p.unit.empty() ? std::string() : " In " + std::string(p.unit) + '.'));
+  return R"({ "description": )" + text + ", ";
+}
+
+// Numbers of which bits are known may be given as a whole; parameters ascend, so their bits stand together.
+std::string parameter_properties() {
+  std::string text;
+  std::uint32_t last = 0;
+  const auto add = [&text](ParameterId id, const std::string& schema) {
+    text.append(text.empty() ? "" : ",\n").append(12, ' ');
+    text.append(1, '"').append(to_string(id)).append("\": ").append(schema).append(" }");
+  };
+  for (const ParameterInfo& p : parameters()) {
+    if (p.id.bit >= 0 && p.id.number != last)
+      add({p.id.number, -1},
+          R"({ "description": "Its bits as one number.", "$ref": "#/$defs/decimal", "minimum": 0, "maximum": )" +
+              std::to_string(known_bits(p.id.number)));
+    last = p.id.number;
+    std::string schema = description(p);
+    schema += p.type == ParameterType::bit ? R"("enum": [0, 1, "0", "1", false, true])"
+              : p.values.empty()           ? bounds(p)
+                                           : enumeration(p.values);
+    if (p.default_value) schema.append(R"(, "default": )").append(to_string(*p.default_value));
+    add(p.id, schema);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string_view setup_schema() {
+  static const std::string schema = std::string(kHead) + parameter_properties() + std::string(kTail);
+  return schema;
 }
 
 }  // namespace toolcomp::spec

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "spec/language/decimal_order.h"
 #include "spec/language/setup_document.h"
 
 namespace toolcomp::spec {
@@ -102,17 +103,6 @@ void read_corrections(const Node& node, const Reader& read, Setup& setup) {
   }
 }
 
-// Orders numbers that are not negative: what stands before the point, then what stands behind it.
-std::pair<std::uint64_t, std::uint64_t> magnitude(const Decimal& value) {
-  const auto power = [](int exponent) {
-    std::uint64_t result = 1;
-    for (; exponent > 0; --exponent) result *= 10;
-    return result;
-  };
-  const std::uint64_t one = power(value.decimals);
-  return {value.digits / one, value.digits % one * power(Decimal::kMaxDigits - value.decimals)};
-}
-
 DeviationTable deviations_from(const Node& node, const Reader& read) {
   read.expect(node, Kind::array, "dr2table.points");
   if (node.items.empty()) read.fail(node.at, "dr2table.points: expected at least one point");
@@ -121,10 +111,10 @@ DeviationTable deviations_from(const Node& node, const Reader& read) {
     read.expect(item, Kind::array, "dr2table.points");
     if (item.items.size() != 2) read.fail(item.at, "dr2table.points: expected [angle, deviation]");
     const Decimal angle = read.decimal(item.items[0], "dr2table.points");
-    if ((angle.negative && !angle.is_zero()) || magnitude(angle) > magnitude(decimal(180)))
+    if (compare(angle, decimal(0)) < 0 || compare(angle, decimal(180)) > 0)
       read.fail(item.at,
                 "dr2table.points: expected an angle from 0 to 180 degrees, found " + in_quotes(item.items[0].text));
-    if (!table.empty() && magnitude(angle) <= magnitude(table.back().first))
+    if (!table.empty() && compare(angle, table.back().first) <= 0)
       read.fail(item.at, "dr2table.points: the angles do not ascend at " + in_quotes(item.items[0].text));
     table.emplace_back(angle, read.decimal(item.items[1], "dr2table.points"));
   }

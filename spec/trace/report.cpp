@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 
+#include "spec/language/edit_distance.h"
 #include "spec/language/input_error.h"
 #include "spec/language/json_text.h"
 
@@ -122,27 +123,11 @@ std::string source_text(const ClauseInfo& c) {
   return text;
 }
 
-// The number of single-character edits between two texts.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
-
 [[noreturn]] void fail_unknown(std::string_view id) {
   std::string message = "no clause has this id";
   if (!clauses().empty()) {
     const auto nearest =
-        std::ranges::min_element(clauses(), {}, [&](const ClauseInfo& c) { return distance(id, c.id); });
+        std::ranges::min_element(clauses(), {}, [&](const ClauseInfo& c) { return edit_distance(id, c.id); });
     message += fmt::format("; the nearest is {}", nearest->id);
   }
   throw InputError(std::string(id), 0, 0, message);

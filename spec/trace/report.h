@@ -23,6 +23,9 @@ std::string show_clause(std::string_view id, ReportFormat format);
 // The sections and how many clauses of which kind each has.
 std::string list_sections(ReportFormat format);
 
+// The registry of parameters, as a table in Markdown.
+std::string list_parameters(ReportFormat format);
+
 // The trace table (indexed by Clause): what marks, tests, proves and exercises each clause.
 std::string show_trace(std::span<const ClauseTrace> table, ReportFormat format);
 

@@ -57,13 +57,12 @@ struct Outcome {
   }
 };
 
-// `arguments` as a shell reads them; `shell` stands in front ("ulimit -v 500000;").
-inline Outcome toolcomp(const std::string& arguments, const std::string& shell = "") {
+// A line as a shell reads it.
+inline Outcome command(const std::string& line) {
   const Folder folder;
   const std::string errors = folder.path("stderr");
-  const std::string line = shell + TOOLCOMP_BINARY_DIR "/toolcomp " + arguments + " 2>" + errors;
   Outcome outcome;
-  FILE* pipe = popen(line.c_str(), "r");
+  FILE* pipe = popen((line + " 2>" + errors).c_str(), "r");
   if (pipe == nullptr) return outcome;
   std::array<char, 65536> buffer{};
   while (const std::size_t size = fread(buffer.data(), 1, buffer.size(), pipe)) outcome.out.append(buffer.data(), size);
@@ -71,6 +70,11 @@ inline Outcome toolcomp(const std::string& arguments, const std::string& shell =
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   outcome.err = read(errors);
   return outcome;
+}
+
+// `arguments` as a shell reads them; `shell` stands in front ("ulimit -v 500000;").
+inline Outcome toolcomp(const std::string& arguments, const std::string& shell = "") {
+  return command(shell + TOOLCOMP_BINARY_DIR "/toolcomp " + arguments);
 }
 
 }  // namespace toolcomp::test

@@ -15,6 +15,7 @@
 #include "spec/language/event_map.h"
 #include "spec/language/input_error.h"
 #include "spec/language/number_text.h"
+#include "spec/language/parameter.h"
 #include "spec/language/program_reader.h"
 #include "spec/language/setup_format.h"
 
@@ -154,8 +155,9 @@ spec::Setup any_setup() {
   setup.block_skip = *rc::gen::arbitrary<bool>();
   setup.axes = Axes(*rc::gen::elementOf(std::vector<std::string>{"XYZ", "XYZBC", "ZAX", "ABCUVWXYZ"}));
   for (int i = *inRange(0, 6); i > 0; --i) {
-    const int bit = *inRange(-1, 8);
-    setup.parameters[{*inRange<std::uint32_t>(0, 100'000), bit}] = bit < 0 ? any_decimal(18) : decimal(*inRange(0, 2));
+    const ParameterInfo& p = parameters()[*inRange<std::size_t>(0, parameters().size())];
+    const Decimal value = any_decimal(18);
+    setup.parameters[p.id] = allows(p.id, value, setup.axes) ? value : p.default_value.value_or(p.least);
   }
   setup.memory = *rc::gen::element(OffsetMemory::a, OffsetMemory::b, OffsetMemory::c);
   setup.offset_count = *inRange<std::uint32_t>(1, 1000);

@@ -90,6 +90,12 @@ TEST(Capabilities, WhatACaseLeavesOpenCountsAsItsDefault) {
   EXPECT_TRUE(applies(R"({"parameters":{"3401#0":1}})"));
   EXPECT_FALSE(applies(R"({"parameters":{"3401#0":0}})"));
   EXPECT_TRUE(applies(R"({"parameters":{"19697":3}})"));
+  EXPECT_TRUE(applies(R"({"parameters":{"3401":1}})"));
+  EXPECT_FALSE(applies(R"({"parameters":{"3401":0}})"));
+  EXPECT_TRUE(applies(R"({"parameters":{"19631":"1.000","6251":20,"6254":5,"19680":0}})"));
+  EXPECT_FALSE(applies(R"({"parameters":{"19631":0}})"));
+  EXPECT_FALSE(applies(R"({"parameters":{"6251":0}})"));
+  EXPECT_FALSE(applies(R"({"parameters":{"6241":100}})"));  // not given: F counts
   EXPECT_TRUE(applies(R"({"workpiece":{"G54":{"X":"0.000"}}})"));
   EXPECT_FALSE(applies(R"({"workpiece":{"G54":{"X":5}}})"));
 }

@@ -154,7 +154,8 @@ TEST(Setup, ExampleOfHeidenhainReads) {
 }
 
 TEST(Setup, BitsComeFromTheirOwnKeyFirst) {
-  const spec::Setup setup = toml("[parameters]\n5001 = 5\n\"5001#0\" = 0\n5002 = 1.5\n");
+  spec::Setup setup = toml("[parameters]\n5001 = 5\n\"5001#0\" = 0\n");
+  setup.parameters[{5002, -1}] = Decimal{15, 1, false, true};
   EXPECT_FALSE(setup.bit(5001, 0));
   EXPECT_FALSE(setup.bit(5001, 1));
   EXPECT_TRUE(setup.bit(5001, 2));
@@ -225,6 +226,56 @@ TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
   EXPECT_EQ(toml_error("[position]\nB = 1"), "f.toml:2:1: position: \"B\" is no axis of this setup; its axes are XYZ");
   EXPECT_EQ(toml_error("[workpiece.G53]\nX = 1").substr(0, 35), "f.toml:1:12: workpiece: unknown key");
   EXPECT_EQ(toml_error("[reference.5]\nX = 1").substr(0, 35), "f.toml:1:12: reference: unknown key");
+}
+
+// The table stands in spec/parameters.toml; what is expected here are the numbers and values of the manuals.
+TEST(Setup, UnknownParametersAreRefusedWithTheNearest) {
+  const auto unknown = [](const std::string& key, const std::string& nearest) {
+    return "parameters: \"" + key + "\" is not known; the nearest that is known is \"" + nearest +
+           "\"; `toolcomp spec parameters` lists them";
+  };
+  // Two digits exchanged; a bit of a whole number; a bit that the manual leaves free; a neighbour.
+  EXPECT_EQ(toml_error("units = \"mm\"\n[parameters]\n  19860 = 2"), "f.toml:3:3: " + unknown("19860", "19680"));
+  EXPECT_EQ(toml_error("[parameters]\n\"19631#3\" = 1"), "f.toml:2:1: " + unknown("19631#3", "19631"));
+  EXPECT_EQ(toml_error("[parameters]\n\"5001#7\" = 0"), "f.toml:2:1: " + unknown("5001#7", "5001#6"));
+  EXPECT_EQ(toml_error("[parameters]\n\"5002#1\" = 0"), "f.toml:2:1: " + unknown("5002#1", "5001#1"));
+  EXPECT_EQ(toml_error("[parameters]\n19706 = 0"), "f.toml:2:1: " + unknown("19706", "19705"));
+  EXPECT_EQ(json_error("{\n \"parameters\": {\"5001#2\": 1, \"19860\": 2}}"),
+            "f.json:2:30: " + unknown("19860", "19680"));
+  EXPECT_EQ(json_error("{\"parameters\": {\"19631#3\": true}}"), "f.json:1:17: " + unknown("19631#3", "19631"));
+}
+
+TEST(Setup, ValuesOfParametersAreOfTheirTypeAndRange) {
+  const auto at = [](const std::string& line) { return toml_error("[parameters]\n" + line); };
+  EXPECT_EQ(at("19680 = 3"), "f.toml:2:9: parameters.19680: expected 0, 2, 12 or 21, found \"3\"");
+  EXPECT_EQ(at("19680 = \"2.5\""), "f.toml:2:9: parameters.19680: expected 0, 2, 12 or 21, found \"2.5\"");
+  EXPECT_EQ(at("19697 = 0"), "f.toml:2:9: parameters.19697: expected 1, 2 or 3, found \"0\"");
+  EXPECT_EQ(at("6261 = 180.001"),
+            "f.toml:2:8: parameters.6261: expected an angle (degrees) from 0 to 180, found \"180.001\"");
+  EXPECT_EQ(at("19631 = -90.001"),
+            "f.toml:2:9: parameters.19631: expected an angle (degrees) from -90 to 90, found \"-90.001\"");
+  EXPECT_EQ(at("5010 = 1000000"),
+            "f.toml:2:8: parameters.5010: expected a length (mm or inch, as the setup) from -999999.999 to 999999.999, "
+            "found \"1000000\"");
+  EXPECT_EQ(at("19681 = 4"),
+            "f.toml:2:9: parameters.19681: expected the number of an axis, 0 to 3 (axes XYZ), found \"4\"");
+  EXPECT_EQ(at("19681 = 1.5").substr(0, 39), "f.toml:2:9: parameters.19681: expected ");
+  EXPECT_EQ(at("19680 = true"), "f.toml:2:9: 19680: expected a decimal number, found true or false");
+  EXPECT_EQ(at("\"5001#2\" = 0.5"), "f.toml:2:12: 5001#2: a bit is 0 or 1, found \"0.5\"");
+  EXPECT_EQ(json_error("{\"parameters\":\n{\"6261\": -1}}"),
+            "f.json:2:10: parameters.6261: expected an angle (degrees) from 0 to 180, found \"-1\"");
+  for (const char* good : {"19680 = 12.0", "19697 = \"3\"", "6261 = 180.000", "6261 = -0", "19631 = -90",
+                           "5010 = -0.001", "19738 = -999999.999", "19681 = 3", "\"19696#7\" = true"})
+    EXPECT_EQ(at(good), "no error") << good;
+}
+
+TEST(Setup, BitsAsOneNumberAreThoseThatAreKnown) {
+  const auto at = [](const std::string& line) { return toml_error("[parameters]\n" + line); };
+  EXPECT_EQ(at("5001 = 127"), "no error");
+  const std::string expected = "f.toml:2:8: parameters.5003: expected a whole number of no bits but 0, 1 or 2, found ";
+  EXPECT_EQ(at("5003 = 8"), expected + "\"8\"");
+  EXPECT_EQ(at("5003 = -1"), expected + "\"-1\"");
+  EXPECT_EQ(at("5003 = 1.0"), expected + "\"1.0\"");
 }
 
 TEST(Setup, NumbersAreExactOrRefused) {

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "spec/language/json_text.h"
+#include "spec/language/parameter.h"
+#include "spec/trace/report.h"
+
+namespace toolcomp::spec {
+namespace {
+
+constexpr std::array<std::string_view, 6> kTypes{"bit", "integer", "decimal", "length", "angle", "axis"};
+
+std::string_view type_name(ParameterType type) { return kTypes.at(static_cast<std::size_t>(type)); }
+
+// A list with one separator, as one with another.
+std::string joined(std::string_view list, char separator, std::string_view with) {
+  std::string text;
+  for (const char c : list) c == separator ? text += with : text += c;
+  return text;
+}
+
+// What a value may be, for people.
+std::string values_text(const ParameterInfo& p) {
+  if (p.type == ParameterType::bit) return "0, 1";
+  if (p.type == ParameterType::axis) return "0 to the number of axes";
+  return p.values.empty() ? fmt::format("{} to {}", to_string(p.least), to_string(p.greatest))
+                          : joined(p.values, ' ', ", ");
+}
+
+std::string markdown() {
+  std::string out = "| parameter | type | values | default | meaning | clauses |\n|---|---|---|---|---|---|\n";
+  for (const ParameterInfo& p : parameters()) {
+    const std::string type =
+        p.unit.empty() ? std::string(type_name(p.type)) : fmt::format("{}, {}", type_name(p.type), p.unit);
+    out += fmt::format("| {} | {} | {} | {} | {} | `{}` |\n", to_string(p.id), type, values_text(p),
+                       p.default_value ? to_string(*p.default_value) : "", p.text, joined(p.clauses, '\n', "`, `"));
+  }
+  return out;
+}
+
+std::string json() {
+  std::string out = "[";
+  const auto member = [&out](std::string_view key, std::string_view text) {
+    if (text.empty()) return;
+    out += fmt::format("{}\"{}\":", out.back() == '{' ? "" : ",", key);
+    append_json_string(out, text);
+  };
+  const auto list = [&out](std::string_view key, std::string_view items, char separator, std::string_view quote) {
+    if (!items.empty())
+      out +=
+          fmt::format(",\"{}\":[{}{}{}]", key, quote, joined(items, separator, fmt::format("{0},{0}", quote)), quote);
+  };
+  for (const ParameterInfo& p : parameters()) {
+    out += out.size() == 1 ? "\n{" : ",\n{";
+    member("id", to_string(p.id));
+    member("type", type_name(p.type));
+    if (p.values.empty()) {
+      member("least", to_string(p.least));
+      member("greatest", to_string(p.greatest));
+    }
+    list("values", p.values, ' ', "");
+    if (p.default_value) member("default", to_string(*p.default_value));
+    member("unit", p.unit);
+    member("text", p.text);
+    list("clauses", p.clauses, '\n', "\"");
+    out += '}';
+  }
+  return out + "]\n";
+}
+
+}  // namespace
+
+std::string list_parameters(ReportFormat format) { return format == ReportFormat::json ? json() : markdown(); }
+
+}  // namespace toolcomp::spec

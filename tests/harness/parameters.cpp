@@ -1,0 +1,140 @@
+// The registry of parameters against both engines, on generated programs: its defaults are what counts where a setup
+// gives nothing, every parameter has an effect, and those that are accepted without effect have none.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fuzz/gen/generator.h"
+#include "fuzz/oracle/verdict.h"
+#include "spec/language/event_format.h"
+#include "spec/language/input_error.h"
+#include "spec/language/number_text.h"
+#include "spec/language/parameter.h"
+#include "tests/sanitized.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+constexpr std::uint64_t kSeeds = test::kSanitized ? 4 : 40;
+constexpr std::uint32_t kWithoutPoint = 3401;  // the bit that is 1 where it is not given
+constexpr const char* kRefused = "refused";
+
+struct Texts {
+  std::string model;
+  std::string fast;
+  friend bool operator==(const Texts&, const Texts&) = default;
+};
+
+template <class Events, class Append>
+std::string text(const Events& events, const spec::Axes& axes, const Append& append) {
+  std::string out;
+  for (const auto& event : events) {
+    spec::append_event_json(out, event, axes, append);
+    out += '\n';
+  }
+  return out;
+}
+
+std::string run_fast_text(const spec::Case& c) {
+  try {
+    return text(run_fast(c), c.setup.axes, spec::append_shortest);
+  } catch (const spec::InputError&) {
+    return kRefused;
+  }
+}
+
+Texts run(const spec::Case& c) {
+  Texts texts;
+  texts.fast = run_fast_text(c);
+  try {
+    texts.model = text(run_model(c).events, c.setup.axes,
+                       [](std::string& out, const exact::Real& value) { out += '"' + value.decimal(12) + '"'; });
+  } catch (const spec::InputError&) {
+    texts.model = kRefused;
+  }
+  return texts;
+}
+
+bool has_effect(const spec::ParameterInfo& p) {
+  return p.text.find("Accepted, without effect") == std::string_view::npos;
+}
+
+// The case with every parameter that its setup does not give, as the registry has it.
+spec::Case with_defaults(spec::Case c) {
+  for (const spec::ParameterInfo& p : spec::parameters())
+    if (const auto value = spec::default_value(p.id, c.setup.units)) c.setup.parameters.try_emplace(p.id, *value);
+  return c;
+}
+
+template <class Visit>
+void for_cases(std::uint64_t seed, const Visit& visit) {
+  for (const std::string_view section : sections()) {
+    if (!section.starts_with("fanuc/")) continue;
+    SeededSource source(seed);
+    visit(generate(section, Mode::directed, source, 8));
+  }
+}
+
+TEST(Parameters, OfDirectedCasesAreAllowedAndOfAllOthersKnown) {
+  for (const std::string_view section : sections())
+    for (std::uint64_t seed = 1; seed <= 10 * kSeeds; ++seed) {
+      SeededSource source(seed);
+      EXPECT_TRUE(spec::has_allowed_parameters(generate(section, Mode::directed, source).setup)) << section << seed;
+      SeededSource other(seed);
+      for (const auto& [id, value] : generate(section, Mode::unrestricted, other).setup.parameters)
+        EXPECT_TRUE(spec::is_known(id)) << section << seed << ' ' << spec::to_string(id);
+    }
+}
+
+TEST(Parameters, DefaultsAreWhatCountsWhereNothingIsGiven) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
+    for_cases(seed, [](const spec::Case& c) {
+      const Texts given = run(with_defaults(c));
+      const Texts absent = run(c);
+      EXPECT_EQ(given.model, absent.model) << c.section << '\n' << c.program;
+      EXPECT_EQ(given.fast, absent.fast) << c.section << '\n' << c.program;
+    });
+}
+
+TEST(Parameters, ThoseWithoutEffectHaveNone) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
+    for_cases(seed, [](const spec::Case& c) {
+      spec::Case other = c;
+      for (const spec::ParameterInfo& p : spec::parameters())
+        if (!has_effect(p)) other.setup.parameters[p.id] = p.greatest;
+      EXPECT_TRUE(run(c) == run(other)) << c.section << '\n' << c.program;
+    });
+}
+
+// A default of a parameter that changes nothing could not be wrong: each of the others has a value that changes
+// the events of both engines, or that both refuse beside the others (the linear axes of a group).
+TEST(Parameters, AllOthersHaveOne) {
+  constexpr std::int64_t values[] = {0, 1, 2, 3, 4, 5, 12, 21, 30};
+  constexpr std::uint64_t most = 1000;
+  std::set<spec::ParameterId> left;
+  for (const spec::ParameterInfo& p : spec::parameters())
+    if (has_effect(p)) left.insert(p.id);
+  for (std::uint64_t seed = 1; seed <= most && !left.empty(); ++seed) {
+    for_cases(seed, [&](const spec::Case& c) {
+      const Texts texts = run(c);
+      std::erase_if(left, [&](const spec::ParameterId& id) {
+        spec::Case other = c;
+        const auto value = spec::decimal(values[(seed + id.number) % std::size(values)]);
+        const bool set = id.bit >= 0 && c.setup.bit(id.number, id.bit, id.number == kWithoutPoint);
+        other.setup.parameters[id] = id.bit < 0 ? value : spec::decimal(set ? 0 : 1);
+        if (!spec::has_allowed_parameters(other.setup)) return false;
+        const Texts changed = run(other);
+        return changed.model != texts.model && changed.fast != texts.fast;
+      });
+    });
+  }
+  for (const spec::ParameterId& id : left) ADD_FAILURE() << spec::to_string(id) << " changed nothing";
+}
+
+}  // namespace
+}  // namespace toolcomp::fuzz
