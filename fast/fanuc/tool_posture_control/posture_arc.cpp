@@ -85,7 +85,8 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
   const bool top = behind >= 0 && before >= 0;
   const bool bottom = behind <= 0 && before <= 0;
   const bool free = found.start_pole == 0 && found.end_pole == 0;
-  if (free && found.azimuth == 0) {
+  // Through an axis in the plane of the arc: from one side of it to the other.
+  if (free && found.azimuth == 0 && leading(se) < 0) {
     if (top && polar.has_plus())
       found.crossing = 1;
     else if (bottom && polar.has_minus())
