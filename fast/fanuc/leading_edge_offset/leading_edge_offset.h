@@ -8,10 +8,10 @@
 
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
-#include "spec/language/setup.h"
 #include "fast/fanuc/leading_edge_offset/compensation_vector.h"
 #include "fast/geometry/displacement.h"
 #include "fast/kinematics/kinematics.h"
+#include "spec/language/setup.h"
 
 namespace toolcomp::fast {
 
