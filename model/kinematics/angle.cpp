@@ -139,8 +139,8 @@ Angle operator+(const Angle& a, const Angle& b) {
   result.rest_.reset();
   const Angle::Rest& x = *a.rest_;
   const Angle::Rest& y = *b.rest_;
-  // Two values of one angle: nothing is left to decide.
-  if (known_zero(x.cosine - y.cosine) && known_zero(x.sine + y.sine)) return result;
+  // An angle and its opposite: nothing is left to decide, unless both are 180 degrees that were not recognised.
+  if (known_zero(x.cosine - y.cosine) && known_zero(x.sine + y.sine) && x.cosine.enclosure().lower > -1) return result;
   const Real cosine = x.cosine * y.cosine - x.sine * y.sine;
   const Real sine = x.sine * y.cosine + x.cosine * y.sine;
   const int turns = Angle::turns_of_sum(x, y, cosine, sine);

@@ -59,7 +59,7 @@ class Angle {
   friend Angle operator-(const Angle& a, const Angle& b);
 
  private:
-  // cos and sin of an angle in (-180, 180) that is not known to be rational.
+  // cos and sin of an angle in (-180, 180] that is not known to be rational; 180 itself where it was not recognised.
   struct Rest {
     Real cosine;
     Real sine;
