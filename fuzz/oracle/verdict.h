@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "fast/basis/event.h"
-#include "model/basis/recorder.h"
-#include "spec/language/setup.h"
 #include "fuzz/oracle/widths.h"
 #include "model/basis/event.h"
+#include "model/basis/recorder.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case.h"
+#include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {
 
