@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <set>
@@ -15,7 +14,12 @@
 #include <string_view>
 #include <vector>
 
+#include "spec/generated_source.h"
+
 namespace {
+
+using toolcomp::spec::literal;
+using toolcomp::spec::write_changed;
 
 struct ClauseText {
   std::string id, enumerator, section, file, kind, document, edition, page, provenance, text, formula, outcomes;
@@ -35,19 +39,6 @@ std::vector<std::string> list_of(const toml::table& table, std::string_view key)
   if (const auto* array = table[key].as_array())
     for (const auto& item : *array) list.push_back(item.value_or(std::string()));
   return list;
-}
-
-// The text as a C++ string literal.
-std::string literal(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (c == '\n')
-      out += "\\n";
-    else
-      out += c;
-  }
-  return out + '"';
 }
 
 std::string joined(const std::vector<std::string>& list) { return fmt::format("{}", fmt::join(list, "\n")); }
@@ -186,15 +177,6 @@ std::optional<Clause> find_clause(std::string_view id) {{
 }}  // namespace toolcomp::spec
 )";
 
-// Written only when changed, so that nothing is built again for a comment in a clause file.
-void write(const std::filesystem::path& file, const std::string& text) {
-  if (std::ifstream old(file, std::ios::binary); old && std::string(std::istreambuf_iterator<char>(old), {}) == text)
-    return;
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
-}
-
 void generate(const std::filesystem::path& folder, const std::filesystem::path& output) {
   const std::vector<ClauseText> clauses = read_folder(folder);
   std::string enumerators;
@@ -210,8 +192,8 @@ void generate(const std::filesystem::path& folder, const std::filesystem::path& 
         c.testable, literal(c.reason), literal(joined(c.unreachable)), literal(c.unreachable_reason),
         literal(c.replaced_by));
   }
-  write(output / "clauses.h", fmt::format(kHeader, enumerators, clauses.size()));
-  write(output / "clauses.cpp", fmt::format(kSource, rows));
+  write_changed(output / "clauses.h", fmt::format(kHeader, enumerators, clauses.size()));
+  write_changed(output / "clauses.cpp", fmt::format(kSource, rows));
 }
 
 }  // namespace

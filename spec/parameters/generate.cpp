@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <optional>
@@ -14,7 +13,12 @@
 #include <string_view>
 #include <vector>
 
+#include "spec/generated_source.h"
+
 namespace {
+
+using toolcomp::spec::literal;
+using toolcomp::spec::write_changed;
 
 constexpr std::string_view kKeys[] = {"id", "type", "range", "values", "default", "unit", "clauses", "example", "text"};
 constexpr std::string_view kTypes[] = {"bit", "integer", "decimal", "length", "angle", "axis"};
@@ -138,19 +142,6 @@ class Registry {
     return fmt::format("{}", fmt::join(ids, "\n"));
   }
 
-  // The text as a C++ string literal.
-  static std::string literal(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text) {
-      if (c == '"' || c == '\\') out += '\\';
-      if (c == '\n')
-        out += "\\n";
-      else
-        out += c;
-    }
-    return out + '"';
-  }
-
   static constexpr std::string_view kFile = R"(// Generated from the registry of parameters. Do not edit.
 #pragma once
 
@@ -171,15 +162,6 @@ inline constexpr std::array<ParameterInfo, {1}> kParameters{{{{
   toml::table root_;
 };
 
-// Written only when changed, so that nothing is built again for a comment.
-void write(const std::filesystem::path& file, const std::string& text) {
-  if (std::ifstream old(file, std::ios::binary); old && std::string(std::istreambuf_iterator<char>(old), {}) == text)
-    return;
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -188,7 +170,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    write(std::filesystem::path(argv[2]) / "table.h", Registry(argv[1]).table());
+    write_changed(std::filesystem::path(argv[2]) / "table.h", Registry(argv[1]).table());
   } catch (const toml::parse_error& error) {
     const auto& where = error.source().begin;
     std::cerr << argv[1] << ':' << where.line << ':' << where.column << ": " << error.description() << '\n';
