@@ -264,6 +264,7 @@ void Machine::freeze(Pose& pose) {
   }
   Pose again;
   this->pose(position, rounded_axes, again);
+  if (rounded_axes != 0) set_branch(again, pose.branch);
   pose = again;
 }
 

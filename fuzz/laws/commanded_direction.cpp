@@ -228,8 +228,10 @@ void commanded_direction(const Scene& s, Holding& holding) {
       if (!given || end_of(s, run, pose) != End::commanded) continue;
       const Vector& axis = *pose.event->tool_axis;
       if (!given->towards) {
-        holding.zero(cross(axis, given->given), pose.index, "tool axis across the commanded direction");
-        holding.not_negative(dot(axis, given->given), pose.index, "tool axis along the commanded direction");
+        // As a unit vector, as end_of() compared it: a long one would show what that did not.
+        const Vector commanded = unit(given->given);
+        holding.zero(cross(axis, commanded), pose.index, "tool axis across the commanded direction");
+        holding.not_negative(dot(axis, commanded), pose.index, "tool axis along the commanded direction");
         continue;
       }
       holding.zero(dot(axis, cross(given->given, *given->towards)), pose.index,

@@ -34,7 +34,7 @@ std::optional<Difference> Pairing<Number>::next(std::span<const model::Event> wi
                                                 Tally& tally) {
   const model::Event& event = window.front();
   Scale scale = conditions_.next(window);
-  scale.carried = fit_.carried();
+  scale.carried = fit_.carried(event);
   const std::optional<Vector> by = event.kind == EventKind::sample ? shift(event, scale) : std::nullopt;
   Tally judged = tally;
   std::optional<Difference> difference;

@@ -17,8 +17,14 @@ double scalar(const Space& a, const Space& b) { return a[0] * b[0] + a[1] * b[1]
 Space product(const Space& a, const Space& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Space sum(const Space& a, const Space& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Space difference(const Space& a, const Space& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+// The length of the sum of unit vectors: of nearly opposite ones doubles would leave noise.
+double bisector_of(const std::array<model::Real, 3>& v, const std::array<model::Real, 3>& w) {
+  Space sum{};
+  for (std::size_t i = 0; i < 3; ++i) sum.at(i) = approximate(v.at(i) + w.at(i));
+  return norm(sum);
+}
 
 bool moves(const model::Event& event) { return event.kind == spec::EventKind::move; }
 
@@ -87,6 +93,7 @@ PoseErrors::Lean PoseErrors::leant(const Space& direction, const Space& travel, 
 
 PoseErrors::End PoseErrors::end(const model::Event& event) const {
   End end;
+  end.exact = event.tool_axis;
   if (event.tool_axis)
     for (std::size_t i = 0; i < 3; ++i) end.direction.at(i) = approximate((*event.tool_axis)[i]);
   end.point = space_of(event.point, index_);
@@ -112,10 +119,9 @@ void PoseErrors::inside(std::span<const model::Event> window, PoseScale& scale) 
   scale.direction = std::max({before_.error, to.error, policy::ulp(1)});
   scale.hardly = before_.hardly || to.hardly;
   if (machine_ && !event.clauses.contains(spec::Clause::fanuc_tool_posture_great_circle)) return;
-  // Unit vectors, or zero where no event before said one. Exactly opposite ones have no great circle.
-  const bool known = scalar(before_.direction, before_.direction) > 0 && scalar(to.direction, to.direction) > 0;
-  const double bisector = known ? norm(sum(before_.direction, to.direction)) : 2;
-  if (bisector < policy::kEstimateNoise) return;
+  // Nothing where no event before said one. Exactly opposite ones have no great circle.
+  const double bisector = before_.exact && to.exact ? bisector_of(*before_.exact, *to.exact) : 2;
+  if (bisector == 0) return;
   scale.direction *= 2 / std::max(bisector, policy::kSlack);
   scale.hardly = scale.hardly || bisector < policy::kHardly;
 }

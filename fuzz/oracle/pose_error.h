@@ -56,7 +56,8 @@ class PoseErrors {
  private:
   // At the end of a move.
   struct End {
-    Space direction{};  // as the event says it
+    std::optional<std::array<model::Real, 3>> exact;  // the direction as the event says it
+    Space direction{};                                // the same; zero where it says none
     Space point{};
     double error = 0;  // of the direction
     bool hardly = false;

@@ -315,18 +315,35 @@ std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::without_kinematic
 }
 
 template <class Number>
+bool PoseFit<Number>::controlled(const model::Event& event) {
+  return event.tool_axis.has_value() && !event.machine.empty() && event.cause != spec::Cause::reference;
+}
+
+// Where the mode ends, or begins anew, positions are those of the axes.
+template <class Number>
+double PoseFit<Number>::carried(const model::Event& event) const {
+  const bool of_axes = event.kind == EventKind::move && (!controlled(event) || begins(event));
+  return of_axes ? std::max(carried_, last_) : carried_;
+}
+
+template <class Number>
 void PoseFit<Number>::follow(const model::Event& expected, const spec::Event<Number>& actual, double direction) {
   if (expected.kind != EventKind::move) return;
-  const bool controlled =
-      expected.tool_axis.has_value() && !expected.machine.empty() && expected.cause != spec::Cause::reference;
-  if (!controlled || begins(expected)) carried_ = std::max(carried_, last_);
+  const bool controlled = PoseFit::controlled(expected);
+  carried_ = carried(expected);
   last_ = 0;
   const bool axes = rules_.judges("axes");
   find_zeros(expected);
+  double far = 0;
   if (controlled && axes)
     for (const std::size_t i : index_)
-      if (i != spec::Axes::kNone && expected.axes.has(i) && actual.axes.has(i) && is_finite(actual.axes[i]))
-        last_ = std::max(last_, std::fabs(signed_distance(expected.axes[i], actual.axes[i])));
+      if (i != spec::Axes::kNone && expected.axes.has(i) && actual.axes.has(i) && is_finite(actual.axes[i])) {
+        const double off = std::fabs(signed_distance(expected.axes[i], actual.axes[i]));
+        last_ = std::max(last_, off);
+        far = std::hypot(far, std::max(0.0, off - rules_.resolution()));
+      }
+  // A table turns what lies farther off than it is rounded.
+  last_ = std::max(last_, far);
   if (has_positions(expected, actual)) {
     before_ = off(expected, actual);
     direction_ = direction;

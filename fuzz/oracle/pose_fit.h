@@ -46,8 +46,9 @@ class PoseFit {
   // Goes on behind a pair that agreed, `direction` as above.
   void follow(const model::Event& expected, const spec::Event<Number>& actual, double direction);
 
-  // How far programmed positions may lie off because they were once those of axes under tool center point control.
-  [[nodiscard]] double carried() const { return carried_; }
+  // How far programmed positions of `event`, the next one, may lie off because they were once those of axes under tool
+  // center point control.
+  [[nodiscard]] double carried(const model::Event& event) const;
   // Of the controller's rotary positions, where they lie farther off than they are rounded.
   [[nodiscard]] const std::vector<Deviation>& deviations() const { return deviations_; }
 
@@ -72,6 +73,7 @@ class PoseFit {
   [[nodiscard]] Off off(const model::Event& expected, const spec::Event<Number>& actual) const;
   void find_zeros(const model::Event& event);
   [[nodiscard]] bool begins(const model::Event& event) const;
+  static bool controlled(const model::Event& event);
   [[nodiscard]] View view(const model::Event& event, const spec::Event<Number>& actual) const;
 
   // Its positions come out of a direction, as far as is known.

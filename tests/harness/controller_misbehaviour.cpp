@@ -144,7 +144,10 @@ TEST(Controller, FieldsThatAreNotAnnouncedAreNotJudged) {
   EXPECT_EQ(fields_not_judged(c.subject), std::vector<std::string>{"type"});
 }
 
-TEST(Controller, ItsResolutionIsHonoured) { EXPECT_EQ(exit_status(certify(options(faulty("coarse")))), 0); }
+TEST(Controller, ItsResolutionIsHonoured) {
+  const Certificate c = certify(options(faulty("coarse")));
+  EXPECT_EQ(exit_status(c), 0) << json_report(c);
+}
 
 TEST(Controller, CasesAgainstItsFixedSetupDoNotApply) {
   const Certificate c = certify(options(faulty("fixed-setup")));

@@ -333,6 +333,18 @@ TEST(Laws, ReadWordsAsTheirOwnersDo) {
   }
 }
 
+// A changed end 1e-29 from the commanded direction passes for it, however long I J K are.
+TEST(Laws, AChangedEndHardlyBesideTheCommandedOne) {
+  spec::Case c = table(
+      "G91 G01 F3700 A30. C-90.\nG43.5 H1 P1\nX-12. I.0000000000001 J.0000000000001 K98\n"
+      "X-6. I-.0000000000001 K-98\n");
+  c.setup.parameters[{19738, -1}] = spec::decimal(2);
+  c.setup.parameters[{19739, -1}] = spec::decimal(1);
+  const laws::Verdict verdict = laws::hold(c, run_model(c).events);
+  EXPECT_GT(verdict.checks, 0U);
+  EXPECT_FALSE(verdict.violation) << verdict.violation->law << ": " << verdict.violation->amount;
+}
+
 // The tool of a helix without its pitch leans another way.
 TEST(Laws, LeanAlongTheTangentOfAHelix) {
   const spec::Case helix = head(kHelix);

@@ -124,29 +124,70 @@ TEST(NearTies, ASampleInThePoleOfAGreatCircle) {
   EXPECT_EQ(tried, 2);
 }
 
-// Out of upright by 1e-19, which a position near 360 cannot tell: there and back again, as fuzzing found it. The fast
-// engine turned the table by half a turn there.
+// Axes A and C, a head (2), tables (12) or both (21); P1 with 19738 = 2 and 19739 as given.
+spec::Case hardly_upright(int type, int veto, std::string_view program) {
+  spec::Case c;
+  c.section = "fanuc/tool-posture-control";
+  c.setup.axes = spec::Axes("XYZAC");
+  c.setup.h[1].geometry = spec::decimal(60);
+  c.setup.h[2].geometry = spec::decimal(20);
+  const auto set = [&](std::uint32_t number, std::int64_t value) {
+    c.setup.parameters[{number, -1}] = spec::decimal(value);
+  };
+  const bool head = type == 2;
+  set(19680, type);
+  set(19681, head ? 5 : 4);
+  set(19682, head ? 3 : 1);
+  set(19684, 1);
+  set(19686, head ? 4 : 5);
+  set(19687, head ? 1 : 3);
+  set(19689, 1);
+  set(19738, 2);
+  set(19739, veto);
+  c.program = program;
+  c.samples = 4;
+  return c;
+}
+
+// Out of upright by 1e-19 (a position near 360 cannot tell), 1e-17 and 1e-13. The fast engine turned the table by half
+// a turn, took one side of the pole for the other, or left an end as it was.
 TEST(NearTies, HardlyOutOfASingularPosture) {
-  for (const char* const program :
-       {"G01 F3100 A360. C-1350.\nG43.5 H1 P1\nX10. J.0000000000001 K984808\n",
-        "G01 F3100 A-360. C-90.\nG43.5 H1 P1\nI16. Y70.\nX10. J.0000000000001 K984808\nZ1. G43.5 H1 P1\n"
-        "X10. J.0000000000001 K984808\nG43.5 H1 P1\nG90 X5.\n"}) {
-    spec::Case c;
-    c.section = "fanuc/tool-posture-control";
-    c.setup.axes = spec::Axes("XYZAC");
-    c.setup.h[1].geometry = spec::decimal(60);
-    for (const auto& [number, value] : std::vector<std::pair<std::uint32_t, std::int64_t>>{{19680, 12},
-                                                                                           {19681, 4},
-                                                                                           {19682, 1},
-                                                                                           {19684, 1},
-                                                                                           {19686, 5},
-                                                                                           {19687, 3},
-                                                                                           {19689, 1},
-                                                                                           {19738, 2},
-                                                                                           {19739, 90}})
-      c.setup.parameters[{number, -1}] = spec::decimal(value);
-    c.program = program;
-    c.samples = 2;
+  struct Posture {
+    int type;
+    int veto;
+    std::string_view program;
+  };
+  constexpr Posture kPostures[] = {
+      {12, 90, "G01 F3100 A360. C-1350.\nG43.5 H1 P1\nX10. J.0000000000001 K984808\n"},
+      {12, 90,
+       "G01 F3100 A-360. C-90.\nG43.5 H1 P1\nI16. Y70.\nX10. J.0000000000001 K984808\nZ1. G43.5 H1 P1\n"
+       "X10. J.0000000000001 K984808\nG43.5 H1 P1\nG90 X5.\n"},
+      // The circle from 2e-19 beside one singular posture to 1e-19 beside the other passes the other one.
+      {12, 90,
+       "G91 G01 F3700 A-360. C-90.\nG43.5 H1 P1\nI16. Y70.\nX10. J.0000000000001 K984808\nZ1. G43.5 H2\n"
+       "X20. I-1. K4\nX10. J.0000000000001 K984808\nZ1. G43.5 H2\nX10. J.0000000000001 K-984808\n"},
+      {12, 1,
+       "G91 G01 F3700 A-360. C45.\nG43.5 H1 P1\nX-4. J-.0000000000001 K984808\nG43.5\n"
+       "X1. I-.0000000000001 J.0000000000005 K984808\n"},
+      // 3e-17 beside the one, the root of 5 beside the other, which is nearer.
+      {2, 180,
+       "G91 G01 F3700 A0 C45.\nG43.5 H1 P1\nX-14. I-.0000000000003 K9848\n"
+       "X-10. I-.0000000000001 J.0000000000002 K-9848\n"},
+      // Near at its end, where the circle turns back to within 1e-26.
+      {2, 180,
+       "G91 G01 F3700 A0 C17.\nG43.5 H1 P1\nX-19. I-.0000000000003 J-.0000000000001 K1\nX11. I-.0000000000003 K1\n"},
+      // Nearly opposite directions; the oracle granted their circle nothing.
+      {21, 0,
+       "G91 G01 F3700 A30. C45.\nG43.5 H1 P1\nX13. J-.0000000000001 K98\nX1. J.0000000000002 K98\nZ1. G43.5 H2\n"
+       "X-1. I-.0000000000001 J.0000000000002 K-98\n"},
+      // Positions that the end of the mode leaves, of a work-side position that doubles hardly know.
+      {12, 1,
+       "G91 G01 F3700 A0 C17.\nG43.5 H1 P1\nX13. I.0000000000001 J.0000000000005 K98\nG43.5\n"
+       "X19. I.0000000000002 J-.0000000000001 K98\nG43.5\nX-14. I-.0000000000001 K98\n"},
+  };
+  for (const Posture& posture : kPostures) {
+    SCOPED_TRACE(posture.program);
+    const spec::Case c = hardly_upright(posture.type, posture.veto, posture.program);
     const Verdict v = judge(c, run_fast(c));
     EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   }

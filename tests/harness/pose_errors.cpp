@@ -93,10 +93,16 @@ TEST(PoseErrors, InsideABlock) {
   const auto inside = [&](double end, bool great_circle) {
     model::Event half = sample(setup, 1, 2, 45, 80);
     if (great_circle) half.clauses.add(spec::Clause::fanuc_tool_posture_great_circle);
-    return scales(setup, {pose(setup, 90, 0), half, pose(setup, 90, end)})[1].direction / policy::ulp(1);
+    const model::Event start = pose(setup, 90, 0);
+    model::Event last = pose(setup, 90, end);
+    // Exactly opposite, which the sine of 180 degrees is not.
+    if (end == 180)
+      for (std::size_t i = 0; i < 3; ++i) (*last.tool_axis)[i] = -(*start.tool_axis)[i];
+    return scales(setup, {start, half, last})[1].direction / policy::ulp(1);
   };
   EXPECT_NEAR(inside(179.9, true) * std::sin(0.05 * kDegree), 1, 1e-6);
   EXPECT_NEAR(inside(90, true) * std::cos(45 * kDegree), 1, 1e-6);
+  EXPECT_NEAR(inside(180 - 1e-6, true) * std::sin(0.5e-6 * kDegree), 1, 1e-6);
   EXPECT_EQ(inside(179.9, false), 1);
   EXPECT_EQ(inside(180, true), 1);
 }

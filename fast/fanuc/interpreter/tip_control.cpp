@@ -298,7 +298,13 @@ Alarm Interpreter::start_tip_control(const Words& words) {
   has_table_tip_ = false;
   Pose pose;
   machine_.pose(programmed_, rounded_angles(), pose);
-  if (stands_as_before()) pose = *standing_;
+  if (stands_as_before()) {
+    // A table begins a new system; what a position does not tell is the branch, hardly out of a singular posture.
+    if (machine_.has_table())
+      machine_.set_branch(pose, standing_->branch);
+    else
+      pose = *standing_;
+  }
   standing_.reset();
   if (by_vector_ && words.has_any(kDirectionLetters)) {
     Direction direction;
@@ -361,7 +367,7 @@ void Interpreter::end_tip_control(bool again) {
       standing_at_[i] = programmed_[axis];
     }
   standing_.reset();
-  if (again && by_vector_ && !on_table) standing_ = pose;
+  if (again && by_vector_) standing_ = pose;
   stale_ = all_;
   machine_.release();
   turn();

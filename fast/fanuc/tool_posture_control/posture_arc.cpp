@@ -14,9 +14,9 @@ class Judge {
  public:
   static constexpr bool kRough = std::is_same_v<T, double>;
   // `scale` of the terms. Unit vectors carry a few roundings a component, products of two or three of them up to 30; in
-  // double-double what they lose below 2^-96 counts too.
-  int sign(const T& value, double scale) {
-    const double bound = kRough ? 0x1p-46 * scale : kPoseTie * scale + 0x1p-96;
+  // double-double what a component loses below 2^-96 counts too, times the `factor` it is multiplied by.
+  int sign(const T& value, double scale, double factor = 1) {
+    const double bound = kRough ? 0x1p-46 * scale : kPoseTie * scale + 0x1p-96 * factor;
     if (leading(value) > bound) return 1;
     if (leading(value) < -bound) return -1;
     if (kRough && bound != 0) unsure_ = true;
@@ -64,20 +64,21 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
   // Where the horizontal components have no small relative error (double only) the bounds are absolute.
   const bool relative = arc.relative || !Judge<T>::kRough;
   const double terms = std::abs(leading(s.x) * leading(e.y)) + std::abs(leading(s.y) * leading(e.x));
-  if (found.start_pole == 0 && found.end_pole == 0) {
-    found.azimuth = arc.meridian ? 0 : judge.sign(across, relative ? terms : 1);
-    if (judge.unsure()) return false;
-  }
-  // The feet of u_w (the highest point of the circle) and of -u_w (the lowest): inside the arc? e.z - (s.e) s.z and the
-  // like, by the horizontal parts: near a singular posture they are small.
   const T ss = s.x * s.x + s.y * s.y;
   const T ee = e.x * e.x + e.y * e.y;
   const T se = s.x * e.x + s.y * e.y;
   const double s_length = std::sqrt(leading(ss));
   const double e_length = std::sqrt(leading(ee));
+  const double lengths = s_length + e_length;
+  if (found.start_pole == 0 && found.end_pole == 0) {
+    found.azimuth = arc.meridian ? 0 : judge.sign(across, relative ? terms : 1, lengths);
+    if (judge.unsure()) return false;
+  }
+  // The feet of u_w (the highest point of the circle) and of -u_w (the lowest): inside the arc? e.z - (s.e) s.z and the
+  // like, by the horizontal parts: near a singular posture they are small.
   const auto foot = [&](const T& square, double length, const T& far, const T& near, double other) {
     const double scale = length * (length * std::abs(leading(far)) + other * std::abs(leading(near)));
-    return judge.sign(square * far - near * se, relative ? scale : length + other);
+    return judge.sign(square * far - near * se, relative ? scale : lengths, lengths);
   };
   const int behind = foot(ss, s_length, e.z, s.z, e_length);
   const int before = foot(ee, e_length, s.z, e.z, s_length);
@@ -113,13 +114,21 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
   if (judge.unsure()) return false;
   if (!limit || !free || found.crossing != 0 || found.leaves) return true;
 
-  // The nearer singular posture: by the cosine of its distance.
+  // The cosine of its distance from either singular posture.
   const auto largest = [](const T& a, const T& b) { return leading(a - b) > 0 ? a : b; };
   const T to_plus = top ? high : largest(s.z, e.z);
   const T to_minus = bottom ? high : largest(-s.z, -e.z);
+  // The sign of s.z + e.z; of one above and one below by their horizontal parts, which near singular postures tell
+  // more.
+  const auto upward = [&] {
+    if (leading(s.z) * leading(e.z) >= 0) return judge.sign(s.z + e.z, 1);
+    const int wider = judge.sign(ee - ss, relative ? leading(ss + ee) : lengths, lengths);
+    return leading(s.z) > 0 ? wider : -wider;
+  };
+  // The nearer one: that on whose side the circle turns back, if it does.
   int pole = 0;
   if (polar.has_plus() && polar.has_minus())
-    pole = judge.sign(to_plus - to_minus, blur) >= 0 ? 1 : -1;
+    pole = top || (!bottom && upward() >= 0) ? 1 : -1;
   else if (polar.has_plus())
     pole = 1;
   else if (polar.has_minus())
@@ -140,7 +149,7 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
   }
   bool near = false;
   if (inside)
-    near = limit.above_90 || judge.sign(square * nn - n2, leading(nn) * blur) > 0;
+    near = limit.above_90 || judge.sign(square * nn - n2, leading(nn) * blur, std::sqrt(leading(nn))) > 0;
   else
     near = limit.above_180 || judge.sign((pole > 0 ? to_plus : to_minus) - cosine, 1) > 0;
   if (by_ends) near = leading(pole > 0 ? largest(s.z, e.z) : largest(-s.z, -e.z)) > leading(cosine);
