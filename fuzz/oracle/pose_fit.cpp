@@ -169,6 +169,17 @@ double PoseFit<Number>::rounded(const View& view) {
   return (policy::ulp(magnitude(view.own.tool)) + policy::ulp(magnitude(view.own.work))) / kDegreesPerRadian;
 }
 
+template <class Number>
+Posture PoseFit<Number>::posture_at(const Positions& positions) const {
+  Posture posture(*estimate_, positions.tool.template convert_to<double>());
+  if (!posture.singular) return posture;
+  // Doubles do not tell it from one hardly beside it.
+  constexpr double kMiddle = 0x1p-90;
+  posture.polar_sine = length(cross(machine_->tilted(positions.tool), machine_->work_side().line));
+  posture.singular = posture.polar_sine < kMiddle;
+  return posture;
+}
+
 // The positions turn the tool into the direction expected, on its branch. Where the work-side axis does not turn the
 // tool it may stand elsewhere; a position of many turns is rounded before its sine is taken.
 template <class Number>
@@ -183,7 +194,7 @@ bool PoseFit<Number>::turns_into(const View& view, const Scale& scale) const {
       rules_.budget().tool_axis * error + inherited + 2 * rules_.resolution() / kDegreesPerRadian)
     return false;
   const double position = magnitude(view.expected.tool);
-  const Posture posture(*estimate_, view.expected.tool.template convert_to<double>());
+  const Posture posture = posture_at(view.expected);
   const double branch = posture.tool_error(error + inherited) * kDegreesPerRadian + policy::ulp(position);
   return std::fabs(view.off.tool) <= rules_.budget().rotary * branch + rules_.resolution() &&
          std::fabs(view.off.work) <= kHalfTurn * (1 + policy::kSlack) + rules_.resolution();
@@ -199,10 +210,14 @@ bool PoseFit<Number>::goes_as_expected(std::span<const model::Event> window, con
       return event.kind == EventKind::move && event.tool_axis.has_value();
     });
     if (next != window.end() && directed(*next)) {
-      const Posture end(*estimate_, of(*next).tool.template convert_to<double>());
+      const Posture end = posture_at(of(*next));
       const double k = rules_.budget().rotary * kDegreesPerRadian;
-      ahead.tool = k * end.tool_error(policy::ulp(1));
-      ahead.work = std::min(k * end.work_error(policy::ulp(1)), kHalfTurn);
+      // Directions are commanded in the programming coordinate system, as the controller has it.
+      const Off frame{magnitude(own_frozen_.tool - frozen_.tool), magnitude(own_frozen_.work - frozen_.work)};
+      const double tilt = frame.tool / kDegreesPerRadian;
+      ahead.tool = k * end.tool_error(policy::ulp(1)) + kDegreesPerRadian * end.tool_error(tilt);
+      ahead.work = k * end.work_error(policy::ulp(1)) + kDegreesPerRadian * end.work_error(tilt) + frame.work;
+      ahead.work = std::min(ahead.work, kHalfTurn);
     }
   }
   const auto fits = [&](double off, double before, double ahead_of, const Rational& expected, const Rational& own) {

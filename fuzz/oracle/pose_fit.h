@@ -76,6 +76,8 @@ class PoseFit {
   static bool controlled(const model::Event& event);
   [[nodiscard]] View view(const model::Event& event, const spec::Event<Number>& actual) const;
 
+  [[nodiscard]] Posture posture_at(const Positions& positions) const;
+
   // Its positions come out of a direction, as far as is known.
   [[nodiscard]] bool directed(const model::Event& event) const {
     return facts_ == nullptr || facts_->directed(event.line);
