@@ -290,7 +290,7 @@ class Campaign {
   }
 
   void summarize() {
-    // Sections in the order of the contract, then programs of the user's own.
+    // Sections in the order of fuzz::sections(), then programs of the user's own.
     for (const std::string_view section : fuzz::sections())
       if (std::ranges::any_of(results_, [&](const CaseResult& r) { return r.section == section; }))
         section_of(std::string(section));

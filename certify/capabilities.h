@@ -9,7 +9,7 @@
 
 namespace toolcomp::certify {
 
-// The answer to {"hello":1} (contract, "Controller under test").
+// The answer to {"hello":1} (certify/README.md).
 struct Capabilities {
   std::string name;
   std::string version;
@@ -25,7 +25,7 @@ Capabilities read_capabilities(std::string_view line);
 // The answer as one line without a line feed.
 std::string write_capabilities(const Capabilities& capabilities);
 
-// Every event field a controller can announce, in the order of the contract.
+// Every event field a controller can announce (docs/events.md).
 std::vector<std::string> all_fields();
 // Of all_fields(), those not announced.
 std::vector<std::string> fields_not_judged(const Capabilities& capabilities);

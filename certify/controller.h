@@ -1,4 +1,4 @@
-// A controller under test: any command that speaks the protocol of the contract on its standard input and output.
+// A controller under test: any command that speaks the protocol (certify/README.md) on its standard input and output.
 #pragma once
 
 #include <chrono>

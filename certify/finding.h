@@ -61,7 +61,7 @@ inline constexpr std::size_t kReplyLimit = std::size_t{64} << 20;  // bytes
 std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::milliseconds timeout,
                                     std::size_t reply_limit = kReplyLimit);
 
-// Exit status of one judged case (contract): 0 agrees, 1 differs, 3 anything that is no verdict.
+// Exit status of one judged case: 0 agrees, 1 differs, 3 anything that is no verdict.
 int exit_status(Result result);
 
 }  // namespace toolcomp::certify

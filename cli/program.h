@@ -30,7 +30,7 @@ class Program {
   [[nodiscard]] spec::Case as_case() const;
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] bool is_case() const { return is_case_; }
-  // Into how many parts blocks under tool center point control are divided (contract, event rule 7); 0: no samples.
+  // Into how many parts blocks under tool center point control are divided (docs/events.md, rule 7); 0: no samples.
   [[nodiscard]] std::uint32_t samples() const { return case_.samples; }
 
  private:

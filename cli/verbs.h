@@ -11,7 +11,7 @@
 
 namespace toolcomp::cli {
 
-// Exit status (contract). Several causes at once: 4 before 2 before 1 before 3.
+// Exit status. Several causes at once: 4 before 2 before 1 before 3.
 inline constexpr int kAgrees = 0;
 inline constexpr int kDiffers = 1;
 inline constexpr int kBadInput = 2;

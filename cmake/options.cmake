@@ -24,6 +24,7 @@ find_library(TOOLCOMP_MPFR mpfr REQUIRED)
 find_library(TOOLCOMP_MPFI mpfi REQUIRED)
 find_library(TOOLCOMP_ARB flint-arb REQUIRED)
 find_library(TOOLCOMP_FLINT flint REQUIRED)
+find_library(TOOLCOMP_NETTLE nettle REQUIRED)
 
 # Library headers are not ours to warn about.
 function(toolcomp_system_headers target)

@@ -23,7 +23,7 @@ struct ExampleFile {
   std::span<const Example> examples;
 };
 
-// Every such file of every section, in the order of the contract.
+// Every such file of every section, in the order of fuzz::sections().
 std::span<const ExampleFile> example_files();
 
 // Defined in examples/SECTION.cpp.

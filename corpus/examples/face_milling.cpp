@@ -1,5 +1,5 @@
-// Face milling: the manual's situations and its syntax example, the worked examples of the fact sheet and its table of
-// oversize verdicts.
+// Face milling: the manual's situations and its syntax example, examples worked out by hand, and verdicts on tools with
+// oversize (heidenhain.tool.oversize-radius, -corner, heidenhain.tool.corner-beyond-radius).
 #include "corpus/examples/tools.h"
 
 namespace toolcomp::corpus {

@@ -1,4 +1,5 @@
-// Peripheral milling: blocks 11 to 13 of the manual's example, as the fact sheet works them out.
+// Peripheral milling: blocks 11 to 13 of the manual's example, worked out by hand
+// (heidenhain.peripheral.example-reworked).
 #include "corpus/examples/tools.h"
 
 namespace toolcomp::corpus {

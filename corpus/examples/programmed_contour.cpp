@@ -1,4 +1,4 @@
-// The programmed contour: the worked examples of the fact sheet, and the same contact with and without it.
+// The programmed contour: examples worked out by hand, and the same contact with and without it.
 #include "corpus/examples/tools.h"
 
 namespace toolcomp::corpus {

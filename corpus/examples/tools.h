@@ -11,7 +11,7 @@
 // The manual's ball of 6 mm as it is in the tool table, and re-worked to 5.8 mm.
 #define BALL_6 "R = 3\nR2 = 3\n"
 #define REWORKED BALL_6 "DR = -0.1\nDR2 = -0.1\n"
-// Tools of the fact sheet: E11 and E16; the end mill of 12 mm re-worked to 11.8 mm.
+// Tools of the worked examples: E11 and E16; the end mill of 12 mm re-worked to 11.8 mm.
 #define TOROID_E11 "R = 6\nR2 = 1\nDL = 0.05\nDR = -0.1\nDR2 = -0.02\n"
 #define TOROID_E16 "R = 5\nR2 = 2\nDL = 0.25\nDR = 0.3\nDR2 = 0.1\n"
 #define END_MILL "R = 6\nR2 = 0\nDR = -0.1\n"

@@ -30,7 +30,7 @@ class SeededSource final : public ChoiceSource {
 // Directed cases are mostly valid programs of the section; unrestricted ones are any words.
 enum class Mode : std::uint8_t { directed, unrestricted };
 
-// The sections that are built, in the order of the contract.
+// The sections that are built, in the order in which they build on each other.
 std::span<const std::string_view> sections();
 // A case of `section` with `blocks` blocks or fewer (0: the generator chooses: mostly 4 to 8, some
 // tens, seldom hundreds). Throws std::invalid_argument

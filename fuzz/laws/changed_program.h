@@ -17,8 +17,8 @@ using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
 // One of, for FANUC programs that can be read to their end, no two blocks in one line:
 //
 // value-zero: with every offset zero (H, D, 19666; Klartext: every delta) points are the programmed points, and axes
-// the points where no tool center point control is. Chapter 14; sheet "3D tool compensation" P6. Not with G10 or G37,
-// nor under PROG PATH IS CONTOUR or with deltas in tool calls.
+// the points where no tool center point control is. Chapter 14; heidenhain.face.effective-tip. Not with G10 or G37, nor
+// under PROG PATH IS CONTOUR or with deltas in tool calls.
 //
 // mirrored: X mirrored, G41 with G42 and G02 with G03 exchanged, the events are mirrored. Not in G18 and G19, for
 // length offset type C, with G37, with a tool direction or 3D compensation, nor for a control without X or Y.
@@ -33,8 +33,8 @@ using Runner = std::function<std::vector<model::Event>(const spec::Case&)>;
 // of every corner in reverse order (14.6.2 and 14.6.4 are mirror images). Only contours of plain blocks from the
 // start-up to the cancelling move without a block between, with 5008#0 = 1 and without 5010; not type C (5003#1).
 //
-// Chapter 14 and the sheets know no other length, side or direction than those of program and setup, so what they
-// define is equivariant.
+// The clauses know no other length, side or direction than those of program and setup, so what they define is
+// equivariant.
 std::span<const std::string_view> changes();
 
 // The law of this name, whatever the share.

@@ -140,7 +140,7 @@ struct Turning {
   Turning(const Vector& start, const Vector& end) : from(start), to(end), normal(cross(start, end)) {}
 };
 
-// Positive where the turn comes nearer to `singular` than 19738, negative where it does not. Sheet 7.3, "min angle".
+// Positive where the turn comes nearer to `singular` than 19738, negative where it does not. fanuc.tool-posture.near.
 Real nearness(const Limits& limits, const Turning& turning, const Vector& singular) {
   const Vector& normal = turning.normal;
   const Real height = dot(normal, singular);

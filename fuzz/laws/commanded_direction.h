@@ -10,16 +10,16 @@ namespace toolcomp::fuzz::laws {
 
 // The tool direction at the end of a G43.5 block is that of its I J K, without them the one before; with Q it is in the
 // plane of them (the latest) and the travel, Q degrees toward the travel, which is the tangent at the end of arcs and
-// helices. Sheet 8, 17. Not where P1 changed the end, or with Q may have changed the vector kept (19738 > 0), for Q on
-// arcs under compensation, nor without travel across the direction.
+// helices. fanuc.tool-center-point.direction-words, -lean, -lean-in-an-arc. Not where P1 changed the end, or with Q may
+// have changed the vector kept (19738 > 0), for Q on arcs under compensation, nor without travel across the direction.
 void commanded_direction(const Scene& scene, Holding& holding);
 
 // The end of a P1 block under G43.5 is the commanded one, or with 19738 > 0 one changed so that the tool goes through a
 // singular posture: then the work-side axis stays where it was, the tool leans as far against the singular posture as
 // commanded, to its other side, and the arc from start to command comes nearer to it than 19738. On machines whose axes
 // are orthogonal the changed direction is within 19739 (azimuth) of the commanded one; and an arc that comes near to
-// one singular posture, not through it, has its end changed if that is within 19739 (no ranges 19741 to 19744). Sheet
-// 7.2, 7.3 (DEF-10, DEF-15), invariants 5 and 6 of 15. Only blocks whose direction is known as above.
+// one singular posture, not through it, has its end changed if that is within 19739 (no ranges 19741 to 19744).
+// fanuc.tool-posture.near, -veto, -changed. Only blocks whose direction is known as above.
 void changed_end(const Scene& scene, Holding& holding);
 
 // Whether a move ends in the commanded direction: a P1 block with 19738 > 0 may not. Unknown where the command is, and

@@ -1,5 +1,5 @@
 // A five-axis machine out of its parameters: where tool and table stand at given rotary positions. Forward kinematics
-// written anew from the sheet "tool posture control" 2, 3 and 5.
+// written anew from the clauses fanuc.tool-direction.* and fanuc.tool-center-point.control-point-*.
 #pragma once
 
 #include <array>
@@ -22,8 +22,7 @@ enum class MachineType : std::uint8_t { tool = 2, table = 12, mixed = 21 };
 
 class Machine {
  public:
-  // Nothing for a setup without 19680, with an axis that is hypothetical or missing, or with codes the sheet does not
-  // have.
+  // Nothing for a setup without 19680, with an axis that is hypothetical or missing, or with codes that no clause has.
   static std::optional<Machine> of(const spec::Setup& setup);
 
   [[nodiscard]] MachineType type() const { return type_; }

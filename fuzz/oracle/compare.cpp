@@ -448,13 +448,6 @@ class Comparison {
   bool found_ = false;
 };
 
-// Inside a segment of a table of deviations the sign of the effective corner radius is that of an angle, at another
-// scale (clause heidenhain.tool.effective-corner-radius).
-bool compares_angles(const model::Decision& decision) {
-  return decision.clause == spec::Clause::heidenhain_tool_effective_corner_radius &&
-         !(decision.scale.is_rational() && decision.scale.rational() == 1);
-}
-
 }  // namespace
 
 Rules::Rules(const spec::Setup& setup, std::string_view section, const JudgeOptions& options)
@@ -478,7 +471,8 @@ bool Rules::is_near_tie(const model::Decision& decision, double band, const Posi
         {band, std::min(band * positions.at(decision.line), policy::kWidestBand), positions.deviation(decision.line)});
   const bool square = resolution_ == 0 && policy::is_square(decision.clause);
   if (margin(decision) > (square ? band * band : band)) return false;
-  if (resolution_ > 0 || !policy::compares_exactly(decision.clause) || compares_angles(decision)) return true;
+  const bool scale_is_one = decision.scale.is_rational() && decision.scale.rational() == 1;
+  if (resolution_ > 0 || !policy::compares_exactly(decision.clause, scale_is_one)) return true;
   if (!decision.quantity.is_rational() || decision.quantity.rational() != 0 || !decision.scale.is_rational())
     return true;
   // The scale is the sum of all numbers compared.
@@ -507,13 +501,7 @@ template std::optional<Difference> compare(const Rules&, const model::Event&, co
 bool left_open(const model::Event& event) {
   if (event.kind != EventKind::undecided) return false;
   const auto clause = spec::find_clause(event.number.view());
-  if (!clause || spec::info(*clause).kind != spec::ClauseKind::open) return false;
-  // Their open clauses define what happens; an undecided event there is a decision that was not certified.
-  const std::string_view section = spec::info(*clause).section;
-  if (section == "fanuc/tool-center-point-control" || section == "fanuc/tool-posture-control") return false;
-  // A decision by sign names its clause where its tie was not certified. Of an arc seen on edge the tie itself is open.
-  return spec::info(*clause).outcomes != spec::ClauseOutcomes::sign ||
-         *clause == spec::Clause::fanuc_tool_side_arc_plane;
+  return clause && policy::leaves_open(*clause);
 }
 
 template <class Number>

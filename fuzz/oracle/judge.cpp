@@ -117,12 +117,12 @@ Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramF
 
 // The shortest linear movement of the moves next to a decision's line, for the band of a controller.
 double shortest_move(const std::vector<model::Event>& events, const spec::Axes& axes, std::uint64_t line) {
-  constexpr std::uint64_t neighbourhood = 4;  // lines
   double shortest = 0;
   const model::Event* before = nullptr;
   for (const model::Event& event : events) {
     if (event.kind != EventKind::move) continue;
-    if (before != nullptr && event.line + neighbourhood >= line && event.line <= line + neighbourhood) {
+    if (before != nullptr && event.line + policy::kNeighbourhood >= line &&
+        event.line <= line + policy::kNeighbourhood) {
       double square = 0;
       for (std::size_t i = 0; i < axes.size(); ++i)
         if (event.programmed.has(i) && before->programmed.has(i))

@@ -41,6 +41,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <string_view>
 
@@ -131,34 +132,60 @@ inline double controller_band(double resolution, double shortest_move) {
   return std::fmin(1.0, kDoubleBand + 4 * (direction + resolution * radians_per_degree));
 }
 
+// Of the same, lines: a move counts as next to a decision where it is no farther from its line.
+inline constexpr std::uint64_t kNeighbourhood = 4;
+
 // Clauses whose two sides are sums of decimals of the program and the setup, without product, root or trigonometry. A
 // control compares them in whole numbers of its least increment, so nothing is rounded and an exact tie is no near tie:
 // the ends of a zone belong to it or do not, as the manual says. Three exceptions: lengths that no decimal writes
 // (millimetres given in a setup in inches), angles at which a table of deviations is read, and a controller that
 // announces a resolution: the numbers of a case may be finer than it, and are rounded before they are compared.
-inline constexpr spec::Clause kExactComparisons[] = {
+struct ExactComparison {
+  spec::Clause clause;
+  bool only_at_scale_one = false;  // at any other scale the clause compares angles, where nothing is exact
+};
+inline constexpr ExactComparison kExactComparisons[] = {
     // Coordinate commanded, start, signal, offsets in force, and the lengths of 6251 and 6254.
-    spec::Clause::fanuc_length_measurement_rapid_part,
-    spec::Clause::fanuc_length_measurement_signal_from_the_start,
-    spec::Clause::fanuc_length_measurement_too_early,
-    spec::Clause::fanuc_length_measurement_too_late,
+    {spec::Clause::fanuc_length_measurement_rapid_part},
+    {spec::Clause::fanuc_length_measurement_signal_from_the_start},
+    {spec::Clause::fanuc_length_measurement_too_early},
+    {spec::Clause::fanuc_length_measurement_too_late},
     // I, J or K and once or twice the value of D.
-    spec::Clause::fanuc_tool_offset_arc_radius,
-    // Radii of the tool table and sums of deltas.
-    spec::Clause::heidenhain_tool_table_radius,
-    spec::Clause::heidenhain_tool_table_corner_radius,
-    spec::Clause::heidenhain_tool_table_shape,
-    spec::Clause::heidenhain_tool_effective_radius,
-    spec::Clause::heidenhain_tool_effective_corner_radius,
-    spec::Clause::heidenhain_tool_oversize_radius,
-    spec::Clause::heidenhain_tool_oversize_corner,
-    spec::Clause::heidenhain_tool_corner_beyond_radius,
-    spec::Clause::heidenhain_tool_effective_flat,
-    spec::Clause::heidenhain_tool_ring_change,
+    {spec::Clause::fanuc_tool_offset_arc_radius},
+    // Radii of the tool table and sums of deltas; the sign of the corner radius inside a segment of a table of
+    // deviations is that of an angle.
+    {spec::Clause::heidenhain_tool_table_radius},
+    {spec::Clause::heidenhain_tool_table_corner_radius},
+    {spec::Clause::heidenhain_tool_table_shape},
+    {spec::Clause::heidenhain_tool_effective_radius},
+    {spec::Clause::heidenhain_tool_effective_corner_radius, true},
+    {spec::Clause::heidenhain_tool_oversize_radius},
+    {spec::Clause::heidenhain_tool_oversize_corner},
+    {spec::Clause::heidenhain_tool_corner_beyond_radius},
+    {spec::Clause::heidenhain_tool_effective_flat},
+    {spec::Clause::heidenhain_tool_ring_change},
 };
 
-constexpr bool compares_exactly(spec::Clause clause) {
-  return std::find(std::begin(kExactComparisons), std::end(kExactComparisons), clause) != std::end(kExactComparisons);
+constexpr bool compares_exactly(spec::Clause clause, bool scale_is_one) {
+  const auto* const row = std::ranges::find(kExactComparisons, clause, &ExactComparison::clause);
+  return row != std::end(kExactComparisons) && (scale_is_one || !row->only_at_scale_one);
+}
+
+// An undecided event leaves a case open where it names an open clause: an engine must say so too, and of a controller
+// nothing is judged behind it. Two rows go otherwise. Open clauses of these sections define what happens: an undecided
+// event is a decision that was not certified, and so is no verdict.
+inline constexpr std::string_view kDefinedWhereOpen[] = {"fanuc/tool-center-point-control",
+                                                         "fanuc/tool-posture-control"};
+
+// An open clause decided by sign is named where its tie was not certified. Of these the tie itself is open: of an arc
+// seen on edge.
+inline constexpr spec::Clause kOpenTies[] = {spec::Clause::fanuc_tool_side_arc_plane};
+
+inline bool leaves_open(spec::Clause clause) {
+  const spec::ClauseInfo& info = spec::info(clause);
+  if (info.kind != spec::ClauseKind::open) return false;
+  if (std::ranges::find(kDefinedWhereOpen, info.section) != std::end(kDefinedWhereOpen)) return false;
+  return info.outcomes != spec::ClauseOutcomes::sign || std::ranges::find(kOpenTies, clause) != std::end(kOpenTies);
 }
 
 // Clauses whose quantity is the square of a distance, of a sine: what is off by a share of the scale is off by the

@@ -11,7 +11,7 @@
 
 namespace toolcomp::fuzz {
 
-// Corners of tool side compensation (sheet 2.2 to 2.4).
+// Corners of tool side compensation (fanuc.tool-side.projection, -without-basis, -inner, -arc-in-the-plane).
 //
 // The tool direction T is made of sines and cosines: in double it carries an error e of a few ulps, the movement U
 // none. The projected direction u = U - (U·T) T is |U| sin(U, T) long, and its normal T × U as well: an error of T

@@ -297,7 +297,7 @@ Proof.
   - apply group_across_tool, T.
 Qed.
 
-(** The sheet's example: 80 along Y, the tool of the block before, while it turns to (-4, 4, 7)/9; then along X. *)
+(** An example: 80 along Y, the tool of the block before, while it turns to (-4, 4, 7)/9; then along X. *)
 Example along_the_tool_before_instance :
   across (Vec 0 1 0) (scale 80 (Vec 0 1 0)) = zero /\ across (Vec (-4) 4 7) (scale 80 (Vec 0 1 0)) <> zero /\
   Forall (fun V => dot V (Vec (-4) 4 7) = 0) (group 5 1 (Vec (-4) 4 7) (scale 80 (Vec 0 1 0)) (Vec 50 0 0)).
@@ -319,7 +319,7 @@ Proof.
   apply Rnot_lt_le; intro G. nra.
 Qed.
 
-(** The corner of example TS2 of the sheet has a cosine of 0. *)
+(** The corner of golden example TS2 has a cosine of 0. *)
 Lemma cosine_example : 1 + cosine (Vec 3 0 4) (Vec 0 100 0) (Vec 100 0 0) <> 0.
 Proof.
   assert (0 <= cosine (Vec 3 0 4) (Vec 0 100 0) (Vec 100 0 0)) by (apply cosine_of_C; auto; values). lra.
@@ -418,7 +418,7 @@ Proof.
   apply N, turn_of_S; auto. rewrite n_dot_d_swap by auto. lra.
 Qed.
 
-(** Example TS2 of the sheet. *)
+(** Of golden example TS2. *)
 Lemma norm_is u m : 0 <= m -> dot u u = m * m -> norm u = m.
 Proof. intros H E; unfold norm; rewrite E; apply sqrt_square, H. Qed.
 
@@ -1319,7 +1319,7 @@ Proof.
   - rewrite across_products in R by auto. pose proof (dot_self_pos Va A). nra.
 Qed.
 
-(** Example TS9 of the sheet: a tilt of 106 degrees in a groove. *)
+(** Golden example TS9: a tilt of 106 degrees in a groove. *)
 Example overcut_by_signs_instance :
   overcut (PI / 4) (Vec 0 (-4) 3) (Vec 0 4 3) (Vec 0 (-200) (-200)) (Vec 0 (-200) 200).
 Proof.

@@ -20,7 +20,7 @@ struct Word {
   friend bool operator==(const Word& a, const Word& b) { return a.address == b.address && a.value == b.value; }
 };
 
-// What the control raises when it reaches a block it cannot read (contract, event rule 5).
+// What the control raises when it reaches a block it cannot read (docs/events.md, rule 5).
 struct ReadAlarm {
   Name number;  // PS0003 …
   std::uint32_t column = 0;

@@ -1,4 +1,4 @@
-// The one interchange format (contract, "Case"): golden vectors, findings, controller requests.
+// The one interchange format (corpus/schema/case.schema.json): golden vectors, findings, controller requests.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +47,7 @@ struct Case {
   std::string dialect = "fanuc";  // dialect_of(setup.control)
   Setup setup;
   std::string program;
-  std::uint32_t samples = 0;  // parts of a block under tool center point control (contract, event rule 7)
+  std::uint32_t samples = 0;  // parts of a block under tool center point control (docs/events.md, rule 7)
   CaseSource source;
   std::vector<TextEvent> expect;
   bool has_expect = false;

@@ -1,4 +1,4 @@
-// Cases as JSON (contract, "Case"), read and written in a stable form, and the answers of controllers.
+// Cases as JSON (corpus/schema/case.schema.json), read and written in a stable form, and the answers of controllers.
 #pragma once
 
 #include <string>
@@ -14,19 +14,20 @@ namespace toolcomp::spec {
 // wrong types, numbers that are none. The `message` of an event is for people and is not kept. `file` is for messages.
 Case read_case(std::string_view text, const std::string& file);
 
-// The case as the reader reads it back, keys in the order of the contract: a line for every key and every event …
+// The case as the reader reads it back, keys in the order that golden vectors have: a line for every key and every
+// event …
 std::string write_case(const Case& c);
 // … or all in one line without a line feed.
 std::string write_case_line(const Case& c);
 
-// What a controller answers to a case (contract, "Controller under test").
+// What a controller answers to a case (certify/README.md).
 struct Reply {
   std::string id;
   std::vector<TextEvent> events;
   std::vector<FieldSet> fields;  // of each event: which fields the answer gives
 };
 
-// Reads such an answer, one line. Fields that the contract does not know are ignored; `id`, `events`, and in each event
+// Reads such an answer, one line. Unknown fields are ignored; `id`, `events`, and in each event
 // `kind` and `line` must be there. Throws InputError that says what is malformed. `file` is for messages.
 Reply read_reply(std::string_view line, const Axes& axes, const std::string& file);
 

@@ -1,4 +1,4 @@
-// What a run yields (contract, "Events"): one type for both engines, over their own number.
+// What a run yields (docs/events.md): one type for both engines, over their own number.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ enum class Cause : std::uint8_t { programmed, start_up, corner, cancel, pre_turn
 enum class Plane : std::uint8_t { xy, zx, yz };
 enum class ArcDirection : std::uint8_t { cw, ccw };
 
-// Arcs only (contract, event rule 8). Lengths in setup units, sweep in degrees.
+// Arcs only (docs/events.md, rule 8). Lengths in setup units, sweep in degrees.
 template <class Number>
 struct Arc {
   AxisValues<Number> center;
@@ -41,7 +41,7 @@ struct Contact {
   std::optional<Number> angle;     // between normal and tool in degrees; tools with a table of deviations only
 };
 
-// What 3D tool compensation adds to a move (Heidenhain; contract, "Events"). Vectors are X, Y, Z.
+// What 3D tool compensation adds to a move (Heidenhain; docs/events.md). Vectors are X, Y, Z.
 template <class Number>
 struct SpaceCompensation {
   std::array<Number, 3> tool_center{};           // of the effective tool
@@ -102,7 +102,7 @@ struct Event {
   AxisValues<Number> programmed;                   // linear axes, workpiece coordinates, absolute
   AxisValues<Number> point;                        // linear axes: the compensated tool point, before length offset
   AxisValues<Number> axes;                         // all axes: what they are sent to, workpiece coordinates
-  AxisValues<Number> machine;                      // G53, G28, G30 (event rule 9): all axes, machine coordinates
+  AxisValues<Number> machine;                      // G53, G28, G30 (docs/events.md, 9): all axes, machine coordinates
   std::optional<std::array<Number, 3>> tool_axis;  // tip → holder, unit; where the setup or the program defines one
   std::optional<Arc<Number>> arc;
   std::optional<Number> feed;                      // F in force, setup units; not for rapid moves

@@ -7,8 +7,8 @@
 
 namespace toolcomp::spec {
 
-// Cases admit the fields of the contract and demand those without which an event means nothing; replies of controllers
-// may leave out fields, and what is unknown in them is ignored.
+// Cases admit the fields of docs/events.md, and demand those without which an event means nothing; replies of
+// controllers may leave out fields, and what is unknown in them is ignored.
 enum class Strictness : std::uint8_t { of_cases, of_replies };
 
 struct EventWithFields {

@@ -1,4 +1,4 @@
-// Events as JSON lines (contract, "Events"). Of moves, nothing allocates but the text itself.
+// Events as JSON lines (docs/events.md). Of moves, nothing allocates but the text itself.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace toolcomp::spec {
 
-// Writes the fields of one event in the order of the contract.
+// Writes the fields of one event in the order that golden vectors have.
 template <class Text, class Number, class AppendNumber>
 class EventJson {
  public:

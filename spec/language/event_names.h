@@ -1,4 +1,4 @@
-// The names of the contract for what events are made of, in both directions.
+// The names of what events are made of, in both directions.
 #pragma once
 
 #include <algorithm>

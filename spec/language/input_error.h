@@ -7,7 +7,7 @@
 
 namespace toolcomp::spec {
 
-// Bytes that are no text, malformed cases and setups, missing files (contract, event rule 5). what() is
+// Bytes that are no text, malformed cases and setups, missing files (docs/events.md, rule 5). what() is
 // "FILE:LINE:COLUMN: what is wrong"; line and column count from 1 and are left out where they are 0.
 class InputError : public std::runtime_error {
  public:

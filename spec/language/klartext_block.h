@@ -61,7 +61,7 @@ enum class CorrectionTable : std::uint8_t { tcs, wpl, both };
 
 enum class ToolWord : std::uint8_t { none, number, name, string_parameter };
 
-// What the control raises when it reaches a block it cannot read (contract, event rule 5).
+// What the control raises when it reaches a block it cannot read (docs/events.md, rule 5).
 struct ReadAlarm {
   Name number;             // E_SYNTAX …
   std::uint64_t line = 0;  // of the text: of the fault; behind a continuation not that of the block

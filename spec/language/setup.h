@@ -1,4 +1,4 @@
-// The setup of a control (contract, "Setup"): one type for TOML files and the JSON inside cases.
+// The setup of a control (corpus/schema/setup.schema.json): one type for TOML files and the JSON inside cases.
 #pragma once
 
 #include <array>

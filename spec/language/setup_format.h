@@ -8,9 +8,9 @@
 
 namespace toolcomp::spec {
 
-// Both read the same keys with the same meaning (contract, "Setup") and throw InputError, with the position of the
-// fault, for anything else: unknown keys, wrong types, numbers with an exponent or more than Decimal::kMaxDigits
-// digits. Keys that are not given keep the defaults of Setup. `file` is for messages.
+// Both read the same keys with the same meaning (corpus/schema/setup.schema.json) and throw InputError, with the
+// position of the fault, for anything else: unknown keys, wrong types, numbers with an exponent or more than
+// Decimal::kMaxDigits digits. Keys that are not given keep the defaults of Setup. `file` is for messages.
 Setup read_setup_toml(std::string_view text, const std::string& file);
 Setup read_setup_json(std::string_view text, const std::string& file);
 

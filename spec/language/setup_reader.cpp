@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -53,6 +54,21 @@ std::optional<ParameterId> parameter_id(std::string_view name) {
   return ParameterId{*number, bit[0] - '0'};
 }
 
+// As a control shows a parameter of bits: eight of them, bit 7 first.
+bool is_row_of_bits(const Node& value) {
+  return value.kind == Kind::string && value.text.size() == 8 &&
+         value.text.find_first_not_of("01") == std::string::npos;
+}
+
+// As a decimal number such a row would mean other bits. `id` is a number as a whole, and some of its bits are known.
+void refuse_row_of_bits(const Node& value, ParameterId id, const Reader& read) {
+  const unsigned known = known_bits(id.number);
+  const unsigned ones = static_cast<unsigned>(std::stoul(value.text, nullptr, 2)) & known;
+  const int bit = std::countr_zero(ones != 0 ? ones : known);
+  read.fail(value.at, "parameters." + to_string(id) + ": bits are given one by one, as in " +
+                          in_quotes(to_string(ParameterId{id.number, bit})) + " = 1, found " + in_quotes(value.text));
+}
+
 void read_parameter(const Member& member, const Reader& read, Setup& setup) {
   const std::string& name = member.name;
   const std::optional<ParameterId> id = parameter_id(name);
@@ -67,6 +83,8 @@ void read_parameter(const Member& member, const Reader& read, Setup& setup) {
     setup.parameters[*id] = decimal(member.value.boolean ? 1 : 0);
     return;
   }
+  if (is_row_of_bits(member.value) && id->bit < 0 && known_bits(id->number) != 0)
+    refuse_row_of_bits(member.value, *id, read);
   const Decimal value = read.decimal(member.value, name);
   if (!allows(*id, value, setup.axes)) {
     if (id->bit >= 0) read.fail(member.value.at, name + ": a bit is 0 or 1, found " + in_quotes(member.value.text));

@@ -1,5 +1,5 @@
-// Expected digests: the examples of FIPS 180-4 (NIST, "Secure Hash Standard — example values"), and sha256sum for the
-// lengths around the padding boundary.
+// Nettle tests its own digest: here that we call it rightly. Expected: an example of FIPS 180-4 (NIST, "Secure Hash
+// Standard — example values").
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -13,30 +13,13 @@
 namespace toolcomp::corpus {
 namespace {
 
-TEST(Sha256, NistExamples) {
-  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
-            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-  EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
-}
-
-TEST(Sha256, PaddingBoundary) {
-  EXPECT_EQ(sha256(std::string(55, 'x')), "d5e285683cd4efc02d021a5c62014694958901005d6f71e89e0989fac77e4072");
-  EXPECT_EQ(sha256(std::string(56, 'x')), "04c26261370ee7541549d16dee320c723e3fd14671e66a099afe0a377c16888e");
-  EXPECT_EQ(sha256(std::string(63, 'x')), "75220b47218278e656f2013bb8f0c455a25eaf01e86c64924e9d48d89776d6f2");
-  EXPECT_EQ(sha256(std::string(64, 'x')), "7ce100971f64e7001e8fe5a51973ecdfe1ced42befe7ee8d5fd6219506b5393c");
-  EXPECT_EQ(sha256(std::string(65, 'x')), "9537c5fdf120482f7d58d25e9ed583f52c02b4e304ea814db1633ad565aed7e9");
-}
-
-TEST(Sha256, DoesNotDependOnHowTheTextIsCut) {
-  const std::string text(257, 'q');
-  for (std::size_t cut = 0; cut <= text.size(); cut += 13) {
-    Sha256 digest;
-    digest.update(std::string_view(text).substr(0, cut));
-    digest.update(std::string_view(text).substr(cut));
-    EXPECT_EQ(digest.hex(), sha256(text)) << cut;
-  }
+TEST(Sha256, NistExample) {
+  const std::string digest = "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1";
+  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"), digest);
+  Sha256 pieces;
+  pieces.update("abcdbcdecdefdefgefghfghi");
+  pieces.update("ghijhijkijkljklmklmnlmnomnopnopq");
+  EXPECT_EQ(pieces.hex(), digest);
 }
 
 TEST(Sha256, FileAndMissingFile) {

@@ -1,4 +1,5 @@
-// Condition numbers of heads, on events made by hand: expected values are the derivatives of the formulas of the sheet.
+// Condition numbers of heads, on events made by hand: expected values are the derivatives of the formulas of the
+// clauses.
 #include "fuzz/oracle/condition.h"
 
 #include <gtest/gtest.h>
@@ -119,7 +120,7 @@ TEST(Conditions, OfPerpendicularAndProlongedVectors) {
 // Line and arc, G41 r = 10: with the centre at height h over the offset line the meeting point moves by R'/√(R'² - h²)
 // times the errors of centre and radius.
 TEST(Conditions, OfAnIntersectionNearATangent) {
-  // Sheet 14.6.3 #9: (0,0)→(40,0), G03 about (0,30), R = 50, R' = 40, h = 20: q = 34.64.
+  // Chapter 14, 14.6.3: (0,0)→(40,0), G03 about (0,30), R = 50, R' = 40, h = 20: q = 34.64.
   const Real q = sqrt(Real(1200));
   const auto well = scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", q, Real(10)),
                             arc(move(kOwn, "0", "80", Real(0), Real(70)), "0", "30")});

@@ -1,5 +1,5 @@
 // The third voice: every law holds for right events and breaks for wrong ones, and finds a wrong clause that both
-// engines follow. Programs are examples of the sheets; the events broken are the model's, changed by hand.
+// engines follow. Programs are worked examples; the events broken are the model's, changed by hand.
 #include "fuzz/laws/laws.h"
 
 #include <gtest/gtest.h>
@@ -31,14 +31,14 @@ spec::Case fanuc(std::string section, std::string program) {
   return c;
 }
 
-// Lines beside a tool that leans by 3-4-5: sheet of 3D cutter compensation, TS2 and TS3.
+// Lines beside a tool that leans by 3-4-5: golden examples TS2 and TS3.
 spec::Case flank() {
   return fanuc("tool-side-compensation",
                "G90 G01 F100 G43.5 H0 I3. K4.\nG41.6 Y50. D1\nY100.\nX100.\nX200. Y150.\nG40 Y0\n");
 }
 
-// A line, an arc inside and a line that goes on along its tangent, for a tool of this direction: sheet of 3D cutter
-// compensation, TS11.
+// A line, an arc inside and a line that goes on along its tangent, for a tool of this direction:
+// golden example TS11.
 spec::Case arc_of_the_side(const std::string& direction) {
   return fanuc("tool-side-compensation", "G90 G01 F100 G43.5 H0 " + direction +
                                              "\nG41.6 X50. D1\nX100.\nG02 X190. Y-30. R50.\nG01 Y-80.\nG40 Y-90.\n");
@@ -61,7 +61,7 @@ spec::Case type_b() {
   return c;
 }
 
-// Head with C about Z carrying B about Y (HC of the sheet), holder 5 long, zeros of its own.
+// Head with C about Z carrying B about Y (fanuc.tool-direction.mechanism, 2), holder 5 long, zeros of its own.
 spec::Case head(std::string program) {
   spec::Case c = fanuc("tool-center-point-control", std::move(program));
   c.setup.axes = spec::Axes("XYZBC");
@@ -73,7 +73,7 @@ spec::Case head(std::string program) {
   return c;
 }
 
-// From B 10 past the pole to about B 12 on its other side, 4 degrees off: sheet of tool posture control, example 5.
+// From B 10 past the pole to about B 12 on its other side, 4 degrees off: golden example 5 of tool posture control.
 // Within 5 degrees the end is changed, within 3 it is not.
 spec::Case near_the_pole(std::int64_t largest_error) {
   spec::Case c = head("G90 G01 F100 G43.5 H1 P1 I173.6 K984.8\nX50. I-207. J14. K978.\n");
@@ -83,7 +83,7 @@ spec::Case near_the_pole(std::int64_t largest_error) {
   return c;
 }
 
-// Trunnion with A carrying C (TAC of the sheet, example 9).
+// Trunnion with A carrying C (fanuc.tool-direction.mechanism, 12; golden example 9).
 spec::Case table(std::string program) {
   spec::Case c = fanuc("tool-center-point-control", std::move(program));
   c.setup.axes = spec::Axes("XYZAC");
@@ -122,7 +122,7 @@ spec::Case klartext(std::string section, std::string program) {
   return c;
 }
 
-// E11 of the sheet, without its deltas in the table.
+// Golden example E11, without its deltas in the table.
 spec::Case face() {
   return klartext("face-milling",
                   "TOOL CALL 1 Z DL+0.05\nL Z+100 R0 FMAX\nM128\n"

@@ -1,5 +1,6 @@
 // Poses judged by what they do: controllers whose rotary positions are others than the model's, and right or wrong all
-// the same. Where the axes have to stand is worked out by hand from the closed forms of the posture sheet (3.1, 5).
+// the same. Where the axes have to stand is worked out by hand from the clauses fanuc.tool-direction.of-pose
+// and fanuc.tool-center-point.control-point-*.
 #include <gtest/gtest.h>
 
 #include <cmath>

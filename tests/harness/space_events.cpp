@@ -17,8 +17,8 @@ namespace {
 
 using exact::Real;
 
-// Sheet, E16: N = (0.6, 0, 0.8), t = ez, R = 5, R2 = 2, dL 0.25 dR 0.3 dR2 0.1, P = 0; L = 10. Eighths and such would
-// hide a field that is skipped no less, so the numbers are those of the sheet.
+// Golden example E16: N = (0.6, 0, 0.8), t = ez, R = 5, R2 = 2, dL 0.25 dR 0.3 dR2 0.1, P = 0; L = 10. Eighths and such
+// would hide a field that is skipped no less, so the numbers are those of an example worked out by hand.
 template <class Number>
 spec::Event<Number> face() {
   const auto e = [](int n, int d) { return Number(n) / Number(d); };

@@ -278,6 +278,22 @@ TEST(Setup, BitsAsOneNumberAreThoseThatAreKnown) {
   EXPECT_EQ(at("5003 = 1.0"), expected + "\"1.0\"");
 }
 
+// 00000100 is bit 2 on a control, and would be bits 6, 5 and 2 as a decimal number: 100 = 64 + 32 + 4.
+TEST(Setup, ARowOfBitsIsNoNumber) {
+  const auto at = [](const std::string& line) { return toml_error("[parameters]\n" + line); };
+  const std::string one_by_one = ": bits are given one by one, as in ";
+  EXPECT_EQ(at("5001 = \"00000100\""),
+            "f.toml:2:8: parameters.5001" + one_by_one + "\"5001#2\" = 1, found \"00000100\"");
+  EXPECT_EQ(at("5003 = \"10000010\""),
+            "f.toml:2:8: parameters.5003" + one_by_one + "\"5003#1\" = 1, found \"10000010\"");
+  EXPECT_EQ(at("5003 = \"00000000\""),
+            "f.toml:2:8: parameters.5003" + one_by_one + "\"5003#0\" = 1, found \"00000000\"");
+  EXPECT_EQ(json_error("{\"parameters\":\n{\"5001\": \"00000100\"}}"),
+            "f.json:2:10: parameters.5001" + one_by_one + "\"5001#2\" = 1, found \"00000100\"");
+  EXPECT_EQ(at("5001 = \"100\""), "no error");
+  EXPECT_EQ(at("5010 = \"00000100\""), "no error");
+}
+
 TEST(Setup, NumbersAreExactOrRefused) {
   EXPECT_EQ(toml_error("[position]\nX = 1e5"),
             "f.toml:2:5: position.X: \"1e5\" has an exponent; expected a plain decimal number such as 0.001");
