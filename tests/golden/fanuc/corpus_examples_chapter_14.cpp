@@ -6,7 +6,6 @@ namespace toolcomp::corpus {
 namespace {
 
 using rows::expect;
-using rows::Expected;
 using rows::Rows;
 
 // Approach to B at 220, the measuring move, the setting, the retraction to 204.

@@ -7,7 +7,6 @@ namespace toolcomp::corpus {
 namespace {
 
 using rows::expect;
-using rows::Expected;
 using rows::Rows;
 
 const std::string kSection = "fanuc/cutter-compensation-c";

@@ -5,8 +5,7 @@
 namespace toolcomp::corpus {
 namespace {
 
-using poses::Expected;
-using poses::Rows;
+using worked::Rows;
 
 const std::string kSection = "fanuc/tool-center-point-control";
 
@@ -19,7 +18,7 @@ Rows alarm_at(const std::string& line, const std::string& alarm) {
 }
 
 TEST(ToolCenterPointVectors, Inverse) {
-  const std::vector<Expected> table = {
+  const std::vector<worked::Example> table = {
       {"1: C-B head, -1 1 2, pair 1", to("C=135 B=35.2643896827547 i=-0.408248290463863 k=0.816496580927726")},
       {"1: C-B head, -1 1 2, pair 2", to("C=315 B=324.735610317245")},
       {"1: C-A head, -1 1 2, pair 1", to("C=225 A=35.2643896827547")},
@@ -82,7 +81,7 @@ TEST(ToolCenterPointVectors, Inverse) {
 
 TEST(ToolCenterPointVectors, Rules) {
   const std::string half = "0.707106781186548";
-  const std::vector<Expected> table = {
+  const std::vector<worked::Example> table = {
       {"G43.4 without kinematics", {"1 PS5459"}},
       {"G43.5 without kinematics, length",
        {"1 programmed X=10 Z=0", "2 t=1/2 x=5 i=" + half + " k=" + half, "2 programmed X=10 Z=10",

@@ -5,8 +5,7 @@
 namespace toolcomp::corpus {
 namespace {
 
-using poses::Expected;
-using poses::Rows;
+using worked::Rows;
 
 const std::string kSection = "fanuc/tool-posture-control";
 
@@ -60,7 +59,7 @@ TEST(ToolPostureVectors, Sheet) {
   const std::string table_35 = " A=-35.2643896827547";
   const std::string tool_35 = " B=-35.2643896827547";
 
-  const std::vector<Expected> table = {
+  const std::vector<worked::Example> table = {
       {"2 with P1: C-B head",
        {"1 programmed C=0 B=30 i=0.5 k=0.866025403784439",
         "2 t=1/2 C=85 B=2.88065908640527 i=0.004380082175591 j=0.050064568357393 k=0.9987363785681 ~",
@@ -175,7 +174,7 @@ TEST(ToolPostureVectors, Rules) {
   const std::string tilt = "35.2643896827547";  // of -1 1 2
   // acos of 5/sqrt 75, azimuth of (1,-7); the other end of the arc lies 90 degrees on.
   const std::string slope = "54.7356103172453";
-  const std::vector<Expected> table = {
+  const std::vector<worked::Example> table = {
       {"P2", {"1 PS5421"}},
       {"Without P, TPC = 1",
        {"1 programmed", "2 t=1/2 B=45", "2 programmed B=90 C=0", "3 t=1/2 i=" + half + " j=" + half + " k=0 C=45",

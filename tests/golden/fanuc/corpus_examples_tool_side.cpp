@@ -1,15 +1,11 @@
 // Tool side compensation: the vectors written by hand hold the figures of the 3D sheet (part 6, TS1 to TS11) under both
 // engines. Heads that the sheet does not print (at the ends of the first and the last block, and in the rules) are
 // worked out by hand: the value times the unit normal, or the construction named in the vector's comment.
-#include <cmath>
-
-#include "fuzz/oracle/verdict.h"
 #include "tests/golden/rows.h"
 
 namespace toolcomp::corpus {
 namespace {
 
-using rows::Expected;
 using rows::Rows;
 
 const std::string kSection = "fanuc/tool-side-compensation";
@@ -34,36 +30,11 @@ Rows to_fewer_decimals(const Rows& expected) {
   return result;
 }
 
-// The figures of a row against an event of the fast engine.
-void expect_event(const fast::Event& event, const std::string& row, const spec::Axes& axes) {
-  const std::vector<std::string> tokens = rows::tokens(row);
-  EXPECT_EQ(std::to_string(event.line), tokens[0]) << row;
-  if (event.kind != spec::EventKind::move) {
-    EXPECT_EQ(std::string(event.number.view()), tokens[1]) << row;
-    return;
-  }
-  ASSERT_GT(tokens.size(), 4U) << row;
-  EXPECT_EQ(std::string(1, rows::cause_letter(event.cause)), tokens[1]) << row;
-  for (std::size_t i = 0; i < 3 && 3 + i < tokens.size() && is_number(tokens[3 + i]); ++i) {
-    const double expected = std::stod(tokens[3 + i]);
-    EXPECT_NEAR(event.point[axes.index("XYZ"[i])], expected, 1e-13 * (10 + std::abs(expected))) << row;
-  }
-}
-
-void expect(const std::string& name, const std::vector<Expected>& table) {
-  const std::vector<spec::Case>& vectors = rows::file(kSection, name);
-  EXPECT_EQ(vectors.size(), table.size()) << name;
-  for (const Expected& row : table) {
-    SCOPED_TRACE(row.comment);
-    const auto begins = [&](const spec::Case& c) { return c.comment.starts_with(row.comment); };
-    ASSERT_EQ(std::ranges::count_if(vectors, begins), 1);
-    const spec::Case& c = *std::ranges::find_if(vectors, begins);
+void expect(const std::string& name, const std::vector<worked::Example>& table) {
+  worked::expect(kSection, name, table, [](const auto& events, const Rows& rows, const spec::Case& c) {
     const bool by_b = c.comment.find("but for the last digits of B") != std::string::npos;
-    EXPECT_EQ(rows::shown(c, by_b ? to_fewer_decimals(row.rows) : row.rows), row.rows);
-    const std::vector<fast::Event> events = fuzz::run_fast(c);
-    ASSERT_EQ(events.size(), row.rows.size());
-    for (std::size_t i = 0; i < events.size(); ++i) expect_event(events[i], row.rows[i], c.setup.axes);
-  }
+    EXPECT_EQ(rows::shown(events, by_b ? to_fewer_decimals(rows) : rows, c.setup.axes), rows);
+  });
 }
 
 // The G43.5 block in front: its own move at the start of the program, and every line one further.
@@ -201,15 +172,12 @@ TEST(ToolSideVectors, Sheet) {
 
 // The corner move up to the stop point runs with the feed of the block before, the one behind it with that of the next.
 TEST(ToolSideVectors, FeedAtACorner) {
-  const std::vector<spec::Case>& vectors = rows::file(kSection, "examples");
-  const auto ts3 =
-      std::ranges::find_if(vectors, [](const spec::Case& c) { return c.comment.starts_with("TS3 by B, G41.2"); });
-  ASSERT_NE(ts3, vectors.end());
+  const spec::Case& ts3 = worked::vector_of(kSection, "examples", "TS3 by B, G41.2");
   const char* const feeds[] = {"1000", "700", "500", "500", "500"};
-  ASSERT_EQ(ts3->expect.size(), std::size(feeds));
+  ASSERT_EQ(ts3.expect.size(), std::size(feeds));
   for (std::size_t i = 0; i < std::size(feeds); ++i) {
-    ASSERT_TRUE(ts3->expect[i].feed.has_value());
-    EXPECT_EQ(ts3->expect[i].feed->v, feeds[i]);
+    ASSERT_TRUE(ts3.expect[i].feed.has_value());
+    EXPECT_EQ(ts3.expect[i].feed->v, feeds[i]);
   }
 }
 
@@ -364,14 +332,11 @@ TEST(ToolSideVectors, Rules) {
 
 // The axes are the compensated point and the length along Z.
 TEST(ToolSideVectors, LengthOffsetInTheMode) {
-  const std::vector<spec::Case>& vectors = rows::file(kSection, "rules");
-  const auto g43 =
-      std::ranges::find_if(vectors, [](const spec::Case& c) { return c.comment.starts_with("G43 in the mode"); });
-  ASSERT_NE(g43, vectors.end());
-  ASSERT_EQ(g43->expect.size(), 4U);
-  EXPECT_EQ(g43->expect[2].axes[0].v, "200");
-  EXPECT_EQ(g43->expect[2].axes[1].v, "10");
-  EXPECT_EQ(g43->expect[2].axes[2].v, "100");
+  const spec::Case& g43 = worked::vector_of(kSection, "rules", "G43 in the mode");
+  ASSERT_EQ(g43.expect.size(), 4U);
+  EXPECT_EQ(g43.expect[2].axes[0].v, "200");
+  EXPECT_EQ(g43.expect[2].axes[1].v, "10");
+  EXPECT_EQ(g43.expect[2].axes[2].v, "100");
 }
 
 }  // namespace

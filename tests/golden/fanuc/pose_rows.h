@@ -1,15 +1,13 @@
-// Vectors under tool center point control against rows of figures, under both engines.
+// Worked examples of tool center point control against rows of figures.
 #pragma once
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
-#include "fuzz/oracle/verdict.h"
 #include "tests/golden/rows.h"
 
 namespace toolcomp::corpus::poses {
@@ -18,12 +16,7 @@ namespace toolcomp::corpus::poses {
 // axes, x y z the point, i j k the tool axis. "2 t=1/4 ..." is a sample; "2 PS5459" an alarm, "2 posture-branch" a
 // warning. Figures that are left out are not looked at; those given hold to their last digit, and exactly where they
 // have fewer than nine decimals. "~" in a row: the program's own numbers are rounded, only twelve decimals hold.
-using Rows = std::vector<std::string>;
-
-struct Expected {
-  const char* comment;  // how the vector's comment begins
-  Rows rows;
-};
+using worked::Rows;
 
 inline double number(const spec::NumberText& value) { return std::stod(value.v); }
 inline double number(double value) { return value; }
@@ -77,8 +70,10 @@ inline double allowed(const std::string& figure, bool rounded_input, double leas
 }
 
 template <class Number>
-void expect_events(const std::vector<spec::Event<Number>>& events, const Rows& rows, const spec::Axes& axes,
-                   double least) {
+void expect_events(const std::vector<spec::Event<Number>>& events, const Rows& rows, const spec::Axes& axes) {
+  constexpr double kFast = 1e-13;
+  constexpr double kModel = 2e-15;
+  constexpr double least = std::is_same_v<Number, double> ? kFast : kModel;
   ASSERT_EQ(events.size(), rows.size());
   for (std::size_t n = 0; n < rows.size(); ++n) {
     SCOPED_TRACE(rows[n]);
@@ -94,20 +89,10 @@ void expect_events(const std::vector<spec::Event<Number>>& events, const Rows& r
   }
 }
 
-// Every row of the table holds one vector of the file, and every vector is held.
-inline void expect(const std::string& section, const std::string& name, const std::vector<Expected>& table) {
-  const std::vector<spec::Case>& vectors = rows::file(section, name);
-  EXPECT_EQ(vectors.size(), table.size()) << section << '/' << name;
-  constexpr double kModel = 2e-15;
-  constexpr double kFast = 1e-13;
-  for (const Expected& row : table) {
-    SCOPED_TRACE(row.comment);
-    const auto begins = [&](const spec::Case& c) { return c.comment.starts_with(row.comment); };
-    ASSERT_EQ(std::ranges::count_if(vectors, begins), 1);
-    const spec::Case& c = *std::ranges::find_if(vectors, begins);
-    expect_events(c.expect, row.rows, c.setup.axes, kModel);
-    expect_events(fuzz::run_fast(c), row.rows, c.setup.axes, kFast);
-  }
+inline void expect(const std::string& section, const std::string& name, const std::vector<worked::Example>& table) {
+  worked::expect(section, name, table, [](const auto& events, const Rows& rows, const spec::Case& c) {
+    expect_events(events, rows, c.setup.axes);
+  });
 }
 
 }  // namespace toolcomp::corpus::poses

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kSection = "heidenhain/face-milling";
 
 TEST(FaceMillingVectors, Examples) {
-  const std::vector<space::Expected> table = {
+  const std::vector<worked::Example> table = {
       {"E1: a ball of 6 mm",
        {"3 programmed tip=36.054981069776461,6.24258845869536,-1.933902321076868 "
         "shift=0.046581069776461,0.06558845869536,-0.013002321076868 "
@@ -215,7 +215,7 @@ TEST(FaceMillingVectors, Examples) {
 }
 
 TEST(FaceMillingVectors, Rules) {
-  const std::vector<space::Expected> table = {
+  const std::vector<worked::Example> table = {
       {"LN before any TOOL", {"1 programmed tip=5,0,0", "2 E_NO_TOOL"}},
       {"TOOL CALL 0 is a tool", {"2 programmed tip=1,2,3 contact=1,2,3"}},
       {"R -1 in the table:", {"2 programmed tip=5,0,0", "3 E_TOOL"}},
@@ -317,7 +317,7 @@ TEST(FaceMillingVectors, Rules) {
 }
 
 TEST(FaceMillingVectors, Klartext) {
-  const std::vector<space::Expected> table = {
+  const std::vector<worked::Example> table = {
       {"LN without Z: E_LN", {"2 programmed tip=1,0,0", "3 E_LN_COORD"}},
       {"LN with Y before X", {"2 programmed tip=1,0,0", "3 E_LN_ORDER"}},
       {"LN without NY: E_VEC", {"2 programmed tip=1,0,0", "3 E_VEC_INCOMPLETE"}},
@@ -433,13 +433,12 @@ TEST(FaceMillingVectors, ThirtyDigits) {
   const auto vector = [](const std::array<model::Real, 3>& v) {
     return space::Rows{v[0].decimal(kThirty), v[1].decimal(kThirty), v[2].decimal(kThirty)};
   };
-  const std::vector<spec::Case>& vectors = rows::file(kSection, "examples");
-  const fuzz::ModelRun reworked = fuzz::run_model(space::find(vectors, "E1: "));
+  const fuzz::ModelRun reworked = fuzz::run_model(worked::vector_of(kSection, "examples", "E1: "));
   const model::Event& e1 = reworked.events.back();
   EXPECT_EQ(vector({e1.point[0], e1.point[1], e1.point[2]}),
             (space::Rows{"36.054981069776460940259370772112", "6.24258845869536030452846923275",
                          "-1.933902321076867630085102893279"}));
-  const fuzz::ModelRun toroid = fuzz::run_model(space::find(vectors, "E11: "));
+  const fuzz::ModelRun toroid = fuzz::run_model(worked::vector_of(kSection, "examples", "E11: "));
   ASSERT_TRUE(toroid.events.back().space);
   EXPECT_EQ(vector(toroid.events.back().space->tool_shift),
             (space::Rows{"0.059390409959017042630107200988", "0.093008090294541035995889864545",
@@ -448,7 +447,7 @@ TEST(FaceMillingVectors, ThirtyDigits) {
 
 // E16 is rational: the sheet's fractions.
 TEST(FaceMillingVectors, Fractions) {
-  const spec::TextEvent& e16 = space::find(rows::file(kSection, "examples"), "E16: ").expect.back();
+  const spec::TextEvent& e16 = worked::vector_of(kSection, "examples", "E16: ").expect.back();
   ASSERT_TRUE(e16.space);
   EXPECT_EQ(e16.space->shift[0].q, "13/50");
   EXPECT_EQ(e16.space->shift[2].q, "-1/50");

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kSection = "heidenhain/peripheral-milling";
 
 TEST(PeripheralMillingVectors, Examples) {
-  const std::vector<space::Expected> table = {
+  const std::vector<worked::Example> table = {
       {"E8: block 12, LN with",
        {"2 programmed tip=60.659300214108896,102.375030908653109,-7.135402483409745 "
         "shift=0.000000214108896,-0.093969091346891,-0.034202483409745 "
@@ -63,7 +63,7 @@ TEST(PeripheralMillingVectors, Examples) {
 }
 
 TEST(PeripheralMillingVectors, Rules) {
-  const std::vector<space::Expected> table = {
+  const std::vector<worked::Example> table = {
       {"Round a square under",
        {"2 programmed tip=0,-10,0", "3 start-up tip=0,-0.1,0 shift=0,-0.1,0",
         "4 programmed tip=20.1,-0.1,0 shift=0.1,-0.1,0", "5 programmed tip=20.1,20.1,0 shift=0.1,0.1,0",

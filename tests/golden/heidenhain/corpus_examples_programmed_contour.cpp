@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kSection = "heidenhain/programmed-contour";
 
 TEST(ProgrammedContourVectors, Examples) {
-  const std::vector<space::Expected> table = {
+  const std::vector<worked::Example> table = {
       {"E9 and E10 under RL",
        {"3 start-up tip=48.4073700528354,108.01588519507885,-5.090877672017165 "
         "shift=0.000000507579061,-0.093969240594557,-0.034202073355641 "
@@ -54,7 +54,7 @@ TEST(ProgrammedContourVectors, Examples) {
 }
 
 TEST(ProgrammedContourVectors, Rules) {
-  const std::vector<space::Expected> table = {
+  const std::vector<worked::Example> table = {
       {"From IS CONTOUR to",
        {"2 programmed tip=0.74,2,3.02 shift=-0.26,0,0.02 contact=-3.2,2,3.4",
         "4 programmed tip=4.94,2,2.62 shift=-0.26,0,0.02 contact=1,2,3", "5 programmed tip=5,2,3",
@@ -92,7 +92,7 @@ TEST(ProgrammedContourVectors, Rules) {
 
 // E16 is rational: the sheet's fractions.
 TEST(ProgrammedContourVectors, Fractions) {
-  const spec::TextEvent& e16 = space::find(rows::file(kSection, "examples"), "E16: ").expect.back();
+  const spec::TextEvent& e16 = worked::vector_of(kSection, "examples", "E16: ").expect.back();
   EXPECT_EQ(e16.point[0].q, "223/50");
   EXPECT_EQ(e16.point[2].q, "-21/50");
   EXPECT_EQ(e16.axes[2].q, "-17/100");

@@ -1,7 +1,5 @@
-// Vectors of Heidenhain 3D compensation against rows of figures, under both engines.
+// Worked examples of Heidenhain 3D compensation against rows of figures.
 #pragma once
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/oracle/verdict.h"
 #include "tests/golden/rows.h"
 
 namespace toolcomp::corpus::space {
@@ -26,12 +23,7 @@ namespace toolcomp::corpus::space {
 // Figures that are left out are not looked at, but contact, flat, angle, carrier and feed are in a row exactly where
 // the event has them. The model's decimals are those of the row, every one; the fast engine's are near. "4 W_DIGITS" is
 // a warning or an alarm, "5 OUT_OF_SCOPE" a block that is not modelled.
-using Rows = std::vector<std::string>;
-
-struct Expected {
-  const char* comment;  // how the vector's comment begins
-  Rows rows;
-};
+using worked::Rows;
 
 template <class Number>
 using Figures = std::optional<std::vector<Number>>;
@@ -141,23 +133,10 @@ void expect_events(const std::vector<spec::Event<Number>>& events, const Rows& r
   }
 }
 
-// The vector of the file whose comment begins so.
-inline const spec::Case& find(const std::vector<spec::Case>& vectors, const std::string& comment) {
-  const auto begins = [&](const spec::Case& c) { return c.comment.starts_with(comment); };
-  EXPECT_EQ(std::ranges::count_if(vectors, begins), 1) << comment;
-  return *std::ranges::find_if(vectors, begins);
-}
-
-// Every row of the table holds one vector of the file, and every vector is held.
-inline void expect(const std::string& section, const std::string& name, const std::vector<Expected>& table) {
-  const std::vector<spec::Case>& vectors = rows::file(section, name);
-  EXPECT_EQ(vectors.size(), table.size()) << section << '/' << name;
-  for (const Expected& row : table) {
-    SCOPED_TRACE(row.comment);
-    const spec::Case& c = find(vectors, row.comment);
-    expect_events(c.expect, row.rows, c.setup.axes);
-    expect_events(fuzz::run_fast(c), row.rows, c.setup.axes);
-  }
+inline void expect(const std::string& section, const std::string& name, const std::vector<worked::Example>& table) {
+  worked::expect(section, name, table, [](const auto& events, const Rows& rows, const spec::Case& c) {
+    expect_events(events, rows, c.setup.axes);
+  });
 }
 
 }  // namespace toolcomp::corpus::space
