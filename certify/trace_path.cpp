@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "spec/language/program_reader.h"
+#include "spec/language/fanuc/program_reader.h"
 
 namespace toolcomp::certify {
 namespace {

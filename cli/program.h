@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "fuzz/oracle/verdict.h"
-#include "spec/language/block.h"
 #include "spec/language/case.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/fanuc/block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 
 namespace toolcomp::cli {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "spec/language/program_reader.h"
+#include "spec/language/fanuc/program_reader.h"
 
 namespace toolcomp::corpus {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "model/exact/real.h"
-#include "spec/language/block.h"
 #include "spec/language/case.h"
+#include "spec/language/fanuc/block.h"
 
 namespace toolcomp::corpus {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "spec/language/heidenhain/klartext_reader.h"
 #include "spec/language/input_error.h"
-#include "spec/language/klartext_reader.h"
 
 namespace toolcomp::corpus {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "fast/basis/event.h"
-#include "spec/language/block.h"
+#include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast {

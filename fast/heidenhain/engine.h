@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "fast/basis/event.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast::klartext {

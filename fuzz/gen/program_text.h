@@ -1,11 +1,15 @@
 // Program text as lines of words, for changing it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace toolcomp::fuzz {
+
+// A changed program is no longer than this.
+inline constexpr std::size_t kMostLines = 64;
 
 using WordTexts = std::vector<std::string>;  // "G01", "X-1.5"; text that is no word keeps its place
 

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "fuzz/gen/change_digit.h"
-#include "fuzz/gen/klartext_vocabulary.h"
+#include "fuzz/gen/fanuc/vocabulary.h"
+#include "fuzz/gen/heidenhain/klartext_vocabulary.h"
 #include "fuzz/gen/program_text.h"
 #include "fuzz/gen/sections.h"
-#include "fuzz/gen/vocabulary.h"
 
 namespace toolcomp::fuzz {
 namespace {

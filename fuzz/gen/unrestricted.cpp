@@ -1,8 +1,8 @@
-#include "fuzz/gen/klartext_vocabulary.h"
+#include "fuzz/gen/fanuc/vocabulary.h"
+#include "fuzz/gen/heidenhain/klartext_vocabulary.h"
 #include "fuzz/gen/mutate.h"
 #include "fuzz/gen/program_text.h"
 #include "fuzz/gen/sections.h"
-#include "fuzz/gen/vocabulary.h"
 
 namespace toolcomp::fuzz {
 namespace {

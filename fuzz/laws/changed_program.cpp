@@ -10,9 +10,9 @@
 
 #include "fuzz/laws/scene.h"
 #include "spec/language/byte_source.h"
+#include "spec/language/fanuc/program_reader.h"
 #include "spec/language/input_error.h"
 #include "spec/language/parameter.h"
-#include "spec/language/program_reader.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {

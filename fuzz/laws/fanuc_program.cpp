@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "spec/language/byte_source.h"
+#include "spec/language/fanuc/program_reader.h"
 #include "spec/language/input_error.h"
-#include "spec/language/program_reader.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "model/exact/real.h"
-#include "spec/language/block.h"
 #include "spec/language/case.h"
+#include "spec/language/fanuc/block.h"
 
 namespace toolcomp::fuzz::laws {
 

@@ -6,8 +6,8 @@
 
 #include "fuzz/laws/fanuc_program.h"
 #include "spec/language/byte_source.h"
+#include "spec/language/heidenhain/klartext_reader.h"
 #include "spec/language/input_error.h"
-#include "spec/language/klartext_reader.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "fuzz/laws/certainty.h"
 #include "spec/language/case.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 
 namespace toolcomp::fuzz::laws {
 

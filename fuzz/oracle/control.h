@@ -11,8 +11,8 @@
 #include "model/fanuc/engine.h"
 #include "model/heidenhain/engine.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/klartext_reader.h"
-#include "spec/language/program_reader.h"
+#include "spec/language/fanuc/program_reader.h"
+#include "spec/language/heidenhain/klartext_reader.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "spec/language/block.h"
 #include "spec/language/case.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/fanuc/block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 
 namespace toolcomp::fuzz {
 

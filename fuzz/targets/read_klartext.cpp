@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "fuzz/targets/pieces.h"
+#include "spec/language/heidenhain/klartext_reader.h"
 #include "spec/language/input_error.h"
-#include "spec/language/klartext_reader.h"
 
 namespace {
 

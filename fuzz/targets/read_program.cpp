@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "fuzz/targets/pieces.h"
+#include "spec/language/fanuc/program_reader.h"
 #include "spec/language/input_error.h"
-#include "spec/language/program_reader.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "model/basis/event.h"
 #include "model/basis/recorder.h"
-#include "spec/language/block.h"
+#include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {

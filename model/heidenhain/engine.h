@@ -5,7 +5,7 @@
 
 #include "model/basis/event.h"
 #include "model/basis/recorder.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model::klartext {

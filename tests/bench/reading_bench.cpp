@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "spec/language/klartext_reader.h"
-#include "spec/language/program_reader.h"
+#include "spec/language/fanuc/program_reader.h"
+#include "spec/language/heidenhain/klartext_reader.h"
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include "fast/fanuc/engine.h"
 #include "model/fanuc/engine.h"
 #include "spec/language/event_json.h"
-#include "spec/language/program_reader.h"
+#include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
 #include "spec/language/text_buffer.h"
 

@@ -5,7 +5,7 @@
 
 #include "fast/fanuc/engine.h"
 #include "model/fanuc/engine.h"
-#include "spec/language/program_reader.h"
+#include "spec/language/fanuc/program_reader.h"
 
 namespace {
 

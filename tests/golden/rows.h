@@ -1,28 +1,24 @@
-// Vectors written by hand against rows of figures: each number is compared to as many decimals as the row prints.
+// Worked examples against rows of figures: each number is compared to as many decimals as the row prints.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
+#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "corpus/golden.h"
+#include "fast/basis/print.h"
+#include "tests/golden/worked_examples.h"
 
 namespace toolcomp::corpus::rows {
 
-// "1 s G0 22 46" is a move of line 1: cause (p programmed, s start-up, c corner, e cancel, r reference, m measure),
-// kind (G0 rapid, G1 linear, G2 G3 arcs), then the point's X Y, and Z where the row has a third number. An arc goes on
-// with "O" and its centre, "r" and two radii where they differ, "w" and its sweep: "3 p G2 70 -40 O 10 -40 w 90". An
-// alarm is "2 PS0033", a setting "4 H1.wear=-2".
-using Rows = std::vector<std::string>;
+using worked::Rows;
 
-struct Expected {
-  const char* comment;  // how the vector's comment begins
-  Rows rows;
-};
+// "1 s G0 22 46" is a move of line 1: cause (p programmed, s start-up, c corner, e cancel, r reference, m measure),
+// kind (G0 rapid, G1 linear, G2 G3 arcs), then the point's X Y, and Z where the row has a third number. With letters,
+// "1 p G0 X22 Y46 Z120", the numbers are what the axes are sent to; cause, or cause and kind, may be left out of such a
+// row and are not looked at: "2 G0 X22 Y46 Z120", "2 X22 Y46 Z120". An arc goes on with "O" and its centre, "r" and two
+// radii where they differ, "w" and its sweep: "3 p G2 70 -40 O 10 -40 w 90". An alarm is "2 PS0033", a setting
+// "4 H1.wear=-2".
 
 // A decimal rounded to `places`, ties up or down; -0 is 0.
 inline std::string rounded(const std::string& value, std::size_t places, bool ties_up = true) {
@@ -68,6 +64,28 @@ inline std::string as(const std::string& actual, const std::vector<std::string>&
   return down == row[place] ? down : rounded(actual, places);
 }
 
+inline std::string as(const spec::NumberText& actual, const std::vector<std::string>& row, std::size_t place) {
+  return as(actual.v, row, place);
+}
+
+// A double within rounding of the token is the token: some operations on numbers of the size of the coordinates.
+inline std::string as(double actual, const std::vector<std::string>& row, std::size_t place) {
+  constexpr double kRelative = 1e-13;
+  constexpr double kSize = 10;
+  if (place < row.size() && !row[place].empty()) {
+    const double expected = std::strtod(row[place].c_str(), nullptr);
+    const std::size_t point = row[place].find('.');
+    const double last_digit =
+        point == std::string::npos ? 0 : std::pow(10.0, -static_cast<double>(row[place].size() - point - 1));
+    constexpr double kRounded = 1e-9;  // a token with as many decimals is a rounded number
+    const double allowed = kRelative * (kSize + std::abs(expected)) + (last_digit <= kRounded ? last_digit / 2 : 0);
+    if (std::abs(actual - expected) <= allowed) return rounded(row[place], row[place].size());
+  }
+  std::string text;
+  fast::append_number(text, actual);
+  return text;
+}
+
 inline char cause_letter(spec::Cause cause) {
   switch (cause) {
     case spec::Cause::start_up:
@@ -85,69 +103,101 @@ inline char cause_letter(spec::Cause cause) {
   }
 }
 
-inline std::string kind(const spec::TextEvent& event) {
+template <class Number>
+std::string kind(const spec::Event<Number>& event) {
   if (event.type == spec::MoveType::rapid) return "G0";
   if (event.type == spec::MoveType::linear || !event.arc) return "G1";
   return event.arc->direction == spec::ArcDirection::cw ? "G2" : "G3";
 }
 
-// The event in the form of the row expected of it, numbers with that row's decimals.
-inline std::string shown(const spec::TextEvent& event, const std::string& expected, const spec::Axes& axes) {
-  const std::vector<std::string> row = tokens(expected);
-  std::string line = std::to_string(event.line);
-  if (event.kind == spec::EventKind::setting)
-    return line + ' ' + std::string(event.setting.view()) + '=' + event.value.v;
-  if (event.kind != spec::EventKind::move) return line + ' ' + std::string(event.number.view());
-  line += std::string(" ") + cause_letter(event.cause) + ' ' + kind(event);
-  std::size_t place = 3;
-  const auto add = [&](const std::string& value) { line += ' ' + as(value, row, place++); };
-  const auto has = [&](const char* letter) { return place < row.size() && row[place] == letter; };
-  for (const char letter : {'X', 'Y', 'Z'})
-    if (letter != 'Z' || (place < row.size() && !has("O"))) add(event.point[axes.index(letter)].v);
-  if (!event.arc) return line;
-  line += " O";
-  ++place;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (event.arc->center.has(i)) add(event.arc->center[i].v);
-  if (event.arc->radius) {
-    line += " r";
-    ++place;
-    add(event.arc->radius->first.v);
-    add(event.arc->radius->second.v);
-  }
-  if (has("w")) {
-    line += " w";
-    ++place;
-    add(event.arc->sweep ? event.arc->sweep->v : "0");
-  }
-  return line;
+// Whether a token of a row is what one axis is sent to: "X120".
+inline bool is_axis(const std::string& token, const spec::Axes& axes) {
+  return token.size() > 1 && axes.has(token[0]) && token.find_first_not_of("-.0123456789", 1) == std::string::npos;
 }
 
-inline Rows shown(const spec::Case& c, const Rows& expected) {
+// The event in the form of the row expected of it, numbers with that row's decimals.
+template <class Number>
+class Shown {
+ public:
+  Shown(const spec::Event<Number>& event, const std::string& expected, const spec::Axes& axes)
+      : event_(event), axes_(axes), row_(tokens(expected)) {}
+
+  std::string text() {
+    line_ = std::to_string(event_.line);
+    if (event_.kind == spec::EventKind::setting) {
+      const std::size_t equals = row_.size() > 1 ? row_[1].find('=') : std::string::npos;
+      const std::vector<std::string> value{equals == std::string::npos ? "" : row_[1].substr(equals + 1)};
+      return line_ + ' ' + std::string(event_.setting.view()) + '=' + as(event_.value, value, 0);
+    }
+    if (event_.kind != spec::EventKind::move) return line_ + ' ' + std::string(event_.number.view());
+    const bool by_axes = head();
+    by_axes ? axes() : point();
+    if (event_.arc && (!by_axes || has("O"))) arc();
+    return line_;
+  }
+
+ private:
+  [[nodiscard]] bool has(const std::string& token) const { return place_ < row_.size() && row_[place_] == token; }
+  [[nodiscard]] bool has_axis() const { return place_ < row_.size() && is_axis(row_[place_], axes_); }
+  void add(const std::string& token) {
+    line_ += ' ' + token;
+    ++place_;
+  }
+  void add(const Number& value) { add(as(value, row_, place_)); }
+
+  // Cause and kind, as far as the row has them. True if it goes on with axes.
+  bool head() {
+    std::size_t first = 1;
+    while (first < row_.size() && first < 3 && !is_axis(row_[first], axes_)) ++first;
+    const bool by_axes = first < row_.size() && is_axis(row_[first], axes_);
+    if (!by_axes || first == 3) add(std::string(1, cause_letter(event_.cause)));
+    if (!by_axes || first >= 2) add(kind(event_));
+    return by_axes;
+  }
+  void axes() {
+    while (has_axis()) {
+      const char letter = row_[place_][0];
+      const std::vector<std::string> figure{row_[place_].substr(1)};
+      add(letter + as(event_.axes[axes_.index(letter)], figure, 0));
+    }
+  }
+  void point() {
+    for (const char letter : {'X', 'Y', 'Z'})
+      if (letter != 'Z' || (place_ < row_.size() && !has("O"))) add(event_.point[axes_.index(letter)]);
+  }
+  void arc() {
+    add("O");
+    for (std::size_t i = 0; i < axes_.size(); ++i)
+      if (event_.arc->center.has(i)) add(event_.arc->center[i]);
+    if (event_.arc->radius) {
+      add("r");
+      add(event_.arc->radius->first);
+      add(event_.arc->radius->second);
+    }
+    if (!has("w")) return;
+    add("w");
+    event_.arc->sweep ? add(*event_.arc->sweep) : add("0");
+  }
+
+  const spec::Event<Number>& event_;
+  const spec::Axes& axes_;
+  std::vector<std::string> row_;
+  std::string line_;
+  std::size_t place_ = 1;
+};
+
+template <class Number>
+Rows shown(const std::vector<spec::Event<Number>>& events, const Rows& expected, const spec::Axes& axes) {
   Rows rows;
-  for (std::size_t i = 0; i < c.expect.size(); ++i)
-    rows.push_back(shown(c.expect[i], i < expected.size() ? expected[i] : "", c.setup.axes));
+  for (std::size_t i = 0; i < events.size(); ++i)
+    rows.push_back(Shown(events[i], i < expected.size() ? expected[i] : "", axes).text());
   return rows;
 }
 
-// The vectors of one file, golden/SECTION/NAME.jsonl.
-inline const std::vector<spec::Case>& file(const std::string& section, const std::string& name) {
-  static std::map<std::string, std::vector<spec::Case>> files;
-  auto [found, fresh] = files.try_emplace(section + '/' + name);
-  if (fresh) found->second = read_cases(default_folder() / section / (name + ".jsonl"));
-  return found->second;
-}
-
-// Every row of the table holds one vector of the file, and every vector is held.
-inline void expect(const std::string& section, const std::string& name, const std::vector<Expected>& table) {
-  const std::vector<spec::Case>& vectors = file(section, name);
-  EXPECT_EQ(vectors.size(), table.size()) << section << '/' << name;
-  for (const Expected& row : table) {
-    SCOPED_TRACE(row.comment);
-    const auto begins = [&](const spec::Case& c) { return c.comment.starts_with(row.comment); };
-    ASSERT_EQ(std::ranges::count_if(vectors, begins), 1);
-    EXPECT_EQ(shown(*std::ranges::find_if(vectors, begins), row.rows), row.rows);
-  }
+inline void expect(const std::string& section, const std::string& name, const std::vector<worked::Example>& table) {
+  worked::expect(section, name, table, [](const auto& events, const Rows& rows, const spec::Case& c) {
+    EXPECT_EQ(shown(events, rows, c.setup.axes), rows);
+  });
 }
 
 }  // namespace toolcomp::corpus::rows

@@ -13,10 +13,10 @@
 #include "spec/language/case_format.h"
 #include "spec/language/event_format.h"
 #include "spec/language/event_map.h"
+#include "spec/language/fanuc/program_reader.h"
 #include "spec/language/input_error.h"
 #include "spec/language/number_text.h"
 #include "spec/language/parameter.h"
-#include "spec/language/program_reader.h"
 #include "spec/language/setup_format.h"
 
 namespace {

@@ -19,9 +19,9 @@ class FormalCheck : public testing::Test {
               (std::string("formal_") + testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
                std::to_string(::getpid()));
     fs::remove_all(folder_);
-    fs::create_directories(folder_ / "source");
+    fs::create_directories(folder_ / "source/fanuc");
     // Two files are enough, and quick.
-    for (const char* file : {"Vectors.v", "ToolLengthOffset.v", "allowed_axioms.txt", "README.md"})
+    for (const char* file : {"Vectors.v", "fanuc/ToolLengthOffset.v", "allowed_axioms.txt", "README.md"})
       fs::copy(kSource / file, folder_ / "source" / file);
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -37,7 +37,9 @@ class FormalCheck : public testing::Test {
     std::ifstream in(folder_ / "messages");
     return {std::istreambuf_iterator<char>(in), {}};
   }
-  void append(const std::string& text) { std::ofstream(folder_ / "source/ToolLengthOffset.v", std::ios::app) << text; }
+  void append(const std::string& text) {
+    std::ofstream(folder_ / "source/fanuc/ToolLengthOffset.v", std::ios::app) << text;
+  }
   void expect_refused(const std::string& message) {
     EXPECT_EQ(check(), 1);
     EXPECT_NE(messages().find(message), std::string::npos) << messages();

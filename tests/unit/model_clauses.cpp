@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/unit/heidenhain_clause_programs.h"
-#include "tests/unit/klartext_run.h"
+#include "tests/unit/heidenhain/clause_programs.h"
+#include "tests/unit/heidenhain/klartext_run.h"
 #include "tests/unit/model_run.h"
 
 namespace {

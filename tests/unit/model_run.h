@@ -10,7 +10,7 @@
 #include "model/basis/recorder.h"
 #include "model/fanuc/engine.h"
 #include "spec/language/event_names.h"
-#include "spec/language/program_reader.h"
+#include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::test {

@@ -41,7 +41,7 @@ TEST(Trace, EveryTheoremCitesAClause) {
   std::set<std::string> cited;
   for (const ClauseTrace& row : our_trace()) cited.insert(row.theorems.begin(), row.theorems.end());
   std::size_t theorems = 0;
-  for (const auto& file : fs::directory_iterator(fs::path(TOOLCOMP_SOURCE_DIR) / "spec/formal")) {
+  for (const auto& file : fs::recursive_directory_iterator(fs::path(TOOLCOMP_SOURCE_DIR) / "spec/formal")) {
     if (file.path().extension() != ".v") continue;
     std::ifstream in(file.path());
     for (std::string line; std::getline(in, line);) {

@@ -24,7 +24,7 @@
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
 #include "fast/kinematics/kinematics.h"
 #include "fast/kinematics/machine.h"
-#include "spec/language/block.h"
+#include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast {

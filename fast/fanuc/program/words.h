@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "spec/language/axes.h"
-#include "spec/language/block.h"
+#include "spec/language/fanuc/block.h"
 
 namespace toolcomp::fast {
 

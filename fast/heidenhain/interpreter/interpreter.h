@@ -11,7 +11,7 @@
 #include "fast/heidenhain/program/event_writer.h"
 #include "fast/heidenhain/program/parameters.h"
 #include "fast/heidenhain/programmed_contour/programmed_contour.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 
 namespace toolcomp::fast::klartext {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fast/arithmetic/count.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 
 namespace toolcomp::fast::klartext {
 

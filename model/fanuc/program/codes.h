@@ -7,8 +7,8 @@
 
 #include "model/basis/number.h"
 #include "model/basis/recorder.h"
-#include "spec/language/block.h"
 #include "spec/language/event.h"
+#include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {

@@ -11,7 +11,7 @@
 #include "model/fanuc/program/step.h"
 #include "model/fanuc/program/work_coordinates.h"
 #include "model/kinematics/coordinate.h"
-#include "spec/language/block.h"
+#include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "model/heidenhain/program/values.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 
 namespace toolcomp::model::klartext {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 
 namespace toolcomp::model::klartext {
 

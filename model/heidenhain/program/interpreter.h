@@ -11,7 +11,7 @@
 #include "model/heidenhain/program/tool_direction.h"
 #include "model/heidenhain/program/tool_in_spindle.h"
 #include "model/heidenhain/program/values.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model::klartext {

@@ -7,7 +7,7 @@
 #include "model/exact/real.h"
 #include "model/geometry/vector.h"
 #include "model/heidenhain/program/values.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model::klartext {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/basis/recorder.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 
 namespace toolcomp::model::klartext {
 

@@ -4,7 +4,7 @@
 #include "model/basis/recorder.h"
 #include "model/heidenhain/program/position.h"
 #include "model/kinematics/tool_direction.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 
 namespace toolcomp::model::klartext {
 

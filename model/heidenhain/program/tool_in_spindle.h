@@ -7,7 +7,7 @@
 #include "model/basis/recorder.h"
 #include "model/heidenhain/program/motion.h"
 #include "model/heidenhain/program/values.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model::klartext {

@@ -6,7 +6,7 @@
 
 #include "model/basis/recorder.h"
 #include "model/exact/real.h"
-#include "spec/language/klartext_block.h"
+#include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model::klartext {

@@ -1,0 +1,119 @@
+// One logical block of a Klartext program, all of it in memory, to a Block: the grammar. Internal to the reader.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "spec/language/heidenhain/klartext_words.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::spec::klartext {
+
+// Where a block stands in memory: a line feed at `stop` ends it, and kDigitsRead bytes behind that can be read.
+struct BlockText {
+  const char* begin = nullptr;
+  const char* stop = nullptr;
+  std::uint64_t line = 1;  // of the text: its first
+  std::size_t mark = 0;    // bytes of a byte order mark that `begin` stands behind
+};
+
+// Functions that take a place and return one return the place behind what they read, or nothing after they have
+// attached an alarm to the block.
+class BlockParser {
+ public:
+  // Both must outlive the parser; `file` is for messages.
+  BlockParser(const Setup& setup, const std::string& file);
+
+  // What stands before the statement.
+  struct Head {
+    const char* statement = nullptr;  // nothing: the head has a fault, and the block an alarm
+    bool slash = false;
+  };
+  // Writes line, column, n and alarm of the block.
+  Head parse_head(Block& block, const BlockText& text);
+  // False where there is none but comments, or a structure block: nothing to return.
+  bool parse_statement(Block& block, const char* at);
+  // A block longer than can be read.
+  void refuse_long(Block& block, const char* statement);
+
+  // Bytes were passed over: comments, strings, and all of a block with a fault.
+  [[nodiscard]] bool passed_over() const { return passed_over_; }
+  // A structure block or a program name.
+  [[nodiscard]] bool admits_any_byte(const char* statement) const;
+  // END PGM was read.
+  [[nodiscard]] bool ended() const { return ended_; }
+
+ private:
+  static constexpr std::uint8_t kNoSlot = 255;
+
+  // The next word or the end of the block: behind blanks, comments, and line ends where the block goes on.
+  const char* gap(const char* at) {
+    if (*at == ' ') ++at;
+    return at_word_end(at) ? wide_gap(at) : at;
+  }
+  const char* wide_gap(const char* at);
+  // Behind one word, or two with a gap between them; nothing, without an alarm, where others stand.
+  const char* words(const char* at, std::string_view first, std::string_view second = {});
+
+  struct Place {
+    std::uint64_t line;
+    std::uint32_t column;
+  };
+  [[nodiscard]] Place place(const char* at) const;
+  const char* raise(Block& block, const char* at, const char* number, const char* message);
+  const char* bad_word(Block& block, const char* at);
+  // The end of the block, and no fault that waited for it.
+  const char* finish(Block& block, const char* at);
+
+  const char* line(Block& block, const char* at);
+  const char* line_with_vectors(Block& block, const char* at);
+  const char* vector_word(Block& block, const char* at, unsigned rank);
+  const char* check_vectors(Block& block, unsigned keys, const char* initiator);
+  const char* tail(Block& block, const char* at);
+  const char* radius(Block& block, const char* at);
+  const char* feed(Block& block, const char* at);
+  const char* functions(Block& block, const char* at);
+  const char* words_without_effect(Block& block, const char* at);
+
+  const char* rare_statement(Block& block, const char* at);
+  const char* program(Block& block, const char* at);
+  const char* block_form(Block& block, const char* at);
+  const char* tool(Block& block, const char* at);
+  const char* tool_name(Block& block, const char* at);
+  const char* tool_call(Block& block, const char* at);
+  const char* tool_definition(Block& block, const char* at);
+  const char* function(Block& block, const char* at);
+  const char* tcpm(Block& block, const char* at);
+  const char* reference(Block& block, const char* at);
+  const char* correction_data(Block& block, const char* at);
+  const char* correction_row(Block& block, const char* at);
+  const char* table_word(Block& block, const char* at);
+  const char* select_corrections(Block& block, const char* at);
+  const char* cycle(Block& block, const char* at);
+  const char* datum_shift(Block& block, const char* at);
+  const char* plane(Block& block, const char* at);
+  const char* assignment(Block& block, const char* at, bool locals);
+  // A value behind a key of this length, and the gap behind it.
+  const char* keyed_value(Block& block, const char* at, std::size_t key, Value& value);
+  const char* quoted(Block& block, const char* at, std::string_view& text);
+  const char* free_text();
+
+  const Setup& setup_;
+  const std::string& file_;
+  std::array<std::uint8_t, 256> slot_{};  // of an axis letter of the setup
+  BlockText text_;
+  bool first_ = true;  // no block was returned yet
+  bool passed_over_ = false;
+  bool ended_ = false;
+  // Words of the block at hand that are at fault if no other is.
+  const char* fifth_function_ = nullptr;
+  const char* out_of_order_ = nullptr;
+  const char* out_of_range_ = nullptr;
+  const char* normal_ = nullptr;       // NX
+  const char* tool_vector_ = nullptr;  // TX
+};
+
+}  // namespace toolcomp::spec::klartext

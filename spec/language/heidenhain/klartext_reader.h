@@ -1,0 +1,33 @@
+// Klartext program text to blocks. Syntax only: what the words mean is left to the engines.
+#pragma once
+
+#include <memory>
+
+#include "spec/language/byte_source.h"
+#include "spec/language/heidenhain/klartext_block.h"
+#include "spec/language/reader_options.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::spec::klartext {
+
+// Reads logical blocks one by one in constant memory. Reading rules: README.md of this folder.
+class Reader {
+ public:
+  // The setup gives the axes, whether blocks with / are skipped, and the rows of the correction table. Of the options,
+  // the name of the file counts.
+  Reader(std::unique_ptr<ByteSource> source, const Setup& setup, ReaderOptions options = {});
+  ~Reader();
+  Reader(Reader&&) noexcept;
+  Reader& operator=(Reader&&) noexcept;
+
+  // The next block that is neither empty nor a comment nor a structure block, into `block`; false at the end of the
+  // text or behind END PGM. Throws InputError for bytes that are no text and for correction rows that do not exist.
+  // Does not allocate.
+  bool next(Block& block);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace toolcomp::spec::klartext

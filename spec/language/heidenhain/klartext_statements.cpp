@@ -1,0 +1,412 @@
+// The statements that do not move: everything but L and LN.
+#include <optional>
+
+#include "spec/language/heidenhain/klartext_parser.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::spec::klartext {
+namespace {
+
+constexpr std::uint64_t kMostTool = 32767;
+constexpr std::uint64_t kMostRow = 999'999'999;
+constexpr std::size_t kLongestName = 32;
+
+// X, Y or Z alone.
+char axis_letter(const char* at) {
+  const char letter = upper(*at);
+  return letter >= 'X' && letter <= 'Z' && at_word_end(at + 1) ? letter : '\0';
+}
+
+}  // namespace
+
+const char* BlockParser::words(const char* at, std::string_view first, std::string_view second) {
+  const char* end = read_word(at, first);
+  if (end == nullptr) return nullptr;
+  const char* const next = gap(end);
+  if (second.empty()) return next;
+  end = read_word(next, second);
+  return end == nullptr ? nullptr : gap(end);
+}
+
+const char* BlockParser::free_text() {
+  passed_over_ = true;
+  return text_.stop;
+}
+
+// From the quote to the one behind it in the same line.
+const char* BlockParser::quoted(Block& block, const char* at, std::string_view& text) {
+  if (*at != '"') return bad_word(block, at);
+  passed_over_ = true;
+  const char* end = at + 1;
+  while (*end != '"' && *end != '\n') ++end;
+  if (*end == '\n' || !at_word_end(end + 1)) return bad_word(block, at);
+  text = {at + 1, static_cast<std::size_t>(end - at - 1)};
+  return gap(end + 1);
+}
+
+const char* BlockParser::rare_statement(Block& block, const char* at) {
+  block.statement = Statement::miscellaneous;
+  switch (upper(*at)) {
+    case 'M':
+      block.functions = 0;
+      at = functions(block, at);
+      break;
+    case 'T':
+      at = tool(block, at);
+      break;
+    case 'F':
+      at = function(block, at);
+      break;
+    case 'Q':
+      at = assignment(block, at, true);
+      break;
+    case 'C':
+      at = cycle(block, at);
+      break;
+    case 'P':
+      at = plane(block, at);
+      break;
+    case 'B':
+      at = read_word(at, "BEGIN") != nullptr ? program(block, at) : block_form(block, at);
+      break;
+    case 'E':
+      at = program(block, at);
+      break;
+    case 'S':
+      if (const char* const stop = words(at, "STOP")) {
+        block.statement = Statement::stop;
+        block.functions = 0;
+        at = functions(block, stop);
+      } else {
+        at = select_corrections(block, at);
+      }
+      break;
+    default:
+      return bad_word(block, at);
+  }
+  if (at == nullptr || finish(block, at) == nullptr) return nullptr;
+  ended_ = block.statement == Statement::end_program;
+  return at;
+}
+
+const char* BlockParser::program(Block& block, const char* at) {
+  const char* const initiator = at;
+  const char* const begun = words(initiator, "BEGIN", "PGM");
+  at = begun != nullptr ? begun : words(initiator, "END", "PGM");
+  if (at == nullptr) return bad_word(block, initiator);
+  block.statement = begun != nullptr ? Statement::begin_program : Statement::end_program;
+  if (block.statement == Statement::begin_program && !first_)
+    return raise(block, initiator, "E_SYNTAX", "BEGIN PGM stands only in the first block");
+  passed_over_ = true;
+  if (at == text_.stop) return bad_word(block, at);
+  while (!is_blank(*at) && *at != ';' && *at != '\n') ++at;  // the name
+  at = gap(at);
+  if (const char* const mm = words(at, "MM")) {
+    block.unit = Units::mm;
+    return mm;
+  }
+  if (const char* const inch = words(at, "INCH")) {
+    block.unit = Units::inch;
+    return inch;
+  }
+  return bad_word(block, at);
+}
+
+const char* BlockParser::block_form(Block& block, const char* at) {
+  const char* const initiator = at;
+  at = words(at, "BLK", "FORM");
+  if (at == nullptr) return bad_word(block, initiator);
+  block.statement = Statement::block_form;
+  const bool second = read_word(at, "0.2") != nullptr;
+  if (!second && read_word(at, "0.1") == nullptr) return bad_word(block, at);
+  at = gap(at + 3);
+  if (!second) {
+    if (axis_letter(at) == '\0') return bad_word(block, at);
+    at = gap(at + 1);
+  }
+  for (const char letter : {'X', 'Y', 'Z'}) {
+    const bool increment = second && upper(*at) == 'I';
+    if (upper(at[increment ? 1 : 0]) != letter) return bad_word(block, at);
+    Value ignored;
+    at = keyed_value(block, at, increment ? 2 : 1, ignored);
+    if (at == nullptr) return nullptr;
+  }
+  return at;
+}
+
+const char* BlockParser::tool(Block& block, const char* at) {
+  if (const char* const call = words(at, "TOOL", "CALL")) return tool_call(block, call);
+  if (const char* const definition = words(at, "TOOL", "DEF")) return tool_definition(block, definition);
+  return bad_word(block, at);
+}
+
+// A number, a name, a string parameter, or none of them.
+const char* BlockParser::tool_name(Block& block, const char* at) {
+  block.tool = ToolWord::none;
+  const char* const word = at;
+  if (is_digit(*at)) {
+    std::uint64_t number = 0;
+    at = read_integer(at, kMostTool, number);
+    if (at == nullptr) return bad_word(block, word);
+    block.tool = ToolWord::number;
+    block.tool_number = static_cast<std::uint32_t>(number * 10);
+    if (*at == '.' && at[1] >= '1' && at[1] <= '9') {
+      block.tool_number += static_cast<std::uint32_t>(at[1] - '0');
+      at += 2;
+    }
+    return at_word_end(at) ? gap(at) : bad_word(block, word);
+  }
+  if (*at == '"') {
+    std::string_view name;
+    at = quoted(block, at, name);
+    if (at == nullptr) return nullptr;
+    if (name.empty() || name.size() > kLongestName)
+      return raise(block, word, "E_SYNTAX", "a tool name has 1 to 32 characters");
+    block.tool = ToolWord::name;
+    block.tool_name = name;
+    return at;
+  }
+  if (upper(*at) == 'Q' && upper(at[1]) == 'S') {
+    std::uint64_t index = 0;
+    at = read_integer(at + 2, kMostQ, index);
+    if (at == nullptr || !at_word_end(at)) return bad_word(block, word);
+    block.tool = ToolWord::string_parameter;
+    return gap(at);
+  }
+  return at;
+}
+
+const char* BlockParser::tool_call(Block& block, const char* at) {
+  block.statement = Statement::tool_call;
+  block.feed = FeedWord::none;
+  block.dl.reset();
+  block.dr.reset();
+  block.dr2.reset();
+  bool speed = false;
+  at = tool_name(block, at);
+  if (at == nullptr) return nullptr;
+  block.tool_axis = axis_letter(at);
+  if (block.tool_axis != '\0') at = gap(at + 1);
+  while (at != nullptr && at != text_.stop) {
+    const char key = upper(*at);
+    if (key == 'S' && !speed) {
+      speed = true;
+      Value ignored;
+      at = keyed_value(block, at, 1, ignored);
+    } else if (key == 'F' && block.feed == FeedWord::none) {
+      at = feed(block, at);
+    } else if (key == 'D') {
+      const char which = upper(at[1]);
+      const bool corner = which == 'R' && at[2] == '2';
+      if (which != 'L' && which != 'R') return bad_word(block, at);
+      std::optional<Value>& delta = which == 'L' ? block.dl : corner ? block.dr2 : block.dr;
+      if (delta) return bad_word(block, at);
+      const std::size_t letters = corner ? 3 : 2;
+      at = keyed_value(block, at, letters + (at[letters] == ':' ? 1 : 0), delta.emplace());
+    } else {
+      return bad_word(block, at);
+    }
+  }
+  return at;
+}
+
+const char* BlockParser::tool_definition(Block& block, const char* at) {
+  block.statement = Statement::tool_definition;
+  const char* const word = at;
+  if (*at == '"') {
+    std::string_view name;
+    at = quoted(block, at, name);
+    if (at == nullptr) return nullptr;
+  } else {
+    std::uint64_t number = 0;
+    at = read_integer(at, kMostTool, number);
+    if (at == nullptr || !at_word_end(at)) return bad_word(block, word);
+    at = gap(at);
+  }
+  bool length = false;
+  bool radius = false;
+  while (at != nullptr && at != text_.stop) {
+    const char key = upper(*at);
+    bool& given = key == 'L' ? length : radius;
+    if ((key != 'L' && key != 'R') || given) return bad_word(block, at);
+    given = true;
+    Value ignored;
+    at = keyed_value(block, at, 1, ignored);
+  }
+  return at;
+}
+
+const char* BlockParser::function(Block& block, const char* at) {
+  if (const char* const assigned = words(at, "FN")) {
+    if (assigned[0] != '0' || assigned[1] != ':') return bad_word(block, assigned);
+    return assignment(block, gap(assigned + 2), false);
+  }
+  const char* const named = words(at, "FUNCTION");
+  if (named == nullptr) return bad_word(block, at);
+  if (const char* const off = words(named, "RESET", "TCPM")) {
+    block.statement = Statement::reset_tcpm;
+    return off;
+  }
+  if (const char* const off = words(named, "TCPM", "OFF")) {
+    block.statement = Statement::reset_tcpm;
+    return off;
+  }
+  if (const char* const on = words(named, "TCPM")) return tcpm(block, on);
+  if (const char* const path = words(named, "PROG", "PATH")) {
+    block.statement = Statement::programmed_path;
+    const char* const on = words(path, "IS", "CONTOUR");
+    block.contour = on != nullptr;
+    if (block.contour) return on;
+    const char* const off = words(path, "OFF");
+    return off == nullptr ? bad_word(block, path) : off;
+  }
+  if (const char* const data = words(named, "CORRDATA")) return correction_data(block, data);
+  return bad_word(block, named);
+}
+
+const char* BlockParser::tcpm(Block& block, const char* at) {
+  block.statement = Statement::tcpm;
+  block.reference = ReferenceWord::tip_tip;
+  const auto one_of = [&](std::string_view word, std::string_view one, std::string_view other) {
+    const char* behind = words(at, word, one);
+    if (behind == nullptr) behind = words(at, word, other);
+    if (behind == nullptr) bad_word(block, at);
+    at = behind;
+    return behind != nullptr;
+  };
+  if (!one_of("F", "TCP", "CONT") || !one_of("AXIS", "POS", "SPAT") || !one_of("PATHCTRL", "AXIS", "VECTOR"))
+    return nullptr;
+  if (const char* const point = words(at, "REFPNT")) {
+    at = reference(block, point);
+    if (at == nullptr) return nullptr;
+  }
+  if (upper(*at) != 'F') return at;
+  Value ignored;
+  return keyed_value(block, at, 1, ignored);
+}
+
+const char* BlockParser::reference(Block& block, const char* at) {
+  struct Choice {
+    std::string_view word;
+    ReferenceWord reference;
+  };
+  constexpr std::array<Choice, 5> kChoices{{{"TIP-TIP", ReferenceWord::tip_tip},
+                                            {"TIP-CNT", ReferenceWord::tip_center},
+                                            {"CNT-CNT", ReferenceWord::center_center},
+                                            {"TIP-CENTER", ReferenceWord::tip_center},
+                                            {"CENTER-CENTER", ReferenceWord::center_center}}};
+  for (const auto& [word, reference] : kChoices)
+    if (const char* const end = read_word(at, word)) {
+      block.reference = reference;
+      return gap(end);
+    }
+  return bad_word(block, at);
+}
+
+const char* BlockParser::table_word(Block& block, const char* at) {
+  const char* const tcs = words(at, "TCS");
+  block.corrections = tcs != nullptr ? CorrectionTable::tcs : CorrectionTable::wpl;
+  const char* const behind = tcs != nullptr ? tcs : words(at, "WPL");
+  return behind == nullptr ? bad_word(block, at) : behind;
+}
+
+const char* BlockParser::select_corrections(Block& block, const char* at) {
+  const char* const table = words(at, "SEL", "CORR-TABLE");
+  if (table == nullptr) return bad_word(block, at);
+  block.statement = Statement::select_corrections;
+  at = table_word(block, table);
+  std::string_view name;
+  return at == nullptr ? nullptr : quoted(block, at, name);
+}
+
+const char* BlockParser::correction_data(Block& block, const char* at) {
+  if (const char* const reset = words(at, "RESET")) {
+    block.statement = Statement::reset_corrections;
+    block.corrections = CorrectionTable::both;
+    return reset == text_.stop ? reset : table_word(block, reset);
+  }
+  block.statement = Statement::correction_row;
+  at = table_word(block, at);
+  return at == nullptr ? nullptr : correction_row(block, at);
+}
+
+const char* BlockParser::correction_row(Block& block, const char* at) {
+  const char* const word = at;
+  std::uint64_t row = 0;
+  at = *at == '#' ? read_integer(at + 1, kMostRow, row) : nullptr;
+  if (at == nullptr || !at_word_end(at)) return bad_word(block, word);
+  at = gap(at);
+  block.row = static_cast<std::uint32_t>(row);
+  if (at != text_.stop || block.corrections != CorrectionTable::tcs || setup_.tcs.contains(block.row)) return at;
+  const Place fault = place(word);
+  throw InputError(file_, fault.line, fault.column,
+                   "the setup has no [[correction.tcs]] with number = " + std::to_string(row));
+}
+
+const char* BlockParser::cycle(Block& block, const char* at) {
+  const char* const definition = words(at, "CYCL", "DEF");
+  if (definition == nullptr) return bad_word(block, at);
+  block.statement = Statement::cycle;
+  block.axes = block.incremental = 0;
+  std::uint64_t number = 0;
+  std::uint64_t part = 0;
+  at = read_integer(definition, kMostRow, number);
+  if (at != nullptr && *at == '.') at = read_integer(at + 1, kMostRow, part);
+  if (at == nullptr || !at_word_end(at)) return bad_word(block, definition);
+  block.cycle = static_cast<std::uint32_t>(number);
+  block.cycle_part = static_cast<std::uint32_t>(part);
+  return number == 7 && part != 0 ? datum_shift(block, gap(at)) : free_text();
+}
+
+const char* BlockParser::datum_shift(Block& block, const char* at) {
+  constexpr std::string_view kLinear = "XYZUVW";
+  while (at != text_.stop) {
+    const char* const word = at;
+    const bool increment = upper(*at) == 'I';
+    if (increment) ++at;
+    const unsigned slot = slot_[static_cast<unsigned char>(*at)];
+    if (slot == kNoSlot || kLinear.find(upper(*at)) == std::string_view::npos || block.has_axis(slot))
+      return bad_word(block, word);
+    at = keyed_value(block, word, increment ? 2 : 1, block.axis[slot]);
+    if (at == nullptr) return nullptr;
+    block.axes = static_cast<std::uint16_t>(block.axes | 1U << slot);
+    if (increment) block.incremental = static_cast<std::uint16_t>(block.incremental | 1U << slot);
+  }
+  return at;
+}
+
+const char* BlockParser::plane(Block& block, const char* at) {
+  const char* const initiator = at;
+  at = words(at, "PLANE");
+  if (at == nullptr) return bad_word(block, initiator);
+  block.statement = Statement::plane;
+  if (words(at, "RESET") != nullptr) return free_text();
+  const char* const spatial = words(at, "SPATIAL");
+  if (spatial == nullptr) return bad_word(block, at);
+  at = spatial;
+  for (const char letter : {'A', 'B', 'C'}) {
+    if (upper(at[0]) != 'S' || upper(at[1]) != 'P' || upper(at[2]) != letter) return bad_word(block, at);
+    Value ignored;
+    at = keyed_value(block, at, 3, ignored);
+    if (at == nullptr) return nullptr;
+  }
+  for (const std::string_view movement : {"MOVE", "TURN", "STAY"})
+    if (read_word(at, movement) != nullptr) return free_text();
+  return bad_word(block, at);
+}
+
+const char* BlockParser::assignment(Block& block, const char* at, bool locals) {
+  block.statement = Statement::assignment;
+  const char* const word = at;
+  at = read_parameter(at, block.target);
+  if (at == nullptr || (block.target.kind != ParameterKind::q && !locals)) return bad_word(block, word);
+  if (*at != '=') {
+    if (!at_word_end(at)) return bad_word(block, word);
+    at = gap(at);
+    if (*at != '=') return bad_word(block, at);
+  }
+  at = gap(at + 1);
+  return keyed_value(block, at, 0, block.value);
+}
+
+}  // namespace toolcomp::spec::klartext
