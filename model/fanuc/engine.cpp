@@ -11,7 +11,7 @@
 #include "model/fanuc/program/cutter_words.h"
 #include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/offset_memory.h"
-#include "model/fanuc/tool_center_point_control/tip_moves.h"
+#include "model/fanuc/reporter.h"
 #include "model/fanuc/tool_center_point_control/tool_center_point_control.h"
 #include "model/fanuc/tool_length_measurement/tool_length_measurement.h"
 #include "model/fanuc/tool_length_offset/tool_length_offset.h"
@@ -37,12 +37,6 @@ bool goes_by_machine_coordinates(OneShot code) {
   return is_reference_return(code) || code == OneShot::machine_coordinates;
 }
 
-Warning branch_warning() {
-  Warning warning{"posture-branch", "the axes cannot follow the plane to the commanded positions", {}};
-  warning.clauses.add(Clause::fanuc_tool_posture_branch_mismatch);
-  return warning;
-}
-
 // The stage that the setup asks for.
 std::unique_ptr<CutterCompensation> cutter_compensation(const spec::Setup& setup, Recorder& recorder,
                                                         CutterCompensation::Output output) {
@@ -63,7 +57,6 @@ struct Engine::State {
   State(const spec::Setup& given, Recorder& the_recorder, EventSink& the_sink, std::uint32_t samples_in_a_block)
       : setup(checked(given)),
         recorder(the_recorder),
-        sink(the_sink),
         interpreter(setup, recorder),
         memory(setup, recorder),
         tip_control(setup, recorder, interpreter.work(), interpreter.position(), samples_in_a_block > 1),
@@ -75,9 +68,7 @@ struct Engine::State {
         cutter(cutter_compensation(setup, recorder, [this](const Step& step) { tool_side.take(step); })),
         tool_side_words(setup, memory, recorder),
         tool_side(setup, recorder, [this](const Step& step) { report(step); }),
-        tip_moves(
-            setup.axes, samples_in_a_block, [this](const Move& move) { report(move); },
-            [this](Event sample) { report(std::move(sample)); }) {}
+        reporter(setup.axes, recorder, the_sink, samples_in_a_block) {}
 
   void run(const spec::Block& block);
   void finish();
@@ -87,6 +78,7 @@ struct Engine::State {
   template <class Work>
   void guarded(const Work& work);
   void fail(const Alarm& alarm);
+  void report(const Step& step);
 
   Step step(const Command& command);
   [[nodiscard]] Compensated compensated(const Command& command) const;
@@ -97,18 +89,8 @@ struct Engine::State {
   void stand_where_measured(const Leg& leg, std::size_t axis);
   [[nodiscard]] LengthCommand length_command(const Command& command, const std::vector<Leg>& legs) const;
 
-  void report(const Step& step);
-  void report(const Move& move);
-  void report(Event sample);
-  void report(const Step& step, const OffsetSetting& setting);
-  void report(const Step& step, const Warning& warning);
-  void report(const Alarm& alarm, const spec::ClauseList& clauses);
-  void report(const LeftOpen& open);
-  void report_undecided();
-
   spec::Setup setup;
   Recorder& recorder;
-  EventSink& sink;
   Interpreter interpreter;
   OffsetMemory memory;
   ToolCenterPointControl tip_control;
@@ -120,9 +102,8 @@ struct Engine::State {
   std::unique_ptr<CutterCompensation> cutter;
   ToolSideWords tool_side_words;
   ToolSideCompensation tool_side;
-  TipMoves tip_moves;
-  const Step* reported = nullptr;  // the step whose moves go out
-  std::uint64_t line = 0;          // of the block being interpreted
+  Reporter reporter;
+  std::uint64_t line = 0;  // of the block being interpreted
   std::optional<std::uint64_t> n;
   std::optional<OffsetWrite> pending_write;  // of a G10 block, until its step is made
   bool stopped = false;
@@ -150,11 +131,16 @@ void Engine::State::guarded(const Work& work) {
     fail(alarm);
   } catch (const LeftOpen& open) {
     stopped = true;
-    report(open);
+    reporter.report(open);
   } catch (const exact::Undecided&) {
     stopped = true;
-    report_undecided();
+    reporter.report_undecided();
   }
+}
+
+void Engine::State::report(const Step& step) {
+  if (step.alarm) stopped = true;
+  reporter.report(step);
 }
 
 // What is held goes out as if nothing followed; where nothing may follow, the block held is at fault before this one.
@@ -163,7 +149,7 @@ void Engine::State::fail(const Alarm& alarm) {
   const spec::ClauseList clauses = recorder.take_clauses();
   guarded([&] {
     release();
-    report(alarm, clauses);
+    reporter.report(alarm, clauses);
   });
 }
 
@@ -179,6 +165,7 @@ void Engine::State::finish() {
 }
 
 void Engine::State::run(const spec::Block& block) {
+  reporter.at(block);
   line = block.line;
   n = block.n;
   recorder.at(line);
@@ -329,114 +316,6 @@ Move Engine::State::move(const Leg& leg, const LengthVector& offset, const ToolA
   }
   if (interpreter.feed()) result.feed = *interpreter.feed();
   return result;
-}
-
-void Engine::State::report(const Step& step) {
-  reported = &step;
-  if (step.warning) report(step, *step.warning);
-  for (const Move& move : step.moves) {
-    if (move.inside && move.inside->branch_differs) report(step, branch_warning());
-    tip_moves.take(move);
-  }
-  if (step.setting) report(step, *step.setting);
-  if (step.alarm) {
-    stopped = true;
-    report(*step.alarm, step.clauses);
-  }
-}
-
-void Engine::State::report(const Move& move) {
-  Event event;
-  event.kind = spec::EventKind::move;
-  event.line = reported->line;
-  event.n = reported->n;
-  event.type = move.leg.type;
-  event.cause = move.leg.cause;
-  const Vector control_point = move.tip ? axes_at(move, setup.axes) : Vector();
-  const std::optional<Vector> turned_tip = tip_beside_name(move, setup.axes);
-  for (std::size_t i = 0; i < setup.axes.size(); ++i) {
-    const char letter = setup.axes.letter(i);
-    Real at = move.leg.actual(i).value();
-    if (spec::is_linear_axis(letter)) {
-      event.programmed.set(i, move.leg.end.at(i).value());
-      if (is_space_axis(letter)) at += component(move.offset, space_index(letter));
-      event.point.set(i, turned_tip && is_space_axis(letter) ? component(*turned_tip, space_index(letter)) : at);
-    }
-    const bool of_tip = move.tip && is_space_axis(letter);
-    const Real axis = of_tip ? component(control_point, space_index(letter)) : at + move.length.at(i);
-    event.axes.set(i, axis);
-    if (move.zero) event.machine.set(i, axis + move.zero->at(i));
-  }
-  if (move.tool.reported) event.tool_axis = {move.tool.unit.x, move.tool.unit.y, move.tool.unit.z};
-  event.arc = move.leg.arc;
-  if (event.type != spec::MoveType::rapid) event.feed = move.feed;
-  event.clauses = reported->clauses;
-  sink.on(event);
-}
-
-void Engine::State::report(Event sample) {
-  sample.line = reported->line;
-  sample.n = reported->n;
-  sample.clauses = reported->clauses;
-  sink.on(sample);
-}
-
-void Engine::State::report(const Step& step, const OffsetSetting& setting) {
-  Event event;
-  event.kind = spec::EventKind::setting;
-  event.line = step.line;
-  event.n = step.n;
-  event.setting = setting.name;
-  event.value = setting.value;
-  event.clauses = step.clauses;
-  event.clauses.add(setting.clauses);
-  sink.on(event);
-}
-
-void Engine::State::report(const Step& step, const Warning& warning) {
-  Event event;
-  event.kind = spec::EventKind::warning;
-  event.line = step.line;
-  event.n = step.n;
-  event.number = warning.number;
-  event.message = warning.message;
-  event.clauses = warning.clauses;
-  sink.on(event);
-}
-
-void Engine::State::report(const Alarm& alarm, const spec::ClauseList& clauses) {
-  Event event;
-  event.kind = spec::EventKind::alarm;
-  event.line = alarm.line != 0 ? alarm.line : line;
-  event.n = alarm.line != 0 ? alarm.n : n;
-  event.number = alarm.number;
-  event.message = alarm.message;
-  event.clauses = clauses;
-  sink.on(event);
-}
-
-void Engine::State::report(const LeftOpen& open) {
-  Event event;
-  event.kind = spec::EventKind::undecided;
-  event.line = open.line != 0 ? open.line : line;
-  event.n = open.line != 0 ? open.n : n;
-  event.number = spec::info(open.clause).id;
-  event.permitted = {true, true, true};
-  event.message = open.message;
-  event.clauses = recorder.take_clauses();
-  sink.on(event);
-}
-
-void Engine::State::report_undecided() {
-  Event event;
-  event.kind = spec::EventKind::undecided;
-  event.line = recorder.line();
-  if (event.line == line) event.n = n;
-  event.number = spec::info(recorder.latest()).id;
-  event.permitted = {true, true, true};
-  event.message = "a decision of this clause could not be certified";
-  event.clauses = recorder.take_clauses();
-  sink.on(event);
 }
 
 }  // namespace toolcomp::model
