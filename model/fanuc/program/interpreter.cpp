@@ -13,10 +13,6 @@ spec::MoveType straight(Motion motion) {
   return motion == Motion::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
 }
 
-bool is_reference_return(OneShot code) {
-  return code == OneShot::reference || code == OneShot::other_reference || code == OneShot::floating_reference;
-}
-
 }  // namespace
 
 Interpreter::Interpreter(const spec::Setup& setup, Recorder& recorder)
