@@ -37,14 +37,12 @@ struct CutterBlock final : StageWords {
   Rational offset;                       // its signed value; 0 while `side` is none
   std::optional<PlanePoint> direction;   // I J (K I, J K) that are no arc's centre, an absent letter 0; of G39 also X Y
   bool direction_letters = false;        // it was given by I J K
-  bool three_dimensional = false;        // all of I, J and K
   spec::Plane plane = spec::Plane::xy;   // in force at the end of the block
   bool plane_changed = false;            // against the block before
   bool lacks_axis = false;               // the machine has no axis of a letter of the plane
   std::array<bool, 2> word{};            // an axis word of the first, of the second axis of the plane
   bool axis_word = false;                // of whatever axis
   bool axis_word_outside = false;        // of an axis outside the plane
-  bool arc_mode = false;                 // G02 or G03 in force
   bool arc_words = false;                // an arc by its words: G02 or G03 in force, no other code of group 00, and an
                                          // axis word of the plane or I J K or R
   std::optional<Rational> radius;        // of such an arc, where R gives it

@@ -98,11 +98,8 @@ std::shared_ptr<CutterBlock> CutterWords::read(const StageCommand& now) {
   block.word = {has_word(command, in_plane.first), has_word(command, in_plane.second)};
   block.axis_word = command.axes != 0;
   block.axis_word_outside = std::popcount(command.axes) > int{block.word[0]} + int{block.word[1]};
-  block.three_dimensional =
-      command.direction && command.words.has('I') && command.words.has('J') && command.words.has('K');
   block.direction_letters = has_center_letter(command);
-  block.arc_mode = command.is_arc_motion();
-  block.arc_words = block.arc_mode && is_path(codes.one_shot) &&
+  block.arc_words = command.is_arc_motion() && is_path(codes.one_shot) &&
                     (block.has_plane_word() || command.direction || command.words.has('R'));
   block.other_compensation = codes.compensation && !block.code;
   block.tip_control = codes.length && is_tip_control(*codes.length);

@@ -1,6 +1,7 @@
 #include "model/fanuc/program/interpreter.h"
 
 #include "model/basis/alarm.h"
+#include "model/geometry/arc.h"
 
 namespace toolcomp::model {
 namespace {

@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "model/basis/alarm.h"
-#include "model/fanuc/program/codes.h"
 #include "model/fanuc/program/offset_memory.h"
-#include "model/geometry/arc.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/coordinate.h"
 #include "model/kinematics/tool_direction.h"

@@ -2,6 +2,7 @@
 #include "model/basis/alarm.h"
 #include "model/basis/number.h"
 #include "model/fanuc/tool_center_point_control/tool_center_point_control.h"
+#include "model/geometry/plane.h"
 
 namespace toolcomp::model {
 namespace {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
+#include "model/geometry/plane.h"
 
 namespace toolcomp::model {
 namespace {

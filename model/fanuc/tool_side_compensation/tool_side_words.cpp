@@ -1,5 +1,7 @@
 #include "model/fanuc/tool_side_compensation/tool_side_words.h"
 
+#include "model/geometry/plane.h"
+
 namespace toolcomp::model {
 namespace {
 
