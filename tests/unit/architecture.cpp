@@ -105,6 +105,68 @@ TEST(Architecture, DialectsKnowNothingOfEachOther) {
       EXPECT_TRUE(dialect(other).empty() || dialect(other) == dialect(folder)) << folder << " includes " << other;
 }
 
+// Who may know a section of the exact model: a file, or all of a folder, and why.
+struct KnowsSection {
+  std::string who;
+  std::string section;
+  std::string why;
+};
+
+const std::vector<KnowsSection>& known_sections() {
+  const std::string registry = "the registry of the stages";
+  const std::string adds = "no stage: it adds to the programmed end while the step is made";
+  const std::string contour = "what is programmed, a contour or a tool, counts in both";
+  static const std::vector<KnowsSection> kKnown{
+      {"model/fanuc/stages.cpp", "model/fanuc/leading_edge_offset", registry},
+      {"model/fanuc/stages.cpp", "model/fanuc/cutter_compensation_b", registry},
+      {"model/fanuc/stages.cpp", "model/fanuc/cutter_compensation_c", registry},
+      {"model/fanuc/stages.cpp", "model/fanuc/tool_side_compensation", registry},
+      {"model/fanuc/cutter_compensation_b", "model/fanuc/cutter_compensation", "B and C have the same words"},
+      {"model/fanuc/cutter_compensation_c", "model/fanuc/cutter_compensation", "B and C have the same words"},
+      {"model/fanuc/step_maker.h", "model/fanuc/tool_offset", adds},
+      {"model/fanuc/step_maker.h", "model/fanuc/tool_length_offset", adds},
+      {"model/fanuc/step_maker.h", "model/fanuc/tool_length_measurement", adds},
+      {"model/fanuc/step_maker.h", "model/fanuc/tool_center_point_control",
+       "no stage: the pose is known before any is"},
+      {"model/fanuc/reporter.h", "model/fanuc/tool_center_point_control",
+       "axes follow from the compensated tip at last"},
+      {"model/fanuc/tool_center_point_control", "model/fanuc/tool_length_offset", "one modal group, and one length"},
+      {"model/fanuc/tool_center_point_control", "model/fanuc/tool_posture_control", "how a block of it turns the tool"},
+      {"model/heidenhain/engine.cpp", "model/heidenhain/face_milling", "the order of the rules"},
+      {"model/heidenhain/engine.cpp", "model/heidenhain/peripheral_milling", "the order of the rules"},
+      {"model/heidenhain/engine.cpp", "model/heidenhain/programmed_contour", "the order of the rules"},
+      {"model/heidenhain/face_milling", "model/heidenhain/programmed_contour", contour},
+      {"model/heidenhain/peripheral_milling", "model/heidenhain/programmed_contour", contour},
+  };
+  return kKnown;
+}
+
+// A section of the exact model is known in its own folder and in the places listed, which are all needed; elsewhere a
+// stage is known by its interface only. Tests of a section know it.
+TEST(Architecture, SectionsAreKnownWhereItIsListed) {
+  const std::regex include(R"re(#include "(model/(fanuc|heidenhain)/([a-z_]+))/[a-z_]+\.h")re");
+  const std::set<std::string> no_sections{"program", "corner"};
+  std::set<const KnowsSection*> needed;
+  for (const std::string room : {"model", "fuzz", "corpus", "certify", "cli"})
+    for (const fs::path& path : sources(room)) {
+      const std::string file = fs::relative(path, kSource).generic_string();
+      const std::string folder = fs::relative(path.parent_path(), kSource).generic_string();
+      const std::string text = read(path);
+      for (auto it = std::sregex_iterator(text.begin(), text.end(), include); it != std::sregex_iterator(); ++it) {
+        const std::string section = (*it)[1].str();
+        if (section == folder || no_sections.contains((*it)[3].str())) continue;
+        const auto known = std::ranges::find_if(known_sections(), [&](const KnowsSection& k) {
+          return k.section == section && (k.who == file || k.who == folder);
+        });
+        const bool listed = known != known_sections().end();
+        EXPECT_TRUE(listed) << file << " knows " << section;
+        if (listed) needed.insert(&*known);
+      }
+    }
+  for (const KnowsSection& known : known_sections())
+    EXPECT_TRUE(needed.contains(&known)) << known.who << " no longer knows " << known.section << ": " << known.why;
+}
+
 // A law is worth what its independence is worth: of the model it knows the events and the numbers.
 TEST(Architecture, LawsKnowNoEngine) {
   const std::regex include(R"re(#include "([a-z_]+/[^"]*)")re");

@@ -14,23 +14,22 @@ Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) 
 
 }  // namespace
 
-CutterCompensationB::CutterCompensationB(const spec::Setup& setup, Recorder& recorder, Output output)
-    : CutterCompensation(recorder, std::move(output)), axes_(setup.axes) {}
+CutterCompensationB::CutterCompensationB(const Place& place) : CutterCompensation(place), axes_(place.setup.axes) {}
 
-void CutterCompensationB::read(const CutterBlock& words) {
-  check(words);
-  if (words.one_shot == OneShot::corner_arc) read_corner_arc(words);
-  if (words.arc_words) read_arc(words);
+void CutterCompensationB::check(const CutterBlock& words) const {
+  check_common(words);
+  if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
+  if (words.arc_words) check_arc(words);
 }
 
-void CutterCompensationB::read_corner_arc(const CutterBlock& words) const {
+void CutterCompensationB::check_corner_arc(const CutterBlock& words) const {
   const bool forbidden = words.code || changes_number(words) || words.axis_word_outside;
   if (!on() || !started_ || forbidden || !words.direction || is_zero(*words.direction))
     raise(recorder(), Clause::fanuc_cutter_b_corner_arc_format, "PS0035",
           "G39 outside the mode, with another code, number or axis, or without a direction");
 }
 
-void CutterCompensationB::read_arc(const CutterBlock& words) const {
+void CutterCompensationB::check_arc(const CutterBlock& words) const {
   constexpr const char* kArc = "an arc in a block that starts, changes or cancels cutter compensation";
   const bool is_on = words.side != CutterSide::none;
   if (is_on && words.code) raise(recorder(), Clause::fanuc_cutter_b_arc_with_code, "PS0034", kArc);
@@ -41,19 +40,19 @@ void CutterCompensationB::read_arc(const CutterBlock& words) const {
 }
 
 void CutterCompensationB::take(const Step& step) {
-  if (!step.cutter) {
-    emit(step);
+  if (!has_words(step)) {
+    hand_on(step);
     return;
   }
   Step out = step;
   run(out);
-  side_ = step.cutter->side;
+  side_ = said(step).side;
   out.clauses.add(recorder().take_clauses());
-  emit(out);
+  hand_on(out);
 }
 
 void CutterCompensationB::run(Step& step) {
-  const CutterBlock& block = *step.cutter;
+  const CutterBlock& block = said(step);
   if (block.side == CutterSide::none) {
     if (on()) cancel(step);
     return;
@@ -88,12 +87,12 @@ void CutterCompensationB::run(Step& step) {
 }
 
 void CutterCompensationB::keep(Step& step) const {
-  for (Move& move : step.moves) move.offset = in_space(step.cutter->plane, vector_);
+  for (Move& move : step.moves) move.offset = in_space(said(step).plane, vector_);
 }
 
 // G40: the vector goes at once, in the block's own move or in one back to the programmed point.
 void CutterCompensationB::cancel(Step& step) {
-  const CutterBlock& block = *step.cutter;
+  const CutterBlock& block = said(step);
   const bool started = recorder().decide(Clause::fanuc_cutter_b_cancel, started_);
   bool cancels = started;
   const bool by_words = block.axis_word && (block.one_shot == OneShot::none || block.motion != PlaneMotion::none);
@@ -123,7 +122,7 @@ PlanePoint CutterCompensationB::across(const Rational& length, const PlanePoint&
 }
 
 void CutterCompensationB::line(Step& step) {
-  const CutterBlock& block = *step.cutter;
+  const CutterBlock& block = said(step);
   PlanePoint direction;
   bool kept = false;
   if (recorder().decide(Clause::fanuc_cutter_b_direction_words, block.direction.has_value())) {
@@ -145,7 +144,7 @@ void CutterCompensationB::line(Step& step) {
 }
 
 void CutterCompensationB::arc(Step& step) {
-  const CutterBlock& block = *step.cutter;
+  const CutterBlock& block = said(step);
   const PlanePoint& center = block.arc->center;
   const PlanePoint to_end = block.end - center;
   if (is_zero(to_end))
@@ -180,7 +179,7 @@ bool CutterCompensationB::tool_arc(spec::Arc<Real>& arc, const PlanePoint& from,
 
 // G39: about the programmed point, on the side of the tool, from the old vector to the new one.
 void CutterCompensationB::corner_arc(Step& step) {
-  const CutterBlock& block = *step.cutter;
+  const CutterBlock& block = said(step);
   recorder().reach(Clause::fanuc_cutter_b_corner_arc);
   recorder().decide(Clause::fanuc_cutter_b_corner_arc_direction, block.direction_letters);
   const Rational length = to_the_left(block);
@@ -204,7 +203,7 @@ void CutterCompensationB::corner_arc(Step& step) {
 
 // G53, G28, G30, G29: the vector goes in the first move where an axis of the plane is named.
 void CutterCompensationB::machine_position(Step& step) {
-  if (recorder().decide(Clause::fanuc_cutter_b_machine_position, step.cutter->has_plane_word())) {
+  if (recorder().decide(Clause::fanuc_cutter_b_machine_position, said(step).has_plane_word())) {
     vector_ = {};
     started_ = false;
   }

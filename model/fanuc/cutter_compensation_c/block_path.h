@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/fanuc/corner/offset_path.h"
+#include "model/fanuc/cutter_compensation/cutter_block.h"
 #include "model/fanuc/program/cutter_offset.h"
-#include "model/fanuc/program/step.h"
 
 namespace toolcomp::model {
 

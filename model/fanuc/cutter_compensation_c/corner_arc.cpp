@@ -8,7 +8,7 @@ namespace toolcomp::model {
 
 void CutterCompensationC::take_corner_arc(Step& now) {
   end_before(now);
-  const CutterBlock& block = *now.cutter;
+  const CutterBlock& block = said(now);
   if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_direction, block.direction.has_value()))
     run_corner_arc(now, heading(*block.direction), false);
   else
@@ -35,7 +35,7 @@ void CutterCompensationC::run_corner_arc(Step& arc, const Heading& to, bool next
   here_ = {{perpendicular(end), Seat::off, next_is_square ? Seat::square : Seat::off}};
   here_heading_ = to;
   if (!stays) {
-    const CutterBlock& block = *arc.cutter;
+    const CutterBlock& block = said(arc);
     if (arc.moves.empty()) arc.moves.push_back(arc.rest);
     Leg& leg = arc.moves.front().leg;
     leg.type = spec::MoveType::arc;

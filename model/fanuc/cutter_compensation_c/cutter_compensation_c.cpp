@@ -21,21 +21,21 @@ constexpr const char* kShift = "G92 in the plane of cutter compensation C";
 
 }  // namespace
 
-CutterCompensationC::CutterCompensationC(const spec::Setup& setup, Recorder& recorder, Output output)
-    : CutterCompensation(recorder, std::move(output)),
-      rules_(setup, recorder),
-      axes_(setup.axes),
-      at_once_(setup.bit(5003, 1)),
-      keeps_the_mode_(setup.bit(5003, 2)),
-      checks_(!setup.bit(5008, 0)),
+CutterCompensationC::CutterCompensationC(const Place& place)
+    : CutterCompensation(place),
+      rules_(place.setup, place.recorder),
+      axes_(place.setup.axes),
+      at_once_(place.setup.bit(5003, 1)),
+      keeps_the_mode_(place.setup.bit(5003, 2)),
+      checks_(!place.setup.bit(5008, 0)),
       here_{CornerVector{}} {}
 
-bool CutterCompensationC::wanted(const CutterBlock& words) const {
-  return words.side != CutterSide::none && words.number != 0;
+bool CutterCompensationC::wanted(CutterSide side, std::uint32_t number) const {
+  return side != CutterSide::none && number != 0;
 }
 
-void CutterCompensationC::read(const CutterBlock& words) {
-  check(words);
+void CutterCompensationC::check(const CutterBlock& words) const {
+  check_common(words);
   if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
   if (!words.arc_words) return;
   const bool starts = wanted(words) && (state_ == State::off || state_ == State::waiting) && !held_;
@@ -54,12 +54,12 @@ void CutterCompensationC::check_corner_arc(const CutterBlock& words) const {
 }
 
 void CutterCompensationC::take(const Step& step) {
-  if (!step.cutter) {
-    emit(step);
+  if (!has_words(step)) {
+    hand_on(step);
     return;
   }
   Step now = step;
-  const CutterBlock& block = *now.cutter;
+  const CutterBlock& block = said(now);
   const bool in_force = block.side != CutterSide::none;
   const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
   const bool moves = recorder().decide(Clause::fanuc_cutter_c_moving_block,
@@ -75,7 +75,7 @@ void CutterCompensationC::finish() { end_without_corner(Clause::fanuc_cutter_c_n
 
 void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
   state_ = wanted ? State::waiting : State::off;
-  const CutterBlock& block = *now.cutter;
+  const CutterBlock& block = said(now);
   if (wanted && moves) {
     start_up(now);
   } else if (wanted && has_side_word(block) && !is_machine_move(block.motion) &&
@@ -88,22 +88,22 @@ void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
 
 void CutterCompensationC::start_up(Step& now) {
   recorder().reach(Clause::fanuc_cutter_c_start_up);
-  const CutterOffset offset = offset_of(recorder(), now.cutter->side, now.cutter->offset);
+  const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
   unchecked_ = false;
   state_ = State::on;
-  hold(now, Held::Kind::start_up, offset, path_of(*now.cutter, offset, offset.distance));
+  hold(now, Held::Kind::start_up, offset, path_of(said(now), offset, offset.distance));
   started_ = offset;
 }
 
 void CutterCompensationC::start_alone(Step& now) {
-  const CutterOffset offset = offset_of(recorder(), now.cutter->side, now.cutter->offset);
+  const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
   unchecked_ = false;
   hold(now, Held::Kind::lone_start, offset, {});
   started_ = offset;
 }
 
 bool CutterCompensationC::take_behind_lone_start(Step& now, bool wanted, bool moves) {
-  const CutterBlock& block = *now.cutter;
+  const CutterBlock& block = said(now);
   if (!wanted || is_machine_move(block.motion)) {
     now.clauses.add(recorder().take_clauses());
     drop_lone_start();
@@ -136,7 +136,7 @@ void CutterCompensationC::drop_lone_start() {
 }
 
 void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
-  const CutterBlock& block = *now.cutter;
+  const CutterBlock& block = said(now);
   if (wanted && state_ == State::leaving)
     leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
                   "G41 or G42 again before the vector of the cancelled mode is removed");
@@ -164,7 +164,7 @@ void CutterCompensationC::take_without_motion(Step& now) {
     emit_at_head(now);
     return;
   }
-  const CutterBlock& block = *now.cutter;
+  const CutterBlock& block = said(now);
   const bool counts = block.is_block;
   if (counts) {
     repeated_ = repeated_ || block.repeats_code();

@@ -9,10 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "model/basis/recorder.h"
 #include "model/fanuc/corner/vector_group.h"
+#include "model/fanuc/cutter_compensation/cutter_compensation.h"
 #include "model/fanuc/cutter_compensation_c/block_path.h"
-#include "model/fanuc/program/cutter_compensation.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
@@ -20,11 +19,12 @@ namespace toolcomp::model {
 // Clauses: fanuc.cutter-c.*.
 class CutterCompensationC : public CutterCompensation {
  public:
-  CutterCompensationC(const spec::Setup& setup, Recorder& recorder, Output output);
+  explicit CutterCompensationC(const Place& place);
 
+  [[nodiscard]] int look_ahead() const override { return 2; }
   [[nodiscard]] bool on() const override { return state_ != State::off; }
-  [[nodiscard]] bool wanted(const CutterBlock& words) const override;
-  void read(const CutterBlock& words) override;
+  // In the mode: it is then an arc without a sweep, and PS0038.
+  [[nodiscard]] bool takes_arc_about_its_start(const Command& command) const override { return on_after(command); }
   void take(const Step& step) override;
   void finish() override;
 
@@ -52,6 +52,9 @@ class CutterCompensationC : public CutterCompensation {
   };
 
   // cutter_compensation_c.cpp: which block is what, and what is held goes out.
+  [[nodiscard]] bool wanted(CutterSide side, std::uint32_t number) const override;
+  using CutterCompensation::wanted;
+  void check(const CutterBlock& words) const override;
   void take_while_off(Step& now, bool wanted, bool moves);
   void take_while_on(Step& now, bool wanted, bool moves);
   void take_without_motion(Step& now);

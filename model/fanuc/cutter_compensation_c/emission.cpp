@@ -15,12 +15,12 @@ bool has_axis_word(const CutterBlock& block) {
 }  // namespace
 
 Vector CutterCompensationC::in_space_of(const Step& step, const PlanePoint& vector) const {
-  return in_space(step.cutter->plane, vector);
+  return in_space(said(step).plane, vector);
 }
 
 void CutterCompensationC::send(Step& step) {
   step.clauses.add(recorder().take_clauses());
-  emit(step);
+  hand_on(step);
   place_ = std::move(step.rest);
 }
 
@@ -32,9 +32,9 @@ void CutterCompensationC::emit_at_head(Step& step) {
 void CutterCompensationC::emit_without_vector(Step& step) { send(step); }
 
 void CutterCompensationC::emit_change_alone(Step& step, spec::Cause cause, bool changes) {
-  recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, has_axis_word(*step.cutter));
+  recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, has_axis_word(said(step)));
   // Beside G92 the only move there can be is that of the length offset (clause fanuc.cutter-c.workpiece-change).
-  if (changes && (step.moves.empty() || step.cutter->one_shot == OneShot::shift)) step.moves = {step.rest};
+  if (changes && (step.moves.empty() || said(step).one_shot == OneShot::shift)) step.moves = {step.rest};
   if (!step.moves.empty()) step.moves.front().leg.cause = cause;
   emit_at_head(step);
 }
@@ -47,9 +47,9 @@ void CutterCompensationC::insert_corner_moves(Step& step) {
   move.leg.type = own.leg.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
   move.leg.cause = spec::Cause::corner;
   // In the coordinates of the block that owns the move.
-  if (step.cutter->position) {
-    move.leg.end = *step.cutter->position;
-    move.tool = step.cutter->tool;
+  if (const CutterBlock& block = said(step); block.position) {
+    move.leg.end = *block.position;
+    move.tool = block.tool;
   }
   move.feed = own.feed;
   move.zero.reset();

@@ -7,7 +7,7 @@
 namespace toolcomp::model {
 
 void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
-  const CutterBlock& block = *now.cutter;
+  const CutterBlock& block = said(now);
   if (!block.has_plane_word()) {
     if (!wanted && state_ == State::on) {
       cancel_alone(now);
@@ -39,7 +39,7 @@ void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
 
 // The way to the intermediate point is a block of the offset mode; behind that point the vector goes.
 void CutterCompensationC::take_reference_with_intersection(Step& now) {
-  const CutterBlock& block = *now.cutter;
+  const CutterBlock& block = said(now);
   const PlanePoint travel = block.ends.front() - block.start;
   if (!recorder().decide(Clause::fanuc_cutter_c_reference_intersection, !is_zero(travel))) {
     end_before(now);

@@ -7,7 +7,7 @@
 
 namespace toolcomp::model {
 void CutterCompensationC::take_moving(Step& now) {
-  const CutterBlock& block = *now.cutter;
+  const CutterBlock& block = said(now);
   if (block.arc && !block.arc->sweep)
     raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc about its start or its end");
   const CutterOffset offset = next_offset(block);
@@ -28,7 +28,7 @@ CutterOffset CutterCompensationC::next_offset(const CutterBlock& block) {
 
 void CutterCompensationC::make_corner(Step& now, const OffsetPath& path, const CutterOffset& offset) {
   if (!held_) return;
-  const CutterBlock& block = *now.cutter;
+  const CutterBlock& block = said(now);
   if (block.repeats_code()) repeated_ = true;
   decide_held(now);
   switch (held_->kind) {
@@ -79,7 +79,7 @@ VectorGroup CutterCompensationC::group_before(const OffsetPath& next, const Cutt
 }
 
 void CutterCompensationC::take_cancel(Step& now) {
-  const CutterBlock& block = *now.cutter;
+  const CutterBlock& block = said(now);
   if (held_) {
     const Rational offset = held_->offset.left();
     const OffsetPath path = line_path(block.end - block.start, offset, offset);

@@ -23,68 +23,77 @@ constexpr const char* kNoMovement = "the block after G41.3 has no linear movemen
 
 }  // namespace
 
-LeadingEdgeOffset::LeadingEdgeOffset(const spec::Setup& setup, Recorder& recorder, Output output)
-    : recorder_(recorder), output_(std::move(output)), rules_(fluctuation(setup), recorder) {}
+LeadingEdgeOffset::LeadingEdgeOffset(const Place& place)
+    : StageOf(place), memory_(place.memory), rules_(fluctuation(place.setup), place.recorder) {}
 
-bool LeadingEdgeOffset::concerns(const Command& command) const {
-  return active_ || (command.codes.compensation == Compensation::leading_edge && number(command) != 0);
-}
-
-bool LeadingEdgeOffset::active_after(const Command& command) const {
+bool LeadingEdgeOffset::on_after(const Command& command) const {
   const Codes& codes = command.codes;
   if (codes.compensation == Compensation::leading_edge) return number(command) != 0;
   return active_ && codes.compensation != Compensation::cancel && codes.d != 0U;
 }
 
-LeadingEdgeOffset::Marks LeadingEdgeOffset::read(const Command& command, bool moves, const OffsetMemory& memory) {
+std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
+  using Code = EdgeBlock::Code;
+  const Command& command = now.command;
   const Codes& codes = command.codes;
   number_ = number(command);
-  Marks marks;
+  auto block = std::make_shared<EdgeBlock>();
   if (codes.compensation == Compensation::leading_edge) {
-    if (moves || codes.stops_look_ahead)
-      raise(recorder_, Clause::fanuc_leading_edge_start_format, "PS5406", kStartFormat);
+    if (now.moves() || codes.stops_look_ahead)
+      raise(recorder(), Clause::fanuc_leading_edge_start_format, "PS5406", kStartFormat);
     if (command.is_arc_motion())
-      raise(recorder_, Clause::fanuc_leading_edge_start_in_arc_mode, "PS5408",
+      raise(recorder(), Clause::fanuc_leading_edge_start_in_arc_mode, "PS5408",
             "leading edge offset started in G02 or G03");
     if (active_)
-      raise(recorder_, Clause::fanuc_leading_edge_repeated, "PS5407", "G41.3 while the leading edge offset is on");
-    if (!recorder_.decide(Clause::fanuc_leading_edge_start_with_d0, number_ == 0)) marks.edge = EdgeCommand::start;
+      raise(recorder(), Clause::fanuc_leading_edge_repeated, "PS5407", "G41.3 while the leading edge offset is on");
+    if (!recorder().decide(Clause::fanuc_leading_edge_start_with_d0, number_ == 0)) block->code = Code::start;
   } else if (active_) {
-    const bool by_number = recorder_.decide(Clause::fanuc_leading_edge_d0_cancels, codes.d == 0U);
+    const bool by_number = recorder().decide(Clause::fanuc_leading_edge_d0_cancels, codes.d == 0U);
     if (codes.compensation == Compensation::cancel || by_number) {
-      if (moves) raise(recorder_, Clause::fanuc_leading_edge_cancel_format, "PS5406", kCancelFormat);
-      marks.edge = EdgeCommand::cancel;
+      if (now.moves()) raise(recorder(), Clause::fanuc_leading_edge_cancel_format, "PS5406", kCancelFormat);
+      block->code = Code::cancel;
     }
     if (command.is_arc_motion())
-      raise(recorder_, Clause::fanuc_leading_edge_arc, "PS5407", "G02 or G03 while the leading edge offset is on");
+      raise(recorder(), Clause::fanuc_leading_edge_arc, "PS5407", "G02 or G03 while the leading edge offset is on");
   }
-  if (marks.edge == EdgeCommand::start || (active_ && marks.edge == EdgeCommand::none)) {
-    forbid(command, moves);
-    marks.radius = memory.d(number_);
-    recorder_.decide(Clause::fanuc_leading_edge_number_changed, active_ && codes.d.has_value());
+  if (!active_ && block->code == Code::none) return nullptr;
+  if (block->code != Code::cancel) {
+    forbid(now);
+    block->radius = memory_.d(number_);
+    recorder().decide(Clause::fanuc_leading_edge_number_changed, active_ && codes.d.has_value());
   }
-  return marks;
+  return block;
 }
 
-void LeadingEdgeOffset::forbid(const Command& command, bool moves) {
-  const Codes& codes = command.codes;
+void LeadingEdgeOffset::complete(StageWords& words, const Step& step) const {
+  EdgeBlock& block = own(words);
+  if (block.code == EdgeBlock::Code::none)
+    block.travels = !recorder().decide(Clause::fanuc_leading_edge_no_movement,
+                                       step.moves.empty() || is_zero(step.moves.front().leg.travel));
+}
+
+void LeadingEdgeOffset::forbid(const StageCommand& now) const {
+  const Codes& codes = now.command.codes;
   const bool other = codes.compensation && (is_cutter_side(*codes.compensation) || is_tool_side(*codes.compensation));
   const bool code = codes.one_shot != OneShot::none || codes.workpiece || codes.units || other;
-  if (code || (codes.auxiliary && moves))
-    raise(recorder_, Clause::fanuc_leading_edge_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
+  if (code || (codes.auxiliary && now.moves()))
+    raise(recorder(), Clause::fanuc_leading_edge_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
           "a command that is not allowed while the leading edge offset is on");
 }
 
 void LeadingEdgeOffset::take(const Step& step) {
-  if (step.edge == EdgeCommand::start) {
+  if (!has_words(step)) {
+    hand_on(step);
+    return;
+  }
+  const EdgeBlock& block = said(step);
+  if (block.code == EdgeBlock::Code::start) {
     active_ = starting_ = true;
     vector_ = {};
     held_ = step;
-  } else if (!active_) {
-    output_(step);
-  } else if (step.edge == EdgeCommand::cancel) {
+  } else if (block.code == EdgeBlock::Code::cancel) {
     take_cancel(step);
-  } else if (step.travels) {
+  } else if (block.travels) {
     take_moving(step);
   } else {
     take_other(step);
@@ -96,9 +105,9 @@ void LeadingEdgeOffset::take_moving(const Step& step) {
     const Vector& movement = step.moves.front().leg.travel;
     decide_held();
     if (starting_) {
-      recorder_.reach(Clause::fanuc_leading_edge_start);
+      recorder().reach(Clause::fanuc_leading_edge_start);
       try {
-        vector_ = rules_.first(movement, held_->rest.tool, held_->radius);
+        vector_ = rules_.first(movement, held_->rest.tool, said(*held_).radius);
       } catch (Alarm& alarm) {
         alarm.line = held_->line;
         alarm.n = held_->n;
@@ -106,8 +115,8 @@ void LeadingEdgeOffset::take_moving(const Step& step) {
         throw;
       }
     } else {
-      recorder_.decide(Clause::fanuc_leading_edge_one_block_without_movement, !behind_.empty());
-      vector_ = rules_.next(vector_, movement, held_->rest.tool, held_->radius);
+      recorder().decide(Clause::fanuc_leading_edge_one_block_without_movement, !behind_.empty());
+      vector_ = rules_.next(vector_, movement, held_->rest.tool, said(*held_).radius);
     }
     release(&step);
   }
@@ -126,8 +135,8 @@ void LeadingEdgeOffset::take_other(const Step& step) {
   const auto counted = std::ranges::count_if(behind_, [](const Step& s) { return s.has_word; });
   if (!step.stops_look_ahead && counted < 2) return;
   decide_held();
-  recorder_.reach(step.stops_look_ahead ? Clause::fanuc_leading_edge_kept_without_look_ahead
-                                        : Clause::fanuc_leading_edge_two_blocks_without_movement);
+  recorder().reach(step.stops_look_ahead ? Clause::fanuc_leading_edge_kept_without_look_ahead
+                                         : Clause::fanuc_leading_edge_two_blocks_without_movement);
   release(&step);
 }
 
@@ -137,18 +146,18 @@ void LeadingEdgeOffset::take_cancel(const Step& step) {
   if (held_) {
     decide_held();
     if (step.stops_look_ahead) {
-      recorder_.reach(Clause::fanuc_leading_edge_kept_without_look_ahead);
+      recorder().reach(Clause::fanuc_leading_edge_kept_without_look_ahead);
     } else {
-      recorder_.reach(Clause::fanuc_leading_edge_before_cancel);
-      vector_ = rules_.next(vector_, held_->moves.front().leg.travel, held_->rest.tool, held_->radius);
+      recorder().reach(Clause::fanuc_leading_edge_before_cancel);
+      vector_ = rules_.next(vector_, held_->moves.front().leg.travel, held_->rest.tool, said(*held_).radius);
     }
     release(&step);
   }
   active_ = false;
   vector_ = {};
-  recorder_.reach(Clause::fanuc_leading_edge_cancel);
+  recorder().reach(Clause::fanuc_leading_edge_cancel);
   Step cancel = step;
-  cancel.clauses.add(recorder_.take_clauses());
+  cancel.clauses.add(recorder().take_clauses());
   emit(cancel, spec::Cause::cancel);
 }
 
@@ -156,12 +165,12 @@ void LeadingEdgeOffset::finish() {
   if (!held_) return;
   if (starting_) start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, "PS5407", kNoMovement);
   decide_held();
-  recorder_.reach(Clause::fanuc_leading_edge_kept_at_the_end);
+  recorder().reach(Clause::fanuc_leading_edge_kept_at_the_end);
   release(nullptr);
 }
 
 void LeadingEdgeOffset::release(const Step* now) {
-  held_->clauses.add(recorder_.take_clauses());
+  held_->clauses.add(recorder().take_clauses());
   if (starting_) {
     emit(*held_, spec::Cause::start_up);
     starting_ = false;
@@ -171,13 +180,13 @@ void LeadingEdgeOffset::release(const Step* now) {
   for (const Step& step : behind_) emit(step);
   held_.reset();
   behind_.clear();
-  if (now != nullptr) recorder_.at(now->line);
+  if (now != nullptr) recorder().at(now->line);
 }
 
 void LeadingEdgeOffset::emit(const Step& step) {
   Step out = step;
   for (Move& move : out.moves) move.offset = vector_.vector;
-  output_(out);
+  hand_on(out);
 }
 
 void LeadingEdgeOffset::emit(const Step& step, spec::Cause inserted) {
@@ -185,12 +194,12 @@ void LeadingEdgeOffset::emit(const Step& step, spec::Cause inserted) {
   out.moves = {step.rest};
   out.moves.front().leg.cause = inserted;
   out.moves.front().offset = vector_.vector;
-  output_(out);
+  hand_on(out);
 }
 
 void LeadingEdgeOffset::start_alarm(Clause clause, spec::Name alarm, const char* message) {
   decide_held();
-  recorder_.reach(clause);
+  recorder().reach(clause);
   Alarm raised(alarm, message);
   raised.line = held_->line;
   raised.n = held_->n;

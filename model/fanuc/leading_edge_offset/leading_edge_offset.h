@@ -2,51 +2,45 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "model/basis/recorder.h"
 #include "model/fanuc/leading_edge_offset/edge_vector.h"
-#include "model/fanuc/program/interpreter.h"
-#include "model/fanuc/program/offset_memory.h"
-#include "model/fanuc/program/step.h"
-#include "spec/language/setup.h"
+#include "model/fanuc/program/stage.h"
 
 namespace toolcomp::model {
 
-// Takes steps in order and gives every move its compensation vector. Clauses: fanuc.leading-edge.*.
-class LeadingEdgeOffset {
+// What a block says to the leading edge offset, where that is on before it or from it on.
+struct EdgeBlock final : StageWords {
+  enum class Code : std::uint8_t { none, start, cancel };
+  Code code = Code::none;
+  Rational radius;       // offset of the D number in force at the end of the block, but for a cancel block
+  bool travels = false;  // it has a linear movement, X Y Z
+};
+
+// Gives every move its compensation vector (Move::offset). Clauses: fanuc.leading-edge.*.
+class LeadingEdgeOffset : public StageOf<EdgeBlock> {
  public:
-  // Receives the steps in order, with the vector of every move (Move::offset).
-  using Output = std::function<void(const Step& step)>;
-
   // Throws spec::InputError naming parameter 19631.
-  LeadingEdgeOffset(const spec::Setup& setup, Recorder& recorder, Output output);
+  explicit LeadingEdgeOffset(const Place& place);
 
-  // What the next step is to be marked with.
-  struct Marks {
-    EdgeCommand edge = EdgeCommand::none;
-    Rational radius;
-  };
-  // Reads G41.3, G40 and D. `moves`: the block has an axis word, or I J K as a tool direction. Throws Alarm PS5406,
-  // PS5408, PS5407, FORBIDDEN_IN_3D_COMPENSATION or PS0029.
-  Marks read(const Command& command, bool moves, const OffsetMemory& memory);
+  [[nodiscard]] Extent extent() const override { return Extent::space; }
+  [[nodiscard]] int look_ahead() const override { return 2; }
+  [[nodiscard]] bool on() const override { return active_; }
+  [[nodiscard]] bool on_after(const Command& command) const override;
 
-  // The mode is on before the next command that is read, or after this one.
-  [[nodiscard]] bool active() const { return active_; }
-  [[nodiscard]] bool active_after(const Command& command) const;
-  // The mode is on for this command: before it, or from it on.
-  [[nodiscard]] bool concerns(const Command& command) const;
-
-  // The step after read() of its block. Throws Alarm PS5407 or PS5408 for a G41.3 block before it.
-  void take(const Step& step);
-  // No block follows: the end of the program, or a block that ends the run by an alarm. Throws Alarm PS5407.
-  void finish();
+  // Reads G41.3, G40 and D. Throws Alarm PS5406, PS5408, PS5407, FORBIDDEN_IN_3D_COMPENSATION or PS0029.
+  std::shared_ptr<StageWords> read(const StageCommand& now) override;
+  void complete(StageWords& words, const Step& step) const override;
+  // Throws Alarm PS5407 or PS5408 for a G41.3 block before it.
+  void take(const Step& step) override;
+  // Throws Alarm PS5407.
+  void finish() override;
 
  private:
   [[nodiscard]] std::uint32_t number(const Command& command) const { return command.codes.d.value_or(number_); }
-  void forbid(const Command& command, bool moves);
+  void forbid(const StageCommand& now) const;
   void take_cancel(const Step& step);
   void take_moving(const Step& step);
   void take_other(const Step& step);
@@ -56,11 +50,10 @@ class LeadingEdgeOffset {
   void emit(const Step& step);
   void emit(const Step& step, spec::Cause inserted);
   // Decisions from here on belong to the block held.
-  void decide_held() { recorder_.at(held_->line); }
+  void decide_held() { recorder().at(held_->line); }
   [[noreturn]] void start_alarm(Clause clause, spec::Name alarm, const char* message);
 
-  Recorder& recorder_;
-  Output output_;
+  const OffsetMemory& memory_;
   EdgeRules rules_;
   std::uint32_t number_ = 0;  // D in force
   bool active_ = false;

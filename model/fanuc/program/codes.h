@@ -52,6 +52,15 @@ enum class OneShot : std::uint8_t {  // group 00
 // G45–G48.
 constexpr bool is_tool_offset(OneShot code) { return code >= OneShot::increase && code <= OneShot::double_decrease; }
 
+// G28, G30, G30.1.
+constexpr bool is_reference_return(OneShot code) {
+  return code == OneShot::reference || code == OneShot::other_reference || code == OneShot::floating_reference;
+}
+// G53, and those.
+constexpr bool goes_by_machine_coordinates(OneShot code) {
+  return is_reference_return(code) || code == OneShot::machine_coordinates;
+}
+
 // G04 and G10: axis letters and I J K are their data.
 constexpr bool takes_letters_as_data(OneShot code) { return code == OneShot::dwell || code == OneShot::data; }
 

@@ -1,10 +1,15 @@
 // The offset that a code and a value ask for, in every compensation that runs beside the path.
 #pragma once
 
+#include <cstdint>
+
+#include "model/basis/number.h"
 #include "model/basis/recorder.h"
-#include "model/fanuc/program/step.h"
 
 namespace toolcomp::model {
+
+// G40, G41, G42: where the tool runs, seen in the direction of travel.
+enum class CutterSide : std::uint8_t { none, left, right };
 
 struct CutterOffset {
   int side = 1;  // 1 left of the path, -1 right

@@ -1,6 +1,7 @@
 #include "model/fanuc/program/interpreter.h"
 
 #include "model/basis/alarm.h"
+#include "model/geometry/arc.h"
 
 namespace toolcomp::model {
 namespace {
@@ -11,10 +12,6 @@ AxisMask bit(std::size_t axis) { return static_cast<AxisMask>(1U << axis); }
 // The kind of a straight move under a code of group 01.
 spec::MoveType straight(Motion motion) {
   return motion == Motion::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
-}
-
-bool is_reference_return(OneShot code) {
-  return code == OneShot::reference || code == OneShot::other_reference || code == OneShot::floating_reference;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "model/basis/recorder.h"
 #include "model/fanuc/program/interpreter.h"
+#include "model/fanuc/program/pipeline.h"
 #include "model/fanuc/tool_length_offset/tool_length_offset.h"
 #include "model/fanuc/tool_posture_control/tool_posture_control.h"
 #include "model/kinematics/machine.h"
@@ -24,14 +25,6 @@ struct TipMarks {
   bool ends = false;         // G49 that ends it
   bool tip_control = false;  // in force in this block
   bool directed = false;     // and of type 2: I J K are a direction
-};
-
-// The other compensations in space, before and after the block.
-struct Compensated {
-  bool edge_before = false;
-  bool edge_after = false;  // the leading edge offset is on
-  bool side_before = false;
-  bool side_after = false;  // tool side compensation is on
 };
 
 // The tool at the end of a move.
@@ -55,8 +48,8 @@ class ToolCenterPointControl {
   ToolCenterPointControl(const spec::Setup& setup, Recorder& recorder, const WorkCoordinates& work,
                          const Position& start, bool with_motion);
 
-  // The words of a block. Throws the alarms of the mode that words alone raise.
-  TipMarks read(const Command& command, const ToolLengthOffset& length, const Compensated& compensated);
+  // The words of a block. `stages` tell which compensation is on. Throws the alarms of the mode that words alone raise.
+  TipMarks read(const Command& command, const ToolLengthOffset& length, const Pipeline& stages);
 
   // The block ends the mode, or starts it again: what is called the position of the tool is renamed. `standing`: where
   // the last block has ended, with the shift left by G45 to G48.
@@ -81,8 +74,8 @@ class ToolCenterPointControl {
   // words.cpp
   void restrict_mode(const Command& command, const ToolLengthOffset& length, const TipMarks& marks) const;
   void restrict_start(const Command& command, const TipMarks& marks);
-  void restrict_compensation(const Command& command, const TipMarks& marks, const Compensated& compensated) const;
-  void restrict_words(const Command& command, const TipMarks& marks, const Compensated& compensated) const;
+  void restrict_compensation(const Command& command, const TipMarks& marks, const Pipeline& stages) const;
+  void restrict_words(const Command& command, const TipMarks& marks, const Pipeline& stages) const;
   void restrict_arc(const Command& command, const TipMarks& marks) const;
   void read_posture_word(const Command& command);
   [[nodiscard]] bool has_axis_word(const Command& command, bool (*is_of)(char)) const;

@@ -2,6 +2,7 @@
 #include "model/basis/alarm.h"
 #include "model/basis/number.h"
 #include "model/fanuc/tool_center_point_control/tool_center_point_control.h"
+#include "model/geometry/plane.h"
 
 namespace toolcomp::model {
 namespace {
@@ -26,8 +27,7 @@ bool ToolCenterPointControl::has_axis_word(const Command& command, bool (*is_of)
   return false;
 }
 
-TipMarks ToolCenterPointControl::read(const Command& command, const ToolLengthOffset& length,
-                                      const Compensated& compensated) {
+TipMarks ToolCenterPointControl::read(const Command& command, const ToolLengthOffset& length, const Pipeline& stages) {
   const std::optional<LengthCode>& code = command.codes.length;
   TipMarks marks;
   marks.starts = code && is_tip_control(*code);
@@ -38,9 +38,9 @@ TipMarks ToolCenterPointControl::read(const Command& command, const ToolLengthOf
   if (!marks.tip_control && !marks.ends) return marks;
   restrict_mode(command, length, marks);
   if (marks.starts) restrict_start(command, marks);
-  restrict_compensation(command, marks, compensated);
+  restrict_compensation(command, marks, stages);
   if (!marks.tip_control) return marks;
-  if (marks.directed) restrict_words(command, marks, compensated);
+  if (marks.directed) restrict_words(command, marks, stages);
   restrict_arc(command, marks);
   if (marks.starts) {
     const spec::Decimal* const lean = marks.directed ? word(command, 'Q') : nullptr;
@@ -94,14 +94,13 @@ void ToolCenterPointControl::read_posture_word(const Command& command) {
 }
 
 void ToolCenterPointControl::restrict_compensation(const Command& command, const TipMarks& marks,
-                                                   const Compensated& compensated) const {
-  const bool edge = compensated.edge_before || compensated.edge_after;
-  const bool side = compensated.side_before || compensated.side_after;
-  if (((edge || side) && (marks.starts || marks.ends)) || (marks.starts && command.is_arc_motion()))
+                                                   const Pipeline& stages) const {
+  const Pipeline::InForce in_space = stages.in_force(Extent::space, command);
+  if ((in_space.any() && (marks.starts || marks.ends)) || (marks.starts && command.is_arc_motion()))
     raise(recorder_, Clause::fanuc_tool_center_point_format, "TOOL_DIRECTION_FORMAT",
           "G43.4, G43.5 or their end in a compensation in space, or G43.4 or G43.5 in G02 or G03");
   const bool on_table = machine_ && machine_->programs_workpiece() && machine_->type() != MachineType::head;
-  if (marks.tip_control && on_table && (compensated.edge_after || compensated.side_after))
+  if (marks.tip_control && on_table && in_space.after)
     raise(recorder_, Clause::fanuc_tool_center_point_compensation_in_workpiece_system,
           "COMPENSATION_IN_WORKPIECE_SYSTEM",
           "a compensation in space with a table axis in the workpiece coordinate system (19696#5 = 1)");
@@ -109,11 +108,9 @@ void ToolCenterPointControl::restrict_compensation(const Command& command, const
 
 // Type 2.
 void ToolCenterPointControl::restrict_words(const Command& command, const TipMarks& marks,
-                                            const Compensated& compensated) const {
+                                            const Pipeline& stages) const {
   if (has_axis_word(command, spec::is_rotary_axis)) {
-    if (compensated.side_before || compensated.side_after)
-      raise(recorder_, Clause::fanuc_tool_side_rotary_word, "PS5460",
-            "a rotary axis word while tool side compensation is on under G43.5");
+    stages.refuse_rotary_word(command);
     raise(recorder_, Clause::fanuc_tool_center_point_rotary_word, "PS5421",
           "a rotary axis word while G43.5 is in force");
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
+#include "model/geometry/plane.h"
 
 namespace toolcomp::model {
 namespace {
@@ -13,18 +14,14 @@ bool in(AxisMask mask, std::size_t axis) { return (mask >> axis & 1U) != 0; }
 Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) : value; }
 Real magnitude(const Real& value) { return value.sign() == Sign::negative ? -value : value; }
 
-bool goes_to_machine_position(OneShot code) {
-  return code == OneShot::machine_coordinates || code == OneShot::reference || code == OneShot::other_reference ||
-         code == OneShot::floating_reference;
-}
-
 }  // namespace
 
 ToolOffset::ToolOffset(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder)
     : memory_(memory),
       recorder_(recorder),
       axes_(setup.axes),
-      by_length_number_(setup.bit(5001, 5) && !setup.bit(5001, 2)) {}
+      by_length_number_(setup.bit(5001, 5) && !setup.bit(5001, 2)),
+      offset_(setup, memory, recorder) {}
 
 void ToolOffset::put(Leg& leg) const {
   if (!shifted_) return;
@@ -47,9 +44,9 @@ void ToolOffset::take_away(AxisMask axes) {
   shifted_ = std::ranges::any_of(shift_, [](const Rational& shift) { return shift != 0; });
 }
 
-Rational ToolOffset::lengthening(const Command& command, const OffsetNumber& cutter, const LengthState& length) const {
+Rational ToolOffset::lengthening(const Command& command, const LengthState& length) const {
   const OneShot code = command.codes.one_shot;
-  const OffsetNumber number = by_length_number_ ? OffsetNumber{length.number, length.number != 0} : cutter;
+  const OffsetNumber number = by_length_number_ ? OffsetNumber{length.number, length.number != 0} : offset_.number();
   const bool by_h = recorder_.decide(Clause::fanuc_tool_offset_number, number.of_h);
   const Rational value = by_h ? memory_.h(number.number) : memory_.d(number.number);
   const bool increase = code == OneShot::increase || code == OneShot::double_increase;
@@ -98,8 +95,9 @@ void ToolOffset::lengthen(const Command& command, const Interpreter& interpreter
   arc.center.set(axis, arc.center[axis] + Real(radius_word < 0 ? Rational(-by) : by));
 }
 
-void ToolOffset::apply(const Command& command, const Interpreter& interpreter, const OffsetNumber& cutter,
-                       const LengthState& length, std::vector<Leg>& legs) {
+void ToolOffset::apply(const Command& command, const Interpreter& interpreter, const LengthState& length,
+                       std::vector<Leg>& legs) {
+  offset_.take(command.codes);
   const std::array<Rational, spec::kMaxAxes> before = shift_;
   const bool was_shifted = shifted_;
   if (is_tool_offset(command.codes.one_shot)) {
@@ -114,7 +112,7 @@ void ToolOffset::apply(const Command& command, const Interpreter& interpreter, c
       }
     } else {
       recorder_.reach(Clause::fanuc_tool_offset_travel);
-      const Rational by = lengthening(command, cutter, length);
+      const Rational by = lengthening(command, length);
       Leg& leg = legs.front();
       if (leg.arc) lengthen(command, interpreter, by, *leg.arc, leg);
       for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -132,7 +130,7 @@ void ToolOffset::apply(const Command& command, const Interpreter& interpreter, c
 
   for (Leg& leg : legs) {
     // A reference return keeps the shift up to its intermediate point.
-    if (&leg == &legs.back() && goes_to_machine_position(command.codes.one_shot)) take_away(command.axes);
+    if (&leg == &legs.back() && goes_by_machine_coordinates(command.codes.one_shot)) take_away(command.axes);
     put(leg);
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       const char letter = axes_.letter(i);

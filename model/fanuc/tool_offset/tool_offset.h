@@ -23,10 +23,9 @@ class ToolOffset {
  public:
   ToolOffset(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder);
 
-  // Makes the legs of the block longer or shorter where it holds G45 to G48, and shifts them. `cutter`: the number in
-  // force at the end of the block. Throws Alarm G45_LENGTH_OFFSET, PS0029, G45_ARC or PS0038.
-  void apply(const Command& command, const Interpreter& interpreter, const OffsetNumber& cutter,
-             const LengthState& length, std::vector<Leg>& legs);
+  // Makes the legs of the block longer or shorter where it holds G45 to G48, and shifts them. Throws Alarm
+  // G45_LENGTH_OFFSET, PS0029, G45_ARC or PS0038.
+  void apply(const Command& command, const Interpreter& interpreter, const LengthState& length, std::vector<Leg>& legs);
 
   // The leg, its programmed end shifted as after the last block.
   [[nodiscard]] Leg shifted(Leg leg) const;
@@ -35,8 +34,7 @@ class ToolOffset {
 
  private:
   // By how much the code in force lengthens a travel.
-  [[nodiscard]] Rational lengthening(const Command& command, const OffsetNumber& cutter,
-                                     const LengthState& length) const;
+  [[nodiscard]] Rational lengthening(const Command& command, const LengthState& length) const;
   // +1 or −1 for the sense in which the axis goes, 0 if it takes no offset.
   [[nodiscard]] int sense(const Command& command, std::size_t axis, const Real& travel) const;
   // The arc as the tool runs it. Throws Alarm G45_ARC or PS0038.
@@ -50,6 +48,7 @@ class ToolOffset {
   Recorder& recorder_;
   spec::Axes axes_;
   bool by_length_number_;  // 5001#5 with 5001#2 = 0
+  OffsetInForce offset_;   // else by the number of cutter compensation
   std::array<Rational, spec::kMaxAxes> shift_;
   bool shifted_ = false;  // some axis is
 };

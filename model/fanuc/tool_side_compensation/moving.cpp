@@ -51,7 +51,7 @@ ToolSideCompensation::Movement ToolSideCompensation::movement_of(const Step& now
   const Leg& leg = now.moves.front().leg;
   movement.path.travel = leg.travel;
   if (leg.arc) {
-    movement.path.arc = arc_of(leg, now.side->radius, axes_);
+    movement.path.arc = arc_of(leg, said(now).radius, axes_);
     for (auto& start : movement.starts) start.emplace();
     movement.end.emplace();
     return movement;
@@ -70,10 +70,10 @@ bool ToolSideCompensation::crosses_tool(const CompensationPlane& plane, const Si
   const Real& norm2 = plane.tool().norm2;
   const Real travel2 = squared_norm(line.travel);
   if (limit_ <= 0)
-    return crosses(recorder_.decide(Clause::fanuc_tool_side_along_the_tool, line.left2, norm2 * travel2), line.left2);
+    return crosses(recorder().decide(Clause::fanuc_tool_side_along_the_tool, line.left2, norm2 * travel2), line.left2);
   const Rational limit2 = limit_ * limit_;
-  const Sign decided = recorder_.decide(Clause::fanuc_tool_side_no_movement_limit, line.left2 - limit2 * norm2,
-                                        norm2 * (travel2 + limit2));
+  const Sign decided = recorder().decide(Clause::fanuc_tool_side_no_movement_limit, line.left2 - limit2 * norm2,
+                                         norm2 * (travel2 + limit2));
   return decided != Sign::negative && crosses(Sign::positive, line.left2);
 }
 
@@ -82,8 +82,8 @@ void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
   if (movement.moves()) {
     const Leg& leg = now.moves.front().leg;
     if (leg.arc && !leg.arc->sweep)
-      raise(recorder_, Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc that ends in its centre");
-    offset = offset_of(recorder_, now.side->side, now.side->offset);
+      raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc that ends in its centre");
+    offset = offset_of(recorder(), said(now).side, said(now).offset);
     check_side_behind_start(movement, offset);
     look_at_movement(now, movement, offset);
   }
@@ -107,9 +107,9 @@ void ToolSideCompensation::look_at_movement(Step& now, Movement& movement, const
 
 // The block makes no vector at its own end. `cuts_corner`: it was the outgoing leg of a corner before it.
 void ToolSideCompensation::keep_vector(Step& now, bool cuts_corner) {
-  if (cuts_corner) recorder_.reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
+  if (cuts_corner) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
   if (!held_.empty()) {
-    now.clauses.add(recorder_.take_clauses());
+    now.clauses.add(recorder().take_clauses());
     held_.back().keeping.push_back(std::move(now));
     return;
   }
@@ -126,25 +126,25 @@ void ToolSideCompensation::check_side_behind_start(const Movement& movement, con
   const bool meets_start = !held_.empty() && held_.front().kind != Held::Kind::moving && movement.starts.front() &&
                            held_.front().offset.side != offset.side;
   if (first || meets_start)
-    raise(recorder_, Clause::fanuc_cutter_c_direction_change_at_start_up, "DIR_CHANGE_AT_STARTUP",
+    raise(recorder(), Clause::fanuc_cutter_c_direction_change_at_start_up, "DIR_CHANGE_AT_STARTUP",
           "the side changes in the block behind a start-up");
 }
 
 // From which side the tool sees the plane of an arc: +1, -1, or 0 where it lies in it.
 int ToolSideCompensation::sense(const Direction& tool, spec::Plane plane) const {
   const Real& upright = component(tool.vector, third_axis(plane));
-  const Sign seen = recorder_.decide(Clause::fanuc_tool_side_arc_plane, upright, sqrt(tool.norm2));
+  const Sign seen = recorder().decide(Clause::fanuc_tool_side_arc_plane, upright, sqrt(tool.norm2));
   if (seen != Sign::zero && upright.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
   return static_cast<int>(seen);
 }
 
 bool ToolSideCompensation::leans(const Direction& tool, spec::Plane plane) const {
-  return recorder_.decide(Clause::fanuc_tool_side_arc_plane_mismatch, squared_norm(in_plane_of(plane, tool.vector)),
-                          tool.norm2) != Sign::zero;
+  return recorder().decide(Clause::fanuc_tool_side_arc_plane_mismatch, squared_norm(in_plane_of(plane, tool.vector)),
+                           tool.norm2) != Sign::zero;
 }
 
 void ToolSideCompensation::look_at_arc(Step& now, Movement& movement) {
-  recorder_.reach(Clause::fanuc_tool_side_arc);
+  recorder().reach(Clause::fanuc_tool_side_arc);
   constexpr const char* kOnEdge = "an arc whose plane holds the tool";
   SideArc& arc = *movement.path.arc;
   for (std::size_t i = 0; i < held_.size(); ++i) {
@@ -167,13 +167,13 @@ void ToolSideCompensation::look_at_arc(Step& now, Movement& movement) {
 void ToolSideCompensation::meet_corners(Step& now, const Movement& movement, const CutterOffset& offset) {
   for (const std::optional<SideEnd>& start : movement.starts) {
     Held& held = held_.front();
-    if (now.side->repeats_code()) held.repeated = true;
+    if (said(now).repeats_code()) held.repeated = true;
     decide_held(now);
     if (start)
       make_corner(now, movement, *start, offset);
     else if (++held.without_movement >= 2)
       end_first_without_corner(Clause::fanuc_tool_side_two_blocks_without_movement);
-    recorder_.at(now.line);
+    recorder().at(now.line);
   }
 }
 
@@ -184,8 +184,8 @@ void ToolSideCompensation::make_corner(const Step& now, const Movement& movement
     run_lone_start(start);
     return;
   }
-  recorder_.decide(Clause::fanuc_tool_side_one_block_without_movement, held.without_movement == 1);
-  recorder_.decide(Clause::fanuc_cutter_c_value_at_a_corner, offset.value != held.offset.value);
+  recorder().decide(Clause::fanuc_tool_side_one_block_without_movement, held.without_movement == 1);
+  recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, offset.value != held.offset.value);
   release(group_before(now, movement, start, offset));
 }
 
@@ -197,16 +197,16 @@ SideGroup ToolSideCompensation::group_before(const Step& now, const Movement& mo
   if (former.offset == 0) return rules_.square_to(held.plane, former);
   const SideCorner corner{held.plane, former, start};
   const bool starts = held.kind == Held::Kind::start_up;
-  const int treatment = starts ? 0 : held.step.side->treatment.value_or(0);
+  const int treatment = starts ? 0 : said(held.step).treatment.value_or(0);
   const bool one_side = held.offset.side == offset.side;
   SideGroup group;
   if (treatment == 1) {
-    recorder_.reach(Clause::fanuc_tool_side_q1);
+    recorder().reach(Clause::fanuc_tool_side_q1);
     group = rules_.square_to(held.plane, former);
-  } else if (recorder_.decide(Clause::fanuc_cutter_c_direction_change, !one_side)) {
+  } else if (recorder().decide(Clause::fanuc_cutter_c_direction_change, !one_side)) {
     group = rules_.side_change(corner);
   } else if (held.repeated) {
-    recorder_.reach(Clause::fanuc_tool_side_repeated);
+    recorder().reach(Clause::fanuc_tool_side_repeated);
     group = rules_.square_to(held.plane, former);
   } else if (starts) {
     group = rules_.start_up(corner);
@@ -215,10 +215,10 @@ SideGroup ToolSideCompensation::group_before(const Step& now, const Movement& mo
     if (!found)
       raise_held(Clause::fanuc_cutter_c_no_intersection, "PS0033", "the offset paths of an inner corner do not meet");
     group = std::move(*found);
-    if (treatment == 2 && recorder_.decide(Clause::fanuc_tool_side_q2, corner.of_lines() && group.size() == 2))
+    if (treatment == 2 && recorder().decide(Clause::fanuc_tool_side_q2, corner.of_lines() && group.size() == 2))
       group.pop_back();
   }
-  if (treatment == 3) recorder_.reach(Clause::fanuc_tool_side_q3);
+  if (treatment == 3) recorder().reach(Clause::fanuc_tool_side_q3);
   if (may_drop(group, movement.path)) rules_.drop_small_differences(group, held.offset.distance);
   if (!starts && treatment == 0 && one_side && !held.repeated &&
       plane_change_.interferes({held.path.travel, held.plane.tool()}, {movement.path.travel, now.rest.tool}))
@@ -231,7 +231,7 @@ SideGroup ToolSideCompensation::group_before(const Step& now, const Movement& mo
 bool ToolSideCompensation::may_drop(const SideGroup& group, const SidePath& next) const {
   if (group.size() < 2 || !next.arc) return true;
   const ArcEnds& ends = next.arc->ends;
-  return is_under_half_circle(recorder_, ends.start, ends.end, ends.turn,
+  return is_under_half_circle(recorder(), ends.start, ends.end, ends.turn,
                               sqrt(squared_norm(ends.start) * squared_norm(ends.end)));
 }
 
@@ -243,7 +243,7 @@ void ToolSideCompensation::take_cancel(Step& now, Movement& movement) {
     cancel_alone(now, movement.moves_behind());
     return;
   }
-  recorder_.reach(Clause::fanuc_tool_side_cancel);
+  recorder().reach(Clause::fanuc_tool_side_cancel);
   insert_corner_moves(now);
   now.moves.back().leg.cause = spec::Cause::cancel;
   here_ = {SideVector{}};
@@ -255,16 +255,16 @@ void ToolSideCompensation::take_cancel(Step& now, Movement& movement) {
 void ToolSideCompensation::meet_corners_before_cancel(Step& now, Movement& movement) {
   for (std::optional<SideEnd>& start : movement.starts) {
     Held& held = held_.front();
-    if (now.side->repeats_code()) held.repeated = true;
+    if (said(now).repeats_code()) held.repeated = true;
     decide_held(now);
     if (start) {
       start->offset = held.offset.left();
-      recorder_.decide(Clause::fanuc_tool_side_one_block_without_movement, held.without_movement == 1);
+      recorder().decide(Clause::fanuc_tool_side_one_block_without_movement, held.without_movement == 1);
       release(group_before_cancel(*start));
     } else {
       end_first_without_corner(Clause::fanuc_tool_side_no_next_block);
     }
-    recorder_.at(now.line);
+    recorder().at(now.line);
   }
 }
 
@@ -273,11 +273,11 @@ SideGroup ToolSideCompensation::group_before_cancel(const SideEnd& start) {
   const SideEnd& former = held.end;
   if (former.offset == 0) return rules_.square_to(held.plane, former);
   if (held.repeated) {
-    recorder_.reach(Clause::fanuc_tool_side_repeated);
+    recorder().reach(Clause::fanuc_tool_side_repeated);
     return rules_.square_to(held.plane, former);
   }
   if (held.kind == Held::Kind::start_up) {
-    recorder_.reach(Clause::fanuc_tool_side_start_then_cancel);
+    recorder().reach(Clause::fanuc_tool_side_start_then_cancel);
     return rules_.square_to(held.plane, former);
   }
   SideGroup group = rules_.cancel({held.plane, former, start});
@@ -287,7 +287,7 @@ SideGroup ToolSideCompensation::group_before_cancel(const SideEnd& start) {
 
 // The tool moves by the vector perpendicular to the next block.
 void ToolSideCompensation::run_lone_start(const SideEnd& start) {
-  recorder_.reach(Clause::fanuc_tool_side_start_type_c);
+  recorder().reach(Clause::fanuc_tool_side_start_type_c);
   Held held = std::move(held_.front());
   held_.pop_front();
   here_ = rules_.square_to_latter(held.plane, start);
@@ -296,7 +296,7 @@ void ToolSideCompensation::run_lone_start(const SideEnd& start) {
 }
 
 void ToolSideCompensation::hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement) {
-  now.clauses.add(recorder_.take_clauses());
+  now.clauses.add(recorder().take_clauses());
   Held held;
   held.kind = kind;
   held.offset = offset;

@@ -8,24 +8,24 @@
 namespace toolcomp::model {
 
 void ToolSideCompensation::release(SideGroup at_end) {
-  recorder_.reach(Clause::fanuc_tool_side_plane);
+  recorder().reach(Clause::fanuc_tool_side_plane);
   for (std::size_t i = 1; i < at_end.size(); ++i)
-    recorder_.decide(Clause::fanuc_tool_side_stop_point, !at_end[i].after_stop);
+    recorder().decide(Clause::fanuc_tool_side_stop_point, !at_end[i].after_stop);
   Held& held = held_.front();
   const auto& arc = held.path.arc;
   std::optional<OffsetPath> as_seen;
   std::optional<ToolArcRun> run;
   if (arc) {
     as_seen = as_run(*arc, held.offset_at_start, held.end.offset);
-    run.emplace(recorder_, *as_seen, head(*arc, here_plane_, here_.back()), head(*arc, held.plane, at_end.front()),
+    run.emplace(recorder(), *as_seen, head(*arc, here_plane_, here_.back()), head(*arc, held.plane, at_end.front()),
                 pair_of(held, at_end.front()));
   }
   Passage passage = Passage::free;
-  if (held.kind == Held::Kind::moving && recorder_.decide(Clause::fanuc_cutter_c_interference_check, checks_))
+  if (held.kind == Held::Kind::moving && recorder().decide(Clause::fanuc_cutter_c_interference_check, checks_))
     passage = remove_interference(held, at_end, run ? &*run : nullptr);
 
   Step step = std::move(held.step);
-  step.clauses.add(recorder_.take_clauses());
+  step.clauses.add(recorder().take_clauses());
   flush();
   Move& own = step.moves.front();
   own.offset = at_end.front().vector;
@@ -35,7 +35,7 @@ void ToolSideCompensation::release(SideGroup at_end) {
     own.leg.arc.reset();
   } else if (arc) {
     const ToolArc tool = run->arc();
-    step.clauses.add(recorder_.take_clauses());
+    step.clauses.add(recorder().take_clauses());
     own.leg.arc->sweep = tool.sweep;
     own.leg.arc->radius = tool.radius;
   }
@@ -53,15 +53,15 @@ Passage ToolSideCompensation::remove_interference(const Held& held, SideGroup& a
   const auto interferes = [&](bool first, std::size_t from, std::size_t to) {
     if (first && run != nullptr) {
       const PathEnd end = seen(held.plane, held.plane.frame(), held.end);
-      return arc_interferes(recorder_, held.start, end, *run);
+      return arc_interferes(recorder(), held.start, end, *run);
     }
     return line_interferes(held, here_[from].vector, at_end[to].vector);
   };
-  const Kept kept = inner_pair(recorder_, here_.size(), at_end.size(), interferes);
+  const Kept kept = inner_pair(recorder(), here_.size(), at_end.size(), interferes);
   if (kept.passage == Passage::blocked)
     raise_held(Clause::fanuc_cutter_c_interference_alarm, "PS0041", "the tool's path goes against the programmed one");
   if (kept.passage == Passage::shortened)
-    recorder_.decide(Clause::fanuc_cutter_c_interference_straightened, run != nullptr);
+    recorder().decide(Clause::fanuc_cutter_c_interference_straightened, run != nullptr);
   here_.resize(kept.from + 1);
   at_end.erase(at_end.begin(), at_end.begin() + static_cast<std::ptrdiff_t>(kept.to));
   return kept.passage;
@@ -73,7 +73,7 @@ bool ToolSideCompensation::line_interferes(const Held& held, const Vector& from,
   const Real along = dot(held.plane.along(travel), travel + (to - from));
   const Real length = sqrt(squared_norm(travel));
   const Real scale = held.plane.tool().norm2 * length * (length + sqrt(squared_norm(from)) + sqrt(squared_norm(to)));
-  return recorder_.decide(Clause::fanuc_cutter_c_interference_direction, along, scale) == Sign::negative;
+  return recorder().decide(Clause::fanuc_cutter_c_interference_direction, along, scale) == Sign::negative;
 }
 
 // Square to an arc that starts and ends in one place, or opposite with respect to its centre, the vectors do so too.
@@ -113,12 +113,12 @@ void ToolSideCompensation::flush() {
     former.moves.push_back(move);
   }
   here_.erase(here_.begin(), here_.begin() + static_cast<std::ptrdiff_t>(next - 1));
-  output_(former);
+  hand_on(former);
   for (std::size_t i = 1; i < waiting_.size(); ++i) {
     Step& other = waiting_[i];
     for (Move& own : other.moves) own.offset = here_.back().vector;
     if (!other.moves.empty()) insert_corner_moves(other);
-    output_(other);
+    hand_on(other);
   }
   waiting_.clear();
 }
@@ -143,8 +143,8 @@ void ToolSideCompensation::insert_corner_moves(Step& step) {
 }
 
 void ToolSideCompensation::emit(Step& step) {
-  step.clauses.add(recorder_.take_clauses());
-  output_(step);
+  step.clauses.add(recorder().take_clauses());
+  hand_on(step);
 }
 
 void ToolSideCompensation::emit_at_head(Step& step) {

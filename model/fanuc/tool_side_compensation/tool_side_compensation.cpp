@@ -18,32 +18,46 @@ constexpr const char* kTypeC = "start-up or cancel of type C: words or a next bl
 
 }  // namespace
 
-ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, Recorder& recorder, Output output)
-    : recorder_(recorder),
-      output_(std::move(output)),
-      rules_(setup, recorder),
-      plane_change_(setup, recorder),
-      axes_(setup.axes),
-      limit_(setup.parameter(19630) ? plain(*setup.parameter(19630)) : Rational(0)),
-      type_c_(setup.bit(5003, 1)),
-      checks_(!setup.bit(5008, 0)),
+ToolSideCompensation::ToolSideCompensation(const Place& place)
+    : StageOf(place),
+      words_(place.setup, place.memory, place.recorder),
+      rules_(place.setup, place.recorder),
+      plane_change_(place.setup, place.recorder),
+      axes_(place.setup.axes),
+      limit_(place.setup.parameter(19630) ? plain(*place.setup.parameter(19630)) : Rational(0)),
+      type_c_(place.setup.bit(5003, 1)),
+      checks_(!place.setup.bit(5008, 0)),
       here_{SideVector{}} {}
 
-void ToolSideCompensation::read(const ToolSideBlock& words) {
+void ToolSideCompensation::refuse_rotary_word(const Command& command) const {
+  if (on() || on_after(command))
+    raise(recorder(), Clause::fanuc_tool_side_rotary_word, "PS5460",
+          "a rotary axis word while tool side compensation is on under G43.5");
+}
+
+std::shared_ptr<StageWords> ToolSideCompensation::read(const StageCommand& now) {
+  std::shared_ptr<ToolSideBlock> block = words_.read(now);
+  if (!block) return nullptr;
+  check(*block);
+  words_.add_value(*block);
+  return block;
+}
+
+void ToolSideCompensation::check(const ToolSideBlock& words) const {
   if (words.wrong_mode)
-    raise(recorder_, Clause::fanuc_tool_side_code_for_the_mode, "TOOL_SIDE_MODE",
+    raise(recorder(), Clause::fanuc_tool_side_code_for_the_mode, "TOOL_SIDE_MODE",
           "G41.2 or G42.2 under G43.5, or G41.6 or G42.6 without it");
   if (on() && words.plane_changed)
-    raise(recorder_, Clause::fanuc_tool_side_plane_selected, "PS0037",
+    raise(recorder(), Clause::fanuc_tool_side_plane_selected, "PS0037",
           "the plane changes while tool side compensation is on");
   forbid(words);
   if (words.wanted() && words.treatment == 0)
-    raise(recorder_, Clause::fanuc_tool_side_q_format, "Q_FORMAT", "a Q other than 1, 2 or 3");
+    raise(recorder(), Clause::fanuc_tool_side_q_format, "Q_FORMAT", "a Q other than 1, 2 or 3");
   const bool starts = words.wanted() && (state_ == State::off || state_ == State::waiting) && held_.empty();
   const bool cancels = !words.wanted() && (state_ == State::on || state_ == State::leaving);
   check_type_c(words, starts, cancels);
   if (words.arc_words && (starts || cancels))
-    raise(recorder_, Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
+    raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
           "tool side compensation started or cancelled in an arc");
 }
 
@@ -52,25 +66,25 @@ void ToolSideCompensation::forbid(const ToolSideBlock& words) const {
   const bool after =
       words.wanted() && (words.changes_coordinates || (words.auxiliary && (words.moves || words.arc_words)));
   if (around || after || (on() && words.other_compensation))
-    raise(recorder_, Clause::fanuc_tool_side_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
+    raise(recorder(), Clause::fanuc_tool_side_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
           "a command that is not allowed while tool side compensation is on");
 }
 
 void ToolSideCompensation::check_type_c(const ToolSideBlock& words, bool starts, bool cancels) const {
   if (!type_c_ || !(starts || cancels)) return;
   if (words.moves || words.arc_mode || (starts && words.stops_look_ahead))
-    raise(recorder_, Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
+    raise(recorder(), Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
 }
 
 void ToolSideCompensation::take(const Step& step) {
-  if (!step.side || !step.side->is_block) {
-    output_(step);
+  if (!has_words(step) || !said(step).is_block) {
+    hand_on(step);
     return;
   }
   Step now = step;
-  const ToolSideBlock& block = *now.side;
+  const ToolSideBlock& block = said(now);
   const bool in_force = block.side != CutterSide::none;
-  const bool wanted = in_force && !recorder_.decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
+  const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
   const Direction tool = now.rest.tool;
   if (now.stops_look_ahead) end_before(now, Clause::fanuc_tool_side_look_ahead_stopped);
   Movement movement;
@@ -94,7 +108,7 @@ void ToolSideCompensation::finish() { end_without_corner(Clause::fanuc_tool_side
 
 void ToolSideCompensation::take_while_off(Step& now, bool wanted, Movement& movement) {
   state_ = wanted ? State::waiting : State::off;
-  if (wanted && recorder_.decide(Clause::fanuc_tool_side_type_c, type_c_))
+  if (wanted && recorder().decide(Clause::fanuc_tool_side_type_c, type_c_))
     start_alone(now);
   else if (wanted && movement.end)
     start_up(now, movement);
@@ -103,8 +117,8 @@ void ToolSideCompensation::take_while_off(Step& now, bool wanted, Movement& move
 }
 
 void ToolSideCompensation::start_up(Step& now, Movement& movement) {
-  recorder_.reach(Clause::fanuc_tool_side_start_up);
-  const CutterOffset offset = offset_of(recorder_, now.side->side, now.side->offset);
+  recorder().reach(Clause::fanuc_tool_side_start_up);
+  const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
   state_ = State::on;
   movement.end->offset = offset.left();
   hold(now, Held::Kind::start_up, offset, movement);
@@ -112,7 +126,7 @@ void ToolSideCompensation::start_up(Step& now, Movement& movement) {
 }
 
 void ToolSideCompensation::start_alone(Step& now) {
-  const CutterOffset offset = offset_of(recorder_, now.side->side, now.side->offset);
+  const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
   Movement movement;
   movement.own = CompensationPlane(now.rest.tool);
   hold(now, Held::Kind::lone_start, offset, movement);
@@ -134,23 +148,23 @@ void ToolSideCompensation::take_while_on(Step& now, bool wanted, Movement& movem
 // G40 or number 0 in a block that does not move in the plane at its own end.
 void ToolSideCompensation::cancel_alone(Step& now, bool cuts_corner) {
   const bool had_vector = !is_zero_vector(here_.front().vector);
-  if (recorder_.decide(Clause::fanuc_tool_side_type_c, type_c_)) {
-    recorder_.reach(Clause::fanuc_tool_side_cancel_type_c);
+  if (recorder().decide(Clause::fanuc_tool_side_type_c, type_c_)) {
+    recorder().reach(Clause::fanuc_tool_side_cancel_type_c);
     here_ = {SideVector{}};
     state_ = State::off;
     emit_change_alone(now, spec::Cause::cancel, had_vector);
     return;
   }
-  recorder_.reach(Clause::fanuc_tool_side_cancel_without_movement);
+  recorder().reach(Clause::fanuc_tool_side_cancel_without_movement);
   state_ = had_vector ? State::leaving : State::off;
   keep_vector(now, cuts_corner);
 }
 
 void ToolSideCompensation::end_first_without_corner(Clause why) {
   const Held& held = held_.front();
-  recorder_.at(held.step.line);
+  recorder().at(held.step.line);
   if (held.kind == Held::Kind::lone_start) raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
-  recorder_.reach(why);
+  recorder().reach(why);
   release(rules_.square_to(held.plane, held.end));
 }
 
@@ -159,19 +173,19 @@ void ToolSideCompensation::end_without_corner(Clause why) {
 }
 
 void ToolSideCompensation::end_before(Step& now, Clause why) {
-  now.clauses.add(recorder_.take_clauses());
+  now.clauses.add(recorder().take_clauses());
   end_without_corner(why);
-  recorder_.at(now.line);
+  recorder().at(now.line);
 }
 
 void ToolSideCompensation::decide_held(Step& now) {
-  now.clauses.add(recorder_.take_clauses());
-  recorder_.at(held_.front().step.line);
+  now.clauses.add(recorder().take_clauses());
+  recorder().at(held_.front().step.line);
 }
 
 void ToolSideCompensation::raise_held(Clause clause, spec::Name number, const char* message) {
   flush();
-  recorder_.reach(clause);
+  recorder().reach(clause);
   Alarm alarm(number, message);
   alarm.line = held_.front().step.line;
   alarm.n = held_.front().step.n;
@@ -182,7 +196,7 @@ void ToolSideCompensation::raise_held(Clause clause, spec::Name number, const ch
 // The blocks before go out as if this one were absent.
 void ToolSideCompensation::leave_open_at(Step& now, Clause clause, const char* message) {
   end_before(now, Clause::fanuc_tool_side_no_next_block);
-  leave_open(recorder_, clause, message);
+  leave_open(recorder(), clause, message);
 }
 
 }  // namespace toolcomp::model

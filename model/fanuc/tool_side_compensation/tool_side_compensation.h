@@ -7,40 +7,38 @@
 
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <optional>
 #include <vector>
 
-#include "model/basis/recorder.h"
 #include "model/fanuc/corner/interference.h"
 #include "model/fanuc/program/cutter_offset.h"
-#include "model/fanuc/program/step.h"
+#include "model/fanuc/program/stage.h"
 #include "model/fanuc/tool_side_compensation/plane_change.h"
 #include "model/fanuc/tool_side_compensation/side_rules.h"
-#include "spec/language/setup.h"
+#include "model/fanuc/tool_side_compensation/tool_side_block.h"
+#include "model/fanuc/tool_side_compensation/tool_side_words.h"
 
 namespace toolcomp::model {
 
-// Takes steps in order and emits them in order: every move with its compensation vector (Move::offset), the moves that
-// belong to a block but are inserted beside its own, arcs as the tool runs them. Clauses: fanuc.tool-side.*, and those
-// of fanuc.cutter-c.* that they name.
-class ToolSideCompensation {
+// Hands on every move with its compensation vector (Move::offset), the moves that belong to a block but are inserted
+// beside its own, arcs as the tool runs them. Clauses: fanuc.tool-side.*, and those of fanuc.cutter-c.* that they name;
+// on(), on_after(): fanuc.tool-side.on.
+class ToolSideCompensation : public StageOf<ToolSideBlock> {
  public:
-  using Output = std::function<void(const Step& step)>;
-
   // Throws spec::InputError for a parameter that makes no sense.
-  ToolSideCompensation(const spec::Setup& setup, Recorder& recorder, Output output);
+  explicit ToolSideCompensation(const Place& place);
 
-  // The compensation is on before the next block that is read (fanuc.tool-side.on).
-  [[nodiscard]] bool on() const { return state_ != State::off; }
-  // The alarms that the words of a block raise, before its movement and the value of its number are known. Throws Alarm
-  // TOOL_SIDE_MODE, PS0037, FORBIDDEN_IN_3D_COMPENSATION, Q_FORMAT, TYPE_C_FORMAT or PS0034.
-  void read(const ToolSideBlock& words);
-  // The step after read() of its block; its `side` may be absent. An Alarm without a line is one of this step, one with
-  // a line belongs to an earlier block; what may go out before it has gone.
-  void take(const Step& step);
-  // No block follows: the end of the program, or a block that ends the run by an alarm.
-  void finish();
+  [[nodiscard]] Extent extent() const override { return Extent::space; }
+  [[nodiscard]] int look_ahead() const override { return 4; }
+  [[nodiscard]] bool on() const override { return state_ != State::off; }
+  [[nodiscard]] bool on_after(const Command& command) const override { return words_.wanted(command); }
+  // Throws Alarm PS5460.
+  void refuse_rotary_word(const Command& command) const override;
+  // From the first G41.2, G42.2, G41.6 or G42.6 of a program on. Throws Alarm TOOL_SIDE_MODE, PS0037,
+  // FORBIDDEN_IN_3D_COMPENSATION, Q_FORMAT, TYPE_C_FORMAT, PS0034 or PS0029.
+  std::shared_ptr<StageWords> read(const StageCommand& now) override;
+  void take(const Step& step) override;
+  void finish() override;
 
  private:
   enum class State : std::uint8_t {
@@ -85,6 +83,7 @@ class ToolSideCompensation {
   };
 
   // tool_side_compensation.cpp: which block is what, and what is held goes out.
+  void check(const ToolSideBlock& words) const;
   void forbid(const ToolSideBlock& words) const;
   void check_type_c(const ToolSideBlock& words, bool starts, bool cancels) const;
   void take_while_off(Step& now, bool wanted, Movement& movement);
@@ -135,8 +134,7 @@ class ToolSideCompensation {
   [[noreturn]] void raise_held(Clause clause, spec::Name number, const char* message);
   [[noreturn]] void leave_open_at(Step& now, Clause clause, const char* message);
 
-  Recorder& recorder_;
-  Output output_;
+  ToolSideWords words_;
   SideRules rules_;
   PlaneChangeCheck plane_change_;
   spec::Axes axes_;

@@ -1,5 +1,7 @@
 #include "model/fanuc/tool_side_compensation/tool_side_words.h"
 
+#include "model/geometry/plane.h"
+
 namespace toolcomp::model {
 namespace {
 
@@ -43,23 +45,24 @@ bool ToolSideWords::wanted(const Command& command) const {
   return side_after(command) != CutterSide::none && offset_.number_after(command.codes).number != 0;
 }
 
-std::optional<ToolSideBlock> ToolSideWords::read(const Command& command, bool directed,
-                                                 const Interpreter& interpreter) {
+std::shared_ptr<ToolSideBlock> ToolSideWords::read(const StageCommand& now) {
+  const Command& command = now.command;
   const Codes& codes = command.codes;
-  ToolSideBlock block;
+  auto result = std::make_shared<ToolSideBlock>();
+  ToolSideBlock& block = *result;
   block.before = side_;
   side_ = side_after(command);
   block.side = side_;
   const bool tool_side_code = codes.compensation && is_tool_side(*codes.compensation);
   if (codes.compensation == Compensation::cancel || tool_side_code) block.code = side_;
   block.other_compensation = codes.compensation && !block.code;
-  block.wrong_mode = tool_side_code && is_directed(*codes.compensation) != directed;
+  block.wrong_mode = tool_side_code && is_directed(*codes.compensation) != now.directed;
   seen_ = seen_ || tool_side_code;
   block.number_given = offset_.take(codes);
   block.number = offset_.number().number;
   block.plane_changed = command.plane != plane_;
   plane_ = command.plane;
-  if (!seen_) return std::nullopt;
+  if (!seen_) return nullptr;
   offset_.decide_address(codes);
 
   block.treatment = treatment(command);
@@ -67,18 +70,18 @@ std::optional<ToolSideBlock> ToolSideWords::read(const Command& command, bool di
   block.changes_coordinates = codes.workpiece || codes.units;
   block.auxiliary = codes.auxiliary;
   block.stops_look_ahead = codes.stops_look_ahead;
-  block.moves = command.axes != 0 || (directed && command.direction);
+  block.moves = now.moves();
   block.arc_mode = command.is_arc_motion();
   const PlaneLetters in_plane = letters(command.plane);
   const auto named = [&](char letter) { return axes_.has(letter) && command.words.has(letter); };
   block.arc_words = block.arc_mode && !block.leaves_the_path &&
                     (named(in_plane.first) || named(in_plane.second) || command.direction || command.words.has('R'));
   if (const spec::Decimal* const r = command.words.find('R'); block.arc_words && r != nullptr) {
-    const Rational radius = interpreter.numbers().length(*r);
+    const Rational radius = now.interpreter.numbers().length(*r);
     block.radius = radius < 0 ? Rational(-radius) : radius;
   }
   block.is_block = command.is_block;
-  return block;
+  return result;
 }
 
 void ToolSideWords::add_value(ToolSideBlock& block) {

@@ -1,12 +1,11 @@
 // The words of tool side compensation: G41.2 G42.2, G41.6 G42.6, G40, the offset number and Q.
 #pragma once
 
-#include <optional>
+#include <memory>
 
 #include "model/basis/recorder.h"
-#include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/offset_in_force.h"
-#include "model/fanuc/program/step.h"
+#include "model/fanuc/tool_side_compensation/tool_side_block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
@@ -16,12 +15,10 @@ class ToolSideWords {
  public:
   ToolSideWords(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder);
 
-  // The compensation is on after the block (fanuc.tool-side.on).
+  // The compensation is on after the block, which is read next or has been read last (fanuc.tool-side.on).
   [[nodiscard]] bool wanted(const Command& command) const;
   // What the block says, without the value of its number; nothing before the first code of the program.
-  // `directed`: G43.5 is in force in the block.
-  [[nodiscard]] std::optional<ToolSideBlock> read(const Command& command, bool directed,
-                                                  const Interpreter& interpreter);
+  [[nodiscard]] std::shared_ptr<ToolSideBlock> read(const StageCommand& now);
   // The value in force at the end of the block. Throws Alarm PS0029.
   void add_value(ToolSideBlock& block);
 

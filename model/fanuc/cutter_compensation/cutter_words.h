@@ -1,13 +1,12 @@
 // The words of cutter compensation, B and C alike: G40, G41, G42, G39, the offset number and I J K as a direction.
 #pragma once
 
-#include <optional>
-#include <vector>
+#include <memory>
 
 #include "model/basis/recorder.h"
+#include "model/fanuc/cutter_compensation/cutter_block.h"
 #include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/offset_in_force.h"
-#include "model/fanuc/program/step.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
@@ -17,16 +16,17 @@ class CutterWords {
  public:
   CutterWords(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder);
 
+  // In force at the end of a block, which is read next or has been read last: the side, and the number.
+  [[nodiscard]] CutterSide side_after(const Command& command) const;
+  [[nodiscard]] std::uint32_t number_after(const Command& command) const;
+
   // What the block says, without the value of its number and its movement; nothing before the first G41,
   // G42 or G39 of the program.
-  [[nodiscard]] std::optional<CutterBlock> read(const Command& command, const Interpreter& interpreter);
+  [[nodiscard]] std::shared_ptr<CutterBlock> read(const StageCommand& now);
   // The value in force at the end of the block. Throws Alarm PS0029.
   void add_value(CutterBlock& block);
-  // Its movement: from where the block starts (a leg that stays there) along its legs.
-  void add_movement(CutterBlock& block, const Leg& start, const std::vector<Leg>& legs) const;
-
-  // In force at the end of the block read last; G45 to G48 use it too.
-  [[nodiscard]] const OffsetNumber& number() const { return offset_.number(); }
+  // Its movement.
+  void add_movement(CutterBlock& block, const BlockWay& way) const;
 
  private:
   [[nodiscard]] bool has_word(const Command& command, char letter) const;

@@ -1,4 +1,4 @@
-#include "model/fanuc/program/cutter_words.h"
+#include "model/fanuc/cutter_compensation/cutter_words.h"
 
 #include <bit>
 
@@ -64,47 +64,53 @@ std::optional<PlanePoint> CutterWords::direction(const Command& command, const I
   return in_plane_of(command.plane, travel);
 }
 
-std::optional<CutterBlock> CutterWords::read(const Command& command, const Interpreter& interpreter) {
+CutterSide CutterWords::side_after(const Command& command) const {
+  return command.codes.compensation ? side_of(*command.codes.compensation) : side_;
+}
+
+std::uint32_t CutterWords::number_after(const Command& command) const {
+  return offset_.number_after(command.codes).number;
+}
+
+std::shared_ptr<CutterBlock> CutterWords::read(const StageCommand& now) {
+  const Command& command = now.command;
   const Codes& codes = command.codes;
-  CutterBlock block;
+  auto result = std::make_shared<CutterBlock>();
+  CutterBlock& block = *result;
   block.before = side_;
   block.number_before = offset_.number().number;
-  if (codes.compensation) {
-    side_ = side_of(*codes.compensation);
-    if (*codes.compensation == Compensation::cancel || is_cutter_side(*codes.compensation)) block.code = side_;
-  }
+  side_ = side_after(command);
+  if (codes.compensation == Compensation::cancel || (codes.compensation && is_cutter_side(*codes.compensation)))
+    block.code = side_;
   block.side = side_;
   seen_ = seen_ || side_ != CutterSide::none || codes.one_shot == OneShot::corner_arc;
   block.number_given = offset_.take(codes);
   block.plane = command.plane;
   block.plane_changed = command.plane != plane_;
   plane_ = command.plane;
-  if (!seen_) return std::nullopt;
+  if (!seen_) return nullptr;
   offset_.decide_address(codes);
 
   block.number = offset_.number().number;
   block.one_shot = codes.one_shot;
-  block.direction = direction(command, interpreter);
+  block.direction = direction(command, now.interpreter);
   const PlaneLetters in_plane = letters(command.plane);
   block.word = {has_word(command, in_plane.first), has_word(command, in_plane.second)};
   block.axis_word = command.axes != 0;
   block.axis_word_outside = std::popcount(command.axes) > int{block.word[0]} + int{block.word[1]};
-  block.three_dimensional =
-      command.direction && command.words.has('I') && command.words.has('J') && command.words.has('K');
   block.direction_letters = has_center_letter(command);
-  block.arc_mode = command.is_arc_motion();
-  block.arc_words = block.arc_mode && is_path(codes.one_shot) &&
+  block.arc_words = command.is_arc_motion() && is_path(codes.one_shot) &&
                     (block.has_plane_word() || command.direction || command.words.has('R'));
   block.other_compensation = codes.compensation && !block.code;
   block.tip_control = codes.length && is_tip_control(*codes.length);
   block.lacks_axis = !axes_.has(in_plane.first) || !axes_.has(in_plane.second);
   if (const spec::Decimal* const r = command.words.find('R'); block.arc_words && r != nullptr) {
-    const Rational radius = interpreter.numbers().length(*r);
+    const Rational radius = now.interpreter.numbers().length(*r);
     block.radius = radius < 0 ? Rational(-radius) : radius;
   }
   block.is_block = command.is_block;
   block.changes_workpiece_system = codes.workpiece.has_value();
-  return block;
+  return result;
 }
 
 void CutterWords::add_value(CutterBlock& block) {
@@ -119,12 +125,16 @@ PlanePoint CutterWords::point(spec::Plane plane, const Leg& leg) const {
   return {at(in_plane.first), at(in_plane.second)};
 }
 
-void CutterWords::add_movement(CutterBlock& block, const Leg& start, const std::vector<Leg>& legs) const {
-  block.start = point(block.plane, start);
+void CutterWords::add_movement(CutterBlock& block, const BlockWay& way) const {
+  const std::vector<Leg>& legs = way.legs;
+  block.start = point(block.plane, way.start);
   block.end = legs.empty() ? block.start : point(block.plane, legs.back());
   block.motion = motion_of(block, legs);
   for (const Leg& leg : legs) block.ends.push_back(point(block.plane, leg));
-  if (block.changes_workpiece_system) block.position = start.end;
+  if (block.changes_workpiece_system) {
+    block.position = way.start.end;
+    block.tool = way.tool_at(*block.position);
+  }
   if (block.motion != PlaneMotion::arc) return;
   const spec::Arc<Real>& arc = *legs.front().arc;
   const PlaneLetters in_plane = letters(block.plane);

@@ -1,0 +1,40 @@
+// What cutter compensation B and C have in common as stages.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "model/fanuc/cutter_compensation/cutter_block.h"
+#include "model/fanuc/cutter_compensation/cutter_words.h"
+#include "model/fanuc/program/stage.h"
+
+namespace toolcomp::model {
+
+// Hands on every move with its compensation vector (Move::offset), the moves that belong to a block but are inserted
+// before its own move (cause start-up, corner or cancel), arcs as the tool runs them. Clauses: fanuc.cutter.*; on():
+// fanuc.cutter.on.
+class CutterCompensation : public StageOf<CutterBlock> {
+ public:
+  explicit CutterCompensation(const Place& place);
+
+  [[nodiscard]] Extent extent() const final { return Extent::plane; }
+  [[nodiscard]] bool on_after(const Command& command) const final;
+  // From the first G41, G42 or G39 of a program on.
+  std::shared_ptr<StageWords> read(const StageCommand& now) final;
+  void add_way(StageWords& words, const BlockWay& way) const final;
+
+ protected:
+  // With this side and this number in force compensation is on, unless a vector holds it on anyway.
+  [[nodiscard]] virtual bool wanted(CutterSide side, std::uint32_t number) const = 0;
+  [[nodiscard]] bool wanted(const CutterBlock& words) const { return wanted(words.side, words.number); }
+  // The alarms that the words of a block raise, before its movement and the value of its number are known: first
+  // check_common().
+  virtual void check(const CutterBlock& words) const = 0;
+  // The alarms that B and C share. Throws Alarm PS0028, PS0037, FORBIDDEN_IN_CUTTER_COMPENSATION or PS0042.
+  void check_common(const CutterBlock& words) const;
+
+ private:
+  CutterWords words_;
+};
+
+}  // namespace toolcomp::model

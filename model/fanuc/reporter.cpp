@@ -1,0 +1,135 @@
+#include "model/fanuc/reporter.h"
+
+#include <utility>
+
+namespace toolcomp::model {
+namespace {
+
+Warning branch_warning() {
+  Warning warning{"posture-branch", "the axes cannot follow the plane to the commanded positions", {}};
+  warning.clauses.add(Clause::fanuc_tool_posture_branch_mismatch);
+  return warning;
+}
+
+}  // namespace
+
+Reporter::Reporter(const spec::Axes& axes, Recorder& recorder, EventSink& sink, std::uint32_t samples)
+    : axes_(axes),
+      recorder_(recorder),
+      sink_(sink),
+      tip_moves_(
+          axes, samples, [this](const Move& move) { report(move); },
+          [this](Event sample) { report(std::move(sample)); }) {}
+
+void Reporter::at(const spec::Block& block) {
+  line_ = block.line;
+  n_ = block.n;
+}
+
+Event Reporter::event_of_step(spec::EventKind kind) const {
+  Event event;
+  event.kind = kind;
+  event.line = step_->line;
+  event.n = step_->n;
+  return event;
+}
+
+template <class Fault>
+Event Reporter::event_of(spec::EventKind kind, const Fault& fault) const {
+  Event event;
+  event.kind = kind;
+  event.line = fault.line != 0 ? fault.line : line_;
+  event.n = fault.line != 0 ? fault.n : n_;
+  event.message = fault.message;
+  return event;
+}
+
+void Reporter::report(const Step& step) {
+  step_ = &step;
+  if (step.warning) report(*step.warning);
+  for (const Move& move : step.moves) {
+    if (move.inside && move.inside->branch_differs) report(branch_warning());
+    tip_moves_.take(move);
+  }
+  if (step.setting) report(*step.setting);
+  if (step.alarm) report(*step.alarm, step.clauses);
+}
+
+void Reporter::report(const Move& move) {
+  Event event = event_of_step(spec::EventKind::move);
+  event.type = move.leg.type;
+  event.cause = move.leg.cause;
+  const Vector control_point = move.tip ? axes_at(move, axes_) : Vector();
+  const std::optional<Vector> turned_tip = tip_beside_name(move, axes_);
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const char letter = axes_.letter(i);
+    Real at = move.leg.actual(i).value();
+    if (spec::is_linear_axis(letter)) {
+      event.programmed.set(i, move.leg.end.at(i).value());
+      if (is_space_axis(letter)) at += component(move.offset, space_index(letter));
+      event.point.set(i, turned_tip && is_space_axis(letter) ? component(*turned_tip, space_index(letter)) : at);
+    }
+    const bool of_tip = move.tip && is_space_axis(letter);
+    const Real axis = of_tip ? component(control_point, space_index(letter)) : at + move.length.at(i);
+    event.axes.set(i, axis);
+    if (move.zero) event.machine.set(i, axis + move.zero->at(i));
+  }
+  if (move.tool.reported) event.tool_axis = {move.tool.unit.x, move.tool.unit.y, move.tool.unit.z};
+  event.arc = move.leg.arc;
+  if (event.type != spec::MoveType::rapid) event.feed = move.feed;
+  event.clauses = step_->clauses;
+  sink_.on(event);
+}
+
+void Reporter::report(Event sample) {
+  sample.line = step_->line;
+  sample.n = step_->n;
+  sample.clauses = step_->clauses;
+  sink_.on(sample);
+}
+
+void Reporter::report(const OffsetSetting& setting) {
+  Event event = event_of_step(spec::EventKind::setting);
+  event.setting = setting.name;
+  event.value = setting.value;
+  event.clauses = step_->clauses;
+  event.clauses.add(setting.clauses);
+  sink_.on(event);
+}
+
+void Reporter::report(const Warning& warning) {
+  Event event = event_of_step(spec::EventKind::warning);
+  event.number = warning.number;
+  event.message = warning.message;
+  event.clauses = warning.clauses;
+  sink_.on(event);
+}
+
+void Reporter::report(const Alarm& alarm, const spec::ClauseList& clauses) {
+  Event event = event_of(spec::EventKind::alarm, alarm);
+  event.number = alarm.number;
+  event.clauses = clauses;
+  sink_.on(event);
+}
+
+void Reporter::report(const LeftOpen& open) {
+  Event event = event_of(spec::EventKind::undecided, open);
+  event.number = spec::info(open.clause).id;
+  event.permitted = {true, true, true};
+  event.clauses = recorder_.take_clauses();
+  sink_.on(event);
+}
+
+void Reporter::report_undecided() {
+  Event event;
+  event.kind = spec::EventKind::undecided;
+  event.line = recorder_.line();
+  if (event.line == line_) event.n = n_;
+  event.number = spec::info(recorder_.latest()).id;
+  event.permitted = {true, true, true};
+  event.message = "a decision of this clause could not be certified";
+  event.clauses = recorder_.take_clauses();
+  sink_.on(event);
+}
+
+}  // namespace toolcomp::model

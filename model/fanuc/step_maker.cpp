@@ -1,0 +1,180 @@
+#include "model/fanuc/step_maker.h"
+
+#include <memory>
+#include <utility>
+
+#include "model/basis/alarm.h"
+
+namespace toolcomp::model {
+namespace {
+
+bool measures(const Command& command) { return command.codes.one_shot == OneShot::measure; }
+
+}  // namespace
+
+StepMaker::StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& recorder, bool with_samples)
+    : axes_(setup.axes),
+      recorder_(recorder),
+      memory_(memory),
+      interpreter_(setup, recorder),
+      tip_control_(setup, recorder, interpreter_.work(), interpreter_.position(), with_samples),
+      length_(setup, memory, recorder),
+      tool_offset_(setup, memory, recorder),
+      measurement_(setup, recorder) {}
+
+Step StepMaker::make(const spec::Block& block, const Pipeline& stages) {
+  const Command command = interpreter_.read(block);
+  Making now{command, stages, {}, {}, {}, {}, false, {}};
+  now.step.line = block.line;
+  now.step.n = block.n;
+  read_words(now);
+  find_legs(now);
+  if (measures(command)) measure(now);
+  make_moves(now);
+  arrive(now);
+  add_rest(now);
+  complete(now);
+  write_offset(now.step);
+  return std::move(now.step);
+}
+
+void StepMaker::read_words(Making& now) {
+  const Command& command = now.command;
+  now.tip = tip_control_.read(command, length_, now.stages);
+  const StageCommand for_stages{command, interpreter_, now.tip.directed};
+  now.stages.read(Extent::space, for_stages, now.words);
+  if (now.tip.ends || now.tip.again)
+    tip_control_.rename_position(now.tip, tool_offset_.shifted(interpreter_.stay(command)), interpreter_);
+  interpreter_.select_workpiece_system(command);
+  now.stages.read(Extent::plane, for_stages, now.words);
+  if (measures(command))
+    measurement_.read(command, length_.number(), now.stages.in_force(Extent::plane, command).any());
+  if (command.codes.one_shot == OneShot::data)
+    pending_write_ = memory_.read_write(command.words, interpreter_.numbers(), command.incremental);
+}
+
+void StepMaker::find_legs(Making& now) {
+  const Command& command = now.command;
+  std::vector<Leg>& legs = now.legs;
+  const TipMarks& tip = now.tip;
+  legs = interpreter_.legs(command, tip.directed, tip.starts, now.stages.takes_arc_about_its_start(command));
+  const Leg start = tool_offset_.shifted(interpreter_.stay(command));
+  tool_offset_.apply(command, interpreter_,
+                     {command.codes.h.value_or(length_.number()), length_.axis_mode(command.codes.length)}, legs);
+  now.stages.add_way(now.words,
+                     {start, legs, [this](const Position& position) { return tip_control_.at(position).tool; }});
+  now.machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
+  now.plan = length_.plan(length_command(command, legs));
+  if (legs.empty() && !tip.ends &&
+      recorder_.decide(Clause::fanuc_length_offset_move_without_axis_word, now.plan.changed))
+    legs.push_back(tool_offset_.shifted(interpreter_.stay(command)));
+}
+
+LengthCommand StepMaker::length_command(const Command& command, const std::vector<Leg>& legs) const {
+  LengthCommand result;
+  result.code = command.codes.length;
+  result.h = command.codes.h;
+  result.plane = command.plane;
+  result.axes = command.axes;
+  result.has_word = command.codes.any;
+  const std::optional<Compensation>& code = command.codes.compensation;
+  result.cutter_code = code && (*code == Compensation::cancel || is_cutter_side(*code));
+  if (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot)) result.cancelled = command.axes;
+  return result;
+}
+
+// The legs of a G37 block, and what it writes or the alarm it ends with.
+void StepMaker::measure(Making& now) {
+  const std::size_t axis = measurement_.axis(now.command);
+  const MeasurementStart start{now.plan.at_end.axis.at(axis), tool_offset_.shift(axis), length_.minus()};
+  Measurement measured = measurement_.measure(now.command, interpreter_.position(), now.legs.front(), start);
+  if (measured.in_zone)
+    pending_write_ = memory_.measured(length_.number(), measured.difference);
+  else
+    now.step.alarm = Alarm("PS0080", "G37: the approach-end signal came too early or not at all");
+  now.legs = std::move(measured.legs);
+}
+
+void StepMaker::make_moves(Making& now) {
+  if (now.tip.tip_control && !now.legs.empty()) {
+    now.step.moves.push_back(turned_move(now));
+    return;
+  }
+  for (const Leg& leg : now.legs) {
+    const bool on_way = is_reference_return(now.command.codes.one_shot) && &leg == &now.legs.front();
+    const LengthVector& offset = on_way ? now.plan.on_way : now.plan.at_end;
+    now.step.moves.push_back(move(leg, offset, tip_control_.at(leg.end), now.machine));
+    if (leg.cause == spec::Cause::measure)
+      if (const auto feed = measurement_.feed()) now.step.moves.back().feed = *feed;
+  }
+}
+
+// The own move of a block under tool center point control; the leg ends where the rotary axes then stand.
+Move StepMaker::turned_move(Making& now) {
+  const LengthVector& offset = now.plan.at_end;
+  Leg& leg = now.legs.front();
+  TurnedBlock turned = tip_control_.turn(now.command, now.tip, interpreter_, offset.along_tool, leg);
+  Move result = move(leg, offset, turned.end, true);
+  if (turned.motion) {
+    if (turned.end.tip->frame) tip_control_.place(turned.end.tip->pose, result.leg.end);
+    result.inside = std::make_shared<const OwnMotion>(std::move(*turned.motion));
+  }
+  return result;
+}
+
+Move StepMaker::move(const Leg& leg, const LengthVector& offset, const ToolAtEnd& tool, bool machine) const {
+  Move result;
+  result.leg = leg;
+  result.tool = tool.tool;
+  result.tip = tool.tip;
+  for (std::size_t i = 0; i < axes_.size(); ++i) result.length.at(i) = offset.axis.at(i);
+  if (machine) {
+    auto& zero = result.zero.emplace();
+    for (std::size_t i = 0; i < axes_.size(); ++i) zero.at(i) = interpreter_.work().zero(i).value();
+  }
+  if (interpreter_.feed()) result.feed = *interpreter_.feed();
+  return result;
+}
+
+void StepMaker::arrive(Making& now) {
+  interpreter_.arrive(now.command, now.legs);
+  if (measures(now.command)) {
+    // The programmed position is where the measurement has stopped, the shift of the tool offset apart.
+    const std::size_t axis = measurement_.axis(now.command);
+    const Leg& leg = now.legs.back();
+    const Rational by = leg.shift->at(axis) - tool_offset_.shift(axis);
+    interpreter_.stand(axis, leg.end.at(axis) + Coordinate(by));
+  }
+  if (!now.tip.tip_control) tip_control_.follow(interpreter_.position());
+}
+
+void StepMaker::add_rest(Making& now) {
+  if (!Pipeline::has_words(now.words)) return;
+  // A move inserted behind G53 or a reference return is no move of that code; under tool center point control every
+  // move has machine coordinates, and the leading edge offset inserts some even where G41 or G40 came before it.
+  const Leg rest = tool_offset_.shifted(interpreter_.stay(now.command));
+  const bool known = now.tip.tip_control || !now.step.moves.empty();
+  const ToolAtEnd tool = known ? tip_control_.standing() : tip_control_.at(rest.end);
+  now.step.rest = move(rest, now.plan.at_end, tool, now.tip.tip_control);
+  if (!now.step.moves.empty()) now.step.rest.feed = now.step.moves.back().feed;
+}
+
+void StepMaker::complete(Making& now) {
+  Step& step = now.step;
+  step.has_word = now.command.codes.any;
+  step.stops_look_ahead = now.command.codes.stops_look_ahead;
+  step.ends_program = now.command.codes.ends_program;
+  now.stages.complete(now.words, step);
+  step.words.assign(now.words.begin(), now.words.end());
+  step.clauses = recorder_.take_clauses();
+}
+
+// What the block writes counts from the next one on.
+void StepMaker::write_offset(Step& step) {
+  if (!pending_write_) return;
+  step.setting = memory_.write(*pending_write_);
+  step.setting->clauses = recorder_.take_clauses();
+  pending_write_.reset();
+}
+
+}  // namespace toolcomp::model
