@@ -1,5 +1,6 @@
 // G02, G03: which words make an arc, in the selected plane.
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/usual_words.h"
 #include "fast/fanuc/program/arc.h"
 
 namespace toolcomp::fast {

@@ -1,5 +1,6 @@
 // Blocks that pass cutter compensation, B or C: what the stage is told about each.
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
 
@@ -68,64 +69,6 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
       block.direction[i] = Count();
     }
   }
-}
-
-// The usual block: positions, F and the letters of an arc, or nothing but its number. What check(), begin_cutter(),
-// plan_arc(), cutter_motion() and send_cutter() do for any block, without the detours.
-Alarm Interpreter::cutter_move(const Words& words) {
-  if (!is_usual_cutter_plane()) [[unlikely]] {
-    start_cutter_leg(words, CutterSide::unchanged, false);
-    return cutter_motion(words, kNone, false, std::nullopt, ArcWords{});
-  }
-  const std::array<std::size_t, 2>& plane = plane_axis_;
-  CutterBlock& block = cutter_next();
-  const Mask axes = words.axes();
-  const bool arc = is_arc(words);
-  block.sets = false;
-  block.word = CutterSide::unchanged;
-  block.side = cutter_side_;
-  block.d_word = false;
-  block.d = cutter_number_.number;
-  block.offset = cutter_offset_;
-  block.plane = plane_;
-  block.axis = plane;
-  block.has_direction = false;
-  block.feed = feed_;
-  block.own = axes != 0 || arc;
-  block.start[0] = programmed_[plane[0]];
-  block.start[1] = programmed_[plane[1]];
-  block.named = static_cast<std::uint8_t>((axes >> plane[0] & 1U) | (axes >> plane[1] & 1U) << 1U);
-  if (const Alarm placed = place_words(words, axes)) [[unlikely]]
-    return refuse_cutter_move(words, block, placed);
-  block.end[0] = programmed_[plane[0]];
-  block.end[1] = programmed_[plane[1]];
-  if (arc) {
-    std::array<double, 2> center{};
-    if (const Alarm a = read_cutter_arc(words, block, center)) return a;
-    block.motion = CutterMotion::arc;
-    block.path_made = !is_b_ && cutter_c_.make_arc_path(block);
-    fill(block.event, spec::MoveType::arc, spec::Cause::programmed);
-    if (!block.event.arc) block.event.arc.emplace();
-    spec::Arc<double>& numbers = *block.event.arc;
-    numbers.center.present = 0;
-    numbers.plane = plane_;
-    numbers.direction = block.clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
-    for (std::size_t i = 0; i < 2; ++i) numbers.center.set(plane[i], center[i]);
-  } else {
-    if (block.named == 0) {
-      block.motion = CutterMotion::still;
-    } else if (block.start[0] == block.end[0] && block.start[1] == block.end[1]) {
-      block.motion = CutterMotion::zero;
-    } else {
-      block.motion = CutterMotion::line;
-      block.path_made = !is_b_ && cutter_c_.make_line_path(block);
-    }
-    fill_here(block.event, straight(), spec::Cause::programmed);
-    if (block.motion == CutterMotion::line && block.path_made && cutter_c_.usual_line()) [[likely]]
-      return alarm::kNone;
-  }
-  if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);
-  return alarm::kNone;
 }
 
 // The alarm of a block whose words could not be placed: those of its arc come first.

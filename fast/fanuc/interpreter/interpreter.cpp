@@ -3,6 +3,7 @@
 #include <string>
 
 #include "fast/basis/fault.h"
+#include "fast/fanuc/interpreter/usual_block.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -64,7 +65,7 @@ void Interpreter::read_positions(const spec::AxisTable& table, const char* key, 
 }
 
 void Interpreter::block(const spec::Block& block) {
-  if (side_letters_ != 0)
+  if (side_lines_.letters != 0)
     side_block(block);
   else
     any_block(block);
@@ -150,56 +151,9 @@ void Interpreter::end_run(const StageEnd& end) {
 }
 
 [[gnu::always_inline]] inline Alarm Interpreter::run(const Words& words) {
-  // The usual block, and nothing that waits for a block to come.
-  if (words.plain() && !length_.pending()) [[likely]] {
-    const Code code = words.code(Words::kMotion);
-    const Code motion_after = code == kNone ? motion_ : code;
-    const bool straight = motion_after <= 10 && !words.has_any(kArcLetters);
-    if (along_tool()) {
-      samples_block_ = true;
-      if (tip_.active()) {
-        if (motion_after <= 10 && !takes_edited_value()) {
-          const bool usual =
-              by_vector_ ? (words.axes() & rotary_) == 0 && names_direction(words) : !words.has_any(kArcLetters);
-          if (usual) {
-            motion_ = motion_after;
-            if (words.has('F')) set_feed(words);
-            return tip_move(words);
-          }
-        }
-      } else if (tool_side_on() && motion_after <= 10 && (words.axes() & rotary_) == 0 && !takes_edited_value() &&
-                 names_direction(words)) {
-        motion_ = motion_after;
-        if (words.has('F')) set_feed(words);
-        return tool_side_move(words);
-      } else if (!plans_tool_ && !tool_side_on() && !cutter_active() && motion_after <= 10 &&
-                 (words.axes() & rotary_) == 0 && names_direction(words)) {
-        motion_ = motion_after;
-        if (words.has('F')) set_feed(words);
-        direction_before_ = direction_;
-        direct(words);
-        return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false,
-                      std::nullopt);
-      }
-    } else if (tool_side_on()) {
-      if (straight && !takes_edited_value()) {
-        motion_ = motion_after;
-        if (words.has('F')) set_feed(words);
-        return tool_side_move(words);
-      }
-    } else if (!cutter_active()) {
-      if (straight) {
-        motion_ = motion_after;
-        if (words.has('F')) set_feed(words);
-        return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false,
-                      std::nullopt);
-      }
-    } else if (!takes_edited_value() && (straight || (!is_b_ && makes_tool_arc(words) && is_usual_cutter_plane()))) {
-      motion_ = motion_after;
-      if (words.has('F')) set_feed(words);
-      return cutter_move(words);
-    }
-  }
+  Alarm alarm;
+  if (usual_block(words, alarm)) [[likely]]
+    return alarm;
   Plan plan;
   if (const Alarm a = check(words, plan)) return a;
   return apply(words, plan);

@@ -9,6 +9,7 @@
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
 #include "fast/basis/fault.h"
+#include "fast/basis/short_cut.h"
 #include "fast/fanuc/cutter_compensation_b/cutter_compensation_b.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/fanuc/leading_edge_offset/leading_edge_offset.h"
@@ -73,6 +74,8 @@ class Interpreter {
   void read_positions(const spec::AxisTable& table, const char* key, Positions& to) const;
   void any_block(const spec::Block& block);
   [[nodiscard]] Alarm run(const Words& words);
+  // The short cut of run(), usual_block.h. False, and nothing is done: any other block.
+  [[nodiscard]] bool usual_block(const Words& words, Alarm& alarm);
   [[nodiscard]] Alarm apply(const Words& words, const Plan& plan);
   void set_feed(const Words& words);
   void write_offset(const OffsetMemory::Write& write);
@@ -203,7 +206,8 @@ class Interpreter {
   void start_cutter_leg(const Words& words, CutterSide word, bool d_word);
   // The plane has both its axes, and G45 to G48 have shifted none.
   [[nodiscard]] bool is_usual_cutter_plane() const {
-    return plane_axis_[0] != spec::Axes::kNone && plane_axis_[1] != spec::Axes::kNone && tool_offset_.live() == 0;
+    return is_open(ShortCut::cutter_block) && plane_axis_[0] != spec::Axes::kNone &&
+           plane_axis_[1] != spec::Axes::kNone && tool_offset_.live() == 0;
   }
   [[nodiscard]] Alarm cutter_move(const Words& words);
   [[nodiscard]] Alarm read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const;
@@ -277,8 +281,6 @@ class Interpreter {
   void send_to(EventSink& sink);
 
   // tip_control.cpp: blocks under G43.4 or G43.5 on a machine with kinematics.
-  // A usual block: positions, under G43.5 I J K, and F, and what the stages make of it.
-  [[nodiscard]] Alarm tip_move(const Words& words);
   // place_words() in the mode and in the block that starts it.
   [[nodiscard]] Alarm place_tip_words(const Words& words, Mask axes);
   // The words of the block that starts it.
@@ -351,12 +353,15 @@ class Interpreter {
   CutterSide tool_side_word_ = CutterSide::off;
   int tool_side_sign_ = 1;         // +1 left: by code and sign of the value
   bool tool_side_wanted_ = false;  // a code is in force with a number
-  // While usual lines may come: the letters of such a block, else 0; of their words in 10^-6 the last ones, by letter
-  // (A: 1), and where X Y Z stand.
-  std::uint32_t side_letters_ = 0;
-  bool side_plain_ = false;  // the axes are sent to the programmed position
-  std::array<std::int64_t, 32> side_word_{};
-  Vector3<double> side_at_;
+  // Usual lines under tool side compensation, while they may come.
+  struct SideLines {
+    std::uint32_t letters = 0;  // those of such a block; 0: none may come
+    bool plain = false;         // the axes are sent to the programmed position
+    // Of their words in 10^-6 the last ones, by letter (A: 1), and where X Y Z stand.
+    std::array<std::int64_t, 32> word{};
+    Vector3<double> at;
+  };
+  SideLines side_lines_;
   OffsetNumber cutter_number_;
   Count cutter_offset_;  // of that number, when it was applied
   bool cutter_edited_ = false;
@@ -434,169 +439,5 @@ constexpr char direction_letter(spec::Plane plane, std::size_t i) {
 
 // The mask of one axis.
 constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
-
-inline void Interpreter::read_word(Count& to, const spec::Decimal& word) const {
-  if (plain_words_) [[likely]]
-    if (Count::is_usual(word)) [[likely]] {
-      to.set_small(Count::small_of_usual(word));
-      return;
-    }
-  to = value(word, true, inch_program_);
-}
-
-template <class Arc>
-void Interpreter::read_arc(const Words& words, Arc& arc) const {
-  arc.clockwise = motion_ == 20;
-  arc.by_radius = words.has('R');
-  for (std::size_t i = 0; i < 2; ++i) {
-    const char letter = plane_letter_[i];
-    if (words.has(letter))
-      read_word(arc.to_center[i], words[letter]);
-    else
-      arc.to_center[i].set_small(0);
-  }
-  if (arc.by_radius) read_word(arc.radius, words['R']);
-}
-
-// A position of at most six places, as it is written.
-[[gnu::always_inline]] inline bool Interpreter::place_usual(const spec::Decimal& word, std::size_t axis) {
-  if (!Count::is_usual(word)) [[unlikely]]
-    return false;
-  const std::int64_t small = Count::small_of_usual(word);
-  programmed_[axis].set_small(small);
-  const double position = Count::nearest_small(small);
-  programmed_value_[axis] = position;
-  axes_value_[axis] = position;
-  return true;
-}
-
-// The usual length offset of an axis placed.
-[[gnu::always_inline]] inline void Interpreter::add_offset(std::size_t axis) {
-  const std::int64_t sum = programmed_[axis].small() + length_[axis].small();
-  if ((tool_offset_.live() & bit(axis)) == 0 && length_[axis].is_small() && Count::is_small(sum)) [[likely]]
-    axes_value_[axis] = Count::nearest_small(sum);
-  else
-    stale_ = static_cast<Mask>(stale_ | bit(axis));
-}
-
-// The usual words without a detour: as they are written, and the first three axes, X Y Z on most machines, not in a
-// loop.
-[[gnu::always_inline]] inline Alarm Interpreter::place_positions(const Words& words, Mask axes) {
-  unsigned rest = axes;
-  if (plain_words_ && !incremental_) [[likely]] {
-    const auto placed = [&](std::size_t axis) {
-      if ((rest & bit(axis)) == 0) [[unlikely]]
-        return true;
-      if (!place_usual(words.axis(axis), axis)) [[unlikely]]
-        return false;
-      rest &= ~static_cast<unsigned>(bit(axis));
-      return true;
-    };
-    if (placed(0) && placed(1) && placed(2)) [[likely]]
-      for (; rest != 0; rest &= rest - 1) {
-        const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-        if (!place_usual(words.axis(axis), axis)) [[unlikely]]
-          break;
-      }
-    const unsigned offset = axes & ~rest & static_cast<unsigned>(length_.live() | tool_offset_.live());
-    for (unsigned some = offset; some != 0; some &= some - 1) add_offset(static_cast<std::size_t>(__builtin_ctz(some)));
-  }
-  if (rest != 0) [[unlikely]]
-    if (const Alarm a =
-            for_each_axis(static_cast<Mask>(rest), [&](std::size_t axis) { return place(axis, target(words, axis)); }))
-      return a;
-  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
-  return alarm::kNone;
-}
-
-[[gnu::always_inline]] inline bool Interpreter::read_usual_direction(const Words& words, Direction& direction) const {
-  static constexpr spec::Decimal kNothing;
-  const auto component = [&](char letter) -> const spec::Decimal& {
-    if (words.has(letter)) [[likely]]
-      return words[letter];
-    return kNothing;
-  };
-  const spec::Decimal& i = component('I');
-  const spec::Decimal& j = component('J');
-  const spec::Decimal& k = component('K');
-  if (!plain_words_ || !Count::is_usual(i) || !Count::is_usual(j) || !Count::is_usual(k)) [[unlikely]]
-    return false;
-  set_small_direction(direction, Count::small_of_usual(i), Count::small_of_usual(j), Count::small_of_usual(k));
-  return true;
-}
-
-// X Y Z by themselves: a loop would count for nothing on most machines. What is not present is not looked at.
-[[gnu::always_inline]] inline void Interpreter::fill_here(Event& event, spec::MoveType type, spec::Cause cause) {
-  event.line = line_;
-  event.n = n_;
-  event.type = type;
-  event.cause = cause;
-  event.programmed.present = linear_;
-  event.point.present = linear_;
-  event.axes.present = all_;
-  event.machine.present = 0;
-  const auto fill_axis = [&](std::size_t axis) {
-    const double programmed = programmed_value_[axis];
-    event.programmed.value[axis] = programmed;
-    event.point.value[axis] = programmed;
-    event.axes.value[axis] = axes_value_[axis];
-  };
-  fill_axis(0);
-  fill_axis(1);
-  fill_axis(2);
-  for (std::size_t axis = 3; axis < count_; ++axis) fill_axis(axis);
-  if (tool_offset_.live() != 0) [[unlikely]]
-    for (unsigned rest = tool_offset_.live(); rest != 0; rest &= rest - 1) {
-      const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-      event.point.value[axis] = actual(axis).nearest();
-    }
-  event.t_numerator = 0;
-  if (type != spec::MoveType::arc) event.arc.reset();
-  if (type == spec::MoveType::rapid)
-    event.feed.reset();
-  else
-    event.feed = feed_;
-  if (!along_tool() && !kinematics_.defined())
-    event.tool_axis.reset();
-  else
-    fill_tool_axis(event);
-}
-
-// The direction of the tool, and under G43.5 without kinematics its length along it.
-[[gnu::always_inline]] inline void Interpreter::fill_tool_axis(Event& event) {
-  const Eigen::Vector3d& unit = directions_[direction_].unit;
-  event.tool_axis.emplace(std::array<double, 3>{unit[0] + 0.0, unit[1] + 0.0, unit[2] + 0.0});  // never -0
-  if (tip_.active()) {
-    event.t_numerator = tip_.tag();
-    return;
-  }
-  if (!along_tool()) return;
-  fill_machine(event);
-  if (tip_.samples()) [[unlikely]]
-    event.t_numerator = tag_direction();
-  if (along_length_ != 0) add_length(event);
-}
-
-[[gnu::always_inline]] inline void Interpreter::fill_machine(Event& event) const {
-  event.machine.present = all_;
-  if ((displaced_ | stale_) != 0) [[unlikely]] {
-    fill_displaced_machine(event);
-    return;
-  }
-  event.machine.value[0] = axes_value_[0];
-  event.machine.value[1] = axes_value_[1];
-  event.machine.value[2] = axes_value_[2];
-  for (std::size_t axis = 3; axis < count_; ++axis) event.machine.value[axis] = axes_value_[axis];
-}
-
-[[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
-  if (plans_tool_) [[unlikely]]
-    return place_tip_words(words, axes);
-  if (const Alarm a = place_positions(words, axes)) return a;
-  if ((axes & turning_) != 0) turn();
-  if (stale_ != 0)
-    if (const Alarm a = refresh()) return a;
-  return alarm::kNone;
-}
 
 }  // namespace toolcomp::fast

@@ -1,5 +1,6 @@
 // Moves in machine coordinates and what shifts the coordinates: G53, G28, G30, G30.1, G29, G92, G54 to G59.
 #include "fast/basis/fault.h"
+#include "fast/fanuc/interpreter/fill.h"
 #include "fast/fanuc/interpreter/interpreter.h"
 
 namespace toolcomp::fast {

@@ -1,6 +1,8 @@
 // Own moves of blocks and the events they make: the path every block takes.
 #include "fast/basis/fault.h"
+#include "fast/fanuc/interpreter/fill.h"
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
 

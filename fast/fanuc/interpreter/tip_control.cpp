@@ -4,6 +4,7 @@
 
 #include "fast/basis/fault.h"
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -104,11 +105,6 @@ Alarm Interpreter::check_tip_control_start(const Words& words, const Plan& plan)
       plan.motion > 10)
     return alarm::kDirectionFormat;
   return alarm::kNone;
-}
-
-Alarm Interpreter::tip_move(const Words& words) {
-  if (tool_side_on()) return tool_side_move(words);
-  return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
 }
 
 std::array<Count, 3> Interpreter::programmed_xyz() const {

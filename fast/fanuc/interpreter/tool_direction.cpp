@@ -3,6 +3,7 @@
 
 #include "fast/arithmetic/wide.h"
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
 namespace {
