@@ -45,8 +45,8 @@ void Interpreter::start_tool_side_leg(ToolSideBlock& block) const {
 
 // Positions, under G43.5 I J K, and F, or nothing but its number.
 Alarm Interpreter::tool_side_move(const Words& words) {
-  direction_before_ = direction_;
-  if (by_vector_ && !plans_tool_) direct(words);
+  tool_.begin_block();
+  if (modal_.by_vector() && !plans_tool_) direct(words);
   tool_side_.next().repeated = false;
   return tool_side_motion(words, false, std::nullopt, ArcWords{});
 }
@@ -62,9 +62,9 @@ Alarm Interpreter::tool_side_motion(const Words& words, bool extra, const std::o
   std::array<Count, 3> to;
   Mask xyz = 0;
   for (std::size_t i = 0; i < 3; ++i)
-    if (xyz_[i] != spec::Axes::kNone) {
-      from[i] = programmed_[xyz_[i]];
-      xyz = static_cast<Mask>(xyz | bit(xyz_[i]));
+    if (axes_.xyz[i] != spec::Axes::kNone) {
+      from[i] = positions_.programmed()[axes_.xyz[i]];
+      xyz = static_cast<Mask>(xyz | bit(axes_.xyz[i]));
     }
   if (arc) {
     block.arc = true;
@@ -72,27 +72,27 @@ Alarm Interpreter::tool_side_motion(const Words& words, bool extra, const std::o
     block.by_radius = arc_words.by_radius;
     block.to_center = arc_words.to_center;
     block.radius = arc_words.radius;
-    block.axis = plane_axes(plane_);
+    block.axis = modal_.axes_of(modal_.plane());
     for (std::size_t i = 0; i < 2; ++i) {
-      block.in[i] = in_plane(plane_, i);
-      block.start[i] = actual(block.axis[i]);
+      block.in[i] = in_plane(modal_.plane(), i);
+      block.start[i] = positions_.actual(block.axis[i]);
     }
   }
 
-  Mask rounded = rounded_;
+  Mask rounded = positions_.rounded();
   if (const Alarm a = place_words(words, axes)) return a;
 
-  rounded = static_cast<Mask>((rounded | rounded_) & axes & xyz);
+  rounded = static_cast<Mask>((rounded | positions_.rounded()) & axes & xyz);
   for (std::size_t i = 0; i < 3; ++i)
-    if (xyz_[i] != spec::Axes::kNone) to[i] = programmed_[xyz_[i]];
+    if (axes_.xyz[i] != spec::Axes::kNone) to[i] = positions_.programmed()[axes_.xyz[i]];
   set_travel(tool_side_.next_travel(), from, to, rounded != 0 ? 2 : 0);
-  block.tool = &directions_[direction_];
-  block.tool_before = &directions_[direction_before_];
-  block.own = axes != 0 || extra || arc || (by_vector_ && words.has_any(Words::set_of("IJK")));
-  fill(block.event, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
+  block.tool = &tool_.now();
+  block.tool_before = &tool_.before();
+  block.own = axes != 0 || extra || arc || (modal_.by_vector() && words.has_any(Words::set_of("IJK")));
+  fill(block.event, arc ? spec::MoveType::arc : modal_.straight(), spec::Cause::programmed);
   if (arc) {
     block.event.arc = arc;
-    for (std::size_t i = 0; i < 2; ++i) block.end[i] = actual(block.axis[i]);
+    for (std::size_t i = 0; i < 2; ++i) block.end[i] = positions_.actual(block.axis[i]);
   }
   if (const StageEnd end = tool_side_.block())
     end_run(end);

@@ -10,25 +10,25 @@ namespace toolcomp::fast {
 
 [[gnu::always_inline]] inline bool Interpreter::usual_block(const Words& words, Alarm& alarm) {
   // Nothing waits for a block to come.
-  if (!is_open(ShortCut::block) || !words.plain() || length_.pending()) [[unlikely]]
+  if (!is_open(ShortCut::block) || !words.plain() || positions_.length().pending()) [[unlikely]]
     return false;
   const Code code = words.code(Words::kMotion);
-  const Code motion_after = code == kNone ? motion_ : code;
+  const Code motion_after = code == kNone ? modal_.motion() : code;
   const auto take_modal_words = [&] {
-    if (!fault(Fault::usual_block_motion_code)) motion_ = motion_after;
+    if (!fault(Fault::usual_block_motion_code)) modal_.set_motion(motion_after);
     if (words.has('F')) set_feed(words);
   };
   const auto uncompensated = [&] {
     return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
   };
   const auto edited = [&] { return takes_edited_value() && !fault(Fault::usual_block_edited_value); };
-  const auto by_vector_alone = [&] { return (words.axes() & rotary_) == 0 && names_direction(words); };
+  const auto by_vector_alone = [&] { return (words.axes() & axes_.rotary) == 0 && names_direction(words); };
   const bool line = motion_after <= 10;
   if (along_tool()) {
     samples_block_ = true;
     if (!line) return false;
     if (tip_.active()) {
-      if (edited() || !(by_vector_ ? by_vector_alone() : !words.has_any(kArcLetters))) return false;
+      if (edited() || !(modal_.by_vector() ? by_vector_alone() : !words.has_any(kArcLetters))) return false;
       take_modal_words();
       alarm = tool_side_on() ? tool_side_move(words) : uncompensated();
       return true;
@@ -41,7 +41,7 @@ namespace toolcomp::fast {
     }
     if (plans_tool_ || cutter_active() || !by_vector_alone()) return false;
     take_modal_words();
-    direction_before_ = direction_;
+    tool_.begin_block();
     direct(words);
     alarm = uncompensated();
     return true;

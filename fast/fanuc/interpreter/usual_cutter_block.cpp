@@ -14,28 +14,28 @@ Alarm Interpreter::cutter_move(const Words& words) {
     start_cutter_leg(words, CutterSide::unchanged, false);
     return cutter_motion(words, kNone, false, std::nullopt, ArcWords{});
   }
-  const std::array<std::size_t, 2>& plane = plane_axis_;
+  const std::array<std::size_t, 2>& plane = modal_.plane_axis();
   CutterBlock& block = cutter_next();
   const Mask axes = words.axes();
-  const bool arc = is_arc(words);
+  const bool arc = modal_.is_arc(words);
   block.sets = false;
   block.word = CutterSide::unchanged;
   block.side = cutter_side_;
   block.d_word = false;
   block.d = cutter_number_.number;
   block.offset = cutter_offset_;
-  block.plane = plane_;
+  block.plane = modal_.plane();
   block.axis = plane;
   block.has_direction = false;
-  block.feed = feed_;
+  block.feed = modal_.feed();
   block.own = axes != 0 || arc;
-  block.start[0] = programmed_[plane[0]];
-  block.start[1] = programmed_[plane[1]];
+  block.start[0] = positions_.programmed()[plane[0]];
+  block.start[1] = positions_.programmed()[plane[1]];
   block.named = static_cast<std::uint8_t>((axes >> plane[0] & 1U) | (axes >> plane[1] & 1U) << 1U);
   if (const Alarm placed = place_words(words, axes)) [[unlikely]]
     return refuse_cutter_move(words, block, placed);
-  block.end[0] = programmed_[plane[0]];
-  block.end[1] = programmed_[plane[1]];
+  block.end[0] = positions_.programmed()[plane[0]];
+  block.end[1] = positions_.programmed()[plane[1]];
   if (arc) {
     std::array<double, 2> center{};
     if (const Alarm a = read_cutter_arc(words, block, center)) return a;
@@ -45,7 +45,7 @@ Alarm Interpreter::cutter_move(const Words& words) {
     if (!block.event.arc) block.event.arc.emplace();
     spec::Arc<double>& numbers = *block.event.arc;
     numbers.center.present = 0;
-    numbers.plane = plane_;
+    numbers.plane = modal_.plane();
     numbers.direction = block.clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
     for (std::size_t i = 0; i < 2; ++i) numbers.center.set(plane[i], center[i]);
   } else {
@@ -57,7 +57,7 @@ Alarm Interpreter::cutter_move(const Words& words) {
       block.motion = CutterMotion::line;
       block.path_made = !is_b_ && cutter_c_.make_line_path(block);
     }
-    fill_here(block.event, straight(), spec::Cause::programmed);
+    fill_here(block.event, modal_.straight(), spec::Cause::programmed);
     if (block.motion == CutterMotion::line && block.path_made && cutter_c_.usual_line()) [[likely]]
       return alarm::kNone;
   }

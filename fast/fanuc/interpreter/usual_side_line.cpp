@@ -14,29 +14,33 @@ void Interpreter::await_side_lines() {
   const auto is_usual = [](const Count& count, std::int64_t most) {
     return count.is_small() && count.small() <= most && count.small() >= -most;
   };
-  const Count& x = programmed_[0];
-  const Count& y = programmed_[1];
-  const Count& z = programmed_[2];
+  const Count& x = positions_.programmed()[0];
+  const Count& y = positions_.programmed()[1];
+  const Count& z = positions_.programmed()[2];
   side_lines_.letters = 0;
-  if (!tool_side_.awaits_line() || motion_ > 10 || takes_edited_value() || length_.pending()) return;
-  if (!letters_.xyz_first || !plain_words_ || rounded_ != 0 || tool_offset_.live() != 0 || stale_ != 0) return;
+  if (!tool_side_.awaits_line() || modal_.motion() > 10 || takes_edited_value() || positions_.length().pending())
+    return;
+  if (!axes_.letters.xyz_first || !units_.plain() || positions_.rounded() != 0 ||
+      positions_.tool_offset().live() != 0 || positions_.stale() != 0)
+    return;
   if (plans_tool_ || tip_.active() || (along_tool() && tip_.samples())) return;
-  if (incremental_ && fault(Fault::incremental_from_offset_position)) return;
+  if (modal_.incremental() && fault(Fault::incremental_from_offset_position)) return;
   if (!x.is_small() || !y.is_small() || !z.is_small()) return;
-  for (std::size_t axis = 0; axis < count_; ++axis)
-    if (!is_usual(length_[axis], kMostOffset)) return;
+  for (std::size_t axis = 0; axis < axes_.count; ++axis)
+    if (!is_usual(positions_.length()[axis], kMostOffset)) return;
   const auto letter = [](char name) { return std::size_t{static_cast<unsigned char>(name)} - 'A' + 1; };
   side_lines_.letters =
       1U << letter('X') | 1U << letter('Y') | 1U << letter('Z') | 1U << letter('F') | 1U << letter('G');
   if (along_tool()) {
-    if (by_vector_) side_lines_.letters |= Words::set_of("IJK") << 1U;
+    if (modal_.by_vector()) side_lines_.letters |= Words::set_of("IJK") << 1U;
   } else {
-    for (std::size_t axis = 3; axis < count_; ++axis) side_lines_.letters |= std::uint32_t{2} << letters_.index[axis];
+    for (std::size_t axis = 3; axis < axes_.count; ++axis)
+      side_lines_.letters |= std::uint32_t{2} << axes_.letters.index[axis];
   }
-  for (std::size_t i = 0; i < 3; ++i) side_lines_.word[letter('X') + i] = programmed_[i].small();
+  for (std::size_t i = 0; i < 3; ++i) side_lines_.word[letter('X') + i] = positions_.programmed()[i].small();
   side_lines_.at = {static_cast<double>(x.small()), static_cast<double>(y.small()), static_cast<double>(z.small())};
-  side_lines_.plain =
-      linear_ == kXyz && length_.live() == 0 && (!along_tool() || (along_length_ == 0 && displaced_ == 0));
+  side_lines_.plain = axes_.linear == kXyz && positions_.length().live() == 0 &&
+                      (!along_tool() || (along_length_ == 0 && positions_.displaced() == 0));
   tool_side_.await_lines(side_lines_.plain);
 }
 
@@ -60,7 +64,7 @@ void Interpreter::side_block(const spec::Block& block) {
   side_lines_.word[kI] = 0;
   side_lines_.word[kI + 1] = 0;
   side_lines_.word[kI + 2] = 0;
-  if (incremental_) [[unlikely]]
+  if (modal_.incremental()) [[unlikely]]
     for (std::size_t i = 0; i < 3; ++i) side_lines_.word[kX + i] = 0;
   std::uint32_t letters = 0;
   std::uint64_t digits = 0;
@@ -75,7 +79,7 @@ void Interpreter::side_block(const spec::Block& block) {
   if ((letters & ~side_lines_.letters) != 0 || !Count::are_short(digits, shapes) || letters == 0) [[unlikely]]
     return false;
   // The code in force again, and no other.
-  if ((letters & 1U << kG) != 0 && (10 * side_lines_.word[kG] != motion_ * Count::kSmallPerOne ||
+  if ((letters & 1U << kG) != 0 && (10 * side_lines_.word[kG] != modal_.motion() * Count::kSmallPerOne ||
                                     static_cast<std::size_t>(std::popcount(letters)) != block.words().size()))
     return false;
   // X and Y side by side: made so at once, and never apart in memory.
@@ -87,7 +91,7 @@ void Interpreter::side_block(const spec::Block& block) {
   const bool directed = (letters & kDirection) != 0;
   if (directed && (i | j | k) == 0) [[unlikely]]
     return false;
-  if (incremental_) [[unlikely]] {
+  if (modal_.incremental()) [[unlikely]] {
     if ((letters & ~kXyzF) != 0 && !directed) return false;
     xy += load_pair(&side_lines_.at.x);
     z += side_lines_.at.z;
@@ -101,36 +105,33 @@ void Interpreter::side_block(const spec::Block& block) {
     return false;
 
   // What is done until the line is taken is of no harm where it is not.
-  const std::uint8_t direction = direction_;
+  const std::uint8_t direction = tool_.place();
   if ((letters & ~kXyzF) != 0) {
     if (directed) {
-      set_small_direction(new_direction(), i, j, k);
+      set_small_direction(tool_.next(), i, j, k);
     } else {
       // Of those at a new place: a tool that stands still is not turned.
       unsigned turned = 0;
-      for (unsigned rest = letters_.positions(letters >> 1U) & ~0b111U; rest != 0; rest &= rest - 1) {
+      for (unsigned rest = axes_.letters.positions(letters >> 1U) & ~0b111U; rest != 0; rest &= rest - 1) {
         const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-        const std::int64_t small = side_lines_.word[letters_.index[axis] + 1U];
-        Count& place = programmed_[axis];
+        const std::int64_t small = side_lines_.word[axes_.letters.index[axis] + 1U];
+        const Count& place = positions_.programmed()[axis];
         if (place.is_small() && place.small() == small) continue;
         turned |= bit(axis);
-        place.set_small(small);
-        const double position = Count::nearest_small(small);
-        programmed_value_[axis] = position;
-        axes_value_[axis] = position;
-        if ((length_.live() & bit(axis)) != 0) [[unlikely]]
-          add_offset(axis);
+        positions_.place_small(axis, small);
+        if ((positions_.length().live() & bit(axis)) != 0) [[unlikely]]
+          positions_.add_offset(axis);
       }
-      if ((turned & turning_) != 0) turn();
+      if ((turned & axes_.turning) != 0) turn();
     }
   }
   if ((letters & 1U << kF) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
-    feed_ = Count::nearest_small(side_lines_.word[kF]);
+    modal_.set_feed(Count::nearest_small(side_lines_.word[kF]));
     tool_side_.await_lines(side_lines_.plain);
   }
   fill_side_line(block, xy, z);
-  if (!tool_side_.take_line(way, corner, directions_[direction_])) [[unlikely]] {
-    direction_ = direction;
+  if (!tool_side_.take_line(way, corner, tool_.now())) [[unlikely]] {
+    tool_.go_back(direction);
     return false;
   }
   store_pair(&side_lines_.at.x, xy);
@@ -144,7 +145,7 @@ void Interpreter::side_block(const spec::Block& block) {
     place_side_lines(xy[0], xy[1], z);
     line_ = block.line;
     n_ = block.n;
-    fill(event, straight(), spec::Cause::programmed);
+    fill(event, modal_.straight(), spec::Cause::programmed);
     if (!side_lines_.plain) return;
   }
   event.line = block.line;
@@ -152,13 +153,13 @@ void Interpreter::side_block(const spec::Block& block) {
   constexpr auto kPerOne = static_cast<double>(Count::kSmallPerOne);
   store_pair(event.programmed.value.data(), xy / kPerOne);
   event.programmed.value[2] = z / kPerOne;
-  if (count_ > 3) {
+  if (axes_.count > 3) {
     // Two on most machines: the one that is not there is not looked at.
-    for (std::size_t axis = 3; axis < 5; ++axis) event.axes.value[axis] = axes_value_[axis];
-    for (std::size_t axis = 5; axis < count_; ++axis) event.axes.value[axis] = axes_value_[axis];
+    for (std::size_t axis = 3; axis < 5; ++axis) event.axes.value[axis] = positions_.sent_to(axis);
+    for (std::size_t axis = 5; axis < axes_.count; ++axis) event.axes.value[axis] = positions_.sent_to(axis);
   }
   if (event.tool_axis) {
-    const Eigen::Vector3d& unit = directions_[direction_].unit;
+    const Eigen::Vector3d& unit = tool_.now().unit;
     for (std::size_t i = 0; i < 3; ++i) (*event.tool_axis)[i] = unit[static_cast<Eigen::Index>(i)] + 0.0;  // never -0
   }
 }
@@ -166,11 +167,8 @@ void Interpreter::side_block(const spec::Block& block) {
 void Interpreter::place_side_lines(double x, double y, double z) {
   const std::array<double, 3> at{x, y, z};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    programmed_[axis].set_small(static_cast<std::int64_t>(at[axis]));
-    const double position = programmed_[axis].nearest();
-    programmed_value_[axis] = position;
-    axes_value_[axis] = position;
-    if ((length_.live() & bit(axis)) != 0) add_offset(axis);
+    positions_.place_small(axis, static_cast<std::int64_t>(at[axis]));
+    if ((positions_.length().live() & bit(axis)) != 0) positions_.add_offset(axis);
   }
 }
 
