@@ -185,6 +185,8 @@ class Machine {
   [[nodiscard]] bool in_limits(const Pose& pose, std::size_t i) const;
   // The branch of the pair that moves the axis judged first by less; 0 where doubles cannot tell.
   [[nodiscard]] int nearer(const PolarPairs& pairs, const Pose& present) const;
+  // The short cut of choose_fine(), usual_pair.cpp. False where doubles cannot tell.
+  [[nodiscard]] bool usual_pair(const Direction& tool, const Pose& present, Pose& end) const;
   [[nodiscard]] bool choose_fine(const Direction& tool, const Pose& present, Pose& end) const;
   template <class T>
   [[nodiscard]] Vector3<T> turn(std::size_t i, const Vector3<T>& v, const SineCosine<T>& by, bool back = false) const;

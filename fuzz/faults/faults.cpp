@@ -146,6 +146,25 @@ constexpr Row kPosture[] = {
     {"posture_near_by_ends", kPostureBlock, 2000},
 };
 
+// Short cuts for usual blocks, each in a section whose blocks take it.
+constexpr Row kUsualLength[] = {{"usual_word_without_offset", "", 2000}};
+constexpr Row kUsualBlock[] = {
+    {"usual_block_motion_code", "", 2000},
+    {"usual_block_edited_value", "fanuc.cutter.side fanuc.cutter-b.vector fanuc.cutter-b.arc-vector", 10'000}};
+constexpr Row kUsualCutter[] = {
+    {"usual_cutter_block_zero", "fanuc.cutter-c.two-non-motion-blocks", 5000},
+    {"usual_line_acute", "", 2000},
+    {"usual_line_unchecked", "fanuc.cutter-c.interference-alarm", 2000},
+};
+constexpr Row kUsualSide[] = {
+    {"usual_side_line_unchecked", "fanuc.cutter-c.interference-alarm", 5000},
+    {"usual_side_line_turned_tool", "", 2000},
+    {"usual_side_line_feed", "", 5000},
+};
+constexpr Row kUsualTip[] = {{"usual_pair_limits", "", 5000}};
+constexpr Row kUsualPosture[] = {{"usual_posture_near", "", 2000},
+                                 {"usual_posture_branch", "fanuc.tool-posture.branch-mismatch", 5000}};
+
 // What the state of a program does shows in the blocks of face milling.
 constexpr Row kKlartext[] = {
     {"klartext_reference_stays", "heidenhain.program.reference-point heidenhain.contour.nominal-tip", 5000},
@@ -186,6 +205,12 @@ constexpr Section kSections[] = {
     {"fanuc/tool-side-compensation", kSide},
     {"fanuc/tool-center-point-control", kTip},
     {"fanuc/tool-posture-control", kPosture},
+    {"fanuc/tool-length-offset", kUsualLength},
+    {"fanuc/cutter-compensation-b", kUsualBlock},
+    {"fanuc/cutter-compensation-c", kUsualCutter},
+    {"fanuc/tool-side-compensation", kUsualSide},
+    {"fanuc/tool-center-point-control", kUsualTip},
+    {"fanuc/tool-posture-control", kUsualPosture},
     {"heidenhain/face-milling", kKlartext},
     {"heidenhain/face-milling", kFace},
     {"heidenhain/peripheral-milling", kPeripheral},

@@ -57,8 +57,9 @@ class CutterCompensationC {
     set_line(new_path().path, block.start, block.end);
     return true;
   }
-  // Takes next(), a line without a code whose path is made, if its corner is the usual one, of two lines and with one
-  // vector at both ends of the former: as block() does, without the detours. False if it is for block().
+  // The short cut of block(), usual_line.h: takes next(), a line without a code whose path is made, if its corner is
+  // the usual one, of two lines and with one vector at both ends of the former. False, and nothing is done: it is for
+  // block().
   [[nodiscard]] bool usual_line();
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
@@ -232,53 +233,6 @@ inline void CutterCompensationC::send_behind(const Vector2<double>& vector) {
 inline int CutterCompensationC::side_of(const CutterBlock& block) {
   const int side = block.side == CutterSide::right ? -1 : 1;
   return block.offset < Count() && !fault(Fault::c_negative_offset_ignored) ? -side : side;
-}
-
-[[gnu::always_inline]] inline bool CutterCompensationC::usual_line() {
-  CutterBlock& block = next();
-  CompensatedPath& to = paths_[path_];
-  const Heading& next = to.path.start;
-  const bool usual = plain_ && !repeated_ && block.offset == value_ && next.narrow && side_of(block) == last_->side &&
-                     !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
-  if (!usual) [[unlikely]]
-    return false;
-  const Heading& last = last_->path.start;
-  const int side = last_->side;
-  const Turn turned = turn_of_narrow(last, next);
-  // An inner or an obtuse corner.
-  // Which way the path turns follows no pattern; that it turns by less than 90 degrees, does.
-  if (turned.c == 0 || (turned.k <= 0 && side * turned.c < 0)) [[unlikely]]
-    return false;
-  const Vector2<double> vector = where_tangents_meet(last, turned, side * amount_.nearest);
-  const Vector2<double>& from = at_start().front().vector;
-  const double length = last.norm / per_one(last_->path);
-  const double product = length + dot(last.unit, vector - from);
-  const double extent = std::abs(vector.x) + std::abs(vector.y) + std::abs(from.x) + std::abs(from.y);
-  if (product <= 0x1p-46 * (length + extent)) [[unlikely]]
-    return false;
-
-  to.side = side;
-  to.offset = amount_;
-  CornerGroup& end = at_end();
-  end.set(HeadKind::tangents_meet, vector);
-  end.corner = {&last_->path, &to.path, &last, &next, side, side, &last_->offset, turned};
-  group_ ^= 1U;
-  start_side_ = side;
-  start_offset_ = &last_->offset;
-  last_ = &to;
-  CutterBlock& held = ring_[first_];
-  add(held.event, held, vector);
-  sink_.on(held.event);
-  if (held.sets) [[unlikely]]
-    send_setting(held);
-  if (held_count_ > 1) [[unlikely]]
-    send_behind(vector);
-  held_count_ = 0;
-  hold();
-  held_ = Held::path;
-  plain_ = true;
-  still_ = 0;
-  return true;
 }
 
 }  // namespace toolcomp::fast

@@ -1,38 +1,21 @@
 // G02, G03: which words make an arc, in the selected plane.
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/usual_words.h"
 #include "fast/fanuc/program/arc.h"
 
 namespace toolcomp::fast {
 
-std::size_t Interpreter::normal_axis() const {
-  if (plane_ == spec::Plane::xy) return xyz_[2];
-  return plane_ == spec::Plane::zx ? xyz_[1] : xyz_[0];
-}
-
-std::array<std::size_t, 2> Interpreter::plane_axes(spec::Plane plane) const {
-  return {xyz_[in_plane(plane, 0)], xyz_[in_plane(plane, 1)]};
-}
-
-void Interpreter::select_plane(spec::Plane plane) {
-  plane_ = plane;
-  plane_axis_ = plane_axes(plane);
-  plane_axes_ = 0;
-  plane_letter_ = {direction_letter(plane, 0), direction_letter(plane, 1)};
-  for (const std::size_t axis : plane_axis_)
-    if (axis != spec::Axes::kNone) plane_axes_ = static_cast<Mask>(plane_axes_ | bit(axis));
-}
-
 Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
                             bool with_geometry) const {
-  if (!is_arc(words)) return alarm::kNone;
-  const std::array<std::size_t, 2>& plane = plane_axis_;
+  if (!modal_.is_arc(words)) return alarm::kNone;
+  const std::array<std::size_t, 2>& plane = modal_.plane_axis();
   std::array<Count, 2> start;
   std::array<Count, 2> end;
   for (std::size_t i = 0; i < 2; ++i) {
     const std::size_t axis = plane[i];
     if (axis == spec::Axes::kNone) continue;
-    start[i] = end[i] = actual(axis);
-    if ((words.axes() & bit(axis)) != 0) end[i] = target(words, axis) + tool_offset_[axis];
+    start[i] = end[i] = positions_.actual(axis);
+    if ((words.axes() & bit(axis)) != 0) end[i] = target(words, axis) + positions_.tool_offset()[axis];
   }
   if (!end[0].in_range() || !end[1].in_range()) return alarm::kRange;
   read_arc(words, arc_words);
@@ -51,7 +34,7 @@ Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>
                   : center_by_center(start, to_center, geometry.center);
   if (a) return a;
   arc.emplace();
-  arc->plane = plane_;
+  arc->plane = modal_.plane();
   arc->direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   for (std::size_t i = 0; i < 2; ++i)
     if (plane[i] != spec::Axes::kNone) arc->center.set(plane[i], geometry.center[i]);

@@ -25,10 +25,10 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
   plan.d = words.has('D') ? whole_number(words['D'], memory_.count()) : d_;
   if (plan.d > memory_.count()) return alarm::kOffsetNumber;
 
-  plan.motion = words.code(Words::kMotion) == kNone ? motion_ : words.code(Words::kMotion);
+  plan.motion = words.code(Words::kMotion) == kNone ? modal_.motion() : words.code(Words::kMotion);
   const Code length = words.code(Words::kLength);
   plan.along = words.starts_tip_control() || (along_tool() && length != 490);
-  plan.vector = length == 435 || (by_vector_ && length != 434 && length != 490);
+  plan.vector = length == 435 || (modal_.by_vector() && length != 434 && length != 490);
   plan.ends_along = along_tool() && (length == 490 || words.starts_tip_control());
   const bool active = leading_edge_.active();
   // G41 and G42 do not end leading edge offset, they are forbidden in it; with number 0 it ends.
@@ -59,10 +59,11 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
     const std::uint32_t number = words.has('P') ? whole_number(words['P'], memory_.count()) : 0;
     plan.writes = words.has('R');
     // R counts in the units and the mode (G90, G91) of this block.
-    const bool inch = words.code(Words::kUnits) == kNone ? inch_program_ : words.code(Words::kUnits) == 200;
-    const bool add = words.code(Words::kDistance) == kNone ? incremental_ : words.code(Words::kDistance) == 910;
+    const bool inch = words.code(Words::kUnits) == kNone ? units_.inch() : words.code(Words::kUnits) == 200;
+    const bool add = words.code(Words::kDistance) == kNone ? modal_.incremental() : words.code(Words::kDistance) == 910;
     // Without R nothing is stored: 0 in its place passes every range.
-    plan.write = memory_.plan(list, number, plan.writes ? value(words['R'], true, inch) : Count(), plan.writes && add);
+    plan.write =
+        memory_.plan(list, number, plan.writes ? units_.value(words['R'], true, inch) : Count(), plan.writes && add);
     if (plan.write.alarm) return plan.write.alarm;
   }
   if (one_shot == 300 && words.axes() != 0 && reference_point(words) == 0) return alarm::kReferenceNumber;
@@ -93,16 +94,16 @@ Alarm Interpreter::check_leading_edge(const Words& words, const Plan& plan) cons
 Alarm Interpreter::check_tool_side(const Words& words, const Plan& plan) const {
   const Code code = words.code(Words::kCompensation);
   const Code plane = words.code(Words::kPlane);
-  const spec::Plane selected = plane == kNone ? plane_ : plane_of(plane);
+  const spec::Plane selected = plane == kNone ? modal_.plane() : plane_of(plane);
   const bool before = plan.side_before;
   const bool after = plan.side_after;
   if (is_tool_side(code) && (code == 412 || code == 422) == plan.vector) return alarm::kToolSideMode;
-  if (before && selected != plane_) return alarm::kPlaneChange;
+  if (before && selected != modal_.plane()) return alarm::kPlaneChange;
 
   const bool letters = words.has_any(kDirectionLetters);
   const bool moves = words.axes() != 0 || (plan.vector && letters);
   Mask in_plane = 0;
-  for (const std::size_t axis : plane_axes(selected))
+  for (const std::size_t axis : modal_.axes_of(selected))
     if (axis != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(axis));
   const bool arc = plan.motion > 10 && words.code(Words::kOneShot) == kNone &&
                    ((words.axes() & in_plane) != 0 || words.has('R') || letters);
@@ -136,10 +137,10 @@ Alarm Interpreter::check_cutter(const Words& words, const Plan& plan) const {
   const bool on = cutter_on();
   const CutterSide word = cutter_side(code);
   const bool in_force = cutter_in_force(words);
-  const spec::Plane selected = plane == kNone ? plane_ : plane_of(plane);
-  const std::array<std::size_t, 2> axis = plane_axes(selected);
+  const spec::Plane selected = plane == kNone ? modal_.plane() : plane_of(plane);
+  const std::array<std::size_t, 2> axis = modal_.axes_of(selected);
   if (in_force && (axis[0] == spec::Axes::kNone || axis[1] == spec::Axes::kNone)) return alarm::kPlaneAxis;
-  if (on && selected != plane_) return alarm::kPlaneChange;
+  if (on && selected != modal_.plane()) return alarm::kPlaneChange;
   if ((on && (code == 413 || is_tool_side(code))) || ((on || in_force) && words.starts_tip_control()))
     return alarm::kForbiddenInCutterCompensation;
   if (words.is_tool_offset() && (on || cutter_wanted(words))) return alarm::kToolOffsetInCutter;
@@ -179,9 +180,9 @@ Alarm Interpreter::check_cutter(const Words& words, const Plan& plan) const {
 // The alarms of G37, in their order.
 Alarm Interpreter::check_measurement(const Words& words) const {
   if (words.has('H')) return alarm::kMeasurementNumberInBlock;
-  if (length_.number() == 0) return alarm::kMeasurementNumberZero;
-  const bool add = words.code(Words::kDistance) == kNone ? incremental_ : words.code(Words::kDistance) == 910;
-  if (add || std::popcount(words.axes()) != 1 || (words.axes() & linear_) == 0) return alarm::kMeasurementAxis;
+  if (positions_.length().number() == 0) return alarm::kMeasurementNumberZero;
+  const bool add = words.code(Words::kDistance) == kNone ? modal_.incremental() : words.code(Words::kDistance) == 910;
+  if (add || std::popcount(words.axes()) != 1 || (words.axes() & axes_.linear) == 0) return alarm::kMeasurementAxis;
   if (words.code(Words::kLength) != kNone) return alarm::kMeasurementFormat;
   if (cutter_on() || cutter_wanted(words)) return alarm::kMeasurementInCutter;
   return measurement_.parameters();
@@ -189,14 +190,14 @@ Alarm Interpreter::check_measurement(const Words& words) const {
 
 // Whether the axis words in `axes` name the position at which the axes stand, or in G91 no travel.
 bool Interpreter::stays(const Words& words, unsigned axes) const {
-  const bool add = words.code(Words::kDistance) == kNone ? incremental_ : words.code(Words::kDistance) == 910;
-  const bool inch = words.code(Words::kUnits) == kNone ? inch_program_ : words.code(Words::kUnits) == 200;
+  const bool add = words.code(Words::kDistance) == kNone ? modal_.incremental() : words.code(Words::kDistance) == 910;
+  const bool inch = words.code(Words::kUnits) == kNone ? units_.inch() : words.code(Words::kUnits) == 200;
   const Code system = words.code(Words::kWorkpiece);
-  const std::size_t chosen = system == kNone ? workpiece_ : static_cast<std::size_t>((system - 540) / 10);
+  const std::size_t chosen = system == kNone ? positions_.system() : static_cast<std::size_t>((system - 540) / 10);
   for (; axes != 0; axes &= axes - 1) {
     const auto axis = static_cast<std::size_t>(__builtin_ctz(axes));
-    const Count word = value(words.axis(axis), (linear_ & bit(axis)) != 0, inch);
-    const Count position = programmed_[axis] + origin_[workpiece_][axis] - origin_[chosen][axis];
+    const Count word = units_.value(words.axis(axis), (axes_.linear & bit(axis)) != 0, inch);
+    const Count position = positions_.in_system(axis, chosen);
     if (add ? !word.is_zero() : !(word == position)) return false;
   }
   return true;

@@ -1,5 +1,6 @@
 // Blocks that pass cutter compensation, B or C: what the stage is told about each.
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
 
@@ -50,19 +51,19 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
   block.d_word = d_word;
   block.d = cutter_number_.number;
   block.offset = cutter_offset_;
-  block.plane = plane_;
-  block.axis = plane_axis_;
+  block.plane = modal_.plane();
+  block.axis = modal_.plane_axis();
   block.named = 0;
   block.has_direction = false;
   block.path_made = false;
   for (std::size_t i = 0; i < 2; ++i) {
     const std::size_t axis = block.axis[i];
-    block.start[i] = actual(axis);
+    block.start[i] = positions_.actual(axis);
     if (axis != spec::Axes::kNone && (words.axes() & bit(axis)) != 0)
       block.named = static_cast<std::uint8_t>(block.named | 1U << i);
-    const char letter = direction_letter(plane_, i);
+    const char letter = direction_letter(modal_.plane(), i);
     if (words.has(letter)) {
-      block.direction[i] = value(words[letter], true, inch_program_);
+      block.direction[i] = units_.value(words[letter], true);
       block.has_direction = true;
     } else {
       block.direction[i] = Count();
@@ -70,70 +71,12 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
   }
 }
 
-// The usual block: positions, F and the letters of an arc, or nothing but its number. What check(), begin_cutter(),
-// plan_arc(), cutter_motion() and send_cutter() do for any block, without the detours.
-Alarm Interpreter::cutter_move(const Words& words) {
-  if (!is_usual_cutter_plane()) [[unlikely]] {
-    start_cutter_leg(words, CutterSide::unchanged, false);
-    return cutter_motion(words, kNone, false, std::nullopt, ArcWords{});
-  }
-  const std::array<std::size_t, 2>& plane = plane_axis_;
-  CutterBlock& block = cutter_next();
-  const Mask axes = words.axes();
-  const bool arc = is_arc(words);
-  block.sets = false;
-  block.word = CutterSide::unchanged;
-  block.side = cutter_side_;
-  block.d_word = false;
-  block.d = cutter_number_.number;
-  block.offset = cutter_offset_;
-  block.plane = plane_;
-  block.axis = plane;
-  block.has_direction = false;
-  block.feed = feed_;
-  block.own = axes != 0 || arc;
-  block.start[0] = programmed_[plane[0]];
-  block.start[1] = programmed_[plane[1]];
-  block.named = static_cast<std::uint8_t>((axes >> plane[0] & 1U) | (axes >> plane[1] & 1U) << 1U);
-  if (const Alarm placed = place_words(words, axes)) [[unlikely]]
-    return refuse_cutter_move(words, block, placed);
-  block.end[0] = programmed_[plane[0]];
-  block.end[1] = programmed_[plane[1]];
-  if (arc) {
-    std::array<double, 2> center{};
-    if (const Alarm a = read_cutter_arc(words, block, center)) return a;
-    block.motion = CutterMotion::arc;
-    block.path_made = !is_b_ && cutter_c_.make_arc_path(block);
-    fill(block.event, spec::MoveType::arc, spec::Cause::programmed);
-    if (!block.event.arc) block.event.arc.emplace();
-    spec::Arc<double>& numbers = *block.event.arc;
-    numbers.center.present = 0;
-    numbers.plane = plane_;
-    numbers.direction = block.clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
-    for (std::size_t i = 0; i < 2; ++i) numbers.center.set(plane[i], center[i]);
-  } else {
-    if (block.named == 0) {
-      block.motion = CutterMotion::still;
-    } else if (block.start[0] == block.end[0] && block.start[1] == block.end[1]) {
-      block.motion = CutterMotion::zero;
-    } else {
-      block.motion = CutterMotion::line;
-      block.path_made = !is_b_ && cutter_c_.make_line_path(block);
-    }
-    fill_here(block.event, straight(), spec::Cause::programmed);
-    if (block.motion == CutterMotion::line && block.path_made && cutter_c_.usual_line()) [[likely]]
-      return alarm::kNone;
-  }
-  if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);
-  return alarm::kNone;
-}
-
 // The alarm of a block whose words could not be placed: those of its arc come first.
 Alarm Interpreter::refuse_cutter_move(const Words& words, CutterBlock& block, const Alarm& placed) {
-  if (!is_arc(words)) return placed;
-  for (std::size_t i = 0; i < 2; ++i) programmed_[plane_axis_[i]] = block.start[i];
+  if (!modal_.is_arc(words)) return placed;
+  for (std::size_t i = 0; i < 2; ++i) positions_.set_exact(modal_.plane_axis()[i], block.start[i]);
   for (std::size_t i = 0; i < 2; ++i)
-    block.end[i] = (block.named >> i & 1U) != 0 ? target(words, plane_axis_[i]) : block.start[i];
+    block.end[i] = (block.named >> i & 1U) != 0 ? target(words, modal_.plane_axis()[i]) : block.start[i];
   std::array<double, 2> center{};
   const Alarm a = read_cutter_arc(words, block, center);
   return a ? a : placed;
@@ -156,7 +99,7 @@ Alarm Interpreter::read_cutter_arc(const Words& words, CutterBlock& block, std::
 // stage learns of a G40 in the block, which then goes its own way.
 void Interpreter::retire_cutter() {
   CutterBlock& block = cutter_next();
-  fill(block.event, straight(), spec::Cause::programmed);
+  fill(block.event, modal_.straight(), spec::Cause::programmed);
   block.own = false;
   block.axis_word = false;
   block.named = 0;
@@ -172,7 +115,7 @@ Alarm Interpreter::corner_direction(const Words& words, CutterBlock& block) cons
     if ((block.named >> i & 1U) == 0) continue;
     const Count to = target(words, block.axis[i]);
     if (!to.in_range()) return alarm::kRange;
-    block.direction[i] = to - programmed_[block.axis[i]];
+    block.direction[i] = to - positions_.programmed()[block.axis[i]];
     block.has_direction = true;
   }
   return alarm::kNone;
@@ -186,8 +129,8 @@ Alarm Interpreter::cutter_motion(const Words& words, Code one_shot, bool extra,
 
   block.own = axes != 0 || extra || arc;
   block.axis_word = axes != 0;
-  block.feed = feed_;
-  fill(block.event, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
+  block.feed = modal_.feed();
+  fill(block.event, arc ? spec::MoveType::arc : modal_.straight(), spec::Cause::programmed);
   if (arc) {
     block.event.arc = arc;
     block.clockwise = arc_words.clockwise;
@@ -208,7 +151,7 @@ Alarm Interpreter::cutter_motion(const Words& words, Code one_shot, bool extra,
 }
 
 Alarm Interpreter::send_cutter(CutterBlock& block) {
-  for (std::size_t i = 0; i < 2; ++i) block.end[i] = actual(block.axis[i]);
+  for (std::size_t i = 0; i < 2; ++i) block.end[i] = positions_.actual(block.axis[i]);
   if (block.motion == CutterMotion::line && block.start[0] == block.end[0] && block.start[1] == block.end[1])
     block.motion = CutterMotion::zero;
   if (const StageEnd end = is_b_ ? cutter_b_.block() : cutter_c_.block()) end_run(end);

@@ -1,27 +1,21 @@
 #include "fast/fanuc/interpreter/interpreter.h"
 
-#include <string>
-
 #include "fast/basis/fault.h"
+#include "fast/fanuc/interpreter/usual_block.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
 
 Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_t samples)
-    : axes_(setup.axes),
-      count_(setup.axes.size()),
-      xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
-      letters_(axes_),
-      inch_setup_(setup.units == spec::Units::inch),
-      counts_increments_(!setup.bit(3401, 0, true)),
-      increment_places_(2 + static_cast<int>(setup.increment)),
-      machine_angles_(setup.rotary_angles == spec::RotaryAngles::machine),
+    : machine_angles_(setup.rotary_angles == spec::RotaryAngles::machine),
       kinematics_(setup),
       machine_(setup, kinematics_),
+      axes_(setup, kinematics_),
+      units_(setup),
+      modal_(axes_.xyz),
+      positions_(setup, axes_),
       posture_(setup, machine_),
       memory_(setup),
-      length_(setup),
-      tool_offset_(setup),
       measurement_(setup),
       sink_(sink),
       leading_edge_(setup, kinematics_, sink),
@@ -30,41 +24,17 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
       cutter_c_(setup, sink),
       tool_side_(setup, kinematics_, sink),
       tip_(setup, machine_, sink, samples),
-      inch_program_(inch_setup_),
-      plain_words_(!counts_increments_),
       ofh_(setup.bit(5001, 2)),
       evr_(setup.bit(5001, 4)) {
   if (setup.control != spec::Control::fanuc)
     throw spec::InputError("setup", 0, 0, "control: only \"fanuc\" programs can be run");
-  for (std::size_t axis = 0; axis < count_; ++axis) {
-    Mask& kind = spec::is_linear_axis(axes_.letter(axis)) ? linear_ : rotary_;
-    kind = static_cast<Mask>(kind | bit(axis));
-    if (kinematics_.turns_with(axis)) turning_ = static_cast<Mask>(turning_ | bit(axis));
-  }
-  all_ = static_cast<Mask>(linear_ | rotary_);
-  select_plane(plane_);
-  for (std::size_t i = 0; i < origin_.size(); ++i) read_positions(setup.workpiece[i], "workpiece", origin_[i]);
-  mark_displaced();
-  read_positions(setup.floating_reference, "reference.floating", reference_[0]);
-  for (const auto& [number, table] : setup.reference)
-    if (number >= 1 && number <= 4) read_positions(table, "reference", reference_[static_cast<std::size_t>(number)]);
-  read_positions(setup.position, "position", programmed_);
-  for (std::size_t axis = 0; axis < count_; ++axis)
-    if (place(axis, programmed_[axis])) throw spec::InputError("setup", 0, 0, "position: out of range");
+  positions_.read(setup);
+  take_zeros();
   if (kinematics_.defined()) turn();
 }
 
-void Interpreter::read_positions(const spec::AxisTable& table, const char* key, Positions& to) const {
-  for (const auto& [letter, decimal] : table) {
-    const std::size_t axis = axes_.index(letter);
-    if (axis == spec::Axes::kNone) continue;
-    if (!fits_count(decimal)) throw spec::InputError("setup", 0, 0, std::string(key) + "." + letter + ": too large");
-    to[axis] = Count::of(decimal);
-  }
-}
-
 void Interpreter::block(const spec::Block& block) {
-  if (side_letters_ != 0)
+  if (side_lines_.letters != 0)
     side_block(block);
   else
     any_block(block);
@@ -78,7 +48,7 @@ void Interpreter::any_block(const spec::Block& block) {
     if (!release_held()) send_alarm(block.alarm->number, block.alarm->message, line_, n_);
     return;
   }
-  const Words words(block, letters_);
+  const Words words(block, axes_.letters);
   if (words.unsupported()) [[unlikely]] {
     raise(alarm::kUnknownCode);
     return;
@@ -150,74 +120,22 @@ void Interpreter::end_run(const StageEnd& end) {
 }
 
 [[gnu::always_inline]] inline Alarm Interpreter::run(const Words& words) {
-  // The usual block, and nothing that waits for a block to come.
-  if (words.plain() && !length_.pending()) [[likely]] {
-    const Code code = words.code(Words::kMotion);
-    const Code motion_after = code == kNone ? motion_ : code;
-    const bool straight = motion_after <= 10 && !words.has_any(kArcLetters);
-    if (along_tool()) {
-      samples_block_ = true;
-      if (tip_.active()) {
-        if (motion_after <= 10 && !takes_edited_value()) {
-          const bool usual =
-              by_vector_ ? (words.axes() & rotary_) == 0 && names_direction(words) : !words.has_any(kArcLetters);
-          if (usual) {
-            motion_ = motion_after;
-            if (words.has('F')) set_feed(words);
-            return tip_move(words);
-          }
-        }
-      } else if (tool_side_on() && motion_after <= 10 && (words.axes() & rotary_) == 0 && !takes_edited_value() &&
-                 names_direction(words)) {
-        motion_ = motion_after;
-        if (words.has('F')) set_feed(words);
-        return tool_side_move(words);
-      } else if (!plans_tool_ && !tool_side_on() && !cutter_active() && motion_after <= 10 &&
-                 (words.axes() & rotary_) == 0 && names_direction(words)) {
-        motion_ = motion_after;
-        if (words.has('F')) set_feed(words);
-        direction_before_ = direction_;
-        direct(words);
-        return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false,
-                      std::nullopt);
-      }
-    } else if (tool_side_on()) {
-      if (straight && !takes_edited_value()) {
-        motion_ = motion_after;
-        if (words.has('F')) set_feed(words);
-        return tool_side_move(words);
-      }
-    } else if (!cutter_active()) {
-      if (straight) {
-        motion_ = motion_after;
-        if (words.has('F')) set_feed(words);
-        return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false,
-                      std::nullopt);
-      }
-    } else if (!takes_edited_value() && (straight || (!is_b_ && makes_tool_arc(words) && is_usual_cutter_plane()))) {
-      motion_ = motion_after;
-      if (words.has('F')) set_feed(words);
-      return cutter_move(words);
-    }
-  }
+  Alarm alarm;
+  if (usual_block(words, alarm)) [[likely]]
+    return alarm;
   Plan plan;
   if (const Alarm a = check(words, plan)) return a;
   return apply(words, plan);
 }
 
-void Interpreter::set_feed(const Words& words) {
-  feed_ = Count::of(words['F'], fault(Fault::feed_not_converted) ? Factor::one : factor(inch_program_)).nearest();
-}
+void Interpreter::set_feed(const Words& words) { modal_.set_feed(units_.feed(words['F'])); }
 
 // Everything is allowed but what depends on positions (arcs) and on the length offset, whose alarms come last.
 Alarm Interpreter::apply(const Words& words, const Plan& plan) {
-  motion_ = plan.motion;
-  if (const Code code = words.code(Words::kPlane); code != kNone) select_plane(plane_of(code));
-  if (const Code code = words.code(Words::kDistance); code != kNone) incremental_ = code == 910;
-  if (const Code code = words.code(Words::kUnits); code != kNone) {
-    inch_program_ = code == 200;
-    plain_words_ = !counts_increments_ && inch_program_ == inch_setup_;
-  }
+  modal_.set_motion(plan.motion);
+  if (const Code code = words.code(Words::kPlane); code != kNone) modal_.select_plane(plane_of(code));
+  if (const Code code = words.code(Words::kDistance); code != kNone) modal_.set_incremental(code == 910);
+  if (const Code code = words.code(Words::kUnits); code != kNone) units_.select(code);
   if (words.has('F')) set_feed(words);
   if (plan.ends_along) {
     if (tip_.active())
@@ -225,8 +143,7 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
     else
       end_tool_direction(plan.along);
   }
-  by_vector_ = plan.vector;
-  arc_letters_ = plan.vector ? Words::set_of("R") : kArcLetters;
+  modal_.set_by_vector(plan.vector);
   if (const Code code = words.code(Words::kWorkpiece); code != kNone) {
     select_workpiece(code);
     if (plan.cutter) rename_in_cutter();
@@ -235,7 +152,7 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   const Code one_shot = words.code(Words::kOneShot);
   std::optional<spec::Arc<double>> arc;
   ArcWords arc_words;
-  if ((one_shot == kNone || words.is_tool_offset()) && motion_ > 10)
+  if ((one_shot == kNone || words.is_tool_offset()) && modal_.motion() > 10)
     if (const Alarm a =
             plan_arc(words, arc, arc_words, !makes_tool_arc(words) && !(plan.side_before || plan.side_after)))
       return a;
@@ -243,15 +160,15 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   if (words.is_tool_offset())
     if (const Alarm a = plan_tool_offset(words, arc_words, arc, shifts)) return a;
 
-  length_.begin_block();
-  if (const Alarm a = length_.restore(words, memory_)) return a;
-  if (const Alarm a = length_.apply(words, memory_, normal_axis())) return a;
-  if (length_.changed()) stale_ = all_;
+  positions_.length().begin_block();
+  if (const Alarm a = positions_.length().restore(words, memory_)) return a;
+  if (const Alarm a = positions_.length().apply(words, memory_, modal_.normal_axis())) return a;
+  if (positions_.length().changed()) positions_.make_stale();
   if (plan.along) along_length_ = tool_length().nearest();
   // G43.4 and G43.5 always make their move; the G49 that ends them makes none.
-  const bool extra =
-      words.starts_tip_control() || (length_.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
-  direction_before_ = direction_;
+  const bool extra = words.starts_tip_control() ||
+                     (positions_.length().changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
+  tool_.begin_block();
   if (plan.along) {
     // Moves that a compensation inserts are none of the block; G41.3 and its G40 take a change of the length along.
     const bool edge = plan.compensation == Compensation::starts || plan.compensation == Compensation::cancels;
@@ -291,8 +208,8 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
     return tool_side_motion(words, extra, arc, arc_words);
   }
   if (const Alarm a = for_each_axis(shifts.axes, [&](std::size_t axis) {
-        tool_offset_.add(axis, shifts.by[axis]);
-        return tool_offset_[axis].in_range() ? alarm::kNone : alarm::kRange;
+        positions_.tool_offset().add(axis, shifts.by[axis]);
+        return positions_.tool_offset()[axis].in_range() ? alarm::kNone : alarm::kRange;
       }))
     return a;
 
@@ -304,7 +221,7 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
       case 290:
         return from_reference(words);
       case 530:
-        if (!incremental_) return to_machine_position(words);
+        if (!modal_.incremental()) return to_machine_position(words);
         break;
       case 370:
         return measure(words);
@@ -323,7 +240,7 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
 void Interpreter::store_offset(const OffsetMemory::Write& write, spec::Name& name, double& stored) {
   name = memory_.store(write);
   stored = memory_.value(write).nearest();
-  if (memory_.changes_h(write)) length_.edited(write.number);
+  if (memory_.changes_h(write)) positions_.length().edited(write.number);
   cutter_edited_ = true;
 }
 

@@ -9,8 +9,14 @@
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
 #include "fast/basis/fault.h"
+#include "fast/basis/short_cut.h"
 #include "fast/fanuc/cutter_compensation_b/cutter_compensation_b.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
+#include "fast/fanuc/interpreter/axes.h"
+#include "fast/fanuc/interpreter/axis_positions.h"
+#include "fast/fanuc/interpreter/modal_state.h"
+#include "fast/fanuc/interpreter/tool_directions.h"
+#include "fast/fanuc/interpreter/word_units.h"
 #include "fast/fanuc/leading_edge_offset/leading_edge_offset.h"
 #include "fast/fanuc/program/arc.h"
 #include "fast/fanuc/program/cutter_block.h"
@@ -18,8 +24,6 @@
 #include "fast/fanuc/tool_center_point_control/tool_center_point_control.h"
 #include "fast/fanuc/tool_length_measurement/tool_length_measurement.h"
 #include "fast/fanuc/tool_length_offset/offset_memory.h"
-#include "fast/fanuc/tool_length_offset/tool_length_offset.h"
-#include "fast/fanuc/tool_offset/tool_offset.h"
 #include "fast/fanuc/tool_posture_control/posture.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
 #include "fast/kinematics/kinematics.h"
@@ -28,9 +32,6 @@
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast {
-
-// Letters that make an arc of a block under G02 or G03.
-inline constexpr std::uint32_t kArcLetters = Words::set_of("IJKR");
 
 // Everything the control knows while it runs a program. Positions are exact, in workpiece coordinates without offsets,
 // lengths in setup units, angles in degrees.
@@ -44,9 +45,7 @@ class Interpreter {
   [[nodiscard]] bool stopped() const { return stopped_; }
 
  private:
-  using Positions = std::array<Count, spec::kMaxAxes>;
   using RotaryPositions = std::array<Count, 2>;  // of the 1st and 2nd rotary axis, where they are there
-  using Mask = std::uint16_t;                    // bit i: axis i
   // What a block does to leading edge offset.
   enum class Compensation : std::uint8_t { off, starts, stays, cancels };
   // A number of the cutter: D, or H where 5001#2 = 1.
@@ -70,9 +69,10 @@ class Interpreter {
   };
 
   // interpreter.cpp: one block, step by step.
-  void read_positions(const spec::AxisTable& table, const char* key, Positions& to) const;
   void any_block(const spec::Block& block);
   [[nodiscard]] Alarm run(const Words& words);
+  // The short cut of run(), usual_block.h. False, and nothing is done: any other block.
+  [[nodiscard]] bool usual_block(const Words& words, Alarm& alarm);
   [[nodiscard]] Alarm apply(const Words& words, const Plan& plan);
   void set_feed(const Words& words);
   void write_offset(const OffsetMemory::Write& write);
@@ -96,77 +96,43 @@ class Interpreter {
   [[nodiscard]] std::uint32_t reference_point(const Words& words) const;
 
   // motion.cpp: own moves and their events. `own` words are positions; `extra`: a move even without them.
-  // An axis that is not there stands at 0.
-  [[nodiscard]] const Count& programmed(std::size_t axis) const {
-    static constexpr Count kNowhere;
-    return axis == spec::Axes::kNone ? kNowhere : programmed_[axis];
-  }
   [[nodiscard]] Alarm motion(const Words& words, Compensation compensation, bool own, bool extra,
                              const std::optional<spec::Arc<double>>& arc);
-  [[nodiscard]] Alarm place(std::size_t axis, const Count& position);
   // The positions of these axes and what follows from them: the tool direction, and what the axes are sent to.
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes);
   [[nodiscard]] Alarm place_positions(const Words& words, Mask axes);
-  [[nodiscard]] bool place_usual(const spec::Decimal& word, std::size_t axis);
-  void add_offset(std::size_t axis);
-  [[nodiscard]] Alarm refresh();
   // Of an arc everything but event.arc.
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
   // The same in place, for the usual block.
   void fill_here(Event& event, spec::MoveType type, spec::Cause cause);
   void fill_tool_axis(Event& event);
-  void fill_machine(Event& event) const;
-  void fill_displaced_machine(Event& event) const;
   void add_length(Event& event) const;
-  // A word in setup units.
-  [[nodiscard]] Count value(const spec::Decimal& word, bool linear, bool inch_program) const {
-    if (!counts_increments_ && inch_program == inch_setup_) [[likely]]
-      return Count::of(word);
-    return converted(word, linear, inch_program);
-  }
-  // A linear one into `to`: the usual word without a copy.
-  void read_word(Count& to, const spec::Decimal& word) const;
-  [[nodiscard]] Count converted(const spec::Decimal& word, bool linear, bool inch_program) const;
   [[nodiscard]] Count target(const Words& words, std::size_t axis) const;
-  [[nodiscard]] Factor factor(bool inch_program) const;
-  [[nodiscard]] spec::MoveType straight() const {
-    return motion_ == 0 ? spec::MoveType::rapid : spec::MoveType::linear;
-  }
 
   // arc_words.cpp
-  // G02 or G03 in force, and an axis word of the plane or a letter of an arc: anything else is straight. A block with a
-  // code of group 00 but G45 to G48, a dwell say, is no arc, whatever its words.
-  [[nodiscard]] bool is_arc(const Words& words) const {
-    return motion_ > 10 && ((words.axes() & plane_axes_) != 0 || words.has_any(arc_letters_)) &&
-           (words.code(Words::kOneShot) == kNone || words.is_tool_offset());
-  }
   // Into an ArcWords or a CutterBlock.
   template <class Arc>
   void read_arc(const Words& words, Arc& arc) const;
   // Without `geometry` the arc has its centre, but neither sweep nor radii.
   [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
                                bool geometry) const;
-  [[nodiscard]] std::array<std::size_t, 2> plane_axes(spec::Plane plane) const;
-  void select_plane(spec::Plane plane);
-  [[nodiscard]] std::size_t normal_axis() const;
 
   // machine_moves.cpp: G53, G28, G30, G30.1, G29, G92, G54 to G59.
   [[nodiscard]] Alarm to_machine_position(const Words& words);
   [[nodiscard]] Alarm to_reference(const Words& words);
   [[nodiscard]] Alarm from_reference(const Words& words);
-  [[nodiscard]] Alarm place_at_machine(std::size_t axis, const Count& machine);
   // The next rapid move, named `motion` to cutter compensation.
   [[nodiscard]] Alarm send_rapid(spec::Cause cause, bool with_machine, CutterMotion motion);
   [[nodiscard]] Alarm shift_coordinates(const Words& words);
   void rename_in_cutter();
   [[nodiscard]] Alarm shift_in_cutter(const Words& words, bool extra);
   void select_workpiece(Code code);
-  void mark_displaced();
+  void take_zeros();
   // Axes whose angles, programmed positions and their zeros, are rounded.
   [[nodiscard]] Mask rounded_angles() const {
-    return machine_angles_ ? static_cast<Mask>(rounded_ | shift_rounded_) : rounded_;
+    return machine_angles_ ? static_cast<Mask>(positions_.rounded() | positions_.rounded_zeros())
+                           : positions_.rounded();
   }
-  [[nodiscard]] Count machine_origin(std::size_t axis) const { return origin_[workpiece_][axis] + shift_[axis]; }
 
   // cutter.cpp: blocks that pass cutter compensation B or C.
   [[nodiscard]] bool cutter_active() const { return is_b_ ? cutter_b_.active() : cutter_c_.active(); }
@@ -195,15 +161,12 @@ class Interpreter {
   [[nodiscard]] bool takes_edited_value() const {
     return cutter_edited_ && (evr_ || fault(Fault::edited_cutter_value_at_once));
   }
-  // Where an axis stands, with the shift of G45 to G48 and without length offset; 0 for an axis that is not there.
-  [[nodiscard]] Count actual(std::size_t axis) const {
-    return axis == spec::Axes::kNone ? Count() : programmed_[axis] + tool_offset_[axis];
-  }
   void begin_cutter(const Words& words);
   void start_cutter_leg(const Words& words, CutterSide word, bool d_word);
   // The plane has both its axes, and G45 to G48 have shifted none.
   [[nodiscard]] bool is_usual_cutter_plane() const {
-    return plane_axis_[0] != spec::Axes::kNone && plane_axis_[1] != spec::Axes::kNone && tool_offset_.live() == 0;
+    return is_open(ShortCut::cutter_block) && modal_.plane_axis()[0] != spec::Axes::kNone &&
+           modal_.plane_axis()[1] != spec::Axes::kNone && positions_.tool_offset().live() == 0;
   }
   [[nodiscard]] Alarm cutter_move(const Words& words);
   [[nodiscard]] Alarm read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const;
@@ -264,21 +227,15 @@ class Interpreter {
   }
   void take_position_along_tool();
   void end_tool_direction(bool again);
-  [[nodiscard]] Direction& new_direction() {
-    direction_ = static_cast<std::uint8_t>((direction_ + 1U) % directions_.size());
-    return directions_[direction_];
-  }
   // Under G43.4 or G43.5.
-  [[nodiscard]] bool along_tool() const { return length_.mode() == ToolLengthOffset::Mode::along_tool; }
+  [[nodiscard]] bool along_tool() const { return positions_.length().mode() == ToolLengthOffset::Mode::along_tool; }
   // L: the offset of the H number and the tool holder offset.
-  [[nodiscard]] Count tool_length() const { return length_.length() + machine_.holder_offset(); }
+  [[nodiscard]] Count tool_length() const { return positions_.length().length() + machine_.holder_offset(); }
 
   [[nodiscard]] std::uint32_t tag_direction();
   void send_to(EventSink& sink);
 
   // tip_control.cpp: blocks under G43.4 or G43.5 on a machine with kinematics.
-  // A usual block: positions, under G43.5 I J K, and F, and what the stages make of it.
-  [[nodiscard]] Alarm tip_move(const Words& words);
   // place_words() in the mode and in the block that starts it.
   [[nodiscard]] Alarm place_tip_words(const Words& words, Mask axes);
   // The words of the block that starts it.
@@ -297,33 +254,22 @@ class Interpreter {
   void keep_tip_on_table(Mask axes, const Pose& start, const Pose& end, const std::array<Count, 3>& from);
   void take_posture(const Pose& pose);
   void set_programmed(std::size_t axis, const DoubleDouble& position);
-  [[nodiscard]] std::array<Count, 3> programmed_xyz() const;
-  [[nodiscard]] std::array<Count, 3> shift_xyz() const;  // of G45 to G48
   [[nodiscard]] Vector3<DoubleDouble> fine_origin() const;
 
-  // Setup.
-  spec::Axes axes_;
-  std::size_t count_;
-  Mask linear_ = 0;
-  Mask rotary_ = 0;
-  Mask all_ = 0;
-  Mask turning_ = 0;  // axes that turn the tool
-  std::array<std::size_t, 3> xyz_;
-  AxisLetters letters_;
-  bool inch_setup_;
-  bool counts_increments_;  // 3401#0 = 0
-  int increment_places_;
   bool machine_angles_;  // rotary_angles: machine coordinates turn tool and table
-  std::array<Positions, 6> origin_;
-  std::array<Positions, 5> reference_;  // 0: floating, 1 to 4
-
-  // Stages.
   Kinematics kinematics_;
   Machine machine_;
+
+  // The parts.
+  const ControlAxes axes_;
+  WordUnits units_;
+  ModalState modal_;
+  AxisPositions positions_;
+  ToolDirections tool_;
+
+  // Stages.
   ToolPostureControl posture_;
   OffsetMemory memory_;
-  ToolLengthOffset length_;
-  ToolOffset tool_offset_;
   ToolLengthMeasurement measurement_;
   EventSink& sink_;
   LeadingEdgeOffset leading_edge_;
@@ -333,16 +279,7 @@ class Interpreter {
   ToolSideCompensation tool_side_;
   ToolCenterPointControl tip_;
 
-  // Modal state.
-  Code motion_ = 0;
-  spec::Plane plane_ = spec::Plane::xy;
-  std::array<std::size_t, 2> plane_axis_{};  // of plane_
-  Mask plane_axes_ = 0;                      // those of them that are there
-  std::array<char, 2> plane_letter_{};       // the letters I J K of plane_
-  bool incremental_ = false;
-  bool inch_program_;
-  bool plain_words_ = true;  // a word counts as written: no conversion, no least increments
-  std::size_t workpiece_ = 0;
+  // Numbers of compensation.
   std::uint32_t d_ = 0;
   double radius_ = 0;  // of D, when it was applied
   bool ofh_;           // 5001#2: an H number counts for the cutter too
@@ -351,18 +288,19 @@ class Interpreter {
   CutterSide tool_side_word_ = CutterSide::off;
   int tool_side_sign_ = 1;         // +1 left: by code and sign of the value
   bool tool_side_wanted_ = false;  // a code is in force with a number
-  // While usual lines may come: the letters of such a block, else 0; of their words in 10^-6 the last ones, by letter
-  // (A: 1), and where X Y Z stand.
-  std::uint32_t side_letters_ = 0;
-  bool side_plain_ = false;  // the axes are sent to the programmed position
-  std::array<std::int64_t, 32> side_word_{};
-  Vector3<double> side_at_;
+  // Usual lines under tool side compensation, while they may come.
+  struct SideLines {
+    std::uint32_t letters = 0;  // those of such a block; 0: none may come
+    bool plain = false;         // the axes are sent to the programmed position
+    // Of their words in 10^-6 the last ones, by letter (A: 1), and where X Y Z stand.
+    std::array<std::int64_t, 32> word{};
+    Vector3<double> at;
+  };
+  SideLines side_lines_;
   OffsetNumber cutter_number_;
   Count cutter_offset_;  // of that number, when it was applied
   bool cutter_edited_ = false;
   bool in_cutter_ = false;  // this block passes cutter compensation
-  std::uint32_t arc_letters_ = kArcLetters;
-  bool by_vector_ = false;  // G43.5
   // Under G43.4 or G43.5 on a machine with kinematics, and under G43.5 without where Q leans the tool.
   bool plans_tool_ = false;
   bool posture_control_ = false;  // P1
@@ -377,29 +315,7 @@ class Interpreter {
   Direction leaned_;  // and with it
   Positions frozen_;  // of the rotary axes where the mode began
   Vector3<DoubleDouble> table_tip_;
-  std::optional<double> feed_;
   double along_length_ = 0;  // tool_length(), under G43.4 or G43.5
-
-  // Positions.
-  Positions programmed_;
-  Positions shift_;     // G92
-  Mask displaced_ = 0;  // axes with a workpiece origin in force or a shift
-  Positions intermediate_;
-  Mask has_intermediate_ = 0;
-  // Axes whose programmed position (shift, intermediate point) was rounded to 1 / (127 * 10^18): a G49 ended G43.5 at
-  // an irrational position.
-  Mask rounded_ = 0;
-  Mask shift_rounded_ = 0;
-  Mask intermediate_rounded_ = 0;
-  std::array<double, spec::kMaxAxes> programmed_value_{};  // nearest doubles
-  std::array<double, spec::kMaxAxes> axes_value_{};        // with the length offset
-  Mask stale_ = 0;                                         // axes whose axes_value_ is to be made again
-
-  // Directions live in a ring because held moves refer to theirs: at most three blocks have one at a time, and a block
-  // makes three at most.
-  std::array<Direction, 8> directions_;
-  std::uint8_t direction_ = 0;
-  std::uint8_t direction_before_ = 0;  // where the block started
 
   // The block.
   std::uint64_t line_ = 0;
@@ -407,196 +323,5 @@ class Interpreter {
   bool stopped_ = false;
   Event notice_;  // alarms and settings
 };
-
-// Calls f(axis) for each bit of the mask, lowest first; stops at an alarm and returns it.
-template <class Function>
-Alarm for_each_axis(std::uint16_t mask, Function f) {
-  for (unsigned rest = mask; rest != 0; rest &= rest - 1)
-    if (const Alarm a = f(static_cast<std::size_t>(__builtin_ctz(rest)))) return a;
-  return alarm::kNone;
-}
-
-// G17 G18 G19.
-constexpr spec::Plane plane_of(Code code) {
-  return code == 170 ? spec::Plane::xy : (code == 180 ? spec::Plane::zx : spec::Plane::yz);
-}
-
-// Which of X Y Z (0, 1, 2) is axis i (0, 1) of a plane: XY, ZX, YZ.
-constexpr std::size_t in_plane(spec::Plane plane, std::size_t i) {
-  const std::size_t first = plane == spec::Plane::xy ? 0 : (plane == spec::Plane::zx ? 2 : 1);
-  return (first + i) % 3;
-}
-
-// The letter I J K of that axis.
-constexpr char direction_letter(spec::Plane plane, std::size_t i) {
-  return static_cast<char>('I' + static_cast<int>(in_plane(plane, i)));
-}
-
-// The mask of one axis.
-constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
-
-inline void Interpreter::read_word(Count& to, const spec::Decimal& word) const {
-  if (plain_words_) [[likely]]
-    if (Count::is_usual(word)) [[likely]] {
-      to.set_small(Count::small_of_usual(word));
-      return;
-    }
-  to = value(word, true, inch_program_);
-}
-
-template <class Arc>
-void Interpreter::read_arc(const Words& words, Arc& arc) const {
-  arc.clockwise = motion_ == 20;
-  arc.by_radius = words.has('R');
-  for (std::size_t i = 0; i < 2; ++i) {
-    const char letter = plane_letter_[i];
-    if (words.has(letter))
-      read_word(arc.to_center[i], words[letter]);
-    else
-      arc.to_center[i].set_small(0);
-  }
-  if (arc.by_radius) read_word(arc.radius, words['R']);
-}
-
-// A position of at most six places, as it is written.
-[[gnu::always_inline]] inline bool Interpreter::place_usual(const spec::Decimal& word, std::size_t axis) {
-  if (!Count::is_usual(word)) [[unlikely]]
-    return false;
-  const std::int64_t small = Count::small_of_usual(word);
-  programmed_[axis].set_small(small);
-  const double position = Count::nearest_small(small);
-  programmed_value_[axis] = position;
-  axes_value_[axis] = position;
-  return true;
-}
-
-// The usual length offset of an axis placed.
-[[gnu::always_inline]] inline void Interpreter::add_offset(std::size_t axis) {
-  const std::int64_t sum = programmed_[axis].small() + length_[axis].small();
-  if ((tool_offset_.live() & bit(axis)) == 0 && length_[axis].is_small() && Count::is_small(sum)) [[likely]]
-    axes_value_[axis] = Count::nearest_small(sum);
-  else
-    stale_ = static_cast<Mask>(stale_ | bit(axis));
-}
-
-// The usual words without a detour: as they are written, and the first three axes, X Y Z on most machines, not in a
-// loop.
-[[gnu::always_inline]] inline Alarm Interpreter::place_positions(const Words& words, Mask axes) {
-  unsigned rest = axes;
-  if (plain_words_ && !incremental_) [[likely]] {
-    const auto placed = [&](std::size_t axis) {
-      if ((rest & bit(axis)) == 0) [[unlikely]]
-        return true;
-      if (!place_usual(words.axis(axis), axis)) [[unlikely]]
-        return false;
-      rest &= ~static_cast<unsigned>(bit(axis));
-      return true;
-    };
-    if (placed(0) && placed(1) && placed(2)) [[likely]]
-      for (; rest != 0; rest &= rest - 1) {
-        const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-        if (!place_usual(words.axis(axis), axis)) [[unlikely]]
-          break;
-      }
-    const unsigned offset = axes & ~rest & static_cast<unsigned>(length_.live() | tool_offset_.live());
-    for (unsigned some = offset; some != 0; some &= some - 1) add_offset(static_cast<std::size_t>(__builtin_ctz(some)));
-  }
-  if (rest != 0) [[unlikely]]
-    if (const Alarm a =
-            for_each_axis(static_cast<Mask>(rest), [&](std::size_t axis) { return place(axis, target(words, axis)); }))
-      return a;
-  if (rounded_ != 0 && !incremental_) rounded_ = static_cast<Mask>(rounded_ & ~axes);
-  return alarm::kNone;
-}
-
-[[gnu::always_inline]] inline bool Interpreter::read_usual_direction(const Words& words, Direction& direction) const {
-  static constexpr spec::Decimal kNothing;
-  const auto component = [&](char letter) -> const spec::Decimal& {
-    if (words.has(letter)) [[likely]]
-      return words[letter];
-    return kNothing;
-  };
-  const spec::Decimal& i = component('I');
-  const spec::Decimal& j = component('J');
-  const spec::Decimal& k = component('K');
-  if (!plain_words_ || !Count::is_usual(i) || !Count::is_usual(j) || !Count::is_usual(k)) [[unlikely]]
-    return false;
-  set_small_direction(direction, Count::small_of_usual(i), Count::small_of_usual(j), Count::small_of_usual(k));
-  return true;
-}
-
-// X Y Z by themselves: a loop would count for nothing on most machines. What is not present is not looked at.
-[[gnu::always_inline]] inline void Interpreter::fill_here(Event& event, spec::MoveType type, spec::Cause cause) {
-  event.line = line_;
-  event.n = n_;
-  event.type = type;
-  event.cause = cause;
-  event.programmed.present = linear_;
-  event.point.present = linear_;
-  event.axes.present = all_;
-  event.machine.present = 0;
-  const auto fill_axis = [&](std::size_t axis) {
-    const double programmed = programmed_value_[axis];
-    event.programmed.value[axis] = programmed;
-    event.point.value[axis] = programmed;
-    event.axes.value[axis] = axes_value_[axis];
-  };
-  fill_axis(0);
-  fill_axis(1);
-  fill_axis(2);
-  for (std::size_t axis = 3; axis < count_; ++axis) fill_axis(axis);
-  if (tool_offset_.live() != 0) [[unlikely]]
-    for (unsigned rest = tool_offset_.live(); rest != 0; rest &= rest - 1) {
-      const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-      event.point.value[axis] = actual(axis).nearest();
-    }
-  event.t_numerator = 0;
-  if (type != spec::MoveType::arc) event.arc.reset();
-  if (type == spec::MoveType::rapid)
-    event.feed.reset();
-  else
-    event.feed = feed_;
-  if (!along_tool() && !kinematics_.defined())
-    event.tool_axis.reset();
-  else
-    fill_tool_axis(event);
-}
-
-// The direction of the tool, and under G43.5 without kinematics its length along it.
-[[gnu::always_inline]] inline void Interpreter::fill_tool_axis(Event& event) {
-  const Eigen::Vector3d& unit = directions_[direction_].unit;
-  event.tool_axis.emplace(std::array<double, 3>{unit[0] + 0.0, unit[1] + 0.0, unit[2] + 0.0});  // never -0
-  if (tip_.active()) {
-    event.t_numerator = tip_.tag();
-    return;
-  }
-  if (!along_tool()) return;
-  fill_machine(event);
-  if (tip_.samples()) [[unlikely]]
-    event.t_numerator = tag_direction();
-  if (along_length_ != 0) add_length(event);
-}
-
-[[gnu::always_inline]] inline void Interpreter::fill_machine(Event& event) const {
-  event.machine.present = all_;
-  if ((displaced_ | stale_) != 0) [[unlikely]] {
-    fill_displaced_machine(event);
-    return;
-  }
-  event.machine.value[0] = axes_value_[0];
-  event.machine.value[1] = axes_value_[1];
-  event.machine.value[2] = axes_value_[2];
-  for (std::size_t axis = 3; axis < count_; ++axis) event.machine.value[axis] = axes_value_[axis];
-}
-
-[[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
-  if (plans_tool_) [[unlikely]]
-    return place_tip_words(words, axes);
-  if (const Alarm a = place_positions(words, axes)) return a;
-  if ((axes & turning_) != 0) turn();
-  if (stale_ != 0)
-    if (const Alarm a = refresh()) return a;
-  return alarm::kNone;
-}
 
 }  // namespace toolcomp::fast

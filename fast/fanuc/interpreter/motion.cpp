@@ -1,48 +1,17 @@
 // Own moves of blocks and the events they make: the path every block takes.
 #include "fast/basis/fault.h"
+#include "fast/fanuc/interpreter/fill.h"
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
 
-Factor Interpreter::factor(bool inch_program) const {
-  if (inch_program == inch_setup_) return Factor::one;
-  return inch_program ? Factor::inch_to_mm : Factor::mm_to_inch;
-}
-
-Count Interpreter::converted(const spec::Decimal& word, bool linear, bool inch_program) const {
-  int places = 0;
-  if (counts_increments_ && !word.point)
-    places = increment_places_ + (linear && inch_program && !fault(Fault::inch_increment) ? 1 : 0);
-  return Count::of(word, linear && !fault(Fault::inch_not_converted) ? factor(inch_program) : Factor::one, places);
-}
-
 Count Interpreter::target(const Words& words, std::size_t axis) const {
-  const Count word = value(words.axis(axis), (linear_ & bit(axis)) != 0, inch_program_);
-  if (!incremental_) return word;
-  if (fault(Fault::incremental_from_offset_position)) return programmed_[axis] + length_[axis] + word;
-  return programmed_[axis] + word;
-}
-
-Alarm Interpreter::place(std::size_t axis, const Count& position) {
-  if (!position.in_range()) return alarm::kRange;
-  programmed_[axis] = position;
-  programmed_value_[axis] = position.nearest();
-  stale_ = static_cast<Mask>(stale_ | bit(axis));
-  return alarm::kNone;
-}
-
-Alarm Interpreter::refresh() {
-  const Alarm a = for_each_axis(stale_, [this](std::size_t axis) {
-    axes_value_[axis] = programmed_value_[axis];
-    if (((length_.live() | tool_offset_.live()) & bit(axis)) != 0) {
-      const Count position = actual(axis) + length_[axis];
-      if (!position.in_range()) return alarm::kRange;
-      axes_value_[axis] = position.nearest();
-    }
-    return alarm::kNone;
-  });
-  stale_ = 0;
-  return a;
+  const Count word = units_.value(words.axis(axis), (axes_.linear & bit(axis)) != 0);
+  if (!modal_.incremental()) return word;
+  if (fault(Fault::incremental_from_offset_position))
+    return positions_.programmed()[axis] + positions_.length()[axis] + word;
+  return positions_.programmed()[axis] + word;
 }
 
 void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) { fill_here(event, type, cause); }
@@ -50,18 +19,10 @@ void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) { f
 // L along the tool.
 void Interpreter::add_length(Event& event) const {
   for (std::size_t i = 0; i < 3; ++i) {
-    if (xyz_[i] == spec::Axes::kNone) continue;
-    const double offset = along_length_ * directions_[direction_].unit[static_cast<Eigen::Index>(i)];
-    event.axes.value[xyz_[i]] += offset;
-    event.machine.value[xyz_[i]] += offset;
-  }
-}
-
-void Interpreter::fill_displaced_machine(Event& event) const {
-  for (std::size_t axis = 0; axis < count_; ++axis) {
-    const bool displaced = ((displaced_ | stale_) & bit(axis)) != 0;
-    event.machine.value[axis] =
-        displaced ? (actual(axis) + length_[axis] + machine_origin(axis)).nearest() : axes_value_[axis];
+    if (axes_.xyz[i] == spec::Axes::kNone) continue;
+    const double offset = along_length_ * tool_.now().unit[static_cast<Eigen::Index>(i)];
+    event.axes.value[axes_.xyz[i]] += offset;
+    event.machine.value[axes_.xyz[i]] += offset;
   }
 }
 
@@ -69,15 +30,15 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
                           const std::optional<spec::Arc<double>>& arc) {
   const Mask axes = own ? words.axes() : Mask{0};
   const bool compensated = compensation == Compensation::stays;
-  if (fault(Fault::shift_lost) && !incremental_ && !words.is_tool_offset())
+  if (fault(Fault::shift_lost) && !modal_.incremental() && !words.is_tool_offset())
     (void)for_each_axis(axes, [this](std::size_t axis) {
-      tool_offset_.clear(axis);
+      positions_.tool_offset().clear(axis);
       return alarm::kNone;
     });
-  const Count& x = programmed(xyz_[0]);
-  const Count& y = programmed(xyz_[1]);
-  const Count& z = programmed(xyz_[2]);
-  const Mask rounded_before = rounded_;
+  const Count& x = positions_.programmed(axes_.xyz[0]);
+  const Count& y = positions_.programmed(axes_.xyz[1]);
+  const Count& z = positions_.programmed(axes_.xyz[2]);
+  const Mask rounded_before = positions_.rounded();
   bool small = false;
   std::int64_t from_x = 0;
   std::int64_t from_y = 0;
@@ -99,11 +60,11 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
     set_displacement(leading_edge_.next().displacement, x.small() - from_x, y.small() - from_y, z.small() - from_z);
 
   constexpr std::uint32_t kDirectionLetters = Words::set_of("IJK");
-  const bool event = axes != 0 || extra || arc || (own && by_vector_ && words.has_any(kDirectionLetters));
+  const bool event = axes != 0 || extra || arc || (own && modal_.by_vector() && words.has_any(kDirectionLetters));
   // A start or cancel move takes a change of the length offset along; the block makes no second move.
   if (event && (compensation == Compensation::off || compensated)) {
     Event& move = leading_edge_.next().event;
-    fill(move, arc ? spec::MoveType::arc : straight(), spec::Cause::programmed);
+    fill(move, arc ? spec::MoveType::arc : modal_.straight(), spec::Cause::programmed);
     if (arc) move.arc = arc;
   }
   switch (compensation) {
@@ -119,12 +80,12 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
           from[2].set_small(from_z);
         }
         Mask xyz = 0;
-        for (const std::size_t axis : xyz_)
+        for (const std::size_t axis : axes_.xyz)
           if (axis != spec::Axes::kNone) xyz = static_cast<Mask>(xyz | bit(axis));
-        const auto rounded = static_cast<Mask>((rounded_before | rounded_) & axes & xyz);
+        const auto rounded = static_cast<Mask>((rounded_before | positions_.rounded()) & axes & xyz);
         set_displacement(move.displacement, from, {x, y, z}, rounded != 0 ? 2 : 0);
       }
-      move.direction = &directions_[direction_];
+      move.direction = &tool_.now();
       move.radius = radius_;
       // The only alarms here are those of the start-up move.
       if (const Alarm a = leading_edge_.block(event, !move.displacement.zero)) raise_at_start(a);
@@ -132,15 +93,15 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
     }
     case Compensation::starts: {
       Move& move = leading_edge_.next();
-      fill(move.event, straight(), spec::Cause::start_up);
-      move.direction = &directions_[direction_];
+      fill(move.event, modal_.straight(), spec::Cause::start_up);
+      move.direction = &tool_.now();
       move.radius = radius_;
       leading_edge_.start();
       return alarm::kNone;
     }
     case Compensation::cancels:
       if (const Alarm a = leading_edge_.finish()) return a;
-      fill(leading_edge_.next().event, straight(), spec::Cause::cancel);
+      fill(leading_edge_.next().event, modal_.straight(), spec::Cause::cancel);
       leading_edge_.cancel();
       return alarm::kNone;
   }

@@ -4,6 +4,7 @@
 
 #include "fast/basis/fault.h"
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -74,23 +75,23 @@ Alarm Interpreter::check_tip_control(const Words& words, const Plan& plan) const
     return alarm::kCompensationInWorkpiece;
   const bool ijk = words.has_any(kDirectionLetters);
   if (plan.vector) {
-    if ((words.axes() & rotary_) != 0) return side ? alarm::kRotaryWord : alarm::kToolDirection;
+    if ((words.axes() & axes_.rotary) != 0) return side ? alarm::kRotaryWord : alarm::kToolDirection;
     if (length == 435 && ijk && machine_.has_table()) return alarm::kDirectionAtStart;
     if (!names_direction(words)) return alarm::kToolDirection;
   }
   if (plan.motion <= 10) return alarm::kNone;
   const Code plane = words.code(Words::kPlane);
   Mask in_plane = 0;
-  for (const std::size_t axis : plane_axes(plane == kNone ? plane_ : plane_of(plane)))
+  for (const std::size_t axis : modal_.axes_of(plane == kNone ? modal_.plane() : plane_of(plane)))
     if (axis != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(axis));
-  const bool turns_alone = (words.axes() & linear_) == 0 &&
-                           (plan.vector ? ijk : (words.axes() & rotary_) != 0 && !words.has_any(kArcLetters));
+  const bool turns_alone = (words.axes() & axes_.linear) == 0 &&
+                           (plan.vector ? ijk : (words.axes() & axes_.rotary) != 0 && !words.has_any(kArcLetters));
   if (turns_alone || (plan.vector && (words.axes() & in_plane) != 0 && !words.has('R'))) return alarm::kTipControlArc;
   return alarm::kNone;
 }
 
 Alarm Interpreter::check_tip_control_start(const Words& words, const Plan& plan) const {
-  if (length_.live() != 0) return alarm::kLengthExclusion;
+  if (positions_.length().live() != 0) return alarm::kLengthExclusion;
   const bool vector = plan.vector;
   if (!vector && !machine_.defined()) return alarm::kTipControl;
   if (vector && machine_.defined() && machine_.workpiece_frame()) return alarm::kTipControl;
@@ -106,45 +107,25 @@ Alarm Interpreter::check_tip_control_start(const Words& words, const Plan& plan)
   return alarm::kNone;
 }
 
-Alarm Interpreter::tip_move(const Words& words) {
-  if (tool_side_on()) return tool_side_move(words);
-  return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
-}
-
-std::array<Count, 3> Interpreter::programmed_xyz() const {
-  std::array<Count, 3> xyz;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (xyz_[i] != spec::Axes::kNone) xyz[i] = programmed_[xyz_[i]];
-  return xyz;
-}
-
-std::array<Count, 3> Interpreter::shift_xyz() const {
-  std::array<Count, 3> shift;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (xyz_[i] != spec::Axes::kNone) shift[i] = tool_offset_[xyz_[i]];
-  return shift;
-}
-
 Vector3<DoubleDouble> Interpreter::fine_origin() const {
   std::array<Count, 3> origin;
   for (std::size_t i = 0; i < 3; ++i)
-    if (xyz_[i] != spec::Axes::kNone) origin[i] = machine_origin(xyz_[i]);
+    if (axes_.xyz[i] != spec::Axes::kNone) origin[i] = positions_.machine_origin(axes_.xyz[i]);
   return fine(origin);
 }
 
 void Interpreter::set_programmed(std::size_t axis, const DoubleDouble& position) {
-  programmed_[axis] = nearest_count(position);
-  programmed_value_[axis] = programmed_[axis].nearest();
-  rounded_ = static_cast<Mask>(rounded_ | bit(axis));
+  positions_.set(axis, nearest_count(position));
+  positions_.set_rounded(bit(axis));
 }
 
 // What the stages and the events see of a pose. The exact positions of the rotary axes are made when the mode ends.
 void Interpreter::take_posture(const Pose& pose) {
-  new_direction() = pose.tool;
-  if (!by_vector_) return;
+  tool_.next() = pose.tool;
+  if (!modal_.by_vector()) return;
   for (std::size_t i = 0; i < 2; ++i)
     if (const std::size_t axis = machine_.rotary_axis(i); axis != spec::kMaxAxes)
-      programmed_value_[axis] = axes_value_[axis] = machine_.programmed_degrees(pose, i);
+      positions_.show(axis, machine_.programmed_degrees(pose, i));
 }
 
 Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
@@ -152,9 +133,9 @@ Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
   std::array<Count, 3> from;
   RotaryPositions before;
   if (!lean_angle_.is_zero() || machine_.workpiece_frame()) [[unlikely]] {
-    from = programmed_xyz();
+    from = positions_.programmed_xyz();
     for (std::size_t i = 0; i < 2; ++i)
-      if (machine_.rotary_axis(i) != spec::kMaxAxes) before[i] = programmed_[machine_.rotary_axis(i)];
+      if (machine_.rotary_axis(i) != spec::kMaxAxes) before[i] = positions_.programmed()[machine_.rotary_axis(i)];
   }
   if (const Alarm a = place_positions(words, axes)) [[unlikely]]
     return a;
@@ -165,25 +146,25 @@ Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
     if (const Alarm a = starts_tip_ ? start_tip_control(words) : plan_posture(words, axes, from, before)) [[unlikely]]
       return a;
   } else if (starts_tip_) {
-    commanded_ = directions_[direction_];
+    commanded_ = tool_.now();
   } else if (asks_direction(words, from)) {
-    new_direction() = leaned(words, from);
+    tool_.next() = leaned(words, from);
   }
   starts_tip_ = false;
-  return stale_ == 0 ? alarm::kNone : refresh();
+  return positions_.stale() == 0 ? alarm::kNone : positions_.refresh();
 }
 
 Alarm Interpreter::plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
                                 const RotaryPositions& before) {
   TipBlock& block = tip_.block();
-  if (by_vector_) return plan_direction(words, from, block);
+  if (modal_.by_vector()) return plan_direction(words, from, block);
   const Pose& start = tip_.before().plan.end;
-  if (machine_.workpiece_frame() && is_arc(words))
+  if (machine_.workpiece_frame() && modal_.is_arc(words))
     if (const Alarm a = check_workpiece_arc(before)) return a;
-  if ((axes & turning_) == 0) {
+  if ((axes & axes_.turning) == 0) {
     posture_.stand(start, block.plan);
   } else {
-    machine_.pose(programmed_, rounded_angles(), block.plan.end);
+    machine_.pose(positions_.programmed(), rounded_angles(), block.plan.end);
     posture_.plan(start, block.plan.end, posture_control_, block.plan);
     if (const Alarm a = alarm_of(block.plan.outcome)) return a;
     take_posture(block.plan.end);
@@ -213,7 +194,7 @@ bool Interpreter::asks_direction(const Words& words, const std::array<Count, 3>&
       read_direction(words, commanded_);
     return true;
   }
-  return !lean_angle_.is_zero() && (!(from == programmed_xyz()) || is_arc(words));
+  return !lean_angle_.is_zero() && (!(from == positions_.programmed_xyz()) || modal_.is_arc(words));
 }
 
 const Direction& Interpreter::leaned(const Words& words, const std::array<Count, 3>& from) {
@@ -223,15 +204,15 @@ const Direction& Interpreter::leaned(const Words& words, const std::array<Count,
 
 // By Q, toward the travel; in an arc toward its tangent at the end.
 bool Interpreter::lean(const Words& words, const std::array<Count, 3>& from, Direction& to_direction) const {
-  const std::array<Count, 3> to = programmed_xyz();
-  if (!is_arc(words)) {
+  const std::array<Count, 3> to = positions_.programmed_xyz();
+  if (!modal_.is_arc(words)) {
     std::array<Int128, 3> travel{};
     for (std::size_t i = 0; i < 3; ++i) travel[i] = to[i].units() - from[i].units();
     return fast::lean(kinematics_, commanded_, travel, lean_angle_, to_direction);
   }
   ArcWords arc;
   read_arc(words, arc);
-  const std::array<std::size_t, 2> in{in_plane(plane_, 0), in_plane(plane_, 1)};
+  const std::array<std::size_t, 2> in{in_plane(modal_.plane(), 0), in_plane(modal_.plane(), 1)};
   const std::array<Count, 2> start{from[in[0]], from[in[1]]};
   const std::array<Count, 2> end{to[in[0]], to[in[1]]};
   const std::array<DoubleDouble, 2> center = fine_center(start, end, arc);
@@ -252,9 +233,10 @@ Alarm Interpreter::check_workpiece_arc(const RotaryPositions& before) const {
   bool turned = false;
   for (std::size_t i = machine_.type() == 12 ? 0 : 1; machine_.has_table() && i < 2; ++i) {
     const std::size_t axis = machine_.rotary_axis(i);
-    if (axis == spec::kMaxAxes || (before[i] == frozen_[axis] && programmed_[axis] == frozen_[axis])) continue;
+    if (axis == spec::kMaxAxes || (before[i] == frozen_[axis] && positions_.programmed()[axis] == frozen_[axis]))
+      continue;
     const FineVector& direction = (i == 0 ? kinematics_.inner() : kinematics_.outer()).axis;
-    if (direction[in_plane(plane_, 0)].hi != 0 || direction[in_plane(plane_, 1)].hi != 0)
+    if (direction[in_plane(modal_.plane(), 0)].hi != 0 || direction[in_plane(modal_.plane(), 1)].hi != 0)
       return alarm::kTableTurnedInArc;
     turned = true;
   }
@@ -264,27 +246,27 @@ Alarm Interpreter::check_workpiece_arc(const RotaryPositions& before) const {
 // WKP = 1: without X Y Z the tip keeps its place on the table, and the programmed position follows it.
 void Interpreter::keep_tip_on_table(Mask axes, const Pose& start, const Pose& end, const std::array<Count, 3>& from) {
   bool named = false;
-  for (const std::size_t axis : xyz_) named |= axis != spec::Axes::kNone && (axes & bit(axis)) != 0;
+  for (const std::size_t axis : axes_.xyz) named |= axis != spec::Axes::kNone && (axes & bit(axis)) != 0;
   if (named) {
     has_table_tip_ = false;
     return;
   }
-  if ((axes & turning_) == 0) return;
+  if ((axes & axes_.turning) == 0) return;
   const Vector3<DoubleDouble> origin = fine_origin();
-  const Vector3<DoubleDouble> shift = fine(shift_xyz());
+  const Vector3<DoubleDouble> shift = fine(positions_.shift_xyz());
   if (!has_table_tip_) table_tip_ = machine_.to_table(fine(from) + shift, machine_.fine_turns(start), origin);
   has_table_tip_ = true;
   const Vector3<DoubleDouble> tip = machine_.from_table(table_tip_, machine_.fine_turns(end), origin);
   for (std::size_t i = 0; i < 3; ++i)
-    if (xyz_[i] != spec::Axes::kNone) set_programmed(xyz_[i], tip[i] - shift[i]);
-  stale_ = all_;
+    if (axes_.xyz[i] != spec::Axes::kNone) set_programmed(axes_.xyz[i], tip[i] - shift[i]);
+  positions_.make_stale();
 }
 
 // P and Q; with G04 or G10 they are data of that code.
 void Interpreter::begin_tip_control(const Words& words) {
   const bool data = words.code(Words::kOneShot) != kNone;
   posture_control_ = words.has('P') && !data ? whole_number(words['P'], 1) == 1 : posture_.by_default();
-  lean_angle_ = by_vector_ && words.has('Q') && !data ? Count::of(words['Q']) : Count();
+  lean_angle_ = modal_.by_vector() && words.has('Q') && !data ? Count::of(words['Q']) : Count();
   starts_tip_ = plans_tool_ = machine_.defined() || !lean_angle_.is_zero();
   if (machine_.defined())
     tip_.start();
@@ -297,7 +279,7 @@ Alarm Interpreter::start_tip_control(const Words& words) {
   TipBlock& block = tip_.block();
   has_table_tip_ = false;
   Pose pose;
-  machine_.pose(programmed_, rounded_angles(), pose);
+  machine_.pose(positions_.programmed(), rounded_angles(), pose);
   if (stands_as_before()) {
     // A table begins a new system; what a position does not tell is the branch, hardly out of a singular posture.
     if (machine_.has_table())
@@ -306,7 +288,7 @@ Alarm Interpreter::start_tip_control(const Words& words) {
       pose = *standing_;
   }
   standing_.reset();
-  if (by_vector_ && words.has_any(kDirectionLetters)) {
+  if (modal_.by_vector() && words.has_any(kDirectionLetters)) {
     Direction direction;
     read_direction(words, direction);
     Pose turned;
@@ -316,10 +298,10 @@ Alarm Interpreter::start_tip_control(const Words& words) {
   machine_.freeze(pose);
   posture_.stand(pose, block.plan);
   commanded_ = pose.tool;
-  frozen_ = programmed_;
+  frozen_ = positions_.programmed();
   take_posture(pose);
   std::array<double, spec::kMaxAxes> origin{};
-  for (std::size_t axis = 0; axis < count_; ++axis) origin[axis] = machine_origin(axis).nearest();
+  for (std::size_t axis = 0; axis < axes_.count; ++axis) origin[axis] = positions_.machine_origin(axis).nearest();
   tip_.set_origin(origin);
   send_to(tip_);
   return alarm::kNone;
@@ -330,7 +312,7 @@ Alarm Interpreter::start_tip_control(const Words& words) {
 bool Interpreter::stands_as_before() const {
   for (std::size_t i = 0; standing_ && i < 2; ++i)
     if (const std::size_t axis = machine_.rotary_axis(i); axis != spec::kMaxAxes)
-      if (programmed_[axis] != standing_at_[i]) return false;
+      if (positions_.programmed()[axis] != standing_at_[i]) return false;
   return standing_.has_value();
 }
 
@@ -341,8 +323,8 @@ void Interpreter::end_tip_control(bool again) {
   const Vector3<DoubleDouble> origin = fine_origin();
   const bool on_table = machine_.has_table();
   // A shift of G45 to G48 from before goes on.
-  const std::array<Count, 3> shift = shift_xyz();
-  Vector3<DoubleDouble> tip = fine(programmed_xyz()) + fine(shift);
+  const std::array<Count, 3> shift = positions_.shift_xyz();
+  Vector3<DoubleDouble> tip = fine(positions_.programmed_xyz()) + fine(shift);
   if (on_table && machine_.workpiece_frame()) tip = has_table_tip_ ? table_tip_ : machine_.to_table(tip, turns, origin);
   if (!again || (on_table && !machine_.workpiece_frame())) {
     const Vector3<DoubleDouble> position = again ? machine_.from_table(tip, turns, origin)
@@ -351,24 +333,27 @@ void Interpreter::end_tip_control(bool again) {
     const bool exact = machine_.polar().along_axes() && kinematics_.frame().along_axes &&
                        is_quarter(pose.axis[0].turn) && is_quarter(pose.axis[1].turn) &&
                        std::popcount(pose.tool.zero) == 2;
-    const Mask rounded = rounded_;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (xyz_[i] != spec::Axes::kNone) set_programmed(xyz_[i], position[i] - fine(shift[i]));
-    if (exact) rounded_ = rounded;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (axes_.xyz[i] == spec::Axes::kNone) continue;
+      positions_.set(axes_.xyz[i], nearest_count(position[i] - fine(shift[i])));
+      if (!exact) positions_.set_rounded(bit(axes_.xyz[i]));
+    }
   }
-  if (by_vector_)
+  if (modal_.by_vector())
     for (std::size_t i = 0; i < 2; ++i) {
       const std::size_t axis = machine_.rotary_axis(i);
       if (axis == spec::kMaxAxes) continue;
-      programmed_[axis] = machine_.programmed(pose, i);
-      programmed_value_[axis] = programmed_[axis].nearest();
+      positions_.set(axis, machine_.programmed(pose, i));
       const bool exact = pose.axis[i].kind == RotaryPosition::Kind::exact;
-      rounded_ = static_cast<Mask>(exact ? rounded_ & ~bit(axis) : rounded_ | bit(axis));
-      standing_at_[i] = programmed_[axis];
+      if (exact)
+        positions_.clear_rounded(bit(axis));
+      else
+        positions_.set_rounded(bit(axis));
+      standing_at_[i] = positions_.programmed()[axis];
     }
   standing_.reset();
-  if (again && by_vector_) standing_ = pose;
-  stale_ = all_;
+  if (again && modal_.by_vector()) standing_ = pose;
+  positions_.make_stale();
   machine_.release();
   turn();
   tip_.end();

@@ -3,6 +3,7 @@
 
 #include "fast/arithmetic/wide.h"
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -18,12 +19,12 @@ std::optional<Int128> whole_length(const std::array<Int128, 3>& v) {
 
 }  // namespace
 
-// The rotary axes stand at programmed_.
-void Interpreter::turn() { kinematics_.direct(programmed_, new_direction()); }
+// The rotary axes stand at positions_.programmed().
+void Interpreter::turn() { kinematics_.direct(positions_.programmed(), tool_.next()); }
 
 // A block under G43.5: I J K, or the direction in force.
 void Interpreter::direct(const Words& words) {
-  if (words.has_any(Words::set_of("IJK"))) read_direction(words, new_direction());
+  if (words.has_any(Words::set_of("IJK"))) read_direction(words, tool_.next());
 }
 
 // Missing ones of I J K are 0.
@@ -32,7 +33,7 @@ void Interpreter::read_direction(const Words& words, Direction& direction) const
   std::array<Count, 3> component;
   for (std::size_t i = 0; i < 3; ++i) {
     const char letter = static_cast<char>('I' + i);
-    if (words.has(letter)) component[i] = value(words[letter], true, inch_program_);
+    if (words.has(letter)) component[i] = units_.value(words[letter], true);
   }
   direction = whole_direction({component[0].units(), component[1].units(), component[2].units()});
 }
@@ -40,21 +41,20 @@ void Interpreter::read_direction(const Words& words, Direction& direction) const
 // G49 after G43.5: the programmed position becomes that of the axes, P + L V. It is exact where |V| is whole and L V_i
 // a multiple of the unit; elsewhere it is rounded to the unit, 8e-21, and the axis is marked.
 void Interpreter::take_position_along_tool() {
-  const Direction& tool = directions_[direction_];
+  const Direction& tool = tool_.now();
   const Int128 length = tool_length().units();
   const std::optional<Int128> norm = tool.is_whole ? whole_length(tool.whole()) : std::nullopt;
   const FineVector unit = kinematics_.refine(tool);
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t axis = xyz_[i];
+    const std::size_t axis = axes_.xyz[i];
     if (axis == spec::Axes::kNone) continue;
     const DoubleDouble along = to_double_double(length) * unit[i];
     const Int128 units = static_cast<Int128>(along.hi) + static_cast<Int128>(std::nearbyint(along.lo));
     // Two terms within the range: the next position is checked.
-    programmed_[axis] += Count::of_units(units);
-    programmed_value_[axis] = programmed_[axis].nearest();
+    positions_.set(axis, positions_.programmed()[axis] + Count::of_units(units));
     const bool exact =
         length == 0 || (norm && (Wide(units) * Wide(*norm) - Wide(length) * Wide(tool.whole()[i])).sign() == 0);
-    if (!exact) rounded_ = static_cast<Mask>(rounded_ | bit(axis));
+    if (!exact) positions_.set_rounded(bit(axis));
   }
 }
 
@@ -67,7 +67,7 @@ void Interpreter::send_to(EventSink& sink) {
 // Under G43.5 without kinematics the moves are complete; only their samples are made on the way out.
 std::uint32_t Interpreter::tag_direction() {
   TipBlock& block = tip_.next();
-  block.direction = DirectionMotion(kinematics_, directions_[direction_before_], directions_[direction_]);
+  block.direction = DirectionMotion(kinematics_, tool_.before(), tool_.now());
   block.length = tool_length().nearest();
   block.sampled = samples_block_;
   return tip_.tag();
@@ -79,11 +79,11 @@ void Interpreter::end_tool_direction(bool again) {
   plans_tool_ = false;
   if (again) return;
   take_position_along_tool();
-  stale_ = all_;
+  positions_.make_stale();
   if (kinematics_.defined())
     turn();
   else
-    new_direction() = Direction{};
+    tool_.next() = Direction{};
 }
 
 }  // namespace toolcomp::fast

@@ -53,8 +53,8 @@ class ToolPostureControl {
   [[nodiscard]] int branch_toward(const Pose& from, const Pose& to) const;
   [[nodiscard]] static bool stays(const Pose& start, const Direction& tool);
   void conventional(const Pose& start, const Pose& end, PosturePlan& plan) const;
-  // The usual block, in doubles. False where they cannot tell, or it is not usual.
-  [[nodiscard]] bool plan_quickly(const Pose& start, const Target& target, PosturePlan& plan) const;
+  // The short cut of plan_finely(), usual_posture.cpp. False where doubles cannot tell, or the block is not usual.
+  [[nodiscard]] bool usual_plan(const Pose& start, const Target& target, PosturePlan& plan) const;
   void plan_finely(const Pose& start, const Target& target, PosturePlan& plan) const;
 
   // Cases of plan_finely.

@@ -90,15 +90,11 @@ bool ToolSideCompensation::mismatches(const ToolSideBlock& block) const {
 }
 
 StageEnd ToolSideCompensation::block() {
-  if (line_taken_) complete_line();
+  if (line_.taken) complete_line();
   ToolSideBlock& block = next();
   const StageEnd end = any_block(block);
   keep_tools();
-  awaits_line_ = can_await_line(block);
-  if (awaits_line_) {
-    line_vector_ = at_start().head[0].vector;
-    line_radius_ = last_->side > 0 ? value_.nearest : -value_.nearest;
-  }
+  await_line(block);
   return end;
 }
 
@@ -183,76 +179,6 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   start_offset_of_path_ = &start_offset_;
   hold_path(to, false);
   return {};
-}
-
-bool ToolSideCompensation::can_await_line(const ToolSideBlock& block) {
-  return block.wanted && mode_ == Mode::on && held_ == Held::path && last_ == &paths_[path_] && !starts_up_ &&
-         !after_start_ && !repeated_ && treatment_ == Treatment::none && !parameters_.no_interference && !last_->arc &&
-         last_->travel.narrow && waits_ == 0 && last_->offset.nearest != 0 && block.side == last_->side &&
-         last_->offset_change == value_change_ && at_start().size == 1 && !fault(Fault::side_handedness) &&
-         !fault(Fault::side_tool_at_start) && !fault(Fault::side_turned_tool) && !fault(Fault::side_limit_by_length);
-}
-
-// |u|^2 + u . (vector - start), by |u|; u = U - (V . U) V.
-bool ToolSideCompensation::goes_forward(const SidePath& path, double length, const Vector3<double>& vector) {
-  const Vector3<double> v{path.tool->unit[0], path.tool->unit[1], path.tool->unit[2]};
-  const Vector3<double>& start = line_vector_;
-  const Vector3<double> shift = vector - start;
-  const double way = length * (1 / static_cast<double>(Count::kSmallPerOne));
-  const double forward = way * length + (dot(path.travel.value, shift) - dot(v, path.travel.value) * dot(v, shift));
-  const double size = std::abs(vector.x) + std::abs(vector.y) + std::abs(vector.z) + std::abs(start.x) +
-                      std::abs(start.y) + std::abs(start.z);
-  return forward > 0x1p-38 * length * (way + size);
-}
-
-void ToolSideCompensation::send_rest() {
-  for (std::uint8_t i = 1; i < count_; ++i) send(held(i), line_vector_, held(i).own);
-}
-
-void ToolSideCompensation::complete_line() {
-  line_taken_ = false;
-  // Of the path before the lines: what stands there but travel and tool.
-  const int side = last_->side;
-  const Amount offset = last_->offset;
-  const std::uint32_t offset_change = last_->offset_change;
-  SidePath& from = paths_[before(path_)];
-  SidePath& to = paths_[path_];
-  for (SidePath* path : {&from, &to}) {
-    Travel& travel = path->travel;
-    travel.narrow = true;
-    travel.zero = false;
-    travel.fine_units = false;
-    travel.unit = static_cast<double>(Count::kSmallPerOne);
-    travel.slack = 0;
-    path->arc = false;
-    path->side = side;
-    path->offset = offset;
-    path->offset_change = offset_change;
-  }
-  ToolSideBlock& block = ring_[first_];
-  block.own = true;
-  if (held_plain_) set_from_programmed(block.event, {});
-  last_ = &to;
-  start_tool_of_path_ = from.tool;
-  start_offset_of_path_ = &from.offset;
-  start_side_ = to.side;
-  mismatch_[first_] = false;
-  still_ = 0;
-  SideGroup& start = at_start();
-  start.size = 1;
-  start.head[0].vector = line_vector_;
-  start.head[0].kind = HeadKind::tangents_meet;
-  start.head[0].kept = false;
-  SideCorner& corner = start.corner;
-  corner.first = &from;
-  corner.second = &to;
-  corner.tool = from.tool;
-  corner.first_side = from.side;
-  corner.second_side = to.side;
-  corner.offset = &from.offset;
-  corner.flat = false;
-  corner.turn.cross = 1;  // of use where it is 0: there what is left is as good
-  corner.turn.dot = 1;
 }
 
 // What counts is how the block moves at its own end and at the corners that are still to be made.
@@ -480,8 +406,8 @@ void ToolSideCompensation::send_corner_moves(const ToolSideBlock* owner, std::ui
 }
 
 StageEnd ToolSideCompensation::release() {
-  if (line_taken_) complete_line();
-  awaits_line_ = false;
+  if (line_.taken) complete_line();
+  line_.awaited = false;
   keep_tools();
   keep_without_direction();
   switch (held_) {

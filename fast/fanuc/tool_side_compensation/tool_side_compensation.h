@@ -55,23 +55,24 @@ class ToolSideCompensation {
   [[nodiscard]] Travel& next_travel() { return next_path().travel; }
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
-  // The usual case of block() without a detour: behind a line another one, one vector at both ends of the former. Asked
-  // behind block(): whether take_line() may take the next block, and those behind it, as long as they want compensation
-  // and nothing changes but where the tool is and how it stands.
-  [[nodiscard]] bool awaits_line() const { return awaits_line_; }
+
+  // The usual line, the short cut of block() (usual_line.h): behind a line another one, one vector at both ends of the
+  // former. Asked behind block(): whether take_line() may take the next block, and those behind it, as long as they
+  // want compensation and nothing changes but where the tool is and how it stands.
+  [[nodiscard]] bool awaits_line() const { return line_.awaited; }
   // `plain`: point, axes and machine of the lines to come would be `programmed` in X, Y and Z. They need not be filled
   // in.
   void await_lines(bool plain) {
-    plain_ = plain;
-    filled_ = 0;
+    line_.plain = plain;
+    line_.filled = 0;
     // What block() holds is filled in, whatever the lines to come will be.
-    if (!line_taken_) held_plain_ = false;
+    if (!line_.taken) line_.held_plain = false;
   }
   // What is the same in the events of all these lines is in next().event; the first time it answers false.
   [[nodiscard]] bool is_line_filled() {
     const unsigned slot = 1U << next_;
-    const bool filled = (filled_ & slot) != 0;
-    filled_ |= slot;
+    const bool filled = (line_.filled & slot) != 0;
+    line_.filled |= slot;
     return filled;
   }
   // A line that moves by `way` (10^-6 of a setup unit, whole numbers), in two steps. Where one answers false nothing is
@@ -79,6 +80,7 @@ class ToolSideCompensation {
   // coming: the event of next() is to be filled in. `tool`: as in a block.
   [[nodiscard]] bool see_line(const Vector3<double>& way, LineCorner& corner) const;
   [[nodiscard]] bool take_line(const Vector3<double>& way, const LineCorner& corner, const Direction& tool);
+
   // No further block is known: one that raises an alarm of its own or stops the look-ahead, or the end of the program.
   StageEnd release();
 
@@ -104,7 +106,18 @@ class ToolSideCompensation {
   StageEnd undecide(const ToolSideBlock& block, const char* clause);
   StageEnd at_fault(const ToolSideBlock& block, const Alarm& alarm);
 
-  // take_line() may take a line behind the path that is held; `block` is the one just taken.
+  // Of the usual line.
+  struct UsualLine {
+    bool awaited = false;     // awaits_line()
+    bool taken = false;       // the path that is held was taken by take_line()
+    bool plain = false;       // of await_lines()
+    bool held_plain = false;  // the event that is held was left plain
+    unsigned filled = 0;      // bit i: is_line_filled() of slot i
+    Vector3<double> vector;   // at the start of the path that is held
+    double radius = 0;        // positive to the left
+  };
+  // Behind block(), which has just taken `block`: whether lines are awaited.
+  void await_line(const ToolSideBlock& block);
   [[nodiscard]] bool can_await_line(const ToolSideBlock& block);
   // The tool moves ahead for certain along the line, from the vector at its start to the one at its end; `length` in
   // the plane, whole units.
@@ -113,6 +126,9 @@ class ToolSideCompensation {
   void send_rest();
   // What take_line() leaves to be known of the path that is held and the corner at its start.
   void complete_line();
+  // The compensated positions of a plain event.
+  static void set_from_programmed(Event& event, const Vector3<double>& vector);
+
   // Whether a block moves in the plane of `tool` (No. 19630).
   [[nodiscard]] bool moves(bool arc, const Travel& travel, const Direction& tool) const;
   [[nodiscard]] bool next_moves(const Direction& tool) { return moves(next().arc, next_travel(), tool); }
@@ -156,8 +172,6 @@ class ToolSideCompensation {
   void send_behind();
   void send(ToolSideBlock& block, const Vector3<double>& vector, bool own);
   void add(Event& event, const Vector3<double>& vector) const;
-  // The same of a plain event.
-  static void set_from_programmed(Event& event, const Vector3<double>& vector);
   void warn_once(const ToolSideBlock& block);
   [[nodiscard]] bool vector_is_zero() {
     const Vector3<double>& v = at_start().front().vector;
@@ -206,13 +220,7 @@ class ToolSideCompensation {
   const Direction* start_tool_of_path_ = nullptr;
   int start_side_ = 1;
   const Amount* start_offset_of_path_ = nullptr;
-  bool awaits_line_ = false;
-  bool line_taken_ = false;  // the path that is held was taken by take_line()
-  bool plain_ = false;
-  bool held_plain_ = false;      // the event that is held was left plain
-  unsigned filled_ = 0;          // bit i: is_line_filled() of slot i
-  Vector3<double> line_vector_;  // at the start of that path
-  double line_radius_ = 0;       // positive to the left
+  UsualLine line_;
 
   Amount start_offset_;  // of type C
   Amount value_;         // in force
@@ -235,89 +243,6 @@ class ToolSideCompensation {
   add_to(event.point);
   add_to(event.axes);
   if (event.machine.present != 0) add_to(event.machine);
-}
-
-// X and Y side by side, as fill_side_line() writes them: half of what was written at once would be waited for.
-[[gnu::always_inline]] inline void ToolSideCompensation::set_from_programmed(Event& event,
-                                                                             const Vector3<double>& vector) {
-  const DoublePair xy = load_pair(event.programmed.value.data()) + DoublePair{vector.x, vector.y};
-  const double z = event.programmed.value[2] + vector.z;
-  const auto set = [&](spec::AxisValues<double>& values) {
-    store_pair(values.value.data(), xy);
-    values.value[2] = z;
-  };
-  set(event.point);
-  set(event.axes);
-  if (event.machine.present != 0) set(event.machine);
-}
-
-// U and W: the movements before and behind the corner, V: the tool, u and w: what is seen of them along the tool.
-// |u|^2 = |U|^2 - (V . U)^2, u . w = U . W - (V . U)(V . W).
-[[gnu::always_inline]] inline bool ToolSideCompensation::see_line(const Vector3<double>& way,
-                                                                  LineCorner& corner) const {
-  const SidePath& from = paths_[path_];
-  const Vector3<double> v{from.tool->unit[0], from.tool->unit[1], from.tool->unit[2]};
-  const Vector3<double>& first = from.travel.value;
-  const double square = way.x * way.x + way.y * way.y + way.z * way.z;
-  const double along1 = dot(v, first);
-  const double along2 = dot(v, way);
-  const double square1 = from.travel.square - along1 * along1;
-  const double square2 = square - along2 * along2;
-  // Nearer than 30 degrees to the tool the projection loses digits; longer ways are not narrow.
-  constexpr double kMostSquare = 0x1p60;
-  if (4 * square1 < from.travel.square || 4 * square2 < square || square > kMostSquare) [[unlikely]]
-    return false;
-  corner.square = square;
-  corner.length1 = std::sqrt(square1);
-  corner.length2 = std::sqrt(square2);
-  corner.product = dot(first, way) - along1 * along2;
-  return true;
-}
-
-// Inner and obtuse corners of less than 90 degrees: against the movement before, the change of the plane may matter.
-// The vector: r (V x U / |u| + V x W / |w|) / (1 + cosine). Whether it turns left or right makes no difference.
-[[gnu::always_inline]] inline bool ToolSideCompensation::take_line(const Vector3<double>& way, const LineCorner& corner,
-                                                                   const Direction& tool) {
-  const double lengths = corner.length1 * corner.length2;
-  // A direction is good to 2^-43, |U||W| is at most 4 |u||w|: 14 times that and a few roundings.
-  constexpr double kUncertain = 0x1p-38;
-  if (corner.product <= kUncertain * lengths || corner.length2 <= shortest_ || corner.length1 <= shortest_) [[unlikely]]
-    return false;
-  const double scale = line_radius_ / (lengths + corner.product);
-  const SidePath& from = paths_[path_];
-  const Vector3<double> v{from.tool->unit[0], from.tool->unit[1], from.tool->unit[2]};
-  const Vector3<double> vector = cross(v, from.travel.value * corner.length2 + way * corner.length1) * scale;
-  // The tool goes forward for certain: the vector moves by less than the way.
-  constexpr double kMost = (1 - 0x1p-30) / static_cast<double>(Count::kSmallPerOne);
-  if (std::abs(vector.x - line_vector_.x) + std::abs(vector.y - line_vector_.y) + std::abs(vector.z - line_vector_.z) >=
-          kMost * corner.length1 &&
-      !goes_forward(from, corner.length1, vector)) [[unlikely]]
-    return false;
-
-  path_ = after(path_);
-  Travel& travel = paths_[path_].travel;
-  travel.value.x = way.x;
-  travel.value.y = way.y;
-  travel.value.z = way.z;
-  travel.square = corner.square;
-  paths_[path_].tool = &tool;
-  line_vector_.x = vector.x;
-  line_vector_.y = vector.y;
-  line_vector_.z = vector.z;
-  line_taken_ = true;
-  Event& event = ring_[first_].event;
-  if (held_plain_) [[likely]]
-    set_from_programmed(event, vector);
-  else
-    add(event, vector);
-  held_plain_ = plain_;
-  sink_->on(event);
-  if (count_ > 1) [[unlikely]]
-    send_rest();
-  first_ = next_;
-  count_ = 1;
-  next_ = after_slot(next_);
-  return true;
 }
 
 }  // namespace toolcomp::fast

@@ -1,0 +1,45 @@
+// The axes of the control, as all parts of the interpreter see them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "fast/arithmetic/count.h"
+#include "fast/basis/alarm.h"
+#include "fast/fanuc/program/words.h"
+#include "fast/kinematics/kinematics.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::fast {
+
+using Mask = std::uint16_t;  // bit i: axis i
+using Positions = std::array<Count, spec::kMaxAxes>;
+
+// The mask of one axis.
+constexpr Mask bit(std::size_t axis) { return static_cast<Mask>(1U << axis); }
+
+// Calls f(axis) for each bit of the mask, lowest first; stops at an alarm and returns it.
+template <class Function>
+Alarm for_each_axis(Mask mask, Function f) {
+  for (unsigned rest = mask; rest != 0; rest &= rest - 1)
+    if (const Alarm a = f(static_cast<std::size_t>(__builtin_ctz(rest)))) return a;
+  return alarm::kNone;
+}
+
+struct ControlAxes {
+  ControlAxes(const spec::Setup& setup, const Kinematics& kinematics);
+  // Positions of a table of the setup; axes that are not there are passed over. Throws spec::InputError, naming `key`.
+  void read(const spec::AxisTable& table, const char* key, Positions& to) const;
+
+  spec::Axes names;
+  std::size_t count;
+  Mask linear = 0;
+  Mask rotary = 0;
+  Mask all = 0;
+  Mask turning = 0;                // axes that turn the tool
+  std::array<std::size_t, 3> xyz;  // spec::Axes::kNone: not there
+  AxisLetters letters;
+};
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,109 @@
+// The usual words, of at most six places and in the units of the setup: read without a detour.
+#pragma once
+
+#include "fast/basis/fault.h"
+#include "fast/basis/short_cut.h"
+#include "fast/fanuc/interpreter/interpreter.h"
+
+namespace toolcomp::fast {
+
+inline void WordUnits::read(Count& to, const spec::Decimal& word) const {
+  if (plain_ && is_open(ShortCut::words)) [[likely]]
+    if (Count::is_usual(word)) [[likely]] {
+      to.set_small(Count::small_of_usual(word));
+      return;
+    }
+  to = value(word, true);
+}
+
+template <class Arc>
+void Interpreter::read_arc(const Words& words, Arc& arc) const {
+  arc.clockwise = modal_.motion() == 20;
+  arc.by_radius = words.has('R');
+  for (std::size_t i = 0; i < 2; ++i) {
+    const char letter = modal_.plane_letter(i);
+    if (words.has(letter))
+      units_.read(arc.to_center[i], words[letter]);
+    else
+      arc.to_center[i].set_small(0);
+  }
+  if (arc.by_radius) units_.read(arc.radius, words['R']);
+}
+
+// A position of at most six places, as it is written.
+[[gnu::always_inline]] inline bool AxisPositions::place_usual(const spec::Decimal& word, std::size_t axis) {
+  if (!Count::is_usual(word)) [[unlikely]]
+    return false;
+  place_small(axis, Count::small_of_usual(word));
+  return true;
+}
+
+// The usual length offset of an axis placed.
+[[gnu::always_inline]] inline void AxisPositions::add_offset(std::size_t axis) {
+  if (fault(Fault::usual_word_without_offset)) return;
+  const std::int64_t sum = programmed_[axis].small() + length_[axis].small();
+  if ((tool_offset_.live() & bit(axis)) == 0 && length_[axis].is_small() && Count::is_small(sum)) [[likely]]
+    axes_value_[axis] = Count::nearest_small(sum);
+  else
+    stale_ = static_cast<Mask>(stale_ | bit(axis));
+}
+
+// The usual words without a detour: as they are written, and the first three axes, X Y Z on most machines, not in a
+// loop.
+[[gnu::always_inline]] inline Alarm Interpreter::place_positions(const Words& words, Mask axes) {
+  unsigned rest = axes;
+  if (units_.plain() && !modal_.incremental() && is_open(ShortCut::words)) [[likely]] {
+    const auto placed = [&](std::size_t axis) {
+      if ((rest & bit(axis)) == 0) [[unlikely]]
+        return true;
+      if (!positions_.place_usual(words.axis(axis), axis)) [[unlikely]]
+        return false;
+      rest &= ~static_cast<unsigned>(bit(axis));
+      return true;
+    };
+    if (placed(0) && placed(1) && placed(2)) [[likely]]
+      for (; rest != 0; rest &= rest - 1) {
+        const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
+        if (!positions_.place_usual(words.axis(axis), axis)) [[unlikely]]
+          break;
+      }
+    const unsigned offset =
+        axes & ~rest & static_cast<unsigned>(positions_.length().live() | positions_.tool_offset().live());
+    for (unsigned some = offset; some != 0; some &= some - 1)
+      positions_.add_offset(static_cast<std::size_t>(__builtin_ctz(some)));
+  }
+  if (rest != 0) [[unlikely]]
+    if (const Alarm a = for_each_axis(static_cast<Mask>(rest),
+                                      [&](std::size_t axis) { return positions_.place(axis, target(words, axis)); }))
+      return a;
+  if (positions_.rounded() != 0 && !modal_.incremental()) positions_.clear_rounded(axes);
+  return alarm::kNone;
+}
+
+[[gnu::always_inline]] inline bool Interpreter::read_usual_direction(const Words& words, Direction& direction) const {
+  static constexpr spec::Decimal kNothing;
+  const auto component = [&](char letter) -> const spec::Decimal& {
+    if (words.has(letter)) [[likely]]
+      return words[letter];
+    return kNothing;
+  };
+  const spec::Decimal& i = component('I');
+  const spec::Decimal& j = component('J');
+  const spec::Decimal& k = component('K');
+  if (!units_.plain() || !Count::is_usual(i) || !Count::is_usual(j) || !Count::is_usual(k)) [[unlikely]]
+    return false;
+  set_small_direction(direction, Count::small_of_usual(i), Count::small_of_usual(j), Count::small_of_usual(k));
+  return true;
+}
+
+[[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
+  if (plans_tool_) [[unlikely]]
+    return place_tip_words(words, axes);
+  if (const Alarm a = place_positions(words, axes)) return a;
+  if ((axes & axes_.turning) != 0) turn();
+  if (positions_.stale() != 0)
+    if (const Alarm a = positions_.refresh()) return a;
+  return alarm::kNone;
+}
+
+}  // namespace toolcomp::fast
