@@ -9,7 +9,7 @@
 #include "model/basis/recorder.h"
 #include "model/fanuc/program/step.h"
 #include "model/fanuc/tool_center_point_control/tip_moves.h"
-#include "spec/language/block.h"
+#include "spec/language/fanuc/block.h"
 
 namespace toolcomp::model {
 

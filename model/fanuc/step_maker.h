@@ -14,7 +14,7 @@
 #include "model/fanuc/tool_length_measurement/tool_length_measurement.h"
 #include "model/fanuc/tool_length_offset/tool_length_offset.h"
 #include "model/fanuc/tool_offset/tool_offset.h"
-#include "spec/language/block.h"
+#include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
