@@ -22,7 +22,7 @@ StepMaker::StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& r
       tool_offset_(setup, memory, recorder),
       measurement_(setup, recorder) {}
 
-Step StepMaker::make(const spec::Block& block, const Pipeline& stages) {
+Step StepMaker::make(const spec::Block& block, Pipeline& stages) {
   const Command command = interpreter_.read(block);
   Making now{command, stages, {}, {}, {}, {}, false, {}};
   now.step.line = block.line;

@@ -32,13 +32,13 @@ class StepMaker {
 
   // The next block. `stages` have taken all steps before it. Throws Alarm or LeftOpen as reading and the words of the
   // block raise them, in their fixed order; then the block makes nothing.
-  Step make(const spec::Block& block, const Pipeline& stages);
+  Step make(const spec::Block& block, Pipeline& stages);
 
  private:
   // A block in the making.
   struct Making {
     const Command& command;
-    const Pipeline& stages;
+    Pipeline& stages;
     TipMarks tip;
     Pipeline::Words words;
     std::vector<Leg> legs;

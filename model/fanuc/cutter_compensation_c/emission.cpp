@@ -9,7 +9,8 @@ namespace {
 
 // The words of an ignored G53 are none.
 bool has_axis_word(const CutterBlock& block) {
-  return block.axis_word && !(block.one_shot == OneShot::machine_coordinates && block.motion == PlaneMotion::none);
+  const bool ignored = block.one_shot == OneShot::machine_coordinates && block.motion == PlaneMotion::none;
+  return block.axis_word && !ignored;
 }
 
 }  // namespace

@@ -6,12 +6,18 @@
 namespace toolcomp::model {
 
 Pipeline::Pipeline(const std::vector<StageMaker>& makers, const spec::Setup& setup, const OffsetMemory& memory,
-                   Recorder& recorder, Stage::Output output) {
-  for (std::size_t slot = 0; slot < makers.size(); ++slot) {
-    Stage::Output next = [this, behind = slot + 1](const Step& step) { stages_[behind]->take(step); };
-    const bool last = slot + 1 == makers.size();
-    stages_.push_back(makers[slot]({setup, memory, recorder, slot, last ? std::move(output) : std::move(next)}));
-  }
+                   Recorder& recorder, Stage::Output output)
+    : output_(std::move(output)) {
+  for (std::size_t slot = 0; slot < makers.size(); ++slot)
+    stages_.push_back(
+        makers[slot]({setup, memory, recorder, slot, [this, slot](const Step& step) { pass(slot + 1, step); }}));
+}
+
+void Pipeline::pass(std::size_t slot, const Step& step) {
+  if (slot < stages_.size())
+    stages_[slot]->take(step);
+  else
+    output_(step);
 }
 
 Pipeline::InForce Pipeline::in_force(Extent extent, const Command& command) const {
@@ -32,7 +38,7 @@ void Pipeline::refuse_rotary_word(const Command& command) const {
   for (const auto& stage : stages_) stage->refuse_rotary_word(command);
 }
 
-void Pipeline::read(Extent extent, const StageCommand& now, Words& words) const {
+void Pipeline::read(Extent extent, const StageCommand& now, Words& words) {
   words.resize(stages_.size());
   for (std::size_t slot = 0; slot < stages_.size(); ++slot)
     if (stages_[slot]->extent() == extent) words[slot] = stages_[slot]->read(now);
@@ -52,9 +58,9 @@ bool Pipeline::has_words(const Words& words) {
   return std::ranges::any_of(words, [](const auto& of_stage) { return of_stage != nullptr; });
 }
 
-void Pipeline::take(const Step& step) const { stages_.front()->take(step); }
+void Pipeline::take(const Step& step) { pass(0, step); }
 
-void Pipeline::finish() const {
+void Pipeline::finish() {
   for (const auto& stage : stages_) stage->finish();
 }
 

@@ -1,6 +1,7 @@
 // The stages of compensation of one run, one behind the other.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -36,7 +37,7 @@ class Pipeline {
   void refuse_rotary_word(const Command& command) const;
 
   // Stage::read of the stages of this extent, in order.
-  void read(Extent extent, const StageCommand& now, Words& words) const;
+  void read(Extent extent, const StageCommand& now, Words& words);
   // Stage::add_way and Stage::complete, where there are words.
   void add_way(Words& words, const BlockWay& way) const;
   void complete(Words& words, const Step& step) const;
@@ -44,12 +45,16 @@ class Pipeline {
   [[nodiscard]] static bool has_words(const Words& words);
 
   // The step passes through the stages.
-  void take(const Step& step) const;
+  void take(const Step& step);
   // What the stages hold goes out as if nothing followed.
-  void finish() const;
+  void finish();
 
  private:
+  // To the stage of this slot, or out behind the last one.
+  void pass(std::size_t slot, const Step& step);
+
   std::vector<std::unique_ptr<Stage>> stages_;
+  Stage::Output output_;
 };
 
 }  // namespace toolcomp::model

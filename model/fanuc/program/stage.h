@@ -52,7 +52,7 @@ struct BlockWay {
   const Leg& start;  // stays where the block starts
   const std::vector<Leg>& legs;
   // The tool where the axes stand at a position, in the coordinates in force. It is then in force.
-  const std::function<Direction(const Position&)>& tool_at;
+  std::function<Direction(const Position&)> tool_at;
 };
 
 // One of them at most is on; the others hand on what they take.
