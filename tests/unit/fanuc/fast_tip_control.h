@@ -26,6 +26,11 @@ inline std::string machine_head(const std::string& parameters, const std::string
   return machine(R"("X","Y","Z","B","C")", "19680=2\n19681=5\n19682=3\n19686=4\n19687=2\n" + parameters, position,
                  rest);
 }
+// N45: the slave about (0, 1, 1).
+inline std::string machine_nutating_head(const std::string& parameters, const std::string& position) {
+  return machine(R"("X","Y","Z","B","C")", "19680=2\n19681=5\n19682=3\n19686=4\n19687=5\n19688=45\n" + parameters,
+                 position, "");
+}
 // TAC: the A table carries the C table.
 inline std::string machine_table(const std::string& parameters, const std::string& position,
                                  const std::string& rest = "") {
@@ -64,6 +69,7 @@ inline std::size_t sample_at(const ProgramRun& run, std::uint64_t line, unsigned
   ADD_FAILURE() << "no sample " << numerator << "/" << denominator << " in line " << line;
   return run.events.size();
 }
+
 inline void expect_axis(const ProgramRun& run, std::size_t i, char letter, double value,
                         double tolerance = kTolerance) {
   EXPECT_NEAR(run.axis(i, letter), value, tolerance) << letter << " of event " << i;
