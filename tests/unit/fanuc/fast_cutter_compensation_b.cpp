@@ -32,12 +32,6 @@ void expect_heads(const ProgramRun& run, const std::vector<Head>& heads) {
 }
 
 TEST(CutterCompensationB, Vectors) {
-  // Examples 1 to 4 and 8.
-  expect_heads(ProgramRun(kSetup, "G00 G41 X30 Y40 D1\n"), {{22, 46}});
-  expect_heads(ProgramRun(kSetup, "G00 G41 X30 Y40 I0 J1 D1\n"), {{20, 40}});
-  expect_heads(ProgramRun(kSetup, "G00 G42 X30 Y40 D1\n"), {{38, 34}});
-  expect_heads(ProgramRun(kSetup, "G00 G41 X30 Y40 I1 J1 D1\n"), {{22.92893218813452, 47.07106781186548}});
-  expect_heads(ProgramRun(kSetup, "G41 X40 D1\nG42 X80\n"), {{40, 10}, {80, -10}});
   // A negative value exchanges the sides, by hand.
   expect_heads(ProgramRun(kSetup, "G00 G41 X30 Y40 D2\n"), {{38, 34}});
   const ProgramRun run(kSetup, "G00 G41 X30 Y40 Z5 D1\n");

@@ -1,5 +1,5 @@
-// Automatic tool length measurement G37. Expected values: the worked examples of the fact sheet (14.2), and derivations
-// by hand in the comments.
+// Automatic tool length measurement G37 in the exact engine, by hand. The worked examples of 14.2 stand in
+// golden/fanuc/corpus_examples_chapter_14.cpp.
 #include <gtest/gtest.h>
 
 #include <string>
