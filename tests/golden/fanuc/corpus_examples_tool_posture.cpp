@@ -112,7 +112,7 @@ TEST(ToolPostureVectors, Sheet) {
       {"7: the same with 19738 = 0.57", {"1 programmed", "2 programmed C=0", "3 programmed C=174.28940686250036"}},
       {"7: exactly through",
        {"1 programmed", "2 t=1/4", "2 t=1/2", "2 t=3/4", "2 programmed C=0 B=26.565051177078", "3 t=1/4 C=0",
-        "3 t=1/2 C=0", "3 t=3/4 C=0", "3 programmed C=0 B=-33.6900675259798"}},
+        "3 t=1/2 C=0 B=-3.5625081744509", "3 t=3/4 C=0", "3 programmed C=0 B=-33.6900675259798"}},
       {"8: O0010 on a C-B head",
        {"1 programmed X=30 Y=-30 Z=0",
         "2 programmed X=30 Y=-30 Z=100 k=1",

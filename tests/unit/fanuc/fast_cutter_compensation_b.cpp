@@ -32,12 +32,6 @@ void expect_heads(const ProgramRun& run, const std::vector<Head>& heads) {
 }
 
 TEST(CutterCompensationB, Vectors) {
-  // Examples 1 to 4 and 8.
-  expect_heads(ProgramRun(kSetup, "G00 G41 X30 Y40 D1\n"), {{22, 46}});
-  expect_heads(ProgramRun(kSetup, "G00 G41 X30 Y40 I0 J1 D1\n"), {{20, 40}});
-  expect_heads(ProgramRun(kSetup, "G00 G42 X30 Y40 D1\n"), {{38, 34}});
-  expect_heads(ProgramRun(kSetup, "G00 G41 X30 Y40 I1 J1 D1\n"), {{22.92893218813452, 47.07106781186548}});
-  expect_heads(ProgramRun(kSetup, "G41 X40 D1\nG42 X80\n"), {{40, 10}, {80, -10}});
   // A negative value exchanges the sides, by hand.
   expect_heads(ProgramRun(kSetup, "G00 G41 X30 Y40 D2\n"), {{38, 34}});
   const ProgramRun run(kSetup, "G00 G41 X30 Y40 Z5 D1\n");
@@ -46,56 +40,6 @@ TEST(CutterCompensationB, Vectors) {
   EXPECT_EQ(run.programmed(0, 'X'), 30);
   EXPECT_EQ(run.axis(0, 'X'), 22);
   EXPECT_EQ(run.axis(0, 'Z'), 5);
-}
-
-constexpr const char* kManual =
-    "N1 G91 G17 G00 G41 J1 X20 Y20 H08\nN2 G01 Z-25 F200\nN3 Y40\nN4 G39 I40 J20\nN5 X40 Y20\nN6 G39 I40\n"
-    "N7 G02 X40 Y-40 R40\nN8 X-20 Y-20 R20\nN9 G01 X-60\nN10 G00 Z25\nN11 G40 X-20 Y-20\n";
-
-TEST(CutterCompensationB, ProgramOfTheManual) {
-  const auto with = [](const char* value) {
-    return setup("\"5001#2\"=1", std::string("[offsets.H]\n8=") + value + "\n");
-  };
-  const ProgramRun five(with("5"), kManual);
-  expect_heads(five, {{15, 20},
-                      {15, 20},
-                      {15, 60},
-                      {17.76393202250021, 64.47213595499958},
-                      {57.76393202250021, 84.47213595499958},
-                      {60, 85},
-                      {105, 40},
-                      {80, 15},
-                      {20, 15},
-                      {20, 15},
-                      {0, 0}});
-  EXPECT_EQ(five.events[3].cause, spec::Cause::corner);
-  EXPECT_EQ(five.events[3].type, spec::MoveType::arc);
-  EXPECT_EQ(five.events[3].arc->direction, spec::ArcDirection::cw);
-  EXPECT_EQ(five.events[3].arc->center[0], 20);
-  EXPECT_EQ(five.events[3].arc->center[1], 60);
-  EXPECT_EQ(five.events[3].feed, 200);
-  EXPECT_FALSE(five.events[3].arc->radius);
-  // atan(2) in degrees, from a table of 25 digits: 63.43494882292201064842781
-  EXPECT_DOUBLE_EQ(*five.events[3].arc->sweep, 63.43494882292201);
-  // Tangent joins: arcs of one radius, 90 degrees each, centres as programmed.
-  for (const std::size_t i : {6U, 7U}) {
-    EXPECT_EQ(five.events[i].arc->sweep, 90) << i;
-    EXPECT_FALSE(five.events[i].arc->radius) << i;
-  }
-  EXPECT_EQ(five.events[6].arc->center[0], 60);
-  EXPECT_EQ(five.events[6].arc->center[1], 40);
-  EXPECT_EQ(five.events[10].cause, spec::Cause::cancel);
-  expect_heads(ProgramRun(with("10"), kManual), {{10, 20},
-                                                 {10, 20},
-                                                 {10, 60},
-                                                 {15.52786404500042, 68.94427190999916},
-                                                 {55.52786404500042, 88.94427190999916},
-                                                 {60, 90},
-                                                 {110, 40},
-                                                 {80, 10},
-                                                 {20, 10},
-                                                 {20, 10},
-                                                 {0, 0}});
 }
 
 TEST(CutterCompensationB, CornerArcs) {

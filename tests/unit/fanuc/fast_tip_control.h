@@ -69,12 +69,6 @@ inline std::size_t sample_at(const ProgramRun& run, std::uint64_t line, unsigned
   ADD_FAILURE() << "no sample " << numerator << "/" << denominator << " in line " << line;
   return run.events.size();
 }
-inline std::size_t first_event(const ProgramRun& run, std::uint64_t line) {
-  for (std::size_t i = 0; i < run.events.size(); ++i)
-    if (run.events[i].line == line) return i;
-  ADD_FAILURE() << "no event in line " << line;
-  return run.events.size();
-}
 
 inline void expect_axis(const ProgramRun& run, std::size_t i, char letter, double value,
                         double tolerance = kTolerance) {

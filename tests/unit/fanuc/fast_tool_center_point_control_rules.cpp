@@ -314,5 +314,11 @@ TEST(FastToolCenterPointControlRules, TurnBehindASingularEnd) {
   expect_axes(run, 5, "BC", {20, 50}, 0);
 }
 
+// R of a dwell is no radius, so the table that has turned bars nothing; X without a centre is an arc that cannot be.
+TEST(FastToolCenterPointControlRules, ADwellIsNoArc) {
+  const ProgramRun run(machine_b_c_mixed("\"19696#5\"=1\n", ""), "G43.4\nC1\nR0 G04 G02\nX0\n");
+  EXPECT_EQ(run.alarm(), "PS0023@4");
+}
+
 }  // namespace
 }  // namespace toolcomp::fast

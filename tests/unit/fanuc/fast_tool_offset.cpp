@@ -1,5 +1,5 @@
-// Tool offset G45 to G48 of the fast engine. Expected values: the fact sheet's 14.3 where an example is named,
-// otherwise by hand.
+// Tool offset G45 to G48 of the fast engine, by hand. The worked examples of 14.3 stand in
+// golden/fanuc/corpus_examples_chapter_14.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,86 +24,19 @@ Path points(const ProgramRun& run, char letter) {
   return path;
 }
 
-Path programmed(const ProgramRun& run, char letter) {
-  Path path;
-  for (std::size_t i = 0; i < run.events.size(); ++i)
-    if (run.events[i].kind == spec::EventKind::move) path.push_back(run.programmed(i, letter));
-  return path;
+TEST(ToolOffset, NoTravelUnderG90) {
+  // The move is made, without travel.
+  for (const char* word : {"X0", "X-0"}) {
+    const ProgramRun run(offset("12.34"), std::string("G90 G45 ") + word + " D1\n");
+    EXPECT_EQ(run.moves(), 1U);
+    EXPECT_EQ(run.point(0, 'X'), 0);
+  }
 }
 
-TEST(ToolOffset, Table) {
-  // Table 14.1 of the sheet.
-  const struct {
-    const char* code;
-    double result[4];  // x, l: +1000 +10, +1000 -10, -1000 +10, -1000 -10
-  } rows[] = {{"G45", {1010, 990, -1010, -990}},
-              {"G46", {990, 1010, -990, -1010}},
-              {"G47", {1020, 980, -1020, -980}},
-              {"G48", {980, 1020, -980, -1020}}};
-  for (const auto& row : rows)
-    for (int i = 0; i < 4; ++i)
-      for (const char* mode : {"G90", "G91"}) {
-        const std::string word = i < 2 ? "X1000" : "X-1000";
-        const ProgramRun run(offset(i % 2 == 0 ? "10" : "-10"), std::string(mode) + row.code + word + "D1\n");
-        EXPECT_EQ(run.point(0, 'X'), row.result[i]) << row.code << i << mode;
-        EXPECT_EQ(run.axis(0, 'X'), row.result[i]);
-        EXPECT_EQ(run.programmed(0, 'X'), i < 2 ? 1000 : -1000);
-      }
-}
-
-TEST(ToolOffset, ZeroTravel) {
-  const std::string s = offset("12.34");
-  const auto end = [&](const char* program) { return ProgramRun(s, program).point(0, 'X'); };
-  EXPECT_EQ(end("G91 G45 X0 D1\n"), 12.34);
-  EXPECT_EQ(end("G91 G45 X-0 D1\n"), -12.34);
-  EXPECT_EQ(end("G91 G46 X0 D1\n"), -12.34);
-  EXPECT_EQ(end("G91 G46 X-0 D1\n"), 12.34);
-  EXPECT_EQ(end("G91 G47 X0 D1\n"), 24.68);
-  EXPECT_EQ(end("G91 G48 X0 D1\n"), -24.68);
-  EXPECT_EQ(end("G90 G45 X0 D1\n"), 0);
-  // G90: the move is made, without travel.
-  EXPECT_EQ(ProgramRun(s, "G90 G45 X-0 D1\n").moves(), 1U);
-}
-
-TEST(ToolOffset, ReversalAndSeveralAxes) {
-  EXPECT_EQ(ProgramRun(offset("3.7"), "G91 G46 X2.5 D1\n").point(0, 'X'), -1.2);
-  EXPECT_EQ(ProgramRun(offset("15"), "G91 G48 X20 D1\n").point(0, 'X'), -10);
-  const ProgramRun both(offset("200"), "G91 G45 G01 X1000 Y500 D1\n");
-  EXPECT_EQ(both.point(0, 'X'), 1200);
-  EXPECT_EQ(both.point(0, 'Y'), 700);
-  const ProgramRun nct(offset("30"), "G91 G45 G1 X100 Y40 D1 C7\n");
-  EXPECT_EQ(nct.point(0, 'X'), 130);
-  EXPECT_EQ(nct.point(0, 'Y'), 70);
-  EXPECT_EQ(nct.axis(0, 'C'), 7);  // rotary: as programmed
-}
-
-TEST(ToolOffset, FigureOfTheManual) {
-  const ProgramRun run(offset("10"),
-                       "N1 G91 G46 G00 X80 Y50 D01\nN2 G47 G01 X50 F100\nN3 Y40\nN4 G48 X40\nN5 Y-40\nN6 G45 X30\n"
-                       "N7 G45 G03 X30 Y30 J30\nN8 G45 G01 Y20\nN9 G46 X0\nN10 G46 G02 X-30 Y30 J30\nN11 G45 G01 Y0\n"
-                       "N12 G47 X-120\nN13 G47 Y-80\nN14 G46 G00 X-80 Y-50\n");
-  EXPECT_EQ(points(run, 'X'), (Path{70, 140, 140, 160, 160, 200, 240, 240, 230, 210, 210, 70, 70, 0}));
-  EXPECT_EQ(points(run, 'Y'), (Path{40, 40, 80, 80, 40, 40, 80, 110, 110, 130, 140, 140, 40, 0}));
-  EXPECT_EQ(programmed(run, 'X'), (Path{80, 130, 130, 170, 170, 200, 230, 230, 230, 200, 200, 80, 80, 0}));
-  EXPECT_EQ(programmed(run, 'Y'), (Path{50, 50, 90, 90, 50, 50, 80, 100, 100, 130, 130, 130, 50, 0}));
-  const auto& convex = *run.events[6].arc;
-  EXPECT_EQ(convex.center[0], 200);
-  EXPECT_EQ(convex.center[1], 80);
-  EXPECT_EQ(convex.sweep, 90);
-  EXPECT_FALSE(convex.radius);
-  const auto& concave = *run.events[9].arc;
-  EXPECT_EQ(concave.center[0], 230);
-  EXPECT_EQ(concave.center[1], 130);
-  EXPECT_EQ(concave.sweep, 90);
-}
-
-TEST(ToolOffset, ThreeQuarterCircle) {
-  const ProgramRun run(offset("10"), "G91 G45 G02 X30 Y-30 I30 D1\n");
-  EXPECT_EQ(run.point(0, 'X'), 40);
-  EXPECT_EQ(run.point(0, 'Y'), -40);
-  EXPECT_EQ(run.events[0].arc->center[0], 40);
-  EXPECT_EQ(run.events[0].arc->center[1], 0);
-  EXPECT_EQ(run.events[0].arc->sweep, 270);
+TEST(ToolOffset, RotaryAxesGoAsProgrammed) {
+  const ProgramRun run(offset("30"), "G91 G45 G1 X100 Y40 D1 C7\n");
+  EXPECT_EQ(run.point(0, 'Y'), 70);
+  EXPECT_EQ(run.axis(0, 'C'), 7);
 }
 
 TEST(ToolOffset, ShiftPersists) {

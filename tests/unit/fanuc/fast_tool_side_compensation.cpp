@@ -1,6 +1,6 @@
-// Tool side compensation in the fast engine. Expected values: the worked examples TS1 to TS11 of the fact sheet, typed
-// in, and hand derivations where a comment says so. Tool directions are exact, by I J K under G43.5; by rotary words
-// where a test says so.
+// Tool side compensation in the fast engine, by hand. The worked examples TS1 to TS11 stand in
+// golden/fanuc/corpus_examples_tool_side.cpp. Tool directions are exact, by I J K under G43.5; by rotary words where a
+// test says so.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -70,131 +70,33 @@ void check(const std::string& what, const std::string& toml, const std::string& 
   expect_heads(vectors_at(run, corner), heads, what);
 }
 
-TEST(FastToolSideCompensation, LineCorners) {
-  const auto ts1 = [](const std::string& code) { return code + " D2 G01 X0 F100\nX100\nY100\nG40 Y150\n"; };
-  check("TS1 left", setup("", -40, 0), kUntilted + ts1("G41.6"), {100, 0, 0}, {{-5, 5, 0}});
-  check("TS1 right", setup("", -40, 0), kUntilted + ts1("G42.6"), {100, 0, 0}, {{5, -5, 0}});
-  check("TS1 left, rotary machine", machine("", 'B', -40, 0), ts1("G41.2"), {100, 0, 0}, {{-5, 5, 0}});
-  check("TS1 right, rotary machine", machine("", 'B', -40, 0), ts1("G42.2"), {100, 0, 0}, {{5, -5, 0}});
-  const auto ts2 = [](const std::string& code) { return code + " D1 G01 Y0 F100\nY100\nX100\nG40 X150\n"; };
-  check("TS2 left", setup("", 0, -40), kTilted + ts2("G41.6"), {0, 100, 0}, {{-8, 10, 6}});
-  check("TS2 right", setup("", 0, -40), kTilted + ts2("G42.6"), {0, 100, 0}, {{8, -10, -6}});
-  const auto ts3 = [](const std::string& code) {
-    return code + " D1 G01 Y0 F100\nY100\nX94 Y40 Z-8\nG40 X188 Y-20 Z-16\n";
-  };
-  check("TS3 left", setup("", 0, -40), kTilted + ts3("G41.6"), {0, 100, 0}, {{-8, 10, 6}, {-1.6, 14, 1.2}});
-  check("TS3 right", setup("", 0, -40), kTilted + ts3("G42.6"), {0, 100, 0}, {{8, -20, -6}});
-  // A negative value exchanges the sides.
-  std::string negative = ts3("G42.6");
-  negative.replace(negative.find("D1"), 2, "D3");
-  check("TS3, negative", setup("", 0, -40), kTilted + negative, {0, 100, 0}, {{-8, 10, 6}, {-1.6, 14, 1.2}});
+// A negative value exchanges the sides: TS3 with G42.6.
+TEST(FastToolSideCompensation, NegativeValue) {
+  check("TS3, negative", setup("", 0, -40), kTilted + "G42.6 D3 G01 Y0 F100\nY100\nX94 Y40 Z-8\nG40 X188 Y-20 Z-16\n",
+        {0, 100, 0}, {{-8, 10, 6}, {-1.6, 14, 1.2}});
 }
 
-TEST(FastToolSideCompensation, RotationAlone) {
-  const ProgramRun run(setup("", -40, 0), kUntilted + "G41.6 D2 G01 X0 F100\nX50\nI3 J0 K4\nY100\nX150\nG40 X200\n");
-  EXPECT_EQ(run.alarm(), "");
-  expect_heads(vectors_at(run, {50, 0, 0}), {{-5, 5, 0}, {-5, 5, 0}}, "TS6, end of N2 and of N3");
-  expect_heads(vectors_at(run, {50, 100, 0}), {{-4, 5, 3}}, "TS6, end of N4");
-}
-
-TEST(FastToolSideCompensation, StartUpAndCancel) {
-  const std::string start = kTilted + "G41.6 D1 G01 Y100 F100\n";
-  const std::string obtuse = "X100\nX150\n";
-  const std::string acute = "X94 Y40 Z-8\n";
-  const Vector q{0, 100, 0};
-  check("TS7a type A", setup("", 0, 0), start + obtuse, q, {{0, 10, 0}});
-  check("TS7a type B", setup(kTypeB, 0, 0), start + obtuse, q, {{-8, 0, 6}, {-8, 10, 6}});
-  check("TS7b type A", setup("", 0, 0), start + acute, q, {{4.8, 8, -3.6}});
-  check("TS7b type B", setup(kTypeB, 0, 0), start + acute, q, {{-8, 0, 6}, {-8, 10, 6}, {-1.6, 14, 1.2}});
-  const std::string inner = kTilted + "G42.6 D1 G01 Y100 F100\n" + obtuse;
-  check("TS7a right, type A", setup("", 0, 0), inner, q, {{0, -10, 0}});
-  check("TS7a right, type B", setup(kTypeB, 0, 0), inner, q, {{0, -10, 0}});
-  const std::string start_c = kTilted + "G01 Y100 F100\nG41.6 D1\n";
-  check("TS7a type C", setup(kTypeC, 0, 0), start_c + obtuse, q, {{0, 0, 0}, {0, 10, 0}});
-  check("TS7b type C", setup(kTypeC, 0, 0), start_c + acute, q, {{0, 0, 0}, {4.8, 8, -3.6}});
-
-  const std::string last = kTilted + "G41.6 D1 G01 Y0 F100\nY100\n";
-  check("TS7 cancel, type A", setup("", 0, -40), last + "G40 X100\n", q, {{-8, 0, 6}});
-  check("TS7 cancel, type B", setup(kTypeB, 0, -40), last + "G40 X100\n", q, {{-8, 10, 6}, {0, 10, 0}});
-  check("TS7 cancel, type C", setup(kTypeC, 0, 0), kTilted + "G41.6 D1 G01 F100\nY100\nG40\n", q,
-        {{-8, 0, 6}, {0, 0, 0}});
-  // The second reading of type B.
+// The second reading of type B.
+TEST(FastToolSideCompensation, WithoutPerpendicularVector) {
   const std::string bare = "type_b_without_perpendicular = true\n";
-  check("TS7b type B, bare", bare + setup(kTypeB, 0, 0), start + acute, q, {{-8, 10, 6}, {-1.6, 14, 1.2}});
-  check("TS7 cancel, bare", bare + setup(kTypeB, 0, -40), last + "G40 X100\n", q, {{-8, 10, 6}});
+  check("TS7b type B, bare", bare + setup(kTypeB, 0, 0), kTilted + "G41.6 D1 G01 Y100 F100\nX94 Y40 Z-8\n", {0, 100, 0},
+        {{-8, 10, 6}, {-1.6, 14, 1.2}});
+  check("TS7 cancel, bare", bare + setup(kTypeB, 0, -40), kTilted + "G41.6 D1 G01 Y0 F100\nY100\nG40 X100\n",
+        {0, 100, 0}, {{-8, 10, 6}});
 }
 
-TEST(FastToolSideCompensation, PlaneChange) {
-  // TS8: the manual's interference figure.
-  const Vector b{0, -200, -200};
-  const auto ts8 = [](const std::string& q, const std::string& code) {
-    return "G00 A46\nG01 G41.2 D1 Y0 Z0 F100\nY-200 Z-200" + q + "\nA-45\n" + code + "Y-400 Z0\nG40 Y-440 Z40\n";
-  };
-  const Vector v1{10, -6.946583704589972867, -7.193398003386511394};
-  const Vector v2{-10, -6.946583704589972867, -7.193398003386511394};
-  const std::string figure = machine("", 'A', 0, 40, 40);
-  const auto expect = [&](const std::string& what, const std::string& toml, const std::string& program,
-                          const Heads& heads, const std::string& alarm) {
-    const ProgramRun run(toml, program);
-    EXPECT_EQ(run.alarm(), alarm) << what;
-    expect_heads(vectors_at(run, b), heads, what);
-  };
-  expect("TS8", figure, ts8("", ""), {}, "PS0041@3");
-  // Moves to V1 and V2, then the rotation at V2.
-  expect("TS8 Q1", figure, ts8(" Q1", ""), {{10, 0, 0}, {10, 0, 0}}, "");
-  expect("TS8 Q2", figure, ts8(" Q2", ""), {v1, v1}, "");
-  expect("TS8 Q3", figure, ts8(" Q3", ""), {v1, v2, v2}, "");
-  expect("TS8 repeated", figure, ts8("", "G41.2 "), {{10, 0, 0}, {10, 0, 0}}, "");
-  expect("TS8 unchecked", machine("\"19605#5\"=1\n", 'A', 0, 40, 40), ts8("", ""), {v1, v2, v2}, "");
-  expect("TS8, limit 91", machine("6261=91\n", 'A', 0, 40, 40), ts8("", ""), {}, "PS0041@3");
-  expect("TS8, limit 91.001", machine("6261=\"91.001\"\n", 'A', 0, 40, 40), ts8("", ""), {v1, v2, v2}, "");
-  EXPECT_EQ(ProgramRun(figure, ts8(" Q4", "")).alarm(), "Q_FORMAT@3");
-
-  const auto ts9 = [](const std::string& q) {
-    return "G43.5 H0 I0 J-4 K3\nG01 G41.6 D1 Y0 Z0 F100\nY-200 Z-200" + q + "\nI0 J4 K3\nY-400 Z0\nG40 Y-440 Z40\n";
-  };
-  const std::string rational = setup("", 0, 40, 40);
-  expect("TS9", rational, ts9(""), {}, "PS0041@3");
-  expect("TS9 Q1", rational, ts9(" Q1"), {{10, 0, 0}, {10, 0, 0}}, "");
-  expect("TS9 Q3", rational, ts9(" Q3"), {{10, -6, -8}, {-10, -6, -8}, {-10, -6, -8}}, "");
-  const ProgramRun ts9c(setup("", -40, 0),
-                        kUntilted + "G41.6 D1 G01 X0 F100\nX100\nI0 J-4 K3\nX0 Y50\nG40 X-100 Y100\n");
-  EXPECT_EQ(ts9c.alarm(), "");
-  // An inner corner of two lines, by hand: r (n1 + n2)/(1 + c), c = -2/sqrt 5.
-  const double x = -10 * (2 + std::sqrt(5.0));
-  expect_heads(vectors_at(ts9c, {100, 0, 0}), {{x, 10, 0}, {x, 10, 0}}, "TS9c");
+TEST(FastToolSideCompensation, NumberBehindQ) {
+  EXPECT_EQ(ProgramRun(machine("", 'A', 0, 40, 40),
+                       "G00 A46\nG01 G41.2 D1 Y0 Z0 F100\nY-200 Z-200 Q4\nA-45\nY-400 Z0\nG40 Y-440 Z40\n")
+                .alarm(),
+            "Q_FORMAT@3");
 }
 
-TEST(FastToolSideCompensation, SideChange) {
-  const auto change = [](const std::string& next) {
-    return kUntilted + "G41.6 D1 G01 X0 F100\nX100\nG42.6 " + next + "\n";
-  };
-  const Vector q{100, 0, 0};
-  check("TS10 reversal", setup("", -40, 0), change("X0\nG40 X-40"), q, {{0, 10, 0}});
-  check("TS10 left turn", setup("", -40, 0), change("Y100\nG40 Y140"), q, {{10, 10, 0}});
-  check("TS10 right turn", setup("", -40, 0), change("Y-100\nG40 Y-140"), q, {{-10, 10, 0}});
-  check("TS10 straight on", setup("", -40, 0), change("X200\nG40 X240"), q, {{0, -10, 0}});
-  check("TS10 reversal kept", setup("", -40, 0), kUntilted + "G41.6 D1 G01 X0 F100\nX100\nX0\nG40 X-40\n", q,
-        {{10, 10, 0}, {10, -10, 0}});
-  // Q1 comes before the change of side, with the code repeated too (a value of the other sign changes the side).
+// Q1 comes before the change of side, with the code repeated too (a value of the other sign changes the side).
+TEST(FastToolSideCompensation, Q1BeforeTheChangeOfSide) {
   const std::string q1 = kUntilted + "G41.6 D1 G01 X0 F100\nX100 Q1\n";
-  check("Q1, then the side changes", setup("", -40, 0), q1 + "G42.6 Y100\nG40 Y140\n", q, {{0, 10, 0}});
-  check("Q1, then a repeated code", setup("", -40, 0), q1 + "G41.6 D3 Y100\nG40 Y140\n", q, {{0, 10, 0}});
-  check("TS10 with the points of TS3", setup("", 0, -40),
-        kTilted + "G41.6 D1 G01 Y0 F100\nY100\nG42.6 X94 Y40 Z-8\nG40 X188 Y-20 Z-16\n", {0, 100, 0}, {{-8, -5, 6}});
-}
-
-TEST(FastToolSideCompensation, Arcs) {
-  const Vector q{100, 0, 0};
-  // 90 degrees of each arc, then a tangent line; the heads at Q do not depend on it.
-  const auto arc = [](const std::string& words) {
-    return "G41.2 D1 G01 X0 F100\nX100\n" + words + "\nG01 G40 X300 Y300\n";
-  };
-  const std::string toml = machine("", 'B', -40, 0);
-  check("TS11 cw acute", toml, arc("G02 X90 Y-10 I-40 J30"), q, {{10, 10, 0}, {14, 2, 0}, {8, -6, 0}});
-  check("TS11 cw obtuse", toml, arc("G02 X90 Y-70 I-40 J-30"), q, {{5, 10, 0}, {8, 6, 0}});
-  check("TS11 cw inner", toml, arc("G02 X110 Y10 I40 J-30"), q, {{-4.721359549995793928, 10, 0}});
-  check("TS11 ccw inner", toml, arc("G03 X90 Y70 I-40 J30"), q, {{-5.358983848622454129, 10, 0}});
+  check("Q1, then the side changes", setup("", -40, 0), q1 + "G42.6 Y100\nG40 Y140\n", {100, 0, 0}, {{0, 10, 0}});
+  check("Q1, then a repeated code", setup("", -40, 0), q1 + "G41.6 D3 Y100\nG40 Y140\n", {100, 0, 0}, {{0, 10, 0}});
 }
 
 // By hand: TS1 seen from below; VT = -Z exchanges left and right.

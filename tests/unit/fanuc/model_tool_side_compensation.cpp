@@ -1,5 +1,6 @@
-// Tool side compensation: the worked examples TS1 to TS11 of the sheet to every digit, the manual's route by C1, C2 and
-// M against the model's route without a basis, and rules derived in the comments. VT345 is (3/5, 0, 4/5), I3 J0 K4.
+// Tool side compensation: the manual's route by C1, C2 and M against the model's route without a basis, and rules
+// derived in the comments. VT345 is (3/5, 0, 4/5), I3 J0 K4. The worked examples TS1 to TS11 stand in
+// golden/fanuc/corpus_examples_tool_side.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,38 +47,11 @@ Lines behind(std::size_t skip, const std::string& with, const std::string& progr
   return lines;
 }
 
-// The blocks before are a start-up and a block straight on, whose start is the perpendicular vector.
-TEST(ModelToolSide, Ts1PlaneOfXY) {
-  const std::string way = " D2 X0 F1\nX100\nY100\nG40 Y150\n";
-  EXPECT_EQ(points(head("", "X = -40\n"), "G01 G41.2" + way),
-            (Lines{"1 linear X0 Y5 Z0 (start-up)", "2 linear X95 Y5 Z0", "3 linear X95 Y100 Z0",
-                   "4 linear X100 Y150 Z0 (cancel)"}));
-  EXPECT_EQ(points(head("", "X = -40\n"), "G01 G42.2" + way),
-            (Lines{"1 linear X0 Y-5 Z0 (start-up)", "2 linear X105 Y-5 Z0", "3 linear X105 Y100 Z0",
-                   "4 linear X100 Y150 Z0 (cancel)"}));
-  // A negative value exchanges the codes.
+TEST(ModelToolSide, NegativeValueExchangesTheCodes) {
   EXPECT_EQ(points(head("", "X = -40\n"), "G01 G42.2 D3 X0 F1\nX100\nY100\n")[1], "2 linear X90 Y10 Z0");
 }
 
-TEST(ModelToolSide, Ts2And3TiltedTool) {
-  const auto corner = [](const std::string& code, const std::string& next) {
-    return behind(2, setup("", "Y = -40\n"), kTilted + "G01 " + code + " D1 Y0 F1\nY100 F7\n" + next + " F5\n");
-  };
-  EXPECT_EQ(corner("G41.6", "X100")[0], "3 linear X-8 Y110 Z6");
-  EXPECT_EQ(corner("G42.6", "X100")[0], "3 linear X8 Y90 Z-6");
-  // Outer acute: the move from V1 to V2 goes on from the stop point and belongs to the next block.
-  EXPECT_EQ(corner("G41.6", "X94 Y40 Z-8"),
-            (Lines{"3 linear X-8 Y110 Z6", "4 linear X-1.6 Y114 Z1.2 (corner)", "4 linear X98.8 Y48 Z-11.6"}));
-  EXPECT_EQ(corner("G42.6", "X94 Y40 Z-8")[0], "3 linear X8 Y80 Z-6");
-  const auto feeds = run(setup("", "Y = -40\n"), kTilted + "G01 G41.6 D1 Y0 F1\nY100 F7\nX94 Y40 Z-8 F5\n");
-  EXPECT_EQ(feeds.events()[2].feed->decimal(3), "7");
-  EXPECT_EQ(feeds.events()[3].feed->decimal(3), "5");
-}
-
-TEST(ModelToolSide, Ts6RotationAlone) {
-  EXPECT_EQ(behind(1, setup("", "X = -40\n"), "G43.5 K1\nG01 G41.6 D2 X0 F1\nX50\nI3 K4\nY100\nX150\nG40 X200\n"),
-            (Lines{"2 linear X0 Y5 Z0 (start-up)", "3 linear X45 Y5 Z0", "4 linear X45 Y5 Z0", "5 linear X46 Y105 Z3",
-                   "6 linear X150 Y105 Z0", "7 linear X200 Y100 Z0 (cancel)"}));
+TEST(ModelToolSide, RotationAlone) {
   // The rotation runs at the last head of the corner and owns the move there: reversal with (10,10,0), (10,-10,0).
   EXPECT_EQ(behind(1, setup("", "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\nX100\nG00 I3 K4\nG01 X0\n"),
             (Lines{"2 linear X0 Y10 Z0 (start-up)", "3 linear X110 Y10 Z0", "4 rapid X110 Y-10 Z0 (corner)",
@@ -87,113 +61,44 @@ TEST(ModelToolSide, Ts6RotationAlone) {
             "5 linear X110 Y-10 Z0 (corner)");
 }
 
-TEST(ModelToolSide, Ts7StartUp) {
-  const auto start = [](const std::string& parameters, const std::string& code, const std::string& next) {
-    return behind(1, setup(parameters), kTilted + "G01 " + code + " D1 Y100 F1\n" + next + "\n");
-  };
-  const std::string obtuse = "X100";
-  const std::string acute = "X94 Y40 Z-8";
-  EXPECT_EQ(start("", "G41.6", obtuse)[0], "2 linear X0 Y110 Z0 (start-up)");
-  EXPECT_EQ(start("", "G41.6", acute)[0], "2 linear X4.8 Y108 Z-3.6 (start-up)");
-  EXPECT_EQ(start("", "G42.6", obtuse)[0], "2 linear X0 Y90 Z0 (start-up)");
-  EXPECT_EQ(start(kTypeB, "G42.6", obtuse)[0], "2 linear X0 Y90 Z0 (start-up)");
-  // The move from the perpendicular vector to the stop point belongs to the start-up block.
-  EXPECT_EQ(start(kTypeB, "G41.6", obtuse),
-            (Lines{"2 linear X-8 Y100 Z6 (start-up)", "2 linear X-8 Y110 Z6 (corner)", "3 linear X100 Y110 Z0"}));
-  EXPECT_EQ(start(kTypeB, "G41.6", acute), (Lines{"2 linear X-8 Y100 Z6 (start-up)", "2 linear X-8 Y110 Z6 (corner)",
-                                                  "3 linear X-1.6 Y114 Z1.2 (corner)", "3 linear X98.8 Y48 Z-11.6"}));
+TEST(ModelToolSide, StartUpOfTypeB) {
   // Without the perpendicular vector, the second reading.
   const std::string without = "type_b_without_perpendicular = true\n" + setup(kTypeB);
   EXPECT_EQ(
       behind(1, without, kTilted + "G01 G41.6 D1 Y100 F1\nX94 Y40 Z-8\n"),
       (Lines{"2 linear X-8 Y110 Z6 (start-up)", "3 linear X-1.6 Y114 Z1.2 (corner)", "3 linear X98.8 Y48 Z-11.6"}));
   // Under 1°, here 0°, one vector as of type A: back along Y the tool is on the other side.
-  EXPECT_EQ(start(kTypeB, "G41.6", "Y0")[0], "2 linear X8 Y100 Z-6 (start-up)");
+  EXPECT_EQ(behind(1, setup(kTypeB), kTilted + "G01 G41.6 D1 Y100 F1\nY0\n")[0], "2 linear X8 Y100 Z-6 (start-up)");
 }
 
-TEST(ModelToolSide, Ts7TypeC) {
-  EXPECT_EQ(behind(1, setup(kTypeC), kTilted + "G01 Y100 F1\nG41.6 D1\nX100\nG40\n"),
-            (Lines{"2 linear X0 Y100 Z0", "3 linear X0 Y110 Z0 (start-up)", "4 linear X100 Y110 Z0",
-                   "5 linear X100 Y100 Z0 (cancel)"}));
+TEST(ModelToolSide, TypeC) {
   EXPECT_EQ(behind(2, setup(kTypeC), kTilted + "G01 Y100 F1\nG00 G41.6 D1\nG01 X94 Y40 Z-8\n")[0],
             "3 rapid X4.8 Y108 Z-3.6 (start-up)");
-  EXPECT_EQ(behind(2, setup(kTypeC, "Y = -40\n"), kTilted + "G41.6 D1\nG01 Y100 F1\nG40\n"),
-            (Lines{"3 linear X-8 Y100 Z6", "4 linear X0 Y100 Z0 (cancel)"}));
   // A value of 0 has no vector to make: only a change of the length makes the move.
   EXPECT_EQ(points(head(kTypeC), "G41.2 D4\nG01 X10 F1\nG40\n"), (Lines{"2 linear X10 Y0 Z0"}));
 }
 
-TEST(ModelToolSide, Ts7Cancel) {
-  const auto cancel = [](const std::string& parameters) {
-    return behind(2, setup(parameters, "Y = -40\n"), kTilted + "G01 G41.6 D1 Y0 F1\nY100\nG40 X100\n");
-  };
-  EXPECT_EQ(cancel(""), (Lines{"3 linear X-8 Y100 Z6", "4 linear X100 Y100 Z0 (cancel)"}));
-  EXPECT_EQ(cancel(kTypeB),
-            (Lines{"3 linear X-8 Y110 Z6", "4 linear X0 Y110 Z0 (corner)", "4 linear X100 Y100 Z0 (cancel)"}));
-  // Acute, the corner of TS3: K1, K2 and the vector of TS7 (b).
+// Acute, the corner of TS3: K1, K2 and the vector of TS7 (b).
+TEST(ModelToolSide, CancelOfTypeB) {
   EXPECT_EQ(behind(2, setup(kTypeB, "Y = -40\n"), kTilted + "G01 G41.6 D1 Y0 F1\nY100\nG40 X94 Y40 Z-8\n"),
             (Lines{"3 linear X-8 Y110 Z6", "4 linear X-1.6 Y114 Z1.2 (corner)", "4 linear X4.8 Y108 Z-3.6 (corner)",
                    "4 linear X94 Y40 Z-8 (cancel)"}));
 }
 
-// The figure of the manual: A head with A about X carried by C: VT = (0, -sin a, cos a).
-std::string figure(const std::string& q, const std::string& again = "") {
-  return "G00 A46.\nG01 G41.2 D1 X0 Y0 Z0 F1\nY-200 Z-200" + q + "\nA-45.\n" + again + "Y-400 Z0\nG40 Y-440 Z40\n";
-}
-Lines ts8(const std::string& q, const std::string& again = "", const std::string& parameters = "") {
-  return behind(2, head(parameters, "Y = 40\nZ = 40\n", "A"), figure(q, again));
-}
-
-TEST(ModelToolSide, Ts8PlaneChange) {
-  // The vectors of the sheet at B(0,-200,-200), fifteen decimals.
-  const std::string v1 = "X10 Y-206.946583704589973 Z-207.193398003386511";
-  const std::string v2 = "X-10 Y-206.946583704589973 Z-207.193398003386511";
-  EXPECT_EQ(ts8(""), (Lines{"3 PS0041"}));
-  EXPECT_EQ(ts8(" Q1")[0], "3 linear X10 Y-200 Z-200");
-  EXPECT_EQ(ts8(" Q1")[1], "4 linear X10 Y-200 Z-200");
-  EXPECT_EQ(ts8(" Q2")[0], "3 linear " + v1);
-  EXPECT_EQ(ts8(" Q2")[1], "4 linear " + v1);
-  EXPECT_EQ(ts8(" Q3")[0], "3 linear " + v1);
-  EXPECT_EQ(ts8(" Q3")[1], "4 linear " + v2 + " (corner)");
-  EXPECT_EQ(ts8(" Q3")[2], "4 linear " + v2);
-  EXPECT_EQ(ts8("", "G41.2 ")[0], "3 linear X10 Y-200 Z-200");
-  EXPECT_EQ(ts8("", "", "\"19605#5\" = 1\n")[1], "4 linear " + v2 + " (corner)");
-  // 91 degrees: the limit itself counts.
-  EXPECT_EQ(ts8("", "", "6261 = 91\n"), (Lines{"3 PS0041"}));
-  EXPECT_EQ(ts8("", "", "6261 = \"91.001\"\n")[1], "4 linear " + v2 + " (corner)");
-  EXPECT_EQ(ts8(" Q4"), (Lines{"3 Q_FORMAT"}));
-  EXPECT_THROW((void)ts8("", "", "6261 = 181\n"), spec::InputError);
-}
-
-TEST(ModelToolSide, Ts9RationalPlaneChange) {
-  const auto rational = [](const std::string& q, const std::string& again = "") {
-    return behind(
-        2, setup("", "Y = 40\nZ = 40\n"),
-        "G43.5 J-4 K3\nG01 G41.6 D1 X0 Y0 Z0 F1\nY-200 Z-200" + q + "\nJ4 K3\n" + again + "Y-400 Z0\nG40 Y-440 Z40\n");
+TEST(ModelToolSide, PlaneChangeFormat) {
+  const auto change = [](const std::string& q, const std::string& parameters) {
+    return behind(2, head(parameters, "Y = 40\nZ = 40\n", "A"),
+                  "G00 A46.\nG01 G41.2 D1 X0 Y0 Z0 F1\nY-200 Z-200" + q + "\nA-45.\nY-400 Z0\n");
   };
-  EXPECT_EQ(rational(""), (Lines{"3 PS0041"}));
-  EXPECT_EQ(rational(" Q1")[0], "3 linear X10 Y-200 Z-200");
-  EXPECT_EQ(rational(" Q2")[0], "3 linear X10 Y-206 Z-208");
-  EXPECT_EQ(rational(" Q2")[1], "4 linear X10 Y-206 Z-208");
-  EXPECT_EQ(rational(" Q3")[1], "4 linear X-10 Y-206 Z-208 (corner)");
-  EXPECT_EQ(rational("", "G41.6 ")[0], "3 linear X10 Y-200 Z-200");
-  // TS9c: the second condition fails. V = 10 (n1 + n2)/(1 + c) with d2 = (-2, 1, 0)/√5: (-10 (2 + √5), 10, 0).
-  EXPECT_EQ(behind(2, setup("", "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\nX100\nJ-4 K3\nX0 Y50\n")[0],
-            "3 linear X57.639320225002103 Y10 Z0");
+  EXPECT_EQ(change(" Q4", ""), (Lines{"3 Q_FORMAT"}));
+  EXPECT_THROW((void)change("", "6261 = 181\n"), spec::InputError);
 }
 
-TEST(ModelToolSide, Ts10SideChange) {
+TEST(ModelToolSide, SideChange) {
   const auto change = [](const std::string& next) {
     return behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\n" + next + "\n");
   };
-  EXPECT_EQ(change("G42.2 X0")[0], "2 linear X100 Y10 Z0");
-  EXPECT_EQ(change("G42.2 Y100")[0], "2 linear X110 Y10 Z0");
-  EXPECT_EQ(change("G42.2 Y-100")[0], "2 linear X90 Y10 Z0");
-  EXPECT_EQ(change("G42.2 X200")[0], "2 linear X100 Y-10 Z0");
   EXPECT_EQ(change("D3 Y100")[0], "2 linear X110 Y10 Z0");
-  EXPECT_EQ(change("X0"), (Lines{"2 linear X110 Y10 Z0", "3 linear X110 Y-10 Z0 (corner)", "3 linear X0 Y-10 Z0"}));
-  EXPECT_EQ(behind(2, setup("", "Y = -40\n"), kTilted + "G01 G41.6 D1 Y0 F1\nY100\nG42.6 X94 Y40 Z-8\n")[0],
-            "3 linear X-8 Y95 Z6");
   // In the block right behind a start-up.
   EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nG42.2 X200\n"),
             (Lines{"1 linear X100 Y10 Z0 (start-up)", "2 DIR_CHANGE_AT_STARTUP"}));
@@ -201,22 +106,9 @@ TEST(ModelToolSide, Ts10SideChange) {
   EXPECT_EQ(behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100 Q1\nG42.2 Y100\n")[0], "2 linear X100 Y10 Z0");
 }
 
-TEST(ModelToolSide, Ts11Arcs) {
-  const auto arc = [](const std::string& block) {
-    return behind(1, head("", "X = -40\n"), "G01 G41.2 D1 X0 F1\nX100\n" + block + "\n");
-  };
-  // (10,10), (14,2) and the perpendicular (8,-6); the tool goes on to its own perpendicular.
-  const Lines acute = arc("G02 X30 Y-10 I-40 J30");
-  EXPECT_EQ((Lines{acute[0], acute[1], acute[2]}),
-            (Lines{"2 linear X110 Y10 Z0", "3 linear X114 Y2 Z0 (corner)", "3 linear X108 Y-6 Z0 (corner)"}));
-  const Lines obtuse = arc("G02 X90 Y-70 I-40 J-30");
-  EXPECT_EQ((Lines{obtuse[0], obtuse[1]}), (Lines{"2 linear X105 Y10 Z0", "3 linear X108 Y6 Z0 (corner)"}));
-  EXPECT_EQ(arc("G02 X170 Y10 I40 J-30")[0], "2 linear X95.278640450004206 Y10 Z0");
-  EXPECT_EQ(arc("G03 X90 Y70 I-40 J30")[0], "2 linear X94.641016151377546 Y10 Z0");
-  EXPECT_EQ(behind(2, setup("", "X = -40\n"), "G43.5 K1\nG01 G41.6 D1 X0 F1\nX100\nG02 X30 Y-10 R50\n")[1],
-            "4 linear X114 Y2 Z0 (corner)");
-  // Out of an arc the move from its perpendicular vector to the stop point belongs to the arc, as a line: the arc ends
-  // along +X at (100,0), the next line goes to -Y: r n1 = (0,10), Vi = (10,10).
+// Out of an arc the move from its perpendicular vector to the stop point belongs to the arc, as a line: the arc ends
+// along +X at (100,0), the next line goes to -Y: r n1 = (0,10), Vi = (10,10).
+TEST(ModelToolSide, OutOfAnArc) {
   EXPECT_EQ(points(head("", "X = 30\nY = -50\n"), "G01 G41.2 D1 X50 F1\nG02 X100 Y0 I50\nG01 Y-100\n"),
             (Lines{"1 linear X40 Y-50 Z0 (start-up)", "2 arc X100 Y10 Z0", "2 linear X110 Y10 Z0 (corner)",
                    "3 linear X110 Y-100 Z0"}));

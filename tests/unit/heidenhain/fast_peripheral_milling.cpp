@@ -1,5 +1,5 @@
-// Heidenhain peripheral milling by RL and RR in the fast engine. Expected values: examples E9 and E10 of the sheet,
-// typed in, and hand derivations.
+// Heidenhain peripheral milling by RL and RR in the fast engine, by hand. The worked examples stand in
+// golden/heidenhain/corpus_examples_peripheral_milling.cpp.
 #include "tests/unit/heidenhain/fast_klartext_run.h"
 
 namespace toolcomp::fast::klartext {
@@ -7,39 +7,6 @@ namespace {
 
 const std::string kMill = "[[tool]]\nnumber=1\nR=6\nR2=0\nDR=\"-0.1\"\n";
 const std::string kHead = "TOOL CALL 1 Z S12000 F1000\n";
-// Blocks 11 and 13 of the manual's example.
-const std::string kBlock11 = "L X+48.4074 Y+102.4717 Z-7.1088 C-267.9784 B-20.0115 ";
-const std::string kBlock13 = "LN X60.6593 Y102.4690 Z-7.1012 TX-0.0807 TY-0.3409 TZ0.9366 ";
-const std::string kContour = "FUNCTION PROG PATH IS CONTOUR\n";
-
-TEST(PeripheralMilling, ManualExampleFirstBlock) {  // E9
-  const auto run = [](const std::string& path, const std::string& side) {
-    return KlartextRun(kMill, kHead + path + kBlock11 + side + " M128\n" + kBlock13 + "\n");
-  };
-  const KlartextRun off = run("", "RL");
-  ASSERT_EQ(off.messages(), "");
-  expect_triple(off.tool_axis(0), {0.012071843178365, -0.341995753836205, 0.939623954015798}, 1);
-  expect_triple(off.tip(0), {48.407400507579061, 102.377730759405443, -7.143002073355641});
-  expect_triple(run(kContour, "RL").tip(0), {48.407370052835400, 108.015885195078850, -5.090877672017165});
-  expect_triple(run(kContour, "RR").tip(0), {48.407429947164600, 96.927514804921150, -9.126722327982835}, 8);
-  EXPECT_EQ(off.moves[0].cause, spec::Cause::start_up);
-  EXPECT_FALSE(off.moves[0].space->contact.has_value());
-  // The shift is dR c in both modes (D-26).
-  expect_shift(run(kContour, "RL").shift(0), {0.0000005075790610, -0.0939692405945568, -0.0342020733556413});
-}
-
-TEST(PeripheralMilling, ManualExampleLastBlock) {  // E10
-  const auto run = [](const std::string& path, const std::string& side) {
-    return KlartextRun(kMill, kHead + path + kBlock11 + side + " M128\n" + kBlock13 + "\n");
-  };
-  expect_triple(run("", "RL").tip(1), {60.659300507850657, 102.375030900519667, -7.135402461060535});
-  expect_triple(run("", "RR").tip(1), {60.659299492149343, 102.562969099480333, -7.066997538939465});
-  expect_triple(run(kContour, "RL").tip(1), {60.659270036811243, 108.013176869339626, -5.083254797428416});
-  EXPECT_EQ(run("", "RL").moves[1].cause, spec::Cause::programmed);
-  const KlartextRun none(kMill, kHead + kBlock13 + "R0 M128\n");
-  EXPECT_EQ(none.messages(), "W_NO_LATERAL@2");
-  EXPECT_EQ(none.tip(0), none.programmed(0));
-}
 
 // By hand: the tool along Z, RL, delta = dR = −0.1 (OFF): left of +X is (0, 0, 1) x (1, 0, 0) = (0, 1, 0).
 TEST(PeripheralMilling, Square) {

@@ -1,5 +1,5 @@
-// FUNCTION PROG PATH in the fast engine. Expected values by hand from sheet 5.4 and 5.7; the sheet's examples under IS
-// CONTOUR stand in fast_face_milling.cpp (E13, E16) and fast_peripheral_milling.cpp (E9, E10).
+// FUNCTION PROG PATH in the fast engine. Expected values by hand from sheet 5.4 and 5.7; the worked examples stand in
+// golden/heidenhain/corpus_examples_programmed_contour.cpp.
 #include "tests/unit/heidenhain/fast_klartext_run.h"
 
 namespace toolcomp::fast::klartext {

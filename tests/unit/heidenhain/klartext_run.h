@@ -29,25 +29,6 @@ inline Run run_klartext(const std::string& setup, std::string_view program, cons
   return result;
 }
 
-// "+0.100 -0 2" as "0.1 0 2": the form in which numbers of events are shown here.
-inline std::string printed(std::string_view numbers) {
-  std::string result;
-  for (std::size_t at = 0; at < numbers.size();) {
-    const std::size_t end = std::min(numbers.find(' ', at), numbers.size());
-    std::string number(numbers.substr(at, end - at));
-    at = end + 1;
-    if (number.empty()) continue;
-    if (number.front() == '+') number.erase(0, 1);
-    if (number.find('.') != std::string::npos) {
-      number.erase(number.find_last_not_of('0') + 1);
-      if (number.back() == '.') number.pop_back();
-    }
-    if (number == "-0") number = "0";
-    result += (result.empty() ? "" : " ") + number;
-  }
-  return result;
-}
-
 inline std::string shown(const std::array<exact::Real, 3>& v, int digits = 15) {
   return v[0].decimal(digits) + ' ' + v[1].decimal(digits) + ' ' + v[2].decimal(digits);
 }

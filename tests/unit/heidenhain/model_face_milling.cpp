@@ -1,5 +1,6 @@
-// Face milling in the exact engine: the worked examples E1 to E27 of the fact sheet to all printed digits, the table of
-// oversize verdicts, warnings, and 3D-ToolComp. What is not from the sheet is derived in the comments.
+// Face milling in the exact engine: the table of oversize verdicts, warnings, and 3D-ToolComp. What is not from the
+// fact sheet is derived in the comments. Its worked examples stand in
+// golden/heidenhain/corpus_examples_face_milling.cpp.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,7 +12,6 @@ namespace {
 using namespace toolcomp;
 using test::last_move;
 using test::Lines;
-using test::printed;
 using test::shown;
 using test::story;
 using test::tool;
@@ -22,9 +22,7 @@ const std::string kN = "NX-0.4658107 NY+0 NZ+0.8848844 ";
 const std::string kT = "TX+0.0000000 TY+0.6558846 TZ+0.7548612 ";
 const std::string kBlock = "LN " + kPoint + kN + kT;
 const std::string kCall = "TOOL CALL 1 Z S12000 F1000\n";
-const std::string kOversizeCall = "TOOL CALL 1 Z DL+0.2 DR+0.2 DR2:+0.2\nM107\n";
 const std::string kCenter = "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT CNT-CNT\n";
-const std::string kContour = "FUNCTION PROG PATH IS CONTOUR\n";
 
 // A ball of 6 mm re-worked to 5.8 mm; the same as it was; a toroid cutter.
 const std::string kReworked = tool("R = 3\nR2 = 3\nDL = 0\nDR = \"-0.1\"\nDR2 = \"-0.1\"\nL = 100\n");
@@ -33,183 +31,6 @@ const std::string kToroid = tool("R = 6\nR2 = 1\nDL = \"0.05\"\nDR = \"-0.1\"\nD
 
 const spec::SpaceCompensation<exact::Real>& space(const model::Event& event) { return *event.space; }
 const spec::Contact<exact::Real>& contact(const model::Event& event) { return *event.space->contact; }
-
-TEST(ModelFaceMilling, Example1ReworkedAtTheTip) {
-  const model::Event event = last_move(kReworked, kCall + kBlock + "R0 M128\n");
-  const std::string shift = printed("+0.046581069776461 +0.065588458695360 -0.013002321076868");
-  EXPECT_EQ(shown(space(event).shift), shift);
-  EXPECT_EQ(shown(space(event).tool_shift), shift);
-  EXPECT_EQ(shown(event.point), printed("+36.054981069776461 +6.242588458695360 -1.933902321076868"));
-  EXPECT_EQ(shown(event.point, 30), printed("36.054981069776460940259370772112 6.242588458695360304528469232750 "
-                                            "-1.933902321076867630085102893279"));
-  EXPECT_EQ(shown(event.axes), shown(event.point));
-  EXPECT_EQ(shown(space(event).tool_center), printed("+36.054981069776461 +8.144653760860809 +0.255195115379139"));
-  EXPECT_EQ(shown(contact(event).point), printed("+37.405832093293828 +8.144653760860809 -2.310969632306029"));
-  EXPECT_FALSE(contact(event).flat);
-  EXPECT_FALSE(contact(event).angle);
-  // L = 100 along t, which has no X.
-  ASSERT_TRUE(space(event).carrier);
-  EXPECT_EQ((*space(event).carrier)[0].decimal(15), printed("36.054981069776461"));
-}
-
-TEST(ModelFaceMilling, Example2ReworkedAtTheCenter) {
-  const model::Event event = last_move(kReworked, kCall + kCenter + kBlock + "R0\n");
-  EXPECT_EQ(shown(space(event).tool_center), printed("+36.054981069776461 +6.177000000000000 -2.009388439575351"));
-  EXPECT_EQ(shown(event.point), printed("+36.054981069776461 +4.274934697834551 -4.198485876031357"));
-  EXPECT_EQ(shown(space(event).shift), printed("+0.046581069776461 +0.065588458695360 -0.013002321076868"));
-  EXPECT_EQ(shown(contact(event).point), printed("+37.405832093293828 +6.177000000000000 -4.575553187260518"));
-  // M128 in the block sets the reference point back to the tip.
-  EXPECT_EQ(shown(last_move(kReworked, kCall + kCenter + kBlock + "R0 M128\n").point),
-            printed("+36.054981069776461 +6.242588458695360 -1.933902321076868"));
-}
-
-TEST(ModelFaceMilling, Example3OversizeAtTheTip) {
-  const model::Event event = last_move(kBall, kOversizeCall + kBlock + "R0 M128\n");
-  EXPECT_EQ(shown(space(event).shift), printed("-0.093162139552922 -0.131176917390721 +0.026004642153735"));
-  EXPECT_EQ(shown(space(event).tool_shift), printed("-0.093162139552922 +0.000000000000000 +0.176976879150701"));
-  EXPECT_EQ(shown(event.point), printed("+35.915237860447078 +6.045823082609279 -1.894895357846265"));
-  EXPECT_EQ(shown(event.axes), printed("+35.915237860447078 +6.177000000000000 -1.743923120849299"));
-  EXPECT_EQ(shown(space(event).tool_center), printed("+35.915237860447078 +8.144653760860809 +0.520660434105191"));
-  EXPECT_EQ(shown(contact(event).point), printed("+37.405832093293828 +8.144653760860809 -2.310969632306029"));
-  EXPECT_EQ(story(kBall, "TOOL CALL 1 Z DL+0.2 DR+0.2 DR2:+0.2\n" + kBlock + "R0 M128\n"), (Lines{"2 E_OVERSIZE_DR"}));
-}
-
-TEST(ModelFaceMilling, Example4OversizeAtTheCenter) {
-  const model::Event event = last_move(kBall, kOversizeCall + kCenter + kBlock + "R0\n");
-  EXPECT_EQ(shown(space(event).tool_center), printed("+35.915237860447078 +6.177000000000000 -1.743923120849299"));
-  EXPECT_EQ(shown(event.point), printed("+35.915237860447078 +4.078169321748470 -4.159478912800754"));
-  EXPECT_EQ(shown(event.axes), printed("+35.915237860447078 +4.209346239139191 -4.008506675803788"));
-}
-
-TEST(ModelFaceMilling, Example5WithoutTcpm) {
-  const std::string block = "LN " + kPoint + kN + "R0\n";
-  const model::Event event = last_move(kReworked, kCall + block);
-  EXPECT_EQ(shown(event.point), printed("+36.054981069776461 +6.177000000000000 -1.909388439575351"));
-  EXPECT_EQ(shown(space(event).shift), printed("+0.046581069776461 0 +0.011511560424649"));
-  EXPECT_EQ(shown(contact(event).point), printed("+37.405832093293828 6.177 -1.575553187260518"));
-  EXPECT_EQ(shown(*event.tool_axis), "0 0 1");
-  const model::Event oversize = last_move(kBall, kOversizeCall + block);
-  EXPECT_EQ(shown(oversize.point), printed("+35.915237860447078 6.177 -1.943923120849299"));
-  EXPECT_EQ(shown(oversize.axes), printed("+35.915237860447078 6.177 -1.743923120849299"));
-}
-
-TEST(ModelFaceMilling, Example6ToolAlongTheNormal) {
-  const std::string block = "LN " + kPoint + kN + "R0 M128\n";
-  const model::Event event = last_move(kReworked, kCall + block);
-  EXPECT_EQ(shown(space(event).shift), "0 0 0");
-  EXPECT_EQ(shown(space(event).tool_shift), "0 0 0");
-  EXPECT_EQ(shown(event.point), printed("36.0084 6.177 -1.9209"));
-  EXPECT_EQ(shown(space(event).tool_center), printed("+34.657548976482633 6.177 +0.645264747685168"));
-  EXPECT_TRUE(contact(event).flat);
-  const model::Event oversize = last_move(kBall, kOversizeCall + block);
-  EXPECT_EQ(shown(oversize.point), printed("36.0084 6.177 -1.9209"));
-  EXPECT_EQ(shown(space(oversize).tool_shift), printed("-0.093162139552922 0 +0.176976879150701"));
-  EXPECT_EQ(shown(oversize.axes), printed("+35.915237860447078 6.177 -1.743923120849299"));
-}
-
-TEST(ModelFaceMilling, Example7NoCompensationInL) {
-  for (const std::string& call : {kCall, std::string("TOOL CALL 1 Z DL+0.2 DR+0.2 DR2:+0.2\n")}) {
-    const model::Event event = last_move(kReworked, call + "L " + kPoint + "R0\n");
-    EXPECT_EQ(shown(event.point), printed("36.0084 6.177 -1.9209"));
-    EXPECT_FALSE(space(event).contact);
-  }
-}
-
-TEST(ModelFaceMilling, Example8NormalAcrossTheTool) {
-  const std::string program = kCall +
-                              "LN X+60.6593 Y+102.4690 Z-7.1012 NX+0 NY+0.9397 NZ+0.3420 TX-0.0807 TY-0.3409 "
-                              "TZ+0.9366 R0 M128\n";
-  const std::string mill = tool("R = 6\nR2 = 0\nDR = \"-0.1\"\n");
-  const model::Event event = last_move(mill, program);
-  EXPECT_EQ(shown(space(event).shift), printed("+0.000000214108896 -0.093969091346891 -0.034202483409745"));
-  EXPECT_EQ(shown(event.point), printed("+60.659300214108896 +102.375030908653109 -7.135402483409745"));
-  EXPECT_EQ(shown(contact(event).point), printed("+60.659312846533784 +96.830854519186560 -9.153349004584695"));
-  EXPECT_EQ(test::run_klartext(mill, program).events().size(), 1U);  // no warning
-}
-
-TEST(ModelFaceMilling, Example11Toroid) {
-  const model::Event event = last_move(kToroid, kCall + kBlock + "R0 M128\n");
-  EXPECT_EQ(shown(space(event).shift), printed("+0.059390409959017 +0.060213860946861 -0.043521433662979"));
-  EXPECT_EQ(shown(space(event).tool_shift, 30),
-            printed("0.059390409959017042630107200988 0.093008090294541035995889864545 "
-                    "-0.005778374413737617893829685651"));
-  EXPECT_EQ(shown(event.point), printed("+36.067790409959017 +6.237213860946861 -1.964421433662979"));
-  EXPECT_EQ(shown(event.axes), printed("+36.067790409959017 +6.270008090294541 -1.926678374413738"));
-  EXPECT_EQ(shown(contact(event).point), printed("+39.603847947997413 +9.776395162440404 -4.608483801244025"));
-  EXPECT_EQ(shown(space(event).tool_center), printed("+36.067790409959017 +6.879980756161392 -1.224657472377846"));
-
-  const model::Event center = last_move(kToroid, kCall + kCenter + kBlock + "R0\n");
-  EXPECT_EQ(shown(space(center).tool_center), printed("+36.067790409959017 +6.224096169207789 -1.979518657362676"));
-  EXPECT_EQ(shown(center.point), printed("+36.067790409959017 +5.581329273993258 -2.719282618647809"));
-
-  const model::Event upright = last_move(kToroid, kCall + "LN " + kPoint + kN + "\n");
-  EXPECT_EQ(shown(upright.point), printed("+36.097716213955292 6.177 -1.918597687915070"));
-  EXPECT_EQ(upright.axes[2].decimal(15), printed("-1.868597687915070"));
-  EXPECT_EQ(shown(contact(upright).point), printed("+41.474210697764609 6.177 -1.805784395753506"));
-
-  const model::Event along = last_move(kToroid, kCall + "LN " + kPoint + kN + "M128\n");
-  EXPECT_EQ(shown(space(along).shift), "0 0 0");
-  EXPECT_EQ(shown(space(along).tool_shift), printed("-0.023290534888230 0 +0.044244219787675"));
-}
-
-TEST(ModelFaceMilling, Example13Singular) {
-  const std::string block = "LN X10 Y20 Z5 NX0 NY0 NZ1 TX0 TY0 TZ1 M128\n";
-  for (const std::string& path : {std::string(), kContour}) {
-    const model::Event event = last_move(kToroid, kCall + path + block);
-    EXPECT_EQ(shown(event.point), "10 20 5");
-    EXPECT_EQ(shown(event.axes), "10 20 5.05");
-    EXPECT_TRUE(contact(event).flat);
-  }
-  const model::Event near = last_move(kToroid, kCall + "LN X10 Y20 Z5 NX0.0000001 NY0 NZ1 TX0 TY0 TZ1 M128\n");
-  EXPECT_EQ(shown(space(near).shift), printed("-0.080000002000000 0 +0.000000000000000"));
-  EXPECT_FALSE(contact(near).flat);
-}
-
-const std::string kRational = tool("R = 5\nR2 = 2\nDL = \"0.25\"\nDR = \"0.3\"\nDR2 = \"0.1\"\n");
-
-TEST(ModelFaceMilling, Example16Rational) {
-  const std::string block = "LN X0 Y0 Z0 NX0.6 NY0 NZ0.8 M107\n";
-  const model::Event event = last_move(kRational, kCall + block);
-  EXPECT_EQ(shown(space(event).shift), "0.26 0 -0.02");
-  EXPECT_EQ(shown(space(event).tool_shift), "0.26 0 0.23");
-  EXPECT_EQ(shown(contact(event).point), "-4.2 0 0.4");
-  EXPECT_EQ(shown(space(event).tool_center), "0.26 0 2.08");
-  EXPECT_TRUE(event.point[0].is_rational());
-  const model::Event contour = last_move(kRational, kCall + kContour + block);
-  EXPECT_EQ(shown(contour.point), "4.46 0 -0.42");
-  EXPECT_EQ(shown(contour.axes), "4.46 0 -0.17");
-  EXPECT_EQ(shown(space(contour).shift), "0.26 0 -0.02");
-}
-
-TEST(ModelFaceMilling, Example21CornerDeltaAlone) {
-  const model::Event event = last_move(kBall, "TOOL CALL 1 Z S5000 DR2:+0.3\nM107\n" + kBlock + "M128\n");
-  EXPECT_EQ(shown(space(event).shift), printed("-0.139743209329383 -0.196765376086081 +0.039006963230603"));
-  EXPECT_EQ(shown(space(event).tool_center), printed("+35.868656790670617 +8.144653760860809 +0.609148873680541"));
-}
-
-TEST(ModelFaceMilling, Example23SumOfDeltas) {
-  const std::string setup = tool("R = 3\nR2 = 3\nDL = \"-0.03\"\nDR = \"-0.1\"\nDR2 = \"-0.1\"\n") +
-                            "[[correction.tcs]]\nnumber = 7\nDL = \"-0.005\"\nDR = \"0.01\"\nDR2 = \"0.01\"\n";
-  const model::Event event =
-      last_move(setup, "TOOL CALL 1 Z DL+0.2 DR+0.2 DR2+0.2\nFUNCTION CORRDATA TCS #7\nM107\n" + kBlock + "M128\n");
-  EXPECT_EQ(shown(space(event).tool_shift), printed("-0.051239176754107 +0.036073652282448 +0.138854648707051"));
-  EXPECT_EQ(shown(event.point), printed("+35.957160823245893 +6.104852695435104 -1.906597446815446"));
-  EXPECT_EQ(shown(event.axes), printed("+35.957160823245893 +6.213073652282448 -1.782045351292949"));
-}
-
-TEST(ModelFaceMilling, Example25Undercut) {
-  const std::string program = kCall + "LN X0 Y0 Z0 NX0.6 NY0 NZ-0.8\n";
-  EXPECT_EQ(shown(space(last_move(kReworked, program)).shift), "-0.06 0 0.18");
-  EXPECT_EQ(story(kReworked, program), (Lines{"2 W_N_BELOW", "2 -0.06 0 0.18"}));
-}
-
-TEST(ModelFaceMilling, Example27Inch) {
-  const model::Event event =
-      last_move(kReworked, "BEGIN PGM A INCH\n" + kCall + "LN X1.4176535 Y0.2431890 Z-0.0756260 " + kN + kT + "M128\n");
-  EXPECT_EQ(shown(space(event).shift), printed("+0.001833900384900 +0.002582222783282 -0.000511902404601"));
-  EXPECT_EQ(shown(event.point), printed("+1.419487400384900 +0.245771222783282 -0.076137902404601"));
-  EXPECT_EQ(event.feed->decimal(3), "100");  // tenths of an inch
-}
 
 // The centre of a ball by a negative DL is what CNT-CNT gives (P15, E28).
 TEST(ModelFaceMilling, NegativeLengthForTheCenter) {

@@ -1,8 +1,8 @@
-// Peripheral milling in the exact engine: E9 and E10 of the fact sheet to all printed digits, and the rules of its 5.7
-// on paths whose answers are seen by eye: the tool along Z, so RL is to the left in the plane.
+// Peripheral milling in the exact engine: the rules of the sheet's 5.7 on paths whose answers are seen by eye: the tool
+// along Z, so RL is to the left in the plane. The worked examples stand in
+// golden/heidenhain/corpus_examples_peripheral_milling.cpp.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <string>
 
 #include "tests/unit/heidenhain/klartext_run.h"
@@ -13,7 +13,6 @@ using namespace toolcomp;
 using test::last_move;
 using test::Lines;
 using test::moves;
-using test::printed;
 using test::run_klartext;
 using test::shown;
 using test::story;
@@ -22,47 +21,6 @@ using test::tool;
 const std::string kMill = tool("R = 6\nR2 = 0\nDR = \"-0.1\"\n");
 const std::string kCall = "TOOL CALL 1 Z\n";
 const std::string kContour = "FUNCTION PROG PATH IS CONTOUR\n";
-const std::string kBlock11 = "L X+48.4074 Y+102.4717 Z-7.1088 C-267.9784 B-20.0115 ";
-const std::string kBlock12 =
-    "LN X+60.6593 Y+102.4690 Z-7.1012 NX+0 NY+0.9397 NZ+0.3420 TX-0.0807 TY-0.3409 TZ+0.9366 R0 M128\n";
-const std::string kBlock13 = "LN X+60.6593 Y+102.4690 Z-7.1012 TX-0.0807 TY-0.3409 TZ+0.9366 ";
-
-// c, where DR = -0.1.
-std::string ten_times_reversed(const model::Event& event) {
-  const auto& shift = event.space->shift;
-  return shown(std::array<exact::Real, 3>{-10 * shift[0], -10 * shift[1], -10 * shift[2]});
-}
-
-TEST(ModelPeripheralMilling, Example9RotaryAxes) {
-  const auto first = [](const std::string& before, const std::string& side) {
-    return moves(run_klartext(kMill, kCall + before + kBlock11 + side + " M128\n" + kBlock12)).front();
-  };
-  const model::Event event = first("", "RL");
-  EXPECT_EQ(shown(*event.tool_axis), printed("+0.012071843178365 -0.341995753836205 +0.939623954015798"));
-  EXPECT_EQ(shown(event.point), printed("+48.407400507579061 +102.377730759405443 -7.143002073355641"));
-  EXPECT_EQ(event.cause, spec::Cause::start_up);
-  EXPECT_FALSE(event.space->contact);
-  // The axes of the block with a word are there, and no other rotary axis.
-  EXPECT_EQ(event.axes[4].decimal(4), "-20.0115");
-  EXPECT_EQ(event.axes[5].decimal(4), "-267.9784");
-  EXPECT_FALSE(event.axes.has(3));
-  EXPECT_EQ(shown(first(kContour, "RL").point), printed("+48.407370052835400 +108.015885195078850 -5.090877672017165"));
-  EXPECT_EQ(shown(first(kContour, "RR").point), printed("+48.407429947164600 +96.927514804921150 -9.126722327982835"));
-  EXPECT_EQ(ten_times_reversed(event), printed("-0.000005075790610 +0.939692405945568 +0.342020733556413"));
-  EXPECT_EQ(shown(first(kContour, "RL").space->shift), shown(event.space->shift));
-}
-
-TEST(ModelPeripheralMilling, Example10LastBlock) {
-  const auto last = [](const std::string& before, const std::string& side) {
-    return last_move(kMill, kCall + before + kBlock11 + side + " M128\n" + kBlock13 + "\n");
-  };
-  const model::Event event = last("", "RL");
-  EXPECT_EQ(shown(event.point), printed("+60.659300507850657 +102.375030900519667 -7.135402461060535"));
-  EXPECT_EQ(ten_times_reversed(event), printed("-0.000005078506569 +0.939690994803326 +0.342024610605353"));
-  EXPECT_EQ(shown(last("", "RR").point), printed("+60.659299492149343 +102.562969099480333 -7.066997538939465"));
-  EXPECT_EQ(shown(last(kContour, "RL").point), printed("+60.659270036811243 +108.013176869339626 -5.083254797428416"));
-  EXPECT_EQ(story(kMill, kCall + kBlock13 + "R0 M128\n"), (Lines{"2 W_NO_LATERAL", "2 60.6593 102.469 -7.1012"}));
-}
 
 // R = 1, DR = 0 under IS CONTOUR: the tip runs 1 beside the path. Deltas alone: DR = 1 under M107.
 const std::string kOne = tool("R = 1\n");
