@@ -27,9 +27,9 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
 
   plan.motion = words.code(Words::kMotion) == kNone ? modal_.motion() : words.code(Words::kMotion);
   const Code length = words.code(Words::kLength);
-  plan.along = words.starts_tip_control() || (along_tool() && length != 490);
+  plan.along = words.starts_tip_control() || (positions_.along_tool() && length != 490);
   plan.vector = length == 435 || (modal_.by_vector() && length != 434 && length != 490);
-  plan.ends_along = along_tool() && (length == 490 || words.starts_tip_control());
+  plan.ends_along = positions_.along_tool() && (length == 490 || words.starts_tip_control());
   const bool active = leading_edge_.active();
   // G41 and G42 do not end leading edge offset, they are forbidden in it; with number 0 it ends.
   plan.cutter = cutter_code || one_shot == 390 || cutter_active();
@@ -44,7 +44,7 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
   plan.side_before = tool_side_on();
   plan.side_after = side != CutterSide::off && commanded_number(words).value_or(cutter_number_).number != 0;
 
-  if (words.starts_tip_control() || along_tool())
+  if (words.starts_tip_control() || positions_.along_tool())
     if (const Alarm a = check_tip_control(words, plan)) return a;
   if (active || code == 413)
     if (const Alarm a = check_leading_edge(words, plan)) return a;

@@ -1,5 +1,6 @@
 // Blocks that pass cutter compensation, B or C: what the stage is told about each.
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/own_move.h"
 #include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
@@ -87,7 +88,7 @@ Alarm Interpreter::refuse_cutter_move(const Words& words, CutterBlock& block, co
 Alarm Interpreter::read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const {
   if (const Alarm a = cutter_c_.check_arc(CutterSide::unchanged, cutter_number_.number)) return a;
   if (!block.end[0].in_range() || !block.end[1].in_range()) return alarm::kRange;
-  read_arc(words, block);
+  modal_.read_arc(words, units_, block);
   if (block.by_radius) return center_by_radius(block.start, block.end, block.radius, block.clockwise, center);
   // An arc about its start is refused by the stage.
   if (block.to_center[0].is_zero() && block.to_center[1].is_zero()) [[unlikely]]

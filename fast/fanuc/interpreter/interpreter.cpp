@@ -7,14 +7,12 @@
 namespace toolcomp::fast {
 
 Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_t samples)
-    : machine_angles_(setup.rotary_angles == spec::RotaryAngles::machine),
-      kinematics_(setup),
-      machine_(setup, kinematics_),
+    : kinematics_(setup),
       axes_(setup, kinematics_),
       units_(setup),
       modal_(axes_.xyz),
       positions_(setup, axes_),
-      posture_(setup, machine_),
+      attitude_(setup, kinematics_, axes_, units_, modal_, positions_, sink, samples),
       memory_(setup),
       measurement_(setup),
       sink_(sink),
@@ -23,14 +21,13 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
       cutter_b_(setup, sink),
       cutter_c_(setup, sink),
       tool_side_(setup, kinematics_, sink),
-      tip_(setup, machine_, sink, samples),
       ofh_(setup.bit(5001, 2)),
       evr_(setup.bit(5001, 4)) {
   if (setup.control != spec::Control::fanuc)
     throw spec::InputError("setup", 0, 0, "control: only \"fanuc\" programs can be run");
   positions_.read(setup);
-  take_zeros();
-  if (kinematics_.defined()) turn();
+  attitude_.take_zeros();
+  if (kinematics_.defined()) attitude_.turn();
 }
 
 void Interpreter::block(const spec::Block& block) {
@@ -138,10 +135,8 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   if (const Code code = words.code(Words::kUnits); code != kNone) units_.select(code);
   if (words.has('F')) set_feed(words);
   if (plan.ends_along) {
-    if (tip_.active())
-      end_tip_control(plan.along);
-    else
-      end_tool_direction(plan.along);
+    attitude_.end(plan.along);
+    send_to(sink_);
   }
   modal_.set_by_vector(plan.vector);
   if (const Code code = words.code(Words::kWorkpiece); code != kNone) {
@@ -164,18 +159,21 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   if (const Alarm a = positions_.length().restore(words, memory_)) return a;
   if (const Alarm a = positions_.length().apply(words, memory_, modal_.normal_axis())) return a;
   if (positions_.length().changed()) positions_.make_stale();
-  if (plan.along) along_length_ = tool_length().nearest();
+  if (plan.along) attitude_.take_length();
   // G43.4 and G43.5 always make their move; the G49 that ends them makes none.
   const bool extra = words.starts_tip_control() ||
                      (positions_.length().changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
-  tool_.begin_block();
+  attitude_.directions().begin_block();
   if (plan.along) {
     // Moves that a compensation inserts are none of the block; G41.3 and its G40 take a change of the length along.
     const bool edge = plan.compensation == Compensation::starts || plan.compensation == Compensation::cancels;
     const bool type_c = tool_side_.type() == StartType::c && plan.side_before != plan.side_after;
-    samples_block_ = !words.starts_tip_control() && !edge && (!type_c || extra);
-    if (words.starts_tip_control()) begin_tip_control(words);
-    if (!tip_.active() && (!plans_tool_ || starts_tip_)) direct(words);
+    attitude_.set_sampled(!words.starts_tip_control() && !edge && (!type_c || extra));
+    if (words.starts_tip_control()) {
+      attitude_.begin(words);
+      if (attitude_.completes_moves()) send_to(attitude_.tip());
+    }
+    if (!attitude_.tip().active() && (!attitude_.plans_tool() || attitude_.starts())) attitude_.direct(words);
   }
 
   d_ = plan.d;
@@ -235,6 +233,12 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
   if (one_shot == 920) return shift_coordinates(words);
   if (plan.writes) write_offset(plan.write);
   return alarm::kNone;
+}
+
+// Where the moves of blocks go. Nothing is held where G43.4 or G43.5 begins or ends.
+void Interpreter::send_to(EventSink& sink) {
+  leading_edge_.set_sink(sink);
+  tool_side_.set_sink(sink);
 }
 
 void Interpreter::store_offset(const OffsetMemory::Write& write, spec::Name& name, double& stored) {

@@ -1,5 +1,6 @@
 // Blocks that pass tool side compensation: what the stage is told about each.
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/own_move.h"
 #include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
@@ -45,8 +46,8 @@ void Interpreter::start_tool_side_leg(ToolSideBlock& block) const {
 
 // Positions, under G43.5 I J K, and F, or nothing but its number.
 Alarm Interpreter::tool_side_move(const Words& words) {
-  tool_.begin_block();
-  if (modal_.by_vector() && !plans_tool_) direct(words);
+  attitude_.directions().begin_block();
+  if (modal_.by_vector() && !attitude_.plans_tool()) attitude_.direct(words);
   tool_side_.next().repeated = false;
   return tool_side_motion(words, false, std::nullopt, ArcWords{});
 }
@@ -86,8 +87,8 @@ Alarm Interpreter::tool_side_motion(const Words& words, bool extra, const std::o
   for (std::size_t i = 0; i < 3; ++i)
     if (axes_.xyz[i] != spec::Axes::kNone) to[i] = positions_.programmed()[axes_.xyz[i]];
   set_travel(tool_side_.next_travel(), from, to, rounded != 0 ? 2 : 0);
-  block.tool = &tool_.now();
-  block.tool_before = &tool_.before();
+  block.tool = &attitude_.directions().now();
+  block.tool_before = &attitude_.directions().before();
   block.own = axes != 0 || extra || arc || (modal_.by_vector() && words.has_any(Words::set_of("IJK")));
   fill(block.event, arc ? spec::MoveType::arc : modal_.straight(), spec::Cause::programmed);
   if (arc) {

@@ -1,8 +1,8 @@
 // The usual block under cutter compensation B or C.
 #include "fast/basis/fault.h"
 #include "fast/fanuc/cutter_compensation_c/usual_line.h"
-#include "fast/fanuc/interpreter/fill.h"
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/own_move.h"
 #include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {

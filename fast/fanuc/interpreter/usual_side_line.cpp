@@ -23,7 +23,8 @@ void Interpreter::await_side_lines() {
   if (!axes_.letters.xyz_first || !units_.plain() || positions_.rounded() != 0 ||
       positions_.tool_offset().live() != 0 || positions_.stale() != 0)
     return;
-  if (plans_tool_ || tip_.active() || (along_tool() && tip_.samples())) return;
+  if (attitude_.plans_tool() || attitude_.tip().active() || (positions_.along_tool() && attitude_.tip().samples()))
+    return;
   if (modal_.incremental() && fault(Fault::incremental_from_offset_position)) return;
   if (!x.is_small() || !y.is_small() || !z.is_small()) return;
   for (std::size_t axis = 0; axis < axes_.count; ++axis)
@@ -31,7 +32,7 @@ void Interpreter::await_side_lines() {
   const auto letter = [](char name) { return std::size_t{static_cast<unsigned char>(name)} - 'A' + 1; };
   side_lines_.letters =
       1U << letter('X') | 1U << letter('Y') | 1U << letter('Z') | 1U << letter('F') | 1U << letter('G');
-  if (along_tool()) {
+  if (positions_.along_tool()) {
     if (modal_.by_vector()) side_lines_.letters |= Words::set_of("IJK") << 1U;
   } else {
     for (std::size_t axis = 3; axis < axes_.count; ++axis)
@@ -40,7 +41,7 @@ void Interpreter::await_side_lines() {
   for (std::size_t i = 0; i < 3; ++i) side_lines_.word[letter('X') + i] = positions_.programmed()[i].small();
   side_lines_.at = {static_cast<double>(x.small()), static_cast<double>(y.small()), static_cast<double>(z.small())};
   side_lines_.plain = axes_.linear == kXyz && positions_.length().live() == 0 &&
-                      (!along_tool() || (along_length_ == 0 && positions_.displaced() == 0));
+                      (!positions_.along_tool() || (attitude_.along_length() == 0 && positions_.displaced() == 0));
   tool_side_.await_lines(side_lines_.plain);
 }
 
@@ -105,10 +106,10 @@ void Interpreter::side_block(const spec::Block& block) {
     return false;
 
   // What is done until the line is taken is of no harm where it is not.
-  const std::uint8_t direction = tool_.place();
+  const std::uint8_t direction = attitude_.directions().place();
   if ((letters & ~kXyzF) != 0) {
     if (directed) {
-      set_small_direction(tool_.next(), i, j, k);
+      set_small_direction(attitude_.directions().next(), i, j, k);
     } else {
       // Of those at a new place: a tool that stands still is not turned.
       unsigned turned = 0;
@@ -122,7 +123,7 @@ void Interpreter::side_block(const spec::Block& block) {
         if ((positions_.length().live() & bit(axis)) != 0) [[unlikely]]
           positions_.add_offset(axis);
       }
-      if ((turned & axes_.turning) != 0) turn();
+      if ((turned & axes_.turning) != 0) attitude_.turn();
     }
   }
   if ((letters & 1U << kF) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
@@ -130,8 +131,8 @@ void Interpreter::side_block(const spec::Block& block) {
     tool_side_.await_lines(side_lines_.plain);
   }
   fill_side_line(block, xy, z);
-  if (!tool_side_.take_line(way, corner, tool_.now())) [[unlikely]] {
-    tool_.go_back(direction);
+  if (!tool_side_.take_line(way, corner, attitude_.directions().now())) [[unlikely]] {
+    attitude_.directions().go_back(direction);
     return false;
   }
   store_pair(&side_lines_.at.x, xy);
@@ -159,7 +160,7 @@ void Interpreter::side_block(const spec::Block& block) {
     for (std::size_t axis = 5; axis < axes_.count; ++axis) event.axes.value[axis] = positions_.sent_to(axis);
   }
   if (event.tool_axis) {
-    const Eigen::Vector3d& unit = tool_.now().unit;
+    const Eigen::Vector3d& unit = attitude_.directions().now().unit;
     for (std::size_t i = 0; i < 3; ++i) (*event.tool_axis)[i] = unit[static_cast<Eigen::Index>(i)] + 0.0;  // never -0
   }
 }
