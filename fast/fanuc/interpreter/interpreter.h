@@ -14,6 +14,7 @@
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/fanuc/interpreter/axes.h"
 #include "fast/fanuc/interpreter/axis_positions.h"
+#include "fast/fanuc/interpreter/cutter_value.h"
 #include "fast/fanuc/interpreter/modal_state.h"
 #include "fast/fanuc/interpreter/tool_attitude.h"
 #include "fast/fanuc/interpreter/word_units.h"
@@ -44,11 +45,6 @@ class Interpreter {
  private:
   // What a block does to leading edge offset.
   enum class Compensation : std::uint8_t { off, starts, stays, cancels };
-  // A number of the cutter: D, or H where 5001#2 = 1.
-  struct OffsetNumber {
-    std::uint32_t number = 0;
-    bool from_h = false;
-  };
   // What the words of a block say about it, before anything is changed.
   struct Plan {
     Compensation compensation = Compensation::off;
@@ -64,12 +60,22 @@ class Interpreter {
     bool writes = false;
   };
 
+  // The arc of a block, if it is one.
+  struct BlockArc {
+    std::optional<spec::Arc<double>> event;
+    ArcWords words;
+  };
+
   // interpreter.cpp: one block, step by step.
   void any_block(const spec::Block& block);
   [[nodiscard]] Alarm run(const Words& words);
   // The short cut of run(), usual_block.h. False, and nothing is done: any other block.
   [[nodiscard]] bool usual_block(const Words& words, Alarm& alarm);
   [[nodiscard]] Alarm apply(const Words& words, const Plan& plan);
+  void take_codes(const Words& words, const Plan& plan);
+  [[nodiscard]] Alarm take_length(const Words& words, const Plan& plan, bool& extra);
+  void take_cutter(const Words& words, const Plan& plan);
+  [[nodiscard]] Alarm move(const Words& words, const Plan& plan, bool extra, const BlockArc& arc);
   void set_feed(const Words& words);
   void send_to(EventSink& sink);
   void write_offset(const OffsetMemory::Write& write);
@@ -134,19 +140,11 @@ class Interpreter {
   }
   // And with a number: 0 is none in C.
   [[nodiscard]] bool cutter_wanted(const Words& words) const {
-    return cutter_in_force(words) && (is_b_ || commanded_number(words).value_or(cutter_number_).number != 0);
+    return cutter_in_force(words) && (is_b_ || cutter_value_.number_after(words).number != 0);
   }
   [[nodiscard]] bool cutter_on() const { return is_b_ ? cutter_b_.active() : cutter_c_.on(); }
   [[nodiscard]] CutterBlock& cutter_next() { return is_b_ ? cutter_b_.next() : cutter_c_.next(); }
-  [[nodiscard]] std::optional<OffsetNumber> commanded_number(const Words& words) const;
-  [[nodiscard]] Count cutter_value(const OffsetNumber& number) const {
-    return number.from_h ? memory_.h(number.number) : memory_.d(number.number);
-  }
   [[nodiscard]] static CutterSide cutter_side(Code code);
-  // Whether this block takes an edited value of the cutter into force (EVR).
-  [[nodiscard]] bool takes_edited_value() const {
-    return cutter_edited_ && (evr_ || fault(Fault::edited_cutter_value_at_once));
-  }
   void begin_cutter(const Words& words);
   void start_cutter_leg(const Words& words, CutterSide word, bool d_word);
   // The plane has both its axes, and G45 to G48 have shifted none.
@@ -219,8 +217,7 @@ class Interpreter {
   // Numbers of compensation.
   std::uint32_t d_ = 0;
   double radius_ = 0;  // of D, when it was applied
-  bool ofh_;           // 5001#2: an H number counts for the cutter too
-  bool evr_;           // 5001#4: an edited cutter value counts from the next block on
+  CutterValue cutter_value_;
   CutterSide cutter_side_ = CutterSide::off;
   CutterSide tool_side_word_ = CutterSide::off;
   int tool_side_sign_ = 1;         // +1 left: by code and sign of the value
@@ -234,9 +231,6 @@ class Interpreter {
     Vector3<double> at;
   };
   SideLines side_lines_;
-  OffsetNumber cutter_number_;
-  Count cutter_offset_;  // of that number, when it was applied
-  bool cutter_edited_ = false;
   bool in_cutter_ = false;  // this block passes cutter compensation
   // The block.
   std::uint64_t line_ = 0;

@@ -20,20 +20,19 @@ CutterSide Interpreter::tool_side(Code code) {
   }
 }
 
-// The code of a block, and the value of its number. cutter_number_ is taken already.
+// The code of a block, and the value of its number. The number is taken already.
 void Interpreter::begin_tool_side(const Words& words) {
   const CutterSide word = tool_side(words.code(Words::kCompensation));
   const CutterSide before = tool_side_word_;
   if (word != CutterSide::unchanged) tool_side_word_ = word;
   tool_side_.next().repeated = word == before && word != CutterSide::off;
-  tool_side_wanted_ = tool_side_word_ != CutterSide::off && cutter_number_.number != 0;
+  tool_side_wanted_ = tool_side_word_ != CutterSide::off && cutter_value_.number().number != 0;
   if (tool_side_word_ == CutterSide::off) return;
-  if (before == CutterSide::off || commanded_number(words) || takes_edited_value()) {
-    cutter_offset_ = cutter_value(cutter_number_);
-    cutter_edited_ = false;
-    tool_side_.set_value(cutter_offset_ < Count() ? -cutter_offset_ : cutter_offset_);
+  if (before == CutterSide::off || cutter_value_.commanded(words) || cutter_value_.takes_edited()) {
+    cutter_value_.take_value();
+    tool_side_.set_value(cutter_value_.value() < Count() ? -cutter_value_.value() : cutter_value_.value());
   }
-  tool_side_sign_ = (tool_side_word_ == CutterSide::right) == (cutter_offset_ < Count()) ? 1 : -1;
+  tool_side_sign_ = (tool_side_word_ == CutterSide::right) == (cutter_value_.value() < Count()) ? 1 : -1;
 }
 
 // Everything about a line but Q and where it ends.

@@ -21,7 +21,7 @@ namespace toolcomp::fast {
   const auto uncompensated = [&] {
     return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
   };
-  const auto edited = [&] { return takes_edited_value() && !fault(Fault::usual_block_edited_value); };
+  const auto edited = [&] { return cutter_value_.takes_edited() && !fault(Fault::usual_block_edited_value); };
   const auto by_vector_alone = [&] {
     return (words.axes() & axes_.rotary) == 0 && ToolAttitude::names_direction(words);
   };

@@ -18,7 +18,8 @@ void Interpreter::await_side_lines() {
   const Count& y = positions_.programmed()[1];
   const Count& z = positions_.programmed()[2];
   side_lines_.letters = 0;
-  if (!tool_side_.awaits_line() || modal_.motion() > 10 || takes_edited_value() || positions_.length().pending())
+  if (!tool_side_.awaits_line() || modal_.motion() > 10 || cutter_value_.takes_edited() ||
+      positions_.length().pending())
     return;
   if (!axes_.letters.xyz_first || !units_.plain() || positions_.rounded() != 0 ||
       positions_.tool_offset().live() != 0 || positions_.stale() != 0)
