@@ -101,6 +101,8 @@ class Interpreter {
   // motion.cpp: own moves and their events. `own` words are positions; `extra`: a move even without them.
   [[nodiscard]] Alarm motion(const Words& words, Compensation compensation, bool own, bool extra,
                              const std::optional<spec::Arc<double>>& arc);
+  void set_any_travel(Move& move, const std::array<Count, 3>& from, Mask rounded) const;
+  [[nodiscard]] Alarm edge_motion(Compensation compensation);
   // The positions of these axes and what follows from them: the tool direction, and what the axes are sent to.
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes);
   // Of an arc everything but event.arc.
@@ -175,6 +177,8 @@ class Interpreter {
   // The usual line, without a detour: positions of few places, under G43.5 I J K, F and G00 or G01, and nothing of the
   // modal state that needs a look. False, and nothing is done: any other block.
   [[nodiscard]] bool side_line(const spec::Block& block);
+  [[nodiscard]] bool read_side_line(const spec::Block& block, std::uint32_t& letters);
+  void turn_side_line(std::uint32_t letters);
   // A block while usual lines may come.
   void side_block(const spec::Block& block);
   // Positions in 10^-6.

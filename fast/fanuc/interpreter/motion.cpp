@@ -8,6 +8,30 @@ namespace toolcomp::fast {
 
 void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) { fill_here(event, type, cause); }
 
+// The travel of a block, whatever its positions are.
+void Interpreter::set_any_travel(Move& move, const std::array<Count, 3>& from, Mask rounded) const {
+  Mask xyz = 0;
+  for (const std::size_t axis : axes_.xyz)
+    if (axis != spec::Axes::kNone) xyz = static_cast<Mask>(xyz | bit(axis));
+  set_displacement(move.displacement, from, positions_.programmed_xyz(), (rounded & xyz) != 0 ? 2 : 0);
+}
+
+// The move that starts or ends leading edge offset.
+Alarm Interpreter::edge_motion(Compensation compensation) {
+  Move& move = leading_edge_.next();
+  if (compensation == Compensation::starts) {
+    fill(move.event, modal_.straight(), spec::Cause::start_up);
+    move.direction = &attitude_.directions().now();
+    move.radius = radius_;
+    leading_edge_.start();
+    return alarm::kNone;
+  }
+  if (const Alarm a = leading_edge_.finish()) return a;
+  fill(leading_edge_.next().event, modal_.straight(), spec::Cause::cancel);
+  leading_edge_.cancel();
+  return alarm::kNone;
+}
+
 Alarm Interpreter::motion(const Words& words, Compensation compensation, bool own, bool extra,
                           const std::optional<spec::Arc<double>>& arc) {
   const Mask axes = own ? words.axes() : Mask{0};
@@ -61,11 +85,7 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
           from[1].set_small(from_y);
           from[2].set_small(from_z);
         }
-        Mask xyz = 0;
-        for (const std::size_t axis : axes_.xyz)
-          if (axis != spec::Axes::kNone) xyz = static_cast<Mask>(xyz | bit(axis));
-        const auto rounded = static_cast<Mask>((rounded_before | positions_.rounded()) & axes & xyz);
-        set_displacement(move.displacement, from, {x, y, z}, rounded != 0 ? 2 : 0);
+        set_any_travel(move, from, static_cast<Mask>((rounded_before | positions_.rounded()) & axes));
       }
       move.direction = &attitude_.directions().now();
       move.radius = radius_;
@@ -73,19 +93,9 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
       if (const Alarm a = leading_edge_.block(event, !move.displacement.zero)) raise_at_start(a);
       return alarm::kNone;
     }
-    case Compensation::starts: {
-      Move& move = leading_edge_.next();
-      fill(move.event, modal_.straight(), spec::Cause::start_up);
-      move.direction = &attitude_.directions().now();
-      move.radius = radius_;
-      leading_edge_.start();
-      return alarm::kNone;
-    }
+    case Compensation::starts:
     case Compensation::cancels:
-      if (const Alarm a = leading_edge_.finish()) return a;
-      fill(leading_edge_.next().event, modal_.straight(), spec::Cause::cancel);
-      leading_edge_.cancel();
-      return alarm::kNone;
+      return edge_motion(compensation);
   }
   return alarm::kNone;
 }

@@ -6,6 +6,17 @@
 #include "fast/fanuc/tool_side_compensation/usual_line.h"
 
 namespace toolcomp::fast {
+namespace {
+
+// Of side_lines_.word and of the letters.
+constexpr std::size_t kF = 'F' - 'A' + 1;
+constexpr std::size_t kG = 'G' - 'A' + 1;
+constexpr std::size_t kI = 'I' - 'A' + 1;
+constexpr std::size_t kX = 'X' - 'A' + 1;
+constexpr std::uint32_t kDirection = Words::set_of("IJK") << 1U;
+constexpr std::uint32_t kXyzF = Words::set_of("XYZ") << 1U | 1U << kF | 1U << kG;
+
+}  // namespace
 
 // The offsets of length are far below what the sum with a word of few digits could take.
 void Interpreter::await_side_lines() {
@@ -53,22 +64,14 @@ void Interpreter::side_block(const spec::Block& block) {
   any_block(block);
 }
 
-[[gnu::always_inline]] inline bool Interpreter::side_line(const spec::Block& block) {
-  if (stopped_ || block.alarm) [[unlikely]]
-    return false;
-  constexpr std::size_t kF = 'F' - 'A' + 1;
-  constexpr std::size_t kG = 'G' - 'A' + 1;
-  constexpr std::size_t kI = 'I' - 'A' + 1;
-  constexpr std::size_t kX = 'X' - 'A' + 1;
-  constexpr std::uint32_t kDirection = Words::set_of("IJK") << 1U;
-  constexpr std::uint32_t kXyz = Words::set_of("XYZ") << 1U;
-  constexpr std::uint32_t kXyzF = kXyz | 1U << kF | 1U << kG;
+// The words of the line, and which letters there are. False: not those of a usual line.
+[[gnu::always_inline]] inline bool Interpreter::read_side_line(const spec::Block& block, std::uint32_t& letters) {
   side_lines_.word[kI] = 0;
   side_lines_.word[kI + 1] = 0;
   side_lines_.word[kI + 2] = 0;
   if (modal_.incremental()) [[unlikely]]
     for (std::size_t i = 0; i < 3; ++i) side_lines_.word[kX + i] = 0;
-  std::uint32_t letters = 0;
+  letters = 0;
   std::uint64_t digits = 0;
   unsigned shapes = 0;
   for (const spec::Word& word : block.words()) {
@@ -84,17 +87,45 @@ void Interpreter::side_block(const spec::Block& block) {
   if ((letters & 1U << kG) != 0 && (10 * side_lines_.word[kG] != modal_.motion() * Count::kSmallPerOne ||
                                     static_cast<std::size_t>(std::popcount(letters)) != block.words().size()))
     return false;
+  const bool directed = (letters & kDirection) != 0;
+  if (directed && (side_lines_.word[kI] | side_lines_.word[kI + 1] | side_lines_.word[kI + 2]) == 0) [[unlikely]]
+    return false;
+  return true;
+}
+
+// The direction of the tool by these letters: I J K, or rotary axes.
+[[gnu::always_inline]] inline void Interpreter::turn_side_line(std::uint32_t letters) {
+  if ((letters & kDirection) != 0) {
+    set_small_direction(attitude_.directions().next(), side_lines_.word[kI], side_lines_.word[kI + 1],
+                        side_lines_.word[kI + 2]);
+    return;
+  }
+  // Of those at a new place: a tool that stands still is not turned.
+  unsigned turned = 0;
+  for (unsigned rest = axes_.letters.positions(letters >> 1U) & ~0b111U; rest != 0; rest &= rest - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
+    const std::int64_t small = side_lines_.word[axes_.letters.index[axis] + 1U];
+    const Count& place = positions_.programmed()[axis];
+    if (place.is_small() && place.small() == small) continue;
+    turned |= bit(axis);
+    positions_.place_small(axis, small);
+    if ((positions_.length().live() & bit(axis)) != 0) [[unlikely]]
+      positions_.add_offset(axis);
+  }
+  if ((turned & axes_.turning) != 0) attitude_.turn();
+}
+
+[[gnu::always_inline]] inline bool Interpreter::side_line(const spec::Block& block) {
+  if (stopped_ || block.alarm) [[unlikely]]
+    return false;
+  std::uint32_t letters = 0;
+  if (!read_side_line(block, letters)) [[unlikely]]
+    return false;
   // X and Y side by side: made so at once, and never apart in memory.
   DoublePair xy{static_cast<double>(side_lines_.word[kX]), static_cast<double>(side_lines_.word[kX + 1])};
   auto z = static_cast<double>(side_lines_.word[kX + 2]);
-  const std::int64_t i = side_lines_.word[kI];
-  const std::int64_t j = side_lines_.word[kI + 1];
-  const std::int64_t k = side_lines_.word[kI + 2];
-  const bool directed = (letters & kDirection) != 0;
-  if (directed && (i | j | k) == 0) [[unlikely]]
-    return false;
   if (modal_.incremental()) [[unlikely]] {
-    if ((letters & ~kXyzF) != 0 && !directed) return false;
+    if ((letters & ~kXyzF) != 0 && (letters & kDirection) == 0) return false;
     xy += load_pair(&side_lines_.at.x);
     z += side_lines_.at.z;
     constexpr auto kLimit = static_cast<double>(std::int64_t{1} << 52U);
@@ -108,25 +139,7 @@ void Interpreter::side_block(const spec::Block& block) {
 
   // What is done until the line is taken is of no harm where it is not.
   const std::uint8_t direction = attitude_.directions().place();
-  if ((letters & ~kXyzF) != 0) {
-    if (directed) {
-      set_small_direction(attitude_.directions().next(), i, j, k);
-    } else {
-      // Of those at a new place: a tool that stands still is not turned.
-      unsigned turned = 0;
-      for (unsigned rest = axes_.letters.positions(letters >> 1U) & ~0b111U; rest != 0; rest &= rest - 1) {
-        const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-        const std::int64_t small = side_lines_.word[axes_.letters.index[axis] + 1U];
-        const Count& place = positions_.programmed()[axis];
-        if (place.is_small() && place.small() == small) continue;
-        turned |= bit(axis);
-        positions_.place_small(axis, small);
-        if ((positions_.length().live() & bit(axis)) != 0) [[unlikely]]
-          positions_.add_offset(axis);
-      }
-      if ((turned & axes_.turning) != 0) attitude_.turn();
-    }
-  }
+  if ((letters & ~kXyzF) != 0) turn_side_line(letters);
   if ((letters & 1U << kF) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
     modal_.set_feed(Count::nearest_small(side_lines_.word[kF]));
     tool_side_.await_lines(side_lines_.plain);
