@@ -408,20 +408,8 @@ Int128 from_zero(Int128 x) { return magnitude(x - kTurn * turns_to(0, x)); }
 
 }  // namespace
 
-bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end) const {
-  const Vector3<DoubleDouble> fine = fine_seen(tool);
-  set_direction(tool, fine, end);
-  PolarRoots roots;
-  const Reach reach = polar_.solve(fine, roots);
-  if (reach == Reach::none) return false;
-
-  struct Pair {
-    std::array<Int128, 2> value;
-    int branch = 1;
-  };
-  std::array<Pair, 8> pairs;
-  std::size_t size = 0;
-  const std::array<Int128, 2> from{count(present, 0).units(), count(present, 1).units()};
+Machine::FinePairs Machine::fine_pairs(const PolarRoots& roots, Reach reach, const std::array<Int128, 2>& from) const {
+  FinePairs pairs;
   const int branches = reach == Reach::two_pairs ? 2 : 1;
   for (int b = 0; b < branches; ++b) {
     std::array<Values, 2> values;
@@ -449,35 +437,48 @@ bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end)
     }
     for (std::size_t i = 0; i < values[0].size; ++i)
       for (std::size_t j = 0; j < values[1].size; ++j)
-        pairs[size++] = {{values[0].value[i], values[1].value[j]}, b == 0 ? 1 : -1};
+        pairs.pair[pairs.size++] = {{values[0].value[i], values[1].value[j]}, b == 0 ? 1 : -1};
   }
-  if (size == 0) return false;
+  return pairs;
+}
+
+bool Machine::choose_fine(const Direction& tool, const Pose& present, Pose& end) const {
+  const Vector3<DoubleDouble> fine = fine_seen(tool);
+  set_direction(tool, fine, end);
+  PolarRoots roots;
+  const Reach reach = polar_.solve(fine, roots);
+  if (reach == Reach::none) return false;
+
+  const std::array<Int128, 2> from{count(present, 0).units(), count(present, 1).units()};
+  FinePairs pairs = fine_pairs(roots, reach, from);
+  if (pairs.size == 0) return false;
 
   // Keeps the pairs with the smallest measure.
   const auto keep = [&](const auto& measure) {
-    Int128 least = measure(pairs[0]);
-    for (std::size_t i = 1; i < size; ++i) least = std::min(least, measure(pairs[i]));
+    Int128 least = measure(pairs.pair[0]);
+    for (std::size_t i = 1; i < pairs.size; ++i) least = std::min(least, measure(pairs.pair[i]));
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < size; ++i)
-      if (measure(pairs[i]) <= least + 2 * kSlack) pairs[kept++] = pairs[i];
-    size = kept;
+    for (std::size_t i = 0; i < pairs.size; ++i)
+      if (measure(pairs.pair[i]) <= least + 2 * kSlack) pairs.pair[kept++] = pairs.pair[i];
+    pairs.size = kept;
   };
   const std::size_t first = judged_first_;
   const std::array<std::size_t, 2> order{first, 1 - first};
   if (fault(Fault::tip_second_axis_first))
-    keep([&](const Pair& p) { return magnitude(p.value[1 - first] - from[1 - first]); });
-  for (const std::size_t i : order) keep([&](const Pair& p) { return magnitude(p.value[i] - from[i]); });
-  for (const std::size_t i : order) keep([&](const Pair& p) { return from_zero(p.value[i]); });
-  for (const std::size_t i : order) keep([&](const Pair& p) { return -p.value[i]; });
+    keep([&](const FinePair& p) { return magnitude(p.value[1 - first] - from[1 - first]); });
+  for (const std::size_t i : order) keep([&](const FinePair& p) { return magnitude(p.value[i] - from[i]); });
+  for (const std::size_t i : order) keep([&](const FinePair& p) { return from_zero(p.value[i]); });
+  for (const std::size_t i : order) keep([&](const FinePair& p) { return -p.value[i]; });
+  const FinePair& chosen = pairs.pair[0];
   for (std::size_t i = 0; i < 2; ++i) {
-    const bool stays = reach == Reach::singular && i == work_side() && pairs[0].value[i] == from[i];
+    const bool stays = reach == Reach::singular && i == work_side() && chosen.value[i] == from[i];
     if (stays && present.axis[i].kind == RotaryPosition::Kind::exact)
       end.axis[i] = present.axis[i];
     else
-      set_rounded(end, i, Count::of_units(pairs[0].value[i]));
+      set_rounded(end, i, Count::of_units(chosen.value[i]));
   }
   if (reach == Reach::two_pairs)
-    set_branch(end, pairs[0].branch);
+    set_branch(end, chosen.branch);
   else
     set_branch(end);
   return true;

@@ -187,6 +187,17 @@ class Machine {
   [[nodiscard]] int nearer(const PolarPairs& pairs, const Pose& present) const;
   // The short cut of choose_fine(), usual_pair.cpp. False where doubles cannot tell.
   [[nodiscard]] bool usual_pair(const Direction& tool, const Pose& present, Pose& end) const;
+  // Pairs of positions inside the movement ranges, in units of counts, and their branches.
+  struct FinePair {
+    std::array<Int128, 2> value{};
+    int branch = 1;
+  };
+  struct FinePairs {
+    std::array<FinePair, 8> pair;
+    std::size_t size = 0;
+  };
+  // Those that a direction allows, each at the whole turns next to where the axes stand.
+  [[nodiscard]] FinePairs fine_pairs(const PolarRoots& roots, Reach reach, const std::array<Int128, 2>& from) const;
   [[nodiscard]] bool choose_fine(const Direction& tool, const Pose& present, Pose& end) const;
   template <class T>
   [[nodiscard]] Vector3<T> turn(std::size_t i, const Vector3<T>& v, const SineCosine<T>& by, bool back = false) const;

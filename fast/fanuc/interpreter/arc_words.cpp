@@ -18,7 +18,7 @@ Alarm Interpreter::plan_arc(const Words& words, std::optional<spec::Arc<double>>
     if ((words.axes() & bit(axis)) != 0) end[i] = target(words, axis) + positions_.tool_offset()[axis];
   }
   if (!end[0].in_range() || !end[1].in_range()) return alarm::kRange;
-  read_arc(words, arc_words);
+  modal_.read_arc(words, units_, arc_words);
   const auto& [clockwise, by_radius, to_center, radius] = arc_words;
   ArcGeometry geometry;
   Alarm a;

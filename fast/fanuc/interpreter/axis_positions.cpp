@@ -1,5 +1,6 @@
 #include "fast/fanuc/interpreter/axis_positions.h"
 
+#include "fast/basis/fault.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::fast {
@@ -21,6 +22,13 @@ Alarm AxisPositions::place(std::size_t axis, const Count& position) {
   programmed_value_[axis] = position.nearest();
   stale_ = static_cast<Mask>(stale_ | bit(axis));
   return alarm::kNone;
+}
+
+Count AxisPositions::target(const Words& words, std::size_t axis, const WordUnits& units, bool incremental) const {
+  const Count word = units.value(words.axis(axis), (axes_.linear & bit(axis)) != 0);
+  if (!incremental) return word;
+  if (fault(Fault::incremental_from_offset_position)) return programmed_[axis] + length_[axis] + word;
+  return programmed_[axis] + word;
 }
 
 Alarm AxisPositions::refresh() {

@@ -9,6 +9,7 @@
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
 #include "fast/fanuc/interpreter/axes.h"
+#include "fast/fanuc/interpreter/word_units.h"
 #include "fast/fanuc/tool_length_offset/tool_length_offset.h"
 #include "fast/fanuc/tool_offset/tool_offset.h"
 #include "spec/language/setup.h"
@@ -29,6 +30,9 @@ class AxisPositions {
   [[nodiscard]] ToolOffset& tool_offset() { return tool_offset_; }
   [[nodiscard]] const ToolOffset& tool_offset() const { return tool_offset_; }
 
+  // Under G43.4 or G43.5: the length is along the tool.
+  [[nodiscard]] bool along_tool() const { return length_.mode() == ToolLengthOffset::Mode::along_tool; }
+
   // --- programmed positions ---
   [[nodiscard]] const Positions& programmed() const { return programmed_; }
   // An axis that is not there stands at 0.
@@ -46,7 +50,11 @@ class AxisPositions {
 
   // A new position, if it is in range; the axis is stale.
   [[nodiscard]] Alarm place(std::size_t axis, const Count& position);
-  // The same unchecked, and nothing is stale.
+  // Where the word of an axis commands it to.
+  [[nodiscard]] Count target(const Words& words, std::size_t axis, const WordUnits& units, bool incremental) const;
+  // The positions of these axes, by their words (usual_words.h).
+  [[nodiscard]] Alarm place_words(const Words& words, Mask axes, const WordUnits& units, bool incremental);
+  // As place(), unchecked, and nothing is stale.
   void set(std::size_t axis, const Count& position) {
     programmed_[axis] = position;
     programmed_value_[axis] = position.nearest();
@@ -107,7 +115,7 @@ class AxisPositions {
   void mark_displaced();
   void fill_displaced_machine(Event& event) const;
 
-  const ControlAxes& axes_;
+  ControlAxes axes_;  // a copy at hand: every block asks
   ToolLengthOffset length_;
   ToolOffset tool_offset_;
   std::array<Positions, 6> origin_;

@@ -27,9 +27,9 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
 
   plan.motion = words.code(Words::kMotion) == kNone ? modal_.motion() : words.code(Words::kMotion);
   const Code length = words.code(Words::kLength);
-  plan.along = words.starts_tip_control() || (along_tool() && length != 490);
+  plan.along = words.starts_tip_control() || (positions_.along_tool() && length != 490);
   plan.vector = length == 435 || (modal_.by_vector() && length != 434 && length != 490);
-  plan.ends_along = along_tool() && (length == 490 || words.starts_tip_control());
+  plan.ends_along = positions_.along_tool() && (length == 490 || words.starts_tip_control());
   const bool active = leading_edge_.active();
   // G41 and G42 do not end leading edge offset, they are forbidden in it; with number 0 it ends.
   plan.cutter = cutter_code || one_shot == 390 || cutter_active();
@@ -42,9 +42,9 @@ Alarm Interpreter::check(const Words& words, Plan& plan) const {
 
   const CutterSide side = tool_side(code) == CutterSide::unchanged ? tool_side_word_ : tool_side(code);
   plan.side_before = tool_side_on();
-  plan.side_after = side != CutterSide::off && commanded_number(words).value_or(cutter_number_).number != 0;
+  plan.side_after = side != CutterSide::off && cutter_value_.number_after(words).number != 0;
 
-  if (words.starts_tip_control() || along_tool())
+  if (words.starts_tip_control() || positions_.along_tool())
     if (const Alarm a = check_tip_control(words, plan)) return a;
   if (active || code == 413)
     if (const Alarm a = check_leading_edge(words, plan)) return a;
@@ -123,9 +123,9 @@ Alarm Interpreter::check_tool_side(const Words& words, const Plan& plan) const {
   }
 
   // The value is read where the number is given, where a code comes into force, and after an edit.
-  const std::optional<OffsetNumber> commanded = commanded_number(words);
-  const bool reads = commanded || (after && tool_side_word_ == CutterSide::off) || takes_edited_value();
-  if (after && reads && !memory_.fits(cutter_value(commanded.value_or(cutter_number_)))) return alarm::kOffsetValue;
+  const std::optional<CutterValue::Number> commanded = cutter_value_.commanded(words);
+  const bool reads = commanded || (after && tool_side_word_ == CutterSide::off) || cutter_value_.takes_edited();
+  if (after && reads && !memory_.fits(cutter_value_.of(cutter_value_.number_after(words)))) return alarm::kOffsetValue;
   return alarm::kNone;
 }
 
@@ -145,7 +145,7 @@ Alarm Interpreter::check_cutter(const Words& words, const Plan& plan) const {
     return alarm::kForbiddenInCutterCompensation;
   if (words.is_tool_offset() && (on || cutter_wanted(words))) return alarm::kToolOffsetInCutter;
 
-  const std::optional<OffsetNumber> commanded = commanded_number(words);
+  const std::optional<CutterValue::Number> commanded = cutter_value_.commanded(words);
   Mask in_plane = 0;
   for (const std::size_t i : axis)
     if (i != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(i));
@@ -168,12 +168,13 @@ Alarm Interpreter::check_cutter(const Words& words, const Plan& plan) const {
   command.arc = plan.motion > 10 && one_shot == kNone &&
                 (command.plane_word || words.has('R') || words.has_any(kDirectionLetters));
   command.d_word = commanded.has_value();
-  command.d = commanded.value_or(cutter_number_).number;
+  command.d = cutter_value_.number_after(words).number;
   if (const Alarm a = is_b_ ? cutter_b_.check(command) : cutter_c_.check(command)) return a;
 
   // The value is read where the number is given, where G41 or G42 comes into force, and after an edit.
-  const bool reads = commanded || (in_force && cutter_side_ == CutterSide::off) || takes_edited_value();
-  if (in_force && reads && !memory_.fits(cutter_value(commanded.value_or(cutter_number_)))) return alarm::kOffsetValue;
+  const bool reads = commanded || (in_force && cutter_side_ == CutterSide::off) || cutter_value_.takes_edited();
+  if (in_force && reads && !memory_.fits(cutter_value_.of(cutter_value_.number_after(words))))
+    return alarm::kOffsetValue;
   return alarm::kNone;
 }
 

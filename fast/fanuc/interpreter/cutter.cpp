@@ -1,15 +1,9 @@
 // Blocks that pass cutter compensation, B or C: what the stage is told about each.
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/own_move.h"
 #include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
-
-// The number a block commands: its D, or with 5001#2 = 1 its H where it has no D.
-std::optional<Interpreter::OffsetNumber> Interpreter::commanded_number(const Words& words) const {
-  if (words.has('D')) return OffsetNumber{whole_number(words['D'], memory_.count()), false};
-  if (ofh_ && words.has('H')) return OffsetNumber{whole_number(words['H'], memory_.count()), true};
-  return std::nullopt;
-}
 
 CutterSide Interpreter::cutter_side(Code code) {
   switch (code) {
@@ -29,14 +23,13 @@ CutterSide Interpreter::cutter_side(Code code) {
   }
 }
 
-// What the codes and numbers of a block say to the stage, and where its path starts. cutter_number_ is taken already.
+// What the codes and numbers of a block say to the stage, and where its path starts. The number is taken already.
 void Interpreter::begin_cutter(const Words& words) {
-  const bool d_word = commanded_number(words).has_value();
+  const bool d_word = cutter_value_.commanded(words).has_value();
   const CutterSide word = cutter_side(words.code(Words::kCompensation));
   const bool begins = cutter_side_ == CutterSide::off && word != CutterSide::off && word != CutterSide::unchanged;
-  if (begins || d_word || takes_edited_value()) {
-    cutter_offset_ = cutter_value(cutter_number_);
-    cutter_edited_ = false;
+  if (begins || d_word || cutter_value_.takes_edited()) {
+    cutter_value_.take_value();
   }
   if (word != CutterSide::unchanged) cutter_side_ = word;
   start_cutter_leg(words, word, d_word);
@@ -49,8 +42,8 @@ void Interpreter::start_cutter_leg(const Words& words, CutterSide word, bool d_w
   block.word = word;
   block.side = cutter_side_;
   block.d_word = d_word;
-  block.d = cutter_number_.number;
-  block.offset = cutter_offset_;
+  block.d = cutter_value_.number().number;
+  block.offset = cutter_value_.value();
   block.plane = modal_.plane();
   block.axis = modal_.plane_axis();
   block.named = 0;
@@ -85,9 +78,9 @@ Alarm Interpreter::refuse_cutter_move(const Words& words, CutterBlock& block, co
 // The alarms of an arc from block.start to block.end, in their order, its words and its centre. Sweep and radii are
 // left to the stage.
 Alarm Interpreter::read_cutter_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const {
-  if (const Alarm a = cutter_c_.check_arc(CutterSide::unchanged, cutter_number_.number)) return a;
+  if (const Alarm a = cutter_c_.check_arc(CutterSide::unchanged, cutter_value_.number().number)) return a;
   if (!block.end[0].in_range() || !block.end[1].in_range()) return alarm::kRange;
-  read_arc(words, block);
+  modal_.read_arc(words, units_, block);
   if (block.by_radius) return center_by_radius(block.start, block.end, block.radius, block.clockwise, center);
   // An arc about its start is refused by the stage.
   if (block.to_center[0].is_zero() && block.to_center[1].is_zero()) [[unlikely]]

@@ -7,14 +7,12 @@
 namespace toolcomp::fast {
 
 Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_t samples)
-    : machine_angles_(setup.rotary_angles == spec::RotaryAngles::machine),
-      kinematics_(setup),
-      machine_(setup, kinematics_),
+    : kinematics_(setup),
       axes_(setup, kinematics_),
       units_(setup),
       modal_(axes_.xyz),
       positions_(setup, axes_),
-      posture_(setup, machine_),
+      attitude_(setup, kinematics_, axes_, units_, modal_, positions_, sink, samples),
       memory_(setup),
       measurement_(setup),
       sink_(sink),
@@ -23,14 +21,12 @@ Interpreter::Interpreter(const spec::Setup& setup, EventSink& sink, std::uint32_
       cutter_b_(setup, sink),
       cutter_c_(setup, sink),
       tool_side_(setup, kinematics_, sink),
-      tip_(setup, machine_, sink, samples),
-      ofh_(setup.bit(5001, 2)),
-      evr_(setup.bit(5001, 4)) {
+      cutter_value_(setup, memory_) {
   if (setup.control != spec::Control::fanuc)
     throw spec::InputError("setup", 0, 0, "control: only \"fanuc\" programs can be run");
   positions_.read(setup);
-  take_zeros();
-  if (kinematics_.defined()) turn();
+  attitude_.take_zeros();
+  if (kinematics_.defined()) attitude_.turn();
 }
 
 void Interpreter::block(const spec::Block& block) {
@@ -132,72 +128,29 @@ void Interpreter::set_feed(const Words& words) { modal_.set_feed(units_.feed(wor
 
 // Everything is allowed but what depends on positions (arcs) and on the length offset, whose alarms come last.
 Alarm Interpreter::apply(const Words& words, const Plan& plan) {
-  modal_.set_motion(plan.motion);
-  if (const Code code = words.code(Words::kPlane); code != kNone) modal_.select_plane(plane_of(code));
-  if (const Code code = words.code(Words::kDistance); code != kNone) modal_.set_incremental(code == 910);
-  if (const Code code = words.code(Words::kUnits); code != kNone) units_.select(code);
-  if (words.has('F')) set_feed(words);
-  if (plan.ends_along) {
-    if (tip_.active())
-      end_tip_control(plan.along);
-    else
-      end_tool_direction(plan.along);
-  }
-  modal_.set_by_vector(plan.vector);
-  if (const Code code = words.code(Words::kWorkpiece); code != kNone) {
-    select_workpiece(code);
-    if (plan.cutter) rename_in_cutter();
-  }
-
+  take_codes(words, plan);
   const Code one_shot = words.code(Words::kOneShot);
-  std::optional<spec::Arc<double>> arc;
-  ArcWords arc_words;
+  BlockArc arc;
   if ((one_shot == kNone || words.is_tool_offset()) && modal_.motion() > 10)
     if (const Alarm a =
-            plan_arc(words, arc, arc_words, !makes_tool_arc(words) && !(plan.side_before || plan.side_after)))
+            plan_arc(words, arc.event, arc.words, !makes_tool_arc(words) && !(plan.side_before || plan.side_after)))
       return a;
   Shifts shifts;
   if (words.is_tool_offset())
-    if (const Alarm a = plan_tool_offset(words, arc_words, arc, shifts)) return a;
+    if (const Alarm a = plan_tool_offset(words, arc.words, arc.event, shifts)) return a;
 
-  positions_.length().begin_block();
-  if (const Alarm a = positions_.length().restore(words, memory_)) return a;
-  if (const Alarm a = positions_.length().apply(words, memory_, modal_.normal_axis())) return a;
-  if (positions_.length().changed()) positions_.make_stale();
-  if (plan.along) along_length_ = tool_length().nearest();
-  // G43.4 and G43.5 always make their move; the G49 that ends them makes none.
-  const bool extra = words.starts_tip_control() ||
-                     (positions_.length().changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
-  tool_.begin_block();
-  if (plan.along) {
-    // Moves that a compensation inserts are none of the block; G41.3 and its G40 take a change of the length along.
-    const bool edge = plan.compensation == Compensation::starts || plan.compensation == Compensation::cancels;
-    const bool type_c = tool_side_.type() == StartType::c && plan.side_before != plan.side_after;
-    samples_block_ = !words.starts_tip_control() && !edge && (!type_c || extra);
-    if (words.starts_tip_control()) begin_tip_control(words);
-    if (!tip_.active() && (!plans_tool_ || starts_tip_)) direct(words);
-  }
-
+  bool extra = false;
+  if (const Alarm a = take_length(words, plan, extra)) return a;
   d_ = plan.d;
   if (plan.compensation == Compensation::starts || (plan.compensation == Compensation::stays && words.has('D')))
     radius_ = memory_.d(d_).nearest();
   if (words.suppresses_look_ahead() &&
       (plan.compensation == Compensation::stays || plan.compensation == Compensation::cancels))
     if (const Alarm a = leading_edge_.release()) return a;
-
   in_cutter_ = plan.cutter;
-  if (const std::optional<OffsetNumber> number = commanded_number(words)) cutter_number_ = *number;
-  if (in_cutter_) {
-    begin_cutter(words);
-    const Code code = words.code(Words::kCompensation);
-    const bool retires = code == 413 || is_tool_side(code) || words.is_tool_offset() || words.starts_tip_control() ||
-                         plan.compensation == Compensation::cancels;
-    CutterBlock& block = cutter_next();
-    block.sets = plan.writes && !retires;
-    if (block.sets) store_offset(plan.write, block.setting, block.setting_value);
-    if (retires) retire_cutter();
-    if (stopped_) return alarm::kNone;
-  }
+  cutter_value_.take_number(words);
+  if (in_cutter_) take_cutter(words, plan);
+  if (stopped_) return alarm::kNone;
   begin_tool_side(words);
   if (plan.side_before || plan.side_after) {
     if (words.suppresses_look_ahead())
@@ -205,14 +158,73 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
         end_run(end);
         return alarm::kNone;
       }
-    return tool_side_motion(words, extra, arc, arc_words);
+    return tool_side_motion(words, extra, arc.event, arc.words);
   }
   if (const Alarm a = for_each_axis(shifts.axes, [&](std::size_t axis) {
         positions_.tool_offset().add(axis, shifts.by[axis]);
         return positions_.tool_offset()[axis].in_range() ? alarm::kNone : alarm::kRange;
       }))
     return a;
+  return move(words, plan, extra, arc);
+}
 
+// The codes and values that stay in force, but for offsets.
+void Interpreter::take_codes(const Words& words, const Plan& plan) {
+  modal_.set_motion(plan.motion);
+  if (const Code code = words.code(Words::kPlane); code != kNone) modal_.select_plane(plane_of(code));
+  if (const Code code = words.code(Words::kDistance); code != kNone) modal_.set_incremental(code == 910);
+  if (const Code code = words.code(Words::kUnits); code != kNone) units_.select(code);
+  if (words.has('F')) set_feed(words);
+  if (plan.ends_along) {
+    attitude_.end(plan.along);
+    send_to(sink_);
+  }
+  modal_.set_by_vector(plan.vector);
+  if (const Code code = words.code(Words::kWorkpiece); code != kNone) {
+    select_workpiece(code);
+    if (plan.cutter) rename_in_cutter();
+  }
+}
+
+// The length offset, on the axes or along the tool. `extra`: the block moves without axis words too.
+Alarm Interpreter::take_length(const Words& words, const Plan& plan, bool& extra) {
+  ToolLengthOffset& length = positions_.length();
+  length.begin_block();
+  if (const Alarm a = length.restore(words, memory_)) return a;
+  if (const Alarm a = length.apply(words, memory_, modal_.normal_axis())) return a;
+  if (length.changed()) positions_.make_stale();
+  if (plan.along) attitude_.take_length();
+  // G43.4 and G43.5 always make their move; the G49 that ends them makes none.
+  extra = words.starts_tip_control() || (length.changed() && !plan.ends_along && !fault(Fault::zero_move_missing));
+  attitude_.directions().begin_block();
+  if (!plan.along) return alarm::kNone;
+  // Moves that a compensation inserts are none of the block; G41.3 and its G40 take a change of the length along.
+  const bool edge = plan.compensation == Compensation::starts || plan.compensation == Compensation::cancels;
+  const bool type_c = tool_side_.type() == StartType::c && plan.side_before != plan.side_after;
+  attitude_.set_sampled(!words.starts_tip_control() && !edge && (!type_c || extra));
+  if (words.starts_tip_control()) {
+    attitude_.begin(words);
+    if (attitude_.completes_moves()) send_to(attitude_.tip());
+  }
+  if (!attitude_.tip().active() && (!attitude_.plans_tool() || attitude_.starts())) attitude_.direct(words);
+  return alarm::kNone;
+}
+
+// What the codes and numbers of a block say to cutter compensation.
+void Interpreter::take_cutter(const Words& words, const Plan& plan) {
+  begin_cutter(words);
+  const Code code = words.code(Words::kCompensation);
+  const bool retires = code == 413 || is_tool_side(code) || words.is_tool_offset() || words.starts_tip_control() ||
+                       plan.compensation == Compensation::cancels;
+  CutterBlock& block = cutter_next();
+  block.sets = plan.writes && !retires;
+  if (block.sets) store_offset(plan.write, block.setting, block.setting_value);
+  if (retires) retire_cutter();
+}
+
+// The moves of a block outside tool side compensation.
+Alarm Interpreter::move(const Words& words, const Plan& plan, bool extra, const BlockArc& arc) {
+  const Code one_shot = words.code(Words::kOneShot);
   if (words.axes() != 0) switch (one_shot) {
       case 280:
       case 300:
@@ -229,19 +241,26 @@ Alarm Interpreter::apply(const Words& words, const Plan& plan) {
         break;
     }
   if (in_cutter_)
-    return one_shot == 920 ? shift_in_cutter(words, extra) : cutter_motion(words, one_shot, extra, arc, arc_words);
+    return one_shot == 920 ? shift_in_cutter(words, extra)
+                           : cutter_motion(words, one_shot, extra, arc.event, arc.words);
   const bool own = one_shot == kNone || words.is_tool_offset();
-  if (const Alarm a = motion(words, plan.compensation, own, extra, arc)) return a;
+  if (const Alarm a = motion(words, plan.compensation, own, extra, arc.event)) return a;
   if (one_shot == 920) return shift_coordinates(words);
   if (plan.writes) write_offset(plan.write);
   return alarm::kNone;
+}
+
+// Where the moves of blocks go. Nothing is held where G43.4 or G43.5 begins or ends.
+void Interpreter::send_to(EventSink& sink) {
+  leading_edge_.set_sink(sink);
+  tool_side_.set_sink(sink);
 }
 
 void Interpreter::store_offset(const OffsetMemory::Write& write, spec::Name& name, double& stored) {
   name = memory_.store(write);
   stored = memory_.value(write).nearest();
   if (memory_.changes_h(write)) positions_.length().edited(write.number);
-  cutter_edited_ = true;
+  cutter_value_.edit();
 }
 
 void Interpreter::write_offset(const OffsetMemory::Write& write) {

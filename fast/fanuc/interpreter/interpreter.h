@@ -14,20 +14,18 @@
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/fanuc/interpreter/axes.h"
 #include "fast/fanuc/interpreter/axis_positions.h"
+#include "fast/fanuc/interpreter/cutter_value.h"
 #include "fast/fanuc/interpreter/modal_state.h"
-#include "fast/fanuc/interpreter/tool_directions.h"
+#include "fast/fanuc/interpreter/tool_attitude.h"
 #include "fast/fanuc/interpreter/word_units.h"
 #include "fast/fanuc/leading_edge_offset/leading_edge_offset.h"
 #include "fast/fanuc/program/arc.h"
 #include "fast/fanuc/program/cutter_block.h"
 #include "fast/fanuc/program/words.h"
-#include "fast/fanuc/tool_center_point_control/tool_center_point_control.h"
 #include "fast/fanuc/tool_length_measurement/tool_length_measurement.h"
 #include "fast/fanuc/tool_length_offset/offset_memory.h"
-#include "fast/fanuc/tool_posture_control/posture.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
 #include "fast/kinematics/kinematics.h"
-#include "fast/kinematics/machine.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 
@@ -45,14 +43,8 @@ class Interpreter {
   [[nodiscard]] bool stopped() const { return stopped_; }
 
  private:
-  using RotaryPositions = std::array<Count, 2>;  // of the 1st and 2nd rotary axis, where they are there
   // What a block does to leading edge offset.
   enum class Compensation : std::uint8_t { off, starts, stays, cancels };
-  // A number of the cutter: D, or H where 5001#2 = 1.
-  struct OffsetNumber {
-    std::uint32_t number = 0;
-    bool from_h = false;
-  };
   // What the words of a block say about it, before anything is changed.
   struct Plan {
     Compensation compensation = Compensation::off;
@@ -68,13 +60,24 @@ class Interpreter {
     bool writes = false;
   };
 
+  // The arc of a block, if it is one.
+  struct BlockArc {
+    std::optional<spec::Arc<double>> event;
+    ArcWords words;
+  };
+
   // interpreter.cpp: one block, step by step.
   void any_block(const spec::Block& block);
   [[nodiscard]] Alarm run(const Words& words);
   // The short cut of run(), usual_block.h. False, and nothing is done: any other block.
   [[nodiscard]] bool usual_block(const Words& words, Alarm& alarm);
   [[nodiscard]] Alarm apply(const Words& words, const Plan& plan);
+  void take_codes(const Words& words, const Plan& plan);
+  [[nodiscard]] Alarm take_length(const Words& words, const Plan& plan, bool& extra);
+  void take_cutter(const Words& words, const Plan& plan);
+  [[nodiscard]] Alarm move(const Words& words, const Plan& plan, bool extra, const BlockArc& arc);
   void set_feed(const Words& words);
+  void send_to(EventSink& sink);
   void write_offset(const OffsetMemory::Write& write);
   void store_offset(const OffsetMemory::Write& write, spec::Name& name, double& stored);
   void raise(const Alarm& alarm);
@@ -98,21 +101,19 @@ class Interpreter {
   // motion.cpp: own moves and their events. `own` words are positions; `extra`: a move even without them.
   [[nodiscard]] Alarm motion(const Words& words, Compensation compensation, bool own, bool extra,
                              const std::optional<spec::Arc<double>>& arc);
+  void set_any_travel(Move& move, const std::array<Count, 3>& from, Mask rounded) const;
+  [[nodiscard]] Alarm edge_motion(Compensation compensation);
   // The positions of these axes and what follows from them: the tool direction, and what the axes are sent to.
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes);
-  [[nodiscard]] Alarm place_positions(const Words& words, Mask axes);
   // Of an arc everything but event.arc.
   void fill(Event& event, spec::MoveType type, spec::Cause cause);
   // The same in place, for the usual block.
   void fill_here(Event& event, spec::MoveType type, spec::Cause cause);
-  void fill_tool_axis(Event& event);
-  void add_length(Event& event) const;
-  [[nodiscard]] Count target(const Words& words, std::size_t axis) const;
+  [[nodiscard]] Count target(const Words& words, std::size_t axis) const {
+    return positions_.target(words, axis, units_, modal_.incremental());
+  }
 
   // arc_words.cpp
-  // Into an ArcWords or a CutterBlock.
-  template <class Arc>
-  void read_arc(const Words& words, Arc& arc) const;
   // Without `geometry` the arc has its centre, but neither sweep nor radii.
   [[nodiscard]] Alarm plan_arc(const Words& words, std::optional<spec::Arc<double>>& arc, ArcWords& arc_words,
                                bool geometry) const;
@@ -127,13 +128,6 @@ class Interpreter {
   void rename_in_cutter();
   [[nodiscard]] Alarm shift_in_cutter(const Words& words, bool extra);
   void select_workpiece(Code code);
-  void take_zeros();
-  // Axes whose angles, programmed positions and their zeros, are rounded.
-  [[nodiscard]] Mask rounded_angles() const {
-    return machine_angles_ ? static_cast<Mask>(positions_.rounded() | positions_.rounded_zeros())
-                           : positions_.rounded();
-  }
-
   // cutter.cpp: blocks that pass cutter compensation B or C.
   [[nodiscard]] bool cutter_active() const { return is_b_ ? cutter_b_.active() : cutter_c_.active(); }
   // G41 or G42 is in force after the codes of the block.
@@ -148,19 +142,11 @@ class Interpreter {
   }
   // And with a number: 0 is none in C.
   [[nodiscard]] bool cutter_wanted(const Words& words) const {
-    return cutter_in_force(words) && (is_b_ || commanded_number(words).value_or(cutter_number_).number != 0);
+    return cutter_in_force(words) && (is_b_ || cutter_value_.number_after(words).number != 0);
   }
   [[nodiscard]] bool cutter_on() const { return is_b_ ? cutter_b_.active() : cutter_c_.on(); }
   [[nodiscard]] CutterBlock& cutter_next() { return is_b_ ? cutter_b_.next() : cutter_c_.next(); }
-  [[nodiscard]] std::optional<OffsetNumber> commanded_number(const Words& words) const;
-  [[nodiscard]] Count cutter_value(const OffsetNumber& number) const {
-    return number.from_h ? memory_.h(number.number) : memory_.d(number.number);
-  }
   [[nodiscard]] static CutterSide cutter_side(Code code);
-  // Whether this block takes an edited value of the cutter into force (EVR).
-  [[nodiscard]] bool takes_edited_value() const {
-    return cutter_edited_ && (evr_ || fault(Fault::edited_cutter_value_at_once));
-  }
   void begin_cutter(const Words& words);
   void start_cutter_leg(const Words& words, CutterSide word, bool d_word);
   // The plane has both its axes, and G45 to G48 have shifted none.
@@ -191,6 +177,8 @@ class Interpreter {
   // The usual line, without a detour: positions of few places, under G43.5 I J K, F and G00 or G01, and nothing of the
   // modal state that needs a look. False, and nothing is done: any other block.
   [[nodiscard]] bool side_line(const spec::Block& block);
+  [[nodiscard]] bool read_side_line(const spec::Block& block, std::uint32_t& letters);
+  void turn_side_line(std::uint32_t letters);
   // A block while usual lines may come.
   void side_block(const spec::Block& block);
   // Positions in 10^-6.
@@ -211,64 +199,16 @@ class Interpreter {
   [[nodiscard]] Alarm measure(const Words& words);
   [[nodiscard]] Alarm send_measuring_move(std::size_t axis, const Count& to, double commanded, bool measuring);
 
-  // tool_direction.cpp: rotary axes and I J K.
-  void turn();
-  // Under G43.5 without kinematics.
-  void direct(const Words& words);
-  // The direction of the I J K of a block.
-  void read_direction(const Words& words, Direction& direction) const;
-  // The same of usual words, in place; false, and nothing done, for any other.
-  [[nodiscard]] bool read_usual_direction(const Words& words, Direction& direction) const;
-  // I J K are not all zero, or none is there.
-  [[nodiscard]] static bool names_direction(const Words& words) {
-    if (!words.has_any(Words::set_of("IJK"))) return true;
-    const auto some = [&](char letter) { return words.has(letter) && !words[letter].is_zero(); };
-    return some('I') || some('J') || some('K');
-  }
-  void take_position_along_tool();
-  void end_tool_direction(bool again);
-  // Under G43.4 or G43.5.
-  [[nodiscard]] bool along_tool() const { return positions_.length().mode() == ToolLengthOffset::Mode::along_tool; }
-  // L: the offset of the H number and the tool holder offset.
-  [[nodiscard]] Count tool_length() const { return positions_.length().length() + machine_.holder_offset(); }
-
-  [[nodiscard]] std::uint32_t tag_direction();
-  void send_to(EventSink& sink);
-
-  // tip_control.cpp: blocks under G43.4 or G43.5 on a machine with kinematics.
-  // place_words() in the mode and in the block that starts it.
-  [[nodiscard]] Alarm place_tip_words(const Words& words, Mask axes);
-  // The words of the block that starts it.
-  void begin_tip_control(const Words& words);
-  [[nodiscard]] Alarm start_tip_control(const Words& words);
-  [[nodiscard]] Alarm plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
-                                   const RotaryPositions& before);
-  void end_tip_control(bool again);
-  [[nodiscard]] bool stands_as_before() const;
-  [[nodiscard]] Alarm plan_direction(const Words& words, const std::array<Count, 3>& from, TipBlock& block);
-  [[nodiscard]] bool asks_direction(const Words& words, const std::array<Count, 3>& from);
-  // Of a block that asks for a direction: the one commanded or kept, under Q leaned where it can be.
-  [[nodiscard]] const Direction& leaned(const Words& words, const std::array<Count, 3>& from);
-  [[nodiscard]] bool lean(const Words& words, const std::array<Count, 3>& from, Direction& to_direction) const;
-  [[nodiscard]] Alarm check_workpiece_arc(const RotaryPositions& before) const;
-  void keep_tip_on_table(Mask axes, const Pose& start, const Pose& end, const std::array<Count, 3>& from);
-  void take_posture(const Pose& pose);
-  void set_programmed(std::size_t axis, const DoubleDouble& position);
-  [[nodiscard]] Vector3<DoubleDouble> fine_origin() const;
-
-  bool machine_angles_;  // rotary_angles: machine coordinates turn tool and table
   Kinematics kinematics_;
-  Machine machine_;
 
   // The parts.
   const ControlAxes axes_;
   WordUnits units_;
   ModalState modal_;
   AxisPositions positions_;
-  ToolDirections tool_;
+  ToolAttitude attitude_;
 
   // Stages.
-  ToolPostureControl posture_;
   OffsetMemory memory_;
   ToolLengthMeasurement measurement_;
   EventSink& sink_;
@@ -277,13 +217,11 @@ class Interpreter {
   CutterCompensationB cutter_b_;
   CutterCompensationC cutter_c_;
   ToolSideCompensation tool_side_;
-  ToolCenterPointControl tip_;
 
   // Numbers of compensation.
   std::uint32_t d_ = 0;
   double radius_ = 0;  // of D, when it was applied
-  bool ofh_;           // 5001#2: an H number counts for the cutter too
-  bool evr_;           // 5001#4: an edited cutter value counts from the next block on
+  CutterValue cutter_value_;
   CutterSide cutter_side_ = CutterSide::off;
   CutterSide tool_side_word_ = CutterSide::off;
   int tool_side_sign_ = 1;         // +1 left: by code and sign of the value
@@ -297,26 +235,7 @@ class Interpreter {
     Vector3<double> at;
   };
   SideLines side_lines_;
-  OffsetNumber cutter_number_;
-  Count cutter_offset_;  // of that number, when it was applied
-  bool cutter_edited_ = false;
   bool in_cutter_ = false;  // this block passes cutter compensation
-  // Under G43.4 or G43.5 on a machine with kinematics, and under G43.5 without where Q leans the tool.
-  bool plans_tool_ = false;
-  bool posture_control_ = false;  // P1
-  bool starts_tip_ = false;       // this block starts it
-  bool samples_block_ = true;     // the own move of this block is run in the mode
-  bool has_table_tip_ = false;    // WKP = 1: the tip has kept its place on the table since table_tip_
-  Count lean_angle_;              // Q
-  Direction commanded_;           // the direction kept, without the lean
-  // Where a head stood, and its rotary positions, as another G43.4 or G43.5 ended the mode of I J K.
-  std::optional<Pose> standing_;
-  std::array<Count, 2> standing_at_;
-  Direction leaned_;  // and with it
-  Positions frozen_;  // of the rotary axes where the mode began
-  Vector3<DoubleDouble> table_tip_;
-  double along_length_ = 0;  // tool_length(), under G43.4 or G43.5
-
   // The block.
   std::uint64_t line_ = 0;
   std::optional<std::uint64_t> n_;

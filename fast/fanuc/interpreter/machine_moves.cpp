@@ -1,12 +1,12 @@
 // Moves in machine coordinates and what shifts the coordinates: G53, G28, G30, G30.1, G29, G92, G54 to G59.
 #include "fast/basis/fault.h"
-#include "fast/fanuc/interpreter/fill.h"
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/own_move.h"
 
 namespace toolcomp::fast {
 
 Alarm Interpreter::send_rapid(spec::Cause cause, bool with_machine, CutterMotion motion) {
-  if (kinematics_.defined()) turn();
+  if (kinematics_.defined()) attitude_.turn();
   if (const Alarm a = positions_.refresh()) return a;
   if (in_cutter_) {
     CutterBlock& block = cutter_next();
@@ -62,19 +62,10 @@ Alarm Interpreter::from_reference(const Words& words) {
   return send_rapid(spec::Cause::programmed, false, CutterMotion::from_reference);
 }
 
-// The zeros of machine coordinates turn tool and table where those count.
-void Interpreter::take_zeros() {
-  if (axes_.turning == 0 || !machine_angles_) return;
-  Positions zero;
-  for (std::size_t axis = 0; axis < axes_.count; ++axis) zero[axis] = positions_.machine_origin(axis);
-  kinematics_.set_zeros(zero);
-  machine_.set_zeros(zero);
-}
-
 void Interpreter::select_workpiece(Code code) {
   positions_.select_system(static_cast<std::size_t>((code - 540) / 10));
-  take_zeros();
-  if (kinematics_.defined()) turn();
+  attitude_.take_zeros();
+  if (kinematics_.defined()) attitude_.turn();
 }
 
 // G92 in cutter compensation: the stage is told where the block began and what the position is called after it. A move
@@ -110,7 +101,7 @@ void Interpreter::rename_in_cutter() {
     event.point.value[axis] = position.nearest();
     event.axes.value[axis] = (position + positions_.length()[axis]).nearest();
   }
-  if (kinematics_.defined()) fill_tool_axis(event);  // where the programmed coordinates of the rotary axes turn it
+  if (kinematics_.defined()) attitude_.fill(event);  // where the programmed coordinates of the rotary axes turn it
   cutter_c_.rebase();
 }
 
@@ -119,8 +110,8 @@ Alarm Interpreter::shift_coordinates(const Words& words) {
     return positions_.shift(axis, units_.value(words.axis(axis), (axes_.linear & bit(axis)) != 0));
   });
   positions_.end_shift(words.axes());
-  take_zeros();
-  if (kinematics_.defined()) turn();
+  attitude_.take_zeros();
+  if (kinematics_.defined()) attitude_.turn();
   return a;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fast/fanuc/interpreter/axes.h"
+#include "fast/fanuc/interpreter/word_units.h"
 #include "fast/fanuc/program/words.h"
 #include "spec/language/event.h"
 
@@ -48,6 +49,10 @@ class ModalState {
     return motion_ > 10 && ((words.axes() & plane_axes_) != 0 || words.has_any(arc_letters_)) &&
            (words.code(Words::kOneShot) == kNone || words.is_tool_offset());
   }
+
+  // The words of an arc into an ArcWords or a CutterBlock (usual_words.h).
+  template <class Arc>
+  void read_arc(const Words& words, const WordUnits& units, Arc& arc) const;
 
   // Group 02.
   [[nodiscard]] spec::Plane plane() const { return plane_; }

@@ -1,29 +1,35 @@
 // Own moves of blocks and the events they make: the path every block takes.
 #include "fast/basis/fault.h"
-#include "fast/fanuc/interpreter/fill.h"
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/own_move.h"
 #include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
 
-Count Interpreter::target(const Words& words, std::size_t axis) const {
-  const Count word = units_.value(words.axis(axis), (axes_.linear & bit(axis)) != 0);
-  if (!modal_.incremental()) return word;
-  if (fault(Fault::incremental_from_offset_position))
-    return positions_.programmed()[axis] + positions_.length()[axis] + word;
-  return positions_.programmed()[axis] + word;
-}
-
 void Interpreter::fill(Event& event, spec::MoveType type, spec::Cause cause) { fill_here(event, type, cause); }
 
-// L along the tool.
-void Interpreter::add_length(Event& event) const {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (axes_.xyz[i] == spec::Axes::kNone) continue;
-    const double offset = along_length_ * tool_.now().unit[static_cast<Eigen::Index>(i)];
-    event.axes.value[axes_.xyz[i]] += offset;
-    event.machine.value[axes_.xyz[i]] += offset;
+// The travel of a block, whatever its positions are.
+void Interpreter::set_any_travel(Move& move, const std::array<Count, 3>& from, Mask rounded) const {
+  Mask xyz = 0;
+  for (const std::size_t axis : axes_.xyz)
+    if (axis != spec::Axes::kNone) xyz = static_cast<Mask>(xyz | bit(axis));
+  set_displacement(move.displacement, from, positions_.programmed_xyz(), (rounded & xyz) != 0 ? 2 : 0);
+}
+
+// The move that starts or ends leading edge offset.
+Alarm Interpreter::edge_motion(Compensation compensation) {
+  Move& move = leading_edge_.next();
+  if (compensation == Compensation::starts) {
+    fill(move.event, modal_.straight(), spec::Cause::start_up);
+    move.direction = &attitude_.directions().now();
+    move.radius = radius_;
+    leading_edge_.start();
+    return alarm::kNone;
   }
+  if (const Alarm a = leading_edge_.finish()) return a;
+  fill(leading_edge_.next().event, modal_.straight(), spec::Cause::cancel);
+  leading_edge_.cancel();
+  return alarm::kNone;
 }
 
 Alarm Interpreter::motion(const Words& words, Compensation compensation, bool own, bool extra,
@@ -79,31 +85,17 @@ Alarm Interpreter::motion(const Words& words, Compensation compensation, bool ow
           from[1].set_small(from_y);
           from[2].set_small(from_z);
         }
-        Mask xyz = 0;
-        for (const std::size_t axis : axes_.xyz)
-          if (axis != spec::Axes::kNone) xyz = static_cast<Mask>(xyz | bit(axis));
-        const auto rounded = static_cast<Mask>((rounded_before | positions_.rounded()) & axes & xyz);
-        set_displacement(move.displacement, from, {x, y, z}, rounded != 0 ? 2 : 0);
+        set_any_travel(move, from, static_cast<Mask>((rounded_before | positions_.rounded()) & axes));
       }
-      move.direction = &tool_.now();
+      move.direction = &attitude_.directions().now();
       move.radius = radius_;
       // The only alarms here are those of the start-up move.
       if (const Alarm a = leading_edge_.block(event, !move.displacement.zero)) raise_at_start(a);
       return alarm::kNone;
     }
-    case Compensation::starts: {
-      Move& move = leading_edge_.next();
-      fill(move.event, modal_.straight(), spec::Cause::start_up);
-      move.direction = &tool_.now();
-      move.radius = radius_;
-      leading_edge_.start();
-      return alarm::kNone;
-    }
+    case Compensation::starts:
     case Compensation::cancels:
-      if (const Alarm a = leading_edge_.finish()) return a;
-      fill(leading_edge_.next().event, modal_.straight(), spec::Cause::cancel);
-      leading_edge_.cancel();
-      return alarm::kNone;
+      return edge_motion(compensation);
   }
   return alarm::kNone;
 }

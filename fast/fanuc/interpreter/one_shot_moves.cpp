@@ -9,14 +9,14 @@ namespace toolcomp::fast {
 // The alarms of G45 to G48, then by how much each axis of the block is shifted, and the tool's arc.
 Alarm Interpreter::plan_tool_offset(const Words& words, const ArcWords& arc_words,
                                     std::optional<spec::Arc<double>>& arc, Shifts& shifts) const {
-  OffsetNumber number = commanded_number(words).value_or(cutter_number_);
+  CutterValue::Number number = cutter_value_.number_after(words);
   if (positions_.tool_offset().number_by_h() && !fault(Fault::tph_ignored)) {
     const ToolLengthOffset::Mode mode = positions_.length().mode_after(words.code(Words::kLength));
     if (mode == ToolLengthOffset::Mode::plus || mode == ToolLengthOffset::Mode::minus) return alarm::kToolOffsetLength;
     number = {words.has('H') ? whole_number(words['H'], memory_.count()) : positions_.length().number(), true};
   }
   if (words.axes() == 0) return arc ? alarm::kToolOffsetArc : alarm::kNone;
-  const Count offset = cutter_value(number);
+  const Count offset = cutter_value_.of(number);
   if (!memory_.fits(offset)) return alarm::kOffsetValue;
   const Count increase = ToolOffset::increase(words.code(Words::kOneShot), offset);
 

@@ -1,10 +1,11 @@
-// Tool center point control G43.4 G43.5: words, the state of the mode, what a block does with the rotary axes.
+// Tool center point control G43.4 G43.5: the state of the mode, what a block does with the rotary axes.
 #include <bit>
 #include <cmath>
 
 #include "fast/basis/fault.h"
-#include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/tool_attitude.h"
 #include "fast/fanuc/interpreter/usual_words.h"
+#include "fast/fanuc/program/arc.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -55,72 +56,15 @@ Alarm alarm_of(PosturePlan::Outcome outcome) {
 
 }  // namespace
 
-// The alarms that words and state alone show (clause fanuc.tool-center-point.alarm-order).
-Alarm Interpreter::check_tip_control(const Words& words, const Plan& plan) const {
-  const Code length = words.code(Words::kLength);
-  const Code one_shot = words.code(Words::kOneShot);
-  const bool starts = words.starts_tip_control();
-  const bool forbidden = one_shot != kNone && one_shot != 40 && one_shot != 100;
-  const bool cutter = words.code(Words::kCompensation) == 410 || words.code(Words::kCompensation) == 420;
-  if (plan.along && (forbidden || cutter || words.code(Words::kWorkpiece) != kNone))
-    return alarm::kForbiddenUnderDirection;
-  if (along_tool() && (length == 430 || length == 440)) return alarm::kLengthExclusion;
-  if (starts)
-    if (const Alarm a = check_tip_control_start(words, plan)) return a;
-  const bool side = plan.side_before || plan.side_after;
-  const bool edge_after = plan.compensation == Compensation::starts || plan.compensation == Compensation::stays;
-  if (plan.ends_along && (leading_edge_.active() || edge_after || side)) return alarm::kDirectionFormat;
-  if (!plan.along) return alarm::kNone;
-  if (machine_.workpiece_frame() && machine_.has_table() && (plan.side_after || edge_after))
-    return alarm::kCompensationInWorkpiece;
-  const bool ijk = words.has_any(kDirectionLetters);
-  if (plan.vector) {
-    if ((words.axes() & axes_.rotary) != 0) return side ? alarm::kRotaryWord : alarm::kToolDirection;
-    if (length == 435 && ijk && machine_.has_table()) return alarm::kDirectionAtStart;
-    if (!names_direction(words)) return alarm::kToolDirection;
-  }
-  if (plan.motion <= 10) return alarm::kNone;
-  const Code plane = words.code(Words::kPlane);
-  Mask in_plane = 0;
-  for (const std::size_t axis : modal_.axes_of(plane == kNone ? modal_.plane() : plane_of(plane)))
-    if (axis != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(axis));
-  const bool turns_alone = (words.axes() & axes_.linear) == 0 &&
-                           (plan.vector ? ijk : (words.axes() & axes_.rotary) != 0 && !words.has_any(kArcLetters));
-  if (turns_alone || (plan.vector && (words.axes() & in_plane) != 0 && !words.has('R'))) return alarm::kTipControlArc;
-  return alarm::kNone;
-}
-
-Alarm Interpreter::check_tip_control_start(const Words& words, const Plan& plan) const {
-  if (positions_.length().live() != 0) return alarm::kLengthExclusion;
-  const bool vector = plan.vector;
-  if (!vector && !machine_.defined()) return alarm::kTipControl;
-  if (vector && machine_.defined() && machine_.workpiece_frame()) return alarm::kTipControl;
-  if (words.has('P') && words.code(Words::kOneShot) == kNone && whole_number(words['P'], 1) > 1)
-    return alarm::kTipControlWord;
-  if (vector && machine_.defined()) {
-    if (!machine_.invertible()) return alarm::kTipControl;
-    if (!machine_.ranges_valid()) return alarm::kRotaryLimits;
-  }
-  if (leading_edge_.active() || plan.compensation == Compensation::starts || plan.side_before || plan.side_after ||
-      plan.motion > 10)
-    return alarm::kDirectionFormat;
-  return alarm::kNone;
-}
-
-Vector3<DoubleDouble> Interpreter::fine_origin() const {
+Vector3<DoubleDouble> ToolAttitude::fine_origin() const {
   std::array<Count, 3> origin;
   for (std::size_t i = 0; i < 3; ++i)
     if (axes_.xyz[i] != spec::Axes::kNone) origin[i] = positions_.machine_origin(axes_.xyz[i]);
   return fine(origin);
 }
 
-void Interpreter::set_programmed(std::size_t axis, const DoubleDouble& position) {
-  positions_.set(axis, nearest_count(position));
-  positions_.set_rounded(bit(axis));
-}
-
 // What the stages and the events see of a pose. The exact positions of the rotary axes are made when the mode ends.
-void Interpreter::take_posture(const Pose& pose) {
+void ToolAttitude::take_posture(const Pose& pose) {
   tool_.next() = pose.tool;
   if (!modal_.by_vector()) return;
   for (std::size_t i = 0; i < 2; ++i)
@@ -128,7 +72,7 @@ void Interpreter::take_posture(const Pose& pose) {
       positions_.show(axis, machine_.programmed_degrees(pose, i));
 }
 
-Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
+Alarm ToolAttitude::place(const Words& words, Mask axes) {
   // Where the block starts counts for a lean and on a table.
   std::array<Count, 3> from;
   RotaryPositions before;
@@ -137,13 +81,13 @@ Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
     for (std::size_t i = 0; i < 2; ++i)
       if (machine_.rotary_axis(i) != spec::kMaxAxes) before[i] = positions_.programmed()[machine_.rotary_axis(i)];
   }
-  if (const Alarm a = place_positions(words, axes)) [[unlikely]]
+  if (const Alarm a = positions_.place_words(words, axes, units_, modal_.incremental())) [[unlikely]]
     return a;
   if (tip_.active()) {
     TipBlock& block = tip_.next();
     block.length = along_length_;
     block.sampled = samples_block_;
-    if (const Alarm a = starts_tip_ ? start_tip_control(words) : plan_posture(words, axes, from, before)) [[unlikely]]
+    if (const Alarm a = starts_tip_ ? start(words) : plan_posture(words, axes, from, before)) [[unlikely]]
       return a;
   } else if (starts_tip_) {
     commanded_ = tool_.now();
@@ -154,8 +98,8 @@ Alarm Interpreter::place_tip_words(const Words& words, Mask axes) {
   return positions_.stale() == 0 ? alarm::kNone : positions_.refresh();
 }
 
-Alarm Interpreter::plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
-                                const RotaryPositions& before) {
+Alarm ToolAttitude::plan_posture(const Words& words, Mask axes, const std::array<Count, 3>& from,
+                                 const RotaryPositions& before) {
   TipBlock& block = tip_.block();
   if (modal_.by_vector()) return plan_direction(words, from, block);
   const Pose& start = tip_.before().plan.end;
@@ -174,7 +118,7 @@ Alarm Interpreter::plan_posture(const Words& words, Mask axes, const std::array<
 }
 
 // Type 2: the direction commanded or kept, leaned, and what it makes of the rotary axes.
-Alarm Interpreter::plan_direction(const Words& words, const std::array<Count, 3>& from, TipBlock& block) {
+Alarm ToolAttitude::plan_direction(const Words& words, const std::array<Count, 3>& from, TipBlock& block) {
   const Pose& start = tip_.before().plan.end;
   if (!asks_direction(words, from)) {
     posture_.stand(start, block.plan);
@@ -188,7 +132,7 @@ Alarm Interpreter::plan_direction(const Words& words, const std::array<Count, 3>
 }
 
 // I J K, or a travel under Q.
-bool Interpreter::asks_direction(const Words& words, const std::array<Count, 3>& from) {
+bool ToolAttitude::asks_direction(const Words& words, const std::array<Count, 3>& from) {
   if (words.has_any(kDirectionLetters)) {
     if (!read_usual_direction(words, commanded_)) [[unlikely]]
       read_direction(words, commanded_);
@@ -197,13 +141,13 @@ bool Interpreter::asks_direction(const Words& words, const std::array<Count, 3>&
   return !lean_angle_.is_zero() && (!(from == positions_.programmed_xyz()) || modal_.is_arc(words));
 }
 
-const Direction& Interpreter::leaned(const Words& words, const std::array<Count, 3>& from) {
+const Direction& ToolAttitude::leaned(const Words& words, const std::array<Count, 3>& from) {
   if (lean_angle_.is_zero()) return commanded_;
   return lean(words, from, leaned_) ? leaned_ : commanded_;
 }
 
 // By Q, toward the travel; in an arc toward its tangent at the end.
-bool Interpreter::lean(const Words& words, const std::array<Count, 3>& from, Direction& to_direction) const {
+bool ToolAttitude::lean(const Words& words, const std::array<Count, 3>& from, Direction& to_direction) const {
   const std::array<Count, 3> to = positions_.programmed_xyz();
   if (!modal_.is_arc(words)) {
     std::array<Int128, 3> travel{};
@@ -211,7 +155,7 @@ bool Interpreter::lean(const Words& words, const std::array<Count, 3>& from, Dir
     return fast::lean(kinematics_, commanded_, travel, lean_angle_, to_direction);
   }
   ArcWords arc;
-  read_arc(words, arc);
+  modal_.read_arc(words, units_, arc);
   const std::array<std::size_t, 2> in{in_plane(modal_.plane(), 0), in_plane(modal_.plane(), 1)};
   const std::array<Count, 2> start{from[in[0]], from[in[1]]};
   const std::array<Count, 2> end{to[in[0]], to[in[1]]};
@@ -229,7 +173,7 @@ bool Interpreter::lean(const Words& words, const std::array<Count, 3>& from, Dir
 }
 
 // WKP = 1: the table must stand as it did when the mode began.
-Alarm Interpreter::check_workpiece_arc(const RotaryPositions& before) const {
+Alarm ToolAttitude::check_workpiece_arc(const RotaryPositions& before) const {
   bool turned = false;
   for (std::size_t i = machine_.type() == 12 ? 0 : 1; machine_.has_table() && i < 2; ++i) {
     const std::size_t axis = machine_.rotary_axis(i);
@@ -244,7 +188,7 @@ Alarm Interpreter::check_workpiece_arc(const RotaryPositions& before) const {
 }
 
 // WKP = 1: without X Y Z the tip keeps its place on the table, and the programmed position follows it.
-void Interpreter::keep_tip_on_table(Mask axes, const Pose& start, const Pose& end, const std::array<Count, 3>& from) {
+void ToolAttitude::keep_tip_on_table(Mask axes, const Pose& start, const Pose& end, const std::array<Count, 3>& from) {
   bool named = false;
   for (const std::size_t axis : axes_.xyz) named |= axis != spec::Axes::kNone && (axes & bit(axis)) != 0;
   if (named) {
@@ -258,24 +202,24 @@ void Interpreter::keep_tip_on_table(Mask axes, const Pose& start, const Pose& en
   has_table_tip_ = true;
   const Vector3<DoubleDouble> tip = machine_.from_table(table_tip_, machine_.fine_turns(end), origin);
   for (std::size_t i = 0; i < 3; ++i)
-    if (axes_.xyz[i] != spec::Axes::kNone) set_programmed(axes_.xyz[i], tip[i] - shift[i]);
+    if (axes_.xyz[i] != spec::Axes::kNone) {
+      positions_.set(axes_.xyz[i], nearest_count(tip[i] - shift[i]));
+      positions_.set_rounded(bit(axes_.xyz[i]));
+    }
   positions_.make_stale();
 }
 
 // P and Q; with G04 or G10 they are data of that code.
-void Interpreter::begin_tip_control(const Words& words) {
+void ToolAttitude::begin(const Words& words) {
   const bool data = words.code(Words::kOneShot) != kNone;
   posture_control_ = words.has('P') && !data ? whole_number(words['P'], 1) == 1 : posture_.by_default();
   lean_angle_ = modal_.by_vector() && words.has('Q') && !data ? Count::of(words['Q']) : Count();
   starts_tip_ = plans_tool_ = machine_.defined() || !lean_angle_.is_zero();
-  if (machine_.defined())
-    tip_.start();
-  else if (tip_.samples())
-    send_to(tip_);
+  if (machine_.defined()) tip_.start();
 }
 
 // The block of G43.4 or G43.5 has gone to its positions: the length is applied, the frame is that of the pose here.
-Alarm Interpreter::start_tip_control(const Words& words) {
+Alarm ToolAttitude::start(const Words& words) {
   TipBlock& block = tip_.block();
   has_table_tip_ = false;
   Pose pose;
@@ -303,21 +247,19 @@ Alarm Interpreter::start_tip_control(const Words& words) {
   std::array<double, spec::kMaxAxes> origin{};
   for (std::size_t axis = 0; axis < axes_.count; ++axis) origin[axis] = positions_.machine_origin(axis).nearest();
   tip_.set_origin(origin);
-  send_to(tip_);
   return alarm::kNone;
 }
 
 // Whether another G43.4 or G43.5 finds the head as the one before left it: its tool is better known than by the
 // positions made of it.
-bool Interpreter::stands_as_before() const {
+bool ToolAttitude::stands_as_before() const {
   for (std::size_t i = 0; standing_ && i < 2; ++i)
     if (const std::size_t axis = machine_.rotary_axis(i); axis != spec::kMaxAxes)
       if (positions_.programmed()[axis] != standing_at_[i]) return false;
   return standing_.has_value();
 }
 
-// G49: the programmed position becomes that of the axes. Another G43.4 or G43.5: that of the tip where it is.
-void Interpreter::end_tip_control(bool again) {
+void ToolAttitude::end_tip_control(bool again) {
   const Pose& pose = tip_.block().plan.end;
   const Turns<DoubleDouble> turns = machine_.fine_turns(pose);
   const Vector3<DoubleDouble> origin = fine_origin();
@@ -358,7 +300,6 @@ void Interpreter::end_tip_control(bool again) {
   turn();
   tip_.end();
   plans_tool_ = false;
-  send_to(sink_);
 }
 
 }  // namespace toolcomp::fast

@@ -1,5 +1,6 @@
 // Blocks that pass tool side compensation: what the stage is told about each.
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/own_move.h"
 #include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
@@ -19,20 +20,19 @@ CutterSide Interpreter::tool_side(Code code) {
   }
 }
 
-// The code of a block, and the value of its number. cutter_number_ is taken already.
+// The code of a block, and the value of its number. The number is taken already.
 void Interpreter::begin_tool_side(const Words& words) {
   const CutterSide word = tool_side(words.code(Words::kCompensation));
   const CutterSide before = tool_side_word_;
   if (word != CutterSide::unchanged) tool_side_word_ = word;
   tool_side_.next().repeated = word == before && word != CutterSide::off;
-  tool_side_wanted_ = tool_side_word_ != CutterSide::off && cutter_number_.number != 0;
+  tool_side_wanted_ = tool_side_word_ != CutterSide::off && cutter_value_.number().number != 0;
   if (tool_side_word_ == CutterSide::off) return;
-  if (before == CutterSide::off || commanded_number(words) || takes_edited_value()) {
-    cutter_offset_ = cutter_value(cutter_number_);
-    cutter_edited_ = false;
-    tool_side_.set_value(cutter_offset_ < Count() ? -cutter_offset_ : cutter_offset_);
+  if (before == CutterSide::off || cutter_value_.commanded(words) || cutter_value_.takes_edited()) {
+    cutter_value_.take_value();
+    tool_side_.set_value(cutter_value_.value() < Count() ? -cutter_value_.value() : cutter_value_.value());
   }
-  tool_side_sign_ = (tool_side_word_ == CutterSide::right) == (cutter_offset_ < Count()) ? 1 : -1;
+  tool_side_sign_ = (tool_side_word_ == CutterSide::right) == (cutter_value_.value() < Count()) ? 1 : -1;
 }
 
 // Everything about a line but Q and where it ends.
@@ -45,8 +45,8 @@ void Interpreter::start_tool_side_leg(ToolSideBlock& block) const {
 
 // Positions, under G43.5 I J K, and F, or nothing but its number.
 Alarm Interpreter::tool_side_move(const Words& words) {
-  tool_.begin_block();
-  if (modal_.by_vector() && !plans_tool_) direct(words);
+  attitude_.directions().begin_block();
+  if (modal_.by_vector() && !attitude_.plans_tool()) attitude_.direct(words);
   tool_side_.next().repeated = false;
   return tool_side_motion(words, false, std::nullopt, ArcWords{});
 }
@@ -86,8 +86,8 @@ Alarm Interpreter::tool_side_motion(const Words& words, bool extra, const std::o
   for (std::size_t i = 0; i < 3; ++i)
     if (axes_.xyz[i] != spec::Axes::kNone) to[i] = positions_.programmed()[axes_.xyz[i]];
   set_travel(tool_side_.next_travel(), from, to, rounded != 0 ? 2 : 0);
-  block.tool = &tool_.now();
-  block.tool_before = &tool_.before();
+  block.tool = &attitude_.directions().now();
+  block.tool_before = &attitude_.directions().before();
   block.own = axes != 0 || extra || arc || (modal_.by_vector() && words.has_any(Words::set_of("IJK")));
   fill(block.event, arc ? spec::MoveType::arc : modal_.straight(), spec::Cause::programmed);
   if (arc) {

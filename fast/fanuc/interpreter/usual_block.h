@@ -21,13 +21,15 @@ namespace toolcomp::fast {
   const auto uncompensated = [&] {
     return motion(words, leading_edge_.active() ? Compensation::stays : Compensation::off, true, false, std::nullopt);
   };
-  const auto edited = [&] { return takes_edited_value() && !fault(Fault::usual_block_edited_value); };
-  const auto by_vector_alone = [&] { return (words.axes() & axes_.rotary) == 0 && names_direction(words); };
+  const auto edited = [&] { return cutter_value_.takes_edited() && !fault(Fault::usual_block_edited_value); };
+  const auto by_vector_alone = [&] {
+    return (words.axes() & axes_.rotary) == 0 && ToolAttitude::names_direction(words);
+  };
   const bool line = motion_after <= 10;
-  if (along_tool()) {
-    samples_block_ = true;
+  if (positions_.along_tool()) {
+    attitude_.set_sampled(true);
     if (!line) return false;
-    if (tip_.active()) {
+    if (attitude_.tip().active()) {
       if (edited() || !(modal_.by_vector() ? by_vector_alone() : !words.has_any(kArcLetters))) return false;
       take_modal_words();
       alarm = tool_side_on() ? tool_side_move(words) : uncompensated();
@@ -39,10 +41,10 @@ namespace toolcomp::fast {
       alarm = tool_side_move(words);
       return true;
     }
-    if (plans_tool_ || cutter_active() || !by_vector_alone()) return false;
+    if (attitude_.plans_tool() || cutter_active() || !by_vector_alone()) return false;
     take_modal_words();
-    tool_.begin_block();
-    direct(words);
+    attitude_.directions().begin_block();
+    attitude_.direct(words);
     alarm = uncompensated();
     return true;
   }

@@ -1,8 +1,8 @@
 // The usual block under cutter compensation B or C.
 #include "fast/basis/fault.h"
 #include "fast/fanuc/cutter_compensation_c/usual_line.h"
-#include "fast/fanuc/interpreter/fill.h"
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/own_move.h"
 #include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
@@ -22,8 +22,8 @@ Alarm Interpreter::cutter_move(const Words& words) {
   block.word = CutterSide::unchanged;
   block.side = cutter_side_;
   block.d_word = false;
-  block.d = cutter_number_.number;
-  block.offset = cutter_offset_;
+  block.d = cutter_value_.number().number;
+  block.offset = cutter_value_.value();
   block.plane = modal_.plane();
   block.axis = plane;
   block.has_direction = false;

@@ -6,6 +6,17 @@
 #include "fast/fanuc/tool_side_compensation/usual_line.h"
 
 namespace toolcomp::fast {
+namespace {
+
+// Of side_lines_.word and of the letters.
+constexpr std::size_t kF = 'F' - 'A' + 1;
+constexpr std::size_t kG = 'G' - 'A' + 1;
+constexpr std::size_t kI = 'I' - 'A' + 1;
+constexpr std::size_t kX = 'X' - 'A' + 1;
+constexpr std::uint32_t kDirection = Words::set_of("IJK") << 1U;
+constexpr std::uint32_t kXyzF = Words::set_of("XYZ") << 1U | 1U << kF | 1U << kG;
+
+}  // namespace
 
 // The offsets of length are far below what the sum with a word of few digits could take.
 void Interpreter::await_side_lines() {
@@ -18,12 +29,14 @@ void Interpreter::await_side_lines() {
   const Count& y = positions_.programmed()[1];
   const Count& z = positions_.programmed()[2];
   side_lines_.letters = 0;
-  if (!tool_side_.awaits_line() || modal_.motion() > 10 || takes_edited_value() || positions_.length().pending())
+  if (!tool_side_.awaits_line() || modal_.motion() > 10 || cutter_value_.takes_edited() ||
+      positions_.length().pending())
     return;
   if (!axes_.letters.xyz_first || !units_.plain() || positions_.rounded() != 0 ||
       positions_.tool_offset().live() != 0 || positions_.stale() != 0)
     return;
-  if (plans_tool_ || tip_.active() || (along_tool() && tip_.samples())) return;
+  if (attitude_.plans_tool() || attitude_.tip().active() || (positions_.along_tool() && attitude_.tip().samples()))
+    return;
   if (modal_.incremental() && fault(Fault::incremental_from_offset_position)) return;
   if (!x.is_small() || !y.is_small() || !z.is_small()) return;
   for (std::size_t axis = 0; axis < axes_.count; ++axis)
@@ -31,7 +44,7 @@ void Interpreter::await_side_lines() {
   const auto letter = [](char name) { return std::size_t{static_cast<unsigned char>(name)} - 'A' + 1; };
   side_lines_.letters =
       1U << letter('X') | 1U << letter('Y') | 1U << letter('Z') | 1U << letter('F') | 1U << letter('G');
-  if (along_tool()) {
+  if (positions_.along_tool()) {
     if (modal_.by_vector()) side_lines_.letters |= Words::set_of("IJK") << 1U;
   } else {
     for (std::size_t axis = 3; axis < axes_.count; ++axis)
@@ -40,7 +53,7 @@ void Interpreter::await_side_lines() {
   for (std::size_t i = 0; i < 3; ++i) side_lines_.word[letter('X') + i] = positions_.programmed()[i].small();
   side_lines_.at = {static_cast<double>(x.small()), static_cast<double>(y.small()), static_cast<double>(z.small())};
   side_lines_.plain = axes_.linear == kXyz && positions_.length().live() == 0 &&
-                      (!along_tool() || (along_length_ == 0 && positions_.displaced() == 0));
+                      (!positions_.along_tool() || (attitude_.along_length() == 0 && positions_.displaced() == 0));
   tool_side_.await_lines(side_lines_.plain);
 }
 
@@ -51,22 +64,14 @@ void Interpreter::side_block(const spec::Block& block) {
   any_block(block);
 }
 
-[[gnu::always_inline]] inline bool Interpreter::side_line(const spec::Block& block) {
-  if (stopped_ || block.alarm) [[unlikely]]
-    return false;
-  constexpr std::size_t kF = 'F' - 'A' + 1;
-  constexpr std::size_t kG = 'G' - 'A' + 1;
-  constexpr std::size_t kI = 'I' - 'A' + 1;
-  constexpr std::size_t kX = 'X' - 'A' + 1;
-  constexpr std::uint32_t kDirection = Words::set_of("IJK") << 1U;
-  constexpr std::uint32_t kXyz = Words::set_of("XYZ") << 1U;
-  constexpr std::uint32_t kXyzF = kXyz | 1U << kF | 1U << kG;
+// The words of the line, and which letters there are. False: not those of a usual line.
+[[gnu::always_inline]] inline bool Interpreter::read_side_line(const spec::Block& block, std::uint32_t& letters) {
   side_lines_.word[kI] = 0;
   side_lines_.word[kI + 1] = 0;
   side_lines_.word[kI + 2] = 0;
   if (modal_.incremental()) [[unlikely]]
     for (std::size_t i = 0; i < 3; ++i) side_lines_.word[kX + i] = 0;
-  std::uint32_t letters = 0;
+  letters = 0;
   std::uint64_t digits = 0;
   unsigned shapes = 0;
   for (const spec::Word& word : block.words()) {
@@ -82,17 +87,45 @@ void Interpreter::side_block(const spec::Block& block) {
   if ((letters & 1U << kG) != 0 && (10 * side_lines_.word[kG] != modal_.motion() * Count::kSmallPerOne ||
                                     static_cast<std::size_t>(std::popcount(letters)) != block.words().size()))
     return false;
+  const bool directed = (letters & kDirection) != 0;
+  if (directed && (side_lines_.word[kI] | side_lines_.word[kI + 1] | side_lines_.word[kI + 2]) == 0) [[unlikely]]
+    return false;
+  return true;
+}
+
+// The direction of the tool by these letters: I J K, or rotary axes.
+[[gnu::always_inline]] inline void Interpreter::turn_side_line(std::uint32_t letters) {
+  if ((letters & kDirection) != 0) {
+    set_small_direction(attitude_.directions().next(), side_lines_.word[kI], side_lines_.word[kI + 1],
+                        side_lines_.word[kI + 2]);
+    return;
+  }
+  // Of those at a new place: a tool that stands still is not turned.
+  unsigned turned = 0;
+  for (unsigned rest = axes_.letters.positions(letters >> 1U) & ~0b111U; rest != 0; rest &= rest - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
+    const std::int64_t small = side_lines_.word[axes_.letters.index[axis] + 1U];
+    const Count& place = positions_.programmed()[axis];
+    if (place.is_small() && place.small() == small) continue;
+    turned |= bit(axis);
+    positions_.place_small(axis, small);
+    if ((positions_.length().live() & bit(axis)) != 0) [[unlikely]]
+      positions_.add_offset(axis);
+  }
+  if ((turned & axes_.turning) != 0) attitude_.turn();
+}
+
+[[gnu::always_inline]] inline bool Interpreter::side_line(const spec::Block& block) {
+  if (stopped_ || block.alarm) [[unlikely]]
+    return false;
+  std::uint32_t letters = 0;
+  if (!read_side_line(block, letters)) [[unlikely]]
+    return false;
   // X and Y side by side: made so at once, and never apart in memory.
   DoublePair xy{static_cast<double>(side_lines_.word[kX]), static_cast<double>(side_lines_.word[kX + 1])};
   auto z = static_cast<double>(side_lines_.word[kX + 2]);
-  const std::int64_t i = side_lines_.word[kI];
-  const std::int64_t j = side_lines_.word[kI + 1];
-  const std::int64_t k = side_lines_.word[kI + 2];
-  const bool directed = (letters & kDirection) != 0;
-  if (directed && (i | j | k) == 0) [[unlikely]]
-    return false;
   if (modal_.incremental()) [[unlikely]] {
-    if ((letters & ~kXyzF) != 0 && !directed) return false;
+    if ((letters & ~kXyzF) != 0 && (letters & kDirection) == 0) return false;
     xy += load_pair(&side_lines_.at.x);
     z += side_lines_.at.z;
     constexpr auto kLimit = static_cast<double>(std::int64_t{1} << 52U);
@@ -105,33 +138,15 @@ void Interpreter::side_block(const spec::Block& block) {
     return false;
 
   // What is done until the line is taken is of no harm where it is not.
-  const std::uint8_t direction = tool_.place();
-  if ((letters & ~kXyzF) != 0) {
-    if (directed) {
-      set_small_direction(tool_.next(), i, j, k);
-    } else {
-      // Of those at a new place: a tool that stands still is not turned.
-      unsigned turned = 0;
-      for (unsigned rest = axes_.letters.positions(letters >> 1U) & ~0b111U; rest != 0; rest &= rest - 1) {
-        const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-        const std::int64_t small = side_lines_.word[axes_.letters.index[axis] + 1U];
-        const Count& place = positions_.programmed()[axis];
-        if (place.is_small() && place.small() == small) continue;
-        turned |= bit(axis);
-        positions_.place_small(axis, small);
-        if ((positions_.length().live() & bit(axis)) != 0) [[unlikely]]
-          positions_.add_offset(axis);
-      }
-      if ((turned & axes_.turning) != 0) turn();
-    }
-  }
+  const std::uint8_t direction = attitude_.directions().place();
+  if ((letters & ~kXyzF) != 0) turn_side_line(letters);
   if ((letters & 1U << kF) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
     modal_.set_feed(Count::nearest_small(side_lines_.word[kF]));
     tool_side_.await_lines(side_lines_.plain);
   }
   fill_side_line(block, xy, z);
-  if (!tool_side_.take_line(way, corner, tool_.now())) [[unlikely]] {
-    tool_.go_back(direction);
+  if (!tool_side_.take_line(way, corner, attitude_.directions().now())) [[unlikely]] {
+    attitude_.directions().go_back(direction);
     return false;
   }
   store_pair(&side_lines_.at.x, xy);
@@ -159,7 +174,7 @@ void Interpreter::side_block(const spec::Block& block) {
     for (std::size_t axis = 5; axis < axes_.count; ++axis) event.axes.value[axis] = positions_.sent_to(axis);
   }
   if (event.tool_axis) {
-    const Eigen::Vector3d& unit = tool_.now().unit;
+    const Eigen::Vector3d& unit = attitude_.directions().now().unit;
     for (std::size_t i = 0; i < 3; ++i) (*event.tool_axis)[i] = unit[static_cast<Eigen::Index>(i)] + 0.0;  // never -0
   }
 }

@@ -3,7 +3,10 @@
 
 #include "fast/basis/fault.h"
 #include "fast/basis/short_cut.h"
-#include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/axis_positions.h"
+#include "fast/fanuc/interpreter/modal_state.h"
+#include "fast/fanuc/interpreter/tool_attitude.h"
+#include "fast/fanuc/interpreter/word_units.h"
 
 namespace toolcomp::fast {
 
@@ -17,17 +20,17 @@ inline void WordUnits::read(Count& to, const spec::Decimal& word) const {
 }
 
 template <class Arc>
-void Interpreter::read_arc(const Words& words, Arc& arc) const {
-  arc.clockwise = modal_.motion() == 20;
+void ModalState::read_arc(const Words& words, const WordUnits& units, Arc& arc) const {
+  arc.clockwise = motion_ == 20;
   arc.by_radius = words.has('R');
   for (std::size_t i = 0; i < 2; ++i) {
-    const char letter = modal_.plane_letter(i);
+    const char letter = plane_letter_[i];
     if (words.has(letter))
-      units_.read(arc.to_center[i], words[letter]);
+      units.read(arc.to_center[i], words[letter]);
     else
       arc.to_center[i].set_small(0);
   }
-  if (arc.by_radius) units_.read(arc.radius, words['R']);
+  if (arc.by_radius) units.read(arc.radius, words['R']);
 }
 
 // A position of at most six places, as it is written.
@@ -50,13 +53,14 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
 
 // The usual words without a detour: as they are written, and the first three axes, X Y Z on most machines, not in a
 // loop.
-[[gnu::always_inline]] inline Alarm Interpreter::place_positions(const Words& words, Mask axes) {
+[[gnu::always_inline]] inline Alarm AxisPositions::place_words(const Words& words, Mask axes, const WordUnits& units,
+                                                               bool incremental) {
   unsigned rest = axes;
-  if (units_.plain() && !modal_.incremental() && is_open(ShortCut::words)) [[likely]] {
+  if (units.plain() && !incremental && is_open(ShortCut::words)) [[likely]] {
     const auto placed = [&](std::size_t axis) {
       if ((rest & bit(axis)) == 0) [[unlikely]]
         return true;
-      if (!positions_.place_usual(words.axis(axis), axis)) [[unlikely]]
+      if (!place_usual(words.axis(axis), axis)) [[unlikely]]
         return false;
       rest &= ~static_cast<unsigned>(bit(axis));
       return true;
@@ -64,23 +68,22 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
     if (placed(0) && placed(1) && placed(2)) [[likely]]
       for (; rest != 0; rest &= rest - 1) {
         const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-        if (!positions_.place_usual(words.axis(axis), axis)) [[unlikely]]
+        if (!place_usual(words.axis(axis), axis)) [[unlikely]]
           break;
       }
-    const unsigned offset =
-        axes & ~rest & static_cast<unsigned>(positions_.length().live() | positions_.tool_offset().live());
-    for (unsigned some = offset; some != 0; some &= some - 1)
-      positions_.add_offset(static_cast<std::size_t>(__builtin_ctz(some)));
+    const unsigned offset = axes & ~rest & static_cast<unsigned>(length_.live() | tool_offset_.live());
+    for (unsigned some = offset; some != 0; some &= some - 1) add_offset(static_cast<std::size_t>(__builtin_ctz(some)));
   }
   if (rest != 0) [[unlikely]]
-    if (const Alarm a = for_each_axis(static_cast<Mask>(rest),
-                                      [&](std::size_t axis) { return positions_.place(axis, target(words, axis)); }))
+    if (const Alarm a = for_each_axis(static_cast<Mask>(rest), [&](std::size_t axis) {
+          return place(axis, target(words, axis, units, incremental));
+        }))
       return a;
-  if (positions_.rounded() != 0 && !modal_.incremental()) positions_.clear_rounded(axes);
+  if (rounded_ != 0 && !incremental) clear_rounded(axes);
   return alarm::kNone;
 }
 
-[[gnu::always_inline]] inline bool Interpreter::read_usual_direction(const Words& words, Direction& direction) const {
+[[gnu::always_inline]] inline bool ToolAttitude::read_usual_direction(const Words& words, Direction& direction) const {
   static constexpr spec::Decimal kNothing;
   const auto component = [&](char letter) -> const spec::Decimal& {
     if (words.has(letter)) [[likely]]
@@ -94,16 +97,6 @@ void Interpreter::read_arc(const Words& words, Arc& arc) const {
     return false;
   set_small_direction(direction, Count::small_of_usual(i), Count::small_of_usual(j), Count::small_of_usual(k));
   return true;
-}
-
-[[gnu::always_inline]] inline Alarm Interpreter::place_words(const Words& words, Mask axes) {
-  if (plans_tool_) [[unlikely]]
-    return place_tip_words(words, axes);
-  if (const Alarm a = place_positions(words, axes)) return a;
-  if ((axes & axes_.turning) != 0) turn();
-  if (positions_.stale() != 0)
-    if (const Alarm a = positions_.refresh()) return a;
-  return alarm::kNone;
 }
 
 }  // namespace toolcomp::fast

@@ -55,6 +55,7 @@ class ToolPostureControl {
   void conventional(const Pose& start, const Pose& end, PosturePlan& plan) const;
   // The short cut of plan_finely(), usual_posture.cpp. False where doubles cannot tell, or the block is not usual.
   [[nodiscard]] bool usual_plan(const Pose& start, const Target& target, PosturePlan& plan) const;
+  void usual_motion(const Pose& start, int azimuth, PosturePlan& plan) const;
   void plan_finely(const Pose& start, const Target& target, PosturePlan& plan) const;
 
   // Cases of plan_finely.

@@ -20,6 +20,22 @@ const NearLimit kNoLimit;
 
 }  // namespace
 
+// From `start` to plan.end along their circle.
+[[gnu::always_inline]] inline void ToolPostureControl::usual_motion(const Pose& start, int azimuth,
+                                                                    PosturePlan& plan) const {
+  const PolarFrame& polar = machine_.polar();
+  const Pose& end = plan.end;
+  const bool up = start.seen.z + end.seen.z > 0;
+  if (azimuth == 0 && (up ? polar.has_plus() : polar.has_minus())) {
+    const Vector2<double> a{start.seen.x, start.seen.y};
+    const Vector2<double> b{end.seen.x, end.seen.y};
+    const Vector2<double>& heading = dot(a, a) > dot(b, b) ? a : b;
+    plan.motion.set_meridian(machine_, start, end, start.branch, up ? 1 : -1, heading * (1 / length(heading)));
+  } else {
+    plan.motion.set_circle(machine_, start, end, start.branch, azimuth);
+  }
+}
+
 bool ToolPostureControl::usual_plan(const Pose& start, const Target& target, PosturePlan& plan) const {
   const PolarFrame& polar = machine_.polar();
   if (!is_open(ShortCut::posture) || start.branch == 0) return false;
@@ -79,15 +95,7 @@ bool ToolPostureControl::usual_plan(const Pose& start, const Target& target, Pos
       return true;
     }
   }
-  const bool up = start.seen.z + end.seen.z > 0;
-  if (found.azimuth == 0 && (up ? polar.has_plus() : polar.has_minus())) {
-    const Vector2<double> a{start.seen.x, start.seen.y};
-    const Vector2<double> b{end.seen.x, end.seen.y};
-    const Vector2<double>& heading = dot(a, a) > dot(b, b) ? a : b;
-    plan.motion.set_meridian(machine_, start, end, start.branch, up ? 1 : -1, heading * (1 / length(heading)));
-  } else {
-    plan.motion.set_circle(machine_, start, end, start.branch, found.azimuth);
-  }
+  usual_motion(start, found.azimuth, plan);
   return true;
 }
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "fast/arithmetic/wide.h"
-#include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/interpreter/tool_attitude.h"
 #include "fast/fanuc/interpreter/usual_words.h"
 
 namespace toolcomp::fast {
@@ -19,16 +19,36 @@ std::optional<Int128> whole_length(const std::array<Int128, 3>& v) {
 
 }  // namespace
 
-// The rotary axes stand at positions_.programmed().
-void Interpreter::turn() { kinematics_.direct(positions_.programmed(), tool_.next()); }
+ToolAttitude::ToolAttitude(const spec::Setup& setup, Kinematics& kinematics, const ControlAxes& axes,
+                           const WordUnits& units, const ModalState& modal, AxisPositions& positions, EventSink& sink,
+                           std::uint32_t samples)
+    : kinematics_(kinematics),
+      axes_(axes),
+      units_(units),
+      modal_(modal),
+      positions_(positions),
+      machine_(setup, kinematics),
+      posture_(setup, machine_),
+      tip_(setup, machine_, sink, samples),
+      machine_angles_(setup.rotary_angles == spec::RotaryAngles::machine) {}
+
+void ToolAttitude::take_zeros() {
+  if (axes_.turning == 0 || !machine_angles_) return;
+  Positions zero;
+  for (std::size_t axis = 0; axis < axes_.count; ++axis) zero[axis] = positions_.machine_origin(axis);
+  kinematics_.set_zeros(zero);
+  machine_.set_zeros(zero);
+}
+
+void ToolAttitude::turn() { kinematics_.direct(positions_.programmed(), tool_.next()); }
 
 // A block under G43.5: I J K, or the direction in force.
-void Interpreter::direct(const Words& words) {
+void ToolAttitude::direct(const Words& words) {
   if (words.has_any(Words::set_of("IJK"))) read_direction(words, tool_.next());
 }
 
 // Missing ones of I J K are 0.
-void Interpreter::read_direction(const Words& words, Direction& direction) const {
+void ToolAttitude::read_direction(const Words& words, Direction& direction) const {
   if (read_usual_direction(words, direction)) return;
   std::array<Count, 3> component;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -40,7 +60,7 @@ void Interpreter::read_direction(const Words& words, Direction& direction) const
 
 // G49 after G43.5: the programmed position becomes that of the axes, P + L V. It is exact where |V| is whole and L V_i
 // a multiple of the unit; elsewhere it is rounded to the unit, 8e-21, and the axis is marked.
-void Interpreter::take_position_along_tool() {
+void ToolAttitude::take_position_along_tool() {
   const Direction& tool = tool_.now();
   const Int128 length = tool_length().units();
   const std::optional<Int128> norm = tool.is_whole ? whole_length(tool.whole()) : std::nullopt;
@@ -58,14 +78,8 @@ void Interpreter::take_position_along_tool() {
   }
 }
 
-// Where the moves of blocks under G43.4 or G43.5 go. Nothing is held where the mode begins or ends.
-void Interpreter::send_to(EventSink& sink) {
-  leading_edge_.set_sink(sink);
-  tool_side_.set_sink(sink);
-}
-
 // Under G43.5 without kinematics the moves are complete; only their samples are made on the way out.
-std::uint32_t Interpreter::tag_direction() {
+std::uint32_t ToolAttitude::tag_direction() {
   TipBlock& block = tip_.next();
   block.direction = DirectionMotion(kinematics_, tool_.before(), tool_.now());
   block.length = tool_length().nearest();
@@ -74,8 +88,7 @@ std::uint32_t Interpreter::tag_direction() {
 }
 
 // Another G43.5 leaves the tip and the direction.
-void Interpreter::end_tool_direction(bool again) {
-  send_to(sink_);
+void ToolAttitude::end_by_vector_alone(bool again) {
   plans_tool_ = false;
   if (again) return;
   take_position_along_tool();
@@ -84,6 +97,23 @@ void Interpreter::end_tool_direction(bool again) {
     turn();
   else
     tool_.next() = Direction{};
+}
+
+// L along the tool.
+void ToolAttitude::add_length(Event& event) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (axes_.xyz[i] == spec::Axes::kNone) continue;
+    const double offset = along_length_ * tool_.now().unit[static_cast<Eigen::Index>(i)];
+    event.axes.value[axes_.xyz[i]] += offset;
+    event.machine.value[axes_.xyz[i]] += offset;
+  }
+}
+
+void ToolAttitude::end(bool again) {
+  if (tip_.active())
+    end_tip_control(again);
+  else
+    end_by_vector_alone(again);
 }
 
 }  // namespace toolcomp::fast
