@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "fast/arithmetic/count.h"
 #include "fast/basis/alarm.h"
@@ -20,7 +21,8 @@ namespace toolcomp::fast {
 // is said; machine coordinates are those plus machine_origin().
 class AxisPositions {
  public:
-  AxisPositions(const spec::Setup& setup, const ControlAxes& axes) : axes_(axes), length_(setup), tool_offset_(setup) {}
+  AxisPositions(const spec::Setup& setup, ControlAxes axes)
+      : axes_(std::move(axes)), length_(setup), tool_offset_(setup) {}
   // The positions of the setup. Throws spec::InputError for those no control could have. Every axis is stale.
   void read(const spec::Setup& setup);
 

@@ -178,7 +178,7 @@ class Interpreter {
   // modal state that needs a look. False, and nothing is done: any other block.
   [[nodiscard]] bool side_line(const spec::Block& block);
   [[nodiscard]] bool read_side_line(const spec::Block& block, std::uint32_t& letters);
-  void turn_side_line(std::uint32_t letters);
+  void turn_side_line(std::uint32_t letters, const std::array<std::int64_t, 3>& ijk);
   // A block while usual lines may come.
   void side_block(const spec::Block& block);
   // Positions in 10^-6.

@@ -87,17 +87,14 @@ void Interpreter::side_block(const spec::Block& block) {
   if ((letters & 1U << kG) != 0 && (10 * side_lines_.word[kG] != modal_.motion() * Count::kSmallPerOne ||
                                     static_cast<std::size_t>(std::popcount(letters)) != block.words().size()))
     return false;
-  const bool directed = (letters & kDirection) != 0;
-  if (directed && (side_lines_.word[kI] | side_lines_.word[kI + 1] | side_lines_.word[kI + 2]) == 0) [[unlikely]]
-    return false;
   return true;
 }
 
 // The direction of the tool by these letters: I J K, or rotary axes.
-[[gnu::always_inline]] inline void Interpreter::turn_side_line(std::uint32_t letters) {
+[[gnu::always_inline]] inline void Interpreter::turn_side_line(std::uint32_t letters,
+                                                               const std::array<std::int64_t, 3>& ijk) {
   if ((letters & kDirection) != 0) {
-    set_small_direction(attitude_.directions().next(), side_lines_.word[kI], side_lines_.word[kI + 1],
-                        side_lines_.word[kI + 2]);
+    set_small_direction(attitude_.directions().next(), ijk[0], ijk[1], ijk[2]);
     return;
   }
   // Of those at a new place: a tool that stands still is not turned.
@@ -124,6 +121,9 @@ void Interpreter::side_block(const spec::Block& block) {
   // X and Y side by side: made so at once, and never apart in memory.
   DoublePair xy{static_cast<double>(side_lines_.word[kX]), static_cast<double>(side_lines_.word[kX + 1])};
   auto z = static_cast<double>(side_lines_.word[kX + 2]);
+  const std::array<std::int64_t, 3> ijk{side_lines_.word[kI], side_lines_.word[kI + 1], side_lines_.word[kI + 2]};
+  if ((letters & kDirection) != 0 && (ijk[0] | ijk[1] | ijk[2]) == 0) [[unlikely]]
+    return false;
   if (modal_.incremental()) [[unlikely]] {
     if ((letters & ~kXyzF) != 0 && (letters & kDirection) == 0) return false;
     xy += load_pair(&side_lines_.at.x);
@@ -139,7 +139,7 @@ void Interpreter::side_block(const spec::Block& block) {
 
   // What is done until the line is taken is of no harm where it is not.
   const std::uint8_t direction = attitude_.directions().place();
-  if ((letters & ~kXyzF) != 0) turn_side_line(letters);
+  if ((letters & ~kXyzF) != 0) turn_side_line(letters, ijk);
   if ((letters & 1U << kF) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
     modal_.set_feed(Count::nearest_small(side_lines_.word[kF]));
     tool_side_.await_lines(side_lines_.plain);

@@ -121,7 +121,7 @@ class ToolSideCompensation {
   [[nodiscard]] bool can_await_line(const ToolSideBlock& block);
   // The tool moves ahead for certain along the line, from the vector at its start to the one at its end; `length` in
   // the plane, whole units.
-  [[nodiscard]] bool goes_forward(const SidePath& path, double length, const Vector3<double>& vector);
+  [[nodiscard]] bool goes_forward(const SidePath& path, double length, const Vector3<double>& vector) const;
   // The blocks behind the path that is held, at the vector in force.
   void send_rest();
   // What take_line() leaves to be known of the path that is held and the corner at its start.

@@ -20,7 +20,7 @@ bool ToolSideCompensation::can_await_line(const ToolSideBlock& block) {
 }
 
 // |u|^2 + u . (vector - start), by |u|; u = U - (V . U) V.
-bool ToolSideCompensation::goes_forward(const SidePath& path, double length, const Vector3<double>& vector) {
+bool ToolSideCompensation::goes_forward(const SidePath& path, double length, const Vector3<double>& vector) const {
   const Vector3<double> v{path.tool->unit[0], path.tool->unit[1], path.tool->unit[2]};
   const Vector3<double>& start = line_.vector;
   const Vector3<double> shift = vector - start;
