@@ -1,5 +1,5 @@
-// Cutter compensation B of the fast engine. Expected values: the fact sheet's 14.4 where an example is named, otherwise
-// by hand.
+// Cutter compensation B of the fast engine, by hand. The worked examples of 14.4 stand in
+// golden/fanuc/corpus_examples_chapter_14.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
