@@ -234,6 +234,9 @@ inline constexpr double kSlack = 0x1p-30;
 // What an estimate in double may carry of a value that is exactly zero, relative to its terms: a few roundings.
 inline constexpr double kEstimateNoise = 0x1p-44;
 
+// Below this sine a tool is along the work-side axis, by the exact positions of an event (its middle, 2^-100 wide).
+inline constexpr double kExactlyParallel = 0x1p-90;
+
 // A step counts as one of whole increments where it is that but for this share of one.
 inline constexpr double kWholeStep = 1e-6;
 

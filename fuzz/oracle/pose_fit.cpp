@@ -174,9 +174,8 @@ Posture PoseFit<Number>::posture_at(const Positions& positions) const {
   Posture posture(*estimate_, positions.tool.template convert_to<double>());
   if (!posture.singular) return posture;
   // Doubles do not tell it from one hardly beside it.
-  constexpr double kMiddle = 0x1p-90;
   posture.polar_sine = length(cross(machine_->tilted(positions.tool), machine_->work_side().line));
-  posture.singular = posture.polar_sine < kMiddle;
+  posture.singular = posture.polar_sine < policy::kExactlyParallel;
   return posture;
 }
 
