@@ -92,6 +92,11 @@ TEST(Conditions, OfAnIntersectionNearAReversal) {
     const double expected =
         2 * std::fabs(s) * std::sqrt(double(n) * n + 1) / list[1].vector;  // 2·slide/sin θ, over |M|
     EXPECT_NEAR(list[1].condition, 1 + expected, 1e-3 * expected);
+    // Hardly determined it is judged by both offset lines: y = 10, and the one of the block back.
+    if (n < 100'000) continue;
+    ASSERT_EQ(list[1].heads.size(), 1U);
+    EXPECT_NEAR(std::fabs(list[1].heads[0].bands[0].normal[1]), 1, 1e-15);
+    EXPECT_NEAR(std::fabs(list[1].heads[0].bands[1].normal[0]), 1 / std::hypot(n, 1.0), 1e-15);
   }
 }
 

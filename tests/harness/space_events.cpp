@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -390,6 +391,20 @@ TEST(SpaceScales, AMitreStretchesItsErrors) {
   const double vector = std::sqrt(2.0);
   const double direction = policy::ulp(1) + policy::ulp(8) / 8;
   EXPECT_NEAR(conditions.next(events).pose.tip / (vector * direction * (1 + vector)), 1, 1e-9);
+}
+
+// The same 1024 away along Y: directions are as good as the largest coordinate of their ends.
+TEST(SpaceScales, AMitreFarAlongAnyAxis) {
+  spec::Setup setup;
+  setup.control = spec::Control::heidenhain;
+  setup.axes = spec::Axes("XYZ");
+  const std::vector<model::Event> events = {beside(0, 1024, Real(0), Real(1025)), beside(8, 1024, Real(7), Real(1025)),
+                                            beside(8, 1032, Real(7), Real(1032))};
+  Conditions conditions(setup);
+  (void)conditions.next(events);
+  const double vector = std::sqrt(2.0);
+  const double direction = policy::ulp(1) + policy::ulp(1024) / 8;
+  EXPECT_NEAR(conditions.next(std::span(events).subspan(1)).pose.tip / (vector * direction * (1 + vector)), 1, 1e-9);
 }
 
 // Near a reversal, the turn back by 2/far, the mitre is as long as its condition, and the directions stay those of the
