@@ -30,11 +30,16 @@ std::optional<Vector> Pairing<Number>::shift(const model::Event& sample, const S
 }
 
 template <class Number>
+void Pairing<Number>::move_by(model::Event& event, const Vector& by) const {
+  for (auto* values : {&event.programmed, &event.point, &event.axes, &event.machine}) add(*values, index_, by);
+}
+
+template <class Number>
 std::optional<Difference> Pairing<Number>::next(std::span<const model::Event> window, const spec::Event<Number>& actual,
                                                 Tally& tally) {
   const model::Event& event = window.front();
   Scale scale = conditions_.next(window);
-  scale.carried = fit_.carried(event);
+  scale.carried = fit_.carried();
   const std::optional<Vector> by = event.kind == EventKind::sample ? shift(event, scale) : std::nullopt;
   Tally judged = tally;
   std::optional<Difference> difference;
@@ -45,6 +50,13 @@ std::optional<Difference> Pairing<Number>::next(std::span<const model::Event> wi
     difference = compare(rules_, shifted, scale, actual, judged);
   } else {
     difference = compared(event, scale, actual, judged);
+  }
+  std::optional<Vector> own;
+  if (difference && (own = fit_.taken_over(event, actual))) {
+    judged = tally;
+    model::Event moved = event;
+    move_by(moved, *own);
+    difference = compared(moved, scale, actual, judged);
   }
   double direction = 0;
   if (difference) {
@@ -59,6 +71,7 @@ std::optional<Difference> Pairing<Number>::next(std::span<const model::Event> wi
       scale.pose.tip += seen->rounded * scale.position / rules_.budget().coordinate;
       scale.pose.direction = std::max(scale.pose.direction, policy::ulp(1)) + seen->rounded / rules_.budget().tool_axis;
       if (by) add(seen->event.point, index_, *by);
+      if (own) move_by(seen->event, *own);
       difference = compared(seen->event, scale, actual, judged);
     }
   }

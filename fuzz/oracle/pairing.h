@@ -35,6 +35,8 @@ class Pairing {
 
  private:
   [[nodiscard]] std::optional<model::Vector> shift(const model::Event& sample, const Scale& scale) const;
+  // X Y Z of a move.
+  void move_by(model::Event& event, const model::Vector& by) const;
   void follow(const model::Event& expected, const spec::Event<Number>& actual);
   std::optional<Difference> compared(const model::Event& expected, const Scale& scale,
                                      const spec::Event<Number>& actual, Tally& tally) const;

@@ -333,26 +333,37 @@ bool PoseFit<Number>::controlled(const model::Event& event) {
   return event.tool_axis.has_value() && !event.machine.empty() && event.cause != spec::Cause::reference;
 }
 
-// Where the mode ends, or begins anew, positions are those of the axes.
+// By axis: one that the block names has a position of its own.
 template <class Number>
-double PoseFit<Number>::carried(const model::Event& event) const {
-  const bool of_axes = event.kind == EventKind::move && (!controlled(event) || begins(event));
-  return of_axes ? std::max(carried_, last_) : carried_;
+std::optional<Vector> PoseFit<Number>::taken_over(const model::Event& event, const spec::Event<Number>& actual) const {
+  if (last_ == 0 || event.kind != EventKind::move || !takes_over(event)) return std::nullopt;
+  Vector by;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = index_.at(i);
+    if (axis == spec::Axes::kNone || !event.programmed.has(axis) || !actual.programmed.has(axis)) continue;
+    const double off = signed_distance(event.programmed[axis], actual.programmed[axis]);
+    if (std::fabs(off - approximate(model::component(last_off_, i))) < std::fabs(off))
+      model::component(by, i) = model::component(last_off_, i);
+  }
+  return by;
 }
 
 template <class Number>
 void PoseFit<Number>::follow(const model::Event& expected, const spec::Event<Number>& actual, double direction) {
   if (expected.kind != EventKind::move) return;
   const bool controlled = PoseFit::controlled(expected);
-  carried_ = carried(expected);
+  if (takes_over(expected)) carried_ = std::max(carried_, last_);
   last_ = 0;
+  last_off_ = Vector();
   const bool axes = rules_.judges("axes");
   find_zeros(expected);
   double far = 0;
   if (controlled && axes)
-    for (const std::size_t i : index_)
-      if (i != spec::Axes::kNone && expected.axes.has(i) && actual.axes.has(i) && is_finite(actual.axes[i])) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const std::size_t i = index_.at(k);
+          i != spec::Axes::kNone && expected.axes.has(i) && actual.axes.has(i) && is_finite(actual.axes[i])) {
         const double off = std::fabs(signed_distance(expected.axes[i], actual.axes[i]));
+        model::component(last_off_, k) = Real(rational(actual.axes[i])) - expected.axes[i];
         last_ = std::max(last_, off);
         far = std::hypot(far, std::max(0.0, off - rules_.resolution()));
       }

@@ -46,9 +46,12 @@ class PoseFit {
   // Goes on behind a pair that agreed, `direction` as above.
   void follow(const model::Event& expected, const spec::Event<Number>& actual, double direction);
 
-  // How far programmed positions of `event`, the next one, may lie off because they were once those of axes under tool
-  // center point control.
-  [[nodiscard]] double carried(const model::Event& event) const;
+  // How far programmed positions may lie off because they were once those of axes under tool center point control.
+  [[nodiscard]] double carried() const { return carried_; }
+  // By how much X Y Z of `event`, the next one, are the controller's own where the mode ends or begins anew: there axes
+  // under tool center point control become programmed positions. Nothing where none do.
+  [[nodiscard]] std::optional<model::Vector> taken_over(const model::Event& event,
+                                                        const spec::Event<Number>& actual) const;
   // Of the controller's rotary positions, where they lie farther off than they are rounded.
   [[nodiscard]] const std::vector<Deviation>& deviations() const { return deviations_; }
 
@@ -74,6 +77,8 @@ class PoseFit {
   void find_zeros(const model::Event& event);
   [[nodiscard]] bool begins(const model::Event& event) const;
   static bool controlled(const model::Event& event);
+  // Axes under tool center point control become programmed positions here.
+  [[nodiscard]] bool takes_over(const model::Event& event) const { return !controlled(event) || begins(event); }
   [[nodiscard]] View view(const model::Event& event, const spec::Event<Number>& actual) const;
 
   [[nodiscard]] Posture posture_at(const Positions& positions) const;
@@ -110,6 +115,7 @@ class PoseFit {
   Off before_;                                 // at the end of the move before
   double direction_ = 0;                       // of the tool axis there
   double last_ = 0;                            // of X Y Z of the axes there
+  model::Vector last_off_;                     // the same, the controller's less the expected ones
   double carried_ = 0;
   std::vector<Deviation> deviations_;
 };
