@@ -51,8 +51,8 @@ std::optional<Difference> Pairing<Number>::next(std::span<const model::Event> wi
   } else {
     difference = compared(event, scale, actual, judged);
   }
-  std::optional<Vector> own;
-  if (difference && (own = fit_.taken_over(event, actual))) {
+  const std::optional<Vector> own = difference ? fit_.taken_over(event, actual) : std::nullopt;
+  if (own) {
     judged = tally;
     model::Event moved = event;
     move_by(moved, *own);
