@@ -333,17 +333,37 @@ bool PoseFit<Number>::controlled(const model::Event& event) {
   return event.tool_axis.has_value() && !event.machine.empty() && event.cause != spec::Cause::reference;
 }
 
+template <class Number>
+bool PoseFit<Number>::were_both(std::size_t axis) const {
+  return axis != spec::Axes::kNone && axes_before_.has(axis) && own_before_.has(axis) && is_finite(own_before_[axis]);
+}
+
+template <class Number>
+double PoseFit<Number>::apart() const {
+  double largest = 0;
+  double far = 0;
+  for (const std::size_t axis : index_) {
+    if (!were_both(axis)) continue;
+    const double off = std::fabs(signed_distance(axes_before_[axis], own_before_[axis]));
+    largest = std::max(largest, off);
+    far = std::hypot(far, std::max(0.0, off - rules_.resolution()));
+  }
+  // A table turns what lies farther off than it is rounded.
+  return std::max(largest, far);
+}
+
 // By axis: one that the block names has a position of its own.
 template <class Number>
 std::optional<Vector> PoseFit<Number>::taken_over(const model::Event& event, const spec::Event<Number>& actual) const {
-  if (last_ == 0 || event.kind != EventKind::move || !takes_over(event)) return std::nullopt;
-  Vector by;
+  if (event.kind != EventKind::move || !takes_over(event)) return std::nullopt;
+  std::optional<Vector> by;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = index_.at(i);
-    if (axis == spec::Axes::kNone || !event.programmed.has(axis) || !actual.programmed.has(axis)) continue;
+    if (!were_both(axis) || !event.programmed.has(axis) || !actual.programmed.has(axis)) continue;
     const double off = signed_distance(event.programmed[axis], actual.programmed[axis]);
-    if (std::fabs(off - approximate(model::component(last_off_, i))) < std::fabs(off))
-      model::component(by, i) = model::component(last_off_, i);
+    if (std::fabs(off - signed_distance(axes_before_[axis], own_before_[axis])) >= std::fabs(off)) continue;
+    if (!by) by.emplace();
+    model::component(*by, i) = Real(rational(own_before_[axis])) - axes_before_[axis];
   }
   return by;
 }
@@ -352,23 +372,11 @@ template <class Number>
 void PoseFit<Number>::follow(const model::Event& expected, const spec::Event<Number>& actual, double direction) {
   if (expected.kind != EventKind::move) return;
   const bool controlled = PoseFit::controlled(expected);
-  if (takes_over(expected)) carried_ = std::max(carried_, last_);
-  last_ = 0;
-  last_off_ = Vector();
-  const bool axes = rules_.judges("axes");
+  if (takes_over(expected)) carried_ = std::max(carried_, apart());
+  const bool follows = controlled && rules_.judges("axes");
+  axes_before_ = follows ? expected.axes : spec::AxisValues<Real>();
+  own_before_ = follows ? actual.axes : spec::AxisValues<Number>();
   find_zeros(expected);
-  double far = 0;
-  if (controlled && axes)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (const std::size_t i = index_.at(k);
-          i != spec::Axes::kNone && expected.axes.has(i) && actual.axes.has(i) && is_finite(actual.axes[i])) {
-        const double off = std::fabs(signed_distance(expected.axes[i], actual.axes[i]));
-        model::component(last_off_, k) = Real(rational(actual.axes[i])) - expected.axes[i];
-        last_ = std::max(last_, off);
-        far = std::hypot(far, std::max(0.0, off - rules_.resolution()));
-      }
-  // A table turns what lies farther off than it is rounded.
-  last_ = std::max(last_, far);
   if (has_positions(expected, actual)) {
     before_ = off(expected, actual);
     direction_ = direction;

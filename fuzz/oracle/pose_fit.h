@@ -79,6 +79,10 @@ class PoseFit {
   static bool controlled(const model::Event& event);
   // Axes under tool center point control become programmed positions here.
   [[nodiscard]] bool takes_over(const model::Event& event) const { return !controlled(event) || begins(event); }
+  // Both have a position of this axis at the end of the move before.
+  [[nodiscard]] bool were_both(std::size_t axis) const;
+  // How far apart both are at the end of the move before, along X, Y or Z or together; 0 without them.
+  [[nodiscard]] double apart() const;
   [[nodiscard]] View view(const model::Event& event, const spec::Event<Number>& actual) const;
 
   [[nodiscard]] Posture posture_at(const Positions& positions) const;
@@ -114,8 +118,8 @@ class PoseFit {
   std::array<Rational, spec::kMaxAxes> zero_;  // machine minus workpiece coordinates
   Off before_;                                 // at the end of the move before
   double direction_ = 0;                       // of the tool axis there
-  double last_ = 0;                            // of X Y Z of the axes there
-  model::Vector last_off_;                     // the same, the controller's less the expected ones
+  spec::AxisValues<model::Real> axes_before_;  // there, if that was under tool center point control
+  spec::AxisValues<Number> own_before_;        // and where the controller had them
   double carried_ = 0;
   std::vector<Deviation> deviations_;
 };
