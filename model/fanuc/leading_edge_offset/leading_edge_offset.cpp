@@ -4,18 +4,9 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
-#include "spec/language/input_error.h"
 
 namespace toolcomp::model {
 namespace {
-
-Rational fluctuation(const spec::Setup& setup) {
-  const std::optional<spec::Decimal> given = setup.parameter(19631);
-  const Rational degrees = given ? plain(*given) : Rational(1);
-  if (degrees > 90 || degrees < -90)
-    throw spec::InputError("setup", 0, 0, "parameters.19631: an angle from -90 to 90 must stand here");
-  return degrees;
-}
 
 constexpr const char* kStartFormat = "a move, or a code that stops the look-ahead, in the block with G41.3";
 constexpr const char* kCancelFormat = "a move in the block that cancels the leading edge offset";
@@ -24,7 +15,7 @@ constexpr const char* kNoMovement = "the block after G41.3 has no linear movemen
 }  // namespace
 
 LeadingEdgeOffset::LeadingEdgeOffset(const Place& place)
-    : StageOf(place), memory_(place.memory), rules_(fluctuation(place.setup), place.recorder) {}
+    : StageOf(place), memory_(place.memory), rules_(place.setup, place.recorder) {}
 
 bool LeadingEdgeOffset::on_after(const Command& command) const {
   const Codes& codes = command.codes;
@@ -105,7 +96,6 @@ void LeadingEdgeOffset::take_moving(const Step& step) {
     const Vector& movement = step.moves.front().leg.travel;
     decide_held();
     if (starting_) {
-      recorder().reach(Clause::fanuc_leading_edge_start);
       try {
         vector_ = rules_.first(movement, held_->rest.tool, said(*held_).radius);
       } catch (Alarm& alarm) {
