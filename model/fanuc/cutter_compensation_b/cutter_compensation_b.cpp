@@ -10,11 +10,16 @@ namespace {
 
 bool changes_number(const CutterBlock& words) { return words.number_given && words.number != words.number_before; }
 
-Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) : value; }
+// Sweep and radii of the tool's own arc.
+void run_on(spec::Arc<Real>& arc, const HeadArc& way) {
+  arc.sweep = way.sweep;
+  arc.radius = way.radius;
+}
 
 }  // namespace
 
-CutterCompensationB::CutterCompensationB(const Place& place) : CutterCompensation(place), axes_(place.setup.axes) {}
+CutterCompensationB::CutterCompensationB(const Place& place)
+    : CutterCompensation(place), axes_(place.setup.axes), rules_(place.recorder) {}
 
 void CutterCompensationB::check(const CutterBlock& words) const {
   check_common(words);
@@ -93,48 +98,21 @@ void CutterCompensationB::keep(Step& step) const {
 // G40: the vector goes at once, in the block's own move or in one back to the programmed point.
 void CutterCompensationB::cancel(Step& step) {
   const CutterBlock& block = said(step);
-  const bool started = recorder().decide(Clause::fanuc_cutter_b_cancel, started_);
-  bool cancels = started;
-  const bool by_words = block.axis_word && (block.one_shot == OneShot::none || block.motion != PlaneMotion::none);
-  if (!by_words && block.motion != PlaneMotion::arc) {
-    cancels = recorder().decide(Clause::fanuc_cutter_b_cancel_alone, !is_zero(vector_));
-    // Beside G92 the only move there can be is that of the length offset.
-    if (cancels && (step.moves.empty() || block.one_shot == OneShot::shift)) step.moves = {step.rest};
-  }
+  const Removal removal = rules_.removal(block, started_, vector_);
+  // Beside G92 the only move there can be is that of the length offset.
+  if (removal == Removal::alone && (step.moves.empty() || block.one_shot == OneShot::shift)) step.moves = {step.rest};
   vector_ = {};
   started_ = false;
   // Machine and reference positions keep the causes of their moves.
   const bool by_path = block.motion == PlaneMotion::none || block.motion == PlaneMotion::zero_travel ||
                        block.motion == PlaneMotion::line || block.motion == PlaneMotion::arc;
-  if (cancels && by_path)
+  if (removal != Removal::none && by_path)
     for (Move& move : step.moves) move.leg.cause = spec::Cause::cancel;
 }
 
-Rational CutterCompensationB::to_the_left(const CutterBlock& block) {
-  recorder().decide(Clause::fanuc_cutter_b_number_zero, block.number == 0);
-  const Rational length = block.side == CutterSide::left ? block.offset : Rational(-block.offset);
-  recorder().decide(Clause::fanuc_cutter_side, Real(length), Real(magnitude(length)));
-  return length;
-}
-
-PlanePoint CutterCompensationB::across(const Rational& length, const PlanePoint& direction) {
-  return Real(length) / sqrt(squared_norm(direction)) * left(direction);
-}
-
 void CutterCompensationB::line(Step& step) {
-  const CutterBlock& block = said(step);
-  PlanePoint direction;
-  bool kept = false;
-  if (recorder().decide(Clause::fanuc_cutter_b_direction_words, block.direction.has_value())) {
-    direction = *block.direction;
-    kept = recorder().decide(Clause::fanuc_cutter_b_direction_zero, is_zero(direction));
-  } else {
-    direction = block.end - block.start;
-    kept = recorder().decide(Clause::fanuc_cutter_b_no_travel, block.motion == PlaneMotion::zero_travel);
-  }
-  if (!kept) {
-    recorder().reach(Clause::fanuc_cutter_b_vector);
-    vector_ = across(to_the_left(block), direction);
+  if (const auto made = rules_.at_end_of_line(said(step))) {
+    vector_ = *made;
     if (!std::exchange(started_, true)) {
       recorder().reach(Clause::fanuc_cutter_b_start_up);
       step.moves.front().leg.cause = spec::Cause::start_up;
@@ -146,58 +124,31 @@ void CutterCompensationB::line(Step& step) {
 void CutterCompensationB::arc(Step& step) {
   const CutterBlock& block = said(step);
   const PlanePoint& center = block.arc->center;
-  const PlanePoint to_end = block.end - center;
-  if (is_zero(to_end))
-    raise(recorder(), Clause::fanuc_cutter_b_arc_ends_in_center, "PS0038", "an arc whose end is its centre");
-  recorder().reach(Clause::fanuc_cutter_b_arc_vector);
   const PlanePoint from = block.start + vector_ - center;
-  const PlanePoint tangent = block.arc_direction == spec::ArcDirection::ccw ? left(to_end) : -left(to_end);
-  vector_ = across(to_the_left(block), tangent);
+  vector_ = rules_.at_end_of_arc(block);
   keep(step);
-  tool_arc(*step.moves.front().leg.arc, from, to_end + vector_);
+  run_on(*step.moves.front().leg.arc, rules_.head_to_head(block.arc_direction, from, block.end - center + vector_));
 }
 
-bool CutterCompensationB::tool_arc(spec::Arc<Real>& arc, const PlanePoint& from, const PlanePoint& to) const {
-  const Real from2 = squared_norm(from);
-  const Real to2 = squared_norm(to);
-  arc.sweep.reset();
-  bool whole = false;
-  const bool in_center = from2.sign() == Sign::zero || to2.sign() == Sign::zero;
-  if (!recorder().decide(Clause::fanuc_cutter_b_arc_head_in_center, in_center)) {
-    const Real left_turn = cross(from, to);
-    const Real sine = arc.direction == spec::ArcDirection::ccw ? left_turn : -left_turn;
-    const Sign side = recorder().decide(Clause::fanuc_cutter_b_arc_sweep, sine, sqrt(from2 * to2));
-    const Real cosine = dot(from, to);
-    arc.sweep = swept_angle(sine, cosine, side);
-    whole = side == Sign::zero && cosine.sign() == Sign::positive;
-  }
-  arc.radius.reset();
-  if (recorder().decide(Clause::fanuc_cutter_b_arc_radii, to2 - from2, to2 + from2) == Sign::zero) return whole;
-  arc.radius = {sqrt(from2), sqrt(to2)};
-  return false;
-}
-
-// G39: about the programmed point, on the side of the tool, from the old vector to the new one.
+// G39: about the programmed point, from the old vector to the new one.
 void CutterCompensationB::corner_arc(Step& step) {
   const CutterBlock& block = said(step);
-  recorder().reach(Clause::fanuc_cutter_b_corner_arc);
-  recorder().decide(Clause::fanuc_cutter_b_corner_arc_direction, block.direction_letters);
-  const Rational length = to_the_left(block);
-  const PlanePoint before = std::exchange(vector_, across(length, *block.direction));
-  const bool clockwise = recorder().decide(Clause::fanuc_cutter_b_corner_arc_sense, length > 0);
-  Move move = step.rest;
-  move.leg.type = spec::MoveType::arc;
-  move.leg.cause = spec::Cause::corner;
-  spec::Arc<Real>& arc = move.leg.arc.emplace();
-  arc.plane = block.plane;
-  arc.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
-  const PlaneLetters in_plane = letters(block.plane);
-  const Vector center = in_space(block.plane, block.start);
-  for (const char letter : {in_plane.first, in_plane.second})
-    arc.center.set(axes_.index(letter), component(center, space_index(letter)));
-  const bool no_vector = is_zero(before) && is_zero(vector_);
-  const bool stays = no_vector || tool_arc(arc, before, vector_);
-  if (!recorder().decide(Clause::fanuc_cutter_b_corner_arc_none, stays)) step.moves = {std::move(move)};
+  const CornerArcOfB made = rules_.corner_arc(block, vector_);
+  vector_ = made.vector;
+  if (made.moves) {
+    Move move = step.rest;
+    move.leg.type = spec::MoveType::arc;
+    move.leg.cause = spec::Cause::corner;
+    spec::Arc<Real>& arc = move.leg.arc.emplace();
+    arc.plane = block.plane;
+    arc.direction = made.direction;
+    const PlaneLetters in_plane = letters(block.plane);
+    const Vector center = in_space(block.plane, block.start);
+    for (const char letter : {in_plane.first, in_plane.second})
+      arc.center.set(axes_.index(letter), component(center, space_index(letter)));
+    run_on(arc, made.way);
+    step.moves = {std::move(move)};
+  }
   keep(step);
 }
 
