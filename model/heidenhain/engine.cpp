@@ -9,7 +9,7 @@
 #include "model/heidenhain/program/interpreter.h"
 #include "model/heidenhain/program/report.h"
 #include "model/heidenhain/program/tool_checks.h"
-#include "model/heidenhain/programmed_contour/programmed_contour.h"
+#include "model/heidenhain/programmed_contour/rules.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::model::klartext {

@@ -8,7 +8,7 @@
 #include "model/heidenhain/program/compensated.h"
 #include "model/heidenhain/program/motion.h"
 #include "model/heidenhain/program/tool_checks.h"
-#include "model/heidenhain/programmed_contour/programmed_contour.h"
+#include "model/heidenhain/programmed_contour/rules.h"
 
 namespace toolcomp::model::klartext {
 
