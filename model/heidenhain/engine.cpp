@@ -39,7 +39,7 @@ struct Engine::State {
   void run(const spec::klartext::Block& block);
   void run(Motion motion);
   [[nodiscard]] Compensated uncompensated(const Motion& motion) const;
-  Compensated compensated(Motion& motion, const std::optional<FaceMilling::Checked>& contact);
+  Compensated compensated(Motion& motion, const std::optional<FaceContact>& contact);
   // What is held goes out as if nothing followed.
   void finish() {
     peripheral.finish();
@@ -110,7 +110,7 @@ void Engine::State::run(const spec::klartext::Block& block) {
 }
 
 void Engine::State::run(Motion motion) {
-  std::optional<FaceMilling::Checked> contact;
+  std::optional<FaceContact> contact;
   if (motion.normal)
     contact = face.check(motion);
   else if (motion.vectors || motion.is_peripheral())
@@ -141,7 +141,7 @@ void Engine::State::run(Motion motion) {
   report(motion, end);
 }
 
-Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceMilling::Checked>& contact) {
+Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceContact>& contact) {
   if (contact) return face.compensate(motion, *contact);
   if (motion.vectors)
     motion.warn(recorder, Clause::heidenhain_peripheral_no_lateral, "W_NO_LATERAL",
