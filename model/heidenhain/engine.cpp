@@ -104,6 +104,7 @@ void Engine::State::run(const spec::klartext::Block& block) {
   std::optional<Motion> motion = interpreter.read(block);
   if (interpreter.tool_call()) face.forget();
   if (motion) run(*std::move(motion));
+  // heidenhain.program.end: M2, M30 and END PGM end the program after their block, and so does the end of the text.
   const bool ends = recorder.decide(Clause::heidenhain_program_end, interpreter.ends());
   recorder.take_clauses();  // of a block without an event
   if (ends) finish();
@@ -126,14 +127,21 @@ void Engine::State::run(Motion motion) {
   recorder.resume(std::move(motion.clauses));
   const bool cancels = peripheral.pass();
   if (motion.is_out_of_scope()) {
+    // heidenhain.peripheral.out-of-scope: RL or RR without TCPM, in L and in LN without a normal, is the ordinary
+    // compensation in the plane by the full radius, which is not modelled: an undecided event with the reason
+    // OUT_OF_SCOPE in place of the move; the run goes on from the programmed end point.
     recorder.reach(Clause::heidenhain_peripheral_out_of_scope);
     motion.clauses = recorder.take_clauses();
     report_out_of_scope(motion, sink);
     return;
   }
+  // heidenhain.program.length-along-the-tool: DL acts along the tool vector T: the axes of an event are the tip of a
+  // tool of exactly the table length, and the real tool stands by dL t beside where it would without deltas.
   recorder.reach(Clause::heidenhain_program_length_along_the_tool);
   Compensated end = compensated(motion, contact);
   if (cancels) {
+    // heidenhain.peripheral.cancel: The move of the first moving block behind the last compensated one has the cause
+    // cancel: it goes straight to its own end point. A block out of scope is that block without a move.
     recorder.reach(Clause::heidenhain_peripheral_cancel);
     end.cause = spec::Cause::cancel;
   }
@@ -143,6 +151,8 @@ void Engine::State::run(Motion motion) {
 
 Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceContact>& contact) {
   if (contact) return face.compensate(motion, *contact);
+  // heidenhain.peripheral.no-lateral: LN without a normal under R0 has no side: no lateral compensation, and
+  // W_NO_LATERAL. The manual calls compensation possible in such a block; it needs RL or RR of an earlier one.
   if (motion.vectors)
     motion.warn(recorder, Clause::heidenhain_peripheral_no_lateral, "W_NO_LATERAL",
                 "LN without a surface normal under R0: no lateral compensation");
@@ -150,6 +160,8 @@ Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceC
 }
 
 Compensated Engine::State::uncompensated(const Motion& motion) const {
+  // heidenhain.program.no-compensation: A straight line L without RL and RR has no 3D compensation, whatever the
+  // deltas. So has LN without a normal under R0.
   recorder.reach(Clause::heidenhain_program_no_compensation);
   Compensated end;
   end.point = ProgrammedContour::tip_of_reference(motion);

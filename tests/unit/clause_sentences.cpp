@@ -154,28 +154,40 @@ std::vector<std::string> unruly(const std::vector<std::string>& lines) {
   return faults;
 }
 
-// A clause that is marked is said.
-std::vector<std::string> unsaid(const std::string& text) {
+// The clauses that a text marks, and those that it says.
+std::set<std::string> marked(const std::string& text) {
   static const std::regex kMark(R"(Clause::([a-z0-9_]+))");
-  std::set<std::string> said;
-  for (const Sentence& sentence : sentences(lines_of(text))) said.insert(sentence.id);
-  std::set<std::string> faults;
+  std::set<std::string> ids;
   for (auto it = std::sregex_iterator(text.begin(), text.end(), kMark); it != std::sregex_iterator(); ++it)
     for (const spec::ClauseInfo& clause : spec::clauses()) {
       std::string enumerator(clause.id);
       std::ranges::replace_if(enumerator, [](char c) { return c == '.' || c == '-'; }, '_');
-      if (enumerator != (*it)[1].str() || said.contains(std::string(clause.id))) continue;
-      faults.insert(
-          fmt::format("marked, but not said:\n{}", as_comment({std::string(clause.id), "", 0, 0}, clause.text)));
+      if (enumerator == (*it)[1].str()) ids.emplace(clause.id);
     }
-  return {faults.begin(), faults.end()};
+  return ids;
+}
+
+std::set<std::string> said(const std::string& text) {
+  std::set<std::string> ids;
+  for (const Sentence& sentence : sentences(lines_of(text))) ids.insert(sentence.id);
+  return ids;
+}
+
+// A clause that is marked is said.
+std::vector<std::string> unsaid(const std::set<std::string>& marked, const std::set<std::string>& said) {
+  std::vector<std::string> faults;
+  for (const std::string& id : marked)
+    if (!said.contains(id))
+      faults.push_back(fmt::format("marked, but not said:\n{}",
+                                   as_comment({id, "", 0, 0}, spec::info(*spec::find_clause(id)).text)));
+  return faults;
 }
 
 std::vector<std::string> faults_of_rules(const std::string& text) {
   static const std::regex kState(R"(\b(Step|Move|Stage|StageOf|StageWords)\b)");
   const std::vector<std::string> lines = lines_of(text);
   std::vector<std::string> faults = unruly(lines);
-  for (std::string& fault : unsaid(text)) faults.push_back(std::move(fault));
+  for (std::string& fault : unsaid(marked(text), said(text))) faults.push_back(std::move(fault));
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string code = lines[i].substr(0, lines[i].find("//"));
     if (std::smatch match; std::regex_search(code, match, kState))
@@ -210,6 +222,23 @@ TEST(Architecture, RulesStandInTheOrderOfTheClauses) {
       ADD_FAILURE() << entry.path().string() << ", " << fault;
   }
   EXPECT_GT(seen, 0U);
+}
+
+// Whoever reads a folder finds there the sentence of every clause that it marks.
+TEST(Architecture, MarkedClausesAreSaidInTheirFolder) {
+  // Of these the rules alone.
+  const std::set<std::string> in_part{"corner", "cutter_compensation_c", "tool_side_compensation"};
+  std::map<fs::path, std::string> folders;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(TOOLCOMP_SOURCE_DIR) / "model"))
+    if (entry.is_regular_file()) folders[entry.path().parent_path()] += read(entry.path()) + "\n";
+  std::size_t seen = 0;
+  for (const auto& [folder, text] : folders) {
+    if (in_part.contains(folder.filename())) continue;
+    const std::set<std::string> ids = marked(text);
+    seen += ids.size();
+    for (const std::string& fault : unsaid(ids, said(text))) ADD_FAILURE() << folder.string() << ", " << fault;
+  }
+  EXPECT_GT(seen, 100U);
 }
 
 // The text of a clause, which no test types in a second time.

@@ -29,6 +29,9 @@ void CutterCompensationB::check(const CutterBlock& words) const {
 
 void CutterCompensationB::check_corner_arc(const CutterBlock& words) const {
   const bool forbidden = words.code || changes_number(words) || words.axis_word_outside;
+  // fanuc.cutter-b.corner-arc-format: G39 raises PS0035 while the mode is off or no start-up has been made; with G40,
+  // G41, G42 or a word that gives the cutter another number in its block; with an axis word outside the plane; with a
+  // direction that is zero or missing.
   if (!on() || !started_ || forbidden || !words.direction || is_zero(*words.direction))
     raise(recorder(), Clause::fanuc_cutter_b_corner_arc_format, "PS0035",
           "G39 outside the mode, with another code, number or axis, or without a direction");
@@ -37,9 +40,17 @@ void CutterCompensationB::check_corner_arc(const CutterBlock& words) const {
 void CutterCompensationB::check_arc(const CutterBlock& words) const {
   constexpr const char* kArc = "an arc in a block that starts, changes or cancels cutter compensation";
   const bool is_on = words.side != CutterSide::none;
+  // fanuc.cutter-b.arc-with-code: G41 or G42 in a block that is an arc raises PS0034, a repeated code included. A block
+  // is an arc where G02 or G03 is in force, no other code of group 00 stands in it, and it holds an axis word of the
+  // plane, I, J, K or R.
   if (is_on && words.code) raise(recorder(), Clause::fanuc_cutter_b_arc_with_code, "PS0034", kArc);
+  // fanuc.cutter-b.arc-with-number: A word that gives the cutter another number than the one in force, in a block that
+  // is an arc while the mode is on, raises PS0034.
   if (is_on && changes_number(words)) raise(recorder(), Clause::fanuc_cutter_b_arc_with_number, "PS0034", kArc);
+  // fanuc.cutter-b.arc-at-start-up: An arc as the first block that would make a vector (the start-up) raises PS0034.
   if (is_on && !started_) raise(recorder(), Clause::fanuc_cutter_b_arc_at_start_up, "PS0034", kArc);
+  // fanuc.cutter-b.arc-at-cancel: G40 in a block that is an arc raises PS0034 while the vector is not zero; a zero
+  // vector leaves the arc as programmed.
   if (!is_on && on() && recorder().decide(Clause::fanuc_cutter_b_arc_at_cancel, !is_zero(vector_)))
     throw Alarm("PS0034", kArc);
 }
@@ -62,10 +73,15 @@ void CutterCompensationB::run(Step& step) {
     if (on()) cancel(step);
     return;
   }
+  // fanuc.cutter-b.mode: The mode is on from the block with G41 or G42 to the one with G40.
+  // fanuc.cutter-b.switch: G41 under G42 and G42 under G41 need no G40 between: the next vector that is made, in the
+  // same block where it is a straight one, lies on the new side. A repeated code changes nothing.
   if (!on())
     recorder().reach(Clause::fanuc_cutter_b_mode);
   else if (block.code)
     recorder().decide(Clause::fanuc_cutter_b_switch, block.side != block.before);
+  // fanuc.cutter-b.number-changed: A new number while the mode is on counts for the next vector that is made, in the
+  // same block where it is a straight one; a vector that is kept keeps its length.
   if (on() && block.number_given) recorder().decide(Clause::fanuc_cutter_b_number_changed, changes_number(block));
   if (block.one_shot == OneShot::corner_arc) {
     corner_arc(step);
@@ -73,6 +89,8 @@ void CutterCompensationB::run(Step& step) {
   }
   switch (block.motion) {
     case PlaneMotion::none:
+      // fanuc.cutter-b.kept: A block without an axis word of the plane that is no arc keeps the vector, whatever else
+      // it moves; I J K in it mean nothing.
       recorder().reach(Clause::fanuc_cutter_b_kept);
       keep(step);
       break;
@@ -114,6 +132,9 @@ void CutterCompensationB::line(Step& step) {
   if (const auto made = rules_.at_end_of_line(said(step))) {
     vector_ = *made;
     if (!std::exchange(started_, true)) {
+      // fanuc.cutter-b.start-up: The first vector made after the mode began, or after G28, G29, G30, G30.1 or G53 took
+      // it away, is the start-up: its block is a straight one, and its own move has cause start-up. Blocks before it
+      // have no vector.
       recorder().reach(Clause::fanuc_cutter_b_start_up);
       step.moves.front().leg.cause = spec::Cause::start_up;
     }
@@ -154,6 +175,9 @@ void CutterCompensationB::corner_arc(Step& step) {
 
 // G53, G28, G30, G29: the vector goes in the first move where an axis of the plane is named.
 void CutterCompensationB::machine_position(Step& step) {
+  // fanuc.cutter-b.machine-position: G28, G29, G30, G30.1 and G53 that name an axis of the plane take the whole vector
+  // away: in the first of their moves, the one to the intermediate point. The mode stays on, and the next vector that
+  // is made is a start-up.
   if (recorder().decide(Clause::fanuc_cutter_b_machine_position, said(step).has_plane_word())) {
     vector_ = {};
     started_ = false;

@@ -50,10 +50,16 @@ bool same(const Pose& a, const Pose& b) {
 Clause control_point_clause(MachineType type) {
   switch (type) {
     case MachineType::table:
+      // fanuc.tool-center-point.control-point-table-rotation: Type 12: the first axis goes through A, 19700 to 19702 in
+      // machine coordinates, the second by d, 19703 to 19705, beside it with the first at 0.
       return Clause::fanuc_tool_center_point_control_point_table_rotation;
     case MachineType::mixed:
+      // fanuc.tool-center-point.control-point-mixed: Type 21: the table axis goes through A, 19700 to 19702; the
+      // control point is E, from the tip along the tool by L and then by 19709 to 19711 turned with the tool axis.
       return Clause::fanuc_tool_center_point_control_point_mixed;
     default:
+      // fanuc.tool-center-point.control-point-tool-rotation: Type 2: from the tip along the tool by L to D, by 19709 to
+      // 19711 (given with both axes at 0) to E on the second axis, by 19712 to 19714 to F on the first axis.
       return Clause::fanuc_tool_center_point_control_point_tool_rotation;
   }
 }
@@ -96,6 +102,9 @@ bool ToolCenterPointControl::is_displaced() const {
 }
 
 void ToolCenterPointControl::decide_angles() const {
+  // fanuc.tool-direction.rotary-angles: The angles of the rotary axes that turn tool and table are machine coordinates:
+  // programmed position plus workpiece zero and G92 shift of the axis. A change of coordinates moves nothing and
+  // changes no direction.
   if (is_displaced()) recorder_.decide(Clause::fanuc_tool_direction_rotary_angles, by_machine_);
 }
 
@@ -113,6 +122,9 @@ const Direction& ToolCenterPointControl::of_pose(const Position& position) {
 }
 
 ToolAtEnd ToolCenterPointControl::at(const Position& end) {
+  // fanuc.tool-direction.of-pose: The tool direction VT points from the tip to the holder and follows the positions of
+  // the rotary axes at the end of the block. A setup without rotary axes that turn the tool has VT = (0, 0, 1), and its
+  // events carry no tool axis.
   recorder_.decide(Clause::fanuc_tool_direction_of_pose, kinematics_.present());
   decide_angles();
   follow(end);
