@@ -66,9 +66,9 @@ LateralDirection PeripheralRules::direction(const Direction& tool, const Vector&
 // the run or an alarm, its own direction counts.
 PeripheralRules::Beside PeripheralRules::at_first_block(const Motion& motion, const Motion* next,
                                                         const std::optional<LateralDirection>& former) const {
-  const bool alone = recorder_.decide(Clause::heidenhain_peripheral_first_without_next, next == nullptr);
-  const Vector& travel = alone ? motion.travel : next->travel;
-  const Side side = !alone && next->is_peripheral() ? next->side : motion.side;
+  recorder_.decide(Clause::heidenhain_peripheral_first_without_next, next == nullptr);
+  const Vector& travel = next == nullptr ? motion.travel : next->travel;
+  const Side side = next != nullptr && next->is_peripheral() ? next->side : motion.side;
   const LateralDirection made = direction(motion.direction, travel, side, former);
   return {made.unit, made};
 }
@@ -82,7 +82,8 @@ PeripheralRules::Beside PeripheralRules::at_later_block(const Motion& motion, co
                                                         const std::optional<LateralDirection>& former) const {
   const LateralDirection own = direction(motion.direction, motion.travel, motion.side, former);
   const bool last = next == nullptr || !next->is_peripheral();
-  if (recorder_.decide(Clause::heidenhain_peripheral_last_block, last)) return {own.unit, own};
+  recorder_.decide(Clause::heidenhain_peripheral_last_block, last);
+  if (last) return {own.unit, own};
   recorder_.decide(Clause::heidenhain_peripheral_side_change, next->side != motion.side);
   const LateralDirection behind = direction(motion.direction, next->travel, next->side, own);
   return {mitre(own, behind), behind};
