@@ -89,7 +89,8 @@ std::string as_comment(const Sentence& sentence, std::string_view text) {
 // Whether it is the text, or sentences from its beginning.
 bool is_said(std::string_view text, std::string_view said) {
   if (said == text) return true;
-  return said.ends_with('.') && text.starts_with(said) && text[said.size()] == ' ';
+  const bool number = said == "No." || said.ends_with(" No.");  // of a parameter: the sentence goes on
+  return said.ends_with('.') && !number && text.starts_with(said) && text[said.size()] == ' ';
 }
 
 std::vector<std::string> drifts(const std::vector<std::string>& lines) {
@@ -258,6 +259,12 @@ TEST(ClauseSentences, DriftIsSeen) {
   EXPECT_EQ(count("Number 1 is a number of the value 0: vectors of length 0 are made with it, the start-up included."),
             1U);
   EXPECT_EQ(count(""), 1U);
+  EXPECT_EQ(drifts({"// fanuc.tool-side.type-b: No."}).size(), 1U) << "No. 5003";
+  EXPECT_EQ(
+      drifts(
+          {"// fanuc.cutter-c.value-zero: Where r = 0 the group is the vector zero alone, whatever the corner and No."})
+          .size(),
+      1U);
   EXPECT_EQ(drifts({"// fanuc.cutter-b.no-such: Text."}).size(), 1U);
 }
 
