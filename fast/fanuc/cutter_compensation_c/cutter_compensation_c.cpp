@@ -8,23 +8,6 @@
 namespace toolcomp::fast {
 namespace {
 
-// The offset to the left of a heading, or to its right.
-void set_normal(CornerGroup& group, const PlanePath& path, const Heading& heading, int side, const Amount& offset) {
-  Corner& corner = group.corner;
-  corner.first = &path;
-  corner.second = nullptr;
-  corner.last = &heading;
-  corner.next = &heading;
-  corner.first_side = side;
-  corner.second_side = side;
-  corner.turn = {};
-  corner.offset = &offset;
-  if (offset.nearest == 0)
-    group.clear();
-  else
-    group.set(HeadKind::first_normal);
-}
-
 Amount amount_of(const Count& offset) {
   const Count amount = offset < Count() ? -offset : offset;
   return {amount, amount.nearest()};
@@ -35,26 +18,10 @@ void rename(CutterBlock& block) {
   if (block.motion == CutterMotion::shift) block.event = block.renamed;
 }
 
-void set_arc_path(PlanePath& path, const CutterBlock& block) {
-  if (block.by_radius)
-    set_arc_by_radius(path, block.start, block.end, block.radius, block.clockwise);
-  else
-    set_arc(path, block.start, block.end, block.to_center, block.clockwise);
-}
-
-// The event has the centre of an arc that is given by it.
-void set_center(CutterBlock& block, const PlanePath& path) {
-  if (!block.by_radius) return;
-  const std::array<double, 2> from_center{path.from_center_start.x, path.from_center_start.y};
-  for (std::size_t i = 0; i < 2; ++i)
-    if (block.axis[i] != spec::Axes::kNone)
-      block.event.arc->center.set(block.axis[i], block.start[i].nearest() - from_center[i]);
-}
-
 }  // namespace
 
 CutterCompensationC::CutterCompensationC(const spec::Setup& setup, EventSink& sink)
-    : sink_(sink), parameters_(setup), axes_(setup.axes.size()) {}
+    : sink_(sink), parameters_(setup), make_(parameters_), axes_(setup.axes.size()) {}
 
 Alarm CutterCompensationC::check(const CutterCommand& command) const {
   const CutterSide side = command.word == CutterSide::unchanged ? side_ : command.word;
@@ -106,6 +73,25 @@ void CutterCompensationC::set_path(CompensatedPath& to, const CutterBlock& block
   to.side = side_of(block);
   to.offset = amount_;
   if (fault(Fault::c_offset_one_corner_late)) late_offset_ = block.offset;
+}
+
+// The offset to the left of a heading, or to its right.
+void CutterCompensationC::set_normal(CutterGroup& group, const PlanePath& path, const Heading& heading, int side,
+                                     const Amount& offset) const {
+  Corner& corner = group.corner;
+  corner.first = &path;
+  corner.second = nullptr;
+  corner.last = &heading;
+  corner.next = &heading;
+  corner.first_side = side;
+  corner.second_side = side;
+  corner.turn = {};
+  corner.offset = &offset;
+  group.cleared = 0;
+  if (offset.nearest == 0)
+    group.clear();
+  else
+    make_.set(group, HeadKind::first_normal);
 }
 
 StageEnd CutterCompensationC::block() {
@@ -273,7 +259,7 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
     case Held::path:
       break;
   }
-  CornerGroup& group = at_end();
+  CutterGroup& group = at_end();
   Corner& corner = group.corner;
   corner.first = &last_->path;
   corner.second = rule == CornerRule::direction ? nullptr : &to.path;
@@ -284,7 +270,7 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
   corner.offset = &last_->offset;
   corner.turn = turn(*corner.last, *corner.next);
   group.cleared = 0;
-  if (!make_group(group, rule, parameters_)) return alarm::kNoIntersection;
+  if (!make_.make(group, rule)) return alarm::kNoIntersection;
   if (group.size > 1) {
     // The block held last is the one before, and its event has no vector yet.
     const Event& before = ring_[(first_ + held_count_ - 1U) % ring_.size()].event;
@@ -299,13 +285,16 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
 [[gnu::always_inline]] inline Alarm CutterCompensationC::finish() {
   CutterBlock& block = ring_[first_];
   const PlanePath& path = last_->path;
+  const CheckedBlock checked{&path, start_side_, start_offset_, last_->side, &last_->offset};
+  std::optional<double> sweep;
   if (path.arc) {
     set_center(block, path);
-    set_tool_arc(*block.event.arc, path, at_start().back().vector, at_end().front().vector, compare_radii());
+    set_tool_arc(*block.event.arc, path, at_start().back().vector, at_end().front().vector,
+                 compare_radii(checked, at_start(), at_end()));
+    sweep = block.event.arc->sweep;
   }
   if (checked_ && !parameters_.no_interference) {
-    const CheckedBlock checked{&path, start_side_, start_offset_, last_->side, &last_->offset};
-    switch (check_interference(checked, block.event.arc, at_start(), at_end())) {
+    switch (check_interference(checked, sweep, at_start(), at_end())) {
       case Interference::none:
         break;
       case Interference::straightened:
@@ -321,45 +310,6 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
   send(block, vector, true);
   send_behind(vector);
   return alarm::kNone;
-}
-
-// How the distances of the heads from the centre of the arc that is held compare, by what the vectors are: exactly,
-// where it can be told so.
-Radii CutterCompensationC::compare_radii() {
-  if (!(start_offset_->exact == last_->offset.exact) || start_side_ != last_->side) return Radii::unknown;
-  enum class Place : std::uint8_t { on_circle, off_circle, unknown };
-  const auto radial = [](bool on) { return on ? Place::on_circle : Place::off_circle; };
-  // The perpendicular to another heading, or on another side: it is of this circle where it is the same vector.
-  const auto same = [&](const Corner& corner) {
-    const Turn turned = turn(*corner.last, last_->path.start);
-    return turned.c == 0 && (turned.k > 0) == (corner.first_side == start_side_);
-  };
-  const auto meets = [](HeadKind kind) { return kind == HeadKind::paths_meet || kind == HeadKind::paths_cross; };
-  const Corner& from = at_start().corner;
-  const Corner& to = at_end().corner;
-  const HeadKind first = at_start().back().kind;
-  const HeadKind last = at_end().front().kind;
-  Place start = Place::unknown;
-  if (first == HeadKind::first_normal)
-    start = radial(same(from));
-  else if (meets(first) || first == HeadKind::second_normal || last_->offset.nearest == 0)
-    start = Place::on_circle;
-  if (at_start().cleared != 0) return Radii::unknown;
-  Place end = Place::unknown;
-  if (meets(last) || last == HeadKind::first_normal || last_->offset.nearest == 0)
-    end = Place::on_circle;
-  else if (last == HeadKind::second_normal)
-    end = radial(to.turn.c == 0 && to.turn.k < 0);
-  const PlanePath& path = last_->path;
-  if (start == Place::on_circle && end == Place::on_circle) {
-    if (!path.spiral) return Radii::agree;
-    // Unless one end has run through the centre.
-    const double r = last_->offset.nearest;
-    const bool through = path.sigma == last_->side && (path.radius_start <= r || path.radius_end <= r);
-    return through ? Radii::unknown : Radii::differ;
-  }
-  if (path.spiral || start == Place::unknown || end == Place::unknown || start == end) return Radii::unknown;
-  return Radii::differ;
 }
 
 StageEnd CutterCompensationC::release() {
@@ -591,7 +541,7 @@ void CutterCompensationC::send_setting(const CutterBlock& block) {
 
 // The other axes stay where the block before ended.
 void CutterCompensationC::send_corner_moves(const CutterBlock& block) {
-  const CornerGroup& group = at_start();
+  const CutterGroup& group = at_start();
   if (group.size < 2) return;
   const Position& before = corners_[group_];
   const Event& event = block.event;

@@ -9,8 +9,8 @@
 
 #include "fast/basis/event.h"
 #include "fast/basis/fault.h"
-#include "fast/fanuc/cutter_compensation_c/corner_group.h"
-#include "fast/fanuc/cutter_compensation_c/interference.h"
+#include "fast/fanuc/cutter_compensation_c/cutter_group.h"
+#include "fast/fanuc/cutter_compensation_c/cutter_interference.h"
 #include "fast/fanuc/program/cutter_block.h"
 #include "fast/geometry/path.h"
 #include "spec/language/setup.h"
@@ -110,7 +110,6 @@ class CutterCompensationC {
   [[nodiscard]] Alarm join(const CompensatedPath& to, const Heading& heading, CornerRule rule);
   // The path that is held goes out, and the blocks behind it. It ends with at_end(), which may lose vectors by that.
   [[nodiscard]] Alarm finish();
-  [[nodiscard]] Radii compare_radii();
   // From `to` on: it starts with the vectors of at_start().
   void hold_path(const CompensatedPath& to, bool starts_up);
   // The first block that is held is at fault.
@@ -126,7 +125,8 @@ class CutterCompensationC {
   CompensatedPath& new_path() { return paths_[path_ = static_cast<std::uint8_t>((path_ + 1U) % paths_.size())]; }
   static void set_path(CompensatedPath& to, const CutterBlock& block);
   void set_offset(CompensatedPath& to, const CutterBlock& block);
-  void set_corner(Corner& corner, const CompensatedPath& to, const Heading& heading) const;
+  void set_normal(CutterGroup& group, const PlanePath& path, const Heading& heading, int side,
+                  const Amount& offset) const;
   [[nodiscard]] static int side_of(const CutterBlock& block);
   [[nodiscard]] bool wanted(const CutterBlock& block) const { return block.side != CutterSide::off && block.d != 0; }
   [[nodiscard]] bool vector_is_zero() const;
@@ -143,7 +143,8 @@ class CutterCompensationC {
   static void add(Event& event, const CutterBlock& block, const Vector2<double>& vector);
 
   EventSink& sink_;
-  CornerParameters parameters_;
+  CutterParameters parameters_;
+  CutterGroups make_;
   std::size_t axes_;
 
   std::array<CutterBlock, 4> ring_;
@@ -166,9 +167,9 @@ class CutterCompensationC {
   std::uint8_t clears_ = 0;   // components that the move to the reference position removes
 
   // Of the path that is held.
-  [[nodiscard]] CornerGroup& at_start() { return groups_[group_]; }     // vectors at its start
-  [[nodiscard]] CornerGroup& at_end() { return groups_[1U - group_]; }  // vectors at its end
-  std::array<CornerGroup, 2> groups_;
+  [[nodiscard]] CutterGroup& at_start() { return groups_[group_]; }     // vectors at its start
+  [[nodiscard]] CutterGroup& at_end() { return groups_[1U - group_]; }  // vectors at its end
+  std::array<CutterGroup, 2> groups_;
   std::array<Position, 2> corners_;  // of the groups that have more than one vector: where the block before ended
   std::uint8_t group_ = 0;
   bool rebased_ = false;  // rebase() has written the one at the end
@@ -185,7 +186,7 @@ class CutterCompensationC {
   Count late_offset_;  // of the block before
   Count value_;        // the value that came last, and its amount
   Amount amount_;
-  CornerGroup vector_;              // in force behind what is held or, if nothing is, now: one vector
+  CutterGroup vector_;              // in force behind what is held or, if nothing is, now: one vector
   const Heading* along_ = nullptr;  // the direction vector_ is perpendicular to, where it is
   Event corner_move_;
   Event notice_;

@@ -36,8 +36,9 @@ namespace toolcomp::fast {
 
   to.side = side;
   to.offset = amount_;
-  CornerGroup& end = at_end();
-  end.set(HeadKind::tangents_meet, vector);
+  CutterGroup& end = at_end();
+  end.clear();
+  end.head[0] = {vector, HeadKind::tangents_meet};
   end.corner = {&last_->path, &to.path, &last, &next, side, side, &last_->offset, turned};
   group_ ^= 1U;
   start_side_ = side;

@@ -265,14 +265,11 @@ int SideGeometry::offset_radius_sign(const SidePath& path, bool at_end, const Di
 }
 
 bool SideGeometry::is_under_one_degree(const SideCorner& corner) const {
-  // 0.0174550649282175857651288952197, to 31 digits.
-  constexpr DoubleDouble kTangent{0x1.1dfbd9410a422p-6, 0x1.8c721220dd4afp-62};
-  if (corner.flat || along(corner) >= 0) return false;
-  const double left = kTangent.hi * corner.turn.k;
+  const double left = kTangentOfOneDegree.hi * corner.turn.k;
   const double difference = left * left - corner.turn.c * corner.turn.c;
   if (std::abs(difference) > 0x1p-46 * left * left) return difference > 0;
   const FineTurn turn = plane(*corner.tool).fine_turn(corner.first->travel, corner.second->travel);
-  const DoubleDouble tangent = kTangent * turn.k;
+  const DoubleDouble tangent = kTangentOfOneDegree * turn.k;
   return (tangent * tangent - turn.c * turn.c).hi > 0;
 }
 

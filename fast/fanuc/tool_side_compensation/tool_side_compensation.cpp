@@ -5,24 +5,6 @@
 namespace toolcomp::fast {
 namespace {
 
-void set_arc_path(PlanePath& path, const ToolSideBlock& block) {
-  if (block.by_radius)
-    set_arc_by_radius(path, block.start, block.end, block.radius, block.clockwise);
-  else
-    set_arc(path, block.start, block.end, block.to_center, block.clockwise);
-}
-
-// The centre of the event; plane and direction stand in it.
-void set_center(ToolSideBlock& block, const PlanePath& path) {
-  spec::Arc<double>& arc = *block.event.arc;
-  const std::array<double, 2> from_center{path.from_center_start.x, path.from_center_start.y};
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (block.axis[i] == spec::Axes::kNone) continue;
-    arc.center.set(block.axis[i], block.by_radius ? block.start[i].nearest() - from_center[i]
-                                                  : Count::nearest_sum(block.start[i], block.to_center[i]));
-  }
-}
-
 spec::MoveType straight(spec::MoveType type) {
   return type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
 }
