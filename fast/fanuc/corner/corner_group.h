@@ -38,9 +38,15 @@ enum class CornerRule : std::uint8_t {
   repeated,   // a code of the section again
 };
 
+// The single-block stop point is the head of the intersection or of the first prolonged vector.
+inline bool is_up_to_stop(HeadKind kind) {
+  return kind != HeadKind::second_normal && kind != HeadKind::second_extended;
+}
+
 // At most four vectors (arc - acute corner - arc). A head has a vector and its kind.
 template <class HeadType, class CornerType>
 struct HeadGroup {
+  using Vector = decltype(HeadType::vector);
   std::array<HeadType, 4> head{};
   std::uint8_t size = 1;
   CornerType corner;

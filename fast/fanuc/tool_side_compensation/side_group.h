@@ -31,9 +31,6 @@ struct SideHead {
   Vector3<double> vector;
   HeadKind kind = HeadKind::zero;
   bool kept = false;  // of a corner before: SideGroup::kept
-  // The single-block stop point is the head of the intersection or of the first prolonged vector: moves up to it belong
-  // to the block before the corner.
-  [[nodiscard]] bool up_to_stop() const { return kind != HeadKind::second_normal && kind != HeadKind::second_extended; }
 };
 
 struct SideGroup : HeadGroup<SideHead, SideCorner> {

@@ -1,4 +1,4 @@
-// The compensation plane: at right angles to the tool (3D sheet 1.3, 2.2).
+// The compensation plane: at right angles to the tool (clauses fanuc.tool-side).
 #pragma once
 
 #include <cmath>

@@ -31,10 +31,6 @@ bool ToolSideCompensation::goes_forward(const SidePath& path, double length, con
   return forward > 0x1p-38 * length * (way + size);
 }
 
-void ToolSideCompensation::send_rest() {
-  for (std::uint8_t i = 1; i < count_; ++i) send(held(i), line_.vector, held(i).own);
-}
-
 void ToolSideCompensation::complete_line() {
   line_.taken = false;
   // Of the path before the lines: what stands there but travel and tool.

@@ -84,11 +84,10 @@ namespace toolcomp::fast {
     add(event, vector);
   line_.held_plain = line_.plain;
   sink_->on(event);
-  if (count_ > 1) [[unlikely]]
-    send_rest();
-  first_ = next_;
-  count_ = 1;
-  next_ = after_slot(next_);
+  free_first();
+  if (count_ > 0) [[unlikely]]
+    send_held(line_.vector);
+  hold();
   return true;
 }
 
