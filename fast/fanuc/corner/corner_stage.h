@@ -69,16 +69,15 @@ class CornerStage {
     section().hold_path(to, true);
   }
   // The alarms of a block that is to be the next path; `joined`: it makes a corner with the one that is held.
-  [[nodiscard]] StageEnd check_path(const Block& block, const Path& to, bool joined) {
-    if (to.is_arc() && to.flat.ends_in_center) return refuse(block, alarm::kArcCenter);
-    if (to.side != last_->side && (after_start_ || (starts_up_ && joined)))
-      return refuse(block, alarm::kDirectionChangeAtStart);
-    return {};
+  [[nodiscard]] Alarm check_path(const Path& to, bool joined) const {
+    if (to.is_arc() && to.flat.ends_in_center) return alarm::kArcCenter;
+    const bool changes_side = to.side != last_->side && (after_start_ || (starts_up_ && joined));
+    return changes_side ? alarm::kDirectionChangeAtStart : alarm::kNone;
   }
-  // The corner between the path that is held and `to`: the former goes out.
-  StageEnd join(const Path& to, CornerRule rule) {
+  // The corner between the path that is held and `to`: the former goes out, or is at_fault().
+  [[nodiscard, gnu::always_inline]] inline Alarm join(const Path& to, CornerRule rule) {
     section().set_corner(at_end(), &to, rule);
-    if (const Alarm a = section().make_corner(at_end(), to, rule)) return at_fault(held(waits_), a);
+    if (const Alarm a = section().make_corner(at_end(), to, rule)) return a;
     return let_out();
   }
   [[nodiscard]] CornerRule rule_before(const Block& block) const {
@@ -93,8 +92,8 @@ class CornerStage {
     still_ = 0;
     repeated_ = false;
   }
-  // The path that is held goes out without a next one.
-  StageEnd release_path() {
+  // The path that is held goes out without a next one, or is at_fault().
+  [[nodiscard]] Alarm release_path() {
     Group& group = at_end();
     section().set_corner(group, nullptr, CornerRule::ordinary);
     if (group.corner.offset->nearest == 0)
@@ -105,7 +104,7 @@ class CornerStage {
   }
   StageEnd release_paths() {
     while (held_ == Held::path)
-      if (const StageEnd end = release_path()) return end;
+      if (const Alarm a = release_path()) return at_fault(a);
     return {};
   }
   // In the mode, a block without movement in the plane.
@@ -117,7 +116,7 @@ class CornerStage {
     hold();
     still_ = static_cast<std::uint8_t>(still_ + weight);
     if (still_ >= limit)
-      if (const StageEnd end = release_path()) return end;
+      if (const Alarm a = release_path()) return at_fault(a);
     repeated_ |= section().repeats(block);
     return {};
   }
@@ -161,23 +160,8 @@ class CornerStage {
     send_held(at_start().front().vector);
     mode_ = Mode::on;
   }
-  // The vectors of the corner at the start of the path go out up to the block `owner` (nullptr: that block is at
-  // fault), with the blocks that wait for the last of them.
-  void pass_corner(Block* owner) {
-    const Group& group = at_start();
-    const bool up_to_stop = Section::kUpToStop && !fault(Fault::side_stop_owner);
-    std::size_t head = 1;
-    while (up_to_stop && head < group.size && is_up_to_stop(group.head[head].kind)) send_corner_move(nullptr, head++);
-    for (; waits_ > 0; --waits_) {
-      Block& still = held(0);
-      while (still.own && head < group.size) send_corner_move(&still, head++);
-      send(still, group.back().vector, still.own);
-      free_first();
-    }
-    if (owner == nullptr) return;
-    if (held_ == Held::path) section().announce(*owner);
-    while (head < group.size) send_corner_move(owner, head++);
-  }
+  // The moves of the corner at the start of the path go out, of blocks before `owner` and its own.
+  void pass_corner(const Block& owner) { send_corner_moves(owner, pass_blocks_before()); }
 
   // The blocks before are given as if this block were absent.
   StageEnd refuse(const Block& block, const Alarm& alarm) {
@@ -189,10 +173,10 @@ class CornerStage {
     if (!end.alarm) end.undecided = clause;
     return end;
   }
-  // Moves of the corner before it that do not belong to the block go out.
-  StageEnd at_fault(const Block& block, const Alarm& alarm) {
-    const StageEnd end = end_at(block.event, alarm);
-    if (held_ == Held::path) pass_corner(nullptr);
+  // The path that is held is; moves of the corner before it that do not belong to it go out.
+  StageEnd at_fault(const Alarm& alarm) {
+    const StageEnd end = end_at(held(waits_).event, alarm);
+    if (held_ == Held::path) (void)pass_blocks_before();
     return end;
   }
 
@@ -200,7 +184,7 @@ class CornerStage {
     if (count_ == 0) first_ = next_;
     ++count_;
     next_ = after_slot(next_);
-    placed_ = false;
+    moved_ = false;
   }
   void free_first() {
     --count_;
@@ -215,8 +199,7 @@ class CornerStage {
   }
   void send(Block& block, const Vector& vector, bool own) {
     if (own) [[likely]] {
-      section().add(block.event, block, vector);
-      sink_->on(block.event);
+      send_to(block.event, vector);
     }
     section().sent(block);
   }
@@ -235,32 +218,24 @@ class CornerStage {
   [[nodiscard]] Group& at_end() { return groups_[1U - group_]; }
   [[nodiscard]] bool vector_is_zero() { return is_zero(at_start().front().vector); }
 
-  // Where the block before a corner ended, without vector: the moves from vector to vector keep the other axes there.
-  struct Place {
-    std::uint64_t line = 0;
-    std::optional<std::uint64_t> n;
-    spec::MoveType type = spec::MoveType::linear;
-    std::optional<double> feed;
-    spec::AxisValues<double> programmed;
-    spec::AxisValues<double> point;
-    spec::AxisValues<double> axes;
-    spec::AxisValues<double> machine;
-    std::optional<std::array<double, 3>> tool_axis;
-    std::uint32_t t_numerator = 0;
-  };
-  static void set_place(Place& place, const Event& event) {
-    place.line = event.line;
-    place.n = event.n;
-    place.type = event.type;
-    place.feed = event.feed;
-    place.programmed = event.programmed;
-    place.point = event.point;
-    place.axes = event.axes;
-    place.machine = event.machine;
-    place.tool_axis = event.tool_axis;
-    place.t_numerator = event.t_numerator;
+  // The move from vector to vector at the end of the path that is held, without vectors: where the block before the
+  // corner has ended, all axes stay.
+  void set_corner_move(const Event& before) {
+    Event& move = corner_moves_[1U - group_];
+    move.line = before.line;
+    move.n = before.n;
+    move.type = before.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
+    move.cause = spec::Cause::corner;
+    move.feed = before.feed;
+    move.programmed = before.programmed;
+    move.point = before.point;
+    move.axes = before.axes;
+    move.machine.present = 0;
+    if (before.machine.present != 0) [[unlikely]]
+      move.machine = before.machine;
+    move.tool_axis = before.tool_axis;
+    move.t_numerator = before.t_numerator;
   }
-  [[nodiscard]] Place& place_at_end() { return places_[1U - group_]; }
 
   // What a section may leave out.
   static void rename(Block& /*block*/) {}            // the move of a block that makes or removes a vector
@@ -286,16 +261,16 @@ class CornerStage {
   bool after_start_ = false;  // no block has moved since a start-up
   bool starts_up_ = false;    // the path that is held does
   bool checked_ = false;      // it passes the interference check
-  bool placed_ = false;       // place_at_end() is set
+  bool moved_ = false;        // set_corner_move() has been called for its end
   std::uint8_t group_ = 0;
   std::array<Group, 2> groups_;
-  std::array<Place, 2> places_;  // of the groups that have more than one vector
+  std::array<Event, 2> corner_moves_;  // of the groups that have more than one vector
 
  private:
   [[nodiscard]] Section& section() { return static_cast<Section&>(*this); }
   [[nodiscard]] const Section& section() const { return static_cast<const Section&>(*this); }
   // The path that is held goes out, and the blocks behind it; at_end() is complete, and becomes at_start().
-  StageEnd let_out() {
+  [[nodiscard, gnu::always_inline]] inline Alarm let_out() {
     Block& block = held(waits_);
     const Path& path = *last_;
     std::optional<double> sweep;
@@ -313,48 +288,72 @@ class CornerStage {
           block.event.arc.reset();
           break;
         case Interference::alarm:
-          return at_fault(block, alarm::kInterference);
+          return alarm::kInterference;
       }
     }
-    pass_corner(&block);
-    if (at_end().size > 1 && !placed_)
-      set_place(place_at_end(), Section::kUpToStop ? block.event : held(count_ - 1U).event);
+    const std::size_t head = pass_blocks_before();
+    section().announce(block);
+    send_corner_moves(block, head);
+    if (at_end().size > 1 && !moved_) set_corner_move(Section::kUpToStop ? block.event : held(count_ - 1U).event);
     send(block, at_end().front().vector, true);
     free_first();
     group_ ^= 1U;
     held_ = Held::nothing;
-    if (section().hold_waiting_path()) return {};
+    if (section().hold_waiting_path()) return alarm::kNone;
     if (Section::kUpToStop && at_start().size > 1)
       waits_ = count_;
     else
       send_held(at_start().front().vector);
-    return {};
+    return alarm::kNone;
   }
-  // One move, to `head`; nullptr: it belongs to the block before the corner.
-  void send_corner_move(const Block* owner, std::size_t head) {
-    const Place& before = places_[group_];
-    const auto take = [this](const auto& of) {
-      corner_move_.line = of.line;
-      corner_move_.n = of.n;
-      corner_move_.type = of.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
-      corner_move_.feed = of.feed;
-    };
-    if (owner == nullptr)
-      take(before);
-    else
-      take(owner->event);
-    corner_move_.cause = spec::Cause::corner;
-    corner_move_.programmed = before.programmed;
-    corner_move_.point = before.point;
-    corner_move_.axes = before.axes;
-    corner_move_.machine = before.machine;
-    corner_move_.tool_axis = before.tool_axis;
-    corner_move_.t_numerator = before.t_numerator;
-    section().add(corner_move_, owner == nullptr ? next() : *owner, at_start().head[head].vector);
-    sink_->on(corner_move_);
+  // At the start of the path: the moves that belong to the block before the corner, and the blocks that wait for its
+  // last vector. Answers the first head that is left.
+  std::size_t pass_blocks_before() {
+    const Group& group = at_start();
+    std::size_t head = 1;
+    if constexpr (Section::kUpToStop) {
+      while (head < group.size && is_up_to_stop(group.head[head].kind) && !fault(Fault::side_stop_owner))
+        send_corner_move(head++);
+      for (; waits_ > 0; --waits_) {
+        Block& still = held(0);
+        if (still.own) {
+          send_corner_moves(still, head);
+          head = group.size;
+        }
+        send(still, group.back().vector, still.own);
+        free_first();
+      }
+    }
+    return head;
   }
-
-  Event corner_move_;
+  // From head to head, from `head` on.
+  void send_corner_moves(const Block& owner, std::size_t head) {
+    if (head >= at_start().size) [[likely]]
+      return;
+    Event& move = corner_moves_[group_];
+    move.line = owner.event.line;
+    move.n = owner.event.n;
+    move.type = owner.event.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
+    move.feed = owner.event.feed;
+    for (; head < at_start().size; ++head) send_corner_move(head);
+  }
+  void send_corner_move(std::size_t head) {
+    const Group& group = at_start();
+    Event& move = corner_moves_[group_];
+    if (head + 1U == group.size) {
+      send_to(move, group.head[head].vector);
+      return;
+    }
+    const std::array<spec::AxisValues<double>, 3> without{move.point, move.axes, move.machine};
+    send_to(move, group.head[head].vector);
+    move.point = without[0];
+    move.axes = without[1];
+    move.machine = without[2];
+  }
+  void send_to(Event& move, const Vector& vector) {
+    section().add(move, vector);
+    sink_->on(move);
+  }
 };
 
 }  // namespace toolcomp::fast

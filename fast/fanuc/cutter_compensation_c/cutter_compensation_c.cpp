@@ -40,13 +40,14 @@ Alarm CutterCompensationC::check(const CutterCommand& command) const {
 
 void CutterCompensationC::rebase() {
   if (count_ == 0) return;
-  Place& place = place_at_end();
   const Event& before = held(count_ - 1U).event;
-  set_place(place, next().event);
-  place.programmed.present = before.programmed.present;
-  place.point.present = before.point.present;
-  place.axes.present = before.axes.present;
-  placed_ = true;
+  Event& now = next().event;
+  now.programmed.present = before.programmed.present;
+  now.point.present = before.point.present;
+  now.axes.present = before.axes.present;
+  now.machine.present = 0;
+  set_corner_move(now);
+  moved_ = true;
 }
 
 void CutterCompensationC::set_flat(PlanePath& flat, const CutterBlock& block) {
@@ -108,6 +109,7 @@ StageEnd CutterCompensationC::block() {
   before_ = side_;
   side_ = block.side;
   number_ = block.d;
+  axis_ = block.axis;
   if (mode_ == Mode::on && (block.motion == CutterMotion::line || block.motion == CutterMotion::arc) && wanted(block))
       [[likely]]
     return next_block(block);
@@ -165,8 +167,8 @@ StageEnd CutterCompensationC::moving_block(CutterBlock& block) {
 StageEnd CutterCompensationC::next_block(CutterBlock& block) {
   CutterPath& to = block.path_made ? paths_[path_] : new_path();
   set_path(to, block);
-  if (const StageEnd end = check_path(block, to, held_ == Held::path)) return end;
-  if (const StageEnd end = end_held(to, rule_before(block))) return end;
+  if (const Alarm a = check_path(to, held_ == Held::path)) return refuse(block, a);
+  if (const Alarm a = end_held(to, rule_before(block))) return at_fault(a);
   start_side_ = to.side;
   start_offset_ = &last_->offset;
   hold_path(to, false);
@@ -206,13 +208,13 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
     to.direction = heading_of(block);
     rule = CornerRule::direction;
   }
-  if (const StageEnd end = end_held(to, rule)) return end;
-  pass_corner(&block);
+  if (const Alarm a = end_held(to, rule)) return at_fault(a);
+  pass_corner(block);
   remove_vector(block, true);
   return {};
 }
 
-[[gnu::always_inline]] inline StageEnd CutterCompensationC::end_held(const CutterPath& to, CornerRule rule) {
+[[gnu::always_inline]] inline Alarm CutterCompensationC::end_held(const CutterPath& to, CornerRule rule) {
   if (held_ == Held::path) [[likely]]
     return join(to, rule);
   if (held_ == Held::corner_arc) {
@@ -221,7 +223,7 @@ StageEnd CutterCompensationC::cancel_block(CutterBlock& block) {
     held_ = Held::nothing;
     send_held(at_start().front().vector);
   }
-  return {};
+  return alarm::kNone;
 }
 
 StageEnd CutterCompensationC::release() {

@@ -99,7 +99,7 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
   [[nodiscard]] Interference check_interference(const std::optional<double>& sweep) {
     return fast::check_interference(checked_block(), sweep, at_start(), at_end());
   }
-  static void add(Event& event, const CutterBlock& block, const Vector2<double>& vector);
+  void add(Event& event, const Vector2<double>& vector) const;
   // It moves in the coordinates after its G92.
   static void rename(CutterBlock& block) {
     if (block.motion == CutterMotion::shift) block.event = block.renamed;
@@ -119,8 +119,8 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
   StageEnd leave_path(CutterBlock& block);
   StageEnd to_intermediate(CutterBlock& block);
 
-  // What is held goes out before `to`; leaves the vectors there in at_start().
-  StageEnd end_held(const CutterPath& to, CornerRule rule);
+  // What is held goes out before `to`, or is at_fault(); leaves the vectors there in at_start().
+  [[nodiscard]] Alarm end_held(const CutterPath& to, CornerRule rule);
   // The move of a G39 block, to the vector perpendicular to `heading`.
   void send_corner_arc(CutterBlock& block, const Heading& heading);
   void clear_components(std::uint8_t components);
@@ -138,6 +138,7 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
   CutterParameters parameters_;
   CutterGroups make_;
 
+  std::array<std::size_t, 2> axis_{};    // of the plane
   CutterSide side_ = CutterSide::off;    // of the block before
   CutterSide before_ = CutterSide::off;  // in force before this block
   std::uint32_t number_ = 0;
@@ -158,7 +159,7 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
   Event notice_;
 };
 
-inline void CutterCompensationC::add(Event& event, const CutterBlock& block, const Vector2<double>& vector) {
+inline void CutterCompensationC::add(Event& event, const Vector2<double>& vector) const {
   const auto add_to = [&event](std::size_t axis, double component) {
     if (axis == spec::Axes::kNone) [[unlikely]]
       return;
@@ -167,8 +168,8 @@ inline void CutterCompensationC::add(Event& event, const CutterBlock& block, con
     if (event.machine.present != 0) [[unlikely]]
       event.machine.value[axis] += component;
   };
-  add_to(block.axis[0], vector.x);
-  add_to(block.axis[1], vector.y);
+  add_to(axis_[0], vector.x);
+  add_to(axis_[1], vector.y);
 }
 
 inline int CutterCompensationC::side_of(const CutterBlock& block) {

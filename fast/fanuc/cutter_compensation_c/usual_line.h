@@ -45,7 +45,7 @@ namespace toolcomp::fast {
   start_offset_ = &last_->offset;
   last_ = &to;
   CutterBlock& held = ring_[first_];
-  add(held.event, held, vector);
+  add(held.event, vector);
   sink_->on(held.event);
   if (held.sets) [[unlikely]]
     send_setting(held);

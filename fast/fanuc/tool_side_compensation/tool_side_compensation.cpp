@@ -143,7 +143,7 @@ StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
   if (!at_end && !leaves_path && !leaves_waiting) return still_block(block, 1, 2);
   SidePath& to = new_path();
   set_path(to, block);
-  if (const StageEnd end = check_path(block, to, leaves_path)) return end;
+  if (const Alarm a = check_path(to, leaves_path)) return refuse(block, a);
   if (block.arc && ((held_ == Held::path && on_edge(block, *last_->tool)) ||
                     (waiting_path_ != nullptr && on_edge(block, *waiting_path_->tool)) || on_edge(block, *block.tool)))
     return undecide(block, "fanuc.tool-side.arc-plane");
@@ -159,11 +159,11 @@ StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& 
   while (held_ == Held::path) {
     const SidePath& from = *last_;
     if (moves(to.arc, to.travel, *from.tool)) {
-      if (const StageEnd end = join(to, rule_before(block))) return end;
+      if (const Alarm a = join(to, rule_before(block))) return at_fault(a);
       tool = from.tool;
       offset = &from.offset;
     } else if (still_ > 0) {
-      if (const StageEnd end = release_path()) return end;
+      if (const Alarm a = release_path()) return at_fault(a);
     } else {
       // It is passed over by the corner at the end of the path.
       repeated_ |= block.repeated;
@@ -190,8 +190,7 @@ void ToolSideCompensation::hold_path(const SidePath& to, bool starts_up) {
 
 void ToolSideCompensation::keep_without_direction() {
   if (held_ != Held::path || moves(last_->arc, last_->travel, *last_->tool)) return;
-  ToolSideBlock& block = held(waits_);
-  pass_corner(&block);
+  pass_corner(held(waits_));
   make_.keep_last(at_start());
   held_ = Held::nothing;
   send_held(at_start().front().vector);
@@ -205,14 +204,14 @@ StageEnd ToolSideCompensation::cancel_block(ToolSideBlock& block) {
     set_path(to, block);
     while (held_ == Held::path) {
       if (!moves(to.arc, to.travel, *last_->tool)) {
-        if (const StageEnd end = release_path()) return end;
+        if (const Alarm a = release_path()) return at_fault(a);
         continue;
       }
       to.side = last_->side;
       const bool repeated = repeated_ || block.repeated || starts_up_;
-      if (const StageEnd end = join(to, repeated ? CornerRule::repeated : CornerRule::cancel)) return end;
+      if (const Alarm a = join(to, repeated ? CornerRule::repeated : CornerRule::cancel)) return at_fault(a);
     }
-    pass_corner(&block);
+    pass_corner(block);
   }
   if (at_end) {
     remove_vector(block, true);
@@ -278,7 +277,7 @@ StageEnd ToolSideCompensation::release() {
   mode_ = Mode::off;
   held_ = Held::nothing;
   count_ = 0;
-  return at_fault(held(0), alarm::kTypeCFormat);
+  return at_fault(alarm::kTypeCFormat);
 }
 
 // Before the first move of the path that is held; it is the first one in the ring by then.

@@ -94,7 +94,6 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
     return fast::check_interference(make_, checked, sweep, at_start(), at_end());
   }
   void add(Event& event, const Vector3<double>& vector) const;
-  void add(Event& event, const ToolSideBlock& /*block*/, const Vector3<double>& vector) const { add(event, vector); }
   void announce(const ToolSideBlock& block);
   // Behind the path that has gone out: the one that waited for it is held in its place.
   bool hold_waiting_path();
