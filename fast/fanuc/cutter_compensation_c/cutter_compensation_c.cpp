@@ -99,11 +99,6 @@ void CutterCompensationC::set_normal(CutterGroup& group, const PlanePath& path, 
   corner.turn = turn(*corner.last, *corner.next);
 }
 
-void CutterCompensationC::set_tool_arc(spec::Arc<double>& arc) {
-  fast::set_tool_arc(arc, last_->flat, at_start().back().vector, at_end().front().vector,
-                     compare_radii(checked_block(), at_start(), at_end()));
-}
-
 StageEnd CutterCompensationC::block() {
   CutterBlock& block = next();
   before_ = side_;

@@ -95,7 +95,7 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
   [[nodiscard]] CheckedBlock checked_block() const {
     return {&last_->flat, start_side_, start_offset_, last_->side, &last_->offset};
   }
-  void set_tool_arc(spec::Arc<double>& arc);
+  void set_tool_arc(spec::Arc<double>& arc) { fast::set_tool_arc(arc, checked_block(), at_start(), at_end()); }
   [[nodiscard]] Interference check_interference(const std::optional<double>& sweep) {
     return fast::check_interference(checked_block(), sweep, at_start(), at_end());
   }

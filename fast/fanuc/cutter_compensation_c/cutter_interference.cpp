@@ -39,18 +39,8 @@ bool arc_interferes(const CheckedBlock& block, const std::optional<double>& swee
   return fast::arc_interferes(path, start, end, fault(Fault::c_sweep_unchecked) ? std::nullopt : sweep);
 }
 
-}  // namespace
-
-Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CutterGroup& start,
-                                CutterGroup& end) {
-  const PlanePath& path = *block.path;
-  const bool stays_arc = path.arc && fault(Fault::c_arc_after_removal);
-  const Interference result = check_pairs(
-      path.arc, start, end, [&] { return arc_interferes(block, sweep); },
-      [&](std::size_t v, std::size_t w) { return !stays_arc && line_interferes(path, start, v, end, w); });
-  return stays_arc && result == Interference::straightened ? Interference::none : result;
-}
-
+// How the distances of the heads from the centre of an arc compare, by what the vectors are: exactly, where it can be
+// told so.
 Radii compare_radii(const CheckedBlock& block, const CutterGroup& start_group, const CutterGroup& end_group) {
   const PlanePath& path = *block.path;
   const Amount& offset = *block.end_offset;
@@ -87,6 +77,22 @@ Radii compare_radii(const CheckedBlock& block, const CutterGroup& start_group, c
   }
   if (path.spiral || start == Place::unknown || end == Place::unknown || start == end) return Radii::unknown;
   return Radii::differ;
+}
+
+}  // namespace
+
+Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CutterGroup& start,
+                                CutterGroup& end) {
+  const PlanePath& path = *block.path;
+  const bool stays_arc = path.arc && fault(Fault::c_arc_after_removal);
+  const Interference result = check_pairs(
+      path.arc, start, end, [&] { return arc_interferes(block, sweep); },
+      [&](std::size_t v, std::size_t w) { return !stays_arc && line_interferes(path, start, v, end, w); });
+  return stays_arc && result == Interference::straightened ? Interference::none : result;
+}
+
+void set_tool_arc(spec::Arc<double>& arc, const CheckedBlock& block, const CutterGroup& start, const CutterGroup& end) {
+  set_tool_arc(arc, *block.path, start.back().vector, end.front().vector, compare_radii(block, start, end));
 }
 
 }  // namespace toolcomp::fast

@@ -23,8 +23,7 @@ struct CheckedBlock {
 Interference check_interference(const CheckedBlock& block, const std::optional<double>& sweep, CutterGroup& start,
                                 CutterGroup& end);
 
-// How the distances of the heads from the centre of an arc compare, by what the vectors are: exactly, where it can be
-// told so.
-Radii compare_radii(const CheckedBlock& block, const CutterGroup& start, const CutterGroup& end);
+// Sweep and radii of the tool's own arc.
+void set_tool_arc(spec::Arc<double>& arc, const CheckedBlock& block, const CutterGroup& start, const CutterGroup& end);
 
 }  // namespace toolcomp::fast

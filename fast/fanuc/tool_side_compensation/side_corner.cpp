@@ -95,7 +95,10 @@ bool SideGeometry::set_turn(SideCorner& corner) const {
   const ToolPlane plane(kinematics_, *corner.tool);
   corner.flat = first.arc || (second != nullptr && second->arc);
   if (!corner.flat) [[likely]] {
-    corner.turn = second == nullptr ? plane.straight(first.travel) : plane.turn(first.travel, second->travel);
+    if (second == nullptr)
+      corner.turn = plane.straight(first.travel);
+    else
+      plane.set_turn(first.travel, second->travel, corner.turn);
     return true;
   }
   const SidePath& arc = first.arc ? first : *second;
@@ -210,8 +213,8 @@ Vector3<double> SideGeometry::vector(const SideCorner& corner, HeadKind kind) co
   Numbers<double> n;
   n.left1 = turn.left1;
   n.ahead1 = turn.ahead1;
-  n.left2 = turn.left2;
-  n.ahead2 = turn.ahead2;
+  if (kind == HeadKind::second_normal || kind == HeadKind::second_extended)
+    plane(*corner.tool).set_leg(corner.second->travel, n.left2, n.ahead2);
   n.c = turn.c;
   n.k = turn.k;
   n.r = corner.offset->nearest;

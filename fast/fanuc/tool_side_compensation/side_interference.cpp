@@ -19,8 +19,9 @@ bool line_interferes(const SideGroups& groups, const SidePath& path, const SideG
   const ToolPlane plane = groups.geometry().plane(*path.tool);
   // An arc may end where it starts, or above it along the tool.
   if (!lines && !plane.moves(path.travel, Count())) return false;
-  const SpaceTurn seen = lines ? SpaceTurn{} : plane.straight(path.travel);
-  const SpaceTurn& turn = lines ? end.corner.turn : seen;
+  std::optional<SpaceTurn> seen;
+  if (!lines) seen = plane.straight(path.travel);
+  const SpaceTurn& turn = lines ? end.corner.turn : *seen;
   const double product = turn.length1 + dot(turn.ahead1, shift);
   if (std::abs(product) > 0x1p-42 * (turn.length1 + size)) [[likely]]
     return product < 0;

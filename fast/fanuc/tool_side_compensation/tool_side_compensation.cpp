@@ -101,6 +101,7 @@ StageEnd ToolSideCompensation::any_block(ToolSideBlock& block) {
   }
   if (mode_ == Mode::ends) return cancel_block(block);
   first_block(block);
+  moves_at_end_ = true;
   start_tool_of_path_ = last_->tool;
   start_offset_of_path_ = &last_->offset;
   return {};
@@ -131,34 +132,35 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   send_start();
   start_tool_of_path_ = &start_tool_;
   start_offset_of_path_ = &start_offset_;
+  moves_at_end_ = moves(to.arc, to.travel, *to.tool);
   hold_path(to, false);
   return {};
 }
 
 // What counts is how the block moves at its own end and at the corners that are still to be made.
 StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
-  const bool at_end = next_moves(*block.tool);
-  const bool leaves_path = held_ == Held::path && next_moves(*last_->tool);
-  const bool leaves_waiting = waiting_path_ != nullptr && next_moves(*waiting_path_->tool);
-  if (!at_end && !leaves_path && !leaves_waiting) return still_block(block, 1, 2);
+  const Moves where{next_moves(*block.tool), held_ == Held::path && next_moves(*last_->tool),
+                    waiting_path_ != nullptr && next_moves(*waiting_path_->tool)};
+  if (!where.at_end && !where.at_path && !where.at_waiting) return still_block(block, 1, 2);
   SidePath& to = new_path();
   set_path(to, block);
-  if (const Alarm a = check_path(to, leaves_path)) return refuse(block, a);
+  if (const Alarm a = check_path(to, where.at_path)) return refuse(block, a);
   if (block.arc && ((held_ == Held::path && on_edge(block, *last_->tool)) ||
                     (waiting_path_ != nullptr && on_edge(block, *waiting_path_->tool)) || on_edge(block, *block.tool)))
     return undecide(block, "fanuc.tool-side.arc-plane");
   after_start_ = false;
-  return path_block(block, to, at_end);
+  return path_block(block, to, where);
 }
 
 // A block that moves somewhere. Of two paths the first one is always out behind it.
-StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& to, bool at_end) {
+StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& to, const Moves& where) {
   // Of the corner at its start.
   const Direction* tool = to.tool;
   const Amount* offset = &to.offset;
+  bool corner = where.at_path;
   while (held_ == Held::path) {
     const SidePath& from = *last_;
-    if (moves(to.arc, to.travel, *from.tool)) {
+    if (corner) {
       if (const Alarm a = join(to, rule_before(block))) return at_fault(a);
       tool = from.tool;
       offset = &from.offset;
@@ -168,12 +170,14 @@ StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& 
       // It is passed over by the corner at the end of the path.
       repeated_ |= block.repeated;
       ++still_;
-      if (at_end && !fault(Fault::side_passed_over_keeps)) waiting_path_ = &to;
+      if (where.at_end && !fault(Fault::side_passed_over_keeps)) waiting_path_ = &to;
       mismatch_[next_] = false;
       hold();
       return {};
     }
+    corner = where.at_waiting;
   }
+  moves_at_end_ = where.at_end;
   start_tool_of_path_ = tool;
   start_offset_of_path_ = offset;
   start_side_ = to.side;
@@ -189,7 +193,7 @@ void ToolSideCompensation::hold_path(const SidePath& to, bool starts_up) {
 }
 
 void ToolSideCompensation::keep_without_direction() {
-  if (held_ != Held::path || moves(last_->arc, last_->travel, *last_->tool)) return;
+  if (held_ != Held::path || moves_at_end_) return;
   pass_corner(held(waits_));
   make_.keep_last(at_start());
   held_ = Held::nothing;
@@ -258,6 +262,7 @@ bool ToolSideCompensation::hold_waiting_path() {
   start_offset_of_path_ = &last_->offset;
   last_ = waiting_path_;
   waiting_path_ = nullptr;
+  moves_at_end_ = true;
   start_side_ = last_->side;
   held_ = Held::path;
   starts_up_ = false;

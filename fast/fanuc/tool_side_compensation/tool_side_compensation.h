@@ -102,7 +102,13 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   StageEnd any_block(ToolSideBlock& block);
   StageEnd second_block(ToolSideBlock& block);
   StageEnd next_block(ToolSideBlock& block);
-  StageEnd path_block(ToolSideBlock& block, const SidePath& to, bool at_end);
+  // Where a block moves in the plane: at its own end, at the end of the path that is held and of the one that waits.
+  struct Moves {
+    bool at_end;
+    bool at_path;
+    bool at_waiting;
+  };
+  StageEnd path_block(ToolSideBlock& block, const SidePath& to, const Moves& where);
   StageEnd cancel_block(ToolSideBlock& block);
 
   // Of the usual line.
@@ -153,6 +159,7 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   Direction start_tool_;  // of type C
 
   // Of the path that is held.
+  bool moves_at_end_ = false;
   Treatment treatment_ = Treatment::none;
   // Of the corner at its start; without one those of the path itself.
   const Direction* start_tool_of_path_ = nullptr;

@@ -55,6 +55,7 @@ void ToolSideCompensation::complete_line() {
   block.own = true;
   if (line_.held_plain) set_from_programmed(block.event, {});
   last_ = &to;
+  moves_at_end_ = moves(false, to.travel, *to.tool);
   start_tool_of_path_ = from.tool;
   start_offset_of_path_ = &from.offset;
   start_side_ = to.side;
