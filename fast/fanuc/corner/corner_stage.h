@@ -14,8 +14,14 @@
 //    what is held; the vector is removed at once, or by the next move.
 //  * Where no next block is known, what is held is released.
 //
-// A section derives from it. It says what a block does, and gives paths, the vectors of a corner and its view of
-// interference: the functions that are called by section(). The slots are fixed: nothing is allocated per block.
+// A section derives from it, says by block() what each block does, and gives, as section(),
+//   is_arc, repeats                    of a block: an arc; a code that changes nothing
+//   set_path, hold_path                the path of a block, and what is kept of it
+//   set_corner, make_corner, make_     the corner at the end of the path that is held; its vectors, and its alarm
+//   set_tool_arc, check_interference   of the path that is held
+//   add                                a vector to the positions of a move
+//   release                            all that is held goes out
+// and what it may leave out (below). The slots are fixed: nothing is allocated per block.
 #pragma once
 
 #include <array>
@@ -184,7 +190,7 @@ class CornerStage {
     if (count_ == 0) first_ = next_;
     ++count_;
     next_ = after_slot(next_);
-    moved_ = false;
+    move_is_set_ = false;
   }
   void free_first() {
     --count_;
@@ -261,7 +267,7 @@ class CornerStage {
   bool after_start_ = false;  // no block has moved since a start-up
   bool starts_up_ = false;    // the path that is held does
   bool checked_ = false;      // it passes the interference check
-  bool moved_ = false;        // set_corner_move() has been called for its end
+  bool move_is_set_ = false;  // set_corner_move() has been called for its end
   std::uint8_t group_ = 0;
   std::array<Group, 2> groups_;
   std::array<Event, 2> corner_moves_;  // of the groups that have more than one vector
@@ -294,7 +300,7 @@ class CornerStage {
     const std::size_t head = pass_blocks_before();
     section().announce(block);
     send_corner_moves(block, head);
-    if (at_end().size > 1 && !moved_) set_corner_move(Section::kUpToStop ? block.event : held(count_ - 1U).event);
+    if (at_end().size > 1 && !move_is_set_) set_corner_move(Section::kUpToStop ? block.event : held(count_ - 1U).event);
     send(block, at_end().front().vector, true);
     free_first();
     group_ ^= 1U;

@@ -47,7 +47,7 @@ void CutterCompensationC::rebase() {
   now.axes.present = before.axes.present;
   now.machine.present = 0;
   set_corner_move(now);
-  moved_ = true;
+  move_is_set_ = true;
 }
 
 void CutterCompensationC::set_flat(PlanePath& flat, const CutterBlock& block) {

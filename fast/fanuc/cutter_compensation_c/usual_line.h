@@ -49,9 +49,11 @@ namespace toolcomp::fast {
   sink_->on(held.event);
   if (held.sets) [[unlikely]]
     send_setting(held);
-  free_first();
-  if (count_ > 0) [[unlikely]]
+  if (count_ > 1) [[unlikely]] {
+    free_first();
     send_held(vector);
+  }
+  count_ = 0;
   hold();
   still_ = 0;
   return true;

@@ -84,10 +84,13 @@ namespace toolcomp::fast {
     add(event, vector);
   line_.held_plain = line_.plain;
   sink_->on(event);
-  free_first();
-  if (count_ > 0) [[unlikely]]
+  if (count_ > 1) [[unlikely]] {
+    free_first();
     send_held(line_.vector);
-  hold();
+  }
+  first_ = next_;
+  count_ = 1;
+  next_ = after_slot(next_);
   return true;
 }
 
