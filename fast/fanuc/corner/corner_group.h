@@ -78,8 +78,6 @@ struct HeadGroup {
 template <class Section, class Group>
 class CornerGroups {
  public:
-  explicit CornerGroups(const CornerParameters& parameters) : parameters_(parameters) {}
-
   // Fills the group of group.corner, whose turn is set. False where the offset paths of an inner corner do not meet
   // (PS0033).
   [[nodiscard]] bool make(Group& group, CornerRule rule) const;
@@ -96,6 +94,8 @@ class CornerGroups {
   const CornerParameters& parameters_;
 
  private:
+  friend Section;
+  explicit CornerGroups(const CornerParameters& parameters) : parameters_(parameters) {}
   [[nodiscard]] const Section& section() const { return static_cast<const Section&>(*this); }
   void add(Group& group, HeadKind kind) const {
     group.head[group.size++] = {section().vector(group.corner, kind), kind};
@@ -112,7 +112,7 @@ class CornerGroups {
   // An offset circle of a negative radius meets nothing.
   static bool offset_circles_exist(const Group& group) {
     if (is_of_lines(group)) return true;
-    const Corner& c = Section::in_plane(group.corner);
+    const Corner& c = Section::in_plane(group);
     if (offset_radius_sign(*c.first, true, c.first_side, *c.offset) < 0) return false;
     return c.second == nullptr || offset_radius_sign(*c.second, false, c.second_side, *c.offset) >= 0;
   }
@@ -229,7 +229,7 @@ void CornerGroups<Section, Group>::make_cancel(Group& group) const {
 template <class Section, class Group>
 void CornerGroups<Section, Group>::drop_small_movements(Group& group) const {
   if (parameters_.keeps_all) return;
-  if (second_is_arc(group) && Section::in_plane(group.corner).second->semicircle) return;
+  if (second_is_arc(group) && Section::in_plane(group).second->semicircle) return;
   std::array<bool, 4> keep{true, true, true, true};
   std::size_t last = 0;
   for (std::size_t i = 1; i < group.size; ++i) {

@@ -42,8 +42,6 @@ namespace toolcomp::fast {
 template <class Section, class Block, class Path, class Group, std::size_t kSlots>
 class CornerStage {
  public:
-  CornerStage(const CornerStage&) = delete;
-  CornerStage& operator=(const CornerStage&) = delete;
   // The block to fill in next. It keeps what it held before: the caller writes every field.
   [[nodiscard]] Block& next() { return ring_[next_]; }
   // Where the moves go from here on. The stage holds none.
@@ -59,9 +57,6 @@ class CornerStage {
   };
   // What is held for the next path; the blocks after it are held behind it.
   enum class Held : std::uint8_t { nothing, path, corner_arc, start };
-
-  explicit CornerStage(EventSink& sink) : sink_(&sink) {}
-  ~CornerStage() = default;
 
   // The block that starts compensation and moves: straight from where it starts, without a vector, to the first head at
   // its end.
@@ -81,7 +76,7 @@ class CornerStage {
     return changes_side ? alarm::kDirectionChangeAtStart : alarm::kNone;
   }
   // The corner between the path that is held and `to`: the former goes out, or is at_fault().
-  [[nodiscard, gnu::always_inline]] inline Alarm join(const Path& to, CornerRule rule) {
+  [[nodiscard, gnu::always_inline]] Alarm join(const Path& to, CornerRule rule) {
     section().set_corner(at_end(), &to, rule);
     if (const Alarm a = section().make_corner(at_end(), to, rule)) return a;
     return let_out();
@@ -273,10 +268,12 @@ class CornerStage {
   std::array<Event, 2> corner_moves_;  // of the groups that have more than one vector
 
  private:
+  friend Section;
+  explicit CornerStage(EventSink& sink) : sink_(&sink) {}
   [[nodiscard]] Section& section() { return static_cast<Section&>(*this); }
   [[nodiscard]] const Section& section() const { return static_cast<const Section&>(*this); }
   // The path that is held goes out, and the blocks behind it; at_end() is complete, and becomes at_start().
-  [[nodiscard, gnu::always_inline]] inline Alarm let_out() {
+  [[nodiscard, gnu::always_inline]] Alarm let_out() {
     Block& block = held(waits_);
     const Path& path = *last_;
     std::optional<double> sweep;

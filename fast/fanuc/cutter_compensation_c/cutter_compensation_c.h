@@ -32,6 +32,8 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
  public:
   // Throws spec::InputError for parameters no control could have.
   CutterCompensationC(const spec::Setup& setup, EventSink& sink);
+  CutterCompensationC(const CutterCompensationC&) = delete;
+  CutterCompensationC& operator=(const CutterCompensationC&) = delete;
 
   // From the block with G41 or G42 on, until the vector of a block with G40 is removed and nothing is held. While it is
   // not active and a block has no G41 or G42, blocks pass without this stage.

@@ -68,7 +68,7 @@ class SideGroups : public CornerGroups<SideGroups, SideGroup> {
 
   static int cross(const SideCorner& corner) { return SideGeometry::cross(corner); }
   static int along(const SideCorner& corner) { return SideGeometry::along(corner); }
-  static const Corner& in_plane(const SideCorner& corner) { return corner.plane; }
+  static const Corner& in_plane(const SideGroup& group) { return group.corner.plane; }
   [[nodiscard]] Vector3<double> vector(const SideCorner& corner, HeadKind kind) const {
     return geometry_.vector(corner, kind);
   }

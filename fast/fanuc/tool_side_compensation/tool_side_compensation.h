@@ -33,6 +33,8 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
  public:
   // Throws spec::InputError for parameters no control could have.
   ToolSideCompensation(const spec::Setup& setup, const Kinematics& kinematics, EventSink& sink);
+  ToolSideCompensation(const ToolSideCompensation&) = delete;
+  ToolSideCompensation& operator=(const ToolSideCompensation&) = delete;
 
   // A vector is made or held, or waits for its removal. While it is not active and a block does not want compensation,
   // blocks pass without this stage.
