@@ -10,6 +10,9 @@
 
 namespace toolcomp::fast {
 
+// 0.0174550649282175857651288952197, to 31 digits.
+constexpr DoubleDouble kTangentOfOneDegree{0x1.1dfbd9410a422p-6, 0x1.8c721220dd4afp-62};
+
 // What a vector at a corner is. rho is the offset, positive to the left; N the left normal, t the tangent of the former
 // (1) and the latter (2) path, r = |rho|.
 enum class HeadKind : std::uint8_t {

@@ -37,6 +37,7 @@ template <class T>
 constexpr Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+inline bool is_zero(const Vector3<double>& a) { return a.x == 0 && a.y == 0 && a.z == 0; }
 inline Vector3<double> nearest(const Vector3<DoubleDouble>& v) {
   return {to_double(v.x), to_double(v.y), to_double(v.z)};
 }

@@ -11,14 +11,14 @@ namespace toolcomp::fast {
 
 [[gnu::always_inline]] inline bool CutterCompensationC::usual_line() {
   CutterBlock& block = next();
-  CompensatedPath& to = paths_[path_];
-  const Heading& next = to.path.start;
-  const bool usual = is_open(ShortCut::cutter_line) && plain_ && !repeated_ && block.offset == value_ && next.narrow &&
-                     side_of(block) == last_->side && !fault(Fault::c_perpendicular_for_intersection) &&
-                     !fault(Fault::c_offset_one_corner_late);
+  CutterPath& to = paths_[path_];
+  const Heading& next = to.flat.start;
+  const bool usual = is_open(ShortCut::cutter_line) && plain_ && held_ == Held::path && !repeated_ &&
+                     block.offset == value_ && next.narrow && side_of(block) == last_->side &&
+                     !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
   if (!usual) [[unlikely]]
     return false;
-  const Heading& last = last_->path.start;
+  const Heading& last = last_->flat.start;
   const int side = last_->side;
   const Turn turned = turn_of_narrow(last, next);
   // An inner or an obtuse corner.
@@ -28,7 +28,7 @@ namespace toolcomp::fast {
     return false;
   const Vector2<double> vector = where_tangents_meet(last, turned, side * amount_.nearest);
   const Vector2<double>& from = at_start().front().vector;
-  const double length = last.norm / per_one(last_->path);
+  const double length = last.norm / per_one(last_->flat);
   const double product = length + dot(last.unit, vector - from);
   const double extent = std::abs(vector.x) + std::abs(vector.y) + std::abs(from.x) + std::abs(from.y);
   if (product <= 0x1p-46 * (length + extent) && !fault(Fault::usual_line_unchecked)) [[unlikely]]
@@ -36,24 +36,25 @@ namespace toolcomp::fast {
 
   to.side = side;
   to.offset = amount_;
-  CornerGroup& end = at_end();
-  end.set(HeadKind::tangents_meet, vector);
-  end.corner = {&last_->path, &to.path, &last, &next, side, side, &last_->offset, turned};
+  CutterGroup& end = at_end();
+  end.clear();
+  end.head[0] = {vector, HeadKind::tangents_meet};
+  end.corner = {&last_->flat, &to.flat, &last, &next, side, side, &last_->offset, turned};
   group_ ^= 1U;
   start_side_ = side;
   start_offset_ = &last_->offset;
   last_ = &to;
   CutterBlock& held = ring_[first_];
-  add(held.event, held, vector);
-  sink_.on(held.event);
+  add(held.event, vector);
+  sink_->on(held.event);
   if (held.sets) [[unlikely]]
     send_setting(held);
-  if (held_count_ > 1) [[unlikely]]
-    send_behind(vector);
-  held_count_ = 0;
+  if (count_ > 1) [[unlikely]] {
+    free_first();
+    send_held(vector);
+  }
+  count_ = 0;
   hold();
-  held_ = Held::path;
-  plain_ = true;
   still_ = 0;
   return true;
 }

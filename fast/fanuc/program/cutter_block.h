@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "fast/arithmetic/count.h"
-#include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
+#include "fast/fanuc/program/stage_end.h"
 #include "spec/language/name.h"
 
 namespace toolcomp::fast {
@@ -38,7 +38,7 @@ struct CutterBlock {
   // The block's own move: line, n, type, feed, tool_axis, arc (the programmed arc, its centre in the frame of `point`),
   // programmed, point and axes without vector. Filled also where the block has no own move, for a stage that makes one.
   Event event;
-  bool own = false;            // the block makes that move (contract, event rule 1)
+  bool own = false;            // the block makes that move (docs/events.md, rule 1)
   bool axis_word = false;      // any axis word that is a position; asked where the block ends the compensation
   std::optional<double> feed;  // F in force, for G39's arc: also under G00
   // G10: a setting, to be sent after the move of its block (event.line, event.n).
@@ -93,17 +93,5 @@ struct CutterCommand {
   bool d_word = false;        // an offset number is commanded
   std::uint32_t d = 0;        // the number in force in the block
 };
-
-// How a stage ends a run: by an alarm at a block, or by a case the specification leaves open. Usually neither.
-struct StageEnd {
-  Alarm alarm;
-  const char* undecided = nullptr;  // a clause id
-  std::uint64_t line = 0;           // the block at fault
-  std::optional<std::uint64_t> n;
-  explicit operator bool() const { return alarm || undecided != nullptr; }
-};
-
-// The alarm at the block of this move.
-inline StageEnd end_at(const Event& event, const Alarm& alarm) { return {alarm, nullptr, event.line, event.n}; }
 
 }  // namespace toolcomp::fast

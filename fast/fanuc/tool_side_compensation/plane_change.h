@@ -1,4 +1,4 @@
-// The interference check where the compensation plane changes between two blocks (3D sheet 2.9).
+// The interference check where the compensation plane changes between two blocks (clauses fanuc.tool-side).
 #pragma once
 
 #include "fast/fanuc/tool_side_compensation/travel.h"

@@ -95,7 +95,10 @@ bool SideGeometry::set_turn(SideCorner& corner) const {
   const ToolPlane plane(kinematics_, *corner.tool);
   corner.flat = first.arc || (second != nullptr && second->arc);
   if (!corner.flat) [[likely]] {
-    corner.turn = second == nullptr ? plane.straight(first.travel) : plane.turn(first.travel, second->travel);
+    if (second == nullptr)
+      corner.turn = plane.straight(first.travel);
+    else
+      plane.set_turn(first.travel, second->travel, corner.turn);
     return true;
   }
   const SidePath& arc = first.arc ? first : *second;
@@ -210,8 +213,8 @@ Vector3<double> SideGeometry::vector(const SideCorner& corner, HeadKind kind) co
   Numbers<double> n;
   n.left1 = turn.left1;
   n.ahead1 = turn.ahead1;
-  n.left2 = turn.left2;
-  n.ahead2 = turn.ahead2;
+  if (kind == HeadKind::second_normal || kind == HeadKind::second_extended)
+    plane(*corner.tool).set_leg(corner.second->travel, n.left2, n.ahead2);
   n.c = turn.c;
   n.k = turn.k;
   n.r = corner.offset->nearest;
@@ -265,14 +268,11 @@ int SideGeometry::offset_radius_sign(const SidePath& path, bool at_end, const Di
 }
 
 bool SideGeometry::is_under_one_degree(const SideCorner& corner) const {
-  // 0.0174550649282175857651288952197, to 31 digits.
-  constexpr DoubleDouble kTangent{0x1.1dfbd9410a422p-6, 0x1.8c721220dd4afp-62};
-  if (corner.flat || along(corner) >= 0) return false;
-  const double left = kTangent.hi * corner.turn.k;
+  const double left = kTangentOfOneDegree.hi * corner.turn.k;
   const double difference = left * left - corner.turn.c * corner.turn.c;
   if (std::abs(difference) > 0x1p-46 * left * left) return difference > 0;
   const FineTurn turn = plane(*corner.tool).fine_turn(corner.first->travel, corner.second->travel);
-  const DoubleDouble tangent = kTangent * turn.k;
+  const DoubleDouble tangent = kTangentOfOneDegree * turn.k;
   return (tangent * tangent - turn.c * turn.c).hi > 0;
 }
 

@@ -1,4 +1,4 @@
-// A corner of tool side compensation and the vectors at it (3D sheet 2.2 to 2.4).
+// A corner of tool side compensation and the vectors at it (clauses fanuc.tool-side).
 #pragma once
 
 #include <array>
@@ -24,6 +24,7 @@ struct SidePath {
   int side = 1;                     // +1: the tool is left of the path
   Amount offset;
   std::uint32_t offset_change = 0;  // which change of the value it is from
+  [[nodiscard]] bool is_arc() const { return arc; }
 };
 
 // Two blocks and the plane they are seen in; `second` is nullptr at the end of a path without a next block.

@@ -8,8 +8,6 @@
 namespace toolcomp::fast {
 namespace {
 
-constexpr double kEqualAngle = 0x1p-40;
-
 double extent(const Vector3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 // Whether the tool goes against the projected travel, of which exactly 90 degrees is no case.
@@ -21,8 +19,9 @@ bool line_interferes(const SideGroups& groups, const SidePath& path, const SideG
   const ToolPlane plane = groups.geometry().plane(*path.tool);
   // An arc may end where it starts, or above it along the tool.
   if (!lines && !plane.moves(path.travel, Count())) return false;
-  const SpaceTurn seen = lines ? SpaceTurn{} : plane.straight(path.travel);
-  const SpaceTurn& turn = lines ? end.corner.turn : seen;
+  std::optional<SpaceTurn> seen;
+  if (!lines) seen = plane.straight(path.travel);
+  const SpaceTurn& turn = lines ? end.corner.turn : *seen;
   const double product = turn.length1 + dot(turn.ahead1, shift);
   if (std::abs(product) > 0x1p-42 * (turn.length1 + size)) [[likely]]
     return product < 0;
@@ -32,17 +31,11 @@ bool line_interferes(const SideGroups& groups, const SidePath& path, const SideG
   return refined.hi < -0x1p-88 * steep * (turn.length1 + size);
 }
 
-bool arc_interferes(const SideGroups& groups, const CheckedSide& block, const std::optional<double>& sweep) {
+bool arc_interferes(const SideGeometry& geometry, const CheckedSide& block, const std::optional<double>& sweep) {
   const SidePath& path = *block.path;
-  const SideGeometry& geometry = groups.geometry();
   const int start = geometry.offset_radius_sign(path, false, *block.start_tool, block.start_side, *block.start_offset);
-  if (start < 0) return true;
   const int end = geometry.offset_radius_sign(path, true, *path.tool, path.side, path.offset);
-  if (end < 0) return true;
-  if (start == 0 || end == 0 || !sweep) return false;
-  // Both up to 180 degrees, or both over it, never differ by more.
-  if ((*sweep > 180) == path.flat.over_half) return false;
-  return std::abs(*sweep - programmed_sweep(path.flat)) > 180 + kEqualAngle;
+  return fast::arc_interferes(path.flat, start, end, sweep);
 }
 
 Vector2<double> seen(const SidePath& path, const Vector3<double>& v) { return {v[path.in[0]], v[path.in[1]]}; }
@@ -88,31 +81,9 @@ bool radii_agree(const SideGroups& groups, const SidePath& path, const SideGroup
 Interference check_interference(const SideGroups& groups, const CheckedSide& block, const std::optional<double>& sweep,
                                 SideGroup& start, SideGroup& end) {
   const SidePath& path = *block.path;
-  if (start.size == 1 && end.size == 1 && !path.arc) [[likely]]
-    return line_interferes(groups, path, start, 0, end, 0) ? Interference::alarm : Interference::none;
-  const std::size_t m = start.size;
-  const std::size_t n = end.size;
-  const std::size_t pairs = std::max(m, n);
-  bool arc = path.arc;
-  Interference result = Interference::none;
-  std::size_t dropped_start = 0;
-  std::size_t dropped_end = 0;
-  for (std::size_t q = 0; q < pairs; ++q) {
-    const std::size_t v = m > q ? m - q - 1 : 0;
-    const std::size_t w = std::min(q, n - 1);
-    // Only the first pair is tested as an arc.
-    const bool interferes =
-        arc ? arc_interferes(groups, block, sweep) : line_interferes(groups, path, start, v, end, w);
-    if (!interferes) break;
-    if (q + 1 == pairs) return Interference::alarm;
-    if (arc) result = Interference::straightened;
-    arc = false;
-    if (v > 0) ++dropped_start;
-    if (q + 1 < n) ++dropped_end;
-  }
-  for (; dropped_start > 0; --dropped_start) start.drop_last();
-  for (; dropped_end > 0; --dropped_end) end.drop_first();
-  return result;
+  return check_pairs(
+      path.arc, start, end, [&] { return arc_interferes(groups.geometry(), block, sweep); },
+      [&](std::size_t v, std::size_t w) { return line_interferes(groups, path, start, v, end, w); });
 }
 
 void set_tool_arc(spec::Arc<double>& arc, const SideGroups& groups, const SidePath& path, const SideGroup& start,

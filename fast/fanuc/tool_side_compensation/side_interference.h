@@ -1,7 +1,10 @@
 // The general interference check of tool side compensation: chapter 14's, line by line in the plane of the tool.
 #pragma once
 
-#include "fast/fanuc/cutter_compensation_c/interference.h"
+#include <optional>
+
+#include "fast/fanuc/corner/interference.h"
+#include "fast/fanuc/corner/tool_arc.h"
 #include "fast/fanuc/tool_side_compensation/side_group.h"
 
 namespace toolcomp::fast {

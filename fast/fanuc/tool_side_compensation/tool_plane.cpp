@@ -38,10 +38,6 @@ bool is_axis(const Direction& tool) { return tool.zero == 0b011 || tool.zero == 
 
 bool ToolPlane::moves(const Travel& travel, const Count& limit) const {
   if (travel.zero) return false;
-  const unsigned tool_axes = live(tool_);
-  const unsigned travel_axes = live(travel);
-  // Every product of unlike components is zero: along the tool.
-  if (travel.slack == 0 && tool_axes == travel_axes && is_axis(tool_)) return false;
   const bool limited = Count() < limit;
   const double shortest = limited ? limit.nearest() * travel.unit : 0;
   const Vector3<double> w = cross(unit(), travel.value);
@@ -49,6 +45,8 @@ bool ToolPlane::moves(const Travel& travel, const Count& limit) const {
   const double bound = square_bound() * travel.square + 4 * u * shortest * shortest;
   if (travel.slack == 0 && std::abs(over) > bound) [[likely]]
     return over > 0;
+  // Every product of unlike components is zero: along the tool.
+  if (travel.slack == 0 && live(tool_) == live(travel) && is_axis(tool_)) return false;
   if (is_exact(travel, tool_)) {
     const bool fine_units = travel.fine_units || !limit.is_small();
     std::array<Int128, 3> whole = travel.whole();
@@ -173,27 +171,19 @@ bool ToolPlane::quick_turn(const Travel& first, const Travel& second, SpaceTurn&
   return true;
 }
 
-SpaceTurn ToolPlane::turn(const Travel& first, const Travel& second) const {
-  SpaceTurn result;
-  if (quick_turn(first, second, result)) [[likely]] {
-    const Vector3<double> w2 = fast::cross(unit(), second.value);
-    result.left2 = w2 * (1 / std::sqrt(fast::dot(w2, w2)));
-    result.ahead2 = fast::cross(result.left2, unit());
-    return result;
-  }
+void ToolPlane::set_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const {
+  if (quick_turn(first, second, turn)) [[likely]]
+    return;
   const FineTurn numbers = fine_turn(first, second);
-  result.cross = cross_sign(first, second);
-  result.dot = dot_sign(first, second);
-  result.left1 = nearest(numbers.left1);
-  result.left2 = nearest(numbers.left2);
-  result.ahead1 = nearest(numbers.ahead1);
-  result.ahead2 = nearest(numbers.ahead2);
-  result.c = result.cross == 0 ? 0 : numbers.c.hi;
-  result.k = result.dot == 0 ? 0 : numbers.k.hi;
-  result.length1 = numbers.length1.hi;
-  result.length2 = numbers.length2.hi;
-  result.ill = true;
-  return result;
+  turn.cross = cross_sign(first, second);
+  turn.dot = dot_sign(first, second);
+  turn.left1 = nearest(numbers.left1);
+  turn.ahead1 = nearest(numbers.ahead1);
+  turn.c = turn.cross == 0 ? 0 : numbers.c.hi;
+  turn.k = turn.dot == 0 ? 0 : numbers.k.hi;
+  turn.length1 = numbers.length1.hi;
+  turn.length2 = numbers.length2.hi;
+  turn.ill = true;
 }
 
 FineTurn ToolPlane::fine_turn(const Travel& first, const Travel& second) const {
@@ -231,8 +221,6 @@ SpaceTurn ToolPlane::straight(const Travel& travel) const {
     result.ill = true;
   }
   result.dot = 1;
-  result.left2 = result.left1;
-  result.ahead2 = result.ahead1;
   result.length2 = result.length1;
   return result;
 }

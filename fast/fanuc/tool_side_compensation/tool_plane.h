@@ -1,4 +1,4 @@
-// The compensation plane: at right angles to the tool (3D sheet 1.3, 2.2).
+// The compensation plane: at right angles to the tool (clauses fanuc.tool-side).
 #pragma once
 
 #include <cmath>
@@ -21,9 +21,7 @@ struct SpaceTurn {
   double k = 1;
   Vector3<double> left1;   // unit, V x u1
   Vector3<double> ahead1;  // unit, along u1
-  Vector3<double> left2;
-  Vector3<double> ahead2;
-  double length1 = 0;  // |u1|, |u2|, setup units
+  double length1 = 0;      // |u1|, |u2|, setup units
   double length2 = 0;
   bool ill = false;  // doubles lose more than a few bits: take the fine numbers
 };
@@ -53,12 +51,15 @@ class ToolPlane {
   // Whether a travel moves in the plane: |u| > 0, and not below the limit (No. 19630; 0 or less: none).
   [[nodiscard]] bool moves(const Travel& travel, const Count& limit) const;
   // The turn between two travels that move in the plane.
-  [[nodiscard]] SpaceTurn turn(const Travel& first, const Travel& second) const;
-  // The turn by doubles alone and without left2 and ahead2, for the usual corner. False where doubles cannot tell, or
-  // are not good enough.
-  [[nodiscard]] bool quick_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const;
+  void set_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const;
+  // Of a travel whose turn is not ill: the unit vectors to its left and along it.
+  void set_leg(const Travel& travel, Vector3<double>& left, Vector3<double>& ahead) const {
+    const Vector3<double> w = cross(unit(), travel.value);
+    left = w * (1 / std::sqrt(dot(w, w)));
+    ahead = cross(left, unit());
+  }
   [[nodiscard]] FineTurn fine_turn(const Travel& first, const Travel& second) const;
-  // Of one travel: left1, ahead1 and length1 (c = 0, k = 1, and the second pair the same).
+  // Of one travel: left1, ahead1 and length1 (c = 0, k = 1, and length2 the same).
   [[nodiscard]] SpaceTurn straight(const Travel& travel) const;
 
   // The sign of V . (axis i): the side from which the tool looks on the plane of the other two axes.
@@ -81,6 +82,8 @@ class ToolPlane {
   [[nodiscard]] double fine_error() const { return tool_.refined_error(); }
 
  private:
+  // The turn by doubles alone, for the usual corner. False where doubles cannot tell, or are not good enough.
+  [[nodiscard]] bool quick_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const;
   // The exact signs.
   [[nodiscard]] int cross_sign(const Travel& first, const Travel& second) const;
   [[nodiscard]] int dot_sign(const Travel& first, const Travel& second) const;

@@ -31,10 +31,6 @@ bool ToolSideCompensation::goes_forward(const SidePath& path, double length, con
   return forward > 0x1p-38 * length * (way + size);
 }
 
-void ToolSideCompensation::send_rest() {
-  for (std::uint8_t i = 1; i < count_; ++i) send(held(i), line_.vector, held(i).own);
-}
-
 void ToolSideCompensation::complete_line() {
   line_.taken = false;
   // Of the path before the lines: what stands there but travel and tool.
@@ -59,6 +55,7 @@ void ToolSideCompensation::complete_line() {
   block.own = true;
   if (line_.held_plain) set_from_programmed(block.event, {});
   last_ = &to;
+  moves_at_end_ = moves(false, to.travel, *to.tool);
   start_tool_of_path_ = from.tool;
   start_offset_of_path_ = &from.offset;
   start_side_ = to.side;

@@ -84,8 +84,10 @@ namespace toolcomp::fast {
     add(event, vector);
   line_.held_plain = line_.plain;
   sink_->on(event);
-  if (count_ > 1) [[unlikely]]
-    send_rest();
+  if (count_ > 1) [[unlikely]] {
+    free_first();
+    send_held(line_.vector);
+  }
   first_ = next_;
   count_ = 1;
   next_ = after_slot(next_);

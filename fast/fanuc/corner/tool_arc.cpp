@@ -1,18 +1,18 @@
-#include "fast/fanuc/cutter_compensation_c/interference.h"
+#include "fast/fanuc/corner/tool_arc.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "fast/basis/fault.h"
+#include "fast/fanuc/corner/interference.h"
 #include "fast/geometry/angle.h"
 
 namespace toolcomp::fast {
 namespace {
 
 constexpr double kDegrees = 57.29577951308232;
-// Lengths that are equal in truth differ by a few roundings; angles of the tool's arc by as many.
+// Lengths that are equal in truth differ by a few roundings.
 constexpr double kEqual = 0x1p-46;
-constexpr double kEqualAngle = 0x1p-40;
 
 // At least the length, at most twice of it.
 double extent(const Vector2<double>& v) { return std::abs(v.x) + std::abs(v.y); }
@@ -50,57 +50,7 @@ double tool_sweep(const PlanePath& path, const Vector2<double>& v, const Vector2
   return sweep <= equal || sweep > 360 ? 360 : sweep;
 }
 
-bool arc_interferes(const CheckedBlock& block, const std::optional<double>& sweep) {
-  const PlanePath& path = *block.path;
-  if (!fault(Fault::c_negative_radius_unnoticed)) {
-    const int start = offset_radius_sign(path, false, block.start_side, *block.start_offset);
-    const int end = offset_radius_sign(path, true, block.end_side, *block.end_offset);
-    if (start < 0 || end < 0) return true;
-    if (start == 0 || end == 0) return false;
-  }
-  if (!sweep || fault(Fault::c_sweep_unchecked)) return false;
-  // Both up to 180 degrees, or both over it, never differ by more.
-  if ((*sweep > 180) == path.over_half) return false;
-  return std::abs(*sweep - programmed_sweep(path)) > 180 + kEqualAngle;
-}
-
-// Whether the tool goes against the programmed direction, of which exactly 90 degrees is no case, on its way from the
-// last vector of `start` to the first of `end`.
-bool line_interferes(const PlanePath& path, const CornerGroup& start, const CornerGroup& end) {
-  const Vector2<double>& v = start.back().vector;
-  const Vector2<double>& w = end.front().vector;
-  const Vector2<double> way = travel(path);
-  const double product = dot(way, way + w - v);
-  const double size = extent(way);
-  if (fault(Fault::c_right_angle_interferes)) return product < 0x1p-7 * size * size;
-  const double bound = 0x1p-46 * size * (size + extent(w) + extent(v));
-  if (std::abs(product) > bound) [[likely]]
-    return product < 0;
-  const Vector2<DoubleDouble> fine_way = fine_travel(path);
-  const DoubleDouble fine = dot(fine_way, fine_way + end.fine(0) - start.fine(start.size - 1U));
-  return fine.hi < -0x1p-42 * bound;
-}
-
-// The way from `start` to `end` interferes: the vectors at both its ends are dropped, until it does no more. Only the
-// first way is tested as an arc.
-Interference remove_vectors(const PlanePath& path, CornerGroup& start, CornerGroup& end) {
-  do {
-    if (start.size == 1 && end.size == 1) return Interference::alarm;
-    if (start.size > 1) start.drop_last();
-    if (end.size > 1) end.drop_first();
-    if (path.arc && fault(Fault::c_arc_after_removal)) return Interference::none;
-  } while (line_interferes(path, start, end));
-  return path.arc ? Interference::straightened : Interference::none;
-}
-
 }  // namespace
-
-Interference check_interference(const CheckedBlock& block, const std::optional<spec::Arc<double>>& arc,
-                                CornerGroup& start, CornerGroup& end) {
-  const PlanePath& path = *block.path;
-  const bool interferes = path.arc ? arc_interferes(block, arc->sweep) : line_interferes(path, start, end);
-  return interferes ? remove_vectors(path, start, end) : Interference::none;
-}
 
 void set_programmed_arc(spec::Arc<double>& arc, const PlanePath& path) {
   arc.sweep.reset();

@@ -1,0 +1,24 @@
+#include "fast/fanuc/corner/corner_group.h"
+
+#include <string>
+
+#include "spec/language/input_error.h"
+
+namespace toolcomp::fast {
+
+Count length_parameter(const spec::Setup& setup, std::uint32_t number) {
+  const auto value = setup.parameter(number);
+  if (!value) return {};
+  if (!fits_count(*value))
+    throw spec::InputError("setup", 0, 0, "parameters.\"" + std::to_string(number) + "\": too large");
+  return Count::of(*value);
+}
+
+CornerParameters::CornerParameters(const spec::Setup& setup)
+    : type_b(setup.bit(5003, 0)),
+      no_interference(setup.bit(5008, 0)),
+      limit(length_parameter(setup, 5010)),
+      limit_value(limit.nearest()),
+      keeps_all(limit < Count()) {}
+
+}  // namespace toolcomp::fast

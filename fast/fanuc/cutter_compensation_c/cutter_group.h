@@ -1,0 +1,71 @@
+// The vectors at a corner of cutter compensation C.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "fast/basis/fault.h"
+#include "fast/fanuc/corner/corner_group.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::fast {
+
+struct CutterParameters : CornerParameters {
+  // Throws spec::InputError for parameters no control could have.
+  explicit CutterParameters(const spec::Setup& setup);
+
+  bool acts_alone = false;  // 5003#1, SUV
+  bool keeps_mode = false;  // 5003#2, CCN
+};
+
+struct CutterHead {
+  Vector2<double> vector;
+  HeadKind kind = HeadKind::zero;
+};
+
+// G53 may clear one component of the only vector of a group.
+struct CutterGroup : HeadGroup<CutterHead, Corner> {
+  std::uint8_t cleared = 0;  // bit i: component i
+
+  void clear() {
+    HeadGroup::clear();
+    cleared = 0;
+  }
+  // The vector of a head to about 90 bits.
+  [[nodiscard]] Vector2<DoubleDouble> fine(std::size_t index) const {
+    Vector2<DoubleDouble> v = fine_head_vector(corner, head[index].kind);
+    if ((cleared & 1U) != 0) v.x = {};
+    if ((cleared & 2U) != 0) v.y = {};
+    return v;
+  }
+};
+
+class CutterGroups : public CornerGroups<CutterGroups, CutterGroup> {
+ public:
+  explicit CutterGroups(const CornerParameters& parameters) : CornerGroups(parameters) {}
+
+ private:
+  friend CornerGroups;
+  static constexpr Fault kReversalInner = Fault::c_reversal_inner;
+  static HeadKind obtuse() {
+    return fault(Fault::c_perpendicular_for_intersection) ? HeadKind::first_normal : HeadKind::tangents_meet;
+  }
+  static HeadKind start() {
+    return fault(Fault::c_start_from_own_block) ? HeadKind::first_normal : HeadKind::second_normal;
+  }
+  static bool starts_with_normal() { return true; }
+  static bool cancels_with_normal() { return !fault(Fault::c_cancel_without_perpendicular); }
+
+  static double cross(const Corner& corner) { return corner.turn.c; }
+  static double along(const Corner& corner) { return corner.turn.k; }
+  static const Corner& in_plane(const CutterGroup& group) { return group.corner; }
+  static Vector2<double> vector(const Corner& corner, HeadKind kind) { return head_vector(corner, kind); }
+  static bool meet(const Corner& corner, HeadKind kind, Vector2<double>& vector) {
+    return offset_paths_meet(corner, kind, vector);
+  }
+  static bool is_under_one_degree(const Corner& corner);
+  // Within the limit in both axes.
+  [[nodiscard]] bool is_small_movement(const CutterGroup& group, std::size_t a, std::size_t b) const;
+};
+
+}  // namespace toolcomp::fast
