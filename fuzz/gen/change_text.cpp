@@ -1,5 +1,6 @@
-#include "fuzz/gen/change_digit.h"
+#include "fuzz/gen/change_text.h"
 
+#include <utility>
 #include <vector>
 
 namespace toolcomp::fuzz {
@@ -28,6 +29,21 @@ void change_digit(Choices& choose, std::string& word, std::size_t from) {
       break;
     default:
       if (places.size() > 1) word.erase(at, 1);
+      break;
+  }
+}
+
+void change_line(Choices& choose, std::vector<std::string>& text, std::size_t at, LineChange change) {
+  const auto place = text.begin() + static_cast<std::ptrdiff_t>(at);
+  switch (change) {
+    case LineChange::erase:
+      text.erase(place);
+      break;
+    case LineChange::repeat:
+      text.insert(place, std::string(text[at]));
+      break;
+    case LineChange::exchange:
+      std::swap(text[at], text[choose.below(text.size())]);
       break;
   }
 }
