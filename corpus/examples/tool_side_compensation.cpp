@@ -157,7 +157,7 @@ constexpr Example kExamples[] = {
     {"TS11 under G43.5, the arc by R, acute: (10, 10, 0), (14, 2, 0), (8, -6, 0).", VECTOR("", "10", BEFORE_X),
      UNTILTED "G90 G17 G01 G41.6 D1 X0 Y0 F1000\nX100.\nG02 X30. Y-10. R50.\nG01 G40 X-10. Y20.\n"},
 
-    // The last decisions of part 9.
+    // What is asked corner by corner.
     {"Movement, corner by corner: line 6 goes along the tool (0, 1, 0) of line 5 and turns it to (-4, 4, 7)/9. The "
      "corner at the end of line 5 passes over it; it ends at (46.516308380, 83.483691620, 46.018638149).",
      VECTOR("\"5008#0\" = 1\n", "5", ""),

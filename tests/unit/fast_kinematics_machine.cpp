@@ -1,4 +1,4 @@
-// Inverse kinematics, choice of the pair and control point of the fast engine: posture sheet, examples 1, 2, 9 and 11,
+// Inverse kinematics, choice of the pair and control point of the fast engine: worked examples 1, 2, 9 and 11,
 // and forward after inverse on every type.
 #include "fast/kinematics/machine.h"
 

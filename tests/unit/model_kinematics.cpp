@@ -1,5 +1,5 @@
 // Rotary positions and control points of machines with two rotary axes. Expected values are those of the worked
-// examples 1, 2, 9 and 11 of the posture sheet (50 digits, printed to 15), or follow from the formulas by hand.
+// examples 1, 2, 9 and 11 (typed in from a derivation in 50 digits, to 15), or follow from the formulas by hand.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 #include "model/kinematics/pair_choice.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
-#include "tests/unit/sheet_digits.h"
+#include "tests/unit/printed_digits.h"
 
 namespace toolcomp::model {
 namespace {
@@ -59,16 +59,18 @@ const std::vector<std::string> kMachines{kHC,
                                          machine(2, 'C', 3, 'B', 5, "19688 = 60\n"),
                                          machine(12, 'B', 6, 'C', 3, "19683 = 30\n19699 = 10\n")};
 
-using test::sheet_digits;
+using test::printed_digits;
 
 // A pair (first axis, second axis) as text.
 std::string text(const Machine& of, const Pose& pose) {
   const bool tool_first = of.type() != MachineType::head;
   const Angle& first = tool_first ? pose.tool : pose.work;
   const Angle& second = tool_first ? pose.work : pose.tool;
-  return sheet_digits(first.degrees()) + " " + sheet_digits(second.degrees());
+  return printed_digits(first.degrees()) + " " + printed_digits(second.degrees());
 }
-std::string text(const Vector& v) { return sheet_digits(v.x) + " " + sheet_digits(v.y) + " " + sheet_digits(v.z); }
+std::string text(const Vector& v) {
+  return printed_digits(v.x) + " " + printed_digits(v.y) + " " + printed_digits(v.z);
+}
 
 // In [0, 360).
 Angle basic(const Angle& angle) { return angle.plus_turns(-angle.whole_turns()); }
@@ -221,7 +223,6 @@ TEST(Lifted, Example3) {
 }
 
 TEST(SingularPostures, ExistByTheInclinations) {
-  // Section 7.1 of the sheet.
   const auto positions = [](const std::string& parameters) {
     std::string result;
     const Machine of(setup(parameters));

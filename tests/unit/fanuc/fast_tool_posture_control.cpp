@@ -1,5 +1,5 @@
-// Plans and samples of tool posture control in the fast engine: posture sheet, examples 3 to 5, 7, 8 and 11, the rules
-// of its parts 7.3 and 17, and its invariants 2 to 6.
+// Plans and samples of tool posture control in the fast engine: worked examples 3 to 5, 7, 8 and 11, the rules of
+// singular postures, and what holds of any block.
 #include "fast/fanuc/tool_posture_control/posture.h"
 
 #include <gtest/gtest.h>
@@ -279,7 +279,7 @@ TEST(FastPosture, OppositeAndEqual) {
   expect_sample(plan, 1, 4, 45, 60);
   expect_vector(sample(plan, 1, 4).tool, 0.612372435695795, 0.612372435695795, 0.5);
   expect_vector(sample(plan, 2, 4).tool, 0, 1, 0);
-  // Type 2, opposite: the choice of part 4.
+  // Type 2, opposite: fanuc.tool-center-point.choice.
   plan = run(m, posed(m, TestMachine::direction(1, 0, 1), "0", "40"), TestMachine::direction(-2, 0, -2));
   EXPECT_EQ(plan.motion.law(), Law::linear);
   expect_pair(plan.end, 0, 225);  // by hand: C stays, B moves 180 either way, one modulo 360: the larger position
@@ -332,7 +332,7 @@ TEST(FastPosture, OutOfReach) {
   EXPECT_EQ(run(tilted, start, TestMachine::direction(-1, 1, 2)).outcome, Outcome::good);
 }
 
-// Invariants 2 to 4 of the sheet at random blocks: even angle in the plane, the axes give the direction, no jump.
+// What holds of any block, at random ones: even angle in the plane, the axes give the direction, no jump.
 TEST(FastPosture, Samples) {
   std::mt19937_64 random(5);
   const auto component = [&] { return static_cast<std::int64_t>(random() % 201) - 100; };

@@ -1,4 +1,4 @@
-// Tool posture control of single blocks: the worked examples 3 to 8 of the posture sheet. Positions stand as "tool-side
+// Tool posture control of single blocks: the worked examples 3 to 8. Positions stand as "tool-side
 // work-side" in degrees.
 #include <gtest/gtest.h>
 

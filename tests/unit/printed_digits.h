@@ -1,4 +1,4 @@
-// Numbers as the fact sheets print them.
+// Numbers as the worked examples have them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace toolcomp::test {
 
 // 15 significant digits, trailing zeros removed.
-inline std::string sheet_digits(const exact::Real& x, int significant = 15) {
+inline std::string printed_digits(const exact::Real& x, int significant = 15) {
   const std::string value = x.decimal(significant);
   const std::size_t point = value.find('.');
   const std::size_t first = value.find_first_of("123456789");
