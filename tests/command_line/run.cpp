@@ -43,7 +43,8 @@ TEST_P(Run, OffsetsReplaceAndDoNotAccumulate) {
   EXPECT_EQ(outcome.events()[1].at("axes").at("Z"), 130);
 }
 
-// LE1 and LE2 (corpus/examples/leading_edge_offset.cpp): VT (±3/5, 0, 4/5), VM (100, 0, 0), R = 10 give VC (∓8, 0, 6).
+// LE1 and LE2 (corpus/examples/fanuc/leading_edge_offset.cpp): VT (±3/5, 0, 4/5), VM (100, 0, 0), R = 10 give VC (∓8,
+// 0, 6).
 TEST_P(Run, LeadingEdgeOfALeaningTool) {
   const Folder folder;
   const std::string setup = folder.write("setup.toml", "control = \"fanuc\"\n[offsets.D]\n1 = 10\n");
@@ -63,7 +64,7 @@ TEST_P(Run, LeadingEdgeOfALeaningTool) {
   }
 }
 
-// LE5 (corpus/examples/leading_edge_offset.cpp): B = 15, C = 30 (C carries B), VM (40, -10, 5), R = 6.
+// LE5 (corpus/examples/fanuc/leading_edge_offset.cpp): B = 15, C = 30 (C carries B), VM (40, -10, 5), R = 6.
 TEST_P(Run, LeadingEdgeFromRotaryAxes) {
   const Folder folder;
   const std::string setup =

@@ -14,7 +14,7 @@ namespace {
 
 using namespace toolcomp;
 
-// The machines of the worked examples (corpus/examples/machines.h), on axes X1 Y2 Z3 A4 B5 C6.
+// The machines of the worked examples (corpus/examples/fanuc/machines.h), on axes X1 Y2 Z3 A4 B5 C6.
 const std::string kHC = "19680 = 2\n19681 = 6\n19682 = 3\n19686 = 5\n19687 = 2\n";
 const std::string kTAC = "19680 = 12\n19681 = 4\n19682 = 1\n19684 = 1\n19686 = 6\n19687 = 3\n19689 = 1\n";
 const std::string kN45 = "19680 = 2\n19681 = 6\n19682 = 3\n19686 = 5\n19687 = 5\n19688 = 45\n";

@@ -1,6 +1,6 @@
 // Peripheral milling: one program for each rule of start, mitre, end and direction. Unless said otherwise the tool is
 // along Z, so that RL is the left of the travel: -0.1 of it at the right.
-#include "corpus/examples/tools.h"
+#include "corpus/examples/heidenhain/tools.h"
 
 namespace toolcomp::corpus {
 namespace {

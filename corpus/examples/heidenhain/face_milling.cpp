@@ -1,6 +1,6 @@
 // Face milling: the manual's situations and its syntax example, examples worked out by hand, and verdicts on tools with
 // oversize (heidenhain.tool.oversize-radius, -corner, heidenhain.tool.corner-beyond-radius).
-#include "corpus/examples/tools.h"
+#include "corpus/examples/heidenhain/tools.h"
 
 namespace toolcomp::corpus {
 namespace {

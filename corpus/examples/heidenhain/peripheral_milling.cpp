@@ -1,6 +1,6 @@
 // Peripheral milling: blocks 11 to 13 of the manual's example, worked out by hand
 // (heidenhain.peripheral.example-reworked).
-#include "corpus/examples/tools.h"
+#include "corpus/examples/heidenhain/tools.h"
 
 namespace toolcomp::corpus {
 namespace {

@@ -1,5 +1,5 @@
 // The programmed contour: one program for each rule of the switch and of what the coordinates are.
-#include "corpus/examples/tools.h"
+#include "corpus/examples/heidenhain/tools.h"
 
 namespace toolcomp::corpus {
 namespace {

@@ -1,5 +1,5 @@
 // The programmed contour: examples worked out by hand, and the same contact with and without it.
-#include "corpus/examples/tools.h"
+#include "corpus/examples/heidenhain/tools.h"
 
 namespace toolcomp::corpus {
 namespace {

@@ -1,5 +1,5 @@
 // Tool posture control: a program for each rule that chance seldom meets, worked out by hand.
-#include "corpus/examples/machines.h"
+#include "corpus/examples/fanuc/machines.h"
 
 namespace toolcomp::corpus {
 namespace {

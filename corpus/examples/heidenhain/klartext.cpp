@@ -1,6 +1,6 @@
 // What a Klartext program is, seen in face milling: one program for each rule of reading, tool call, deltas, TCPM and
 // positions, and for each fault that LN can have.
-#include "corpus/examples/tools.h"
+#include "corpus/examples/heidenhain/tools.h"
 
 namespace toolcomp::corpus {
 namespace {

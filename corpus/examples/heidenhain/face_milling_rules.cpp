@@ -1,5 +1,5 @@
 // Face milling: one program for each rule of the effective tool, of normals and tool vectors, and of what they warn of.
-#include "corpus/examples/tools.h"
+#include "corpus/examples/heidenhain/tools.h"
 
 namespace toolcomp::corpus {
 namespace {
