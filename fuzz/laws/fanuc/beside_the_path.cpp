@@ -1,6 +1,8 @@
-#include "fuzz/laws/beside_the_path.h"
+#include "fuzz/laws/fanuc/beside_the_path.h"
 
 #include <algorithm>
+
+#include "fuzz/laws/numbers.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {
@@ -12,8 +14,8 @@ bool is_cutter(const FanucBlock& b) { return b.compensation == 410 || b.compensa
 bool is_left(const FanucBlock& b) { return b.compensation == 410 || b.compensation == 412 || b.compensation == 416; }
 
 // Other vectors may stand between the programmed point and the tool: of G45 to G48, of G37.
-bool shifts_the_point(const Scene& s) { return s.program.has_code({450, 460, 470, 480, 370}); }
-bool leaves_the_path(const Scene& s) {
+bool shifts_the_point(const FanucScene& s) { return s.program.has_code({450, 460, 470, 480, 370}); }
+bool leaves_the_path(const FanucScene& s) {
   return shifts_the_point(s) || s.program.has_code({100, 920, 530, 280, 290, 300, 301, 310});
 }
 
@@ -24,7 +26,7 @@ Vector normal_of(int plane) {
 }
 
 // T: the tool where it ends this block, or the normal of the plane.
-std::optional<Vector> across(const Scene& s, const Stop& stop) {
+std::optional<Vector> across(const FanucScene& s, const Stop& stop) {
   const FanucBlock& b = s.block(stop);
   if (is_tool_side(b)) return stop.own->tool_axis;
   if (!is_cutter(b)) return std::nullopt;
@@ -32,7 +34,7 @@ std::optional<Vector> across(const Scene& s, const Stop& stop) {
 }
 
 // Offset to the left of travel: G41 and a positive value.
-std::optional<exact::Rational> left_offset(const Scene& s, const FanucBlock& b) {
+std::optional<exact::Rational> left_offset(const FanucScene& s, const FanucBlock& b) {
   if (!b.d || s.c.setup.bit(5001, 2)) return std::nullopt;
   const auto value = cutter_value(s.c.setup, *b.d);
   if (!value) return std::nullopt;
@@ -40,7 +42,7 @@ std::optional<exact::Rational> left_offset(const Scene& s, const FanucBlock& b) 
 }
 
 // Whether U leads across T, by more than what counts as no movement.
-bool leads_across(const Scene& s, const FanucBlock& b, const Vector& t, const Vector& u) {
+bool leads_across(const FanucScene& s, const FanucBlock& b, const Vector& t, const Vector& u) {
   Real limit;
   if (is_tool_side(b))
     if (const auto p = s.c.setup.parameter(19630)) {
@@ -52,12 +54,12 @@ bool leads_across(const Scene& s, const FanucBlock& b, const Vector& t, const Ve
   return certainly_positive(dot(w, w) - limit * limit * tt);
 }
 
-bool is_line(const Scene& s, const Stop& stop) {
+bool is_line(const FanucScene& s, const Stop& stop) {
   const FanucBlock& b = s.block(stop);
   return stop.own->type != spec::MoveType::arc && (b.motion == 0 || b.motion == 10);
 }
 
-bool is_type_b(const Scene& s, const FanucBlock& b) {
+bool is_type_b(const FanucScene& s, const FanucBlock& b) {
   return is_cutter(b) && s.c.setup.cutter_compensation == spec::CutterCompensationType::b;
 }
 
@@ -70,7 +72,7 @@ Real square_of_radius(const Vector& t, const Vector& from, const Vector& center)
 bool is_arc(const Stop& stop) { return stop.own->type == spec::MoveType::arc && stop.own->arc; }
 
 // At the height of `at`: a helix has no other.
-Vector center_of(const Scene& s, const Stop& stop, const Vector& at) {
+Vector center_of(const FanucScene& s, const Stop& stop, const Vector& at) {
   Vector center = at;
   const auto& given = stop.own->arc->center;
   for (std::size_t i = 0; i < center.size(); ++i)
@@ -83,7 +85,7 @@ struct Circle {
   exact::Rational sense;  // σ as T sees it
 };
 // The arc of this stop as T sees it at one of its ends; nothing where T stands in its plane.
-std::optional<Circle> circle(const Scene& s, const Stop& stop, const Vector& at, const Vector& t) {
+std::optional<Circle> circle(const FanucScene& s, const Stop& stop, const Vector& at, const Vector& t) {
   if (!is_arc(stop)) return std::nullopt;
   const FanucBlock& b = s.block(stop);
   const Real along = dot(t, normal_of(b.plane));
@@ -94,7 +96,7 @@ std::optional<Circle> circle(const Scene& s, const Stop& stop, const Vector& at,
 
 // Whether the block of this stop makes a vector at its end: a line displaced across T, or an arc round a centre that T
 // does not see in its end.
-bool moves_across(const Scene& s, const Stop& stop, const Vector& t) {
+bool moves_across(const FanucScene& s, const Stop& stop, const Vector& t) {
   if (!stop.displacement) return false;
   if (is_arc(stop))
     return certainly_positive(square_of_radius(t, stop.programmed, center_of(s, stop, stop.programmed)));
@@ -106,7 +108,7 @@ struct Place {
   Vector t;
   exact::Rational left;  // ρ
 };
-std::optional<Place> place(const Scene& s, const Stop& stop) {
+std::optional<Place> place(const FanucScene& s, const Stop& stop) {
   const auto t = across(s, stop);
   if (!t || !stop.displacement) return std::nullopt;
   const FanucBlock& b = s.block(stop);
@@ -124,7 +126,7 @@ bool same_sign(const exact::Rational& a, const exact::Rational& b) { return (a <
 
 // Whether the offset stays on one side from the block of this stop to that of the next that leads across its T, or to
 // the end.
-bool keeps_side(const Scene& s, std::size_t stop, const Place& p) {
+bool keeps_side(const FanucScene& s, std::size_t stop, const Place& p) {
   std::size_t last = s.program.blocks().size() - 1;
   for (std::size_t k = stop + 1; k < s.stops.size(); ++k)
     if (const auto& u = s.stops[k].displacement; u && leads_across(s, s.block(s.stops[stop]), p.t, *u)) {
@@ -140,22 +142,22 @@ bool keeps_side(const Scene& s, std::size_t stop, const Place& p) {
   return true;
 }
 
-bool interference_unchecked(const Scene& s) { return s.c.setup.bit(5008, 0); }
+bool interference_unchecked(const FanucScene& s) { return s.c.setup.bit(5008, 0); }
 
 // A corner of two lines that leads toward the tool's side: one head, which no check removes.
-bool is_inner(const Scene& s, const Place& p, const Stop& before, const Stop& after) {
+bool is_inner(const FanucScene& s, const Place& p, const Stop& before, const Stop& after) {
   if (!after.displacement || !is_line(s, before) || !is_line(s, after)) return false;
   const Real turn = dot(p.t, cross(*before.displacement, *after.displacement));
   return p.left > 0 ? certainly_positive(turn) : p.left < 0 && certainly_negative(turn);
 }
 
 // Nothing was removed at the end of `stop`.
-bool all_heads_stand(const Scene& s, std::size_t stop, const Place& p) {
+bool all_heads_stand(const FanucScene& s, std::size_t stop, const Place& p) {
   if (interference_unchecked(s)) return true;
   return stop + 1 < s.stops.size() && is_inner(s, p, s.stops[stop], s.stops[stop + 1]);
 }
 
-bool in_mode_before(const Scene& s, std::size_t stop) {
+bool in_mode_before(const FanucScene& s, std::size_t stop) {
   if (stop == 0) return false;
   const FanucBlock& b = s.block(s.stops[stop - 1]);
   return is_tool_side(b) || is_cutter(b);
@@ -167,7 +169,7 @@ Real parallel_radius(const Vector& at, const Place& p, const Circle& circle) {
 }
 
 // What the last head at the end of stop `i` owes to the block after it.
-bool corner_is_plain(const Scene& s, std::size_t i, const Place& p) {
+bool corner_is_plain(const FanucScene& s, std::size_t i, const Place& p) {
   if (i + 1 >= s.stops.size()) return false;
   const Stop& a = s.stops[i];
   const Stop& b = s.stops[i + 1];
@@ -194,7 +196,7 @@ Real distance_error(const Vector& v, const Place& p, const Vector& u) {
 }
 
 // |at + v - O| = R - σρ with R = |at - O| for the arc of this stop, as squares, seen along T.
-void on_the_parallel_circle(const Scene& s, const Stop& stop, const Vector& at, const Head& head, const Place& p,
+void on_the_parallel_circle(const FanucScene& s, const Stop& stop, const Vector& at, const Head& head, const Place& p,
                             Holding& holding) {
   const auto arc = circle(s, stop, at, p.t);
   if (!arc) return;
@@ -206,7 +208,7 @@ void on_the_parallel_circle(const Scene& s, const Stop& stop, const Vector& at, 
 
 }  // namespace
 
-void perpendicular_to_the_tool(const Scene& s, Holding& holding) {
+void perpendicular_to_the_tool(const FanucScene& s, Holding& holding) {
   if (shifts_the_point(s)) return;
   for (const Stop& stop : s.stops) {
     const auto t = across(s, stop);
@@ -216,7 +218,7 @@ void perpendicular_to_the_tool(const Scene& s, Holding& holding) {
   }
 }
 
-void not_nearer_than_the_radius(const Scene& s, Holding& holding) {
+void not_nearer_than_the_radius(const FanucScene& s, Holding& holding) {
   if (leaves_the_path(s)) return;
   for (const Stop& stop : s.stops) {
     const auto p = place(s, stop);
@@ -230,7 +232,7 @@ void not_nearer_than_the_radius(const Scene& s, Holding& holding) {
   }
 }
 
-void beside_the_line_before(const Scene& s, Holding& holding) {
+void beside_the_line_before(const FanucScene& s, Holding& holding) {
   if (leaves_the_path(s)) return;
   for (std::size_t i = 0; i < s.stops.size(); ++i) {
     const Stop& stop = s.stops[i];
@@ -243,7 +245,7 @@ void beside_the_line_before(const Scene& s, Holding& holding) {
   }
 }
 
-void beside_the_line_after(const Scene& s, Holding& holding) {
+void beside_the_line_after(const FanucScene& s, Holding& holding) {
   if (leaves_the_path(s)) return;
   for (std::size_t i = 0; i + 1 < s.stops.size(); ++i) {
     const Stop& stop = s.stops[i];
@@ -262,7 +264,7 @@ void beside_the_line_after(const Scene& s, Holding& holding) {
   }
 }
 
-void beside_the_arc(const Scene& s, Holding& holding) {
+void beside_the_arc(const FanucScene& s, Holding& holding) {
   if (leaves_the_path(s)) return;
   for (std::size_t i = 0; i < s.stops.size(); ++i) {
     const Stop& stop = s.stops[i];
@@ -277,7 +279,7 @@ void beside_the_arc(const Scene& s, Holding& holding) {
   }
 }
 
-void normal_of_the_block(const Scene& s, Holding& holding) {
+void normal_of_the_block(const FanucScene& s, Holding& holding) {
   if (leaves_the_path(s)) return;
   for (const Stop& stop : s.stops) {
     const FanucBlock& b = s.block(stop);
@@ -291,7 +293,7 @@ void normal_of_the_block(const Scene& s, Holding& holding) {
   }
 }
 
-void on_the_path_without_a_mode(const Scene& s, Holding& holding) {
+void on_the_path_without_a_mode(const FanucScene& s, Holding& holding) {
   if (shifts_the_point(s)) return;
   if (s.names_other_points()) return;
   bool on_path = true;

@@ -1,18 +1,19 @@
-#include "fuzz/laws/commanded_direction.h"
+#include "fuzz/laws/fanuc/commanded_direction.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 
-#include "fuzz/laws/machine.h"
+#include "fuzz/laws/fanuc/machine.h"
+#include "fuzz/laws/numbers.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {
 
 constexpr int kByDirection = 435;
 
-bool may_change_ends(const Scene& s, const FanucBlock& b) {
+bool may_change_ends(const FanucScene& s, const FanucBlock& b) {
   const auto near = s.c.setup.parameter(19738);
   return b.posture && b.length == kByDirection && near && !near->negative && !near->is_zero();
 }
@@ -42,7 +43,7 @@ const Pose* start_of(const Run& run, const Pose& pose) {
 }
 
 // Direction of travel at the end of a block; nothing where laws do not know it.
-std::optional<Vector> travel(const Scene& s, const Pose& start, const Pose& end) {
+std::optional<Vector> travel(const FanucScene& s, const Pose& start, const Pose& end) {
   const FanucBlock& b = s.program.blocks()[end.block];
   const auto from = xyz(s.c.setup.axes, start.event->programmed);
   const auto to = xyz(s.c.setup.axes, end.event->programmed);
@@ -76,7 +77,7 @@ bool says_direction(const FanucBlock& b) { return b.has('I') || b.has('J') || b.
 
 // I J K that count for this block, the latest of the mode; the tool where the mode began, if there are none. Nothing
 // where they are not read.
-std::optional<Vector> latest_direction(const Scene& s, const Run& run, std::size_t block) {
+std::optional<Vector> latest_direction(const FanucScene& s, const Run& run, std::size_t block) {
   for (std::size_t k = block + 1; k-- > run.mode.block;) {
     const FanucBlock& b = s.program.blocks()[k];
     if (!says_direction(b)) continue;
@@ -92,7 +93,7 @@ struct Command {
   std::optional<Vector> towards;  // the travel, where Q leans the tool
   Real lean;                      // degrees
 };
-std::optional<Command> command(const Scene& s, const Run& run, const Pose& pose) {
+std::optional<Command> command(const FanucScene& s, const Run& run, const Pose& pose) {
   const FanucBlock& b = s.program.blocks()[pose.block];
   if (b.length != kByDirection || !is_end_of_block(pose) || !pose.event->tool_axis) return std::nullopt;
   const Pose* start = start_of(run, pose);
@@ -124,7 +125,7 @@ struct Limits {
   exact::Rational error;
   bool ranges = false;
 };
-Limits limits_of(const Scene& s) {
+Limits limits_of(const FanucScene& s) {
   const auto number = [&](std::uint32_t parameter) {
     const auto value = s.c.setup.parameter(parameter);
     return value ? rational(*value) : exact::Rational(0);
@@ -209,7 +210,7 @@ void ask_unchanged(const Machine& machine, const Limits& limits, const Turning& 
 
 }  // namespace
 
-End end_of(const Scene& s, const Run& run, const Pose& end) {
+End end_of(const FanucScene& s, const Run& run, const Pose& end) {
   if (!may_change_ends(s, s.program.blocks()[end.block])) return End::commanded;
   const auto given = command(s, run, end);
   const Pose* start = start_of(run, end);
@@ -221,7 +222,7 @@ End end_of(const Scene& s, const Run& run, const Pose& end) {
   return stands && !machine.is_orthogonal() ? End::unknown : End::commanded;
 }
 
-void commanded_direction(const Scene& s, Holding& holding) {
+void commanded_direction(const FanucScene& s, Holding& holding) {
   for (const Run& run : s.runs)
     for (const Pose& pose : run.poses) {
       const auto given = command(s, run, pose);
@@ -240,7 +241,7 @@ void commanded_direction(const Scene& s, Holding& holding) {
     }
 }
 
-void changed_end(const Scene& s, Holding& holding) {
+void changed_end(const FanucScene& s, Holding& holding) {
   const Limits limits = limits_of(s);
   if (limits.near <= 0) return;
   for (const Run& run : s.runs)

@@ -1,10 +1,11 @@
-#include "fuzz/laws/fanuc_program.h"
+#include "fuzz/laws/fanuc/fanuc_program.h"
 
 #include <algorithm>
 #include <map>
 #include <memory>
 #include <string_view>
 
+#include "fuzz/laws/numbers.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/input_error.h"
@@ -75,14 +76,6 @@ std::optional<exact::Rational> offset(const spec::Setup& setup, std::uint64_t n,
 }
 
 }  // namespace
-
-exact::Rational rational(const spec::Decimal& value) {
-  exact::Integer scale = 1;
-  for (int i = 0; i < value.decimals; ++i) scale *= 10;
-  exact::Rational r(exact::Integer(value.digits), scale);
-  if (value.negative) r = -r;
-  return r;
-}
 
 std::optional<exact::Rational> length_value(const spec::Setup& setup, std::uint64_t n) {
   return offset(setup, n, setup.h, setup.d);

@@ -58,6 +58,4 @@ class FanucProgram {
 std::optional<exact::Rational> length_value(const spec::Setup& setup, std::uint64_t number);
 std::optional<exact::Rational> cutter_value(const spec::Setup& setup, std::uint64_t number);
 
-exact::Rational rational(const spec::Decimal& value);
-
 }  // namespace toolcomp::fuzz::laws

@@ -1,6 +1,8 @@
-#include "fuzz/laws/leading_edge.h"
+#include "fuzz/laws/fanuc/leading_edge.h"
 
 #include <algorithm>
+
+#include "fuzz/laws/numbers.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {
@@ -12,7 +14,7 @@ bool moves(const Stop& stop) {
 }
 
 // Whether the mode had a value all the way from the block that began it: D0 cancels.
-bool has_value(const Scene& s, std::size_t block) {
+bool has_value(const FanucScene& s, std::size_t block) {
   for (std::size_t i = block + 1; i-- > 0;) {
     const FanucBlock& b = s.program.blocks()[i];
     if (!b.d || *b.d == 0) return false;
@@ -23,7 +25,7 @@ bool has_value(const Scene& s, std::size_t block) {
 
 }  // namespace
 
-void leading_edge_vector(const Scene& s, Holding& holding) {
+void leading_edge_vector(const FanucScene& s, Holding& holding) {
   exact::Rational range = 1;
   if (const auto p = s.c.setup.parameter(19631)) range = rational(*p);
   if (range >= 45 || s.c.setup.bit(5001, 2) ||

@@ -1,6 +1,7 @@
-#include "fuzz/laws/machine.h"
+#include "fuzz/laws/fanuc/machine.h"
 
-#include "fuzz/laws/fanuc_program.h"
+#include "fuzz/laws/fanuc/fanuc_program.h"
+#include "fuzz/laws/numbers.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {

@@ -1,20 +1,22 @@
-#include "fuzz/laws/offsets.h"
+#include "fuzz/laws/fanuc/offsets.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <string>
 
+#include "fuzz/laws/numbers.h"
+
 namespace toolcomp::fuzz::laws {
 namespace {
 
 constexpr std::string_view kLetters = "XYZ";
 
-bool leaves_the_path(const Scene& s) { return s.program.has_code({530, 280, 290, 300, 301}); }
-bool edits_offsets(const Scene& s) { return s.program.has_code({100, 370}); }
+bool leaves_the_path(const FanucScene& s) { return s.program.has_code({530, 280, 290, 300, 301}); }
+bool edits_offsets(const FanucScene& s) { return s.program.has_code({100, 370}); }
 
 // axes - point.
-std::optional<Vector> offset_of(const Scene& s, const Stop& stop) {
+std::optional<Vector> offset_of(const FanucScene& s, const Stop& stop) {
   const auto axes = xyz(s.c.setup.axes, stop.own->axes);
   const auto point = xyz(s.c.setup.axes, stop.own->point);
   if (!axes || !point) return std::nullopt;
@@ -28,13 +30,13 @@ std::ptrdiff_t length_codes(const FanucBlock& b) {
 }
 
 // Which of X, Y and Z a G43 or G44 block offsets: type A, B or C.
-std::array<bool, 3> offset_axes(const Scene& s, const FanucBlock& b) {
+std::array<bool, 3> offset_axes(const FanucScene& s, const FanucBlock& b) {
   if (s.c.setup.bit(5001, 0)) return {b.has('X'), b.has('Y'), b.has('Z')};
   if (!s.c.setup.bit(5001, 1)) return {false, false, true};
   return {b.plane == 190, b.plane == 180, b.plane == 170};
 }
 
-bool is_last_of_its_line(const Scene& s, std::size_t stop) {
+bool is_last_of_its_line(const FanucScene& s, std::size_t stop) {
   return stop + 1 == s.stops.size() || s.stops[stop + 1].block != s.stops[stop].block;
 }
 
@@ -43,7 +45,7 @@ int sign_of(const Real& x) { return certainly_positive(x) ? 1 : certainly_negati
 
 }  // namespace
 
-void length_offset(const Scene& s, Holding& holding) {
+void length_offset(const FanucScene& s, Holding& holding) {
   if (leaves_the_path(s) || edits_offsets(s)) return;
   for (std::size_t i = 0; i < s.stops.size(); ++i) {
     const Stop& stop = s.stops[i];
@@ -64,7 +66,7 @@ void length_offset(const Scene& s, Holding& holding) {
   }
 }
 
-void length_offset_stays(const Scene& s, Holding& holding) {
+void length_offset_stays(const FanucScene& s, Holding& holding) {
   if (leaves_the_path(s) || edits_offsets(s)) return;
   for (std::size_t i = 1; i < s.stops.size(); ++i) {
     const Stop& before = s.stops[i - 1];
@@ -82,7 +84,7 @@ void length_offset_stays(const Scene& s, Holding& holding) {
   }
 }
 
-void signed_sums(const Scene& s, Holding& holding) {
+void signed_sums(const FanucScene& s, Holding& holding) {
   const auto compensated = [](const FanucBlock& b) { return b.compensation != 400; };
   if (leaves_the_path(s) || edits_offsets(s) || s.program.has_code({920}) || s.names_other_points() ||
       s.c.setup.bit(5001, 2) || s.c.setup.bit(5001, 5) || std::ranges::any_of(s.program.blocks(), compensated))
@@ -123,7 +125,7 @@ void signed_sums(const Scene& s, Holding& holding) {
   }
 }
 
-void measured_difference(const Scene& s, Holding& holding) {
+void measured_difference(const FanucScene& s, Holding& holding) {
   if (s.program.has_code({100, 450, 460, 470, 480})) return;
   std::map<std::uint64_t, exact::Real> stored;
   const Stop* latest = nullptr;

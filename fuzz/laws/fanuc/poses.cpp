@@ -1,8 +1,9 @@
-#include "fuzz/laws/poses.h"
+#include "fuzz/laws/fanuc/poses.h"
 
 #include <algorithm>
 
-#include "fuzz/laws/stops.h"
+#include "fuzz/laws/fanuc/stops.h"
+#include "fuzz/laws/numbers.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {

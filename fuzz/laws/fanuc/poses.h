@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "fuzz/laws/fanuc_program.h"
-#include "fuzz/laws/machine.h"
+#include "fuzz/laws/fanuc/fanuc_program.h"
+#include "fuzz/laws/fanuc/machine.h"
 #include "model/basis/event.h"
 #include "spec/language/setup.h"
 

@@ -1,18 +1,10 @@
-#include "fuzz/laws/stops.h"
+#include "fuzz/laws/fanuc/stops.h"
 
 #include <string_view>
 
-namespace toolcomp::fuzz::laws {
+#include "fuzz/laws/numbers.h"
 
-std::optional<Vector> xyz(const spec::Axes& axes, const spec::AxisValues<Real>& values) {
-  Vector v;
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const std::size_t axis = axes.index("XYZ"[i]);
-    if (axis == spec::Axes::kNone || !values.has(axis)) return std::nullopt;
-    v.at(i) = values[axis];
-  }
-  return v;
-}
+namespace toolcomp::fuzz::laws {
 
 std::vector<Stop> stops_of(const spec::Axes& axes, const FanucProgram& program, std::span<const model::Event> events) {
   std::vector<Stop> stops;

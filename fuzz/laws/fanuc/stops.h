@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fuzz/laws/certainty.h"
-#include "fuzz/laws/fanuc_program.h"
+#include "fuzz/laws/fanuc/fanuc_program.h"
 #include "model/basis/event.h"
 
 namespace toolcomp::fuzz::laws {
@@ -30,8 +30,5 @@ struct Stop {
 
 // Moves whose points are not all three linear axes, or whose line is no block, end the list.
 std::vector<Stop> stops_of(const spec::Axes& axes, const FanucProgram& program, std::span<const model::Event> events);
-
-// X, Y and Z of the values; nothing where one is missing.
-std::optional<Vector> xyz(const spec::Axes& axes, const spec::AxisValues<Real>& values);
 
 }  // namespace toolcomp::fuzz::laws

@@ -1,16 +1,17 @@
-#include "fuzz/laws/tool_center_point.h"
+#include "fuzz/laws/fanuc/tool_center_point.h"
 
 #include <algorithm>
 
-#include "fuzz/laws/commanded_direction.h"
-#include "fuzz/laws/machine.h"
+#include "fuzz/laws/fanuc/commanded_direction.h"
+#include "fuzz/laws/fanuc/machine.h"
+#include "fuzz/laws/numbers.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {
 
 constexpr int kByPositions = 434;
 
-bool frame_is_workpiece(const Scene& s) { return s.c.setup.bit(19696, 5); }
+bool frame_is_workpiece(const FanucScene& s) { return s.c.setup.bit(19696, 5); }
 
 // Tip in the coordinates of the table at its zero pose.
 std::optional<Vector> tip_on_table(const Machine& machine, const Run& run, const Pose& pose) {
@@ -44,19 +45,19 @@ Real fraction(const Pose& pose) {
   return {t};
 }
 
-bool has_warning(const Scene& s, std::uint64_t line) {
+bool has_warning(const FanucScene& s, std::uint64_t line) {
   return std::ranges::any_of(
       s.events, [line](const model::Event& e) { return e.kind == spec::EventKind::warning && e.line == line; });
 }
 
 template <class Ask>
-void in_each_run(const Scene& s, const Ask& ask) {
+void in_each_run(const FanucScene& s, const Ask& ask) {
   for (const Run& run : s.runs) ask(*s.machine, run);
 }
 
 }  // namespace
 
-void axis_of_the_positions(const Scene& s, Holding& holding) {
+void axis_of_the_positions(const FanucScene& s, Holding& holding) {
   in_each_run(s, [&](const Machine& machine, const Run& run) {
     const Turn begun = machine.table(run.mode.turns);
     for (const Pose& pose : run.poses) {
@@ -69,7 +70,7 @@ void axis_of_the_positions(const Scene& s, Holding& holding) {
   });
 }
 
-void tip_of_the_axes(const Scene& s, Holding& holding) {
+void tip_of_the_axes(const FanucScene& s, Holding& holding) {
   in_each_run(s, [&](const Machine& machine, const Run& run) {
     for (std::size_t i = 0; i < run.poses.size(); ++i) {
       const Pose& pose = run.poses[i];
@@ -83,7 +84,7 @@ void tip_of_the_axes(const Scene& s, Holding& holding) {
   });
 }
 
-void tip_on_the_path(const Scene& s, Holding& holding) {
+void tip_on_the_path(const FanucScene& s, Holding& holding) {
   in_each_run(s, [&](const Machine& machine, const Run& run) {
     for (const Block& block : sampled_blocks(run)) {
       const auto at = [&](const Pose& pose) -> std::optional<Vector> {
@@ -119,7 +120,7 @@ void tip_on_the_path(const Scene& s, Holding& holding) {
   });
 }
 
-void great_circle(const Scene& s, Holding& holding) {
+void great_circle(const FanucScene& s, Holding& holding) {
   if (frame_is_workpiece(s)) return;
   in_each_run(s, [&](const Machine& machine, const Run& run) {
     if (!machine.leans_any_way()) return;
@@ -149,7 +150,7 @@ void great_circle(const Scene& s, Holding& holding) {
   });
 }
 
-void positions_in_proportion(const Scene& s, Holding& holding) {
+void positions_in_proportion(const FanucScene& s, Holding& holding) {
   in_each_run(s, [&](const Machine&, const Run& run) {
     for (const Block& block : sampled_blocks(run)) {
       const bool changed = end_of(s, run, *block.end) == End::changed;
@@ -165,7 +166,7 @@ void positions_in_proportion(const Scene& s, Holding& holding) {
   });
 }
 
-void positions_as_programmed(const Scene& s, Holding& holding) {
+void positions_as_programmed(const FanucScene& s, Holding& holding) {
   in_each_run(s, [&](const Machine& machine, const Run& run) {
     for (std::size_t i = 0; i < run.poses.size(); ++i) {
       const Pose& pose = run.poses[i];

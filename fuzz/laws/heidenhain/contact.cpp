@@ -1,6 +1,8 @@
-#include "fuzz/laws/contact.h"
+#include "fuzz/laws/heidenhain/contact.h"
 
 #include <algorithm>
+
+#include "fuzz/laws/numbers.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {
@@ -10,7 +12,7 @@ using spec::klartext::Statement;
 using Move = SpaceMove;
 
 template <class Ask>
-void for_each_move(const Scene& s, const Ask& ask) {
+void for_each_move(const KlartextScene& s, const Ask& ask) {
   for (const Move& move : s.moves) ask(move);
 }
 
@@ -46,7 +48,7 @@ std::optional<Vector> nominal_tip(const Move& move) {
 
 }  // namespace
 
-void touches_the_contact_plane(const Scene& s, Holding& holding) {
+void touches_the_contact_plane(const KlartextScene& s, Holding& holding) {
   for_each_move(s, [&](const Move& move) {
     const auto& contact = move.event->space->contact;
     if (!contact) return;
@@ -64,7 +66,7 @@ void touches_the_contact_plane(const Scene& s, Holding& holding) {
   });
 }
 
-void nominal_tool_touches(const Scene& s, Holding& holding) {
+void nominal_tool_touches(const KlartextScene& s, Holding& holding) {
   for_each_move(s, [&](const Move& move) {
     const auto& contact = move.event->space->contact;
     if (!contact) return;
@@ -80,7 +82,7 @@ void nominal_tool_touches(const Scene& s, Holding& holding) {
   });
 }
 
-void direction_of_the_tool(const Scene& s, Holding& holding) {
+void direction_of_the_tool(const KlartextScene& s, Holding& holding) {
   for_each_move(s, [&](const Move& move) {
     const KlartextBlock& b = *move.block;
     if (b.statement != Statement::line_with_vectors) return;
@@ -95,7 +97,7 @@ void direction_of_the_tool(const Scene& s, Holding& holding) {
   });
 }
 
-void length_along_the_tool(const Scene& s, Holding& holding) {
+void length_along_the_tool(const KlartextScene& s, Holding& holding) {
   for_each_move(s, [&](const Move& move) {
     const auto axes = xyz(s.c.setup.axes, move.event->axes);
     if (!axes) return;
@@ -114,7 +116,7 @@ void length_along_the_tool(const Scene& s, Holding& holding) {
   });
 }
 
-void shift_of_the_tip(const Scene& s, Holding& holding) {
+void shift_of_the_tip(const KlartextScene& s, Holding& holding) {
   for_each_move(s, [&](const Move& move) {
     if (move.block->contour) return;
     if (const auto tip = nominal_tip(move))
@@ -122,7 +124,7 @@ void shift_of_the_tip(const Scene& s, Holding& holding) {
   });
 }
 
-void cylinder_beside_the_line(const Scene& s, Holding& holding) {
+void cylinder_beside_the_line(const KlartextScene& s, Holding& holding) {
   for (std::size_t k = 1; k < s.moves.size(); ++k) {
     const Move* before = &s.moves[k - 1];
     const Move* move = &s.moves[k];

@@ -1,10 +1,10 @@
-#include "fuzz/laws/klartext_program.h"
+#include "fuzz/laws/heidenhain/klartext_program.h"
 
 #include <algorithm>
 #include <array>
 #include <memory>
 
-#include "fuzz/laws/fanuc_program.h"
+#include "fuzz/laws/numbers.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/heidenhain/klartext_reader.h"
 #include "spec/language/input_error.h"
