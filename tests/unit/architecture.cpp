@@ -219,6 +219,15 @@ TEST(Architecture, ModelHasNoDoubles) {
   }
 }
 
+// What the oracle makes of a clause or a section stands in the policy, too.
+TEST(Architecture, TheOracleNamesClausesInThePolicy) {
+  const std::regex clause_or_section(R"(Clause::[a-z]|"(fanuc|heidenhain)[/.])");
+  for (const fs::path& file : sources("fuzz/oracle"))
+    if (file.filename() != "policy.h") {
+      EXPECT_FALSE(std::regex_search(read(file), clause_or_section)) << file;
+    }
+}
+
 // Tolerances stand in the one policy table and nowhere else.
 TEST(Architecture, NoToleranceOutsideThePolicy) {
   const std::regex small_literal(R"([0-9.]e-[0-9]+|0x1p-)");
