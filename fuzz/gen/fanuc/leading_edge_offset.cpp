@@ -228,66 +228,76 @@ class LeadingEdge {
     if (kind == Kind::multiple && !tool_words_) kind = Kind::parallel;
     const bool turn = choose_.chance(20);
     if (turn && tool_words_ && kind != Kind::niven) direction();
-    const auto one = static_cast<double>(write_.one());
-    const double length = one * static_cast<double>(choose_.between(1, 100));
-    const Direction t = tool();
-    SpaceCounts move{};
-    switch (kind) {
-      case Kind::parallel:
-        move = rounded(t, choose_.chance(50) ? length : -length);
-        break;
-      case Kind::perpendicular:
-        move = rounded(anywhere_beside(t), length);
-        break;
-      case Kind::threshold: {
-        const double base = choose_.one_of({0.0, 90.0, 180.0});
-        const double angle = (base + (choose_.chance(50) ? threshold() : -threshold())) * kRadiansPerDegree;
-        const Direction side = anywhere_beside(t);
-        Direction d{};
-        for (std::size_t i = 0; i < 3; ++i) d[i] = t[i] * std::cos(angle) + side[i] * std::sin(angle);
-        move = rounded(d, length);
-        // One unit to either side of the threshold.
-        if (choose_.chance(60)) move[choose_.below(3)] += choose_.one_of<std::int64_t>({-1, 1});
-        break;
-      }
-      case Kind::reversal:
-        for (std::size_t i = 0; i < 3; ++i) move[i] = -last_[i];
-        break;
-      case Kind::tiny:
-        for (std::int64_t& x : move) x = choose_.between(-2, 2);
-        break;
-      case Kind::huge:
-        for (std::int64_t& x : move) x = choose_.between(-9'000 * write_.one(), 9'000 * write_.one());
-        break;
-      case Kind::niven: {
-        const Pair& pair = choose_.one_of(kNiven);
-        words_of(pair.tool, write_.one());
-        const std::int64_t unit = choose_.chance(50) ? write_.one() : 1;
-        const std::int64_t factor = choose_.between(1, 30) * unit;
-        for (std::size_t i = 0; i < 3; ++i) move[i] = pair.movement[i] * factor;
-        break;
-      }
-      case Kind::multiple: {  // exactly along the tool, in numbers whose products no double holds
-        const auto factor = choose_.one_of<std::int64_t>({-3, -1, 1, 2, 7});
-        for (std::size_t i = 0; i < 3; ++i) move[i] = tool_counts_[i] * factor;
-        if (move == SpaceCounts{}) move[2] = write_.one();
-        break;
-      }
-      case Kind::any:
-      case Kind::normal:
-        for (std::int64_t& x : move)
-          x = choose_.chance(25)   ? 0
-              : choose_.chance(60) ? choose_.between(-20, 20) * 5 * write_.one()
-                                   : choose_.between(-100 * write_.one(), 100 * write_.one());
-        if (move == SpaceCounts{}) move[choose_.below(3)] = 10 * write_.one();
-        break;
-    }
+    const double length = static_cast<double>(write_.one()) * static_cast<double>(choose_.between(1, 100));
+    const SpaceCounts move = travel(kind, length);
     if (choose_.chance(8)) write_.word(choose_.one_of({"G00", "G01"}));
     linear(move);
     if (turn && !tool_words_ && !rotary_.empty() && tool_direction(case_.setup, {})) rotate(false);
     if (choose_.chance(6)) write_.number('F', choose_.between(1, 500) * write_.one());
     last_ = move;
     write_.end_block();
+  }
+
+  SpaceCounts travel(Kind kind, double length) {
+    SpaceCounts move{};
+    switch (kind) {
+      case Kind::parallel:
+        return rounded(tool(), choose_.chance(50) ? length : -length);
+      case Kind::perpendicular:
+        return rounded(anywhere_beside(tool()), length);
+      case Kind::threshold:
+        return at_threshold(length);
+      case Kind::reversal:
+        for (std::size_t i = 0; i < 3; ++i) move[i] = -last_[i];
+        return move;
+      case Kind::tiny:
+        for (std::int64_t& x : move) x = choose_.between(-2, 2);
+        return move;
+      case Kind::huge:
+        for (std::int64_t& x : move) x = choose_.between(-9'000 * write_.one(), 9'000 * write_.one());
+        return move;
+      case Kind::niven:
+        return between_directions();
+      case Kind::multiple: {  // exactly along the tool, in numbers whose products no double holds
+        const auto factor = choose_.one_of<std::int64_t>({-3, -1, 1, 2, 7});
+        for (std::size_t i = 0; i < 3; ++i) move[i] = tool_counts_[i] * factor;
+        if (move == SpaceCounts{}) move[2] = write_.one();
+        return move;
+      }
+      case Kind::any:
+      case Kind::normal:
+        break;
+    }
+    for (std::int64_t& x : move)
+      x = choose_.chance(25)   ? 0
+          : choose_.chance(60) ? choose_.between(-20, 20) * 5 * write_.one()
+                               : choose_.between(-100 * write_.one(), 100 * write_.one());
+    if (move == SpaceCounts{}) move[choose_.below(3)] = 10 * write_.one();
+    return move;
+  }
+
+  SpaceCounts at_threshold(double length) {
+    const Direction t = tool();
+    const double base = choose_.one_of({0.0, 90.0, 180.0});
+    const double angle = (base + (choose_.chance(50) ? threshold() : -threshold())) * kRadiansPerDegree;
+    const Direction side = anywhere_beside(t);
+    Direction d{};
+    for (std::size_t i = 0; i < 3; ++i) d[i] = t[i] * std::cos(angle) + side[i] * std::sin(angle);
+    SpaceCounts move = rounded(d, length);
+    // One unit to either side of the threshold.
+    if (choose_.chance(60)) move[choose_.below(3)] += choose_.one_of<std::int64_t>({-1, 1});
+    return move;
+  }
+
+  // Writes the direction, too.
+  SpaceCounts between_directions() {
+    const Pair& pair = choose_.one_of(kNiven);
+    words_of(pair.tool, write_.one());
+    const std::int64_t unit = choose_.chance(50) ? write_.one() : 1;
+    const std::int64_t factor = choose_.between(1, 30) * unit;
+    SpaceCounts move{};
+    for (std::size_t i = 0; i < 3; ++i) move[i] = pair.movement[i] * factor;
+    return move;
   }
 
   void linear(const SpaceCounts& move) {
