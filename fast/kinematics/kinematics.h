@@ -1,4 +1,4 @@
-// Tool direction from rotary axes (3D sheet 1.2 and part 9, posture sheet 3 and 17).
+// Tool direction from rotary axes (fanuc.tool-direction.*).
 #pragma once
 
 #include <Eigen/Core>

@@ -502,7 +502,7 @@ Vector3<T> Machine::in_machine(const Vector3<T>& on_table, const Turns<T>& turns
 }
 template Vector3<double> Machine::in_machine(const Vector3<double>&, const Turns<double>&) const;
 
-// T_m of sheet 5: where a point of the table stands in the machine.
+// Where a point of the table stands in the machine.
 template <class T>
 [[gnu::always_inline]] inline Vector3<T> Machine::on_machine(const Vector3<T>& table_tip, const Turns<T>& turns,
                                                              const Vector3<T>& origin) const {

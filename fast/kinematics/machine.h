@@ -1,4 +1,5 @@
-// The machine as tool center point control sees it: types 2, 12 and 21 of No. 19680 (posture sheet 3 to 5 and 17).
+// The machine as tool center point control sees it: types 2, 12 and 21 of No. 19680
+// (fanuc.tool-center-point.inverse, choice, control-point-*).
 #pragma once
 
 #include <array>
@@ -77,15 +78,15 @@ class Machine {
   void release();
 
   // --- inverse -----------------------------------------------------------------------------------------------------
-  // The pair for `tool` (programming coordinate system) by the rules of sheet 4 from the present pose, inside the
-  // movement ranges. False: PS5459. `end` may not be `present`.
+  // The pair for `tool` (programming coordinate system) by fanuc.tool-center-point.choice from the present pose,
+  // inside the movement ranges. False: PS5459. `end` may not be `present`.
   [[nodiscard]] bool choose(const Direction& tool, const Pose& present, Pose& end) const;
 
   // --- tip and control point ---------------------------------------------------------------------------------------
   // All in workpiece coordinates parallel to the machine axes: machine coordinates minus `origin`, the machine position
   // of the workpiece origin. T is double or DoubleDouble. Heads: the table stands still.
-  // The control point (F, D or E of sheet 5) of a tip that is given on the table: under WKP = 0 in the programming
-  // coordinate system, under WKP = 1 as to_table() makes it.
+  // The control point (fanuc.tool-center-point.control-point-*) of a tip that is given on the table: under WKP = 0 in
+  // the programming coordinate system, under WKP = 1 as to_table() makes it.
   template <class T>
   [[nodiscard]] Vector3<T> control_point(const Vector3<T>& table_tip, const Turns<T>& turns, const T& length,
                                          const Vector3<T>& origin) const;

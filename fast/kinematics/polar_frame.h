@@ -1,4 +1,5 @@
-// The inverse kinematics of any pair of rotary axes (posture sheet 3.3), in the system of the work-side axis.
+// The inverse kinematics of any pair of rotary axes (fanuc.tool-center-point.inverse), in the system of the
+// work-side axis.
 //
 // e3 is the work-side axis u_w, the tool-side axis is u_t = (sin b, 0, cos b), and t0 lies at the angle a from u_t. psi
 // is the mechanical angle of the tool-side axis from where it brings the tool nearest to u_w. Then, for every machine,

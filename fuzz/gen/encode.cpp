@@ -154,30 +154,22 @@ void make_possible(Setup& setup) {
     if (!setup.dr2_tables.contains(tool.dr2_table)) tool.dr2_table.clear();
 }
 
-void apply(Setup& setup, const Line& line) {
-  if (line.word[0].size() != 1) return;
-  const bool heidenhain = setup.control == spec::Control::heidenhain;
-  if (std::string_view(heidenhain ? "ikxvpmhdwrft" : "yegjq").find(line.word[0][0]) != std::string_view::npos) return;
+// The place of the line's letter in a list of them.
+std::optional<std::size_t> place_in(std::string_view letters, const Line& line) {
   const std::string_view first = line.word[1];
-  const auto letter = [&](std::string_view letters) -> std::optional<std::size_t> {
-    const std::size_t at = first.size() == 1 ? letters.find(first[0]) : std::string_view::npos;
-    return at == std::string_view::npos ? std::nullopt : std::optional(at);
-  };
+  const std::size_t at = first.size() == 1 ? letters.find(first[0]) : std::string_view::npos;
+  return at == std::string_view::npos ? std::nullopt : std::optional(at);
+}
+
+void apply_to_fanuc(Setup& setup, const Line& line) {
+  const std::string_view first = line.word[1];
   switch (line.word[0][0]) {
-    case 'u':
-      setup.units = first == "inch" ? spec::Units::inch : spec::Units::mm;
-      break;
     case 'i':
-      if (const auto at = letter("ABC")) setup.increment = static_cast<spec::IncrementSystem>(*at);
-      break;
-    case 'a':
-      if (all_different_axes(first)) setup.axes = spec::Axes(first);
+      if (const auto at = place_in("ABC", line)) setup.increment = static_cast<spec::IncrementSystem>(*at);
       break;
     case 'k':
-      if (const auto at = letter("bc")) setup.cutter_compensation = static_cast<spec::CutterCompensationType>(*at);
-      break;
-    case 's':
-      setup.block_skip = true;
+      if (const auto at = place_in("bc", line))
+        setup.cutter_compensation = static_cast<spec::CutterCompensationType>(*at);
       break;
     case 'x':
       setup.type_b_without_perpendicular = true;
@@ -189,7 +181,7 @@ void apply(Setup& setup, const Line& line) {
       put_parameter(setup, line);
       break;
     case 'm':
-      if (const auto at = letter("abc")) setup.memory = static_cast<spec::OffsetMemory>(*at);
+      if (const auto at = place_in("abc", line)) setup.memory = static_cast<spec::OffsetMemory>(*at);
       setup.offset_count = std::max(1U, whole(line.word[2], 999).value_or(kDefaultCount));
       break;
     case 'h':
@@ -201,9 +193,6 @@ void apply(Setup& setup, const Line& line) {
     case 'w':
       if (const auto n = whole(first, kFirstWorkpiece + 5); n && *n >= kFirstWorkpiece)
         put(setup.workpiece.at(*n - kFirstWorkpiece), line.word[2], line.word[3]);
-      break;
-    case 'o':
-      put(setup.position, first, line.word[2]);
       break;
     case 'r':
       if (const auto n = whole(first, 4); n && *n > 0) {
@@ -218,10 +207,13 @@ void apply(Setup& setup, const Line& line) {
     case 't':
       put(setup.measurement, first, line.word[2]);
       break;
-    case 'c':
-      setup = {};
-      if (first == "heidenhain") setup.control = spec::Control::heidenhain;
+    default:
       break;
+  }
+}
+
+void apply_to_heidenhain(Setup& setup, const Line& line) {
+  switch (line.word[0][0]) {
     case 'y':
       put_tool(setup, line);
       break;
@@ -239,6 +231,32 @@ void apply(Setup& setup, const Line& line) {
       break;
     default:
       break;
+  }
+}
+
+void apply(Setup& setup, const Line& line) {
+  if (line.word[0].size() != 1) return;
+  const std::string_view first = line.word[1];
+  switch (line.word[0][0]) {
+    case 'u':
+      setup.units = first == "inch" ? spec::Units::inch : spec::Units::mm;
+      break;
+    case 'a':
+      if (all_different_axes(first)) setup.axes = spec::Axes(first);
+      break;
+    case 's':
+      setup.block_skip = true;
+      break;
+    case 'o':
+      put(setup.position, first, line.word[2]);
+      break;
+    case 'c':
+      setup = {};
+      if (first == "heidenhain") setup.control = spec::Control::heidenhain;
+      break;
+    default:
+      return setup.control == spec::Control::heidenhain ? apply_to_heidenhain(setup, line)
+                                                        : apply_to_fanuc(setup, line);
   }
 }
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "fuzz/gen/change_digit.h"
+#include "fuzz/gen/change_text.h"
 #include "fuzz/gen/fanuc/vocabulary.h"
 #include "fuzz/gen/heidenhain/klartext_vocabulary.h"
 #include "fuzz/gen/program_text.h"

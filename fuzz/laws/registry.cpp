@@ -2,23 +2,24 @@
 #include <array>
 #include <stdexcept>
 
-#include "fuzz/laws/beside_the_path.h"
-#include "fuzz/laws/commanded_direction.h"
-#include "fuzz/laws/contact.h"
+#include "fuzz/laws/fanuc/beside_the_path.h"
+#include "fuzz/laws/fanuc/commanded_direction.h"
+#include "fuzz/laws/fanuc/leading_edge.h"
+#include "fuzz/laws/fanuc/offsets.h"
+#include "fuzz/laws/fanuc/tool_center_point.h"
+#include "fuzz/laws/heidenhain/contact.h"
 #include "fuzz/laws/laws.h"
-#include "fuzz/laws/leading_edge.h"
-#include "fuzz/laws/offsets.h"
-#include "fuzz/laws/tool_center_point.h"
 
 namespace toolcomp::fuzz::laws {
 namespace {
 
+template <class Scene>
 struct Law {
   LawInfo info;
   void (*ask)(const Scene&, Holding&);
 };
 
-constexpr Law kLaws[] = {
+constexpr Law<FanucScene> kFanucLaws[] = {
     {{"perpendicular-to-the-tool",
       "the vector at the end of a block displaced across its own tool is perpendicular to it"},
      perpendicular_to_the_tool},
@@ -48,6 +49,9 @@ constexpr Law kLaws[] = {
     {{"great-circle", "under P1 the tool stays in the plane of both ends and turns by equal angles"}, great_circle},
     {{"positions-in-proportion", "under P0 rotary axes go in proportion"}, positions_in_proportion},
     {{"positions-as-programmed", "rotary axes end at their words"}, positions_as_programmed},
+};
+
+constexpr Law<KlartextScene> kKlartextLaws[] = {
     {{"touches-the-contact-plane", "the effective tool touches the plane of contact point and normal in that point"},
      touches_the_contact_plane},
     {{"nominal-tool-touches", "the nominal tool at the programmed point touches it in the same point"},
@@ -59,25 +63,9 @@ constexpr Law kLaws[] = {
      cylinder_beside_the_line},
 };
 
-std::vector<SpaceMove> moves_of(const spec::Axes& axes, const KlartextProgram& program,
-                                std::span<const model::Event> events) {
-  std::vector<SpaceMove> moves;
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    const model::Event& event = events[i];
-    if (event.kind != spec::EventKind::move || !event.space || !event.tool_axis) continue;
-    const KlartextBlock* block = program.block(event.line);
-    const auto programmed = xyz(axes, event.programmed);
-    const auto tip = xyz(axes, event.point);
-    if (block == nullptr || !programmed || !tip) continue;
-    Vector side;
-    if (event.space->contact) side = cross(event.space->contact->normal, *event.tool_axis);
-    moves.push_back({&event, i, block, *programmed, *tip, *event.tool_axis, side});
-  }
-  return moves;
-}
-
 // A law with a question that cannot be answered (a sign that is not certified) says nothing more: it is left open.
-void ask(const Law& law, const Scene& scene, Verdict& verdict) {
+template <class Scene>
+void ask(const Law<Scene>& law, const Scene& scene, Verdict& verdict) {
   Holding holding(law.info.name, scene.events);
   try {
     law.ask(scene, holding);
@@ -88,42 +76,38 @@ void ask(const Law& law, const Scene& scene, Verdict& verdict) {
   if (!verdict.violation) verdict.violation = holding.violation();
 }
 
-}  // namespace
-
-Scene::Scene(const spec::Case& made, std::span<const model::Event> given)
-    : c(made), events(given), program(made), klartext(made) {
-  if (c.setup.control != spec::Control::fanuc) {
-    moves = moves_of(c.setup.axes, klartext, events);
-    return;
-  }
-  stops = stops_of(c.setup.axes, program, events);
-  if (program.has_code({434, 435})) machine = Machine::of(c.setup);
-  if (machine) runs = runs_of(c.setup, program, events, *machine);
+// The laws of one dialect up to the first that is broken; `only` one of them, or all.
+template <class Scene, std::size_t N>
+Verdict ask_all(const Law<Scene> (&laws)[N], const Scene& scene, std::string_view only) {
+  Verdict verdict;
+  for (const Law<Scene>& law : laws)
+    if (!verdict.violation && (only.empty() || law.info.name == only)) ask(law, scene, verdict);
+  return verdict;
 }
+
+Verdict ask_all(const spec::Case& c, std::span<const model::Event> events, std::string_view only) {
+  if (c.setup.control == spec::Control::fanuc) return ask_all(kFanucLaws, FanucScene(c, events), only);
+  return ask_all(kKlartextLaws, KlartextScene(c, events), only);
+}
+
+}  // namespace
 
 std::span<const LawInfo> all() {
   static const auto infos = [] {
-    std::array<LawInfo, std::size(kLaws)> list;
-    std::ranges::transform(kLaws, list.begin(), &Law::info);
+    std::array<LawInfo, std::size(kFanucLaws) + std::size(kKlartextLaws)> list;
+    auto* const behind = std::ranges::transform(kFanucLaws, list.begin(), &Law<FanucScene>::info).out;
+    std::ranges::transform(kKlartextLaws, behind, &Law<KlartextScene>::info);
     return list;
   }();
   return infos;
 }
 
-Verdict hold(const spec::Case& c, std::span<const model::Event> events) {
-  const Scene scene(c, events);
-  Verdict verdict;
-  for (const Law& law : kLaws)
-    if (!verdict.violation) ask(law, scene, verdict);
-  return verdict;
-}
+Verdict hold(const spec::Case& c, std::span<const model::Event> events) { return ask_all(c, events, ""); }
 
 Verdict hold(std::string_view name, const spec::Case& c, std::span<const model::Event> events) {
-  const auto* law = std::ranges::find_if(kLaws, [name](const Law& l) { return l.info.name == name; });
-  if (law == std::end(kLaws)) throw std::invalid_argument("no law " + std::string(name));
-  Verdict verdict;
-  ask(*law, Scene(c, events), verdict);
-  return verdict;
+  if (std::ranges::find(all(), name, &LawInfo::name) == all().end())
+    throw std::invalid_argument("no law " + std::string(name));
+  return ask_all(c, events, name);
 }
 
 }  // namespace toolcomp::fuzz::laws

@@ -498,6 +498,17 @@ template std::optional<Difference> compare(const Rules&, const model::Event&, co
 template std::optional<Difference> compare(const Rules&, const model::Event&, const Scale&,
                                            const spec::Event<Rational>&, Tally&);
 
+void take(Verdict& verdict, const Tally& tally) {
+  verdict.values = tally.values;
+  verdict.numbers = tally.numbers;
+  verdict.wide = tally.wide;
+  verdict.widths = tally.widths;
+  verdict.events = tally.events;
+  verdict.out_of_scope = tally.out_of_scope;
+  verdict.worst_ulp = tally.worst_ulp;
+  verdict.worst_um = tally.worst_um;
+}
+
 bool left_open(const model::Event& event) {
   if (event.kind != EventKind::undecided) return false;
   const auto clause = spec::find_clause(event.number.view());

@@ -55,6 +55,9 @@ struct Tally {
   Widths widths;
 };
 
+// What was judged, as the verdict has it.
+void take(Verdict& verdict, const Tally& tally);
+
 // The first difference between the two, or nothing. `Number` is double or exact::Rational.
 template <class Number>
 std::optional<Difference> compare(const Rules& rules, const model::Event& expected, const Scale& scale,

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <string_view>
 
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
@@ -18,15 +16,14 @@ constexpr double kRadiansPerDegree = 0.017453292519943295;
 
 double magnitude(const spec::Decimal& d) { return std::fabs(approximate(d)); }
 
-// Whether a compensation may have made the vector of an event: the clauses it rests on name it, or no compensation.
-bool may_be(const model::Event& event, std::string_view section, std::string_view or_section = {}) {
-  constexpr std::string_view compensations[] = {"fanuc/leading-edge-offset", "fanuc/tool-side-compensation",
-                                                "fanuc/cutter-compensation-b", "fanuc/cutter-compensation-c"};
+// Whether vectors made so may be that of an event: the clauses it rests on are of such a section, or of none with
+// vectors.
+bool may_be(const model::Event& event, policy::VectorFrom made) {
   bool other = false;
   for (const spec::Clause clause : event.clauses) {
-    const std::string_view of = spec::info(clause).section;
-    if (of == section || of == or_section) return true;
-    other = other || std::ranges::find(compensations, of) != std::end(compensations);
+    const policy::VectorFrom of = policy::budget(spec::info(clause).section).vectors;
+    if (of == made) return true;
+    other = other || of != policy::VectorFrom::none;
   }
   return !other;
 }
@@ -174,13 +171,13 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
     Vector tool{0, 0, 1};
     if (event.tool_axis)
       for (std::size_t i = 0; i < 3; ++i) tool[i] = approximate((*event.tool_axis)[i]);
-    if (may_be(event, "fanuc/leading-edge-offset")) scale.condition = condition(window, tool, compensation);
+    if (may_be(event, policy::VectorFrom::tool_and_way)) scale.condition = condition(window, tool, compensation);
     const bool kept = length(difference(compensation, vector_)) <= policy::kSlack * scale.vector + noise;
     const auto corner_error = [&](Heads* heads) {
       double error = 0;
-      if (may_be(event, "fanuc/cutter-compensation-b", "fanuc/cutter-compensation-c"))
+      if (may_be(event, policy::VectorFrom::corner))
         error = corners_.error(window, index_, compensation, shift_, heads);
-      if (tool_plane_ && may_be(event, "fanuc/tool-side-compensation"))
+      if (tool_plane_ && may_be(event, policy::VectorFrom::tool_corner))
         error = std::max(error, tool_plane_->error(window, index_, compensation, tool, shift_, heads));
       return error;
     };

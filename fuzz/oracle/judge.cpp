@@ -360,16 +360,6 @@ class Judge {
     }
   }
 
-  static void take(Verdict& v, const Tally& tally) {
-    v.values = tally.values;
-    v.numbers = tally.numbers;
-    v.wide = tally.wide;
-    v.widths = tally.widths;
-    v.events = tally.events;
-    v.out_of_scope = tally.out_of_scope;
-    v.worst_ulp = tally.worst_ulp;
-    v.worst_um = tally.worst_um;
-  }
   static Verdict agrees(Verdict v, const Agreement& a) {
     take(v, a.tally);
     v.outcome = v.values > 0 ? Outcome::agrees : Outcome::nothing_judged;

@@ -49,6 +49,14 @@
 
 namespace toolcomp::fuzz::policy {
 
+// What a section's compensation vectors are made of, and so which condition numbers widen them (condition.h).
+enum class VectorFrom : std::uint8_t {
+  none,          // it makes none
+  corner,        // two paths of the plane (corner.h)
+  tool_corner,   // two paths in the plane across the tool (tool_plane.h)
+  tool_and_way,  // tool and movement
+};
+
 // Multiples of an ulp granted to a section's outputs. Each is the number of roundings of a straightforward evaluation
 // in double precision, not a fit to one engine; the worst value seen is printed by every campaign and stands far below.
 struct Budget {
@@ -57,6 +65,7 @@ struct Budget {
   double rotary;      // sums of programmed positions; positions out of inverse kinematics
   double tool_axis;   // two rotations and a normalisation
   double sweep;       // a difference of two arc tangents in degrees
+  VectorFrom vectors = VectorFrom::none;
 };
 inline constexpr Budget kBudgets[] = {
     {"fanuc/tool-length-offset", 8, 8, 16, 16},
@@ -65,15 +74,15 @@ inline constexpr Budget kBudgets[] = {
     {"fanuc/tool-offset", 8, 8, 16, 16},
     // A normalised normal times the offset (two squares, sum, root, quotient, product), the programmed position and the
     // length offset; the end of an arc twice that, for its sweep.
-    {"fanuc/cutter-compensation-b", 16, 16, 16, 16},
+    {"fanuc/cutter-compensation-b", 16, 16, 16, 16, VectorFrom::corner},
     // Two such normals, their product, sum and quotient; with arcs the distance of the centre, two squares, a root, the
     // same again for a second circle: 28 roundings in the longest chain.
-    {"fanuc/cutter-compensation-c", 32, 32, 16, 32},
+    {"fanuc/cutter-compensation-c", 32, 32, 16, 32, VectorFrom::corner},
     // The tool direction (two turns of three products each, and their sines), its product with the movement, a norm;
     // the same again for the second block, their product, sum and quotient; with arcs as cutter compensation C, in the
     // projection. The condition of a corner (tool_plane.h) counts one unit of error a direction.
-    {"fanuc/tool-side-compensation", 40, 64, 16, 40},
-    {"fanuc/leading-edge-offset", 16, 64, 16, 16},
+    {"fanuc/tool-side-compensation", 40, 64, 16, 40, VectorFrom::tool_corner},
+    {"fanuc/leading-edge-offset", 16, 64, 16, 16, VectorFrom::tool_and_way},
     // A direction of three words (squares, sum, root, quotient: 6), seen from the table (two turns of three products
     // and sums each with their sines and cosines: 14), its height and the root beside it (8), arc cosine or tangent and
     // sum (4), the tilted direction for the azimuth (7), a cross and a scalar product (8), arc tangent, difference and
@@ -221,6 +230,11 @@ inline constexpr spec::Clause kPositions[] = {
 constexpr bool compares_positions(spec::Clause clause) {
   return std::find(std::begin(kPositions), std::end(kPositions), clause) != std::end(kPositions);
 }
+
+// What the oracle reads off the clauses of an event: how its block was run.
+inline constexpr spec::Clause kLeant = spec::Clause::fanuc_tool_center_point_lean;
+inline constexpr spec::Clause kOnAGreatCircle = spec::Clause::fanuc_tool_posture_great_circle;
+inline constexpr spec::Clause kBeginsTipControl = spec::Clause::fanuc_tool_center_point_block;
 
 // Radians: decisions on rotary positions hear of a controller's own where they lie that far off.
 inline constexpr double kDeviation = 1e-9;

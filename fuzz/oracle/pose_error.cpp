@@ -76,7 +76,7 @@ Space PoseErrors::travel(const model::Event& event, const Space& point) const {
 PoseErrors::Lean PoseErrors::leant(const Space& direction, const Space& travel, const model::Event& event) const {
   const double lean = facts_ == nullptr ? 0 : facts_->lean(event.line);
   // Along the travel nothing leans.
-  if (!event.clauses.empty() && !event.clauses.contains(spec::Clause::fanuc_tool_center_point_lean)) return {};
+  if (!event.clauses.empty() && !event.clauses.contains(policy::kLeant)) return {};
   if (lean == 0 || !(norm(travel) > 0)) return {};
   const double by = lean / kDegreesPerRadian;
   const double angle = std::atan2(norm(product(direction, travel)), scalar(direction, travel));
@@ -118,7 +118,7 @@ void PoseErrors::inside(std::span<const model::Event> window, PoseScale& scale) 
   if (next != window.end()) to = end(*next);
   scale.direction = std::max({before_.error, to.error, policy::ulp(1)});
   scale.hardly = before_.hardly || to.hardly;
-  if (machine_ && !event.clauses.contains(spec::Clause::fanuc_tool_posture_great_circle)) return;
+  if (machine_ && !event.clauses.contains(policy::kOnAGreatCircle)) return;
   // Nothing where no event before said one. Exactly opposite ones have no great circle.
   const double bisector = before_.exact && to.exact ? bisector_of(*before_.exact, *to.exact) : 2;
   if (bisector == 0) return;

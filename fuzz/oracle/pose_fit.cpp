@@ -115,7 +115,7 @@ void PoseFit<Number>::find_zeros(const model::Event& event) {
 // The pose of the block that begins the mode freezes the programming coordinate system.
 template <class Number>
 bool PoseFit<Number>::begins(const model::Event& event) const {
-  return !active_ || event.clauses.contains(spec::Clause::fanuc_tool_center_point_block);
+  return !active_ || event.clauses.contains(policy::kBeginsTipControl);
 }
 
 template <class Number>
@@ -183,8 +183,7 @@ Posture PoseFit<Number>::posture_at(const Positions& positions) const {
 // tool it may stand elsewhere; a position of many turns is rounded before its sine is taken.
 template <class Number>
 bool PoseFit<Number>::turns_into(const View& view, const Scale& scale) const {
-  const bool along_a_great_circle =
-      view.sample && view.event.clauses.contains(spec::Clause::fanuc_tool_posture_great_circle);
+  const bool along_a_great_circle = view.sample && view.event.clauses.contains(policy::kOnAGreatCircle);
   if (!view.controlled || !(along_a_great_circle || directed(view.event))) return false;
   const double error = std::max(policy::ulp(1), scale.pose.direction) + rounded(view);
   // Inside a block the directions at its ends count, as the controller has them.

@@ -90,14 +90,7 @@ class Pass {
     }
     if (previous_) count(*previous_);
     count(recorder_);
-    verdict_.values = tally_.values;
-    verdict_.numbers = tally_.numbers;
-    verdict_.wide = tally_.wide;
-    verdict_.widths = tally_.widths;
-    verdict_.events = tally_.events;
-    verdict_.out_of_scope = tally_.out_of_scope;
-    verdict_.worst_ulp = tally_.worst_ulp;
-    verdict_.worst_um = tally_.worst_um;
+    take(verdict_, tally_);
     if (verdict_.difference)
       verdict_.outcome = Outcome::differs;
     else if (undecided_)

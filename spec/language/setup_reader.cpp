@@ -86,11 +86,14 @@ void read_parameter(const Member& member, const Reader& read, Setup& setup) {
   if (is_row_of_bits(member.value) && id->bit < 0 && known_bits(id->number) != 0)
     refuse_row_of_bits(member.value, *id, read);
   const Decimal value = read.decimal(member.value, name);
-  if (!allows(*id, value, setup.axes)) {
-    if (id->bit >= 0) read.fail(member.value.at, name + ": a bit is 0 or 1, found " + in_quotes(member.value.text));
+  // In quotes, too, a bit is one digit: a row of eight would be all bits of the number.
+  const bool row = member.value.kind == Kind::string && member.value.text.size() > 1;
+  const bool allowed = allows(*id, value, setup.axes);
+  if (id->bit >= 0 && (row || !allowed))
+    read.fail(member.value.at, name + ": a bit is 0 or 1, found " + in_quotes(member.value.text));
+  if (!allowed)
     read.fail(member.value.at, "parameters." + name + ": expected " + expected_value(*id, setup.axes) + ", found " +
                                    in_quotes(member.value.text));
-  }
   setup.parameters[*id] = value;
 }
 

@@ -20,7 +20,7 @@ class Run : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(BothEngines, Run, testing::Values("model", "fast"),
                          [](const auto& engine) { return engine.param; });
 
-// Fact sheet 14.1.1, worked example 1 (H1 = -4): the Z values by sequence number.
+// Worked example of 14.1.1, three holes, H1 = -4: the Z values by sequence number.
 TEST_P(Run, ThreeHoleBoring) {
   const Outcome outcome = toolcomp("run " + kExamples + "three-hole-boring/three-holes.nc --engine " + GetParam());
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -31,7 +31,7 @@ TEST_P(Run, ThreeHoleBoring) {
   EXPECT_EQ(outcome.events().back().at("axes").at("X"), 0);
 }
 
-// Fact sheet 14.1.1, worked example 2: H1 = 20, H2 = 30 give 120, then 130.
+// The manual's note in 14.1.1: H1 = 20, H2 = 30 give 120, then 130.
 TEST_P(Run, OffsetsReplaceAndDoNotAccumulate) {
   const Folder folder;
   const std::string setup = folder.write("setup.toml", "control = \"fanuc\"\n[offsets.H]\n1 = 20\n2 = \"30\"\n");
@@ -43,7 +43,8 @@ TEST_P(Run, OffsetsReplaceAndDoNotAccumulate) {
   EXPECT_EQ(outcome.events()[1].at("axes").at("Z"), 130);
 }
 
-// 3D sheet, LE1 and LE2: VT (±3/5, 0, 4/5), VM (100, 0, 0), R = 10 give VC (∓8, 0, 6).
+// LE1 and LE2 (corpus/examples/fanuc/leading_edge_offset.cpp): VT (±3/5, 0, 4/5), VM (100, 0, 0), R = 10 give VC (∓8,
+// 0, 6).
 TEST_P(Run, LeadingEdgeOfALeaningTool) {
   const Folder folder;
   const std::string setup = folder.write("setup.toml", "control = \"fanuc\"\n[offsets.D]\n1 = 10\n");
@@ -63,7 +64,7 @@ TEST_P(Run, LeadingEdgeOfALeaningTool) {
   }
 }
 
-// 3D sheet, LE5: B = 15, C = 30 (C carries B), VM (40, -10, 5), R = 6.
+// LE5 (corpus/examples/fanuc/leading_edge_offset.cpp): B = 15, C = 30 (C carries B), VM (40, -10, 5), R = 6.
 TEST_P(Run, LeadingEdgeFromRotaryAxes) {
   const Folder folder;
   const std::string setup =

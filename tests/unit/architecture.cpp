@@ -93,16 +93,37 @@ TEST(Architecture, FoldersHaveAnOrder) {
       EXPECT_TRUE(read_before.contains(other)) << folder << " and " << other << " are in a circle";
 }
 
+// What is divided by dialect, and the files above both that choose one by the control of a case.
+const std::set<std::string> kDivided{"model",     "fast",         "spec/language",  "fuzz/gen",
+                                     "fuzz/laws", "fuzz/targets", "corpus/examples"};
+const std::set<std::string> kChooseADialect{"fuzz/gen/mutate.cpp", "fuzz/gen/slip.cpp", "fuzz/gen/unrestricted.cpp",
+                                            "fuzz/laws/changed_program.cpp", "fuzz/laws/registry.cpp"};
+
 // The dialects stand side by side above what they share, and what they share knows neither.
 TEST(Architecture, DialectsKnowNothingOfEachOther) {
-  const auto dialect = [](const std::string& folder) -> std::string {
+  const auto dialect = [](const std::string& path) -> std::string {
     for (const std::string name : {"fanuc", "heidenhain"})
-      if (folder.ends_with("/" + name) || folder.find("/" + name + "/") != std::string::npos) return name;
+      if (path.find("/" + name + "/") != std::string::npos) return name;
     return "";
   };
-  for (const auto& [folder, others] : includes_of_folders())
-    for (const std::string& other : others)
-      EXPECT_TRUE(dialect(other).empty() || dialect(other) == dialect(folder)) << folder << " includes " << other;
+  const std::regex include(R"re(#include "([a-z_]+/[^"]*)")re");
+  std::set<std::string> know_both;
+  for (const std::string& room : kDivided) {
+    std::map<std::string, int> files;
+    for (const fs::path& path : sources(room)) {
+      const std::string file = fs::relative(path, kSource).generic_string();
+      ++files[dialect(file)];
+      const std::string text = read(path);
+      std::set<std::string> known;
+      for (auto it = std::sregex_iterator(text.begin(), text.end(), include); it != std::sregex_iterator(); ++it)
+        if (!dialect((*it)[1]).empty()) known.insert(dialect((*it)[1]));
+      if (known.size() > 1) know_both.insert(file);
+      known.erase(dialect(file));
+      EXPECT_TRUE(known.empty() || kChooseADialect.contains(file)) << file << " knows " << *known.begin();
+    }
+    EXPECT_TRUE(files["fanuc"] > 0 && files["heidenhain"] > 0) << room;
+  }
+  EXPECT_EQ(know_both, kChooseADialect);
 }
 
 // Who may know a section of the exact model: a file, or all of a folder, and why.
@@ -196,6 +217,15 @@ TEST(Architecture, ModelHasNoDoubles) {
     if (file.parent_path().filename() == "exact" && ways_out.contains(file.filename())) continue;
     EXPECT_FALSE(std::regex_search(code_of(read(file)), floating)) << file;
   }
+}
+
+// What the oracle makes of a clause or a section stands in the policy, too.
+TEST(Architecture, TheOracleNamesClausesInThePolicy) {
+  const std::regex clause_or_section(R"(Clause::[a-z]|"(fanuc|heidenhain)[/.])");
+  for (const fs::path& file : sources("fuzz/oracle"))
+    if (file.filename() != "policy.h") {
+      EXPECT_FALSE(std::regex_search(read(file), clause_or_section)) << file;
+    }
 }
 
 // Tolerances stand in the one policy table and nowhere else.

@@ -14,7 +14,7 @@
 namespace toolcomp::certify {
 namespace {
 
-// Fact sheet 14.1.1, example 2: H1 = 20, H2 = 30; Z100 becomes 120, then 130.
+// The manual's note in 14.1.1: H1 = 20, H2 = 30; Z100 becomes 120, then 130.
 spec::Case example() {
   spec::Case c;
   c.id = "two \"offsets\"";

@@ -1,4 +1,4 @@
-// Tool directions of the fast engine against the closed forms of the sheets (3D sheet 1.2, posture sheet 3.1, 3.2),
+// Tool directions of the fast engine against the closed forms of each machine, by hand,
 // evaluated with MPFR, and their stated errors.
 // link: mpfr gmp
 #include "fast/kinematics/kinematics.h"
@@ -95,7 +95,7 @@ TEST(Kinematics, OrthogonalMachines) {
 }
 
 TEST(Kinematics, NutatingAxis) {
-  // u_t = (0,1,1)/sqrt 2: code 5 with 45 degrees (posture sheet 3.2).
+  // u_t = (0,1,1)/sqrt 2: code 5 with 45 degrees.
   check(type(2, kC, kB, 3, 5, 0, 0) + "\"19688\"=45\n", iB, iC, [](auto& st, auto& ct, auto& sw, auto& cw) {
     const Big x = st / sqrt(Big(2));
     const Big y = (1 - ct) / 2;

@@ -1,4 +1,4 @@
-// The machines of the posture sheet (part 14) and a block of tool center point control on them, for tests of the fast
+// The machines of the worked examples and a block of tool center point control on them, for tests of the fast
 // engine. Pairs are (1st, 2nd).
 #pragma once
 
@@ -63,7 +63,7 @@ struct TestMachine {
   ToolPostureControl control;
 };
 
-// Half of the last digit printed in the sheet, and a few ulps of the size of a turn.
+// Half of the last digit of the figures typed in, and a few ulps of the size of a turn.
 inline constexpr double kDegrees = 6e-13;
 
 inline void expect_pair(const Pose& pose, double first, double second, double tolerance = kDegrees) {

@@ -1,4 +1,4 @@
-// Events as JSON, CSV and G-code: the fields of the contract in its order, hand-written expectations.
+// Events as JSON, CSV and G-code: the fields in the order of docs/events.md, hand-written expectations.
 #include "spec/language/event_format.h"
 
 #include <gtest/gtest.h>

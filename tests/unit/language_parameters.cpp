@@ -79,7 +79,7 @@ TEST(Parameters, AreNamedByEveryClauseThatNamesThem) {
   }
 }
 
-// From the fact sheets: normal values of 19631 and 3401#0, +Z as reference direction, 20 mm and 5 mm of G37.
+// Of the manuals: normal values of 19631 and 3401#0, +Z as reference direction, 20 mm and 5 mm of G37.
 TEST(Parameters, Defaults) {
   EXPECT_EQ(default_value({19631, -1}, Units::mm), decimal(1));
   EXPECT_EQ(default_value({3401, 0}, Units::inch), decimal(1));

@@ -262,10 +262,17 @@ TEST(Setup, ValuesOfParametersAreOfTheirTypeAndRange) {
   EXPECT_EQ(at("19681 = 1.5").substr(0, 39), "f.toml:2:9: parameters.19681: expected ");
   EXPECT_EQ(at("19680 = true"), "f.toml:2:9: 19680: expected a decimal number, found true or false");
   EXPECT_EQ(at("\"5001#2\" = 0.5"), "f.toml:2:12: 5001#2: a bit is 0 or 1, found \"0.5\"");
+  // All bits of the number, given to one of them; its last digit is the bit, or is not.
+  EXPECT_EQ(at("\"5003#1\" = \"00000001\""), "f.toml:2:12: 5003#1: a bit is 0 or 1, found \"00000001\"");
+  EXPECT_EQ(at("\"5003#1\" = \"00000010\""), "f.toml:2:12: 5003#1: a bit is 0 or 1, found \"00000010\"");
+  EXPECT_EQ(at("\"5003#1\" = \"00\""), "f.toml:2:12: 5003#1: a bit is 0 or 1, found \"00\"");
+  EXPECT_EQ(json_error("{\"parameters\":\n{\"5003#1\": \"00000000\"}}"),
+            "f.json:2:12: 5003#1: a bit is 0 or 1, found \"00000000\"");
   EXPECT_EQ(json_error("{\"parameters\":\n{\"6261\": -1}}"),
             "f.json:2:10: parameters.6261: expected an angle (degrees) from 0 to 180, found \"-1\"");
-  for (const char* good : {"19680 = 12.0", "19697 = \"3\"", "6261 = 180.000", "6261 = -0", "19631 = -90",
-                           "5010 = -0.001", "19738 = -999999.999", "19681 = 3", "\"19696#7\" = true"})
+  for (const char* good :
+       {"19680 = 12.0", "19697 = \"3\"", "6261 = 180.000", "6261 = -0", "19631 = -90", "5010 = -0.001",
+        "19738 = -999999.999", "19681 = 3", "\"19696#7\" = true", "\"19696#7\" = \"1\""})
     EXPECT_EQ(at(good), "no error") << good;
 }
 

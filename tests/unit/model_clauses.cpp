@@ -302,7 +302,7 @@ std::vector<Program> tool_center_point_programs() {
       {of_machine(kHead + "19698 = 5\n"), "G43.5 P0\nI1 K1\nI1 K100\n"},
       {tilted_45, "G43.5 P0\nI1 K1\nK1\n"},
       {nutating, "G43.5 P0\nI1 K1\nI1 K0\nI1 K-1\n"},
-      // Choice: pairs and the positions they start from as in the sheet's example 2
+      // Choice: pairs and the positions they start from as in worked example 2
       {head, "G43.5 P0\nI-1 J1 K2\n"},
       {head, "G43.5 P0\nI1 J1 K2\n"},
       {head, "G43.5 P0\nI0 J1 K1\n"},

@@ -1,5 +1,5 @@
-// Runs a program in the exact engine and gives its events as short lines, so that a test reads like the sheet it is
-// typed in from.
+// Runs a program in the exact engine and gives its events as short lines, so that a test reads like the
+// example it is typed in from.
 #pragma once
 
 #include <cstdint>

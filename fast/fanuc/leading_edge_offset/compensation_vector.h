@@ -1,4 +1,5 @@
-// The compensation vector of leading edge offset: which way it points and how it is classified (3D sheet 3.1, 3.4).
+// The compensation vector of leading edge offset: which way it points (fanuc.leading-edge.vector, sign) and how it is
+// classified (near-0, near-90, near-180).
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// Leading edge offset G41.3 (3D sheet part 3): a stage that holds moves until their vector is known.
+// Leading edge offset G41.3 (fanuc.leading-edge.*): a stage that holds moves until their vector is known.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// The path of the tip in one block (posture sheet, part 6): a line, an arc or a helix.
+// The path of the tip in one block (fanuc.tool-center-point.tip-path): a line, an arc or a helix.
 #pragma once
 
 #include <array>

@@ -116,7 +116,7 @@ void ToolPostureControl::plan(const Pose& start, const Direction& tool, bool pos
     plan.outcome = PosturePlan::Outcome::unreachable;
 }
 
-// A direction that is commanded again: no plane, and the choice of sheet 4 keeps the pose.
+// A direction that is commanded again: no plane, and fanuc.tool-center-point.choice keeps the pose.
 bool ToolPostureControl::stays(const Pose& start, const Direction& tool) {
   return start.tool.is_whole && tool.is_whole && start.tool.whole() == tool.whole();
 }
@@ -149,7 +149,7 @@ void ToolPostureControl::plan_finely(const Pose& start, const Target& target, Po
   (void)find(polar, PostureArc<DoubleDouble>{arc.s, arc.e}, commanded ? kNoLimit : near_, arc.found);
   if (commanded && target.pose != &plan.end) plan.end = *target.pose;
 
-  // The pair of sheet 4, where no branch is to be followed.
+  // The pair by fanuc.tool-center-point.choice, where no branch is to be followed.
   const bool singular = arc.found.start_pole != 0;
   const bool chosen = arc.found.parallel || singular || start.branch == 0;
   if (chosen && !commanded && !machine_.choose(*target.tool, start, plan.end)) {

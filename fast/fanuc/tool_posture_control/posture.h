@@ -1,4 +1,5 @@
-// The motion of the tool in one block of tool center point control: P0 and P1 (posture sheet 6 to 9).
+// The motion of the tool in one block of tool center point control: P0
+// (fanuc.tool-center-point.conventional) and P1 (fanuc.tool-posture.*).
 #pragma once
 
 #include <array>

@@ -40,107 +40,155 @@ int pole_of(const PolarFrame& polar, const Vector3<T>& v, bool relative, Judge<T
   return polar.has_minus() ? -1 : 0;
 }
 
-}  // namespace
+template <class T>
+T larger(const T& a, const T& b) {
+  return leading(a - b) > 0 ? a : b;
+}
+
+// What is asked of one arc, in the order in which the questions rest on each other. Each fills in its part of the
+// findings; false where a double cannot tell.
+template <class T>
+class Search {
+ public:
+  Search(const PolarFrame& polar, const PostureArc<T>& arc, ArcFindings& found)
+      : polar_(polar), arc_(arc), s_(arc.start), e_(arc.end), found_(found), n_(cross(s_, e_)), nn_(dot(n_, n_)) {}
+
+  // Nearly equal or opposite: double-double.
+  [[nodiscard]] bool is_parallel() const { return leading(nn_) <= (kRough ? 0x1p-40 : kPoseTie * kPoseTie); }
+  bool singular_ends();
+  bool azimuth();
+  // Whether the highest and the lowest point of the circle are inside the arc.
+  bool feet();
+  // Through an axis in the plane of the arc: from one side of it to the other.
+  void crossing();
+  // Neither end is singular.
+  [[nodiscard]] bool is_free() const { return found_.start_pole == 0 && found_.end_pole == 0; }
+  // It turns back on a side where no singular posture is.
+  [[nodiscard]] bool may_leave() const { return (top_ && !polar_.has_plus()) || (bottom_ && !polar_.has_minus()); }
+  bool edge_of_reach();
+  bool nearness(const NearLimit& limit);
+
+ private:
+  static constexpr bool kRough = Judge<T>::kRough;
+
+  [[nodiscard]] T reach(bool plus) const;
+  int upward();
+  int nearer_pole();
+
+  const PolarFrame& polar_;
+  const PostureArc<T>& arc_;
+  const Vector3<T>& s_;
+  const Vector3<T>& e_;
+  ArcFindings& found_;
+  Judge<T> judge_;
+  Vector3<T> n_;
+  T nn_;
+  // Of the horizontal parts of both ends.
+  T across_{};
+  T ss_{}, ee_{}, se_{};
+  double lengths_ = 0;
+  // Where the horizontal components have no small relative error (double only) the bounds are absolute.
+  bool relative_ = true;
+  bool top_ = false;  // the highest point is inside the arc; the lowest
+  bool bottom_ = false;
+  T n2_{};
+  T high_{};         // the height of the highest point
+  double blur_ = 1;  // n carries an absolute error: the shorter it is the less it tells of its direction
+};
 
 template <class T>
-bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& limit, ArcFindings& found) {
-  Judge<T> judge;
-  found = ArcFindings{};
-  const Vector3<T>& s = arc.start;
-  const Vector3<T>& e = arc.end;
-  const Vector3<T> n = cross(s, e);
-  const T nn = dot(n, n);
-  // Nearly equal or opposite: double-double.
-  if (leading(nn) <= (Judge<T>::kRough ? 0x1p-40 : kPoseTie * kPoseTie)) {
-    found.parallel = true;
-    return !Judge<T>::kRough;
-  }
-  found.start_pole = pole_of(polar, s, arc.relative, judge);
-  found.end_pole = pole_of(polar, e, arc.relative, judge);
-  if (judge.unsure()) return false;
+bool Search<T>::singular_ends() {
+  found_.start_pole = pole_of(polar_, s_, arc_.relative, judge_);
+  found_.end_pole = pole_of(polar_, e_, arc_.relative, judge_);
+  return !judge_.unsure();
+}
 
-  T across = n.z;
-  if (arc.meridian) across = number<T>(0);
-  // Where the horizontal components have no small relative error (double only) the bounds are absolute.
-  const bool relative = arc.relative || !Judge<T>::kRough;
-  const double terms = std::abs(leading(s.x) * leading(e.y)) + std::abs(leading(s.y) * leading(e.x));
-  const T ss = s.x * s.x + s.y * s.y;
-  const T ee = e.x * e.x + e.y * e.y;
-  const T se = s.x * e.x + s.y * e.y;
-  const double s_length = std::sqrt(leading(ss));
-  const double e_length = std::sqrt(leading(ee));
-  const double lengths = s_length + e_length;
-  if (found.start_pole == 0 && found.end_pole == 0) {
-    found.azimuth = arc.meridian ? 0 : judge.sign(across, relative ? terms : 1, lengths);
-    if (judge.unsure()) return false;
-  }
-  // The feet of u_w (the highest point of the circle) and of -u_w (the lowest): inside the arc? e.z - (s.e) s.z and the
-  // like, by the horizontal parts: near a singular posture they are small.
+template <class T>
+bool Search<T>::azimuth() {
+  across_ = arc_.meridian ? number<T>(0) : n_.z;
+  relative_ = arc_.relative || !kRough;
+  ss_ = s_.x * s_.x + s_.y * s_.y;
+  ee_ = e_.x * e_.x + e_.y * e_.y;
+  se_ = s_.x * e_.x + s_.y * e_.y;
+  lengths_ = std::sqrt(leading(ss_)) + std::sqrt(leading(ee_));
+  if (!is_free()) return true;
+  const double terms = std::abs(leading(s_.x) * leading(e_.y)) + std::abs(leading(s_.y) * leading(e_.x));
+  found_.azimuth = arc_.meridian ? 0 : judge_.sign(across_, relative_ ? terms : 1, lengths_);
+  return !judge_.unsure();
+}
+
+template <class T>
+bool Search<T>::feet() {
+  const double s_length = std::sqrt(leading(ss_));
+  const double e_length = std::sqrt(leading(ee_));
+  // e.z - (s.e) s.z and the like, by the horizontal parts: near a singular posture they are small.
   const auto foot = [&](const T& square, double length, const T& far, const T& near, double other) {
     const double scale = length * (length * std::abs(leading(far)) + other * std::abs(leading(near)));
-    return judge.sign(square * far - near * se, relative ? scale : lengths, lengths);
+    return judge_.sign(square * far - near * se_, relative_ ? scale : lengths_, lengths_);
   };
-  const int behind = foot(ss, s_length, e.z, s.z, e_length);
-  const int before = foot(ee, e_length, s.z, e.z, s_length);
-  if (judge.unsure()) return false;
-  const bool top = behind >= 0 && before >= 0;
-  const bool bottom = behind <= 0 && before <= 0;
-  const bool free = found.start_pole == 0 && found.end_pole == 0;
-  // Through an axis in the plane of the arc: from one side of it to the other.
-  if (free && found.azimuth == 0 && leading(se) < 0) {
-    if (top && polar.has_plus())
-      found.crossing = 1;
-    else if (bottom && polar.has_minus())
-      found.crossing = -1;
-  }
+  const int behind = foot(ss_, s_length, e_.z, s_.z, e_length);
+  const int before = foot(ee_, e_length, s_.z, e_.z, s_length);
+  top_ = behind >= 0 && before >= 0;
+  bottom_ = behind <= 0 && before <= 0;
+  return !judge_.unsure();
+}
 
-  // The usual block needs no more.
-  const bool looks_near = limit && free && found.crossing == 0;
-  if (!(top && !polar.has_plus()) && !(bottom && !polar.has_minus()) && !looks_near) return true;
+template <class T>
+void Search<T>::crossing() {
+  if (!is_free() || found_.azimuth != 0 || !(leading(se_) < 0)) return;
+  if (top_ && polar_.has_plus())
+    found_.crossing = 1;
+  else if (bottom_ && polar_.has_minus())
+    found_.crossing = -1;
+}
 
-  const T n2 = across * across;
-  const T high = root(number<T>(1) - n2 / nn);  // the height of the highest point
-  // N carries an absolute error: the shorter it is the less it tells of its direction.
-  const double per_length = 1 / std::sqrt(leading(nn));
-  const double blur = Judge<T>::kRough ? per_length : 1 + 0x1p-30 * per_length;
-  const auto reach = [&](bool plus) {
-    if constexpr (Judge<T>::kRough)
-      return plus ? polar.constants().top : polar.constants().bottom;
-    else
-      return plus ? polar.fine_constants().top : polar.fine_constants().bottom;
-  };
-  if (top && !polar.has_plus() && judge.sign(reach(true) - high, blur) < 0) found.leaves = true;
-  if (bottom && !polar.has_minus() && judge.sign(-high - reach(false), blur) < 0) found.leaves = true;
-  if (judge.unsure()) return false;
-  if (!limit || !free || found.crossing != 0 || found.leaves) return true;
-
-  // The cosine of its distance from either singular posture.
-  const auto largest = [](const T& a, const T& b) { return leading(a - b) > 0 ? a : b; };
-  const T to_plus = top ? high : largest(s.z, e.z);
-  const T to_minus = bottom ? high : largest(-s.z, -e.z);
-  // The sign of s.z + e.z; of one above and one below by their horizontal parts, which near singular postures tell
-  // more.
-  const auto upward = [&] {
-    if (leading(s.z) * leading(e.z) >= 0) return judge.sign(s.z + e.z, 1);
-    const int wider = judge.sign(ee - ss, relative ? leading(ss + ee) : lengths, lengths);
-    return leading(s.z) > 0 ? wider : -wider;
-  };
-  // The nearer one: that on whose side the circle turns back, if it does.
-  int pole = 0;
-  if (polar.has_plus() && polar.has_minus())
-    pole = top || (!bottom && upward() >= 0) ? 1 : -1;
-  else if (polar.has_plus())
-    pole = 1;
-  else if (polar.has_minus())
-    pole = -1;
+// The height at which the directions that can be reached end.
+template <class T>
+T Search<T>::reach(bool plus) const {
+  if constexpr (kRough)
+    return plus ? polar_.constants().top : polar_.constants().bottom;
   else
-    return true;
+    return plus ? polar_.fine_constants().top : polar_.fine_constants().bottom;
+}
+
+template <class T>
+bool Search<T>::edge_of_reach() {
+  n2_ = across_ * across_;
+  high_ = root(number<T>(1) - n2_ / nn_);
+  const double per_length = 1 / std::sqrt(leading(nn_));
+  blur_ = kRough ? per_length : 1 + 0x1p-30 * per_length;
+  if (top_ && !polar_.has_plus() && judge_.sign(reach(true) - high_, blur_) < 0) found_.leaves = true;
+  if (bottom_ && !polar_.has_minus() && judge_.sign(-high_ - reach(false), blur_) < 0) found_.leaves = true;
+  return !judge_.unsure();
+}
+
+// The sign of s.z + e.z; of one above and one below by their horizontal parts, which near singular postures tell more.
+template <class T>
+int Search<T>::upward() {
+  if (leading(s_.z) * leading(e_.z) >= 0) return judge_.sign(s_.z + e_.z, 1);
+  const int wider = judge_.sign(ee_ - ss_, relative_ ? leading(ss_ + ee_) : lengths_, lengths_);
+  return leading(s_.z) > 0 ? wider : -wider;
+}
+
+// That on whose side the circle turns back, if it does; 0 where there is none.
+template <class T>
+int Search<T>::nearer_pole() {
+  if (polar_.has_plus() && polar_.has_minus()) return top_ || (!bottom_ && upward() >= 0) ? 1 : -1;
+  return polar_.has_plus() ? 1 : polar_.has_minus() ? -1 : 0;
+}
+
+template <class T>
+bool Search<T>::nearness(const NearLimit& limit) {
   // Which of two equally near ones only matters where they are near.
+  const int pole = nearer_pole();
+  if (pole == 0) return true;
+  // The cosine of its distance.
+  const T of_ends = pole > 0 ? larger(s_.z, e_.z) : larger(-s_.z, -e_.z);
   const bool by_ends = fault(Fault::posture_near_by_ends);
-  const bool inside = (pole > 0 ? top : bottom) && !by_ends;
+  const bool inside = (pole > 0 ? top_ : bottom_) && !by_ends;
   T square;
   T cosine;
-  if constexpr (Judge<T>::kRough) {
+  if constexpr (kRough) {
     square = limit.square;
     cosine = limit.cosine;
   } else {
@@ -148,13 +196,33 @@ bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& li
     cosine = limit.fine.cosine;
   }
   bool near = false;
-  if (inside)
-    near = limit.above_90 || judge.sign(square * nn - n2, leading(nn) * blur, std::sqrt(leading(nn))) > 0;
+  if (by_ends)
+    near = leading(of_ends) > leading(cosine);
+  else if (inside)
+    near = limit.above_90 || judge_.sign(square * nn_ - n2_, leading(nn_) * blur_, std::sqrt(leading(nn_))) > 0;
   else
-    near = limit.above_180 || judge.sign((pole > 0 ? to_plus : to_minus) - cosine, 1) > 0;
-  if (by_ends) near = leading(pole > 0 ? largest(s.z, e.z) : largest(-s.z, -e.z)) > leading(cosine);
-  if (near) found.near = pole;
-  return !judge.unsure();
+    near = limit.above_180 || judge_.sign(of_ends - cosine, 1) > 0;
+  if (near) found_.near = pole;
+  return !judge_.unsure();
+}
+
+}  // namespace
+
+template <class T>
+bool find(const PolarFrame& polar, const PostureArc<T>& arc, const NearLimit& limit, ArcFindings& found) {
+  found = ArcFindings{};
+  Search<T> search(polar, arc, found);
+  if (search.is_parallel()) {
+    found.parallel = true;
+    return !Judge<T>::kRough;
+  }
+  if (!search.singular_ends() || !search.azimuth() || !search.feet()) return false;
+  search.crossing();
+  // The usual block needs no more.
+  const bool looks_near = limit && search.is_free() && found.crossing == 0;
+  if (!search.may_leave() && !looks_near) return true;
+  if (!search.edge_of_reach()) return false;
+  return !looks_near || found.leaves || search.nearness(limit);
 }
 
 template bool find(const PolarFrame&, const PostureArc<double>&, const NearLimit&, ArcFindings&);

@@ -1,4 +1,5 @@
-// The law by which rotary axes and tool move inside a block, and its samples (posture sheet 6).
+// The law by which rotary axes and tool move inside a block (fanuc.tool-center-point.conventional,
+// fanuc.tool-posture.great-circle), and its samples.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Face milling: LN blocks with a surface normal (heidenhain.face.*, sheet 5.2 to 5.4).
+// Face milling: LN blocks with a surface normal (heidenhain.face.*).
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ class FaceMilling {
   // `along`: the tool stands along the normal.
   [[gnu::always_inline]] [[nodiscard]] Meeting meet(const ToolVector& tool, bool along,
                                                     const EffectiveTool& effective) const;
-  // The first alarm of sheet 5.1 or 5.9; with a table of deviations it is looked up.
+  // The first alarm of heidenhain.tool.order-of-checks; with a table of deviations it is looked up.
   [[nodiscard]] Alarm check(const Meeting& meeting, const ToolVector& tool, const EffectiveTool& effective,
                             bool permitted) {
     if (effective.deviations() == nullptr) [[likely]]

@@ -1,4 +1,4 @@
-// The state machine of a Klartext program (heidenhain.program.*, sheet 4): blocks to motions.
+// The state machine of a Klartext program (heidenhain.program.*): blocks to motions.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The direction of compensation under RL and RR: across the movement and the tool (sheet 5.7).
+// The direction of compensation under RL and RR: across the movement and the tool (heidenhain.peripheral.direction).
 #pragma once
 
 #include <cmath>

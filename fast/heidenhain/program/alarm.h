@@ -1,4 +1,4 @@
-// Alarms and warnings of Heidenhain 3D compensation (sheet 6). Names and texts are ours.
+// Alarms and warnings of Heidenhain 3D compensation. Names and texts are ours.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The angle between surface normal and tool, 0 at the tip (sheet 5.9).
+// The angle between surface normal and tool, 0 at the tip (heidenhain.tool.deviation-table).
 #pragma once
 
 #include "fast/arithmetic/count.h"

@@ -1,4 +1,4 @@
-// 3D-ToolComp: deviations of the corner radius by the contact angle (sheet 5.9).
+// 3D-ToolComp: deviations of the corner radius by the contact angle (heidenhain.tool.deviation-*).
 #pragma once
 
 #include <cmath>

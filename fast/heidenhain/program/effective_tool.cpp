@@ -133,7 +133,7 @@ void EffectiveTool::update() {
   nearest_corner_without_deviation_ = corner_without_deviation_.nearest();
   corner_delta_without_deviation_ = added_corner.nearest();
 
-  // In the order of sheet 5.1 and 5.9; the first one counts.
+  // In the order of heidenhain.tool.order-of-checks; the first one counts.
   const bool table = negative(radius_) || negative(corner_) || negative(ring);
   const auto first = [](std::initializer_list<std::pair<bool, Alarm>> checks) {
     for (const auto& [holds, alarm] : checks)

@@ -57,11 +57,12 @@ class EffectiveTool {
   // The table of deviations, or nullptr.
   [[nodiscard]] const DeviationTable* deviations() const { return deviations_; }
 
-  // Checks of blocks without a normal, and of those with one but without a table of deviations (sheet 5.1).
+  // Checks of blocks without a normal, and of those with one but without a table of deviations, in
+  // the order of heidenhain.tool.order-of-checks.
   [[nodiscard]] const Alarm& check(bool normal, bool permitted) const {
     return verdict_[normal ? 1 : 0][permitted ? 1 : 0];
   }
-  // With a normal and a table of deviations: before the contact angle is looked at, and after (sheet 5.9).
+  // With a normal and a table of deviations: before the contact angle is looked at, and after.
   [[nodiscard]] const Alarm& check_before_angle() const { return before_angle_; }
   [[nodiscard]] const Alarm& check_after_angle(bool permitted) const { return after_angle_[permitted ? 1 : 0]; }
   // R2 + DR2_CALL + DR2_TCO: what the deviation is added to, exactly; and the deltas alone.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "fuzz/gen/fanuc/arc_words.h"
 #include "fuzz/gen/fanuc/setups.h"
 
 namespace toolcomp::fuzz {
@@ -72,11 +73,7 @@ void CutterProgram::segment(const Segment& s) {
       any = true;
     }
   if (!any && !closed) write_.axis(letters_[0], 0);
-  const std::int64_t center[] = {s.to_center.x, s.to_center.y};
-  if (s.kind == Segment::Kind::arc)
-    for (const std::size_t i : {0U, 1U})
-      if (center[i] != 0 || choose_.chance(10)) write_.number(centers_[i], center[i]);
-  if (s.kind == Segment::Kind::radius_arc) write_.number('R', s.radius);
+  if (s.kind != Segment::Kind::line) arc_words(choose_, write_, s, centers_);
   contour_.follow(s);
 }
 

@@ -6,6 +6,7 @@
 #include "fuzz/gen/fanuc/program_writer.h"
 #include "fuzz/gen/fanuc/setups.h"
 #include "fuzz/gen/fanuc/tool_direction.h"
+#include "fuzz/gen/fanuc/tool_turns.h"
 #include "fuzz/gen/sections.h"
 
 namespace toolcomp::fuzz {
@@ -13,17 +14,15 @@ namespace {
 
 constexpr double kRadiansPerDegree = 0.017453292519943295;
 
-using Counts = std::array<std::int64_t, 3>;
-
 // Integer directions of rational length: a² + b² + c² is a square.
-constexpr Counts kRational[] = {{3, 0, 4}, {4, 0, 3}, {0, 3, 4}, {5, 0, 12},   {0, 8, 15},     {1, 2, 2},
-                                {2, 3, 6}, {1, 4, 8}, {2, 6, 9}, {4, 4, 7},    {6, 6, 7},      {20, 0, 21},
-                                {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {12, 15, 16}, {400, 0, 39999}};
+constexpr SpaceCounts kRational[] = {{3, 0, 4}, {4, 0, 3}, {0, 3, 4}, {5, 0, 12},   {0, 8, 15},     {1, 2, 2},
+                                     {2, 3, 6}, {1, 4, 8}, {2, 6, 9}, {4, 4, 7},    {6, 6, 7},      {20, 0, 21},
+                                     {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {12, 15, 16}, {400, 0, 39999}};
 
 // Directions at exactly 45, 60, 30 and 90 degrees: with 19631 one of Niven's angles they lie on the end of a range.
 struct Pair {
-  Counts tool;
-  Counts movement;
+  SpaceCounts tool;
+  SpaceCounts movement;
 };
 constexpr Pair kNiven[] = {{{0, 0, 1}, {1, 0, 1}},  {{0, 0, 1}, {0, -1, -1}}, {{1, 1, 0}, {1, 0, 1}},
                            {{1, 0, 1}, {-1, 1, 0}}, {{1, 1, 0}, {2, 1, 1}},   {{0, 1, 1}, {-1, -1, -2}},
@@ -173,25 +172,23 @@ class LeadingEdge {
 
   // I J K: rational, any decimals, along an axis, or opposed to the last.
   void direction() {
-    Counts d{};
+    SpaceCounts d{};
     if (choose_.chance(60)) {
       d = choose_.one_of(kRational);
-      for (std::int64_t& x : d)
-        if (choose_.chance(30)) x = -x;
-      if (d[2] < 0 && choose_.chance(70)) d[2] = -d[2];
+      d = of_any_sense(choose_, d);
       const std::int64_t factor = choose_.chance(50) ? write_.one() : choose_.one_of<std::int64_t>({1, 10, 100});
       for (std::int64_t& x : d) x *= factor;
     } else {
       const std::int64_t most = choose_.chance(60) ? write_.one() : 9'999 * write_.one();
       for (std::int64_t& x : d) x = choose_.between(-most, most);
     }
-    if (d == Counts{}) d[2] = write_.one();
+    if (d == SpaceCounts{}) d[2] = write_.one();
     words_of(d, 1);
   }
 
-  void words_of(const Counts& d, std::int64_t factor) {
+  void words_of(const SpaceCounts& d, std::int64_t factor) {
     tool_counts_ = d;
-    tool_ = unit({static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])});
+    tool_ = as_direction(d);
     for (std::size_t i = 0; i < 3; ++i)
       if (d[i] != 0 || choose_.chance(30)) write_.number("IJK"[i], d[i] * factor);
   }
@@ -199,22 +196,7 @@ class LeadingEdge {
   void rotate(bool all) {
     for (const char letter : rotary_) {
       if (!all && rotary_.size() > 1 && choose_.chance(40)) continue;
-      const std::int64_t one = write_.one();
-      std::int64_t target = 0;
-      switch (choose_.weighted({35, 15, 25, 25})) {
-        case 0:
-          target = choose_.between(-12, 12) * 15 * one;
-          break;
-        case 1:
-          target = choose_.between(-4, 4) * 90 * one;
-          break;
-        case 2:
-          target = choose_.between(-60 * one, 60 * one);
-          break;
-        default:
-          target = write_.at(letter) + choose_.between(-3 * one, 3 * one);
-          break;
-      }
+      const std::int64_t target = rotary_target(choose_, write_, letter, {35, 15, 0, 25, 25, 0});
       write_.axis(letter, target - write_.at(letter));
     }
   }
@@ -225,9 +207,8 @@ class LeadingEdge {
   }
 
   // A direction perpendicular to the tool, turned about it at random.
-  Direction beside(const Direction& tool) {
-    const Direction helper = std::fabs(tool[0]) < 0.6 ? Direction{1, 0, 0} : Direction{0, 1, 0};
-    return turned(unit(cross(tool, helper)), tool, static_cast<double>(choose_.between(0, 359)));
+  Direction anywhere_beside(const Direction& tool) {
+    return turned(beside(tool), tool, static_cast<double>(choose_.between(0, 359)));
   }
 
   double threshold() const {
@@ -235,8 +216,8 @@ class LeadingEdge {
     return range ? static_cast<double>(range->digits) * std::pow(10, -range->decimals) : 1.0;
   }
 
-  static Counts rounded(const Direction& d, double length) {
-    Counts c{};
+  static SpaceCounts rounded(const Direction& d, double length) {
+    SpaceCounts c{};
     for (std::size_t i = 0; i < 3; ++i) c[i] = std::llround(d[i] * length);
     return c;
   }
@@ -247,60 +228,8 @@ class LeadingEdge {
     if (kind == Kind::multiple && !tool_words_) kind = Kind::parallel;
     const bool turn = choose_.chance(20);
     if (turn && tool_words_ && kind != Kind::niven) direction();
-    const auto one = static_cast<double>(write_.one());
-    const double length = one * static_cast<double>(choose_.between(1, 100));
-    const Direction t = tool();
-    Counts move{};
-    switch (kind) {
-      case Kind::parallel:
-        move = rounded(t, choose_.chance(50) ? length : -length);
-        break;
-      case Kind::perpendicular:
-        move = rounded(beside(t), length);
-        break;
-      case Kind::threshold: {
-        const double base = choose_.one_of({0.0, 90.0, 180.0});
-        const double angle = (base + (choose_.chance(50) ? threshold() : -threshold())) * kRadiansPerDegree;
-        const Direction side = beside(t);
-        Direction d{};
-        for (std::size_t i = 0; i < 3; ++i) d[i] = t[i] * std::cos(angle) + side[i] * std::sin(angle);
-        move = rounded(d, length);
-        // One unit to either side of the threshold.
-        if (choose_.chance(60)) move[choose_.below(3)] += choose_.one_of<std::int64_t>({-1, 1});
-        break;
-      }
-      case Kind::reversal:
-        for (std::size_t i = 0; i < 3; ++i) move[i] = -last_[i];
-        break;
-      case Kind::tiny:
-        for (std::int64_t& x : move) x = choose_.between(-2, 2);
-        break;
-      case Kind::huge:
-        for (std::int64_t& x : move) x = choose_.between(-9'000 * write_.one(), 9'000 * write_.one());
-        break;
-      case Kind::niven: {
-        const Pair& pair = choose_.one_of(kNiven);
-        words_of(pair.tool, write_.one());
-        const std::int64_t unit = choose_.chance(50) ? write_.one() : 1;
-        const std::int64_t factor = choose_.between(1, 30) * unit;
-        for (std::size_t i = 0; i < 3; ++i) move[i] = pair.movement[i] * factor;
-        break;
-      }
-      case Kind::multiple: {  // exactly along the tool, in numbers whose products no double holds
-        const auto factor = choose_.one_of<std::int64_t>({-3, -1, 1, 2, 7});
-        for (std::size_t i = 0; i < 3; ++i) move[i] = tool_counts_[i] * factor;
-        if (move == Counts{}) move[2] = write_.one();
-        break;
-      }
-      case Kind::any:
-      case Kind::normal:
-        for (std::int64_t& x : move)
-          x = choose_.chance(25)   ? 0
-              : choose_.chance(60) ? choose_.between(-20, 20) * 5 * write_.one()
-                                   : choose_.between(-100 * write_.one(), 100 * write_.one());
-        if (move == Counts{}) move[choose_.below(3)] = 10 * write_.one();
-        break;
-    }
+    const double length = static_cast<double>(write_.one()) * static_cast<double>(choose_.between(1, 100));
+    const SpaceCounts move = travel(kind, length);
     if (choose_.chance(8)) write_.word(choose_.one_of({"G00", "G01"}));
     linear(move);
     if (turn && !tool_words_ && !rotary_.empty() && tool_direction(case_.setup, {})) rotate(false);
@@ -309,7 +238,69 @@ class LeadingEdge {
     write_.end_block();
   }
 
-  void linear(const Counts& move) {
+  SpaceCounts travel(Kind kind, double length) {
+    SpaceCounts move{};
+    switch (kind) {
+      case Kind::parallel:
+        return rounded(tool(), choose_.chance(50) ? length : -length);
+      case Kind::perpendicular:
+        return rounded(anywhere_beside(tool()), length);
+      case Kind::threshold:
+        return at_threshold(length);
+      case Kind::reversal:
+        for (std::size_t i = 0; i < 3; ++i) move[i] = -last_[i];
+        return move;
+      case Kind::tiny:
+        for (std::int64_t& x : move) x = choose_.between(-2, 2);
+        return move;
+      case Kind::huge:
+        for (std::int64_t& x : move) x = choose_.between(-9'000 * write_.one(), 9'000 * write_.one());
+        return move;
+      case Kind::niven:
+        return between_directions();
+      case Kind::multiple: {  // exactly along the tool, in numbers whose products no double holds
+        const auto factor = choose_.one_of<std::int64_t>({-3, -1, 1, 2, 7});
+        for (std::size_t i = 0; i < 3; ++i) move[i] = tool_counts_[i] * factor;
+        if (move == SpaceCounts{}) move[2] = write_.one();
+        return move;
+      }
+      case Kind::any:
+      case Kind::normal:
+        break;
+    }
+    for (std::int64_t& x : move)
+      x = choose_.chance(25)   ? 0
+          : choose_.chance(60) ? choose_.between(-20, 20) * 5 * write_.one()
+                               : choose_.between(-100 * write_.one(), 100 * write_.one());
+    if (move == SpaceCounts{}) move[choose_.below(3)] = 10 * write_.one();
+    return move;
+  }
+
+  SpaceCounts at_threshold(double length) {
+    const Direction t = tool();
+    const double base = choose_.one_of({0.0, 90.0, 180.0});
+    const double angle = (base + (choose_.chance(50) ? threshold() : -threshold())) * kRadiansPerDegree;
+    const Direction side = anywhere_beside(t);
+    Direction d{};
+    for (std::size_t i = 0; i < 3; ++i) d[i] = t[i] * std::cos(angle) + side[i] * std::sin(angle);
+    SpaceCounts move = rounded(d, length);
+    // One unit to either side of the threshold.
+    if (choose_.chance(60)) move[choose_.below(3)] += choose_.one_of<std::int64_t>({-1, 1});
+    return move;
+  }
+
+  // Writes the direction, too.
+  SpaceCounts between_directions() {
+    const Pair& pair = choose_.one_of(kNiven);
+    words_of(pair.tool, write_.one());
+    const std::int64_t unit = choose_.chance(50) ? write_.one() : 1;
+    const std::int64_t factor = choose_.between(1, 30) * unit;
+    SpaceCounts move{};
+    for (std::size_t i = 0; i < 3; ++i) move[i] = pair.movement[i] * factor;
+    return move;
+  }
+
+  void linear(const SpaceCounts& move) {
     for (std::size_t i = 0; i < 3; ++i)
       if (case_.setup.axes.has("XYZ"[i]) && (move[i] != 0 || choose_.chance(15))) write_.axis("XYZ"[i], move[i]);
   }
@@ -319,8 +310,8 @@ class LeadingEdge {
   ProgramWriter write_;
   std::string rotary_;
   Direction tool_ = {0, 0, 1};
-  Counts tool_counts_{};  // I J K as last written
-  Counts last_{};
+  SpaceCounts tool_counts_{};  // I J K as last written
+  SpaceCounts last_{};
   bool tool_words_ = false;  // under G43.5
   bool compensated_once_ = false;
 };

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/gen/change_digit.h"
+#include "fuzz/gen/change_text.h"
 #include "fuzz/gen/fanuc/setups.h"
 #include "fuzz/gen/fanuc/vocabulary.h"
 #include "fuzz/gen/program_text.h"
@@ -75,13 +75,13 @@ void change_program(Choices& choose, spec::Case& c, Mode mode) {
       break;
     }
     case 1:
-      text.erase(place);
+      change_line(choose, text, at, LineChange::erase);
       break;
     case 2:
-      text.insert(place, std::string(text[at]));
+      change_line(choose, text, at, LineChange::repeat);
       break;
     case 3:
-      std::swap(text[at], text[choose.below(text.size())]);
+      change_line(choose, text, at, LineChange::exchange);
       break;
     case 4: {
       WordTexts line;

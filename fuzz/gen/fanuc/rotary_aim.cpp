@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fuzz/gen/fanuc/tool_turns.h"
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
 
@@ -19,23 +20,6 @@ constexpr SpaceCounts kRational[] = {
     {0, 1, 1}, {1, 0, 5}, {1, 0, 2}, {3, 4, 0},  {1, 1, 0},  {400, 0, 39'999}, {0, 1, 20}, {1, 1, 50}, {-10, 1, 50}};
 
 double clamped(double x) { return std::clamp(x, -1.0, 1.0); }
-
-std::optional<SpaceCounts> whole_along(const Direction& d, double few) {
-  double least = 1;
-  for (const double x : d)
-    if (billionths(x) != 0) least = std::min(least, std::fabs(x));
-  SpaceCounts whole{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double x = d.at(i) / least;
-    if (std::fabs(x) > few || billionths(x - std::round(x)) != 0) return std::nullopt;
-    whole.at(i) = std::llround(x);
-  }
-  return whole;
-}
-
-Direction as_direction(const SpaceCounts& c) {
-  return unit({static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])});
-}
 
 }  // namespace
 
@@ -224,8 +208,7 @@ void RotaryAim::turn_axes() {
 
 Direction RotaryAim::direction_at(const Polar& p) const {
   const Direction& w = machine_->work_line;
-  const Direction helper = std::fabs(w[0]) < 0.6 ? Direction{1, 0, 0} : Direction{0, 1, 0};
-  const Direction e = unit(cross(cross(w, helper), w));
+  const Direction e = unit(cross(cross(w, axis_off(w)), w));
   return turned(turned(w, cross(w, e), p.polar), w, p.azimuth);
 }
 
@@ -252,8 +235,7 @@ bool RotaryAim::at_45_degrees() {
 
 RotaryAim::Polar RotaryAim::polar_of(const Direction& table_direction) const {
   const Direction& w = machine_->work_line;
-  const Direction helper = std::fabs(w[0]) < 0.6 ? Direction{1, 0, 0} : Direction{0, 1, 0};
-  const Direction e = unit(cross(cross(w, helper), w));
+  const Direction e = unit(cross(cross(w, axis_off(w)), w));
   const double height = dot(table_direction, w);
   const double ahead = dot(table_direction, e);
   const double aside = dot(table_direction, cross(w, e));
@@ -261,16 +243,8 @@ RotaryAim::Polar RotaryAim::polar_of(const Direction& table_direction) const {
           std::atan2(aside, ahead) * kDegreesPerRadian};
 }
 
-// As whole numbers where they are small, else as counts.
 void RotaryAim::write_words(const SpaceCounts& whole) {
-  const std::int64_t most = std::max({std::abs(whole[0]), std::abs(whole[1]), std::abs(whole[2])});
-  constexpr std::int64_t digits = 99'999;
-  const std::int64_t factor = most > digits        ? 1
-                              : choose_.chance(70) ? write_.one()
-                              : choose_.chance(50) ? 1
-                                                   : choose_.between(2, 9);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (whole.at(i) != 0 || choose_.chance(25)) write_.number("IJK"[i], whole.at(i) * factor);
+  direction_words(choose_, write_, whole, 25);
   words_ = whole;
   direction_ = as_direction(whole);
 }
@@ -289,10 +263,7 @@ void RotaryAim::write_direction(const Direction& frame_direction, bool whole_if_
 SpaceCounts RotaryAim::rational() {
   SpaceCounts d = choose_.one_of(kRational);
   if (choose_.chance(30)) std::swap(d[0], d[1]);
-  for (std::int64_t& x : d)
-    if (choose_.chance(30)) x = -x;
-  if (d[2] < 0 && choose_.chance(70)) d[2] = -d[2];
-  return d;
+  return of_any_sense(choose_, d);
 }
 
 // Beyond the work-side axis in the plane of it and the present direction, where both are whole numbers.

@@ -39,15 +39,6 @@ SpaceCounts across(const SpaceCounts& a, const SpaceCounts& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Direction as_direction(const SpaceCounts& v) {
-  return unit({static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])});
-}
-
-// A unit direction at right angles to the unit direction `tool`.
-Direction beside(const Direction& tool) {
-  return unit(cross(tool, std::fabs(tool[0]) < 0.6 ? Direction{1, 0, 0} : Direction{0, 1, 0}));
-}
-
 }  // namespace
 
 void SpacePath::follow(const SpaceCounts& movement) {

@@ -104,6 +104,27 @@ Direction turned(const Direction& v, const Direction& axis, double degrees) {
   return result;
 }
 
+Direction axis_off(const Direction& d) { return std::fabs(d[0]) < 0.6 ? Direction{1, 0, 0} : Direction{0, 1, 0}; }
+
+Direction beside(const Direction& d) { return unit(cross(d, axis_off(d))); }
+
+Direction as_direction(const SpaceCounts& whole) {
+  return unit({static_cast<double>(whole[0]), static_cast<double>(whole[1]), static_cast<double>(whole[2])});
+}
+
+std::optional<SpaceCounts> whole_along(const Direction& d, double most) {
+  double least = 1;
+  for (const double x : d)
+    if (billionths(x) != 0) least = std::min(least, std::fabs(x));
+  SpaceCounts whole{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = d.at(i) / least;
+    if (std::fabs(x) > most || billionths(x - std::round(x)) != 0) return std::nullopt;
+    whole.at(i) = std::llround(x);
+  }
+  return whole;
+}
+
 std::optional<Direction> tool_direction(const spec::Setup& setup, const Pose& pose) {
   const int type = static_cast<int>(number(setup, 19680));
   if (type != 0) return by_machine(setup, pose, type);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "fuzz/gen/fanuc/tool_turns.h"
+
 namespace toolcomp::fuzz {
 namespace {
 
@@ -13,26 +15,8 @@ constexpr SpaceCounts kRational[] = {{3, 0, 4},  {4, 0, 3},    {0, 3, 4},       
                                      {0, 0, 1},  {0, 0, 1},    {1, 0, 0},       {0, 1, 0},  {1, 0, 1},  {1, 1, 1},
                                      {0, -1, 1}, {12, 15, 16}, {400, 0, 39'999}};
 
+constexpr double kMostWhole = 12;             // of a direction in whole numbers
 constexpr std::int64_t kOne = 1'000'000'000;  // in billionths
-
-// The small whole vector along `d`, if one is.
-std::optional<SpaceCounts> whole_along(const Direction& d) {
-  constexpr double few = 12;
-  double least = 1;
-  for (const double x : d)
-    if (billionths(x) != 0) least = std::min(least, std::fabs(x));
-  SpaceCounts whole{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double x = d[i] / least;
-    if (std::fabs(x) > few || billionths(x - std::round(x)) != 0) return std::nullopt;
-    whole[i] = std::llround(x);
-  }
-  return whole;
-}
-
-Direction as_direction(const SpaceCounts& c) {
-  return unit({static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])});
-}
 
 }  // namespace
 
@@ -49,7 +33,7 @@ ToolPose::ToolPose(Choices& choose, ProgramWriter& write, const spec::Setup& set
 ToolAim ToolPose::aim() const {
   if (by_words_ && words_) return {as_direction(*words_), words_};
   const Direction d = tool_direction(setup_, write_.pose()).value_or(Direction{0, 0, 1});
-  return {d, whole_along(d)};
+  return {d, whole_along(d, kMostWhole)};
 }
 
 void ToolPose::turn() {
@@ -60,30 +44,9 @@ void ToolPose::turn() {
 }
 
 void ToolPose::rotary() {
-  const std::int64_t one = write_.one();
   for (const char letter : rotary_) {
     if (rotary_.size() > 1 && choose_.chance(35)) continue;
-    std::int64_t target = 0;
-    switch (choose_.weighted({25, 12, 10, 20, 25, 8})) {
-      case 0:
-        target = choose_.between(-12, 12) * 15 * one;
-        break;
-      case 1:
-        target = choose_.between(-4, 4) * 90 * one;
-        break;
-      case 2:
-        target = choose_.between(-8, 8) * 45 * one;
-        break;
-      case 3:
-        target = choose_.between(-60 * one, 60 * one);
-        break;
-      case 4:
-        target = write_.at(letter) + choose_.between(-3 * one, 3 * one);
-        break;
-      default:
-        target = write_.at(letter) + choose_.between(-180, 180) * one;
-        break;
-    }
+    const std::int64_t target = rotary_target(choose_, write_, letter, {25, 12, 10, 20, 25, 8});
     write_.axis(letter, target - write_.at(letter));
   }
 }
@@ -94,9 +57,7 @@ void ToolPose::any_direction() {
   if (choose_.chance(75)) {
     d = choose_.one_of(kRational);
     if (choose_.chance(30)) std::swap(d[0], d[1]);
-    for (std::int64_t& x : d)
-      if (choose_.chance(30)) x = -x;
-    if (d[2] < 0 && choose_.chance(70)) d[2] = -d[2];
+    d = of_any_sense(choose_, d);
   } else {
     const std::int64_t most = choose_.chance(60) ? 9 : 9'999 * write_.one();
     for (std::int64_t& x : d) x = choose_.between(-most, most);
@@ -105,17 +66,9 @@ void ToolPose::any_direction() {
   direction(d);
 }
 
-// As whole numbers where they are small, else as counts.
 void ToolPose::direction(const SpaceCounts& whole) {
   words_ = whole;
-  const std::int64_t most = std::max({std::abs(whole[0]), std::abs(whole[1]), std::abs(whole[2])});
-  constexpr std::int64_t digits = 99'999;
-  const std::int64_t factor = most > digits        ? 1
-                              : choose_.chance(70) ? write_.one()
-                              : choose_.chance(50) ? 1
-                                                   : choose_.between(2, 9);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (whole[i] != 0 || choose_.chance(30)) write_.number("IJK"[i], whole[i] * factor);
+  direction_words(choose_, write_, whole, 30);
 }
 
 std::int64_t ToolPose::thousandths(std::int64_t counts) const {
@@ -126,9 +79,8 @@ std::int64_t ToolPose::thousandths(std::int64_t counts) const {
 void ToolPose::turn_by(std::int64_t counts) {
   const ToolAim now = aim();
   if (by_words_) {
-    const Direction helper = std::fabs(now.direction[0]) < 0.6 ? Direction{1, 0, 0} : Direction{0, 1, 0};
-    Direction about = unit(cross(now.direction, helper));
-    about = turned(about, now.direction, static_cast<double>(choose_.between(0, 23) * 15));
+    const Direction about =
+        turned(beside(now.direction), now.direction, static_cast<double>(choose_.between(0, 23) * 15));
     const Direction to = turned(now.direction, about, static_cast<double>(counts) / 1000);
     const double size = 9'000 * static_cast<double>(write_.one());
     SpaceCounts d{};

@@ -9,9 +9,6 @@
 
 namespace toolcomp::fuzz {
 
-// A vector of X Y Z in counts of the least increment, or a direction in whole numbers.
-using SpaceCounts = std::array<std::int64_t, 3>;
-
 // Where the tool points: roughly, and exactly where whole numbers say it.
 struct ToolAim {
   Direction direction{0, 0, 1};

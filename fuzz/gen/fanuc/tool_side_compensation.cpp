@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "fuzz/gen/fanuc/arc_words.h"
 #include "fuzz/gen/fanuc/contour.h"
 #include "fuzz/gen/fanuc/setups.h"
 #include "fuzz/gen/fanuc/space_path.h"
@@ -185,21 +186,10 @@ class ToolSide {
       move[normal_] = choose_.between(-6, 6) * 5 * write_.one();
       write_.axis("XYZ"[normal_], move[normal_]);
     }
-    if (s.kind == Segment::Kind::radius_arc) {
-      write_.number('R', s.radius);
-    } else if (pose_.by_words()) {
-      const double radius = std::hypot(static_cast<double>(s.to_center.x), static_cast<double>(s.to_center.y));
-      const PlaneCounts out = s.travel - s.to_center;
-      // The turn from start to end radius: over a half circle where it goes against the sense of the arc.
-      const std::int64_t turn = s.to_center.y * out.x - s.to_center.x * out.y;
-      const bool larger = s.clockwise ? turn > 0 : turn < 0;
-      const auto counts = static_cast<std::int64_t>(std::ceil(radius));
-      write_.number('R', larger ? -counts : counts);
-    } else {
-      const std::int64_t center[] = {s.to_center.x, s.to_center.y};
-      for (const std::size_t i : {0U, 1U})
-        if (center[i] != 0 || choose_.chance(10)) write_.number("IJK"[(normal_ + 1 + i) % 3], center[i]);
-    }
+    if (pose_.by_words())
+      arc_words_by_radius(write_, s);
+    else
+      arc_words(choose_, write_, s, center_letters(normal_));
     contour_.follow(s);
     path_.follow(move);
   }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/gen/change_digit.h"
+#include "fuzz/gen/change_text.h"
 #include "fuzz/gen/heidenhain/klartext_vocabulary.h"
 #include "fuzz/gen/program_text.h"
 
@@ -101,13 +101,13 @@ void change_klartext(Choices& choose, spec::Case& c, Mode mode) {
       break;
     }
     case 1:
-      text.erase(place);
+      change_line(choose, text, at, LineChange::erase);
       break;
     case 2:
-      text.insert(place, std::string(text[at]));
+      change_line(choose, text, at, LineChange::repeat);
       break;
     case 3:
-      std::swap(text[at], text[choose.below(text.size())]);
+      change_line(choose, text, at, LineChange::exchange);
       break;
     default:
       text.insert(place, any_klartext_statement(choose, c.setup));

@@ -1,5 +1,5 @@
-// The manual's programs of chapter 14 as a user runs them, both engines, to all digits the sheet prints; what explain
-// says of them; long contours.
+// The manual's programs of chapter 14 as a user runs them, both engines, to twelve decimals of figures worked out by
+// hand; what explain says of them; long contours.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -17,11 +17,11 @@ using toolcomp::test::toolcomp;
 
 const std::string kExamples = TOOLCOMP_SOURCE_DIR "/examples/fanuc/";
 
-constexpr double kLastDigit = 1.5e-12;  // the sheet prints 12 decimals and more
+constexpr double kLastDigit = 1.5e-12;  // the figures typed in have 12 decimals and more
 
 class Chapter14 : public testing::TestWithParam<std::string> {
  protected:
-  // The points of the moves are these texts of the sheet.
+  // The points of the moves are these, typed in from the derivation.
   static void expect_points(const std::string& arguments, const std::vector<std::vector<std::string>>& points) {
     const Outcome outcome = toolcomp("run " + kExamples + arguments + " --digits 18 --engine " + GetParam());
     ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -145,7 +145,7 @@ TEST_P(Chapter14, TheTouchPlate) {
   EXPECT_EQ(outcome.events().back().at("axes").at("Z"), 313);
 }
 
-// The sheet's figures for Fm = 1000: ERRmax 0.0333333333333, Qmax 0.266666666667.
+// The manual's formulas with Fm = 1000, by hand: ERRmax 0.0333333333333, Qmax 0.266666666667.
 TEST(ExplainChapter14, TheErrorsOfMeasuring) {
   const Outcome outcome = toolcomp("explain " + kExamples + "touch-plate-length-measurement/touch-plate.nc --block 30");
   EXPECT_EQ(outcome.status, 0) << outcome.err;

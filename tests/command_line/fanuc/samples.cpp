@@ -20,7 +20,8 @@ constexpr const char* kSetup =
     "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\", \"B\", \"C\"]\n[parameters]\n19680 = 2\n19681 = 5\n19682 = 3\n"
     "19686 = 4\n19687 = 2\n[offsets.H]\n1 = 100\n[offsets.D]\n2 = 5\n";
 
-// Sheet, Ex. 8: a square pyramid, base ±20, apex (0, 0, 40), cut with its side.
+// Worked example 8 (corpus/examples/fanuc/tool_posture_control.cpp): a square pyramid, base ±20, apex (0, 0, 40), cut
+// with its side.
 std::string pyramid(const std::string& p) {
   return "N10 G90 G00 X30.0 Y-30.0 Z0.0\nN20 G43.5 H1 " + p +
          "\nN30 G42.6 D2\nN40 G01 X20.0 Y-20.0 I-1 J1 K2 F1000\nN50 X20. Y20. I-1 J-1 K2\nN60 X-20. Y20. I1 J-1 K2\n"
@@ -70,7 +71,7 @@ TEST_P(Samples, TheSideOfTheToolStaysOnTheFace) {
   EXPECT_GT(farthest(without, "axes"), 10);  // 100 · 0.151 at the middle
 }
 
-// Sheet, Ex. 8, N50 at t = 1/2.
+// Worked example 8, N50 at t = 1/2.
 TEST_P(Samples, StandBeforeTheirMoveWithReducedFractions) {
   const auto events = run(with_posture, "--samples 4").events();
   const auto at = std::find_if(events.begin(), events.end(), [](const json& e) { return e.value("n", 0) == 50; });

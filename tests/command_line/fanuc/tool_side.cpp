@@ -104,7 +104,7 @@ TEST_P(ToolSide, TheManualsInterferenceFigure) {
   EXPECT_EQ(outcome.events().back().at("line"), 3);
   EXPECT_NE(outcome.err.find("p.nc:3:"), std::string::npos) << outcome.err;
 
-  // The sheet's vectors at N4, Q1: (10, 0, 0), Q2: V1, Q3: V1 and V2.
+  // TS8 (corpus/examples/fanuc/tool_side_compensation.cpp), the vectors at N4, Q1: (10, 0, 0), Q2: V1, Q3: V1 and V2.
   const double y = -206.946583704589972867;
   const double z = -207.193398003386511394;
   const std::vector<std::vector<Point>> heads{{{10, -200, -200}}, {{10, y, z}}, {{10, y, z}, {-10, y, z}}};

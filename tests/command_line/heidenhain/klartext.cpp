@@ -27,7 +27,7 @@ class Heidenhain : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(BothEngines, Heidenhain, testing::Values("model", "fast"),
                          [](const auto& engine) { return engine.param; });
 
-// Sheet, E1: block 13 of the manual with the re-worked ball.
+// E1 (corpus/examples/heidenhain/face_milling.cpp): block 13 of the manual with the re-worked ball.
 TEST_P(Heidenhain, BlockThirteenOfTheManual) {
   const Outcome outcome = toolcomp("run " + kReworked + " --engine " + GetParam());
   ASSERT_EQ(outcome.status, 0) << outcome.err;

@@ -1,5 +1,6 @@
-// G37, G45 to G48 and cutter compensation B: the vectors written by hand hold the figures of the sheet's 14.2, 14.3 and
-// 14.4. Figures the sheet does not print are worked out by hand: d times the unit normal of a block at its end.
+// G37, G45 to G48 and cutter compensation B: the vectors written by hand hold the worked examples of 14.2, 14.3
+// and 14.4, typed in from the derivation. Figures that is without are worked out by hand: d times the unit normal of a
+// block at its end.
 #include "tests/golden/rows.h"
 
 namespace toolcomp::corpus {
@@ -9,7 +10,7 @@ using rows::expect;
 using rows::Rows;
 
 // Approach to B at 220, the measuring move, the setting, the retraction to 204.
-TEST(LengthMeasurementVectors, Sheet) {
+TEST(LengthMeasurementVectors, WorkedExamples) {
   const auto measured = [](const std::string& touch, const std::string& setting) {
     return Rows{"2 p G0 850 0 760", "4 p G0 850 0 220", "4 m G1 850 0 " + touch, "4 " + setting, "5 p G0 850 0 204"};
   };
@@ -31,7 +32,7 @@ TEST(LengthMeasurementVectors, Sheet) {
           {"14.2, G37 with two axes", {"2 PS0083"}}});
 }
 
-TEST(ToolOffsetVectors, Sheet) {
+TEST(ToolOffsetVectors, WorkedExamples) {
   const auto along_x = [](std::initializer_list<const char*> points) {
     Rows rows;
     std::size_t line = 2;
@@ -62,7 +63,7 @@ TEST(ToolOffsetVectors, Sheet) {
           {"14.3, G45 under G41", {"1 s G1 50 10", "2 PS0042"}}});
 }
 
-TEST(CutterBVectors, Sheet) {
+TEST(CutterBVectors, WorkedExamples) {
   expect(
       "fanuc/cutter-compensation-b", "examples",
       {{"14.4 example 1", {"1 s G0 22 46"}},

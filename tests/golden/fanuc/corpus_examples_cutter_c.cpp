@@ -1,6 +1,6 @@
-// Cutter compensation C: the vectors written by hand hold the figures of the sheet's 14.5 and 14.6. Where the sheet
-// prints only the heads of a corner, the head at the end of the last block is worked out by hand: d times the unit
-// normal there.
+// Cutter compensation C: the vectors written by hand hold the worked examples of 14.5 and 14.6, typed in
+// from the derivation. Where that has only the heads of a corner, the head at the end of the last block is worked out
+// by hand: d times the unit normal there.
 #include "tests/golden/rows.h"
 
 namespace toolcomp::corpus {
@@ -11,7 +11,7 @@ using rows::Rows;
 
 const std::string kSection = "fanuc/cutter-compensation-c";
 
-// 14.5, the table with d = 10, 20, -10. N of the sheet is the line less one. Sweeps: angles between the heads, which
+// 14.5, the figure with d = 10, 20, -10. N of the figure is the line less one. Sweeps: angles between the heads, which
 // are where circles of 640 and 260 about the centres meet, to 50 digits by the series of the arctangent.
 const Rows kFigure10 = {"2 s G0 240 550",
                         "3 p G1 240 910",

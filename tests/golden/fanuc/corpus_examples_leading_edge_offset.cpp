@@ -1,5 +1,5 @@
-// Leading edge offset: the worked examples of the sheet (LE1 to LE10) and the rules. Every figure is typed in from the
-// sheet or worked out by hand in the vector's comment; fifteen decimals, as vectors have.
+// Leading edge offset: the worked examples LE1 to LE10 and the rules. Every figure is typed in from the derivation or
+// worked out by hand in the vector's comment; fifteen decimals, as vectors have.
 #include "tests/golden/rows.h"
 
 namespace toolcomp::corpus {
@@ -10,7 +10,7 @@ using rows::Rows;
 
 const std::string kSection = "fanuc/leading-edge-offset";
 
-TEST(LeadingEdgeVectors, Sheet) {
+TEST(LeadingEdgeVectors, WorkedExamples) {
   expect(kSection, "examples",
          {{"LE1:", {"1 X0 Y0 Z0", "2 X-8 Y0 Z6", "3 X92 Y0 Z6", "4 X100 Y0 Z0"}},
           {"LE2:", {"1 X0 Y0 Z0", "2 X8 Y0 Z6", "3 X108 Y0 Z6", "4 X100 Y0 Z0"}},
@@ -50,7 +50,7 @@ TEST(LeadingEdgeVectors, ToolAxisOfLE5) {
   });
 }
 
-// LE7 is rational: the sheet's fractions, to the last digit.
+// LE7 is rational: the fractions by hand, to the last digit.
 TEST(LeadingEdgeVectors, FractionsOfLE7) {
   const spec::Case& c = worked::vector_of(kSection, "examples", "LE7: VT along");
   EXPECT_EQ(c.expect[2].point[0].q, "4400090/40001");  // 100 + 399990/40001

@@ -1,5 +1,5 @@
-// Tool center point control: the vectors written by hand hold the figures of the posture sheet (part 14, examples 1, 2,
-// 3 with P0, 9, 11), typed from it; those of the rules are worked out by hand in the vectors' comments.
+// Tool center point control: the vectors written by hand hold the figures of the worked examples 1, 2, 3 with P0, 9
+// and 11, typed in from a derivation in 50 digits; those of the rules are worked out by hand in the vectors' comments.
 #include "tests/golden/fanuc/pose_rows.h"
 
 namespace toolcomp::corpus {
@@ -65,7 +65,7 @@ TEST(ToolCenterPointVectors, Inverse) {
         "2 t=1/4 C=157.5 B=35.2643896827547 i=-0.533402096794177 j=0.220942382690395 k=0.816496580927726",
         "2 t=1/2 C=180 i=-0.577350269189626 j=0 k=0.816496580927726 X=-37.7350269189626 Y=0 Z=81.6496580927726",
         "2 t=3/4 C=202.5", "2 programmed C=225 B=35.2643896827547"}},
-      // The sheet's machine coordinates, tip z + 100, less the workpiece origin.
+      // Machine coordinates, tip z + 100, less the workpiece origin.
       {"9: ",
        {"1 programmed A=20 C=45",
         "2 programmed A=-35 C=10 X=62.5977865158401 Y=-94.213831437203 Z=60.2516544957449 x=20 y=-20 z=5 "

@@ -1,5 +1,5 @@
-// Tool length offset: the worked examples of the sheet (14.1.1, 14.1.2, 14.8) and the rules. Every figure is typed in
-// from the sheet or worked out by hand in the vector's comment.
+// Tool length offset: the worked examples of 14.1.1, 14.1.2 and 14.8, and the rules. Every figure is typed in from
+// the derivation or worked out by hand in the vector's comment.
 #include "tests/golden/rows.h"
 
 namespace toolcomp::corpus {
@@ -8,7 +8,7 @@ namespace {
 using rows::expect;
 using rows::Rows;
 
-TEST(LengthOffsetVectors, Sheet) {
+TEST(LengthOffsetVectors, WorkedExamples) {
   expect("fanuc/tool-length-offset", "examples",
          {{"14.1.1, three holes",
            {"1 G0 X120 Y80 Z0", "2 G0 X120 Y80 Z-36", "3 G1 X120 Y80 Z-57", "5 G0 X120 Y80 Z-36", "6 G0 X150 Y30 Z-36",
@@ -21,7 +21,7 @@ TEST(LengthOffsetVectors, Sheet) {
           {"14.1.1, type C, TAL = 0", {"1 X14 Y0 Z0", "2 X16 Y0 Z0", "3 PS0027"}},
           {"14.1.1, type C, TAL = 1", {"1 X14 Y0 Z0", "2 X16 Y0 Z0", "3 X16 Y2 Z0", "4 X16 Y4 Z0"}},
           {"14.1.1, G49 alone", {"1 X0 Y0 Z120", "2 X0 Y0 Z100"}},
-          // Work zero at machine Z-300: a machine position of the sheet plus 300.
+          // Work zero at machine Z-300: a machine position of the comment plus 300.
           {"14.1.2, work zero", {"1 X0 Y0 Z20", "2 X0 Y0 Z70", "3 X0 Y0 Z290", "4 X0 Y0 Z50", "5 X0 Y0 Z70"}},
           {"14.1.2, the same with EVO = 1", {"1 X0 Y0 Z20", "2 X0 Y0 Z70", "3 X0 Y0 Z290", "4 X0 Y0 Z70"}},
           {"14.1.2, G53 X0", {"1 X0 Y0 Z20", "2 X0 Y0 Z70", "3 X0 Y0 Z70", "4 X0 Y0 Z70"}},

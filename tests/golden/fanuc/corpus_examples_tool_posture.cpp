@@ -1,5 +1,5 @@
-// Tool posture control: the vectors written by hand hold the figures of the posture sheet (part 14, examples 2 to 5, 7
-// to 9, 11), typed from it; those of the rules are worked out by hand in the vectors' comments.
+// Tool posture control: the vectors written by hand hold the figures of the worked examples 2 to 5, 7 to 9 and 11,
+// typed in from a derivation in 50 digits; those of the rules are worked out by hand in the vectors' comments.
 #include "tests/golden/fanuc/pose_rows.h"
 
 namespace toolcomp::corpus {
@@ -40,7 +40,7 @@ Rows from_upright(char tool, const std::string& turn, const std::array<std::stri
   return rows;
 }
 
-TEST(ToolPostureVectors, Sheet) {
+TEST(ToolPostureVectors, WorkedExamples) {
   const std::string edge_start = "1 programmed X=-20.8248290463863 Y=20.8248290463863 Z=81.6496580927726";
   Rows head = pyramid_edge("2", 'B', {"135", "154.488330009362", "180", "205.511669990638", "225"}, kOrthogonal);
   head[0] += " X=-23.7363799276446 Y=10.8721190616481 Z=87.4727598552893";
@@ -154,7 +154,7 @@ TEST(ToolPostureVectors, Sheet) {
         "5 programmed C=45" + tool_35 + tip_n50, "6 t=1/2", "6 programmed C=135" + tool_35 + tip_n60, "7 t=1/2",
         "7 programmed C=225" + tool_35 + tip_n70, "8 t=1/2", "8 programmed C=315" + tool_35, "9 t=1/2",
         "9 cancel x=30 y=-30"}},
-      // The sheet's machine coordinates of the control point less the workpiece origin (5, 10, 20).
+      // Machine coordinates of the control point less the workpiece origin (5, 10, 20).
       {"9: A-C table with offsets",
        {"1 programmed X=30 Y=-30 Z=100", "2 pre-turn C=45", "2 t=1/4", "2 t=1/2", "2 t=3/4",
         "2 programmed C=45 X=-15.6066017177982 Y=-92.314902372249 Z=68.7639589068648" + table_35,

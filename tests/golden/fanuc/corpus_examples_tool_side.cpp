@@ -1,6 +1,7 @@
-// Tool side compensation: the vectors written by hand hold the figures of the 3D sheet (part 6, TS1 to TS11) under both
-// engines. Heads that the sheet does not print (at the ends of the first and the last block, and in the rules) are
-// worked out by hand: the value times the unit normal, or the construction named in the vector's comment.
+// Tool side compensation: the vectors written by hand hold the figures of the worked examples TS1 to TS11 under both
+// engines, typed in from the derivation. Heads that those do not name (at the ends of the first and the last block, and
+// in the rules) are worked out by hand: the value times the unit normal, or the construction named in the vector's
+// comment.
 #include "tests/golden/rows.h"
 
 namespace toolcomp::corpus {
@@ -50,7 +51,7 @@ Rows under_tip_control(const std::string& start, const Rows& rest) {
 const std::string kBeforeX = "-40 0 0";
 const std::string kBeforeY = "0 -40 0";
 
-TEST(ToolSideVectors, Sheet) {
+TEST(ToolSideVectors, WorkedExamples) {
   const Rows ts1_left = {"1 s G1 0 5 0", "2 p G1 95 5 0", "3 p G1 95 100 0", "4 e G1 100 150 0"};
   const Rows ts1_right = {"1 s G1 0 -5 0", "2 p G1 105 -5 0", "3 p G1 105 100 0", "4 e G1 100 150 0"};
   const Rows ts2_left = {"1 s G1 -8 0 6", "2 p G1 -8 110 6", "3 p G1 100 110 0", "4 e G1 150 100 0"};
@@ -159,7 +160,7 @@ TEST(ToolSideVectors, Sheet) {
           {"TS11, counter-clockwise arc",
            change({"2 p G1 94.641016151377546 10 0", "3 p G3 84 62 0 O 60 30", "4 e G1 50 100 0"})},
           {"TS11 under G43.5", x(acute_arc)},
-          // By a computation of 50 digits from V . VT = 0 and the two lines; the first digits are the sheet's.
+          // By a computation of 50 digits from V . VT = 0 and the two lines; the first digits are those of the comment.
           {"Movement, corner by corner",
            {"1 p G0 0 0 0", "2 p G0 -50 0 0", "3 s G1 0 0 -5", "4 p G1 55 0 -5", "5 p G1 55 0 45",
             "6 p G1 46.516308380364824 83.483691619635176 46.018638148988371",

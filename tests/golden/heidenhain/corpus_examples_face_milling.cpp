@@ -1,7 +1,6 @@
-// The vectors of face milling hold the figures of the fact sheet, to the last digit it prints: E1 to E28 and the table
-// of oversize verdicts (5.11, 6 and 7). What the sheet does not print, and the figures of the rules, are by hand from
-// its formulas (3-4-5 vectors: all rational), checked by a computation with 70 digits that shares nothing with the
-// engines.
+// The vectors of face milling hold the figures of the worked examples E1 to E28 and the table of oversize verdicts, to
+// the last digit typed in. All of them, and the figures of the rules, are by hand from the formulas of the clauses
+// (3-4-5 vectors: all rational), checked by a computation with 70 digits that shares nothing with the engines.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -427,7 +426,7 @@ TEST(FaceMillingVectors, Klartext) {
   space::expect(kSection, "klartext", table);
 }
 
-// The sheet's 30 digits of E1 and E11, from the exact engine.
+// E1 and E11 to 30 digits, typed in like the others.
 TEST(FaceMillingVectors, ThirtyDigits) {
   constexpr int kThirty = 30;
   const auto vector = [](const std::array<model::Real, 3>& v) {
@@ -445,7 +444,7 @@ TEST(FaceMillingVectors, ThirtyDigits) {
                          "-0.005778374413737617893829685651"}));
 }
 
-// E16 is rational: the sheet's fractions.
+// E16 is rational: the fractions by hand.
 TEST(FaceMillingVectors, Fractions) {
   const spec::TextEvent& e16 = worked::vector_of(kSection, "examples", "E16: ").expect.back();
   ASSERT_TRUE(e16.space);

@@ -1,6 +1,7 @@
-// The vectors of the programmed contour hold the figures of the fact sheet, to the last digit it prints: E9, E10, E13,
-// E16 under IS CONTOUR, and E1 at its contact point. The figures of the rules are by hand from 5.4 and 5.7, checked by
-// a computation with 70 digits that shares nothing with the engines.
+// The vectors of the programmed contour hold the figures of the worked examples E9, E10, E13, E16 under IS CONTOUR, and
+// E1 at its contact point, to the last digit typed in. The figures of the rules are by hand from
+// heidenhain.contour.nominal-tip and heidenhain.peripheral.direction, checked by a computation with 70 digits that
+// shares nothing with the engines.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -90,7 +91,7 @@ TEST(ProgrammedContourVectors, Rules) {
   space::expect(kSection, "rules", table);
 }
 
-// E16 is rational: the sheet's fractions.
+// E16 is rational: the fractions by hand.
 TEST(ProgrammedContourVectors, Fractions) {
   const spec::TextEvent& e16 = worked::vector_of(kSection, "examples", "E16: ").expect.back();
   EXPECT_EQ(e16.point[0].q, "223/50");

@@ -1,5 +1,5 @@
-// Laws of the leading edge offset on paths made for them (3D sheet, 3.1 and part 5): lists of movements with a tool
-// direction each, written out as programs in several ways.
+// Laws of the leading edge offset on paths made for them (what follows from fanuc.leading-edge.*): lists of movements
+// with a tool direction each, written out as programs in several ways.
 #include "tests/property/fanuc/tool_paths.h"
 
 namespace toolcomp::laws {

@@ -1,4 +1,4 @@
-// Laws of tool center point control and tool posture control (posture sheet, 15).
+// Laws of tool center point control and tool posture control.
 #include "spec/language/setup_format.h"
 #include "tests/property/fanuc/tool_paths.h"
 

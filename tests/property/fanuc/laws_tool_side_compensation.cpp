@@ -1,4 +1,4 @@
-// Laws of tool side compensation (3D sheet, parts 2 and 5): in space on straight movements with tool directions by I J
+// Laws of tool side compensation (fanuc.tool-side.*): in space on straight movements with tool directions by I J
 // K, and in the plane, lines and arcs, with the tool along Z, where it is cutter compensation C.
 #include <algorithm>
 
@@ -230,7 +230,7 @@ std::vector<HeadsInSpace> groups(const fuzz::ModelRun& run) {
   return result;
 }
 
-// The manual's own way (sheet, 2.1): the system C2 by Gram and Schmidt from arbitrary auxiliary vectors, right-handed;
+// The manual's own way: the system C2 by Gram and Schmidt from arbitrary auxiliary vectors, right-handed;
 // start, end and next end turned into it, the plane problem solved there, the vectors turned back.
 using RealVector = std::array<Real, 3>;
 Real dot(const RealVector& a, const RealVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }

@@ -1,4 +1,4 @@
-// Laws of face milling (sheet 8, P1 to P6, P8 to P10, P12 to P15) over exact numbers; the fast engine agrees on both
+// Laws of face milling over exact numbers; the fast engine agrees on both
 // sides of each.
 #include "tests/property/heidenhain/space_paths.h"
 

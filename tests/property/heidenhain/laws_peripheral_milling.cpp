@@ -1,4 +1,4 @@
-// Laws of peripheral milling by RL and RR (sheet 5.7; 8, P8 and P11) over exact numbers.
+// Laws of peripheral milling by RL and RR over exact numbers.
 #include "tests/property/heidenhain/space_paths.h"
 
 namespace toolcomp::laws {

@@ -1,4 +1,4 @@
-// Laws of FUNCTION PROG PATH IS CONTOUR (sheet 8, P7, and its like beside the path) over exact numbers.
+// Laws of FUNCTION PROG PATH IS CONTOUR over exact numbers.
 #include "tests/property/heidenhain/space_paths.h"
 
 namespace toolcomp::laws {

@@ -175,7 +175,7 @@ inline Cutter any_cutter(bool clamped = false) {
   return c;
 }
 
-// u of the sheet: the part of n across t, as a unit vector; 0 along the tool.
+// u of heidenhain.face.ring-direction: the part of n across t, as a unit vector; 0 along the tool.
 inline Vec ring_direction(const Point& n, const Point& t) {
   const Point w = sum(dot(t, t) * n, Rational(-dot(n, t)) * t);
   const Rational square = dot(w, w);

@@ -14,7 +14,7 @@ namespace {
 
 using Heads = std::vector<std::pair<double, double>>;
 
-// The values of the sheet have 15 digits or more, none is above 1500.
+// The values typed in have 15 digits or more, none is above 1500.
 constexpr double kTolerance = 6e-13;
 
 std::string setup(const std::string& parameters, double x, double y) {
@@ -131,8 +131,8 @@ TEST(FastCutterCompensationC, Alarms) {
   EXPECT_EQ(alarm("G41 D1\nG02 X70 I0", kAlone), "PS0038@2");
 }
 
-// Sheet, decisions: a second lone G41 that ends the look-ahead of the first makes the vector by its own next block. By
-// hand: 10 square to (30, 40) is (-8, 6).
+// fanuc.cutter-c.start-without-motion: a second lone G41 that ends the look-ahead of the first makes the vector by its
+// own next block. By hand: 10 square to (30, 40) is (-8, 6).
 TEST(FastCutterCompensationC, ASecondLoneStart) {
   const auto start = [](const std::string& between) {
     const ProgramRun run(setup(kAlone, 0, 0), "G41 D1 F100\n" + between + "G01 X30 Y40\nX60 Y80\n");

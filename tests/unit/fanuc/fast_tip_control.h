@@ -20,7 +20,7 @@ inline std::string machine(const std::string& axes, const std::string& parameter
   return "control=\"fanuc\"\nunits=\"mm\"\naxes=[" + axes + "]\n[position]\n" + position + "[parameters]\n" +
          parameters + "[offsets.H]\n1=100\n2=150\n3=80\n[offsets.D]\n1=10\n2=5\n" + rest;
 }
-// The machines of the sheet: HC, C carries B.
+// A machine of the worked examples (corpus/examples/fanuc/machines.h): HC, C carries B.
 inline std::string machine_head(const std::string& parameters, const std::string& position,
                                 const std::string& rest = "") {
   return machine(R"("X","Y","Z","B","C")", "19680=2\n19681=5\n19682=3\n19686=4\n19687=2\n" + parameters, position,

@@ -1,5 +1,5 @@
 // Rules of tool center point control in the fast engine: words, alarms, the end of the mode, WKP, arcs, samples, turns.
-// Expected values: the fact sheet and the clauses, and hand derivations where a comment says so.
+// Expected values: the worked examples and the clauses, and hand derivations where a comment says so.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -204,7 +204,7 @@ TEST(FastToolCenterPointControlRules, PointsAroundTurnsOfTheTable) {
   expect_point(behind, 4, {20, 0, 0});
 }
 
-// The angles are those of the machine: programmed position plus zero. By hand on the head of the sheet.
+// The angles are those of the machine: programmed position plus zero. By hand on the head HC.
 TEST(FastToolCenterPointControlRules, ZerosOfRotaryAxes) {
   const std::string zeros = "[workpiece.G54]\nB=30\n[workpiece.G55]\nB=30\nC=100\n";
   const double root = std::sqrt(0.75);

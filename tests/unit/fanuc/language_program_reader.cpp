@@ -124,7 +124,7 @@ TEST(ProgramReader, BlockSkip) {
   EXPECT_EQ(alarm("N1 /X1"), "PS0004@4");
 }
 
-// Contract, event rule 5.
+// docs/events.md, rule 5.
 TEST(ProgramReader, AlarmsByPosition) {
   EXPECT_EQ(alarm("X123456789012345"), "no alarm");
   EXPECT_EQ(alarm("X1234567890123456"), "PS0003@17");

@@ -1,5 +1,5 @@
 // The geometry of a corner by itself: classes, vectors, meeting points, groups, and what is left of a block between two
-// groups. Expected values: the tables of 14.6.1 to 14.6.5 of the sheet; where a comment says so, derived here.
+// groups. Expected values: the worked examples of 14.6.1 to 14.6.5, by hand; where a comment says so, derived here.
 #include "model/fanuc/corner/corner.h"
 
 #include <gtest/gtest.h>
@@ -191,7 +191,7 @@ TEST_F(ModelCorner, Interference) {
   const VectorGroup inner{{{-10, 10}, Seat::on, Seat::on}};
   EXPECT_EQ(check({0, 20}, inner, {{{-10, -10}, Seat::on, Seat::on}}), "free (-10, 10) to (-10, -10)");
   EXPECT_EQ(check({0, 15}, inner, {{{-10, -10}, Seat::on, Seat::on}}).substr(0, 7), "blocked");
-  // Pairs (V2, W1) and (V1, W1) of the sheet's fifth example.
+  // Pairs (V2, W1) and (V1, W1) of an acute corner before an inner one.
   const VectorGroup acute{{{10, 10}, Seat::off, Seat::off}, {{14, 2}, Seat::off, Seat::off}};
   EXPECT_EQ(check({-3, -4}, acute, {{{20, 10}, Seat::on, Seat::on}}).substr(0, 7), "blocked");
   // Derived: the first pair goes against the travel, the next one with it; the last ones stay.

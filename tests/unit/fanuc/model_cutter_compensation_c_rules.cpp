@@ -1,4 +1,4 @@
-// Rules of cutter compensation C that the tables of the sheet do not show: what ends the look-ahead, codes without
+// Rules of cutter compensation C that the worked examples do not show: what ends the look-ahead, codes without
 // motion, alarms and the moves given before them, planes and other axes. Expected values are derived from the clauses.
 #include <gtest/gtest.h>
 
@@ -115,8 +115,8 @@ TEST(ModelCutterCRules, ArcAtStartOrCancel) {
   EXPECT_EQ(points(started("G40\nG02 X60 I10\n")).back(), "4 PS0034");
 }
 
-// Sheet, decisions: a second lone G41 that ends the look-ahead of the first makes the vector by its own next block. By
-// hand: 2 square to (30, 40) is (-1.6, 1.2).
+// fanuc.cutter-c.start-without-motion: a second lone G41 that ends the look-ahead of the first makes the vector by its
+// own next block. By hand: 2 square to (30, 40) is (-1.6, 1.2).
 TEST(ModelCutterCRules, ASecondLoneStart) {
   constexpr const char* kAtOnce = "\"5003#1\" = 1";
   const auto lone = [&](const std::string& between, const std::string& program = "G01 X30 Y40 F100\nX60 Y80\n") {
@@ -138,7 +138,8 @@ TEST(ModelCutterCRules, ASecondLoneStart) {
   EXPECT_EQ(without_setting(lone("M05\nM08\n"))[1], "6 linear X28.4 Y41.2 Z0 (start-up)");
 }
 
-// Sheet, decisions: a centre in the start and one in the end are alike; PS0023 is for an R that cannot be.
+// fanuc.cutter-c.arc-ends-in-center: a centre in the start and one in the end are alike; PS0023 is for an R that cannot
+// be.
 TEST(ModelCutterCRules, ArcAboutItsStartOrItsEnd) {
   for (const char* block :
        {"G02 X50 I0\n", "G03 X50 Y5 J0\n", "G02 X40 I0\n", "G02 I0\n", "G02 X50 K3\n", "G02 X50 I10\n"})

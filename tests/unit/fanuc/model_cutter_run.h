@@ -1,5 +1,5 @@
-// Runs a program in the exact engine and looks at the heads of its compensation vectors, so that a test reads like the
-// tables of the sheet.
+// Runs a program in the exact engine and looks at the heads of its compensation vectors, so that a test reads like a
+// table of them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ inline Points heads_at(const Run& run, Point corner) {
   return points;
 }
 
-// The sheet prints 16 digits: twelve decimals or more.
+// Figures typed in have 16 digits: twelve decimals or more.
 inline void expect_points(const Points& expected, const Points& actual, const std::string& what) {
   std::string seen;
   for (const Point& point : actual)

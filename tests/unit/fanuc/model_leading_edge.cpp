@@ -1,5 +1,5 @@
 // Rules of the leading edge offset. VC = ±R·V/|V| with V = (VM × VT) × VT; with VT in the X-Z plane and VM along X the
-// vectors are those of LE1 and LE2 of the sheet, others are derived in the comments.
+// vectors are those of LE1 and LE2 (corpus/examples/fanuc/leading_edge_offset.cpp), others are derived in the comments.
 #include <gtest/gtest.h>
 
 #include <algorithm>

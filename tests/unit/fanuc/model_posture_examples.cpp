@@ -1,24 +1,20 @@
 // Tool posture control end to end: what the worked examples (golden/fanuc/corpus_examples_tool_posture.cpp) do not say:
-// the near test at the last digit of its limit, the flank at every moment, numbers that do not grow.
+// the flank at every moment, numbers that do not grow.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "model/fanuc/engine.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "tests/unit/model_run.h"
-#include "tests/unit/sheet_digits.h"
 
 namespace {
 
 using namespace toolcomp;
-using test::sheet_digits;
-using Lines = std::vector<std::string>;
 
-// The machines of the sheet, on axes X1 Y2 Z3 A4 B5 C6.
+// The machines of the worked examples (corpus/examples/fanuc/machines.h), on axes X1 Y2 Z3 A4 B5 C6.
 const std::string kHC = "19680 = 2\n19681 = 6\n19682 = 3\n19686 = 5\n19687 = 2\n";
 const std::string kTAC = "19680 = 12\n19681 = 4\n19682 = 1\n19684 = 1\n19686 = 6\n19687 = 3\n19689 = 1\n";
 const std::string kN45 = "19680 = 2\n19681 = 6\n19682 = 3\n19686 = 5\n19687 = 5\n19688 = 45\n";
@@ -42,27 +38,7 @@ Done run(const std::string& parameters, int length, const std::string& program, 
   return result;
 }
 
-// C and B of the moves of a line.
-Lines positions(const Done& run, std::uint64_t line) {
-  Lines result;
-  for (const model::Event& event : run.sink.events)
-    if (event.line == line && event.kind == spec::EventKind::move)
-      result.push_back(sheet_digits(event.axes[run.setup.axes.index('C')], 15) + ' ' +
-                       sheet_digits(event.axes[run.setup.axes.index('B')], 15));
-  return result;
-}
-
-TEST(ModelPosture, RationalNearTest) {
-  const auto end = [](const std::string& limit) {
-    return positions(run(kHC + "19738 = 1\n19739 = " + limit + "\n", 80,
-                         "G90 G00 X0 Y0 Z0\nG43.5 H1 P1 I1 K5\nG01 X50 I-1 J.1 K5 F500\n", 0),
-                     3);
-  };
-  EXPECT_EQ(end("5.71059313749965"), (Lines{"0 -11.3648769670337"}));
-  EXPECT_EQ(end("5.71059313749963"), (Lines{"174.2894068625 11.3648769670337"}));
-}
-
-// O0010 with the blocks behind N40 as the sheet restores them.
+// O0010, the whole pyramid (worked example 8).
 const std::string kO0010 =
     "N10 G90 G00 X30.0 Y-30.0 Z0.0\nN20 G43.5 H1 P1\nN30 G42.6 D2\nN40 G01 X20.0 Y-20.0 I-1 J1 K2 F500\n"
     "N50 X20.0 Y20.0 I-1 J-1 K2\nN60 X-20.0 Y20.0 I1 J-1 K2\nN70 X-20.0 Y-20.0 I1 J1 K2\nN80 X20.0 Y-20.0 I-1 J1 K2\n"

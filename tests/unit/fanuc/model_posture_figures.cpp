@@ -1,6 +1,6 @@
-// The figures that the posture sheet prints beside its positions (part 14, examples 2 to 5 and 7 to 9): angles between
-// directions, distances from the singular posture, moments and errors. Expected values are typed from the sheet (50
-// digits, printed to 15). Where a program can show a figure both engines run it.
+// The figures of the worked examples 2 to 5 and 7 to 9 beside their positions: angles between directions, distances
+// from the singular posture, moments and errors. Expected values are typed in from a derivation in 50 digits, to 15.
+// Where a program can show a figure both engines run it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include "tests/unit/fanuc/posture_run.h"
 #include "tests/unit/fast_machines.h"
 #include "tests/unit/model_run.h"
-#include "tests/unit/sheet_digits.h"
+#include "tests/unit/printed_digits.h"
 
 namespace {
 
@@ -34,7 +34,7 @@ using test::kMBC;
 using test::kTAC;
 using test::polar;
 using test::PostureMachine;
-using test::sheet_digits;
+using test::printed_digits;
 
 // What the fast engine may be off in a figure.
 constexpr double kFast = 1e-12;
@@ -99,12 +99,12 @@ struct Both {
 
 template <class Figure, class... Runs>
 void expect_figure(const std::string& printed, const Figure& figure, const Runs&... runs) {
-  EXPECT_EQ(sheet_digits(figure(runs.exact...)), printed);
+  EXPECT_EQ(printed_digits(figure(runs.exact...)), printed);
   EXPECT_NEAR(figure(runs.fast...), std::stod(printed), kFast) << printed;
 }
 
-std::string sheet_text(const Vector& v) {
-  return sheet_digits(v.x) + ' ' + sheet_digits(v.y) + ' ' + sheet_digits(v.z);
+std::string printed_text(const Vector& v) {
+  return printed_digits(v.x) + ' ' + printed_digits(v.y) + ' ' + printed_digits(v.z);
 }
 
 // The point of an arc that is nearest to a direction along the work-side axis: f = s - (s·N/N²)N, inside the arc.
@@ -154,7 +154,7 @@ TEST(Example2Figures, LiftInsteadOfTheChosenPair) {
     const PosturePlan plan = m.to({30, 0}, m.direction({30, 170}));
     EXPECT_EQ(test::text(plan.end), "30 170");
     const Nearest nearest(GreatCircle(m.direction({30, 0}), m.direction({30, 170})), kUp);
-    EXPECT_EQ(sheet_digits(nearest.distance), "2.88065908640527");
+    EXPECT_EQ(printed_digits(nearest.distance), "2.88065908640527");
     const auto changed = [&machine](const std::string& limit) {
       const PostureMachine near(machine + near_limits(limit, "10"));
       return near.to({30, 0}, near.direction({30, 170})).changed;
@@ -176,9 +176,9 @@ TEST(Example3Figures, SweptAngles) {
   expect_figure("12.0474212760554", [](const auto& p1) { return between(p1.tool(4), p1.tool(5, 1, 4)); }, run);
   expect_figure("24.0948425521107", [](const auto& p1) { return between(p1.tool(4), p1.tool(5, 1, 2)); }, run);
   const GreatCircle arc(Direction::of({-1, 1, 2}), Direction::of({-1, -1, 2}));
-  EXPECT_EQ(sheet_digits(arc.swept(1)), "48.1896851042214");
-  EXPECT_EQ(sheet_digits(arc.swept(Rational(1, 4))), "12.0474212760554");
-  EXPECT_EQ(sheet_digits(arc.swept(Rational(1, 2))), "24.0948425521107");
+  EXPECT_EQ(printed_digits(arc.swept(1)), "48.1896851042214");
+  EXPECT_EQ(printed_digits(arc.swept(Rational(1, 4))), "12.0474212760554");
+  EXPECT_EQ(printed_digits(arc.swept(Rational(1, 2))), "24.0948425521107");
 }
 
 // "Off by" is the angle from the direction of P1 at the same moment (from the plane it is 6.42721596021743 at 1/4).
@@ -208,7 +208,7 @@ TEST(Example4Figures, TypeOne) {
   const Both p1 = program("P1");
   const Both p0 = program("P0");
   expect_figure("43.9582070026178", [](const auto& run) { return between(run.tool(2), run.tool(3)); }, p1);
-  EXPECT_EQ(sheet_digits(GreatCircle(polar(20, 0), polar(40, 90)).swept(1)), "43.9582070026178");
+  EXPECT_EQ(printed_digits(GreatCircle(polar(20, 0), polar(40, 90)).swept(1)), "43.9582070026178");
   const auto off = [](std::uint32_t k, std::uint32_t n) {
     return [k, n](const auto& plane, const auto& axes) { return between(plane.tool(3, k, n), axes.tool(3, k, n)); };
   };
@@ -221,10 +221,10 @@ TEST(Example4Figures, TypeOne) {
 TEST(Example5Figures, NearestToTheSingularPosture) {
   const GreatCircle arc(polar(10, 0), polar(12, 176));
   const Nearest nearest(arc, kUp);
-  EXPECT_EQ(sheet_digits(arc.swept(1)), "21.986544776471");
-  EXPECT_EQ(sheet_digits(nearest.distance), "0.385422146761062");
-  EXPECT_EQ(sheet_digits(nearest.moment), "0.454489113510327");
-  EXPECT_EQ(sheet_digits(degrees(nearest.foot.x, nearest.foot.y)), "87.8135988222767");
+  EXPECT_EQ(printed_digits(arc.swept(1)), "21.986544776471");
+  EXPECT_EQ(printed_digits(nearest.distance), "0.385422146761062");
+  EXPECT_EQ(printed_digits(nearest.moment), "0.454489113510327");
+  EXPECT_EQ(printed_digits(degrees(nearest.foot.x, nearest.foot.y)), "87.8135988222767");
 
   const PostureMachine hc(kHC + "19738 = 1\n19739 = 3\n");
   const PosturePlan plan = hc.to({10, 0}, polar(12, 176));
@@ -232,7 +232,7 @@ TEST(Example5Figures, NearestToTheSingularPosture) {
   // B is flat there: the moment as printed gives all digits. C turns fastest, by 1.6e-12 in half a unit of the moment's
   // last digit, and is printed for the foot itself: between the moments that are printed so.
   const Printed moment(454489113510327);
-  EXPECT_EQ(sheet_digits(at(moment.value).tool.degrees()), "0.385422146761062");
+  EXPECT_EQ(printed_digits(at(moment.value).tool.degrees()), "0.385422146761062");
   const Rational printed_work(878135988222767, 10'000'000'000'000);
   EXPECT_TRUE(at(moment.lower).work.degrees() < printed_work);
   EXPECT_TRUE(at(moment.upper).work.degrees() > printed_work);
@@ -255,12 +255,12 @@ TEST(Example5Figures, NearestToTheSingularPosture) {
 
 // All digits of the rows, from the exact pose and direction (a program gives that direction to 15 digits only). C, B.
 TEST(Example5Figures, Rows) {
-  EXPECT_EQ(sheet_text(polar(12, 176).unit), "-0.207405228388532 0.0145031864016257 0.978147600733806");
+  EXPECT_EQ(printed_text(polar(12, 176).unit), "-0.207405228388532 0.0145031864016257 0.978147600733806");
   const PostureMachine unchanged(kHC + "19738 = 1\n19739 = 3\n");
   const PosturePlan swing = unchanged.to({10, 0}, polar(12, 176));
   const auto row = [&swing](int tenths) {
     const Pose pose = swing.motion->at(Rational(tenths, 10)).pose;
-    return sheet_digits(pose.work.degrees()) + ' ' + sheet_digits(pose.tool.degrees());
+    return printed_digits(pose.work.degrees()) + ' ' + printed_digits(pose.tool.degrees());
   };
   EXPECT_EQ(row(1), "0.627160532895321 7.80345595842618");
   EXPECT_EQ(row(3), "4.27970316883873 3.41845337728643");
@@ -273,12 +273,12 @@ TEST(Example5Figures, Rows) {
   const auto tool = [&plan](const Rational& t) { return plan.motion->at(t).tool; };
   // The tip runs to (50, 0, 0); L is 80.
   const auto control_point = [](const Rational& t, const Vector& direction) {
-    return sheet_text(Vector{50 * t, 0, 0} + 80 * direction);
+    return printed_text(Vector{50 * t, 0, 0} + 80 * direction);
   };
   const Rational quarter(1, 4);
-  EXPECT_EQ(sheet_text(tool(quarter)), "0.0784590957278449 0 0.996917333733128");
-  EXPECT_EQ(sheet_text(tool(2 * quarter)), "-0.0174524064372835 0 0.999847695156391");
-  EXPECT_EQ(sheet_text(plan.tool.unit), "-0.207911690817759 0 0.978147600733806");
+  EXPECT_EQ(printed_text(tool(quarter)), "0.0784590957278449 0 0.996917333733128");
+  EXPECT_EQ(printed_text(tool(2 * quarter)), "-0.0174524064372835 0 0.999847695156391");
+  EXPECT_EQ(printed_text(plan.tool.unit), "-0.207911690817759 0 0.978147600733806");
   EXPECT_EQ(control_point(quarter, tool(quarter)), "18.7767276582276 0 79.7533866986502");
   EXPECT_EQ(control_point(2 * quarter, tool(2 * quarter)), "23.6038074850173 0 79.9878156125113");
   EXPECT_EQ(control_point(3 * quarter, tool(3 * quarter)), "28.4437428985675 0 79.485748454127");
@@ -289,7 +289,7 @@ TEST(Example5Figures, Rows) {
 TEST(Example5Figures, PeakOfTheSwing) {
   const GreatCircle arc(polar(10, 0), polar(12, 176));
   const Nearest nearest(arc, kUp);
-  EXPECT_EQ(sheet_digits(sqrt(arc.normal2() / square(pass(arc, kUp).side))), "148.658327270411");
+  EXPECT_EQ(printed_digits(sqrt(arc.normal2() / square(pass(arc, kUp).side))), "148.658327270411");
 
   const PostureMachine hc(kHC + "19738 = 1\n19739 = 3\n");
   const PosturePlan plan = hc.to({10, 0}, polar(12, 176));
@@ -300,7 +300,7 @@ TEST(Example5Figures, PeakOfTheSwing) {
     return turned / (arc.swept(t + step) - arc.swept(t - step));
   };
   const Rational moment = Printed(454489113510327).value;
-  EXPECT_EQ(sheet_digits(rate(moment)), "148.658327270411");
+  EXPECT_EQ(printed_digits(rate(moment)), "148.658327270411");
   for (const int side : {-1, 1}) EXPECT_TRUE(rate(moment + Rational(side, 1000)) < rate(moment));
 
   fast::TestMachine machine(fast::kHC + fast::parameter(19738, 1) + fast::parameter(19739, 3));
@@ -320,7 +320,7 @@ TEST(Example5Figures, ErrorOfTheChangedEnd) {
     const Vector commanded = polar(b, azimuth).unit;
     const Real by_formula = 1 - 2 * square(exact::sin_degrees(b) * exact::sin_degrees(half));
     EXPECT_EQ((dot(plan.tool.unit, commanded) - by_formula).decimal(40), "0");
-    return sheet_digits(between(plan.tool.unit, commanded));
+    return printed_digits(between(plan.tool.unit, commanded));
   };
   EXPECT_EQ(error({10, 0}, 12, 176, 2), "0.831485180519821");
   EXPECT_EQ(error({172, 0}, 170, 177, Rational(3, 2)), "0.52088682054418");
@@ -340,8 +340,8 @@ TEST(Example5Figures, ErrorOfTheChangedEnd) {
 
 TEST(Example5Figures, AroundTheOtherPole) {
   const Nearest nearest(GreatCircle(polar(172, 0), polar(170, 177)), kDown);
-  EXPECT_EQ(sheet_digits(nearest.distance), "0.234590535913703");
-  EXPECT_EQ(sheet_digits(nearest.moment), "0.444406200134002");
+  EXPECT_EQ(printed_digits(nearest.distance), "0.234590535913703");
+  EXPECT_EQ(printed_digits(nearest.moment), "0.444406200134002");
   const auto changed = [](const std::string& limit, const std::string& veto) {
     return PostureMachine(kHC + near_limits(limit, veto)).to({172, 0}, polar(170, 177)).changed;
   };
@@ -353,7 +353,7 @@ TEST(Example5Figures, AroundTheOtherPole) {
   const PostureMachine hc(kHC);
   const PosturePlan plan = hc.to({172, 0}, polar(170, 177));
   const Real from_pole = 180 - plan.motion->at(Printed(444406200134002).value).pose.tool.degrees();
-  EXPECT_EQ(sheet_digits(from_pole), "0.234590535913703");
+  EXPECT_EQ(printed_digits(from_pole), "0.234590535913703");
 
   fast::TestMachine machine(fast::kHC);
   const auto end = fast::TestMachine::direction(-173410198874506, 9088043428043, -984807753012208);
@@ -366,17 +366,17 @@ TEST(Example7Figures, RationalNearTest) {
   EXPECT_TRUE(arc.normal() == (Vector{Rational(-1, 2), -10, Rational(1, 10)}));
   const Real sine2 = square(pass(arc, kUp).side) / arc.normal2();
   EXPECT_EQ(sine2.rational(), Rational(1, 10026));  // 0.01/100.26
-  EXPECT_EQ(sheet_digits(sine2), "0.0000997406742469579");
-  EXPECT_EQ(sheet_digits(square(exact::sin_degrees(1))), "0.000304586490452135");
+  EXPECT_EQ(printed_digits(sine2), "0.0000997406742469579");
+  EXPECT_EQ(printed_digits(square(exact::sin_degrees(1))), "0.000304586490452135");
   const Nearest nearest(arc, kUp);
-  EXPECT_EQ(sheet_digits(nearest.distance), "0.572223911907299");
-  EXPECT_EQ(sheet_digits(nearest.moment), "0.498785329942942");
+  EXPECT_EQ(printed_digits(nearest.distance), "0.572223911907299");
+  EXPECT_EQ(printed_digits(nearest.moment), "0.498785329942942");
 }
 
 TEST(Example7Figures, ExactCrossing) {
   const GreatCircle arc(Direction::of({1, 0, 2}), Direction::of({-2, 0, 3}));
-  EXPECT_EQ(sheet_digits(arc.swept(1)), "60.2551187030578");
-  EXPECT_EQ(sheet_digits(Nearest(arc, kUp).moment), "0.440876256637926");
+  EXPECT_EQ(printed_digits(arc.swept(1)), "60.2551187030578");
+  EXPECT_EQ(printed_digits(Nearest(arc, kUp).moment), "0.440876256637926");
   // B goes through zero between the moments that are printed so.
   const PostureMachine hc(kHC);
   const PosturePlan plan = hc.to({Angle::of_direction(2, 1), 0}, Direction::of({-2, 0, 3}));
@@ -396,7 +396,7 @@ TEST(Example7Figures, ExactCrossing) {
   EXPECT_LT(tilt(440876257), 0);
 }
 
-// O0010 with the blocks behind N40 as the sheet restores them; N50 is line 5.
+// O0010, the whole pyramid (worked example 8); N50 is line 5.
 Both pyramid(const std::string& posture) {
   return {kHC, "[offsets.H]\n1 = 100\n[offsets.D]\n2 = 5\n",
           "N10 G90 G00 X30 Y-30 Z0\nN20 G43.5 H1 " + posture +

@@ -149,7 +149,7 @@ TEST(ModelProgram, ReturnFromReference) {
                    "5 rapid X6 Y7 Z0 C0", "5 rapid X6 Y7 Z3 C0"}));
 }
 
-// The examples of the sheet's 14.8.
+// The worked examples of 14.8.
 TEST(ModelProgram, OffsetMemory) {
   const std::string c = "[offsets]\nmemory = \"C\"\n[offsets.H]\n5 = { geometry = \"100.5\", wear = \"-0.25\" }\n";
   EXPECT_EQ(moves("G43 Z0 H5\nG91 G10 L11 P5 R0.05\nG43 H5\n", c),

@@ -1,5 +1,5 @@
 // Tool center point control: its rules, alarms and events. Expected values are derived in the comments; the worked
-// examples of the posture sheet stand in model_tool_posture_control.cpp and model_posture_examples.cpp.
+// examples stand in golden/fanuc.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,5 @@
 // Tool directions: of rotary axes by both sets of parameters, and of I J K under G43.5. Expected directions are the
-// closed forms and the inverse kinematics examples of the posture sheet (3.1, 3.2 and example 1), read backwards.
+// closed forms of each machine by hand, and the inverse kinematics of worked example 1, read backwards.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -150,7 +150,7 @@ TEST(ModelToolDirection, OlderParameters) {
   EXPECT_EQ(axis(older("19623 = 90\n"), "X1\n"), "1 0 0");
   // One group; X toward Z is left-handed about Y.
   EXPECT_EQ(axis(setup("19610 = 5\n19611 = 1\n19612 = 3\n"), "B-30.\n"), "0.5 0 0.866025403784439");
-  // Inclined: sin(45) Z + cos(45) Y, the nutating axis of the posture sheet.
+  // Inclined: sin(45) Z + cos(45) Y, the nutating axis N45 of the worked examples.
   EXPECT_EQ(axis(setup("19610 = 5\n19611 = 3\n19612 = 1\n19613 = 2\n19614 = 45\n19615 = 6\n19616 = 1\n19617 = 2\n"),
                  "C13.8260478038529 B81.1005711201888\n", 12),
             "0.57735026919 0.57735026919 0.57735026919");

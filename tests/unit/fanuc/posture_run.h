@@ -1,4 +1,4 @@
-// Tool posture control of single blocks on the machines of the posture sheet, from exact poses and directions.
+// Tool posture control of single blocks on the machines of the worked examples, from exact poses and directions.
 #pragma once
 
 #include <memory>

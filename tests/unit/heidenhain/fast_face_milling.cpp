@@ -1,4 +1,4 @@
-// Heidenhain face milling in the fast engine. Expected values: the table of part 6 of the sheet, typed in, and hand
+// Heidenhain face milling in the fast engine. Expected values: a table of verdicts by the order of checks, and hand
 // derivations. The worked examples stand in golden/heidenhain/corpus_examples_face_milling.cpp.
 #include "tests/unit/heidenhain/fast_klartext_run.h"
 
@@ -38,7 +38,7 @@ TEST(FaceMilling, NearTheToolNothingIsLost) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(run.shift(0)[i], -0.08 * u[i], 3e-10);
 }
 
-// The table of part 6: tool R R2, deltas, and the verdicts N with M108, N with M107, T alone with M108.
+// Tool R R2, deltas, and the verdicts N with M108, N with M107, T alone with M108.
 TEST(FaceMilling, Verdicts) {
   struct Row {
     const char* r;

@@ -1,4 +1,4 @@
-// The state of a Klartext program in the fast engine (sheet 4). Expected values by hand from the state table.
+// The state of a Klartext program in the fast engine. Expected values by hand from heidenhain.program.*.
 #include "tests/unit/heidenhain/fast_klartext_run.h"
 
 namespace toolcomp::fast::klartext {
@@ -38,8 +38,8 @@ TEST(Klartext, WithoutCompensation) {
   expect_triple(center.center(0), {0, 0.1, 0});
 }
 
-// Sheet, D-25 and 5.10: TCP' = TIP' + R2' t without a normal too. Toroid of E11, R2 = 1, dR2 = -0.02, and 0.1 more of
-// the TOOL CALL: R2' = 0.98 and 1.08; by hand.
+// heidenhain.program.no-compensation: TCP' = TIP' + R2' t without a normal too. Toroid of E11, R2 = 1, dR2 = -0.02, and
+// 0.1 more of the TOOL CALL: R2' = 0.98 and 1.08; by hand.
 TEST(Klartext, ToolCenterOfBlocksWithoutNormal) {
   const std::string toroid = "[[tool]]\nnumber=1\nR=6\nR2=1\nDL=0.05\nDR=\"-0.1\"\nDR2=\"-0.02\"\n";
   const auto expect = [&](const std::string& program, const Triple& tip, const Triple& center) {

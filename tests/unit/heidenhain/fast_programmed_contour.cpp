@@ -1,5 +1,5 @@
-// FUNCTION PROG PATH in the fast engine. Expected values by hand from sheet 5.4 and 5.7; the worked examples stand in
-// golden/heidenhain/corpus_examples_programmed_contour.cpp.
+// FUNCTION PROG PATH in the fast engine. Expected values by hand from the clauses of heidenhain.contour; the worked
+// examples stand in golden/heidenhain/corpus_examples_programmed_contour.cpp.
 #include "tests/unit/heidenhain/fast_klartext_run.h"
 
 namespace toolcomp::fast::klartext {

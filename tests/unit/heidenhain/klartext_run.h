@@ -1,4 +1,4 @@
-// Runs a Klartext program in the exact engine and shows numbers as the fact sheet prints them.
+// Runs a Klartext program in the exact engine and shows numbers as the tests have them typed in.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// The rules of the Klartext reader (spec/language/README.md), one test a rule; positions are counted by hand. Numbers
-// of the examples are those of the fact sheet.
+// The rules of the Klartext reader (spec/language/README.md), one test a rule; positions are counted by hand.
 #include "spec/language/heidenhain/klartext_reader.h"
 
 #include <gtest/gtest.h>
@@ -74,7 +73,7 @@ std::string error(std::string_view text, const Setup& setup = kSetup) {
   return "no error";
 }
 
-// The whole example program of the sheet.
+// A whole program of the manual's blocks.
 constexpr std::string_view kExample = R"(0 BEGIN PGM HHFACE MM
 1 BLK FORM 0.1 Z X-50 Y-50 Z-20
 2 BLK FORM 0.2 X+50 Y+50 Z+0
@@ -89,7 +88,7 @@ constexpr std::string_view kExample = R"(0 BEGIN PGM HHFACE MM
 11 END PGM HHFACE MM
 )";
 
-TEST(Klartext, ExampleOfTheSheet) {
+TEST(Klartext, WholeProgram) {
   EXPECT_EQ(read(kExample),
             (Blocks{"1: 0 BEGIN PGM P MM", "2: 1 BLK FORM 0.1 Z X0 Y0 Z0", "3: 2 BLK FORM 0.1 Z X0 Y0 Z0",
                     "4: 3 TOOL CALL 1 Z F1000", "5: 4 L Z100 R0 FMAX M3", "6: 5 L X36.0084 Y6.177 Z-1.9209 R0",
@@ -128,8 +127,8 @@ TEST(Klartext, LineWithVectors) {
   EXPECT_EQ(next.functions, 0);
 }
 
-// Section 7 of the sheet.
-TEST(Klartext, NegativeSyntaxTestsOfTheSheet) {
+// One wrong block each.
+TEST(Klartext, NegativeSyntaxTests) {
   EXPECT_EQ(one("LN X+1 Y+2 NX0 NY0 NZ1"), "!E_LN_COORD@1:1");
   EXPECT_EQ(one("LN Y+1 X+2 Z+3 NX0 NY0 NZ1"), "!E_LN_ORDER@1:8");
   EXPECT_EQ(one("LN X+1 Y+2 Z+3 NX0 NZ1"), "!E_VEC_INCOMPLETE@1:1");
@@ -143,7 +142,6 @@ TEST(Klartext, NegativeSyntaxTestsOfTheSheet) {
   EXPECT_EQ(read("M128\nTOOL CALL 1 Z"), (Blocks{"1: M128", "2: TOOL CALL 1 Z"}));
 }
 
-// D-34.
 TEST(Klartext, OrderOfFaultsInLN) {
   // Each text has the fault of the next one too, and all that follow.
   EXPECT_EQ(one("LN Y1 X1 NX99 NY0 TX0 M1 M2 M3 M4 M5 G1"), "!E_SYNTAX@1:38");

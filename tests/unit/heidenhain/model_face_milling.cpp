@@ -1,5 +1,5 @@
-// Face milling in the exact engine: the table of oversize verdicts, warnings, and 3D-ToolComp. What is not from the
-// fact sheet is derived in the comments. Its worked examples stand in
+// Face milling in the exact engine: the table of oversize verdicts, warnings, and 3D-ToolComp. Expected values
+// are derived by hand. The worked examples stand in
 // golden/heidenhain/corpus_examples_face_milling.cpp.
 #include <gtest/gtest.h>
 
@@ -93,7 +93,7 @@ TEST(ModelFaceMilling, OversizeVerdicts) {
       {"R = 6\nR2 = 1\nDR2 = \"-1.1\"\n", "E_R2_NEG", "E_R2_NEG", "E_R2_NEG"},
       {"R = 6\nR2 = 1\nDR = \"-5.5\"\n", "E_R2_GT_R", "", ""},
       {"R = 6\nR2 = 0\nDR = \"0.2\"\nDR2 = \"0.2\"\n", "E_OVERSIZE_DR", "", "E_OVERSIZE_DR"},
-      // Not in the sheet's table, from its order of checks.
+      // By heidenhain.tool.order-of-checks.
       {"R = \"-1\"\nR2 = \"-1\"\n", "E_TOOL", "E_TOOL", "E_TOOL"},
       {"R = 1\nR2 = \"-1\"\n", "E_TOOL", "E_TOOL", "E_TOOL"},
       {"R = 1\nR2 = 2\nDR = -3\n", "E_TOOL", "E_TOOL", "E_TOOL"},

@@ -1,4 +1,4 @@
-// Laws of face milling that hold for every tool and direction (section 8 of the fact sheet), proven on rational and
+// Laws of face milling that hold for every tool and direction, proven on rational and
 // irrational vectors by the exact numbers themselves: every comparison here is a certified one.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The state of a Klartext program in the exact engine: the table of section 4 of the fact sheet, rule by rule.
+// The state of a Klartext program in the exact engine, rule by rule.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -40,8 +40,8 @@ TEST(ModelKlartextState, ToolCall) {
   EXPECT_EQ(story(kTools, kCall + "L RL\nTOOL CALL S100\nL X1\n"), (Lines{"4 heidenhain.peripheral.out-of-scope"}));
 }
 
-// Sheet, D-25 and 5.10: TCP' = TIP' + R2' t without a normal too. Toroid of E11, R2 = 1, dR2 = -0.02, and 0.1 more of
-// the TOOL CALL: R2' = 0.98 and 1.08; by hand.
+// heidenhain.program.no-compensation: TCP' = TIP' + R2' t without a normal too. Toroid of E11, R2 = 1, dR2 = -0.02, and
+// 0.1 more of the TOOL CALL: R2' = 0.98 and 1.08; by hand.
 TEST(ModelKlartextState, ToolCenterOfBlocksWithoutNormal) {
   const std::string toroid = tool("R = 6\nR2 = 1\nDL = \"0.05\"\nDR = \"-0.1\"\nDR2 = \"-0.02\"\n");
   const auto center = [&](const std::string& program) { return shown(last_move(toroid, program).space->tool_center); };
@@ -194,7 +194,7 @@ TEST(ModelKlartextState, OwnMoves) {
   EXPECT_FALSE(event.axes.has(4));
 }
 
-// The manual's blocks in sequence (sheet, section 7).
+// The manual's blocks in sequence.
 TEST(ModelKlartextState, ExampleProgram) {
   const std::string ball = tool("R = 3\nR2 = 3\nDL = 0\nDR = \"-0.1\"\nDR2 = \"-0.1\"\n");
   EXPECT_EQ(story(ball, R"(0 BEGIN PGM HHFACE MM

@@ -1,4 +1,4 @@
-// Peripheral milling in the exact engine: the rules of the sheet's 5.7 on paths whose answers are seen by eye: the tool
+// Peripheral milling in the exact engine: its rules on paths whose answers are seen by eye: the tool
 // along Z, so RL is to the left in the plane. The worked examples stand in
 // golden/heidenhain/corpus_examples_peripheral_milling.cpp.
 #include <gtest/gtest.h>

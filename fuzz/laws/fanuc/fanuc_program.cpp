@@ -1,0 +1,171 @@
+#include "fuzz/laws/fanuc/fanuc_program.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <string_view>
+
+#include "fuzz/laws/numbers.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/fanuc/program_reader.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::fuzz::laws {
+namespace {
+
+// Ten times the number of a G code; -1 for a number that is no code.
+int code_of(const spec::Decimal& d) {
+  if (d.negative || d.decimals > 1 || d.digits > 9999) return -1;
+  return static_cast<int>(d.decimals == 1 ? d.digits : d.digits * 10);
+}
+
+bool among(int code, std::initializer_list<int> codes) { return std::ranges::find(codes, code) != codes.end(); }
+
+bool is_motion(int code) { return among(code, {0, 10, 20, 30}); }
+bool is_length(int code) { return among(code, {430, 440, 490, 434, 435}); }
+bool is_compensation(int code) { return among(code, {400, 410, 420, 412, 422, 413, 416, 426}); }
+
+// G04 and G10 have words of their own; to the rest of the block these letters alone say what they always say.
+bool is_shared_with_data(char address) {
+  constexpr std::string_view letters = "GDHFMSTNO";
+  return letters.find(address) != std::string_view::npos;
+}
+
+// The position may get another name, or leave the path altogether.
+bool is_renaming(int code) {
+  return among(code, {434, 435, 490, 920, 280, 290, 300, 301, 530, 520, 200, 210, 100, 370}) ||
+         (code >= 540 && code <= 599);
+}
+
+// Of the codes that hold for their block alone the last one counts.
+void keep_last_one_shot(std::vector<spec::Word>& words) {
+  const auto is_one_shot = [](const spec::Word& w) {
+    return w.address == 'G' &&
+           among(code_of(w.value), {40, 100, 280, 290, 300, 301, 370, 390, 450, 460, 470, 480, 530, 920});
+  };
+  const auto last = std::find_if(words.rbegin(), words.rend(), is_one_shot);
+  if (last == words.rend()) return;
+  const spec::Word kept = *last;
+  std::erase_if(words, is_one_shot);
+  words.push_back(kept);
+}
+
+std::optional<std::uint64_t> number(const spec::Decimal& d) {
+  if (d.negative && d.digits != 0) return std::nullopt;
+  if (d.decimals != 0) return std::nullopt;
+  return d.digits;
+}
+
+exact::Rational sum(const spec::OffsetEntry& entry, spec::OffsetMemory memory) {
+  exact::Rational value = rational(entry.geometry);
+  if (memory != spec::OffsetMemory::a) value += rational(entry.wear);
+  return value;
+}
+
+// In memories A and B a number that one table alone gives holds for both.
+std::optional<exact::Rational> offset(const spec::Setup& setup, std::uint64_t n,
+                                      const std::map<std::uint32_t, spec::OffsetEntry>& own,
+                                      const std::map<std::uint32_t, spec::OffsetEntry>& other) {
+  if (n == 0) return exact::Rational(0);
+  if (n > setup.offset_count) return std::nullopt;
+  const auto key = static_cast<std::uint32_t>(n);
+  if (const auto found = own.find(key); found != own.end()) return sum(found->second, setup.memory);
+  if (setup.memory != spec::OffsetMemory::c)
+    if (const auto found = other.find(key); found != other.end()) return sum(found->second, setup.memory);
+  return exact::Rational(0);
+}
+
+}  // namespace
+
+std::optional<exact::Rational> length_value(const spec::Setup& setup, std::uint64_t n) {
+  return offset(setup, n, setup.h, setup.d);
+}
+std::optional<exact::Rational> cutter_value(const spec::Setup& setup, std::uint64_t n) {
+  return offset(setup, n, setup.d, setup.h);
+}
+
+bool FanucBlock::has(char address) const { return value(address) != nullptr; }
+
+bool FanucBlock::has_code(int code) const {
+  return std::ranges::any_of(words, [&](const spec::Word& w) { return w.address == 'G' && code_of(w.value) == code; });
+}
+
+const spec::Decimal* FanucBlock::value(char address) const {
+  const spec::Decimal* last = nullptr;
+  for (const spec::Word& w : words)
+    if (w.address == address) last = &w.value;
+  return last;
+}
+
+bool FanucBlock::says_compensation() const {
+  return std::ranges::any_of(words,
+                             [](const spec::Word& w) { return w.address == 'G' && is_compensation(code_of(w.value)); });
+}
+
+bool FanucBlock::is_plain() const {
+  return std::ranges::all_of(words, [](const spec::Word& w) {
+    if (w.address == 'G') {
+      const int code = code_of(w.value);
+      return is_motion(code) || is_compensation(code) || code == 900 || code == 910;
+    }
+    return w.address != 'M' && w.address != 'L' && w.address != 'P' && w.address != 'Q' && w.address != 'H';
+  });
+}
+
+FanucProgram::FanucProgram(const spec::Case& c) {
+  if (c.setup.control != spec::Control::fanuc) return;
+  FanucBlock state;
+  state.inches = c.setup.units == spec::Units::inch;
+  try {
+    spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes,
+                               {.file = "program", .block_skip = c.setup.block_skip});
+    const auto block = std::make_unique<spec::Block>();
+    while (reader.next(*block) && !block->alarm) {
+      state.line = block->line;
+      state.words.assign(block->words().begin(), block->words().end());
+      keep_last_one_shot(state.words);
+      if (state.has_code(40) || state.has_code(100))
+        std::erase_if(state.words, [](const spec::Word& w) { return !is_shared_with_data(w.address); });
+      for (const spec::Word& w : state.words) {
+        if (w.address == 'D') state.d = number(w.value);
+        if (w.address == 'H') state.h = number(w.value);
+        if (w.address != 'G') continue;
+        const int code = code_of(w.value);
+        if (is_motion(code)) state.motion = code;
+        if (is_length(code)) state.length = code;
+        if (is_compensation(code)) state.compensation = code;
+        if (among(code, {170, 180, 190})) state.plane = code;
+        if (among(code, {900, 910})) state.absolute = code == 900;
+        if (among(code, {200, 210})) state.inches = code == 200;
+        if (among(code, {434, 435})) {
+          const spec::Decimal* p = state.value('P');
+          state.posture = p != nullptr ? p->digits != 0 : c.setup.bit(19604, 0);
+        }
+      }
+      blocks_.push_back(state);
+    }
+  } catch (const spec::InputError&) {  // NOLINT(bugprone-empty-catch): the run says so, where it comes so far
+  }
+}
+
+std::size_t FanucProgram::index(std::uint64_t line) const {
+  const auto found = std::ranges::lower_bound(blocks_, line, {}, &FanucBlock::line);
+  if (found == blocks_.end() || found->line != line) return blocks_.size();
+  if (const auto next = found + 1; next != blocks_.end() && next->line == line) return blocks_.size();
+  return static_cast<std::size_t>(found - blocks_.begin());
+}
+
+bool FanucProgram::has_code(std::initializer_list<int> codes) const {
+  return std::ranges::any_of(blocks_, [&](const FanucBlock& b) {
+    return std::ranges::any_of(codes, [&](int code) { return b.has_code(code); });
+  });
+}
+
+bool FanucProgram::renames(std::size_t from, std::size_t to) const {
+  for (std::size_t i = from + 1; i <= to && i < blocks_.size(); ++i)
+    for (const spec::Word& w : blocks_[i].words)
+      if (w.address == 'G' && is_renaming(code_of(w.value))) return true;
+  return false;
+}
+
+}  // namespace toolcomp::fuzz::laws

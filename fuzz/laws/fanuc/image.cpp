@@ -1,0 +1,232 @@
+// The image of a program under a map of space: mirrored, turned, a tenth as large.
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "fuzz/laws/fanuc/changed.h"
+#include "fuzz/laws/fanuc/fanuc_program.h"
+#include "fuzz/laws/numbers.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/fanuc/program_reader.h"
+#include "spec/language/input_error.h"
+#include "spec/language/parameter.h"
+
+namespace toolcomp::fuzz::laws {
+namespace {
+
+// Image of X, Y, Z: component i is sign[i] times component from[i], or a tenth of that.
+struct Map {
+  std::array<std::size_t, 3> from{0, 1, 2};
+  std::array<int, 3> sign{1, 1, 1};
+  bool mirrors = false;  // exchanges left and right
+  bool tenth = false;
+};
+constexpr Map kMirror{{0, 1, 2}, {-1, 1, 1}, true, false};
+constexpr Map kQuarterTurn{{1, 0, 2}, {-1, 1, 1}, false, false};  // X is -Y, Y is X
+constexpr Map kTenth{{0, 1, 2}, {1, 1, 1}, false, true};
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+std::size_t component(char letter) {
+  return letter >= 'X' && letter <= 'Z' ? static_cast<std::size_t>(letter - 'X') : kNone;
+}
+std::size_t vector_component(char letter) {
+  return letter >= 'I' && letter <= 'K' ? static_cast<std::size_t>(letter - 'I') : kNone;
+}
+std::size_t image_of(const Map& map, std::size_t component) {
+  return static_cast<std::size_t>(std::ranges::find(map.from, component) - map.from.begin());
+}
+
+// A tenth has one decimal more; nothing where that cannot be read, or would be another number (3401#0 = 0).
+std::optional<spec::Decimal> image_of(const Map& map, spec::Decimal value, int sign) {
+  if (sign < 0) value.negative = !value.negative;
+  if (!map.tenth) return value;
+  constexpr std::uint64_t largest = 99'999'999'999;
+  constexpr int most = 10;
+  if (value.digits > largest || value.decimals >= most) return std::nullopt;
+  ++value.decimals;
+  value.point = true;
+  return value;
+}
+
+bool change(const Map& map, spec::AxisTable& table) {
+  spec::AxisTable image;
+  for (const auto& [letter, value] : table) {
+    const std::size_t source = component(letter);
+    if (source == kNone) {
+      const auto scaled = spec::is_linear_axis(letter) ? image_of(map, value, 1) : value;
+      if (!scaled) return false;
+      image[letter] = *scaled;
+      continue;
+    }
+    const std::size_t target = image_of(map, source);
+    const auto scaled = image_of(map, value, map.sign.at(target));
+    if (!scaled) return false;
+    image["XYZ"[target]] = *scaled;
+  }
+  table = std::move(image);
+  return true;
+}
+
+bool change_all(const Map& map, spec::Setup& setup) {
+  for (spec::AxisTable& table : setup.workpiece)
+    if (!change(map, table)) return false;
+  for (auto& [number, table] : setup.reference)
+    if (!change(map, table)) return false;
+  return change(map, setup.position) && change(map, setup.floating_reference) && change(map, setup.measurement);
+}
+
+bool is_length(spec::ParameterId id) {
+  const spec::ParameterInfo* const p = spec::find_parameter(id);
+  return p != nullptr && p->type == spec::ParameterType::length;
+}
+
+bool shorten(const Map& map, spec::Setup& setup) {
+  for (auto& [id, value] : setup.parameters) {
+    if (!is_length(id)) continue;
+    const auto scaled = image_of(map, value, 1);
+    if (!scaled) return false;
+    value = *scaled;
+  }
+  for (auto* offsets : {&setup.h, &setup.d})
+    for (auto& [number, entry] : *offsets) {
+      const auto geometry = image_of(map, entry.geometry, 1);
+      const auto wear = image_of(map, entry.wear, 1);
+      if (!geometry || !wear) return false;
+      entry = {*geometry, *wear};
+    }
+  return true;
+}
+
+// A word in the image; nothing where it cannot be written.
+std::optional<spec::Word> change(const Map& map, const spec::Word& word) {
+  spec::Word image = word;
+  const std::size_t axis = component(word.address);
+  const std::size_t vector = vector_component(word.address);
+  if (axis != kNone || vector != kNone) {
+    const std::size_t target = image_of(map, axis != kNone ? axis : vector);
+    const auto value = image_of(map, word.value, map.sign.at(target));
+    if (!value) return std::nullopt;
+    image.address = axis != kNone ? "XYZ"[target] : "IJK"[target];
+    image.value = *value;
+  } else if (map.tenth && (word.address == 'R' || (word.address >= 'U' && word.address <= 'W'))) {
+    const auto value = image_of(map, word.value, 1);
+    if (!value) return std::nullopt;
+    image.value = *value;
+  } else if (map.mirrors && word.address == 'G' && word.value.is_integer()) {
+    auto& code = image.value.digits;
+    if (code == 41 || code == 42) code = 83 - code;
+    if (code == 2 || code == 3) code = 5 - code;
+  }
+  return image;
+}
+
+// The program in the image, every block in its line; nothing where one cannot be read or written, or two share a line.
+std::optional<std::string> change(const Map& map, const spec::Case& c) {
+  std::string text;
+  std::uint64_t line = 1;
+  try {
+    spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes,
+                               {.file = "program", .block_skip = c.setup.block_skip});
+    const auto block = std::make_unique<spec::Block>();
+    std::uint64_t latest = 0;
+    while (reader.next(*block)) {
+      if (block->alarm || block->line == latest) return std::nullopt;
+      latest = block->line;
+      for (; line < block->line; ++line) text += '\n';
+      for (std::size_t i = 0; i < block->size; ++i) {
+        const auto word = change(map, block->word.at(i));
+        if (!word) return std::nullopt;
+        block->word.at(i) = *word;
+      }
+      text += to_string(*block);
+    }
+  } catch (const spec::InputError&) {
+    return std::nullopt;
+  }
+  return text + '\n';
+}
+
+using Values = spec::AxisValues<Real>;
+
+// `image` is the image of `original`.
+void compare(const Map& map, const spec::Axes& axes, const Values& original, const Values& image, std::size_t event,
+             std::string_view what, Holding& holding) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const std::size_t target = component(axes.letter(i));
+    std::size_t source = i;
+    Rational factor = map.tenth && spec::is_linear_axis(axes.letter(i)) ? Rational(1, 10) : Rational(1);
+    if (target != kNone) {
+      source = axes.index("XYZ"[map.from.at(target)]);
+      factor *= map.sign.at(target);
+    }
+    if (source == spec::Axes::kNone) continue;
+    holding.holds(original.has(source) == image.has(i), event, what);
+    if (original.has(source) && image.has(i)) holding.zero(image[i] - Real(factor) * original[source], event, what);
+  }
+}
+
+void compare(const Map& map, const spec::Axes& axes, const model::Event& original, const model::Event& image,
+             std::size_t event, Holding& holding) {
+  holding.holds(original.kind == image.kind && original.line == image.line && original.type == image.type &&
+                    original.cause == image.cause && original.number == image.number &&
+                    original.arc.has_value() == image.arc.has_value(),
+                event, "the same kind of event, at the same place");
+  compare(map, axes, original.programmed, image.programmed, event, "image of the programmed point", holding);
+  compare(map, axes, original.point, image.point, event, "image of the point", holding);
+  compare(map, axes, original.axes, image.axes, event, "image of the axes", holding);
+  if (!original.arc || !image.arc) return;
+  compare(map, axes, original.arc->center, image.arc->center, event, "image of the centre", holding);
+  // An arc that ends in its centre has no sense.
+  if (original.arc->sweep)
+    holding.holds((original.arc->direction == image.arc->direction) != map.mirrors, event, "image of the sense");
+  holding.holds(original.arc->sweep.has_value() == image.arc->sweep.has_value(), event, "image of the sweep");
+  if (original.arc->sweep && image.arc->sweep)
+    holding.zero(*image.arc->sweep - *original.arc->sweep, event, "the same sweep");
+}
+
+void image(const Map& map, const spec::Case& c, std::span<const model::Event> events, const Runner& run,
+           Holding& holding) {
+  if (is_open(events)) return;
+  const FanucProgram program(c);
+  if (map.tenth) {
+    if (program.has_code({100, 370}) || !c.setup.bit(3401, 0, true)) return;
+  } else {
+    if (!c.setup.axes.has('X') || !c.setup.axes.has('Y')) return;
+    if (program.has_code({370, 412, 422, 413, 416, 426, 434, 435})) return;
+    if (program.has_code({180, 190}) || (c.setup.bit(5001, 0) && program.has_code({430, 440}))) return;
+    if (std::ranges::any_of(events, [](const model::Event& e) { return e.tool_axis.has_value(); })) return;
+  }
+  spec::Case changed = c;
+  const auto text = change(map, c);
+  if (!text || !change_all(map, changed.setup) || (map.tenth && !shorten(map, changed.setup))) return;
+  changed.program = *text;
+  const std::vector<model::Event> other = run(changed);
+  if (is_open(other)) return;
+  for (std::size_t i = 0; i < std::min(events.size(), other.size()); ++i)
+    compare(map, c.setup.axes, events[i], other[i], i, holding);
+  holding.holds(events.size() == other.size(), std::min(events.size(), other.size()), "as many events as in the image");
+}
+
+}  // namespace
+
+bool is_open(std::span<const model::Event> events) {
+  return std::ranges::any_of(events, [](const model::Event& e) {
+    return e.kind == spec::EventKind::undecided || e.number == "PS0029" || e.number == "PS0032";
+  });
+}
+
+void mirrored(const spec::Case& c, std::span<const model::Event> events, const Runner& run, Holding& holding) {
+  image(kMirror, c, events, run, holding);
+}
+
+void quarter_turn(const spec::Case& c, std::span<const model::Event> events, const Runner& run, Holding& holding) {
+  image(kQuarterTurn, c, events, run, holding);
+}
+
+void a_tenth(const spec::Case& c, std::span<const model::Event> events, const Runner& run, Holding& holding) {
+  image(kTenth, c, events, run, holding);
+}
+
+}  // namespace toolcomp::fuzz::laws

@@ -1,0 +1,38 @@
+#include <algorithm>
+
+#include "fuzz/laws/fanuc/changed.h"
+#include "fuzz/laws/fanuc/scene.h"
+#include "fuzz/laws/numbers.h"
+
+namespace toolcomp::fuzz::laws {
+
+void no_offsets(const spec::Case& c, std::span<const model::Event> events, const Runner& run, Holding& holding) {
+  if (FanucProgram(c).has_code({100, 370})) return;
+  spec::Case changed = c;
+  for (auto* offsets : {&changed.setup.h, &changed.setup.d})
+    for (auto& [number, entry] : *offsets) entry = {};
+  changed.setup.parameters.erase({19666, -1});
+  const std::vector<model::Event> other = run(changed);
+  const FanucScene scene(changed, other);
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    const model::Event& event = other[i];
+    if (event.kind != spec::EventKind::move || event.cause == spec::Cause::pre_turn) continue;
+    // A turn still to come takes the point along (19696#5 = 1).
+    if (i + 1 < other.size() && other[i + 1].cause == spec::Cause::post_turn) continue;
+    // Of the given events the place is named, where there is one.
+    const std::size_t place = std::min(i, events.size() - 1);
+    const auto programmed = xyz(c.setup.axes, event.programmed);
+    const auto point = xyz(c.setup.axes, event.point);
+    const auto axes = xyz(c.setup.axes, event.axes);
+    if (!programmed || !point || !axes) continue;
+    if (!scene.names_other_points())
+      holding.zero(*point - *programmed, place, "point, less the programmed one, with offsets of zero");
+    const std::size_t index = scene.program.index(event.line);
+    if (index == scene.program.blocks().size()) continue;
+    const int length = scene.program.blocks()[index].length;
+    if (length != 434 && length != 435)
+      holding.zero(*axes - *point, place, "axes, less the point, with offsets of zero");
+  }
+}
+
+}  // namespace toolcomp::fuzz::laws

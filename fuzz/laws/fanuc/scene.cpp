@@ -1,0 +1,11 @@
+#include "fuzz/laws/fanuc/scene.h"
+
+namespace toolcomp::fuzz::laws {
+
+FanucScene::FanucScene(const spec::Case& made, std::span<const model::Event> given)
+    : c(made), events(given), program(made), stops(stops_of(made.setup.axes, program, given)) {
+  if (program.has_code({434, 435})) machine = Machine::of(c.setup);
+  if (machine) runs = runs_of(c.setup, program, events, *machine);
+}
+
+}  // namespace toolcomp::fuzz::laws

@@ -1,0 +1,11 @@
+// Klartext programs changed in a way whose effect geometry knows. What the law says: changed_program.h.
+#pragma once
+
+#include "fuzz/laws/changed_program.h"
+
+namespace toolcomp::fuzz::laws {
+
+// value-zero: every delta is zero.
+void no_deltas(const spec::Case& c, std::span<const model::Event> events, const Runner& run, Holding& holding);
+
+}  // namespace toolcomp::fuzz::laws

@@ -1,0 +1,23 @@
+#include "fuzz/laws/numbers.h"
+
+namespace toolcomp::fuzz::laws {
+
+Rational rational(const spec::Decimal& value) {
+  exact::Integer scale = 1;
+  for (int i = 0; i < value.decimals; ++i) scale *= 10;
+  Rational r(exact::Integer(value.digits), scale);
+  if (value.negative) r = -r;
+  return r;
+}
+
+std::optional<Vector> xyz(const spec::Axes& axes, const spec::AxisValues<Real>& values) {
+  Vector v;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const std::size_t axis = axes.index("XYZ"[i]);
+    if (axis == spec::Axes::kNone || !values.has(axis)) return std::nullopt;
+    v.at(i) = values[axis];
+  }
+  return v;
+}
+
+}  // namespace toolcomp::fuzz::laws
