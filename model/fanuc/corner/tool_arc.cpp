@@ -15,18 +15,18 @@ Real distance(bool on, const PathEnd& end, const Real& square, Sign sign) {
 
 }  // namespace
 
-ToolArcRun::ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to,
+ToolArcRun::ToolArcRun(Recorder& recorder, OffsetPath path, const CornerVector& from, const CornerVector& to,
                        HeadPair heads)
     : recorder_(recorder),
-      path_(path),
-      start_(from_center(path.start, from.vector)),
-      end_(from_center(path.end, to.vector)),
+      path_(std::move(path)),
+      start_(from_center(path_.start, from.vector)),
+      end_(from_center(path_.end, to.vector)),
       start_on_(from.latter != Seat::off),
       end_on_(to.former != Seat::off),
-      start2_(start_on_ ? path.start.radius2() : squared_norm(start_)),
-      end2_(end_on_ ? path.end.radius2() : squared_norm(end_)),
-      start_sign_(start_on_ ? offset_radius(path.start) : start2_.sign()),
-      end_sign_(end_on_ ? offset_radius(path.end) : end2_.sign()),
+      start2_(start_on_ ? path_.start.radius2() : squared_norm(start_)),
+      end2_(end_on_ ? path_.end.radius2() : squared_norm(end_)),
+      start_sign_(start_on_ ? offset_radius(path_.start) : start2_.sign()),
+      end_sign_(end_on_ ? offset_radius(path_.end) : end2_.sign()),
       as_programmed_(from.latter == Seat::square && to.former == Seat::square && start_sign_ == end_sign_),
       heads_(heads) {}
 

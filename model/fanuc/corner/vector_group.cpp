@@ -20,6 +20,14 @@ VectorGroup one(const PlanePoint& meeting) { return {{meeting, Seat::on, Seat::o
 
 }  // namespace
 
+SpaceGroup in_space(spec::Plane plane, const VectorGroup& group) {
+  SpaceGroup result;
+  result.reserve(group.size());
+  for (const CornerVector& v : group)
+    result.push_back({in_space(plane, v.vector), v.former, v.latter, !result.empty()});
+  return result;
+}
+
 VectorGroup way_round(CornerClass kind, const PathEnd& former, const PathEnd& latter, bool with_p1, bool with_p2) {
   VectorGroup group;
   group.reserve(4);

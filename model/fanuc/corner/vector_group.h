@@ -25,6 +25,17 @@ struct CornerVector {
 // At least one vector, at most four.
 using VectorGroup = std::vector<CornerVector>;
 
+// The same in X Y Z, whatever the plane of the corner.
+struct SpaceVector {
+  Vector vector;
+  Seat former = Seat::off;
+  Seat latter = Seat::off;
+  bool after_stop = false;  // the tool gets there behind the single-block stop point
+};
+using SpaceGroup = std::vector<SpaceVector>;
+// The stop point is the first head.
+SpaceGroup in_space(spec::Plane plane, const VectorGroup& group);
+
 // The way round an outer corner: along the tangents, with the vectors at right angles to the former and to the latter
 // block where they are asked for.
 VectorGroup way_round(CornerClass kind, const PathEnd& former, const PathEnd& latter, bool with_p1, bool with_p2);

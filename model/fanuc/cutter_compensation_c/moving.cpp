@@ -155,7 +155,16 @@ void CutterCompensationC::release(VectorGroup at_end) {
   Passage passage = Passage::free;
   if (held.kind == Held::Kind::moving && held.checked &&
       recorder().decide(Clause::fanuc_cutter_c_interference_check, checks_)) {
-    passage = remove_interference(recorder(), path, here_, at_end, arc ? &*arc : nullptr);
+    const spec::Plane plane = said(held.step).plane;
+    SpaceGroup from = in_space(plane, here_);
+    SpaceGroup to = in_space(plane, at_end);
+    passage = remove_interference(recorder(), from, to, [&](bool first, const SpaceVector& v, const SpaceVector& w) {
+      return first && arc
+                 ? arc_interferes(recorder(), path.start, path.end, *arc)
+                 : line_interferes(recorder(), path, in_plane_of(plane, v.vector), in_plane_of(plane, w.vector));
+    });
+    here_.resize(from.size());
+    at_end.erase(at_end.begin(), at_end.end() - static_cast<std::ptrdiff_t>(to.size()));
     if (passage == Passage::blocked)
       raise_held(Clause::fanuc_cutter_c_interference_alarm, "PS0041",
                  "the tool's path goes against the programmed one");

@@ -43,14 +43,14 @@ struct Framed {
 
 // The stop point is the head of the intersection or of the first vector of an acute corner: the first head, or the one
 // behind the vector that stands square to the former block.
-void mark_stop(SideGroup& group) {
+void mark_stop(SpaceGroup& group) {
   const std::size_t stop = group.front().former == Seat::square ? 1 : 0;
   for (std::size_t i = stop + 1; i < group.size(); ++i) group[i].after_stop = true;
 }
 
 // Vectors square to a block have a simpler form than that in the frame.
-SideGroup lifted(const SideCorner& corner, const PlaneFrame& frame, const VectorGroup& group) {
-  SideGroup result;
+SpaceGroup lifted(const SideCorner& corner, const PlaneFrame& frame, const VectorGroup& group) {
+  SpaceGroup result;
   result.reserve(group.size());
   for (const CornerVector& v : group) {
     const Vector vector = v.former == Seat::square   ? perpendicular(corner.plane, corner.former)
@@ -64,9 +64,9 @@ SideGroup lifted(const SideCorner& corner, const PlaneFrame& frame, const Vector
 
 // The way round an outer corner, with the vectors square to the former and to the latter block where they are asked
 // for.
-SideGroup way_round(CornerClass kind, const LineCorner& lines, const SideCorner& corner, bool with_former,
-                    bool with_latter) {
-  SideGroup group;
+SpaceGroup way_round(CornerClass kind, const LineCorner& lines, const SideCorner& corner, bool with_former,
+                     bool with_latter) {
+  SpaceGroup group;
   group.reserve(3);
   if (with_former) group.push_back({perpendicular(corner.plane, corner.former), Seat::square, Seat::off, false});
   if (kind == CornerClass::acute) {
@@ -80,7 +80,7 @@ SideGroup way_round(CornerClass kind, const LineCorner& lines, const SideCorner&
   return group;
 }
 
-SideGroup one(const Vector& vector) { return {{vector, Seat::on, Seat::on, false}}; }
+SpaceGroup one(const Vector& vector) { return {{vector, Seat::on, Seat::on, false}}; }
 
 }  // namespace
 
@@ -91,7 +91,7 @@ SideRules::SideRules(const spec::Setup& setup, Recorder& recorder)
       with_perpendicular_(!setup.type_b_without_perpendicular),
       limit_(setup.parameter(5010) ? plain(*setup.parameter(5010)) : Rational(0)) {}
 
-SideGroup SideRules::square_to(const CompensationPlane& plane, const SideEnd& former) const {
+SpaceGroup SideRules::square_to(const CompensationPlane& plane, const SideEnd& former) const {
   if (former.offset == 0) {
     recorder_.reach(Clause::fanuc_cutter_c_value_zero);
     return {{{}, Seat::square, Seat::square, false}};
@@ -99,12 +99,12 @@ SideGroup SideRules::square_to(const CompensationPlane& plane, const SideEnd& fo
   return {{perpendicular(plane, former), Seat::square, Seat::off, false}};
 }
 
-SideGroup SideRules::square_to_latter(const CompensationPlane& plane, const SideEnd& latter) const {
+SpaceGroup SideRules::square_to_latter(const CompensationPlane& plane, const SideEnd& latter) const {
   return {{perpendicular(plane, latter), Seat::off, Seat::square, false}};
 }
 
 // Of type B, by the clauses of start-up or cancel; nothing where the corner has one vector as in type A.
-std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancels) const {
+std::optional<SpaceGroup> SideRules::detour(const SideCorner& corner, bool cancels) const {
   if (!recorder_.decide(Clause::fanuc_tool_side_type_b, type_b_)) return std::nullopt;
   std::optional<Framed> framed;
   std::optional<LineCorner> lines;
@@ -132,17 +132,17 @@ std::optional<SideGroup> SideRules::detour(const SideCorner& corner, bool cancel
                 model::way_round(kind, framed->former, framed->latter, with_former, with_latter));
 }
 
-SideGroup SideRules::start_up(const SideCorner& corner) const {
+SpaceGroup SideRules::start_up(const SideCorner& corner) const {
   const auto group = detour(corner, false);
   return group ? *group : square_to_latter(corner.plane, corner.latter);
 }
 
-SideGroup SideRules::cancel(const SideCorner& corner) const {
+SpaceGroup SideRules::cancel(const SideCorner& corner) const {
   const auto group = detour(corner, true);
   return group ? *group : square_to(corner.plane, corner.former);
 }
 
-std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
+std::optional<SpaceGroup> SideRules::in_mode(const SideCorner& corner) const {
   if (!corner.of_lines()) {
     const Framed framed(corner);
     const auto group = plane_rules_.offset_mode(framed.former, framed.latter);
@@ -168,7 +168,7 @@ std::optional<SideGroup> SideRules::in_mode(const SideCorner& corner) const {
   return way_round(kind, lines, corner, false, false);
 }
 
-SideGroup SideRules::side_change(const SideCorner& corner) const {
+SpaceGroup SideRules::side_change(const SideCorner& corner) const {
   if (!corner.of_lines()) {
     const Framed framed(corner);
     return lifted(corner, framed.frame, plane_rules_.direction_change(framed.former, framed.latter));
@@ -182,11 +182,11 @@ SideGroup SideRules::side_change(const SideCorner& corner) const {
   return one(lines.meeting_across());
 }
 
-void SideRules::drop_small_differences(SideGroup& group, const Rational& distance) const {
+void SideRules::drop_small_differences(SpaceGroup& group, const Rational& distance) const {
   if (group.size() < 2 || limit_ < 0) return;
   const Rational limit2 = limit_ * limit_;
   const Rational scale = limit2 + 8 * distance * distance;
-  SideGroup kept{group.front()};
+  SpaceGroup kept{group.front()};
   for (std::size_t i = 1; i < group.size(); ++i) {
     const Real difference2 = squared_norm(group[i].vector - kept.back().vector);
     if (recorder_.decide(Clause::fanuc_tool_side_small_difference, limit2 - difference2, scale) == Sign::negative)

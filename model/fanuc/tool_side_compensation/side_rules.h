@@ -10,16 +10,6 @@
 
 namespace toolcomp::model {
 
-struct SideVector {
-  Vector vector;            // from the corner, X Y Z, setup units
-  Seat former = Seat::off;  // as the arcs of the corner see its head, in the compensation plane
-  Seat latter = Seat::off;
-  bool after_stop = false;  // the tool gets there behind the single-block stop point
-};
-
-// In the order the tool takes their heads: at least one vector, at most four.
-using SideGroup = std::vector<SideVector>;
-
 // The block that ends at a corner and the one that starts there, in the plane at the end of the former. Refers to them.
 struct SideCorner {
   const CompensationPlane& plane;
@@ -38,26 +28,26 @@ class SideRules {
   SideRules(const spec::Setup& setup, Recorder& recorder);
 
   // The former is the start-up block. Clauses: fanuc.tool-side.type-b, start-up-*, type-b-perpendicular.
-  [[nodiscard]] SideGroup start_up(const SideCorner& corner) const;
+  [[nodiscard]] SpaceGroup start_up(const SideCorner& corner) const;
   // The latter is the cancel block. Clauses: the same, cancel-*.
-  [[nodiscard]] SideGroup cancel(const SideCorner& corner) const;
+  [[nodiscard]] SpaceGroup cancel(const SideCorner& corner) const;
   // The mode; nothing where an inner corner with an arc has no intersection (PS0033). Clauses: fanuc.tool-side.inner,
   // outer-obtuse, outer-acute; with arcs those of chapter 14.
-  [[nodiscard]] std::optional<SideGroup> in_mode(const SideCorner& corner) const;
+  [[nodiscard]] std::optional<SpaceGroup> in_mode(const SideCorner& corner) const;
   // The side changes: the offset of the latter is the opposite of the former's. Clauses:
   // fanuc.cutter-c.direction-change-*.
-  [[nodiscard]] SideGroup side_change(const SideCorner& corner) const;
+  [[nodiscard]] SpaceGroup side_change(const SideCorner& corner) const;
   // r n1 alone; of an offset of 0 the vector 0 (fanuc.cutter-c.value-zero).
-  [[nodiscard]] SideGroup square_to(const CompensationPlane& plane, const SideEnd& former) const;
+  [[nodiscard]] SpaceGroup square_to(const CompensationPlane& plane, const SideEnd& former) const;
   // r n2 alone.
-  [[nodiscard]] SideGroup square_to_latter(const CompensationPlane& plane, const SideEnd& latter) const;
+  [[nodiscard]] SpaceGroup square_to_latter(const CompensationPlane& plane, const SideEnd& latter) const;
 
   // Drops vectors that hardly differ from the last one kept. `distance`: r. Clause: fanuc.tool-side.small-difference.
-  void drop_small_differences(SideGroup& group, const Rational& distance) const;
+  void drop_small_differences(SpaceGroup& group, const Rational& distance) const;
 
  private:
   // The vectors of type B at start-up or cancel; nothing where there is one as in type A.
-  [[nodiscard]] std::optional<SideGroup> detour(const SideCorner& corner, bool cancels) const;
+  [[nodiscard]] std::optional<SpaceGroup> detour(const SideCorner& corner, bool cancels) const;
 
   Recorder& recorder_;
   CornerRules plane_rules_;

@@ -26,8 +26,7 @@ ToolSideCompensation::ToolSideCompensation(const Place& place)
       axes_(place.setup.axes),
       limit_(place.setup.parameter(19630) ? plain(*place.setup.parameter(19630)) : Rational(0)),
       type_c_(place.setup.bit(5003, 1)),
-      checks_(!place.setup.bit(5008, 0)),
-      here_{SideVector{}} {}
+      ahead_(place, *this, {LookAhead::Between::at_last_head, Clause::fanuc_tool_side_one_block_without_movement}) {}
 
 void ToolSideCompensation::refuse_rotary_word(const Command& command) const {
   if (on() || on_after(command))
@@ -53,8 +52,9 @@ void ToolSideCompensation::check(const ToolSideBlock& words) const {
   forbid(words);
   if (words.wanted() && words.treatment == 0)
     raise(recorder(), Clause::fanuc_tool_side_q_format, "Q_FORMAT", "a Q other than 1, 2 or 3");
-  const bool starts = words.wanted() && (state_ == State::off || state_ == State::waiting) && held_.empty();
-  const bool cancels = !words.wanted() && (state_ == State::on || state_ == State::leaving);
+  const bool starts =
+      words.wanted() && (ahead_.mode == CornerMode::off || ahead_.mode == CornerMode::waiting) && ahead_.held().empty();
+  const bool cancels = !words.wanted() && (ahead_.mode == CornerMode::on || ahead_.mode == CornerMode::leaving);
   check_type_c(words, starts, cancels);
   if (words.arc_words && (starts || cancels))
     raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
@@ -86,43 +86,45 @@ void ToolSideCompensation::take(const Step& step) {
   const bool in_force = block.side != CutterSide::none;
   const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
   const Direction tool = now.rest.tool;
-  if (now.stops_look_ahead) end_before(now, Clause::fanuc_tool_side_look_ahead_stopped);
+  if (now.stops_look_ahead) ahead_.end_before(now, Clause::fanuc_tool_side_look_ahead_stopped);
+  const bool in_mode = ahead_.mode == CornerMode::on || ahead_.mode == CornerMode::leaving;
   Movement movement;
-  if (wanted || state_ == State::on || state_ == State::leaving) movement = movement_of(now);
-  if (!held_.empty() && held_.front().kind == Held::Kind::lone_start) {
+  if (wanted || in_mode) movement = movement_of(now);
+  const bool started = ahead_.holds(Held::Kind::lone_start);
+  if (started && (!wanted || !movement.starts.front())) {
     // The block right behind the code must move there and stay in the mode.
-    if (!wanted || !movement.starts.front()) {
-      decide_held(now);
-      raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
-    }
-    state_ = State::on;
+    ahead_.decide_held(now);
+    end_standing(Clause::fanuc_tool_side_no_next_block);
   }
-  if (state_ == State::off || state_ == State::waiting)
+  if (!in_mode && !started)
     take_while_off(now, wanted, movement);
+  else if (wanted)
+    take_in_mode(now, movement);
+  else if (ahead_.mode == CornerMode::on || movement.end)
+    take_cancel(now, movement);
   else
-    take_while_on(now, wanted, movement);
+    ahead_.keep(now);
   before_ = tool;
 }
 
-void ToolSideCompensation::finish() { end_without_corner(Clause::fanuc_tool_side_no_next_block); }
+void ToolSideCompensation::finish() { ahead_.end(Clause::fanuc_tool_side_no_next_block); }
 
-void ToolSideCompensation::take_while_off(Step& now, bool wanted, Movement& movement) {
-  state_ = wanted ? State::waiting : State::off;
+void ToolSideCompensation::take_while_off(Step& now, bool wanted, const Movement& movement) {
+  ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
   if (wanted && recorder().decide(Clause::fanuc_tool_side_type_c, type_c_))
     start_alone(now);
   else if (wanted && movement.end)
     start_up(now, movement);
   else
-    emit(now);
+    ahead_.emit(now);
 }
 
-void ToolSideCompensation::start_up(Step& now, Movement& movement) {
+void ToolSideCompensation::start_up(Step& now, Movement movement) {
   recorder().reach(Clause::fanuc_tool_side_start_up);
   const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
-  state_ = State::on;
+  ahead_.mode = CornerMode::on;
   movement.end->offset = offset.left();
   hold(now, Held::Kind::start_up, offset, movement);
-  started_ = offset.side;
 }
 
 void ToolSideCompensation::start_alone(Step& now) {
@@ -130,73 +132,92 @@ void ToolSideCompensation::start_alone(Step& now) {
   Movement movement;
   movement.own = CompensationPlane(now.rest.tool);
   hold(now, Held::Kind::lone_start, offset, movement);
-  started_ = offset.side;
 }
 
-void ToolSideCompensation::take_while_on(Step& now, bool wanted, Movement& movement) {
-  if (wanted && state_ == State::leaving)
+void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
+  if (ahead_.mode == CornerMode::leaving)
     leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
                   "tool side compensation again before the vector of the cancelled mode is removed");
-  if (wanted)
-    take_in_mode(now, movement);
-  else if (state_ == State::on || movement.end)
-    take_cancel(now, movement);
-  else
-    emit_at_head(now);
+  CutterOffset offset;
+  if (movement.moves()) {
+    const Leg& leg = now.moves.front().leg;
+    if (leg.arc && !leg.arc->sweep)
+      raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc that ends in its centre");
+    offset = ahead_.next_offset(now, !movement.starts.empty() && movement.starts.front());
+    look_at_movement(now, movement, offset);
+  }
+  ahead_.meet(
+      now,
+      {movement.corners(), 1, Clause::fanuc_tool_side_two_blocks_without_movement, [&](Held& held, std::size_t corner) {
+         const SideEnd& start = *movement.starts[corner];
+         return held.stands() ? vector_of_start(held, start) : group_before(held, now, movement, start, offset);
+       }});
+  if (movement.end) {
+    hold(now, Held::Kind::moving, offset, movement);
+    return;
+  }
+  if (movement.moves()) ahead_.moved(offset);
+  keep_vector(now, movement.moves_behind());
+}
+
+void ToolSideCompensation::take_cancel(Step& now, Movement& movement) {
+  ahead_.meet(
+      now, {movement.corners(), 2, Clause::fanuc_tool_side_no_next_block,
+            [&](const Held& held, std::size_t corner) { return group_before_cancel(held, *movement.starts[corner]); }});
+  if (!movement.end) {
+    cancel_alone(now, movement.moves_behind());
+    return;
+  }
+  recorder().reach(Clause::fanuc_tool_side_cancel);
+  ahead_.take_away(now);
 }
 
 // G40 or number 0 in a block that does not move in the plane at its own end.
 void ToolSideCompensation::cancel_alone(Step& now, bool cuts_corner) {
-  const bool had_vector = !is_zero_vector(here_.front().vector);
+  const bool has_vector = !is_zero_vector(ahead_.here().back().vector);
   if (recorder().decide(Clause::fanuc_tool_side_type_c, type_c_)) {
     recorder().reach(Clause::fanuc_tool_side_cancel_type_c);
-    here_ = {SideVector{}};
-    state_ = State::off;
-    emit_change_alone(now, spec::Cause::cancel, had_vector);
+    ahead_.take_away_alone(now, has_vector);
     return;
   }
   recorder().reach(Clause::fanuc_tool_side_cancel_without_movement);
-  state_ = had_vector ? State::leaving : State::off;
+  ahead_.mode = has_vector ? CornerMode::leaving : CornerMode::off;
   keep_vector(now, cuts_corner);
 }
 
-void ToolSideCompensation::end_first_without_corner(Clause why) {
-  const Held& held = held_.front();
-  recorder().at(held.step.line);
-  if (held.kind == Held::Kind::lone_start) raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
-  recorder().reach(why);
-  release(rules_.square_to(held.plane, held.end));
+void ToolSideCompensation::keep_vector(Step& now, bool cuts_corner) {
+  if (cuts_corner) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
+  const bool runs = ahead_.held().empty();
+  ahead_.keep(now);
+  // The head is no longer one of the corner where the vector was made.
+  if (cuts_corner && runs) ahead_.set_vector({ahead_.here().front().vector});
 }
 
-void ToolSideCompensation::end_without_corner(Clause why) {
-  while (!held_.empty()) end_first_without_corner(why);
+void ToolSideCompensation::hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement) {
+  auto held = std::make_shared<HeldSidePath>();
+  held->plane = movement.own;
+  held->path = movement.path;
+  if (movement.end) held->end = *movement.end;
+  if (const auto& arc = movement.path.arc) {
+    const bool at_corner = !movement.starts.empty();
+    held->plane_at_start = corner_plane_;
+    held->offset_at_start = offset.side * ahead_.last_offset().distance;
+    const CompensationPlane& plane = at_corner ? corner_plane_ : movement.own;
+    const Rational rho = at_corner ? held->offset_at_start : offset.left();
+    held->start = seen(plane, plane.frame(), arc_start(*arc, rho));
+  }
+  ahead_.hold(now, kind, offset, std::move(held));
 }
 
-void ToolSideCompensation::end_before(Step& now, Clause why) {
-  now.clauses.add(recorder().take_clauses());
-  end_without_corner(why);
-  recorder().at(now.line);
+void ToolSideCompensation::end_standing(Clause /*why*/) {
+  ahead_.raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
 }
 
-void ToolSideCompensation::decide_held(Step& now) {
-  now.clauses.add(recorder().take_clauses());
-  recorder().at(held_.front().step.line);
-}
-
-void ToolSideCompensation::raise_held(Clause clause, spec::Name number, const char* message) {
-  flush();
-  recorder().reach(clause);
-  Alarm alarm(number, message);
-  alarm.line = held_.front().step.line;
-  alarm.n = held_.front().step.n;
-  held_.clear();
-  throw Alarm(alarm);
-}
+void ToolSideCompensation::released(const Held& held) { corner_plane_ = path_of(held).plane; }
 
 // The blocks before go out as if this one were absent.
 void ToolSideCompensation::leave_open_at(Step& now, Clause clause, const char* message) {
-  end_before(now, Clause::fanuc_tool_side_no_next_block);
-  leave_open(recorder(), clause, message);
+  ahead_.leave_open_at(now, Clause::fanuc_tool_side_no_next_block, clause, message);
 }
 
 }  // namespace toolcomp::model

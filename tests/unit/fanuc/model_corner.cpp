@@ -1,5 +1,5 @@
 // The geometry of a corner by itself: classes, vectors, meeting points, groups, and what is left of a block between two
-// groups. Expected values: the tables of 14.6.1 to 14.6.5 of the sheet; where a comment says so, derived here.
+// groups. Expected values: the tables of 14.6.1 to 14.6.5 of chapter 14; where a comment says so, derived here.
 #include "model/fanuc/corner/corner.h"
 
 #include <gtest/gtest.h>
@@ -43,6 +43,12 @@ std::string text(const PlanePoint& vector, int digits = 13) {
 std::string text(const VectorGroup& group, int digits = 13) {
   std::string line;
   for (const CornerVector& vector : group) line += text(vector.vector, digits);
+  return line;
+}
+// The group in the plane X Y.
+std::string text(const SpaceGroup& group) {
+  std::string line;
+  for (const SpaceVector& vector : group) line += text(in_plane_of(spec::Plane::xy, vector.vector));
   return line;
 }
 
@@ -180,9 +186,15 @@ TEST_F(ModelCorner, SmallMovements) {
 }
 
 TEST_F(ModelCorner, Interference) {
-  const auto check = [this](const PlanePoint& travel, VectorGroup at_start, VectorGroup at_end) {
+  const auto check = [this](const PlanePoint& travel, const VectorGroup& start, const VectorGroup& end) {
     const OffsetPath path = line_path(travel, 10, 10);
-    const Passage passage = remove_interference(recorder, path, at_start, at_end, nullptr);
+    const spec::Plane plane = spec::Plane::xy;
+    SpaceGroup at_start = in_space(plane, start);
+    SpaceGroup at_end = in_space(plane, end);
+    const Passage passage = remove_interference(
+        recorder, at_start, at_end, [&](bool /*first*/, const SpaceVector& from, const SpaceVector& to) {
+          return line_interferes(recorder, path, in_plane_of(plane, from.vector), in_plane_of(plane, to.vector));
+        });
     const char* const name = passage == Passage::free        ? "free "
                              : passage == Passage::shortened ? "shortened "
                                                              : "blocked ";
@@ -191,7 +203,7 @@ TEST_F(ModelCorner, Interference) {
   const VectorGroup inner{{{-10, 10}, Seat::on, Seat::on}};
   EXPECT_EQ(check({0, 20}, inner, {{{-10, -10}, Seat::on, Seat::on}}), "free (-10, 10) to (-10, -10)");
   EXPECT_EQ(check({0, 15}, inner, {{{-10, -10}, Seat::on, Seat::on}}).substr(0, 7), "blocked");
-  // Pairs (V2, W1) and (V1, W1) of the sheet's fifth example.
+  // Pairs (V2, W1) and (V1, W1) of the fifth example of 14.6.5.
   const VectorGroup acute{{{10, 10}, Seat::off, Seat::off}, {{14, 2}, Seat::off, Seat::off}};
   EXPECT_EQ(check({-3, -4}, acute, {{{20, 10}, Seat::on, Seat::on}}).substr(0, 7), "blocked");
   // Derived: the first pair goes against the travel, the next one with it; the last ones stay.
