@@ -50,6 +50,7 @@ struct Held {
   bool repeated = false;      // the code repeated in one of them, or in the block now taken
   std::vector<Step> between;  // of these blocks, those that make no vector of their own
 
+  [[nodiscard]] bool starts() const { return kind == Kind::start_up || kind == Kind::lone_start; }
   // It has one vector at its end, and makes a corner with no block.
   [[nodiscard]] bool stands() const { return kind == Kind::lone_start || kind == Kind::corner_arc; }
 };

@@ -23,8 +23,8 @@ const CornerBlock& LookAhead::said(const Step& step) const {
 CutterOffset LookAhead::next_offset(const Step& now, bool meets_first) const {
   const CutterOffset offset = offset_of(recorder_, said(now).side, said(now).offset);
   const bool first = started_ && *started_ != offset.side;
-  const bool meets_start = meets_first && !held_.empty() && held_.front().kind != Held::Kind::moving &&
-                           held_.front().offset.side != offset.side;
+  const bool meets_start =
+      meets_first && !held_.empty() && held_.front().starts() && held_.front().offset.side != offset.side;
   if (first || meets_start)
     raise(recorder_, Clause::fanuc_cutter_c_direction_change_at_start_up, "DIR_CHANGE_AT_STARTUP",
           "the side changes in the block behind a start-up");
@@ -43,7 +43,7 @@ void LookAhead::hold(Step& now, Held::Kind kind, const CutterOffset& offset, std
   held_.push_back(std::move(held));
   last_ = offset;
   if (kind == Held::Kind::moving) started_.reset();
-  if (kind == Held::Kind::start_up || kind == Held::Kind::lone_start) started_ = offset.side;
+  if (held_.back().starts()) started_ = offset.side;
 }
 
 // In order; a corner is the first one held when its turn comes: what stands before it has been made or has ended.

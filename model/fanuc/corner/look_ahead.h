@@ -77,6 +77,8 @@ class LookAhead {
   LookAhead(const Stage::Place& place, CornerSection& section, const Rules& rules);
 
   CornerMode mode = CornerMode::off;
+  // There is a vector, or a block that makes one.
+  [[nodiscard]] bool in_mode() const { return mode == CornerMode::on || mode == CornerMode::leaving; }
 
   // In order, and the first one.
   [[nodiscard]] const std::deque<Held>& held() const { return held_; }

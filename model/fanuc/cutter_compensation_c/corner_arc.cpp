@@ -7,35 +7,35 @@
 namespace toolcomp::model {
 
 void CutterCompensationC::take_corner_arc(Step& now) {
-  end_before(now);
+  ahead_.end_before(now, Clause::fanuc_cutter_c_no_next_block);
   const CutterBlock& block = said(now);
-  if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_direction, block.direction.has_value()))
-    run_corner_arc(now, heading(*block.direction), false);
-  else
-    hold(now, Held::Kind::corner_arc, last_, {});
+  const bool has_direction =
+      recorder().decide(Clause::fanuc_cutter_c_corner_arc_direction, block.direction.has_value());
+  SpaceGroup group;
+  if (has_direction) group = turn(now, heading(*block.direction), false);
+  ahead_.hold(now, Held::Kind::corner_arc, ahead_.last_offset(), nullptr);
+  if (has_direction) ahead_.pass(std::move(group));
 }
 
 // From the vector in force, which is square to its heading, to the one square to another.
-void CutterCompensationC::run_corner_arc(Step& arc, const Heading& to, bool next_is_square) {
-  const Rational offset = last_.left();
+SpaceGroup CutterCompensationC::turn(Step& arc, const Heading& to, bool next_is_square) {
+  const Rational offset = ahead_.last_offset().left();
   if (offset == 0) {
     recorder().reach(Clause::fanuc_cutter_c_value_zero);
-    emit_at_head(arc);
-    return;
+    return ahead_.here();
   }
   const bool clockwise = offset > 0;
   const Real left_turn = cross(here_heading_.along, to.along);
   const Real cosine = dot(here_heading_.along, to.along);
   const Real sine = clockwise ? -left_turn : left_turn;
   const Sign side = recorder().decide(Clause::fanuc_cutter_c_corner_arc, sine, here_heading_.length * to.length);
+  const CutterBlock& block = said(arc);
   PathEnd end;
   end.heading = to;
   end.offset = offset;
-  const bool stays = side == Sign::zero && cosine.sign() == Sign::positive;
-  here_ = {{perpendicular(end), Seat::off, next_is_square ? Seat::square : Seat::off}};
   here_heading_ = to;
+  const bool stays = side == Sign::zero && cosine.sign() == Sign::positive;
   if (!stays) {
-    const CutterBlock& block = said(arc);
     if (arc.moves.empty()) arc.moves.push_back(arc.rest);
     Leg& leg = arc.moves.front().leg;
     leg.type = spec::MoveType::arc;
@@ -48,7 +48,7 @@ void CutterCompensationC::run_corner_arc(Step& arc, const Heading& to, bool next
     path.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
     path.sweep = swept_angle(sine, cosine, side);
   }
-  emit_at_head(arc);
+  return in_space(block.plane, {{perpendicular(end), Seat::off, next_is_square ? Seat::square : Seat::off}});
 }
 
 }  // namespace toolcomp::model

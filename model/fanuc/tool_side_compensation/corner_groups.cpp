@@ -6,7 +6,7 @@
 namespace toolcomp::model {
 
 SpaceGroup ToolSideCompensation::without_corner(const Held& held) {
-  const HeldSidePath& former = path_of(held);
+  const HeldSidePath& former = side_path_of(held);
   return in_plane(rules_.square_to(former.plane, former.end));
 }
 
@@ -14,13 +14,13 @@ SpaceGroup ToolSideCompensation::without_corner(const Held& held) {
 SpaceGroup ToolSideCompensation::vector_of_start(Held& held, const SideEnd& start) {
   recorder().reach(Clause::fanuc_tool_side_start_type_c);
   change_alone(held.step, spec::Cause::start_up, held.offset.distance != 0);
-  corner_plane_ = path_of(held).plane;
+  corner_plane_ = side_path_of(held).plane;
   return rules_.square_to_latter(corner_plane_, start);
 }
 
 SpaceGroup ToolSideCompensation::group_before(const Held& held, const Step& now, const Movement& movement,
                                               const SideEnd& start, const CutterOffset& offset) {
-  const HeldSidePath& former = path_of(held);
+  const HeldSidePath& former = side_path_of(held);
   recorder().decide(Clause::fanuc_cutter_c_value_at_a_corner, offset.value != held.offset.value);
   if (former.end.offset == 0) return in_plane(rules_.square_to(former.plane, former.end));
   const bool starts = held.kind == Held::Kind::start_up;
@@ -38,7 +38,7 @@ SpaceGroup ToolSideCompensation::group_before(const Held& held, const Step& now,
 
 // The rules in their order (fanuc.tool-side.which-rule).
 SpaceGroup ToolSideCompensation::group_by_rules(const Held& held, const SideEnd& start, bool one_side) {
-  const HeldSidePath& former = path_of(held);
+  const HeldSidePath& former = side_path_of(held);
   const SideCorner corner{former.plane, former.end, start};
   const int treatment = treatment_of(held);
   if (treatment == 1) {
@@ -74,7 +74,7 @@ bool ToolSideCompensation::may_drop(const SpaceGroup& group, const SidePath& nex
 }
 
 SpaceGroup ToolSideCompensation::group_before_cancel(const Held& held, SideEnd start) {
-  const HeldSidePath& former = path_of(held);
+  const HeldSidePath& former = side_path_of(held);
   start.offset = held.offset.left();
   if (former.end.offset == 0) return in_plane(rules_.square_to(former.plane, former.end));
   if (held.repeated) {

@@ -28,6 +28,6 @@ class HeldSidePath final : public HeldPath {
   [[nodiscard]] HeadPair pair_of(const SpaceVector& from, const SpaceVector& to) const;
 };
 
-inline const HeldSidePath& path_of(const Held& held) { return static_cast<const HeldSidePath&>(*held.path); }
+inline const HeldSidePath& side_path_of(const Held& held) { return static_cast<const HeldSidePath&>(*held.path); }
 
 }  // namespace toolcomp::model

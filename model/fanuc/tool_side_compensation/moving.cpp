@@ -63,8 +63,8 @@ ToolSideCompensation::Movement ToolSideCompensation::movement_of(const Step& now
     return crosses_tool(plane, line) ? std::optional(std::move(line)) : std::nullopt;
   };
   const std::deque<Held>& held = ahead_.held();
-  for (std::size_t i = 0; i < held.size(); ++i) movement.starts[i] = seen_in(path_of(held[i]).plane);
-  const bool same = !held.empty() && movement.own.is_same_as(path_of(held.back()).plane);
+  for (std::size_t i = 0; i < held.size(); ++i) movement.starts[i] = seen_in(side_path_of(held[i]).plane);
+  const bool same = !held.empty() && movement.own.is_same_as(side_path_of(held.back()).plane);
   movement.end = same ? movement.starts.back() : seen_in(movement.own);
   return movement;
 }
@@ -106,7 +106,7 @@ void ToolSideCompensation::look_at_arc(Step& now, Movement& movement) {
   constexpr const char* kOnEdge = "an arc whose plane holds the tool";
   SideArc& arc = *movement.path.arc;
   for (std::size_t i = 0; i < movement.starts.size(); ++i) {
-    arc.sense_at_start = sense(path_of(ahead_.held()[i]).plane.tool(), arc.plane);
+    arc.sense_at_start = sense(side_path_of(ahead_.held()[i]).plane.tool(), arc.plane);
     if (arc.sense_at_start == 0) leave_open_at(now, Clause::fanuc_tool_side_arc_plane, kOnEdge);
     movement.starts[i] = arc_start(arc, 0);
   }

@@ -52,9 +52,8 @@ void ToolSideCompensation::check(const ToolSideBlock& words) const {
   forbid(words);
   if (words.wanted() && words.treatment == 0)
     raise(recorder(), Clause::fanuc_tool_side_q_format, "Q_FORMAT", "a Q other than 1, 2 or 3");
-  const bool starts =
-      words.wanted() && (ahead_.mode == CornerMode::off || ahead_.mode == CornerMode::waiting) && ahead_.held().empty();
-  const bool cancels = !words.wanted() && (ahead_.mode == CornerMode::on || ahead_.mode == CornerMode::leaving);
+  const bool starts = words.wanted() && !ahead_.in_mode() && ahead_.held().empty();
+  const bool cancels = !words.wanted() && ahead_.in_mode();
   check_type_c(words, starts, cancels);
   if (words.arc_words && (starts || cancels))
     raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
@@ -87,16 +86,15 @@ void ToolSideCompensation::take(const Step& step) {
   const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
   const Direction tool = now.rest.tool;
   if (now.stops_look_ahead) ahead_.end_before(now, Clause::fanuc_tool_side_look_ahead_stopped);
-  const bool in_mode = ahead_.mode == CornerMode::on || ahead_.mode == CornerMode::leaving;
   Movement movement;
-  if (wanted || in_mode) movement = movement_of(now);
+  if (wanted || ahead_.in_mode()) movement = movement_of(now);
   const bool started = ahead_.holds(Held::Kind::lone_start);
   if (started && (!wanted || !movement.starts.front())) {
     // The block right behind the code must move there and stay in the mode.
     ahead_.decide_held(now);
     end_standing(Clause::fanuc_tool_side_no_next_block);
   }
-  if (!in_mode && !started)
+  if (!ahead_.in_mode() && !started)
     take_while_off(now, wanted, movement);
   else if (wanted)
     take_in_mode(now, movement);
@@ -213,7 +211,7 @@ void ToolSideCompensation::end_standing(Clause /*why*/) {
   ahead_.raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
 }
 
-void ToolSideCompensation::released(const Held& held) { corner_plane_ = path_of(held).plane; }
+void ToolSideCompensation::released(const Held& held) { corner_plane_ = side_path_of(held).plane; }
 
 // The blocks before go out as if this one were absent.
 void ToolSideCompensation::leave_open_at(Step& now, Clause clause, const char* message) {
