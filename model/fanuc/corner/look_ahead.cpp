@@ -5,6 +5,15 @@
 #include "model/basis/alarm.h"
 
 namespace toolcomp::model {
+namespace {
+
+// A code that makes or removes the vector in a block that does not move: with the block's own move, or one for it.
+void change_alone(Step& step, spec::Cause cause, bool changes) {
+  if (step.moves.empty() && changes) step.moves.push_back(step.rest);
+  if (!step.moves.empty()) step.moves.front().leg.cause = cause;
+}
+
+}  // namespace
 
 LookAhead::LookAhead(const Stage::Place& place, CornerSection& section, const Rules& rules)
     : recorder_(place.recorder),
@@ -53,8 +62,12 @@ void LookAhead::meet(Step& now, const Meeting& meeting) {
     if (said(now).repeats_code()) held.repeated = true;
     decide_held(now);
     if (meeting.moves[corner] && held.stands()) {
-      if (held.kind == Held::Kind::lone_start) mode = CornerMode::on;
-      pass(meeting.group(held, corner));
+      SpaceGroup vector = meeting.group(held, corner);
+      if (held.kind == Held::Kind::lone_start) {
+        mode = CornerMode::on;
+        change_alone(held.step, spec::Cause::start_up, held.offset.distance != 0);
+      }
+      pass(std::move(vector));
     } else if (meeting.moves[corner]) {
       recorder_.decide(rules_.one_between, held.without_movement == 1);
       release(meeting.group(held, corner));
@@ -191,12 +204,12 @@ void LookAhead::take_away(Step& now) {
   emit(now);
 }
 
-void LookAhead::take_away_alone(Step& now, bool has_vector) {
+void LookAhead::cancel_alone(Step& now, bool has_vector, bool at_once) {
   flush();
-  here_ = {SpaceVector{}};
-  mode = CornerMode::off;
-  change_alone(now, spec::Cause::cancel, has_vector);
-  run(now);
+  if (at_once) change_alone(now, spec::Cause::cancel, has_vector);
+  if (at_once || !has_vector) here_ = {SpaceVector{}};
+  mode = at_once || !has_vector ? CornerMode::off : CornerMode::leaving;
+  keep(now);
 }
 
 void LookAhead::run(Step& step) {
@@ -256,14 +269,9 @@ void LookAhead::raise_held(Clause clause, spec::Name number, const char* message
   throw Alarm(alarm);
 }
 
-void LookAhead::leave_open_at(Step& now, Clause no_next_block, Clause clause, const char* message) {
-  end_before(now, no_next_block);
+void LookAhead::leave_open_at(Step& now, Clause clause, const char* message) {
+  end_before(now);
   leave_open(recorder_, clause, message);
-}
-
-void change_alone(Step& step, spec::Cause cause, bool changes) {
-  if (step.moves.empty() && changes) step.moves.push_back(step.rest);
-  if (!step.moves.empty()) step.moves.front().leg.cause = cause;
 }
 
 }  // namespace toolcomp::model

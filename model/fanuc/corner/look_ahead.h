@@ -58,8 +58,8 @@ class CornerSection {
 struct Meeting {
   std::vector<bool> moves;  // whether it moves there, in order
   int counts = 1;           // where it does not
-  Clause two_of_them{};     // why a block ends without a corner where those behind it count two
-  // The group there. Of a block that stands its step gets what it makes of the one vector.
+  Clause two_of_them{};     // by which a block ends without a corner where those behind it count two
+  // The group there; of a block that stands the one vector.
   std::function<SpaceGroup(Held& held, std::size_t corner)> group;
 };
 
@@ -68,10 +68,12 @@ struct Meeting {
 class LookAhead {
  public:
   enum class Between : std::uint8_t { at_first_head, at_last_head };
-  // Where a block between two that make a corner runs, and the clause that says that there is one.
+  // Where a block between two that make a corner runs, the clause that says that there is one, and the one by which
+  // blocks end where no next one makes a corner with them.
   struct Rules {
     Between between{};
     Clause one_between{};
+    Clause no_next_block{};
   };
 
   LookAhead(const Stage::Place& place, CornerSection& section, const Rules& rules);
@@ -98,8 +100,9 @@ class LookAhead {
   // The first of those held, which stands, goes out with this vector, or with the one that is there.
   void pass(SpaceGroup at);
   void pass() { pass(here_); }
-  // No next block: what is held goes out; before a step that makes no corner with it.
-  void end(Clause why);
+  // No next block: what is held goes out; before a step that makes no corner with it, by what that step says.
+  void end() { end(rules_.no_next_block); }
+  void end_before(Step& now) { end_before(now, rules_.no_next_block); }
   void end_before(Step& now, Clause why);
 
   // Makes no vector: runs with the last one, behind what is held.
@@ -110,8 +113,9 @@ class LookAhead {
   void set_vector(SpaceVector vector);
   // The block's own move takes the vector away; the mode is off.
   void take_away(Step& now);
-  // The same in a block that does not move, by a move of its own if it has none. `has_vector`: there is one.
-  void take_away_alone(Step& now, bool has_vector);
+  // A cancel in a block that does not move: the vector goes with it, by a move of its own if it has none, or with the
+  // next block that moves. `has_vector`: there is one; else it is gone at once.
+  void cancel_alone(Step& now, bool has_vector, bool at_once);
 
   // Before the step's own move, with its feed.
   void insert_corner_moves(Step& step);
@@ -120,12 +124,13 @@ class LookAhead {
   // Names the first of those held.
   [[noreturn]] void raise_held(Clause clause, spec::Name number, const char* message);
   // The blocks before go out as if this one were absent.
-  [[noreturn]] void leave_open_at(Step& now, Clause no_next_block, Clause clause, const char* message);
-  // The clauses applied so far belong to this step; those from here on to the first of those held.
-  void decide_held(Step& now);
+  [[noreturn]] void leave_open_at(Step& now, Clause clause, const char* message);
 
  private:
   [[nodiscard]] const CornerBlock& said(const Step& step) const;
+  // The clauses applied so far belong to this step; those from here on to the first of those held.
+  void decide_held(Step& now);
+  void end(Clause why);
   void end_first(Clause why);
   void release(SpaceGroup at_end);
   // What the interference check leaves of a block.
@@ -150,8 +155,5 @@ class LookAhead {
   CutterOffset last_;           // of the last block that moved anywhere, or of a lone start
   std::optional<int> started_;  // its side, where that was a start and no block has moved behind it
 };
-
-// What a code that makes or removes a vector in a block that does not move makes of it: `changes`, a move of its own.
-void change_alone(Step& step, spec::Cause cause, bool changes);
 
 }  // namespace toolcomp::model

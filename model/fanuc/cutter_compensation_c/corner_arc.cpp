@@ -7,7 +7,7 @@
 namespace toolcomp::model {
 
 void CutterCompensationC::take_corner_arc(Step& now) {
-  ahead_.end_before(now, Clause::fanuc_cutter_c_no_next_block);
+  ahead_.end_before(now);
   const CutterBlock& block = said(now);
   const bool has_direction =
       recorder().decide(Clause::fanuc_cutter_c_corner_arc_direction, block.direction.has_value());

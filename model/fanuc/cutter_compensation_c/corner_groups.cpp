@@ -9,10 +9,8 @@ SpaceGroup CutterCompensationC::without_corner(const Held& held) {
 
 // The tool moves by the vector perpendicular to the next block.
 SpaceGroup CutterCompensationC::vector_of_start(Held& held, const PathEnd& next) {
-  const bool changes = held.offset.distance != 0;
   recorder().reach(Clause::fanuc_cutter_c_start_without_motion);
-  see_move_alone(held.step, changes);
-  change_alone(held.step, spec::Cause::start_up, changes);
+  see_move_alone(held.step, held.offset.distance != 0);
   return in_space(said(held.step).plane, {{perpendicular(next), Seat::off, Seat::square}});
 }
 

@@ -25,7 +25,9 @@ CutterCompensationC::CutterCompensationC(const Place& place)
       axes_(place.setup.axes),
       at_once_(place.setup.bit(5003, 1)),
       keeps_the_mode_(place.setup.bit(5003, 2)),
-      ahead_(place, *this, {LookAhead::Between::at_first_head, Clause::fanuc_cutter_c_one_non_motion_block}) {}
+      ahead_(place, *this,
+             {LookAhead::Between::at_first_head, Clause::fanuc_cutter_c_one_non_motion_block,
+              Clause::fanuc_cutter_c_no_next_block}) {}
 
 bool CutterCompensationC::wanted(CutterSide side, std::uint32_t number) const {
   return side != CutterSide::none && number != 0;
@@ -71,7 +73,7 @@ void CutterCompensationC::take(const Step& step) {
     take_while_off(now, wanted, moves);
 }
 
-void CutterCompensationC::finish() { ahead_.end(Clause::fanuc_cutter_c_no_next_block); }
+void CutterCompensationC::finish() { ahead_.end(); }
 
 void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
   ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
@@ -108,10 +110,10 @@ void CutterCompensationC::drop_lone_start() {
 void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
   const CutterBlock& block = said(now);
   if (wanted && ahead_.mode == CornerMode::leaving)
-    leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
-                  "G41 or G42 again before the vector of the cancelled mode is removed");
+    ahead_.leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
+                         "G41 or G42 again before the vector of the cancelled mode is removed");
   if (block.one_shot == OneShot::shift && block.has_plane_word())
-    leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift, "G92 in the plane of cutter compensation C");
+    ahead_.leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift, "G92 in the plane of cutter compensation C");
   if (is_machine_move(block.motion)) {
     take_machine_move(now, wanted);
   } else if (!wanted) {
@@ -146,21 +148,14 @@ void CutterCompensationC::hold_moving(Step& now, Held::Kind kind, const OffsetPa
 }
 
 void CutterCompensationC::meet_corner(Step& now, const OffsetPath& path, const CutterOffset& offset) {
-  meet(now, [&](Held& held) {
-    switch (held.kind) {
-      case Held::Kind::lone_start:
-        return vector_of_start(held, path.start);
-      case Held::Kind::corner_arc:
-        return turn(held.step, path.start.heading, offset.side == held.offset.side);
-      default:
-        return group_before(held, path, offset);
-    }
-  });
-}
-
-void CutterCompensationC::meet(Step& now, const std::function<SpaceGroup(Held& held)>& group) {
-  ahead_.meet(now, {std::vector(ahead_.held().size(), true), 0, Clause::fanuc_cutter_c_two_non_motion_blocks,
-                    [&](Held& held, std::size_t /*corner*/) { return group(held); }});
+  const CutterBlock& block = said(now);
+  const auto group = [&](Held& held, std::size_t /*corner*/) {
+    if (held.kind == Held::Kind::lone_start) return vector_of_start(held, path.start);
+    if (held.kind == Held::Kind::corner_arc)
+      return turn(held.step, path.start.heading, offset.side == held.offset.side);
+    return wanted(block) ? group_before(held, path, offset) : group_before_cancel(held, block, path);
+  };
+  ahead_.meet(now, {std::vector(ahead_.held().size(), true), 0, {}, group});
 }
 
 void CutterCompensationC::take_without_motion(Step& now) {
@@ -184,29 +179,20 @@ void CutterCompensationC::take_without_motion(Step& now) {
 
 void CutterCompensationC::take_cancel(Step& now) {
   const CutterBlock& block = said(now);
-  meet(now, [&](Held& held) {
-    const Rational offset = held.offset.left();
-    const OffsetPath path = line_path(block.end - block.start, offset, offset);
-    return held.stands() ? turn(held.step, path.start.heading, true) : group_before_cancel(held, block, path);
-  });
+  const CutterOffset& offset = ahead_.last_offset();
+  meet_corner(now, line_path(block.end - block.start, offset.left(), offset.left()), offset);
   recorder().reach(Clause::fanuc_cutter_c_cancel);
   ahead_.take_away(now);
 }
 
 // G40 or number 0 in a block that does not move in the plane.
 void CutterCompensationC::cancel_alone(Step& now) {
-  ahead_.end_before(now, Clause::fanuc_cutter_c_no_next_block);
+  ahead_.end_before(now);
   recorder().reach(Clause::fanuc_cutter_c_cancel_without_motion);
   const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, at_once_);
   const bool has_vector = !is_zero(in_plane_of(said(now).plane, ahead_.here().front().vector));
-  if (removes) {
-    see_move_alone(now, has_vector);
-    ahead_.take_away_alone(now, has_vector);
-    return;
-  }
-  ahead_.mode = has_vector ? CornerMode::leaving : CornerMode::off;
-  if (!has_vector) ahead_.set_vector({});
-  ahead_.keep(now);
+  if (removes) see_move_alone(now, has_vector);
+  ahead_.cancel_alone(now, has_vector, removes);
 }
 
 // Beside G92 the only move there can be is that of the length offset (clause fanuc.cutter-c.workpiece-change).
@@ -237,10 +223,6 @@ void CutterCompensationC::end_standing(Clause why) {
 void CutterCompensationC::released(const Held& held) {
   here_heading_ = path_of(held).end.heading;
   made_by_move_ = true;
-}
-
-void CutterCompensationC::leave_open_at(Step& now, Clause clause, const char* message) {
-  ahead_.leave_open_at(now, Clause::fanuc_cutter_c_no_next_block, clause, message);
 }
 
 }  // namespace toolcomp::model

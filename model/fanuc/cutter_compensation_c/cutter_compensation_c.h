@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 
 #include "model/fanuc/corner/look_ahead.h"
 #include "model/fanuc/cutter_compensation/cutter_compensation.h"
@@ -41,15 +40,12 @@ class CutterCompensationC final : public CutterCompensation, private CornerSecti
   void take_cancel(Step& now);
   void cancel_alone(Step& now);
   void drop_lone_start();
-  // The block moves at the corner before it; `group` gives the vectors there.
-  void meet(Step& now, const std::function<SpaceGroup(Held& held)>& group);
-  // The same in the mode.
+  // A block of the mode or a cancel block moves at the corner before it; `path`, with its offset.
   void meet_corner(Step& now, const OffsetPath& path, const CutterOffset& offset);
   // Of a code that makes or removes the vector without motion in the plane.
   void see_move_alone(Step& step, bool changes) const;
   void end_standing(Clause why) override;
   void released(const Held& held) override;
-  [[noreturn]] void leave_open_at(Step& now, Clause clause, const char* message);
 
   // machine_moves.cpp: G53, G28, G30, G29.
   void take_machine_move(Step& now, bool wanted);

@@ -10,7 +10,7 @@ void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
       cancel_alone(now);
       return;
     }
-    ahead_.end_before(now, Clause::fanuc_cutter_c_no_next_block);
+    ahead_.end_before(now);
     recorder().reach(Clause::fanuc_cutter_c_outside_axes_only);
     ahead_.keep(now);
     return;
@@ -21,7 +21,7 @@ void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
     take_reference_with_intersection(now);
     return;
   }
-  ahead_.end_before(now, Clause::fanuc_cutter_c_no_next_block);
+  ahead_.end_before(now);
   recorder().reach(reference ? Clause::fanuc_cutter_c_reference_return : Clause::fanuc_cutter_c_machine_position);
   if (goes_on) {
     leave_vector(block);
@@ -37,7 +37,7 @@ void CutterCompensationC::take_reference_with_intersection(Step& now) {
   const CutterBlock& block = said(now);
   const PlanePoint travel = block.ends.front() - block.start;
   if (!recorder().decide(Clause::fanuc_cutter_c_reference_intersection, !is_zero(travel))) {
-    ahead_.end_before(now, Clause::fanuc_cutter_c_no_next_block);
+    ahead_.end_before(now);
     now.moves.front().offset = ahead_.here().front().vector;
   } else {
     const CutterOffset offset = ahead_.next_offset(now, true);

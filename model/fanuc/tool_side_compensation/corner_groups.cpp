@@ -11,9 +11,8 @@ SpaceGroup ToolSideCompensation::without_corner(const Held& held) {
 }
 
 // The tool moves by the vector perpendicular to the next block.
-SpaceGroup ToolSideCompensation::vector_of_start(Held& held, const SideEnd& start) {
+SpaceGroup ToolSideCompensation::vector_of_start(const Held& held, const SideEnd& start) {
   recorder().reach(Clause::fanuc_tool_side_start_type_c);
-  change_alone(held.step, spec::Cause::start_up, held.offset.distance != 0);
   corner_plane_ = side_path_of(held).plane;
   return rules_.square_to_latter(corner_plane_, start);
 }

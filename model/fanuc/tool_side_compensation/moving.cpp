@@ -107,11 +107,11 @@ void ToolSideCompensation::look_at_arc(Step& now, Movement& movement) {
   SideArc& arc = *movement.path.arc;
   for (std::size_t i = 0; i < movement.starts.size(); ++i) {
     arc.sense_at_start = sense(side_path_of(ahead_.held()[i]).plane.tool(), arc.plane);
-    if (arc.sense_at_start == 0) leave_open_at(now, Clause::fanuc_tool_side_arc_plane, kOnEdge);
+    if (arc.sense_at_start == 0) ahead_.leave_open_at(now, Clause::fanuc_tool_side_arc_plane, kOnEdge);
     movement.starts[i] = arc_start(arc, 0);
   }
   arc.sense_at_end = sense(movement.own.tool(), arc.plane);
-  if (arc.sense_at_end == 0) leave_open_at(now, Clause::fanuc_tool_side_arc_plane, kOnEdge);
+  if (arc.sense_at_end == 0) ahead_.leave_open_at(now, Clause::fanuc_tool_side_arc_plane, kOnEdge);
   if (movement.starts.empty()) arc.sense_at_start = arc.sense_at_end;
   movement.end = arc_end(arc, 0);
   if (leans(before_, arc.plane) || leans(movement.own.tool(), arc.plane)) {

@@ -26,7 +26,9 @@ ToolSideCompensation::ToolSideCompensation(const Place& place)
       axes_(place.setup.axes),
       limit_(place.setup.parameter(19630) ? plain(*place.setup.parameter(19630)) : Rational(0)),
       type_c_(place.setup.bit(5003, 1)),
-      ahead_(place, *this, {LookAhead::Between::at_last_head, Clause::fanuc_tool_side_one_block_without_movement}) {}
+      ahead_(place, *this,
+             {LookAhead::Between::at_last_head, Clause::fanuc_tool_side_one_block_without_movement,
+              Clause::fanuc_tool_side_no_next_block}) {}
 
 void ToolSideCompensation::refuse_rotary_word(const Command& command) const {
   if (on() || on_after(command))
@@ -89,11 +91,8 @@ void ToolSideCompensation::take(const Step& step) {
   Movement movement;
   if (wanted || ahead_.in_mode()) movement = movement_of(now);
   const bool started = ahead_.holds(Held::Kind::lone_start);
-  if (started && (!wanted || !movement.starts.front())) {
-    // The block right behind the code must move there and stay in the mode.
-    ahead_.decide_held(now);
-    end_standing(Clause::fanuc_tool_side_no_next_block);
-  }
+  // The block right behind a lone start must move there and stay in the mode.
+  if (started && (!wanted || !movement.starts.front())) ahead_.end_before(now);
   if (!ahead_.in_mode() && !started)
     take_while_off(now, wanted, movement);
   else if (wanted)
@@ -105,7 +104,7 @@ void ToolSideCompensation::take(const Step& step) {
   before_ = tool;
 }
 
-void ToolSideCompensation::finish() { ahead_.end(Clause::fanuc_tool_side_no_next_block); }
+void ToolSideCompensation::finish() { ahead_.end(); }
 
 void ToolSideCompensation::take_while_off(Step& now, bool wanted, const Movement& movement) {
   ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
@@ -134,8 +133,8 @@ void ToolSideCompensation::start_alone(Step& now) {
 
 void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
   if (ahead_.mode == CornerMode::leaving)
-    leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
-                  "tool side compensation again before the vector of the cancelled mode is removed");
+    ahead_.leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
+                         "tool side compensation again before the vector of the cancelled mode is removed");
   CutterOffset offset;
   if (movement.moves()) {
     const Leg& leg = now.moves.front().leg;
@@ -155,7 +154,11 @@ void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
     return;
   }
   if (movement.moves()) ahead_.moved(offset);
-  keep_vector(now, movement.moves_behind());
+  const bool cuts_corner = movement.moves_behind();
+  const bool runs = ahead_.held().empty();
+  if (cuts_corner) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
+  ahead_.keep(now);
+  if (cuts_corner && runs) leave_corner();
 }
 
 void ToolSideCompensation::take_cancel(Step& now, Movement& movement) {
@@ -173,23 +176,15 @@ void ToolSideCompensation::take_cancel(Step& now, Movement& movement) {
 // G40 or number 0 in a block that does not move in the plane at its own end.
 void ToolSideCompensation::cancel_alone(Step& now, bool cuts_corner) {
   const bool has_vector = !is_zero_vector(ahead_.here().back().vector);
-  if (recorder().decide(Clause::fanuc_tool_side_type_c, type_c_)) {
-    recorder().reach(Clause::fanuc_tool_side_cancel_type_c);
-    ahead_.take_away_alone(now, has_vector);
-    return;
-  }
-  recorder().reach(Clause::fanuc_tool_side_cancel_without_movement);
-  ahead_.mode = has_vector ? CornerMode::leaving : CornerMode::off;
-  keep_vector(now, cuts_corner);
+  const bool at_once = recorder().decide(Clause::fanuc_tool_side_type_c, type_c_);
+  recorder().reach(at_once ? Clause::fanuc_tool_side_cancel_type_c : Clause::fanuc_tool_side_cancel_without_movement);
+  if (cuts_corner && !at_once) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
+  ahead_.cancel_alone(now, has_vector, at_once);
+  if (cuts_corner && !at_once) leave_corner();
 }
 
-void ToolSideCompensation::keep_vector(Step& now, bool cuts_corner) {
-  if (cuts_corner) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
-  const bool runs = ahead_.held().empty();
-  ahead_.keep(now);
-  // The head is no longer one of the corner where the vector was made.
-  if (cuts_corner && runs) ahead_.set_vector({ahead_.here().front().vector});
-}
+// The head is no longer one of the corner where the vector was made.
+void ToolSideCompensation::leave_corner() { ahead_.set_vector({ahead_.here().front().vector}); }
 
 void ToolSideCompensation::hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement) {
   auto held = std::make_shared<HeldSidePath>();
@@ -212,10 +207,5 @@ void ToolSideCompensation::end_standing(Clause /*why*/) {
 }
 
 void ToolSideCompensation::released(const Held& held) { corner_plane_ = side_path_of(held).plane; }
-
-// The blocks before go out as if this one were absent.
-void ToolSideCompensation::leave_open_at(Step& now, Clause clause, const char* message) {
-  ahead_.leave_open_at(now, Clause::fanuc_tool_side_no_next_block, clause, message);
-}
 
 }  // namespace toolcomp::model

@@ -63,13 +63,12 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
   void start_alone(Step& now);
   void take_in_mode(Step& now, Movement& movement);
   void take_cancel(Step& now, Movement& movement);
+  // `cuts_corner`: the block makes no vector at its own end, and was the outgoing leg of a corner before it.
   void cancel_alone(Step& now, bool cuts_corner);
-  // The block makes no vector at its own end. `cuts_corner`: it was the outgoing leg of a corner before it.
-  void keep_vector(Step& now, bool cuts_corner);
+  void leave_corner();
   void hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement);
   void end_standing(Clause why) override;
   void released(const Held& held) override;
-  [[noreturn]] void leave_open_at(Step& now, Clause clause, const char* message);
 
   // moving.cpp: how a block moves at the corners before it.
   [[nodiscard]] Movement movement_of(const Step& now) const;
@@ -81,7 +80,7 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
 
   // corner_groups.cpp: the vectors at the end of a block held.
   [[nodiscard]] SpaceGroup without_corner(const Held& held) override;
-  [[nodiscard]] SpaceGroup vector_of_start(Held& held, const SideEnd& start);
+  [[nodiscard]] SpaceGroup vector_of_start(const Held& held, const SideEnd& start);
   [[nodiscard]] SpaceGroup group_before(const Held& held, const Step& now, const Movement& movement,
                                         const SideEnd& start, const CutterOffset& offset);
   [[nodiscard]] SpaceGroup group_by_rules(const Held& held, const SideEnd& start, bool one_side);
