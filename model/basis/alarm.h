@@ -10,7 +10,7 @@
 
 namespace toolcomp::model {
 
-// The block at fault makes nothing at all; the run ends with this alarm (contract, event rules 4 and 5).
+// The block at fault makes nothing at all; the run ends with this alarm (docs/events.md, rules 4 and 5).
 class Alarm : public std::exception {
  public:
   Alarm(spec::Name alarm_number, const char* text) : number(alarm_number), message(text) {}

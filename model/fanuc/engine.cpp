@@ -97,6 +97,7 @@ void Engine::State::run(const spec::Block& block) {
   recorder.at(block.line);
   const Step step = maker.make(block, compensation);
   compensation.take(step);
+  // fanuc.program.end: M02 and M30 end the program after their block, and so does the end of the text.
   if (recorder.decide(Clause::fanuc_program_end, step.ends_program)) finish();
 }
 

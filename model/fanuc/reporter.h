@@ -13,7 +13,7 @@
 
 namespace toolcomp::model {
 
-// Writes the events of one run to a sink, in their order (contract, event rules).
+// Writes the events of one run to a sink, in their order (docs/events.md).
 class Reporter {
  public:
   // `samples`: N of the fractions k/N inside blocks; 0: none.

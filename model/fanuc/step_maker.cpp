@@ -65,6 +65,8 @@ void StepMaker::find_legs(Making& now) {
                      {start, legs, [this](const Position& position) { return tip_control_.at(position).tool; }});
   now.machine = tip.tip_control || (!legs.empty() && goes_by_machine_coordinates(command.codes.one_shot));
   now.plan = length_.plan(length_command(command, legs));
+  // fanuc.length-offset.move-without-axis-word: Without an axis word a travel of zero is assumed: the offset axis still
+  // moves by the change of its offset. Where the offset does not change there is no move.
   if (legs.empty() && !tip.ends &&
       recorder_.decide(Clause::fanuc_length_offset_move_without_axis_word, now.plan.changed))
     legs.push_back(tool_offset_.shifted(interpreter_.stay(command)));

@@ -11,7 +11,7 @@
 #include "model/fanuc/program/pipeline.h"
 #include "model/fanuc/program/step.h"
 #include "model/fanuc/tool_center_point_control/tool_center_point_control.h"
-#include "model/fanuc/tool_length_measurement/tool_length_measurement.h"
+#include "model/fanuc/tool_length_measurement/rules.h"
 #include "model/fanuc/tool_length_offset/tool_length_offset.h"
 #include "model/fanuc/tool_offset/tool_offset.h"
 #include "spec/language/fanuc/block.h"

@@ -31,6 +31,8 @@ ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const Pla
   ArcGeometry arc;
   arc.center = start + to_center;
   const bool closed = travel[0].sign() == Sign::zero && travel[1].sign() == Sign::zero;
+  // fanuc.program.arc-full-circle: With I J K an arc whose end is its start in the plane is a full circle of 360
+  // degrees; it needs no axis word.
   if (recorder.decide(Clause::fanuc_program_arc_full_circle, closed)) {
     arc.sweep = 360;
     return arc;
@@ -40,13 +42,19 @@ ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const Pla
   const Real start_radius2 = dot(from, from);
   const Real end_radius2 = dot(to, to);
   const bool ends_in_center = end_radius2.sign() == Sign::zero;
+  // fanuc.program.arc-ends-in-center: Where the end of an arc is its centre no sweep can be stated.
   if (!recorder.decide(Clause::fanuc_program_arc_ends_in_center, ends_in_center)) {
     const Real left_turn = cross(from, to);
     const Real sine = direction == spec::ArcDirection::ccw ? left_turn : -left_turn;
+    // fanuc.program.arc-sweep: With I J K the sweep is the angle from the start radius to the end radius in the
+    // direction of the code, more than 0 and at most 360 degrees. Start and end on one ray from the centre: a whole
+    // turn.
     const Sign side = recorder.decide(Clause::fanuc_program_arc_sweep, sine, sqrt(start_radius2 * end_radius2));
     arc.sweep = swept_angle(sine, dot(from, to), side);
   }
   const Real growth = end_radius2 - start_radius2;
+  // fanuc.program.arc-spiral: With I J K start and end may have different distances from the centre; the tool then runs
+  // a spiral whose radius grows evenly with the angle.
   if (recorder.decide(Clause::fanuc_program_arc_spiral, growth, end_radius2 + start_radius2) != Sign::zero)
     arc.radius = {sqrt(start_radius2), sqrt(end_radius2)};
   return arc;
@@ -55,17 +63,22 @@ ArcGeometry arc_by_center(Recorder& recorder, const PlanePoint& start, const Pla
 ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const PlanePoint& travel, const Real& radius,
                           spec::ArcDirection direction) {
   const Real chord2 = dot(travel, travel);
+  // fanuc.program.arc-radius-without-chord: R with an end that is the start, and R0, raise PS0023: full circles need I
+  // J K.
   if (chord2.sign() == Sign::zero || radius.sign() == Sign::zero)
     raise(recorder, Clause::fanuc_program_arc_radius_without_chord, "PS0023", kNoArc);
 
   // The centre lies on the perpendicular bisector, at height h over the chord: h² = radius² − chord²/4.
   const Real radius2 = square(radius);
   const Real four_h2 = 4 * radius2 - chord2;
+  // fanuc.program.arc-radius: R gives the radius. An arc exists where R is at least half the chord; a smaller one
+  // raises PS0023.
   const Sign reach = recorder.decide(Clause::fanuc_program_arc_radius, four_h2, 4 * radius2 + chord2);
   if (reach == Sign::negative) throw Alarm("PS0023", kNoArc);
   if (reach == Sign::positive && four_h2.sign() != Sign::positive) throw NotFinite();
   const Real height = reach == Sign::zero ? Real(0) : sqrt(four_h2 / (4 * chord2));  // h over the chord's length
 
+  // fanuc.program.arc-larger: A positive R means the arc of at most 180 degrees, a negative one the larger arc.
   const bool larger = recorder.decide(Clause::fanuc_program_arc_larger, radius.sign() == Sign::negative);
   const bool center_left = (direction == spec::ArcDirection::ccw) != larger;
   const PlanePoint left{-travel[1], travel[0]};

@@ -9,7 +9,7 @@
 #include "model/heidenhain/program/interpreter.h"
 #include "model/heidenhain/program/report.h"
 #include "model/heidenhain/program/tool_checks.h"
-#include "model/heidenhain/programmed_contour/programmed_contour.h"
+#include "model/heidenhain/programmed_contour/rules.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::model::klartext {
@@ -39,7 +39,7 @@ struct Engine::State {
   void run(const spec::klartext::Block& block);
   void run(Motion motion);
   [[nodiscard]] Compensated uncompensated(const Motion& motion) const;
-  Compensated compensated(Motion& motion, const std::optional<FaceMilling::Checked>& contact);
+  Compensated compensated(Motion& motion, const std::optional<FaceContact>& contact);
   // What is held goes out as if nothing followed.
   void finish() {
     peripheral.finish();
@@ -104,13 +104,14 @@ void Engine::State::run(const spec::klartext::Block& block) {
   std::optional<Motion> motion = interpreter.read(block);
   if (interpreter.tool_call()) face.forget();
   if (motion) run(*std::move(motion));
+  // heidenhain.program.end: M2, M30 and END PGM end the program after their block, and so does the end of the text.
   const bool ends = recorder.decide(Clause::heidenhain_program_end, interpreter.ends());
   recorder.take_clauses();  // of a block without an event
   if (ends) finish();
 }
 
 void Engine::State::run(Motion motion) {
-  std::optional<FaceMilling::Checked> contact;
+  std::optional<FaceContact> contact;
   if (motion.normal)
     contact = face.check(motion);
   else if (motion.vectors || motion.is_peripheral())
@@ -126,14 +127,21 @@ void Engine::State::run(Motion motion) {
   recorder.resume(std::move(motion.clauses));
   const bool cancels = peripheral.pass();
   if (motion.is_out_of_scope()) {
+    // heidenhain.peripheral.out-of-scope: RL or RR without TCPM, in L and in LN without a normal, is the ordinary
+    // compensation in the plane by the full radius, which is not modelled: an undecided event with the reason
+    // OUT_OF_SCOPE in place of the move; the run goes on from the programmed end point.
     recorder.reach(Clause::heidenhain_peripheral_out_of_scope);
     motion.clauses = recorder.take_clauses();
     report_out_of_scope(motion, sink);
     return;
   }
+  // heidenhain.program.length-along-the-tool: DL acts along the tool vector T: the axes of an event are the tip of a
+  // tool of exactly the table length, and the real tool stands by dL t beside where it would without deltas.
   recorder.reach(Clause::heidenhain_program_length_along_the_tool);
   Compensated end = compensated(motion, contact);
   if (cancels) {
+    // heidenhain.peripheral.cancel: The move of the first moving block behind the last compensated one has the cause
+    // cancel: it goes straight to its own end point. A block out of scope is that block without a move.
     recorder.reach(Clause::heidenhain_peripheral_cancel);
     end.cause = spec::Cause::cancel;
   }
@@ -141,8 +149,10 @@ void Engine::State::run(Motion motion) {
   report(motion, end);
 }
 
-Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceMilling::Checked>& contact) {
+Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceContact>& contact) {
   if (contact) return face.compensate(motion, *contact);
+  // heidenhain.peripheral.no-lateral: LN without a normal under R0 has no side: no lateral compensation, and
+  // W_NO_LATERAL. The manual calls compensation possible in such a block; it needs RL or RR of an earlier one.
   if (motion.vectors)
     motion.warn(recorder, Clause::heidenhain_peripheral_no_lateral, "W_NO_LATERAL",
                 "LN without a surface normal under R0: no lateral compensation");
@@ -150,6 +160,8 @@ Compensated Engine::State::compensated(Motion& motion, const std::optional<FaceM
 }
 
 Compensated Engine::State::uncompensated(const Motion& motion) const {
+  // heidenhain.program.no-compensation: A straight line L without RL and RR has no 3D compensation, whatever the
+  // deltas. So has LN without a normal under R0.
   recorder.reach(Clause::heidenhain_program_no_compensation);
   Compensated end;
   end.point = ProgrammedContour::tip_of_reference(motion);

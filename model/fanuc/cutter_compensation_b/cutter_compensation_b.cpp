@@ -10,11 +10,16 @@ namespace {
 
 bool changes_number(const CutterBlock& words) { return words.number_given && words.number != words.number_before; }
 
-Rational magnitude(const Rational& value) { return value < 0 ? Rational(-value) : value; }
+// Sweep and radii of the tool's own arc.
+void run_on(spec::Arc<Real>& arc, const HeadArc& way) {
+  arc.sweep = way.sweep;
+  arc.radius = way.radius;
+}
 
 }  // namespace
 
-CutterCompensationB::CutterCompensationB(const Place& place) : CutterCompensation(place), axes_(place.setup.axes) {}
+CutterCompensationB::CutterCompensationB(const Place& place)
+    : CutterCompensation(place), axes_(place.setup.axes), rules_(place.recorder) {}
 
 void CutterCompensationB::check(const CutterBlock& words) const {
   check_common(words);
@@ -24,6 +29,9 @@ void CutterCompensationB::check(const CutterBlock& words) const {
 
 void CutterCompensationB::check_corner_arc(const CutterBlock& words) const {
   const bool forbidden = words.code || changes_number(words) || words.axis_word_outside;
+  // fanuc.cutter-b.corner-arc-format: G39 raises PS0035 while the mode is off or no start-up has been made; with G40,
+  // G41, G42 or a word that gives the cutter another number in its block; with an axis word outside the plane; with a
+  // direction that is zero or missing.
   if (!on() || !started_ || forbidden || !words.direction || is_zero(*words.direction))
     raise(recorder(), Clause::fanuc_cutter_b_corner_arc_format, "PS0035",
           "G39 outside the mode, with another code, number or axis, or without a direction");
@@ -32,9 +40,17 @@ void CutterCompensationB::check_corner_arc(const CutterBlock& words) const {
 void CutterCompensationB::check_arc(const CutterBlock& words) const {
   constexpr const char* kArc = "an arc in a block that starts, changes or cancels cutter compensation";
   const bool is_on = words.side != CutterSide::none;
+  // fanuc.cutter-b.arc-with-code: G41 or G42 in a block that is an arc raises PS0034, a repeated code included. A block
+  // is an arc where G02 or G03 is in force, no other code of group 00 stands in it, and it holds an axis word of the
+  // plane, I, J, K or R.
   if (is_on && words.code) raise(recorder(), Clause::fanuc_cutter_b_arc_with_code, "PS0034", kArc);
+  // fanuc.cutter-b.arc-with-number: A word that gives the cutter another number than the one in force, in a block that
+  // is an arc while the mode is on, raises PS0034.
   if (is_on && changes_number(words)) raise(recorder(), Clause::fanuc_cutter_b_arc_with_number, "PS0034", kArc);
+  // fanuc.cutter-b.arc-at-start-up: An arc as the first block that would make a vector (the start-up) raises PS0034.
   if (is_on && !started_) raise(recorder(), Clause::fanuc_cutter_b_arc_at_start_up, "PS0034", kArc);
+  // fanuc.cutter-b.arc-at-cancel: G40 in a block that is an arc raises PS0034 while the vector is not zero; a zero
+  // vector leaves the arc as programmed.
   if (!is_on && on() && recorder().decide(Clause::fanuc_cutter_b_arc_at_cancel, !is_zero(vector_)))
     throw Alarm("PS0034", kArc);
 }
@@ -57,10 +73,15 @@ void CutterCompensationB::run(Step& step) {
     if (on()) cancel(step);
     return;
   }
+  // fanuc.cutter-b.mode: The mode is on from the block with G41 or G42 to the one with G40.
+  // fanuc.cutter-b.switch: G41 under G42 and G42 under G41 need no G40 between: the next vector that is made, in the
+  // same block where it is a straight one, lies on the new side. A repeated code changes nothing.
   if (!on())
     recorder().reach(Clause::fanuc_cutter_b_mode);
   else if (block.code)
     recorder().decide(Clause::fanuc_cutter_b_switch, block.side != block.before);
+  // fanuc.cutter-b.number-changed: A new number while the mode is on counts for the next vector that is made, in the
+  // same block where it is a straight one; a vector that is kept keeps its length.
   if (on() && block.number_given) recorder().decide(Clause::fanuc_cutter_b_number_changed, changes_number(block));
   if (block.one_shot == OneShot::corner_arc) {
     corner_arc(step);
@@ -68,6 +89,8 @@ void CutterCompensationB::run(Step& step) {
   }
   switch (block.motion) {
     case PlaneMotion::none:
+      // fanuc.cutter-b.kept: A block without an axis word of the plane that is no arc keeps the vector, whatever else
+      // it moves; I J K in it mean nothing.
       recorder().reach(Clause::fanuc_cutter_b_kept);
       keep(step);
       break;
@@ -93,49 +116,25 @@ void CutterCompensationB::keep(Step& step) const {
 // G40: the vector goes at once, in the block's own move or in one back to the programmed point.
 void CutterCompensationB::cancel(Step& step) {
   const CutterBlock& block = said(step);
-  const bool started = recorder().decide(Clause::fanuc_cutter_b_cancel, started_);
-  bool cancels = started;
-  const bool by_words = block.axis_word && (block.one_shot == OneShot::none || block.motion != PlaneMotion::none);
-  if (!by_words && block.motion != PlaneMotion::arc) {
-    cancels = recorder().decide(Clause::fanuc_cutter_b_cancel_alone, !is_zero(vector_));
-    // Beside G92 the only move there can be is that of the length offset.
-    if (cancels && (step.moves.empty() || block.one_shot == OneShot::shift)) step.moves = {step.rest};
-  }
+  const Removal removal = rules_.removal(block, started_, vector_);
+  // Beside G92 the only move there can be is that of the length offset.
+  if (removal == Removal::alone && (step.moves.empty() || block.one_shot == OneShot::shift)) step.moves = {step.rest};
   vector_ = {};
   started_ = false;
   // Machine and reference positions keep the causes of their moves.
   const bool by_path = block.motion == PlaneMotion::none || block.motion == PlaneMotion::zero_travel ||
                        block.motion == PlaneMotion::line || block.motion == PlaneMotion::arc;
-  if (cancels && by_path)
+  if (removal != Removal::none && by_path)
     for (Move& move : step.moves) move.leg.cause = spec::Cause::cancel;
 }
 
-Rational CutterCompensationB::to_the_left(const CutterBlock& block) {
-  recorder().decide(Clause::fanuc_cutter_b_number_zero, block.number == 0);
-  const Rational length = block.side == CutterSide::left ? block.offset : Rational(-block.offset);
-  recorder().decide(Clause::fanuc_cutter_side, Real(length), Real(magnitude(length)));
-  return length;
-}
-
-PlanePoint CutterCompensationB::across(const Rational& length, const PlanePoint& direction) {
-  return Real(length) / sqrt(squared_norm(direction)) * left(direction);
-}
-
 void CutterCompensationB::line(Step& step) {
-  const CutterBlock& block = said(step);
-  PlanePoint direction;
-  bool kept = false;
-  if (recorder().decide(Clause::fanuc_cutter_b_direction_words, block.direction.has_value())) {
-    direction = *block.direction;
-    kept = recorder().decide(Clause::fanuc_cutter_b_direction_zero, is_zero(direction));
-  } else {
-    direction = block.end - block.start;
-    kept = recorder().decide(Clause::fanuc_cutter_b_no_travel, block.motion == PlaneMotion::zero_travel);
-  }
-  if (!kept) {
-    recorder().reach(Clause::fanuc_cutter_b_vector);
-    vector_ = across(to_the_left(block), direction);
+  if (const auto made = rules_.at_end_of_line(said(step))) {
+    vector_ = *made;
     if (!std::exchange(started_, true)) {
+      // fanuc.cutter-b.start-up: The first vector made after the mode began, or after G28, G29, G30, G30.1 or G53 took
+      // it away, is the start-up: its block is a straight one, and its own move has cause start-up. Blocks before it
+      // have no vector.
       recorder().reach(Clause::fanuc_cutter_b_start_up);
       step.moves.front().leg.cause = spec::Cause::start_up;
     }
@@ -146,63 +145,39 @@ void CutterCompensationB::line(Step& step) {
 void CutterCompensationB::arc(Step& step) {
   const CutterBlock& block = said(step);
   const PlanePoint& center = block.arc->center;
-  const PlanePoint to_end = block.end - center;
-  if (is_zero(to_end))
-    raise(recorder(), Clause::fanuc_cutter_b_arc_ends_in_center, "PS0038", "an arc whose end is its centre");
-  recorder().reach(Clause::fanuc_cutter_b_arc_vector);
   const PlanePoint from = block.start + vector_ - center;
-  const PlanePoint tangent = block.arc_direction == spec::ArcDirection::ccw ? left(to_end) : -left(to_end);
-  vector_ = across(to_the_left(block), tangent);
+  vector_ = rules_.at_end_of_arc(block);
   keep(step);
-  tool_arc(*step.moves.front().leg.arc, from, to_end + vector_);
+  run_on(*step.moves.front().leg.arc, rules_.head_to_head(block.arc_direction, from, block.end - center + vector_));
 }
 
-bool CutterCompensationB::tool_arc(spec::Arc<Real>& arc, const PlanePoint& from, const PlanePoint& to) const {
-  const Real from2 = squared_norm(from);
-  const Real to2 = squared_norm(to);
-  arc.sweep.reset();
-  bool whole = false;
-  const bool in_center = from2.sign() == Sign::zero || to2.sign() == Sign::zero;
-  if (!recorder().decide(Clause::fanuc_cutter_b_arc_head_in_center, in_center)) {
-    const Real left_turn = cross(from, to);
-    const Real sine = arc.direction == spec::ArcDirection::ccw ? left_turn : -left_turn;
-    const Sign side = recorder().decide(Clause::fanuc_cutter_b_arc_sweep, sine, sqrt(from2 * to2));
-    const Real cosine = dot(from, to);
-    arc.sweep = swept_angle(sine, cosine, side);
-    whole = side == Sign::zero && cosine.sign() == Sign::positive;
-  }
-  arc.radius.reset();
-  if (recorder().decide(Clause::fanuc_cutter_b_arc_radii, to2 - from2, to2 + from2) == Sign::zero) return whole;
-  arc.radius = {sqrt(from2), sqrt(to2)};
-  return false;
-}
-
-// G39: about the programmed point, on the side of the tool, from the old vector to the new one.
+// G39: about the programmed point, from the old vector to the new one.
 void CutterCompensationB::corner_arc(Step& step) {
   const CutterBlock& block = said(step);
-  recorder().reach(Clause::fanuc_cutter_b_corner_arc);
-  recorder().decide(Clause::fanuc_cutter_b_corner_arc_direction, block.direction_letters);
-  const Rational length = to_the_left(block);
-  const PlanePoint before = std::exchange(vector_, across(length, *block.direction));
-  const bool clockwise = recorder().decide(Clause::fanuc_cutter_b_corner_arc_sense, length > 0);
-  Move move = step.rest;
-  move.leg.type = spec::MoveType::arc;
-  move.leg.cause = spec::Cause::corner;
-  spec::Arc<Real>& arc = move.leg.arc.emplace();
-  arc.plane = block.plane;
-  arc.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
-  const PlaneLetters in_plane = letters(block.plane);
-  const Vector center = in_space(block.plane, block.start);
-  for (const char letter : {in_plane.first, in_plane.second})
-    arc.center.set(axes_.index(letter), component(center, space_index(letter)));
-  const bool no_vector = is_zero(before) && is_zero(vector_);
-  const bool stays = no_vector || tool_arc(arc, before, vector_);
-  if (!recorder().decide(Clause::fanuc_cutter_b_corner_arc_none, stays)) step.moves = {std::move(move)};
+  const CornerArcOfB made = rules_.corner_arc(block, vector_);
+  vector_ = made.vector;
+  if (made.moves) {
+    Move move = step.rest;
+    move.leg.type = spec::MoveType::arc;
+    move.leg.cause = spec::Cause::corner;
+    spec::Arc<Real>& arc = move.leg.arc.emplace();
+    arc.plane = block.plane;
+    arc.direction = made.direction;
+    const PlaneLetters in_plane = letters(block.plane);
+    const Vector center = in_space(block.plane, block.start);
+    for (const char letter : {in_plane.first, in_plane.second})
+      arc.center.set(axes_.index(letter), component(center, space_index(letter)));
+    run_on(arc, made.way);
+    step.moves = {std::move(move)};
+  }
   keep(step);
 }
 
 // G53, G28, G30, G29: the vector goes in the first move where an axis of the plane is named.
 void CutterCompensationB::machine_position(Step& step) {
+  // fanuc.cutter-b.machine-position: G28, G29, G30, G30.1 and G53 that name an axis of the plane take the whole vector
+  // away: in the first of their moves, the one to the intermediate point. The mode stays on, and the next vector that
+  // is made is a start-up.
   if (recorder().decide(Clause::fanuc_cutter_b_machine_position, said(step).has_plane_word())) {
     vector_ = {};
     started_ = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/fanuc/cutter_compensation/cutter_compensation.h"
+#include "model/fanuc/cutter_compensation_b/rules.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
@@ -36,14 +37,8 @@ class CutterCompensationB : public CutterCompensation {
   // All moves end with the vector in force.
   void keep(Step& step) const;
 
-  // The offset value to the left of the path, with its sign.
-  [[nodiscard]] Rational to_the_left(const CutterBlock& block);
-  // The vector of this length at right angles to `direction`, which is not zero.
-  [[nodiscard]] static PlanePoint across(const Rational& length, const PlanePoint& direction);
-  // Sweep and radii of the tool's arc from head to head, each counted from the centre. True where the heads are one.
-  bool tool_arc(spec::Arc<Real>& arc, const PlanePoint& from, const PlanePoint& to) const;
-
   spec::Axes axes_;
+  CutterBRules rules_;
   CutterSide side_ = CutterSide::none;  // group 07 in force
   bool started_ = false;                // the start-up is made
   PlanePoint vector_;                   // in force

@@ -4,18 +4,9 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
-#include "spec/language/input_error.h"
 
 namespace toolcomp::model {
 namespace {
-
-Rational fluctuation(const spec::Setup& setup) {
-  const std::optional<spec::Decimal> given = setup.parameter(19631);
-  const Rational degrees = given ? plain(*given) : Rational(1);
-  if (degrees > 90 || degrees < -90)
-    throw spec::InputError("setup", 0, 0, "parameters.19631: an angle from -90 to 90 must stand here");
-  return degrees;
-}
 
 constexpr const char* kStartFormat = "a move, or a code that stops the look-ahead, in the block with G41.3";
 constexpr const char* kCancelFormat = "a move in the block that cancels the leading edge offset";
@@ -24,7 +15,7 @@ constexpr const char* kNoMovement = "the block after G41.3 has no linear movemen
 }  // namespace
 
 LeadingEdgeOffset::LeadingEdgeOffset(const Place& place)
-    : StageOf(place), memory_(place.memory), rules_(fluctuation(place.setup), place.recorder) {}
+    : StageOf(place), memory_(place.memory), rules_(place.setup, place.recorder) {}
 
 bool LeadingEdgeOffset::on_after(const Command& command) const {
   const Codes& codes = command.codes;
@@ -39,20 +30,32 @@ std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
   number_ = number(command);
   auto block = std::make_shared<EdgeBlock>();
   if (codes.compensation == Compensation::leading_edge) {
+    // fanuc.leading-edge.start-format: An axis word (I J K under G43.5 included), M00, M01, M02 or M30 in the G41.3
+    // block raises PS5406.
     if (now.moves() || codes.stops_look_ahead)
       raise(recorder(), Clause::fanuc_leading_edge_start_format, "PS5406", kStartFormat);
+    // fanuc.leading-edge.start-in-arc-mode: G41.3 while G02 or G03 is in force raises PS5408.
     if (command.is_arc_motion())
       raise(recorder(), Clause::fanuc_leading_edge_start_in_arc_mode, "PS5408",
             "leading edge offset started in G02 or G03");
+    // fanuc.leading-edge.repeated: G41.3 while the mode is on raises PS5407.
     if (active_)
       raise(recorder(), Clause::fanuc_leading_edge_repeated, "PS5407", "G41.3 while the leading edge offset is on");
+    // fanuc.leading-edge.start-with-d0: G41.3 with D0 in force starts nothing: the state stays cancelled, and the next
+    // block is free. A number whose value is 0 starts the mode with vectors of length 0. The format of the block is
+    // checked in both cases.
     if (!recorder().decide(Clause::fanuc_leading_edge_start_with_d0, number_ == 0)) block->code = Code::start;
   } else if (active_) {
+    // fanuc.leading-edge.d0-cancels: A D0 word while the mode is on cancels it as G40 does.
     const bool by_number = recorder().decide(Clause::fanuc_leading_edge_d0_cancels, codes.d == 0U);
     if (codes.compensation == Compensation::cancel || by_number) {
+      // fanuc.leading-edge.cancel-format: An axis word (I J K under G43.5 included) in the block that cancels the mode
+      // raises PS5406.
       if (now.moves()) raise(recorder(), Clause::fanuc_leading_edge_cancel_format, "PS5406", kCancelFormat);
       block->code = Code::cancel;
     }
+    // fanuc.leading-edge.arc: G02 or G03 while the mode is on, in the block that cancels it too, raises PS5407: only
+    // G00 and G01 are allowed.
     if (command.is_arc_motion())
       raise(recorder(), Clause::fanuc_leading_edge_arc, "PS5407", "G02 or G03 while the leading edge offset is on");
   }
@@ -60,6 +63,8 @@ std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
   if (block->code != Code::cancel) {
     forbid(now);
     block->radius = memory_.d(number_);
+    // fanuc.leading-edge.number-changed: Another D while the mode is on counts for the vector at the end of the block
+    // that holds it; a vector that is kept keeps its length.
     recorder().decide(Clause::fanuc_leading_edge_number_changed, active_ && codes.d.has_value());
   }
   return block;
@@ -67,6 +72,9 @@ std::shared_ptr<StageWords> LeadingEdgeOffset::read(const StageCommand& now) {
 
 void LeadingEdgeOffset::complete(StageWords& words, const Step& step) const {
   EdgeBlock& block = own(words);
+  // fanuc.leading-edge.no-movement: A block counts as one without movement where the travel in X Y Z is exactly zero:
+  // rotary axes alone, a tool direction alone, M S T F H alone, a travel of zero. A block with N or O alone is no
+  // block.
   if (block.code == EdgeBlock::Code::none)
     block.travels = !recorder().decide(Clause::fanuc_leading_edge_no_movement,
                                        step.moves.empty() || is_zero(step.moves.front().leg.travel));
@@ -76,6 +84,9 @@ void LeadingEdgeOffset::forbid(const StageCommand& now) const {
   const Codes& codes = now.command.codes;
   const bool other = codes.compensation && (is_cutter_side(*codes.compensation) || is_tool_side(*codes.compensation));
   const bool code = codes.one_shot != OneShot::none || codes.workpiece || codes.units || other;
+  // fanuc.leading-edge.forbidden: In a block after which the mode is on these raise FORBIDDEN_IN_3D_COMPENSATION (the
+  // alarm number is not known): G04 G10 G28 G29 G30 G30.1 G37 G39 G41 G42 G41.2 G42.2 G41.6 G42.6 G45 to G48 G53 G92
+  // G54 to G59 G20 G21, and an M, S or T word together with an axis word.
   if (code || (codes.auxiliary && now.moves()))
     raise(recorder(), Clause::fanuc_leading_edge_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
           "a command that is not allowed while the leading edge offset is on");
@@ -105,7 +116,6 @@ void LeadingEdgeOffset::take_moving(const Step& step) {
     const Vector& movement = step.moves.front().leg.travel;
     decide_held();
     if (starting_) {
-      recorder().reach(Clause::fanuc_leading_edge_start);
       try {
         vector_ = rules_.first(movement, held_->rest.tool, said(*held_).radius);
       } catch (Alarm& alarm) {
@@ -115,6 +125,8 @@ void LeadingEdgeOffset::take_moving(const Step& step) {
         throw;
       }
     } else {
+      // fanuc.leading-edge.one-block-without-movement: With one block without movement between, the vector is made of
+      // the tool direction before it and the movement after it, and is kept through it, whatever the tool does there.
       recorder().decide(Clause::fanuc_leading_edge_one_block_without_movement, !behind_.empty());
       vector_ = rules_.next(vector_, movement, held_->rest.tool, said(*held_).radius);
     }
@@ -125,6 +137,8 @@ void LeadingEdgeOffset::take_moving(const Step& step) {
 
 // A block without linear movement.
 void LeadingEdgeOffset::take_other(const Step& step) {
+  // fanuc.leading-edge.no-movement-after-start: PS5407 at the G41.3 block where the block right after it has no linear
+  // movement: no travel in X Y Z, G40, the end of the program, or a block that raises an alarm of its own.
   if (step.has_word && starting_)
     start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, "PS5407", kNoMovement);
   if (!held_) {
@@ -135,6 +149,11 @@ void LeadingEdgeOffset::take_other(const Step& step) {
   const auto counted = std::ranges::count_if(behind_, [](const Step& s) { return s.has_word; });
   if (!step.stops_look_ahead && counted < 2) return;
   decide_held();
+  // fanuc.leading-edge.kept-without-look-ahead: Before a block that stops the look-ahead (M00 M01 M02 M30), the cancel
+  // block included, the vector made before is kept.
+  // fanuc.leading-edge.two-blocks-without-movement: With two or more blocks without movement in a row the vector made
+  // before is kept: the moving block before them ends with the vector it started with. What exactly is kept is our
+  // reading.
   recorder().reach(step.stops_look_ahead ? Clause::fanuc_leading_edge_kept_without_look_ahead
                                          : Clause::fanuc_leading_edge_two_blocks_without_movement);
   release(&step);
@@ -148,6 +167,9 @@ void LeadingEdgeOffset::take_cancel(const Step& step) {
     if (step.stops_look_ahead) {
       recorder().reach(Clause::fanuc_leading_edge_kept_without_look_ahead);
     } else {
+      // fanuc.leading-edge.before-cancel: The block before G40 makes its vector from its own movement and the tool
+      // direction at its end. That the ranges near 0, 90 and 180 degrees hold here too, and that one block without
+      // movement may stand between, is our definition.
       recorder().reach(Clause::fanuc_leading_edge_before_cancel);
       vector_ = rules_.next(vector_, held_->moves.front().leg.travel, held_->rest.tool, said(*held_).radius);
     }
@@ -155,6 +177,8 @@ void LeadingEdgeOffset::take_cancel(const Step& step) {
   }
   active_ = false;
   vector_ = {};
+  // fanuc.leading-edge.cancel: At G40 the tool returns by the vector to the programmed point, in rapid traverse under
+  // G00, else straight with the feed. G40 while nothing is on does nothing.
   recorder().reach(Clause::fanuc_leading_edge_cancel);
   Step cancel = step;
   cancel.clauses.add(recorder().take_clauses());
@@ -165,6 +189,8 @@ void LeadingEdgeOffset::finish() {
   if (!held_) return;
   if (starting_) start_alarm(Clause::fanuc_leading_edge_no_movement_after_start, "PS5407", kNoMovement);
   decide_held();
+  // fanuc.leading-edge.kept-at-the-end: At the end of the program, and before a block that ends the run by an alarm,
+  // the vector made before is kept.
   recorder().reach(Clause::fanuc_leading_edge_kept_at_the_end);
   release(nullptr);
 }

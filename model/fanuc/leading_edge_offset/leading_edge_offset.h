@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/fanuc/leading_edge_offset/edge_vector.h"
+#include "model/fanuc/leading_edge_offset/rules.h"
 #include "model/fanuc/program/stage.h"
 
 namespace toolcomp::model {

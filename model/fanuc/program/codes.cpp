@@ -121,6 +121,8 @@ class Reader {
  private:
   template <class Code>
   bool group(std::optional<Code>& slot, Code code) {
+    // fanuc.program.last-code-of-group: Of several G codes of one modal group in a block the last counts. G04 G10 G28
+    // G29 G30 G30.1 G37 G39 G45 to G48 G53 and G92 exclude each other in the same way.
     if (slot) recorder_.reach(Clause::fanuc_program_last_code_of_group);
     slot = code;
     return true;
@@ -154,6 +156,8 @@ void read_m(const spec::Decimal& value, Codes& codes) {
 // An H or D number; the reader admits neither sign nor point.
 std::optional<std::uint32_t> offset_number(const spec::Decimal* word, const spec::Setup& setup, Recorder& recorder) {
   if (word == nullptr) return std::nullopt;
+  // fanuc.program.offset-number-range: An H or D number beyond the number of offsets raises PS0030, whatever the block
+  // does with it.
   if (word->digits > setup.offset_count)
     raise(recorder, Clause::fanuc_program_offset_number_range, "PS0030", "offset number beyond the tool offset memory");
   return static_cast<std::uint32_t>(word->digits);
@@ -165,6 +169,8 @@ Words::Words(const spec::Block& block, Recorder& recorder) {
   for (const spec::Word& word : block.words()) {
     if (word.address == 'G' || word.address == 'M' || word.address == 'N' || word.address == 'O') continue;
     const spec::Decimal*& slot = word_[static_cast<std::size_t>(word.address - 'A')];
+    // fanuc.program.last-word-of-address: Of several words with one address in a block the last counts; G and M words
+    // all count.
     if (slot != nullptr) recorder.reach(Clause::fanuc_program_last_word_of_address);
     slot = &word.value;
   }
@@ -177,6 +183,7 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
     codes.any = codes.any || word.address != 'O';
     if (word.address == 'G') {
       const auto code = tenths(word.value);
+      // fanuc.program.unknown-code: A G code that does not exist or is not supported raises PS0010.
       if (!code || !reader.read(*code))
         raise(recorder, Clause::fanuc_program_unknown_code, "PS0010", "G code unknown or not supported");
     } else if (word.address == 'M') {
@@ -186,9 +193,13 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
     }
   }
   const bool side = codes.compensation && is_cutter_side(*codes.compensation);
+  // fanuc.cutter-c.three-dimensional: G41 or G42 in a block with all of I, J and K is three-dimensional tool
+  // compensation. That section is not built: PS0010, as of a code that is not supported.
   if (side && !takes_letters_as_data(codes.one_shot) && words.has('I') && words.has('J') && words.has('K') &&
       setup.cutter_compensation == spec::CutterCompensationType::c)
     raise(recorder, Clause::fanuc_cutter_c_three_dimensional, "PS0010", "three-dimensional compensation is not built");
+  // fanuc.memory.g10-kind: G10 writes by L: memory A L11; B L10 geometry, L11 wear; C L10 and L11 for H, L12 and L13
+  // for D; L1 is L11. Any other L, and none, raises PS0010: that use of G10 is not supported.
   if (codes.one_shot == OneShot::data && !offset_kind(words, setup.memory))
     raise(recorder, Clause::fanuc_memory_g10_kind, "PS0010", "G10 with an L that this offset memory does not have");
   codes.h = offset_number(words.find('H'), setup, recorder);

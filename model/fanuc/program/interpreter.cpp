@@ -31,6 +31,9 @@ AxisMask Interpreter::axis_words(const Words& words) const {
 
 Command Interpreter::read(const spec::Block& block) {
   if (block.alarm) {
+    // fanuc.program.unreadable-block: A block that cannot be read raises the alarm of reading when it is reached:
+    // PS0003 too many digits, PS0004 no address, PS0005 no digit, PS0006 a sign, PS0007 a point, PS0009 an unknown
+    // letter. It ends the run.
     recorder_.reach(Clause::fanuc_program_unreadable_block);
     throw Alarm(block.alarm->number, block.alarm->message);
   }
@@ -46,6 +49,8 @@ Command Interpreter::read(const spec::Block& block) {
   command.plane = plane_;
   command.incremental = incremental_;
   if (const spec::Decimal* f = words.find('F')) feed_ = numbers_.feed(*f);
+  // fanuc.program.letters-as-data: In a block with G04 or G10 axis letters and I J K are data of that code (the dwell
+  // time), not positions: they move nothing, turn nothing and name no axis.
   if (!recorder_.decide(Clause::fanuc_program_letters_as_data, takes_letters_as_data(codes.one_shot))) {
     command.axes = axis_words(words);
     command.direction = words.has('I') || words.has('J') || words.has('K');
@@ -77,6 +82,8 @@ Leg Interpreter::ordinary(const Command& command, spec::MoveType type) const {
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     if (!in(command.axes, i)) continue;
     const Rational value = word(command, i);
+    // fanuc.program.incremental: Under G90 an axis word is the end position in the workpiece coordinate system, under
+    // G91 the travel from the programmed position; offsets do not enter.
     if (recorder_.decide(Clause::fanuc_program_incremental, command.incremental))
       go(leg, i, position_.at(i) + value, value);
     else
@@ -87,6 +94,8 @@ Leg Interpreter::ordinary(const Command& command, spec::MoveType type) const {
 
 // G53: machine coordinates of the named axes.
 Leg Interpreter::machine_leg(const Command& command) const {
+  // fanuc.program.machine-coordinates: G53 with axis words goes in rapid traverse to machine coordinates. The workpiece
+  // position of the named axes is then the machine position less the work zero.
   recorder_.reach(Clause::fanuc_program_machine_coordinates);
   Leg leg;
   leg.type = spec::MoveType::rapid;
@@ -111,10 +120,14 @@ const Rational& Interpreter::reference(const Command& command, std::size_t axis)
 
 // G28, G30, G30.1: to the intermediate point, then the named axes to the reference position.
 std::vector<Leg> Interpreter::reference_legs(const Command& command) {
+  // fanuc.program.reference-return: G28, G30 and G30.1 take the named axes to the intermediate point and from there to
+  // the reference position (first; second to fourth by P; floating), both in rapid traverse.
   if (!recorder_.decide(Clause::fanuc_program_reference_return, command.axes != 0)) return {};
   if (command.codes.one_shot == OneShot::other_reference) {
     if (const spec::Decimal* p = command.words.find('P')) {
       const Rational number = plain(*p);
+      // fanuc.program.reference-number: P of G30 names reference position 2, 3 or 4; without P it is 2; another number
+      // raises PS0046.
       if (recorder_.decide(Clause::fanuc_program_reference_number, number != 2 && number != 3 && number != 4))
         throw Alarm("PS0046", "G30 with a P that names none of the reference positions 2, 3, 4");
     }
@@ -132,12 +145,16 @@ std::vector<Leg> Interpreter::reference_legs(const Command& command) {
 
 // G29: the named axes by way of the last intermediate point.
 std::vector<Leg> Interpreter::return_legs(const Command& command) const {
+  // fanuc.program.return-from-reference: G29 takes the named axes through the intermediate point of the last G28, G30
+  // or G30.1 to the commanded point, both in rapid traverse. The intermediate point is kept in workpiece coordinates.
   recorder_.reach(Clause::fanuc_program_return_from_reference);
   Leg intermediate;
   intermediate.type = spec::MoveType::rapid;
   intermediate.end = position_;
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     if (!in(command.axes, i)) continue;
+    // fanuc.program.return-without-intermediate: An axis for which no intermediate point exists yet has its current
+    // position for one.
     if (recorder_.decide(Clause::fanuc_program_return_without_intermediate, !intermediate_.at(i))) continue;
     go(intermediate, i, *intermediate_.at(i));
   }
@@ -145,6 +162,7 @@ std::vector<Leg> Interpreter::return_legs(const Command& command) const {
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     if (!in(command.axes, i)) continue;
     const Coordinate value = word(command, i);
+    // fanuc.program.return-incremental: Under G91 the words of G29 count from the intermediate point.
     const bool incremental = recorder_.decide(Clause::fanuc_program_return_incremental, command.incremental);
     go(end, i, incremental ? intermediate.end.at(i) + value : value);
   }
@@ -160,8 +178,12 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   const bool center = command.direction && !directed;
   const bool travels = in(command.axes, first) || in(command.axes, second);
   if (r == nullptr && !center) {
+    // fanuc.program.arc-without-center: An axis word of the plane under G02 or G03 without I J K and without R raises
+    // PS0023.
     if (travels)
       raise(recorder_, Clause::fanuc_program_arc_without_center, "PS0023", "an arc without radius or centre");
+    // fanuc.program.arc-without-plane-words: Under G02 or G03 a block without an axis word of the plane and without I J
+    // K R moves the other axes in a straight line.
     recorder_.reach(Clause::fanuc_program_arc_without_plane_words);
     return std::nullopt;
   }
@@ -179,6 +201,7 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
   arc.direction = command.motion == Motion::arc_cw ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   ArcGeometry geometry;
   if (r != nullptr) {
+    // fanuc.program.arc-radius-wins: Where R and I J K are both given, R counts.
     recorder_.decide(Clause::fanuc_program_arc_radius_wins, center);
     geometry = arc_by_radius(recorder_, start, travel, numbers_.length(*r), arc.direction);
   } else {
@@ -188,6 +211,8 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
     };
     const Rational to_first = component(in_plane.first_center);
     const Rational to_second = component(in_plane.second_center);
+    // fanuc.program.arc-center-in-start: Without R, I J K of which those of the plane are zero or missing raise PS0023,
+    // in cutter compensation C PS0038 (fanuc.cutter-c.arc-ends-in-center).
     if (!recorder_.decide(Clause::fanuc_program_arc_center_in_start, to_first == 0 && to_second == 0))
       geometry = arc_by_center(recorder_, start, travel, {to_first, to_second}, arc.direction);
     else if (compensated)
@@ -204,6 +229,8 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
 
 void Interpreter::select_workpiece_system(const Command& command) {
   if (!command.codes.workpiece) return;
+  // fanuc.program.workpiece-system: G54 to G59 select the workpiece system. The machine stays where it is: the
+  // programmed position shifts by the difference of the origins, without an event.
   recorder_.reach(Clause::fanuc_program_workpiece_system);
   work_.select(*command.codes.workpiece, position_);
 }
@@ -214,6 +241,8 @@ std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool a
   const bool goes = command.axes != 0;
   if (one_shot == OneShot::from_reference) return goes ? return_legs(command) : std::vector<Leg>{};
   if (one_shot == OneShot::machine_coordinates) {
+    // fanuc.program.machine-coordinates-incremental: G53 needs G90: under G91 it is ignored together with its axis
+    // words, and makes no event.
     if (!goes || recorder_.decide(Clause::fanuc_program_machine_coordinates_incremental, command.incremental))
       return {};
     return {machine_leg(command)};
@@ -243,6 +272,8 @@ Leg Interpreter::stay(const Command& command) const {
 void Interpreter::arrive(const Command& command, const std::vector<Leg>& legs) {
   if (!legs.empty()) position_ = legs.back().end;
   if (command.codes.one_shot != OneShot::shift) return;
+  // fanuc.program.shift: G92 calls the programmed position of the axes it names by its words; the shift holds in G54 to
+  // G59 alike. No event.
   recorder_.reach(Clause::fanuc_program_shift);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     if (!in(command.axes, i)) continue;

@@ -89,11 +89,14 @@ OffsetMemory::Entry OffsetMemory::entry(const Table& table, std::uint32_t number
 
 Rational OffsetMemory::applied(const Table& table, std::uint32_t number) const {
   if (number == 0) {
+    // fanuc.memory.number-zero: Offset number 0 is always 0.
     recorder_.reach(Clause::fanuc_memory_number_zero);
     return 0;
   }
   const Entry offset = entry(table, number);
   Rational value = offset.geometry + offset.wear;
+  // fanuc.memory.value-too-large: A value that is beyond the geometry range of the memory when a command applies it
+  // raises PS0029. Ranges: geometry IS-A 999.99 mm, 99.999 inch; IS-B 999.999, 99.9999; IS-C 999.9999, 99.99999.
   if (recorder_.decide(Clause::fanuc_memory_value_too_large, magnitude(value) > geometry_limit_))
     throw Alarm("PS0029", "tool offset value beyond the range of the memory");
   return value;
@@ -105,17 +108,23 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
   write.add = incremental;
   const spec::Decimal* const p = words.find('P');
   const Rational number = p == nullptr ? Rational(0) : plain(*p);
+  // fanuc.memory.g10-number: P of G10 names the offset number; a number that is not whole, 0, beyond the memory or
+  // missing raises PS0031.
   if (denominator(number) != 1 || number < 1 || number > count_)
     raise(recorder_, Clause::fanuc_memory_g10_number, "PS0031", "G10 with an offset number that does not exist");
   write.number = static_cast<std::uint32_t>(numerator(number));
 
   const spec::Decimal* const r = words.find('R');
+  // fanuc.memory.g10-value: R of G10 is the value. Without R nothing is written.
   recorder_.decide(Clause::fanuc_memory_g10_value, r != nullptr);
   if (r == nullptr) return std::nullopt;
   write.value = numbers.length(*r);
   const Rational& limit = write.wear ? wear_limit_ : geometry_limit_;
   const bool too_large =
       (write.h && magnitude(written(h_, write)) > limit) || (write.d && magnitude(written(d_, write)) > limit);
+  // fanuc.memory.g10-range: A value that G10 would store beyond the range of its store raises PS0032. Wear ranges are a
+  // tenth of the geometry ranges in whole digits: IS-A 99.99 mm, 9.999 inch; IS-B 99.999, 9.9999; IS-C 99.9999,
+  // 9.99999.
   if (recorder_.decide(Clause::fanuc_memory_g10_range, too_large))
     throw Alarm("PS0032", "G10 with a value beyond the range of the memory");
   return write;
@@ -123,6 +132,8 @@ std::optional<OffsetWrite> OffsetMemory::read_write(const Words& words, const Nu
 
 OffsetWrite OffsetMemory::measured(std::uint32_t number, const Rational& difference) const {
   OffsetWrite write = offset_kind(11, kind_).value();  // every memory has an L11
+  // fanuc.length-measurement.store: Memory A: the value itself changes. Memory B: the wear value. Memory C: the wear
+  // value of H.
   recorder_.decide(Clause::fanuc_length_measurement_store, write.wear);
   write.add = true;
   write.number = number;
@@ -135,6 +146,7 @@ Rational OffsetMemory::written(const Table& table, const OffsetWrite& write) con
 }
 
 OffsetSetting OffsetMemory::write(const OffsetWrite& write) {
+  // fanuc.memory.g10-adds: Under G90 the value of G10 replaces the stored one, under G91 it is added.
   recorder_.decide(Clause::fanuc_memory_g10_adds, write.add);
   const Rational h = written(h_, write);
   const Rational d = written(d_, write);

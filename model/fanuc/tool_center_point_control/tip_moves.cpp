@@ -46,6 +46,9 @@ std::optional<Vector> tip_beside_name(const Move& move, const spec::Axes& axes) 
   return move.tip->frame->frame.in_workpiece(on_table(*move.tip, tip_at(move, axes)), move.tip->pose);
 }
 
+// fanuc.tool-center-point.samples: Asked for N samples every own move of a block under tool center point control, that
+// of a lone H too, is preceded by the positions at t = k/N, k from 1 to N - 1. The block of the code, inserted moves
+// and turns give none.
 Event sample_at(const Move& last, const Move& move, const spec::Axes& axes, const Rational& t) {
   const OwnMotion& inside = *move.inside;
   const Posture posture = inside.motion->at(t);

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
-#include "model/fanuc/tool_center_point_control/lean.h"
 #include "model/fanuc/tool_posture_control/direction_motion.h"
 #include "model/geometry/plane.h"
 #include "model/kinematics/mechanism.h"
@@ -51,10 +50,16 @@ bool same(const Pose& a, const Pose& b) {
 Clause control_point_clause(MachineType type) {
   switch (type) {
     case MachineType::table:
+      // fanuc.tool-center-point.control-point-table-rotation: Type 12: the first axis goes through A, 19700 to 19702 in
+      // machine coordinates, the second by d, 19703 to 19705, beside it with the first at 0.
       return Clause::fanuc_tool_center_point_control_point_table_rotation;
     case MachineType::mixed:
+      // fanuc.tool-center-point.control-point-mixed: Type 21: the table axis goes through A, 19700 to 19702; the
+      // control point is E, from the tip along the tool by L and then by 19709 to 19711 turned with the tool axis.
       return Clause::fanuc_tool_center_point_control_point_mixed;
     default:
+      // fanuc.tool-center-point.control-point-tool-rotation: Type 2: from the tip along the tool by L to D, by 19709 to
+      // 19711 (given with both axes at 0) to E on the second axis, by 19712 to 19714 to F on the first axis.
       return Clause::fanuc_tool_center_point_control_point_tool_rotation;
   }
 }
@@ -66,6 +71,7 @@ ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, Recorde
     : recorder_(recorder),
       work_(work),
       axes_(setup.axes),
+      rules_(setup.axes, recorder),
       by_machine_(setup.rotary_angles == spec::RotaryAngles::machine),
       kinematics_(setup),
       holder_offset_(parameter(setup, 19666)),
@@ -96,6 +102,9 @@ bool ToolCenterPointControl::is_displaced() const {
 }
 
 void ToolCenterPointControl::decide_angles() const {
+  // fanuc.tool-direction.rotary-angles: The angles of the rotary axes that turn tool and table are machine coordinates:
+  // programmed position plus workpiece zero and G92 shift of the axis. A change of coordinates moves nothing and
+  // changes no direction.
   if (is_displaced()) recorder_.decide(Clause::fanuc_tool_direction_rotary_angles, by_machine_);
 }
 
@@ -113,6 +122,9 @@ const Direction& ToolCenterPointControl::of_pose(const Position& position) {
 }
 
 ToolAtEnd ToolCenterPointControl::at(const Position& end) {
+  // fanuc.tool-direction.of-pose: The tool direction VT points from the tip to the holder and follows the positions of
+  // the rotary axes at the end of the block. A setup without rotary axes that turn the tool has VT = (0, 0, 1), and its
+  // events carry no tool axis.
   recorder_.decide(Clause::fanuc_tool_direction_of_pose, kinematics_.present());
   decide_angles();
   follow(end);
@@ -124,6 +136,14 @@ void ToolCenterPointControl::follow(const Position& position) {
   tool_ = of_pose(position);
 }
 
+// fanuc.tool-center-point.end: G49 ends tool center point control without a move and without an event: the programmed X
+// Y Z become those of the axes, without a shift left by G45 to G48, which stays; the rotary positions stay. G54 to G59
+// in the same block count after that; axis words of the block move from there.
+// fanuc.tool-center-point.again: G43.4 or G43.5 under tool center point control, the same code or the other, ends it
+// and starts it anew: before the words of the block count the tip stays where it is, the programmed X Y Z become its
+// coordinates in the workpiece system at the present pose (without a shift left by G45 to G48, which stays), and the
+// direction kept is that of the rotary positions (without kinematics the one in force). P, Q and the frame are those of
+// the new block, H where it is given.
 void ToolCenterPointControl::rename_position(const TipMarks& marks, const Leg& standing,
                                              Interpreter& interpreter) const {
   if (!tip_) return;
@@ -143,6 +163,9 @@ void ToolCenterPointControl::rename_position(const TipMarks& marks, const Leg& s
   }
 }
 
+// fanuc.tool-center-point.length: The length L along the tool is the offset of the H number plus the tool holder offset
+// 19666. H and edited values follow the rules of G43, without G43 or G44 adding or taking; a change comes into force in
+// the same blocks. In a block in which L changes it goes evenly with the path from the old to the new one.
 TurnedBlock ToolCenterPointControl::turn(const Command& command, const TipMarks& marks, const Interpreter& interpreter,
                                          const Rational& offset, Leg& leg) {
   recorder_.reach(Clause::fanuc_tool_center_point_length);
@@ -160,7 +183,12 @@ TurnedBlock ToolCenterPointControl::turn(const Command& command, const TipMarks&
   return result;
 }
 
-// The block of the code.
+// fanuc.tool-center-point.block: The block of G43.4 or G43.5 is not yet run under tool center point control: its axes
+// go to their ends each by itself, with the length of the tool applied there. It always makes one move, also where
+// nothing moves.
+// fanuc.tool-center-point.frozen-pose: The table system is the copy of the workpiece system at the pose at which the
+// block of G43.4 or G43.5 ends, rotary axes moved in that block included; with the table turned by then it is parallel
+// to the machine all the same.
 void ToolCenterPointControl::start(const Command& command, const TipMarks& marks, const Interpreter& interpreter,
                                    Leg& leg) {
   recorder_.reach(Clause::fanuc_tool_center_point_block);
@@ -195,14 +223,18 @@ void ToolCenterPointControl::start(const Command& command, const TipMarks& marks
   tool_ = tip_->in_workpiece ? of_unit(reported_tool(*tip_)) : now_;
 }
 
-// What the block is asked to turn the tool to; nothing where it stands.
+// fanuc.tool-center-point.direction-words: Under G43.5 I J K are the direction from tip to holder in the programming
+// system, of any length; of some given the missing ones are 0. With none the direction last commanded is kept, without
+// its lean; after a block whose end posture was changed the actual one; from the block of G43.5 on, without I J K in
+// it, the one of the rotary positions. In a block without I J K the rotary axes stand still, whatever the range, where
+// Q is 0 or the tip has no travel. I J K alone make a move.
 std::optional<Direction> ToolCenterPointControl::direction_asked(const Command& command, const Interpreter& interpreter,
                                                                  const Leg& leg) {
   const bool given = recorder_.decide(Clause::fanuc_tool_center_point_direction_words, command.direction);
   const bool may_lean = lean_ != 0 && (given || !is_zero(leg.travel));
   if (given) kept_ = direction_words(command, interpreter.numbers());
   if (may_lean) {
-    Lean now{kept_.vector, lean_travel(leg, axes_), leaned(recorder_, kept_, leg, axes_, lean_)};
+    Lean now{kept_.vector, rules_.lean_travel(leg), rules_.leaned(kept_, leg, lean_)};
     // The same lean again is known to be the same direction.
     if (last_lean_ && known_same(last_lean_->tool, now.tool) && known_same(last_lean_->travel, now.travel))
       now.to = last_lean_->to;
@@ -212,6 +244,10 @@ std::optional<Direction> ToolCenterPointControl::direction_asked(const Command& 
   return given ? std::optional(kept_) : std::nullopt;
 }
 
+// fanuc.tool-center-point.without-kinematics: With 19680 = 0 G43.4 raises PS5459. G43.5 then takes I J K, leaned by Q
+// as on any machine, for the direction itself: nothing is turned, reached or chosen, no posture is singular, WKP does
+// not count, and P makes no difference. Inside a block the direction goes along the great circle, evenly; between
+// opposite directions, where there is none, it stays the first one until the end.
 TurnedBlock ToolCenterPointControl::turn_directly(const Command& command, const Interpreter& interpreter,
                                                   const Leg& leg) {
   TurnedBlock result;
@@ -223,13 +259,18 @@ TurnedBlock ToolCenterPointControl::turn_directly(const Command& command, const 
   return result;
 }
 
+// fanuc.tool-center-point.tip-alone: In a block without X Y Z, with rotary axes or I J K only, the tip stays where it
+// is on the table while the axes move.
+// fanuc.tool-center-point.arc: Arcs and helices of the plane selected are run by the tip in the programming system, on
+// a table machine relative to the table, while the rotary axes or the direction change as in a straight block.
 TurnedBlock ToolCenterPointControl::turn_axes(const Command& command, const TipMarks& marks,
                                               const Interpreter& interpreter, Leg& leg) {
   const bool tip_alone = !has_axis_word(command, is_space_axis);
   if (tip_alone && (has_axis_word(command, spec::is_rotary_axis) || (marks.directed && command.direction)))
     recorder_.reach(Clause::fanuc_tool_center_point_tip_alone);
   if (leg.arc) recorder_.reach(Clause::fanuc_tool_center_point_arc);
-  if (leg.arc && tip_->in_workpiece) restrict_arc_on_table(leg);
+  if (leg.arc && tip_->in_workpiece)
+    rules_.require_table_still(*machine_, leg.arc->plane, tip_->pose, machine_->pose(angles(leg.end)), frozen_);
   PosturePlan found = marks.directed ? directed(command, interpreter, leg) : commanded(leg);
   const Pose end = found.post_turn.value_or(found.end);
   if (tip_->in_workpiece) keep_tip_on_table(tip_alone, interpreter.position(), end, leg);
@@ -261,7 +302,7 @@ PosturePlan ToolCenterPointControl::directed(const Command& command, const Inter
   const std::optional<Direction> to = direction_asked(command, interpreter, leg);
   if (!to) return ToolPostureControl::stand(tip_->frame, {tip_->pose, now_, now_, {}, {}});
   PostureBlock block{tip_->pose, now_, *to, {}, {}};
-  if (lean_ != 0 && known_same(kept_.vector, now_.vector)) block.leaned_toward = lean_travel(leg, axes_);
+  if (lean_ != 0 && known_same(kept_.vector, now_.vector)) block.leaned_toward = rules_.lean_travel(leg);
   PosturePlan found = plan(block);
   if (found.changed) kept_ = found.tool;
   return found;
@@ -271,28 +312,11 @@ PosturePlan ToolCenterPointControl::plan(const PostureBlock& block) const {
   return with_posture_ ? posture_->plan(tip_->frame, block) : posture_->conventional(tip_->frame, block);
 }
 
-void ToolCenterPointControl::restrict_arc_on_table(const Leg& leg) const {
-  const Pose end = machine_->pose(angles(leg.end));
-  const std::size_t normal =
-      3 - space_index(letters(leg.arc->plane).first) - space_index(letters(leg.arc->plane).second);
-  bool turned_about_normal = false;
-  const auto look_at = [&](const Turn& axis, Angle Pose::* position) {
-    const Angle& start = tip_->pose.*position;
-    if (end.*position == start && start == frozen_.*position) return;
-    Vector normal_vector;
-    component(normal_vector, normal) = 1;
-    if (!is_zero(cross(axis.line, normal_vector)))
-      raise(recorder_, Clause::fanuc_tool_center_point_arc_in_workpiece_system, "PS5421",
-            "an arc in the workpiece coordinate system while a table axis not normal to its plane is turned");
-    turned_about_normal = true;
-  };
-  if (machine_->type() == MachineType::table) look_at(machine_->tool_side(), &Pose::tool);
-  look_at(machine_->work_side(), &Pose::work);
-  if (turned_about_normal)
-    raise(recorder_, Clause::fanuc_tool_center_point_arc_with_table_turned, "ARC_WITH_TABLE_TURNED",
-          "an arc in the workpiece coordinate system while the table is turned");
-}
-
+// fanuc.tool-center-point.workpiece-system-end: With WKP = 1 an end point is given as it will be after the table has
+// turned; the tip still runs straight relative to the table. Axes without a word keep their coordinate in the workpiece
+// system.
+// fanuc.tool-center-point.tip-alone-in-workpiece-system: With WKP = 1 too the tip stays on the table in such a block:
+// the programmed X Y Z become those where it then is. A block with one of X Y Z is no such block.
 void ToolCenterPointControl::keep_tip_on_table(bool tip_alone, const Position& from, const Pose& end, Leg& leg) {
   if (!tip_alone) {
     recorder_.reach(Clause::fanuc_tool_center_point_workpiece_system_end);

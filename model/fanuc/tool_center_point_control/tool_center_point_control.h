@@ -8,6 +8,7 @@
 #include "model/basis/recorder.h"
 #include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/pipeline.h"
+#include "model/fanuc/tool_center_point_control/rules.h"
 #include "model/fanuc/tool_length_offset/tool_length_offset.h"
 #include "model/fanuc/tool_posture_control/tool_posture_control.h"
 #include "model/kinematics/machine.h"
@@ -81,6 +82,7 @@ class ToolCenterPointControl {
   [[nodiscard]] bool has_axis_word(const Command& command, bool (*is_of)(char)) const;
 
   void start(const Command& command, const TipMarks& marks, const Interpreter& interpreter, Leg& leg);
+  // What the block is asked to turn the tool to; nothing where it stands.
   [[nodiscard]] std::optional<Direction> direction_asked(const Command& command, const Interpreter& interpreter,
                                                          const Leg& leg);
   TurnedBlock turn_directly(const Command& command, const Interpreter& interpreter, const Leg& leg);
@@ -90,7 +92,6 @@ class ToolCenterPointControl {
   [[nodiscard]] PosturePlan directed(const Command& command, const Interpreter& interpreter, const Leg& leg);
   [[nodiscard]] PosturePlan plan(const PostureBlock& block) const;
   // With 19696#5 = 1 on a machine with a table axis.
-  void restrict_arc_on_table(const Leg& leg) const;
   void keep_tip_on_table(bool tip_alone, const Position& from, const Pose& end, Leg& leg);
 
   [[nodiscard]] const Direction& of_pose(const Position& position);
@@ -103,6 +104,7 @@ class ToolCenterPointControl {
   Recorder& recorder_;
   const WorkCoordinates& work_;
   spec::Axes axes_;
+  TipRules rules_;
   bool by_machine_;  // rotary_angles
   Kinematics kinematics_;
   std::optional<Machine> machine_;  // none: 19680 = 0

@@ -2,35 +2,16 @@
 // share its modal group and its H rules; their length lies along the tool.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
 #include "model/basis/recorder.h"
 #include "model/fanuc/program/codes.h"
-#include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/offset_memory.h"
+#include "model/fanuc/tool_length_offset/rules.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
-
-// What a block says to the length offset.
-struct LengthCommand {
-  std::optional<LengthCode> code;
-  std::optional<std::uint32_t> h;
-  spec::Plane plane = spec::Plane::xy;
-  AxisMask axes = 0;         // axis words
-  bool has_word = true;      // a word other than N and O
-  bool cutter_code = false;  // G40 (G41, G42) in the block: no vector comes back in it
-  AxisMask cancelled = 0;    // axes that G53, G28, G30 or G30.1 sends to a machine position
-};
-
-// The offset in force: what is added to each axis, and under G43.4 and G43.5 along the tool. Setup units.
-struct LengthVector {
-  std::array<Rational, spec::kMaxAxes> axis;
-  Rational along_tool;
-  friend bool operator==(const LengthVector&, const LengthVector&) = default;
-};
 
 struct LengthPlan {
   LengthVector on_way;  // on the way to the intermediate point of a reference return
@@ -64,33 +45,24 @@ class ToolLengthOffset {
   [[nodiscard]] bool axis_offset() const;
 
  private:
-  enum class Type : std::uint8_t { a, b, c };
-
   [[nodiscard]] bool active() const { return mode_ != LengthCode::cancel; }
   void cancel();
-  // Whether the H of this block counts; then it is the number in force.
-  bool take_number(const LengthCommand& command, bool sets_mode);
-  // The axes that G43, G44 or H of this block acts on.
-  [[nodiscard]] AxisMask affected(const LengthCommand& command, bool sets_mode) const;
-  [[nodiscard]] AxisMask named_axes(const LengthCommand& command) const;
-  [[nodiscard]] AxisMask letter(char axis) const;
-  void apply(AxisMask axes);
+  // A block with G43, G44, G43.4, G43.5 or an H that counts; one that commands no length offset.
+  void take(const LengthCommand& command);
   void next_block(const LengthCommand& command);
-  void take_away(AxisMask axes);
+  // The value of the number in force on these axes.
+  void apply(AxisMask axes);
+  // G53 and the reference returns: the axes they name lose their offset; the mode stays.
+  void take_away(AxisMask named);
 
   const OffsetMemory& memory_;
   Recorder& recorder_;
-  spec::Axes axes_;
-  Type type_;
-  bool ofh_;  // 5001#2
-  bool tal_;  // 5001#3
-  bool evo_;  // 5001#6
+  LengthRules rules_;
 
   LengthCode mode_ = LengthCode::cancel;
   std::uint32_t number_ = 0;
   LengthVector vector_;
-  AxisMask last_ = 0;       // the axes offset last
-  AxisMask cancelled_ = 0;  // axes whose vector G53 or a reference return has taken away
+  LengthAxes axes_;
 };
 
 }  // namespace toolcomp::model

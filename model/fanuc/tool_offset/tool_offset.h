@@ -8,6 +8,7 @@
 #include "model/basis/recorder.h"
 #include "model/fanuc/program/interpreter.h"
 #include "model/fanuc/program/offset_in_force.h"
+#include "model/fanuc/tool_offset/rules.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
@@ -33,13 +34,10 @@ class ToolOffset {
   [[nodiscard]] const Rational& shift(std::size_t axis) const { return shift_.at(axis); }
 
  private:
-  // By how much the code in force lengthens a travel.
-  [[nodiscard]] Rational lengthening(const Command& command, const LengthState& length) const;
-  // +1 or −1 for the sense in which the axis goes, 0 if it takes no offset.
-  [[nodiscard]] int sense(const Command& command, std::size_t axis, const Real& travel) const;
-  // The arc as the tool runs it. Throws Alarm G45_ARC or PS0038.
-  void lengthen(const Command& command, const Interpreter& interpreter, const Rational& by, spec::Arc<Real>& arc,
-                const Leg& leg) const;
+  // The offset value in force.
+  [[nodiscard]] Rational value(const LengthState& length) const;
+  // The leg as the axes run it, their shift with it. Throws Alarm G45_ARC or PS0038.
+  void lengthen(const Command& command, const Interpreter& interpreter, const Rational& value, Leg& leg);
   // G53, G28, G30, G30.1: the axes they name lose their shift.
   void take_away(AxisMask axes);
   void put(Leg& leg) const;
@@ -49,6 +47,7 @@ class ToolOffset {
   spec::Axes axes_;
   bool by_length_number_;  // 5001#5 with 5001#2 = 0
   OffsetInForce offset_;   // else by the number of cutter compensation
+  ToolOffsetRules rules_;
   std::array<Rational, spec::kMaxAxes> shift_;
   bool shifted_ = false;  // some axis is
 };

@@ -28,6 +28,8 @@ const GreatCircle::Turning& GreatCircle::turning() const {
 
 Real GreatCircle::swept(const Rational& t) const { return t * turning().degrees; }
 
+// fanuc.tool-posture.great-circle: With posture control the direction of the tool stays in the plane of Vs and Ve, seen
+// from the table, and turns in it evenly with t.
 Vector GreatCircle::at(const Rational& t) const {
   if (t == Rational(1, 2)) {
     // Algebraic: what is zero in the middle of a symmetric arc is proven to be.

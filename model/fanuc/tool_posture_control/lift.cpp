@@ -7,11 +7,6 @@ int as_int(Sign sign) { return static_cast<int>(sign); }
 
 }  // namespace
 
-Lift::Lift(const Machine& machine) : machine_(machine) {
-  for (const int side : {1, -1})
-    if (const SingularPosture* const posture = machine.singular(side)) poles_.push_back({side, posture->tool});
-}
-
 int Lift::branch_of(const Angle& tool) const { return as_int(branch_quantity(machine_, tool).sign()); }
 
 bool Lift::on_upper_edge(const Angle& tool) const {
@@ -66,6 +61,10 @@ Angle Lift::tilt_swing_of(const LiftStart& start, const Angle& end) const {
   return azimuth(machine_, from, side) + azimuth(machine_, side, to);
 }
 
+// fanuc.tool-posture.lift: The rotary axes follow the great circle without a jump from their actual positions at the
+// start: the tool-side axis on its branch, the work-side axis by the azimuth of the tool less that of the tool side. So
+// the end pair is found, whole turns included, also in type 2; the choice by moving angles is not made. The manual's
+// example of a changed end only fits this reading.
 Pose Lift::end(const LiftStart& start, const Way& way, const Pose& pair) const {
   Pose result{tool_at(start, pair.tool), start.pose.work};
   if (way.side == 0 && machine_.is_orthogonal()) return result;

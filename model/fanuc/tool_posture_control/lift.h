@@ -1,10 +1,8 @@
 // The rotary positions along a great circle: the continuous branch from the pair at its start.
 #pragma once
 
-#include <vector>
-
 #include "model/fanuc/tool_posture_control/great_circle_motion.h"
-#include "model/fanuc/tool_posture_control/near_singular.h"
+#include "model/fanuc/tool_posture_control/rules.h"
 #include "model/kinematics/inverse.h"
 
 namespace toolcomp::model {
@@ -26,11 +24,10 @@ struct Way {
 // Clauses: fanuc.tool-posture.lift, crossing.
 class Lift {
  public:
-  explicit Lift(const Machine& machine);
+  explicit Lift(const Machine& machine) : machine_(machine) {}
 
   // Both axes can move, and turning them changes the direction.
   [[nodiscard]] bool is_possible() const { return machine_.has_both_axes() && machine_.tilts(); }
-  [[nodiscard]] const std::vector<Pole>& poles() const { return poles_; }
 
   // The side on which a tool-side position stands; 0 at the edge of reach.
   [[nodiscard]] int branch_of(const Angle& tool) const;
@@ -60,7 +57,6 @@ class Lift {
   [[nodiscard]] Angle tilt_swing_of(const LiftStart& start, const Angle& end) const;
 
   const Machine& machine_;
-  std::vector<Pole> poles_;
 };
 
 }  // namespace toolcomp::model

@@ -3,7 +3,6 @@
 #include <memory>
 #include <utility>
 
-#include "model/basis/alarm.h"
 #include "model/fanuc/tool_posture_control/linear_motion.h"
 
 namespace toolcomp::model {
@@ -50,12 +49,7 @@ const Pose& of_branch(const Solutions& solutions, int branch) {
 
 ToolPostureControl::ToolPostureControl(const spec::Setup& setup, const Machine& machine, const PairChoice& choice,
                                        Recorder& recorder)
-    : machine_(machine),
-      choice_(choice),
-      recorder_(recorder),
-      lift_(machine),
-      near_(setup, recorder),
-      refuses_(setup.bit(19696, 3)) {}
+    : machine_(machine), choice_(choice), recorder_(recorder), lift_(machine), rules_(setup, machine, recorder) {}
 
 // The pair that is to be reached where no branch is followed.
 Solution ToolPostureControl::pair(const SharedFrame& frame, const PostureBlock& block) const {
@@ -93,14 +87,11 @@ ToolPostureControl::Ends ToolPostureControl::ends(const SharedFrame& frame, cons
   return {std::move(view), std::move(from), std::move(to)};
 }
 
-bool ToolPostureControl::spans_plane(const Ends& ends) const {
-  const Vector& from = ends.from.vector;
-  const Vector& to = ends.to.vector;
-  const Real normal2 = known_same(from, to) ? Real() : squared_norm(cross(from, to));
-  return recorder_.decide(Clause::fanuc_tool_posture_no_plane, normal2, ends.from.norm2 * ends.to.norm2) ==
-         Sign::positive;
-}
-
+// fanuc.tool-posture.order: The questions of a block with P1 in their order: no-plane; at-start of +u_w, -u_w; at-end
+// of +u_w, -u_w; branch; crossing of +u_w, -u_w, each with its foot; reach-inside; the end pair; branch-mismatch;
+// near-limit; nearer-singular; near; veto and range of the changed pair; range of the end pair. The pair of
+// fanuc.tool-center-point.choice, where one is needed, is found before the branch; in type 2 the reach of Ve is asked
+// before all of them.
 PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBlock& block) const {
   Solutions solutions;
   if (!block.commanded) {
@@ -108,7 +99,7 @@ PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBloc
     solutions = inverse(machine_, recorder_, to.direction, to.work);
   }
   Ends at = ends(frame, block);
-  if (!spans_plane(at)) {
+  if (!rules_.spans_plane(at.from, at.to)) {
     const bool same = dot(at.from.vector, at.to.vector).sign() == Sign::positive;
     if (!block.commanded && same && choice_.inside(block.start)) return stand(frame, block);
     return conventional(frame, block);
@@ -126,11 +117,11 @@ PosturePlan ToolPostureControl::plan(const SharedFrame& frame, const PostureBloc
       pole_along(Clause::fanuc_tool_posture_at_end, found, found.arc.to(), of_positions ? &*block.commanded : nullptr);
   const LiftStart start = lift_start(found);
   if (end_pole != nullptr) {
-    require_reach_inside(found);
+    rules_.require_reach_inside(found.arc, found.work_axis);
     return to_pole(found, start, *end_pole);
   }
-  const Passing passed = passing(found);
-  require_reach_inside(found);
+  const Passing passed = rules_.passing(found.arc, found.work_axis);
+  rules_.require_reach_inside(found.arc, found.work_axis);
   return along(found, start, passed);
 }
 
@@ -139,52 +130,17 @@ const Pole* ToolPostureControl::pole_along(Clause clause, const Found& found, co
   if (commanded != nullptr) {
     // Turning about the work-side axis changes nothing about that: what its position is need not be asked.
     const Vector tilted = machine_.tilted(commanded->tool);
-    return pole_along(clause, machine_.work_side().line, {tilted, 1, tilted, true});
+    return rules_.pole_along(clause, machine_.work_side().line, {tilted, 1, tilted, true});
   }
-  return pole_along(clause, found.view.work_axis(), direction);
-}
-
-const Pole* ToolPostureControl::pole_along(Clause clause, const Vector& axis, const Direction& direction) const {
-  for (const Pole& pole : lift_.poles()) {
-    if (recorder_.decide(clause, squared_norm(cross(axis, direction.vector)), direction.norm2) == Sign::positive)
-      continue;
-    if ((pole.sign * dot(axis, direction.vector)).sign() == Sign::positive) return &pole;
-  }
-  return nullptr;
+  return rules_.pole_along(clause, found.view.work_axis(), direction);
 }
 
 LiftStart ToolPostureControl::lift_start(const Found& found) const {
   const Pose& start = found.block.start;
-  const Sign below = recorder_.decide(Clause::fanuc_tool_posture_branch, -branch_quantity(machine_, start.tool), 2);
-  if (below != Sign::zero) return {start, -static_cast<int>(below), false};
+  const Sign branch = rules_.branch(start.tool);
+  if (branch != Sign::zero) return {start, static_cast<int>(branch), false};
   const Solution to = pair(found.frame, found.block);
   return {start, to.branch != 0 ? to.branch : lift_.branch_toward(start.tool, to.pose.tool), true};
-}
-
-ToolPostureControl::Passing ToolPostureControl::passing(const Found& found) const {
-  Passing result;
-  result.side = static_cast<int>(found.work_axis.side.sign());
-  const Real scale = sqrt(found.arc.from().norm2 * found.arc.to().norm2);
-  for (const Pole& pole : lift_.poles()) {
-    const Sign side = recorder_.decide(Clause::fanuc_tool_posture_crossing, pole.sign * found.work_axis.side, scale);
-    const bool ahead = (pole.sign * (found.work_axis.along_from + found.work_axis.along_to)).sign() == Sign::positive;
-    if (side == Sign::zero && has_foot_inside(recorder_, found.arc, found.work_axis, pole.sign)) return {&pole, 0};
-    // The pole on the side of the arc tells how that passes the axis.
-    if (ahead || lift_.poles().size() == 1) result.side = pole.sign * static_cast<int>(side);
-  }
-  return result;
-}
-
-// The direction nearest to the work-side axis, and the farthest one.
-void ToolPostureControl::require_reach_inside(const Found& found) const {
-  const Machine::Heights& heights = machine_.heights();
-  for (const int sign : {1, -1}) {
-    if (machine_.singular(sign) != nullptr || !has_foot_inside(recorder_, found.arc, found.work_axis, sign)) continue;
-    const Real nearest = sqrt(1 - square(found.work_axis.side) / found.arc.normal2());
-    const Real greatest = sign * heights.mean + sqrt(heights.swing2);
-    if (recorder_.decide(Clause::fanuc_tool_posture_reach_inside, greatest - nearest, 2) == Sign::negative)
-      throw Alarm("PS5459", "a tool direction inside the block that the rotary axes cannot reach");
-  }
 }
 
 PosturePlan ToolPostureControl::give_way(const Found& found, const Pose& end) const {
@@ -204,12 +160,11 @@ PosturePlan ToolPostureControl::from_pole(const Found& found, const Pole& pole) 
   const Solution to = pair(found.frame, found.block);
   const int branch = to.branch != 0 ? to.branch : lift_.branch_between(here.tool, to.pose.tool);
   const bool differs = absolute(to.pose.tool - here.tool) > Angle(180);
-  if (recorder_.decide(Clause::fanuc_tool_posture_branch_mismatch, differs)) return give_way(found, to.pose);
+  if (rules_.is_mismatch(differs)) return give_way(found, to.pose);
   recorder_.reach(Clause::fanuc_tool_posture_lift);
   PosturePlan plan;
   plan.start = {here.tool, lift_.back_at_pole(to.pose, branch)};
-  plan.pre_turn =
-      recorder_.decide(Clause::fanuc_tool_posture_pre_turn, order(plan.start.work, here.work), 1) != Sign::zero;
+  plan.pre_turn = rules_.turns(Clause::fanuc_tool_posture_pre_turn, plan.start.work, here.work);
   plan.end = to.pose;
   plan.tool = found.block.to;
   plan.motion = motion(found, {plan.start, branch, pole.sign}, 0, std::nullopt, plan.end);
@@ -223,10 +178,8 @@ PosturePlan ToolPostureControl::to_pole(const Found& found, const LiftStart& sta
   plan.end = lift_.at_pole(start, pole);
   plan.tool = found.block.to;
   if (const auto& commanded = found.block.commanded) {
-    if (recorder_.decide(Clause::fanuc_tool_posture_branch_mismatch, !(commanded->tool == plan.end.tool)))
-      return give_way(found, *commanded);
-    if (recorder_.decide(Clause::fanuc_tool_posture_post_turn, order(commanded->work, plan.end.work), 1) != Sign::zero)
-      plan.post_turn = commanded;
+    if (rules_.is_mismatch(!(commanded->tool == plan.end.tool))) return give_way(found, *commanded);
+    if (rules_.turns(Clause::fanuc_tool_posture_post_turn, commanded->work, plan.end.work)) plan.post_turn = commanded;
   } else {
     choice_.require_inside(plan.end);
   }
@@ -251,10 +204,10 @@ PosturePlan ToolPostureControl::along(const Found& found, const LiftStart& start
   if (commanded) {
     const int of_commanded = lift_.branch_of(commanded->tool);
     const bool differs = (of_commanded != 0 && of_commanded != branch) || !(plan.end == *commanded);
-    if (recorder_.decide(Clause::fanuc_tool_posture_branch_mismatch, differs)) return give_way(found, *commanded);
+    if (rules_.is_mismatch(differs)) return give_way(found, *commanded);
     plan.end = *commanded;
   }
-  if (near_.looks(!commanded) && !behind) {
+  if (rules_.looks(!commanded) && !behind) {
     if (auto other = changed(found, start, way, plan.end)) return *std::move(other);
   }
   if (!commanded) choice_.require_inside(plan.end);
@@ -287,16 +240,16 @@ Direction ToolPostureControl::mirrored(const Found& found, const Pose& end) cons
 
 std::optional<PosturePlan> ToolPostureControl::changed(const Found& found, const LiftStart& start, const Way& way,
                                                        const Pose& end) const {
-  const Pole* const pole = near_.near(found.arc, found.work_axis, lift_.poles());
+  const Pole* const pole = rules_.near(found.arc, found.work_axis);
   if (pole == nullptr) return std::nullopt;
   const Angle singular = lift_.at_pole(start, *pole).tool;
   PosturePlan plan;
   plan.start = start.pose;
-  plan.end = {singular + (singular - end.tool), start.pose.work};
+  plan.end = PostureRules::changed(start.pose, end, singular);
   // With orthogonal axes the work-side axis turns as the directions do, whose components are simpler than positions.
   const bool by_directions = machine_.is_orthogonal() && way.side != 0;
   const Angle turned = by_directions ? azimuth(machine_, way.from, way.to) : end.work - start.pose.work;
-  if (near_.may_stand(turned) && choice_.inside(plan.end)) {
+  if (rules_.may_stand(turned) && choice_.inside(plan.end)) {
     recorder_.reach(Clause::fanuc_tool_posture_changed);
     recorder_.reach(Clause::fanuc_tool_posture_passing);
     plan.changed = true;
@@ -304,8 +257,7 @@ std::optional<PosturePlan> ToolPostureControl::changed(const Found& found, const
     plan.motion = std::make_shared<LinearMotion>(found.frame, plan.start, plan.end);
     return plan;
   }
-  if (recorder_.decide(Clause::fanuc_tool_posture_refused, refuses_))
-    throw Alarm("PS5421", "the end posture near a singular one cannot be changed");
+  rules_.keep_end();
   return std::nullopt;
 }
 

@@ -9,7 +9,7 @@
 #include "model/fanuc/tool_posture_control/arc_view.h"
 #include "model/fanuc/tool_posture_control/great_circle_motion.h"
 #include "model/fanuc/tool_posture_control/lift.h"
-#include "model/fanuc/tool_posture_control/near_singular.h"
+#include "model/fanuc/tool_posture_control/rules.h"
 #include "model/kinematics/control_frame.h"
 #include "model/kinematics/pair_choice.h"
 #include "model/kinematics/posture_motion.h"
@@ -72,18 +72,9 @@ class ToolPostureControl {
     Direction to;
   };
   [[nodiscard]] static Ends ends(const SharedFrame& frame, const PostureBlock& block);
-  [[nodiscard]] bool spans_plane(const Ends& ends) const;
   // `commanded`: the pose of that direction, where poses are commanded (type 1).
   [[nodiscard]] const Pole* pole_along(Clause clause, const Found& found, const Direction& direction,
                                        const Pose* commanded) const;
-  [[nodiscard]] const Pole* pole_along(Clause clause, const Vector& axis, const Direction& direction) const;
-  // The pole that the arc goes through inside, and on which side it passes the work-side axis else.
-  struct Passing {
-    const Pole* crossed = nullptr;
-    int side = 0;
-  };
-  [[nodiscard]] Passing passing(const Found& found) const;
-  void require_reach_inside(const Found& found) const;
 
   [[nodiscard]] PosturePlan from_pole(const Found& found, const Pole& pole) const;
   [[nodiscard]] PosturePlan to_pole(const Found& found, const LiftStart& start, const Pole& pole) const;
@@ -103,8 +94,7 @@ class ToolPostureControl {
   const PairChoice& choice_;
   Recorder& recorder_;
   Lift lift_;
-  NearSingular near_;
-  bool refuses_;  // 19696#3, NPC
+  PostureRules rules_;
 };
 
 }  // namespace toolcomp::model

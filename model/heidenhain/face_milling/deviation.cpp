@@ -17,6 +17,13 @@ Deviation between(const SupportPoint& before, const SupportPoint& behind, const 
 
 }  // namespace
 
+// heidenhain.tool.deviation-below: A contact angle below the first support point b raises E_3DTC_RANGE; the support
+// point itself is inside.
+// heidenhain.tool.deviation-above: A contact angle above the last support point b raises E_3DTC_RANGE; the support
+// point itself is inside.
+// heidenhain.tool.deviation-segment: Between two support points the deviation is interpolated linearly in the angle.
+// The support points between first and last are asked in ascending order until one is not below the contact angle.
+// Manual's example: 0.03 at 40 degrees and -0.02 at 50 degrees give 0.005 at 45 degrees.
 Deviation deviation_at(const Deviations& table, const ContactGeometry& contact, Recorder& recorder) {
   const Real scale = 2 * contact.lengths;
   const SupportPoint& first = table.front();
@@ -42,6 +49,9 @@ Deviation deviation_at(const Deviations& table, const ContactGeometry& contact, 
   return before == &last ? at(last, angle) : between(*before, last, angle);
 }
 
+// heidenhain.tool.effective-corner-radius: An effective corner radius below 0 raises E_R2_NEG, also under M107: no such
+// geometry exists. With a table of deviations its value counts in dR2, and the sign is that of an angle: inside a
+// segment the contact angle is compared with the angle at which R2 + dR2 is 0.
 SignedQuantity sign_of_sum(const Real& radius, const Deviation& deviation, const ContactGeometry& contact) {
   const Real start = radius + deviation.before->value;
   const Real end = radius + deviation.behind->value;

@@ -4,11 +4,8 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/heidenhain/face_milling/contact_geometry.h"
-#include "model/heidenhain/program/compensated.h"
-#include "model/heidenhain/program/motion.h"
+#include "model/heidenhain/face_milling/rules.h"
 #include "model/heidenhain/program/tool_checks.h"
-#include "model/heidenhain/programmed_contour/programmed_contour.h"
 
 namespace toolcomp::model::klartext {
 
@@ -17,40 +14,21 @@ namespace toolcomp::model::klartext {
 // heidenhain.tool.*.
 class FaceMilling {
  public:
-  explicit FaceMilling(Recorder& recorder) : recorder_(recorder), checks_(recorder), contour_(recorder) {}
+  explicit FaceMilling(Recorder& recorder) : recorder_(recorder), checks_(recorder), rules_(recorder) {}
 
-  // What the checks find out on the way.
-  struct Checked {
-    ContactGeometry geometry;
-    Real dr2;                   // the delta of the corner radius that counts
-    std::optional<Real> angle;  // theta, where a table of deviations counts
-  };
   // The alarms of a motion with a normal.
-  [[nodiscard]] Checked check(const Motion& motion) const;
+  [[nodiscard]] FaceContact check(const Motion& motion) const;
 
   // Where the tool goes; adds the warnings to the motion.
-  Compensated compensate(Motion& motion, const Checked& checked);
+  Compensated compensate(Motion& motion, const FaceContact& contact);
 
   // Another motion, or a TOOL CALL, came between: no jump is looked for.
   void forget() { before_.reset(); }
 
  private:
-  // The ring of the effective tool, and its direction.
-  struct Ring {
-    bool flat = false;        // w = 0: the contact is on the axis
-    bool has_bottom = false;  // rho' > 0
-    Vector u;
-    Real effective;  // rho'
-    Real change;     // rho' - rho
-  };
-
-  void look_at_side(Motion& motion, const ContactGeometry& geometry) const;
-  [[nodiscard]] Ring ring(const EffectiveTool& tool, const Checked& checked) const;
-  void look_for_jump(Motion& motion, const Ring& ring, const Vector& w);
-
   Recorder& recorder_;
   ToolChecks checks_;
-  ProgrammedContour contour_;
+  FaceRules rules_;
   std::optional<Vector> before_;  // w of the block before; 0 where its contact was on the axis
 };
 

@@ -25,40 +25,21 @@ void PeripheralMilling::release(const Motion* next) {
   recorder_.resume(std::move(motion.clauses));
   Compensated result;
   try {
+    // heidenhain.program.length-along-the-tool: DL acts along the tool vector T: the axes of an event are the tip of a
+    // tool of exactly the table length, and the real tool stands by dL t beside where it would without deltas.
     recorder_.reach(Clause::heidenhain_program_length_along_the_tool);
-    recorder_.reach(Clause::heidenhain_peripheral_applies);
-    const ProgrammedContour::Flank flank = contour_.flank(motion);
-    const EffectiveTool& tool = *motion.tool;
-    const Vector side = side_vector(motion, next);
-    result.shift = tool.dr * side;
-    result.point = flank.from + flank.delta * side;
-    result.tool_center = result.point + (tool.r2 + tool.dr2) * motion.direction.unit;
+    PeripheralEnd made = rules_.compensate(motion, next, held_is_first_, former_);
+    result = std::move(made.end);
+    former_ = std::move(made.latest);
   } catch (Alarm& alarm) {
     alarm.line = motion.line;
     alarm.n = motion.n;
     throw;
   }
-  if (next == nullptr || !next->is_peripheral()) directions_.forget();
+  if (next == nullptr || !next->is_peripheral()) former_.reset();
   result.cause = held_is_first_ ? spec::Cause::start_up : spec::Cause::programmed;
   motion.clauses = recorder_.take_clauses();
   output_(motion, result);
-}
-
-Vector PeripheralMilling::side_vector(const Motion& motion, const Motion* next) {
-  if (recorder_.decide(Clause::heidenhain_peripheral_first_block, held_is_first_)) return at_first_block(motion, next);
-  const LateralDirection own = directions_.make(motion.direction, motion.travel, motion.side);
-  const bool last = next == nullptr || !next->is_peripheral();
-  if (recorder_.decide(Clause::heidenhain_peripheral_last_block, last)) return own.unit;
-  recorder_.decide(Clause::heidenhain_peripheral_side_change, next->side != motion.side);
-  return directions_.mitre(own, directions_.make(motion.direction, next->travel, next->side));
-}
-
-// The tool arrives perpendicular to the start of the contour.
-Vector PeripheralMilling::at_first_block(const Motion& motion, const Motion* next) {
-  if (recorder_.decide(Clause::heidenhain_peripheral_first_without_next, next == nullptr))
-    return directions_.make(motion.direction, motion.travel, motion.side).unit;
-  const Side side = next->is_peripheral() ? next->side : motion.side;
-  return directions_.make(motion.direction, next->travel, side).unit;
 }
 
 }  // namespace toolcomp::model::klartext

@@ -5,10 +5,7 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
-#include "model/heidenhain/peripheral_milling/lateral_direction.h"
-#include "model/heidenhain/program/compensated.h"
-#include "model/heidenhain/program/motion.h"
-#include "model/heidenhain/programmed_contour/programmed_contour.h"
+#include "model/heidenhain/peripheral_milling/rules.h"
 
 namespace toolcomp::model::klartext {
 
@@ -18,7 +15,7 @@ class PeripheralMilling {
  public:
   using Output = std::function<void(const Motion&, const Compensated&)>;
   PeripheralMilling(Recorder& recorder, Output output)
-      : recorder_(recorder), contour_(recorder), directions_(recorder), output_(std::move(output)) {}
+      : recorder_(recorder), rules_(recorder), output_(std::move(output)) {}
 
   // Any motion, before it is compensated or held: the one held goes out. Throws Alarm.
   void meet(const Motion& next);
@@ -31,15 +28,12 @@ class PeripheralMilling {
 
  private:
   void release(const Motion* next);
-  // c or the mitre at the end of a block.
-  Vector side_vector(const Motion& motion, const Motion* next);
-  Vector at_first_block(const Motion& motion, const Motion* next);
 
   Recorder& recorder_;
-  ProgrammedContour contour_;
-  LateralDirections directions_;
+  PeripheralRules rules_;
   Output output_;
   std::optional<Motion> held_;
+  std::optional<LateralDirection> former_;  // made last, since the first compensated block
   bool held_is_first_ = false;
   bool on_ = false;  // the motion before was compensated
 };

@@ -37,6 +37,8 @@ std::optional<Motion> Interpreter::read(const Block& block) {
   if (block.alarm) raise_read_alarm(recorder_, *block.alarm);
   const Functions functions = Functions::of(block);
   act_at_start(functions);
+  // heidenhain.program.machine-coordinates-under-tcpm: M128 must be off before M91 and M92: under TCPM a block with one
+  // of them raises E_TCPM_M91. M128 in the same block is on already, M129 in the same block not yet off.
   if (functions.machine_coordinates && direction_.tcpm())
     raise(recorder_, Clause::heidenhain_program_machine_coordinates_under_tcpm, "E_TCPM_M91", "M91 or M92 under TCPM");
   std::optional<Motion> motion = execute(block, functions);
@@ -48,12 +50,16 @@ std::optional<Motion> Interpreter::read(const Block& block) {
 void Interpreter::begin(const Block& block) {
   begun_ = true;
   if (block.statement == Statement::begin_program && !block.alarm) values_.program_units(block.unit);
+  // heidenhain.program.units: MM or INCH of BEGIN PGM, without it the units of the setup, are the units of coordinates,
+  // TOOL CALL deltas and results.
   recorder_.decide(Clause::heidenhain_program_units, values_.inch());
   position_.start(setup_);
 }
 
 void Interpreter::act_at_start(const Functions& functions) {
   if (functions.m128) direction_.function_m128();
+  // heidenhain.program.oversize-switch: M107 permits positive deltas from the start of its block on, M108 ends that at
+  // the end of its block.
   if (functions.m107) oversize_allowed_ = recorder_.decide(Clause::heidenhain_program_oversize_switch, true);
 }
 
@@ -77,6 +83,8 @@ std::optional<Motion> Interpreter::execute(const Block& block, const Functions& 
       direction_.tcpm_off(false);
       break;
     case Statement::programmed_path:
+      // heidenhain.contour.switch: FUNCTION PROG PATH IS CONTOUR makes the programmed coordinates those of the contour
+      // until FUNCTION PROG PATH OFF, across tool calls.
       contour_ = recorder_.decide(Clause::heidenhain_contour_switch, block.contour);
       break;
     case Statement::correction_row:
@@ -110,6 +118,8 @@ void Interpreter::call_tool(const Block& block) {
 }
 
 void Interpreter::correct(const Block& block) {
+  // heidenhain.program.workpiece-corrections: FUNCTION CORRDATA WPL shifts the workpiece and is no delta of the tool;
+  // its values are not part of the setup, and it changes nothing here.
   if (block.corrections != CorrectionTable::tcs) recorder_.reach(Clause::heidenhain_program_workpiece_corrections);
   if (block.corrections == CorrectionTable::wpl) return;
   if (block.statement == Statement::correction_row)
@@ -134,6 +144,9 @@ std::optional<Motion> Interpreter::line(const Block& block, const Functions& fun
   motion.oversize_allowed = oversize_allowed_;
   motion.feed = feed_.in_force();
   motion.rapid = block.feed == FeedWord::f_max;
+  // heidenhain.program.many-digits: L and LN blocks with more digits than the control takes run with the numbers as
+  // written and W_DIGITS: coordinates of more than 5 decimals or beyond 99999.99999, components of more than 8
+  // decimals.
   if (recorder_.decide(Clause::heidenhain_program_many_digits, block.many_digits))
     motion.warnings.push_back(
         {"W_DIGITS", "more digits than the control takes", Clause::heidenhain_program_many_digits});
@@ -152,6 +165,9 @@ std::optional<Motion> Interpreter::line(const Block& block, const Functions& fun
   }
   motion.tool = tool_.effective();
   motion.tcpm = direction_.tcpm();
+  // heidenhain.program.reference-point: Under REFPNT CNT-CNT the programmed point is the centre of the tool, R2 above
+  // the tip along the tool; else, and without TCPM, it is the tip. TIP-CNT differs only in the point of rotation. Asked
+  // of every motion.
   motion.center = recorder_.decide(Clause::heidenhain_program_reference_point, direction_.at_center());
   direct(motion, block);
   return motion;
@@ -168,7 +184,11 @@ void Interpreter::direct(Motion& motion, const Block& block) {
 void Interpreter::take_vectors(Motion& motion, const Block& block) {
   const bool tcpm = direction_.tcpm();
   if (!tcpm) {
+    // heidenhain.program.direction-without-tcpm: Without TCPM the tool is along the tool axis whatever rotary words and
+    // tool vectors say; rotary words are remembered.
     recorder_.reach(Clause::heidenhain_program_direction_without_tcpm);
+    // heidenhain.face.tool-vector-ignored: Without TCPM the tool vector T is ignored, even if it is defined:
+    // W_T_IGNORED. Asked in every LN block without TCPM.
     if (recorder_.decide(Clause::heidenhain_face_tool_vector_ignored, block.has_tool_vector))
       motion.warnings.push_back(
           {"W_T_IGNORED", "a tool vector without TCPM", Clause::heidenhain_face_tool_vector_ignored});
@@ -179,11 +199,15 @@ void Interpreter::take_vectors(Motion& motion, const Block& block) {
   }
   if (!tcpm) return;
   if (block.has_normal) {
+    // heidenhain.face.tool-vector: Under TCPM the tool takes the direction T where the block gives it, and else stands
+    // perpendicular to the contour, along N. The direction stays for the blocks that follow.
     if (!recorder_.decide(Clause::heidenhain_face_tool_vector, block.has_tool_vector)) {
       direction_.take_vector(*motion.normal);
       return;
     }
   } else {
+    // heidenhain.peripheral.tool-vector: Under TCPM an LN block with a tool vector and no normal turns the tool to T;
+    // it keeps the direction for the blocks that follow.
     recorder_.reach(Clause::heidenhain_peripheral_tool_vector);
   }
   const Vector vector = vector_of(block.tool_vector);
@@ -194,6 +218,9 @@ void Interpreter::take_vectors(Motion& motion, const Block& block) {
 void Interpreter::check_length(Motion& motion, const Vector& vector, const char* message) {
   const Real norm2 = squared_norm(vector);
   const Real off = norm2 < 1 ? 1 - norm2 : norm2 - 1;
+  // heidenhain.face.not-normalized: Vectors must be normalised, says the manual, whose own examples are not. Every
+  // vector is normalised exactly, and one whose square is off by more than 0.0002 gives W_NOT_NORMALIZED: first N, then
+  // T, but not a T that is ignored.
   if (recorder_.decide(Clause::heidenhain_face_not_normalized, off - Rational(1, 5000), 1 + norm2) == Sign::positive)
     motion.warnings.push_back({"W_NOT_NORMALIZED", message, Clause::heidenhain_face_not_normalized});
 }

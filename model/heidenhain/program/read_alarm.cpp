@@ -13,17 +13,31 @@ struct Row {
   Clause clause;
 };
 constexpr std::array<Row, 6> kRows{{
+    // heidenhain.program.too-many-functions: More than four M functions in a block raise E_TOO_MANY_M.
     {"E_TOO_MANY_M", Clause::heidenhain_program_too_many_functions},
+    // heidenhain.program.vector-order: In LN the position X, Y, Z comes first, then NX, NY, NZ, then TX, TY, TZ.
+    // Another order raises E_LN_ORDER; that it holds inside each of them, and that a word given twice breaks it, is our
+    // reading.
     {"E_LN_ORDER", Clause::heidenhain_program_vector_order},
+    // heidenhain.program.vector-block-coordinates: LN always gives all three coordinates, even unchanged ones; one
+    // missing raises E_LN_COORD.
     {"E_LN_COORD", Clause::heidenhain_program_vector_block_coordinates},
+    // heidenhain.program.vector-incomplete: A surface normal has all three components, even unchanged ones; one missing
+    // raises E_VEC_INCOMPLETE. That the tool vector is given whole or not at all is our reading.
     {"E_VEC_INCOMPLETE", Clause::heidenhain_program_vector_incomplete},
+    // heidenhain.program.vector-range: A component beyond 9.99999999 raises E_VEC_RANGE.
     {"E_VEC_RANGE", Clause::heidenhain_program_vector_range},
+    // heidenhain.program.vector-zero: A vector whose components are all 0 has no direction and raises E_VEC_ZERO, a
+    // tool vector that would be ignored too.
     {"E_VEC_ZERO", Clause::heidenhain_program_vector_zero},
 }};
 
 Clause clause_of(const spec::Name& number) {
   for (const Row& row : kRows)
     if (row.number == number.view()) return row.clause;
+  // heidenhain.program.unreadable-block: A block that is no Klartext raises E_SYNTAX when it is reached: an unknown
+  // word or statement, a word out of place, a parameter among the components of a vector, an axis the setup does not
+  // have, BEGIN PGM behind the first block.
   return Clause::heidenhain_program_unreadable_block;  // E_SYNTAX
 }
 

@@ -4,6 +4,9 @@
 
 namespace toolcomp::model::klartext {
 
+// heidenhain.tool.none: 3D compensation before any tool call raises E_NO_TOOL. TOOL CALL 0 calls a tool.
+// heidenhain.face.radius-compensation: A block with a normal while RL or RR is in force, or in the block itself, raises
+// E_RC_WITH_N: the direction would be defined twice.
 void ToolChecks::block(const Motion& motion) const {
   if (recorder_.decide(Clause::heidenhain_tool_none, !motion.tool->called))
     throw Alarm("E_NO_TOOL", "3D compensation before any TOOL CALL");
@@ -12,6 +15,10 @@ void ToolChecks::block(const Motion& motion) const {
           "a surface normal while RL or RR is in force");
 }
 
+// heidenhain.tool.table-radius: A negative radius R in the tool table raises E_TOOL.
+// heidenhain.tool.table-corner-radius: A negative corner radius R2 in the tool table raises E_TOOL.
+// heidenhain.tool.table-shape: The tool table describes an end mill (R2 = 0), a toroid cutter (R2 > 0) or a ball-nose
+// cutter (R2 = R). A corner radius beyond the radius is none of them: E_TOOL.
 Sign ToolChecks::table(const EffectiveTool& tool) const {
   constexpr const char* kMessage = "the tool table describes no tool";
   if (recorder_.decide(Clause::heidenhain_tool_table_radius, tool.r, 1) == Sign::negative)
@@ -23,25 +30,35 @@ Sign ToolChecks::table(const EffectiveTool& tool) const {
   return shape;
 }
 
+// heidenhain.tool.effective-radius: An effective radius below 0 raises E_TOOL_EFF, also under M107.
 void ToolChecks::radius(const EffectiveTool& tool) const {
   if (recorder_.decide(Clause::heidenhain_tool_effective_radius, tool.r + tool.dr, 1) == Sign::negative)
     throw Alarm("E_TOOL_EFF", "the effective radius is negative");
 }
 
+// heidenhain.tool.effective-corner-radius: An effective corner radius below 0 raises E_R2_NEG, also under M107: no such
+// geometry exists.
 void ToolChecks::corner(const Real& quantity, const Real& scale) const {
   if (recorder_.decide(Clause::heidenhain_tool_effective_corner_radius, quantity, scale) == Sign::negative)
     throw Alarm("E_R2_NEG", "the effective corner radius is negative");
 }
 
+// heidenhain.tool.oversize-permitted: Under M107 positive deltas and corner radii beyond the radius raise no alarm. It
+// changes verdicts, never coordinates.
 bool ToolChecks::oversize_allowed(const Motion& motion) const {
   return recorder_.decide(Clause::heidenhain_tool_oversize_permitted, motion.oversize_allowed);
 }
 
+// heidenhain.tool.oversize-radius: A tool with oversize raises an error unless M107 suppresses it: dR > 0 raises
+// E_OVERSIZE_DR. A positive dL never does: the manual's conditions name R, R2, DR and DR2 alone.
 void ToolChecks::oversize(const EffectiveTool& tool) const {
   if (recorder_.decide(Clause::heidenhain_tool_oversize_radius, tool.dr, 1) == Sign::positive)
     throw Alarm("E_OVERSIZE_DR", "an oversize radius without M107");
 }
 
+// heidenhain.tool.order-of-checks: The checks run in every LN block and in every L block with an axis word under RL or
+// RR and TCPM, in this order: E_NO_TOOL, E_RC_WITH_N, E_TOOL, E_3DTC_SHAPE, E_TOOL_EFF, E_3DTC_RANGE, E_R2_NEG, then
+// without M107 E_OVERSIZE_DR, and in blocks with a normal E_OVERSIZE_DR2 and E_R2_GT_R.
 void ToolChecks::without_normal(const Motion& motion) const {
   const EffectiveTool& tool = *motion.tool;
   block(motion);

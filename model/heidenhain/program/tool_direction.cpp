@@ -11,6 +11,8 @@ Direction direction_of(const Vector& vector) {
 }
 
 void ToolDirection::tool_axis(char letter) {
+  // heidenhain.program.tool-axis: X, Y or Z of TOOL CALL is the tool axis: the direction of the tool where nothing
+  // turns it. Without the letter it stays.
   if (!recorder_.decide(Clause::heidenhain_program_tool_axis, letter != 0)) return;
   Vector e;
   component(e, space_index(letter)) = 1;
@@ -19,6 +21,8 @@ void ToolDirection::tool_axis(char letter) {
 }
 
 void ToolDirection::function_m128() {
+  // heidenhain.program.tcpm-on: M128 switches TCPM on at the start of its block, FUNCTION TCPM by itself. The reference
+  // point of M128 is the tip, also where FUNCTION TCPM had set another; FUNCTION TCPM without REFPNT is TIP-TIP.
   recorder_.decide(Clause::heidenhain_program_tcpm_on, true);
   switch_on(false);
 }
@@ -34,6 +38,8 @@ void ToolDirection::switch_on(bool center) {
 }
 
 void ToolDirection::tcpm_off(bool m129) {
+  // heidenhain.program.tcpm-off: M129 switches TCPM off at the end of its block, FUNCTION RESET TCPM by itself. The
+  // tool is then along the tool axis.
   recorder_.decide(Clause::heidenhain_program_tcpm_off, m129);
   tcpm_ = false;
   current_ = axis_;
@@ -41,11 +47,15 @@ void ToolDirection::tcpm_off(bool m129) {
 
 void ToolDirection::take_rotary_words(const spec::klartext::Block& block, const ProgrammedPosition& position) {
   if (!tcpm_) {
+    // heidenhain.program.direction-without-tcpm: Without TCPM the tool is along the tool axis whatever rotary words and
+    // tool vectors say; rotary words are remembered.
     recorder_.reach(Clause::heidenhain_program_direction_without_tcpm);
     return;
   }
   bool rotary_word = false;
   for (std::size_t slot = kFirstRotarySlot; slot < kFirstParallelSlot; ++slot) rotary_word |= block.has_axis(slot);
+  // heidenhain.program.direction-of-rotary-axes: Under TCPM a block L with a rotary word turns the tool by A, B, C in
+  // this order about the fixed axes X, Y, Z; rotary axes without a word keep the value programmed last.
   if (!recorder_.decide(Clause::heidenhain_program_direction_of_rotary_axes, rotary_word)) return;
   const auto degrees = [&position](std::size_t slot) { return position.at(slot).rational(); };
   current_ = turned(degrees(kFirstRotarySlot), degrees(kFirstRotarySlot + 1), degrees(kFirstRotarySlot + 2));

@@ -1,9 +1,10 @@
-// The compensation vector of the leading edge offset at the end of one block.
+// The rules of the leading edge offset: the compensation vector at the end of one block. Clauses: fanuc.leading-edge.*.
 #pragma once
 
 #include "model/basis/recorder.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/tool_direction.h"
+#include "spec/language/setup.h"
 
 namespace toolcomp::model {
 
@@ -31,27 +32,30 @@ struct EdgeCase {
   Sign lean = Sign::zero;
 };
 
-// The rules of one pair (VM, VT). Clauses: fanuc.leading-edge.sign, near-0, near-180, near-90, vector.
+// The vector of one pair: the movement VM of a block, not zero, and the tool direction VT where it begins. `radius` is
+// the offset value with its sign.
 class EdgeRules {
  public:
-  // `fluctuation`: parameter 19631 in degrees, at most 90; 0 and below count only exact angles.
-  EdgeRules(const Rational& fluctuation, Recorder& recorder);
+  // With the fluctuation of parameter 19631. Throws spec::InputError naming it.
+  EdgeRules(const spec::Setup& setup, Recorder& recorder);
 
-  // The angle of a tool direction and a movement that is not zero.
-  [[nodiscard]] EdgeCase classify(const Vector& movement, const Direction& tool) const;
-  // At the end of a block, from the vector before it. `radius` is the offset value with its sign.
+  // At the end of a block, from the vector before it.
   [[nodiscard]] EdgeVector next(const EdgeVector& before, const Vector& movement, const Direction& tool,
                                 const Rational& radius) const;
   // At the start; throws Alarm PS5408 where the tool points along or against the movement.
   [[nodiscard]] EdgeVector first(const Vector& movement, const Direction& tool, const Rational& radius) const;
 
  private:
+  // ±R·V/|V| with V = (VM × VT) × VT.
   [[nodiscard]] EdgeVector vector(Sense sense, const Vector& movement, const Direction& tool,
                                   const Rational& radius) const;
+  // By the scalar product; `lengths2` is |VM|² |VT|².
+  [[nodiscard]] Sign lean(const Real& product, const Real& lengths2) const;
+  [[nodiscard]] EdgeCase classify(const Vector& movement, const Direction& tool) const;
 
   Recorder& recorder_;
-  bool exact_only_;
-  bool overlapping_;
+  bool exact_only_ = false;
+  bool overlapping_ = false;
   Real cosine2_;  // squares of the cosine and sine of the fluctuation
   Real sine2_;
 };

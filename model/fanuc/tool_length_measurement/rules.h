@@ -1,7 +1,8 @@
-// Automatic tool length measurement: G37.
+// The rules of automatic tool length measurement: G37. The section is nothing but them.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -38,7 +39,9 @@ class ToolLengthMeasurement {
   void read(const Command& command, std::uint32_t number, bool cutter) const;
 
   // The axis the block names, after read().
-  [[nodiscard]] std::size_t axis(const Command& command) const;
+  [[nodiscard]] static std::size_t axis(const Command& command) {
+    return static_cast<std::size_t>(std::countr_zero(command.axes));
+  }
   // Goes from the programmed position `from` towards the end of `leg` (shifted as the tool offset says) until the
   // signal comes on. Throws LeftOpen where the block starts on the commanded coordinate.
   [[nodiscard]] Measurement measure(const Command& command, const Position& from, const Leg& leg,
@@ -47,6 +50,22 @@ class ToolLengthMeasurement {
   [[nodiscard]] std::optional<Rational> feed() const;
 
  private:
+  // Along the motion, counted from the commanded coordinate D: where the axis stops.
+  struct Stop {
+    Real at;
+    bool measures = true;  // there is a measuring part
+    bool in_zone = false;
+  };
+
+  // +1 or −1 along the axis.
+  [[nodiscard]] int sense(const Real& travel) const;
+  // Where the signal comes on, counted like that; nothing where it never does.
+  [[nodiscard]] std::optional<Real> signal(std::size_t axis, const Coordinate& commanded, int sense,
+                                           const MeasurementStart& start) const;
+  // A is where the block starts, B where the measuring part begins.
+  [[nodiscard]] bool has_rapid_part(const Real& a, const Real& scale) const;
+  [[nodiscard]] Stop stop(const std::optional<Real>& signal, const Real& b, const Real& scale) const;
+
   Recorder& recorder_;
   spec::Axes axes_;
   std::optional<Rational> feed_;                                // 6241, setup units a minute

@@ -1,0 +1,122 @@
+#include "model/fanuc/leading_edge_offset/rules.h"
+
+#include "model/basis/alarm.h"
+#include "model/basis/event.h"
+#include "model/basis/number.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::model {
+
+// fanuc.leading-edge.vector: The compensation vector at the end of block n lies in the plane of the tool direction VT
+// there and of the movement VM of the next block, at right angles to the tool, and has the length of the offset value
+// R. V points against the movement.
+// fanuc.leading-edge.negative-radius: A negative offset value reverses the vector; the side that is carried to an angle
+// of 90 degrees does not change.
+EdgeVector EdgeRules::vector(Sense sense, const Vector& movement, const Direction& tool, const Rational& radius) const {
+  recorder_.reach(Clause::fanuc_leading_edge_vector);
+  recorder_.decide(Clause::fanuc_leading_edge_negative_radius, radius < 0);
+  const Vector normal = cross(movement, tool.vector);
+  const Real length2 = squared_norm(normal) * tool.norm2;   // |V|² = |VM × VT|² |VT|²
+  if (length2.sign() != Sign::positive) throw NotFinite();  // only a forced angle comes here with VM along VT
+  const Rational signed_radius = sense == Sense::backward ? radius : Rational(-radius);
+  return {(signed_radius / sqrt(length2)) * cross(normal, tool.vector), sense};
+}
+
+// fanuc.leading-edge.sign: The angle between the tool direction and the movement tells the side: below 90 degrees the
+// tool leans forward and the vector points backward, above 90 degrees it leans back and the vector points forward.
+Sign EdgeRules::lean(const Real& product, const Real& lengths2) const {
+  return recorder_.decide(Clause::fanuc_leading_edge_sign, product, sqrt(lengths2));
+}
+
+// fanuc.leading-edge.fluctuation: 19631 is the fluctuation D by which an angle near 0, 90 or 180 degrees counts as that
+// angle; the ranges include their ends. It is in degrees, usually about 1, which is taken where the setup gives none;
+// beyond 90 the setup is refused.
+EdgeRules::EdgeRules(const spec::Setup& setup, Recorder& recorder) : recorder_(recorder) {
+  const std::optional<spec::Decimal> given = setup.parameter(19631);
+  const Rational degrees = given ? plain(*given) : Rational(1);
+  if (degrees > 90 || degrees < -90)
+    throw spec::InputError("setup", 0, 0, "parameters.19631: an angle from -90 to 90 must stand here");
+  exact_only_ = degrees <= 0;
+  overlapping_ = degrees >= 45;
+  // By the double angle, whose cosine is rational where the squares are.
+  const Real cosine_of_double = exact::cos_degrees(exact_only_ ? Rational(0) : Rational(2 * degrees));
+  cosine2_ = (1 + cosine_of_double) / 2;
+  sine2_ = (1 - cosine_of_double) / 2;
+}
+
+// fanuc.leading-edge.near-0: An angle from 0 to D counts as 0 degrees: the tool points along the movement.
+// fanuc.leading-edge.near-180: An angle from 180 - D to 180 degrees counts as 180: the tool points against the
+// movement.
+// fanuc.leading-edge.near-90: An angle from 90 - D to 90 + D counts as 90 degrees.
+// fanuc.leading-edge.exact-only: With 19631 at 0 or below only exact angles of 0, 90 and 180 degrees count as such. The
+// range of the parameter admits negative values; the manual gives them no meaning.
+// fanuc.leading-edge.order-of-ranges: From D = 45 on the ranges overlap: they are tested in the order 0, 180, 90.
+//
+// Every comparison is one of squares: no root decides.
+EdgeCase EdgeRules::classify(const Vector& movement, const Direction& tool) const {
+  const Real product = dot(movement, tool.vector);
+  const Real lengths2 = squared_norm(movement) * tool.norm2;
+  const Sign side = lean(product, lengths2);
+  if (side == Sign::zero) return {EdgeAngle::across, side};
+
+  const Real product2 = square(product);
+  const bool ahead = side == Sign::positive;
+  recorder_.decide(Clause::fanuc_leading_edge_order_of_ranges, overlapping_);
+  const Clause near_parallel = ahead ? Clause::fanuc_leading_edge_near_0 : Clause::fanuc_leading_edge_near_180;
+  if (recorder_.decide(near_parallel, product2 - cosine2_ * lengths2, lengths2) != Sign::negative)
+    return {ahead ? EdgeAngle::along : EdgeAngle::against, side};
+  if (!recorder_.decide(Clause::fanuc_leading_edge_exact_only, exact_only_) &&
+      recorder_.decide(Clause::fanuc_leading_edge_near_90, sine2_ * lengths2 - product2, lengths2) != Sign::negative)
+    return {EdgeAngle::across, side};
+  return {ahead ? EdgeAngle::forward : EdgeAngle::back, side};
+}
+
+// fanuc.leading-edge.kept-along-the-tool: At an angle that counts as 0 or 180 degrees the vector of the block before is
+// kept, over any number of such blocks.
+// fanuc.leading-edge.across-keeps-sense: At an angle that counts as 90 degrees the vector is made of its own pair (VM,
+// VT), on the side of the vector before it.
+EdgeVector EdgeRules::next(const EdgeVector& before, const Vector& movement, const Direction& tool,
+                           const Rational& radius) const {
+  switch (classify(movement, tool).angle) {
+    case EdgeAngle::along:
+    case EdgeAngle::against:
+      recorder_.reach(Clause::fanuc_leading_edge_kept_along_the_tool);
+      return before;
+    case EdgeAngle::across:
+      recorder_.decide(Clause::fanuc_leading_edge_across_keeps_sense, before.sense == Sense::backward);
+      return vector(before.sense, movement, tool, radius);
+    case EdgeAngle::forward:
+      return vector(Sense::backward, movement, tool, radius);
+    case EdgeAngle::back:
+      return vector(Sense::forward, movement, tool, radius);
+  }
+  return before;
+}
+
+// fanuc.leading-edge.start: At G41.3 the tool moves from the programmed point by the vector made of the tool direction
+// there and the movement of the next block; nothing else moves.
+// fanuc.leading-edge.start-across: At the start an angle that counts as 90 degrees has no vector before it: the sign of
+// the angle itself decides, an exact right angle as if the tool leaned forward.
+// fanuc.leading-edge.start-along-the-tool: At the start an angle that counts as 0 or 180 degrees raises PS5408 at the
+// G41.3 block. That the ranges of 19631 hold here is our definition.
+EdgeVector EdgeRules::first(const Vector& movement, const Direction& tool, const Rational& radius) const {
+  recorder_.reach(Clause::fanuc_leading_edge_start);
+  const EdgeCase found = classify(movement, tool);
+  switch (found.angle) {
+    case EdgeAngle::along:
+    case EdgeAngle::against:
+      raise(recorder_, Clause::fanuc_leading_edge_start_along_the_tool, "PS5408",
+            "leading edge offset started with the tool along the movement");
+    case EdgeAngle::across: {
+      const bool backward = recorder_.decide(Clause::fanuc_leading_edge_start_across, found.lean != Sign::negative);
+      return vector(backward ? Sense::backward : Sense::forward, movement, tool, radius);
+    }
+    case EdgeAngle::forward:
+      return vector(Sense::backward, movement, tool, radius);
+    case EdgeAngle::back:
+      break;
+  }
+  return vector(Sense::forward, movement, tool, radius);
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,113 @@
+#include "model/fanuc/tool_center_point_control/rules.h"
+
+#include <optional>
+
+#include "model/basis/alarm.h"
+#include "model/basis/event.h"
+#include "model/fanuc/corner/plane_vector.h"
+
+namespace toolcomp::model {
+namespace {
+
+bool known_zero(const Real& x) { return x.is_rational() && x.sign() == Sign::zero; }
+
+// Of X Y Z the one across the plane.
+std::size_t normal_axis(spec::Plane plane) {
+  return 3 - space_index(letters(plane).first) - space_index(letters(plane).second);
+}
+
+// The unit vector of one that is not zero and known to lie along a coordinate axis: it needs no root.
+std::optional<Vector> along_coordinate(const Vector& v) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!known_zero(component(v, (i + 1) % 3)) || !known_zero(component(v, (i + 2) % 3))) continue;
+    Vector unit;
+    component(unit, i) = component(v, i).sign() == Sign::positive ? 1 : -1;
+    return unit;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+// fanuc.tool-center-point.lean: Q of the block of G43.5 leans the tool, in every block of the mode in which the tip
+// moves, by Q degrees from the direction V commanded or kept toward the travel d of that block, in the plane of both;
+// negative against it. V and d are in the programming system, d of the programmed travel. Everything else starts from
+// the leaned direction. Q of 0, or none, does not lean; in the blocks that follow Q is not the lean angle, and outside
+// tool side compensation nobody looks at it.
+// fanuc.tool-center-point.lean-along-the-travel: Asked where Q is not 0 and I J K stand in the block or the tip
+// travels. Where V is parallel to d, or the tip does not travel, Q has no effect in that block: the direction is the
+// one commanded or kept, without a lean.
+//
+// V' = cos Q V + sin Q n × V, with n = V × d / |V × d|.
+Direction TipRules::leaned(const Direction& tool, const Leg& leg, const Rational& degrees) const {
+  if (leg.arc) recorder_.reach(Clause::fanuc_tool_center_point_lean_in_an_arc);
+  const Vector travel = lean_travel(leg);
+  const Vector normal = cross(tool.vector, travel);
+  const Real normal2 = squared_norm(normal);
+  const Real scale = tool.norm2 * squared_norm(travel);
+  // No travel is no near tie.
+  const Sign leans = recorder_.decide(Clause::fanuc_tool_center_point_lean_along_the_travel, normal2,
+                                      scale.sign() == Sign::zero ? Real(1) : scale);
+  if (leans != Sign::positive) return tool;
+  if (normal2.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
+  recorder_.reach(Clause::fanuc_tool_center_point_lean);
+  const auto coordinate = along_coordinate(normal);
+  const Vector across =
+      coordinate ? cross(*coordinate, tool.unit) : cross(normal, tool.vector) / sqrt(normal2 * tool.norm2);
+  const Vector unit = exact::cos_degrees(degrees) * tool.unit + exact::sin_degrees(degrees) * across;
+  return {unit, 1, unit, true};
+}
+
+// fanuc.tool-center-point.lean-in-an-arc: In an arc d is the tangent in space at its end: perpendicular to the radius
+// there, in the sense of the arc, and in a helix with its pitch. An arc under G43.5 is one by R, so its radius is the
+// same at both ends.
+//
+// As long as the radius there; on a helix with what it climbs in an angle of 1 radian. Only that part is no algebraic
+// number.
+Vector TipRules::lean_travel(const Leg& leg) const {
+  if (!leg.arc) return leg.travel;
+  const spec::Arc<Real>& arc = *leg.arc;
+  const PlaneLetters in_plane = letters(arc.plane);
+  const auto from_center = [&](char letter) {
+    if (!axes_.has(letter)) return Real(0);
+    const std::size_t axis = axes_.index(letter);
+    return leg.actual(axis).value() - arc.center[axis];
+  };
+  const PlanePoint counter_clockwise = left(PlanePoint{from_center(in_plane.first), from_center(in_plane.second)});
+  Vector tangent =
+      in_space(arc.plane, arc.direction == spec::ArcDirection::ccw ? counter_clockwise : -counter_clockwise);
+  const std::size_t normal = normal_axis(arc.plane);
+  const Real& climb = component(leg.travel, normal);
+  constexpr int half_turn = 180;
+  if (arc.sweep && !known_zero(climb)) component(tangent, normal) = half_turn * climb / (*arc.sweep * exact::pi());
+  return tangent;
+}
+
+// fanuc.tool-center-point.arc-in-workpiece-system: With WKP = 1 an arc raises PS5421 where a table axis whose direction
+// is not normal to the plane selected turns in it, or stands elsewhere at its start than at the frozen pose (whole
+// turns count). The direction is that of the axis at its own place of the machine with both axes at 0. Tool axes are
+// free.
+// fanuc.tool-center-point.arc-with-table-turned: With WKP = 1 the manual lets a table axis normal to the plane turn in
+// an arc, but not what path the tip then has: an arc with such an axis turning in it, or standing elsewhere than at the
+// frozen pose, raises ARC_WITH_TABLE_TURNED, a name of ours, behind PS5421 of the clause before. Where no table axis
+// has moved the workpiece system is the table system.
+void TipRules::require_table_still(const Machine& machine, spec::Plane plane, const Pose& start, const Pose& end,
+                                   const Pose& frozen) const {
+  bool turned_about_normal = false;
+  const auto look_at = [&](const Turn& axis, Angle Pose::* position) {
+    if (end.*position == start.*position && start.*position == frozen.*position) return;
+    Vector normal;
+    component(normal, normal_axis(plane)) = 1;
+    if (!is_zero(cross(axis.line, normal)))
+      raise(recorder_, Clause::fanuc_tool_center_point_arc_in_workpiece_system, "PS5421",
+            "an arc in the workpiece coordinate system while a table axis not normal to its plane is turned");
+    turned_about_normal = true;
+  };
+  if (machine.type() == MachineType::table) look_at(machine.tool_side(), &Pose::tool);
+  look_at(machine.work_side(), &Pose::work);
+  if (turned_about_normal)
+    raise(recorder_, Clause::fanuc_tool_center_point_arc_with_table_turned, "ARC_WITH_TABLE_TURNED",
+          "an arc in the workpiece coordinate system while the table is turned");
+}
+
+}  // namespace toolcomp::model

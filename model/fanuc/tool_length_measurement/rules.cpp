@@ -1,0 +1,175 @@
+#include "model/fanuc/tool_length_measurement/rules.h"
+
+#include "model/basis/alarm.h"
+
+namespace toolcomp::model {
+namespace {
+
+// The parameter, or a length given in mm.
+Rational length_parameter(const spec::Setup& setup, std::uint32_t number, int mm) {
+  if (const auto given = setup.parameter(number)) return plain(*given);
+  return setup.units == spec::Units::mm ? Rational(mm) : Rational(mm) / Rational(254, 10);
+}
+
+Real magnitude(const Real& value) { return value.sign() == Sign::negative ? -value : value; }
+
+bool sets_length_offset(const std::optional<LengthCode>& code) {
+  return code == LengthCode::plus || code == LengthCode::minus || code == LengthCode::cancel;
+}
+
+}  // namespace
+
+// fanuc.length-measurement.number-in-block: An H word in the block with G37 raises PS0082, whatever OFH says and
+// whatever else stands in it (G43, G44 and G49 too): the number is given in a block before it.
+// fanuc.length-measurement.number-zero: G37 while the H number of the length offset is 0 raises PS0081. It is the
+// number that fanuc.length-offset.one-number keeps: no G43 or G44 need be in force.
+// fanuc.length-measurement.axis: G37 needs exactly one axis word, of a linear axis, and G90 in force: none, two or
+// more, a rotary axis, and G91 raise PS0083. That U V W count like the fourth axis of the manual is our definition.
+// fanuc.length-measurement.with-length-code: G43, G44 or G49 in the block with G37 raises MEASUREMENT_FORMAT, where the
+// block has none of the three faults before.
+// fanuc.length-measurement.in-cutter-compensation: G37 while cutter compensation B or C is on (fanuc.cutter.on) before
+// the block or after it raises PS0036, as the other code that moves up to a signal does.
+// fanuc.length-measurement.parameters-in-order: 6251 > 6254 >= 0 must hold, and 6241 must be above 0 where the setup
+// gives it: otherwise G37 raises MEASUREMENT_PARAMETERS. Setups without G37 are free to hold other values.
+void ToolLengthMeasurement::read(const Command& command, std::uint32_t number, bool cutter) const {
+  const Codes& codes = command.codes;
+  if (codes.h)
+    raise(recorder_, Clause::fanuc_length_measurement_number_in_block, "PS0082", "an H word in the block with G37");
+  if (number == 0)
+    raise(recorder_, Clause::fanuc_length_measurement_number_zero, "PS0081", "G37 while the H number is 0");
+  const bool one_axis = std::popcount(command.axes) == 1 && spec::is_linear_axis(axes_.letter(axis(command)));
+  if (!one_axis || command.incremental)
+    raise(recorder_, Clause::fanuc_length_measurement_axis, "PS0083",
+          "G37 needs G90 and exactly one axis, a linear one");
+  if (sets_length_offset(codes.length))
+    raise(recorder_, Clause::fanuc_length_measurement_with_length_code, "MEASUREMENT_FORMAT",
+          "G43, G44 or G49 in the block with G37");
+  if (cutter)
+    raise(recorder_, Clause::fanuc_length_measurement_in_cutter_compensation, "PS0036",
+          "G37 while cutter compensation is on");
+  const bool ordered = deceleration_ > half_zone_ && half_zone_ >= 0 && (!feed_ || *feed_ > 0);
+  if (recorder_.decide(Clause::fanuc_length_measurement_parameters_in_order, !ordered))
+    throw Alarm("MEASUREMENT_PARAMETERS", "6241, 6251 or 6254 gives no zones for G37");
+}
+
+// fanuc.length-measurement.feed: 6241 is the measuring feed, in setup units per minute: the second move carries it, and
+// F in force stays what it is. Where the setup does not give it the second move carries F in force, as other straight
+// moves do (our definition).
+std::optional<Rational> ToolLengthMeasurement::feed() const {
+  return recorder_.decide(Clause::fanuc_length_measurement_feed, feed_.has_value()) ? feed_ : std::nullopt;
+}
+
+// fanuc.length-measurement.zones: 6251 is the distance before the commanded coordinate at which the measuring feed
+// begins, 6254 half the width of the zone around it in which the signal is expected; both in setup units. Where the
+// setup does not give them, 20 mm and 5 mm are taken, in inch setups the same lengths (20/25.4 and 5/25.4 inch); the
+// latter is our definition.
+ToolLengthMeasurement::ToolLengthMeasurement(const spec::Setup& setup, Recorder& recorder)
+    : recorder_(recorder),
+      axes_(setup.axes),
+      deceleration_(length_parameter(setup, 6251, 20)),
+      half_zone_(length_parameter(setup, 6254, 5)) {
+  if (const auto feed = setup.parameter(6241)) feed_ = plain(*feed);
+  for (const auto& [letter, position] : setup.measurement)
+    if (axes_.has(letter)) signal_.at(axes_.index(letter)) = plain(position);
+}
+
+// fanuc.length-measurement.coordinate: All coordinates of the measurement are programmed coordinates of the axis in the
+// workpiece system in force: the position of the axis less the length offset that is in force on it in this block (an
+// edited value or a vector that comes into force in it included, by EVO) and less the shift of G45 to G48. So a length
+// offset that is right and in force measures a difference of 0. While none is in force, the usual case of a number
+// given by H alone, they are the position of the axis itself.
+// fanuc.length-measurement.signal: The approach-end signal comes on where the axis reaches the position T that
+// [measurement] of the setup gives for it, in coordinates of the workpiece system in force (G54 to G59 and G92
+// included), offsets not counted; it is on from there on in the direction of the motion. T is the position of the axis
+// itself, under G43 and G44 too. The signal is not looked at before the measuring part. Without an entry for the axis
+// it never comes.
+std::optional<Real> ToolLengthMeasurement::signal(std::size_t axis, const Coordinate& commanded, int sense,
+                                                  const MeasurementStart& start) const {
+  const std::optional<Rational>& position = signal_.at(axis);
+  if (!recorder_.decide(Clause::fanuc_length_measurement_signal, position.has_value())) return std::nullopt;
+  return sense * (Coordinate(Rational(*position - start.length - start.shift)) - commanded).value();
+}
+
+// fanuc.length-measurement.start-on-the-coordinate: Where the block starts on the commanded coordinate (A = D) there is
+// no direction of measuring: the run ends undecided, without a move.
+int ToolLengthMeasurement::sense(const Real& travel) const {
+  const Sign ahead = travel.sign();
+  if (recorder_.decide(Clause::fanuc_length_measurement_start_on_the_coordinate, ahead == Sign::zero))
+    throw LeftOpen(Clause::fanuc_length_measurement_start_on_the_coordinate,
+                   "G37 starts on the commanded coordinate: there is no direction to measure in");
+  return ahead == Sign::positive ? 1 : -1;
+}
+
+// fanuc.length-measurement.rapid-part: The axis goes in rapid traverse to B. Where A is B or lies between B and D there
+// is no rapid part and the measuring part begins at A (our definition): B is A then.
+bool ToolLengthMeasurement::has_rapid_part(const Real& a, const Real& scale) const {
+  return recorder_.decide(Clause::fanuc_length_measurement_rapid_part, -a - Real(deceleration_), scale) ==
+         Sign::positive;
+}
+
+// fanuc.length-measurement.signal-from-the-start: Where the signal is already on at B the position reached is B, and
+// there is no measuring move.
+// fanuc.length-measurement.too-early: A signal between B and C raises PS0080. That C itself is allowed is our
+// definition.
+// fanuc.length-measurement.too-late: Where the signal has not come up to F the axis stops at F and PS0080 is raised.
+// That F itself is allowed is our definition. Where the setup gives no signal the axis stops at F too.
+ToolLengthMeasurement::Stop ToolLengthMeasurement::stop(const std::optional<Real>& signal, const Real& b,
+                                                        const Real& scale) const {
+  Stop result{half_zone_};
+  if (!signal) return result;
+  result.measures =
+      recorder_.decide(Clause::fanuc_length_measurement_signal_from_the_start, *signal - b, scale) == Sign::positive;
+  const Real p = result.measures ? *signal : b;
+  if (recorder_.decide(Clause::fanuc_length_measurement_too_late, Real(half_zone_) - p, scale) == Sign::negative)
+    return result;
+  result.at = p;
+  result.in_zone =
+      recorder_.decide(Clause::fanuc_length_measurement_too_early, p + Real(half_zone_), scale) != Sign::negative;
+  return result;
+}
+
+// fanuc.length-measurement.moves: The rapid part is a rapid move of cause programmed that ends at B, the measuring part
+// a linear one of cause measure that ends at the position reached, or at F. Both carry the commanded coordinate in
+// `programmed`; `point` is where the move ends (with the shift of G45 to G48), `axes` adds the length offset in force.
+// A block that would have neither makes the rapid move without travel: it has an axis word.
+// fanuc.length-measurement.value: The difference of the coordinate reached and the commanded one is added to the offset
+// of the H number.
+// fanuc.length-measurement.sign: The same formula holds under G44: the manual makes no exception, though the offset is
+// then not the one that reaches the position touched.
+Measurement ToolLengthMeasurement::measure(const Command& command, const Position& from, const Leg& leg,
+                                           const MeasurementStart& start) const {
+  Measurement result;
+  result.axis = axis(command);
+  const Coordinate& commanded = leg.end.at(result.axis);
+  const Real travel = (commanded - from.at(result.axis)).value();
+  const int s = sense(travel);
+  const Real a = -magnitude(travel);
+  const std::optional<Rational>& position = signal_.at(result.axis);
+  const Real scale = magnitude(commanded.value()) + magnitude(travel) + Real(deceleration_ + half_zone_) +
+                     (position ? magnitude(*position) : Real(0)) + magnitude(start.length) + magnitude(start.shift);
+  const bool rapid = has_rapid_part(a, scale);
+  const Real b = rapid ? Real(-deceleration_) : a;
+  const Stop stop = this->stop(signal(result.axis, commanded, s, start), b, scale);
+  // A start at an irrational place (behind G43.5) on which the signal is on already: no number of a memory is
+  // irrational.
+  if (!b.is_rational() && !stop.measures) throw exact::Undecided();
+
+  const auto stops_at = [&](spec::MoveType type, spec::Cause cause, const Rational& along) {
+    Leg part = leg;
+    part.type = type;
+    part.cause = cause;
+    if (!part.shift) part.shift.emplace();
+    part.shift->at(result.axis) += s * along;
+    result.legs.push_back(part);
+  };
+  if (rapid || !stop.measures) stops_at(spec::MoveType::rapid, spec::Cause::programmed, b.rational());
+  if (stop.measures) stops_at(spec::MoveType::linear, spec::Cause::measure, stop.at.rational());
+  result.difference = s * stop.at.rational();
+  result.in_zone = stop.in_zone;
+  if (!result.in_zone) return result;
+  recorder_.reach(Clause::fanuc_length_measurement_value);
+  recorder_.decide(Clause::fanuc_length_measurement_sign, start.minus);
+  return result;
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,159 @@
+#include "model/fanuc/tool_length_offset/rules.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "model/basis/alarm.h"
+
+namespace toolcomp::model {
+namespace {
+
+bool in(AxisMask mask, std::size_t axis) { return (mask >> axis & 1U) != 0; }
+AxisMask with(AxisMask mask, std::size_t axis) { return static_cast<AxisMask>(mask | 1U << axis); }
+AxisMask without(AxisMask mask, AxisMask removed) { return static_cast<AxisMask>(mask & ~removed); }
+
+AxisMask letter(const spec::Axes& axes, char axis) { return axes.has(axis) ? with(0, axes.index(axis)) : AxisMask{0}; }
+
+}  // namespace
+
+// fanuc.length-offset.direction: The offset of the H number is added to the end position of the block under G43 and
+// subtracted under G44, in G90 and G91 alike, with the sign it has.
+// fanuc.length-offset.replaces: A new offset replaces the one in force on its axis; it is not added to it.
+LengthVector LengthRules::offset(LengthVector before, AxisMask axes, LengthCode mode, const Rational& value) const {
+  const bool plus = recorder_.decide(Clause::fanuc_length_offset_direction, mode == LengthCode::plus);
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!in(axes, i)) continue;
+    recorder_.decide(Clause::fanuc_length_offset_replaces, before.axis.at(i) != 0);
+    before.axis.at(i) = plus ? value : Rational(-value);
+  }
+  return before;
+}
+
+// fanuc.length-offset.type: Type A with TLC = 0 and TLB = 0, type B with TLC = 0 and TLB = 1, type C with TLC = 1.
+LengthRules::LengthRules(const spec::Setup& setup, Recorder& recorder)
+    : recorder_(recorder),
+      axes_(setup.axes),
+      type_(setup.bit(5001, 0)   ? Type::c
+            : setup.bit(5001, 1) ? Type::b
+                                 : Type::a),
+      ofh_(setup.bit(5001, 2)),
+      tal_(setup.bit(5001, 3)),
+      evo_(setup.bit(5001, 6)) {}
+
+// fanuc.length-offset.type-a: Type A offsets Z.
+// fanuc.length-offset.type-b: Type B offsets the axis at right angles to the plane of the block: Z in G17, Y in G18, X
+// in G19. Offsets given in several blocks stay on several axes.
+// fanuc.length-offset.type-c: Type C offsets the axis that the block with G43 or G44 names.
+// fanuc.length-offset.type-c-last-axis: A lone H of type C acts on the axis offset last.
+AxisMask LengthRules::affected(const LengthCommand& command, const LengthVector& before, AxisMask last) const {
+  switch (type_) {
+    case Type::a:
+      recorder_.reach(Clause::fanuc_length_offset_type_a);
+      return letter(axes_, 'Z');
+    case Type::b:
+      recorder_.reach(Clause::fanuc_length_offset_type_b);
+      return letter(axes_, command.plane == spec::Plane::xy ? 'Z' : command.plane == spec::Plane::zx ? 'Y' : 'X');
+    case Type::c:
+      break;
+  }
+  recorder_.reach(Clause::fanuc_length_offset_type_c);
+  if (command.sets_mode()) return named_axes(command, before);
+  recorder_.reach(Clause::fanuc_length_offset_type_c_last_axis);
+  return last;
+}
+
+// fanuc.length-offset.type-c-linear-axes: Type C goes by the linear axis words of the block; a rotary axis word names
+// no axis to offset.
+// fanuc.length-offset.type-c-no-axis: G43 or G44 of type C in a block that names no axis raises PS0027.
+// fanuc.length-offset.tal: Type C on a second axis (another axis still has an offset, or the block names two) raises
+// PS0027 with TAL = 0, nothing changed; with TAL = 1 it is allowed.
+// fanuc.length-offset.type-c-several-axes: Type C with TAL = 1 in a block that names several axes gives the offset to
+// all of them; together they are the axes offset last.
+AxisMask LengthRules::named_axes(const LengthCommand& command, const LengthVector& before) const {
+  AxisMask linear = 0;
+  AxisMask offset = 0;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (in(command.axes, i) && spec::is_linear_axis(axes_.letter(i))) linear = with(linear, i);
+    if (before.axis.at(i) != 0) offset = with(offset, i);
+  }
+  if (linear == 0)
+    raise(recorder_, Clause::fanuc_length_offset_type_c_no_axis, "PS0027", "tool length offset type C without an axis");
+  const bool several = std::popcount(linear) > 1;
+  const bool another = without(offset, linear) != 0;
+  if (several || another) {
+    if (!recorder_.decide(Clause::fanuc_length_offset_tal, tal_))
+      throw Alarm("PS0027", "tool length offset type C on a second axis");
+    if (several) recorder_.reach(Clause::fanuc_length_offset_type_c_several_axes);
+  }
+  return linear;
+}
+
+// fanuc.length-offset.ofh: With OFH = 0 an H counts wherever it stands. With OFH = 1 it counts in a block with G43 or
+// G44 only.
+// fanuc.length-offset.ofh-lone-number: With OFH = 1 an H in a block without G43 and G44 is ignored; only the number on
+// the screen changes.
+// fanuc.length-offset.ofh-first-without-number: With OFH = 1 a G43 or G44 without H takes H0 where no length offset is
+// in force. That one in force keeps its number is our definition: H is modal once G43 is active.
+std::optional<std::uint32_t> LengthRules::number(const LengthCommand& command, bool active) const {
+  if (command.h) {
+    const bool ignored = recorder_.decide(Clause::fanuc_length_offset_ofh, ofh_) && !command.sets_mode();
+    if (recorder_.decide(Clause::fanuc_length_offset_ofh_lone_number, ignored)) return std::nullopt;
+    return command.h;
+  }
+  if (command.sets_mode() && recorder_.decide(Clause::fanuc_length_offset_ofh, ofh_) &&
+      recorder_.decide(Clause::fanuc_length_offset_ofh_first_without_number, !active))
+    return 0;
+  return std::nullopt;
+}
+
+// fanuc.length-offset.cancel: G49 cancels the offset of all axes at once; H0 that of the axis H acts on.
+// fanuc.length-offset.cancel-three-axes: G49 while three or more axes have an offset that is not zero raises PS0015 and
+// changes nothing (the latter is our definition).
+void LengthRules::cancel(const LengthVector& before) const {
+  const auto offset_axes = std::ranges::count_if(before.axis, [](const Rational& offset) { return offset != 0; });
+  if (recorder_.decide(Clause::fanuc_length_offset_cancel_three_axes, offset_axes >= 3))
+    throw Alarm("PS0015", "G49 with three or more axes offset");
+  recorder_.reach(Clause::fanuc_length_offset_cancel);
+}
+
+// fanuc.length-offset.evo: Types A and B, G43.4 and G43.5 included: with EVO = 1 a value edited in the memory, and a
+// vector that G53 or a reference return took away, come into force in the next block; with EVO = 0 in the next block
+// with H, G43 or G44. Type C is always as EVO = 0. Counted in blocks without a length code and without an H that
+// counts: a block that has them acts by them alone.
+bool LengthRules::next_block_counts() const {
+  return recorder_.decide(Clause::fanuc_length_offset_evo, evo_ && type_ != Type::c);
+}
+
+// fanuc.length-offset.machine-position-cancels: Every offset axis that G53 names loses its offset in that move; one
+// that G28, G30 or G30.1 names keeps it up to the intermediate point and loses it on the way to the reference position.
+// Axes that are not named keep theirs. The modal code stays G43 or G44.
+AxisMask LengthRules::taken_away(AxisMask named, const LengthVector& before, AxisMask last) const {
+  AxisMask taken = 0;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (in(named, i) && (in(last, i) || before.axis.at(i) != 0)) taken = with(taken, i);
+  recorder_.decide(Clause::fanuc_length_offset_machine_position_cancels, taken != 0);
+  return taken;
+}
+
+// fanuc.length-offset.restored-in-next-block: Types A and B with EVO = 1: the vector taken away comes back in the next
+// block.
+// fanuc.length-offset.not-restored-with-cutter-code: A block with G40, G41 or G42 does not restore the vector. That it
+// then comes back in the first following block without these codes is our definition.
+AxisMask LengthRules::in_next_block(const LengthCommand& command, const LengthAxes& axes) const {
+  AxisMask result = axes.last;
+  const bool waits = command.cutter_code && (result & axes.cancelled) != 0;
+  if (recorder_.decide(Clause::fanuc_length_offset_not_restored_with_cutter_code, waits))
+    result = without(result, axes.cancelled);
+  if ((result & axes.cancelled) != 0) recorder_.reach(Clause::fanuc_length_offset_restored_in_next_block);
+  return result;
+}
+
+// fanuc.length-offset.number-only-stored: In a block with G40, G41 or G42 an H, G43 or G44 that would restore a vector
+// stores number and mode only. With EVO = 1 they act in the next block, on the axes offset last
+// (fanuc.length-offset.evo-axes), which this block does not change.
+bool LengthRules::only_stored(const LengthCommand& command, AxisMask affected, AxisMask cancelled) const {
+  const bool waits = command.cutter_code && (affected & cancelled) != 0;
+  return recorder_.decide(Clause::fanuc_length_offset_number_only_stored, waits);
+}
+
+}  // namespace toolcomp::model

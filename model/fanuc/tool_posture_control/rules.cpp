@@ -1,0 +1,190 @@
+#include "model/fanuc/tool_posture_control/rules.h"
+
+#include "model/basis/alarm.h"
+#include "model/kinematics/inverse.h"
+#include "model/kinematics/mechanism.h"
+
+namespace toolcomp::model {
+
+// fanuc.tool-posture.no-plane: Where Vs and Ve are equal or opposite there is no plane: the block runs under
+// conventional control, to the pair of fanuc.tool-center-point.choice (type 2) or the one commanded (type 1). The test
+// is exact. Nothing below is asked then.
+bool PostureRules::spans_plane(const Direction& from, const Direction& to) const {
+  const bool same = known_same(from.vector, to.vector);
+  const Real normal2 = same ? Real() : squared_norm(cross(from.vector, to.vector));
+  return recorder_.decide(Clause::fanuc_tool_posture_no_plane, normal2, from.norm2 * to.norm2) == Sign::positive;
+}
+
+// fanuc.tool-posture.singular: A posture is singular where the work-side axis may stand anywhere: the tool is parallel
+// to it.
+//
+// The sine of 19738 by that of the double angle: rational where its square is.
+PostureRules::PostureRules(const spec::Setup& setup, const Machine& machine, Recorder& recorder)
+    : machine_(machine),
+      recorder_(recorder),
+      limit_(parameter(setup, 19738)),
+      veto_(parameter(setup, 19739)),
+      refuses_(setup.bit(19696, 3)),
+      limit_cosine_(exact::cos_degrees(limit_)),
+      limit_sine2_((1 - exact::cos_degrees(Rational(2 * limit_))) / 2),
+      veto_cosine_(exact::cos_degrees(veto_)) {
+  for (const int sign : {1, -1})
+    if (const SingularPosture* const posture = machine.singular(sign)) poles_.push_back({sign, posture->tool});
+}
+
+// fanuc.tool-posture.at-start: Whether the block starts in a singular posture, asked of +u_w, then of -u_w, as far as
+// they exist.
+// fanuc.tool-posture.at-end: Whether the block ends in a singular posture, asked of +u_w, then of -u_w, of a block that
+// does not start in one.
+const Pole* PostureRules::pole_along(Clause clause, const Vector& axis, const Direction& direction) const {
+  for (const Pole& pole : poles_) {
+    if (recorder_.decide(clause, squared_norm(cross(axis, direction.vector)), direction.norm2) == Sign::positive)
+      continue;
+    if ((pole.sign * dot(axis, direction.vector)).sign() == Sign::positive) return &pole;
+  }
+  return nullptr;
+}
+
+// fanuc.tool-posture.pre-turn: The turn at a singular start is one move of its own right before the block's own move,
+// behind every inserted move that stands there, cause pre-turn, with the feed of the block, rapid where that is rapid,
+// else linear: only the work-side axis turns (X Y Z follow at a standing tip); the programmed end is that of the start
+// of the block, the point is where the tip is (with WKP = 0 the start; with WKP = 1 the tip stands on the table, which
+// turns it), the tool axis stays. It is made only where the position changes.
+// fanuc.tool-posture.post-turn: Type 1, at a singular end: where the position commanded for the work-side axis is
+// another one, it turns there in one move right behind the block's own move, before every inserted move, cause
+// post-turn; the programmed end is that of the block, the point is where the tip is, the tool axis stays (with WKP = 1
+// the end of the path is the point of the table that the turn brings to the programmed place, and the block's own move
+// has for its point where that is before the turn); kind and feed as of the turn before a block.
+bool PostureRules::turns(Clause clause, const Angle& to, const Angle& from) const {
+  return recorder_.decide(clause, order(to, from), 1) != Sign::zero;
+}
+
+// fanuc.tool-posture.branch: The branch is the sign with which the tool-side angle stands beside the one at which the
+// tool is nearest to u_w: it is kept through the block, also where the edge of reach is touched inside. At a start on
+// the edge of reach that is not singular there is none: the branch is the one toward the pair of
+// fanuc.tool-center-point.choice (type 1: the pair commanded), whatever the end is, a singular posture or the other
+// edge too; where that pair lies on the same edge, the one above that angle. Not asked at a singular start.
+Sign PostureRules::branch(const Angle& tool) const {
+  return -recorder_.decide(Clause::fanuc_tool_posture_branch, -branch_quantity(machine_, tool), 2);
+}
+
+// fanuc.tool-posture.crossing: Where the great circle goes through a singular posture exactly, inside the block, the
+// posture at the end is not changed. Asked of +u_w, then of -u_w, of a block that neither starts nor ends in one; then
+// of fanuc.tool-posture.foot-behind-the-start and -foot-before-the-end.
+Passing PostureRules::passing(const GreatCircle& arc, const AxisPassed& work_axis) const {
+  Passing result;
+  result.side = static_cast<int>(work_axis.side.sign());
+  const Real scale = sqrt(arc.from().norm2 * arc.to().norm2);
+  for (const Pole& pole : poles_) {
+    const Sign side = recorder_.decide(Clause::fanuc_tool_posture_crossing, pole.sign * work_axis.side, scale);
+    const bool ahead = (pole.sign * (work_axis.along_from + work_axis.along_to)).sign() == Sign::positive;
+    if (side == Sign::zero && has_foot_inside(arc, work_axis, pole.sign)) return {&pole, 0};
+    // The pole on the side of the arc tells how that passes the axis.
+    if (ahead || poles_.size() == 1) result.side = pole.sign * static_cast<int>(side);
+  }
+  return result;
+}
+
+// fanuc.tool-posture.foot-behind-the-start: Whether the foot of s on the great circle, or s itself where it lies in the
+// plane, comes behind the start of the arc.
+// fanuc.tool-posture.foot-before-the-end: Whether the foot of s comes before the end of the arc. Asked behind
+// fanuc.tool-posture.foot-behind-the-start where that holds: both together mean inside.
+bool PostureRules::has_foot_inside(const GreatCircle& arc, const AxisPassed& work_axis, int sign) const {
+  const Direction& from = arc.from();
+  const Direction& to = arc.to();
+  return recorder_.decide(Clause::fanuc_tool_posture_foot_behind_the_start, sign * work_axis.behind_start,
+                          from.norm2 * sqrt(to.norm2)) != Sign::negative &&
+         recorder_.decide(Clause::fanuc_tool_posture_foot_before_the_end, sign * work_axis.before_end,
+                          sqrt(from.norm2) * to.norm2) != Sign::negative;
+}
+
+// fanuc.tool-posture.reach-inside: A great circle that leaves the directions that can be reached raises PS5459, type 1
+// included. Asked at the point of the arc nearest to u_w, where its foot lies inside and alpha differs from beta, and
+// at the farthest, where the foot of -u_w lies inside and alpha + beta differs from 180; the ends are reached.
+void PostureRules::require_reach_inside(const GreatCircle& arc, const AxisPassed& work_axis) const {
+  const Machine::Heights& heights = machine_.heights();
+  for (const int sign : {1, -1}) {
+    if (machine_.singular(sign) != nullptr || !has_foot_inside(arc, work_axis, sign)) continue;
+    const Real nearest = sqrt(1 - square(work_axis.side) / arc.normal2());
+    const Real greatest = sign * heights.mean + sqrt(heights.swing2);
+    if (recorder_.decide(Clause::fanuc_tool_posture_reach_inside, greatest - nearest, 2) == Sign::negative)
+      throw Alarm("PS5459", "a tool direction inside the block that the rotary axes cannot reach");
+  }
+}
+
+// fanuc.tool-posture.branch-mismatch: Where the end pair found along the great circle is not the one that has to be
+// reached the block runs under conventional control, with the warning posture-branch right before its own move and the
+// samples of that, behind every inserted move that stands there and behind ARC_PLANE_MISMATCH. Type 1: the pair is not
+// the one commanded, by whole turns or by the branch (at a singular end: the tool side is not; then there is no turn
+// behind the block). A singular start, both types: followed back the tool-side axis does not come to its position at
+// the start; then there is no turn before the block. Type 2 otherwise never asks. The other vendor raises an alarm.
+bool PostureRules::is_mismatch(bool differs) const {
+  return recorder_.decide(Clause::fanuc_tool_posture_branch_mismatch, differs);
+}
+
+// fanuc.tool-posture.near-limit: 19738 is the angle, in degrees, under which a posture is near a singular one. It
+// counts in type 2 only; at 0 or below, or not given, no end posture is changed, nor does NPC raise an alarm.
+bool PostureRules::looks(bool type_2) const {
+  return recorder_.decide(Clause::fanuc_tool_posture_near_limit, type_2 && limit_ > 0);
+}
+
+// fanuc.tool-posture.nearer-singular: Where both +u_w and -u_w exist the one nearer to the great circle between the
+// ends counts, +u_w where they are equally near. Its distance d is that of the foot where that lies inside, else that
+// of the nearer end.
+PostureRules::Distance PostureRules::distance(const GreatCircle& arc, const AxisPassed& work_axis, int sign) const {
+  if (has_foot_inside(arc, work_axis, sign)) return {true, sqrt(1 - square(work_axis.side) / arc.normal2())};
+  const Real at_start = sign * work_axis.cosine_from;
+  const Real at_end = sign * work_axis.cosine_to;
+  return {false, at_start < at_end ? at_end : at_start};
+}
+
+// fanuc.tool-posture.near: Type 2: a block that neither starts nor ends in a singular posture nor crosses one exactly
+// is near one where d is strictly smaller than 19738. Above 90 degrees of 19738 d is compared all the same, as an angle
+// from 0 to 180.
+const Pole* PostureRules::near(const GreatCircle& arc, const AxisPassed& work_axis) const {
+  if (poles_.empty()) return nullptr;
+  const Pole* pole = &poles_.front();
+  Distance least = distance(arc, work_axis, pole->sign);
+  if (poles_.size() > 1) {
+    const Distance other = distance(arc, work_axis, poles_.back().sign);
+    if (recorder_.decide(Clause::fanuc_tool_posture_nearer_singular, least.cosine - other.cosine, 2) ==
+        Sign::negative) {
+      pole = &poles_.back();
+      least = other;
+    }
+  }
+  bool is_near = false;
+  if (least.foot_inside && limit_ <= 90)
+    is_near = recorder_.decide(Clause::fanuc_tool_posture_near, limit_sine2_ * arc.normal2() - square(work_axis.side),
+                               arc.normal2()) == Sign::positive;
+  else
+    is_near = least.foot_inside || limit_ > 180 ||
+              recorder_.decide(Clause::fanuc_tool_posture_near, least.cosine - limit_cosine_, 2) == Sign::positive;
+  return is_near ? pole : nullptr;
+}
+
+// fanuc.tool-posture.veto: The end posture is not changed where the work-side position would differ by more than 19739
+// from the one it replaces, seen with the tool side turned over. We read the difference as the smallest one modulo 360.
+// Below 0 the limit always vetoes, from 180 on never; not given it is 0.
+bool PostureRules::may_stand(const Angle& turned) const {
+  if (veto_ < 0) return false;
+  if (veto_ >= 180) return true;
+  return recorder_.decide(Clause::fanuc_tool_posture_veto, -turned.cosine() - veto_cosine_, 2) != Sign::negative;
+}
+
+// fanuc.tool-posture.changed: The changed end: the tool side is mirrored at the singular position, the work side stays
+// where it was at the start. The end of the tip does not change. Both have to be in range
+// (fanuc.tool-center-point.range), else it is refused. The next block starts from this pair, and its direction is the
+// one kept.
+Pose PostureRules::changed(const Pose& start, const Pose& end, const Angle& singular) {
+  return {singular + (singular - end.tool), start.work};
+}
+
+// fanuc.tool-posture.refused: 19696 bit 3, NPC: where a block is near a singular posture and its end is not changed, by
+// the veto or by the range, 1 raises PS5421, 0 runs it as it is.
+void PostureRules::keep_end() const {
+  if (recorder_.decide(Clause::fanuc_tool_posture_refused, refuses_))
+    throw Alarm("PS5421", "the end posture near a singular one cannot be changed");
+}
+
+}  // namespace toolcomp::model

@@ -1,0 +1,110 @@
+#include "model/heidenhain/peripheral_milling/rules.h"
+
+#include "model/basis/alarm.h"
+#include "model/basis/event.h"
+
+namespace toolcomp::model::klartext {
+namespace {
+
+// |v|², the number 0 where v is 0: its components are shorter to prove than the sum of their squares.
+Real proven_squared_norm(const Vector& v) { return exact::is_zero(v) ? Real() : squared_norm(v); }
+
+// v/|v|. Where |v|² is rational the factor is a rational times one root, and components stay as short.
+Vector unit(const Vector& v, const Real& norm2) {
+  return norm2.is_rational() ? (sqrt(norm2) / norm2) * v : v / sqrt(norm2);
+}
+
+}  // namespace
+
+// heidenhain.peripheral.applies: Under TCPM a block L with RL or RR in force, and a block LN without a normal with one
+// of them in force, is compensated perpendicular to the movement and to the tool by the total of the deltas: dR; dL
+// acts along the tool, dR2 has no effect.
+PeripheralEnd PeripheralRules::compensate(const Motion& motion, const Motion* next, bool is_first,
+                                          const std::optional<LateralDirection>& former) const {
+  recorder_.reach(Clause::heidenhain_peripheral_applies);
+  const EffectiveTool& tool = *motion.tool;
+  const ProgrammedContour::Flank flank = contour_.flank(motion);
+  const bool first = recorder_.decide(Clause::heidenhain_peripheral_first_block, is_first);
+  const Beside beside = first ? at_first_block(motion, next, former) : at_later_block(motion, next, former);
+  Compensated end;
+  end.shift = tool.dr * beside.side;
+  end.point = flank.from + flank.delta * beside.side;
+  end.tool_center = end.point + (tool.r2 + tool.dr2) * motion.direction.unit;
+  return {end, beside.latest};
+}
+
+// heidenhain.peripheral.direction: The direction of compensation is perpendicular to the movement of the block and to
+// the tool. Where it does not exist, the tool being parallel to the movement or nothing moving, the direction made last
+// counts: at a junction c_i is made first, then c_(i+1). The test is exact. Asked for every direction that is wanted.
+// heidenhain.peripheral.former-direction: Where a block has no direction of its own and none was made since the first
+// compensated block, E_NO_DIRECTION names the block whose end point is wanted.
+// heidenhain.peripheral.side: RL compensates to the left of the movement seen from the tool carrier, RR to the right.
+LateralDirection PeripheralRules::direction(const Direction& tool, const Vector& travel, Side side,
+                                            const std::optional<LateralDirection>& former) const {
+  const Vector across = cross(tool.vector, travel);
+  const Real norm2 = proven_squared_norm(across);
+  const Real travel2 = squared_norm(travel);
+  const Real scale = travel2.sign() == Sign::zero ? Real(1) : tool.norm2 * travel2;
+  if (recorder_.decide(Clause::heidenhain_peripheral_direction, norm2, scale) == Sign::zero) {
+    if (!recorder_.decide(Clause::heidenhain_peripheral_former_direction, former.has_value())) {
+      recorder_.list(Clause::heidenhain_peripheral_former_direction);
+      throw Alarm("E_NO_DIRECTION", "no direction of compensation: the tool is along the movement, or nothing moves");
+    }
+    return *former;
+  }
+  if (norm2.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
+  const bool left = recorder_.decide(Clause::heidenhain_peripheral_side, side == Side::left);
+  const Vector c = left ? across : -across;
+  return {c, norm2, unit(c, norm2)};
+}
+
+// heidenhain.peripheral.first-block: The first compensated block, the one before having been without this compensation,
+// ends beside its end point in the direction of the next block with an axis word, whatever that block's compensation,
+// with its own delta and tool, and its own side where the next block has no RL or RR of this compensation: the tool
+// arrives perpendicular to the start of the contour. Its move has the cause start-up.
+// heidenhain.peripheral.first-without-next: Where nothing that moves follows the first compensated block, the end of
+// the run or an alarm, its own direction counts.
+PeripheralRules::Beside PeripheralRules::at_first_block(const Motion& motion, const Motion* next,
+                                                        const std::optional<LateralDirection>& former) const {
+  const bool alone = recorder_.decide(Clause::heidenhain_peripheral_first_without_next, next == nullptr);
+  const Vector& travel = alone ? motion.travel : next->travel;
+  const Side side = !alone && next->is_peripheral() ? next->side : motion.side;
+  const LateralDirection made = direction(motion.direction, travel, side, former);
+  return {made.unit, made};
+}
+
+// heidenhain.peripheral.last-block: Whether a block that is not the first is the last compensated one: the next block
+// with an axis word is without this compensation (R0, a normal, TCPM off), or there is none. It then ends beside its
+// end point in its own direction.
+// heidenhain.peripheral.side-change: RL to RR without R0: each direction takes the side of its own block, and the rule
+// of the mitre holds as it stands.
+PeripheralRules::Beside PeripheralRules::at_later_block(const Motion& motion, const Motion* next,
+                                                        const std::optional<LateralDirection>& former) const {
+  const LateralDirection own = direction(motion.direction, motion.travel, motion.side, former);
+  const bool last = next == nullptr || !next->is_peripheral();
+  if (recorder_.decide(Clause::heidenhain_peripheral_last_block, last)) return {own.unit, own};
+  recorder_.decide(Clause::heidenhain_peripheral_side_change, next->side != motion.side);
+  const LateralDirection behind = direction(motion.direction, next->travel, next->side, own);
+  return {mitre(own, behind), behind};
+}
+
+// heidenhain.peripheral.mitre: Between two compensated blocks the end point is the intersection of both offset lines in
+// the plane across the tool, so that it lies on both. The delta is that of the former block.
+// heidenhain.peripheral.reversal: Where the two directions are opposite there is no such point: E_REVERSAL names the
+// block whose end point is wanted. The test is exact.
+//
+// Where the angle is obtuse 1 + c.c' = |c x c'|²/(1 - c.c'), which is 0 without a root.
+Vector PeripheralRules::mitre(const LateralDirection& a, const LateralDirection& b) const {
+  const Real product = dot(a.vector, b.vector);
+  const Real norms2 = a.norm2 * b.norm2;
+  const Real cosine = product / sqrt(norms2);
+  Real sum = 1 + cosine;
+  if (product.sign() == Sign::negative) sum = proven_squared_norm(cross(a.vector, b.vector)) / (norms2 * (1 - cosine));
+  if (recorder_.decide(Clause::heidenhain_peripheral_reversal, sum, 2) == Sign::zero)
+    throw Alarm("E_REVERSAL", "the directions of compensation before and behind the end point are opposite");
+  if (sum.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
+  recorder_.reach(Clause::heidenhain_peripheral_mitre);
+  return (a.unit + b.unit) / sum;
+}
+
+}  // namespace toolcomp::model::klartext
