@@ -153,7 +153,7 @@ void CutterCompensationC::meet_corner(Step& now, const OffsetPath& path, const C
     if (held.kind == Held::Kind::lone_start) return vector_of_start(held, path.start);
     if (held.kind == Held::Kind::corner_arc)
       return turn(held.step, path.start.heading, offset.side == held.offset.side);
-    return wanted(block) ? group_before(held, path, offset) : group_before_cancel(held, block, path);
+    return group_before(held, block, path, offset);
   };
   ahead_.meet(now, {std::vector(ahead_.held().size(), true), 0, {}, group});
 }

@@ -9,6 +9,7 @@
 #include "model/fanuc/corner/look_ahead.h"
 #include "model/fanuc/cutter_compensation/cutter_compensation.h"
 #include "model/fanuc/cutter_compensation_c/held_cutter_path.h"
+#include "model/fanuc/cutter_compensation_c/rules.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::model {
@@ -60,11 +61,10 @@ class CutterCompensationC final : public CutterCompensation, private CornerSecti
   // corner_groups.cpp: the vectors at the end of a block held.
   [[nodiscard]] SpaceGroup without_corner(const Held& held) override;
   [[nodiscard]] SpaceGroup vector_of_start(Held& held, const PathEnd& next);
-  [[nodiscard]] SpaceGroup group_before(const Held& held, const OffsetPath& next, const CutterOffset& offset);
-  [[nodiscard]] SpaceGroup group_before_cancel(const Held& held, const CutterBlock& block, const OffsetPath& next);
-  [[nodiscard]] SpaceGroup finished(const Held& held, VectorGroup group, const OffsetPath& next) const;
+  [[nodiscard]] SpaceGroup group_before(const Held& held, const CutterBlock& next, const OffsetPath& path,
+                                        const CutterOffset& offset);
 
-  CornerRules rules_;
+  CutterRules rules_;
   spec::Axes axes_;
   bool at_once_;         // 5003#1, SUV
   bool keeps_the_mode_;  // 5003#2, CCN

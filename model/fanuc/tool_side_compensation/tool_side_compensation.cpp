@@ -143,12 +143,7 @@ void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
     offset = ahead_.next_offset(now, !movement.starts.empty() && movement.starts.front());
     look_at_movement(now, movement, offset);
   }
-  ahead_.meet(
-      now,
-      {movement.corners(), 1, Clause::fanuc_tool_side_two_blocks_without_movement, [&](Held& held, std::size_t corner) {
-         const SideEnd& start = *movement.starts[corner];
-         return held.stands() ? vector_of_start(held, start) : group_before(held, now, movement, start, offset);
-       }});
+  meet_corners(now, movement, offset);
   if (movement.end) {
     hold(now, Held::Kind::moving, offset, movement);
     return;
@@ -161,10 +156,21 @@ void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
   if (cuts_corner && runs) leave_corner();
 }
 
+void ToolSideCompensation::meet_corners(Step& now, const Movement& movement, const CutterOffset& offset) {
+  const bool cancels = !said(now).wanted();
+  const Clause why =
+      cancels ? Clause::fanuc_tool_side_no_next_block : Clause::fanuc_tool_side_two_blocks_without_movement;
+  const auto group = [&](Held& held, std::size_t corner) {
+    const SideEnd& start = *movement.starts[corner];
+    return held.stands() ? vector_of_start(held, start) : group_before(held, now, movement.path, start, offset);
+  };
+  ahead_.meet(now, {movement.corners(), cancels ? 2 : 1, why, group});
+}
+
 void ToolSideCompensation::take_cancel(Step& now, Movement& movement) {
-  ahead_.meet(
-      now, {movement.corners(), 2, Clause::fanuc_tool_side_no_next_block,
-            [&](const Held& held, std::size_t corner) { return group_before_cancel(held, *movement.starts[corner]); }});
+  for (std::size_t i = 0; i < movement.starts.size(); ++i)
+    if (movement.starts[i]) movement.starts[i]->offset = ahead_.held()[i].offset.left();
+  meet_corners(now, movement, ahead_.last_offset());
   if (!movement.end) {
     cancel_alone(now, movement.moves_behind());
     return;

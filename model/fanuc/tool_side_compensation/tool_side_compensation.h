@@ -13,7 +13,7 @@
 #include "model/fanuc/program/stage.h"
 #include "model/fanuc/tool_side_compensation/held_side_path.h"
 #include "model/fanuc/tool_side_compensation/plane_change.h"
-#include "model/fanuc/tool_side_compensation/side_rules.h"
+#include "model/fanuc/tool_side_compensation/rules.h"
 #include "model/fanuc/tool_side_compensation/tool_side_block.h"
 #include "model/fanuc/tool_side_compensation/tool_side_words.h"
 
@@ -63,6 +63,7 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
   void start_alone(Step& now);
   void take_in_mode(Step& now, Movement& movement);
   void take_cancel(Step& now, Movement& movement);
+  void meet_corners(Step& now, const Movement& movement, const CutterOffset& offset);
   // `cuts_corner`: the block makes no vector at its own end, and was the outgoing leg of a corner before it.
   void cancel_alone(Step& now, bool cuts_corner);
   void leave_corner();
@@ -81,14 +82,8 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
   // corner_groups.cpp: the vectors at the end of a block held.
   [[nodiscard]] SpaceGroup without_corner(const Held& held) override;
   [[nodiscard]] SpaceGroup vector_of_start(const Held& held, const SideEnd& start);
-  [[nodiscard]] SpaceGroup group_before(const Held& held, const Step& now, const Movement& movement,
-                                        const SideEnd& start, const CutterOffset& offset);
-  [[nodiscard]] SpaceGroup group_by_rules(const Held& held, const SideEnd& start, bool one_side);
-  [[nodiscard]] SpaceGroup group_before_cancel(const Held& held, SideEnd start);
-  [[nodiscard]] int treatment_of(const Held& held) const;
-  [[nodiscard]] bool may_drop(const SpaceGroup& group, const SidePath& next) const;
-  // Says of which plane a group is, and where its stop point lies.
-  [[nodiscard]] SpaceGroup in_plane(SpaceGroup group) const;
+  [[nodiscard]] SpaceGroup group_before(const Held& held, const Step& now, const SidePath& next, const SideEnd& start,
+                                        const CutterOffset& offset);
 
   ToolSideWords words_;
   SideRules rules_;

@@ -1,4 +1,4 @@
-// MDI intervention in cutter compensation C (14.6.7): the sheet's five examples. A(0,0) → B(40,0) → C(70,-40) →
+// MDI intervention in cutter compensation C (14.6.7): its five examples. A(0,0) → B(40,0) → C(70,-40) →
 // D(110,-40), G41, d = 10; the program stops at B.
 #include "model/fanuc/cutter_compensation_c/intervention.h"
 
@@ -18,8 +18,7 @@ std::string text(const PlanePoint& point) { return '(' + point[0].decimal(13) + 
 class ModelCutterCIntervention : public ::testing::Test {
  protected:
   Recorder recorder;
-  CornerRules rules{spec::read_setup_toml("control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n", "setup.toml"),
-                    recorder};
+  CornerRules rules{recorder};
 
   // The heads at B and at C.
   std::string heads(const PlanePoint& moved, bool incremental = false) {
