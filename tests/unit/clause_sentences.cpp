@@ -108,7 +108,7 @@ std::vector<std::string> drifts(const std::vector<std::string>& lines) {
 
 // In the style of the house a function begins at the left margin and ends there with a brace.
 std::vector<Function> functions(const std::vector<std::string>& lines) {
-  static const std::regex kOther(R"((namespace|using|struct|class|enum|constexpr|static_assert|#|//|\}|$).*)");
+  static const std::regex kOther(R"((namespace|using|#|//|\}|$).*)");
   std::vector<Function> found;
   bool unnamed = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -272,6 +272,8 @@ TEST(ClauseSentences, TheFormOfRulesIsWatched) {
   EXPECT_EQ(faults_of_rules(zero + vector).size(), 1U) << "the order";
   EXPECT_EQ(faults_of_rules(vector + bare + zero).size(), 1U) << "no sentence";
   EXPECT_EQ(faults_of_rules(vector + "bool h(\n    int a) {\n" + "  return a;\n}\n").size(), 1U) << "no sentence";
+  EXPECT_EQ(faults_of_rules(vector + "constexpr " + bare).size(), 1U) << "no sentence";
+  EXPECT_TRUE(faults_of_rules(vector + "struct Pair {\n  int f() const;\n};\nconstexpr Pair kPair{1};\n").empty());
   EXPECT_EQ(faults_of_rules(vector + "// " + text_of("fanuc.cutter-b.kept") + "\n" + bare).size(), 1U) << "no id";
   EXPECT_EQ(faults_of_rules(vector + "int k = Clause::fanuc_cutter_b_kept;\n").size(), 1U) << "marked, not said";
   EXPECT_EQ(faults_of_rules(vector + "const Step* step = nullptr;\n").size(), 1U) << "a rule knows no step";

@@ -18,21 +18,21 @@ PlanePoint across(const Rational& length, const PlanePoint& direction) {
 // fanuc.cutter-b.vector: While the mode is on, a straight block (G00 or G01) with an axis word of the plane makes the
 // vector at its end, of the length of the offset value, at right angles to a direction: left of it under G41, right
 // under G42. The direction is that of I J K where the block has them, else that of its own travel in the plane.
-// fanuc.cutter-b.direction-words: I J (G17), K I (G18), J K (G19) in such a block are the direction, in any straight
-// block of the mode; only the direction counts, a missing letter is 0, the letter that is not of the plane means
-// nothing.
-// fanuc.cutter-b.direction-zero: Where the direction is given and is zero (letters of the plane that are 0) no vector
-// is made: the one in force is kept.
-// fanuc.cutter-b.no-travel: A block with an axis word of the plane, without a direction and without travel in the
-// plane, makes no vector: the one in force is kept.
 std::optional<PlanePoint> CutterBRules::at_end_of_line(const CutterBlock& block) const {
   PlanePoint direction;
   bool kept = false;
+  // fanuc.cutter-b.direction-words: I J (G17), K I (G18), J K (G19) in such a block are the direction, in any straight
+  // block of the mode; only the direction counts, a missing letter is 0, the letter that is not of the plane means
+  // nothing.
   if (recorder_.decide(Clause::fanuc_cutter_b_direction_words, block.direction.has_value())) {
     direction = *block.direction;
+    // fanuc.cutter-b.direction-zero: Where the direction is given and is zero (letters of the plane that are 0) no
+    // vector is made: the one in force is kept.
     kept = recorder_.decide(Clause::fanuc_cutter_b_direction_zero, is_zero(direction));
   } else {
     direction = block.end - block.start;
+    // fanuc.cutter-b.no-travel: A block with an axis word of the plane, without a direction and without travel in the
+    // plane, makes no vector: the one in force is kept.
     kept = recorder_.decide(Clause::fanuc_cutter_b_no_travel, block.motion == PlaneMotion::zero_travel);
   }
   if (kept) return std::nullopt;
@@ -68,15 +68,13 @@ PlanePoint CutterBRules::at_end_of_arc(const CutterBlock& block) const {
 // fanuc.cutter-b.arc-sweep: The sweep of the tool's arc (G39's arc included) is the angle from the old head to the new
 // one about the centre, in the direction of the arc, over 0 up to 360 degrees; both on one ray: a whole turn. It never
 // makes more than one turn. Where a head lies in the centre no sweep can be stated.
-// fanuc.cutter-b.arc-head-in-center: Where the old or the new head lies in the centre (the offset value is the radius
-// of an arc that is cut inside) no sweep can be stated.
-// fanuc.cutter-b.arc-radii: Where the heads have different distances from the centre the radius grows or shrinks evenly
-// with the angle, and the event holds both.
 HeadArc CutterBRules::head_to_head(spec::ArcDirection direction, const PlanePoint& from, const PlanePoint& to) const {
   HeadArc way;
   const Real from2 = squared_norm(from);
   const Real to2 = squared_norm(to);
   const bool in_center = from2.sign() == Sign::zero || to2.sign() == Sign::zero;
+  // fanuc.cutter-b.arc-head-in-center: Where the old or the new head lies in the centre (the offset value is the radius
+  // of an arc that is cut inside) no sweep can be stated.
   if (!recorder_.decide(Clause::fanuc_cutter_b_arc_head_in_center, in_center)) {
     const Real left_turn = cross(from, to);
     const Real sine = direction == spec::ArcDirection::ccw ? left_turn : -left_turn;
@@ -85,6 +83,8 @@ HeadArc CutterBRules::head_to_head(spec::ArcDirection direction, const PlanePoin
     way.sweep = swept_angle(sine, cosine, side);
     way.one_head = side == Sign::zero && cosine.sign() == Sign::positive;
   }
+  // fanuc.cutter-b.arc-radii: Where the heads have different distances from the centre the radius grows or shrinks
+  // evenly with the angle, and the event holds both.
   if (recorder_.decide(Clause::fanuc_cutter_b_arc_radii, to2 - from2, to2 + from2) != Sign::zero) {
     way.radius = {sqrt(from2), sqrt(to2)};
     way.one_head = false;
@@ -112,25 +112,25 @@ Removal CutterBRules::removal(const CutterBlock& block, bool started, const Plan
 // is not modal, and the code of group 01 in force stays. That it also runs under G00 is our definition; the manual
 // speaks of G01, G02 and G03. A length offset that changes in the block goes along with the arc; where there is no arc
 // it has its own move, of cause programmed.
-// fanuc.cutter-b.corner-arc-direction: The direction is that of I J (K I, J K), a missing letter 0; without a letter of
-// the plane that of the axis words: in G91 as written, in G90 from the programmed position to the point named (a
-// missing axis: 0), both in the workpiece system in force after the codes of the block. Where both stand I J K count
-// (our definition).
-// fanuc.cutter-b.corner-arc-sense: The arc runs clockwise under G41 and counter-clockwise under G42. A negative offset
-// value turns the sense round; a value of 0 counts as not positive (both our definition).
-// fanuc.cutter-b.corner-arc-none: Where the new vector is the old one G39 makes no move, also where the block has axis
-// words. Only both being equal in direction and length counts: fanuc.cutter-b.arc-sweep and fanuc.cutter-b.arc-radii
-// are both ties and the heads lie on one ray, or both vectors are zero.
 CornerArcOfB CutterBRules::corner_arc(const CutterBlock& block, const PlanePoint& before) const {
   recorder_.reach(Clause::fanuc_cutter_b_corner_arc);
+  // fanuc.cutter-b.corner-arc-direction: The direction is that of I J (K I, J K), a missing letter 0; without a letter
+  // of the plane that of the axis words: in G91 as written, in G90 from the programmed position to the point named (a
+  // missing axis: 0), both in the workpiece system in force after the codes of the block. Where both stand I J K count
+  // (our definition).
   recorder_.decide(Clause::fanuc_cutter_b_corner_arc_direction, block.direction_letters);
   const Rational length = to_the_left(block);
   CornerArcOfB result;
   result.vector = across(length, *block.direction);
+  // fanuc.cutter-b.corner-arc-sense: The arc runs clockwise under G41 and counter-clockwise under G42. A negative
+  // offset value turns the sense round; a value of 0 counts as not positive (both our definition).
   const bool clockwise = recorder_.decide(Clause::fanuc_cutter_b_corner_arc_sense, length > 0);
   result.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   const bool no_vector = is_zero(before) && is_zero(result.vector);
   if (!no_vector) result.way = head_to_head(result.direction, before, result.vector);
+  // fanuc.cutter-b.corner-arc-none: Where the new vector is the old one G39 makes no move, also where the block has
+  // axis words. Only both being equal in direction and length counts: fanuc.cutter-b.arc-sweep and
+  // fanuc.cutter-b.arc-radii are both ties and the heads lie on one ray, or both vectors are zero.
   result.moves = !recorder_.decide(Clause::fanuc_cutter_b_corner_arc_none, no_vector || result.way.one_head);
   return result;
 }

@@ -47,10 +47,6 @@ EdgeRules::EdgeRules(const spec::Setup& setup, Recorder& recorder) : recorder_(r
 // fanuc.leading-edge.near-0: An angle from 0 to D counts as 0 degrees: the tool points along the movement.
 // fanuc.leading-edge.near-180: An angle from 180 - D to 180 degrees counts as 180: the tool points against the
 // movement.
-// fanuc.leading-edge.near-90: An angle from 90 - D to 90 + D counts as 90 degrees.
-// fanuc.leading-edge.exact-only: With 19631 at 0 or below only exact angles of 0, 90 and 180 degrees count as such. The
-// range of the parameter admits negative values; the manual gives them no meaning.
-// fanuc.leading-edge.order-of-ranges: From D = 45 on the ranges overlap: they are tested in the order 0, 180, 90.
 //
 // Every comparison is one of squares: no root decides.
 EdgeCase EdgeRules::classify(const Vector& movement, const Direction& tool) const {
@@ -61,10 +57,14 @@ EdgeCase EdgeRules::classify(const Vector& movement, const Direction& tool) cons
 
   const Real product2 = square(product);
   const bool ahead = side == Sign::positive;
+  // fanuc.leading-edge.order-of-ranges: From D = 45 on the ranges overlap: they are tested in the order 0, 180, 90.
   recorder_.decide(Clause::fanuc_leading_edge_order_of_ranges, overlapping_);
   const Clause near_parallel = ahead ? Clause::fanuc_leading_edge_near_0 : Clause::fanuc_leading_edge_near_180;
   if (recorder_.decide(near_parallel, product2 - cosine2_ * lengths2, lengths2) != Sign::negative)
     return {ahead ? EdgeAngle::along : EdgeAngle::against, side};
+  // fanuc.leading-edge.exact-only: With 19631 at 0 or below only exact angles of 0, 90 and 180 degrees count as such.
+  // The range of the parameter admits negative values; the manual gives them no meaning.
+  // fanuc.leading-edge.near-90: An angle from 90 - D to 90 + D counts as 90 degrees.
   if (!recorder_.decide(Clause::fanuc_leading_edge_exact_only, exact_only_) &&
       recorder_.decide(Clause::fanuc_leading_edge_near_90, sine2_ * lengths2 - product2, lengths2) != Sign::negative)
     return {EdgeAngle::across, side};
@@ -95,19 +95,19 @@ EdgeVector EdgeRules::next(const EdgeVector& before, const Vector& movement, con
 
 // fanuc.leading-edge.start: At G41.3 the tool moves from the programmed point by the vector made of the tool direction
 // there and the movement of the next block; nothing else moves.
-// fanuc.leading-edge.start-across: At the start an angle that counts as 90 degrees has no vector before it: the sign of
-// the angle itself decides, an exact right angle as if the tool leaned forward.
-// fanuc.leading-edge.start-along-the-tool: At the start an angle that counts as 0 or 180 degrees raises PS5408 at the
-// G41.3 block. That the ranges of 19631 hold here is our definition.
 EdgeVector EdgeRules::first(const Vector& movement, const Direction& tool, const Rational& radius) const {
   recorder_.reach(Clause::fanuc_leading_edge_start);
   const EdgeCase found = classify(movement, tool);
   switch (found.angle) {
     case EdgeAngle::along:
     case EdgeAngle::against:
+      // fanuc.leading-edge.start-along-the-tool: At the start an angle that counts as 0 or 180 degrees raises PS5408 at
+      // the G41.3 block. That the ranges of 19631 hold here is our definition.
       raise(recorder_, Clause::fanuc_leading_edge_start_along_the_tool, "PS5408",
             "leading edge offset started with the tool along the movement");
     case EdgeAngle::across: {
+      // fanuc.leading-edge.start-across: At the start an angle that counts as 90 degrees has no vector before it: the
+      // sign of the angle itself decides, an exact right angle as if the tool leaned forward.
       const bool backward = recorder_.decide(Clause::fanuc_leading_edge_start_across, found.lean != Sign::negative);
       return vector(backward ? Sense::backward : Sense::forward, movement, tool, radius);
     }

@@ -49,36 +49,32 @@ TipMarks ToolCenterPointControl::read(const Command& command, const ToolLengthOf
   return marks;
 }
 
-// fanuc.tool-center-point.forbidden: G28 G29 G30 G30.1 G37 G39 G41 G42 G45 to G48 G53 G54 to G59 and G92 in a block
-// under G43.4 or G43.5, the block of the code included, raise FORBIDDEN_UNDER_TOOL_DIRECTION.
-// fanuc.tool-center-point.exclusion: G43 or G44 under tool center point control, and G43.4 or G43.5 while an axis has a
-// length offset that is not zero, raise LENGTH_OFFSET_EXCLUSION: G49 has to stand between.
 void ToolCenterPointControl::restrict_mode(const Command& command, const ToolLengthOffset& length,
                                            const TipMarks& marks) const {
   const Codes& codes = command.codes;
   const bool cutter = codes.compensation && is_cutter_side(*codes.compensation);
+  // fanuc.tool-center-point.forbidden: G28 G29 G30 G30.1 G37 G39 G41 G42 G45 to G48 G53 G54 to G59 and G92 in a block
+  // under G43.4 or G43.5, the block of the code included, raise FORBIDDEN_UNDER_TOOL_DIRECTION.
   if (marks.tip_control && (leaves_the_path(codes.one_shot) || codes.workpiece || cutter))
     raise(recorder_, Clause::fanuc_tool_center_point_forbidden, "FORBIDDEN_UNDER_TOOL_DIRECTION",
           "a command that is not allowed while G43.4 or G43.5 is in force");
   const bool axis_offset_code = codes.length == LengthCode::plus || codes.length == LengthCode::minus;
+  // fanuc.tool-center-point.exclusion: G43 or G44 under tool center point control, and G43.4 or G43.5 while an axis has
+  // a length offset that is not zero, raise LENGTH_OFFSET_EXCLUSION: G49 has to stand between.
   if (axis_offset_code || (marks.starts && length.axis_offset()))
     raise(recorder_, Clause::fanuc_tool_center_point_exclusion, "LENGTH_OFFSET_EXCLUSION",
           "G43 or G44 together with G43.4 or G43.5; G49 must stand between");
 }
 
-// fanuc.tool-center-point.without-kinematics: With 19680 = 0 G43.4 raises PS5459.
-// fanuc.tool-center-point.programming-system: 19696 bit 5, WKP: 0 programs in the table coordinate system, a copy of
-// the workpiece system fixed to the table, which turns with the table and not with a head; 1 programs in the workpiece
-// system, which does not turn. Events give the programmed end, the point and the tool axis in the programming system.
-// Asked in the block of the code.
-// fanuc.tool-center-point.type-2-in-workpiece-system: G43.5 with WKP = 1 raises PS5459, on every type of machine.
-// fanuc.tool-center-point.not-invertible: Where an axis is hypothetical, or u_t is parallel to t0 or to u_w, directions
-// cannot be reached by turning the two axes: G43.5 raises PS5459, with P1 G43.4 runs every block under conventional
-// control, without a warning. Asked in the block of G43.5, and of G43.4 with posture control, on a machine with 19680
-// other than 0.
 void ToolCenterPointControl::restrict_start(const Command& command, const TipMarks& marks) {
+  // fanuc.tool-center-point.without-kinematics: With 19680 = 0 G43.4 raises PS5459.
   const bool without = recorder_.decide(Clause::fanuc_tool_center_point_without_kinematics, !machine_);
   if (without && !marks.directed) throw Alarm("PS5459", "G43.4 on a machine without kinematics (19680 = 0)");
+  // fanuc.tool-center-point.programming-system: 19696 bit 5, WKP: 0 programs in the table coordinate system, a copy of
+  // the workpiece system fixed to the table, which turns with the table and not with a head; 1 programs in the
+  // workpiece system, which does not turn. Events give the programmed end, the point and the tool axis in the
+  // programming system. Asked in the block of the code.
+  // fanuc.tool-center-point.type-2-in-workpiece-system: G43.5 with WKP = 1 raises PS5459, on every type of machine.
   if (!without &&
       recorder_.decide(Clause::fanuc_tool_center_point_programming_system, machine_->programs_workpiece()) &&
       marks.directed)
@@ -88,6 +84,10 @@ void ToolCenterPointControl::restrict_start(const Command& command, const TipMar
   if (without) return;
   if (marks.directed || with_posture_) {
     const bool inverse = posture_->is_possible();
+    // fanuc.tool-center-point.not-invertible: Where an axis is hypothetical, or u_t is parallel to t0 or to u_w,
+    // directions cannot be reached by turning the two axes: G43.5 raises PS5459, with P1 G43.4 runs every block under
+    // conventional control, without a warning. Asked in the block of G43.5, and of G43.4 with posture control, on a
+    // machine with 19680 other than 0.
     if (recorder_.decide(Clause::fanuc_tool_center_point_not_invertible, !inverse) && marks.directed)
       throw Alarm("PS5459", "G43.5 on a machine whose axes do not turn the tool to every direction about them");
     with_posture_ = with_posture_ && inverse;
@@ -95,79 +95,79 @@ void ToolCenterPointControl::restrict_start(const Command& command, const TipMar
   if (marks.directed) choice_->require_ranges();
 }
 
-// fanuc.tool-posture.word: P of the block of G43.4 or G43.5: P1 chooses posture control, P0 conventional control, until
-// G49.
-// fanuc.tool-posture.default: Without P in that block 19604 bit 0, TPC, decides: 1 posture control, 0 conventional
-// control.
-// fanuc.tool-posture.word-value: P of another value than 0 or 1 in the block of G43.4 or G43.5 raises PS5421.
 void ToolCenterPointControl::read_posture_word(const Command& command) {
   const spec::Decimal* const p = word(command, 'P');
   if (p == nullptr) {
+    // fanuc.tool-posture.default: Without P in that block 19604 bit 0, TPC, decides: 1 posture control, 0 conventional
+    // control.
     with_posture_ = recorder_.decide(Clause::fanuc_tool_posture_default, posture_by_default_);
     return;
   }
   const Rational value = plain(*p);
+  // fanuc.tool-posture.word-value: P of another value than 0 or 1 in the block of G43.4 or G43.5 raises PS5421.
   if (value != 0 && value != 1)
     raise(recorder_, Clause::fanuc_tool_posture_word_value, "PS5421", "P of G43.4 or G43.5 other than 0 or 1");
+  // fanuc.tool-posture.word: P of the block of G43.4 or G43.5: P1 chooses posture control, P0 conventional control,
+  // until G49.
   with_posture_ = recorder_.decide(Clause::fanuc_tool_posture_word, value == 1);
 }
 
-// fanuc.tool-center-point.format: TOOL_DIRECTION_FORMAT: G43.4 or G43.5, or the G49 that ends it, in the leading edge
-// offset or in the block that starts it, or where tool side compensation is on before or after the block; G43.4 or
-// G43.5 in a block under G02 or G03.
-// fanuc.tool-center-point.compensation-in-workpiece-system: With WKP = 1 on a machine with a table axis (19680 = 12,
-// 21) COMPENSATION_IN_WORKPIECE_SYSTEM, a name of ours, is raised by a block under G43.4 after which tool side
-// compensation or the leading edge offset is on. The manual allows it by a further parameter (19746 bit 4), which is
-// not built: set or not, the block is refused.
 void ToolCenterPointControl::restrict_compensation(const Command& command, const TipMarks& marks,
                                                    const Pipeline& stages) const {
   const Pipeline::InForce in_space = stages.in_force(Extent::space, command);
+  // fanuc.tool-center-point.format: TOOL_DIRECTION_FORMAT: G43.4 or G43.5, or the G49 that ends it, in the leading edge
+  // offset or in the block that starts it, or where tool side compensation is on before or after the block; G43.4 or
+  // G43.5 in a block under G02 or G03.
   if ((in_space.any() && (marks.starts || marks.ends)) || (marks.starts && command.is_arc_motion()))
     raise(recorder_, Clause::fanuc_tool_center_point_format, "TOOL_DIRECTION_FORMAT",
           "G43.4, G43.5 or their end in a compensation in space, or G43.4 or G43.5 in G02 or G03");
   const bool on_table = machine_ && machine_->programs_workpiece() && machine_->type() != MachineType::head;
+  // fanuc.tool-center-point.compensation-in-workpiece-system: With WKP = 1 on a machine with a table axis (19680 = 12,
+  // 21) COMPENSATION_IN_WORKPIECE_SYSTEM, a name of ours, is raised by a block under G43.4 after which tool side
+  // compensation or the leading edge offset is on. The manual allows it by a further parameter (19746 bit 4), which is
+  // not built: set or not, the block is refused.
   if (marks.tip_control && on_table && in_space.after)
     raise(recorder_, Clause::fanuc_tool_center_point_compensation_in_workpiece_system,
           "COMPENSATION_IN_WORKPIECE_SYSTEM",
           "a compensation in space with a table axis in the workpiece coordinate system (19696#5 = 1)");
 }
 
-// fanuc.tool-center-point.rotary-word: A rotary axis word in a block under G43.5, the block of the code included,
-// raises PS5421 (with tool side compensation PS5460, fanuc.tool-side.rotary-word).
-// fanuc.tool-center-point.direction-at-start: I J K in the block of G43.5: a tool rotation machine (type 2) turns
-// there, to the pair chosen by fanuc.tool-center-point.choice, with P0 and P1 alike and without a lean; with a table
-// axis (types 12, 21) PS5421 is raised.
-// fanuc.tool-center-point.zero: I J K that are all zero under G43.5 raise PS5421.
 void ToolCenterPointControl::restrict_words(const Command& command, const TipMarks& marks,
                                             const Pipeline& stages) const {
   if (has_axis_word(command, spec::is_rotary_axis)) {
     stages.refuse_rotary_word(command);
+    // fanuc.tool-center-point.rotary-word: A rotary axis word in a block under G43.5, the block of the code included,
+    // raises PS5421 (with tool side compensation PS5460, fanuc.tool-side.rotary-word).
     raise(recorder_, Clause::fanuc_tool_center_point_rotary_word, "PS5421",
           "a rotary axis word while G43.5 is in force");
   }
   if (!command.direction) return;
   const bool on_table = machine_ && machine_->type() != MachineType::head;
+  // fanuc.tool-center-point.direction-at-start: I J K in the block of G43.5: a tool rotation machine (type 2) turns
+  // there, to the pair chosen by fanuc.tool-center-point.choice, with P0 and P1 alike and without a lean; with a table
+  // axis (types 12, 21) PS5421 is raised.
   if (marks.starts && recorder_.decide(Clause::fanuc_tool_center_point_direction_at_start, on_table))
     throw Alarm("PS5421", "I J K in the block of G43.5 on a machine with a table axis");
+  // fanuc.tool-center-point.zero: I J K that are all zero under G43.5 raise PS5421.
   if (is_zero_word(command, 'I') && is_zero_word(command, 'J') && is_zero_word(command, 'K'))
     raise(recorder_, Clause::fanuc_tool_center_point_zero, "PS5421", "a tool direction of which all of I J K are zero");
 }
 
-// fanuc.tool-center-point.arc-by-radius: Under G43.5, where I J K are the direction, the centre of an arc is given by R
-// alone. A word of the plane without R under G02 or G03 raises PS5421 (the number is ours). A full circle cannot be
-// given: R with an end that is the start raises PS0023 (fanuc.program.arc-radius-without-chord).
-// fanuc.tool-center-point.arc-rotary-only: A block under G02 or G03 that would turn the tool alone raises PS5421: under
-// G43.4 a rotary axis word without a linear axis word and without I J K R, under G43.5 I J K without a linear axis
-// word. The manual allows it in G00 and G01 only; the number is ours.
 void ToolCenterPointControl::restrict_arc(const Command& command, const TipMarks& marks) const {
   if (!command.is_arc_motion() || leaves_the_path(command.codes.one_shot)) return;
   const bool radius = word(command, 'R') != nullptr;
   const PlaneLetters in_plane = letters(command.plane);
   const auto named = [&](char letter) { return axes_.has(letter) && word(command, letter) != nullptr; };
+  // fanuc.tool-center-point.arc-by-radius: Under G43.5, where I J K are the direction, the centre of an arc is given by
+  // R alone. A word of the plane without R under G02 or G03 raises PS5421 (the number is ours). A full circle cannot be
+  // given: R with an end that is the start raises PS0023 (fanuc.program.arc-radius-without-chord).
   if (marks.directed && !radius && (named(in_plane.first) || named(in_plane.second)))
     raise(recorder_, Clause::fanuc_tool_center_point_arc_by_radius, "PS5421", "an arc under G43.5 without R");
   const bool turns = marks.directed ? command.direction
                                     : has_axis_word(command, spec::is_rotary_axis) && !command.direction && !radius;
+  // fanuc.tool-center-point.arc-rotary-only: A block under G02 or G03 that would turn the tool alone raises PS5421:
+  // under G43.4 a rotary axis word without a linear axis word and without I J K R, under G43.5 I J K without a linear
+  // axis word. The manual allows it in G00 and G01 only; the number is ours.
   if (turns && !has_axis_word(command, spec::is_linear_axis))
     raise(recorder_, Clause::fanuc_tool_center_point_arc_rotary_only, "PS5421",
           "the tool turned alone under G02 or G03");

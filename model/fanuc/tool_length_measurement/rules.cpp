@@ -19,35 +19,35 @@ bool sets_length_offset(const std::optional<LengthCode>& code) {
 
 }  // namespace
 
-// fanuc.length-measurement.number-in-block: An H word in the block with G37 raises PS0082, whatever OFH says and
-// whatever else stands in it (G43, G44 and G49 too): the number is given in a block before it.
-// fanuc.length-measurement.number-zero: G37 while the H number of the length offset is 0 raises PS0081. It is the
-// number that fanuc.length-offset.one-number keeps: no G43 or G44 need be in force.
-// fanuc.length-measurement.axis: G37 needs exactly one axis word, of a linear axis, and G90 in force: none, two or
-// more, a rotary axis, and G91 raise PS0083. That U V W count like the fourth axis of the manual is our definition.
-// fanuc.length-measurement.with-length-code: G43, G44 or G49 in the block with G37 raises MEASUREMENT_FORMAT, where the
-// block has none of the three faults before.
-// fanuc.length-measurement.in-cutter-compensation: G37 while cutter compensation B or C is on (fanuc.cutter.on) before
-// the block or after it raises PS0036, as the other code that moves up to a signal does.
-// fanuc.length-measurement.parameters-in-order: 6251 > 6254 >= 0 must hold, and 6241 must be above 0 where the setup
-// gives it: otherwise G37 raises MEASUREMENT_PARAMETERS. Setups without G37 are free to hold other values.
 void ToolLengthMeasurement::read(const Command& command, std::uint32_t number, bool cutter) const {
   const Codes& codes = command.codes;
+  // fanuc.length-measurement.number-in-block: An H word in the block with G37 raises PS0082, whatever OFH says and
+  // whatever else stands in it (G43, G44 and G49 too): the number is given in a block before it.
   if (codes.h)
     raise(recorder_, Clause::fanuc_length_measurement_number_in_block, "PS0082", "an H word in the block with G37");
+  // fanuc.length-measurement.number-zero: G37 while the H number of the length offset is 0 raises PS0081. It is the
+  // number that fanuc.length-offset.one-number keeps: no G43 or G44 need be in force.
   if (number == 0)
     raise(recorder_, Clause::fanuc_length_measurement_number_zero, "PS0081", "G37 while the H number is 0");
   const bool one_axis = std::popcount(command.axes) == 1 && spec::is_linear_axis(axes_.letter(axis(command)));
+  // fanuc.length-measurement.axis: G37 needs exactly one axis word, of a linear axis, and G90 in force: none, two or
+  // more, a rotary axis, and G91 raise PS0083. That U V W count like the fourth axis of the manual is our definition.
   if (!one_axis || command.incremental)
     raise(recorder_, Clause::fanuc_length_measurement_axis, "PS0083",
           "G37 needs G90 and exactly one axis, a linear one");
+  // fanuc.length-measurement.with-length-code: G43, G44 or G49 in the block with G37 raises MEASUREMENT_FORMAT, where
+  // the block has none of the three faults before.
   if (sets_length_offset(codes.length))
     raise(recorder_, Clause::fanuc_length_measurement_with_length_code, "MEASUREMENT_FORMAT",
           "G43, G44 or G49 in the block with G37");
+  // fanuc.length-measurement.in-cutter-compensation: G37 while cutter compensation B or C is on (fanuc.cutter.on)
+  // before the block or after it raises PS0036, as the other code that moves up to a signal does.
   if (cutter)
     raise(recorder_, Clause::fanuc_length_measurement_in_cutter_compensation, "PS0036",
           "G37 while cutter compensation is on");
   const bool ordered = deceleration_ > half_zone_ && half_zone_ >= 0 && (!feed_ || *feed_ > 0);
+  // fanuc.length-measurement.parameters-in-order: 6251 > 6254 >= 0 must hold, and 6241 must be above 0 where the setup
+  // gives it: otherwise G37 raises MEASUREMENT_PARAMETERS. Setups without G37 are free to hold other values.
   if (recorder_.decide(Clause::fanuc_length_measurement_parameters_in_order, !ordered))
     throw Alarm("MEASUREMENT_PARAMETERS", "6241, 6251 or 6254 gives no zones for G37");
 }
@@ -109,10 +109,6 @@ bool ToolLengthMeasurement::has_rapid_part(const Real& a, const Real& scale) con
 
 // fanuc.length-measurement.signal-from-the-start: Where the signal is already on at B the position reached is B, and
 // there is no measuring move.
-// fanuc.length-measurement.too-early: A signal between B and C raises PS0080. That C itself is allowed is our
-// definition.
-// fanuc.length-measurement.too-late: Where the signal has not come up to F the axis stops at F and PS0080 is raised.
-// That F itself is allowed is our definition. Where the setup gives no signal the axis stops at F too.
 ToolLengthMeasurement::Stop ToolLengthMeasurement::stop(const std::optional<Real>& signal, const Real& b,
                                                         const Real& scale) const {
   Stop result{half_zone_};
@@ -120,9 +116,13 @@ ToolLengthMeasurement::Stop ToolLengthMeasurement::stop(const std::optional<Real
   result.measures =
       recorder_.decide(Clause::fanuc_length_measurement_signal_from_the_start, *signal - b, scale) == Sign::positive;
   const Real p = result.measures ? *signal : b;
+  // fanuc.length-measurement.too-late: Where the signal has not come up to F the axis stops at F and PS0080 is raised.
+  // That F itself is allowed is our definition. Where the setup gives no signal the axis stops at F too.
   if (recorder_.decide(Clause::fanuc_length_measurement_too_late, Real(half_zone_) - p, scale) == Sign::negative)
     return result;
   result.at = p;
+  // fanuc.length-measurement.too-early: A signal between B and C raises PS0080. That C itself is allowed is our
+  // definition.
   result.in_zone =
       recorder_.decide(Clause::fanuc_length_measurement_too_early, p + Real(half_zone_), scale) != Sign::negative;
   return result;
@@ -132,10 +132,6 @@ ToolLengthMeasurement::Stop ToolLengthMeasurement::stop(const std::optional<Real
 // a linear one of cause measure that ends at the position reached, or at F. Both carry the commanded coordinate in
 // `programmed`; `point` is where the move ends (with the shift of G45 to G48), `axes` adds the length offset in force.
 // A block that would have neither makes the rapid move without travel: it has an axis word.
-// fanuc.length-measurement.value: The difference of the coordinate reached and the commanded one is added to the offset
-// of the H number.
-// fanuc.length-measurement.sign: The same formula holds under G44: the manual makes no exception, though the offset is
-// then not the one that reaches the position touched.
 Measurement ToolLengthMeasurement::measure(const Command& command, const Position& from, const Leg& leg,
                                            const MeasurementStart& start) const {
   Measurement result;
@@ -167,7 +163,11 @@ Measurement ToolLengthMeasurement::measure(const Command& command, const Positio
   result.difference = s * stop.at.rational();
   result.in_zone = stop.in_zone;
   if (!result.in_zone) return result;
+  // fanuc.length-measurement.value: The difference of the coordinate reached and the commanded one is added to the
+  // offset of the H number.
   recorder_.reach(Clause::fanuc_length_measurement_value);
+  // fanuc.length-measurement.sign: The same formula holds under G44: the manual makes no exception, though the offset
+  // is then not the one that reaches the position touched.
   recorder_.decide(Clause::fanuc_length_measurement_sign, start.minus);
   return result;
 }

@@ -41,34 +41,29 @@ LengthRules::LengthRules(const spec::Setup& setup, Recorder& recorder)
       evo_(setup.bit(5001, 6)) {}
 
 // fanuc.length-offset.type-a: Type A offsets Z.
-// fanuc.length-offset.type-b: Type B offsets the axis at right angles to the plane of the block: Z in G17, Y in G18, X
-// in G19. Offsets given in several blocks stay on several axes.
-// fanuc.length-offset.type-c: Type C offsets the axis that the block with G43 or G44 names.
-// fanuc.length-offset.type-c-last-axis: A lone H of type C acts on the axis offset last.
 AxisMask LengthRules::affected(const LengthCommand& command, const LengthVector& before, AxisMask last) const {
   switch (type_) {
     case Type::a:
       recorder_.reach(Clause::fanuc_length_offset_type_a);
       return letter(axes_, 'Z');
     case Type::b:
+      // fanuc.length-offset.type-b: Type B offsets the axis at right angles to the plane of the block: Z in G17, Y in
+      // G18, X in G19. Offsets given in several blocks stay on several axes.
       recorder_.reach(Clause::fanuc_length_offset_type_b);
       return letter(axes_, command.plane == spec::Plane::xy ? 'Z' : command.plane == spec::Plane::zx ? 'Y' : 'X');
     case Type::c:
       break;
   }
+  // fanuc.length-offset.type-c: Type C offsets the axis that the block with G43 or G44 names.
   recorder_.reach(Clause::fanuc_length_offset_type_c);
   if (command.sets_mode()) return named_axes(command, before);
+  // fanuc.length-offset.type-c-last-axis: A lone H of type C acts on the axis offset last.
   recorder_.reach(Clause::fanuc_length_offset_type_c_last_axis);
   return last;
 }
 
 // fanuc.length-offset.type-c-linear-axes: Type C goes by the linear axis words of the block; a rotary axis word names
 // no axis to offset.
-// fanuc.length-offset.type-c-no-axis: G43 or G44 of type C in a block that names no axis raises PS0027.
-// fanuc.length-offset.tal: Type C on a second axis (another axis still has an offset, or the block names two) raises
-// PS0027 with TAL = 0, nothing changed; with TAL = 1 it is allowed.
-// fanuc.length-offset.type-c-several-axes: Type C with TAL = 1 in a block that names several axes gives the offset to
-// all of them; together they are the axes offset last.
 AxisMask LengthRules::named_axes(const LengthCommand& command, const LengthVector& before) const {
   AxisMask linear = 0;
   AxisMask offset = 0;
@@ -76,13 +71,18 @@ AxisMask LengthRules::named_axes(const LengthCommand& command, const LengthVecto
     if (in(command.axes, i) && spec::is_linear_axis(axes_.letter(i))) linear = with(linear, i);
     if (before.axis.at(i) != 0) offset = with(offset, i);
   }
+  // fanuc.length-offset.type-c-no-axis: G43 or G44 of type C in a block that names no axis raises PS0027.
   if (linear == 0)
     raise(recorder_, Clause::fanuc_length_offset_type_c_no_axis, "PS0027", "tool length offset type C without an axis");
   const bool several = std::popcount(linear) > 1;
   const bool another = without(offset, linear) != 0;
   if (several || another) {
+    // fanuc.length-offset.tal: Type C on a second axis (another axis still has an offset, or the block names two)
+    // raises PS0027 with TAL = 0, nothing changed; with TAL = 1 it is allowed.
     if (!recorder_.decide(Clause::fanuc_length_offset_tal, tal_))
       throw Alarm("PS0027", "tool length offset type C on a second axis");
+    // fanuc.length-offset.type-c-several-axes: Type C with TAL = 1 in a block that names several axes gives the offset
+    // to all of them; together they are the axes offset last.
     if (several) recorder_.reach(Clause::fanuc_length_offset_type_c_several_axes);
   }
   return linear;
@@ -90,16 +90,16 @@ AxisMask LengthRules::named_axes(const LengthCommand& command, const LengthVecto
 
 // fanuc.length-offset.ofh: With OFH = 0 an H counts wherever it stands. With OFH = 1 it counts in a block with G43 or
 // G44 only.
-// fanuc.length-offset.ofh-lone-number: With OFH = 1 an H in a block without G43 and G44 is ignored; only the number on
-// the screen changes.
-// fanuc.length-offset.ofh-first-without-number: With OFH = 1 a G43 or G44 without H takes H0 where no length offset is
-// in force. That one in force keeps its number is our definition: H is modal once G43 is active.
 std::optional<std::uint32_t> LengthRules::number(const LengthCommand& command, bool active) const {
   if (command.h) {
     const bool ignored = recorder_.decide(Clause::fanuc_length_offset_ofh, ofh_) && !command.sets_mode();
+    // fanuc.length-offset.ofh-lone-number: With OFH = 1 an H in a block without G43 and G44 is ignored; only the number
+    // on the screen changes.
     if (recorder_.decide(Clause::fanuc_length_offset_ofh_lone_number, ignored)) return std::nullopt;
     return command.h;
   }
+  // fanuc.length-offset.ofh-first-without-number: With OFH = 1 a G43 or G44 without H takes H0 where no length offset
+  // is in force. That one in force keeps its number is our definition: H is modal once G43 is active.
   if (command.sets_mode() && recorder_.decide(Clause::fanuc_length_offset_ofh, ofh_) &&
       recorder_.decide(Clause::fanuc_length_offset_ofh_first_without_number, !active))
     return 0;

@@ -17,20 +17,17 @@ Deviation between(const SupportPoint& before, const SupportPoint& behind, const 
 
 }  // namespace
 
-// heidenhain.tool.deviation-below: A contact angle below the first support point b raises E_3DTC_RANGE; the support
-// point itself is inside.
-// heidenhain.tool.deviation-above: A contact angle above the last support point b raises E_3DTC_RANGE; the support
-// point itself is inside.
-// heidenhain.tool.deviation-segment: Between two support points the deviation is interpolated linearly in the angle.
-// The support points between first and last are asked in ascending order until one is not below the contact angle.
-// Manual's example: 0.03 at 40 degrees and -0.02 at 50 degrees give 0.005 at 45 degrees.
 Deviation deviation_at(const Deviations& table, const ContactGeometry& contact, Recorder& recorder) {
   const Real scale = 2 * contact.lengths;
   const SupportPoint& first = table.front();
   const SupportPoint& last = table.back();
   constexpr const char* kMessage = "the contact angle is outside the table of deviations";
+  // heidenhain.tool.deviation-below: A contact angle below the first support point b raises E_3DTC_RANGE; the support
+  // point itself is inside.
   const Sign below = recorder.decide(Clause::heidenhain_tool_deviation_below, beyond(first.cosine, contact), scale);
   if (below == Sign::negative) throw Alarm("E_3DTC_RANGE", kMessage);
+  // heidenhain.tool.deviation-above: A contact angle above the last support point b raises E_3DTC_RANGE; the support
+  // point itself is inside.
   const Sign above = recorder.decide(Clause::heidenhain_tool_deviation_above, -beyond(last.cosine, contact), scale);
   if (above == Sign::negative) throw Alarm("E_3DTC_RANGE", kMessage);
 
@@ -40,6 +37,9 @@ Deviation deviation_at(const Deviations& table, const ContactGeometry& contact, 
   const SupportPoint* before = &first;
   for (std::size_t i = 1; i + 1 < table.size(); ++i) {
     const SupportPoint& point = table[i];
+    // heidenhain.tool.deviation-segment: Between two support points the deviation is interpolated linearly in the
+    // angle. The support points between first and last are asked in ascending order until one is not below the contact
+    // angle. Manual's example: 0.03 at 40 degrees and -0.02 at 50 degrees give 0.005 at 45 degrees.
     const Sign side = recorder.decide(Clause::heidenhain_tool_deviation_segment, beyond(point.cosine, contact), scale);
     if (side == Sign::zero) return at(point, angle);
     if (side == Sign::negative) return between(*before, point, angle);

@@ -25,36 +25,28 @@ bool FaceRules::applies(const Motion& motion) const {
 }
 
 // heidenhain.face.side: The normal leans to the holder, is at right angles to the tool, or leans below it.
-// heidenhain.peripheral.by-normal: LN with a normal perpendicular to T is peripheral milling too, says the manual. The
-// contact rule of face milling holds for it: equal for end mills, and for rounded corners without a break against
-// normals that are nearly perpendicular.
-// heidenhain.face.below: A normal that leans below the tool by more than rounding of 4 decimals does, n.t < -0.0002,
-// gives W_N_BELOW; the formulas do not change. The manual's own syntax example is such a block.
 bool FaceRules::is_below(const ContactGeometry& geometry) const {
   const Sign side = recorder_.decide(Clause::heidenhain_face_side, geometry.along, geometry.lengths);
+  // heidenhain.peripheral.by-normal: LN with a normal perpendicular to T is peripheral milling too, says the manual.
+  // The contact rule of face milling holds for it: equal for end mills, and for rounded corners without a break against
+  // normals that are nearly perpendicular.
   if (side == Sign::zero) recorder_.reach(Clause::heidenhain_peripheral_by_normal);
   if (side != Sign::negative) return false;
   const Real within = Rational(4, 100'000'000) * geometry.lengths2 - square(geometry.along);
+  // heidenhain.face.below: A normal that leans below the tool by more than rounding of 4 decimals does, n.t < -0.0002,
+  // gives W_N_BELOW; the formulas do not change. The manual's own syntax example is such a block.
   return recorder_.decide(Clause::heidenhain_face_below, within, geometry.lengths2) == Sign::negative;
 }
 
 // heidenhain.face.ring-direction: The corner of the tool is a ring of radius rho round the tool, R2 above the tip,
 // thickened by R2. It touches the wall where the ring is nearest to it: the direction from there to the axis is the
 // part of n across the tool.
-// heidenhain.face.along-the-tool: Where the normal is parallel or opposite to the tool the flat bottom touches, and the
-// point on the axis is taken: u = 0. The test is exact. It is the only choice without history; beside it the contact
-// jumps by the radius of the flat.
-// heidenhain.tool.effective-flat: The flat of the effective bottom has the radius R' - R2', and none where M107 lets
-// the corner radius be the larger one: the tool is then a ball of R2', which keeps an allowance by DR2 alone what it
-// says. With a table of deviations there is none either. Asked in blocks with a normal after all checks, not with a
-// table of deviations.
-// heidenhain.tool.ring-change: dR counts in face milling too, through the radius of the ring on which the centres of
-// the corner lie. The manual names DR and DR2 for 3D compensation, its classes of tools are made with DR, and the full
-// radius R + DR of the programmed contour agrees with it only so. Asked in blocks with a normal, not with a table of
-// deviations.
 Ring FaceRules::ring(const EffectiveTool& tool, const FaceContact& contact) const {
   const ContactGeometry& geometry = contact.geometry;
   Ring result;
+  // heidenhain.face.along-the-tool: Where the normal is parallel or opposite to the tool the flat bottom touches, and
+  // the point on the axis is taken: u = 0. The test is exact. It is the only choice without history; beside it the
+  // contact jumps by the radius of the flat.
   result.flat =
       recorder_.decide(Clause::heidenhain_face_along_the_tool, geometry.across2, geometry.lengths2) == Sign::zero;
   if (!result.flat) {
@@ -63,9 +55,17 @@ Ring FaceRules::ring(const EffectiveTool& tool, const FaceContact& contact) cons
   }
   if (contact.angle) return result;  // a ball
   const Real difference = tool.r + tool.dr - (tool.r2 + contact.dr2);
+  // heidenhain.tool.effective-flat: The flat of the effective bottom has the radius R' - R2', and none where M107 lets
+  // the corner radius be the larger one: the tool is then a ball of R2', which keeps an allowance by DR2 alone what it
+  // says. With a table of deviations there is none either. Asked in blocks with a normal after all checks, not with a
+  // table of deviations.
   result.has_bottom = recorder_.decide(Clause::heidenhain_tool_effective_flat, difference, 1) == Sign::positive;
   if (result.has_bottom) result.effective = difference;
   result.change = result.effective - (tool.r - tool.r2);
+  // heidenhain.tool.ring-change: dR counts in face milling too, through the radius of the ring on which the centres of
+  // the corner lie. The manual names DR and DR2 for 3D compensation, its classes of tools are made with DR, and the
+  // full radius R + DR of the programmed contour agrees with it only so. Asked in blocks with a normal, not with a
+  // table of deviations.
   recorder_.decide(Clause::heidenhain_tool_ring_change, result.change, 1);
   return result;
 }
@@ -106,18 +106,18 @@ Compensated FaceRules::compensate(const Motion& motion, const FaceContact& conta
 
 // heidenhain.face.contact-before: A jump of the contact is looked for against the LN block with a normal right before;
 // any other motion between, and any TOOL CALL, forgets it.
-// heidenhain.face.contact-to-flat: Where the effective bottom has a flat, a contact that goes between the axis and the
-// ring gives W_CONTACT_JUMP. Another vendor inserts moves there; here nothing is inserted.
-// heidenhain.face.contact-jump: Where the effective bottom has a flat, a contact that goes to the other half of the
-// ring gives W_CONTACT_JUMP. Asked where both contacts are on the ring.
 std::optional<Clause> FaceRules::jump(const Ring& ring, const Vector& w, const std::optional<Vector>& w_before) const {
   if (!ring.has_bottom || !recorder_.decide(Clause::heidenhain_face_contact_before, w_before.has_value()))
     return std::nullopt;
   const bool flat_before = exact::is_zero(*w_before);
+  // heidenhain.face.contact-to-flat: Where the effective bottom has a flat, a contact that goes between the axis and
+  // the ring gives W_CONTACT_JUMP. Another vendor inserts moves there; here nothing is inserted.
   if (recorder_.decide(Clause::heidenhain_face_contact_to_flat, ring.flat != flat_before))
     return Clause::heidenhain_face_contact_to_flat;
   if (ring.flat) return std::nullopt;
   const Real scale = sqrt(squared_norm(w) * squared_norm(*w_before));
+  // heidenhain.face.contact-jump: Where the effective bottom has a flat, a contact that goes to the other half of the
+  // ring gives W_CONTACT_JUMP. Asked where both contacts are on the ring.
   if (recorder_.decide(Clause::heidenhain_face_contact_jump, dot(w, *w_before), scale) == Sign::negative)
     return Clause::heidenhain_face_contact_jump;
   return std::nullopt;

@@ -36,9 +36,6 @@ PeripheralEnd PeripheralRules::compensate(const Motion& motion, const Motion* ne
 // heidenhain.peripheral.direction: The direction of compensation is perpendicular to the movement of the block and to
 // the tool. Where it does not exist, the tool being parallel to the movement or nothing moving, the direction made last
 // counts: at a junction c_i is made first, then c_(i+1). The test is exact. Asked for every direction that is wanted.
-// heidenhain.peripheral.former-direction: Where a block has no direction of its own and none was made since the first
-// compensated block, E_NO_DIRECTION names the block whose end point is wanted.
-// heidenhain.peripheral.side: RL compensates to the left of the movement seen from the tool carrier, RR to the right.
 LateralDirection PeripheralRules::direction(const Direction& tool, const Vector& travel, Side side,
                                             const std::optional<LateralDirection>& former) const {
   const Vector across = cross(tool.vector, travel);
@@ -46,6 +43,8 @@ LateralDirection PeripheralRules::direction(const Direction& tool, const Vector&
   const Real travel2 = squared_norm(travel);
   const Real scale = travel2.sign() == Sign::zero ? Real(1) : tool.norm2 * travel2;
   if (recorder_.decide(Clause::heidenhain_peripheral_direction, norm2, scale) == Sign::zero) {
+    // heidenhain.peripheral.former-direction: Where a block has no direction of its own and none was made since the
+    // first compensated block, E_NO_DIRECTION names the block whose end point is wanted.
     if (!recorder_.decide(Clause::heidenhain_peripheral_former_direction, former.has_value())) {
       recorder_.list(Clause::heidenhain_peripheral_former_direction);
       throw Alarm("E_NO_DIRECTION", "no direction of compensation: the tool is along the movement, or nothing moves");
@@ -53,6 +52,7 @@ LateralDirection PeripheralRules::direction(const Direction& tool, const Vector&
     return *former;
   }
   if (norm2.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
+  // heidenhain.peripheral.side: RL compensates to the left of the movement seen from the tool carrier, RR to the right.
   const bool left = recorder_.decide(Clause::heidenhain_peripheral_side, side == Side::left);
   const Vector c = left ? across : -across;
   return {c, norm2, unit(c, norm2)};
@@ -66,9 +66,9 @@ LateralDirection PeripheralRules::direction(const Direction& tool, const Vector&
 // the run or an alarm, its own direction counts.
 PeripheralRules::Beside PeripheralRules::at_first_block(const Motion& motion, const Motion* next,
                                                         const std::optional<LateralDirection>& former) const {
-  const bool alone = recorder_.decide(Clause::heidenhain_peripheral_first_without_next, next == nullptr);
-  const Vector& travel = alone ? motion.travel : next->travel;
-  const Side side = !alone && next->is_peripheral() ? next->side : motion.side;
+  recorder_.decide(Clause::heidenhain_peripheral_first_without_next, next == nullptr);
+  const Vector& travel = next == nullptr ? motion.travel : next->travel;
+  const Side side = next != nullptr && next->is_peripheral() ? next->side : motion.side;
   const LateralDirection made = direction(motion.direction, travel, side, former);
   return {made.unit, made};
 }
@@ -82,7 +82,8 @@ PeripheralRules::Beside PeripheralRules::at_later_block(const Motion& motion, co
                                                         const std::optional<LateralDirection>& former) const {
   const LateralDirection own = direction(motion.direction, motion.travel, motion.side, former);
   const bool last = next == nullptr || !next->is_peripheral();
-  if (recorder_.decide(Clause::heidenhain_peripheral_last_block, last)) return {own.unit, own};
+  recorder_.decide(Clause::heidenhain_peripheral_last_block, last);
+  if (last) return {own.unit, own};
   recorder_.decide(Clause::heidenhain_peripheral_side_change, next->side != motion.side);
   const LateralDirection behind = direction(motion.direction, next->travel, next->side, own);
   return {mitre(own, behind), behind};

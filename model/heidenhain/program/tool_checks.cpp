@@ -4,27 +4,27 @@
 
 namespace toolcomp::model::klartext {
 
-// heidenhain.tool.none: 3D compensation before any tool call raises E_NO_TOOL. TOOL CALL 0 calls a tool.
-// heidenhain.face.radius-compensation: A block with a normal while RL or RR is in force, or in the block itself, raises
-// E_RC_WITH_N: the direction would be defined twice.
 void ToolChecks::block(const Motion& motion) const {
+  // heidenhain.tool.none: 3D compensation before any tool call raises E_NO_TOOL. TOOL CALL 0 calls a tool.
   if (recorder_.decide(Clause::heidenhain_tool_none, !motion.tool->called))
     throw Alarm("E_NO_TOOL", "3D compensation before any TOOL CALL");
+  // heidenhain.face.radius-compensation: A block with a normal while RL or RR is in force, or in the block itself,
+  // raises E_RC_WITH_N: the direction would be defined twice.
   if (motion.normal && motion.side != Side::none)
     raise(recorder_, Clause::heidenhain_face_radius_compensation, "E_RC_WITH_N",
           "a surface normal while RL or RR is in force");
 }
 
-// heidenhain.tool.table-radius: A negative radius R in the tool table raises E_TOOL.
-// heidenhain.tool.table-corner-radius: A negative corner radius R2 in the tool table raises E_TOOL.
-// heidenhain.tool.table-shape: The tool table describes an end mill (R2 = 0), a toroid cutter (R2 > 0) or a ball-nose
-// cutter (R2 = R). A corner radius beyond the radius is none of them: E_TOOL.
 Sign ToolChecks::table(const EffectiveTool& tool) const {
   constexpr const char* kMessage = "the tool table describes no tool";
+  // heidenhain.tool.table-radius: A negative radius R in the tool table raises E_TOOL.
   if (recorder_.decide(Clause::heidenhain_tool_table_radius, tool.r, 1) == Sign::negative)
     throw Alarm("E_TOOL", kMessage);
+  // heidenhain.tool.table-corner-radius: A negative corner radius R2 in the tool table raises E_TOOL.
   if (recorder_.decide(Clause::heidenhain_tool_table_corner_radius, tool.r2, 1) == Sign::negative)
     throw Alarm("E_TOOL", kMessage);
+  // heidenhain.tool.table-shape: The tool table describes an end mill (R2 = 0), a toroid cutter (R2 > 0) or a ball-nose
+  // cutter (R2 = R). A corner radius beyond the radius is none of them: E_TOOL.
   const Sign shape = recorder_.decide(Clause::heidenhain_tool_table_shape, tool.r - tool.r2, 1);
   if (shape == Sign::negative) throw Alarm("E_TOOL", kMessage);
   return shape;
