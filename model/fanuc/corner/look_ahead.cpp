@@ -71,8 +71,9 @@ void LookAhead::meet(Step& now, const Meeting& meeting) {
     } else if (meeting.moves[corner]) {
       recorder_.decide(rules_.one_between, held.without_movement == 1);
       release(meeting.group(held, corner));
-    } else if ((held.without_movement += meeting.counts) >= 2) {
-      end_first(meeting.two_of_them);
+    } else {
+      held.without_movement += meeting.counts;
+      if (held.without_movement >= 2) end_first(meeting.two_of_them);
     }
     recorder_.at(now.line);
   }

@@ -77,25 +77,19 @@ void CutterCompensationC::finish() { ahead_.end(); }
 
 void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
   ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
+  unchecked_ = false;
   const CutterBlock& block = said(now);
   if (wanted && moves) {
-    start_up(now);
+    recorder().reach(Clause::fanuc_cutter_c_start_up);
+    const CutterOffset offset = offset_of(recorder(), block.side, block.offset);
+    ahead_.mode = CornerMode::on;
+    hold_moving(now, Held::Kind::start_up, path_of(block, offset, offset.distance), offset);
   } else if (wanted && has_side_word(block) && !is_machine_move(block.motion) &&
              recorder().decide(Clause::fanuc_cutter_c_suv, at_once_)) {
-    unchecked_ = false;
     ahead_.hold(now, Held::Kind::lone_start, offset_of(recorder(), block.side, block.offset), nullptr);
   } else {
     ahead_.emit(now);
   }
-}
-
-void CutterCompensationC::start_up(Step& now) {
-  recorder().reach(Clause::fanuc_cutter_c_start_up);
-  const CutterBlock& block = said(now);
-  const CutterOffset offset = offset_of(recorder(), block.side, block.offset);
-  unchecked_ = false;
-  ahead_.mode = CornerMode::on;
-  hold_moving(now, Held::Kind::start_up, path_of(block, offset, offset.distance), offset);
 }
 
 // The code has no vector to make: the next moving block is a start-up block.

@@ -34,7 +34,6 @@ class CutterCompensationC final : public CutterCompensation, private CornerSecti
   void check_corner_arc(const CutterBlock& words) const;
   void take_while_off(Step& now, bool wanted, bool moves);
   void take_while_on(Step& now, bool wanted, bool moves);
-  void start_up(Step& now);
   void take_moving(Step& now);
   void hold_moving(Step& now, Held::Kind kind, const OffsetPath& path, const CutterOffset& offset);
   void take_without_motion(Step& now);

@@ -106,29 +106,23 @@ void ToolSideCompensation::take(const Step& step) {
 
 void ToolSideCompensation::finish() { ahead_.end(); }
 
-void ToolSideCompensation::take_while_off(Step& now, bool wanted, const Movement& movement) {
+void ToolSideCompensation::take_while_off(Step& now, bool wanted, Movement& movement) {
   ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
-  if (wanted && recorder().decide(Clause::fanuc_tool_side_type_c, type_c_))
-    start_alone(now);
-  else if (wanted && movement.end)
-    start_up(now, movement);
-  else
+  if (wanted && recorder().decide(Clause::fanuc_tool_side_type_c, type_c_)) {
+    start(now, Held::Kind::lone_start, movement);
+  } else if (wanted && movement.end) {
+    recorder().reach(Clause::fanuc_tool_side_start_up);
+    ahead_.mode = CornerMode::on;
+    start(now, Held::Kind::start_up, movement);
+  } else {
     ahead_.emit(now);
+  }
 }
 
-void ToolSideCompensation::start_up(Step& now, Movement movement) {
-  recorder().reach(Clause::fanuc_tool_side_start_up);
+void ToolSideCompensation::start(Step& now, Held::Kind kind, Movement& movement) {
   const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
-  ahead_.mode = CornerMode::on;
-  movement.end->offset = offset.left();
-  hold(now, Held::Kind::start_up, offset, movement);
-}
-
-void ToolSideCompensation::start_alone(Step& now) {
-  const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
-  Movement movement;
-  movement.own = CompensationPlane(now.rest.tool);
-  hold(now, Held::Kind::lone_start, offset, movement);
+  if (movement.end) movement.end->offset = offset.left();
+  hold(now, kind, offset, movement);
 }
 
 void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {

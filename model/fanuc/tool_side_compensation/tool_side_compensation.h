@@ -58,9 +58,8 @@ class ToolSideCompensation final : public StageOf<ToolSideBlock>, private Corner
   void check(const ToolSideBlock& words) const;
   void forbid(const ToolSideBlock& words) const;
   void check_type_c(const ToolSideBlock& words, bool starts, bool cancels) const;
-  void take_while_off(Step& now, bool wanted, const Movement& movement);
-  void start_up(Step& now, Movement movement);
-  void start_alone(Step& now);
+  void take_while_off(Step& now, bool wanted, Movement& movement);
+  void start(Step& now, Held::Kind kind, Movement& movement);
   void take_in_mode(Step& now, Movement& movement);
   void take_cancel(Step& now, Movement& movement);
   void meet_corners(Step& now, const Movement& movement, const CutterOffset& offset);
