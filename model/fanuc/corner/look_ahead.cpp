@@ -34,6 +34,10 @@ CutterOffset LookAhead::next_offset(const Step& now, bool meets_first) const {
   const bool first = started_ && *started_ != offset.side;
   const bool meets_start =
       meets_first && !held_.empty() && held_.front().starts() && held_.front().offset.side != offset.side;
+  // fanuc.cutter-c.direction-change-at-start-up: The first moving block after a start-up (after the start-up block, one
+  // that follows G53 or a reference return included, or after the G41 or G42 of SUV = 1) must not change the side,
+  // however many blocks without motion lie between, and whatever the value: DIR_CHANGE_AT_STARTUP, a name of ours,
+  // names it.
   if (first || meets_start)
     raise(recorder_, Clause::fanuc_cutter_c_direction_change_at_start_up, "DIR_CHANGE_AT_STARTUP",
           "the side changes in the block behind a start-up");
@@ -138,6 +142,8 @@ void LookAhead::release(SpaceGroup at_end) {
 }
 
 Passage LookAhead::check(const Held& held, SpaceGroup& at_end, ToolArcRun* run) {
+  // fanuc.cutter-c.interference-check: No. 5008 bit 0, CNI: 0 checks for interference, 1 does not. 5008 bit 1 is not
+  // read.
   if (held.kind != Held::Kind::moving || !held.checked ||
       !recorder_.decide(Clause::fanuc_cutter_c_interference_check, checks_))
     return Passage::free;
@@ -146,8 +152,13 @@ Passage LookAhead::check(const Held& held, SpaceGroup& at_end, ToolArcRun* run) 
                                    : held.path->line_interferes(recorder_, from.vector, to.vector);
   };
   const Passage passage = remove_interference(recorder_, here_, at_end, interferes);
+  // fanuc.cutter-c.interference-alarm: Interference of the last pair, or of the only one, raises PS0041. It names the
+  // block: neither it nor its corner moves are given; the block before runs to its first head.
   if (passage == Passage::blocked)
     raise_held(Clause::fanuc_cutter_c_interference_alarm, "PS0041", "the tool's path goes against the programmed one");
+  // fanuc.cutter-c.interference-straightened: An arc block that has interfered in its first pair is a straight block
+  // from then on: the next pairs are tested as of a line from P to Q, and its own move is linear from the last vector
+  // left at its start to the first left at its end, with the block's feed; cause programmed.
   if (passage == Passage::shortened) recorder_.decide(Clause::fanuc_cutter_c_interference_straightened, run != nullptr);
   return passage;
 }

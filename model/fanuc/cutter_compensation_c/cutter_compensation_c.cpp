@@ -19,6 +19,12 @@ bool has_side_word(const CutterBlock& block) { return block.code && *block.code 
 
 }  // namespace
 
+// fanuc.cutter-c.one-non-motion-block: With a count of one between A and B the group is made as if the block were not
+// there; it runs at the first head, before the corner moves.
+// fanuc.cutter-c.no-next-block: A, a start-up block too, ends with P1 as well where there is no B to make a corner
+// with: the end of the program, a block that raises an alarm when it is read or leaves the run undecided, G39, G53 with
+// axis words under G90, G29 with axis words, G28 G30 G30.1 with axis words (but fanuc.cutter-c.reference-intersection),
+// lone G40 and lone number 0.
 CutterCompensationC::CutterCompensationC(const Place& place)
     : CutterCompensation(place),
       rules_(place.setup, place.recorder),
@@ -39,6 +45,9 @@ void CutterCompensationC::check(const CutterBlock& words) const {
   if (!words.arc_words) return;
   const bool starts = wanted(words) && !ahead_.in_mode() && ahead_.held().empty();
   const bool cancels = !wanted(words) && ahead_.in_mode();
+  // fanuc.cutter-c.start-or-cancel-in-arc: PS0034: an arc as start-up block, or as cancel block. It is told by the
+  // words: G02 or G03 in force, no other code of group 00 (G45 to G48 are none here), and an axis word of the plane, R,
+  // I, J or K in the block.
   if (starts || cancels)
     raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
           "cutter compensation started or cancelled in an arc");
@@ -48,6 +57,10 @@ void CutterCompensationC::check_corner_arc(const CutterBlock& words) const {
   const bool has_vector = ahead_.mode == CornerMode::on && (!ahead_.held().empty() || made_by_move_);
   const bool other_number = words.number_given && words.number != words.number_before;
   const bool no_direction = words.direction && is_zero(*words.direction);
+  // fanuc.cutter-c.corner-arc-alarm: PS0035: G39 with G40 or number 0 in force, or after them while a vector waits for
+  // its removal; G39 before a moving block has made a vector (before the start-up block, after a G41 or G42 of SUV = 1,
+  // after G53, G28, G30 or G29 of the plane); G39 with G41, G42, an axis word, or a word that gives the cutter another
+  // number; G39 with letters of the plane that are all 0.
   if (!wanted(words) || !has_vector || has_side_word(words) || words.axis_word || other_number || no_direction)
     raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, "PS0035", "G39 where no corner arc can be");
 }
@@ -60,7 +73,12 @@ void CutterCompensationC::take(const Step& step) {
   Step now = step;
   const CutterBlock& block = said(now);
   const bool in_force = block.side != CutterSide::none;
+  // fanuc.cutter-c.number-zero: Number 0 in force does what G40 does; G41 or G42 stays in force and a later number
+  // other than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and
+  // stays on.
   const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
+  // fanuc.cutter-c.moving-block: A block moves in the plane where its end differs from its start in an axis of the
+  // plane, or where it is a full circle; its path is that of G00, G01, G02 or G03 seen in the plane.
   const bool moves = recorder().decide(Clause::fanuc_cutter_c_moving_block,
                                        block.motion == PlaneMotion::line || block.motion == PlaneMotion::arc);
   if (ahead_.holds(Held::Kind::lone_start) && (!wanted || is_machine_move(block.motion))) {
@@ -79,7 +97,13 @@ void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
   ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
   unchecked_ = false;
   const CutterBlock& block = said(now);
+  // fanuc.cutter-c.suv: No. 5003 bit 1, SUV: with 1 (type C) a G41 or G42 that starts the mode, and a G40 or number 0
+  // that ends it, act at once in a block that does not move in the plane; with 0 such a block makes and removes
+  // nothing.
   if (wanted && moves) {
+    // fanuc.cutter-c.start-up: With G41 or G42 in force, a number other than 0 and the mode off, the next block that
+    // moves in the plane is the start-up block, whether it holds the code or not (but
+    // fanuc.cutter-c.start-without-motion).
     recorder().reach(Clause::fanuc_cutter_c_start_up);
     const CutterOffset offset = offset_of(recorder(), block.side, block.offset);
     ahead_.mode = CornerMode::on;
@@ -96,6 +120,10 @@ void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
 void CutterCompensationC::drop_lone_start() {
   const std::uint64_t line = recorder().line();
   recorder().at(ahead_.held().front().step.line);
+  // fanuc.cutter-c.start-without-next-block: Where no B follows the G41 or G42 of SUV = 1 (a count of two, one of the
+  // cases of fanuc.cutter-c.no-next-block, G28 included, or a block in which the mode is not asked for any more, the
+  // cancel block too) no vector is made: the mode is off, and the next moving block, if G41 or G42 is still in force,
+  // is a start-up block.
   recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
   ahead_.pass();
   recorder().at(line);
@@ -103,9 +131,14 @@ void CutterCompensationC::drop_lone_start() {
 
 void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
   const CutterBlock& block = said(now);
+  // fanuc.cutter-c.restart-before-removal: G41 or G42 with a number other than 0 in force again after a lone G40 or
+  // number 0, before the vector is removed (a vector that is exactly zero is removed at once), leaves the run undecided
+  // at that block; the blocks before it are given as if it were absent.
   if (wanted && ahead_.mode == CornerMode::leaving)
     ahead_.leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
                          "G41 or G42 again before the vector of the cancelled mode is removed");
+  // fanuc.cutter-c.coordinate-shift: G92 with an axis word of the plane while the mode is on leaves the run undecided
+  // at that block; the blocks before it are given as if it were absent.
   if (block.one_shot == OneShot::shift && block.has_plane_word())
     ahead_.leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift, "G92 in the plane of cutter compensation C");
   if (is_machine_move(block.motion)) {
@@ -128,6 +161,9 @@ void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
 
 void CutterCompensationC::take_moving(Step& now) {
   const CutterBlock& block = said(now);
+  // fanuc.cutter-c.arc-ends-in-center: An arc block, G41 or G42 and a number other than 0 in force, whose centre is its
+  // start or its end raises PS0038, both alike: an alarm of a command, behind those that the words alone raise (PS0034
+  // of a start-up in an arc among them) and those of the length offset.
   if (block.arc && !block.arc->sweep)
     raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc about its start or its end");
   const CutterOffset offset = ahead_.next_offset(now, true);
@@ -155,6 +191,8 @@ void CutterCompensationC::meet_corner(Step& now, const OffsetPath& path, const C
 void CutterCompensationC::take_without_motion(Step& now) {
   const CutterBlock& block = said(now);
   int counts = 0;
+  // fanuc.cutter-c.non-motion-count: Between two moving blocks every block that does not move in the plane counts one:
+  // M, S, T, F, G04, G10, other G codes, axes outside the plane, D or H alone, O alone, G41 or G42 alone.
   if (block.is_block && !ahead_.held().empty())
     counts =
         recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel) ? 2 : 1;
@@ -166,6 +204,8 @@ void CutterCompensationC::take_without_motion(Step& now) {
     take_while_off(now, true, false);
     return;
   }
+  // fanuc.cutter-c.two-non-motion-blocks: As soon as the count after A is two or more A ends with P1, and so does a
+  // start-up block. The next moving block starts from that vector: there is no corner.
   ahead_.meet(now,
               {std::vector(ahead_.held().size(), false), counts, Clause::fanuc_cutter_c_two_non_motion_blocks, {}});
   ahead_.keep(now);
@@ -175,6 +215,8 @@ void CutterCompensationC::take_cancel(Step& now) {
   const CutterBlock& block = said(now);
   const CutterOffset& offset = ahead_.last_offset();
   meet_corner(now, line_path(block.end - block.start, offset.left(), offset.left()), offset);
+  // fanuc.cutter-c.cancel: The first moving block with G40 or number 0 in force while the mode is on is the cancel
+  // block: the tool goes straight from the last head of the group at its start to its programmed end; cause cancel.
   recorder().reach(Clause::fanuc_cutter_c_cancel);
   ahead_.take_away(now);
 }
@@ -182,6 +224,8 @@ void CutterCompensationC::take_cancel(Step& now) {
 // G40 or number 0 in a block that does not move in the plane.
 void CutterCompensationC::cancel_alone(Step& now) {
   ahead_.end_before(now);
+  // fanuc.cutter-c.cancel-without-motion: G40 or number 0 in a block that does not move in the plane while the mode is
+  // on is a lone one; its I J K mean nothing. A ends with P1.
   recorder().reach(Clause::fanuc_cutter_c_cancel_without_motion);
   const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, at_once_);
   const bool has_vector = !is_zero(in_plane_of(said(now).plane, ahead_.here().front().vector));
@@ -194,6 +238,9 @@ void CutterCompensationC::see_move_alone(Step& step, bool changes) const {
   const CutterBlock& block = said(step);
   // The words of an ignored G53 are none.
   const bool ignored = block.one_shot == OneShot::machine_coordinates && block.motion == PlaneMotion::none;
+  // fanuc.cutter-c.start-without-motion-move: The vector made or removed in a block without motion in the plane is a
+  // move of its own, of the kind of group 01 (linear under G02 and G03), where the block has no axis word; else the
+  // block's own move takes it along.
   recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, block.axis_word && !ignored);
   if (changes && block.one_shot == OneShot::shift) step.moves.clear();
 }
@@ -204,6 +251,9 @@ void CutterCompensationC::end_standing(Clause why) {
     return;
   }
   const bool too_far = why == Clause::fanuc_cutter_c_two_non_motion_blocks;
+  // fanuc.cutter-c.corner-arc-without-next-block: G39 without letters that meets one of the cases of
+  // fanuc.cutter-c.no-next-block before a moving block makes no arc and keeps the vector; a count of two behind it
+  // leaves the run undecided at the G39 block, the blocks before it given as if it were absent.
   if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_without_next_block, too_far)) {
     LeftOpen open(Clause::fanuc_cutter_c_corner_arc_without_next_block,
                   "two blocks without motion behind a G39 without direction");

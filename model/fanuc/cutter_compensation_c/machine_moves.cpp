@@ -11,10 +11,14 @@ void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
       return;
     }
     ahead_.end_before(now);
+    // fanuc.cutter-c.outside-axes-only: Such a block that names axes outside the plane only keeps the vector: the block
+    // before ends with P1, and the next moving block starts from it.
     recorder().reach(Clause::fanuc_cutter_c_outside_axes_only);
     ahead_.keep(now);
     return;
   }
+  // fanuc.cutter-c.ccn: No. 5003 bit 2, CCN, after G53, G28, G30, G30.1, G29 of the plane. 0: the mode is off, the next
+  // moving block is a start-up block.
   const bool goes_on = wanted && recorder().decide(Clause::fanuc_cutter_c_ccn, keeps_the_mode_);
   const bool reference = block.motion == PlaneMotion::reference;
   if (reference && goes_on) {
@@ -22,6 +26,10 @@ void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
     return;
   }
   ahead_.end_before(now);
+  // fanuc.cutter-c.reference-return: G28, G30, G30.1 of the plane with CCN = 0, or with G40 or number 0 in force or
+  // after a lone G40: the block before ends with P1, and the vector is removed on the way to the intermediate point.
+  // fanuc.cutter-c.machine-position: G53 with an axis word of the plane under G90 while the mode is on: the vector
+  // vanishes in the G53 move (cause programmed). G29 likewise: at its intermediate point.
   recorder().reach(reference ? Clause::fanuc_cutter_c_reference_return : Clause::fanuc_cutter_c_machine_position);
   if (goes_on) {
     leave_vector(block);
@@ -36,6 +44,9 @@ void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
 void CutterCompensationC::take_reference_with_intersection(Step& now) {
   const CutterBlock& block = said(now);
   const PlanePoint travel = block.ends.front() - block.start;
+  // fanuc.cutter-c.reference-intersection: G28, G30, G30.1 of the plane with CCN = 1: the way to the intermediate point
+  // is a line B of the offset mode, of which the group at its end is its own P1; behind a start-up block the group
+  // before it is that of the start-up (SUP).
   if (!recorder().decide(Clause::fanuc_cutter_c_reference_intersection, !is_zero(travel))) {
     ahead_.end_before(now);
     now.moves.front().offset = ahead_.here().front().vector;
@@ -56,6 +67,8 @@ void CutterCompensationC::take_reference_with_intersection(Step& now) {
 
 // With CCN = 1: what is left of the vector behind a block that names axes of the plane; the mode goes on.
 void CutterCompensationC::leave_vector(const CutterBlock& block) {
+  // fanuc.cutter-c.one-plane-axis: Where such a block names one axis of the plane, CCN = 0 clears both components of
+  // the vector, CCN = 1 that of the named axis only. With CCN = 1 and the mode ended by the block or before it, both.
   const bool one_axis = recorder().decide(Clause::fanuc_cutter_c_one_plane_axis, block.word[0] != block.word[1]);
   PlanePoint left_over;
   if (one_axis) left_over = in_plane_of(block.plane, ahead_.here().front().vector);

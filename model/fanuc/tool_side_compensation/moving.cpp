@@ -72,9 +72,13 @@ ToolSideCompensation::Movement ToolSideCompensation::movement_of(const Step& now
 bool ToolSideCompensation::crosses_tool(const CompensationPlane& plane, const SideEnd& line) const {
   const Real& norm2 = plane.tool().norm2;
   const Real travel2 = squared_norm(line.travel);
+  // fanuc.tool-side.along-the-tool: Without a limit (19630 zero, negative or not given) a block moves where its
+  // displacement is neither zero nor parallel to the tool.
   if (limit_ <= 0)
     return crosses(recorder().decide(Clause::fanuc_tool_side_along_the_tool, line.left2, norm2 * travel2), line.left2);
   const Rational limit2 = limit_ * limit_;
+  // fanuc.tool-side.no-movement-limit: With 19630 positive (setup units) a block whose ends differ by less than it in
+  // the compensation plane counts as one that does not move.
   const Sign decided = recorder().decide(Clause::fanuc_tool_side_no_movement_limit, line.left2 - limit2 * norm2,
                                          norm2 * (travel2 + limit2));
   return decided != Sign::negative && crosses(Sign::positive, line.left2);
@@ -91,17 +95,26 @@ void ToolSideCompensation::look_at_movement(Step& now, Movement& movement, const
 // From which side the tool sees the plane of an arc: +1, -1, or 0 where it lies in it.
 int ToolSideCompensation::sense(const Direction& tool, spec::Plane plane) const {
   const Real& upright = component(tool.vector, third_axis(plane));
+  // fanuc.tool-side.arc-plane: N, the positive normal of the plane selected (Z of G17, Y of G18, X of G19), tells the
+  // sense in which an arc is seen from the tool.
   const Sign seen = recorder().decide(Clause::fanuc_tool_side_arc_plane, upright, sqrt(tool.norm2));
   if (seen != Sign::zero && upright.sign() == Sign::zero) throw NotFinite();  // only a forced outcome comes here
   return static_cast<int>(seen);
 }
 
 bool ToolSideCompensation::leans(const Direction& tool, spec::Plane plane) const {
+  // fanuc.tool-side.arc-plane-mismatch: The manual only says that the plane has to fit. An arc in the mode of which VT
+  // at the end of the block before it, or at its own end, is not at right angles to the plane selected gives the
+  // warning ARC_PLANE_MISMATCH, once a block, right before the first move that belongs to the block; it runs as
+  // computed.
   return recorder().decide(Clause::fanuc_tool_side_arc_plane_mismatch, squared_norm(in_plane_of(plane, tool.vector)),
                            tool.norm2) != Sign::zero;
 }
 
 void ToolSideCompensation::look_at_arc(Step& now, Movement& movement) {
+  // fanuc.tool-side.arc: Start, end and centre of an arc, of a helix too, are projected to the compensation plane, and
+  // the vector found there is added to the programmed point; the machine then runs the arc in the plane selected by
+  // G17, G18 or G19.
   recorder().reach(Clause::fanuc_tool_side_arc);
   constexpr const char* kOnEdge = "an arc whose plane holds the tool";
   SideArc& arc = *movement.path.arc;

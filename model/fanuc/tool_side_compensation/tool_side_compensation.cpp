@@ -18,6 +18,12 @@ constexpr const char* kTypeC = "start-up or cancel of type C: words or a next bl
 
 }  // namespace
 
+// fanuc.tool-side.one-block-without-movement: With one block between A and B that does not move in the plane at the end
+// of A (a rotation alone, a movement along the tool) the group is made of A and B in that plane, of VT before the block
+// between.
+// fanuc.tool-side.no-next-block: A, a start-up block too, also ends with the vector perpendicular to it where there is
+// no B: at the end of the program, before a block that raises an alarm when it is read or leaves the run undecided, and
+// before G40 or number 0 in a block that does not move in the plane at the end of A.
 ToolSideCompensation::ToolSideCompensation(const Place& place)
     : StageOf(place),
       words_(place.setup, place.memory, place.recorder),
@@ -31,6 +37,8 @@ ToolSideCompensation::ToolSideCompensation(const Place& place)
               Clause::fanuc_tool_side_no_next_block}) {}
 
 void ToolSideCompensation::refuse_rotary_word(const Command& command) const {
+  // fanuc.tool-side.rotary-word: A rotary axis word in a block under G43.5 raises PS5460 where tool side compensation
+  // is on before or after the block; elsewhere PS5421 (fanuc.tool-center-point.rotary-word).
   if (on() || on_after(command))
     raise(recorder(), Clause::fanuc_tool_side_rotary_word, "PS5460",
           "a rotary axis word while tool side compensation is on under G43.5");
@@ -45,18 +53,27 @@ std::shared_ptr<StageWords> ToolSideCompensation::read(const StageCommand& now) 
 }
 
 void ToolSideCompensation::check(const ToolSideBlock& words) const {
+  // fanuc.tool-side.code-for-the-mode: Under G43.5, where I J K give the tool direction, the codes are G41.6 and G42.6,
+  // else G41.2 and G42.2; they mean the same (a program of the manual shows G42.6).
   if (words.wrong_mode)
     raise(recorder(), Clause::fanuc_tool_side_code_for_the_mode, "TOOL_SIDE_MODE",
           "G41.2 or G42.2 under G43.5, or G41.6 or G42.6 without it");
+  // fanuc.tool-side.plane-selected: G17, G18 or G19 that changes the plane raises PS0037 while tool side compensation
+  // is on before the block, also in the block that cancels it.
   if (on() && words.plane_changed)
     raise(recorder(), Clause::fanuc_tool_side_plane_selected, "PS0037",
           "the plane changes while tool side compensation is on");
   forbid(words);
+  // fanuc.tool-side.q-format: Q of another value than 1, 2 or 3 in a block after which tool side compensation is on
+  // raises Q_FORMAT, a name of ours, whatever else the block does. In other blocks Q is not looked at.
   if (words.wanted() && words.treatment == 0)
     raise(recorder(), Clause::fanuc_tool_side_q_format, "Q_FORMAT", "a Q other than 1, 2 or 3");
   const bool starts = words.wanted() && !ahead_.in_mode() && ahead_.held().empty();
   const bool cancels = !words.wanted() && ahead_.in_mode();
   check_type_c(words, starts, cancels);
+  // fanuc.cutter-c.start-or-cancel-in-arc: PS0034: an arc as start-up block, or as cancel block. It is told by the
+  // words: G02 or G03 in force, no other code of group 00 (G45 to G48 are none here), and an axis word of the plane, R,
+  // I, J or K in the block.
   if (words.arc_words && (starts || cancels))
     raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
           "tool side compensation started or cancelled in an arc");
@@ -66,6 +83,9 @@ void ToolSideCompensation::forbid(const ToolSideBlock& words) const {
   const bool around = (on() || words.wanted()) && words.leaves_the_path;
   const bool after =
       words.wanted() && (words.changes_coordinates || (words.auxiliary && (words.moves || words.arc_words)));
+  // fanuc.tool-side.forbidden: FORBIDDEN_IN_3D_COMPENSATION (the alarm number is not known): G54 to G59, G20, G21, and
+  // an M, S or T word together with an axis word (I J K under G43.5 included) or in an arc, in a block after which tool
+  // side compensation is on.
   if (around || after || (on() && words.other_compensation))
     raise(recorder(), Clause::fanuc_tool_side_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
           "a command that is not allowed while tool side compensation is on");
@@ -73,6 +93,11 @@ void ToolSideCompensation::forbid(const ToolSideBlock& words) const {
 
 void ToolSideCompensation::check_type_c(const ToolSideBlock& words, bool starts, bool cancels) const {
   if (!type_c_ || !(starts || cancels)) return;
+  // fanuc.tool-side.type-c-format: TYPE_C_FORMAT (a name of ours, the number is not known) at a block of type C that
+  // makes or removes the vector: with an axis word, linear or rotary (I J K under G43.5 included); in G02 or G03; and,
+  // where it makes the vector, with M00, M01, M02 or M30, or where the block right after it does not move in the plane
+  // of VT before that block (its own end does not matter), cancels, raises an alarm of its own (DIR_CHANGE_AT_STARTUP
+  // and PS0038 too), leaves the run undecided or is not there.
   if (words.moves || words.arc_mode || (starts && words.stops_look_ahead))
     raise(recorder(), Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
 }
@@ -85,8 +110,13 @@ void ToolSideCompensation::take(const Step& step) {
   Step now = step;
   const ToolSideBlock& block = said(now);
   const bool in_force = block.side != CutterSide::none;
+  // fanuc.cutter-c.number-zero: Number 0 in force does what G40 does; G41 or G42 stays in force and a later number
+  // other than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and
+  // stays on.
   const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
   const Direction tool = now.rest.tool;
+  // fanuc.tool-side.look-ahead-stopped: M00, M01, M02 and M30 stop the look-ahead: A, a start-up block too, ends with
+  // the vector perpendicular to it.
   if (now.stops_look_ahead) ahead_.end_before(now, Clause::fanuc_tool_side_look_ahead_stopped);
   Movement movement;
   if (wanted || ahead_.in_mode()) movement = movement_of(now);
@@ -108,9 +138,14 @@ void ToolSideCompensation::finish() { ahead_.end(); }
 
 void ToolSideCompensation::take_while_off(Step& now, bool wanted, Movement& movement) {
   ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
+  // fanuc.tool-side.type-c: Start-up and cancel have one of three types. No. 5003 bit 1, SUV, with 1 chooses type C,
+  // whatever bit 0; with 0 bit 0 counts.
   if (wanted && recorder().decide(Clause::fanuc_tool_side_type_c, type_c_)) {
     start(now, Held::Kind::lone_start, movement);
   } else if (wanted && movement.end) {
+    // fanuc.tool-side.start-up: Types A and B: with a code in force, a number other than 0 and no vector yet, the next
+    // block that moves in the plane (of VT at its own end) is the start-up block: the tool goes straight from its
+    // uncompensated start to the first head of the group at its end, made in the plane there; cause start-up.
     recorder().reach(Clause::fanuc_tool_side_start_up);
     ahead_.mode = CornerMode::on;
     start(now, Held::Kind::start_up, movement);
@@ -126,12 +161,18 @@ void ToolSideCompensation::start(Step& now, Held::Kind kind, Movement& movement)
 }
 
 void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
+  // fanuc.cutter-c.restart-before-removal: G41 or G42 with a number other than 0 in force again after a lone G40 or
+  // number 0, before the vector is removed (a vector that is exactly zero is removed at once), leaves the run undecided
+  // at that block; the blocks before it are given as if it were absent.
   if (ahead_.mode == CornerMode::leaving)
     ahead_.leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
                          "tool side compensation again before the vector of the cancelled mode is removed");
   CutterOffset offset;
   if (movement.moves()) {
     const Leg& leg = now.moves.front().leg;
+    // fanuc.cutter-c.arc-ends-in-center: An arc block, G41 or G42 and a number other than 0 in force, whose centre is
+    // its start or its end raises PS0038, both alike: an alarm of a command, behind those that the words alone raise
+    // (PS0034 of a start-up in an arc among them) and those of the length offset.
     if (leg.arc && !leg.arc->sweep)
       raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc that ends in its centre");
     offset = ahead_.next_offset(now, !movement.starts.empty() && movement.starts.front());
@@ -145,6 +186,10 @@ void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
   if (movement.moves()) ahead_.moved(offset);
   const bool cuts_corner = movement.moves_behind();
   const bool runs = ahead_.held().empty();
+  // fanuc.tool-side.along-the-tool-at-its-end: A block that is B of a corner but does not move in the plane at its own
+  // end (the tool turns in it so that the displacement is along it there, or shorter than 19630 as seen there) has no
+  // vector made there: it ends with the last vector at its start, and the next block that moves at its own end starts
+  // from it, without a corner.
   if (cuts_corner) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
   ahead_.keep(now);
   if (cuts_corner && runs) leave_corner();
@@ -152,6 +197,8 @@ void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
 
 void ToolSideCompensation::meet_corners(Step& now, const Movement& movement, const CutterOffset& offset) {
   const bool cancels = !said(now).wanted();
+  // fanuc.tool-side.two-blocks-without-movement: As soon as two blocks that do not move in the plane at the end of A
+  // follow it, A ends with the vector perpendicular to it, and so does a start-up block: there is no corner.
   const Clause why =
       cancels ? Clause::fanuc_tool_side_no_next_block : Clause::fanuc_tool_side_two_blocks_without_movement;
   const auto group = [&](Held& held, std::size_t corner) {
@@ -169,6 +216,9 @@ void ToolSideCompensation::take_cancel(Step& now, Movement& movement) {
     cancel_alone(now, movement.moves_behind());
     return;
   }
+  // fanuc.tool-side.cancel: Types A and B: the first block that moves in the plane at its own end with G40 or number 0
+  // in force is the cancel block: the tool goes straight from the last head of the group at its start to its programmed
+  // end; cause cancel.
   recorder().reach(Clause::fanuc_tool_side_cancel);
   ahead_.take_away(now);
 }
@@ -177,6 +227,12 @@ void ToolSideCompensation::take_cancel(Step& now, Movement& movement) {
 void ToolSideCompensation::cancel_alone(Step& now, bool cuts_corner) {
   const bool has_vector = !is_zero_vector(ahead_.here().back().vector);
   const bool at_once = recorder().decide(Clause::fanuc_tool_side_type_c, type_c_);
+  // fanuc.tool-side.cancel-type-c: Type C: the last compensated block ends with the vector perpendicular to it, and the
+  // block with G40 or number 0, which has no move of its own, inserts one that takes the vector away; cause cancel, of
+  // the kind of group 01.
+  // fanuc.tool-side.cancel-without-movement: Types A and B, G40 or number 0 in a block that does not move in the plane
+  // at its own end: the last vector at its start is kept, and the next block that moves in the plane of VT at its own
+  // end removes it: straight to its end, cause cancel, an arc PS0034.
   recorder().reach(at_once ? Clause::fanuc_tool_side_cancel_type_c : Clause::fanuc_tool_side_cancel_without_movement);
   if (cuts_corner && !at_once) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
   ahead_.cancel_alone(now, has_vector, at_once);
