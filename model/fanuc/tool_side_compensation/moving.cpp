@@ -39,8 +39,8 @@ bool crosses(Sign decided, const Real& left2) {
 }  // namespace
 
 std::vector<bool> ToolSideCompensation::Movement::corners() const {
-  std::vector<bool> moves;
-  for (const auto& start : starts) moves.push_back(start.has_value());
+  std::vector<bool> moves(starts.size());
+  for (std::size_t i = 0; i < starts.size(); ++i) moves[i] = starts[i].has_value();
   return moves;
 }
 
