@@ -12,6 +12,8 @@ bool sweeps_far_apart(Recorder& recorder, ToolArcRun& run) {
   const Sweep& tool = run.sweep();
   if (programmed.up_to_half() == tool.up_to_half()) return false;
   const Real gain = tool.sine * programmed.cosine - tool.cosine * programmed.sine;
+  // fanuc.cutter-c.interference-sweep: Else an arc block interferes, in the pair q = 0, where the sweep of the tool's
+  // arc (fanuc.cutter-c.arc-sweep) differs from the programmed one by more than 180 degrees.
   return recorder.decide(Clause::fanuc_cutter_c_interference_sweep, programmed.up_to_half() ? -gain : gain,
                          run.radii()) == Sign::positive;
 }
@@ -23,18 +25,12 @@ Real bound(const PlanePoint& vector) {
   return sum;
 }
 
-// The tool's path against the programmed one, end to end.
-bool line_interferes(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to) {
-  const Real length2 = path.is_arc() ? squared_norm(path.travel) : path.start.heading.length2;
-  const Real length = path.is_arc() ? sqrt(length2) : path.start.heading.length;
-  const Real along = length2 + dot(path.travel, to.vector - from.vector);
-  const Real scale = length * (length + bound(from.vector) + bound(to.vector));
-  return recorder.decide(Clause::fanuc_cutter_c_interference_direction, along, scale) == Sign::negative;
-}
-
 }  // namespace
 
 bool arc_interferes(Recorder& recorder, const PathEnd& start, const PathEnd& end, ToolArcRun& run) {
+  // fanuc.cutter-c.interference-radius: An arc block interferes, in the pair q = 0, where the offset is larger than its
+  // radius at either end: R' < 0 with rho of the corner at its start and |P - O|, or with rho of its own end and |Q -
+  // O|. The start is asked first.
   const Clause radius = Clause::fanuc_cutter_c_interference_radius;
   const Sign at_start = decide_offset_radius(recorder, radius, start);
   if (at_start == Sign::negative) return true;
@@ -45,29 +41,39 @@ bool arc_interferes(Recorder& recorder, const PathEnd& start, const PathEnd& end
   return sweeps_far_apart(recorder, run);
 }
 
-Kept inner_pair(Recorder& recorder, std::size_t at_start, std::size_t at_end, const Interferes& interferes) {
-  Kept kept{Passage::free, at_start - 1, 0};
-  for (std::size_t pairs = std::max(at_start, at_end); pairs > 0; --pairs) {
-    const bool first = kept.passage == Passage::free;
-    if (!recorder.decide(Clause::fanuc_cutter_c_interference_pairs, interferes(first, kept.from, kept.to))) return kept;
-    kept.passage = Passage::shortened;
-    if (kept.from > 0) --kept.from;
-    if (kept.to + 1 < at_end) ++kept.to;
-  }
-  kept.passage = Passage::blocked;
-  return kept;
+// The tool's path against the programmed one.
+bool line_interferes(Recorder& recorder, const OffsetPath& path, const PlanePoint& from, const PlanePoint& to) {
+  const Real length2 = path.is_arc() ? squared_norm(path.travel) : path.start.heading.length2;
+  const Real length = path.is_arc() ? sqrt(length2) : path.start.heading.length;
+  const Real along = length2 + dot(path.travel, to - from);
+  const Real scale = length * (length + bound(from) + bound(to));
+  // fanuc.cutter-c.interference-direction: A straight block interferes where the tool's direction differs from the
+  // programmed one by more than 90 degrees. Exactly 90 degrees, and a tool that does not move, are no interference
+  // (ours).
+  return recorder.decide(Clause::fanuc_cutter_c_interference_direction, along, scale) == Sign::negative;
 }
 
-Passage remove_interference(Recorder& recorder, const OffsetPath& path, VectorGroup& at_start, VectorGroup& at_end,
-                            ToolArcRun* arc) {
-  const Kept kept =
-      inner_pair(recorder, at_start.size(), at_end.size(), [&](bool first, std::size_t from, std::size_t to) {
-        return first && arc != nullptr ? arc_interferes(recorder, path.start, path.end, *arc)
-                                       : line_interferes(recorder, path, at_start[from], at_end[to]);
-      });
-  at_start.resize(kept.from + 1);
-  at_end.erase(at_end.begin(), at_end.begin() + static_cast<std::ptrdiff_t>(kept.to));
-  return kept.passage;
+// The pairs from the inside outwards until one does not interfere.
+Passage remove_interference(Recorder& recorder, SpaceGroup& at_start, SpaceGroup& at_end,
+                            const Interferes& interferes) {
+  Passage passage = Passage::free;
+  std::size_t from = at_start.size() - 1;
+  std::size_t to = 0;
+  for (std::size_t pairs = std::max(at_start.size(), at_end.size()); pairs > 0; --pairs) {
+    const bool first = passage == Passage::free;
+    // fanuc.cutter-c.interference-pairs: Pairs are tested from the corner moves inward to outward, q = 0, 1, …, max(m,
+    // n) - 1: the vectors number max(m - q, 1) of V and min(1 + q, n) of W, m and n as at the beginning. The first pair
+    // without interference ends the check.
+    if (!recorder.decide(Clause::fanuc_cutter_c_interference_pairs, interferes(first, at_start[from], at_end[to]))) {
+      at_start.resize(from + 1);
+      at_end.erase(at_end.begin(), at_end.begin() + static_cast<std::ptrdiff_t>(to));
+      return passage;
+    }
+    passage = Passage::shortened;
+    if (from > 0) --from;
+    if (to + 1 < at_end.size()) ++to;
+  }
+  return Passage::blocked;
 }
 
 }  // namespace toolcomp::model

@@ -15,26 +15,16 @@ enum class Passage : std::uint8_t {
   blocked     // the last pair interferes too: PS0041
 };
 
-// What is left of the vectors at both ends of a block: the last one at its start and the first one at its end, by
-// index.
-struct Kept {
-  Passage passage = Passage::free;
-  std::size_t from = 0;
-  std::size_t to = 0;
-};
-// Asks one pair of vectors, the first time the inner one, whether the block interferes between them.
-using Interferes = std::function<bool(bool first, std::size_t from, std::size_t to)>;
-// The pairs from the inside outwards until one does not interfere. Clause: fanuc.cutter-c.interference-pairs.
-Kept inner_pair(Recorder& recorder, std::size_t at_start, std::size_t at_end, const Interferes& interferes);
+// Whether a block interferes between two vectors; the first time they are the inner ones.
+using Interferes = std::function<bool(bool first, const SpaceVector& from, const SpaceVector& to)>;
+// Drops vectors, the last ones at the start and the first ones at the end of a block, until it does not interfere; at
+// each end one vector stays. Nothing is dropped where the block is blocked. Clause: fanuc.cutter-c.interference-pairs.
+Passage remove_interference(Recorder& recorder, SpaceGroup& at_start, SpaceGroup& at_end, const Interferes& interferes);
 
 // Whether an arc interferes, of which the radii are taken at its ends and the sweeps of `run`. Clauses:
 // fanuc.cutter-c.interference-radius, interference-sweep.
 bool arc_interferes(Recorder& recorder, const PathEnd& start, const PathEnd& end, ToolArcRun& run);
-
-// Drops vectors, the last ones at the start and the first ones at the end, until the block's motion goes with the
-// programmed one; at each end one vector stays. `arc`: of an arc, between the last vector at its start and the first at
-// its end; null of a line. Clauses: fanuc.cutter-c.interference-*.
-Passage remove_interference(Recorder& recorder, const OffsetPath& path, VectorGroup& at_start, VectorGroup& at_end,
-                            ToolArcRun* arc);
+// Whether a path interferes, taken as a line from end to end. Clause: fanuc.cutter-c.interference-direction.
+bool line_interferes(Recorder& recorder, const OffsetPath& path, const PlanePoint& from, const PlanePoint& to);
 
 }  // namespace toolcomp::model

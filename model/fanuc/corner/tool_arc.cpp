@@ -15,18 +15,18 @@ Real distance(bool on, const PathEnd& end, const Real& square, Sign sign) {
 
 }  // namespace
 
-ToolArcRun::ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to,
+ToolArcRun::ToolArcRun(Recorder& recorder, OffsetPath path, const CornerVector& from, const CornerVector& to,
                        HeadPair heads)
     : recorder_(recorder),
-      path_(path),
-      start_(from_center(path.start, from.vector)),
-      end_(from_center(path.end, to.vector)),
+      path_(std::move(path)),
+      start_(from_center(path_.start, from.vector)),
+      end_(from_center(path_.end, to.vector)),
       start_on_(from.latter != Seat::off),
       end_on_(to.former != Seat::off),
-      start2_(start_on_ ? path.start.radius2() : squared_norm(start_)),
-      end2_(end_on_ ? path.end.radius2() : squared_norm(end_)),
-      start_sign_(start_on_ ? offset_radius(path.start) : start2_.sign()),
-      end_sign_(end_on_ ? offset_radius(path.end) : end2_.sign()),
+      start2_(start_on_ ? path_.start.radius2() : squared_norm(start_)),
+      end2_(end_on_ ? path_.end.radius2() : squared_norm(end_)),
+      start_sign_(start_on_ ? offset_radius(path_.start) : start2_.sign()),
+      end_sign_(end_on_ ? offset_radius(path_.end) : end2_.sign()),
       as_programmed_(from.latter == Seat::square && to.former == Seat::square && start_sign_ == end_sign_),
       heads_(heads) {}
 
@@ -53,6 +53,9 @@ const Sweep& ToolArcRun::sweep() {
     sweep_ = Sweep{Real(path_.start.turn) * cross(start_, end_), dot(start_, end_), {}};
     scale = sqrt(start2_ * end2_);
   }
+  // fanuc.cutter-c.arc-sweep: The tool runs an arc block about the programmed centre, in the programmed direction, from
+  // its head at the start to its head at the end; the sweep lies over 0 and up to 360 degrees, heads on one ray from
+  // the centre are a whole turn, and no sweep is stated where a head lies in the centre.
   sweep_->side = recorder_.decide(Clause::fanuc_cutter_c_arc_sweep, sweep_->sine, scale);
   return *sweep_;
 }
@@ -62,6 +65,9 @@ ToolArc ToolArcRun::arc() {
   // On one circle the squares are one number, which needs no proof; of such heads too.
   const bool one_circle = start_on_ && end_on_ && path_.one_radius && path_.start.offset == path_.end.offset;
   const Real growth = one_circle || heads_ != HeadPair::any ? Real(0) : end2_ - start2_;
+  // fanuc.cutter-c.arc-radii: Where the heads of an arc block have different distances from the centre the tool runs a
+  // spiral whose radius changes evenly with the angle (programmed arcs of two radii, heads that do not lie on the
+  // offset circle, another value at the end than at the start).
   if (recorder_.decide(Clause::fanuc_cutter_c_arc_radii, growth, end2_ + start2_) != Sign::zero)
     arc.radius = {distance(start_on_, path_.start, start2_, start_sign_),
                   distance(end_on_, path_.end, end2_, end_sign_)};

@@ -38,7 +38,7 @@ enum class HeadPair : std::uint8_t {
 // One arc block between two heads. Sweeps are decided once, when they are asked for.
 class ToolArcRun {
  public:
-  ToolArcRun(Recorder& recorder, const OffsetPath& path, const CornerVector& from, const CornerVector& to,
+  ToolArcRun(Recorder& recorder, OffsetPath path, const CornerVector& from, const CornerVector& to,
              HeadPair heads = HeadPair::any);
 
   // A head lies in the centre.
@@ -56,7 +56,7 @@ class ToolArcRun {
 
  private:
   Recorder& recorder_;
-  const OffsetPath& path_;
+  OffsetPath path_;
   PlanePoint start_;  // the heads, from the centre
   PlanePoint end_;
   bool start_on_;  // on the offset circle, whose radius is known

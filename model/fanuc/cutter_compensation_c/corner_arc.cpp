@@ -7,35 +7,43 @@
 namespace toolcomp::model {
 
 void CutterCompensationC::take_corner_arc(Step& now) {
-  end_before(now);
+  ahead_.end_before(now);
   const CutterBlock& block = said(now);
-  if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_direction, block.direction.has_value()))
-    run_corner_arc(now, heading(*block.direction), false);
-  else
-    hold(now, Held::Kind::corner_arc, last_, {});
+  // fanuc.cutter-c.corner-arc-direction: u is the direction of the letters of the plane among I J K (a missing one is
+  // 0; the other letter means nothing); without them it is the start tangent of the next moving block, the cancel block
+  // (its own line, whatever its I J K) and, with CCN = 1, the way to the intermediate point included.
+  const bool has_direction =
+      recorder().decide(Clause::fanuc_cutter_c_corner_arc_direction, block.direction.has_value());
+  SpaceGroup group;
+  if (has_direction) group = turn(now, heading(*block.direction), false);
+  ahead_.hold(now, Held::Kind::corner_arc, ahead_.last_offset(), nullptr);
+  if (has_direction) ahead_.pass(std::move(group));
 }
 
 // From the vector in force, which is square to its heading, to the one square to another.
-void CutterCompensationC::run_corner_arc(Step& arc, const Heading& to, bool next_is_square) {
-  const Rational offset = last_.left();
+SpaceGroup CutterCompensationC::turn(Step& arc, const Heading& to, bool next_is_square) {
+  const Rational offset = ahead_.last_offset().left();
   if (offset == 0) {
+    // fanuc.cutter-c.value-zero: Where r = 0 the group is the vector zero alone, whatever the corner and No. 5010: no
+    // corner moves before an arc of 180 degrees or more either. A start-up and a cancel with it keep their causes.
     recorder().reach(Clause::fanuc_cutter_c_value_zero);
-    emit_at_head(arc);
-    return;
+    return ahead_.here();
   }
   const bool clockwise = offset > 0;
   const Real left_turn = cross(here_heading_.along, to.along);
   const Real cosine = dot(here_heading_.along, to.along);
   const Real sine = clockwise ? -left_turn : left_turn;
+  // fanuc.cutter-c.corner-arc: G39 while the mode is on: the block before ends with P1, and the tool runs an arc about
+  // the corner from the vector V in force to V' = rho N(u); r and side are those of the moving block before, whatever
+  // changed since.
   const Sign side = recorder().decide(Clause::fanuc_cutter_c_corner_arc, sine, here_heading_.length * to.length);
+  const CutterBlock& block = said(arc);
   PathEnd end;
   end.heading = to;
   end.offset = offset;
-  const bool stays = side == Sign::zero && cosine.sign() == Sign::positive;
-  here_ = {{perpendicular(end), Seat::off, next_is_square ? Seat::square : Seat::off}};
   here_heading_ = to;
+  const bool stays = side == Sign::zero && cosine.sign() == Sign::positive;
   if (!stays) {
-    const CutterBlock& block = said(arc);
     if (arc.moves.empty()) arc.moves.push_back(arc.rest);
     Leg& leg = arc.moves.front().leg;
     leg.type = spec::MoveType::arc;
@@ -48,7 +56,7 @@ void CutterCompensationC::run_corner_arc(Step& arc, const Heading& to, bool next
     path.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
     path.sweep = swept_angle(sine, cosine, side);
   }
-  emit_at_head(arc);
+  return in_space(block.plane, {{perpendicular(end), Seat::off, next_is_square ? Seat::square : Seat::off}});
 }
 
 }  // namespace toolcomp::model

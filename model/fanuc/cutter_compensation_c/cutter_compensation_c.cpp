@@ -1,6 +1,8 @@
 #include "model/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "model/basis/alarm.h"
 
@@ -15,20 +17,23 @@ bool is_machine_move(PlaneMotion motion) {
 // A word G41 or G42.
 bool has_side_word(const CutterBlock& block) { return block.code && *block.code != CutterSide::none; }
 
-// G92 with an axis word of the plane.
-bool shifts_plane(const CutterBlock& block) { return block.one_shot == OneShot::shift && block.has_plane_word(); }
-constexpr const char* kShift = "G92 in the plane of cutter compensation C";
-
 }  // namespace
 
+// fanuc.cutter-c.one-non-motion-block: With a count of one between A and B the group is made as if the block were not
+// there; it runs at the first head, before the corner moves.
+// fanuc.cutter-c.no-next-block: A, a start-up block too, ends with P1 as well where there is no B to make a corner
+// with: the end of the program, a block that raises an alarm when it is read or leaves the run undecided, G39, G53 with
+// axis words under G90, G29 with axis words, G28 G30 G30.1 with axis words (but fanuc.cutter-c.reference-intersection),
+// lone G40 and lone number 0.
 CutterCompensationC::CutterCompensationC(const Place& place)
     : CutterCompensation(place),
       rules_(place.setup, place.recorder),
       axes_(place.setup.axes),
       at_once_(place.setup.bit(5003, 1)),
       keeps_the_mode_(place.setup.bit(5003, 2)),
-      checks_(!place.setup.bit(5008, 0)),
-      here_{CornerVector{}} {}
+      ahead_(place, *this,
+             {LookAhead::Between::at_first_head, Clause::fanuc_cutter_c_one_non_motion_block,
+              Clause::fanuc_cutter_c_no_next_block}) {}
 
 bool CutterCompensationC::wanted(CutterSide side, std::uint32_t number) const {
   return side != CutterSide::none && number != 0;
@@ -38,17 +43,24 @@ void CutterCompensationC::check(const CutterBlock& words) const {
   check_common(words);
   if (words.one_shot == OneShot::corner_arc) check_corner_arc(words);
   if (!words.arc_words) return;
-  const bool starts = wanted(words) && (state_ == State::off || state_ == State::waiting) && !held_;
-  const bool cancels = !wanted(words) && (state_ == State::on || state_ == State::leaving);
+  const bool starts = wanted(words) && !ahead_.in_mode() && ahead_.held().empty();
+  const bool cancels = !wanted(words) && ahead_.in_mode();
+  // fanuc.cutter-c.start-or-cancel-in-arc: PS0034: an arc as start-up block, or as cancel block. It is told by the
+  // words: G02 or G03 in force, no other code of group 00 (G45 to G48 are none here), and an axis word of the plane, R,
+  // I, J or K in the block.
   if (starts || cancels)
     raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
           "cutter compensation started or cancelled in an arc");
 }
 
 void CutterCompensationC::check_corner_arc(const CutterBlock& words) const {
-  const bool has_vector = state_ == State::on && (held_ || made_by_move_);
+  const bool has_vector = ahead_.mode == CornerMode::on && (!ahead_.held().empty() || made_by_move_);
   const bool other_number = words.number_given && words.number != words.number_before;
   const bool no_direction = words.direction && is_zero(*words.direction);
+  // fanuc.cutter-c.corner-arc-alarm: PS0035: G39 with G40 or number 0 in force, or after them while a vector waits for
+  // its removal; G39 before a moving block has made a vector (before the start-up block, after a G41 or G42 of SUV = 1,
+  // after G53, G28, G30 or G29 of the plane); G39 with G41, G42, an axis word, or a word that gives the cutter another
+  // number; G39 with letters of the plane that are all 0.
   if (!wanted(words) || !has_vector || has_side_word(words) || words.axis_word || other_number || no_direction)
     raise(recorder(), Clause::fanuc_cutter_c_corner_arc_alarm, "PS0035", "G39 where no corner arc can be");
 }
@@ -61,95 +73,83 @@ void CutterCompensationC::take(const Step& step) {
   Step now = step;
   const CutterBlock& block = said(now);
   const bool in_force = block.side != CutterSide::none;
+  // fanuc.cutter-c.number-zero: Number 0 in force does what G40 does; G41 or G42 stays in force and a later number
+  // other than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and
+  // stays on.
   const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
+  // fanuc.cutter-c.moving-block: A block moves in the plane where its end differs from its start in an axis of the
+  // plane, or where it is a full circle; its path is that of G00, G01, G02 or G03 seen in the plane.
   const bool moves = recorder().decide(Clause::fanuc_cutter_c_moving_block,
                                        block.motion == PlaneMotion::line || block.motion == PlaneMotion::arc);
-  if (held_ && held_->kind == Held::Kind::lone_start && !take_behind_lone_start(now, wanted, moves)) return;
-  if (state_ == State::off || state_ == State::waiting)
-    take_while_off(now, wanted, moves);
-  else
-    take_while_on(now, wanted, moves);
-}
-
-void CutterCompensationC::finish() { end_without_corner(Clause::fanuc_cutter_c_no_next_block); }
-
-void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
-  state_ = wanted ? State::waiting : State::off;
-  const CutterBlock& block = said(now);
-  if (wanted && moves) {
-    start_up(now);
-  } else if (wanted && has_side_word(block) && !is_machine_move(block.motion) &&
-             recorder().decide(Clause::fanuc_cutter_c_suv, at_once_)) {
-    start_alone(now);
-  } else {
-    emit_without_vector(now);
-  }
-}
-
-void CutterCompensationC::start_up(Step& now) {
-  recorder().reach(Clause::fanuc_cutter_c_start_up);
-  const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
-  unchecked_ = false;
-  state_ = State::on;
-  hold(now, Held::Kind::start_up, offset, path_of(said(now), offset, offset.distance));
-  started_ = offset;
-}
-
-void CutterCompensationC::start_alone(Step& now) {
-  const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
-  unchecked_ = false;
-  hold(now, Held::Kind::lone_start, offset, {});
-  started_ = offset;
-}
-
-bool CutterCompensationC::take_behind_lone_start(Step& now, bool wanted, bool moves) {
-  const CutterBlock& block = said(now);
-  if (!wanted || is_machine_move(block.motion)) {
+  if (ahead_.holds(Held::Kind::lone_start) && (!wanted || is_machine_move(block.motion))) {
     now.clauses.add(recorder().take_clauses());
     drop_lone_start();
-    return true;
   }
-  if (shifts_plane(block)) leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift, kShift);
-  if (moves) {
-    state_ = State::on;
-    take_moving(now);
+  if (ahead_.in_mode() || ahead_.holds(Held::Kind::lone_start))
+    take_while_on(now, wanted, moves);
+  else
+    take_while_off(now, wanted, moves);
+}
+
+void CutterCompensationC::finish() { ahead_.end(); }
+
+void CutterCompensationC::take_while_off(Step& now, bool wanted, bool moves) {
+  ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
+  unchecked_ = false;
+  const CutterBlock& block = said(now);
+  // fanuc.cutter-c.suv: No. 5003 bit 1, SUV: with 1 (type C) a G41 or G42 that starts the mode, and a G40 or number 0
+  // that ends it, act at once in a block that does not move in the plane; with 0 such a block makes and removes
+  // nothing.
+  if (wanted && moves) {
+    // fanuc.cutter-c.start-up: With G41 or G42 in force, a number other than 0 and the mode off, the next block that
+    // moves in the plane is the start-up block, whether it holds the code or not (but
+    // fanuc.cutter-c.start-without-motion).
+    recorder().reach(Clause::fanuc_cutter_c_start_up);
+    const CutterOffset offset = offset_of(recorder(), block.side, block.offset);
+    ahead_.mode = CornerMode::on;
+    hold_moving(now, Held::Kind::start_up, path_of(block, offset, offset.distance), offset);
+  } else if (wanted && has_side_word(block) && !is_machine_move(block.motion) &&
+             recorder().decide(Clause::fanuc_cutter_c_suv, at_once_)) {
+    ahead_.hold(now, Held::Kind::lone_start, offset_of(recorder(), block.side, block.offset), nullptr);
   } else {
-    take_without_motion(now);
+    ahead_.emit(now);
   }
-  return false;
 }
 
 // The code has no vector to make: the next moving block is a start-up block.
 void CutterCompensationC::drop_lone_start() {
   const std::uint64_t line = recorder().line();
-  recorder().at(held_->step.line);
+  recorder().at(ahead_.held().front().step.line);
+  // fanuc.cutter-c.start-without-next-block: Where no B follows the G41 or G42 of SUV = 1 (a count of two, one of the
+  // cases of fanuc.cutter-c.no-next-block, G28 included, or a block in which the mode is not asked for any more, the
+  // cancel block too) no vector is made: the mode is off, and the next moving block, if G41 or G42 is still in force,
+  // is a start-up block.
   recorder().reach(Clause::fanuc_cutter_c_start_without_next_block);
-  Held held = std::move(*held_);
-  held_.reset();
-  started_.reset();
-  emit_without_vector(held.step);
-  for (Step& step : between_) emit_without_vector(step);
-  between_.clear();
-  count_ = 0;
-  repeated_ = false;
+  ahead_.pass();
   recorder().at(line);
 }
 
 void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
   const CutterBlock& block = said(now);
-  if (wanted && state_ == State::leaving)
-    leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
-                  "G41 or G42 again before the vector of the cancelled mode is removed");
-  if (shifts_plane(block)) leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift, kShift);
+  // fanuc.cutter-c.restart-before-removal: G41 or G42 with a number other than 0 in force again after a lone G40 or
+  // number 0, before the vector is removed (a vector that is exactly zero is removed at once), leaves the run undecided
+  // at that block; the blocks before it are given as if it were absent.
+  if (wanted && ahead_.mode == CornerMode::leaving)
+    ahead_.leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
+                         "G41 or G42 again before the vector of the cancelled mode is removed");
+  // fanuc.cutter-c.coordinate-shift: G92 with an axis word of the plane while the mode is on leaves the run undecided
+  // at that block; the blocks before it are given as if it were absent.
+  if (block.one_shot == OneShot::shift && block.has_plane_word())
+    ahead_.leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift, "G92 in the plane of cutter compensation C");
   if (is_machine_move(block.motion)) {
     take_machine_move(now, wanted);
   } else if (!wanted) {
     if (moves)
       take_cancel(now);
-    else if (state_ == State::on)
+    else if (ahead_.mode == CornerMode::on)
       cancel_alone(now);
     else
-      emit_at_head(now);
+      ahead_.keep(now);
   } else if (moves) {
     take_moving(now);
   } else if (block.one_shot == OneShot::corner_arc) {
@@ -159,95 +159,114 @@ void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
   }
 }
 
-void CutterCompensationC::take_without_motion(Step& now) {
-  if (!held_) {
-    emit_at_head(now);
-    return;
-  }
+void CutterCompensationC::take_moving(Step& now) {
   const CutterBlock& block = said(now);
-  const bool counts = block.is_block;
-  if (counts) {
-    repeated_ = repeated_ || block.repeats_code();
-    count_ +=
+  // fanuc.cutter-c.arc-ends-in-center: An arc block, G41 or G42 and a number other than 0 in force, whose centre is its
+  // start or its end raises PS0038, both alike: an alarm of a command, behind those that the words alone raise (PS0034
+  // of a start-up in an arc among them) and those of the length offset.
+  if (block.arc && !block.arc->sweep)
+    raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc about its start or its end");
+  const CutterOffset offset = ahead_.next_offset(now, true);
+  const OffsetPath path = path_of(block, offset, ahead_.last_offset().distance);
+  meet_corner(now, path, offset);
+  hold_moving(now, Held::Kind::moving, path, offset);
+}
+
+void CutterCompensationC::hold_moving(Step& now, Held::Kind kind, const OffsetPath& path, const CutterOffset& offset) {
+  const bool checked = !std::exchange(unchecked_, false);
+  ahead_.hold(now, kind, offset, std::make_shared<HeldCutterPath>(said(now).plane, path), checked);
+}
+
+void CutterCompensationC::meet_corner(Step& now, const OffsetPath& path, const CutterOffset& offset) {
+  const CutterBlock& block = said(now);
+  const auto group = [&](Held& held, std::size_t /*corner*/) {
+    if (held.kind == Held::Kind::lone_start) return vector_of_start(held, path.start);
+    if (held.kind == Held::Kind::corner_arc)
+      return turn(held.step, path.start.heading, offset.side == held.offset.side);
+    return group_before(held, block, path, offset);
+  };
+  ahead_.meet(now, {std::vector(ahead_.held().size(), true), 0, {}, group});
+}
+
+void CutterCompensationC::take_without_motion(Step& now) {
+  const CutterBlock& block = said(now);
+  int counts = 0;
+  // fanuc.cutter-c.non-motion-count: Between two moving blocks every block that does not move in the plane counts one:
+  // M, S, T, F, G04, G10, other G codes, axes outside the plane, D or H alone, O alone, G41 or G42 alone.
+  if (block.is_block && !ahead_.held().empty())
+    counts =
         recorder().decide(Clause::fanuc_cutter_c_non_motion_count, block.motion == PlaneMotion::zero_travel) ? 2 : 1;
-  }
-  if (held_->kind == Held::Kind::lone_start && count_ >= 2 && has_side_word(block)) {
+  if (ahead_.holds(Held::Kind::lone_start) && has_side_word(block) &&
+      ahead_.held().front().without_movement + counts >= 2) {
     // The look-ahead ends here without a moving block; the code has one of its own.
     now.clauses.add(recorder().take_clauses());
     drop_lone_start();
     take_while_off(now, true, false);
     return;
   }
-  now.clauses.add(recorder().take_clauses());
-  const std::uint64_t line = now.line;
-  between_.push_back(std::move(now));
-  if (count_ >= 2) end_without_corner(Clause::fanuc_cutter_c_two_non_motion_blocks);
-  recorder().at(line);
+  // fanuc.cutter-c.two-non-motion-blocks: As soon as the count after A is two or more A ends with P1, and so does a
+  // start-up block. The next moving block starts from that vector: there is no corner.
+  ahead_.meet(now,
+              {std::vector(ahead_.held().size(), false), counts, Clause::fanuc_cutter_c_two_non_motion_blocks, {}});
+  ahead_.keep(now);
+}
+
+void CutterCompensationC::take_cancel(Step& now) {
+  const CutterBlock& block = said(now);
+  const CutterOffset& offset = ahead_.last_offset();
+  meet_corner(now, line_path(block.end - block.start, offset.left(), offset.left()), offset);
+  // fanuc.cutter-c.cancel: The first moving block with G40 or number 0 in force while the mode is on is the cancel
+  // block: the tool goes straight from the last head of the group at its start to its programmed end; cause cancel.
+  recorder().reach(Clause::fanuc_cutter_c_cancel);
+  ahead_.take_away(now);
 }
 
 // G40 or number 0 in a block that does not move in the plane.
 void CutterCompensationC::cancel_alone(Step& now) {
-  end_before(now);
+  ahead_.end_before(now);
+  // fanuc.cutter-c.cancel-without-motion: G40 or number 0 in a block that does not move in the plane while the mode is
+  // on is a lone one; its I J K mean nothing. A ends with P1.
   recorder().reach(Clause::fanuc_cutter_c_cancel_without_motion);
   const bool removes = recorder().decide(Clause::fanuc_cutter_c_suv, at_once_);
-  if (!removes && !is_zero(here_.front().vector)) {
-    state_ = State::leaving;
-    emit_at_head(now);
+  const bool has_vector = !is_zero(in_plane_of(said(now).plane, ahead_.here().front().vector));
+  if (removes) see_move_alone(now, has_vector);
+  ahead_.cancel_alone(now, has_vector, removes);
+}
+
+// Beside G92 the only move there can be is that of the length offset (clause fanuc.cutter-c.workpiece-change).
+void CutterCompensationC::see_move_alone(Step& step, bool changes) const {
+  const CutterBlock& block = said(step);
+  // The words of an ignored G53 are none.
+  const bool ignored = block.one_shot == OneShot::machine_coordinates && block.motion == PlaneMotion::none;
+  // fanuc.cutter-c.start-without-motion-move: The vector made or removed in a block without motion in the plane is a
+  // move of its own, of the kind of group 01 (linear under G02 and G03), where the block has no axis word; else the
+  // block's own move takes it along.
+  recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, block.axis_word && !ignored);
+  if (changes && block.one_shot == OneShot::shift) step.moves.clear();
+}
+
+void CutterCompensationC::end_standing(Clause why) {
+  if (ahead_.holds(Held::Kind::lone_start)) {
+    drop_lone_start();
     return;
   }
-  const bool had_vector = !is_zero(here_.front().vector);
-  here_ = {CornerVector{}};
-  made_by_move_ = false;
-  state_ = State::off;
-  started_.reset();
-  if (removes)
-    emit_change_alone(now, spec::Cause::cancel, had_vector);
-  else
-    emit_at_head(now);
-}
-
-void CutterCompensationC::end_without_corner(Clause why) {
-  if (!held_) return;
-  recorder().at(held_->step.line);
-  switch (held_->kind) {
-    case Held::Kind::start_up:
-    case Held::Kind::moving:
-      recorder().reach(why);
-      release(rules_.square_to(held_->path.end));
-      break;
-    case Held::Kind::lone_start:
-      drop_lone_start();
-      break;
-    case Held::Kind::corner_arc: {
-      const bool too_far = why == Clause::fanuc_cutter_c_two_non_motion_blocks;
-      Held held = std::move(*held_);
-      held_.reset();
-      if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_without_next_block, too_far)) {
-        LeftOpen open(Clause::fanuc_cutter_c_corner_arc_without_next_block,
-                      "two blocks without motion behind a G39 without direction");
-        open.line = held.step.line;
-        open.n = held.step.n;
-        throw LeftOpen(open);
-      }
-      emit_at_head(held.step);
-      for (Step& step : between_) emit_at_head(step);
-      break;
-    }
+  const bool too_far = why == Clause::fanuc_cutter_c_two_non_motion_blocks;
+  // fanuc.cutter-c.corner-arc-without-next-block: G39 without letters that meets one of the cases of
+  // fanuc.cutter-c.no-next-block before a moving block makes no arc and keeps the vector; a count of two behind it
+  // leaves the run undecided at the G39 block, the blocks before it given as if it were absent.
+  if (recorder().decide(Clause::fanuc_cutter_c_corner_arc_without_next_block, too_far)) {
+    LeftOpen open(Clause::fanuc_cutter_c_corner_arc_without_next_block,
+                  "two blocks without motion behind a G39 without direction");
+    open.line = ahead_.held().front().step.line;
+    open.n = ahead_.held().front().step.n;
+    throw LeftOpen(open);
   }
-  between_.clear();
-  count_ = 0;
-  repeated_ = false;
+  ahead_.pass();
 }
 
-void CutterCompensationC::end_before(Step& now) {
-  now.clauses.add(recorder().take_clauses());
-  end_without_corner(Clause::fanuc_cutter_c_no_next_block);
-  recorder().at(now.line);
-}
-
-void CutterCompensationC::decide_held(Step& now) {
-  now.clauses.add(recorder().take_clauses());
-  recorder().at(held_->step.line);
+void CutterCompensationC::released(const Held& held) {
+  here_heading_ = path_of(held).end.heading;
+  made_by_move_ = true;
 }
 
 }  // namespace toolcomp::model

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/fanuc/corner/vector_group.h"
+#include "model/fanuc/corner/rules.h"
 
 namespace toolcomp::model {
 

@@ -1,7 +1,4 @@
 // G53, G28, G30, G30.1 and G29: the vector goes, and comes back by parameter 5003#2.
-#include <utility>
-
-#include "model/basis/alarm.h"
 #include "model/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 
 namespace toolcomp::model {
@@ -9,65 +6,76 @@ namespace toolcomp::model {
 void CutterCompensationC::take_machine_move(Step& now, bool wanted) {
   const CutterBlock& block = said(now);
   if (!block.has_plane_word()) {
-    if (!wanted && state_ == State::on) {
+    if (!wanted && ahead_.mode == CornerMode::on) {
       cancel_alone(now);
       return;
     }
-    end_before(now);
+    ahead_.end_before(now);
+    // fanuc.cutter-c.outside-axes-only: Such a block that names axes outside the plane only keeps the vector: the block
+    // before ends with P1, and the next moving block starts from it.
     recorder().reach(Clause::fanuc_cutter_c_outside_axes_only);
-    emit_at_head(now);
+    ahead_.keep(now);
     return;
   }
+  // fanuc.cutter-c.ccn: No. 5003 bit 2, CCN, after G53, G28, G30, G30.1, G29 of the plane. 0: the mode is off, the next
+  // moving block is a start-up block.
   const bool goes_on = wanted && recorder().decide(Clause::fanuc_cutter_c_ccn, keeps_the_mode_);
   const bool reference = block.motion == PlaneMotion::reference;
   if (reference && goes_on) {
     take_reference_with_intersection(now);
     return;
   }
-  end_before(now);
+  ahead_.end_before(now);
+  // fanuc.cutter-c.reference-return: G28, G30, G30.1 of the plane with CCN = 0, or with G40 or number 0 in force or
+  // after a lone G40: the block before ends with P1, and the vector is removed on the way to the intermediate point.
+  // fanuc.cutter-c.machine-position: G53 with an axis word of the plane under G90 while the mode is on: the vector
+  // vanishes in the G53 move (cause programmed). G29 likewise: at its intermediate point.
   recorder().reach(reference ? Clause::fanuc_cutter_c_reference_return : Clause::fanuc_cutter_c_machine_position);
   if (goes_on) {
     leave_vector(block);
   } else {
-    here_ = {CornerVector{}};
-    made_by_move_ = false;
-    started_.reset();
-    state_ = wanted ? State::waiting : State::off;
+    ahead_.set_vector({});
+    ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
   }
-  emit_at_head(now);
+  ahead_.keep(now);
 }
 
 // The way to the intermediate point is a block of the offset mode; behind that point the vector goes.
 void CutterCompensationC::take_reference_with_intersection(Step& now) {
   const CutterBlock& block = said(now);
   const PlanePoint travel = block.ends.front() - block.start;
+  // fanuc.cutter-c.reference-intersection: G28, G30, G30.1 of the plane with CCN = 1: the way to the intermediate point
+  // is a line B of the offset mode, of which the group at its end is its own P1; behind a start-up block the group
+  // before it is that of the start-up (SUP).
   if (!recorder().decide(Clause::fanuc_cutter_c_reference_intersection, !is_zero(travel))) {
-    end_before(now);
-    now.moves.front().offset = in_space_of(now, here_.front().vector);
+    ahead_.end_before(now);
+    now.moves.front().offset = ahead_.here().front().vector;
   } else {
-    const CutterOffset offset = next_offset(block);
-    const OffsetPath path = line_path(travel, offset.side * last_.distance, offset.left());
-    make_corner(now, path, offset);
-    last_ = offset;
-    now.moves.front().offset = in_space_of(now, perpendicular(path.end));
-    insert_corner_moves(now);
-    here_ = {{perpendicular(path.end), Seat::square, Seat::off}};
+    const CutterOffset offset = ahead_.next_offset(now, true);
+    const OffsetPath path = line_path(travel, offset.side * ahead_.last_offset().distance, offset.left());
+    meet_corner(now, path, offset);
+    ahead_.moved(offset);
+    const Vector vector = in_space(block.plane, perpendicular(path.end));
+    now.moves.front().offset = vector;
+    ahead_.insert_corner_moves(now);
+    ahead_.set_vector({vector, Seat::square, Seat::off});
   }
   leave_vector(block);
-  now.moves.back().offset = in_space_of(now, here_.front().vector);
-  send(now);
+  now.moves.back().offset = ahead_.here().front().vector;
+  ahead_.emit(now);
 }
 
 // With CCN = 1: what is left of the vector behind a block that names axes of the plane; the mode goes on.
 void CutterCompensationC::leave_vector(const CutterBlock& block) {
+  // fanuc.cutter-c.one-plane-axis: Where such a block names one axis of the plane, CCN = 0 clears both components of
+  // the vector, CCN = 1 that of the named axis only. With CCN = 1 and the mode ended by the block or before it, both.
   const bool one_axis = recorder().decide(Clause::fanuc_cutter_c_one_plane_axis, block.word[0] != block.word[1]);
   PlanePoint left_over;
-  if (one_axis) left_over = here_.front().vector;
+  if (one_axis) left_over = in_plane_of(block.plane, ahead_.here().front().vector);
   for (std::size_t i = 0; i < 2; ++i)
     if (block.word.at(i)) left_over.at(i) = 0;
-  here_ = {{left_over, Seat::off, Seat::off}};
+  ahead_.set_vector({in_space(block.plane, left_over)});
   made_by_move_ = false;
-  started_.reset();
   unchecked_ = true;
 }
 

@@ -18,6 +18,12 @@ constexpr const char* kTypeC = "start-up or cancel of type C: words or a next bl
 
 }  // namespace
 
+// fanuc.tool-side.one-block-without-movement: With one block between A and B that does not move in the plane at the end
+// of A (a rotation alone, a movement along the tool) the group is made of A and B in that plane, of VT before the block
+// between.
+// fanuc.tool-side.no-next-block: A, a start-up block too, also ends with the vector perpendicular to it where there is
+// no B: at the end of the program, before a block that raises an alarm when it is read or leaves the run undecided, and
+// before G40 or number 0 in a block that does not move in the plane at the end of A.
 ToolSideCompensation::ToolSideCompensation(const Place& place)
     : StageOf(place),
       words_(place.setup, place.memory, place.recorder),
@@ -26,10 +32,13 @@ ToolSideCompensation::ToolSideCompensation(const Place& place)
       axes_(place.setup.axes),
       limit_(place.setup.parameter(19630) ? plain(*place.setup.parameter(19630)) : Rational(0)),
       type_c_(place.setup.bit(5003, 1)),
-      checks_(!place.setup.bit(5008, 0)),
-      here_{SideVector{}} {}
+      ahead_(place, *this,
+             {LookAhead::Between::at_last_head, Clause::fanuc_tool_side_one_block_without_movement,
+              Clause::fanuc_tool_side_no_next_block}) {}
 
 void ToolSideCompensation::refuse_rotary_word(const Command& command) const {
+  // fanuc.tool-side.rotary-word: A rotary axis word in a block under G43.5 raises PS5460 where tool side compensation
+  // is on before or after the block; elsewhere PS5421 (fanuc.tool-center-point.rotary-word).
   if (on() || on_after(command))
     raise(recorder(), Clause::fanuc_tool_side_rotary_word, "PS5460",
           "a rotary axis word while tool side compensation is on under G43.5");
@@ -44,18 +53,27 @@ std::shared_ptr<StageWords> ToolSideCompensation::read(const StageCommand& now) 
 }
 
 void ToolSideCompensation::check(const ToolSideBlock& words) const {
+  // fanuc.tool-side.code-for-the-mode: Under G43.5, where I J K give the tool direction, the codes are G41.6 and G42.6,
+  // else G41.2 and G42.2; they mean the same (a program of the manual shows G42.6).
   if (words.wrong_mode)
     raise(recorder(), Clause::fanuc_tool_side_code_for_the_mode, "TOOL_SIDE_MODE",
           "G41.2 or G42.2 under G43.5, or G41.6 or G42.6 without it");
+  // fanuc.tool-side.plane-selected: G17, G18 or G19 that changes the plane raises PS0037 while tool side compensation
+  // is on before the block, also in the block that cancels it.
   if (on() && words.plane_changed)
     raise(recorder(), Clause::fanuc_tool_side_plane_selected, "PS0037",
           "the plane changes while tool side compensation is on");
   forbid(words);
+  // fanuc.tool-side.q-format: Q of another value than 1, 2 or 3 in a block after which tool side compensation is on
+  // raises Q_FORMAT, a name of ours, whatever else the block does. In other blocks Q is not looked at.
   if (words.wanted() && words.treatment == 0)
     raise(recorder(), Clause::fanuc_tool_side_q_format, "Q_FORMAT", "a Q other than 1, 2 or 3");
-  const bool starts = words.wanted() && (state_ == State::off || state_ == State::waiting) && held_.empty();
-  const bool cancels = !words.wanted() && (state_ == State::on || state_ == State::leaving);
+  const bool starts = words.wanted() && !ahead_.in_mode() && ahead_.held().empty();
+  const bool cancels = !words.wanted() && ahead_.in_mode();
   check_type_c(words, starts, cancels);
+  // fanuc.cutter-c.start-or-cancel-in-arc: PS0034: an arc as start-up block, or as cancel block. It is told by the
+  // words: G02 or G03 in force, no other code of group 00 (G45 to G48 are none here), and an axis word of the plane, R,
+  // I, J or K in the block.
   if (words.arc_words && (starts || cancels))
     raise(recorder(), Clause::fanuc_cutter_c_start_or_cancel_in_arc, "PS0034",
           "tool side compensation started or cancelled in an arc");
@@ -65,6 +83,9 @@ void ToolSideCompensation::forbid(const ToolSideBlock& words) const {
   const bool around = (on() || words.wanted()) && words.leaves_the_path;
   const bool after =
       words.wanted() && (words.changes_coordinates || (words.auxiliary && (words.moves || words.arc_words)));
+  // fanuc.tool-side.forbidden: FORBIDDEN_IN_3D_COMPENSATION (the alarm number is not known): G54 to G59, G20, G21, and
+  // an M, S or T word together with an axis word (I J K under G43.5 included) or in an arc, in a block after which tool
+  // side compensation is on.
   if (around || after || (on() && words.other_compensation))
     raise(recorder(), Clause::fanuc_tool_side_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
           "a command that is not allowed while tool side compensation is on");
@@ -72,6 +93,11 @@ void ToolSideCompensation::forbid(const ToolSideBlock& words) const {
 
 void ToolSideCompensation::check_type_c(const ToolSideBlock& words, bool starts, bool cancels) const {
   if (!type_c_ || !(starts || cancels)) return;
+  // fanuc.tool-side.type-c-format: TYPE_C_FORMAT (a name of ours, the number is not known) at a block of type C that
+  // makes or removes the vector: with an axis word, linear or rotary (I J K under G43.5 included); in G02 or G03; and,
+  // where it makes the vector, with M00, M01, M02 or M30, or where the block right after it does not move in the plane
+  // of VT before that block (its own end does not matter), cancels, raises an alarm of its own (DIR_CHANGE_AT_STARTUP
+  // and PS0038 too), leaves the run undecided or is not there.
   if (words.moves || words.arc_mode || (starts && words.stops_look_ahead))
     raise(recorder(), Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
 }
@@ -84,119 +110,158 @@ void ToolSideCompensation::take(const Step& step) {
   Step now = step;
   const ToolSideBlock& block = said(now);
   const bool in_force = block.side != CutterSide::none;
+  // fanuc.cutter-c.number-zero: Number 0 in force does what G40 does; G41 or G42 stays in force and a later number
+  // other than 0 asks for the mode again. A number other than 0 whose value is 0 does not cancel: the mode starts and
+  // stays on.
   const bool wanted = in_force && !recorder().decide(Clause::fanuc_cutter_c_number_zero, block.number == 0);
   const Direction tool = now.rest.tool;
-  if (now.stops_look_ahead) end_before(now, Clause::fanuc_tool_side_look_ahead_stopped);
+  // fanuc.tool-side.look-ahead-stopped: M00, M01, M02 and M30 stop the look-ahead: A, a start-up block too, ends with
+  // the vector perpendicular to it.
+  if (now.stops_look_ahead) ahead_.end_before(now, Clause::fanuc_tool_side_look_ahead_stopped);
   Movement movement;
-  if (wanted || state_ == State::on || state_ == State::leaving) movement = movement_of(now);
-  if (!held_.empty() && held_.front().kind == Held::Kind::lone_start) {
-    // The block right behind the code must move there and stay in the mode.
-    if (!wanted || !movement.starts.front()) {
-      decide_held(now);
-      raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
-    }
-    state_ = State::on;
-  }
-  if (state_ == State::off || state_ == State::waiting)
+  if (wanted || ahead_.in_mode()) movement = movement_of(now);
+  const bool started = ahead_.holds(Held::Kind::lone_start);
+  // The block right behind a lone start must move there and stay in the mode.
+  if (started && (!wanted || !movement.starts.front())) ahead_.end_before(now);
+  if (!ahead_.in_mode() && !started)
     take_while_off(now, wanted, movement);
+  else if (wanted)
+    take_in_mode(now, movement);
+  else if (ahead_.mode == CornerMode::on || movement.end)
+    take_cancel(now, movement);
   else
-    take_while_on(now, wanted, movement);
+    ahead_.keep(now);
   before_ = tool;
 }
 
-void ToolSideCompensation::finish() { end_without_corner(Clause::fanuc_tool_side_no_next_block); }
+void ToolSideCompensation::finish() { ahead_.end(); }
 
 void ToolSideCompensation::take_while_off(Step& now, bool wanted, Movement& movement) {
-  state_ = wanted ? State::waiting : State::off;
-  if (wanted && recorder().decide(Clause::fanuc_tool_side_type_c, type_c_))
-    start_alone(now);
-  else if (wanted && movement.end)
-    start_up(now, movement);
-  else
-    emit(now);
+  ahead_.mode = wanted ? CornerMode::waiting : CornerMode::off;
+  // fanuc.tool-side.type-c: Start-up and cancel have one of three types. No. 5003 bit 1, SUV, with 1 chooses type C,
+  // whatever bit 0; with 0 bit 0 counts.
+  if (wanted && recorder().decide(Clause::fanuc_tool_side_type_c, type_c_)) {
+    start(now, Held::Kind::lone_start, movement);
+  } else if (wanted && movement.end) {
+    // fanuc.tool-side.start-up: Types A and B: with a code in force, a number other than 0 and no vector yet, the next
+    // block that moves in the plane (of VT at its own end) is the start-up block: the tool goes straight from its
+    // uncompensated start to the first head of the group at its end, made in the plane there; cause start-up.
+    recorder().reach(Clause::fanuc_tool_side_start_up);
+    ahead_.mode = CornerMode::on;
+    start(now, Held::Kind::start_up, movement);
+  } else {
+    ahead_.emit(now);
+  }
 }
 
-void ToolSideCompensation::start_up(Step& now, Movement& movement) {
-  recorder().reach(Clause::fanuc_tool_side_start_up);
+void ToolSideCompensation::start(Step& now, Held::Kind kind, Movement& movement) {
   const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
-  state_ = State::on;
-  movement.end->offset = offset.left();
-  hold(now, Held::Kind::start_up, offset, movement);
-  started_ = offset.side;
+  if (movement.end) movement.end->offset = offset.left();
+  hold(now, kind, offset, movement);
 }
 
-void ToolSideCompensation::start_alone(Step& now) {
-  const CutterOffset offset = offset_of(recorder(), said(now).side, said(now).offset);
-  Movement movement;
-  movement.own = CompensationPlane(now.rest.tool);
-  hold(now, Held::Kind::lone_start, offset, movement);
-  started_ = offset.side;
+void ToolSideCompensation::take_in_mode(Step& now, Movement& movement) {
+  // fanuc.cutter-c.restart-before-removal: G41 or G42 with a number other than 0 in force again after a lone G40 or
+  // number 0, before the vector is removed (a vector that is exactly zero is removed at once), leaves the run undecided
+  // at that block; the blocks before it are given as if it were absent.
+  if (ahead_.mode == CornerMode::leaving)
+    ahead_.leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
+                         "tool side compensation again before the vector of the cancelled mode is removed");
+  CutterOffset offset;
+  if (movement.moves()) {
+    const Leg& leg = now.moves.front().leg;
+    // fanuc.cutter-c.arc-ends-in-center: An arc block, G41 or G42 and a number other than 0 in force, whose centre is
+    // its start or its end raises PS0038, both alike: an alarm of a command, behind those that the words alone raise
+    // (PS0034 of a start-up in an arc among them) and those of the length offset.
+    if (leg.arc && !leg.arc->sweep)
+      raise(recorder(), Clause::fanuc_cutter_c_arc_ends_in_center, "PS0038", "an arc that ends in its centre");
+    offset = ahead_.next_offset(now, !movement.starts.empty() && movement.starts.front());
+    look_at_movement(now, movement, offset);
+  }
+  meet_corners(now, movement, offset);
+  if (movement.end) {
+    hold(now, Held::Kind::moving, offset, movement);
+    return;
+  }
+  if (movement.moves()) ahead_.moved(offset);
+  const bool cuts_corner = movement.moves_behind();
+  const bool runs = ahead_.held().empty();
+  // fanuc.tool-side.along-the-tool-at-its-end: A block that is B of a corner but does not move in the plane at its own
+  // end (the tool turns in it so that the displacement is along it there, or shorter than 19630 as seen there) has no
+  // vector made there: it ends with the last vector at its start, and the next block that moves at its own end starts
+  // from it, without a corner.
+  if (cuts_corner) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
+  ahead_.keep(now);
+  if (cuts_corner && runs) leave_corner();
 }
 
-void ToolSideCompensation::take_while_on(Step& now, bool wanted, Movement& movement) {
-  if (wanted && state_ == State::leaving)
-    leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
-                  "tool side compensation again before the vector of the cancelled mode is removed");
-  if (wanted)
-    take_in_mode(now, movement);
-  else if (state_ == State::on || movement.end)
-    take_cancel(now, movement);
-  else
-    emit_at_head(now);
+void ToolSideCompensation::meet_corners(Step& now, const Movement& movement, const CutterOffset& offset) {
+  const bool cancels = !said(now).wanted();
+  // fanuc.tool-side.two-blocks-without-movement: As soon as two blocks that do not move in the plane at the end of A
+  // follow it, A ends with the vector perpendicular to it, and so does a start-up block: there is no corner.
+  const Clause why =
+      cancels ? Clause::fanuc_tool_side_no_next_block : Clause::fanuc_tool_side_two_blocks_without_movement;
+  const auto group = [&](Held& held, std::size_t corner) {
+    const SideEnd& start = *movement.starts[corner];
+    return held.stands() ? vector_of_start(held, start) : group_before(held, now, movement.path, start, offset);
+  };
+  ahead_.meet(now, {movement.corners(), cancels ? 2 : 1, why, group});
+}
+
+void ToolSideCompensation::take_cancel(Step& now, Movement& movement) {
+  for (std::size_t i = 0; i < movement.starts.size(); ++i)
+    if (movement.starts[i]) movement.starts[i]->offset = ahead_.held()[i].offset.left();
+  meet_corners(now, movement, ahead_.last_offset());
+  if (!movement.end) {
+    cancel_alone(now, movement.moves_behind());
+    return;
+  }
+  // fanuc.tool-side.cancel: Types A and B: the first block that moves in the plane at its own end with G40 or number 0
+  // in force is the cancel block: the tool goes straight from the last head of the group at its start to its programmed
+  // end; cause cancel.
+  recorder().reach(Clause::fanuc_tool_side_cancel);
+  ahead_.take_away(now);
 }
 
 // G40 or number 0 in a block that does not move in the plane at its own end.
 void ToolSideCompensation::cancel_alone(Step& now, bool cuts_corner) {
-  const bool had_vector = !is_zero_vector(here_.front().vector);
-  if (recorder().decide(Clause::fanuc_tool_side_type_c, type_c_)) {
-    recorder().reach(Clause::fanuc_tool_side_cancel_type_c);
-    here_ = {SideVector{}};
-    state_ = State::off;
-    emit_change_alone(now, spec::Cause::cancel, had_vector);
-    return;
+  const bool has_vector = !is_zero_vector(ahead_.here().back().vector);
+  const bool at_once = recorder().decide(Clause::fanuc_tool_side_type_c, type_c_);
+  // fanuc.tool-side.cancel-type-c: Type C: the last compensated block ends with the vector perpendicular to it, and the
+  // block with G40 or number 0, which has no move of its own, inserts one that takes the vector away; cause cancel, of
+  // the kind of group 01.
+  // fanuc.tool-side.cancel-without-movement: Types A and B, G40 or number 0 in a block that does not move in the plane
+  // at its own end: the last vector at its start is kept, and the next block that moves in the plane of VT at its own
+  // end removes it: straight to its end, cause cancel, an arc PS0034.
+  recorder().reach(at_once ? Clause::fanuc_tool_side_cancel_type_c : Clause::fanuc_tool_side_cancel_without_movement);
+  if (cuts_corner && !at_once) recorder().reach(Clause::fanuc_tool_side_along_the_tool_at_its_end);
+  ahead_.cancel_alone(now, has_vector, at_once);
+  if (cuts_corner && !at_once) leave_corner();
+}
+
+// The head is no longer one of the corner where the vector was made.
+void ToolSideCompensation::leave_corner() { ahead_.set_vector({ahead_.here().front().vector}); }
+
+void ToolSideCompensation::hold(Step& now, Held::Kind kind, const CutterOffset& offset, const Movement& movement) {
+  auto held = std::make_shared<HeldSidePath>();
+  held->plane = movement.own;
+  held->path = movement.path;
+  if (movement.end) held->end = *movement.end;
+  if (const auto& arc = movement.path.arc) {
+    const bool at_corner = !movement.starts.empty();
+    held->plane_at_start = corner_plane_;
+    held->offset_at_start = offset.side * ahead_.last_offset().distance;
+    const CompensationPlane& plane = at_corner ? corner_plane_ : movement.own;
+    const Rational rho = at_corner ? held->offset_at_start : offset.left();
+    held->start = seen(plane, plane.frame(), arc_start(*arc, rho));
   }
-  recorder().reach(Clause::fanuc_tool_side_cancel_without_movement);
-  state_ = had_vector ? State::leaving : State::off;
-  keep_vector(now, cuts_corner);
+  ahead_.hold(now, kind, offset, std::move(held));
 }
 
-void ToolSideCompensation::end_first_without_corner(Clause why) {
-  const Held& held = held_.front();
-  recorder().at(held.step.line);
-  if (held.kind == Held::Kind::lone_start) raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
-  recorder().reach(why);
-  release(rules_.square_to(held.plane, held.end));
+void ToolSideCompensation::end_standing(Clause /*why*/) {
+  ahead_.raise_held(Clause::fanuc_tool_side_type_c_format, "TYPE_C_FORMAT", kTypeC);
 }
 
-void ToolSideCompensation::end_without_corner(Clause why) {
-  while (!held_.empty()) end_first_without_corner(why);
-}
-
-void ToolSideCompensation::end_before(Step& now, Clause why) {
-  now.clauses.add(recorder().take_clauses());
-  end_without_corner(why);
-  recorder().at(now.line);
-}
-
-void ToolSideCompensation::decide_held(Step& now) {
-  now.clauses.add(recorder().take_clauses());
-  recorder().at(held_.front().step.line);
-}
-
-void ToolSideCompensation::raise_held(Clause clause, spec::Name number, const char* message) {
-  flush();
-  recorder().reach(clause);
-  Alarm alarm(number, message);
-  alarm.line = held_.front().step.line;
-  alarm.n = held_.front().step.n;
-  held_.clear();
-  throw Alarm(alarm);
-}
-
-// The blocks before go out as if this one were absent.
-void ToolSideCompensation::leave_open_at(Step& now, Clause clause, const char* message) {
-  end_before(now, Clause::fanuc_tool_side_no_next_block);
-  leave_open(recorder(), clause, message);
-}
+void ToolSideCompensation::released(const Held& held) { corner_plane_ = side_path_of(held).plane; }
 
 }  // namespace toolcomp::model

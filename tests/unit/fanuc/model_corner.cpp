@@ -8,7 +8,7 @@
 
 #include "model/basis/event.h"
 #include "model/fanuc/corner/interference.h"
-#include "model/fanuc/corner/vector_group.h"
+#include "model/fanuc/cutter_compensation_c/rules.h"
 #include "spec/language/setup_format.h"
 
 namespace {
@@ -45,12 +45,18 @@ std::string text(const VectorGroup& group, int digits = 13) {
   for (const CornerVector& vector : group) line += text(vector.vector, digits);
   return line;
 }
+// The group in the plane X Y.
+std::string text(const SpaceGroup& group) {
+  std::string line;
+  for (const SpaceVector& vector : group) line += text(in_plane_of(spec::Plane::xy, vector.vector));
+  return line;
+}
 
 class ModelCorner : public ::testing::Test {
  protected:
   Recorder recorder{true};
-  CornerRules rules{setup(), recorder};
-  CornerRules type_b{setup("\"5003#0\" = 1"), recorder};
+  CutterRules rules{setup(), recorder};
+  CutterRules type_b{setup("\"5003#0\" = 1"), recorder};
   PathEnd a = line(40, 0);
 
   std::string mode(const PathEnd& former, const PathEnd& latter) {
@@ -165,24 +171,30 @@ TEST_F(ModelCorner, SmallMovements) {
   const OffsetPath next = line_path({-20, -99}, 10, 10);
   VectorGroup group = rules.offset_mode(a, next.start).value();
   ASSERT_EQ(group.size(), 2U);
-  CornerRules(setup("5010 = 2"), recorder).drop_small_movements(group, next);
+  CutterRules(setup("5010 = 2"), recorder).drop_small_movements(group, next);
   EXPECT_EQ(group.size(), 2U);
-  CornerRules(setup("5010 = \"2.2\""), recorder).drop_small_movements(group, next);
+  CutterRules(setup("5010 = \"2.2\""), recorder).drop_small_movements(group, next);
   EXPECT_EQ(text(group), "(10, 10)");
   // The limit itself is small: the acute corner straight back differs by (0, -20).
   const OffsetPath back = line_path({-40, 0}, 10, 10);
   group = rules.offset_mode(a, back.start).value();
-  CornerRules(setup("5010 = 20"), recorder).drop_small_movements(group, back);
+  CutterRules(setup("5010 = 20"), recorder).drop_small_movements(group, back);
   EXPECT_EQ(text(group), "(10, 10)");
   group = rules.offset_mode(a, back.start).value();
-  CornerRules(setup("5010 = \"-1\""), recorder).drop_small_movements(group, back);
+  CutterRules(setup("5010 = \"-1\""), recorder).drop_small_movements(group, back);
   EXPECT_EQ(group.size(), 2U);
 }
 
 TEST_F(ModelCorner, Interference) {
-  const auto check = [this](const PlanePoint& travel, VectorGroup at_start, VectorGroup at_end) {
+  const auto check = [this](const PlanePoint& travel, const VectorGroup& start, const VectorGroup& end) {
     const OffsetPath path = line_path(travel, 10, 10);
-    const Passage passage = remove_interference(recorder, path, at_start, at_end, nullptr);
+    const spec::Plane plane = spec::Plane::xy;
+    SpaceGroup at_start = in_space(plane, start);
+    SpaceGroup at_end = in_space(plane, end);
+    const Passage passage = remove_interference(
+        recorder, at_start, at_end, [&](bool /*first*/, const SpaceVector& from, const SpaceVector& to) {
+          return line_interferes(recorder, path, in_plane_of(plane, from.vector), in_plane_of(plane, to.vector));
+        });
     const char* const name = passage == Passage::free        ? "free "
                              : passage == Passage::shortened ? "shortened "
                                                              : "blocked ";
@@ -202,7 +214,7 @@ TEST_F(ModelCorner, ForcedOutcomesWithoutAFiniteVector) {
   // Straight back forced to be an inner corner.
   Recorder forced(true);
   forced.force(0, Sign::positive);
-  EXPECT_THROW((void)CornerRules(setup(), forced).offset_mode(a, line(-40, 0)), NotFinite);
+  EXPECT_THROW((void)CutterRules(setup(), forced).offset_mode(a, line(-40, 0)), NotFinite);
 }
 
 }  // namespace

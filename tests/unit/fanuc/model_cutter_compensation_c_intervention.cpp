@@ -18,8 +18,7 @@ std::string text(const PlanePoint& point) { return '(' + point[0].decimal(13) + 
 class ModelCutterCIntervention : public ::testing::Test {
  protected:
   Recorder recorder;
-  CornerRules rules{spec::read_setup_toml("control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n", "setup.toml"),
-                    recorder};
+  CornerRules rules{recorder};
 
   // The heads at B and at C.
   std::string heads(const PlanePoint& moved, bool incremental = false) {

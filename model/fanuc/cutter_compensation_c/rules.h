@@ -1,0 +1,48 @@
+// The rules of cutter compensation C: the vectors at a corner. Clauses: fanuc.cutter-c.*.
+#pragma once
+
+#include <optional>
+
+#include "model/fanuc/corner/rules.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model {
+
+// Block A, which ends at a corner, and block B, which starts there.
+struct CutterCorner {
+  const PathEnd& former;                // with its offset, which counts for both
+  const OffsetPath& latter;             // with the offset at its start
+  bool starts = false;                  // A is the start-up block
+  bool side_changes = false;            // from A to B
+  bool repeated = false;                // G41 or G42 repeated in B, or in a block between
+  bool cancels = false;                 // B is the cancel block
+  std::optional<PlanePoint> direction;  // of the I J of its G40, not zero
+};
+
+class CutterRules : public CornerRules {
+ public:
+  // Parameters 5003#0 and 5010.
+  CutterRules(const spec::Setup& setup, Recorder& recorder);
+
+  // The group; nothing where an inner corner has no intersection (PS0033).
+  [[nodiscard]] std::optional<VectorGroup> group(const CutterCorner& corner) const;
+
+  // The single rules. The offset at the end of `former` is not 0.
+  [[nodiscard]] VectorGroup start_up(const PathEnd& former, const PathEnd& latter) const;
+  [[nodiscard]] VectorGroup cancel(const PathEnd& former, const PathEnd& latter) const;
+  [[nodiscard]] VectorGroup cancel_along(const PathEnd& former, const PlanePoint& direction) const;
+  void drop_small_movements(VectorGroup& group, const OffsetPath& latter) const;
+
+ private:
+  [[nodiscard]] std::optional<VectorGroup> by_first_rule(const CutterCorner& corner) const;
+  // The class of a corner of start-up or cancel of type B, or nothing where it has one perpendicular vector as in
+  // type A. `to_line`: the block of the offset mode there is a line.
+  [[nodiscard]] std::optional<CornerClass> detour(const PathEnd& former, const PathEnd& latter, bool to_line) const;
+  // `movement`: from head to head of a group made with this offset.
+  [[nodiscard]] bool is_small(const PlanePoint& movement, const Rational& offset) const;
+
+  bool type_b_;     // 5003#0, SUP
+  Rational limit_;  // 5010, setup units
+};
+
+}  // namespace toolcomp::model

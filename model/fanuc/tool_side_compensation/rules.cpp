@@ -1,0 +1,216 @@
+#include "model/fanuc/tool_side_compensation/rules.h"
+
+#include <utility>
+
+#include "model/basis/number.h"
+
+namespace toolcomp::model {
+// fanuc.cutter-c.value-zero: Where r = 0 the group is the vector zero alone, whatever the corner and No.
+SpaceGroup SideRules::square_to(const CompensationPlane& plane, const SideEnd& former) const {
+  if (former.offset != 0) return {{perpendicular(plane, former), Seat::square, Seat::off, false}};
+  recorder_.reach(Clause::fanuc_cutter_c_value_zero);
+  return {{{}, Seat::square, Seat::square, false}};
+}
+
+// fanuc.tool-side.plane: The vectors at the end of a block lie in the plane perpendicular to the tool direction there,
+// also where the rotary axes turn in that block or in the next one: both blocks of a corner are seen in the plane at
+// the end of the first.
+// fanuc.tool-side.stop-point: Corner moves before the single-block stop point S run at the feed of the block before,
+// those behind it at that of the next. S is the head of Vi, or of K1 (ours).
+SpaceGroup SideRules::in_plane(SpaceGroup group) const {
+  recorder_.reach(Clause::fanuc_tool_side_plane);
+  for (std::size_t i = 1; i < group.size(); ++i)
+    recorder_.decide(Clause::fanuc_tool_side_stop_point, !group[i].after_stop);
+  return group;
+}
+
+std::optional<SpaceGroup> SideRules::in_mode(const SideCorner& corner) const {
+  if (!corner.of_lines()) {
+    const FramedCorner framed(corner);
+    const auto group = plane_rules_.offset_mode(framed.former(), framed.latter());
+    return group ? std::optional(framed.lifted(*group)) : std::nullopt;
+  }
+  const LineCorner lines(recorder_, corner.plane, corner.former, corner.latter);
+  const CornerClass kind = lines.classify();
+  switch (kind) {
+    // fanuc.tool-side.inner: At an inner corner of two lines, straight on included, nothing is inserted: the group is
+    // the intersection of the offset lines, however long the vector is.
+    //
+    // Straight on Vi is r n1, a simpler form.
+    case CornerClass::inner:
+    case CornerClass::straight:
+      recorder_.reach(Clause::fanuc_tool_side_inner);
+      return one(kind == CornerClass::inner ? lines.meeting() : perpendicular(corner.plane, corner.former));
+    // fanuc.tool-side.outer-obtuse: At an obtuse outer corner of two lines the group is the intersection of the offset
+    // lines.
+    case CornerClass::obtuse:
+      recorder_.reach(Clause::fanuc_tool_side_outer_obtuse);
+      break;
+    // fanuc.tool-side.outer-acute: At an acute outer corner of two lines, straight back included, both offset lines are
+    // prolonged by r and joined by a straight inserted move, never an arc.
+    case CornerClass::acute:
+      recorder_.reach(Clause::fanuc_tool_side_outer_acute);
+      break;
+  }
+  return way_round(kind, lines, corner, false, false);
+}
+
+// fanuc.tool-side.type-b: No.
+SideRules::SideRules(const spec::Setup& setup, Recorder& recorder)
+    : recorder_(recorder),
+      plane_rules_(recorder),
+      type_b_(setup.bit(5003, 0)),
+      with_perpendicular_(!setup.type_b_without_perpendicular),
+      limit_(setup.parameter(5010) ? plain(*setup.parameter(5010)) : Rational(0)) {}
+
+// fanuc.tool-side.type-b: No.
+std::optional<SpaceGroup> SideRules::detour(const SideCorner& corner, bool cancels) const {
+  if (!recorder_.decide(Clause::fanuc_tool_side_type_b, type_b_)) return std::nullopt;
+  std::optional<FramedCorner> framed;
+  std::optional<LineCorner> lines;
+  CornerClass kind{};
+  if (corner.of_lines()) {
+    kind = lines.emplace(recorder_, corner.plane, corner.former, corner.latter).classify();
+    if (kind == CornerClass::acute && lines->is_under_one_degree()) return std::nullopt;
+  } else {
+    framed.emplace(corner);
+    kind = classify(recorder_, framed->former(), framed->latter());
+  }
+  // fanuc.tool-side.start-up-inner: Type B at an inner corner, straight on included: the vector perpendicular to the
+  // next block.
+  // fanuc.tool-side.cancel-inner: Type B at an inner corner, straight on included: the vector perpendicular to the last
+  // compensated block.
+  if (kind == CornerClass::inner || kind == CornerClass::straight) {
+    recorder_.reach(cancels ? Clause::fanuc_tool_side_cancel_inner : Clause::fanuc_tool_side_start_up_inner);
+    return std::nullopt;
+  }
+  // fanuc.tool-side.start-up-obtuse: Type B at an obtuse outer corner: the vector perpendicular to the start-up block
+  // (fanuc.tool-side.type-b-perpendicular), the intersection, and before an arc its perpendicular vector.
+  // fanuc.tool-side.start-up-acute: Type B at an acute outer corner (two lines: from 1 degree on,
+  // fanuc.cutter-c.under-one-degree; below it the vector perpendicular to the next block alone): the vector
+  // perpendicular to the start-up block (fanuc.tool-side.type-b-perpendicular), the two of an acute corner, and before
+  // an arc its perpendicular vector.
+  // fanuc.tool-side.cancel-obtuse: Type B at an obtuse outer corner: the intersection and the vector perpendicular to
+  // the cancel block (fanuc.tool-side.type-b-perpendicular), behind an arc its perpendicular vector first.
+  // fanuc.tool-side.cancel-acute: Type B at an acute outer corner (two lines: from 1 degree on,
+  // fanuc.cutter-c.under-one-degree; below it the vector perpendicular to the last compensated block alone): the two
+  // vectors of an acute corner and the one perpendicular to the cancel block (fanuc.tool-side.type-b-perpendicular),
+  // behind an arc its perpendicular vector first.
+  if (kind == CornerClass::obtuse)
+    recorder_.reach(cancels ? Clause::fanuc_tool_side_cancel_obtuse : Clause::fanuc_tool_side_start_up_obtuse);
+  else
+    recorder_.reach(cancels ? Clause::fanuc_tool_side_cancel_acute : Clause::fanuc_tool_side_start_up_acute);
+  // fanuc.tool-side.type-b-perpendicular: Type B at an outer corner, start-up and cancel: the vector perpendicular to
+  // the start-up or cancel block is made, as in chapter 14.
+  const bool own = recorder_.decide(Clause::fanuc_tool_side_type_b_perpendicular, with_perpendicular_);
+  const bool with_former = cancels ? corner.former.arc.has_value() : own;
+  const bool with_latter = cancels ? own : corner.latter.arc.has_value();
+  if (lines) return way_round(kind, *lines, corner, with_former, with_latter);
+  return framed->lifted(model::way_round(kind, framed->former(), framed->latter(), with_former, with_latter));
+}
+
+// fanuc.tool-side.start-up-inner: Type B at an inner corner, straight on included: the vector perpendicular to the next
+// block.
+SpaceGroup SideRules::start_up(const SideCorner& corner) const {
+  const auto group = detour(corner, false);
+  return group ? *group : square_to_latter(corner.plane, corner.latter);
+}
+
+// fanuc.tool-side.cancel-inner: Type B at an inner corner, straight on included: the vector perpendicular to the last
+// compensated block.
+SpaceGroup SideRules::cancel(const SideCorner& corner) const {
+  const auto group = detour(corner, true);
+  return group ? *group : square_to(corner.plane, corner.former);
+}
+
+// fanuc.tool-side.which-rule: The group between A and B is made by the first rule that applies: r = 0
+// (fanuc.cutter-c.value-zero); an alarm of fanuc.cutter-c.direction-change-at-start-up; Q1 of A; change of side;
+// repeated code; start-up block followed by the cancel block; cancel; start-up; corner of the mode, then Q2 of A.
+std::optional<SpaceGroup> SideRules::by_first_rule(const SideCorner& corner, const SideCase& given) const {
+  if (corner.former.offset == 0) return square_to(corner.plane, corner.former);
+  // fanuc.tool-side.q1: Q1 in block A: the vector at its end is the one perpendicular to A, whether an interference is
+  // found or not, at a change of side too.
+  if (given.treatment == 1) {
+    recorder_.reach(Clause::fanuc_tool_side_q1);
+    return square_to(corner.plane, corner.former);
+  }
+  // fanuc.cutter-c.direction-change: Where the side changes from A to B (G41 to G42 or back, or the sign of the value)
+  // inner and outer are not told apart: with an intersection of A's offset path and B's the group is its vector,
+  // without one it is the vector perpendicular to B.
+  if (!given.cancels && recorder_.decide(Clause::fanuc_cutter_c_direction_change, given.side_changes))
+    return side_change(corner);
+  // fanuc.tool-side.repeated: A word equal to the code in force before it, in block B or in a block between A and B
+  // (one with a corner of its own too), gives the vector perpendicular to A, inner and outer alike; B starts from it. A
+  // may be the start-up block, B the cancel block. It does not concern the block right after a start of type C.
+  // fanuc.tool-side.start-then-cancel: Where B of a start-up block of type A or B is the cancel block the start-up
+  // block ends with the vector perpendicular to it, whatever the type.
+  if (given.repeated || (given.starts && given.cancels)) {
+    recorder_.reach(given.repeated ? Clause::fanuc_tool_side_repeated : Clause::fanuc_tool_side_start_then_cancel);
+    return square_to(corner.plane, corner.former);
+  }
+  if (given.cancels) return cancel(corner);
+  if (given.starts) return start_up(corner);
+  std::optional<SpaceGroup> group = in_mode(corner);
+  // fanuc.tool-side.q2: Q2 in block A: of the two vectors between two lines the second is deleted.
+  if (group && given.treatment == 2 &&
+      recorder_.decide(Clause::fanuc_tool_side_q2, corner.of_lines() && group->size() == 2))
+    group->pop_back();
+  return group;
+}
+
+// fanuc.tool-side.which-rule: The group between A and B is made by the first rule that applies: r = 0
+// (fanuc.cutter-c.value-zero); an alarm of fanuc.cutter-c.direction-change-at-start-up; Q1 of A; change of side;
+// repeated code; start-up block followed by the cancel block; cancel; start-up; corner of the mode, then Q2 of A. Then
+// vectors are omitted (fanuc.tool-side.small-difference), then A is checked: plane change (not where r = 0), then
+// interference.
+std::optional<SpaceGroup> SideRules::group(const SideCorner& corner, const SideCase& given) const {
+  std::optional<SpaceGroup> group = by_first_rule(corner, given);
+  if (!group || corner.former.offset == 0) return group;
+  // fanuc.tool-side.q3: Q3 in block A: all vectors are kept, and there is no alarm of
+  // fanuc.tool-side.plane-change-alarm; nor is there with Q1 or Q2.
+  if (given.treatment == 3) recorder_.reach(Clause::fanuc_tool_side_q3);
+  drop_small_differences(*group, given);
+  return group;
+}
+
+// fanuc.tool-side.side-change: The side may change without G40, by the code or by the sign of the value, as in cutter
+// compensation C in the compensation plane: fanuc.cutter-c.direction-change and its clauses on lines, parallel
+// tangents, arcs and paths that do not meet. Lines that are not parallel in the plane have the intersection of A's
+// offset line and B's; parallel ones the vector perpendicular to B.
+SpaceGroup SideRules::side_change(const SideCorner& corner) const {
+  if (!corner.of_lines()) {
+    const FramedCorner framed(corner);
+    return framed.lifted(plane_rules_.direction_change(framed.former(), framed.latter()));
+  }
+  const LineCorner lines(recorder_, corner.plane, corner.former, corner.latter);
+  if (lines.is_parallel()) {
+    // fanuc.cutter-c.direction-change-without-intersection: Without intersection (parallel tangents, R' < 0, paths that
+    // do not meet) the group is the vector perpendicular to B at its start; there is no PS0033.
+    recorder_.reach(Clause::fanuc_cutter_c_direction_change_without_intersection);
+    return square_to_latter(corner.plane, corner.latter);
+  }
+  // fanuc.cutter-c.direction-change-lines: Two lines at an angle always have an intersection, however far away.
+  recorder_.reach(Clause::fanuc_cutter_c_direction_change_lines);
+  return one(lines.meeting_across());
+}
+
+// fanuc.tool-side.small-difference: No.
+void SideRules::drop_small_differences(SpaceGroup& group, const SideCase& given) const {
+  if (group.size() < 2) return;
+  if (given.next.arc) {
+    const ArcEnds& arc = given.next.arc->ends;
+    if (!plane_rules_.is_under_half_circle(arc, sqrt(squared_norm(arc.start) * squared_norm(arc.end)))) return;
+  }
+  if (limit_ < 0) return;
+  const Rational limit2 = limit_ * limit_;
+  const Rational scale = limit2 + 8 * given.distance * given.distance;
+  SpaceGroup kept{group.front()};
+  for (std::size_t i = 1; i < group.size(); ++i) {
+    const Real difference2 = squared_norm(group[i].vector - kept.back().vector);
+    if (recorder_.decide(Clause::fanuc_tool_side_small_difference, limit2 - difference2, scale) == Sign::negative)
+      kept.push_back(group[i]);
+  }
+  group = kept;
+}
+
+}  // namespace toolcomp::model

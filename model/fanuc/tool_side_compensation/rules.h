@@ -1,0 +1,55 @@
+// The rules of tool side compensation: the vectors at a corner. Clauses: fanuc.tool-side.*, and those of chapter 14
+// that they name.
+#pragma once
+
+#include <optional>
+
+#include "model/fanuc/corner/rules.h"
+#include "model/fanuc/tool_side_compensation/side_corner.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::model {
+
+// What counts at the corner between a block A and a block B beside their paths.
+struct SideCase {
+  bool starts = false;        // A is the start-up block
+  bool cancels = false;       // B is the cancel block
+  bool side_changes = false;  // from A to B
+  bool repeated = false;      // the code repeated in B, or in a block between
+  int treatment = 0;          // Q of A: 1, 2 or 3; 0 without
+  Rational distance;          // r
+  const SidePath& next;       // of B
+};
+
+// Corners of two lines are told by the rules of this section, without a frame; corners with an arc by those of
+// chapter 14, in a frame of the compensation plane.
+class SideRules {
+ public:
+  // Parameters 5003#0 and 5010, and the second reading of type B.
+  SideRules(const spec::Setup& setup, Recorder& recorder);
+
+  // The group; nothing where an inner corner with an arc has no intersection (PS0033).
+  [[nodiscard]] std::optional<SpaceGroup> group(const SideCorner& corner, const SideCase& given) const;
+  // r n1 alone; of an offset of 0 the vector 0.
+  [[nodiscard]] SpaceGroup square_to(const CompensationPlane& plane, const SideEnd& former) const;
+  // Says where a group lies, and its stop point.
+  [[nodiscard]] SpaceGroup in_plane(SpaceGroup group) const;
+
+ private:
+  [[nodiscard]] std::optional<SpaceGroup> by_first_rule(const SideCorner& corner, const SideCase& given) const;
+  [[nodiscard]] std::optional<SpaceGroup> in_mode(const SideCorner& corner) const;
+  [[nodiscard]] SpaceGroup start_up(const SideCorner& corner) const;
+  [[nodiscard]] SpaceGroup cancel(const SideCorner& corner) const;
+  // The vectors of type B at start-up or cancel; nothing where there is one as in type A.
+  [[nodiscard]] std::optional<SpaceGroup> detour(const SideCorner& corner, bool cancels) const;
+  [[nodiscard]] SpaceGroup side_change(const SideCorner& corner) const;
+  void drop_small_differences(SpaceGroup& group, const SideCase& given) const;
+
+  Recorder& recorder_;
+  CornerRules plane_rules_;
+  bool type_b_;              // 5003#0, SUP
+  bool with_perpendicular_;  // of the start-up or cancel block itself
+  Rational limit_;           // 5010, setup units
+};
+
+}  // namespace toolcomp::model
