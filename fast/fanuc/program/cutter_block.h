@@ -38,7 +38,7 @@ struct CutterBlock {
   // The block's own move: line, n, type, feed, tool_axis, arc (the programmed arc, its centre in the frame of `point`),
   // programmed, point and axes without vector. Filled also where the block has no own move, for a stage that makes one.
   Event event;
-  bool own = false;            // the block makes that move (contract, event rule 1)
+  bool own = false;            // the block makes that move (docs/events.md, rule 1)
   bool axis_word = false;      // any axis word that is a position; asked where the block ends the compensation
   std::optional<double> feed;  // F in force, for G39's arc: also under G00
   // G10: a setting, to be sent after the move of its block (event.line, event.n).

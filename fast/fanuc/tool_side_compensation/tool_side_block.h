@@ -19,7 +19,7 @@ enum class Treatment : std::uint8_t { none, perpendicular, first_only, keep };
 struct ToolSideBlock {
   // The block's own move, filled also where the block has none, for a stage that makes one.
   Event event;
-  bool own = false;       // the block makes that move (contract, event rule 1)
+  bool own = false;       // the block makes that move (docs/events.md, rule 1)
   bool wanted = false;    // a code of the section is in force, with a number other than 0
   bool repeated = false;  // the code in the block is the one in force before it
   int side = 1;           // +1 left: by code and sign of the value

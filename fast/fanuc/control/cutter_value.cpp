@@ -1,4 +1,4 @@
-#include "fast/fanuc/interpreter/cutter_value.h"
+#include "fast/fanuc/control/cutter_value.h"
 
 namespace toolcomp::fast {
 
