@@ -283,7 +283,7 @@ void CutterStage<Compensation>::send(CutterBlock& block) {
 }
 
 template <class Compensation>
-void CutterStage<Compensation>::pass() {
+[[gnu::always_inline]] inline void CutterStage<Compensation>::pass() {
   if (const StageEnd end = compensation_.block()) control_.end(end);
   set_on(compensation_.active());
 }
@@ -344,7 +344,7 @@ void CutterStage<Compensation>::rename() {
 }
 
 template <class Compensation>
-Alarm CutterStage<Compensation>::plain_arc(const Words& words) {
+Alarm CutterStage<Compensation>::plan_and_move(const Words& words) {
   BlockArc arc;
   const bool judges = kIsC<Compensation> && in_force_after(words) && control_.cutter_value.number().number != 0;
   if (const Alarm a = control_.plan_arc(words, arc, !makes_arc(words), judges)) return a;
@@ -387,7 +387,7 @@ void CutterStage<Compensation>::set_arc_event(CutterBlock& block, const std::arr
 }
 
 template <class Compensation>
-Alarm CutterStage<Compensation>::take_arc(const Words& words, CutterBlock& block) {
+[[gnu::always_inline]] inline Alarm CutterStage<Compensation>::take_arc(const Words& words, CutterBlock& block) {
   std::array<double, 2> center{};
   if (const Alarm a = read_arc(words, block, center)) return a;
   block.motion = CutterMotion::arc;
@@ -399,7 +399,7 @@ Alarm CutterStage<Compensation>::take_arc(const Words& words, CutterBlock& block
 
 // Words that make an arc, or would.
 template <class Compensation>
-Alarm CutterStage<Compensation>::check_plain_arc(const Words& words) const {
+[[gnu::always_inline]] inline Alarm CutterStage<Compensation>::check_plain_arc(const Words& words) const {
   const std::array<std::size_t, 2>& plane = control_.modal.plane_axis();
   const bool named = (words.axes() & (bit(plane[0]) | bit(plane[1]))) != 0;
   if (!named && !words.has_any(kArcLetters)) return alarm::kNone;
@@ -415,25 +415,19 @@ Alarm CutterStage<Compensation>::check_plain_arc(const Words& words) const {
 template <class Compensation>
 Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   const ModalState& modal = control_.modal;
-  AxisPositions& positions = control_.positions;
-  const std::array<std::size_t, 2>& plane = modal.plane_axis();
-  if (plane[0] == spec::Axes::kNone || plane[1] == spec::Axes::kNone) [[unlikely]]
-    return side_ == CutterSide::off ? plain_arc(words) : alarm::kPlaneAxis;
-  const Mask axes = words.axes();
-  const bool arc = modal.is_arc(words);
+  const Positions& programmed = control_.positions.programmed();
+  const std::size_t first = modal.plane_axis()[0];
+  const std::size_t second = modal.plane_axis()[1];
+  if (first == spec::Axes::kNone || second == spec::Axes::kNone) [[unlikely]]
+    return side_ == CutterSide::off ? plan_and_move(words) : alarm::kPlaneAxis;
+  bool arc = false;
   if (modal.motion() > 10) {
     if (const Alarm a = check_plain_arc(words)) return a;
-    if (arc && (!is_on() || positions.tool_offset().live() != 0)) return plain_arc(words);
+    arc = modal.is_arc(words);
   }
-  const auto set_place = [&](Place& place) {
-    const bool shifted = positions.tool_offset().live() != 0;
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (shifted) [[unlikely]]
-        place[i] = positions.actual(plane[i]);
-      else
-        place[i] = positions.programmed()[plane[i]];
-    }
-  };
+  if (control_.positions.tool_offset().live() != 0 || (arc && !is_on())) [[unlikely]]
+    return plan_and_move(words);
+  const Mask axes = words.axes();
   CutterBlock& block = compensation_.next();
   block.sets = false;
   block.word = CutterSide::unchanged;
@@ -442,27 +436,28 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   block.d = control_.cutter_value.number().number;
   block.offset = control_.cutter_value.value();
   block.plane = modal.plane();
-  block.axis = plane;
+  block.axis = modal.plane_axis();
   block.has_direction = false;
   if (!arc && words.has_any(kDirectionLetters)) [[unlikely]]
     read_direction(words, block);
   block.feed = modal.feed();
   block.own = axes != 0 || arc;
   block.axis_word = axes != 0;
-  set_place(block.start);
-  block.named = static_cast<std::uint8_t>((axes >> plane[0] & 1U) | (axes >> plane[1] & 1U) << 1U);
+  block.start[0] = programmed[first];
+  block.start[1] = programmed[second];
+  block.named = static_cast<std::uint8_t>((axes >> first & 1U) | (axes >> second & 1U) << 1U);
   if (const Alarm placed = control_.place_words(words, axes)) [[unlikely]]
     return refuse(words, block, placed);
-  set_place(block.end);
+  block.end[0] = programmed[first];
+  block.end[1] = programmed[second];
   if (arc) return take_arc(words, block);
   // What the stage makes of a line is begun early, while the rest of the block is filled in.
-  if (block.named == 0) {
-    block.motion = CutterMotion::still;
-  } else if (block.start[0] == block.end[0] && block.start[1] == block.end[1]) {
-    block.motion = CutterMotion::zero;
-  } else {
+  const bool moves = !(block.start[0] == block.end[0] && block.start[1] == block.end[1]);
+  if (block.named != 0 && moves) [[likely]] {
     block.motion = CutterMotion::line;
     if constexpr (kIsC<Compensation>) block.path_made = compensation_.make_line_path(block);
+  } else {
+    block.motion = block.named == 0 ? CutterMotion::still : CutterMotion::zero;
   }
   control_.fill_here(block.event, modal.straight(), spec::Cause::programmed);
   if constexpr (kIsC<Compensation>)

@@ -31,7 +31,6 @@ class CutterStage final : public Stage {
   void rename() override;
 
  private:
-  using Place = std::array<Count, 2>;  // in the plane
   // Compensation is wanted, or its vector is not removed yet (clause fanuc.cutter.on).
   [[nodiscard]] bool is_on() const;
   // G41 or G42 is in force after the codes of the block.
@@ -45,10 +44,10 @@ class CutterStage final : public Stage {
   void read_direction(const Words& words, CutterBlock& block) const;
   // G39 with axis words and without I J K: the words are a direction, from the current point.
   [[nodiscard]] Alarm corner_direction(const Words& words, CutterBlock& block) const;
-  // Of plain_block(): its alarms, an arc of the stage, and one that the control plans, not the stage.
+  // Of plain_block(): the alarms and the path of an arc, and blocks whose arc or place the control has to work out.
   [[nodiscard]] Alarm check_plain_arc(const Words& words) const;
   [[nodiscard]] Alarm take_arc(const Words& words, CutterBlock& block);
-  [[nodiscard]] Alarm plain_arc(const Words& words);
+  [[nodiscard]] Alarm plan_and_move(const Words& words);
   // The alarms of an arc from block.start to block.end, in their order, its words and its centre. Sweep and radii are
   // left to the stage.
   [[nodiscard]] Alarm read_arc(const Words& words, CutterBlock& block, std::array<double, 2>& center) const;

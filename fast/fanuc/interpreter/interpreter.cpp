@@ -99,22 +99,6 @@ Alarm Interpreter::block_with_commands(const Words& words) {
   return alarm;
 }
 
-[[gnu::always_inline]] inline Alarm Interpreter::run(const Words& words) {
-  if (on_ != nullptr && !on_->on()) [[unlikely]]
-    on_ = nullptr;
-  Stage* const stage = on_;
-  // Of an edited value or a length offset taken away: any block with words may bring it.
-  const bool waits =
-      control_.positions.length().pending() || (stage != nullptr && control_.cutter_value.takes_edited());
-  if (words.plain() && !waits && words.any()) [[likely]]
-    return plain_block(words, stage);
-  if (words.any()) return block_with_commands(words);
-  if (stage == nullptr) return alarm::kNone;
-  // A sequence or program number alone is a block without movement where blocks are counted.
-  control_.attitude.directions().begin_block();
-  return stage->plain_block(words);
-}
-
 void Interpreter::any_block(const spec::Block& block) {
   if (control_.stopped) return;
   control_.line = block.line;
@@ -124,15 +108,32 @@ void Interpreter::any_block(const spec::Block& block) {
     return;
   }
   const Words words(block, control_.axes.letters);
-  if (words.unsupported()) [[unlikely]] {
-    raise(alarm::kUnknownCode);
-    return;
-  }
-  if (const Alarm a = run(words)) [[unlikely]] {
+  if (on_ != nullptr && !on_->on()) [[unlikely]]
+    on_ = nullptr;
+  // Of an edited value or a length offset taken away: any block with words may bring it.
+  const bool waits =
+      control_.positions.length().pending() || (on_ != nullptr && control_.cutter_value.takes_edited());
+  if (!words.plain() || waits) [[unlikely]]
+    return other_block(words);
+  if (const Alarm a = plain_block(words, on_)) [[unlikely]]
     raise(a);
-    return;
+}
+
+void Interpreter::other_block(const Words& words) {
+  Alarm alarm;
+  if (words.unsupported()) {
+    alarm = alarm::kUnknownCode;
+  } else if (words.any()) {
+    alarm = block_with_commands(words);
+  } else if (on_ != nullptr) {
+    // A sequence or program number alone is a block without movement where blocks are counted.
+    control_.attitude.directions().begin_block();
+    alarm = on_->plain_block(words);
   }
-  if (words.ends_program()) end();
+  if (alarm)
+    raise(alarm);
+  else if (words.ends_program())
+    end();
 }
 
 Alarm Interpreter::apply(const Words& words, Command& command) {

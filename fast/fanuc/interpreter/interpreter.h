@@ -25,13 +25,14 @@ class Interpreter {
  private:
   // interpreter.cpp: one block, step by step.
   void any_block(const spec::Block& block);
-  [[nodiscard]] Alarm run(const Words& words);
+  // Any but a plain one.
+  [[gnu::noinline]] void other_block(const Words& words);
   // A block without commands: its words change nothing but positions, feed and the code of group 01, and nothing waits
   // for a block to come.
   [[nodiscard]] Alarm plain_block(const Words& words, Stage* stage);
   // A block with commands, first checked; then everything is allowed but what depends on positions (arcs) and on the
   // length offset, whose alarms come last.
-  [[nodiscard, gnu::noinline]] Alarm block_with_commands(const Words& words);
+  [[nodiscard]] Alarm block_with_commands(const Words& words);
   [[nodiscard]] Alarm apply(const Words& words, Command& command);
   void take_codes(const Words& words, const Command& command);
   [[nodiscard]] Alarm take_arc(const Words& words, BlockArc& arc) const;

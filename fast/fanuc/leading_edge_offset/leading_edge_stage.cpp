@@ -1,6 +1,6 @@
 #include "fast/fanuc/leading_edge_offset/leading_edge_stage.h"
 
-#include "fast/basis/fault.h"
+#include "fast/fanuc/control/xyz_travel.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -86,45 +86,19 @@ Alarm LeadingEdgeStage::plain_block(const Words& words) {
   return follow(words, true, false);
 }
 
-// The travel of a block, whatever its positions are.
-void LeadingEdgeStage::set_any_travel(Move& move, const std::array<Count, 3>& from, Mask rounded) const {
-  Mask xyz = 0;
-  for (const std::size_t axis : control_.axes.xyz)
-    if (axis != spec::Axes::kNone) xyz = static_cast<Mask>(xyz | bit(axis));
-  set_displacement(move.displacement, from, control_.positions.programmed_xyz(), (rounded & xyz) != 0 ? 2 : 0);
-}
-
 Alarm LeadingEdgeStage::follow(const Words& words, bool own, bool extra) {
   const Mask axes = own ? words.axes() : Mask{0};
-  const AxisPositions& positions = control_.positions;
-  const Count& x = positions.programmed(control_.axes.xyz[0]);
-  const Count& y = positions.programmed(control_.axes.xyz[1]);
-  const Count& z = positions.programmed(control_.axes.xyz[2]);
-  const Mask rounded_before = positions.rounded();
-  const bool small = rounded_before == 0 && x.is_small() && y.is_small() && z.is_small();
-  const std::int64_t from_x = x.small();
-  const std::int64_t from_y = y.small();
-  const std::int64_t from_z = z.small();
-  std::array<Count, 3> from;
-  if (!small) from = {x, y, z};
-
+  const XyzTravel xyz(control_);
   if (const Alarm a = control_.place_words(words, axes)) return a;
 
   // As early as can be: what has just been written is waited for.
   Move& move = offset_.next();
-  const bool usual = small && x.is_small() && y.is_small() && z.is_small();
-  if (usual) set_displacement(move.displacement, x.small() - from_x, y.small() - from_y, z.small() - from_z);
-
+  if (xyz.is_small()) [[likely]]
+    set_displacement(move.displacement, xyz.small(0), xyz.small(1), xyz.small(2));
+  else
+    set_displacement(move.displacement, xyz.from(), control_.positions.programmed_xyz(), xyz.slack(axes));
   const bool event = axes != 0 || extra || (own && control_.modal.by_vector() && words.has_any(kDirectionLetters));
   if (event) control_.fill(move.event, control_.modal.straight(), spec::Cause::programmed);
-  if (!usual) [[unlikely]] {
-    if (small) {
-      from[0].set_small(from_x);
-      from[1].set_small(from_y);
-      from[2].set_small(from_z);
-    }
-    set_any_travel(move, from, static_cast<Mask>((rounded_before | positions.rounded()) & axes));
-  }
   move.direction = &control_.attitude.directions().now();
   move.radius = radius_;
   // The only alarms here are those of the start-up move.

@@ -26,7 +26,6 @@ class LeadingEdgeStage final : public Stage {
  private:
   // A block in the mode; without `own` its words move nothing.
   [[nodiscard]] Alarm follow(const Words& words, bool own, bool extra);
-  void set_any_travel(Move& move, const std::array<Count, 3>& from, Mask rounded) const;
   // The move that starts or ends the mode.
   [[nodiscard]] Alarm start();
   [[nodiscard]] Alarm cancel();

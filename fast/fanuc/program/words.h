@@ -65,7 +65,7 @@ class Words {
   [[nodiscard]] const spec::Decimal& operator[](char letter) const {
     return *value_[static_cast<std::size_t>(letter - 'A')];
   }
-  // Only positions, F, G00 to G03, I J K and R: nothing of the modal state changes but feed and group 01.
+  // Words, and only positions, F, G00 to G03, I J K and R: nothing of the modal state changes but feed and group 01.
   [[nodiscard]] bool plain() const { return plain_; }
   // Bit i: axis i of the setup has a position. In a block with G04 or G10 axis letters and I J K are data of that code:
   // there the block has none of them.
@@ -121,7 +121,7 @@ inline Words::Words(const spec::Block& block, const AxisLetters& axes) : axis_le
   letters_ = letters;
   axes_ = static_cast<std::uint16_t>(axes.positions(letters));
   any_ = (letters & ~set_of("NO")) != 0;
-  plain_ = (others & ~set_of("FGIJKR")) == 0;
+  plain_ = any_ && (others & ~set_of("FGIJKR")) == 0;
   if ((others & set_of("GM")) != 0) read_codes(block);
   if (plain_) [[likely]]
     return;

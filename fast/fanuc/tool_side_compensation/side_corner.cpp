@@ -95,7 +95,10 @@ bool SideGeometry::set_turn(SideCorner& corner) const {
   const ToolPlane plane(kinematics_, *corner.tool);
   corner.flat = first.arc || (second != nullptr && second->arc);
   if (!corner.flat) [[likely]] {
-    corner.turn = second == nullptr ? plane.straight(first.travel) : plane.turn(first.travel, second->travel);
+    if (second == nullptr)
+      corner.turn = plane.straight(first.travel);
+    else
+      plane.turn(first.travel, second->travel, corner.turn);
     return true;
   }
   const SidePath& arc = first.arc ? first : *second;

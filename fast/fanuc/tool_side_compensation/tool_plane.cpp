@@ -36,19 +36,13 @@ bool is_axis(const Direction& tool) { return tool.zero == 0b011 || tool.zero == 
 
 }  // namespace
 
-bool ToolPlane::moves(const Travel& travel, const Count& limit) const {
-  if (travel.zero) return false;
+bool ToolPlane::moves_by_little(const Travel& travel, const Count& limit) const {
   const unsigned tool_axes = live(tool_);
   const unsigned travel_axes = live(travel);
   // Every product of unlike components is zero: along the tool.
   if (travel.slack == 0 && tool_axes == travel_axes && is_axis(tool_)) return false;
   const bool limited = Count() < limit;
   const double shortest = limited ? limit.nearest() * travel.unit : 0;
-  const Vector3<double> w = cross(unit(), travel.value);
-  const double over = dot(w, w) - shortest * shortest;
-  const double bound = square_bound() * travel.square + 4 * u * shortest * shortest;
-  if (travel.slack == 0 && std::abs(over) > bound) [[likely]]
-    return over > 0;
   if (is_exact(travel, tool_)) {
     const bool fine_units = travel.fine_units || !limit.is_small();
     std::array<Int128, 3> whole = travel.whole();
@@ -115,7 +109,8 @@ Vector3<DoubleDouble> ToolPlane::fine_left(const Travel& travel) const {
   return {left.x / norm, left.y / norm, left.z / norm};
 }
 
-bool ToolPlane::quick_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const {
+[[gnu::always_inline]] inline bool ToolPlane::turn_by_doubles(const Travel& first, const Travel& second,
+                                                              SpaceTurn& turn) const {
   if (!first.narrow || !second.narrow) return false;
   const Vector3<double> v = unit();
   const Vector3<double> w1 = fast::cross(v, first.value);
@@ -166,6 +161,8 @@ bool ToolPlane::quick_turn(const Travel& first, const Travel& second, SpaceTurn&
   turn.k = k * (inverse1 * inverse2);
   turn.left1 = w1 * inverse1;
   turn.ahead1 = fast::cross(turn.left1, v);
+  turn.left2 = w2 * inverse2;
+  turn.ahead2 = fast::cross(turn.left2, v);
   constexpr double kOne = 1 / static_cast<double>(Count::kSmallPerOne);
   turn.length1 = norm1 * kOne;
   turn.length2 = norm2 * kOne;
@@ -173,14 +170,9 @@ bool ToolPlane::quick_turn(const Travel& first, const Travel& second, SpaceTurn&
   return true;
 }
 
-SpaceTurn ToolPlane::turn(const Travel& first, const Travel& second) const {
-  SpaceTurn result;
-  if (quick_turn(first, second, result)) [[likely]] {
-    const Vector3<double> w2 = fast::cross(unit(), second.value);
-    result.left2 = w2 * (1 / std::sqrt(fast::dot(w2, w2)));
-    result.ahead2 = fast::cross(result.left2, unit());
-    return result;
-  }
+void ToolPlane::turn(const Travel& first, const Travel& second, SpaceTurn& result) const {
+  if (turn_by_doubles(first, second, result)) [[likely]]
+    return;
   const FineTurn numbers = fine_turn(first, second);
   result.cross = cross_sign(first, second);
   result.dot = dot_sign(first, second);
@@ -193,7 +185,6 @@ SpaceTurn ToolPlane::turn(const Travel& first, const Travel& second) const {
   result.length1 = numbers.length1.hi;
   result.length2 = numbers.length2.hi;
   result.ill = true;
-  return result;
 }
 
 FineTurn ToolPlane::fine_turn(const Travel& first, const Travel& second) const {

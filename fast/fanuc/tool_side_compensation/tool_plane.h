@@ -52,11 +52,8 @@ class ToolPlane {
 
   // Whether a travel moves in the plane: |u| > 0, and not below the limit (No. 19630; 0 or less: none).
   [[nodiscard]] bool moves(const Travel& travel, const Count& limit) const;
-  // The turn between two travels that move in the plane.
-  [[nodiscard]] SpaceTurn turn(const Travel& first, const Travel& second) const;
-  // The turn by doubles alone and without left2 and ahead2, for the usual corner. False where doubles cannot tell, or
-  // are not good enough.
-  [[nodiscard]] bool quick_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const;
+  // The turn between two travels that move in the plane, made in place.
+  void turn(const Travel& first, const Travel& second, SpaceTurn& result) const;
   [[nodiscard]] FineTurn fine_turn(const Travel& first, const Travel& second) const;
   // Of one travel: left1, ahead1 and length1 (c = 0, k = 1, and the second pair the same).
   [[nodiscard]] SpaceTurn straight(const Travel& travel) const;
@@ -81,6 +78,10 @@ class ToolPlane {
   [[nodiscard]] double fine_error() const { return tool_.refined_error(); }
 
  private:
+  // moves() where doubles cannot tell.
+  [[nodiscard]] bool moves_by_little(const Travel& travel, const Count& limit) const;
+  // turn() by doubles alone. False where they cannot tell, or are not good enough.
+  [[nodiscard]] bool turn_by_doubles(const Travel& first, const Travel& second, SpaceTurn& turn) const;
   // The exact signs.
   [[nodiscard]] int cross_sign(const Travel& first, const Travel& second) const;
   [[nodiscard]] int dot_sign(const Travel& first, const Travel& second) const;
@@ -90,6 +91,18 @@ class ToolPlane {
   const Kinematics& kinematics_;
   const Direction& tool_;
 };
+
+// Every block asks, for each corner that waits for it.
+inline bool ToolPlane::moves(const Travel& travel, const Count& limit) const {
+  if (travel.zero) return false;
+  const double shortest = Count() < limit ? limit.nearest() * travel.unit : 0;
+  const Vector3<double> w = cross(unit(), travel.value);
+  const double over = dot(w, w) - shortest * shortest;
+  const double bound = square_bound() * travel.square + 4 * 0x1p-53 * shortest * shortest;
+  if (travel.slack == 0 && std::abs(over) > bound) [[likely]]
+    return over > 0;
+  return moves_by_little(travel, limit);
+}
 
 // The sign of (V1 x U1) . (V2 x U2) of two tools.
 int dot_sign(const Kinematics& kinematics, const Travel& first, const Direction& first_tool, const Travel& second,

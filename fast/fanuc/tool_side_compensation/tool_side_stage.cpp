@@ -1,5 +1,7 @@
 #include "fast/fanuc/tool_side_compensation/tool_side_stage.h"
 
+#include "fast/fanuc/control/xyz_travel.h"
+
 namespace toolcomp::fast {
 namespace {
 
@@ -140,30 +142,22 @@ void ToolSideStage::set_arc(ToolSideBlock& block, const ArcWords& words) const {
 Alarm ToolSideStage::pass(const Words& words, bool extra, const BlockArc& arc) {
   ToolSideBlock& block = compensation_.next();
   const AxisPositions& positions = control_.positions;
-  const ControlAxes& axes = control_.axes;
   const Mask named = words.axes();
   const std::uint32_t q = words.has('Q') ? whole_number(words['Q'], 3) : 0;
   block.wanted = wanted_;
   block.side = sign_;
   block.treatment = static_cast<Treatment>(q > 3 ? 0 : q);
   block.arc = arc.event.has_value();
-  std::array<Count, 3> from;
-  std::array<Count, 3> to;
-  Mask xyz = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (axes.xyz[i] != spec::Axes::kNone) {
-      from[i] = positions.programmed()[axes.xyz[i]];
-      xyz = static_cast<Mask>(xyz | bit(axes.xyz[i]));
-    }
+  const XyzTravel xyz(control_);
   if (block.arc) set_arc(block, arc.words);
 
-  Mask rounded = positions.rounded();
   if (const Alarm a = control_.place_words(words, named)) return a;
 
-  rounded = static_cast<Mask>((rounded | positions.rounded()) & named & xyz);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (axes.xyz[i] != spec::Axes::kNone) to[i] = positions.programmed()[axes.xyz[i]];
-  set_travel(compensation_.next_travel(), from, to, rounded != 0 ? 2 : 0);
+  Travel& travel = compensation_.next_travel();
+  if (xyz.is_small()) [[likely]]
+    set_travel(travel, xyz.small(0), xyz.small(1), xyz.small(2));
+  else
+    set_travel(travel, xyz.from(), positions.programmed_xyz(), xyz.slack(named));
   block.tool = &control_.attitude.directions().now();
   block.tool_before = &control_.attitude.directions().before();
   block.own = named != 0 || extra || block.arc || (control_.modal.by_vector() && words.has_any(kDirectionLetters));
