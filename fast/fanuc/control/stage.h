@@ -33,6 +33,15 @@ struct OwnMove {
   const BlockArc& arc;
 };
 
+// Who takes blocks as they are read.
+class BlockTaker {
+ public:
+  virtual void any_block(const spec::Block& block) = 0;
+
+ protected:
+  ~BlockTaker() = default;
+};
+
 // Of the stages one at most is on. It gets every block without commands (plain_block). A block with commands is shown
 // to all of them: read() and check() before anything is changed, take() behind that; its moves go to the first one that
 // takes_moves(), by move() and the like. An alarm that is returned is one of the block; an end of the run by a block
@@ -56,10 +65,10 @@ class Stage {
   // --- blocks without commands ---
   // Positions, F and a code of group 01 (taken already), or nothing but a number; with their alarms.
   [[nodiscard]] virtual Alarm plain_block(const Words& words) = 0;
-  // The next block may be taken as it is read, by take_usual_block(), until it answers false and has done nothing: then
-  // leave_usual_blocks(), and the block goes the way of all others.
+  // The next block goes to usual_block(), as it is read: a short cut. Where it is not a usual one, leave_usual_blocks()
+  // and `others` get it, as any block.
   [[nodiscard]] bool awaits_usual_block() const { return awaits_usual_block_; }
-  [[nodiscard]] virtual bool take_usual_block(const spec::Block& /*block*/) { return false; }
+  virtual void usual_block(const spec::Block& block, BlockTaker& others) { others.any_block(block); }
   virtual void leave_usual_blocks() {}
 
   // --- blocks with commands ---

@@ -63,8 +63,8 @@ template <class Compensation>
 void CutterStage<Compensation>::read(const Words& words, const Command& /*command*/) {
   const bool concerned =
       is_own(words.code(Words::kCompensation)) || words.code(Words::kOneShot) == 390 || compensation_.active();
-  const bool numbered = !kIsC<Compensation> || control_.cutter_value.number_after(words).number != 0;
-  set_read(concerned, is_on(), in_force_after(words) && numbered);
+  const auto numbered = [&] { return !kIsC<Compensation> || control_.cutter_value.number_after(words).number != 0; };
+  set_read(concerned, is_on(), in_force_after(words) && numbered());
 }
 
 // Three-dimensional tool compensation is not built.
@@ -415,17 +415,17 @@ template <class Compensation>
 template <class Compensation>
 Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   const ModalState& modal = control_.modal;
-  const Positions& programmed = control_.positions.programmed();
-  const std::size_t first = modal.plane_axis()[0];
-  const std::size_t second = modal.plane_axis()[1];
-  if (first == spec::Axes::kNone || second == spec::Axes::kNone) [[unlikely]]
+  const AxisPositions& positions = control_.positions;
+  // Asked for again and again: a register is worth more.
+  const std::array<std::size_t, 2>& plane = modal.plane_axis();
+  if (plane[0] == spec::Axes::kNone || plane[1] == spec::Axes::kNone) [[unlikely]]
     return side_ == CutterSide::off ? plan_and_move(words) : alarm::kPlaneAxis;
   bool arc = false;
   if (modal.motion() > 10) {
     if (const Alarm a = check_plain_arc(words)) return a;
     arc = modal.is_arc(words);
   }
-  if (control_.positions.tool_offset().live() != 0 || (arc && !is_on())) [[unlikely]]
+  if (positions.tool_offset().live() != 0 || (arc && !is_on())) [[unlikely]]
     return plan_and_move(words);
   const Mask axes = words.axes();
   CutterBlock& block = compensation_.next();
@@ -438,18 +438,17 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   block.plane = modal.plane();
   block.axis = modal.plane_axis();
   block.has_direction = false;
-  if (!arc && words.has_any(kDirectionLetters)) [[unlikely]]
-    read_direction(words, block);
+  if constexpr (!kIsC<Compensation>)  // of B they direct the vector; C asks for them beside a code only
+    if (!arc && words.has_any(kDirectionLetters)) read_direction(words, block);
   block.feed = modal.feed();
   block.own = axes != 0 || arc;
-  block.axis_word = axes != 0;
-  block.start[0] = programmed[first];
-  block.start[1] = programmed[second];
-  block.named = static_cast<std::uint8_t>((axes >> first & 1U) | (axes >> second & 1U) << 1U);
+  block.start[0] = positions.programmed()[plane[0]];
+  block.start[1] = positions.programmed()[plane[1]];
+  block.named = static_cast<std::uint8_t>((axes >> plane[0] & 1U) | (axes >> plane[1] & 1U) << 1U);
   if (const Alarm placed = control_.place_words(words, axes)) [[unlikely]]
     return refuse(words, block, placed);
-  block.end[0] = programmed[first];
-  block.end[1] = programmed[second];
+  block.end[0] = positions.programmed()[plane[0]];
+  block.end[1] = positions.programmed()[plane[1]];
   if (arc) return take_arc(words, block);
   // What the stage makes of a line is begun early, while the rest of the block is filled in.
   const bool moves = !(block.start[0] == block.end[0] && block.start[1] == block.end[1]);

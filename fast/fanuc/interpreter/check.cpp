@@ -11,8 +11,9 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
   const OffsetMemory& memory = control_.memory;
   const ModalState& modal = control_.modal;
   const Code one_shot = words.code(Words::kOneShot);
-  for (const auto& stage : stages_)
-    if (!stage->is_built(words)) return alarm::kUnknownCode;
+  if (words.code(Words::kCompensation) != kNone)
+    for (const auto& stage : stages_)
+      if (!stage->is_built(words)) return alarm::kUnknownCode;
   const std::uint32_t list = words.has('L') ? whole_number(words['L'], 99) : 100;
   if (one_shot == 100 && !memory.has_list(list)) return alarm::kUnknownList;
   for (const char letter : {'H', 'D'})

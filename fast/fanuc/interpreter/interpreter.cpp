@@ -12,12 +12,10 @@ Interpreter::Interpreter(const spec::Setup& setup, Control& control, const Stage
 }
 
 void Interpreter::block(const spec::Block& block) {
-  if (on_ != nullptr && on_->awaits_usual_block()) {
-    if (on_->take_usual_block(block)) [[likely]]
-      return;
-    on_->leave_usual_blocks();
-  }
-  any_block(block);
+  if (on_ != nullptr && on_->awaits_usual_block())
+    on_->usual_block(block, *this);
+  else
+    any_block(block);
 }
 
 Stage* Interpreter::stage_on() const {
@@ -28,6 +26,7 @@ Stage* Interpreter::stage_on() const {
 
 void Interpreter::end() {
   if (control_.stopped) return;
+  if (on_ != nullptr && on_->awaits_usual_block()) on_->leave_usual_blocks();
   if (release_held()) return;
   control_.stopped = true;
 }
@@ -68,9 +67,9 @@ void Interpreter::raise(Alarm alarm) {
   const Code code = words.code(Words::kMotion);
   if (code != kNone) modal.set_motion(code);
   if (words.has('F')) set_feed(words);
-  ToolAttitude& attitude = control_.attitude;
-  attitude.directions().begin_block();
   if (control_.positions.along_tool()) {
+    ToolAttitude& attitude = control_.attitude;
+    attitude.directions().begin_block();
     Command command;
     command.motion = modal.motion();
     command.along = true;
@@ -111,8 +110,7 @@ void Interpreter::any_block(const spec::Block& block) {
   if (on_ != nullptr && !on_->on()) [[unlikely]]
     on_ = nullptr;
   // Of an edited value or a length offset taken away: any block with words may bring it.
-  const bool waits =
-      control_.positions.length().pending() || (on_ != nullptr && control_.cutter_value.takes_edited());
+  const bool waits = control_.positions.length().pending() || (on_ != nullptr && control_.cutter_value.takes_edited());
   if (!words.plain() || waits) [[unlikely]]
     return other_block(words);
   if (const Alarm a = plain_block(words, on_)) [[unlikely]]
@@ -127,7 +125,6 @@ void Interpreter::other_block(const Words& words) {
     alarm = block_with_commands(words);
   } else if (on_ != nullptr) {
     // A sequence or program number alone is a block without movement where blocks are counted.
-    control_.attitude.directions().begin_block();
     alarm = on_->plain_block(words);
   }
   if (alarm)

@@ -14,7 +14,7 @@
 
 namespace toolcomp::fast {
 
-class Interpreter {
+class Interpreter final : public BlockTaker {
  public:
   // Refers to control and stages. Throws spec::InputError for a setup the control could not have.
   Interpreter(const spec::Setup& setup, Control& control, const Stages& stages, EventSink& sink);
@@ -24,7 +24,7 @@ class Interpreter {
 
  private:
   // interpreter.cpp: one block, step by step.
-  void any_block(const spec::Block& block);
+  void any_block(const spec::Block& block) override;
   // Any but a plain one.
   [[gnu::noinline]] void other_block(const Words& words);
   // A block without commands: its words change nothing but positions, feed and the code of group 01, and nothing waits

@@ -113,6 +113,7 @@ Alarm ToolSideStage::move(const Words& words, const OwnMove& own) {
 
 Alarm ToolSideStage::plain_block(const Words& words) {
   static const BlockArc kLine;
+  if (!control_.positions.along_tool() || !words.any()) control_.attitude.directions().begin_block();
   compensation_.next().repeated = false;
   if (control_.modal.motion() <= 10) [[likely]]
     return pass(words, false, kLine);

@@ -18,7 +18,7 @@ class ToolSideStage final : public Stage {
   void set_sink(EventSink& sink) override { compensation_.set_sink(sink); }
   void release() override;
   [[nodiscard]] Alarm plain_block(const Words& words) override;
-  [[nodiscard]] bool take_usual_block(const spec::Block& block) override;
+  void usual_block(const spec::Block& block, BlockTaker& others) override;
   void leave_usual_blocks() override;
   void read(const Words& words, const Command& command) override;
   [[nodiscard]] Alarm check(const Words& words, const Command& command) const override;

@@ -59,7 +59,12 @@ void ToolSideStage::await_lines() {
   set_awaits_usual_block(true);
 }
 
-bool ToolSideStage::take_usual_block(const spec::Block& block) { return take_line(block); }
+void ToolSideStage::usual_block(const spec::Block& block, BlockTaker& others) {
+  if (take_line(block)) [[likely]]
+    return;
+  leave_usual_blocks();
+  others.any_block(block);
+}
 
 // The words of the line, and which letters there are. False: not those of a usual line.
 [[gnu::always_inline]] inline bool ToolSideStage::read_line(const spec::Block& block, std::uint32_t& letters) {
@@ -110,7 +115,7 @@ bool ToolSideStage::take_usual_block(const spec::Block& block) { return take_lin
 }
 
 [[gnu::always_inline]] inline bool ToolSideStage::take_line(const spec::Block& block) {
-  if (control_.stopped || block.alarm) [[unlikely]]
+  if (block.alarm) [[unlikely]]
     return false;
   std::uint32_t letters = 0;
   if (!read_line(block, letters)) [[unlikely]]
