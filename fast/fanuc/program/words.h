@@ -92,6 +92,8 @@ class Words {
  private:
   void read_codes(const spec::Block& block);
   void g_word(const spec::Decimal& value);
+  // Branches that are foretold: a place in code_ that is looked up would keep whoever reads the codes waiting.
+  void set_code(std::uint64_t tenths);
   void m_word(const spec::Decimal& value);
 
   const AxisLetters& axis_letters_;
