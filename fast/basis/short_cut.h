@@ -5,11 +5,8 @@
 namespace toolcomp::fast {
 
 enum class ShortCut : unsigned char {
-  words,           // fanuc/interpreter/usual_words.h
-  block,           // fanuc/interpreter/usual_block.h
-  cutter_block,    // fanuc/interpreter/usual_cutter_block.cpp
   cutter_line,     // fanuc/cutter_compensation_c/usual_line.h
-  tool_side_line,  // fanuc/interpreter/usual_side_line.cpp, fanuc/tool_side_compensation/usual_line.h
+  tool_side_line,  // fanuc/tool_side_compensation/usual_side_line.cpp, fanuc/tool_side_compensation/usual_line.h
   posture,         // fanuc/tool_posture_control/usual_posture.cpp
   pair,            // kinematics/usual_pair.cpp
 };
@@ -18,6 +15,9 @@ enum class ShortCut : unsigned char {
 // Bit i: short cut i is closed, for the runs of one thread.
 inline thread_local unsigned closed_short_cuts = 0;
 inline bool is_open(ShortCut s) { return (closed_short_cuts >> static_cast<unsigned>(s) & 1U) == 0; }
+#elif defined(TOOLCOMP_GENERAL_PATHS)
+// All of them are closed: for the benchmarks of the general paths.
+constexpr bool is_open(ShortCut) { return false; }
 #else
 // In a normal build all of them are open: this folds away.
 constexpr bool is_open(ShortCut) { return true; }

@@ -1,13 +1,19 @@
 #include "fast/fanuc/engine.h"
 
+#include "fast/fanuc/control/control.h"
 #include "fast/fanuc/interpreter/interpreter.h"
+#include "fast/fanuc/stages.h"
 
 namespace toolcomp::fast {
 
-// The stages own each other in the order a block passes them: interpretation with the length offset, then leading edge
-// offset, which sends the events.
+// What the control knows, the stages of compensation that work on it, and the way of a block through both.
 struct Engine::State {
-  State(const spec::Setup& setup, EventSink& sink, std::uint32_t samples) : interpreter(setup, sink, samples) {}
+  State(const spec::Setup& setup, EventSink& sink, std::uint32_t samples)
+      : control(setup, sink, samples),
+        stages(make_stages(setup, control, sink)),
+        interpreter(setup, control, stages, sink) {}
+  Control control;
+  Stages stages;
   Interpreter interpreter;
 };
 
@@ -17,6 +23,6 @@ Engine::~Engine() = default;
 
 void Engine::block(const spec::Block& block) { state_->interpreter.block(block); }
 void Engine::end() { state_->interpreter.end(); }
-bool Engine::stopped() const { return state_->interpreter.stopped(); }
+bool Engine::stopped() const { return state_->control.stopped; }
 
 }  // namespace toolcomp::fast

@@ -147,12 +147,7 @@ constexpr Row kPosture[] = {
 };
 
 // Short cuts for usual blocks, each in a section whose blocks take it.
-constexpr Row kUsualLength[] = {{"usual_word_without_offset", "", 2000}};
-constexpr Row kUsualBlock[] = {
-    {"usual_block_motion_code", "", 2000},
-    {"usual_block_edited_value", "fanuc.cutter.side fanuc.cutter-b.vector fanuc.cutter-b.arc-vector", 10'000}};
 constexpr Row kUsualCutter[] = {
-    {"usual_cutter_block_zero", "fanuc.cutter-c.two-non-motion-blocks", 5000},
     {"usual_line_acute", "", 2000},
     {"usual_line_unchecked", "fanuc.cutter-c.interference-alarm", 2000},
 };
@@ -205,8 +200,6 @@ constexpr Section kSections[] = {
     {"fanuc/tool-side-compensation", kSide},
     {"fanuc/tool-center-point-control", kTip},
     {"fanuc/tool-posture-control", kPosture},
-    {"fanuc/tool-length-offset", kUsualLength},
-    {"fanuc/cutter-compensation-b", kUsualBlock},
     {"fanuc/cutter-compensation-c", kUsualCutter},
     {"fanuc/tool-side-compensation", kUsualSide},
     {"fanuc/tool-center-point-control", kUsualTip},

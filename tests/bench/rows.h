@@ -125,13 +125,20 @@ inline void from_text(benchmark::State& state, const Program& program) {
 
 }  // namespace toolcomp::bench
 
-// A row for each engine of the program that the function of this name makes.
+// A row for each engine of the program that the function of this name makes. In toolcomp_bench_general the one row is
+// that of the fast engine with every short cut closed (fast/basis/short_cut.h).
 // NOLINTBEGIN(cppcoreguidelines-macro-usage)
+#ifdef TOOLCOMP_GENERAL_PATHS
+#define TOOLCOMP_ROW(program)                                                                      \
+  void program##_fast(benchmark::State& state) { toolcomp::bench::fast_engine(state, program()); } \
+  BENCHMARK(program##_fast)->Name("general_path/" #program)
+#else
 #define TOOLCOMP_ROW(program)                                                                       \
   void program##_fast(benchmark::State& state) { toolcomp::bench::fast_engine(state, program()); }  \
   BENCHMARK(program##_fast)->Name(#program);                                                        \
   void program##_model(benchmark::State& state) { toolcomp::bench::exact_model(state, program()); } \
   BENCHMARK(program##_model)->Name("model/" #program)
+#endif
 #define TOOLCOMP_TEXT_ROW(name, program)                                             \
   void name(benchmark::State& state) { toolcomp::bench::from_text(state, program); } \
   BENCHMARK(name)

@@ -126,7 +126,7 @@ TEST(Architecture, DialectsKnowNothingOfEachOther) {
   EXPECT_EQ(know_both, kChooseADialect);
 }
 
-// Who may know a section of the exact model: a file, or all of a folder, and why.
+// Who may know a section of an engine: a file, or all of a folder, and why.
 struct KnowsSection {
   std::string who;
   std::string section;
@@ -136,6 +136,7 @@ struct KnowsSection {
 const std::vector<KnowsSection>& known_sections() {
   const std::string registry = "the registry of the stages";
   const std::string adds = "no stage: it adds to the programmed end while the step is made";
+  const std::string offsets = "no stage: they are part of where the axes are";
   const std::string contour = "what is programmed, a contour or a tool, counts in both";
   static const std::vector<KnowsSection> kKnown{
       {"model/fanuc/stages.cpp", "model/fanuc/leading_edge_offset", registry},
@@ -158,17 +159,35 @@ const std::vector<KnowsSection>& known_sections() {
       {"model/heidenhain/engine.cpp", "model/heidenhain/programmed_contour", "the order of the rules"},
       {"model/heidenhain/face_milling", "model/heidenhain/programmed_contour", contour},
       {"model/heidenhain/peripheral_milling", "model/heidenhain/programmed_contour", contour},
+      {"fast/fanuc/stages.cpp", "fast/fanuc/leading_edge_offset", registry},
+      {"fast/fanuc/stages.cpp", "fast/fanuc/tool_side_compensation", registry},
+      {"fast/fanuc/stages.cpp", "fast/fanuc/cutter_compensation", registry},
+      {"fast/fanuc/stages.cpp", "fast/fanuc/cutter_compensation_b", registry},
+      {"fast/fanuc/stages.cpp", "fast/fanuc/cutter_compensation_c", registry},
+      {"fast/fanuc/cutter_compensation", "fast/fanuc/cutter_compensation_b", "B and C have the same words"},
+      {"fast/fanuc/cutter_compensation", "fast/fanuc/cutter_compensation_c", "B and C have the same words"},
+      {"fast/fanuc/tool_side_compensation", "fast/fanuc/cutter_compensation_c", "chapter 14's rules of corners"},
+      {"fast/fanuc/control", "fast/fanuc/tool_offset", offsets},
+      {"fast/fanuc/control", "fast/fanuc/tool_length_offset", offsets},
+      {"fast/fanuc/control", "fast/fanuc/tool_center_point_control", "how the tool stands is known before any stage"},
+      {"fast/fanuc/control", "fast/fanuc/tool_posture_control", "how the tool stands is known before any stage"},
+      {"fast/fanuc/interpreter", "fast/fanuc/tool_length_measurement", "no stage: the moves of one block"},
+      {"fast/fanuc/tool_center_point_control", "fast/fanuc/tool_posture_control", "how a block of it turns the tool"},
+      {"fast/heidenhain/interpreter", "fast/heidenhain/face_milling", "the order of the rules"},
+      {"fast/heidenhain/interpreter", "fast/heidenhain/peripheral_milling", "the order of the rules"},
+      {"fast/heidenhain/interpreter", "fast/heidenhain/programmed_contour", "the order of the rules"},
+      {"fast/heidenhain/face_milling", "fast/heidenhain/programmed_contour", contour},
   };
   return kKnown;
 }
 
-// A section of the exact model is known in its own folder and in the places listed, which are all needed; elsewhere a
+// A section of an engine is known in its own folder and in the places listed, which are all needed; elsewhere a
 // stage is known by its interface only. Tests of a section know it.
 TEST(Architecture, SectionsAreKnownWhereItIsListed) {
-  const std::regex include(R"re(#include "(model/(fanuc|heidenhain)/([a-z_]+))/[a-z_]+\.h")re");
-  const std::set<std::string> no_sections{"program", "corner"};
+  const std::regex include(R"re(#include "((?:model|fast)/(fanuc|heidenhain)/([a-z_]+))/[a-z_]+\.h")re");
+  const std::set<std::string> no_sections{"program", "corner", "control", "interpreter"};
   std::set<const KnowsSection*> needed;
-  for (const std::string room : {"model", "fuzz", "corpus", "certify", "cli"})
+  for (const std::string room : {"model", "fast", "fuzz", "corpus", "certify", "cli"})
     for (const fs::path& path : sources(room)) {
       const std::string file = fs::relative(path, kSource).generic_string();
       const std::string folder = fs::relative(path.parent_path(), kSource).generic_string();

@@ -1,6 +1,31 @@
 #include "fast/fanuc/program/words.h"
 
 namespace toolcomp::fast {
+namespace {
+
+bool is_one_shot(std::uint64_t tenths) {
+  switch (tenths) {
+    case 40:
+    case 100:
+    case 280:
+    case 290:
+    case 300:
+    case 301:
+    case 370:
+    case 390:
+    case 450:
+    case 460:
+    case 470:
+    case 480:
+    case 530:
+    case 920:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
 
 void Words::read_codes(const spec::Block& block) {
   for (const spec::Word& word : block.words())
@@ -27,6 +52,10 @@ void Words::g_word(const spec::Decimal& value) {
     return;
   }
   if (decimals == 0) tenths *= 10;
+  set_code(tenths);
+}
+
+void Words::set_code(std::uint64_t tenths) {
   std::size_t group = kGroups;
   switch (tenths) {
     case 0:
@@ -34,22 +63,6 @@ void Words::g_word(const spec::Decimal& value) {
     case 20:
     case 30:
       group = kMotion;
-      break;
-    case 40:
-    case 100:
-    case 280:
-    case 290:
-    case 300:
-    case 301:
-    case 370:
-    case 390:
-    case 450:
-    case 460:
-    case 470:
-    case 480:
-    case 530:
-    case 920:
-      group = kOneShot;
       break;
     case 170:
     case 180:
@@ -93,8 +106,11 @@ void Words::g_word(const spec::Decimal& value) {
       group = kFeedMode;
       break;
     default:
-      unsupported_ = true;
-      return;
+      if (!is_one_shot(tenths)) {
+        unsupported_ = true;
+        return;
+      }
+      group = kOneShot;
   }
   code_[group] = static_cast<Code>(tenths);
 }

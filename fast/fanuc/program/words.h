@@ -65,7 +65,7 @@ class Words {
   [[nodiscard]] const spec::Decimal& operator[](char letter) const {
     return *value_[static_cast<std::size_t>(letter - 'A')];
   }
-  // Only positions, F, G00 to G03, I J K and R: nothing of the modal state changes but feed and group 01.
+  // Words, and only positions, F, G00 to G03, I J K and R: nothing of the modal state changes but feed and group 01.
   [[nodiscard]] bool plain() const { return plain_; }
   // Bit i: axis i of the setup has a position. In a block with G04 or G10 axis letters and I J K are data of that code:
   // there the block has none of them.
@@ -92,6 +92,8 @@ class Words {
  private:
   void read_codes(const spec::Block& block);
   void g_word(const spec::Decimal& value);
+  // Branches that are foretold: a place in code_ that is looked up would keep whoever reads the codes waiting.
+  void set_code(std::uint64_t tenths);
   void m_word(const spec::Decimal& value);
 
   const AxisLetters& axis_letters_;
@@ -121,7 +123,7 @@ inline Words::Words(const spec::Block& block, const AxisLetters& axes) : axis_le
   letters_ = letters;
   axes_ = static_cast<std::uint16_t>(axes.positions(letters));
   any_ = (letters & ~set_of("NO")) != 0;
-  plain_ = (others & ~set_of("FGIJKR")) == 0;
+  plain_ = any_ && (others & ~set_of("FGIJKR")) == 0;
   if ((others & set_of("GM")) != 0) read_codes(block);
   if (plain_) [[likely]]
     return;

@@ -114,15 +114,8 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
   const bool has_h = words.has('H');
   if (code == kNone && !has_h) [[likely]]
     return alarm::kNone;
-
-  if (code == 490) {
-    if (std::popcount(live_) >= 3 && !fault(Fault::g49_any_number)) return alarm::kLengthAxes;
-    for (std::size_t axis = 0; axis < axes_; ++axis)
-      if ((live_ & bit(axis)) != 0 && (axis == z_ || !fault(Fault::g49_z_only))) set(axis, Count());
-    set_length(Count());
-    last_ = taken_ = 0;
-    edited_ = false;
-  }
+  if (code == 490)
+    if (const Alarm a = end_mode()) return a;
 
   // Which number holds: an H word of any block, or with OFH = 1 of a block with G43, G44 (or G43.4, G43.5) only; there
   // a first G43 without H means H0.
@@ -142,13 +135,8 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
     mode_ = mode;
     return alarm::kNone;
   }
-
   const std::uint16_t axes = mode == Mode::along_tool ? std::uint16_t{0} : affected(words, code, normal);
-  if (type_ == Type::c && sets && mode != Mode::along_tool && !(tal_ || fault(Fault::tal_ignored))) {
-    // One axis at a time, unless TAL allows more.
-    if (std::popcount(axes) > 1 || (live_ & ~axes) != 0) return alarm::kLengthAxisMissing;
-  }
-  if (type_ == Type::c && sets && mode != Mode::along_tool && axes == 0) return alarm::kLengthAxisMissing;
+  if (sets && mode != Mode::along_tool && !allows(axes)) return alarm::kLengthAxisMissing;
   // Where it would bring back a vector that was taken away, a block with G40, G41 or G42 only stores number and mode.
   if ((taken_ & axes) != 0 && holds_cutter_code(words)) {
     number_ = number;
@@ -160,17 +148,39 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
   if (!memory.fits(value)) return alarm::kOffsetValue;
   number_ = number;
   mode_ = mode;
+  take_value(value, axes);
+  return alarm::kNone;
+}
+
+// G49.
+Alarm ToolLengthOffset::end_mode() {
+  if (std::popcount(live_) >= 3 && !fault(Fault::g49_any_number)) return alarm::kLengthAxes;
+  for (std::size_t axis = 0; axis < axes_; ++axis)
+    if ((live_ & bit(axis)) != 0 && (axis == z_ || !fault(Fault::g49_z_only))) set(axis, Count());
+  set_length(Count());
+  last_ = taken_ = 0;
   edited_ = false;
-  if (mode == Mode::along_tool) {
+  return alarm::kNone;
+}
+
+// Type C: at least one axis, and one at a time, unless TAL allows more.
+bool ToolLengthOffset::allows(std::uint16_t axes) const {
+  if (type_ != Type::c) return true;
+  if (!(tal_ || fault(Fault::tal_ignored)) && (std::popcount(axes) > 1 || (live_ & ~axes) != 0)) return false;
+  return axes != 0;
+}
+
+void ToolLengthOffset::take_value(const Count& value, std::uint16_t axes) {
+  edited_ = false;
+  if (mode_ == Mode::along_tool) {
     set_length(value);
     last_ = taken_ = 0;
-    return alarm::kNone;
+    return;
   }
   taken_ = static_cast<std::uint16_t>(taken_ & ~axes);
   for (std::size_t axis = 0; axis < axes_; ++axis)
-    if ((axes & bit(axis)) != 0) set(axis, signed_value(value, mode));
+    if ((axes & bit(axis)) != 0) set(axis, signed_value(value, mode_));
   last_ = axes;
-  return alarm::kNone;
 }
 
 }  // namespace toolcomp::fast

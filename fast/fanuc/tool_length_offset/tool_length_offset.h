@@ -47,6 +47,11 @@ class ToolLengthOffset {
  private:
   enum class Type : std::uint8_t { a, b, c };
 
+  // Steps of apply().
+  [[nodiscard]] Alarm end_mode();
+  [[nodiscard]] bool allows(std::uint16_t axes) const;
+  // Of the number and mode now in force, on these axes or along the tool.
+  void take_value(const Count& value, std::uint16_t axes);
   void set(std::size_t axis, const Count& value);
   void set_length(const Count& value);
   [[nodiscard]] Count signed_value(const Count& value, Mode mode) const { return mode == Mode::minus ? -value : value; }

@@ -36,17 +36,11 @@ bool is_axis(const Direction& tool) { return tool.zero == 0b011 || tool.zero == 
 
 }  // namespace
 
-bool ToolPlane::moves(const Travel& travel, const Count& limit) const {
-  if (travel.zero) return false;
-  const bool limited = Count() < limit;
-  const double shortest = limited ? limit.nearest() * travel.unit : 0;
-  const Vector3<double> w = cross(unit(), travel.value);
-  const double over = dot(w, w) - shortest * shortest;
-  const double bound = square_bound() * travel.square + 4 * u * shortest * shortest;
-  if (travel.slack == 0 && std::abs(over) > bound) [[likely]]
-    return over > 0;
+bool ToolPlane::moves_by_little(const Travel& travel, const Count& limit) const {
   // Every product of unlike components is zero: along the tool.
   if (travel.slack == 0 && live(tool_) == live(travel) && is_axis(tool_)) return false;
+  const bool limited = Count() < limit;
+  const double shortest = limited ? limit.nearest() * travel.unit : 0;
   if (is_exact(travel, tool_)) {
     const bool fine_units = travel.fine_units || !limit.is_small();
     std::array<Int128, 3> whole = travel.whole();

@@ -82,6 +82,8 @@ class ToolPlane {
   [[nodiscard]] double fine_error() const { return tool_.refined_error(); }
 
  private:
+  // moves() where doubles cannot tell.
+  [[nodiscard]] bool moves_by_little(const Travel& travel, const Count& limit) const;
   // The turn by doubles alone, for the usual corner. False where doubles cannot tell, or are not good enough.
   [[nodiscard]] bool quick_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const;
   // The exact signs.
@@ -93,6 +95,18 @@ class ToolPlane {
   const Kinematics& kinematics_;
   const Direction& tool_;
 };
+
+// Every block asks, for each corner that waits for it.
+inline bool ToolPlane::moves(const Travel& travel, const Count& limit) const {
+  if (travel.zero) return false;
+  const double shortest = Count() < limit ? limit.nearest() * travel.unit : 0;
+  const Vector3<double> w = cross(unit(), travel.value);
+  const double over = dot(w, w) - shortest * shortest;
+  const double bound = square_bound() * travel.square + 4 * 0x1p-53 * shortest * shortest;
+  if (travel.slack == 0 && std::abs(over) > bound) [[likely]]
+    return over > 0;
+  return moves_by_little(travel, limit);
+}
 
 // The sign of (V1 x U1) . (V2 x U2) of two tools.
 int dot_sign(const Kinematics& kinematics, const Travel& first, const Direction& first_tool, const Travel& second,

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "fast/basis/fault.h"
-#include "fast/fanuc/interpreter/tool_attitude.h"
-#include "fast/fanuc/interpreter/usual_words.h"
+#include "fast/fanuc/control/read_words.h"
+#include "fast/fanuc/control/tool_attitude.h"
 #include "fast/fanuc/program/arc.h"
 
 namespace toolcomp::fast {

@@ -1,4 +1,4 @@
-#include "fast/fanuc/interpreter/word_units.h"
+#include "fast/fanuc/control/word_units.h"
 
 #include "fast/basis/fault.h"
 

@@ -1,17 +1,15 @@
-// The usual words, of at most six places and in the units of the setup: read without a detour.
+// Words into exact counts. Most are of at most six places and in the units of the setup, and are whole in 10^-6.
 #pragma once
 
-#include "fast/basis/fault.h"
-#include "fast/basis/short_cut.h"
-#include "fast/fanuc/interpreter/axis_positions.h"
-#include "fast/fanuc/interpreter/modal_state.h"
-#include "fast/fanuc/interpreter/tool_attitude.h"
-#include "fast/fanuc/interpreter/word_units.h"
+#include "fast/fanuc/control/axis_positions.h"
+#include "fast/fanuc/control/modal_state.h"
+#include "fast/fanuc/control/tool_attitude.h"
+#include "fast/fanuc/control/word_units.h"
 
 namespace toolcomp::fast {
 
 inline void WordUnits::read(Count& to, const spec::Decimal& word) const {
-  if (plain_ && is_open(ShortCut::words)) [[likely]]
+  if (plain_) [[likely]]
     if (Count::is_usual(word)) [[likely]] {
       to.set_small(Count::small_of_usual(word));
       return;
@@ -41,9 +39,8 @@ void ModalState::read_arc(const Words& words, const WordUnits& units, Arc& arc) 
   return true;
 }
 
-// The usual length offset of an axis placed.
+// The length offset of an axis placed.
 [[gnu::always_inline]] inline void AxisPositions::add_offset(std::size_t axis) {
-  if (fault(Fault::usual_word_without_offset)) return;
   const std::int64_t sum = programmed_[axis].small() + length_[axis].small();
   if ((tool_offset_.live() & bit(axis)) == 0 && length_[axis].is_small() && Count::is_small(sum)) [[likely]]
     axes_value_[axis] = Count::nearest_small(sum);
@@ -51,12 +48,11 @@ void ModalState::read_arc(const Words& words, const WordUnits& units, Arc& arc) 
     stale_ = static_cast<Mask>(stale_ | bit(axis));
 }
 
-// The usual words without a detour: as they are written, and the first three axes, X Y Z on most machines, not in a
-// loop.
+// Those of few places as they are written; the first three axes, X Y Z on most machines, not in a loop.
 [[gnu::always_inline]] inline Alarm AxisPositions::place_words(const Words& words, Mask axes, const WordUnits& units,
                                                                bool incremental) {
   unsigned rest = axes;
-  if (units.plain() && !incremental && is_open(ShortCut::words)) [[likely]] {
+  if (units.plain() && !incremental) [[likely]] {
     const auto placed = [&](std::size_t axis) {
       if ((rest & bit(axis)) == 0) [[unlikely]]
         return true;

@@ -7,11 +7,11 @@
 
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
-#include "fast/fanuc/interpreter/axes.h"
-#include "fast/fanuc/interpreter/axis_positions.h"
-#include "fast/fanuc/interpreter/modal_state.h"
-#include "fast/fanuc/interpreter/tool_directions.h"
-#include "fast/fanuc/interpreter/word_units.h"
+#include "fast/fanuc/control/axes.h"
+#include "fast/fanuc/control/axis_positions.h"
+#include "fast/fanuc/control/modal_state.h"
+#include "fast/fanuc/control/tool_directions.h"
+#include "fast/fanuc/control/word_units.h"
 #include "fast/fanuc/program/words.h"
 #include "fast/fanuc/tool_center_point_control/tool_center_point_control.h"
 #include "fast/fanuc/tool_posture_control/posture.h"
@@ -77,7 +77,7 @@ class ToolAttitude {
   // tool_attitude.cpp
   // The direction of the I J K of a block.
   void read_direction(const Words& words, Direction& direction) const;
-  // The same of usual words, in place; false, and nothing done, for any other (usual_words.h).
+  // The same of usual words, in place; false, and nothing done, for any other (read_words.h).
   [[nodiscard]] bool read_usual_direction(const Words& words, Direction& direction) const;
   [[nodiscard]] Count tool_length() const { return positions_.length().length() + machine_.holder_offset(); }
   void take_position_along_tool();

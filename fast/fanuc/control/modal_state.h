@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "fast/fanuc/interpreter/axes.h"
-#include "fast/fanuc/interpreter/word_units.h"
+#include "fast/fanuc/control/axes.h"
+#include "fast/fanuc/control/word_units.h"
 #include "fast/fanuc/program/words.h"
 #include "spec/language/event.h"
 
@@ -50,7 +50,7 @@ class ModalState {
            (words.code(Words::kOneShot) == kNone || words.is_tool_offset());
   }
 
-  // The words of an arc into an ArcWords or a CutterBlock (usual_words.h).
+  // The words of an arc into an ArcWords or a CutterBlock (read_words.h).
   template <class Arc>
   void read_arc(const Words& words, const WordUnits& units, Arc& arc) const;
 

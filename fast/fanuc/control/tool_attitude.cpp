@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "fast/arithmetic/wide.h"
-#include "fast/fanuc/interpreter/tool_attitude.h"
-#include "fast/fanuc/interpreter/usual_words.h"
+#include "fast/fanuc/control/read_words.h"
+#include "fast/fanuc/control/tool_attitude.h"
 
 namespace toolcomp::fast {
 namespace {

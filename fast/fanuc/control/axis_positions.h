@@ -9,8 +9,8 @@
 #include "fast/arithmetic/count.h"
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
-#include "fast/fanuc/interpreter/axes.h"
-#include "fast/fanuc/interpreter/word_units.h"
+#include "fast/fanuc/control/axes.h"
+#include "fast/fanuc/control/word_units.h"
 #include "fast/fanuc/tool_length_offset/tool_length_offset.h"
 #include "fast/fanuc/tool_offset/tool_offset.h"
 #include "spec/language/setup.h"
@@ -54,7 +54,7 @@ class AxisPositions {
   [[nodiscard]] Alarm place(std::size_t axis, const Count& position);
   // Where the word of an axis commands it to.
   [[nodiscard]] Count target(const Words& words, std::size_t axis, const WordUnits& units, bool incremental) const;
-  // The positions of these axes, by their words (usual_words.h).
+  // The positions of these axes, by their words (read_words.h).
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes, const WordUnits& units, bool incremental);
   // As place(), unchecked, and nothing is stale.
   void set(std::size_t axis, const Count& position) {
@@ -65,11 +65,11 @@ class AxisPositions {
   void set_exact(std::size_t axis, const Count& position) { programmed_[axis] = position; }
   // What events show of a rotary axis that follows the tool: its exact position is made later.
   void show(std::size_t axis, double degrees) { programmed_value_[axis] = axes_value_[axis] = degrees; }
-  // A position of at most six places, as it is written; false, and nothing is done: any other (usual_words.h).
+  // A position of at most six places, as it is written; false, and nothing is done: any other (read_words.h).
   [[nodiscard]] bool place_usual(const spec::Decimal& word, std::size_t axis);
   // A position in 10^-6, small.
   void place_small(std::size_t axis, std::int64_t small);
-  // The offsets of an axis placed by one of the two (usual_words.h).
+  // The offsets of an axis placed by one of the two (read_words.h).
   void add_offset(std::size_t axis);
 
   // Axes whose programmed position was rounded to 1 / (127 * 10^18): a G49 ended G43.5 at an irrational position.

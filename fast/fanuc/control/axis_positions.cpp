@@ -1,4 +1,4 @@
-#include "fast/fanuc/interpreter/axis_positions.h"
+#include "fast/fanuc/control/axis_positions.h"
 
 #include "fast/basis/fault.h"
 #include "spec/language/input_error.h"

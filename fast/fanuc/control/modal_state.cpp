@@ -1,4 +1,4 @@
-#include "fast/fanuc/interpreter/modal_state.h"
+#include "fast/fanuc/control/modal_state.h"
 
 namespace toolcomp::fast {
 

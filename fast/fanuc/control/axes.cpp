@@ -1,4 +1,4 @@
-#include "fast/fanuc/interpreter/axes.h"
+#include "fast/fanuc/control/axes.h"
 
 #include <string>
 

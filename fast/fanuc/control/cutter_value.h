@@ -23,7 +23,11 @@ class CutterValue {
   CutterValue(const spec::Setup& setup, const OffsetMemory& memory);
 
   // The number a block commands: its D, or with 5001#2 = 1 its H where it has no D.
-  [[nodiscard]] std::optional<Number> commanded(const Words& words) const;
+  [[nodiscard]] std::optional<Number> commanded(const Words& words) const {
+    if (words.has('D')) return Number{whole_number(words['D'], memory_.count()), false};
+    if (by_h_ && words.has('H')) return Number{whole_number(words['H'], memory_.count()), true};
+    return std::nullopt;
+  }
   // The number in force, and that behind a block.
   [[nodiscard]] const Number& number() const { return number_; }
   [[nodiscard]] Number number_after(const Words& words) const { return commanded(words).value_or(number_); }

@@ -24,7 +24,7 @@ class WordUnits {
       return Count::of(word);
     return converted(word, linear, inch);
   }
-  // A length into `to`: the usual word without a copy (usual_words.h).
+  // A length into `to`: the usual word without a copy (read_words.h).
   void read(Count& to, const spec::Decimal& word) const;
   [[nodiscard]] double feed(const spec::Decimal& word) const;
 

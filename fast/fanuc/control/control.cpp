@@ -1,0 +1,73 @@
+#include "fast/fanuc/control/control.h"
+
+#include "spec/language/input_error.h"
+
+namespace toolcomp::fast {
+
+Control::Control(const spec::Setup& setup, EventSink& sink, std::uint32_t samples)
+    : kinematics(setup),
+      axes(setup, kinematics),
+      units(setup),
+      modal(axes.xyz),
+      positions(setup, axes),
+      attitude(setup, kinematics, axes, units, modal, positions, sink, samples),
+      memory(setup),
+      cutter_value(setup, memory),
+      sink_(sink) {}
+
+void Control::begin(const spec::Setup& setup) {
+  if (setup.control != spec::Control::fanuc)
+    throw spec::InputError("setup", 0, 0, "control: only \"fanuc\" programs can be run");
+  positions.read(setup);
+  attitude.take_zeros();
+  if (kinematics.defined()) attitude.turn();
+}
+
+void Control::fill(Event& event, spec::MoveType type, spec::Cause cause) { fill_here(event, type, cause); }
+
+Alarm Control::shift_coordinates(const Words& words) {
+  const Alarm a = for_each_axis(words.axes(), [&](std::size_t axis) {
+    return positions.shift(axis, units.value(words.axis(axis), (axes.linear & bit(axis)) != 0));
+  });
+  positions.end_shift(words.axes());
+  attitude.take_zeros();
+  if (kinematics.defined()) attitude.turn();
+  return a;
+}
+
+void Control::store_offset(const OffsetMemory::Write& write, spec::Name& name, double& stored) {
+  name = memory.store(write);
+  stored = memory.value(write).nearest();
+  if (memory.changes_h(write)) positions.length().edited(write.number);
+  cutter_value.edit();
+}
+
+void Control::write_offset(const OffsetMemory::Write& write) {
+  notice_.kind = spec::EventKind::setting;
+  notice_.line = line;
+  notice_.n = n;
+  store_offset(write, notice_.setting, notice_.value);
+  sink_.on(notice_);
+}
+
+void Control::end(const StageEnd& end) {
+  if (end.undecided == nullptr)
+    send_end(end.alarm.number, end.alarm.message, end.line, end.n, spec::EventKind::alarm);
+  else
+    send_end(end.undecided, "", end.line, end.n, spec::EventKind::undecided);
+}
+
+void Control::send_end(const spec::Name& number, const char* message, std::uint64_t at,
+                       const std::optional<std::uint64_t>& n_at, spec::EventKind kind) {
+  stopped = true;
+  notice_.kind = kind;
+  notice_.number = number;
+  notice_.message = message;
+  notice_.line = at;
+  notice_.n = n_at;
+  const bool open = kind == spec::EventKind::undecided;  // whatever the outcome
+  notice_.permitted = {open, open, open};
+  sink_.on(notice_);
+}
+
+}  // namespace toolcomp::fast

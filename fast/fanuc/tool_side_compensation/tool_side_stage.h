@@ -1,0 +1,70 @@
+// Tool side compensation as a stage: what its words say, and what it is told about each block.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "fast/fanuc/control/stage.h"
+#include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
+
+namespace toolcomp::fast {
+
+class ToolSideStage final : public Stage {
+ public:
+  // Throws spec::InputError for parameters no control could have.
+  ToolSideStage(const spec::Setup& setup, Control& control, EventSink& sink)
+      : Stage(control, true), compensation_(setup, control.kinematics, sink) {}
+
+  void set_sink(EventSink& sink) override { compensation_.set_sink(sink); }
+  void release() override;
+  [[nodiscard]] Alarm plain_block(const Words& words) override;
+  void usual_block(const spec::Block& block, BlockTaker& others) override;
+  void leave_usual_blocks() override;
+  void read(const Words& words, const Command& command) override;
+  [[nodiscard]] Alarm check(const Words& words, const Command& command) const override;
+  [[nodiscard]] Alarm rotary_word() const override { return alarm::kRotaryWord; }
+  [[nodiscard]] bool makes_arc(const Words& /*words*/) const override { return on_before() || on_after(); }
+  [[nodiscard]] bool replaces_move(bool extra) const override {
+    return compensation_.type() == StartType::c && on_before() != on_after() && !extra;
+  }
+  [[nodiscard]] Alarm take(const Words& words, Command& command) override;
+  [[nodiscard]] Alarm move(const Words& words, const OwnMove& own) override;
+
+ private:
+  // The words of an arc, or letters that would make one.
+  [[nodiscard]] bool names_arc(const Words& words, Code motion, spec::Plane plane) const;
+  // The block as the stage of vectors sees it, and its end of the run.
+  [[nodiscard]] Alarm pass(const Words& words, bool extra, const BlockArc& arc);
+  void set_arc(ToolSideBlock& block, const ArcWords& words) const;
+  // A code is in force with a number, or a vector is not removed yet.
+  [[nodiscard]] bool is_on() const { return wanted_ || compensation_.active(); }
+
+  // usual_side_line.cpp
+  // Behind a block that has been taken: whether the next one may be a usual line.
+  void await_lines();
+  // The usual line, without a detour: positions of few places, under G43.5 I J K, F and G00 or G01, and nothing of the
+  // modal state that needs a look. False, and nothing is done: any other block.
+  [[nodiscard]] bool take_line(const spec::Block& block);
+  [[nodiscard]] bool read_line(const spec::Block& block, std::uint32_t& letters);
+  void turn_line(std::uint32_t letters, const std::array<std::int64_t, 3>& ijk);
+  // Positions in 10^-6.
+  void fill_line(const spec::Block& block, DoublePair xy, double z);
+  // Where usual lines have led to becomes the programmed position.
+  void place_lines(double x, double y, double z);
+
+  ToolSideCompensation compensation_;
+  CutterSide word_ = CutterSide::off;
+  int sign_ = 1;         // +1 left: by code and sign of the value
+  bool wanted_ = false;  // a code is in force with a number
+  // Usual lines, while they may come.
+  struct Lines {
+    std::uint32_t letters = 0;  // those of such a block
+    bool plain = false;         // the axes are sent to the programmed position
+    // Of their words in 10^-6 the last ones, by letter (A: 1), and where X Y Z stand.
+    std::array<std::int64_t, 32> word{};
+    Vector3<double> at;
+  };
+  Lines lines_;
+};
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,199 @@
+// The usual line under tool side compensation: straight from the words of the block to the stage.
+#include <bit>
+
+#include "fast/fanuc/control/read_words.h"
+#include "fast/fanuc/tool_side_compensation/tool_side_stage.h"
+#include "fast/fanuc/tool_side_compensation/usual_line.h"
+
+namespace toolcomp::fast {
+namespace {
+
+// Of lines_.word and of the letters.
+constexpr std::size_t kF = 'F' - 'A' + 1;
+constexpr std::size_t kG = 'G' - 'A' + 1;
+constexpr std::size_t kI = 'I' - 'A' + 1;
+constexpr std::size_t kX = 'X' - 'A' + 1;
+constexpr std::uint32_t kDirection = Words::set_of("IJK") << 1U;
+constexpr std::uint32_t kXyzF = Words::set_of("XYZ") << 1U | 1U << kF | 1U << kG;
+
+}  // namespace
+
+// The offsets of length are far below what the sum with a word of few digits could take.
+void ToolSideStage::await_lines() {
+  constexpr std::int64_t kMostOffset = std::int64_t{1} << 48U;
+  constexpr Mask kXyz = 0b111;
+  const auto is_usual = [](const Count& count, std::int64_t most) {
+    return count.is_small() && count.small() <= most && count.small() >= -most;
+  };
+  const Count& x = control_.positions.programmed()[0];
+  const Count& y = control_.positions.programmed()[1];
+  const Count& z = control_.positions.programmed()[2];
+  set_awaits_usual_block(false);
+  if (!compensation_.awaits_line() || control_.modal.motion() > 10 || control_.cutter_value.takes_edited() ||
+      control_.positions.length().pending())
+    return;
+  if (!control_.axes.letters.xyz_first || !control_.units.plain() || control_.positions.rounded() != 0 ||
+      control_.positions.tool_offset().live() != 0 || control_.positions.stale() != 0)
+    return;
+  if (control_.attitude.plans_tool() || control_.attitude.tip().active() ||
+      (control_.positions.along_tool() && control_.attitude.tip().samples()))
+    return;
+  if (control_.modal.incremental() && fault(Fault::incremental_from_offset_position)) return;
+  if (!x.is_small() || !y.is_small() || !z.is_small()) return;
+  for (std::size_t axis = 0; axis < control_.axes.count; ++axis)
+    if (!is_usual(control_.positions.length()[axis], kMostOffset)) return;
+  const auto letter = [](char name) { return std::size_t{static_cast<unsigned char>(name)} - 'A' + 1; };
+  lines_.letters = 1U << letter('X') | 1U << letter('Y') | 1U << letter('Z') | 1U << letter('F') | 1U << letter('G');
+  if (control_.positions.along_tool()) {
+    if (control_.modal.by_vector()) lines_.letters |= Words::set_of("IJK") << 1U;
+  } else {
+    for (std::size_t axis = 3; axis < control_.axes.count; ++axis)
+      lines_.letters |= std::uint32_t{2} << control_.axes.letters.index[axis];
+  }
+  for (std::size_t i = 0; i < 3; ++i) lines_.word[letter('X') + i] = control_.positions.programmed()[i].small();
+  lines_.at = {static_cast<double>(x.small()), static_cast<double>(y.small()), static_cast<double>(z.small())};
+  lines_.plain = control_.axes.linear == kXyz && control_.positions.length().live() == 0 &&
+                 (!control_.positions.along_tool() ||
+                  (control_.attitude.along_length() == 0 && control_.positions.displaced() == 0));
+  compensation_.await_lines(lines_.plain);
+  set_awaits_usual_block(true);
+}
+
+void ToolSideStage::usual_block(const spec::Block& block, BlockTaker& others) {
+  if (take_line(block)) [[likely]]
+    return;
+  leave_usual_blocks();
+  others.any_block(block);
+}
+
+// The words of the line, and which letters there are. False: not those of a usual line.
+[[gnu::always_inline]] inline bool ToolSideStage::read_line(const spec::Block& block, std::uint32_t& letters) {
+  lines_.word[kI] = 0;
+  lines_.word[kI + 1] = 0;
+  lines_.word[kI + 2] = 0;
+  if (control_.modal.incremental()) [[unlikely]]
+    for (std::size_t i = 0; i < 3; ++i) lines_.word[kX + i] = 0;
+  letters = 0;
+  std::uint64_t digits = 0;
+  unsigned shapes = 0;
+  for (const spec::Word& word : block.words()) {
+    const std::size_t letter = static_cast<unsigned char>(word.address) & 31U;
+    letters |= std::uint32_t{1} << letter;
+    digits |= word.value.digits;
+    shapes |= Count::shape(word.value) + 1U;
+    lines_.word[letter] = Count::small_of_short(word.value);
+  }
+  if ((letters & ~lines_.letters) != 0 || !Count::are_short(digits, shapes) || letters == 0) [[unlikely]]
+    return false;
+  // The code in force again, and no other.
+  if ((letters & 1U << kG) != 0 && (10 * lines_.word[kG] != control_.modal.motion() * Count::kSmallPerOne ||
+                                    static_cast<std::size_t>(std::popcount(letters)) != block.words().size()))
+    return false;
+  return true;
+}
+
+// The direction of the tool by these letters: I J K, or rotary axes.
+[[gnu::always_inline]] inline void ToolSideStage::turn_line(std::uint32_t letters,
+                                                            const std::array<std::int64_t, 3>& ijk) {
+  if ((letters & kDirection) != 0) {
+    set_small_direction(control_.attitude.directions().next(), ijk[0], ijk[1], ijk[2]);
+    return;
+  }
+  // Of those at a new place: a tool that stands still is not turned.
+  unsigned turned = 0;
+  for (unsigned rest = control_.axes.letters.positions(letters >> 1U) & ~0b111U; rest != 0; rest &= rest - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
+    const std::int64_t small = lines_.word[control_.axes.letters.index[axis] + 1U];
+    const Count& place = control_.positions.programmed()[axis];
+    if (place.is_small() && place.small() == small) continue;
+    turned |= bit(axis);
+    control_.positions.place_small(axis, small);
+    if ((control_.positions.length().live() & bit(axis)) != 0) [[unlikely]]
+      control_.positions.add_offset(axis);
+  }
+  if ((turned & control_.axes.turning) != 0) control_.attitude.turn();
+}
+
+[[gnu::always_inline]] inline bool ToolSideStage::take_line(const spec::Block& block) {
+  if (block.alarm) [[unlikely]]
+    return false;
+  std::uint32_t letters = 0;
+  if (!read_line(block, letters)) [[unlikely]]
+    return false;
+  // X and Y side by side: made so at once, and never apart in memory.
+  DoublePair xy{static_cast<double>(lines_.word[kX]), static_cast<double>(lines_.word[kX + 1])};
+  auto z = static_cast<double>(lines_.word[kX + 2]);
+  const std::array<std::int64_t, 3> ijk{lines_.word[kI], lines_.word[kI + 1], lines_.word[kI + 2]};
+  if ((letters & kDirection) != 0 && (ijk[0] | ijk[1] | ijk[2]) == 0) [[unlikely]]
+    return false;
+  if (control_.modal.incremental()) [[unlikely]] {
+    if ((letters & ~kXyzF) != 0 && (letters & kDirection) == 0) return false;
+    xy += load_pair(&lines_.at.x);
+    z += lines_.at.z;
+    constexpr auto kLimit = static_cast<double>(std::int64_t{1} << 52U);
+    if (std::abs(xy[0]) > kLimit || std::abs(xy[1]) > kLimit || std::abs(z) > kLimit) return false;
+  }
+  const DoublePair way_xy = xy - load_pair(&lines_.at.x);
+  const Vector3<double> way{way_xy[0], way_xy[1], z - lines_.at.z};
+  LineCorner corner;
+  if (!compensation_.see_line(way, corner)) [[unlikely]]
+    return false;
+
+  // What is done until the line is taken is of no harm where it is not.
+  const std::uint8_t direction = control_.attitude.directions().place();
+  if ((letters & ~kXyzF) != 0) turn_line(letters, ijk);
+  if ((letters & 1U << kF) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
+    control_.modal.set_feed(Count::nearest_small(lines_.word[kF]));
+    compensation_.await_lines(lines_.plain);
+  }
+  fill_line(block, xy, z);
+  if (!compensation_.take_line(way, corner, control_.attitude.directions().now())) [[unlikely]] {
+    control_.attitude.directions().go_back(direction);
+    return false;
+  }
+  store_pair(&lines_.at.x, xy);
+  lines_.at.z = z;
+  return true;
+}
+
+[[gnu::always_inline]] inline void ToolSideStage::fill_line(const spec::Block& block, DoublePair xy, double z) {
+  Event& event = compensation_.next().event;
+  if (!compensation_.is_line_filled() || !lines_.plain) [[unlikely]] {
+    place_lines(xy[0], xy[1], z);
+    control_.line = block.line;
+    control_.n = block.n;
+    control_.fill(event, control_.modal.straight(), spec::Cause::programmed);
+    if (!lines_.plain) return;
+  }
+  event.line = block.line;
+  event.n = block.n;
+  constexpr auto kPerOne = static_cast<double>(Count::kSmallPerOne);
+  store_pair(event.programmed.value.data(), xy / kPerOne);
+  event.programmed.value[2] = z / kPerOne;
+  if (control_.axes.count > 3) {
+    // Two on most machines: the one that is not there is not looked at.
+    for (std::size_t axis = 3; axis < 5; ++axis) event.axes.value[axis] = control_.positions.sent_to(axis);
+    for (std::size_t axis = 5; axis < control_.axes.count; ++axis)
+      event.axes.value[axis] = control_.positions.sent_to(axis);
+  }
+  if (event.tool_axis) {
+    const Eigen::Vector3d& unit = control_.attitude.directions().now().unit;
+    for (std::size_t i = 0; i < 3; ++i) (*event.tool_axis)[i] = unit[static_cast<Eigen::Index>(i)] + 0.0;  // never -0
+  }
+}
+
+void ToolSideStage::place_lines(double x, double y, double z) {
+  const std::array<double, 3> at{x, y, z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    control_.positions.place_small(axis, static_cast<std::int64_t>(at[axis]));
+    if ((control_.positions.length().live() & bit(axis)) != 0) control_.positions.add_offset(axis);
+  }
+}
+
+// Before any other block.
+void ToolSideStage::leave_usual_blocks() {
+  place_lines(lines_.at.x, lines_.at.y, lines_.at.z);
+  set_awaits_usual_block(false);
+}
+
+}  // namespace toolcomp::fast
