@@ -166,7 +166,6 @@ const std::vector<KnowsSection>& known_sections() {
       {"fast/fanuc/stages.cpp", "fast/fanuc/cutter_compensation_c", registry},
       {"fast/fanuc/cutter_compensation", "fast/fanuc/cutter_compensation_b", "B and C have the same words"},
       {"fast/fanuc/cutter_compensation", "fast/fanuc/cutter_compensation_c", "B and C have the same words"},
-      {"fast/fanuc/tool_side_compensation", "fast/fanuc/cutter_compensation_c", "chapter 14's rules of corners"},
       {"fast/fanuc/control", "fast/fanuc/tool_offset", offsets},
       {"fast/fanuc/control", "fast/fanuc/tool_length_offset", offsets},
       {"fast/fanuc/control", "fast/fanuc/tool_center_point_control", "how the tool stands is known before any stage"},
