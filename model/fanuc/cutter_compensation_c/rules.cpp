@@ -54,7 +54,8 @@ CutterRules::CutterRules(const spec::Setup& setup, Recorder& recorder)
       type_b_(setup.bit(5003, 0)),
       limit_(setup.parameter(5010) ? plain(*setup.parameter(5010)) : Rational(0)) {}
 
-// fanuc.cutter-c.start-up-type: No.
+// fanuc.cutter-c.start-up-type: No. 5003 bit 0, SUP, chooses start-up and cancel in blocks that move in the plane,
+// whatever SUV: 0 type A, 1 type B.
 std::optional<CornerClass> CutterRules::detour(const PathEnd& former, const PathEnd& latter, bool to_line) const {
   if (!recorder().decide(Clause::fanuc_cutter_c_start_up_type, type_b_)) return std::nullopt;
   const CornerClass kind = classify(recorder(), former, latter);

@@ -5,7 +5,8 @@
 #include "model/basis/number.h"
 
 namespace toolcomp::model {
-// fanuc.cutter-c.value-zero: Where r = 0 the group is the vector zero alone, whatever the corner and No.
+// fanuc.cutter-c.value-zero: Where r = 0 the group is the vector zero alone, whatever the corner and No. 5010: no
+// corner moves before an arc of 180 degrees or more either.
 SpaceGroup SideRules::square_to(const CompensationPlane& plane, const SideEnd& former) const {
   if (former.offset != 0) return {{perpendicular(plane, former), Seat::square, Seat::off, false}};
   recorder_.reach(Clause::fanuc_cutter_c_value_zero);
@@ -55,7 +56,7 @@ std::optional<SpaceGroup> SideRules::in_mode(const SideCorner& corner) const {
   return way_round(kind, lines, corner, false, false);
 }
 
-// fanuc.tool-side.type-b: No.
+// fanuc.tool-side.type-b: No. 5003 bit 0, SUP: 0 type A, 1 type B.
 SideRules::SideRules(const spec::Setup& setup, Recorder& recorder)
     : recorder_(recorder),
       plane_rules_(recorder),
@@ -63,7 +64,7 @@ SideRules::SideRules(const spec::Setup& setup, Recorder& recorder)
       with_perpendicular_(!setup.type_b_without_perpendicular),
       limit_(setup.parameter(5010) ? plain(*setup.parameter(5010)) : Rational(0)) {}
 
-// fanuc.tool-side.type-b: No.
+// fanuc.tool-side.type-b: No. 5003 bit 0, SUP: 0 type A, 1 type B.
 std::optional<SpaceGroup> SideRules::detour(const SideCorner& corner, bool cancels) const {
   if (!recorder_.decide(Clause::fanuc_tool_side_type_b, type_b_)) return std::nullopt;
   std::optional<FramedCorner> framed;
@@ -194,7 +195,9 @@ SpaceGroup SideRules::side_change(const SideCorner& corner) const {
   return one(lines.meeting_across());
 }
 
-// fanuc.tool-side.small-difference: No.
+// fanuc.tool-side.small-difference: No. 5010 (setup units, 0 where not given, nothing is dropped where it is negative),
+// read as a distance: going along a group, start-up and cancel included, a vector that differs from the last one kept
+// by no more than the limit is dropped; the first always stays.
 void SideRules::drop_small_differences(SpaceGroup& group, const SideCase& given) const {
   if (group.size() < 2) return;
   if (given.next.arc) {
