@@ -46,10 +46,13 @@ Space way_of(const Programmed& from, const Programmed& to, const std::array<std:
   return v;
 }
 
+const model::Event* movement(const model::Event& event) {
+  return event.kind == spec::EventKind::move ? &event : event.unmade.get();
+}
+
 std::optional<FlatPiece> Corners::piece(const model::Event& event, const View& view, const Programmed& from,
                                         std::size_t plane) {
-  const bool inserted = event.cause == spec::Cause::corner;
-  if (event.kind != spec::EventKind::move || inserted) return std::nullopt;
+  if (event.cause == spec::Cause::corner) return std::nullopt;
   FlatPiece p;
   const Space way = way_of(from, event.programmed, view.index);
   const Space end = space_of(event.programmed, view.index);
@@ -77,8 +80,10 @@ double Corners::error(std::span<const model::Event> window, const View& view, co
     std::optional<FlatPiece> latter;
     bool cancels = false;
     for (std::size_t i = 1; i < window.size() && !latter; ++i) {
-      latter = piece(window[i], view, window.front().programmed, plane);
-      cancels = window[i].cause == spec::Cause::cancel;
+      const model::Event* const next = movement(window[i]);
+      if (next == nullptr) continue;
+      latter = piece(*next, view, window.front().programmed, plane);
+      cancels = next->cause == spec::Cause::cancel;
     }
     if (!former) continue;
     const auto cross_at = [&](const HeadCondition& a, const HeadCondition& b) {

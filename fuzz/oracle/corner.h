@@ -22,6 +22,9 @@ struct View {
   Rounded rounded;
 };
 
+// What moves were made with: the move an event is, or the one it stands for (Event::unmade).
+const model::Event* movement(const model::Event& event);
+
 // Corners of cutter compensation B and C.
 //
 // A head is determined by two conditions: its distance from the straight line of a block, or from the centre of an arc.

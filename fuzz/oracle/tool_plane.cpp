@@ -62,8 +62,7 @@ std::optional<FlatPiece> seen(const Plane& plane, const Space& end, const Space&
 }  // namespace
 
 std::optional<ToolPlane::Piece> ToolPlane::piece(const model::Event& event, const View& view, const Programmed& from) {
-  const bool inserted = event.cause == spec::Cause::corner;
-  if (event.kind != spec::EventKind::move || inserted) return std::nullopt;
+  if (event.cause == spec::Cause::corner) return std::nullopt;
   Piece p;
   p.start = space_of(from, view.index);
   p.end = space_of(event.programmed, view.index);
@@ -108,12 +107,13 @@ double ToolPlane::error(std::span<const model::Event> window, const View& view, 
   const Programmed* from = &window.front().programmed;
   std::size_t after = 0;
   for (std::size_t i = 1; i < window.size() && after < kAfter; ++i) {
-    if (window[i].kind != spec::EventKind::move) continue;
-    if (const auto p = piece(window[i], view, *from)) {
+    const model::Event* const next = movement(window[i]);
+    if (next == nullptr) continue;
+    if (const auto p = piece(*next, view, *from)) {
       take(latter, conditions(*p, false));
       ++after;
     }
-    from = &window[i].programmed;
+    from = &next->programmed;
   }
   double worst = 0;
   double crossed = 0;
