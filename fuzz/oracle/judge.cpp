@@ -72,11 +72,12 @@ Difference name_difference(const Rules& rules, const spec::Setup& setup, const s
   return found;
 }
 
-// What differs, and what is expected there: the field, and the point where the event leads. Runs that differ in the
-// same field, and expect the same of it, may lead elsewhere.
+// What differs, and what is expected there: the field, the event, and the point where it leads. Runs that differ in the
+// same field, and expect the same of it, may have another event there (a move, where an alarm is given).
 std::string wanted_by(const Difference& d, const std::vector<model::Event>& expected, std::size_t i) {
   std::string text = fmt::format("{} {}: {}", d.kind, d.field, d.expected);
   if (i >= expected.size()) return text;
+  text += ' ' + describe(expected[i]);
   for (std::size_t axis = 0; axis < spec::kMaxAxes; ++axis)
     if (expected[i].point.has(axis)) text += fmt::format(" {:.6f}", approximate(expected[i].point[axis]));
   return text;
