@@ -226,7 +226,7 @@ class Comparison {
     const spec::Arc<Real>& e = *expected_.arc;
     const spec::Arc<Number>& a = *actual_.arc;
     if (named("plane", e.plane, a.plane) || named("direction", e.direction, a.direction) ||
-        table("center", e.center, a.center, kProgrammed))
+        table("center", e.center, a.center, kCenter))
       return true;
     if (rules_.judges("radius")) {
       const bool same = e.radius.has_value() == a.radius.has_value();
@@ -238,7 +238,8 @@ class Comparison {
     }
     if (rules_.judges("sweep")) {
       constexpr double degrees = 57.29577951308232;  // in a radian
-      const double turn = scale_.by_own_heads ? scale_.own_turn * own_head_unit(rules_.budget().sweep) : scale_.turn;
+      const double own = own_head_unit(rules_.budget().sweep) + scale_.center;
+      const double turn = scale_.by_own_heads ? scale_.own_turn * own : scale_.turn;
       const double unit = policy::ulp(360) + degrees * turn;
       if (rules_.budget().sweep * unit >= policy::kUnknownSweep) {
         if (expected_.arc->sweep) ++tally_.wide;
@@ -260,8 +261,9 @@ class Comparison {
   bool table(std::string_view field, const spec::AxisValues<Real>& e, const spec::AxisValues<Number>& a,
              double error = 0) {
     if (!rules_.judges(field)) return false;
-    const bool by_conditions = error != kProgrammed && placed(e, a, error);
-    const double unit = error == kProgrammed ? programmed_unit() : head_unit(error);
+    const bool head = error >= 0;
+    const bool by_conditions = head && placed(e, a, error);
+    const double unit = head ? head_unit(error) : programmed_unit() + (error == kCenter ? scale_.center : 0);
     for (std::size_t i = 0; i < rules_.axes().size(); ++i) {
       const char letter = rules_.axes().letter(i);
       if (!e.has(i) && !a.has(i)) continue;
@@ -322,6 +324,8 @@ class Comparison {
 
   // What is programmed has no part in the compensation, but may once have been made of axes.
   static constexpr double kProgrammed = -1;
+  // The same of the centre of an arc, but for what R makes of it.
+  static constexpr double kCenter = -2;
   [[nodiscard]] double programmed_unit() const {
     return policy::ulp(scale_.position) + scale_.carried / rules_.budget().coordinate;
   }
@@ -344,7 +348,8 @@ class Comparison {
   }
 
   bool radius(int index, const Real& e, const Number& a, double error = 0) {
-    const double unit = scale_.by_own_heads ? own_head_unit(rules_.budget().coordinate) : length_unit(error);
+    const double head = scale_.by_own_heads ? own_head_unit(rules_.budget().coordinate) : length_unit(error);
+    const double unit = head + scale_.center;
     return number("coordinate", {"radius", 0, index}, e, a, rules_.budget().coordinate, unit, Measure::length);
   }
 
@@ -357,7 +362,8 @@ class Comparison {
       apart = std::fabs(radii->second - radii->first);
     else
       apart = std::fabs(approximate(Real(radii->second) - Real(radii->first)));
-    return apart <= rules_.budget().coordinate * (length_unit() + length_unit(scale_.start)) + 2 * rules_.resolution();
+    const double unit = length_unit() + length_unit(scale_.start) + 2 * scale_.center;
+    return apart <= rules_.budget().coordinate * unit + 2 * rules_.resolution();
   }
 
   // A number of the program, at most converted to the units of the setup.

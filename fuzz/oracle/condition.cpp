@@ -51,8 +51,11 @@ bool coplanar(const std::array<double, 3>& v, const std::array<double, 3>& a, co
 
 }  // namespace
 
-Conditions::Conditions(const spec::Setup& setup, const ProgramFacts* facts)
-    : index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')}, facts_(facts), pose_(setup, facts) {
+Conditions::Conditions(const spec::Setup& setup, const ProgramFacts* facts, double k)
+    : index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
+      k_(k),
+      facts_(facts),
+      pose_(setup, facts) {
   for (std::size_t i = 0; i < setup.axes.size(); ++i) linear_[i] = spec::is_linear_axis(setup.axes.letter(i));
   const auto table = [this](const spec::AxisTable& values) {
     for (const auto& [axis, number] : values)
@@ -146,13 +149,15 @@ Scale Conditions::sample(std::span<const model::Event> window, Scale scale) {
     if (!heads_.empty()) scale.start = rest_ * policy::ulp(length(vector_));
     scale.between = true;
   }
-  scale.pose = pose_.next(window);
+  scale.pose = pose_.next(window, of_move_->turned);
+  // Between its ends an arc is off by no more than its centre.
+  scale.pose.tip += of_move_->center;
+  scale.pose.hardly = scale.pose.hardly || of_move_->pose.hardly;
   return scale;
 }
 
 Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
   const model::Event& event = window.front();
-  scale.pose = pose_.next(window);
   const Vector at = vector(event.programmed);
   const Vector point = vector(event.point);
   if (event.cause == spec::Cause::start_up) {
@@ -161,50 +166,26 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
     compensated_ = true;
   }
   if (!compensated_) shift_ = difference(point, at);
+  const View view{index_, shift_, {scale.position, k_}};
+  RadiusArc by_radius;
+  if (event.arc) {
+    const Vector out = difference(at, difference(vector(event.arc->center), shift_));
+    by_radius = radius_arc(event, way_of(programmed_, event.programmed, index_), out, view.rounded);
+  }
+  scale.center = by_radius.center;
+  scale.turned = by_radius.turned;
+  scale.pose = pose_.next(window, by_radius.turned);
+  scale.pose.hardly = scale.pose.hardly || by_radius.hardly;
   const Vector compensation = difference(difference(point, at), shift_);
   const double noise = policy::kSlack * scale.position;  // of three differences of doubles, far below any vector
   scale.vector = length(compensation);
-  corners_.follow(event, index_, programmed_, shift_);
+  corners_.follow(event, view, programmed_);
   if (event.tool_axis && !tool_plane_) tool_plane_.emplace();
-  if (tool_plane_) tool_plane_->follow(event, index_, programmed_, shift_);
-  if (scale.vector > noise * policy::kNoVector) {
-    Vector tool{0, 0, 1};
-    if (event.tool_axis)
-      for (std::size_t i = 0; i < 3; ++i) tool[i] = approximate((*event.tool_axis)[i]);
-    if (may_be(event, policy::VectorFrom::tool_and_way)) scale.condition = condition(window, tool, compensation);
-    const bool kept = length(difference(compensation, vector_)) <= policy::kSlack * scale.vector + noise;
-    const auto corner_error = [&](Heads* heads) {
-      double error = 0;
-      if (may_be(event, policy::VectorFrom::corner))
-        error = corners_.error(window, index_, compensation, shift_, heads);
-      if (tool_plane_ && may_be(event, policy::VectorFrom::tool_corner))
-        error = std::max(error, tool_plane_->error(window, index_, compensation, tool, shift_, heads));
-      return error;
-    };
-    // The vector is made of a tool axis that may be off by more than an ulp.
-    const double tilt = std::max(1.0, scale.pose.direction / policy::ulp(1));
-    double rest = scale.condition;
-    scale.condition = std::max(rest, 1 + corner_error(nullptr) / scale.vector);
-    if (kept) scale.condition = std::max(scale.condition, condition_);
-    scale.condition *= tilt;
-    if (scale.condition * policy::ulp(scale.vector) > policy::kByConditions) {
-      Heads heads;
-      rest = std::max(rest, 1 + corner_error(&heads) / scale.vector) * tilt;
-      const double unit = tilt * policy::ulp(scale.vector) / scale.vector;
-      const double position = policy::ulp(scale.position) + scale.pose.tip;
-      for (Head& head : heads) {
-        for (HeadBand& band : head.bands) band.width = position + unit * (scale.vector + band.width);
-        head.across.width = position + unit * scale.vector;
-        head.reach = position + unit * (scale.vector + head.reach);
-      }
-      if (kept) heads.insert(heads.end(), heads_.begin(), heads_.end());
-      if (kept) rest = std::max(rest, heads_.empty() ? condition_ : rest_);
-      scale.heads = std::move(heads);
-      scale.rest = rest;
-    }
-  } else {
+  if (tool_plane_) tool_plane_->follow(event, view, programmed_);
+  if (scale.vector > noise * policy::kNoVector)
+    head(window, view, compensation, scale);
+  else
     scale.vector = 0;
-  }
   if (event.arc) arc(event, compensation, scale);
   if (event.cause == spec::Cause::cancel) compensated_ = false;
   programmed_ = event.programmed;
@@ -217,17 +198,57 @@ Scale Conditions::move(std::span<const model::Event> window, Scale scale) {
   return scale;
 }
 
+// How well the vector is determined, that is one.
+void Conditions::head(std::span<const model::Event> window, const View& view, const Vector& compensation,
+                      Scale& scale) const {
+  const model::Event& event = window.front();
+  Vector tool{0, 0, 1};
+  if (event.tool_axis)
+    for (std::size_t i = 0; i < 3; ++i) tool[i] = approximate((*event.tool_axis)[i]);
+  if (may_be(event, policy::VectorFrom::tool_and_way)) scale.condition = condition(window, tool, compensation);
+  const bool kept = length(difference(compensation, vector_)) <= policy::kSlack * (scale.vector + scale.position);
+  const auto corner_error = [&](Heads* heads) {
+    double error = 0;
+    if (may_be(event, policy::VectorFrom::corner)) error = corners_.error(window, view, compensation, heads);
+    if (tool_plane_ && may_be(event, policy::VectorFrom::tool_corner))
+      error = std::max(error, tool_plane_->error(window, view, compensation, tool, heads));
+    return error;
+  };
+  // The vector is made of a tool axis that may be off by more than an ulp.
+  const double tilt = std::max(1.0, scale.pose.direction / policy::ulp(1));
+  double rest = scale.condition;
+  scale.condition = std::max(rest, 1 + corner_error(nullptr) / scale.vector);
+  if (kept) scale.condition = std::max(scale.condition, condition_);
+  scale.condition *= tilt;
+  if (scale.condition * policy::ulp(scale.vector) > policy::kByConditions) {
+    Heads heads;
+    rest = std::max(rest, 1 + corner_error(&heads) / scale.vector) * tilt;
+    const double unit = tilt * policy::ulp(scale.vector) / scale.vector;
+    const double position = policy::ulp(scale.position) + scale.pose.tip;
+    for (Head& head : heads) {
+      for (HeadBand& band : head.bands) band.width = position + unit * (scale.vector + band.width);
+      head.across.width = position + unit * scale.vector;
+      head.reach = position + unit * (scale.vector + head.reach);
+    }
+    if (kept) heads.insert(heads.end(), heads_.begin(), heads_.end());
+    if (kept) rest = std::max(rest, heads_.empty() ? condition_ : rest_);
+    scale.heads = std::move(heads);
+    scale.rest = rest;
+  }
+}
+
 void Conditions::arc(const model::Event& event, const Vector& compensation, Scale& scale) const {
   const double before = length(vector_);
   if (before > 0) scale.start = condition_ * policy::ulp(before);
-  if (before == 0 && length(compensation) == 0) return;
+  const bool compensated = before > 0 || length(compensation) > 0;
+  if (!compensated && scale.center == 0) return;
   const Vector center = vector(event.arc->center);
   Vector from = difference(point_, center);
   Vector to = difference(vector(event.point), center);
   constexpr std::array<std::size_t, 3> normal = {2, 1, 0};  // of X Y, Z X, Y Z
   from.at(normal.at(static_cast<std::size_t>(event.arc->plane))) = 0;
   to.at(normal.at(static_cast<std::size_t>(event.arc->plane))) = 0;
-  const double error = policy::ulp(scale.position) + scale.pose.tip;
+  const double error = scale.center + (compensated ? policy::ulp(scale.position) + scale.pose.tip : 0);
   const double own = scale.vector > 0 ? scale.condition * policy::ulp(scale.vector) : 0;
   // An end whose direction is asked for, and that an estimate cannot tell from the centre, may have any.
   const auto turned = [&event](double by, double distance) {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "fuzz/oracle/corner.h"
+#include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/pose_error.h"
 #include "fuzz/oracle/scale.h"
 #include "fuzz/oracle/space_scale.h"
@@ -28,13 +29,14 @@ namespace toolcomp::fuzz {
 //
 // A sample lies between two heads: it has the worse of their scales.
 //
-// The sweep of an arc with a vector turns by the errors of its ends over their distances from the centre.
+// The sweep of an arc with a vector, or by R, turns by the errors of its ends and its centre over their distances.
 //
 // Heidenhain: space_scale.h.
 class Conditions {
  public:
-  // `facts`: of the program, where it is at hand (program_facts.h). Kept by reference.
-  explicit Conditions(const spec::Setup& setup, const ProgramFacts* facts = nullptr);
+  // `facts`: of the program, where it is at hand (program_facts.h). Kept by reference. `k`: of lengths.
+  explicit Conditions(const spec::Setup& setup, const ProgramFacts* facts = nullptr,
+                      double k = policy::kAnySection.coordinate);
   // The scale of window[0]; `window` holds the events from it to the next one that moves, or all that follow.
   Scale next(std::span<const model::Event> window);
 
@@ -45,9 +47,11 @@ class Conditions {
   [[nodiscard]] double condition(std::span<const model::Event> window, const Vector& tool,
                                  const Vector& compensation) const;
   [[nodiscard]] Vector vector(const spec::AxisValues<model::Real>& values) const { return space_of(values, index_); }
+  void head(std::span<const model::Event> window, const View& view, const Vector& compensation, Scale& scale) const;
   void arc(const model::Event& event, const Vector& compensation, Scale& scale) const;
 
   std::array<std::size_t, 3> index_;  // of X Y Z; Axes::kNone
+  double k_;
   std::array<bool, spec::kMaxAxes> linear_{};
   double setup_scale_ = 0;
   double smallest_sine_ = 0;  // of an angle that is not classified as 0 or 180

@@ -46,22 +46,29 @@ Space way_of(const Programmed& from, const Programmed& to, const std::array<std:
   return v;
 }
 
-std::optional<FlatPiece> Corners::piece(const model::Event& event, const std::array<std::size_t, 3>& index,
-                                        const Programmed& from, const Space& shift, std::size_t plane) {
-  const bool inserted = event.cause == spec::Cause::corner;
-  if (event.kind != spec::EventKind::move || inserted) return std::nullopt;
+const model::Event* movement(const model::Event& event) {
+  return event.kind == spec::EventKind::move ? &event : event.unmade.get();
+}
+
+std::optional<FlatPiece> Corners::piece(const model::Event& event, const View& view, const Programmed& from,
+                                        std::size_t plane) {
+  if (event.cause == spec::Cause::corner) return std::nullopt;
   FlatPiece p;
-  p.way = in_plane(way_of(from, event.programmed, index), plane);
-  p.end = in_plane(space_of(event.programmed, index), plane);
-  if (event.arc && static_cast<std::size_t>(event.arc->plane) == plane)
-    p.center = in_plane(difference(space_of(event.arc->center, index), shift), plane);
+  const Space way = way_of(from, event.programmed, view.index);
+  const Space end = space_of(event.programmed, view.index);
+  p.way = in_plane(way, plane);
+  p.end = in_plane(end, plane);
+  if (event.arc && static_cast<std::size_t>(event.arc->plane) == plane) {
+    const Space center = difference(space_of(event.arc->center, view.index), view.shift);
+    p.center = in_plane(center, plane);
+    p.weight = radius_arc(event, way, difference(end, center), view.rounded).weight();
+  }
   if (!p.center && p.way == Flat{}) return std::nullopt;
   return p;
 }
 
-double Corners::error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
-                      const Space& vector, const Space& shift, Heads* heads) const {
-  const Space at = space_of(window.front().programmed, index);
+double Corners::error(std::span<const model::Event> window, const View& view, const Space& vector, Heads* heads) const {
+  const Space at = space_of(window.front().programmed, view.index);
   double worst = 0;
   for (std::size_t plane = 0; plane < 3; ++plane) {
     const Flat v = in_plane(vector, plane);
@@ -73,8 +80,10 @@ double Corners::error(std::span<const model::Event> window, const std::array<std
     std::optional<FlatPiece> latter;
     bool cancels = false;
     for (std::size_t i = 1; i < window.size() && !latter; ++i) {
-      latter = piece(window[i], index, window.front().programmed, shift, plane);
-      cancels = window[i].cause == spec::Cause::cancel;
+      const model::Event* const next = movement(window[i]);
+      if (next == nullptr) continue;
+      latter = piece(*next, view, window.front().programmed, plane);
+      cancels = next->cause == spec::Cause::cancel;
     }
     if (!former) continue;
     const auto cross_at = [&](const HeadCondition& a, const HeadCondition& b) {
@@ -87,6 +96,11 @@ double Corners::error(std::span<const model::Event> window, const std::array<std
       head.across.normal.at(normal_axis(plane)) = 1;
       head.reach = error;
     };
+    for (const auto* path : {&former, &latter}) {
+      if (!*path || (*path)->weight == 1) continue;
+      for (const auto& a : head_conditions(**path, corner, v))
+        if (a) worst = std::max(worst, alone(*a, length(v)));
+    }
     for (const auto& a : head_conditions(*former, corner, v)) {
       if (!a) continue;
       if (latter)
@@ -110,10 +124,9 @@ double Corners::error(std::span<const model::Event> window, const std::array<std
   return worst;
 }
 
-void Corners::follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Programmed& from,
-                     const Space& shift) {
+void Corners::follow(const model::Event& event, const View& view, const Programmed& from) {
   for (std::size_t plane = 0; plane < 3; ++plane)
-    if (auto p = piece(event, index, from, shift, plane)) before_.at(plane) = p;
+    if (auto p = piece(event, view, from, plane)) before_.at(plane) = p;
 }
 
 }  // namespace toolcomp::fuzz

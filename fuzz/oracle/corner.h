@@ -6,6 +6,7 @@
 #include <span>
 
 #include "fuzz/oracle/head.h"
+#include "fuzz/oracle/radius_arc.h"
 #include "model/basis/event.h"
 #include "spec/language/setup.h"
 
@@ -14,6 +15,16 @@ namespace toolcomp::fuzz {
 // A programmed position, exactly.
 using Programmed = spec::AxisValues<model::Real>;
 
+// How the events of a run are looked at.
+struct View {
+  std::array<std::size_t, 3> index;  // of X Y Z; Axes::kNone
+  Space shift{};                     // of actual against programmed positions where there is no vector
+  Rounded rounded;
+};
+
+// What moves were made with: the move an event is, or the one it stands for (Event::unmade).
+const model::Event* movement(const model::Event& event);
+
 // Corners of cutter compensation B and C.
 //
 // A head is determined by two conditions: its distance from the straight line of a block, or from the centre of an arc.
@@ -21,24 +32,23 @@ using Programmed = spec::AxisValues<model::Real>;
 // distance from a line is wrong by the slide of the vector along the line times the error of the line's direction; the
 // distance from a circle by an error of the centre and of the radius. So near a reversal (1 + k → 0) the error grows
 // with the slide, which is what makes the vector long; near a tangent intersection (R'² - h² → 0) with R' over the
-// root. Perpendicular vectors, and those prolonged by r, are determined by one direction, as well as it is.
+// root. Perpendicular vectors, and those prolonged by r, are determined by one direction, as well as it is; that of an
+// arc by R as well as its centre is (radius_arc.h).
 //
 // Which kind a head is, and in which plane it was made, is not asked: whatever fits counts, and the worst of it.
 class Corners {
  public:
   // The error of the head `window[0]` goes to, in multiples of an error of one unit in one unit of length, beyond that
-  // of the vector's own length. `vector` is its compensation vector, `window` as for Conditions::next, `shift` what
-  // stands between programmed and actual positions without a vector. `heads`: what may place
-  // it where two conditions cross, in the same multiples; then the error is that of the rest.
-  [[nodiscard]] double error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
-                             const Space& vector, const Space& shift, Heads* heads = nullptr) const;
+  // of the vector's own length. `vector` is its compensation vector, `window` as for Conditions::next. `heads`: what
+  // may place it where two conditions cross, in the same multiples; then the error is that of the rest.
+  [[nodiscard]] double error(std::span<const model::Event> window, const View& view, const Space& vector,
+                             Heads* heads = nullptr) const;
   // Takes the movement of `event`, which starts at `from`.
-  void follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Programmed& from,
-              const Space& shift);
+  void follow(const model::Event& event, const View& view, const Programmed& from);
 
  private:
-  static std::optional<FlatPiece> piece(const model::Event& event, const std::array<std::size_t, 3>& index,
-                                        const Programmed& from, const Space& shift, std::size_t plane);
+  static std::optional<FlatPiece> piece(const model::Event& event, const View& view, const Programmed& from,
+                                        std::size_t plane);
 
   std::array<std::optional<FlatPiece>, 3> before_;  // the latest movement in each plane
 };

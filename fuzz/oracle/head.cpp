@@ -40,6 +40,12 @@ HeadBand band_of(const HeadCondition& condition, const Space& normal) {
   return {normal, condition.off(), condition.reach > 0 ? 1 / condition.reach : 0};
 }
 
+double alone(const HeadCondition& a, double length) {
+  const double noise = std::max(policy::kSlack, policy::kEstimateNoise * a.weight) * length;
+  const bool fits = a.error == 0 && (a.slide <= noise || std::fabs(a.slide - a.distance) <= noise);
+  return fits ? a.weight * length : 0;
+}
+
 double crossing(const HeadCondition& a, const HeadCondition& b, double length) {
   const double size = a.size + b.size;
   // Directions of this weight are no better known here.

@@ -49,7 +49,11 @@ struct HeadCondition {
 std::array<std::optional<HeadCondition>, 2> head_conditions(const FlatPiece& piece, const Flat& corner,
                                                             const Flat& vector);
 
-// The error of a head of a vector of this length that lies where the two cross; 0 where it does not.
+// The error of a head of a vector of this length that one direction makes, as a perpendicular or one prolonged by as
+// much; 0 of others.
+double alone(const HeadCondition& a, double length);
+
+// The same where it lies where the two cross; 0 where it does not.
 double crossing(const HeadCondition& a, const HeadCondition& b, double length);
 
 // A head in space that two conditions place: where they cross at a small angle it is hardly determined along both, but

@@ -24,7 +24,7 @@ using spec::EventKind;
 // How far one run of the model agrees with the actual events.
 struct Agreement {
   std::optional<Difference> difference;
-  std::string expected;    // what differs there, and what the run has: of the field, also where whole events are named
+  std::string expected;    // what differs there, and what the run has, also where whole events are named
   bool undecided = false;  // the run itself ends undecided, and everything before agrees
   Tally tally;
   std::vector<Deviation> deviations;  // of rotary positions
@@ -72,8 +72,16 @@ Difference name_difference(const Rules& rules, const spec::Setup& setup, const s
   return found;
 }
 
-// What differs, and what is expected there.
-std::string wanted_by(const Difference& d) { return fmt::format("{} {}: {}", d.kind, d.field, d.expected); }
+// What differs, and what is expected there: the field, the event, and the point where it leads. Runs that differ in the
+// same field, and expect the same of it, may have another event there (a move, where an alarm is given).
+std::string wanted_by(const Difference& d, const std::vector<model::Event>& expected, std::size_t i) {
+  std::string text = fmt::format("{} {}: {}", d.kind, d.field, d.expected);
+  if (i >= expected.size()) return text;
+  text += ' ' + describe(expected[i]);
+  for (std::size_t axis = 0; axis < spec::kMaxAxes; ++axis)
+    if (expected[i].point.has(axis)) text += fmt::format(" {:.6f}", approximate(expected[i].point[axis]));
+  return text;
+}
 
 template <class Number>
 Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramFacts& facts,
@@ -100,12 +108,12 @@ Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramF
     } else {
       result.difference = pairing.next(std::span(expected).subspan(i), actual[i], result.tally);
       if (result.difference) {
-        result.expected = wanted_by(*result.difference);
+        result.expected = wanted_by(*result.difference, expected, i);
         result.difference = name_difference(rules, setup, expected, actual, i, *result.difference);
       }
     }
     if (result.difference) {
-      if (result.expected.empty()) result.expected = wanted_by(*result.difference);
+      if (result.expected.empty()) result.expected = wanted_by(*result.difference, expected, i);
       result.difference->event = i;
       break;
     }

@@ -22,7 +22,7 @@ class Pairing {
   // Both are kept by reference, and so are `facts`.
   Pairing(const Rules& rules, const spec::Setup& setup, const ProgramFacts* facts)
       : rules_(rules),
-        conditions_(setup, facts),
+        conditions_(setup, facts, rules.budget().coordinate),
         fit_(rules, setup, facts),
         index_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')} {}
 

@@ -16,6 +16,9 @@
 //                                                 pose_error.h)
 //   … of 3D compensation (Heidenhain)             … and k · its error (space_scale.h); normals by k · ulp(1), contact
 //                                                 angles by k · ulp(180); flat, reason and permitted equal
+//   centre of an arc by R                         … and by k · (error of its height over the chord, height_error), and
+//                                                 what is made of it: sweep, radii and samples of the arc, directions
+//                                                 of its ends with the vectors made of them
 //   samples: t                                    equal exactly
 //   sweeps                                        … by k · (ulp(360) + error of each end of a compensated arc over
 //                                                 its distance from the centre, in degrees); neither value nor
@@ -231,7 +234,26 @@ constexpr bool compares_positions(spec::Clause clause) {
   return std::find(std::begin(kPositions), std::end(kPositions), clause) != std::end(kPositions);
 }
 
+// What the centre of an arc by R is off by beside its position, less k: an error of its height h over the chord,
+//
+//   h = √(R² - c²), c half the chord.
+//
+// R and the ends of the chord that carry a unit u each, and the squares rounded, leave k roundings of 2·R·u in h²:
+// E = k · 2·R·u at most. With h'² = h² ± E, |h' - h| = E / (h' + h). Well above the chord that is k · R/h · u: the
+// condition is R/h. It grows as the centre comes nearer the chord, but not without limit: h' is no less than 0, so
+// h' + h is no less than √E from h = √E down, and h is off by √E at most, the square root of what R² is rounded by.
+//
+// In the half circle itself, h = 0, the radicand may come out as ±E as well: negative it is no arc, or a half circle
+// (the decision is a near tie), positive it leaves the centre √E beside the chord. Numbers that doubles hold exactly
+// give it exactly.
+inline double height_error(double radius, double height, double unit, double k) {
+  const double e = k * 2 * radius * unit;
+  const double least = std::sqrt(std::fmax(0.0, height * height - e));
+  return e / std::fmax(std::sqrt(e), height + least) / k;
+}
+
 // What the oracle reads off the clauses of an event: how its block was run.
+inline constexpr spec::Clause kByRadius = spec::Clause::fanuc_program_arc_radius;
 inline constexpr spec::Clause kLeant = spec::Clause::fanuc_tool_center_point_lean;
 inline constexpr spec::Clause kOnAGreatCircle = spec::Clause::fanuc_tool_posture_great_circle;
 inline constexpr spec::Clause kBeginsTipControl = spec::Clause::fanuc_tool_center_point_block;

@@ -91,7 +91,7 @@ PoseErrors::Lean PoseErrors::leant(const Space& direction, const Space& travel, 
   return result;
 }
 
-PoseErrors::End PoseErrors::end(const model::Event& event) const {
+PoseErrors::End PoseErrors::end(const model::Event& event, double turned) const {
   End end;
   end.exact = event.tool_axis;
   if (event.tool_axis)
@@ -104,18 +104,19 @@ PoseErrors::End PoseErrors::end(const model::Event& event) const {
     return end;
   }
   const Lean lean = leant(end.direction, travel(event, end.point), event);
-  end.error = policy::ulp(1) * lean.factor;
+  // What leans follows the travel.
+  end.error = policy::ulp(1) * lean.factor + turned * (lean.factor - 1);
   end.hardly = lean.hardly;
   return end;
 }
 
 // On a great circle errors of the ends weigh sin((1-t)A)/sin A and sin(tA)/sin A, together 1/cos(A/2) = 2/|V + W| at
 // most. Under conventional control the direction is that of the positions.
-void PoseErrors::inside(std::span<const model::Event> window, PoseScale& scale) const {
+void PoseErrors::inside(std::span<const model::Event> window, double turned, PoseScale& scale) const {
   const model::Event& event = window.front();
   End to = before_;
   const auto next = std::ranges::find_if(window, moves);
-  if (next != window.end()) to = end(*next);
+  if (next != window.end()) to = end(*next, turned);
   scale.direction = std::max({before_.error, to.error, policy::ulp(1)});
   scale.hardly = before_.hardly || to.hardly;
   if (machine_ && !event.clauses.contains(policy::kOnAGreatCircle)) return;
@@ -145,17 +146,17 @@ void PoseErrors::rotary(std::span<const model::Event> window, PoseScale& scale) 
   }
 }
 
-PoseScale PoseErrors::next(std::span<const model::Event> window) {
+PoseScale PoseErrors::next(std::span<const model::Event> window, double turned) {
   const model::Event& event = window.front();
   PoseScale scale;
   if (event.kind == spec::EventKind::sample) {
-    inside(window, scale);
+    inside(window, turned, scale);
     rotary(window, scale);
     return scale;
   }
   if (!moves(event)) return scale;
   zeros_.follow(event);
-  before_ = end(event);
+  before_ = end(event, turned);
   axes_before_ = event.axes;
   scale.direction = before_.error;
   scale.hardly = before_.hardly;

@@ -19,7 +19,7 @@ struct PoseScale {
   double direction = 0;                         // of a component of the tool axis, beyond an ulp of 1
   std::array<double, spec::kMaxAxes> rotary{};  // degrees, beyond an ulp of the value
   double tip = 0;                               // of every X Y Z
-  bool hardly = false;                          // the direction has a plane that doubles hardly know (policy::kHardly)
+  bool hardly = false;  // doubles hardly know the plane of the direction, or an arc by R (policy::kHardly)
 };
 
 // The angles of the tool-side and the work-side axis: positions of events plus the machine positions of their zeros, as
@@ -50,8 +50,9 @@ class PoseErrors {
   // `facts`: of the program, read at least as far as the events that come; without them nothing is leant. Kept by
   // reference.
   explicit PoseErrors(const spec::Setup& setup, const ProgramFacts* facts = nullptr);
-  // Of window[0]; `window` as for Conditions::next.
-  PoseScale next(std::span<const model::Event> window);
+  // Of window[0]; `window` as for Conditions::next. `turned`: what the travel of the move is off by beyond an ulp of 1,
+  // in radians (radius_arc.h).
+  PoseScale next(std::span<const model::Event> window, double turned = 0);
 
  private:
   // At the end of a move.
@@ -68,8 +69,8 @@ class PoseErrors {
     bool hardly = false;
   };
 
-  [[nodiscard]] End end(const model::Event& event) const;
-  void inside(std::span<const model::Event> window, PoseScale& scale) const;
+  [[nodiscard]] End end(const model::Event& event, double turned) const;
+  void inside(std::span<const model::Event> window, double turned, PoseScale& scale) const;
   [[nodiscard]] Lean leant(const Space& direction, const Space& travel, const model::Event& event) const;
   [[nodiscard]] Space travel(const model::Event& event, const Space& point) const;
   void rotary(std::span<const model::Event> window, PoseScale& scale) const;

@@ -12,8 +12,11 @@ struct Scale {
   double vector = 0;     // length of the compensation vector
   double condition = 1;  // error of the vector over error of the directions it is made of
   double start = 0;      // the same product of the vector with which an arc begins
-  double turn = 0;  // arcs with a vector: sum over both ends of one unit of length over their distance to the centre
-  double own_turn = 0;        // arcs with a vector: sum over both ends of one over the distance to the centre
+  // Arcs with a vector or by R: sum over both ends of one unit of length over their distance to the centre.
+  double turn = 0;
+  double own_turn = 0;        // the same of one over the distance to the centre
+  double center = 0;          // an arc by R: what its centre is off by (radius_arc.h)
+  double turned = 0;          // and what that turns the directions of its ends by, in radians
   bool by_own_heads = false;  // sweep and radii are those between the controller's own heads (arc_fit.h)
   // Where the condition is large: heads that may place the vector, in lengths, and the condition of what does not.
   Heads heads;

@@ -66,7 +66,10 @@ Scale SpaceScales::next(std::span<const model::Event> window) {
   const model::Event& event = window.front();
   Scale scale;
   scale.position = radius_ * to_program_;
-  if (event.kind != spec::EventKind::move) return scale;
+  if (event.kind != spec::EventKind::move) {
+    if (event.unmade) before_ = fuzz::space_of(event.unmade->programmed, index_);
+    return scale;
+  }
   const auto include = [&](const spec::AxisValues<model::Real>& values) {
     for (std::size_t i = 0; i < spec::kMaxAxes; ++i)
       if (event.programmed.has(i) && values.has(i))
@@ -134,8 +137,8 @@ void SpaceScales::beside(std::span<const model::Event> window, const Space& at, 
   const double size = length(vector);
   Space next = at;
   for (std::size_t i = 1; i < window.size(); ++i)
-    if (window[i].kind == spec::EventKind::move) {
-      next = fuzz::space_of(window[i].programmed, index_);
+    if (const model::Event* const behind = movement(window[i])) {
+      next = fuzz::space_of(behind->programmed, index_);
       break;
     }
   const std::optional<double> own_error = error_of(tool, before_, at);

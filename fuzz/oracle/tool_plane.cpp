@@ -59,34 +59,26 @@ std::optional<FlatPiece> seen(const Plane& plane, const Space& end, const Space&
   return piece;
 }
 
-// What one direction alone makes: a perpendicular, or one prolonged by as much.
-double alone(const HeadCondition& a, double length) {
-  const double noise = std::max(policy::kSlack, policy::kEstimateNoise * a.weight) * length;
-  const bool fits = a.error == 0 && (a.slide <= noise || std::fabs(a.slide - a.distance) <= noise);
-  return fits ? a.weight * length : 0;
-}
-
 }  // namespace
 
-std::optional<ToolPlane::Piece> ToolPlane::piece(const model::Event& event, const std::array<std::size_t, 3>& index,
-                                                 const Programmed& from, const Space& shift) {
-  const bool inserted = event.cause == spec::Cause::corner;
-  if (event.kind != spec::EventKind::move || inserted) return std::nullopt;
+std::optional<ToolPlane::Piece> ToolPlane::piece(const model::Event& event, const View& view, const Programmed& from) {
+  if (event.cause == spec::Cause::corner) return std::nullopt;
   Piece p;
-  p.start = space_of(from, index);
-  p.end = space_of(event.programmed, index);
+  p.start = space_of(from, view.index);
+  p.end = space_of(event.programmed, view.index);
+  p.way = way_of(from, event.programmed, view.index);
   if (event.arc) {
     constexpr std::array<std::size_t, 3> across = {2, 1, 0};  // of X Y, Z X, Y Z
     p.across = across.at(static_cast<std::size_t>(event.arc->plane));
-    p.center = difference(space_of(event.arc->center, index), shift);
+    p.center = difference(space_of(event.arc->center, view.index), view.shift);
+    p.weight = radius_arc(event, p.way, difference(p.end, *p.center), view.rounded).weight();
   }
-  p.way = way_of(from, event.programmed, index);
   if (!p.center && p.way == Space{}) return std::nullopt;
   return p;
 }
 
-double ToolPlane::error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
-                        const Space& vector, const Space& tool, const Space& shift, Heads* heads) const {
+double ToolPlane::error(std::span<const model::Event> window, const View& view, const Space& vector, const Space& tool,
+                        Heads* heads) const {
   const Plane plane(tool);
   const Flat v = plane.flat(vector);
   const double size = length(v);
@@ -100,8 +92,9 @@ double ToolPlane::error(std::span<const model::Event> window, const std::array<s
       out->at(p.across) = 0;
     }
     // Of an arc only the corner and the centre are asked.
-    const auto flat = seen(plane, p.center ? corner : p.end, p.way, out);
+    auto flat = seen(plane, p.center ? corner : p.end, p.way, out);
     if (!flat) return {};
+    flat->weight *= p.weight;
     return head_conditions(*flat, plane.flat(corner), v);
   };
   std::vector<HeadCondition> former;
@@ -114,12 +107,13 @@ double ToolPlane::error(std::span<const model::Event> window, const std::array<s
   const Programmed* from = &window.front().programmed;
   std::size_t after = 0;
   for (std::size_t i = 1; i < window.size() && after < kAfter; ++i) {
-    if (window[i].kind != spec::EventKind::move) continue;
-    if (const auto p = piece(window[i], index, *from, shift)) {
+    const model::Event* const next = movement(window[i]);
+    if (next == nullptr) continue;
+    if (const auto p = piece(*next, view, *from)) {
       take(latter, conditions(*p, false));
       ++after;
     }
-    from = &window[i].programmed;
+    from = &next->programmed;
   }
   double worst = 0;
   double crossed = 0;
@@ -140,9 +134,8 @@ double ToolPlane::error(std::span<const model::Event> window, const std::array<s
   return std::max(worst, crossed);
 }
 
-void ToolPlane::follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Programmed& from,
-                       const Space& shift) {
-  if (const auto p = piece(event, index, from, shift)) {
+void ToolPlane::follow(const model::Event& event, const View& view, const Programmed& from) {
+  if (const auto p = piece(event, view, from)) {
     before_.push_front(*p);
     if (before_.size() > kBefore) before_.pop_back();
   }

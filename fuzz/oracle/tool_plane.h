@@ -19,19 +19,19 @@ namespace toolcomp::fuzz {
 // vector made of one of them (perpendicular, or prolonged by r) has that condition; where two offset lines cross, n1·V
 // = r and n2·V = r, an error of n moves the head by weight · slide along the other line over the sine of their angle:
 // near 1 + c = 0 the slide is what makes the vector long, near |u| = 0 the weight grows. The same with the radius of an
-// arc, from the projected centre, in the place of U. A movement nearer to the tool than policy::kParallel has no
-// direction in double; the model's decision on it is a near tie.
+// arc, from the projected centre, in the place of U; that of an arc by R has the weight of its centre besides. A
+// movement nearer to the tool than policy::kParallel has no direction in double; the model's decision on it is a near
+// tie.
 //
 // Which blocks made a vector is not asked: the last two movements before it and the next ones are tried, and the worst
 // of what fits counts.
 class ToolPlane {
  public:
   // As Corners::error; `tool` is the unit direction with which the vector was made.
-  [[nodiscard]] double error(std::span<const model::Event> window, const std::array<std::size_t, 3>& index,
-                             const Space& vector, const Space& tool, const Space& shift, Heads* heads = nullptr) const;
+  [[nodiscard]] double error(std::span<const model::Event> window, const View& view, const Space& vector,
+                             const Space& tool, Heads* heads = nullptr) const;
   // Takes the movement of `event`, which starts at `from`.
-  void follow(const model::Event& event, const std::array<std::size_t, 3>& index, const Programmed& from,
-              const Space& shift);
+  void follow(const model::Event& event, const View& view, const Programmed& from);
 
  private:
   // A movement in space, programmed.
@@ -41,9 +41,9 @@ class ToolPlane {
     Space way{};                  // from start to end
     std::optional<Space> center;  // of an arc; its coordinate across the arc's plane is not set
     std::size_t across = 0;       // that coordinate
+    double weight = 1;            // of what leads out of the centre
   };
-  static std::optional<Piece> piece(const model::Event& event, const std::array<std::size_t, 3>& index,
-                                    const Programmed& from, const Space& shift);
+  static std::optional<Piece> piece(const model::Event& event, const View& view, const Programmed& from);
 
   std::deque<Piece> before_;  // the last two movements, the latest first
 };

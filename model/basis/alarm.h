@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <optional>
 
+#include "model/basis/event.h"
 #include "model/basis/recorder.h"
 #include "spec/language/name.h"
 
@@ -20,6 +22,7 @@ class Alarm : public std::exception {
   const char* message;     // static text
   std::uint64_t line = 0;  // of the block at fault; 0: the block being interpreted
   std::optional<std::uint64_t> n;
+  std::shared_ptr<const Event> unmade;  // its move, where those before it were made with it
 };
 
 // The specification leaves open what a block does: the run ends with an `undecided` event that names the clause.

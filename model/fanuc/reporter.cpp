@@ -112,6 +112,7 @@ void Reporter::report(const Alarm& alarm, const spec::ClauseList& clauses) {
   Event event = event_of(spec::EventKind::alarm, alarm);
   event.number = alarm.number;
   event.clauses = clauses;
+  event.unmade = alarm.unmade;
   sink_.on(event);
 }
 

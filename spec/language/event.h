@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -88,6 +89,9 @@ struct PermittedOutcomes {
   friend bool operator==(const PermittedOutcomes&, const PermittedOutcomes&) = default;
 };
 
+// The same of the move that an event stands for.
+struct NoMove {};
+
 // A plain value: copying one in double precision does not allocate. Fields that do not belong to `kind` are
 // left at their defaults.
 template <class Number>
@@ -124,8 +128,11 @@ struct Event {
   std::uint32_t t_numerator = 0;
   std::uint32_t t_denominator = 1;
 
-  // the model fills it
+  // the model fills them
   [[no_unique_address]] std::conditional_t<std::is_same_v<Number, double>, NoClauses, ClauseList> clauses;
+  // In no output. An alarm or `undecided` in place of a move that those before it were made with: that move, as far as
+  // its block says it (programmed, arc).
+  [[no_unique_address]] std::conditional_t<std::is_same_v<Number, double>, NoMove, std::shared_ptr<const Event>> unmade;
 };
 
 // Takes the events of a run, in order.

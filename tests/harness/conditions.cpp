@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fuzz/oracle/policy.h"
@@ -98,6 +100,36 @@ TEST(Conditions, OfAnIntersectionNearAReversal) {
     EXPECT_NEAR(std::fabs(list[1].heads[0].bands[0].normal[1]), 1, 1e-15);
     EXPECT_NEAR(std::fabs(list[1].heads[0].bands[1].normal[0]), 1 / std::hypot(n, 1.0), 1e-15);
   }
+}
+
+// The alarm of a block whose move is not made, and which the head before it was made with.
+model::Event alarm_of(model::Event e) {
+  model::Event alarm;
+  alarm.kind = spec::EventKind::alarm;
+  alarm.number = "PS0041";
+  e.point = e.axes = {};
+  alarm.unmade = std::make_shared<model::Event>(std::move(e));
+  return alarm;
+}
+
+// The block back raises an alarm: the head before it is as well determined as with its move. So is that of a line and
+// an arc (OfAnIntersectionNearATangent).
+TEST(Conditions, OfTheHeadBeforeAnAlarm) {
+  const int n = 1000;
+  const Real x = 40 + Real(-10) * (sqrt(Real(n) * Real(n) + 1) + Real(n));
+  const auto start = [] { return move(kStart, "0", "0", Real(0), Real(10)); };
+  const auto list = scales({start(), move(kOwn, "40", "0", x, Real(10)),
+                            alarm_of(move(kOwn, std::to_string(40 - 50 * n), "50", Real(0), Real(0)))});
+  const double slide = 10 * (std::sqrt(double(n) * n + 1) + n);
+  const double expected = 2 * slide * std::sqrt(double(n) * n + 1) / std::hypot(slide, 10);
+  EXPECT_NEAR(list[1].condition, 1 + expected, 1e-3 * expected);
+
+  const Real root = sqrt(decimal("10.001") * decimal("10.001") - 100);
+  const auto close = scales({start(), move(kOwn, "40.001", "0", Real(20) + root, Real(10)),
+                             alarm_of(arc(move(kOwn, "20", "20.001", Real(0), Real(0)), "20", "0"))});
+  const double half = std::sqrt(10.001 * 10.001 - 100);
+  const double length = std::hypot(20.001 - half, 10);
+  EXPECT_NEAR(close[1].condition, 1 + (20.001 - half + 10 + 30.002 + length) / (half / 10.001) / length, 1e-3);
 }
 
 // Straight on, or nearly: the intersection hardly slides, whatever the angle.
@@ -232,6 +264,21 @@ TEST(Conditions, OfAnIntersectionNearAReversalBesideATiltedTool) {
     const double expected = 2 * std::fabs(s) * std::sqrt(double(n) * n + 1) / list[1].vector;
     EXPECT_NEAR(list[1].condition, 1 + expected, 1e-3 * expected);
   }
+}
+
+// Nor does it matter there that the block back raises an alarm.
+TEST(Conditions, OfTheHeadBeforeAnAlarmBesideATiltedTool) {
+  const Triple tool = {decimal("0.6"), Real(0), decimal("0.8")};
+  const auto turned = [](const Real& x, const Real& y) { return Triple{decimal("0.8") * x, y, decimal("-0.6") * x}; };
+  const int n = 1000;
+  const Real slide = Real(-10) * (sqrt(Real(n) * Real(n) + 1) + Real(n));
+  const auto list =
+      scales({beside(kStart, turned(Real(0), Real(0)), turned(Real(0), Real(10)), tool),
+              beside(kOwn, turned(Real(40), Real(0)), turned(slide, Real(10)), tool),
+              alarm_of(beside(kOwn, turned(Real(40 - 50 * n), Real(50)), turned(Real(0), Real(0)), tool))});
+  const double s = 10 * (std::sqrt(double(n) * n + 1) + n);
+  const double expected = 2 * s * std::sqrt(double(n) * n + 1) / std::hypot(s, 10);
+  EXPECT_NEAR(list[1].condition, 1 + expected, 1e-3 * expected);
 }
 
 // Both lines lean against the tool Z by a slope m: the same corner, each direction known 1/√(1 + m²) as well.

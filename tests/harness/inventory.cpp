@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 
@@ -26,15 +27,20 @@ std::string contents(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// What fuzz/CMakeLists.txt builds: one target a file, in any folder, by the name of the file.
-std::set<std::string> targets() {
-  std::set<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(root() / "fuzz/targets"))
+// What fuzz/CMakeLists.txt builds: one target a file, by the name of the file; and its folder, which is that of its
+// seeds: a dialect, or none.
+std::map<std::string, fs::path> targets() {
+  std::map<std::string, fs::path> names;
+  const fs::path all = root() / "fuzz/targets";
+  for (const auto& entry : fs::recursive_directory_iterator(all))
     if (entry.path().extension() == ".cpp") {
-      EXPECT_TRUE(names.insert(entry.path().stem()).second) << entry.path();
+      const fs::path folder = fs::relative(entry.path(), all).replace_extension();
+      EXPECT_TRUE(names.emplace(entry.path().stem(), folder).second) << entry.path();
     }
   return names;
 }
+
+std::string dialect(std::string_view section) { return std::string(section.substr(0, section.find('/'))); }
 
 std::string twin(std::string_view section, Mode mode) {
   std::string name(section.substr(section.find('/') + 1));
@@ -47,8 +53,7 @@ TEST(Inventory, EverySectionHasItsTwinTargetsAndARowOfThePolicy) {
     for (const Mode mode : {Mode::directed, Mode::unrestricted}) {
       const std::string name = twin(section, mode);
       EXPECT_TRUE(targets().contains(name)) << name;
-      const std::string dialect(section.substr(0, section.find('/')));
-      const std::string source = contents(root() / "fuzz/targets" / dialect / (name + ".cpp"));
+      const std::string source = contents(root() / "fuzz/targets" / dialect(section) / (name + ".cpp"));
       EXPECT_NE(source.find("\"" + std::string(section) + "\""), std::string::npos) << name;
       EXPECT_NE(source.find(mode == Mode::directed ? "Mode::directed" : "Mode::unrestricted"), std::string::npos)
           << name;
@@ -58,21 +63,24 @@ TEST(Inventory, EverySectionHasItsTwinTargetsAndARowOfThePolicy) {
 }
 
 TEST(Inventory, EveryTargetHasSeedsAndEverySeedFolderATarget) {
-  for (const std::string& name : targets()) {
-    const fs::path folder = root() / "corpus/seeds" / name;
-    ASSERT_TRUE(fs::is_directory(folder)) << name;
-    EXPECT_GT(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 0) << name;
+  const fs::path seeds = root() / "corpus/seeds";
+  std::set<fs::path> folders;
+  for (const auto& [name, folder] : targets()) {
+    ASSERT_TRUE(fs::is_directory(seeds / folder)) << folder;
+    EXPECT_GT(std::distance(fs::directory_iterator(seeds / folder), fs::directory_iterator()), 0) << folder;
+    folders.insert(folder);
   }
-  for (const auto& entry : fs::directory_iterator(root() / "corpus/seeds"))
-    if (entry.is_directory()) {
-      EXPECT_TRUE(targets().contains(entry.path().filename())) << entry.path();
+  for (const auto& entry : fs::recursive_directory_iterator(seeds))
+    if (entry.is_regular_file()) {
+      EXPECT_TRUE(folders.contains(fs::relative(entry.path().parent_path(), seeds))) << entry.path();
     }
 }
 
 TEST(Inventory, EverySeedOfASectionIsACaseOnWhichTheEnginesAgree) {
   for (const std::string_view section : sections())
     for (const Mode mode : {Mode::directed, Mode::unrestricted})
-      for (const auto& entry : fs::directory_iterator(root() / "corpus/seeds" / twin(section, mode))) {
+      for (const auto& entry :
+           fs::directory_iterator(root() / "corpus/seeds" / dialect(section) / twin(section, mode))) {
         const spec::Case c = decode(section, contents(entry.path()));
         EXPECT_FALSE(c.program.empty()) << entry.path();
         const Trial t = try_case(c);

@@ -11,6 +11,7 @@
 #include <random>
 #include <string>
 
+#include "fuzz/gen/encode.h"
 #include "fuzz/oracle/compare.h"
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/policy.h"
@@ -267,6 +268,36 @@ TEST(NearTies, AChainOfTiesIsFollowed) {
   const Verdict v = judge(c, run, test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign))));
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GT(v.ties, 3U);
+}
+
+// Found by a controller that decides near ties otherwise. Two ties of one corner: one takes a vector away before it,
+// the other makes none behind it. Alone the one leaves the event as it is, and the other moves it in X while Z, where
+// the first difference is, stays: that is another event.
+TEST(NearTies, AForkThatMovesTheEventInAnotherFieldIsFollowed) {
+  const spec::Case c =
+      decode("fanuc/tool-side-compensation",
+             "u inch\na ZYXCB\np 5003#1 1\np 5008#0 0\np 19680 12\np 19681 4\np 19682 3\np 19684 1\np 19686 5\n"
+             "p 19687 2\np 19689 1\np 19697 2\nd 2 4.00000\nf B 180\nf C -170\nf Y -210.00000\nf Z -280.00000\n%%\n"
+             "N10 G01 F3900. C90. B90 X0 Y-35. Z-30.\nN20 G41.2 D2\nN30 G01 X-4.35655 Y-47.27587\n"
+             "N40 Z-110 C87.05819 B180.\nN50 C-180 B37.70711\nN60 Y-75.18876 Z-110.00001\n"
+             "N70 C180 B165. Y-47.27587 Z-110.\nN80 C180.03603 B30 X-729.2209 Y2940.7447 Z2265.99753\nN90 G40\n"
+             "X-726.76247 Y2920.74856 Z2257.95370 C45.25125 B31.94732\nN110 M02\n");
+  const ModelRun run = run_model(c);
+  const auto decision = [](const ModelRun& of, Clause clause, std::uint64_t line) {
+    const auto& all = of.recorder.decisions();
+    std::size_t i = 0;
+    while (i < all.size() && (all[i].clause != clause || all[i].line != line)) ++i;
+    return i;
+  };
+  Forced forced = {{decision(run, Clause::fanuc_tool_side_along_the_tool, 7), Sign::negative}};
+  const ModelRun one = run_model(c, forced);
+  forced[decision(one, Clause::fanuc_cutter_c_interference_direction, 6)] = Sign::negative;
+  const ModelRun both = run_model(c, forced);
+  const auto last = [](const ModelRun& of) { return test::in_doubles(of).at(5).point; };
+  ASSERT_GT(std::fabs(last(both)[2] - last(run)[2]), 0.5);
+  const Verdict v = judge(c, run, test::in_doubles(both));
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  EXPECT_EQ(v.ties, 2U);
 }
 
 // Every near tie of `clause` takes the opposite outcome.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -391,6 +392,24 @@ TEST(SpaceScales, AMitreStretchesItsErrors) {
   const double vector = std::sqrt(2.0);
   const double direction = policy::ulp(1) + policy::ulp(8) / 8;
   EXPECT_NEAR(conditions.next(events).pose.tip / (vector * direction * (1 + vector)), 1, 1e-9);
+}
+
+// The same before a reversal that raises an alarm, or a block that is not modelled: its move counts, though it is not
+// made.
+TEST(SpaceScales, AMitreBeforeAMoveThatIsNotMade) {
+  spec::Setup setup;
+  setup.control = spec::Control::heidenhain;
+  setup.axes = spec::Axes("XYZ");
+  for (const spec::EventKind kind : {spec::EventKind::alarm, spec::EventKind::undecided}) {
+    model::Event instead;
+    instead.kind = kind;
+    instead.unmade = std::make_shared<model::Event>(beside(8, 8, Real(0), Real(0)));
+    const std::vector<model::Event> events = {beside(8, 0, Real(7), Real(1)), instead};
+    Conditions conditions(setup);
+    const double vector = std::sqrt(2.0);
+    const double direction = policy::ulp(1) + policy::ulp(8) / 8;
+    EXPECT_NEAR(conditions.next(events).pose.tip / (vector * direction * (1 + vector)), 1, 1e-9);
+  }
 }
 
 // The same 1024 away along Y: directions are as good as the largest coordinate of their ends.

@@ -20,6 +20,7 @@ LookAhead::LookAhead(const Stage::Place& place, CornerSection& section, const Ru
       slot_(place.slot),
       output_(place.output),
       section_(section),
+      axes_(place.setup.axes),
       rules_(rules),
       checks_(!place.setup.bit(5008, 0)),
       here_{SpaceVector{}} {}
@@ -277,8 +278,23 @@ void LookAhead::raise_held(Clause clause, spec::Name number, const char* message
   Alarm alarm(number, message);
   alarm.line = held_.front().step.line;
   alarm.n = held_.front().step.n;
+  alarm.unmade = unmade(held_.front().step);
   held_.clear();
   throw Alarm(alarm);
+}
+
+// The corner before it, if there is one, was made with it.
+std::shared_ptr<const Event> LookAhead::unmade(const Step& step) const {
+  if (step.moves.empty()) return nullptr;
+  const Leg& leg = step.moves.front().leg;
+  Event move;
+  move.type = leg.type;
+  move.line = step.line;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (spec::is_linear_axis(axes_.letter(i))) move.programmed.set(i, leg.end.at(i).value());
+  move.arc = leg.arc;
+  move.clauses = step.clauses;
+  return std::make_shared<Event>(std::move(move));
 }
 
 void LookAhead::leave_open_at(Step& now, Clause clause, const char* message) {

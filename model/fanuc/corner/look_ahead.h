@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -130,6 +131,8 @@ class LookAhead {
   [[nodiscard]] const CornerBlock& said(const Step& step) const;
   // The clauses applied so far belong to this step; those from here on to the first of those held.
   void decide_held(Step& now);
+  // The move of a block that an alarm of geometry names.
+  [[nodiscard]] std::shared_ptr<const Event> unmade(const Step& step) const;
   void end(Clause why);
   void end_first(Clause why);
   void release(SpaceGroup at_end);
@@ -145,6 +148,7 @@ class LookAhead {
   std::size_t slot_;
   Stage::Output output_;
   CornerSection& section_;
+  spec::Axes axes_;
   Rules rules_;
   bool checks_;  // 5008#0, CNI, is 0
 

@@ -145,6 +145,8 @@ void LeadingEdgeOffset::take_other(const Step& step) {
     emit(step);
     return;
   }
+  // A block with N or O alone is no block: any number of them may come, and has nothing to wait for.
+  if (!step.has_word && !behind_.empty()) return;
   behind_.push_back(step);
   const auto counted = std::ranges::count_if(behind_, [](const Step& s) { return s.has_word; });
   if (!step.stops_look_ahead && counted < 2) return;

@@ -49,7 +49,7 @@ bool LineCorner::is_under_one_degree() const {
 }
 
 // ρ (W1 |W2| + W2 |W1|) / (|W1| |W2| + C).
-Vector LineCorner::meeting() const {
+Vector LineCorner::tangents_meet() const {
   const Real length1 = sqrt(former_.left2);
   const Real length2 = sqrt(latter_.left2);
   const Real denominator = length1 * length2 + ahead_;

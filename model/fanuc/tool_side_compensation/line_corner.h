@@ -23,8 +23,11 @@ class LineCorner {
   // Whether the angle of an acute corner is under 1°. Clause: fanuc.cutter-c.under-one-degree.
   [[nodiscard]] bool is_under_one_degree() const;
 
+  // r n1 and r n2: square to the former, to the latter line.
+  [[nodiscard]] Vector square_to_former() const { return perpendicular(plane_, former_); }
+  [[nodiscard]] Vector square_to_latter() const { return perpendicular(plane_, latter_); }
   // Vi: where the offset lines meet, on one side of both; not at a reversal.
-  [[nodiscard]] Vector meeting() const;
+  [[nodiscard]] Vector tangents_meet() const;
   // The same on different sides, of lines that are not parallel.
   [[nodiscard]] Vector meeting_across() const;
   // K1 and K2: the offset lines prolonged beyond the corner by the length of the offset.

@@ -41,7 +41,7 @@ std::optional<SpaceGroup> SideRules::in_mode(const SideCorner& corner) const {
     case CornerClass::inner:
     case CornerClass::straight:
       recorder_.reach(Clause::fanuc_tool_side_inner);
-      return one(kind == CornerClass::inner ? lines.meeting() : perpendicular(corner.plane, corner.former));
+      return one(kind == CornerClass::inner ? lines.tangents_meet() : perpendicular(corner.plane, corner.former));
     // fanuc.tool-side.outer-obtuse: At an obtuse outer corner of two lines the group is the intersection of the offset
     // lines.
     case CornerClass::obtuse:
@@ -53,7 +53,7 @@ std::optional<SpaceGroup> SideRules::in_mode(const SideCorner& corner) const {
       recorder_.reach(Clause::fanuc_tool_side_outer_acute);
       break;
   }
-  return way_round(kind, lines, corner, false, false);
+  return way_round(kind, lines, false, false);
 }
 
 // fanuc.tool-side.type-b: No. 5003 bit 0, SUP: 0 type A, 1 type B.
@@ -106,7 +106,7 @@ std::optional<SpaceGroup> SideRules::detour(const SideCorner& corner, bool cance
   const bool own = recorder_.decide(Clause::fanuc_tool_side_type_b_perpendicular, with_perpendicular_);
   const bool with_former = cancels ? corner.former.arc.has_value() : own;
   const bool with_latter = cancels ? own : corner.latter.arc.has_value();
-  if (lines) return way_round(kind, *lines, corner, with_former, with_latter);
+  if (lines) return way_round(kind, *lines, with_former, with_latter);
   return framed->lifted(model::way_round(kind, framed->former(), framed->latter(), with_former, with_latter));
 }
 

@@ -54,18 +54,8 @@ SpaceGroup FramedCorner::lifted(const VectorGroup& group) const {
   return result;
 }
 
-SpaceGroup way_round(CornerClass kind, const LineCorner& lines, const SideCorner& corner, bool with_former,
-                     bool with_latter) {
-  SpaceGroup group;
-  group.reserve(3);
-  if (with_former) group.push_back({perpendicular(corner.plane, corner.former), Seat::square, Seat::off, false});
-  if (kind == CornerClass::acute) {
-    group.push_back({lines.prolonged(), Seat::off, Seat::off, false});
-    group.push_back({lines.begun_before(), Seat::off, Seat::off, false});
-  } else {
-    group.push_back({lines.meeting(), Seat::off, Seat::off, false});
-  }
-  if (with_latter) group.push_back({perpendicular(corner.plane, corner.latter), Seat::off, Seat::square, false});
+SpaceGroup way_round(CornerClass kind, const LineCorner& lines, bool with_former, bool with_latter) {
+  auto group = model::way_round<SpaceGroup>(kind, lines, with_former, with_latter);
   mark_stop(group);
   return group;
 }

@@ -43,7 +43,6 @@ inline SpaceGroup square_to_latter(const CompensationPlane& plane, const SideEnd
 
 // The way round an outer corner of two lines, with the vectors square to the former and to the latter block where they
 // are asked for.
-SpaceGroup way_round(CornerClass kind, const LineCorner& lines, const SideCorner& corner, bool with_former,
-                     bool with_latter);
+SpaceGroup way_round(CornerClass kind, const LineCorner& lines, bool with_former, bool with_latter);
 
 }  // namespace toolcomp::model

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "model/basis/alarm.h"
+#include "model/heidenhain/program/report.h"
 
 namespace toolcomp::model::klartext {
 
@@ -34,6 +35,7 @@ void PeripheralMilling::release(const Motion* next) {
   } catch (Alarm& alarm) {
     alarm.line = motion.line;
     alarm.n = motion.n;
+    alarm.unmade = unmade(motion);
     throw;
   }
   if (next == nullptr || !next->is_peripheral()) former_.reset();

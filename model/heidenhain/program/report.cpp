@@ -1,6 +1,7 @@
 #include "model/heidenhain/program/report.h"
 
 #include <array>
+#include <utility>
 
 namespace toolcomp::model::klartext {
 namespace {
@@ -60,6 +61,12 @@ void report_move(const Motion& motion, const Compensated& compensated, const spe
   sink.on(event);
 }
 
+std::shared_ptr<const Event> unmade(const Motion& motion) {
+  Event event = event_of(spec::EventKind::move, {motion.line, motion.n});
+  event.programmed = motion.programmed;
+  return std::make_shared<Event>(std::move(event));
+}
+
 void report_out_of_scope(const Motion& motion, EventSink& sink) {
   report_warnings(motion, sink);
   Event event = event_of(spec::EventKind::undecided, {motion.line, motion.n});
@@ -70,6 +77,7 @@ void report_out_of_scope(const Motion& motion, EventSink& sink) {
   event.message = "radius compensation in the plane, RL or RR without TCPM, is not modelled";
   event.out_of_scope = true;
   event.clauses = motion.clauses;
+  event.unmade = unmade(motion);
   sink.on(event);
 }
 
@@ -78,6 +86,7 @@ void report_alarm(const Alarm& alarm, const Place& current, const spec::ClauseLi
   event.number = alarm.number;
   event.message = alarm.message;
   event.clauses = clauses;
+  event.unmade = alarm.unmade;
   sink.on(event);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "model/basis/alarm.h"
@@ -21,6 +22,8 @@ struct Place {
 
 // The warnings of a motion and its move. Clause: heidenhain.program.length-along-the-tool.
 void report_move(const Motion& motion, const Compensated& compensated, const spec::Setup& setup, EventSink& sink);
+// The move of a motion that is not made (Event::unmade).
+std::shared_ptr<const Event> unmade(const Motion& motion);
 // The warnings of a motion whose compensation is not modelled, and the event that says so.
 void report_out_of_scope(const Motion& motion, EventSink& sink);
 void report_alarm(const Alarm& alarm, const Place& current, const spec::ClauseList& clauses, EventSink& sink);

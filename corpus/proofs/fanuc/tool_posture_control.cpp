@@ -1,7 +1,7 @@
 // Lemmas about the direction half way through a block with P1.
 #include <fmt/format.h>
 
-#include "corpus/proofs/pose.h"
+#include "corpus/proofs/fanuc/pose.h"
 #include "corpus/proofs/proofs.h"
 
 namespace toolcomp::corpus {

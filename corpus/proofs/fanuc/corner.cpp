@@ -1,4 +1,4 @@
-#include "corpus/proofs/corner.h"
+#include "corpus/proofs/fanuc/corner.h"
 
 #include <algorithm>
 

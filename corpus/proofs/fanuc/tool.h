@@ -1,31 +1,20 @@
-// Tool directions as the proofs read them, from programs and setups; and vectors of space for Coq.
+// Tool directions as the proofs read them, from programs and setups.
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "corpus/proofs/program.h"
+#include "corpus/proofs/fanuc/program.h"
 
 namespace toolcomp::corpus {
 
-using Blocks = std::map<std::uint64_t, spec::Block>;
 using Vector3 = std::array<double, 3>;
-using Exact3 = std::array<Rational, 3>;
 
 double dot(const Vector3& a, const Vector3& b);
-Rational dot(const Exact3& a, const Exact3& b);
 Vector3 cross(const Vector3& a, const Vector3& b);
-Exact3 cross(const Exact3& a, const Exact3& b);
-Exact3 difference(const Exact3& to, const Exact3& from);
 Vector3 approximate(const Exact3& v);
-std::string coq(const Exact3& v);
-
-// The root, where it is rational.
-std::optional<Rational> square_root(const Rational& value);
 
 // A tool direction as Coq reads it, to double precision, and exactly where it is rational.
 struct Tool {

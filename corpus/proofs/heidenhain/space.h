@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "corpus/proofs/numbers.h"
 #include "corpus/proofs/proofs.h"
-#include "corpus/proofs/tool.h"
 
 namespace toolcomp::corpus {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "corpus/proofs/fanuc/tool.h"
 #include "corpus/proofs/proofs.h"
-#include "corpus/proofs/tool.h"
 
 namespace toolcomp::corpus {
 namespace {

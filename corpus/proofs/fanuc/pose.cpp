@@ -1,4 +1,4 @@
-#include "corpus/proofs/pose.h"
+#include "corpus/proofs/fanuc/pose.h"
 
 #include <algorithm>
 

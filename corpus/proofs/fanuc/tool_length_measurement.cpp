@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "corpus/proofs/program.h"
+#include "corpus/proofs/fanuc/program.h"
 #include "corpus/proofs/proofs.h"
 
 namespace toolcomp::corpus {

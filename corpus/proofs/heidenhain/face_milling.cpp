@@ -1,5 +1,5 @@
 // Lemmas about contacts of face milling: where the tip of the effective tool is.
-#include "corpus/proofs/space.h"
+#include "corpus/proofs/heidenhain/space.h"
 
 namespace toolcomp::corpus {
 

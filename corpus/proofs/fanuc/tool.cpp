@@ -1,4 +1,4 @@
-#include "corpus/proofs/tool.h"
+#include "corpus/proofs/fanuc/tool.h"
 
 #include <fmt/format.h>
 
@@ -68,30 +68,13 @@ std::optional<Tool> of_head(const spec::Setup& setup, const spec::TextEvent& eve
 }  // namespace
 
 double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Rational dot(const Exact3& a, const Exact3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Exact3 cross(const Exact3& a, const Exact3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Exact3 difference(const Exact3& to, const Exact3& from) { return {to[0] - from[0], to[1] - from[1], to[2] - from[2]}; }
-
 Vector3 approximate(const Exact3& v) {
   return {v[0].convert_to<double>(), v[1].convert_to<double>(), v[2].convert_to<double>()};
-}
-
-std::string coq(const Exact3& v) { return fmt::format("(Vec {} {} {})", coq(v[0]), coq(v[1]), coq(v[2])); }
-
-std::optional<Rational> square_root(const Rational& value) {
-  const exact::Integer above = sqrt(exact::Integer(numerator(value)));
-  const exact::Integer below = sqrt(exact::Integer(denominator(value)));
-  Rational root(above, below);
-  if (root * root != value) return std::nullopt;
-  return root;
 }
 
 bool has_rotary_zeros(const spec::Case& c, const Blocks& blocks) {

@@ -1,7 +1,7 @@
 // Lemmas about directions by I J K: the recorded tool axis, rotary positions and control point.
 #include <fmt/format.h>
 
-#include "corpus/proofs/pose.h"
+#include "corpus/proofs/fanuc/pose.h"
 #include "corpus/proofs/proofs.h"
 
 namespace toolcomp::corpus {

@@ -1,5 +1,5 @@
 // Lemmas about peripheral milling: end points beside the movement, and mitres.
-#include "corpus/proofs/space.h"
+#include "corpus/proofs/heidenhain/space.h"
 
 namespace toolcomp::corpus {
 

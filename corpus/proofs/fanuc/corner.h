@@ -7,7 +7,7 @@
 #include <initializer_list>
 #include <optional>
 
-#include "corpus/proofs/tool.h"
+#include "corpus/proofs/fanuc/tool.h"
 
 namespace toolcomp::corpus {
 

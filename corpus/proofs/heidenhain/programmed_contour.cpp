@@ -1,5 +1,5 @@
 // Lemmas about blocks under IS CONTOUR: the tip of the tool that touches the programmed point, or stands beside it.
-#include "corpus/proofs/space.h"
+#include "corpus/proofs/heidenhain/space.h"
 
 namespace toolcomp::corpus {
 

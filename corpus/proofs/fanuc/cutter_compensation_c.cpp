@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "corpus/proofs/corner.h"
+#include "corpus/proofs/fanuc/corner.h"
+#include "corpus/proofs/fanuc/tool.h"
 #include "corpus/proofs/proofs.h"
-#include "corpus/proofs/tool.h"
 
 namespace toolcomp::corpus {
 namespace {

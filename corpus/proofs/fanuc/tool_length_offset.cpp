@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "corpus/proofs/program.h"
+#include "corpus/proofs/fanuc/program.h"
 #include "corpus/proofs/proofs.h"
 
 namespace toolcomp::corpus {

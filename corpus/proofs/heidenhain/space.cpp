@@ -1,4 +1,4 @@
-#include "corpus/proofs/space.h"
+#include "corpus/proofs/heidenhain/space.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "corpus/proofs/tool.h"
+#include "corpus/proofs/fanuc/tool.h"
 
 namespace toolcomp::corpus {
 
