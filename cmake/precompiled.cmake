@@ -40,6 +40,7 @@ target_precompile_headers(toolcomp_precompiled_program PRIVATE ${headers} ${head
 if(TOOLCOMP_TESTS)
   find_package(GTest REQUIRED)
   toolcomp_precompiled(toolcomp_precompiled_test fmt::fmt GTest::gtest)
+  target_compile_options(toolcomp_precompiled_test PRIVATE -O0)
   target_precompile_headers(toolcomp_precompiled_test PRIVATE ${headers} ${headers_of_programs} ${headers_of_tests})
 endif()
 
