@@ -25,13 +25,9 @@ function(toolcomp_precompiled owner)
   target_link_libraries(${owner} PRIVATE toolcomp_options ${ARGN})
   if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
     target_link_libraries(${owner} PRIVATE fmt::fmt nlohmann_json::nlohmann_json)
-    # The same bytes from the same headers, so that ccache knows them again; but never out of ccache itself: they hold
-    # the path of the build folder.
     target_compile_options(${owner} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
-    set_target_properties(${owner} PROPERTIES CXX_COMPILER_LAUNCHER "")
-  else()
-    set_target_properties(${owner} PROPERTIES CXX_COMPILER_LAUNCHER ${PROJECT_SOURCE_DIR}/cmake/with_checksum)
   endif()
+  set_target_properties(${owner} PROPERTIES CXX_COMPILER_LAUNCHER ${PROJECT_SOURCE_DIR}/cmake/with_checksum)
 endfunction()
 toolcomp_precompiled(toolcomp_precompiled_library)
 target_precompile_headers(toolcomp_precompiled_library PRIVATE ${headers})
@@ -40,6 +36,7 @@ target_precompile_headers(toolcomp_precompiled_program PRIVATE ${headers} ${head
 if(TOOLCOMP_TESTS)
   find_package(GTest REQUIRED)
   toolcomp_precompiled(toolcomp_precompiled_test fmt::fmt GTest::gtest)
+  target_compile_options(toolcomp_precompiled_test PRIVATE -O0)
   target_precompile_headers(toolcomp_precompiled_test PRIVATE ${headers} ${headers_of_programs} ${headers_of_tests})
 endif()
 

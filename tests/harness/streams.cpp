@@ -13,12 +13,14 @@
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/trial.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::fuzz {
 namespace {
 
 TEST(Streams, GiveTheVerdictOfTheWholeCase) {
-  for (std::uint64_t seed = 0; seed < 300; ++seed)
+  constexpr std::uint64_t seeds = test::kSanitized ? 100 : 300;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed)
     for (const std::string_view section : sections()) {
       SeededSource source(seed);
       const spec::Case c = generate(section, Mode::directed, source, 40);
