@@ -1,5 +1,5 @@
-// The registry of parameters against both engines, on generated programs: its defaults are what counts where a setup
-// gives nothing, every parameter has an effect, and those that are accepted without effect have none.
+// The registry of keys and parameters against both engines, on generated programs: its defaults are what counts where a
+// setup gives nothing, every key and parameter has an effect, and those that are accepted without effect have none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "spec/language/input_error.h"
 #include "spec/language/number_text.h"
 #include "spec/language/parameter.h"
+#include "spec/language/setup_key.h"
 #include "tests/sanitized.h"
 
 namespace toolcomp::fuzz {
@@ -134,6 +135,29 @@ TEST(Parameters, AllOthersHaveOne) {
     });
   }
   for (const spec::ParameterId& id : left) ADD_FAILURE() << spec::to_string(id) << " changed nothing";
+}
+
+// Every value of a key means something else to both engines.
+TEST(Keys, AllHaveAnEffect) {
+  constexpr std::uint64_t most = 1000;
+  std::set<std::pair<std::string, std::size_t>> left;
+  for (const spec::KeyInfo& key : spec::keys())
+    for (std::size_t value = 0; value < key.values.size(); ++value) left.insert({std::string(key.id), value});
+  for (std::uint64_t seed = 1; seed <= most && !left.empty(); ++seed)
+    for (const std::string_view section : sections()) {
+      SeededSource source(seed);
+      const spec::Case c = generate(section, Mode::directed, source, 8);
+      const Texts texts = run(c);
+      for (const spec::KeyInfo& key : spec::keys())
+        std::erase_if(left, [&](const auto& open) {
+          if (open.first != key.id || !key.is_of(c.setup.control) || key.get(c.setup) == open.second) return false;
+          spec::Case other = c;
+          key.set(other.setup, open.second);
+          const Texts changed = run(other);
+          return changed.model != texts.model && changed.fast != texts.fast;
+        });
+    }
+  for (const auto& [id, value] : left) ADD_FAILURE() << id << ", value " << value;
 }
 
 }  // namespace

@@ -3,11 +3,14 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
+#include "spec/language/setup_key.h"
+#include "tests/setup_members.h"
 
 namespace {
 
@@ -126,6 +129,63 @@ TEST(Setup, RoundTrips) {
   EXPECT_EQ(write_setup_json(setup).find('\n'), std::string::npos);
   EXPECT_EQ(toml(write_setup_toml({})), spec::Setup{});
   EXPECT_EQ(json(write_setup_json({})), spec::Setup{});
+}
+
+TEST(Setup, EveryMemberIsWrittenAndRead) {
+  for (const toolcomp::test::Changed& c : toolcomp::test::changed_setups()) {
+    for (const spec::Setup& setup : {c.plain, c.changed}) {
+      EXPECT_EQ(toml(write_setup_toml(setup)), setup) << c.what;
+      EXPECT_EQ(json(write_setup_json(setup)), setup) << c.what;
+    }
+    EXPECT_NE(write_setup_toml(c.changed), write_setup_toml(c.plain)) << c.what;
+    EXPECT_NE(write_setup_json(c.changed), write_setup_json(c.plain)) << c.what;
+  }
+}
+
+TEST(Setup, EveryValueOfEveryKeyIsRead) {
+  for (const KeyInfo& key : keys())
+    for (const Control control : {Control::fanuc, Control::heidenhain}) {
+      const std::string head = control == Control::fanuc ? "" : "control = \"heidenhain\"\n";
+      for (std::size_t value = 0; key.is_of(control) && value < key.values.size(); ++value) {
+        const std::string line = std::string(key.id) + " = " + value_text(key, value);
+        spec::Setup expected = toml(head);
+        key.set(expected, value);
+        EXPECT_EQ(toml(head + line), expected) << line;
+        EXPECT_EQ(key.get(expected), value) << line;
+        EXPECT_EQ(key.is_default(toml(head)), true) << line;
+      }
+      const std::string error = toml_error(head + std::string(key.id) + " = 1");
+      EXPECT_EQ(error.find("belongs to control") == std::string::npos, key.is_of(control)) << error;
+      EXPECT_EQ(error.substr(0, 9), control == Control::fanuc ? "f.toml:1:" : "f.toml:2:");
+    }
+}
+
+// The schema names what the reader names, in the same order, with the same values.
+TEST(Setup, SchemaHasTheNamesOfTheReader) {
+  const auto schema = nlohmann::ordered_json::parse(setup_schema());
+  for (const Control control : {Control::fanuc, Control::heidenhain}) {
+    const bool fanuc = control == Control::fanuc;
+    const auto& properties = schema["$defs"][fanuc ? "fanuc" : "heidenhain"]["properties"];
+    std::string names;
+    for (const auto& [name, property] : properties.items()) names += (names.empty() ? "" : ", ") + name;
+    const std::string error = toml_error((fanuc ? "" : "control = \"heidenhain\"\n") + std::string("colour = 1"));
+    EXPECT_EQ(error.substr(error.find("one of ") + 7), names);
+    for (const KeyInfo& key : keys()) {
+      if (!key.is_of(control)) continue;
+      const auto& property = properties.at(std::string(key.id));
+      EXPECT_EQ(property["default"].dump(), value_text(key, key.default_value));
+      EXPECT_TRUE(key.boolean ? property["type"] == "boolean" : property["enum"].size() == key.values.size()) << key.id;
+    }
+  }
+}
+
+// A setup as it is: the example gives every key, with its default.
+TEST(Setup, ExampleHasEveryKey) {
+  for (const KeyInfo& key : keys())
+    for (const Control control : {Control::fanuc, Control::heidenhain}) {
+      const std::string line = "\n" + std::string(key.id) + " = " + value_text(key, key.default_value) + " ";
+      EXPECT_EQ(setup_example(control).find(line) != std::string_view::npos, key.is_of(control)) << line;
+    }
 }
 
 TEST(Setup, ExampleReads) {
