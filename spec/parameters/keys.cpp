@@ -16,8 +16,9 @@
 namespace toolcomp::spec {
 namespace {
 
-constexpr std::string_view kKeys[] = {"id",     "control", "values",  "type", "default", "always",
-                                      "letter", "words",   "clauses", "text", "comment", "heidenhain"};
+constexpr std::string_view kKeys[] = {"id",    "control", "values",  "type", "default", "always",    "letter",
+                                      "words", "percent", "clauses", "text", "comment", "heidenhain"};
+constexpr std::int64_t kMostPercent = 99;
 constexpr std::string_view kOwnTexts[] = {"text", "comment"};
 // What else a setup has: no key is called so.
 constexpr std::string_view kOtherNames[] = {"control",   "axes",       "parameters", "offsets",
@@ -64,6 +65,7 @@ struct Key {
   bool fanuc = false, heidenhain = false, boolean = false, always = false;
   std::vector<std::string> values, words;
   std::size_t default_value = 0;
+  std::int64_t percent = 0;
 };
 
 std::string enumerator(const std::string& value) {
@@ -103,6 +105,10 @@ class Keys {
     read_values(table, k);
     k.always = registry_.flag(table, "always");
     read_line(table, k);
+    if (const toml::node* percent = table.get("percent")) {
+      k.percent = percent->value_or(std::int64_t{0});
+      if (k.percent < 1 || k.percent > kMostPercent) registry_.fail(*percent, "percent: 1 to 99 must stand here");
+    }
     k.clauses = registry_.clauses(table);
     k.text = text(table, "text");
     k.comment = table.get("comment") == nullptr ? k.text : text(table, "comment");
@@ -216,10 +222,10 @@ std::string key_table(const Registry& registry) {
     const std::string values = array(k, "Values", k.values, arrays);
     const std::string words = array(k, "Words", k.words, arrays);
     rows += fmt::format(
-        "    KeyInfo{{{}, {{{}, {}}}, {}, {}, {}, {}, '{}', {},\n      {},\n      {{{}, {}}},\n      {{{}, {}}},\n"
+        "    KeyInfo{{{}, {{{}, {}}}, {}, {}, {}, {}, '{}', {}, {},\n      {},\n      {{{}, {}}},\n      {{{}, {}}},\n"
         "      [](const SetupKeys& keys) {{ return static_cast<std::size_t>(keys.{}); }},\n"
         "      [](SetupKeys& keys, std::size_t value) {{ keys.{} = {}; }}}},\n",
-        literal(k.id), k.fanuc, k.heidenhain, k.boolean, values, k.default_value, k.always, k.letter, words,
+        literal(k.id), k.fanuc, k.heidenhain, k.boolean, values, k.default_value, k.always, k.letter, words, k.percent,
         literal(k.clauses), literal(k.text), literal(k.heidenhain_text), literal(k.comment),
         literal(k.heidenhain_comment), k.id, k.id,
         k.boolean ? std::string("value != 0") : fmt::format("static_cast<{}>(value)", k.type));

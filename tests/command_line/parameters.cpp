@@ -94,15 +94,15 @@ TEST_F(ParameterRegistry, Faults) {
 TEST_F(KeyRegistry, BecomesAStructAndATable) {
   const Outcome outcome = generate(
       "[[key]]\nid = \"sense_of_turns\"\ncontrol = \"fanuc\"\nvalues = [\"IS-A\", \"b\"]\ndefault = \"b\"\nletter = "
-      "\"z\"\nclauses = [\"a.b.c\"]\ntext = \"One.\"\n" +
+      "\"z\"\npercent = 20\nclauses = [\"a.b.c\"]\ntext = \"One.\"\n" +
       kGoodKey + kGoodParameter);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   expect_parts("keys.h", {"enum class SenseOfTurns : std::uint8_t { is_a, b };",
                           "SenseOfTurns sense_of_turns = SenseOfTurns::b;", "bool a_key = false;"});
   EXPECT_EQ(toolcomp::test::read(folder.path("keys.h")).find("One."), std::string::npos);
   expect_parts("key_table.h",
-               {R"(KeyInfo{"sense_of_turns", {true, false}, false, kSenseOfTurnsValues, 1, false, 'z', {},)",
-                R"(KeyInfo{"a_key", {true, true}, true, kAKeyValues, 0, false, 'Z', {},)", R"("One.")",
+               {R"(KeyInfo{"sense_of_turns", {true, false}, false, kSenseOfTurnsValues, 1, false, 'z', {}, 20,)",
+                R"(KeyInfo{"a_key", {true, true}, true, kAKeyValues, 0, false, 'Z', {}, 0,)", R"("One.")",
                 "std::array<KeyInfo, 2>"});
 }
 
@@ -132,6 +132,8 @@ TEST_F(KeyRegistry, Faults) {
           "5:10: words: one for each value must stand here; none where there are two");
   refused(begin + "values = [\"a\", \"b\", \"c\"]\ndefault = \"c\"\nletter = \"z\"\n",
           "6:10: words: one for each value must stand here; none where there are two");
+  refused(value + "letter = \"z\"\npercent = 0\n", "6:11: percent: 1 to 99 must stand here");
+  refused(value + "letter = \"z\"\npercent = \"all\"\n", "6:11: percent: 1 to 99 must stand here");
   refused(value + "letter = \"z\"\ntext = \"One.\"\n", "1:1: clauses must name what rules the entry");
   refused(value + "letter = \"z\"\nclauses = [\"a.b.e\"]\n", "6:11: there is no clause a.b.e");
   refused(value + "letter = \"z\"\nclauses = [\"a.b.old\"]\n", "6:11: the clause a.b.old is replaced by another");
