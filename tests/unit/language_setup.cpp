@@ -256,10 +256,13 @@ TEST(Setup, MeasurementNamesAxesOfTheSetup) {
 
 TEST(Setup, ErrorsNamePlaceFaultAndExpectation) {
   EXPECT_EQ(toml_error("units = \"cm\""), "f.toml:1:9: units: unknown value \"cm\"; expected one of mm, inch");
-  EXPECT_EQ(toml_error("\n unit = 1"),
-            "f.toml:2:2: setup: unknown key \"unit\"; expected one of control, units, axes, increment, "
-            "cutter_compensation, type_b_without_perpendicular, rotary_angles, block_skip, parameters, offsets, "
-            "workpiece, position, reference, measurement");
+  const std::string unknown = toml_error("\n unit = 1");  // between its ends further second readings may stand
+  EXPECT_TRUE(
+      unknown.starts_with("f.toml:2:2: setup: unknown key \"unit\"; expected one of control, units, axes, increment, "
+                          "cutter_compensation, type_b_without_perpendicular, rotary_angles, "))
+      << unknown;
+  EXPECT_TRUE(unknown.ends_with(", block_skip, parameters, offsets, workpiece, position, reference, measurement"))
+      << unknown;
   EXPECT_EQ(toml_error("axes = [\"X\", \"Q\"]"),
             "f.toml:1:14: axes: \"Q\" is no axis; expected one of A B C U V W X Y Z");
   EXPECT_EQ(toml_error("axes = [\"X\", \"X\"]"), "f.toml:1:14: axes: axis X is given twice");
