@@ -68,6 +68,22 @@ constexpr Example kRules[] = {
      "2 X0 Y0 Z5\n"
      "3 X0 Y0 Z25\n"
      "4 X0 Y0 Z26\n"},
+    {"G49 leaves the number: G43 Z5 without H takes the 20 of H1 again, Z25.", SETUP "[offsets.H]\n1 = 20\n",
+     "G43 Z0 H1\nG49 Z0\nG43 Z5\n",
+     "1 X0 Y0 Z20\n"
+     "2 X0 Y0 Z0\n"
+     "3 X0 Y0 Z25\n"},
+    {"g49_sets_h0, G49 without H: G43 Z5 without H offsets by nothing, Z5; H1 then brings the 20, Z25.",
+     "g49_sets_h0 = true\n" SETUP "[offsets.H]\n1 = 20\n", "G43 Z0 H1\nG49 Z0\nG43 Z5\nH1\n",
+     "1 X0 Y0 Z20\n"
+     "2 X0 Y0 Z0\n"
+     "3 X0 Y0 Z5\n"
+     "4 X0 Y0 Z25\n"},
+    {"g49_sets_h0, G49 H2: the H of the block counts, so G43 Z5 without H takes its 7, Z12.",
+     "g49_sets_h0 = true\n" SETUP "[offsets.H]\n1 = 20\n2 = 7\n", "G43 Z0 H1\nG49 Z0 H2\nG43 Z5\n",
+     "1 X0 Y0 Z20\n"
+     "2 X0 Y0 Z0\n"
+     "3 X0 Y0 Z12\n"},
 };
 
 #undef SETUP
