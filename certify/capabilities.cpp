@@ -233,10 +233,8 @@ std::string why_not_applicable(const Capabilities& capabilities, const spec::Cas
 }
 
 bool same_meaning(const spec::Setup& a, const spec::Setup& b) {
-  if (a.control != b.control || a.units != b.units || a.increment != b.increment || a.axes != b.axes ||
-      a.cutter_compensation != b.cutter_compensation ||
-      a.type_b_without_perpendicular != b.type_b_without_perpendicular || a.rotary_angles != b.rotary_angles ||
-      a.block_skip != b.block_skip || a.memory != b.memory || a.offset_count != b.offset_count)
+  if (a.control != b.control || a.axes != b.axes || a.memory != b.memory || a.offset_count != b.offset_count ||
+      static_cast<const spec::SetupKeys&>(a) != b)
     return false;
   for (std::size_t i = 0; i < a.workpiece.size(); ++i)
     if (!equal_tables(a.workpiece.at(i), b.workpiece.at(i))) return false;

@@ -198,11 +198,11 @@ class CommandLine {
                     "contour, tight: from which block on the place is (default: the middle)");
   }
   void add_spec() {
-    CLI::App* sub = verb("spec", "The clauses: list, show, trace, coverage, sections; parameters",
+    CLI::App* sub = verb("spec", "The clauses: list, show, trace, coverage, sections; keys and parameters of setups",
                          [this] { return cli::spec(spec_); });
-    sub->add_option("verb", spec_.verb, "list, show, trace, coverage, sections or parameters")
+    sub->add_option("verb", spec_.verb, "list, show, trace, coverage, sections, keys or parameters")
         ->required()
-        ->check(CLI::IsMember({"list", "show", "trace", "coverage", "sections", "parameters"}));
+        ->check(CLI::IsMember({"list", "show", "trace", "coverage", "sections", "keys", "parameters"}));
     sub->add_option("id", spec_.id, "show: the clause");
     sub->add_option("--dir", spec_.directory, "Source tree (trace) or corpus (coverage); default: where it was built");
     sub->add_flag("--json", spec_.json, "JSON instead of text");

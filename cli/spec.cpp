@@ -1,4 +1,5 @@
-// toolcomp spec: the clauses, where each is found, what the golden corpus exercises of them; the parameters.
+// toolcomp spec: the clauses, where each is found, what the golden corpus exercises of them; keys and parameters of
+// setups.
 #include <filesystem>
 #include <iostream>
 
@@ -12,6 +13,7 @@ int spec(const SpecOptions& options) {
   const auto format = options.json ? spec::ReportFormat::json : spec::ReportFormat::text;
   if (options.verb == "list") std::cout << spec::list_clauses(format);
   if (options.verb == "sections") std::cout << spec::list_sections(format);
+  if (options.verb == "keys") std::cout << spec::list_keys(format);
   if (options.verb == "parameters") std::cout << spec::list_parameters(format);
   if (options.verb == "coverage") {
     const corpus::Coverage coverage = corpus::coverage(

@@ -10,6 +10,7 @@ install(TARGETS toolcomp RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${libraries} EXPORT toolcomp ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY spec model fast DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/toolcomp FILES_MATCHING PATTERN "*.h")
 install(FILES ${PROJECT_BINARY_DIR}/generated/spec/clauses/clauses.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/toolcomp/spec/clauses)
+install(FILES ${PROJECT_BINARY_DIR}/generated/spec/parameters/keys.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/toolcomp/spec/parameters)
 install(EXPORT toolcomp NAMESPACE toolcomp:: FILE toolcompTargets.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/toolcomp)
 configure_package_config_file(cmake/toolcompConfig.cmake.in ${PROJECT_BINARY_DIR}/toolcompConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/toolcomp)

@@ -7,12 +7,16 @@
 
 namespace toolcomp::corpus {
 
-// The comment says where the example is from and what it must give, in words and figures worked out by hand; a test
-// holds the vectors to them.
+// The comment says where the example is from and what it must give, in words and figures worked out by hand; tests hold
+// the vectors to them.
 struct Example {
   std::string_view comment;
   std::string_view setup;  // TOML
   std::string_view program;
+  // What the vector, both engines and the laws are held to: a row an event, each ending with a line feed, typed in from
+  // the derivation in the form of the section (tests/golden/rows.h, pose_rows.h, space_rows.h). Empty: a table in
+  // tests/golden has them.
+  std::string_view figures = {};
   std::uint32_t samples = 0;  // parts of a block, of which samples are wanted
 };
 

@@ -10,6 +10,7 @@
 #include "fuzz/campaign/features.h"
 #include "fuzz/gen/generator.h"
 #include "spec/language/parameter.h"
+#include "spec/language/setup_key.h"
 
 namespace toolcomp::corpus {
 namespace {
@@ -39,6 +40,9 @@ Candidate candidate(std::string_view section, std::uint64_t seed, std::size_t in
   Candidate made;
   made.c = fuzz::generate(section, unrestricted ? fuzz::Mode::unrestricted : fuzz::Mode::directed, source);
   made.c.section = section;
+  // What is chosen last stays at its default here, so that no vector changes for a key that comes; examples have it.
+  for (const spec::KeyInfo& key : spec::keys())
+    if (key.percent != 0) key.set(made.c.setup, key.default_value);
   made.c.source = {std::string(kGenerator.substr(0, kGenerator.rfind(' '))),
                    std::string(kGenerator.substr(kGenerator.rfind(' ') + 1)), std::to_string(own)};
   if (unrestricted) made.c.flags = {"generated-unrestricted"};

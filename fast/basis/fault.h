@@ -5,7 +5,7 @@ namespace toolcomp::fast {
 
 enum class Fault : unsigned char {
   none,
-#define TOOLCOMP_FAULT(name, description) name,
+#define TOOLCOMP_FAULT(name, mistake, section, budget, clauses) name,
 #include "fast/basis/faults.inc"
 #undef TOOLCOMP_FAULT
 };

@@ -1,4 +1,4 @@
-// The seeded faults of fast/basis/faults.inc with what the harness must say about each.
+// The seeded faults of fast/basis/faults.inc, with what the harness must say about each.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,12 @@
-// The lines, one letter first:
-//   u mm|inch   i A|B|C   a LETTERS   k b|c   s (block skip)   x (type B without perpendicular)   v (rotary angles as
-//   programmed)   p NUMBER[#BIT] VALUE   m a|b|c COUNT h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR   w 54…59 AXIS
-//   VALUE   o AXIS VALUE (position) r 1…4 AXIS VALUE   f AXIS VALUE (floating reference)   t AXIS VALUE (measurement)
-//   n COUNT (samples)
-// of a Heidenhain control u a s o, and
+// The lines, one letter first: those of the keys in spec/parameters.toml (u inch   v), which stand for what is not the
+// default, and
+//   a LETTERS (axes)   p NUMBER[#BIT] VALUE   m a|b|c COUNT   h NUMBER GEOMETRY WEAR   d NUMBER GEOMETRY WEAR
+//   w 54…59 AXIS VALUE   o AXIS VALUE (position)   r 1…4 AXIS VALUE   f AXIS VALUE (floating reference)
+//   t AXIS VALUE (measurement)   n COUNT (samples)
+// of a Heidenhain control its keys, a, o, and
 //   c heidenhain (before all others)   y TENTHS R R2 DL DR DR2 [L] (a tool)   e NAME (of the tool before)   g NAME (its
 //   table of deviations)   j NUMBER DL DR DR2 (a row of corrections)   q ANGLE DEVIATION NAME (a point of that table)
+// The registry's generator (spec/parameters/keys.cpp) keeps these letters from the keys.
 #include "fuzz/gen/encode.h"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include <tuple>
 #include "fuzz/oracle/number.h"
 #include "spec/language/parameter.h"
+#include "spec/language/setup_key.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -164,19 +166,6 @@ std::optional<std::size_t> place_in(std::string_view letters, const Line& line) 
 void apply_to_fanuc(Setup& setup, const Line& line) {
   const std::string_view first = line.word[1];
   switch (line.word[0][0]) {
-    case 'i':
-      if (const auto at = place_in("ABC", line)) setup.increment = static_cast<spec::IncrementSystem>(*at);
-      break;
-    case 'k':
-      if (const auto at = place_in("bc", line))
-        setup.cutter_compensation = static_cast<spec::CutterCompensationType>(*at);
-      break;
-    case 'x':
-      setup.type_b_without_perpendicular = true;
-      break;
-    case 'v':
-      setup.rotary_angles = spec::RotaryAngles::programmed;
-      break;
     case 'p':
       put_parameter(setup, line);
       break;
@@ -234,18 +223,26 @@ void apply_to_heidenhain(Setup& setup, const Line& line) {
   }
 }
 
+// Of two values without words a letter means the one that is not the default.
+void put_key(Setup& setup, const spec::KeyInfo& key, const Line& line) {
+  const auto word = std::ranges::find(key.words, line.word[1]);
+  if (key.words.empty())
+    key.set(setup, 1 - key.default_value);
+  else if (word != key.words.end())
+    key.set(setup, static_cast<std::size_t>(word - key.words.begin()));
+}
+
 void apply(Setup& setup, const Line& line) {
   if (line.word[0].size() != 1) return;
+  const auto key = std::ranges::find(spec::keys(), line.word[0][0], &spec::KeyInfo::letter);
+  if (key != spec::keys().end()) {
+    if (key->is_of(setup.control)) put_key(setup, *key, line);
+    return;
+  }
   const std::string_view first = line.word[1];
   switch (line.word[0][0]) {
-    case 'u':
-      setup.units = first == "inch" ? spec::Units::inch : spec::Units::mm;
-      break;
     case 'a':
       if (all_different_axes(first)) setup.axes = spec::Axes(first);
-      break;
-    case 's':
-      setup.block_skip = true;
       break;
     case 'o':
       put(setup.position, first, line.word[2]);
@@ -297,13 +294,11 @@ std::string encode(const spec::Case& c) {
   const Setup& s = c.setup;
   std::string out;
   if (s.control == spec::Control::heidenhain) out += "c heidenhain\n";
-  if (s.units == spec::Units::inch) out += "u inch\n";
-  if (s.increment != spec::IncrementSystem::is_b) out += fmt::format("i {}\n", "ABC"[static_cast<int>(s.increment)]);
   if (s.axes.letters() != kDefaultAxes) out += fmt::format("a {}\n", s.axes.letters());
-  if (s.cutter_compensation == spec::CutterCompensationType::b) out += "k b\n";
-  if (s.block_skip) out += "s\n";
-  if (s.type_b_without_perpendicular) out += "x\n";
-  if (s.rotary_angles == spec::RotaryAngles::programmed) out += "v\n";
+  for (const spec::KeyInfo& key : spec::keys())
+    if (!key.is_default(s))
+      out += key.words.empty() ? fmt::format("{}\n", key.letter)
+                               : fmt::format("{} {}\n", key.letter, key.words[key.get(s)]);
   for (const auto& [id, value] : s.parameters)
     out += id.bit < 0 ? fmt::format("p {} {}\n", id.number, spec::to_string(value))
                       : fmt::format("p {}#{} {}\n", id.number, id.bit, spec::to_string(value));

@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include "fuzz/gen/late_fault.h"
+#include "spec/clauses/clauses.h"
+#include "spec/language/setup_key.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -53,6 +55,32 @@ std::uint32_t number_of_blocks(Choices& choose) {
   }
 }
 
+bool has_clause_of(const spec::KeyInfo& key, std::string_view section) {
+  return std::ranges::any_of(spec::clauses(), [&](const spec::ClauseInfo& clause) {
+    return clause.section == section &&
+           ('\n' + std::string(key.clauses) + '\n').find('\n' + std::string(clause.id) + '\n') != std::string::npos;
+  });
+}
+
+// Keys of this section that nothing else chooses (percent in spec/parameters.toml).
+void choose_keys(Choices& choose, spec::Case& c) {
+  for (const spec::KeyInfo& key : spec::keys())
+    if (key.percent != 0 && has_clause_of(key, c.section) && choose.chance(key.percent))
+      key.set(c.setup, (key.default_value + 1 + choose.below(key.values.size() - 1)) % key.values.size());
+}
+
+spec::Case directed(const Generator& generator, Choices& choose, std::uint32_t blocks) {
+  spec::Case c = generator.make(choose, blocks);
+  c.section = generator.section;
+  // Faults come late, so that something is judged before them; a few stay where they are.
+  if (choose.chance(kFaultsAnywhere)) return c;
+  for (int draws = 1; !put_fault_last(c) && draws < kMostDraws; ++draws) {
+    c = generator.make(choose, blocks);
+    c.section = generator.section;
+  }
+  return c;
+}
+
 }  // namespace
 
 std::span<const std::string_view> sections() { return kSections; }
@@ -63,15 +91,10 @@ spec::Case generate(std::string_view section, Mode mode, ChoiceSource& source, s
   const auto* const generator = std::ranges::find(kGenerators, section, &Generator::section);
   if (generator == std::end(kGenerators))
     throw std::invalid_argument(fmt::format("no generator for section \"{}\"", section));
-  spec::Case c = generator->make(choose, blocks);
+  spec::Case c = mode == Mode::directed ? directed(*generator, choose, blocks) : generator->make(choose, blocks);
   c.section = section;
   if (mode == Mode::unrestricted) return unrestricted(choose, std::move(c), blocks);
-  // Faults come late, so that something is judged before them; a few stay where they are.
-  if (choose.chance(kFaultsAnywhere)) return c;
-  for (int draws = 1; !put_fault_last(c) && draws < kMostDraws; ++draws) {
-    c = generator->make(choose, blocks);
-    c.section = section;
-  }
+  choose_keys(choose, c);
   return c;
 }
 

@@ -8,7 +8,7 @@
 namespace toolcomp::spec::document {
 namespace {
 
-std::string joined(std::initializer_list<std::string_view> names) {
+std::string joined(std::span<const std::string_view> names) {
   std::string text;
   for (const std::string_view name : names) {
     if (!text.empty()) text += ", ";
@@ -101,16 +101,15 @@ std::vector<std::string> Reader::strings(const Node& node, std::string_view name
   return list;
 }
 
-std::size_t Reader::choice(const Node& node, std::string_view name,
-                           std::initializer_list<std::string_view> choices) const {
+std::size_t Reader::choice(const Node& node, std::string_view name, std::span<const std::string_view> choices) const {
   const std::string& text = string(node, name);
-  const auto* const found = std::ranges::find(choices, std::string_view(text));
+  const auto found = std::ranges::find(choices, std::string_view(text));
   if (found == choices.end())
     fail(node.at, std::string(name) + ": unknown value " + in_quotes(text) + "; expected one of " + joined(choices));
   return static_cast<std::size_t>(found - choices.begin());
 }
 
-void Reader::keys(const Node& node, std::string_view name, std::initializer_list<std::string_view> known) const {
+void Reader::keys(const Node& node, std::string_view name, std::span<const std::string_view> known) const {
   expect(node, Kind::table, name);
   for (const Member& member : node.members)
     if (std::ranges::find(known, std::string_view(member.name)) == known.end())

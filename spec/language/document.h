@@ -5,6 +5,7 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,9 +65,16 @@ class Reader {
   [[nodiscard]] std::vector<std::string> strings(const Node& node, std::string_view name) const;
   // The index of the string among the choices.
   [[nodiscard]] std::size_t choice(const Node& node, std::string_view name,
-                                   std::initializer_list<std::string_view> choices) const;
+                                   std::span<const std::string_view> choices) const;
+  [[nodiscard]] std::size_t choice(const Node& node, std::string_view name,
+                                   std::initializer_list<std::string_view> choices) const {
+    return choice(node, name, std::span(choices.begin(), choices.size()));
+  }
   // `node` must be a table of these keys.
-  void keys(const Node& node, std::string_view name, std::initializer_list<std::string_view> known) const;
+  void keys(const Node& node, std::string_view name, std::span<const std::string_view> known) const;
+  void keys(const Node& node, std::string_view name, std::initializer_list<std::string_view> known) const {
+    keys(node, name, std::span(known.begin(), known.size()));
+  }
 
  private:
   std::string file_;

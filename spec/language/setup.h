@@ -12,15 +12,11 @@
 
 #include "spec/language/axes.h"
 #include "spec/language/decimal.h"
+#include "spec/parameters/keys.h"
 
 namespace toolcomp::spec {
 
 enum class Control : std::uint8_t { fanuc, heidenhain };
-enum class Units : std::uint8_t { mm, inch };
-enum class IncrementSystem : std::uint8_t { is_a, is_b, is_c };
-enum class CutterCompensationType : std::uint8_t { b, c };
-// Which coordinates of the rotary axes give the angles that turn tool and table (fanuc.tool-direction.rotary-angles).
-enum class RotaryAngles : std::uint8_t { machine, programmed };
 enum class OffsetMemory : std::uint8_t { a, b, c };
 
 // A FANUC parameter: the whole number, or one bit of it ("5001#2").
@@ -59,15 +55,10 @@ struct CorrectionRow {
 // Deviations of the corner radius (mm) by the angle of the contact (degrees, ascending).
 using DeviationTable = std::vector<std::pair<Decimal, Decimal>>;
 
-struct Setup {
+// What is chosen by key (units, rotary_angles, …) is inherited; setup_key.h has the table of it.
+struct Setup : SetupKeys {
   Control control = Control::fanuc;
-  Units units = Units::mm;
-  IncrementSystem increment = IncrementSystem::is_b;
   Axes axes;
-  CutterCompensationType cutter_compensation = CutterCompensationType::c;
-  bool type_b_without_perpendicular = false;  // fanuc.tool-side.type-b-perpendicular
-  RotaryAngles rotary_angles = RotaryAngles::machine;
-  bool block_skip = false;
   std::map<ParameterId, Decimal> parameters;
 
   OffsetMemory memory = OffsetMemory::a;

@@ -3,23 +3,24 @@
 
 #include "spec/language/parameter.h"
 #include "spec/language/setup_format.h"
+#include "spec/language/setup_key.h"
 
 namespace toolcomp::spec {
 namespace {
 
-constexpr std::string_view kFanucKeys =
+constexpr std::string_view kFanucHead =
     R"toml(# A FANUC machining centre with a head that turns the tool about Z (C) and then about Y (B).
 # Every key may be left out; the values shown in brackets are then used. Decimals are exact, quoted or not.
 
 control = "fanuc"                     # [fanuc]
-units = "mm"                          # [mm] or inch: of this file, the results, and programs before G20 or G21
-axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z] controlled axes 1, 2, 3, …: the numbers that 19681 and 19686 mean
-increment = "IS-B"                    # [IS-B] least input increment 0.001; IS-A 0.01, IS-C 0.0001
-cutter_compensation = "C"             # [C] or B: which section G39 to G42 are
-type_b_without_perpendicular = false  # [false] true: type B of tool side compensation has the intersection vectors alone
-rotary_angles = "machine"             # [machine] coordinates of rotary axes that turn tool and table; or programmed
-block_skip = false                    # [false] true: blocks that begin with / are skipped
+)toml";
 
+constexpr std::string_view kFanucAxes =
+    R"toml(axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z] controlled axes 1, 2, 3, …: the numbers that 19681 and 19686 mean
+)toml";
+
+constexpr std::string_view kParameters =
+    R"toml(
 [parameters]                          # by number; bits as "number#bit"; `toolcomp spec parameters` lists all
 )toml";
 
@@ -54,15 +55,19 @@ Z = 250
 Z = "198.0"
 )toml";
 
-constexpr std::string_view kHeidenhain =
+constexpr std::string_view kHeidenhainHead =
     R"toml(# A Heidenhain control with 3D tool compensation: two re-worked ball cutters and a toroid.
 # Every key but control may be left out; the values shown in brackets are then used. Decimals are exact, quoted or not.
 
 control = "heidenhain"                # programs are Klartext
-units = "mm"                          # [mm] or inch: of [position], and of programs without BEGIN PGM
-axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z A B C] axes that a program may name; X, Y and Z must be there
-block_skip = false                    # [false] true: blocks with / are skipped
+)toml";
 
+constexpr std::string_view kHeidenhainAxes =
+    R"toml(axes = ["X", "Y", "Z", "B", "C"]      # [X Y Z A B C] axes that a program may name; X, Y and Z must be there
+)toml";
+
+constexpr std::string_view kHeidenhainTables =
+    R"toml(
 [position]                            # where the program starts: workpiece coordinates [0]
 Z = 100
 
@@ -100,18 +105,34 @@ points = [[0, 0], [40, "0.03"], [50, "-0.02"], [90, "0.01"]]  # [degrees, mm], s
 
 constexpr std::size_t kCommentColumn = 38;
 
+std::string line(std::string text, const std::string& default_value, std::string_view comment) {
+  text.resize(std::max(kCommentColumn, text.size() + 1), ' ');
+  text += "# ";
+  if (!default_value.empty()) text += '[' + default_value + "] ";
+  return text.append(comment) + '\n';
+}
+
+// A line for each key of the control, all at their defaults, with its axes among them.
+std::string key_lines(Control control, std::string_view axes) {
+  std::string text;
+  for (const KeyInfo& key : keys()) {
+    if (key.is_of(control))
+      text += line(std::string(key.id) + " = " + value_text(key, key.default_value),
+                   std::string(key.values[key.default_value]), key.comment[static_cast<std::size_t>(control)]);
+    if (key.id == kKeyBeforeAxes) text += axes;
+  }
+  return text;
+}
+
 // A line for each parameter of the registry that has an example.
 std::string parameter_lines() {
   std::string text;
   for (const ParameterInfo& p : parameters()) {
     if (p.example.empty()) continue;
-    std::string line = p.id.bit < 0 ? to_string(p.id) : '"' + to_string(p.id) + '"';
+    const std::string id = p.id.bit < 0 ? to_string(p.id) : '"' + to_string(p.id) + '"';
     const std::string quote = p.example.find('.') == std::string_view::npos ? "" : "\"";
-    line.append(" = ").append(quote).append(p.example).append(quote);
-    line.resize(std::max(kCommentColumn, line.size() + 1), ' ');
-    line += "# ";
-    if (p.default_value) line += '[' + to_string(*p.default_value) + "] ";
-    text.append(line).append(p.text).append(1, '\n');
+    text += line(id + " = " + quote + std::string(p.example) + quote,
+                 p.default_value ? to_string(*p.default_value) : std::string(), p.text);
   }
   return text;
 }
@@ -119,8 +140,11 @@ std::string parameter_lines() {
 }  // namespace
 
 std::string_view setup_example(Control control) {
-  static const std::string fanuc = std::string(kFanucKeys) + parameter_lines() + std::string(kFanucTables);
-  return control == Control::heidenhain ? kHeidenhain : std::string_view(fanuc);
+  static const std::string fanuc = std::string(kFanucHead) + key_lines(Control::fanuc, kFanucAxes) +
+                                   std::string(kParameters) + parameter_lines() + std::string(kFanucTables);
+  static const std::string heidenhain =
+      std::string(kHeidenhainHead) + key_lines(Control::heidenhain, kHeidenhainAxes) + std::string(kHeidenhainTables);
+  return control == Control::heidenhain ? heidenhain : fanuc;
 }
 
 }  // namespace toolcomp::spec

@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "spec/language/parameter.h"
 #include "spec/language/setup_document.h"
 #include "spec/language/setup_format.h"
+#include "spec/language/setup_key.h"
 
 namespace toolcomp::spec {
 namespace {
@@ -178,29 +180,43 @@ void read_reference(const Node& node, const Reader& read, Setup& setup) {
   }
 }
 
-// Keys of one control are refused under the other.
-constexpr std::array<std::string_view, 3> kHeidenhainKeys{"tool", "correction", "dr2table"};
-constexpr std::array<std::string_view, 9> kFanucKeys{
-    "increment",     "cutter_compensation", "type_b_without_perpendicular",
-    "rotary_angles", "parameters",          "offsets",
-    "workpiece",     "reference",           "measurement"};
+// Tables of a setup, in the order in which they are written, and axes.
+constexpr std::array<std::string_view, 6> kFanucTables{"parameters", "offsets",   "workpiece",
+                                                       "position",   "reference", "measurement"};
+constexpr std::array<std::string_view, 4> kHeidenhainTables{"position", "tool", "correction", "dr2table"};
 
-void check_keys(const Node& node, Control control, const Reader& read) {
+// Every name of a setup of this control.
+std::vector<std::string_view> names_of(Control control) {
+  std::vector<std::string_view> names{"control"};
+  for (const KeyInfo& key : keys()) {
+    if (key.is_of(control)) names.push_back(key.id);
+    if (key.id == kKeyBeforeAxes) names.emplace_back("axes");
+  }
+  const auto add = [&names](const auto& tables) { names.insert(names.end(), tables.begin(), tables.end()); };
+  control == Control::fanuc ? add(kFanucTables) : add(kHeidenhainTables);
+  return names;
+}
+
+// Names of one control are refused under the other.
+void check_names(const Node& node, Control control, const Reader& read) {
   const bool fanuc = control == Control::fanuc;
-  const auto is_one_of = [](const auto& keys, const Member& member) {
-    return std::ranges::find(keys, std::string_view(member.name)) != keys.end();
+  const std::vector<std::string_view> own = names_of(control);
+  const std::vector<std::string_view> others = names_of(fanuc ? Control::heidenhain : Control::fanuc);
+  const auto has = [](const std::vector<std::string_view>& names, std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
   };
   for (const Member& member : node.members)
-    if (fanuc ? is_one_of(kHeidenhainKeys, member) : is_one_of(kFanucKeys, member))
+    if (!has(own, member.name) && has(others, member.name))
       read.fail(member.at,
                 "setup: " + in_quotes(member.name) + " belongs to control " + (fanuc ? "\"heidenhain\"" : "\"fanuc\""));
-  if (fanuc)
-    read.keys(
-        node, "setup",
-        {"control", "units", "axes", "increment", "cutter_compensation", "type_b_without_perpendicular",
-         "rotary_angles", "block_skip", "parameters", "offsets", "workpiece", "position", "reference", "measurement"});
-  else
-    read.keys(node, "setup", {"control", "units", "axes", "block_skip", "position", "tool", "correction", "dr2table"});
+  read.keys(node, "setup", own);
+}
+
+void read_keys(const Node& node, const Reader& read, Setup& setup) {
+  for (const KeyInfo& key : keys())
+    if (const Node* given = node.find(key.id))
+      key.set(setup, key.boolean ? static_cast<std::size_t>(read.boolean(*given, key.id))
+                                 : read.choice(*given, key.id, key.values));
 }
 
 void read_axes(const Node& node, const Reader& read, Setup& setup) {
@@ -219,24 +235,12 @@ void read_axes(const Node& node, const Reader& read, Setup& setup) {
 Setup setup_from(const Node& node, const Reader& read) {
   Setup setup;
   read.expect(node, Kind::table, "setup");
-  // First what decides which keys belong here and which axes they may name.
+  // First what decides which names belong here and which axes they may name.
   if (const Node* control = node.find("control"))
     setup.control = static_cast<Control>(read.choice(*control, "control", {"fanuc", "heidenhain"}));
-  check_keys(node, setup.control, read);
+  check_names(node, setup.control, read);
   read_axes(node, read, setup);
-
-  if (const Node* units = node.find("units"))
-    setup.units = static_cast<Units>(read.choice(*units, "units", {"mm", "inch"}));
-  if (const Node* increment = node.find("increment"))
-    setup.increment = static_cast<IncrementSystem>(read.choice(*increment, "increment", {"IS-A", "IS-B", "IS-C"}));
-  if (const Node* type = node.find("cutter_compensation"))
-    setup.cutter_compensation =
-        static_cast<CutterCompensationType>(read.choice(*type, "cutter_compensation", {"B", "C"}));
-  if (const Node* without = node.find("type_b_without_perpendicular"))
-    setup.type_b_without_perpendicular = read.boolean(*without, "type_b_without_perpendicular");
-  if (const Node* angles = node.find("rotary_angles"))
-    setup.rotary_angles = static_cast<RotaryAngles>(read.choice(*angles, "rotary_angles", {"machine", "programmed"}));
-  if (const Node* skip = node.find("block_skip")) setup.block_skip = read.boolean(*skip, "block_skip");
+  read_keys(node, read, setup);
   if (const Node* parameters = node.find("parameters")) {
     read.expect(*parameters, Kind::table, "parameters");
     for (const Member& member : parameters->members) read_parameter(member, read, setup);

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
 #include "spec/language/json_text.h"
 #include "spec/language/parameter.h"
 #include "spec/language/setup_format.h"
+#include "spec/language/setup_key.h"
 
 namespace toolcomp::spec {
 namespace {
@@ -21,24 +23,22 @@ constexpr std::string_view kHead = R"schema({
       "additionalProperties": false,
       "properties": {
         "control": { "description": "Whose rules apply.", "const": "fanuc", "default": "fanuc" },
-        "units": { "description": "Units of the setup, of the results, and of programs before G20 or G21.", "enum": ["mm", "inch"], "default": "mm" },
-        "axes": {
+)schema";
+
+constexpr std::string_view kFanucAxes = R"schema(        "axes": {
           "description": "Controlled axes 1, 2, 3, …: the numbers that parameters such as 19681 mean.",
           "type": "array", "items": { "enum": ["A", "B", "C", "U", "V", "W", "X", "Y", "Z"] },
           "minItems": 1, "maxItems": 9, "uniqueItems": true, "default": ["X", "Y", "Z"]
         },
-        "increment": { "description": "Increment system: what one unit of a number without point is, with 3401#0 = 0.", "enum": ["IS-A", "IS-B", "IS-C"], "default": "IS-B" },
-        "cutter_compensation": { "description": "Whether G39 to G42 are cutter compensation B (chapter 14.4) or C (14.5, 14.6).", "enum": ["B", "C"], "default": "C" },
-        "type_b_without_perpendicular": { "description": "Start-up and cancel of type B in tool side compensation leave out the vector perpendicular to the start-up or cancel block (fanuc.tool-side.type-b-perpendicular).", "type": "boolean", "default": false },
-        "rotary_angles": { "description": "Which coordinates of the rotary axes give the angles that turn tool and table: those of the machine, or the programmed ones, which a workpiece zero or G92 shift of the axis renames (fanuc.tool-direction.rotary-angles).", "enum": ["machine", "programmed"], "default": "machine" },
-        "block_skip": { "description": "Blocks that begin with / are skipped.", "type": "boolean", "default": false },
-        "parameters": {
+)schema";
+
+constexpr std::string_view kParameters = R"schema(        "parameters": {
           "description": "Parameters by number, bits by number#bit.",
           "type": "object", "additionalProperties": false,
           "properties": {
 )schema";
 
-constexpr std::string_view kTail = R"schema(
+constexpr std::string_view kFanucTables = R"schema(
           }
         },
         "offsets": {
@@ -78,15 +78,18 @@ constexpr std::string_view kTail = R"schema(
       "required": ["control"],
       "properties": {
         "control": { "description": "Whose rules apply.", "const": "heidenhain" },
-        "units": { "description": "Units of position, and of programs without BEGIN PGM.", "enum": ["mm", "inch"], "default": "mm" },
-        "axes": {
+)schema";
+
+constexpr std::string_view kHeidenhainAxes = R"schema(        "axes": {
           "description": "Axes that a program may name; X, Y and Z are among them.",
           "type": "array", "items": { "enum": ["A", "B", "C", "U", "V", "W", "X", "Y", "Z"] },
           "allOf": [{ "contains": { "const": "X" } }, { "contains": { "const": "Y" } }, { "contains": { "const": "Z" } }],
           "maxItems": 9, "uniqueItems": true, "default": ["X", "Y", "Z", "A", "B", "C"]
         },
-        "block_skip": { "description": "Blocks with / are skipped.", "type": "boolean", "default": false },
-        "position": { "description": "Where the program starts: workpiece coordinates, 0 where not given.", "$ref": "#/$defs/axis_values" },
+)schema";
+
+constexpr std::string_view kHeidenhainTables =
+    R"schema(        "position": { "description": "Where the program starts: workpiece coordinates, 0 where not given.", "$ref": "#/$defs/axis_values" },
         "tool": {
           "description": "Rows of the tool table, mm; numbers and names occur once.",
           "type": "array",
@@ -198,6 +201,40 @@ std::string description(const ParameterInfo& p) {
   return R"({ "description": )" + text + ", ";
 }
 
+// The text, and behind it the clauses of that control.
+std::string description(const KeyInfo& key, Control control) {
+  std::string text(key.text[static_cast<std::size_t>(control)]);
+  text.pop_back();  // the point
+  std::string ids;
+  for (std::string_view rest = key.clauses; !rest.empty();) {
+    const std::string_view id = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), id.size() + 1));
+    if (id.starts_with(control == Control::fanuc ? "fanuc." : "heidenhain."))
+      ids.append(ids.empty() ? "" : ", ").append(id);
+  }
+  std::string json;
+  append_json_string(json, text + " (" + ids + ").");
+  return json;
+}
+
+std::string key_property(const KeyInfo& key, Control control) {
+  std::string values;
+  for (std::size_t i = 0; i < key.values.size(); ++i) values += (i == 0 ? "" : ", ") + value_text(key, i);
+  return "        \"" + std::string(key.id) + R"(": { "description": )" + description(key, control) +
+         (key.boolean ? R"(, "type": "boolean")" : R"(, "enum": [)" + values + ']') + R"(, "default": )" +
+         value_text(key, key.default_value) + " },\n";
+}
+
+// The keys of a control, with its axes among them.
+std::string key_properties(Control control, std::string_view axes) {
+  std::string text;
+  for (const KeyInfo& key : keys()) {
+    if (key.is_of(control)) text += key_property(key, control);
+    if (key.id == kKeyBeforeAxes) text += axes;
+  }
+  return text;
+}
+
 // Numbers of which bits are known may be given as a whole; parameters ascend, so their bits stand together.
 std::string parameter_properties() {
   std::string text;
@@ -225,7 +262,10 @@ std::string parameter_properties() {
 }  // namespace
 
 std::string_view setup_schema() {
-  static const std::string schema = std::string(kHead) + parameter_properties() + std::string(kTail);
+  static const std::string schema = std::string(kHead) + key_properties(Control::fanuc, kFanucAxes) +
+                                    std::string(kParameters) + parameter_properties() + std::string(kFanucTables) +
+                                    key_properties(Control::heidenhain, kHeidenhainAxes) +
+                                    std::string(kHeidenhainTables);
   return schema;
 }
 

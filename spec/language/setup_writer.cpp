@@ -6,14 +6,12 @@
 
 #include "spec/language/json_text.h"
 #include "spec/language/setup_format.h"
+#include "spec/language/setup_key.h"
 
 namespace toolcomp::spec {
 namespace {
 
 constexpr std::array<std::string_view, 2> kControls = {"fanuc", "heidenhain"};
-constexpr std::array<std::string_view, 2> kUnits = {"mm", "inch"};
-constexpr std::array<std::string_view, 3> kIncrements = {"IS-A", "IS-B", "IS-C"};
-constexpr std::array<std::string_view, 2> kTypes = {"B", "C"};
 constexpr std::array<std::string_view, 3> kMemories = {"A", "B", "C"};
 
 enum class Format : std::uint8_t { toml, json };
@@ -149,21 +147,13 @@ std::string axis_list(const Axes& axes) {
 
 // A second reading of the manual is written only where it is chosen.
 std::vector<Pair> plain_keys(const Setup& setup) {
-  const std::string skip = setup.block_skip ? "true" : "false";
-  if (setup.control == Control::heidenhain)
-    return {{"control", name(kControls, setup.control)},
-            {"units", name(kUnits, setup.units)},
-            {"axes", axis_list(setup.axes)},
-            {"block_skip", skip}};
-  std::vector<Pair> keys{{"control", name(kControls, setup.control)},
-                         {"units", name(kUnits, setup.units)},
-                         {"axes", axis_list(setup.axes)},
-                         {"increment", name(kIncrements, setup.increment)},
-                         {"cutter_compensation", name(kTypes, setup.cutter_compensation)}};
-  if (setup.type_b_without_perpendicular) keys.emplace_back("type_b_without_perpendicular", "true");
-  if (setup.rotary_angles == RotaryAngles::programmed) keys.emplace_back("rotary_angles", "\"programmed\"");
-  keys.emplace_back("block_skip", skip);
-  return keys;
+  std::vector<Pair> pairs{{"control", name(kControls, setup.control)}};
+  for (const KeyInfo& key : keys()) {
+    if (key.is_of(setup.control) && (key.always || !key.is_default(setup)))
+      pairs.emplace_back(key.id, value_text(key, key.get(setup)));
+    if (key.id == kKeyBeforeAxes) pairs.emplace_back("axes", axis_list(setup.axes));
+  }
+  return pairs;
 }
 
 // Members of a JSON object, with commas between them.

@@ -1,179 +1,29 @@
-// Turns the registry of parameters into C++: `toolcomp_parameters PARAMETER_FILE OUTPUT_FOLDER` writes table.h.
-#include <fmt/format.h>
-
+// Turns the registry of keys and parameters into C++: `toolcomp_parameters REGISTRY CLAUSE_FOLDER OUTPUT_FOLDER` writes
+// keys.h, key_table.h and table.h.
 #include <toml++/toml.h>
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <iterator>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "spec/generated_source.h"
-
-namespace {
-
-using toolcomp::spec::literal;
-using toolcomp::spec::write_changed;
-
-constexpr std::string_view kKeys[] = {"id", "type", "range", "values", "default", "unit", "clauses", "example", "text"};
-constexpr std::string_view kTypes[] = {"bit", "integer", "decimal", "length", "angle", "axis"};
-
-// Positions of faults, with the file they are in.
-class Registry {
- public:
-  explicit Registry(const std::filesystem::path& file) : file_(file), root_(toml::parse_file(file.string())) {}
-
-  [[nodiscard]] std::string table() const {
-    const auto* list = root_["parameter"].as_array();
-    if (list == nullptr) fail(root_, "[[parameter]] is missing");
-    std::string rows;
-    for (const toml::node& node : *list) {
-      if (!node.is_table()) fail(node, "[[parameter]] must be a table");
-      rows += row(*node.as_table());
-    }
-    return fmt::format(kFile, rows, list->size());
-  }
-
- private:
-  [[noreturn]] void fail(const toml::node& node, std::string_view what) const {
-    const auto& where = node.source().begin;
-    throw std::runtime_error(fmt::format("{}:{}:{}: {}", file_.string(), where.line, where.column, what));
-  }
-
-  // A C++ Decimal from an integer or a quoted decimal.
-  [[nodiscard]] std::string decimal(const toml::node& node) const {
-    const std::string text = number_text(node);
-    const bool negative = text.starts_with('-');
-    const std::string magnitude = text.substr(negative ? 1 : 0);
-    const std::size_t point = magnitude.find('.');
-    std::string digits = magnitude;
-    if (point != std::string::npos) digits.erase(point, 1);
-    const std::size_t decimals = point == std::string::npos ? 0 : magnitude.size() - point - 1;
-    if (digits.empty() || digits.size() > 18 || digits.find_first_not_of("0123456789") != std::string::npos)
-      fail(node, "an integer or a quoted decimal must stand here");
-    const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
-    return fmt::format("Decimal{{{}U, {}, {}, {}}}", digits.substr(first), decimals, negative,
-                       point != std::string::npos);
-  }
-
-  [[nodiscard]] std::string number_text(const toml::node& node) const {
-    if (const auto integer = node.value<std::int64_t>(); integer && node.is_integer()) return std::to_string(*integer);
-    if (const auto text = node.value<std::string>()) return *text;
-    fail(node, "an integer or a quoted decimal must stand here");
-  }
-
-  // "5001#2" as "5001, 2"; a whole number has bit -1.
-  [[nodiscard]] std::string id(const toml::table& table) const {
-    const auto* node = table.get("id");
-    const std::string text = node == nullptr ? std::string() : node->value_or(std::string());
-    const std::size_t mark = text.find('#');
-    const std::string number = text.substr(0, mark);
-    const std::string bit = mark == std::string::npos ? "-1" : text.substr(mark + 1);
-    const bool is_number = !number.empty() && number.size() <= 5 && number[0] != '0' &&
-                           number.find_first_not_of("0123456789") == std::string::npos;
-    const bool is_bit = mark == std::string::npos || (bit.size() == 1 && bit[0] >= '0' && bit[0] <= '7');
-    if (!is_number || !is_bit) fail(node == nullptr ? table : *node, "id: a number or number#bit must stand here");
-    return number + ", " + bit;
-  }
-
-  [[nodiscard]] std::string text(const toml::table& table, std::string_view key) const {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return {};
-    if (!node->is_string()) fail(*node, fmt::format("{} must be a string", key));
-    return node->value_or(std::string());
-  }
-
-  // The key of the parameter, else that of its type.
-  [[nodiscard]] const toml::node* own_or_of_type(const toml::table& table, std::string_view key) const {
-    if (const toml::node* own = table.get(key)) return own;
-    const auto* type = root_["type"][text(table, "type")].as_table();
-    return type == nullptr ? nullptr : type->get(key);
-  }
-
-  [[nodiscard]] std::string row(const toml::table& table) const {
-    for (const auto& [key, value] : table)
-      if (std::ranges::find(kKeys, key.str()) == std::end(kKeys)) fail(value, fmt::format("unknown key {}", key.str()));
-    const std::string type = text(table, "type");
-    if (std::ranges::find(kTypes, type) == std::end(kTypes))
-      fail(table, "type must be bit, integer, decimal, length, angle or axis");
-    const toml::node* default_value = table.get("default");
-    const toml::node* example = table.get("example");
-    const toml::node* unit = own_or_of_type(table, "unit");
-    return fmt::format(
-        "    ParameterInfo{{{{{}}}, ParameterType::{}, {}, {},\n      {}, {}, {},\n      {}}},\n", id(table), type,
-        bounds(table, type), default_value == nullptr ? "std::nullopt" : decimal(*default_value),
-        literal(unit == nullptr ? std::string() : unit->value_or(std::string())), literal(clauses(table)),
-        literal(example == nullptr ? std::string() : number_text(*example)), literal(text(table, "text")));
-  }
-
-  // Least, greatest, and the only values, of which an empty list admits all between.
-  [[nodiscard]] std::string bounds(const toml::table& table, std::string_view type) const {
-    const toml::node* range = own_or_of_type(table, "range");
-    const auto* values = table["values"].as_array();
-    const bool bit_or_axis = type == "bit" || type == "axis";
-    if ((range != nullptr) + (values != nullptr) + bit_or_axis != 1)
-      fail(table, "range or values must stand here, for a bit or an axis neither");
-    if (bit_or_axis)
-      return fmt::format("Decimal{{}}, Decimal{{{}U, 0, false, false}}, \"\"", type == "bit" ? "1" : "9");
-    if (values != nullptr) {
-      std::string list;
-      for (const toml::node& value : *values) {
-        if (!value.is_integer()) fail(value, "values must be integers");
-        list += (list.empty() ? "" : " ") + number_text(value);
-      }
-      if (list.empty()) fail(*values, "values must not be empty");
-      return fmt::format("{}, {}, {}", decimal(*values->begin()), decimal(*(values->end() - 1)), literal(list));
-    }
-    const auto* pair = range->as_array();
-    if (pair == nullptr || pair->size() != 2) fail(*range, "range must be the least and the greatest value");
-    return fmt::format("{}, {}, \"\"", decimal(*pair->get(0)), decimal(*pair->get(1)));
-  }
-
-  [[nodiscard]] std::string clauses(const toml::table& table) const {
-    const auto* list = table["clauses"].as_array();
-    if (list == nullptr || list->empty()) fail(table, "clauses must name what rules the parameter");
-    std::vector<std::string> ids;
-    for (const toml::node& item : *list) ids.push_back(item.value_or(std::string()));
-    return fmt::format("{}", fmt::join(ids, "\n"));
-  }
-
-  static constexpr std::string_view kFile = R"(// Generated from the registry of parameters. Do not edit.
-#pragma once
-
-#include <array>
-#include <optional>
-
-#include "spec/language/parameter.h"
-
-namespace toolcomp::spec {{
-
-inline constexpr std::array<ParameterInfo, {1}> kParameters{{{{
-{0}}}}};
-
-}}  // namespace toolcomp::spec
-)";
-
-  std::filesystem::path file_;
-  toml::table root_;
-};
-
-}  // namespace
+#include "spec/parameters/registry.h"
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::cerr << "usage: toolcomp_parameters PARAMETER_FILE OUTPUT_FOLDER\n";
+  using namespace toolcomp::spec;
+  if (argc != 4) {
+    std::cerr << "usage: toolcomp_parameters REGISTRY CLAUSE_FOLDER OUTPUT_FOLDER\n";
     return 2;
   }
   try {
-    write_changed(std::filesystem::path(argv[2]) / "table.h", Registry(argv[1]).table());
+    const Registry registry(argv[1], argv[2]);
+    const std::filesystem::path folder(argv[3]);
+    write_changed(folder / "keys.h", key_values(registry));
+    write_changed(folder / "key_table.h", key_table(registry));
+    write_changed(folder / "table.h", parameter_table(registry));
   } catch (const toml::parse_error& error) {
     const auto& where = error.source().begin;
-    std::cerr << argv[1] << ':' << where.line << ':' << where.column << ": " << error.description() << '\n';
+    const std::string file = error.source().path ? *error.source().path : std::string(argv[1]);
+    std::cerr << file << ':' << where.line << ':' << where.column << ": " << error.description() << '\n';
     return 2;
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 
 #include "spec/language/json_text.h"
 #include "spec/language/parameter.h"
+#include "spec/language/setup_key.h"
 #include "spec/trace/report.h"
 
 namespace toolcomp::spec {
@@ -26,6 +28,37 @@ std::string values_text(const ParameterInfo& p) {
   if (p.type == ParameterType::axis) return "0 to the number of axes";
   return p.values.empty() ? fmt::format("{} to {}", to_string(p.least), to_string(p.greatest))
                           : joined(p.values, ' ', ", ");
+}
+
+// Keys and what rules them, of both controls.
+std::string keys_markdown() {
+  std::string out = "| key | control | values | default | meaning | clauses |\n|---|---|---|---|---|---|\n";
+  for (const KeyInfo& key : keys()) {
+    const bool both = key.is_of(Control::fanuc) && key.is_of(Control::heidenhain);
+    const std::string_view control = both ? "both" : key.is_of(Control::fanuc) ? "fanuc" : "heidenhain";
+    const bool other_text = key.text[0] != key.text[1];
+    out += fmt::format("| `{}` | {} | {} | {} | {}{} | `{}` |\n", key.id, control, fmt::join(key.values, ", "),
+                       key.values[key.default_value], key.text[0],
+                       other_text ? fmt::format(" Heidenhain: {}", key.text[1]) : std::string(),
+                       joined(key.clauses, '\n', "`, `"));
+  }
+  return out;
+}
+
+std::string keys_json() {
+  std::string out = "[";
+  for (const KeyInfo& key : keys()) {
+    std::string values;
+    for (std::size_t i = 0; i < key.values.size(); ++i) values += (i == 0 ? "" : ",") + value_text(key, i);
+    std::string text;
+    append_json_string(text, key.text[key.is_of(Control::fanuc) ? 0 : 1]);
+    out += fmt::format(
+        "{}{{\"id\":\"{}\",\"fanuc\":{},\"heidenhain\":{},\"values\":[{}],\"default\":{},\"text\":{},\"clauses\":[\"{}"
+        "\"]}}",
+        out.size() == 1 ? "\n" : ",\n", key.id, key.is_of(Control::fanuc), key.is_of(Control::heidenhain), values,
+        value_text(key, key.default_value), text, joined(key.clauses, '\n', "\",\""));
+  }
+  return out + "]\n";
 }
 
 std::string markdown() {
@@ -70,6 +103,8 @@ std::string json() {
 }
 
 }  // namespace
+
+std::string list_keys(ReportFormat format) { return format == ReportFormat::json ? keys_json() : keys_markdown(); }
 
 std::string list_parameters(ReportFormat format) { return format == ReportFormat::json ? json() : markdown(); }
 

@@ -23,7 +23,8 @@ std::string show_clause(std::string_view id, ReportFormat format);
 // The sections and how many clauses of which kind each has.
 std::string list_sections(ReportFormat format);
 
-// The registry of parameters, as a table in Markdown.
+// The registry of keys, and that of parameters, as tables in Markdown.
+std::string list_keys(ReportFormat format);
 std::string list_parameters(ReportFormat format);
 
 // The trace table (indexed by Clause): what marks, tests, proves and exercises each clause.

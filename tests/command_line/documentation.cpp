@@ -21,15 +21,17 @@ TEST(Documentation, TheTableOfSectionsIsCurrent) {
       << "put the output of `toolcomp spec sections` there";
 }
 
-TEST(Documentation, TheTableOfParametersIsCurrent) {
+TEST(Documentation, TheTablesOfKeysAndParametersAreCurrent) {
   const std::string readme = read(TOOLCOMP_SOURCE_DIR "/spec/parameters/README.md");
-  const std::string begin = "<!-- parameters -->\n";
-  const std::size_t from = readme.find(begin);
-  ASSERT_NE(from, std::string::npos);
-  const std::size_t to = readme.find("<!-- /parameters -->", from);
-  ASSERT_NE(to, std::string::npos);
-  EXPECT_EQ(readme.substr(from + begin.size(), to - from - begin.size()), toolcomp("spec parameters").out)
-      << "put the output of `toolcomp spec parameters` there";
+  for (const std::string name : {"keys", "parameters"}) {
+    const std::string begin = "<!-- " + name + " -->\n";
+    const std::size_t from = readme.find(begin);
+    ASSERT_NE(from, std::string::npos);
+    const std::size_t to = readme.find("<!-- /" + name + " -->", from);
+    ASSERT_NE(to, std::string::npos);
+    EXPECT_EQ(readme.substr(from + begin.size(), to - from - begin.size()), toolcomp("spec " + name).out)
+        << "put the output of `toolcomp spec " << name << "` there";
+  }
 }
 
 TEST(Documentation, TheExampleOfASetupIsValid) {

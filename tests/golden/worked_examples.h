@@ -1,6 +1,6 @@
 // The worked examples of the manuals and of the rules. Each is said once: its program and setup in corpus/examples, its
-// figures, by hand, in a table of the tests beside this file. The vector of the corpus, both engines and the laws are
-// held to that one table.
+// figures, by hand, beside them (golden/figures.cpp) or in a table of the tests beside this file. The vector of the
+// corpus, both engines and the laws are held to that one place.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "corpus/examples.h"
 #include "corpus/golden.h"
 #include "corpus/vector.h"
 #include "fuzz/oracle/trial.h"
@@ -54,11 +55,21 @@ void hold(const spec::Case& c, const Look& look) {
   ask("the fast engine", fuzz::run_fast(c));
 }
 
-// Every example of the table holds one vector of the file, and every vector is held. `look` is called with events, rows
-// and the vector.
+// The examples of the file that have figures beside them.
+inline std::size_t with_figures(const std::string& section, const std::string& name) {
+  std::size_t count = 0;
+  for (const ExampleFile& of : example_files())
+    if (of.section == section && of.name == name)
+      count += static_cast<std::size_t>(
+          std::ranges::count_if(of.examples, [](const auto& example) { return !example.figures.empty(); }));
+  return count;
+}
+
+// Every example of the table holds one vector of the file, and every vector is held here or by figures of its own.
+// `look` is called with events, rows and the vector.
 template <class Look>
 void expect(const std::string& section, const std::string& name, const std::vector<Example>& table, const Look& look) {
-  EXPECT_EQ(file(section, name).size(), table.size()) << section << '/' << name;
+  EXPECT_EQ(file(section, name).size(), table.size() + with_figures(section, name)) << section << '/' << name;
   for (const Example& example : table) {
     SCOPED_TRACE(example.comment);
     const spec::Case& c = vector_of(section, name, example.comment);

@@ -6,6 +6,7 @@
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/mutate.h"
 #include "tests/sanitized.h"
+#include "tests/setup_members.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -27,6 +28,33 @@ TEST(Encoding, GivesBackEveryGeneratedAndEveryMutatedCase) {
         mutate(c, mode, source);
         expect_same(c, decode(section, encode(c)));
       }
+}
+
+TEST(Encoding, NoMemberOfASetupIsForgotten) {
+  for (const test::Changed& changed : test::changed_setups()) {
+    spec::Case c;
+    c.setup = changed.changed;
+    EXPECT_TRUE(decode("", encode(c)).setup == c.setup) << changed.what << '\n' << encode(c);
+  }
+}
+
+// Seeds on disks everywhere say it so: letters of keys stay.
+TEST(Encoding, LinesOfKeys) {
+  const auto read = [](std::string_view lines) { return decode("", lines).setup; };
+  EXPECT_EQ(read("u inch\n").units, spec::Units::inch);
+  EXPECT_EQ(read("u inch\nu mm\n").units, spec::Units::mm);
+  EXPECT_EQ(read("i A\n").increment, spec::IncrementSystem::is_a);
+  EXPECT_EQ(read("i C\n").increment, spec::IncrementSystem::is_c);
+  EXPECT_EQ(read("k b\n").cutter_compensation, spec::CutterCompensationType::b);
+  EXPECT_TRUE(read("s\n").block_skip);
+  EXPECT_TRUE(read("x\n").type_b_without_perpendicular);
+  EXPECT_EQ(read("v\n").rotary_angles, spec::RotaryAngles::programmed);
+  EXPECT_TRUE(read("c heidenhain\ns\n").block_skip);
+  EXPECT_EQ(read("c heidenhain\nu inch\n").units, spec::Units::inch);
+  spec::Setup heidenhain;
+  heidenhain.control = spec::Control::heidenhain;
+  EXPECT_TRUE(read("c heidenhain\ni A\nk b\nx\nv\n") == heidenhain);
+  EXPECT_TRUE(read("i D\nk a\nu\nu foot\nU inch\n") == spec::Setup{});
 }
 
 TEST(Encoding, AnyBytesAreACase) {

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/input_error.h"
+#include "spec/language/setup_key.h"
 #include "tests/sanitized.h"
 
 namespace toolcomp::fuzz {
@@ -74,6 +77,23 @@ TEST(Generators, DirectedCasesGiveTheJudgeSomethingToDo) {
     EXPECT_GE(seen.long_ones, 2U) << section;
     EXPECT_GE(share(seen.other_units), 1.5) << section;
   }
+}
+
+TEST(Generators, ChooseEveryValueOfEveryKey) {
+  std::set<std::string> left;
+  const auto name = [](const spec::KeyInfo& key, std::size_t value) {
+    return std::string(key.id) + " = " + std::string(key.values[value]);
+  };
+  for (const spec::KeyInfo& key : spec::keys())
+    for (std::size_t value = 0; value < key.values.size(); ++value) left.insert(name(key, value));
+  for (const std::string_view section : sections())
+    for (std::uint64_t seed = 1; seed <= kCases && !left.empty(); ++seed) {
+      SeededSource source(seed);
+      const spec::Case c = generate(section, Mode::directed, source);
+      for (const spec::KeyInfo& key : spec::keys())
+        if (key.is_of(c.setup.control)) left.erase(name(key, key.get(c.setup)));
+    }
+  for (const std::string& value : left) ADD_FAILURE() << "no generator chooses " << value;
 }
 
 // Lengths near the ends of the range, and pieces of arcs of more than a metre: I, J, K or R of seven digits and more.

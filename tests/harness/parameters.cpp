@@ -1,5 +1,6 @@
-// The registry of parameters against both engines, on generated programs: its defaults are what counts where a setup
-// gives nothing, every parameter has an effect, and those that are accepted without effect have none.
+// The registry of keys and parameters against both engines, on generated programs: its defaults are what counts where a
+// setup gives nothing, every key and parameter has an effect, and those that are accepted without effect have none.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "spec/language/input_error.h"
 #include "spec/language/number_text.h"
 #include "spec/language/parameter.h"
+#include "spec/language/setup_key.h"
 #include "tests/sanitized.h"
 
 namespace toolcomp::fuzz {
@@ -134,6 +136,69 @@ TEST(Parameters, AllOthersHaveOne) {
     });
   }
   for (const spec::ParameterId& id : left) ADD_FAILURE() << spec::to_string(id) << " changed nothing";
+}
+
+// Every value of a key means something else to both engines.
+TEST(Keys, AllHaveAnEffect) {
+  constexpr std::uint64_t most = 1000;
+  std::set<std::pair<std::string, std::size_t>> left;
+  for (const spec::KeyInfo& key : spec::keys())
+    for (std::size_t value = 0; value < key.values.size(); ++value) left.insert({std::string(key.id), value});
+  for (std::uint64_t seed = 1; seed <= most && !left.empty(); ++seed)
+    for (const std::string_view section : sections()) {
+      SeededSource source(seed);
+      const spec::Case c = generate(section, Mode::directed, source, 8);
+      const Texts texts = run(c);
+      for (const spec::KeyInfo& key : spec::keys())
+        std::erase_if(left, [&](const auto& open) {
+          if (open.first != key.id || !key.is_of(c.setup.control) || key.get(c.setup) == open.second) return false;
+          spec::Case other = c;
+          key.set(other.setup, open.second);
+          const Texts changed = run(other);
+          return changed.model != texts.model && changed.fast != texts.fast;
+        });
+    }
+  for (const auto& [id, value] : left) ADD_FAILURE() << id << ", value " << value;
+}
+
+// A fault that every key is seeded with by itself: a fast engine that ignores the key, which directed cases must find,
+// as they are generated, in so many executions. A key that nothing else chooses shows its clause too.
+TEST(Keys, IgnoredAreFound) {
+  constexpr std::uint64_t budget = test::kSanitized ? 500 : 2000;
+  // One of the events up to the first that differs rests on the key's clauses.
+  const auto shows = [](const ModelRun& run, const Difference& difference, const spec::KeyInfo& key) {
+    const auto count = static_cast<std::ptrdiff_t>(std::min(difference.event + 1, run.events.size()));
+    return std::any_of(run.events.begin(), run.events.begin() + count, [&](const model::Event& event) {
+      return std::ranges::any_of(event.clauses, [&](spec::Clause clause) {
+        return key.clauses.find(spec::info(clause).id) != std::string_view::npos;
+      });
+    });
+  };
+  const auto finds = [&](const spec::Case& c, const spec::KeyInfo& key) {
+    if (!key.is_of(c.setup.control) || key.is_default(c.setup)) return false;
+    spec::Case ignored = c;
+    key.set(ignored.setup, key.default_value);
+    try {
+      const ModelRun run = run_model(c);
+      const Verdict verdict = judge(c, run, run_fast(ignored));
+      return verdict.outcome == Outcome::differs && (key.percent == 0 || shows(run, *verdict.difference, key));
+    } catch (const spec::InputError&) {
+      return false;  // no control could have it at its default
+    }
+  };
+  std::set<std::string_view> left;
+  for (const spec::KeyInfo& key : spec::keys()) left.insert(key.id);
+  for (std::uint64_t seed = 1; seed <= budget && !left.empty(); ++seed)
+    for (const std::string_view section : sections()) {
+      SeededSource source(seed);
+      const spec::Case c = generate(section, Mode::directed, source);
+      for (const spec::KeyInfo& key : spec::keys()) {
+        if (!left.contains(key.id) || !finds(c, key)) continue;
+        left.erase(key.id);
+        fmt::print("{:32} found in execution {} of {}\n", key.id, seed, section);
+      }
+    }
+  for (const std::string_view id : left) ADD_FAILURE() << "an engine that ignores " << id << " is not found";
 }
 
 }  // namespace

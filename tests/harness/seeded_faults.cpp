@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -20,7 +21,7 @@ namespace {
 
 constexpr std::string_view kNames[] = {
     "none",
-#define TOOLCOMP_FAULT(name, description) #name,
+#define TOOLCOMP_FAULT(name, mistake, section, budget, clauses) #name,
 #include "fast/basis/faults.inc"
 #undef TOOLCOMP_FAULT
 };
@@ -52,12 +53,14 @@ bool rests_on(const Difference& difference, std::string_view ids) {
   return false;
 }
 
-TEST(SeededFaults, TheListIsComplete) {
+TEST(SeededFaults, NameClausesAndSections) {
   ASSERT_EQ(seeded_faults().size() + 1, std::size(kNames));
   EXPECT_GE(seeded_faults().size(), 12U);
   for (std::size_t i = 0; i < seeded_faults().size(); ++i) {
     const SeededFault& fault = seeded_faults()[i];
     EXPECT_EQ(fault.name, kNames[i + 1]);
+    EXPECT_NE(std::ranges::find(sections(), fault.section), sections().end()) << fault.section;
+    EXPECT_GT(fault.budget, 0U) << fault.name;
     std::string ids(fault.clauses);
     for (std::size_t at = 0; at < ids.size();) {
       const std::size_t end = std::min(ids.find(' ', at), ids.size());

@@ -106,7 +106,7 @@ TEST(ShortCuts, GiveWhatTheGeneralPathGives) {
 // A short cut that were never taken would make the law empty.
 TEST(ShortCuts, AMistakeInOneBreaksTheLaw) {
   constexpr std::pair<std::string_view, Fault> kFaults[] = {
-#define TOOLCOMP_FAULT(name, description) {#name, Fault::name},
+#define TOOLCOMP_FAULT(name, mistake, section, budget, clauses) {#name, Fault::name},
 #include "fast/basis/faults.inc"
 #undef TOOLCOMP_FAULT
   };

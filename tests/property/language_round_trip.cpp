@@ -18,6 +18,7 @@
 #include "spec/language/number_text.h"
 #include "spec/language/parameter.h"
 #include "spec/language/setup_format.h"
+#include "spec/language/setup_key.h"
 
 namespace {
 
@@ -116,11 +117,15 @@ std::string any_name() {
   return name.find('\xC3') == std::string::npos && !name.empty() ? name : "T";
 }
 
+void choose_keys(spec::Setup& setup) {
+  for (const KeyInfo& key : keys())
+    if (key.is_of(setup.control)) key.set(setup, *inRange<std::size_t>(0, key.values.size()));
+}
+
 spec::Setup any_heidenhain_setup() {
   spec::Setup setup;
   setup.control = Control::heidenhain;
-  setup.units = *rc::gen::element(Units::mm, Units::inch);
-  setup.block_skip = *rc::gen::arbitrary<bool>();
+  choose_keys(setup);
   setup.axes = Axes(*rc::gen::elementOf(std::vector<std::string>{"XYZ", "XYZABC", "ZYX", "ABCUVWXYZ"}));
   setup.position = any_axis_table(setup.axes);
   for (int i = *inRange(0, 3); i > 0; --i) {
@@ -147,12 +152,7 @@ spec::Setup any_heidenhain_setup() {
 spec::Setup any_setup() {
   if (*rc::gen::arbitrary<bool>()) return any_heidenhain_setup();
   spec::Setup setup;
-  setup.units = *rc::gen::element(Units::mm, Units::inch);
-  setup.increment = *rc::gen::element(IncrementSystem::is_a, IncrementSystem::is_b, IncrementSystem::is_c);
-  setup.cutter_compensation = *rc::gen::element(CutterCompensationType::b, CutterCompensationType::c);
-  setup.rotary_angles = *rc::gen::element(RotaryAngles::machine, RotaryAngles::programmed);
-  setup.type_b_without_perpendicular = *rc::gen::arbitrary<bool>();
-  setup.block_skip = *rc::gen::arbitrary<bool>();
+  choose_keys(setup);
   setup.axes = Axes(*rc::gen::elementOf(std::vector<std::string>{"XYZ", "XYZBC", "ZAX", "ABCUVWXYZ"}));
   for (int i = *inRange(0, 6); i > 0; --i) {
     const ParameterInfo& p = parameters()[*inRange<std::size_t>(0, parameters().size())];

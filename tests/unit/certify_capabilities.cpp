@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "spec/language/input_error.h"
+#include "tests/setup_members.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -98,6 +99,23 @@ TEST(Capabilities, WhatACaseLeavesOpenCountsAsItsDefault) {
   EXPECT_FALSE(applies(R"({"parameters":{"6241":100}})"));  // not given: F counts
   EXPECT_TRUE(applies(R"({"workpiece":{"G54":{"X":"0.000"}}})"));
   EXPECT_FALSE(applies(R"({"workpiece":{"G54":{"X":5}}})"));
+}
+
+TEST(Capabilities, NoMemberOfASetupIsForgotten) {
+  for (const test::Changed& c : test::changed_setups()) {
+    EXPECT_TRUE(same_meaning(c.plain, c.plain)) << c.what;
+    EXPECT_TRUE(same_meaning(c.changed, c.changed)) << c.what;
+    EXPECT_FALSE(same_meaning(c.plain, c.changed)) << c.what;
+    EXPECT_FALSE(same_meaning(c.changed, c.plain)) << c.what;
+  }
+}
+
+// By hand: a second reading that the controller has fixed contradicts a case that says nothing.
+TEST(Capabilities, ASecondReadingIsASetting) {
+  EXPECT_TRUE(applies(R"({"rotary_angles":"machine","type_b_without_perpendicular":false,"cutter_compensation":"C"})"));
+  EXPECT_FALSE(applies(R"({"rotary_angles":"programmed"})"));
+  EXPECT_FALSE(applies(R"({"type_b_without_perpendicular":true})"));
+  EXPECT_FALSE(applies(R"({"cutter_compensation":"B"})"));
 }
 
 TEST(Capabilities, ASectionMustBeAnnounced) {

@@ -64,7 +64,7 @@ constexpr Example kExamples[] = {
     {"3 with P0: the edge of the pyramid, C evenly at a standing B, leaves the plane: V (-0.577350269189626, 0, "
      "0.816496580927726) in the middle.",
      HC("", LENGTH_100 "[position]\nC = 130\nB = 30\n"),
-     "G90 G43.5 H1 P0 X20. Y-20. I-1 J1 K2\nG01 Y20. I-1 J-1 K2 F100\n", 4},
+     "G90 G43.5 H1 P0 X20. Y-20. I-1 J1 K2\nG01 Y20. I-1 J-1 K2 F100\n", "", 4},
 
     {"9: A-C table with offsets, the frame frozen at A 20 C 45, then A -35 C 10: the tip at (67.5977865158401, "
      "-84.213831437203, -19.7483455042551) of the machine, V = (0.328989928337166, 0.72167761037298, "

@@ -18,12 +18,12 @@ constexpr Example kRules[] = {
     {"G43.4 without kinematics: PS5459 at line 1.", WITHOUT(LENGTHS), "G43.4 H1\n"},
     {"G43.5 without kinematics, length 10: between Z and X the great circle, (1, 0, 1)/sqrt 2 in the middle; from Z to "
      "-Z the tool stays until the end, the control point is 10 under the tip there.",
-     WITHOUT(LENGTHS), "G90 G43.5 H1 I1 J0 K0\nG01 X10. I0 J0 K1 F100\nX20. I0 J0 K-1\n", 2},
+     WITHOUT(LENGTHS), "G90 G43.5 H1 I1 J0 K0\nG01 X10. I0 J0 K1 F100\nX20. I0 J0 K-1\n", "", 2},
     {"G43.5 without kinematics, Q 90: the tool, upright, leans into the travel along X.", WITHOUT(LENGTHS),
      "G90 G43.5 H1 Q90\nG01 X10. F100\n"},
     {"A hypothetical axis, G43.5: PS5459 at line 1.", ONE_AXIS LENGTHS, "G43.5 H1\n"},
     {"A hypothetical axis, G43.4 with P1: C runs evenly, the tip at X 10 ends at (0, -10).", ONE_AXIS LENGTHS,
-     "G90 G43.4 H1 P1 X10.\nG01 C90. F100\n", 2},
+     "G90 G43.4 H1 P1 X10.\nG01 C90. F100\n", "", 2},
     {"A head with a tool-side axis along the tool, G43.5: PS5459 at line 1.",
      MACHINE(BC, "19680 = 2\n19681 = 4\n19682 = 2\n19686 = 5\n19687 = 3\n", "", ""), "G43.5 H0\n"},
 
@@ -52,9 +52,9 @@ constexpr Example kRules[] = {
     {"WKP = 1 and G43.5: PS5459 at line 1.", HC(WORKPIECE, ""), "G43.5 H0\n"},
     {"WKP = 1, the table turns by 90 while the tip goes from (10, 0) to (0, 10) of the workpiece system, which is "
      "(-10, 0) of the table: it passes the centre of the table.",
-     TAC(WORKPIECE, LENGTHS), "G90 G43.4 H1 P0 X10.\nG01 X0 Y10. C90. F100\n", 2},
+     TAC(WORKPIECE, LENGTHS), "G90 G43.4 H1 P0 X10.\nG01 X0 Y10. C90. F100\n", "", 2},
     {"WKP = 1, the table turns alone by 90: the tip goes from (0, 10) to (10, 0) with it; G91 Y5 counts from there.",
-     TAC(WORKPIECE, LENGTHS), "G90 G43.4 H1 P0 Y10.\nG01 C90. F100\nG91 Y5.\n", 2},
+     TAC(WORKPIECE, LENGTHS), "G90 G43.4 H1 P0 Y10.\nG01 C90. F100\nG91 Y5.\n", "", 2},
     {"WKP = 1 and tool side compensation on a table: COMPENSATION_IN_WORKPIECE_SYSTEM at line 2.",
      TAC(WORKPIECE, OFFSETS), "G90 G43.4 H1\nG01 G41.2 D1 X10. F100\nX20.\n"},
     {"WKP = 1 and tool side compensation on a head: as with 0, the tool runs on Y 1.", HC(WORKPIECE, OFFSETS),
@@ -67,13 +67,13 @@ constexpr Example kRules[] = {
      "G90 G43.4 H0\nG03 X10. Y10. R10. F100\n"},
 
     {"Rotary axes alone: the tip stays at 0, the control point goes from (0, 0, 10) to (10, 0, 0).", HC("", LENGTHS),
-     "G90 G43.4 H1\nG01 B90. F100\n", 2},
+     "G90 G43.4 H1\nG01 B90. F100\n", "", 2},
     {"H2 alone at B 90: the control point goes from 10 to 20 evenly.", HC("", LENGTHS),
-     "G90 G43.4 H1 B90.\nG01 X0 F100\nH2\n", 2},
+     "G90 G43.4 H1 B90.\nG01 X0 F100\nH2\n", "", 2},
     {"A head of which 19711 is 40, tool 10, B 90: the control point 50 beside the tip.", MBC("19711 = 40\n", LENGTHS),
      "G90 G43.4 H1 P0\nG01 X1. B90. F100\n"},
     {"Tool side compensation under G43.4, length 10: the tool runs on Y 1, the control point 10 over it.",
-     HC("", OFFSETS), "G90 G43.4 H1\nG01 G41.2 D1 X10. F100\nX20.\nG40 X30.\n", 2},
+     HC("", OFFSETS), "G90 G43.4 H1\nG01 G41.2 D1 X10. F100\nX20.\nG40 X30.\n", "", 2},
 
     {"I0 J0 K0: PS5421 at line 2.", HC("", ""), "G43.5 H0\nG01 I0 J0 K0 F100\n"},
     {"A rotary word under G43.5: PS5421 at line 2.", HC("", ""), "G43.5 H0\nG01 B10. F100\n"},
@@ -134,7 +134,7 @@ constexpr Example kRules[] = {
     {"An arc about (0,10) while C turns by 90 at B 90, length 10: in the middle the tip at 10 (sin 45, 1 - cos 45), "
      "the "
      "tool at azimuth 45.",
-     HC("", LENGTHS), "G90 G17 G43.4 H1 P0 B90.\nG03 X10. Y10. R10. C90. F100\n", 2},
+     HC("", LENGTHS), "G90 G17 G43.4 H1 P0 B90.\nG03 X10. Y10. R10. C90. F100\n", "", 2},
     {"An arc under G43.5 without R: PS5421 at line 2.", HC("", ""), "G43.5 H0\nG02 X10. Y10. I1 J0 K1 F100\n"},
     {"A rotary axis alone under G02: PS5421 at line 2.", HC("", ""), "G43.4 H0\nG02 C90. F100\n"},
     {"I J K alone under G02: PS5421 at line 2.", HC("", ""), "G43.5 H0\nG02 I1 J0 K1 F100\n"},

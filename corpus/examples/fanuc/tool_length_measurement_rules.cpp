@@ -11,20 +11,37 @@ namespace {
 
 constexpr Example kRules[] = {
     {"The tool stands on the commanded coordinate: undecided after the move to Z200.", MEASURE("198"),
-     "H01\nG00 Z200.\nG37 Z200.\n"},
+     "H01\nG00 Z200.\nG37 Z200.\n",
+     "2 p G0 0 0 200\n"
+     "3 fanuc.length-measurement.start-on-the-coordinate\n"},
     {"The block starts at B: no rapid part, the measuring move goes from 220 to 198.", MEASURE("198"),
-     "H01\nG00 Z220.\nG37 Z200.\n"},
+     "H01\nG00 Z220.\nG37 Z200.\n",
+     "2 p G0 0 0 220\n"
+     "3 m G1 0 0 198\n"
+     "3 H1=13\n"},
     {"The signal comes on exactly at the end of the deceleration distance, 220, which is too early: no measuring move, "
      "PS0080.",
-     MEASURE("220"), "H01\nG37 Z200.\n"},
+     MEASURE("220"), "H01\nG37 Z200.\n",
+     "2 p G0 0 0 220\n"
+     "2 PS0080\n"},
     {"G44 is in force, H1 = 15: the coordinate 213 reaches the position 198; 15 + 13 = 28 is written all the same, but "
      "213 is out of the permitted range: PS0080 at 213.",
-     MEASURE("198"), "G44 H01\nG37 Z200.\n"},
+     MEASURE("198"), "G44 H01\nG37 Z200.\n",
+     "1 p G0 0 0 760\n"
+     "2 p G0 0 0 220\n"
+     "2 m G1 0 0 213\n"
+     "2 PS0080\n"},
     {"G44 is in force, H1 = 15, signal at 183: the coordinate 198 is reached, 15 - 2 = 13 is written.", MEASURE("183"),
-     "G44 H01\nG37 Z200.\n"},
-    {"G43 in the block of G37: MEASUREMENT_FORMAT.", MEASURE("198"), "H01\nG43 G37 Z200.\n"},
-    {"G43 and H in the block of G37: PS0082.", MEASURE("198"), "G43 G37 Z200. H01\n"},
-    {"G37 in cutter compensation: PS0036.", MEASURE("198"), "H01\nG01 F100 G41 X50. D1\nG37 Z200.\n"},
+     "G44 H01\nG37 Z200.\n",
+     "1 p G0 0 0 760\n"
+     "2 p G0 0 0 220\n"
+     "2 m G1 0 0 198\n"
+     "2 H1=13\n"},
+    {"G43 in the block of G37: MEASUREMENT_FORMAT.", MEASURE("198"), "H01\nG43 G37 Z200.\n", "2 MEASUREMENT_FORMAT\n"},
+    {"G43 and H in the block of G37: PS0082.", MEASURE("198"), "G43 G37 Z200. H01\n", "1 PS0082\n"},
+    {"G37 in cutter compensation: PS0036.", MEASURE("198"), "H01\nG01 F100 G41 X50. D1\nG37 Z200.\n",
+     "2 s G1 50 10\n"
+     "3 PS0036\n"},
 };
 
 #undef MEASURE

@@ -10,31 +10,80 @@ constexpr Example kRules[] = {
     {"Arcs by I J about (0, 0) under an offset of 20: a quarter of radius 10; a spiral from radius 10 to 20 (sweep "
      "90); a "
      "spiral from 20 back to 10 (sweep 180); an arc that ends in its centre has no sweep. Z20 throughout.",
-     SETUP "[offsets.H]\n1 = 20\n", "G43 H1\nG00 X10\nG17 G03 X0 Y10 I-10 F100\nX-20 Y0 J-10\nX10 Y0 I20\nX0 I-10\n"},
+     SETUP "[offsets.H]\n1 = 20\n", "G43 H1\nG00 X10\nG17 G03 X0 Y10 I-10 F100\nX-20 Y0 J-10\nX10 Y0 I20\nX0 I-10\n",
+     "1 X0 Y0 Z20\n"
+     "2 X10 Y0 Z20\n"
+     "3 X0 Y10 Z20 O 0 0 w 90\n"
+     "4 X-20 Y0 Z20 O 0 0 r 10 20 w 90\n"
+     "5 X10 Y0 Z20 O 0 0 r 20 10 w 180\n"
+     "6 X0 Y0 Z20 O 0 0 r 10 0 w 0\n"},
     {"Arcs by R: R10 over a chord of 20 is a half circle about (10, 0); R-10 over a chord of 10, clockwise, is the "
      "larger "
      "arc of 300 degrees about (15, -5 sqrt 3) = (15, -8.660254037844386); R4 is too short for a chord of 10: PS0023.",
-     SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X20 R10 F100\nX10 R-10\nX0 R4\n"},
-    {"R with the start for an end: PS0023.", SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X0 R5 F100\n"},
-    {"An arc without centre: PS0023.", SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X10 F100\n"},
+     SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X20 R10 F100\nX10 R-10\nX0 R4\n",
+     "1 X20 Y0 Z0 O 10 0 w 180\n"
+     "2 X10 Y0 Z0 O 15 -8.660254037844386 w 300\n"
+     "3 PS0023\n"},
+    {"R with the start for an end: PS0023.", SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X0 R5 F100\n", "1 PS0023\n"},
+    {"An arc without centre: PS0023.", SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X10 F100\n", "1 PS0023\n"},
     {"Geometry 999.999 and wear 0.001 make 1000, beyond the geometry range of IS-B: PS0029 where G43 applies it.",
-     SETUP "[offsets.H]\n1 = { geometry = \"999.999\", wear = \"0.001\" }\n", "G43 H1\n"},
+     SETUP "[offsets.H]\n1 = { geometry = \"999.999\", wear = \"0.001\" }\n", "G43 H1\n", "1 PS0029\n"},
     {"G10 without R writes nothing, with R it does: Z20, then Z7.", SETUP "[offsets.H]\n1 = 20\n",
-     "G10 L11 P1\nG43 Z0 H1\nG10 L11 P1 R7\nH1\n"},
+     "G10 L11 P1\nG43 Z0 H1\nG10 L11 P1 R7\nH1\n",
+     "2 X0 Y0 Z20\n"
+     "3 H1=7\n"
+     "4 X0 Y0 Z7\n"},
     {"After G53 an H beside G40 only stores its number: Z70, Z-10, no move, Z50; the lone H2 then brings 7 back: Z57.",
-     SETUP "[offsets.H]\n1 = 20\n2 = 7\n", "G43 Z50 H1\nG53 Z-10\nG40 H2\nZ50\nH2\n"},
+     SETUP "[offsets.H]\n1 = 20\n2 = 7\n", "G43 Z50 H1\nG53 Z-10\nG40 H2\nZ50\nH2\n",
+     "1 X0 Y0 Z70\n"
+     "2 X0 Y0 Z-10\n"
+     "4 X0 Y0 Z50\n"
+     "5 X0 Y0 Z57\n"},
     {"G49 while three axes have an offset (type B): PS0015, X4 Y7 Z20 stay.",
      SETUP "[parameters]\n\"5001#1\" = 1\n[offsets.H]\n1 = 20\n2 = 7\n4 = 4\n",
-     "G19 G43 X0 H4\nG18 G43 Y0 H2\nG17 G43 Z0 H1\nG49\n"},
+     "G19 G43 X0 H4\nG18 G43 Y0 H2\nG17 G43 Z0 H1\nG49\n",
+     "1 X4 Y0 Z0\n"
+     "2 X4 Y7 Z0\n"
+     "3 X4 Y7 Z20\n"
+     "4 PS0015\n"},
     {"EVO = 1: X5 brings back the 5 that G28 took, to Z105; the 7 that G10 then writes count with G40 too: Z107.",
      SETUP "[parameters]\n\"5001#6\" = 1\n[offsets.H]\n1 = 5\n[reference.1]\nZ = 100\n",
-     "G90 G01 F100 G43 Z10. H1\nG28 Z20.\nX5.\nG10 L11 P1 R7.\nG40 X6.\nX7.\n"},
-    {"Type C without an axis: PS0027.", SETUP "[parameters]\n\"5001#0\" = 1\n[offsets.H]\n1 = 20\n", "G43 H1\n"},
-    {"An H beyond the number of offsets (400): PS0030.", SETUP "[offsets.H]\n1 = 20\n", "H401\n"},
+     "G90 G01 F100 G43 Z10. H1\nG28 Z20.\nX5.\nG10 L11 P1 R7.\nG40 X6.\nX7.\n",
+     "1 X0 Y0 Z15\n"
+     "2 X0 Y0 Z25\n"
+     "2 X0 Y0 Z100\n"
+     "3 X5 Y0 Z105\n"
+     "4 H1=7\n"
+     "5 X6 Y0 Z107\n"
+     "6 X7 Y0 Z107\n"},
+    {"Type C without an axis: PS0027.", SETUP "[parameters]\n\"5001#0\" = 1\n[offsets.H]\n1 = 20\n", "G43 H1\n",
+     "1 PS0027\n"},
+    {"An H beyond the number of offsets (400): PS0030.", SETUP "[offsets.H]\n1 = 20\n", "H401\n", "1 PS0030\n"},
     {"G53 under G91 is ignored with its words: Z20 twice, no move between.", SETUP "[offsets.H]\n1 = 20\n",
-     "G43 Z0 H1\nG91 G53 Z-10\nG90 Z0\n"},
+     "G43 Z0 H1\nG91 G53 Z-10\nG90 Z0\n",
+     "1 X0 Y0 Z20\n"
+     "3 X0 Y0 Z20\n"},
     {"OFH = 1, the first G43 without H takes H0, a later one keeps the number: Z5, Z25, Z26.",
-     SETUP "[parameters]\n\"5001#2\" = 1\n[offsets.H]\n1 = 20\n", "H1\nG43 Z5\nG43 Z5 H1\nG43 Z6\n"},
+     SETUP "[parameters]\n\"5001#2\" = 1\n[offsets.H]\n1 = 20\n", "H1\nG43 Z5\nG43 Z5 H1\nG43 Z6\n",
+     "2 X0 Y0 Z5\n"
+     "3 X0 Y0 Z25\n"
+     "4 X0 Y0 Z26\n"},
+    {"G49 leaves the number: G43 Z5 without H takes the 20 of H1 again, Z25.", SETUP "[offsets.H]\n1 = 20\n",
+     "G43 Z0 H1\nG49 Z0\nG43 Z5\n",
+     "1 X0 Y0 Z20\n"
+     "2 X0 Y0 Z0\n"
+     "3 X0 Y0 Z25\n"},
+    {"g49_sets_h0, G49 without H: G43 Z5 without H offsets by nothing, Z5; H1 then brings the 20, Z25.",
+     "g49_sets_h0 = true\n" SETUP "[offsets.H]\n1 = 20\n", "G43 Z0 H1\nG49 Z0\nG43 Z5\nH1\n",
+     "1 X0 Y0 Z20\n"
+     "2 X0 Y0 Z0\n"
+     "3 X0 Y0 Z5\n"
+     "4 X0 Y0 Z25\n"},
+    {"g49_sets_h0, G49 H2: the H of the block counts, so G43 Z5 without H takes its 7, Z12.",
+     "g49_sets_h0 = true\n" SETUP "[offsets.H]\n1 = 20\n2 = 7\n", "G43 Z0 H1\nG49 Z0 H2\nG43 Z5\n",
+     "1 X0 Y0 Z20\n"
+     "2 X0 Y0 Z0\n"
+     "3 X0 Y0 Z12\n"},
 };
 
 #undef SETUP

@@ -31,6 +31,7 @@ class Translator {
     if (has(block, "G49")) {
       if (code || h) return std::nullopt;  // both in one block: not the formal specification's concern
       mode_ = Mode::cancelled;
+      if (setup_.g49_sets_h0) number_ = 0;
       commands_.emplace_back("CancelAll");
     } else if (code || (h && mode_ != Mode::cancelled)) {
       commands_.push_back(fmt::format("Offset {} {} {}", mode_ == Mode::add ? "G43" : "G44", axis(),

@@ -20,6 +20,7 @@ ToolLengthOffset::ToolLengthOffset(const spec::Setup& setup)
     : ofh_(setup.bit(5001, 2)),
       tal_(setup.bit(5001, 3)),
       evo_(setup.bit(5001, 6)),
+      g49_sets_h0_(setup.g49_sets_h0),
       axes_(setup.axes.size()),
       z_(setup.axes.index('Z')) {
   for (std::size_t axis = 0; axis < axes_; ++axis)
@@ -127,6 +128,8 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
     number = whole_number(words['H'], memory.count());
     takes = true;
   } else if (ofh && sets && mode_ == Mode::off) {
+    number = 0;
+  } else if (code == 490 && !has_h && g49_sets_h0_) {
     number = 0;
   }
   const Mode mode = mode_after(code);

@@ -61,6 +61,7 @@ class ToolLengthOffset {
   bool ofh_ = false;
   bool tal_ = false;
   bool evo_ = false;
+  bool g49_sets_h0_ = false;
   std::size_t axes_;
   std::uint16_t linear_ = 0;
   std::size_t z_;

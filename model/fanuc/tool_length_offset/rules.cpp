@@ -38,7 +38,8 @@ LengthRules::LengthRules(const spec::Setup& setup, Recorder& recorder)
                                  : Type::a),
       ofh_(setup.bit(5001, 2)),
       tal_(setup.bit(5001, 3)),
-      evo_(setup.bit(5001, 6)) {}
+      evo_(setup.bit(5001, 6)),
+      g49_sets_h0_(setup.g49_sets_h0) {}
 
 // fanuc.length-offset.type-a: Type A offsets Z.
 AxisMask LengthRules::affected(const LengthCommand& command, const LengthVector& before, AxisMask last) const {
@@ -102,6 +103,11 @@ std::optional<std::uint32_t> LengthRules::number(const LengthCommand& command, b
   // is in force. That one in force keeps its number is our definition: H is modal once G43 is active.
   if (command.sets_mode() && recorder_.decide(Clause::fanuc_length_offset_ofh, ofh_) &&
       recorder_.decide(Clause::fanuc_length_offset_ofh_first_without_number, !active))
+    return 0;
+  // fanuc.length-offset.one-number: There is one H number and one set of axes offset last; H0 sets the latter too. G49
+  // leaves the number, so that a later G43 or G44 without H takes it again; where the setup says g49_sets_h0, a G49
+  // without H makes it 0.
+  if (command.code == LengthCode::cancel && recorder_.decide(Clause::fanuc_length_offset_one_number, g49_sets_h0_))
     return 0;
   return std::nullopt;
 }

@@ -72,6 +72,7 @@ class LengthRules {
   bool ofh_;  // 5001#2
   bool tal_;  // 5001#3
   bool evo_;  // 5001#6
+  bool g49_sets_h0_;
 };
 
 }  // namespace toolcomp::model

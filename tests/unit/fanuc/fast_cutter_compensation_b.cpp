@@ -1,5 +1,5 @@
 // Cutter compensation B of the fast engine, by hand. The worked examples of 14.4 stand in
-// golden/fanuc/corpus_examples_chapter_14.cpp.
+// corpus/examples/fanuc/cutter_compensation_b.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>

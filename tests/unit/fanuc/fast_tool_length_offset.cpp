@@ -1,5 +1,5 @@
 // Tool length offset in the fast engine: machine coordinates of 14.1.2, and derivations by hand. The worked examples
-// stand in golden/fanuc/corpus_examples_tool_length_offset.cpp.
+// stand in corpus/examples/fanuc/tool_length_offset.cpp.
 #include <gtest/gtest.h>
 
 #include "spec/language/input_error.h"
