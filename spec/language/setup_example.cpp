@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "spec/language/parameter.h"
 #include "spec/language/setup_format.h"
@@ -131,8 +132,9 @@ std::string parameter_lines() {
     if (p.example.empty()) continue;
     const std::string id = p.id.bit < 0 ? to_string(p.id) : '"' + to_string(p.id) + '"';
     const std::string quote = p.example.find('.') == std::string_view::npos ? "" : "\"";
-    text += line(id + " = " + quote + std::string(p.example) + quote,
-                 p.default_value ? to_string(*p.default_value) : std::string(), p.text);
+    std::string setting = id + " = ";
+    setting.append(quote).append(p.example).append(quote);
+    text += line(std::move(setting), p.default_value ? to_string(*p.default_value) : std::string(), p.text);
   }
   return text;
 }

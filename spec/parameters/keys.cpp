@@ -192,6 +192,7 @@ std::string array(const Key& k, std::string_view what, const std::vector<std::st
   if (texts.empty()) return "{}";
   const std::string name = fmt::format("k{}{}", type_name(k.id), what);
   std::vector<std::string> literals;
+  literals.reserve(texts.size());
   for (const std::string& text : texts) literals.push_back(literal(text));
   arrays += fmt::format("inline constexpr std::array<std::string_view, {}> {}{{{}}};\n", texts.size(), name,
                         fmt::join(literals, ", "));
@@ -206,6 +207,7 @@ std::string key_values(const Registry& registry) {
   const Keys keys(registry);
   for (const Key& k : keys.list()) {
     std::vector<std::string> names;
+    names.reserve(k.values.size());
     for (const std::string& value : k.values) names.push_back(enumerator(value));
     if (!k.boolean)
       enumerations += fmt::format("enum class {} : std::uint8_t {{ {} }};\n", k.type, fmt::join(names, ", "));

@@ -53,8 +53,7 @@ std::string keys_json() {
     std::string text;
     append_json_string(text, key.text[key.is_of(Control::fanuc) ? 0 : 1]);
     out += fmt::format(
-        "{}{{\"id\":\"{}\",\"fanuc\":{},\"heidenhain\":{},\"values\":[{}],\"default\":{},\"text\":{},\"clauses\":[\"{}"
-        "\"]}}",
+        R"({}{{"id":"{}","fanuc":{},"heidenhain":{},"values":[{}],"default":{},"text":{},"clauses":["{}"]}})",
         out.size() == 1 ? "\n" : ",\n", key.id, key.is_of(Control::fanuc), key.is_of(Control::heidenhain), values,
         value_text(key, key.default_value), text, joined(key.clauses, '\n', "\",\""));
   }

@@ -1,4 +1,6 @@
 // The examples that have their figures beside them (corpus/examples), each in the form of its section.
+#include <fmt/format.h>
+
 #include "tests/golden/fanuc/pose_rows.h"
 #include "tests/golden/heidenhain/space_rows.h"
 #include "tests/golden/rows.h"
@@ -71,7 +73,7 @@ TEST(Figures, AreMissingOnlyWhereATableHasThem) {
     const std::string section(file.section);
     const std::string name(file.name);
     const std::size_t beside = worked::with_figures(section, name);
-    const bool table = std::ranges::find(kTables, section + '/' + name) != std::end(kTables);
+    const bool table = std::ranges::find(kTables, fmt::format("{}/{}", section, name)) != std::end(kTables);
     EXPECT_EQ(beside == file.examples.size(), !table) << section << '/' << name;
     if (table) continue;
     EXPECT_EQ(worked::file(section, name).size(), beside) << section << '/' << name;
