@@ -9,8 +9,7 @@
 
 namespace toolcomp::fast {
 
-[[gnu::always_inline]] inline bool CutterCompensationC::usual_line() {
-  CutterBlock& block = next();
+[[gnu::always_inline]] inline bool CutterCompensationC::usual_line(CutterBlock& block) {
   CutterPath& to = paths_[path_];
   const Heading& next = to.flat.start;
   const bool usual = is_open(ShortCut::cutter_line) && plain_ && held_ == Held::path && !repeated_ &&
