@@ -9,7 +9,8 @@
 
 namespace toolcomp::fast {
 
-class ToolSideStage final : public Stage, private BlockTaker {
+// A taker first: usual lines come to it without a detour.
+class ToolSideStage final : private BlockTaker, public Stage {
  public:
   // Throws spec::InputError for parameters no control could have.
   ToolSideStage(const spec::Setup& setup, Control& control, EventSink& sink)
