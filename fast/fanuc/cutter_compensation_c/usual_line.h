@@ -39,7 +39,7 @@ namespace toolcomp::fast {
   end.clear();
   end.head[0] = {vector, HeadKind::tangents_meet};
   end.corner = {&last_->flat, &to.flat, &last, &next, side, side, &last_->offset, turned};
-  group_ ^= 1U;
+  std::swap(start_, end_);
   start_side_ = side;
   start_offset_ = &last_->offset;
   last_ = &to;

@@ -139,7 +139,10 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
 
 // What counts is how the block moves at its own end and at the corners that are still to be made.
 StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
-  const Moves where{next_moves(*block.tool), held_ == Held::path && next_moves(*last_->tool),
+  const bool at_end = next_moves(*block.tool);
+  // Right behind the path, and the tool stands as it did there: asked already.
+  const bool stands = count_ == 1 && block.tool == block.tool_before;
+  const Moves where{at_end, held_ == Held::path && (stands ? at_end : next_moves(*last_->tool)),
                     waiting_path_ != nullptr && next_moves(*waiting_path_->tool)};
   if (!where.at_end && !where.at_path && !where.at_waiting) return still_block(block, 1, 2);
   SidePath& to = new_path();
