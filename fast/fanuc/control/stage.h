@@ -66,7 +66,7 @@ class Stage {
   // The block read concerns it.
   [[nodiscard]] bool concerned() const { return concerned_; }
   // It is off, and the last block shown did not concern it: only one with a code of compensation, a number, or a code
-  // of group 00 but G45 to G48 may.
+  // of group 00 but G37 and G45 to G48 may.
   [[nodiscard]] bool rests() const { return !(on_ || concerned_ || on_before_ || on_after_ || takes_moves_); }
   // A use of its codes that is not built.
   [[nodiscard]] virtual bool is_built(const Words& /*words*/) const { return true; }

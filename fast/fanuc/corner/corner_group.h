@@ -183,7 +183,7 @@ bool CornerGroups<Section, Group>::make(Group& group, CornerRule rule) const {
 }
 
 template <class Section, class Group>
-bool CornerGroups<Section, Group>::make_ordinary(Group& group) const {
+[[gnu::always_inline]] inline bool CornerGroups<Section, Group>::make_ordinary(Group& group) const {
   if (is_straight(group)) {
     set(group, HeadKind::first_normal);
     return true;

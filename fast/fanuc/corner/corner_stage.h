@@ -203,7 +203,7 @@ class CornerStage {
     const std::size_t slot = first_ + i;
     return ring_[slot < kSlots ? slot : slot - kSlots];
   }
-  void send(Block& block, const Vector& vector, bool own) {
+  [[gnu::always_inline]] void send(Block& block, const Vector& vector, bool own) {
     if (own) [[likely]] {
       send_to(block.event, vector);
     }
@@ -323,7 +323,7 @@ class CornerStage {
   }
   // At the start of the path: the moves that belong to the block before the corner, and the blocks that wait for its
   // last vector. Answers the first head that is left.
-  std::size_t pass_blocks_before() {
+  [[gnu::always_inline]] std::size_t pass_blocks_before() {
     const Group& group = at_start();
     std::size_t head = 1;
     if constexpr (Section::kUpToStop) {
@@ -365,7 +365,7 @@ class CornerStage {
     move.axes = without[1];
     move.machine = without[2];
   }
-  void send_to(Event& move, const Vector& vector) {
+  [[gnu::always_inline]] void send_to(Event& move, const Vector& vector) {
     section().add(move, vector);
     sink_->on(move);
   }

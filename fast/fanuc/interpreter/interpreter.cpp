@@ -91,8 +91,10 @@ Alarm Interpreter::block_with_commands(const Words& words) {
 
 bool Interpreter::wakes_stages(const Words& words) const {
   static constexpr std::uint32_t kNumbers = Words::set_of("DH");
+  const Code one_shot = words.code(Words::kOneShot);
+  const bool measures = one_shot == 370;
   return words.code(Words::kCompensation) != kNone || words.has_any(kNumbers) ||
-         (words.code(Words::kOneShot) != kNone && !words.is_tool_offset()) || control_.cutter_value.takes_edited();
+         (one_shot != kNone && !words.is_tool_offset() && !measures) || control_.cutter_value.takes_edited();
 }
 
 void Interpreter::block(const spec::Block& block) {
