@@ -21,8 +21,8 @@ Engine::Engine(const spec::Setup& setup, EventSink& sink, std::uint32_t samples)
     : state_(std::make_unique<State>(setup, sink, samples)) {}
 Engine::~Engine() = default;
 
-void Engine::block(const spec::Block& block) { state_->interpreter.block(block); }
-void Engine::end() { state_->interpreter.end(); }
+void Engine::block(const spec::Block& block) { state_->control.taker->block(block); }
+void Engine::end() { state_->control.taker->end(); }
 bool Engine::stopped() const { return state_->control.stopped; }
 
 }  // namespace toolcomp::fast

@@ -167,12 +167,6 @@ double programmed_sweep(const PlanePath& path) {
   return path.turned < 0 ? angle + 360 : angle;
 }
 
-Vector2<double> travel(const PlanePath& path) {
-  const double unit = per_one(path);
-  if (!path.arc) return path.start.unit * (path.start.norm / unit);
-  return {static_cast<double>(path.whole[0]) / unit, static_cast<double>(path.whole[1]) / unit};
-}
-
 Vector2<DoubleDouble> fine_travel(const PlanePath& path) {
   const DoubleDouble unit = fine_unit_of(path);
   const std::array<Int128, 2>& whole = path.arc ? path.whole : path.start.whole;

@@ -67,7 +67,11 @@ inline double per_one(const PlanePath& path) {
   return path.fine_units ? static_cast<double>(Count::kRestPerOne) : static_cast<double>(Count::kSmallPerOne);
 }
 // The straight way from start to end, setup units.
-Vector2<double> travel(const PlanePath& path);
+inline Vector2<double> travel(const PlanePath& path) {
+  const double unit = per_one(path);
+  if (!path.arc) return path.start.unit * (path.start.norm / unit);
+  return {static_cast<double>(path.whole[0]) / unit, static_cast<double>(path.whole[1]) / unit};
+}
 // The sweep of an arc whose end is not its centre, in degrees within (0, 360].
 double programmed_sweep(const PlanePath& path);
 // From start to end to about 100 bits.

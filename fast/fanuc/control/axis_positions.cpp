@@ -31,6 +31,12 @@ Count AxisPositions::target(const Words& words, std::size_t axis, const WordUnit
   return programmed_[axis] + word;
 }
 
+Count AxisPositions::travel(const Words& words, std::size_t axis, const WordUnits& units, bool incremental) const {
+  if (incremental && !fault(Fault::incremental_from_offset_position))
+    return units.value(words.axis(axis), (axes_.linear & bit(axis)) != 0);
+  return target(words, axis, units, incremental) - programmed_[axis];
+}
+
 Alarm AxisPositions::refresh() {
   const Alarm a = for_each_axis(stale_, [this](std::size_t axis) {
     axes_value_[axis] = programmed_value_[axis];

@@ -54,6 +54,8 @@ class AxisPositions {
   [[nodiscard]] Alarm place(std::size_t axis, const Count& position);
   // Where the word of an axis commands it to.
   [[nodiscard]] Count target(const Words& words, std::size_t axis, const WordUnits& units, bool incremental) const;
+  // How far it commands it.
+  [[nodiscard]] Count travel(const Words& words, std::size_t axis, const WordUnits& units, bool incremental) const;
   // The positions of these axes, by their words (read_words.h).
   [[nodiscard]] Alarm place_words(const Words& words, Mask axes, const WordUnits& units, bool incremental);
   // As place(), unchecked, and nothing is stale.

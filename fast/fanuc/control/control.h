@@ -21,9 +21,21 @@
 #include "fast/fanuc/program/words.h"
 #include "fast/fanuc/tool_length_offset/offset_memory.h"
 #include "fast/kinematics/kinematics.h"
+#include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast {
+
+// Who takes blocks as they are read.
+class BlockTaker {
+ public:
+  virtual void block(const spec::Block& block) = 0;
+  // There is no further one.
+  virtual void end() = 0;
+
+ protected:
+  ~BlockTaker() = default;
+};
 
 // The arc of a block, if it is one: its words, and centre, plane and direction as the event has them.
 struct BlockArc {
@@ -49,6 +61,8 @@ struct Control {
   ToolAttitude attitude;
   OffsetMemory memory;
   CutterValue cutter_value;
+  // Of the next block: the interpreter, or a stage that awaits usual ones.
+  BlockTaker* taker = nullptr;
   // The block.
   std::uint64_t line = 0;
   std::optional<std::uint64_t> n;
@@ -62,6 +76,9 @@ struct Control {
   void fill_here(Event& event, spec::MoveType type, spec::Cause cause);
   [[nodiscard]] Count target(const Words& words, std::size_t axis) const {
     return positions.target(words, axis, units, modal.incremental());
+  }
+  [[nodiscard]] Count travel(const Words& words, std::size_t axis) const {
+    return positions.travel(words, axis, units, modal.incremental());
   }
   // The alarms of an arc, and what its event has. Without `geometry` it has its centre, but neither sweep nor radii.
   // `about_start`: an arc about its start is for the stage to refuse.

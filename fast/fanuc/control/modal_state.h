@@ -63,8 +63,6 @@ class ModalState {
     return {xyz_[in_plane(plane, 0)], xyz_[in_plane(plane, 1)]};
   }
   [[nodiscard]] std::size_t normal_axis() const;
-  // The letters I J K of the plane.
-  [[nodiscard]] char plane_letter(std::size_t i) const { return plane_letter_[i]; }
 
   // G91.
   [[nodiscard]] bool incremental() const { return incremental_; }

@@ -11,7 +11,6 @@
 #include "fast/fanuc/control/control.h"
 #include "fast/fanuc/program/cutter_block.h"
 #include "fast/fanuc/program/words.h"
-#include "spec/language/fanuc/block.h"
 
 namespace toolcomp::fast {
 
@@ -33,19 +32,10 @@ struct OwnMove {
   const BlockArc& arc;
 };
 
-// Who takes blocks as they are read.
-class BlockTaker {
- public:
-  virtual void any_block(const spec::Block& block) = 0;
-
- protected:
-  ~BlockTaker() = default;
-};
-
 // Of the stages one at most is on. It gets every block without commands (plain_block). A block with commands is shown
 // to all of them: read() and check() before anything is changed, take() behind that; its moves go to the first one that
-// takes_moves(), by move() and the like. An alarm that is returned is one of the block; an end of the run by a block
-// that is held goes to Control::end().
+// takes_moves(), by move() and the like. While all rests(), only blocks are shown that may wake one. An alarm that is
+// returned is one of the block; an end of the run by a block that is held goes to Control::end().
 class Stage {
  public:
   Stage(Control& control, bool in_space) : control_(control), in_space_(in_space) {}
@@ -63,13 +53,9 @@ class Stage {
   virtual void release() = 0;
 
   // --- blocks without commands ---
+  // A stage may take the next ones as they are read (Control::taker): a short cut. It gives any but a usual one back.
   // Positions, F and a code of group 01 (taken already), or nothing but a number; with their alarms.
   [[nodiscard]] virtual Alarm plain_block(const Words& words) = 0;
-  // The next block goes to usual_block(), as it is read: a short cut. Where it is not a usual one, leave_usual_blocks()
-  // and `others` get it, as any block.
-  [[nodiscard]] bool awaits_usual_block() const { return awaits_usual_block_; }
-  virtual void usual_block(const spec::Block& block, BlockTaker& others) { others.any_block(block); }
-  virtual void leave_usual_blocks() {}
 
   // --- blocks with commands ---
   // What the words of a block say to it.
@@ -79,6 +65,9 @@ class Stage {
   [[nodiscard]] bool on_after() const { return on_after_; }
   // The block read concerns it.
   [[nodiscard]] bool concerned() const { return concerned_; }
+  // It is off, and the last block shown did not concern it: only one with a code of compensation, a number, or a code
+  // of group 00 but G37 and G45 to G48 may.
+  [[nodiscard]] bool rests() const { return !(on_ || concerned_ || on_before_ || on_after_ || takes_moves_); }
   // A use of its codes that is not built.
   [[nodiscard]] virtual bool is_built(const Words& /*words*/) const { return true; }
   // The alarms of its words; where it is concerned.
@@ -121,12 +110,10 @@ class Stage {
     on_after_ = after;
   }
   void set_takes_moves(bool takes) { takes_moves_ = takes; }
-  void set_awaits_usual_block(bool awaits) { awaits_usual_block_ = awaits; }
 
  private:
   bool in_space_;
   bool on_ = false;
-  bool awaits_usual_block_ = false;
   bool concerned_ = false;
   bool on_before_ = false;
   bool on_after_ = false;

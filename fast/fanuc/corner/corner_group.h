@@ -67,7 +67,7 @@ struct HeadGroup {
 
 // Which vectors a corner has. A section derives from it and gives, of a corner,
 //   cross, along             numbers with the signs of sine and cosine of the turn, counted to the left
-//   vector                   the vector of a kind
+//   set_vector               the vector of a kind
 //   meet                     the vector where the offset paths meet or cross; false where they do not
 //   in_plane                 a corner with an arc, in plane coordinates
 //   is_under_one_degree      whether an acute corner of lines is: the tangent of its angle is below that of 1 degree
@@ -97,8 +97,12 @@ class CornerGroups {
   friend Section;
   explicit CornerGroups(const CornerParameters& parameters) : parameters_(parameters) {}
   [[nodiscard]] const Section& section() const { return static_cast<const Section&>(*this); }
+  // In place: what is copied right behind its making is waited for.
   void add(Group& group, HeadKind kind) const {
-    group.head[group.size++] = {section().vector(group.corner, kind), kind};
+    auto& head = group.head[group.size++];
+    head = {};
+    head.kind = kind;
+    section().set_vector(group.corner, kind, head.vector);
   }
 
   static bool is_straight(const Group& group) {
@@ -179,7 +183,7 @@ bool CornerGroups<Section, Group>::make(Group& group, CornerRule rule) const {
 }
 
 template <class Section, class Group>
-bool CornerGroups<Section, Group>::make_ordinary(Group& group) const {
+[[gnu::always_inline]] inline bool CornerGroups<Section, Group>::make_ordinary(Group& group) const {
   if (is_straight(group)) {
     set(group, HeadKind::first_normal);
     return true;

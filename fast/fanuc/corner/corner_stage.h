@@ -28,6 +28,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
@@ -43,7 +44,7 @@ template <class Section, class Block, class Path, class Group, std::size_t kSlot
 class CornerStage {
  public:
   // The block to fill in next. It keeps what it held before: the caller writes every field.
-  [[nodiscard]] Block& next() { return ring_[next_]; }
+  [[nodiscard]] Block& next() { return *free_; }
   // Where the moves go from here on. The stage holds none.
   void set_sink(EventSink& sink) { sink_ = &sink; }
 
@@ -184,8 +185,12 @@ class CornerStage {
   void hold() {
     if (count_ == 0) first_ = next_;
     ++count_;
-    next_ = after_slot(next_);
+    pass_slot();
     move_is_set_ = false;
+  }
+  void pass_slot() {
+    next_ = after_slot(next_);
+    free_ = &ring_[next_];
   }
   void free_first() {
     --count_;
@@ -198,7 +203,7 @@ class CornerStage {
     const std::size_t slot = first_ + i;
     return ring_[slot < kSlots ? slot : slot - kSlots];
   }
-  void send(Block& block, const Vector& vector, bool own) {
+  [[gnu::always_inline]] void send(Block& block, const Vector& vector, bool own) {
     if (own) [[likely]] {
       send_to(block.event, vector);
     }
@@ -215,14 +220,18 @@ class CornerStage {
   static std::uint8_t before(std::uint8_t path) { return static_cast<std::uint8_t>((path + kPaths - 1U) % kPaths); }
   Path& new_path() { return paths_[path_ = after(path_)]; }
   // Of the path that is held: vectors at its start, or the one in force; vectors at its end.
-  [[nodiscard]] Group& at_start() { return groups_[group_]; }
-  [[nodiscard]] Group& at_end() { return groups_[1U - group_]; }
+  [[nodiscard]] Group& at_start() { return *start_; }
+  [[nodiscard]] Group& at_end() { return *end_; }
   [[nodiscard]] bool vector_is_zero() { return is_zero(at_start().front().vector); }
 
+  // Of one that has more than one vector.
+  [[nodiscard]] Event& corner_move(const Group& group) {
+    return corner_moves_[static_cast<std::size_t>(&group - groups_.data())];
+  }
   // The move from vector to vector at the end of the path that is held, without vectors: where the block before the
   // corner has ended, all axes stay.
   void set_corner_move(const Event& before) {
-    Event& move = corner_moves_[1U - group_];
+    Event& move = corner_move(at_end());
     move.line = before.line;
     move.n = before.n;
     move.type = before.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
@@ -248,7 +257,8 @@ class CornerStage {
   EventSink* sink_;
   std::array<Block, kSlots> ring_;
   std::uint8_t next_ = 0;
-  std::uint8_t first_ = 0;  // slots held: first_ … , count_ of them
+  Block* free_ = ring_.data();  // the slot next_: every block asks for it again and again
+  std::uint8_t first_ = 0;      // slots held: first_ … , count_ of them
   std::uint8_t count_ = 0;
   std::uint8_t waits_ = 0;  // of these the blocks that wait for the last vector of the corner before the path
   Held held_ = Held::nothing;
@@ -263,13 +273,15 @@ class CornerStage {
   bool starts_up_ = false;    // the path that is held does
   bool checked_ = false;      // it passes the interference check
   bool move_is_set_ = false;  // set_corner_move() has been called for its end
-  std::uint8_t group_ = 0;
   std::array<Group, 2> groups_;
-  std::array<Event, 2> corner_moves_;  // of the groups that have more than one vector
+  Group* start_ = groups_.data();      // at_start()
+  Group* end_ = start_ + 1;            // at_end()
+  std::array<Event, 2> corner_moves_;  // of the groups
 
  private:
   friend Section;
   explicit CornerStage(EventSink& sink) : sink_(&sink) {}
+  ~CornerStage() = default;
   [[nodiscard]] Section& section() { return static_cast<Section&>(*this); }
   [[nodiscard]] const Section& section() const { return static_cast<const Section&>(*this); }
   // The path that is held goes out, and the blocks behind it; at_end() is complete, and becomes at_start().
@@ -300,7 +312,7 @@ class CornerStage {
     if (at_end().size > 1 && !move_is_set_) set_corner_move(Section::kUpToStop ? block.event : held(count_ - 1U).event);
     send(block, at_end().front().vector, true);
     free_first();
-    group_ ^= 1U;
+    std::swap(start_, end_);
     held_ = Held::nothing;
     if (section().hold_waiting_path()) return alarm::kNone;
     if (Section::kUpToStop && at_start().size > 1)
@@ -311,7 +323,7 @@ class CornerStage {
   }
   // At the start of the path: the moves that belong to the block before the corner, and the blocks that wait for its
   // last vector. Answers the first head that is left.
-  std::size_t pass_blocks_before() {
+  [[gnu::always_inline]] std::size_t pass_blocks_before() {
     const Group& group = at_start();
     std::size_t head = 1;
     if constexpr (Section::kUpToStop) {
@@ -333,7 +345,7 @@ class CornerStage {
   void send_corner_moves(const Block& owner, std::size_t head) {
     if (head >= at_start().size) [[likely]]
       return;
-    Event& move = corner_moves_[group_];
+    Event& move = corner_move(at_start());
     move.line = owner.event.line;
     move.n = owner.event.n;
     move.type = owner.event.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
@@ -342,7 +354,7 @@ class CornerStage {
   }
   void send_corner_move(std::size_t head) {
     const Group& group = at_start();
-    Event& move = corner_moves_[group_];
+    Event& move = corner_move(group);
     if (head + 1U == group.size) {
       send_to(move, group.head[head].vector);
       return;
@@ -353,7 +365,7 @@ class CornerStage {
     move.axes = without[1];
     move.machine = without[2];
   }
-  void send_to(Event& move, const Vector& vector) {
+  [[gnu::always_inline]] void send_to(Event& move, const Vector& vector) {
     section().add(move, vector);
     sink_->on(move);
   }

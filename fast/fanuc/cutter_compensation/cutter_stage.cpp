@@ -414,9 +414,10 @@ template <class Compensation>
 
 template <class Compensation>
 Alarm CutterStage<Compensation>::plain_block(const Words& words) {
-  const ModalState& modal = control_.modal;
-  const AxisPositions& positions = control_.positions;
-  // Asked for again and again: a register is worth more.
+  // At hand: behind whatever is written through control_ it would be looked up again.
+  Control& control = control_;
+  const ModalState& modal = control.modal;
+  const AxisPositions& positions = control.positions;
   const std::array<std::size_t, 2>& plane = modal.plane_axis();
   if (plane[0] == spec::Axes::kNone || plane[1] == spec::Axes::kNone) [[unlikely]]
     return side_ == CutterSide::off ? plan_and_move(words) : alarm::kPlaneAxis;
@@ -433,8 +434,8 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   block.word = CutterSide::unchanged;
   block.side = side_;
   block.d_word = false;
-  block.d = control_.cutter_value.number().number;
-  block.offset = control_.cutter_value.value();
+  block.d = control.cutter_value.number().number;
+  block.offset = control.cutter_value.value();
   block.plane = modal.plane();
   block.axis = modal.plane_axis();
   block.has_direction = false;
@@ -445,7 +446,7 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   block.start[0] = positions.programmed()[plane[0]];
   block.start[1] = positions.programmed()[plane[1]];
   block.named = static_cast<std::uint8_t>((axes >> plane[0] & 1U) | (axes >> plane[1] & 1U) << 1U);
-  if (const Alarm placed = control_.place_words(words, axes)) [[unlikely]]
+  if (const Alarm placed = control.place_words(words, axes)) [[unlikely]]
     return refuse(words, block, placed);
   block.end[0] = positions.programmed()[plane[0]];
   block.end[1] = positions.programmed()[plane[1]];
@@ -458,9 +459,9 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   } else {
     block.motion = block.named == 0 ? CutterMotion::still : CutterMotion::zero;
   }
-  control_.fill_here(block.event, modal.straight(), spec::Cause::programmed);
+  control.fill_here(block.event, modal.straight(), spec::Cause::programmed);
   if constexpr (kIsC<Compensation>)
-    if (block.motion == CutterMotion::line && block.path_made && compensation_.usual_line()) [[likely]]
+    if (block.motion == CutterMotion::line && block.path_made && compensation_.usual_line(block)) [[likely]]
       return alarm::kNone;
   pass();
   return alarm::kNone;

@@ -159,7 +159,7 @@ StageEnd CutterCompensationC::moving_block(CutterBlock& block) {
   return {};
 }
 
-StageEnd CutterCompensationC::next_block(CutterBlock& block) {
+[[gnu::always_inline]] inline StageEnd CutterCompensationC::next_block(CutterBlock& block) {
   CutterPath& to = block.path_made ? paths_[path_] : new_path();
   set_path(to, block);
   if (const Alarm a = check_path(to, held_ == Held::path)) return refuse(block, a);

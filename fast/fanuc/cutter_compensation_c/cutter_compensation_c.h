@@ -70,10 +70,10 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
     set_line(new_path().flat, block.start, block.end);
     return true;
   }
-  // The short cut of block(), usual_line.h: takes next(), a line without a code whose path is made, if its corner is
-  // the usual one, of two lines and with one vector at both ends of the former. False, and nothing is done: it is for
-  // block().
-  [[nodiscard]] bool usual_line();
+  // The short cut of block(), usual_line.h: takes next() as `block`, a line without a code whose path is made, if its
+  // corner is the usual one, of two lines and with one vector at both ends of the former. False, and nothing is done:
+  // it is for block().
+  [[nodiscard]] bool usual_line(CutterBlock& block);
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
   // No further block is known: a block that raises an alarm of its own (absent from the path), or the end of the

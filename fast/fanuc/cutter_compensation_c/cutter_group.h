@@ -59,7 +59,9 @@ class CutterGroups : public CornerGroups<CutterGroups, CutterGroup> {
   static double cross(const Corner& corner) { return corner.turn.c; }
   static double along(const Corner& corner) { return corner.turn.k; }
   static const Corner& in_plane(const CutterGroup& group) { return group.corner; }
-  static Vector2<double> vector(const Corner& corner, HeadKind kind) { return head_vector(corner, kind); }
+  static void set_vector(const Corner& corner, HeadKind kind, Vector2<double>& vector) {
+    vector = head_vector(corner, kind);
+  }
   static bool meet(const Corner& corner, HeadKind kind, Vector2<double>& vector) {
     return offset_paths_meet(corner, kind, vector);
   }

@@ -9,8 +9,7 @@
 
 namespace toolcomp::fast {
 
-[[gnu::always_inline]] inline bool CutterCompensationC::usual_line() {
-  CutterBlock& block = next();
+[[gnu::always_inline]] inline bool CutterCompensationC::usual_line(CutterBlock& block) {
   CutterPath& to = paths_[path_];
   const Heading& next = to.flat.start;
   const bool usual = is_open(ShortCut::cutter_line) && plain_ && held_ == Held::path && !repeated_ &&
@@ -40,7 +39,7 @@ namespace toolcomp::fast {
   end.clear();
   end.head[0] = {vector, HeadKind::tangents_meet};
   end.corner = {&last_->flat, &to.flat, &last, &next, side, side, &last_->offset, turned};
-  group_ ^= 1U;
+  std::swap(start_, end_);
   start_side_ = side;
   start_offset_ = &last_->offset;
   last_ = &to;

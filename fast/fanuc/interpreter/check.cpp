@@ -12,7 +12,7 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
   const ModalState& modal = control_.modal;
   const Code one_shot = words.code(Words::kOneShot);
   if (words.code(Words::kCompensation) != kNone)
-    for (const auto& stage : stages_)
+    for (const auto& stage : asked_)
       if (!stage->is_built(words)) return alarm::kUnknownCode;
   const std::uint32_t list = words.has('L') ? whole_number(words['L'], 99) : 100;
   if (one_shot == 100 && !memory.has_list(list)) return alarm::kUnknownList;
@@ -25,11 +25,11 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
   command.along = words.starts_tip_control() || (along_before && length != 490);
   command.vector = length == 435 || (modal.by_vector() && length != 434 && length != 490);
   command.ends_along = along_before && (length == 490 || words.starts_tip_control());
-  for (const auto& stage : stages_) stage->read(words, command);
+  for (const auto& stage : asked_) stage->read(words, command);
 
   if (words.starts_tip_control() || along_before)
     if (const Alarm a = check_tip_control(words, command)) return a;
-  for (const auto& stage : stages_)
+  for (const auto& stage : asked_)
     if (stage->concerned())
       if (const Alarm a = stage->check(words, command)) return a;
   if (one_shot == 370)
@@ -65,7 +65,7 @@ Alarm Interpreter::check_measurement(const Words& words) const {
   if (add || std::popcount(words.axes()) != 1 || (words.axes() & control_.axes.linear) == 0)
     return alarm::kMeasurementAxis;
   if (words.code(Words::kLength) != kNone) return alarm::kMeasurementFormat;
-  if (std::ranges::any_of(stages_, [](const auto& stage) { return stage->on_before() || stage->on_after(); }))
+  if (std::ranges::any_of(asked_, [](const auto& stage) { return stage->on_before() || stage->on_after(); }))
     return alarm::kMeasurementInCutter;
   return measurement_.parameters();
 }

@@ -16,7 +16,7 @@ Alarm Interpreter::check_tip_control(const Words& words, const Command& command)
   // The stage in space that is on before the block or after it.
   const Stage* on = nullptr;
   bool after = false;
-  for (const auto& stage : stages_) {
+  for (const auto& stage : asked_) {
     if (!stage->in_space()) continue;
     if (stage->on_before() || stage->on_after()) on = stage.get();
     after |= stage->on_after();
@@ -27,27 +27,26 @@ Alarm Interpreter::check_tip_control(const Words& words, const Command& command)
   if (!command.along) return alarm::kNone;
   if (attitude.machine().workpiece_frame() && attitude.machine().has_table() && after)
     return alarm::kCompensationInWorkpiece;
-  return check_tip_move(words, command, on);
+  return check_tip_move(words, command.motion, command.vector, on);
 }
 
-Alarm Interpreter::check_tip_move(const Words& words, const Command& command, const Stage* stage) const {
+Alarm Interpreter::check_tip_move(const Words& words, Code motion, bool vector, const Stage* stage) const {
   const ControlAxes& axes = control_.axes;
   const bool ijk = words.has_any(Words::set_of("IJK"));
-  if (command.vector) {
+  if (vector) {
     if ((words.axes() & axes.rotary) != 0) return stage != nullptr ? stage->rotary_word() : alarm::kToolDirection;
     if (words.code(Words::kLength) == 435 && ijk && control_.attitude.machine().has_table())
       return alarm::kDirectionAtStart;
     if (!ToolAttitude::names_direction(words)) return alarm::kToolDirection;
   }
-  if (command.motion <= 10) return alarm::kNone;
+  if (motion <= 10) return alarm::kNone;
   const Code plane = words.code(Words::kPlane);
   Mask in_plane = 0;
   for (const std::size_t axis : control_.modal.axes_of(plane == kNone ? control_.modal.plane() : plane_of(plane)))
     if (axis != spec::Axes::kNone) in_plane = static_cast<Mask>(in_plane | bit(axis));
   const bool turns_alone = (words.axes() & axes.linear) == 0 &&
-                           (command.vector ? ijk : (words.axes() & axes.rotary) != 0 && !words.has_any(kArcLetters));
-  if (turns_alone || (command.vector && (words.axes() & in_plane) != 0 && !words.has('R')))
-    return alarm::kTipControlArc;
+                           (vector ? ijk : (words.axes() & axes.rotary) != 0 && !words.has_any(kArcLetters));
+  if (turns_alone || (vector && (words.axes() & in_plane) != 0 && !words.has('R'))) return alarm::kTipControlArc;
   return alarm::kNone;
 }
 

@@ -9,24 +9,11 @@ namespace toolcomp::fast {
 Interpreter::Interpreter(const spec::Setup& setup, Control& control, const Stages& stages, EventSink& sink)
     : control_(control), stages_(stages), measurement_(setup), sink_(sink), moves_(&sink) {
   control_.begin(setup);
-}
-
-void Interpreter::block(const spec::Block& block) {
-  if (on_ != nullptr && on_->awaits_usual_block())
-    on_->usual_block(block, *this);
-  else
-    any_block(block);
-}
-
-Stage* Interpreter::stage_on() const {
-  for (const auto& stage : stages_)
-    if (stage->on()) return stage.get();
-  return nullptr;
+  control_.taker = this;
 }
 
 void Interpreter::end() {
   if (control_.stopped) return;
-  if (on_ != nullptr && on_->awaits_usual_block()) on_->leave_usual_blocks();
   if (release_held()) return;
   control_.stopped = true;
 }
@@ -70,11 +57,7 @@ void Interpreter::raise(Alarm alarm) {
   if (control_.positions.along_tool()) {
     ToolAttitude& attitude = control_.attitude;
     attitude.directions().begin_block();
-    Command command;
-    command.motion = modal.motion();
-    command.along = true;
-    command.vector = modal.by_vector();
-    if (const Alarm a = check_tip_move(words, command, stage)) return a;
+    if (const Alarm a = check_tip_move(words, modal.motion(), modal.by_vector(), stage)) return a;
     attitude.set_sampled(true);
     if (!attitude.plans_tool()) attitude.direct(words);
   }
@@ -91,14 +74,30 @@ Alarm Interpreter::uncompensated_arc(const Words& words) {
 }
 
 Alarm Interpreter::block_with_commands(const Words& words) {
+  const bool asks = !rest_ || wakes_stages(words);
+  asked_ = asks ? std::span(stages_) : std::span<const std::unique_ptr<Stage>>();
   Command command;
   if (const Alarm a = check(words, command)) return a;
   const Alarm alarm = apply(words, command);
-  on_ = stage_on();
+  if (!asks) return alarm;
+  on_ = nullptr;
+  rest_ = true;
+  for (const auto& stage : stages_) {
+    if (on_ == nullptr && stage->on()) on_ = stage.get();
+    rest_ = rest_ && stage->rests();
+  }
   return alarm;
 }
 
-void Interpreter::any_block(const spec::Block& block) {
+bool Interpreter::wakes_stages(const Words& words) const {
+  static constexpr std::uint32_t kNumbers = Words::set_of("DH");
+  const Code one_shot = words.code(Words::kOneShot);
+  const bool measures = one_shot == 370;
+  return words.code(Words::kCompensation) != kNone || words.has_any(kNumbers) ||
+         (one_shot != kNone && !words.is_tool_offset() && !measures) || control_.cutter_value.takes_edited();
+}
+
+void Interpreter::block(const spec::Block& block) {
   if (control_.stopped) return;
   control_.line = block.line;
   control_.n = block.n;
@@ -146,7 +145,7 @@ Alarm Interpreter::apply(const Words& words, Command& command) {
   if (const Alarm a = take_length(words, command, extra)) return a;
   control_.cutter_value.take_number(words);
   Stage* through = nullptr;
-  for (const auto& stage : stages_) {
+  for (const auto& stage : asked_) {
     if (const Alarm a = stage->take(words, command)) return a;
     if (control_.stopped) return alarm::kNone;
     if (through == nullptr && stage->takes_moves()) through = stage.get();
@@ -171,15 +170,15 @@ void Interpreter::take_codes(const Words& words, const Command& command) {
   modal.set_by_vector(command.vector);
   if (const Code code = words.code(Words::kWorkpiece); code != kNone) {
     select_workpiece(code);
-    for (const auto& stage : stages_)
+    for (const auto& stage : asked_)
       if (stage->concerned()) stage->rename();
   }
 }
 
 Alarm Interpreter::take_arc(const Words& words, BlockArc& arc) const {
   if (control_.modal.motion() <= 10) return alarm::kNone;
-  const bool made = std::ranges::any_of(stages_, [&](const auto& stage) { return stage->makes_arc(words); });
-  const bool judged = std::ranges::any_of(stages_, [](const auto& stage) { return stage->judges_arc_about_start(); });
+  const bool made = std::ranges::any_of(asked_, [&](const auto& stage) { return stage->makes_arc(words); });
+  const bool judged = std::ranges::any_of(asked_, [](const auto& stage) { return stage->judges_arc_about_start(); });
   return control_.plan_arc(words, arc, !made, judged);
 }
 
@@ -198,7 +197,7 @@ Alarm Interpreter::take_length(const Words& words, const Command& command, bool&
   attitude.directions().begin_block();
   if (!command.along) return alarm::kNone;
   // Moves that a compensation inserts are none of the block.
-  const bool replaced = std::ranges::any_of(stages_, [&](const auto& stage) { return stage->replaces_move(extra); });
+  const bool replaced = std::ranges::any_of(asked_, [&](const auto& stage) { return stage->replaces_move(extra); });
   attitude.set_sampled(!words.starts_tip_control() && !replaced);
   if (words.starts_tip_control()) {
     attitude.begin(words);

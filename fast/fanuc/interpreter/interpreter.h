@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
@@ -19,12 +21,11 @@ class Interpreter final : public BlockTaker {
   // Refers to control and stages. Throws spec::InputError for a setup the control could not have.
   Interpreter(const spec::Setup& setup, Control& control, const Stages& stages, EventSink& sink);
 
-  void block(const spec::Block& block);
-  void end();
+  void block(const spec::Block& block) override;
+  void end() override;
 
  private:
   // interpreter.cpp: one block, step by step.
-  void any_block(const spec::Block& block) override;
   // Any but a plain one.
   [[gnu::noinline]] void other_block(const Words& words);
   // A block without commands: its words change nothing but positions, feed and the code of group 01, and nothing waits
@@ -33,6 +34,8 @@ class Interpreter final : public BlockTaker {
   // A block with commands, first checked; then everything is allowed but what depends on positions (arcs) and on the
   // length offset, whose alarms come last.
   [[nodiscard]] Alarm block_with_commands(const Words& words);
+  // Whether such a block may wake a stage that rests.
+  [[nodiscard]] bool wakes_stages(const Words& words) const;
   [[nodiscard]] Alarm apply(const Words& words, Command& command);
   void take_codes(const Words& words, const Command& command);
   [[nodiscard]] Alarm take_arc(const Words& words, BlockArc& arc) const;
@@ -47,7 +50,6 @@ class Interpreter final : public BlockTaker {
   void set_feed(const Words& words) { control_.modal.set_feed(control_.units.feed(words['F'])); }
   void send_to(EventSink& sink);
   void raise(Alarm alarm);
-  [[nodiscard]] Stage* stage_on() const;
   // Everything a stage holds goes out; true if that ended the run.
   [[nodiscard]] bool release_held();
 
@@ -60,7 +62,7 @@ class Interpreter final : public BlockTaker {
   [[nodiscard]] Alarm check_tip_control(const Words& words, const Command& command) const;
   [[nodiscard]] Alarm check_tip_control_start(const Words& words, const Command& command, bool in_space) const;
   // Of the words that move, under G43.4 or G43.5. `stage`: the one that is on in space, or nullptr.
-  [[nodiscard]] Alarm check_tip_move(const Words& words, const Command& command, const Stage* stage) const;
+  [[nodiscard]] Alarm check_tip_move(const Words& words, Code motion, bool vector, const Stage* stage) const;
 
   // machine_moves.cpp: G53, G28, G30, G30.1, G29, G54 to G59.
   [[nodiscard]] Alarm to_machine_position(const Words& words, Stage* stage);
@@ -82,11 +84,14 @@ class Interpreter final : public BlockTaker {
 
   Control& control_;
   const Stages& stages_;
+  std::span<const std::unique_ptr<Stage>> asked_;  // to which a block with commands is shown: all of them, or none
   ToolLengthMeasurement measurement_;
   EventSink& sink_;
-  EventSink* moves_;     // where uncompensated moves go
-  Event move_;           // the next one
-  Stage* on_ = nullptr;  // the stage that was on behind the last block with commands
+  EventSink* moves_;  // where uncompensated moves go
+  Event move_;        // the next one
+  // Behind the last block with commands: the stage that was on, and whether all of them rest.
+  Stage* on_ = nullptr;
+  bool rest_ = true;
 };
 
 }  // namespace toolcomp::fast

@@ -28,7 +28,7 @@ Alarm Interpreter::plan_tool_offset(const Words& words, BlockArc& block_arc, Shi
     std::array<Count, 2> travel;
     for (std::size_t i = 0; i < 2; ++i)
       if (axis[i] != spec::Axes::kNone && (words.axes() & bit(axis[i])) != 0)
-        travel[i] = control_.target(words, axis[i]) - positions.programmed()[axis[i]];
+        travel[i] = control_.travel(words, axis[i]);
     ToolOffset::Arc made;
     if (const Alarm a = ToolOffset::arc(travel, arc_words.to_center, increase, made)) return a;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -41,7 +41,7 @@ Alarm Interpreter::plan_tool_offset(const Words& words, BlockArc& block_arc, Shi
     if (made.zero) arc->sweep.reset();
   }
   return for_each_axis(static_cast<Mask>(words.axes() & control_.axes.linear), [&](std::size_t axis) {
-    const Count travel = control_.target(words, axis) - positions.programmed()[axis];
+    const Count travel = control_.travel(words, axis);
     const int sense = ToolOffset::sense(travel, words.axis(axis), control_.modal.incremental());
     shifts.by[axis] = sense < 0 ? -increase : increase;
     if (sense != 0) shifts.axes = static_cast<Mask>(shifts.axes | bit(axis));

@@ -21,11 +21,13 @@ struct AxisLetters {
     for (std::size_t axis = 0; axis < count; ++axis) {
       index[axis] = static_cast<std::uint8_t>(axes.letter(axis) - 'A');
       set |= std::uint32_t{1} << index[axis];
+      if (!xyz_first || axis >= 3) others |= std::uint32_t{1} << index[axis];
     }
   }
   // Bit i: the letter of axis i is among them.
   [[nodiscard]] unsigned positions(std::uint32_t letters) const {
     unsigned found = xyz_first ? letters >> ('X' - 'A') & 7U : 0;
+    if ((letters & others) == 0) return found;
     for (std::size_t axis = xyz_first ? 3 : 0; axis < count; ++axis) found |= (letters >> index[axis] & 1U) << axis;
     return found;
   }
@@ -34,6 +36,7 @@ struct AxisLetters {
   bool xyz_first;                                    // X Y Z are the first three axes
   std::array<std::uint8_t, spec::kMaxAxes> index{};  // in the alphabet, from 0
   std::uint32_t set = 0;                             // as of has_any()
+  std::uint32_t others = 0;                          // of them those that positions() goes through
 };
 
 // A block taken apart. Of several codes of a group, and of several words of one letter, the last one counts.

@@ -205,10 +205,12 @@ bool SideGeometry::paths_meet(const SideCorner& corner, HeadKind kind, Vector3<d
   return true;
 }
 
-Vector3<double> SideGeometry::vector(const SideCorner& corner, HeadKind kind) const {
-  if (kind == HeadKind::zero) return {};
-  if (corner.flat) return in_space(corner, head_vector(corner.plane, kind));
-  if (is_ill(corner, kind)) return nearest(fine_vector(corner, kind));
+void SideGeometry::set_vector(const SideCorner& corner, HeadKind kind, Vector3<double>& vector) const {
+  if (kind == HeadKind::zero || corner.flat || is_ill(corner, kind)) [[unlikely]] {
+    vector = corner.flat && kind != HeadKind::zero ? in_space(corner, head_vector(corner.plane, kind))
+                                                   : nearest(fine_vector(corner, kind));
+    return;
+  }
   const SpaceTurn& turn = corner.turn;
   Numbers<double> n;
   n.left1 = turn.left1;
@@ -220,7 +222,7 @@ Vector3<double> SideGeometry::vector(const SideCorner& corner, HeadKind kind) co
   n.r = corner.offset->nearest;
   n.rho1 = of(corner.first_side, n.r);
   n.rho2 = of(corner.second_side, n.r);
-  return line_vector(n, kind);
+  vector = line_vector(n, kind);
 }
 
 Vector3<DoubleDouble> SideGeometry::fine_vector(const SideCorner& corner, HeadKind kind) const {

@@ -63,7 +63,7 @@ class SideGeometry {
   static int along(const SideCorner& corner) { return corner.flat ? sign_of(corner.plane.turn.k) : corner.turn.dot; }
 
   // The vector, from the corner, setup units; with an arc, of kinds other than paths_meet and paths_cross.
-  [[nodiscard]] Vector3<double> vector(const SideCorner& corner, HeadKind kind) const;
+  void set_vector(const SideCorner& corner, HeadKind kind, Vector3<double>& vector) const;
   // The vector of those kinds, with an arc; false where the offset paths have no common point.
   static bool paths_meet(const SideCorner& corner, HeadKind kind, Vector3<double>& vector);
   // The same to about 90 bits, of any kind.

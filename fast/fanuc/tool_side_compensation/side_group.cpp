@@ -16,7 +16,7 @@ SideParameters::SideParameters(const spec::Setup& setup)
 
 bool SideGroups::meet(const SideCorner& corner, HeadKind kind, Vector3<double>& vector) const {
   if (corner.flat) return SideGeometry::paths_meet(corner, kind, vector);
-  vector = geometry_.vector(corner, kind);
+  geometry_.set_vector(corner, kind, vector);
   return true;
 }
 

@@ -69,8 +69,8 @@ class SideGroups : public CornerGroups<SideGroups, SideGroup> {
   static int cross(const SideCorner& corner) { return SideGeometry::cross(corner); }
   static int along(const SideCorner& corner) { return SideGeometry::along(corner); }
   static const Corner& in_plane(const SideGroup& group) { return group.corner.plane; }
-  [[nodiscard]] Vector3<double> vector(const SideCorner& corner, HeadKind kind) const {
-    return geometry_.vector(corner, kind);
+  void set_vector(const SideCorner& corner, HeadKind kind, Vector3<double>& vector) const {
+    geometry_.set_vector(corner, kind, vector);
   }
   [[nodiscard]] bool meet(const SideCorner& corner, HeadKind kind, Vector3<double>& vector) const;
   [[nodiscard]] bool is_under_one_degree(const SideCorner& corner) const {

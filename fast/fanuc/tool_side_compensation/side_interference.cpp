@@ -19,16 +19,20 @@ bool line_interferes(const SideGroups& groups, const SidePath& path, const SideG
   const ToolPlane plane = groups.geometry().plane(*path.tool);
   // An arc may end where it starts, or above it along the tool.
   if (!lines && !plane.moves(path.travel, Count())) return false;
-  std::optional<SpaceTurn> seen;
-  if (!lines) seen = plane.straight(path.travel);
-  const SpaceTurn& turn = lines ? end.corner.turn : *seen;
-  const double product = turn.length1 + dot(turn.ahead1, shift);
-  if (std::abs(product) > 0x1p-42 * (turn.length1 + size)) [[likely]]
+  double length = end.corner.turn.length1;
+  Vector3<double> ahead = end.corner.turn.ahead1;
+  if (!lines) {
+    const SpaceTurn seen = plane.straight(path.travel);
+    length = seen.length1;
+    ahead = seen.ahead1;
+  }
+  const double product = length + dot(ahead, shift);
+  if (std::abs(product) > 0x1p-42 * (length + size)) [[likely]]
     return product < 0;
   const FineTurn fine = plane.fine_turn(path.travel, path.travel);
   const DoubleDouble refined = fine.length1 + dot(fine.ahead1, groups.fine(end, w) - groups.fine(start, v));
-  const double steep = std::max(1.0, std::sqrt(path.travel.square) / path.travel.unit / turn.length1);
-  return refined.hi < -0x1p-88 * steep * (turn.length1 + size);
+  const double steep = std::max(1.0, std::sqrt(path.travel.square) / path.travel.unit / length);
+  return refined.hi < -0x1p-88 * steep * (length + size);
 }
 
 bool arc_interferes(const SideGeometry& geometry, const CheckedSide& block, const std::optional<double>& sweep) {

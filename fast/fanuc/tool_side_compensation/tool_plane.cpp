@@ -107,7 +107,8 @@ Vector3<DoubleDouble> ToolPlane::fine_left(const Travel& travel) const {
   return {left.x / norm, left.y / norm, left.z / norm};
 }
 
-bool ToolPlane::quick_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const {
+[[gnu::always_inline]] inline bool ToolPlane::quick_turn(const Travel& first, const Travel& second,
+                                                         SpaceTurn& turn) const {
   if (!first.narrow || !second.narrow) return false;
   const Vector3<double> v = unit();
   const Vector3<double> w1 = fast::cross(v, first.value);

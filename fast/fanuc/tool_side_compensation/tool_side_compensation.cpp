@@ -13,7 +13,7 @@ ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinem
       shortest_(parameters_.no_movement.nearest() * static_cast<double>(Count::kSmallPerOne) * (1 + 0x1p-40)),
       xyz_first_(xyz_ == std::array<std::size_t, 3>{0, 1, 2}) {}
 
-void ToolSideCompensation::set_path(SidePath& to, const ToolSideBlock& block) {
+[[gnu::always_inline]] inline void ToolSideCompensation::set_path(SidePath& to, const ToolSideBlock& block) {
   to.arc = block.arc;
   if (block.arc) {
     set_arc_path(to.flat, block);
@@ -26,7 +26,7 @@ void ToolSideCompensation::set_path(SidePath& to, const ToolSideBlock& block) {
   to.offset_change = value_change_;
 }
 
-void ToolSideCompensation::keep_tool(std::uint8_t path) {
+[[gnu::always_inline]] inline void ToolSideCompensation::keep_tool(std::uint8_t path) {
   const Direction* const tool = paths_[path].tool;
   if (tool == nullptr || tool == &tools_[path]) return;
   tools_[path] = *tool;
@@ -37,7 +37,7 @@ void ToolSideCompensation::keep_tool(std::uint8_t path) {
 }
 
 // Of the path that is held and the one before it.
-void ToolSideCompensation::keep_tools() {
+[[gnu::always_inline]] inline void ToolSideCompensation::keep_tools() {
   keep_tool(path_);
   keep_tool(before(path_));
 }
@@ -73,7 +73,7 @@ StageEnd ToolSideCompensation::block() {
   return end;
 }
 
-StageEnd ToolSideCompensation::any_block(ToolSideBlock& block) {
+[[gnu::always_inline]] inline StageEnd ToolSideCompensation::any_block(ToolSideBlock& block) {
   if (mode_ == Mode::starts) return second_block(block);
   if (mode_ == Mode::ends && block.wanted) return undecide(block, "fanuc.cutter-c.restart-before-removal");
   keep_without_direction();
@@ -138,8 +138,11 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
 }
 
 // What counts is how the block moves at its own end and at the corners that are still to be made.
-StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
-  const Moves where{next_moves(*block.tool), held_ == Held::path && next_moves(*last_->tool),
+[[gnu::always_inline]] inline StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
+  const bool at_end = next_moves(*block.tool);
+  // Right behind the path, and the tool stands as it did there: asked already.
+  const bool stands = count_ == 1 && block.tool == block.tool_before;
+  const Moves where{at_end, held_ == Held::path && (stands ? at_end : next_moves(*last_->tool)),
                     waiting_path_ != nullptr && next_moves(*waiting_path_->tool)};
   if (!where.at_end && !where.at_path && !where.at_waiting) return still_block(block, 1, 2);
   SidePath& to = new_path();
@@ -153,7 +156,8 @@ StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
 }
 
 // A block that moves somewhere. Of two paths the first one is always out behind it.
-StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& to, const Moves& where) {
+[[gnu::always_inline]] inline StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& to,
+                                                                        const Moves& where) {
   // Of the corner at its start.
   const Direction* tool = to.tool;
   const Amount* offset = &to.offset;
@@ -185,7 +189,7 @@ StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& 
   return {};
 }
 
-void ToolSideCompensation::hold_path(const SidePath& to, bool starts_up) {
+[[gnu::always_inline]] inline void ToolSideCompensation::hold_path(const SidePath& to, bool starts_up) {
   checked_ = !starts_up && !parameters_.no_interference;
   treatment_ = next().treatment;
   mismatch_[next_] = mismatches(next());

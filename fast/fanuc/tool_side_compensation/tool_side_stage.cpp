@@ -141,28 +141,29 @@ void ToolSideStage::set_arc(ToolSideBlock& block, const ArcWords& words) const {
 }
 
 Alarm ToolSideStage::pass(const Words& words, bool extra, const BlockArc& arc) {
+  Control& control = control_;  // at hand: behind what is written through it, it would be looked up again
   ToolSideBlock& block = compensation_.next();
-  const AxisPositions& positions = control_.positions;
+  const AxisPositions& positions = control.positions;
   const Mask named = words.axes();
   const std::uint32_t q = words.has('Q') ? whole_number(words['Q'], 3) : 0;
   block.wanted = wanted_;
   block.side = sign_;
   block.treatment = static_cast<Treatment>(q > 3 ? 0 : q);
   block.arc = arc.event.has_value();
-  const XyzTravel xyz(control_);
+  const XyzTravel xyz(control);
   if (block.arc) set_arc(block, arc.words);
 
-  if (const Alarm a = control_.place_words(words, named)) return a;
+  if (const Alarm a = control.place_words(words, named)) return a;
 
   Travel& travel = compensation_.next_travel();
   if (xyz.is_small()) [[likely]]
     set_travel(travel, xyz.small(0), xyz.small(1), xyz.small(2));
   else
     set_travel(travel, xyz.from(), positions.programmed_xyz(), xyz.slack(named));
-  block.tool = &control_.attitude.directions().now();
-  block.tool_before = &control_.attitude.directions().before();
-  block.own = named != 0 || extra || block.arc || (control_.modal.by_vector() && words.has_any(kDirectionLetters));
-  control_.fill(block.event, block.arc ? spec::MoveType::arc : control_.modal.straight(), spec::Cause::programmed);
+  block.tool = &control.attitude.directions().now();
+  block.tool_before = &control.attitude.directions().before();
+  block.own = named != 0 || extra || block.arc || (control.modal.by_vector() && words.has_any(kDirectionLetters));
+  control.fill_here(block.event, block.arc ? spec::MoveType::arc : control.modal.straight(), spec::Cause::programmed);
   if (block.arc) {
     block.event.arc = arc.event;
     for (std::size_t i = 0; i < 2; ++i) block.end[i] = positions.actual(block.axis[i]);
@@ -170,7 +171,7 @@ Alarm ToolSideStage::pass(const Words& words, bool extra, const BlockArc& arc) {
   const StageEnd end = compensation_.block();
   set_on(is_on());
   if (end)
-    control_.end(end);
+    control.end(end);
   else
     await_lines();
   return alarm::kNone;

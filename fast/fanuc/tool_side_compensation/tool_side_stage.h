@@ -9,7 +9,8 @@
 
 namespace toolcomp::fast {
 
-class ToolSideStage final : public Stage {
+// A taker first: usual lines come to it without a detour.
+class ToolSideStage final : private BlockTaker, public Stage {
  public:
   // Throws spec::InputError for parameters no control could have.
   ToolSideStage(const spec::Setup& setup, Control& control, EventSink& sink)
@@ -18,8 +19,6 @@ class ToolSideStage final : public Stage {
   void set_sink(EventSink& sink) override { compensation_.set_sink(sink); }
   void release() override;
   [[nodiscard]] Alarm plain_block(const Words& words) override;
-  void usual_block(const spec::Block& block, BlockTaker& others) override;
-  void leave_usual_blocks() override;
   void read(const Words& words, const Command& command) override;
   [[nodiscard]] Alarm check(const Words& words, const Command& command) const override;
   [[nodiscard]] Alarm rotary_word() const override { return alarm::kRotaryWord; }
@@ -42,6 +41,11 @@ class ToolSideStage final : public Stage {
   // usual_side_line.cpp
   // Behind a block that has been taken: whether the next one may be a usual line.
   void await_lines();
+  // While it may.
+  void block(const spec::Block& block) override;
+  void end() override;
+  // Before any other block.
+  void leave_lines();
   // The usual line, without a detour: positions of few places, under G43.5 I J K, F and G00 or G01, and nothing of the
   // modal state that needs a look. False, and nothing is done: any other block.
   [[nodiscard]] bool take_line(const spec::Block& block);
@@ -65,6 +69,7 @@ class ToolSideStage final : public Stage {
     Vector3<double> at;
   };
   Lines lines_;
+  BlockTaker* others_ = nullptr;  // who takes blocks that are no usual lines
 };
 
 }  // namespace toolcomp::fast

@@ -90,7 +90,7 @@ namespace toolcomp::fast {
   }
   first_ = next_;
   count_ = 1;
-  next_ = after_slot(next_);
+  pass_slot();
   return true;
 }
 

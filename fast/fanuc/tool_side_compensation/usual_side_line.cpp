@@ -28,7 +28,6 @@ void ToolSideStage::await_lines() {
   const Count& x = control_.positions.programmed()[0];
   const Count& y = control_.positions.programmed()[1];
   const Count& z = control_.positions.programmed()[2];
-  set_awaits_usual_block(false);
   if (!compensation_.awaits_line() || control_.modal.motion() > 10 || control_.cutter_value.takes_edited() ||
       control_.positions.length().pending())
     return;
@@ -56,14 +55,20 @@ void ToolSideStage::await_lines() {
                  (!control_.positions.along_tool() ||
                   (control_.attitude.along_length() == 0 && control_.positions.displaced() == 0));
   compensation_.await_lines(lines_.plain);
-  set_awaits_usual_block(true);
+  others_ = control_.taker;
+  control_.taker = this;
 }
 
-void ToolSideStage::usual_block(const spec::Block& block, BlockTaker& others) {
+void ToolSideStage::block(const spec::Block& block) {
   if (take_line(block)) [[likely]]
     return;
-  leave_usual_blocks();
-  others.any_block(block);
+  leave_lines();
+  others_->block(block);
+}
+
+void ToolSideStage::end() {
+  leave_lines();
+  others_->end();
 }
 
 // The words of the line, and which letters there are. False: not those of a usual line.
@@ -190,10 +195,9 @@ void ToolSideStage::place_lines(double x, double y, double z) {
   }
 }
 
-// Before any other block.
-void ToolSideStage::leave_usual_blocks() {
+void ToolSideStage::leave_lines() {
   place_lines(lines_.at.x, lines_.at.y, lines_.at.z);
-  set_awaits_usual_block(false);
+  control_.taker = others_;
 }
 
 }  // namespace toolcomp::fast
