@@ -90,10 +90,9 @@ Alarm Interpreter::block_with_commands(const Words& words) {
 }
 
 bool Interpreter::wakes_stages(const Words& words) const {
-  static constexpr std::uint32_t kNumbers = Words::set_of("DH");
   const Code one_shot = words.code(Words::kOneShot);
   const bool measures = one_shot == 370;
-  return words.code(Words::kCompensation) != kNone || words.has_any(kNumbers) ||
+  return words.code(Words::kCompensation) != kNone || control_.cutter_value.commanded(words) ||
          (one_shot != kNone && !words.is_tool_offset() && !measures) || control_.cutter_value.takes_edited();
 }
 
