@@ -119,7 +119,7 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
     if (const Alarm a = end_mode()) return a;
 
   // Which number holds: an H word of any block, or with OFH = 1 of a block with G43, G44 (or G43.4, G43.5) only; there
-  // a first G43 without H means H0.
+  // a first G43 without H means H0. So may a G49 without H.
   const bool sets = code == 430 || code == 440 || words.starts_tip_control();
   const bool ofh = ofh_ && !fault(Fault::h_modal_under_ofh);
   std::uint32_t number = number_;
@@ -127,9 +127,7 @@ Alarm ToolLengthOffset::apply(const Words& words, const OffsetMemory& memory, st
   if (has_h && (!ofh || sets)) {
     number = whole_number(words['H'], memory.count());
     takes = true;
-  } else if (ofh && sets && mode_ == Mode::off) {
-    number = 0;
-  } else if (code == 490 && !has_h && g49_sets_h0_) {
+  } else if ((ofh && sets && mode_ == Mode::off) || (code == 490 && !has_h && g49_sets_h0_)) {
     number = 0;
   }
   const Mode mode = mode_after(code);
