@@ -56,9 +56,9 @@ std::uint32_t number_of_blocks(Choices& choose) {
 }
 
 bool has_clause_of(const spec::KeyInfo& key, std::string_view section) {
-  return std::ranges::any_of(spec::clauses(), [&](const spec::ClauseInfo& clause) {
-    return clause.section == section &&
-           ('\n' + std::string(key.clauses) + '\n').find('\n' + std::string(clause.id) + '\n') != std::string::npos;
+  return std::ranges::any_of(key.clauses, [&](std::string_view id) {
+    const auto clause = spec::find_clause(id);
+    return clause && spec::info(*clause).section == section;
   });
 }
 

@@ -22,9 +22,9 @@ struct KeyInfo {
   bool always;                               // written also where it has its default
   char letter;                               // of its line in a fuzzed case
   std::span<const std::string_view> words;   // there, for the values; empty: the letter alone is the other of two
-  unsigned percent;                      // directed cases of its clauses' sections with another value; 0: see fuzz/gen
-  std::string_view clauses;              // ids, with line feeds between
-  std::array<std::string_view, 2> text;  // whole sentences
+  unsigned percent;  // directed cases of its clauses' sections with another value; 0: see fuzz/gen
+  std::span<const std::string_view> clauses;        // ids
+  std::array<std::string_view, 2> text;             // whole sentences
   std::array<std::string_view, 2> comment;          // behind the default in the example of a setup
   std::size_t (*get)(const SetupKeys& keys);        // index of the value
   void (*set)(SetupKeys& keys, std::size_t value);  // likewise

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -206,12 +205,9 @@ std::string description(const KeyInfo& key, Control control) {
   std::string text(key.text[static_cast<std::size_t>(control)]);
   text.pop_back();  // the point
   std::string ids;
-  for (std::string_view rest = key.clauses; !rest.empty();) {
-    const std::string_view id = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(rest.size(), id.size() + 1));
+  for (const std::string_view id : key.clauses)
     if (id.starts_with(control == Control::fanuc ? "fanuc." : "heidenhain."))
       ids.append(ids.empty() ? "" : ", ").append(id);
-  }
   std::string json;
   append_json_string(json, text + " (" + ids + ").");
   return json;

@@ -61,9 +61,9 @@ inline constexpr std::array<KeyInfo, {}> kKeys{{{{
 )";
 
 struct Key {
-  std::string id, type, letter, clauses, text, comment, heidenhain_text, heidenhain_comment;
+  std::string id, type, letter, text, comment, heidenhain_text, heidenhain_comment;
   bool fanuc = false, heidenhain = false, boolean = false, always = false;
-  std::vector<std::string> values, words;
+  std::vector<std::string> values, words, clauses;
   std::size_t default_value = 0;
   std::int64_t percent = 0;
 };
@@ -223,14 +223,14 @@ std::string key_table(const Registry& registry) {
   for (const Key& k : keys.list()) {
     const std::string values = array(k, "Values", k.values, arrays);
     const std::string words = array(k, "Words", k.words, arrays);
+    const std::string clauses = array(k, "Clauses", k.clauses, arrays);
     rows += fmt::format(
         "    KeyInfo{{{}, {{{}, {}}}, {}, {}, {}, {}, '{}', {}, {},\n      {},\n      {{{}, {}}},\n      {{{}, {}}},\n"
         "      [](const SetupKeys& keys) {{ return static_cast<std::size_t>(keys.{}); }},\n"
         "      [](SetupKeys& keys, std::size_t value) {{ keys.{} = {}; }}}},\n",
         literal(k.id), k.fanuc, k.heidenhain, k.boolean, values, k.default_value, k.always, k.letter, words, k.percent,
-        literal(k.clauses), literal(k.text), literal(k.heidenhain_text), literal(k.comment),
-        literal(k.heidenhain_comment), k.id, k.id,
-        k.boolean ? std::string("value != 0") : fmt::format("static_cast<{}>(value)", k.type));
+        clauses, literal(k.text), literal(k.heidenhain_text), literal(k.comment), literal(k.heidenhain_comment), k.id,
+        k.id, k.boolean ? std::string("value != 0") : fmt::format("static_cast<{}>(value)", k.type));
   }
   return fmt::format(kTableFile, arrays, keys.list().size(), rows);
 }

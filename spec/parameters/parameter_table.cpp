@@ -93,7 +93,8 @@ class Parameters {
     return fmt::format(
         "    ParameterInfo{{{{{}}}, ParameterType::{}, {}, {},\n      {}, {}, {},\n      {}}},\n", id(table), type,
         bounds(table, type), default_value == nullptr ? "std::nullopt" : decimal(*default_value),
-        literal(unit == nullptr ? std::string() : unit->value_or(std::string())), literal(registry_.clauses(table)),
+        literal(unit == nullptr ? std::string() : unit->value_or(std::string())),
+        literal(fmt::format("{}", fmt::join(registry_.clauses(table), "\n"))),
         literal(example == nullptr ? std::string() : number_text(*example)), literal(registry_.text(table, "text")));
   }
 

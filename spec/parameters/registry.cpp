@@ -73,15 +73,15 @@ bool Registry::flag(const toml::table& table, std::string_view key) const {
   return node->value_or(false);
 }
 
-std::string Registry::clauses(const toml::table& table) const {
-  const std::vector<std::string> ids = strings(table, "clauses");
+std::vector<std::string> Registry::clauses(const toml::table& table) const {
+  std::vector<std::string> ids = strings(table, "clauses");
   if (ids.empty()) fail(table, "clauses must name what rules the entry");
   for (const std::string& id : ids) {
     const auto found = in_force_.find(id);
     if (found == in_force_.end()) fail(*table.get("clauses"), fmt::format("there is no clause {}", id));
     if (!found->second) fail(*table.get("clauses"), fmt::format("the clause {} is replaced by another", id));
   }
-  return fmt::format("{}", fmt::join(ids, "\n"));
+  return ids;
 }
 
 }  // namespace toolcomp::spec

@@ -28,8 +28,8 @@ class Registry {
   [[nodiscard]] std::string text(const toml::table& table, std::string_view key) const;
   [[nodiscard]] std::vector<std::string> strings(const toml::table& table, std::string_view key) const;
   [[nodiscard]] bool flag(const toml::table& table, std::string_view key) const;
-  // "clauses": at least one, each in force, with line feeds between.
-  [[nodiscard]] std::string clauses(const toml::table& table) const;
+  // "clauses": at least one, each in force.
+  [[nodiscard]] std::vector<std::string> clauses(const toml::table& table) const;
 
  private:
   std::filesystem::path file_;

@@ -40,7 +40,7 @@ std::string keys_markdown() {
     out += fmt::format("| `{}` | {} | {} | {} | {}{} | `{}` |\n", key.id, control, fmt::join(key.values, ", "),
                        key.values[key.default_value], key.text[0],
                        other_text ? fmt::format(" Heidenhain: {}", key.text[1]) : std::string(),
-                       joined(key.clauses, '\n', "`, `"));
+                       fmt::join(key.clauses, "`, `"));
   }
   return out;
 }
@@ -55,7 +55,7 @@ std::string keys_json() {
     out += fmt::format(
         R"({}{{"id":"{}","fanuc":{},"heidenhain":{},"values":[{}],"default":{},"text":{},"clauses":["{}"]}})",
         out.size() == 1 ? "\n" : ",\n", key.id, key.is_of(Control::fanuc), key.is_of(Control::heidenhain), values,
-        value_text(key, key.default_value), text, joined(key.clauses, '\n', "\",\""));
+        value_text(key, key.default_value), text, fmt::join(key.clauses, "\",\""));
   }
   return out + "]\n";
 }

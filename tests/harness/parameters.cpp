@@ -170,7 +170,7 @@ TEST(Keys, IgnoredAreFound) {
     const auto count = static_cast<std::ptrdiff_t>(std::min(difference.event + 1, run.events.size()));
     return std::any_of(run.events.begin(), run.events.begin() + count, [&](const model::Event& event) {
       return std::ranges::any_of(event.clauses, [&](spec::Clause clause) {
-        return key.clauses.find(spec::info(clause).id) != std::string_view::npos;
+        return std::ranges::find(key.clauses, spec::info(clause).id) != key.clauses.end();
       });
     });
   };
