@@ -21,8 +21,7 @@ Real swept_angle(const Real& sine, const Real& cosine, Sign side) {
   if (side == Sign::zero) return ahead == Sign::negative ? 180 : 360;
   if (ahead == Sign::zero) return side == Sign::positive ? 90 : 270;
   const int turned = ahead == Sign::negative ? 180 : side == Sign::positive ? 0 : 360;
-  // Only a forced side turns by nothing, or by an angle below it.
-  if (turned == 0 && sine.sign() != Sign::positive) throw NotFinite();
+  // A forced side may turn by nothing, or by as little as the decision was near: such a sweep stands for one over 0.
   return turned + exact::arctangent_degrees(sine / cosine);
 }
 

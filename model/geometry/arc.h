@@ -27,8 +27,8 @@ ArcGeometry arc_by_radius(Recorder& recorder, const PlanePoint& start, const Pla
                           spec::ArcDirection direction);
 
 // The angle turned through in degrees, over 0 up to 360, of which `sine` and `cosine` are multiples by one positive
-// factor. `side` is the sign of the sine as decided; where that is zero the turn is a half or a whole one. Throws
-// NotFinite where a forced side leaves no turn.
+// factor. `side` is the sign of the sine as decided; where that is zero the turn is a half or a whole one. Where
+// it was forced the angle may be 0 or hardly below.
 Real swept_angle(const Real& sine, const Real& cosine, Sign side);
 
 }  // namespace toolcomp::model

@@ -379,6 +379,35 @@ TEST(NearTies, InterferenceByAHairMayBeSeenOrNot) {
       Outcome::differs);
 }
 
+// Half the chord of the arc is the offset: both its heads lie on Y30, where that meets the tool's circle of 0.02, in one
+// point. Exactly that is a whole turn, over 180 degrees more than programmed: PS0041. Heads a rounding apart make an arc
+// of almost nothing instead, as programmed.
+TEST(NearTies, HeadsOfAnArcInOnePointMayBeAWholeTurnOrNone) {
+  const spec::Case c = contour("X120.\nY40.\nX0\nG03 Y20. R10.02\nG01 X60.\nG40 X80.\n");
+  const ModelRun run = run_model(c);
+  ASSERT_EQ(run.events.back().number.view(), "PS0041");
+  Forced forced;
+  const auto& decisions = run.recorder.decisions();
+  for (std::size_t i = 0; i < decisions.size(); ++i)
+    if (decisions[i].clause == Clause::fanuc_cutter_c_arc_sweep) forced[i] = Sign::positive;
+  ASSERT_EQ(forced.size(), 1U);
+  const std::vector<fast::Event> other = test::in_doubles(run_model(c, forced));
+  const auto arc = std::ranges::find_if(other, [](const fast::Event& event) { return event.arc.has_value(); });
+  ASSERT_NE(arc, other.end());
+  const auto judged = [&](double sweep) {
+    std::vector<fast::Event> answer = other;
+    answer[static_cast<std::size_t>(arc - other.begin())].arc->sweep = sweep;
+    return judge(c, run, answer);
+  };
+  // Degrees of an ulp of 40 at 0.02 from the centre: 2e-11.
+  const Verdict v = judged(2e-11);
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
+  EXPECT_EQ(v.ties, 1U);
+  EXPECT_EQ(judged(2e-6).outcome, Outcome::differs);
+  EXPECT_EQ(judged(180).outcome, Outcome::differs);
+  EXPECT_EQ(judged(360).outcome, Outcome::differs);
+}
+
 // The two heads of this corner lie 12 apart in X and in Y (10·(sin a1 - sin a2 - cos a1 - cos a2) with a1 of -3 : 4 and
 // a2 of 4 : -3, and the like), 1e-13 over the limit of 5010. Dropping the second takes both decisions, and nothing
 // shows after one.
