@@ -379,9 +379,9 @@ TEST(NearTies, InterferenceByAHairMayBeSeenOrNot) {
       Outcome::differs);
 }
 
-// Half the chord of the arc is the offset: both its heads lie on Y30, where that meets the tool's circle of 0.02, in one
-// point. Exactly that is a whole turn, over 180 degrees more than programmed: PS0041. Heads a rounding apart make an arc
-// of almost nothing instead, as programmed.
+// Half the chord of the arc is the offset: both its heads lie on Y30, where that meets the tool's circle of 0.02, in
+// one point. Exactly that is a whole turn, over 180 degrees more than programmed: PS0041. Heads a rounding apart make
+// an arc of almost nothing instead, as programmed.
 TEST(NearTies, HeadsOfAnArcInOnePointMayBeAWholeTurnOrNone) {
   const spec::Case c = contour("X120.\nY40.\nX0\nG03 Y20. R10.02\nG01 X60.\nG40 X80.\n");
   const ModelRun run = run_model(c);
