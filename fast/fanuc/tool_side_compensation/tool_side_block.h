@@ -26,6 +26,7 @@ struct ToolSideBlock {
   Treatment treatment = Treatment::none;
 
   const Direction* tool = nullptr;         // at the end of the block
+  std::uint64_t tool_number = 0;           // another one for every direction of the program
   const Direction* tool_before = nullptr;  // where the block before ended
 
   // Arcs. event.arc has the nearest doubles of the centre.

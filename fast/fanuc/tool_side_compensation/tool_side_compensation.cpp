@@ -10,7 +10,7 @@ ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinem
       geometry_(kinematics),
       make_(geometry_, parameters_),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
-      shortest_(parameters_.no_movement.nearest() * static_cast<double>(Count::kSmallPerOne) * (1 + 0x1p-40)),
+      shortest_(parameters_.no_movement.nearest * static_cast<double>(Count::kSmallPerOne) * (1 + 0x1p-40)),
       xyz_first_(xyz_ == std::array<std::size_t, 3>{0, 1, 2}) {}
 
 [[gnu::always_inline]] inline void ToolSideCompensation::set_path(SidePath& to, const ToolSideBlock& block) {
@@ -20,38 +20,49 @@ ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinem
     to.in = block.in;
     to.normal = 3 - block.in[0] - block.in[1];
   }
-  to.tool = block.tool;
+  to.tool = &kept_tool(block);
   to.side = fault(Fault::side_handedness) ? -block.side : block.side;
   to.offset = value_;
   to.offset_change = value_change_;
 }
 
-[[gnu::always_inline]] inline void ToolSideCompensation::keep_tool(std::uint8_t path) {
-  const Direction* const tool = paths_[path].tool;
-  if (tool == nullptr || tool == &tools_[path]) return;
-  tools_[path] = *tool;
-  paths_[path].tool = &tools_[path];
-  if (start_tool_of_path_ == tool) start_tool_of_path_ = &tools_[path];
-  for (SideGroup& group : groups_)
-    if (group.corner.tool == tool) group.corner.tool = &tools_[path];
+[[gnu::always_inline]] inline const Direction& ToolSideCompensation::kept_tool(const ToolSideBlock& block) {
+  if (block.tool_number != kept_number_) {
+    keep_tool(*block.tool);
+    kept_number_ = block.tool_number;
+  }
+  return tools_[kept_];
 }
 
-// Of the path that is held and the one before it.
-[[gnu::always_inline]] inline void ToolSideCompensation::keep_tools() {
-  keep_tool(path_);
-  keep_tool(before(path_));
+const Direction& ToolSideCompensation::keep_tool(const Direction& tool) {
+  kept_ = after(kept_);
+  tools_[kept_] = tool;
+  return tools_[kept_];
 }
 
-bool ToolSideCompensation::moves(bool arc, const Travel& travel, const Direction& tool) const {
-  if (arc) return true;
-  if (travel.zero) return false;
+[[gnu::always_inline]] inline bool ToolSideCompensation::moves(const SeenLine& line, const ToolPlane& plane) const {
+  const Travel& travel = line.travel;
   if (fault(Fault::side_limit_by_length)) {
     // The length of the block itself, not of its projection.
-    const double limit = parameters_.no_movement.nearest() * travel.unit;
-    if (parameters_.no_movement < Count() || travel.square < limit * limit) return limit <= 0;
-    return geometry_.plane(tool).moves(travel, Count());
+    const double limit = parameters_.no_movement.nearest * travel.unit;
+    if (travel.zero || travel.square < limit * limit) return false;
+    return plane.moves(line, Amount());
   }
-  return geometry_.plane(tool).moves(travel, parameters_.no_movement);
+  return plane.moves(line, parameters_.no_movement);
+}
+
+[[gnu::always_inline]] inline bool ToolSideCompensation::next_moves() {
+  if (next().arc) return true;
+  SidePath& path = next_path();
+  const ToolPlane plane = geometry_.plane(*next().tool);
+  path.seen = plane.see(path.travel);
+  return moves({path.travel, path.seen}, plane);
+}
+
+bool ToolSideCompensation::moves_in_plane_of(bool arc, const Travel& travel, const Direction& tool) const {
+  if (arc) return true;
+  const ToolPlane plane = geometry_.plane(tool);
+  return moves({travel, plane.see(travel)}, plane);
 }
 
 bool ToolSideCompensation::on_edge(const ToolSideBlock& block, const Direction& tool) const {
@@ -68,7 +79,6 @@ StageEnd ToolSideCompensation::block() {
   if (line_.taken) complete_line();
   ToolSideBlock& block = next();
   const StageEnd end = any_block(block);
-  keep_tools();
   await_line(block);
   return end;
 }
@@ -95,7 +105,7 @@ StageEnd ToolSideCompensation::block() {
     return {};
   }
   if (mode_ == Mode::on) return block.wanted ? next_block(block) : cancel_block(block);
-  if (!next_moves(*block.tool)) {
+  if (!next_moves()) {
     send_in_force(block);
     return {};
   }
@@ -110,7 +120,8 @@ StageEnd ToolSideCompensation::block() {
 // The block right after a start of type C.
 StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   const int side = fault(Fault::side_handedness) ? -block.side : block.side;
-  if (!block.wanted || !next_moves(start_tool_) || side != start_side_ ||
+  const bool moves_at_end = next_moves();
+  if (!block.wanted || !next_moves_at(start_tool_) || side != start_side_ ||
       (block.arc && (on_edge(block, start_tool_) || on_edge(block, *block.tool))))
     return release();
   SidePath& to = new_path();
@@ -132,18 +143,18 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   send_start();
   start_tool_of_path_ = &start_tool_;
   start_offset_of_path_ = &start_offset_;
-  moves_at_end_ = moves(to.arc, to.travel, *to.tool);
+  moves_at_end_ = moves_at_end;
   hold_path(to, false);
   return {};
 }
 
 // What counts is how the block moves at its own end and at the corners that are still to be made.
 [[gnu::always_inline]] inline StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
-  const bool at_end = next_moves(*block.tool);
-  // Right behind the path, and the tool stands as it did there: asked already.
-  const bool stands = count_ == 1 && block.tool == block.tool_before;
-  const Moves where{at_end, held_ == Held::path && (stands ? at_end : next_moves(*last_->tool)),
-                    waiting_path_ != nullptr && next_moves(*waiting_path_->tool)};
+  const bool at_end = next_moves();
+  // The tool stands as it did at the end of the path: asked already.
+  const bool stands = held_ == Held::path && last_->tool == &tools_[kept_] && block.tool_number == kept_number_;
+  const Moves where{at_end, held_ == Held::path && (stands ? at_end : next_moves_at(*last_->tool)),
+                    waiting_path_ != nullptr && next_moves_at(*waiting_path_->tool)};
   if (!where.at_end && !where.at_path && !where.at_waiting) return still_block(block, 1, 2);
   SidePath& to = new_path();
   set_path(to, block);
@@ -206,12 +217,12 @@ void ToolSideCompensation::keep_without_direction() {
 
 // From the last head of the corner before it straight to its end, without a vector, where it moves at its own end.
 StageEnd ToolSideCompensation::cancel_block(ToolSideBlock& block) {
-  const bool at_end = next_moves(*block.tool);
+  const bool at_end = next_moves();
   if (held_ == Held::path) {
     SidePath& to = new_path();
     set_path(to, block);
     while (held_ == Held::path) {
-      if (!moves(to.arc, to.travel, *last_->tool)) {
+      if (!moves_in_plane_of(to.arc, to.travel, *last_->tool)) {
         if (const Alarm a = release_path()) return at_fault(a);
         continue;
       }
@@ -248,10 +259,10 @@ void ToolSideCompensation::set_corner(SideGroup& group, const SidePath* second, 
 Alarm ToolSideCompensation::make_corner(SideGroup& group, const SidePath& to, CornerRule rule) const {
   if (!make_.make(group, rule, treatment_)) return alarm::kNoIntersection;
   const SideCorner& corner = group.corner;
+  const SidePath& path = *last_;
   const bool plane_change = rule == CornerRule::ordinary && treatment_ == Treatment::none &&
                             corner.offset->nearest != 0 && corner.first_side == corner.second_side &&
-                            !parameters_.no_plane_change;
-  const SidePath& path = *last_;
+                            path.tool != to.tool && !parameters_.no_plane_change;
   const Kinematics& kinematics = geometry_.kinematics();
   if (plane_change && parameters_.tilt.reached(kinematics, *path.tool, *to.tool) &&
       dot_sign(kinematics, path.travel, *path.tool, to.travel, *to.tool) >= 0 &&
@@ -280,7 +291,6 @@ bool ToolSideCompensation::hold_waiting_path() {
 StageEnd ToolSideCompensation::release() {
   if (line_.taken) complete_line();
   line_.awaited = false;
-  keep_tools();
   keep_without_direction();
   if (held_ != Held::start) return release_paths();
   mode_ = Mode::off;

@@ -134,15 +134,20 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   // The compensated positions of a plain event.
   static void set_from_programmed(Event& event, const Vector3<double>& vector);
 
-  // Whether a block moves in the plane of `tool` (No. 19630).
-  [[nodiscard]] bool moves(bool arc, const Travel& travel, const Direction& tool) const;
-  [[nodiscard]] bool next_moves(const Direction& tool) { return moves(next().arc, next_travel(), tool); }
+  // Whether a line moves in a plane (No. 19630).
+  [[nodiscard]] bool moves(const SeenLine& line, const ToolPlane& plane) const;
+  // Whether next() moves in the plane at its own end, and what the tool sees of it there.
+  [[nodiscard]] bool next_moves();
+  // Whether a block moves in the plane of `tool`.
+  [[nodiscard]] bool moves_in_plane_of(bool arc, const Travel& travel, const Direction& tool) const;
+  [[nodiscard]] bool next_moves_at(const Direction& tool) { return moves_in_plane_of(next().arc, next_travel(), tool); }
   [[nodiscard]] bool on_edge(const ToolSideBlock& block, const Direction& tool) const;
   [[nodiscard]] bool mismatches(const ToolSideBlock& block) const;
 
-  // The path keeps its tool: until then it is the one of the interpreter, which keeps those of the last blocks.
-  void keep_tool(std::uint8_t path);
-  void keep_tools();
+  // Paths refer to a copy of their tool: the interpreter keeps those of the last blocks alone. Paths of one tool share
+  // it, and as many are kept as there are paths.
+  [[nodiscard]] const Direction& kept_tool(const ToolSideBlock& block);
+  const Direction& keep_tool(const Direction& tool);
   // A path held that does not move in the plane at its end goes out, with the vector it starts with.
   void keep_without_direction();
 
@@ -155,6 +160,9 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
 
   std::array<bool, 5> mismatch_{};  // by slots
   std::array<Direction, kPaths> tools_;
+  std::uint8_t kept_ = 0;  // of them the one of the last path
+  static constexpr std::uint64_t kNoTool = UINT64_MAX;
+  std::uint64_t kept_number_ = kNoTool;  // ToolSideBlock::tool_number of that one
   // Of the blocks behind the path the last one, where it moves at its own end; nullptr: it does not, or is not
   // there.
   const SidePath* waiting_path_ = nullptr;
