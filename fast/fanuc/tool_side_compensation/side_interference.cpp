@@ -49,9 +49,9 @@ bool chord_interferes(const SideGroups& groups, const SidePath& path, const Side
   return chord_interferes(groups, path, start, v, end, w);
 }
 
-bool arc_interferes(const SideGeometry& geometry, const CheckedSide& block, const std::optional<double>& sweep) {
-  const SidePath& path = *block.path;
-  const int start = geometry.offset_radius_sign(path, false, *block.start_tool, block.start_side, *block.start_offset);
+bool arc_interferes(const SideGeometry& geometry, const SidePath& path, const PathStart& at_start,
+                    const std::optional<double>& sweep) {
+  const int start = geometry.offset_radius_sign(path, false, *at_start.tool, at_start.side, *at_start.offset);
   const int end = geometry.offset_radius_sign(path, true, *path.tool, path.side, path.offset);
   return fast::arc_interferes(path.flat, start, end, sweep);
 }
@@ -96,11 +96,10 @@ bool radii_agree(const SideGroups& groups, const SidePath& path, const SideGroup
 
 }  // namespace
 
-Interference check_interference(const SideGroups& groups, const CheckedSide& block, const std::optional<double>& sweep,
-                                SideGroup& start, SideGroup& end) {
-  const SidePath& path = *block.path;
+Interference check_interference(const SideGroups& groups, const SidePath& path, const PathStart& at_start,
+                                const std::optional<double>& sweep, SideGroup& start, SideGroup& end) {
   return check_pairs(
-      path.arc, start, end, [&] { return arc_interferes(groups.geometry(), block, sweep); },
+      path.arc, start, end, [&] { return arc_interferes(groups.geometry(), path, at_start, sweep); },
       [&](std::size_t v, std::size_t w) { return line_interferes(groups, path, start, v, end, w); });
 }
 

@@ -31,6 +31,7 @@ struct ToolSideBlock {
 
   // Arcs. event.arc has the nearest doubles of the centre.
   bool arc = false;
+  bool mismatches = false;  // of its path, set by the stage: the tool does not stand along the normal of its plane
   bool clockwise = false;
   bool by_radius = false;
   std::array<std::size_t, 2> in{};    // which of X Y Z the plane has

@@ -70,7 +70,6 @@ bool ToolSideCompensation::on_edge(const ToolSideBlock& block, const Direction& 
 }
 
 bool ToolSideCompensation::mismatches(const ToolSideBlock& block) const {
-  if (!block.arc) return false;
   const std::size_t normal = 3 - block.in[0] - block.in[1];
   return !geometry_.plane(*block.tool_before).along(normal) || !geometry_.plane(*block.tool).along(normal);
 }
@@ -99,8 +98,8 @@ StageEnd ToolSideCompensation::block() {
     still_ = 0;
     repeated_ = false;
     start_tool_ = *block.tool;
-    start_side_ = fault(Fault::side_handedness) ? -block.side : block.side;
     start_offset_ = value_;
+    start_of_path_ = {&start_tool_, fault(Fault::side_handedness) ? -block.side : block.side, &start_offset_};
     hold();
     return {};
   }
@@ -112,8 +111,7 @@ StageEnd ToolSideCompensation::block() {
   if (mode_ == Mode::ends) return cancel_block(block);
   first_block(block);
   moves_at_end_ = true;
-  start_tool_of_path_ = last_->tool;
-  start_offset_of_path_ = &last_->offset;
+  start_of_path_ = {last_->tool, last_->side, &last_->offset};
   return {};
 }
 
@@ -121,7 +119,7 @@ StageEnd ToolSideCompensation::block() {
 StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   const int side = fault(Fault::side_handedness) ? -block.side : block.side;
   const bool moves_at_end = next_moves();
-  if (!block.wanted || !next_moves_at(start_tool_) || side != start_side_ ||
+  if (!block.wanted || !next_moves_at(start_tool_) || side != start_of_path_.side ||
       (block.arc && (on_edge(block, start_tool_) || on_edge(block, *block.tool))))
     return release();
   SidePath& to = new_path();
@@ -132,7 +130,7 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   corner.first = &to;
   corner.second = &to;
   corner.tool = &start_tool_;
-  corner.first_side = corner.second_side = start_side_;
+  corner.first_side = corner.second_side = side;
   corner.offset = &start_offset_;
   if (start_offset_.nearest == 0) {
     group.clear();
@@ -141,8 +139,6 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
     make_.set(group, HeadKind::second_normal);
   }
   send_start();
-  start_tool_of_path_ = &start_tool_;
-  start_offset_of_path_ = &start_offset_;
   moves_at_end_ = moves_at_end;
   hold_path(to, false);
   return {};
@@ -169,16 +165,15 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
 // A block that moves somewhere. Of two paths the first one is always out behind it.
 [[gnu::always_inline]] inline StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& to,
                                                                         const Moves& where) {
-  // Of the corner at its start.
-  const Direction* tool = to.tool;
-  const Amount* offset = &to.offset;
+  const Direction* start_tool = to.tool;
+  const Amount* start_offset = &to.offset;
   bool corner = where.at_path;
   while (held_ == Held::path) {
     const SidePath& from = *last_;
     if (corner) {
       if (const Alarm a = join(to, rule_before(block))) return at_fault(a);
-      tool = from.tool;
-      offset = &from.offset;
+      start_tool = from.tool;
+      start_offset = &from.offset;
     } else if (still_ > 0) {
       if (const Alarm a = release_path()) return at_fault(a);
     } else {
@@ -186,16 +181,13 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
       repeated_ |= block.repeated;
       ++still_;
       if (where.at_end && !fault(Fault::side_passed_over_keeps)) waiting_path_ = &to;
-      mismatch_[next_] = false;
       hold();
       return {};
     }
     corner = where.at_waiting;
   }
   moves_at_end_ = where.at_end;
-  start_tool_of_path_ = tool;
-  start_offset_of_path_ = offset;
-  start_side_ = to.side;
+  start_of_path_ = {start_tool, to.side, start_offset};
   hold_path(to, false);
   return {};
 }
@@ -203,7 +195,7 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
 [[gnu::always_inline]] inline void ToolSideCompensation::hold_path(const SidePath& to, bool starts_up) {
   checked_ = !starts_up && !parameters_.no_interference;
   treatment_ = next().treatment;
-  mismatch_[next_] = mismatches(next());
+  if (to.arc) next().mismatches = mismatches(next());
   CornerStage::hold_path(to, starts_up);
 }
 
@@ -246,7 +238,7 @@ void ToolSideCompensation::set_corner(SideGroup& group, const SidePath* second, 
   corner.first = last_;
   corner.second = second;
   corner.tool = last_->tool;
-  if (fault(Fault::side_tool_at_start)) corner.tool = start_tool_of_path_;
+  if (fault(Fault::side_tool_at_start)) corner.tool = start_of_path_.tool;
   if (fault(Fault::side_turned_tool) && count_ > waits_ + 1)
     corner.tool = ring_[(first_ + waits_ + 1U) % ring_.size()].tool;
   corner.first_side = last_->side;
@@ -271,21 +263,17 @@ Alarm ToolSideCompensation::make_corner(SideGroup& group, const SidePath& to, Co
   return alarm::kNone;
 }
 
-bool ToolSideCompensation::hold_waiting_path() {
-  if (waiting_path_ == nullptr) return false;
-  start_tool_of_path_ = last_->tool;
-  start_offset_of_path_ = &last_->offset;
+void ToolSideCompensation::hold_waiting() {
+  start_of_path_ = {last_->tool, waiting_path_->side, &last_->offset};
   last_ = waiting_path_;
   waiting_path_ = nullptr;
   moves_at_end_ = true;
-  start_side_ = last_->side;
   held_ = Held::path;
   starts_up_ = false;
   checked_ = !parameters_.no_interference;
   treatment_ = held(0).treatment;
   still_ = static_cast<std::uint8_t>(count_ - 1U);
   repeated_ = false;
-  return true;
 }
 
 StageEnd ToolSideCompensation::release() {
@@ -299,10 +287,7 @@ StageEnd ToolSideCompensation::release() {
   return at_fault(alarm::kTypeCFormat);
 }
 
-// Before the first move of the path that is held; it is the first one in the ring by then.
-void ToolSideCompensation::announce(const ToolSideBlock& block) {
-  if (!mismatch_[first_]) return;
-  mismatch_[first_] = false;
+void ToolSideCompensation::warn_of_mismatch(const ToolSideBlock& block) {
   notice_.kind = spec::EventKind::warning;
   notice_.number = "ARC_PLANE_MISMATCH";
   notice_.message = "the plane of the tool is not that of the arc";

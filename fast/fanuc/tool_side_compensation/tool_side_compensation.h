@@ -92,13 +92,21 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   [[nodiscard]] Alarm make_corner(SideGroup& group, const SidePath& to, CornerRule rule) const;
   void set_tool_arc(spec::Arc<double>& arc) { fast::set_tool_arc(arc, make_, *last_, at_start(), at_end()); }
   [[nodiscard]] Interference check_interference(const std::optional<double>& sweep) {
-    const CheckedSide checked{last_, start_tool_of_path_, start_side_, start_offset_of_path_};
-    return fast::check_interference(make_, checked, sweep, at_start(), at_end());
+    return fast::check_interference(make_, *last_, start_of_path_, sweep, at_start(), at_end());
   }
   void add(Event& event, const Vector3<double>& vector) const;
-  void announce(const ToolSideBlock& block);
+  void announce(const ToolSideBlock& block) {
+    if (block.arc && block.mismatches) [[unlikely]]
+      warn_of_mismatch(block);
+  }
+  void warn_of_mismatch(const ToolSideBlock& block);
   // Behind the path that has gone out: the one that waited for it is held in its place.
-  bool hold_waiting_path();
+  bool hold_waiting_path() {
+    if (waiting_path_ == nullptr) return false;
+    hold_waiting();
+    return true;
+  }
+  void hold_waiting();
 
   // block() by kinds of blocks.
   StageEnd any_block(ToolSideBlock& block);
@@ -158,7 +166,6 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   double shortest_;  // longer travels move for certain (No. 19630); 10^-6 of a setup unit
   bool xyz_first_;   // X Y Z are the first three axes
 
-  std::array<bool, 5> mismatch_{};  // by slots
   std::array<Direction, kPaths> tools_;
   std::uint8_t kept_ = 0;  // of them the one of the last path
   static constexpr std::uint64_t kNoTool = UINT64_MAX;
@@ -171,10 +178,7 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   // Of the path that is held.
   bool moves_at_end_ = false;
   Treatment treatment_ = Treatment::none;
-  // Of the corner at its start; without one those of the path itself.
-  const Direction* start_tool_of_path_ = nullptr;
-  int start_side_ = 1;
-  const Amount* start_offset_of_path_ = nullptr;
+  PathStart start_of_path_;
   UsualLine line_;
 
   Amount start_offset_;  // of type C

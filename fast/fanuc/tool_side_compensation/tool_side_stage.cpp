@@ -122,9 +122,8 @@ Alarm ToolSideStage::plain_block(const Words& words) {
   } else if (wanted_ != compensation_.active() && names_arc(words, control_.modal.motion(), control_.modal.plane())) {
     return alarm::kArcAtStartOrCancel;
   }
-  BlockArc arc;
-  if (const Alarm a = control_.plan_arc(words, arc, false, false)) return a;
-  return pass(words, false, arc);
+  if (const Alarm a = control_.plan_arc(words, arc_, false, false)) return a;
+  return pass(words, false, arc_);
 }
 
 void ToolSideStage::set_arc(ToolSideBlock& block, const ArcWords& words) const {

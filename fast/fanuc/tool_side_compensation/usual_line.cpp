@@ -57,13 +57,11 @@ void ToolSideCompensation::complete_line() {
   }
   ToolSideBlock& block = ring_[first_];
   block.own = true;
+  block.arc = false;
   if (line_.held_plain) set_from_programmed(block.event, {});
   last_ = &to;
   moves_at_end_ = moves_in_plane_of(false, to.travel, *to.tool);
-  start_tool_of_path_ = from.tool;
-  start_offset_of_path_ = &from.offset;
-  start_side_ = to.side;
-  mismatch_[first_] = false;
+  start_of_path_ = {from.tool, to.side, &from.offset};
   still_ = 0;
   SideGroup& start = at_start();
   start.size = 1;
