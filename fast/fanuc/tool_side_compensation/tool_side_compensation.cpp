@@ -31,13 +31,13 @@ ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinem
     keep_tool(*block.tool);
     kept_number_ = block.tool_number;
   }
-  return tools_[kept_];
+  return *kept_;
 }
 
 const Direction& ToolSideCompensation::keep_tool(const Direction& tool) {
-  kept_ = after(kept_);
-  tools_[kept_] = tool;
-  return tools_[kept_];
+  kept_ = kept_ == &tools_.back() ? tools_.data() : kept_ + 1;
+  *kept_ = tool;
+  return *kept_;
 }
 
 [[gnu::always_inline]] inline bool ToolSideCompensation::moves(const SeenLine& line, const ToolPlane& plane) const {
@@ -148,7 +148,7 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
 [[gnu::always_inline]] inline StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
   const bool at_end = next_moves();
   // The tool stands as it did at the end of the path: asked already.
-  const bool stands = held_ == Held::path && last_->tool == &tools_[kept_] && block.tool_number == kept_number_;
+  const bool stands = held_ == Held::path && last_->tool == kept_ && block.tool_number == kept_number_;
   const Moves where{at_end, held_ == Held::path && (stands ? at_end : next_moves_at(*last_->tool)),
                     waiting_path_ != nullptr && next_moves_at(*waiting_path_->tool)};
   if (!where.at_end && !where.at_path && !where.at_waiting) return still_block(block, 1, 2);

@@ -167,7 +167,7 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   bool xyz_first_;   // X Y Z are the first three axes
 
   std::array<Direction, kPaths> tools_;
-  std::uint8_t kept_ = 0;  // of them the one of the last path
+  Direction* kept_ = tools_.data();  // of them the one of the last path
   static constexpr std::uint64_t kNoTool = UINT64_MAX;
   std::uint64_t kept_number_ = kNoTool;  // ToolSideBlock::tool_number of that one
   // Of the blocks behind the path the last one, where it moves at its own end; nullptr: it does not, or is not
