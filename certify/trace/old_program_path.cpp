@@ -1,22 +1,15 @@
-#include "certify/trace_path.h"
+#include "certify/trace/old_program_path.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "certify/convert.h"
+#include "fuzz/oracle/verdict.h"
 #include "spec/language/fanuc/program_reader.h"
 
 namespace toolcomp::certify {
 namespace {
-
-// Accepts a distance of exactly the tolerance: coordinates and distances carry a few roundings.
-double widened(const PathSpace& space, const AxisPoint& p) {
-  double scale = space.tolerance;
-  for (const auto* axes : {&space.linear, &space.rotary})
-    for (const std::size_t axis : *axes) scale = std::max(scale, std::fabs(p[axis]));
-  return space.tolerance + 16 * std::numeric_limits<double>::epsilon() * scale;
-}
 
 // The lines after which coordinates may jump.
 std::vector<std::uint64_t> system_changes(const spec::Case& c) {
@@ -36,16 +29,10 @@ std::vector<std::uint64_t> system_changes(const spec::Case& c) {
   return lines;
 }
 
-double linear_length(const PathSpace& space, const AxisPoint& a, const AxisPoint& b) {
-  double square = 0;
-  for (const std::size_t axis : space.linear) square += (b[axis] - a[axis]) * (b[axis] - a[axis]);
-  return std::sqrt(square);
-}
-
 class Builder {
  public:
-  Builder(const spec::Case& c, const PathSpace& space, bool judge_rapids)
-      : axes_(c.setup.axes), space_(space), judge_rapids_(judge_rapids), changes_(system_changes(c)) {
+  Builder(const spec::Case& c, double sagitta, bool judge_rapids)
+      : axes_(c.setup.axes), sagitta_(sagitta), judge_rapids_(judge_rapids), changes_(system_changes(c)) {
     for (std::size_t i = 0; i < axes_.size(); ++i)
       if (const auto start = c.setup.position.find(axes_.letter(i)); start != c.setup.position.end()) {
         const double magnitude = static_cast<double>(start->second.digits) / std::pow(10.0, start->second.decimals);
@@ -67,15 +54,18 @@ class Builder {
     piece.n = event.n;
     // A change in the block of the move itself comes before it.
     const auto first = std::ranges::lower_bound(changes_, line_ + 1);
-    piece.ends_only =
+    piece.free =
         (first != changes_.end() && *first <= event.line) || (!judge_rapids_ && event.type == spec::MoveType::rapid);
     line_ = event.line;
-    if (!sampled_.empty() && !piece.ends_only) {
+    if (!sampled_.empty() && !piece.free) {
       PathPiece chord = piece;
       chord.corner = false;
+      chord.curved = true;
+      chord.error = {sagitta_, sagitta_};
       for (const AxisPoint& p : sampled_) add_piece(chord, p);
-      add_piece(piece, end);
-    } else if (event.arc && !piece.ends_only) {
+      chord.corner = true;
+      add_piece(chord, end);
+    } else if (event.arc && !piece.free) {
       add_arc(event, piece, end);
     } else {
       add_piece(piece, end);
@@ -89,7 +79,6 @@ class Builder {
   void add_piece(PathPiece piece, const AxisPoint& end) {
     piece.begin = at_;
     piece.end = end;
-    piece.length = linear_length(space_, at_, end);
     pieces_.push_back(piece);
     at_ = end;
   }
@@ -115,8 +104,7 @@ class Builder {
     const double radius_end = std::hypot(end[u] - cu, end[v] - cv);
     const double radius = std::max(radius_begin, radius_end);
     const double sweep = *arc.sweep * std::numbers::pi / 180 * (arc.direction == spec::ArcDirection::ccw ? 1 : -1);
-    const double sagitta = space_.tolerance / 1000;
-    const double step = radius > sagitta ? 2 * std::acos(1 - sagitta / radius) : std::numbers::pi;
+    const double step = radius > sagitta_ ? 2 * std::acos(1 - sagitta_ / radius) : std::numbers::pi;
     constexpr double most = 65536;
     const int chords =
         static_cast<int>(std::clamp(std::ceil(std::fabs(sweep) / std::max(step, std::fabs(sweep) / most)), 1.0, most));
@@ -131,13 +119,18 @@ class Builder {
       p[v] = cv + r * std::sin(angle + t * sweep);
       PathPiece chord = piece;
       chord.corner = false;
+      chord.curved = true;
+      chord.error = {sagitta_, sagitta_};
       add_piece(chord, p);
     }
-    add_piece(piece, end);
+    PathPiece last = piece;
+    last.curved = true;
+    last.error = {sagitta_, sagitta_};
+    add_piece(last, end);
   }
 
   const spec::Axes& axes_;
-  const PathSpace& space_;
+  double sagitta_;
   bool judge_rapids_;
   std::vector<std::uint64_t> changes_;
   std::vector<PathPiece> pieces_;
@@ -146,89 +139,52 @@ class Builder {
   std::uint64_t line_ = 0;
 };
 
+// The events of the model; why it could not decide goes to `undecided`.
+std::vector<spec::Event<double>> model_events(const spec::Case& c, std::string& undecided) {
+  std::vector<spec::Event<double>> events;
+  for (const model::Event& event : fuzz::run_model(c).events) {
+    if (event.kind == spec::EventKind::undecided) {
+      undecided = "the model could not decide line " + std::to_string(event.line) + " (" +
+                  std::string(event.number.view()) + ")";
+      break;
+    }
+    events.push_back(in_double(event));
+  }
+  return events;
+}
+
 }  // namespace
 
-std::vector<PathPiece> path_pieces(const spec::Case& c, std::span<const spec::Event<double>> events,
-                                   const PathSpace& space, bool judge_rapids) {
-  Builder builder(c, space, judge_rapids);
-  for (const auto& event : events) builder.add(event);
-  return builder.take();
-}
-
-double largest_sagitta(const spec::Case& c, std::span<const spec::Event<double>> events, const PathSpace& space) {
-  const std::vector<PathPiece> pieces = path_pieces(c, events, space, true);
-  double largest = 0;
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
-    // Two chords of one move: their common end against the middle of both other ends, four sagittas of one chord away.
-    if (pieces[i - 1].corner) continue;
-    AxisPoint middle{};
-    for (std::size_t axis = 0; axis < middle.size(); ++axis)
-      middle[axis] = (pieces[i - 1].begin[axis] + pieces[i].end[axis]) / 2;
-    const Distance d = distance_at(space, middle, middle, 0, pieces[i].begin);
-    largest = std::max({largest, d.linear / 4, d.rotary / 4});
-  }
-  return largest;
-}
-
-double closest(const PathSpace& space, const AxisPoint& begin, const AxisPoint& end, const AxisPoint& p, double low,
-               double high) {
-  double along = 0;
-  double square = 0;
-  for (const std::size_t axis : space.linear.empty() ? space.rotary : space.linear) {
-    const double d = end[axis] - begin[axis];
-    along += d * (p[axis] - begin[axis]);
-    square += d * d;
-  }
-  return square > 0 ? std::clamp(along / square, low, high) : low;
-}
-
-Distance distance_at(const PathSpace& space, const AxisPoint& begin, const AxisPoint& end, double t,
-                     const AxisPoint& p) {
-  // From the nearer end, so that the ends themselves are met exactly.
-  const auto off = [&](std::size_t axis) {
-    const double d = end[axis] - begin[axis];
-    return t <= 0.5 ? p[axis] - begin[axis] - t * d : p[axis] - end[axis] + (1 - t) * d;
+OldProgramPath::OldProgramPath(const spec::Case& c, const TraceSpace& space, double tolerance, bool judge_rapids) {
+  constexpr std::uint32_t kFewSamples = 16;
+  constexpr std::uint32_t kMostSamples = 1024;
+  const double sagitta = tolerance / 1000;
+  const auto build = [&](std::uint32_t samples) {
+    spec::Case sampled = c;
+    sampled.samples = samples;
+    events_ = model_events(sampled, undecided_);
+    Builder builder(c, sagitta, judge_rapids);
+    for (const auto& event : events_) builder.add(event);
+    pieces_ = builder.take();
   };
-  double square = 0;
-  for (const std::size_t axis : space.linear) square += off(axis) * off(axis);
-  Distance distance{std::sqrt(square), 0};
-  for (const std::size_t axis : space.rotary) distance.rotary = std::max(distance.rotary, std::fabs(off(axis)));
-  return distance;
+  build(kFewSamples);
+  if (std::ranges::none_of(events_, [](const auto& event) { return event.kind == spec::EventKind::sample; })) return;
+  // Two chords of one move: their common end against the middle of both other ends, four sagittas of one chord away.
+  double largest = 0;
+  for (std::size_t i = 1; i < pieces_.size(); ++i)
+    for (const auto* axes : {&space.linear, &space.rotary})
+      for (const std::size_t axis : *axes)
+        if (!pieces_[i - 1].corner)
+          largest = std::max(
+              largest, std::fabs(pieces_[i].begin[axis] - (pieces_[i - 1].begin[axis] + pieces_[i].end[axis]) / 2) / 4);
+  const double finer = std::sqrt(largest / sagitta);
+  if (finer > 1) build(static_cast<std::uint32_t>(std::min<double>(kMostSamples, std::ceil(finer * kFewSamples))));
 }
 
-std::optional<std::pair<double, double>> part_near(const PathSpace& space, const AxisPoint& begin, const AxisPoint& end,
-                                                   const AxisPoint& p) {
-  const double tolerance = widened(space, p);
-  double low = 0;
-  double high = 1;
-  double square = 0;
-  double along = 0;
-  for (const std::size_t axis : space.linear) {
-    const double d = end[axis] - begin[axis];
-    square += d * d;
-    along += d * (p[axis] - begin[axis]);
-  }
-  const double foot = square > 0 ? along / square : 0;
-  const double height = distance_at(space, begin, end, foot, p).linear;
-  if (height > tolerance) return std::nullopt;
-  if (square > 0) {
-    const double half = std::sqrt((tolerance - height) * (tolerance + height) / square);
-    low = std::max(low, foot - half);
-    high = std::min(high, foot + half);
-  }
-  for (const std::size_t axis : space.rotary) {
-    const double d = end[axis] - begin[axis];
-    const double off = p[axis] - begin[axis];
-    if (d == 0) {
-      if (std::fabs(off) > tolerance) return std::nullopt;
-      continue;
-    }
-    const auto [from, to] = std::minmax({(off - tolerance) / d, (off + tolerance) / d});
-    low = std::max(low, from);
-    high = std::min(high, to);
-  }
-  if (low > high) return std::nullopt;
-  return std::pair(low, high);
+bool OldProgramPath::next(PathPiece& piece) {
+  if (next_ == pieces_.size()) return false;
+  piece = pieces_[next_++];
+  return true;
 }
 
 }  // namespace toolcomp::certify

@@ -1,0 +1,382 @@
+#include "certify/trace/matcher.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace toolcomp::certify {
+namespace {
+
+// What leaving the path costs besides the lengths, in tolerances: places that differ by a few tolerances are the same
+// to a match, so faults closer than about that are one.
+constexpr double kFault = 16;
+// Pieces kept behind those matched: a recording that goes back is told from one that leaves the path.
+constexpr std::size_t kBehind = 4096;
+
+PathPlace first_of(const Reach& reach) { return {reach.front().piece, reach.front().low}; }
+PathPlace last_of(const Reach& reach) { return {reach.back().piece, reach.back().high}; }
+
+bool joins(const Reach& group, const Reached& next) {
+  return !group.empty() && group.back().piece + 1 == next.piece && group.back().high >= 1 && next.low <= 0;
+}
+
+// Calls `each(group)` for what hangs together.
+template <class Each>
+void for_each_group(const Reach& reach, Each each) {
+  Reach group;
+  for (const Reached& next : reach) {
+    if (!group.empty() && !joins(group, next)) {
+      each(group);
+      group.clear();
+    }
+    group.push_back(next);
+  }
+  if (!group.empty()) each(group);
+}
+
+bool overlap(const Reach& a, const Reach& b) {
+  auto i = a.begin();
+  auto j = b.begin();
+  while (i != a.end() && j != b.end()) {
+    if (i->piece == j->piece && i->low <= j->high && j->low <= i->high) return true;
+    (std::pair(i->piece, i->high) < std::pair(j->piece, j->high) ? i : j)++;
+  }
+  return false;
+}
+
+void widen(Bounds& worst, std::uint64_t& line, double distance, double error, std::uint64_t sample) {
+  if (distance + error > worst.upper || line == 0) line = sample;
+  worst = {std::max(worst.lower, distance - error), std::max(worst.upper, distance + error)};
+}
+
+}  // namespace
+
+Matcher::Matcher(PathSource& path, const Metric& metric, const spec::Axes& axes, TraceResult& result,
+                 Findings& findings)
+    : metric_(metric),
+      path_(path, metric),
+      free_(path_, metric),
+      run_(metric),
+      scene_{path_, run_, metric, axes},
+      result_(result),
+      findings_(findings) {}
+
+void Matcher::take(const AxisPoint& at, std::uint64_t line) {
+  const Sample sample{at, metric_.magnitude(at), samples_++, line};
+  ++result_.samples;
+  if (!path_.has(0)) return;
+  if (sample.number == 0) {
+    counted_ = at;
+    begin(sample);
+  } else {
+    const double step = metric_.in_tolerances(metric_.between(counted_, at));
+    recorded_before_ = recorded_;
+    if (step > 1) {
+      recorded_ += step;
+      counted_ = at;
+    }
+    advance(sample);
+  }
+  last_ = sample;
+  drop_behind();
+}
+
+void Matcher::begin(const Sample& sample) {
+  Hypothesis first;
+  first.reach = free_.begin(sample);
+  if (!first.reach.empty()) {
+    leave_uncovered(first_of(first.reach));
+    measure(first, sample);
+    hypotheses_.push_back(std::move(first));
+    return;
+  }
+  Left left;
+  left.history.cost = kFault;
+  left.line = sample.line;
+  left.begin = true;
+  while (path_.has(left.high.piece + 1) && (!path_[left.high.piece].piece.corner || path_[left.high.piece].piece.jump))
+    ++left.high.piece;
+  left.high.at = 1;
+  leave_uncovered(left.high);
+  left_.push_back(std::move(left));
+  recover({}, sample);
+}
+
+void Matcher::advance(const Sample& sample) {
+  std::vector<Hypothesis> lost;
+  for (std::size_t i = 0; i < hypotheses_.size();) {
+    Hypothesis& hypothesis = hypotheses_[i];
+    free_.advance(hypothesis.reach, last_, sample, ahead_);
+    if (ahead_.empty()) {
+      lost.push_back(std::move(hypothesis));
+      hypotheses_.erase(hypotheses_.begin() + static_cast<std::ptrdiff_t>(i));
+      continue;
+    }
+    std::swap(hypothesis.reach, ahead_);
+    measure(hypothesis, sample);
+    ++i;
+  }
+  if (!following()) recover(lost, sample);
+}
+
+void Matcher::recover(const std::vector<Hypothesis>& lost, const Sample& sample) {
+  if (run_.empty() && !lost.empty()) run_.add(last_);
+  run_.add(sample);
+  std::vector<Hypothesis> candidates;
+  if (!lost.empty()) {
+    const std::size_t before = left_.size();
+    for (const Hypothesis& hypothesis : lost) leave(hypothesis, sample.line);
+    path_.has(first_needed() + kWindow);
+    // While the recording stood where it was matched last, path may have been left out.
+    for (Hypothesis& hypothesis : come_back(last_, std::min(before, left_.size()), recorded_before_)) {
+      free_.advance(hypothesis.reach, last_, sample, ahead_);
+      if (ahead_.empty()) continue;
+      hypothesis.reach = ahead_;
+      measure(hypothesis, sample);
+      candidates.push_back(std::move(hypothesis));
+    }
+  }
+  if (!left_.empty()) path_.has(first_needed() + kWindow);
+  for (Hypothesis& hypothesis : come_back(sample, 0, recorded_)) {
+    measure(hypothesis, sample);
+    candidates.push_back(std::move(hypothesis));
+  }
+  keep(std::move(candidates));
+  prune();
+  settle();
+}
+
+void Matcher::leave(const Hypothesis& lost, std::uint64_t noticed) {
+  for_each_group(lost.reach, [&](const Reach& group) {
+    Left left{lost.history, last_.number, noticed, false, first_of(group), last_of(group), recorded_before_};
+    left.history.cost += kFault;
+    // What another one costs where this one stands.
+    const auto cost = [&](const Left& other, const PathPlace& at) {
+      return other.history.cost + recorded_before_ - other.recorded +
+             std::max(0.0, path_.length_to(at) - path_.length_to(other.high));
+    };
+    const bool dominated = std::ranges::any_of(
+        left_, [&](const Left& other) { return other.low <= left.low && cost(other, left.high) <= left.history.cost; });
+    if (!dominated) left_.push_back(std::move(left));
+  });
+}
+
+std::vector<Matcher::Hypothesis> Matcher::come_back(const Sample& sample, std::size_t first_left,
+                                                    double recorded) const {
+  std::vector<Hypothesis> back;
+  if (first_left >= left_.size()) return back;
+  PathPlace from = left_[first_left].low;
+  for (std::size_t i = first_left; i < left_.size(); ++i) from = std::min(from, left_[i].low);
+  Reach near;
+  path_.near(from.piece, path_.end(), sample.at, [&](std::size_t piece, const Part& part) {
+    const double low = piece == from.piece ? std::max(part.low, from.at) : part.low;
+    if (low <= part.high) near.push_back({piece, low, part.high});
+  });
+  for_each_group(near, [&](const Reach& group) { back.push_back(come_back_to(group, sample, first_left, recorded)); });
+  std::erase_if(back, [](const Hypothesis& hypothesis) { return hypothesis.reach.empty(); });
+  return back;
+}
+
+Matcher::Hypothesis Matcher::come_back_to(const Reach& group, const Sample& sample, std::size_t first_left,
+                                          double recorded) const {
+  const Left* cheapest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = first_left; i < left_.size(); ++i) {
+    const Left& left = left_[i];
+    if (left.low > last_of(group)) continue;
+    const PathPlace at = std::max(first_of(group), left.low);
+    const double cost =
+        left.history.cost + recorded - left.recorded + std::max(0.0, path_.length_to(at) - path_.length_to(left.high));
+    if (cost >= least) continue;
+    least = cost;
+    cheapest = &left;
+  }
+  Hypothesis back;
+  if (cheapest == nullptr) return back;
+  for (const Reached& reached : group) {
+    if (reached.piece < cheapest->low.piece) continue;
+    Reached behind = reached;
+    if (behind.piece == cheapest->low.piece) behind.low = std::max(behind.low, cheapest->low.at);
+    if (behind.low <= behind.high) back.reach.push_back(behind);
+  }
+  if (back.reach.empty()) return back;
+  back.history = cheapest->history;
+  back.history.cost = least;
+  Fault fault;
+  fault.begin = cheapest->begin;
+  fault.from = cheapest->sample;
+  fault.to = sample.number;
+  fault.line = cheapest->line;
+  fault.left_low = cheapest->low;
+  fault.left_high = cheapest->high;
+  fault.back_low = first_of(back.reach);
+  fault.back_high = last_of(back.reach);
+  fault.cost = least - cheapest->history.cost + kFault;
+  back.history.faults.push_back(std::make_shared<const Fault>(fault));
+  return back;
+}
+
+bool Matcher::is_dominated(const std::vector<Hypothesis>& by, const Hypothesis& hypothesis) const {
+  const PathPlace begin = first_of(hypothesis.reach);
+  return std::ranges::any_of(by, [&](const Hypothesis& other) {
+    if (other.history.cost > hypothesis.history.cost) return false;
+    if (overlap(other.reach, hypothesis.reach)) return true;
+    const PathPlace end = last_of(other.reach);
+    return end <= begin &&
+           other.history.cost + kFault + path_.length_to(begin) - path_.length_to(end) <= hypothesis.history.cost;
+  });
+}
+
+void Matcher::keep(std::vector<Hypothesis> candidates) {
+  for (Hypothesis& candidate : candidates) hypotheses_.push_back(std::move(candidate));
+  std::ranges::stable_sort(hypotheses_, {}, [](const Hypothesis& h) { return h.history.cost; });
+  std::vector<Hypothesis> kept;
+  for (Hypothesis& hypothesis : hypotheses_)
+    if (kept.size() < kHypotheses && !is_dominated(kept, hypothesis)) kept.push_back(std::move(hypothesis));
+  hypotheses_ = std::move(kept);
+}
+
+void Matcher::prune() {
+  const auto cost = [&](const Left& left) { return left.history.cost + recorded_ - left.recorded; };
+  if (!hypotheses_.empty()) {
+    const double most = 2 * hypotheses_.front().history.cost + kFault;
+    std::erase_if(hypotheses_, [&](const Hypothesis& h) { return h.history.cost > most; });
+    std::erase_if(left_, [&](const Left& left) { return cost(left) > most; });
+  }
+  if (left_.size() > kHypotheses) {
+    std::ranges::stable_sort(left_, {}, cost);
+    left_.resize(kHypotheses);
+  }
+}
+
+void Matcher::settle() {
+  if (path_.end() - first_needed() > kWindow + kBehind) take_cheapest();
+  report_common();
+  if (!following()) return;
+  History& history = hypotheses_.front().history;
+  report_all(history);
+  history.faults.clear();
+  history.cost = 0;
+  run_.clear();
+}
+
+void Matcher::take_cheapest() {
+  if (hypotheses_.empty()) return;
+  hypotheses_.resize(1);
+  left_.clear();
+}
+
+// Faults that all that is followed has in common.
+void Matcher::report_common() {
+  while (true) {
+    std::vector<History*> histories;
+    for (Hypothesis& hypothesis : hypotheses_) histories.push_back(&hypothesis.history);
+    for (Left& left : left_) histories.push_back(&left.history);
+    if (histories.empty() || histories.front()->faults.empty()) return;
+    const auto fault = histories.front()->faults.front();
+    const auto has_it = [&](const History* h) { return !h->faults.empty() && h->faults.front() == fault; };
+    if (!std::ranges::all_of(histories, has_it)) return;
+    report(*fault, scene_, result_, findings_);
+    for (History* history : histories) {
+      history->faults.erase(history->faults.begin());
+      history->cost -= fault->cost;
+    }
+  }
+}
+
+void Matcher::report_all(const History& history) {
+  for (const auto& fault : history.faults) report(*fault, scene_, result_, findings_);
+}
+
+std::size_t Matcher::first_needed() const {
+  std::size_t first = path_.end();
+  const auto need = [&](std::size_t piece, const History& history) {
+    first = std::min(first, piece);
+    for (const auto& fault : history.faults) first = std::min(first, fault->left_low.piece);
+  };
+  for (const Hypothesis& hypothesis : hypotheses_) need(hypothesis.reach.front().piece, hypothesis.history);
+  for (const Left& left : left_) need(left.low.piece, left.history);
+  return first;
+}
+
+void Matcher::drop_behind() {
+  if (path_.end() - path_.first() <= kBehind) return;
+  const std::size_t first = first_needed();
+  if (first > path_.first() + kBehind) path_.drop_before(first - kBehind);
+}
+
+void Matcher::measure(Hypothesis& hypothesis, const Sample& sample) const {
+  double least = std::numeric_limits<double>::infinity();
+  Distance nearest;
+  Distance error;
+  for (const Reached& reached : hypothesis.reach) {
+    const PathPiece& piece = path_[reached.piece].piece;
+    if (piece.free) return;
+    const double t = metric_.foot(piece.begin, piece.end, sample.at, {reached.low, reached.high});
+    const Distance d = metric_.at(piece.begin, piece.end, t, sample.at);
+    if (metric_.in_tolerances(d) >= least) continue;
+    least = metric_.in_tolerances(d);
+    nearest = d;
+    error = piece.error;
+  }
+  Accepted& accepted = hypothesis.history.accepted;
+  widen(accepted.linear, accepted.linear_line, nearest.linear, error.linear, sample.line);
+  widen(accepted.rotary, accepted.rotary_line, nearest.rotary, error.rotary, sample.line);
+}
+
+void Matcher::leave_uncovered(const PathPlace& until) {
+  for (std::size_t piece = path_.first(); piece < until.piece; ++piece) result_.covered -= path_.linear_length(piece);
+  result_.covered -= until.at * path_.linear_length(until.piece);
+}
+
+MoveName Matcher::move() const {
+  if (path_.end() == 0 || (hypotheses_.empty() && left_.empty())) return {};
+  const std::size_t at = hypotheses_.empty() ? left_.front().low.piece : hypotheses_.front().reach.front().piece;
+  const PathPiece& piece = path_[at].piece;
+  return {piece.line, piece.n};
+}
+
+void Matcher::end() {
+  if (samples_ > 0 && path_.has(0)) {
+    const auto done = [&](const Hypothesis& h) { return free_.at_end(h.reach); };
+    // The rest of the path, which is only known if anything is at its end; else it is the same for all.
+    const double whole = std::ranges::any_of(hypotheses_, done) ? path_.length_to({path_.end() - 1, 1}) : 0;
+    const History* best = nullptr;
+    Fault rest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Hypothesis& h : hypotheses_) {
+      const bool at_end = done(h);
+      const double cost = h.history.cost + (at_end ? 0 : kFault + whole - path_.length_to(last_of(h.reach)));
+      if (cost >= least) continue;
+      least = cost;
+      best = &h.history;
+      rest = {false, !at_end, last_.number, last_.number, last_.line, first_of(h.reach), last_of(h.reach), {}, {}, 0};
+    }
+    for (const Left& left : left_) {
+      const double cost = left.history.cost + recorded_ - left.recorded + whole - path_.length_to(left.high);
+      if (cost >= least) continue;
+      least = cost;
+      best = &left.history;
+      rest = {left.begin, true, left.sample, last_.number, left.line, left.low, left.high, {}, {}, 0};
+    }
+    report_all(*best);
+    if (run_.empty()) run_.add(last_);
+    if (rest.end) report(rest, scene_, result_, findings_);
+    finish(*best);
+  }
+  while (path_.has(path_.end())) path_.drop_before(path_.end() - 1);
+  result_.corners = path_.corners();
+  result_.not_judged_moves = path_.free_moves();
+  result_.length = path_.fetched_length();
+  result_.covered = samples_ == 0 ? 0 : std::max(0.0, result_.covered + result_.length);
+}
+
+void Matcher::finish(const History& history) {
+  const Accepted& accepted = history.accepted;
+  result_.worst = {std::max(0.0, accepted.linear.lower), accepted.linear.upper};
+  result_.worst_sample = accepted.linear_line;
+  result_.worst_rotary = {std::max(0.0, accepted.rotary.lower), accepted.rotary.upper};
+  result_.worst_rotary_sample = accepted.rotary_line;
+}
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,83 @@
+#include "certify/trace/run.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace toolcomp::certify {
+
+void Run::add(const Sample& sample) {
+  if (samples_.size() >= kMost) thin();
+  samples_.push_back({sample, 1});
+}
+
+void Run::clear() {
+  samples_.clear();
+  error_ = {};
+}
+
+void Run::thin() {
+  Distance largest;
+  std::vector<RunSample> kept{samples_.front()};
+  for (std::size_t i = 1; i < samples_.size(); ++i) {
+    const bool last = i + 1 == samples_.size();
+    if (i % 2 == 0 || last) {
+      kept.push_back(samples_[i]);
+      continue;
+    }
+    const AxisPoint& a = samples_[i - 1].sample.at;
+    const AxisPoint& b = samples_[i + 1].sample.at;
+    const AxisPoint& p = samples_[i].sample.at;
+    const Distance d = metric_.at(a, b, metric_.closest(a, b, p, {}), p);
+    largest = {std::max(largest.linear, d.linear), std::max(largest.rotary, d.rotary)};
+    kept.back().stands_for += samples_[i].stands_for;
+  }
+  error_ = {error_.linear + largest.linear, error_.rotary + largest.rotary};
+  samples_ = std::move(kept);
+}
+
+std::pair<std::size_t, std::size_t> Run::between(std::uint64_t from, std::uint64_t to) const {
+  const auto before = [](std::uint64_t number, const RunSample& s) { return number < s.sample.number; };
+  const auto first = std::upper_bound(samples_.begin(), samples_.end(), from, before);
+  const auto last = std::upper_bound(samples_.begin(), samples_.end(), to == 0 ? 0 : to - 1, before);
+  const auto index = [&](auto place) { return static_cast<std::size_t>(place - samples_.begin()); };
+  const std::size_t begin = first == samples_.begin() ? 0 : index(first) - 1;
+  return {begin, std::clamp(to == 0 ? 0 : index(last), begin, samples_.size() - 1)};
+}
+
+RunDistance::RunDistance(const Run& run, const Metric& metric, std::size_t first, std::size_t last)
+    : run_(run), metric_(metric), first_(first), last_(last), boxes_(first) {
+  for (std::size_t line = first_; line <= last_; ++line) boxes_.add(run_.samples()[line].sample.at, end_of(line));
+}
+
+// The last "line" is the last sample by itself.
+const AxisPoint& RunDistance::end_of(std::size_t line) const {
+  return run_.samples()[std::min(line + 1, last_)].sample.at;
+}
+
+double RunDistance::from(const AxisPoint& p, std::size_t line) const {
+  const AxisPoint& a = run_.samples()[line].sample.at;
+  const AxisPoint& b = end_of(line);
+  return metric_.in_tolerances(metric_.at(a, b, metric_.closest(a, b, p, {}), p));
+}
+
+RunDistance::Nearest RunDistance::nearest(const AxisPoint& p) const {
+  Nearest best;
+  best.in_tolerances = std::numeric_limits<double>::infinity();
+  boxes_.visit(
+      first_, last_ + 1,
+      [&](const Box& box) { return metric_.in_tolerances(metric_.outside(box, p)) >= best.in_tolerances; },
+      [&](std::size_t line) {
+        const double d = from(p, line);
+        if (d >= best.in_tolerances) return;
+        best.line = line;
+        best.in_tolerances = d;
+      });
+  const AxisPoint& a = run_.samples()[best.line].sample.at;
+  const AxisPoint& b = end_of(best.line);
+  const double t = metric_.closest(a, b, p, {});
+  best.at = point_at(a, b, t);
+  best.distance = metric_.at(a, b, t, p);
+  return best;
+}
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,70 @@
+// The samples since a match was lost.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "certify/trace/boxes.h"
+#include "certify/trace/free_space.h"
+#include "certify/trace/metric.h"
+
+namespace toolcomp::certify {
+
+struct RunSample {
+  Sample sample;
+  std::uint64_t stands_for = 1;  // itself and those left out behind it
+};
+
+// Samples in a row, joined by straight lines. At most kMost are kept: then every second one is left out, and `error`
+// bounds how far (Fréchet) the lines are from those through all samples. So distances stay certified, however long a
+// match is lost: their bounds move apart by the error.
+class Run {
+ public:
+  static constexpr std::size_t kMost = 16384;
+
+  explicit Run(const Metric& metric) : metric_(metric) {}
+  void add(const Sample& sample);
+  void clear();
+  [[nodiscard]] bool empty() const { return samples_.empty(); }
+  [[nodiscard]] const std::vector<RunSample>& samples() const { return samples_; }
+  [[nodiscard]] const Distance& error() const { return error_; }
+  // The indices of the kept samples [first, last] that hold those numbered `from` to `to` between them.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> between(std::uint64_t from, std::uint64_t to) const;
+
+ private:
+  void thin();
+
+  const Metric& metric_;
+  std::vector<RunSample> samples_;
+  Distance error_;
+};
+
+// Distances from a stretch of a run.
+class RunDistance {
+ public:
+  // Of the lines through the kept samples [first, last].
+  RunDistance(const Run& run, const Metric& metric, std::size_t first, std::size_t last);
+
+  struct Nearest {
+    std::size_t line = 0;  // begins at the kept sample of that index
+    AxisPoint at{};
+    Distance distance;
+    double in_tolerances = 0;
+  };
+  [[nodiscard]] Nearest nearest(const AxisPoint& p) const;
+  // From `p` to the nearest point of that line, in tolerances.
+  [[nodiscard]] double from(const AxisPoint& p, std::size_t line) const;
+
+ private:
+  [[nodiscard]] const AxisPoint& end_of(std::size_t line) const;
+
+  const Run& run_;
+  const Metric& metric_;
+  std::size_t first_;
+  std::size_t last_;
+  Boxes boxes_;
+};
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,64 @@
+#include "certify/trace/time_steps.h"
+
+#include <algorithm>
+
+namespace toolcomp::certify {
+namespace {
+
+constexpr double kLong = 1.5;  // periods
+
+}  // namespace
+
+void TimeSteps::Sorted::add(double seconds) { seconds_.insert(std::ranges::upper_bound(seconds_, seconds), seconds); }
+
+void TimeSteps::Sorted::remove(double seconds) { seconds_.erase(std::ranges::lower_bound(seconds_, seconds)); }
+
+bool TimeSteps::Sorted::steady() const {
+  const double period = median();
+  const auto low = std::ranges::lower_bound(seconds_, period / 2);
+  const auto high = std::ranges::upper_bound(seconds_, kLong * period);
+  return 4 * (high - low) >= 3 * static_cast<std::ptrdiff_t>(seconds_.size());
+}
+
+void TimeSteps::take(const TimeStep& step) {
+  steps_.push_back(step);
+  if (steps_.size() > judged_ + 1) behind_.add(step.seconds);
+  if (steps_.size() > judged_ + kAround) judge();
+}
+
+void TimeSteps::end() {
+  while (judged_ < steps_.size()) judge();
+}
+
+void TimeSteps::judge() {
+  const TimeStep& step = steps_[judged_];
+  // A side with few steps counts only where the other one has few too.
+  const bool known = !before_.few() || !behind_.few();
+  double period = 0;
+  bool steady = true;
+  for (const Sorted* around : {&before_, &behind_}) {
+    if (around->empty() || (known && around->few())) continue;
+    period = std::max(period, around->median());
+    steady = steady && around->steady();
+  }
+  if (step.seconds > kLong * period) {
+    double resolution = step.resolution;
+    for (const TimeStep& other : steps_) resolution = std::min(resolution, other.resolution);
+    if (step.seconds > period + resolution * (1 + 1e-6)) {
+      if (known && steady)
+        gap_(step);
+      else
+        ++not_judged_;
+    }
+  }
+  before_.add(step.seconds);
+  if (judged_ + 1 < steps_.size()) behind_.remove(steps_[judged_ + 1].seconds);
+  if (judged_ < kAround) {
+    ++judged_;
+    return;
+  }
+  before_.remove(steps_.front().seconds);
+  steps_.pop_front();
+}
+
+}  // namespace toolcomp::certify

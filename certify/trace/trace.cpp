@@ -1,0 +1,91 @@
+#include "certify/trace/trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "certify/trace/findings.h"
+#include "certify/trace/matcher.h"
+#include "certify/trace/old_program_path.h"
+#include "certify/trace/recording.h"
+#include "certify/trace/time_steps.h"
+#include "fuzz/oracle/program_facts.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::certify {
+namespace {
+
+void expect_positive(double tolerance, const char* option, const char* unit) {
+  if (!(tolerance > 0) || !std::isfinite(tolerance))
+    throw spec::InputError(option, 0, 0, std::string("must be a positive number of ") + unit);
+}
+
+TraceSpace recorded_space(const spec::Axes& axes, const Recording& recording, TraceResult& result) {
+  TraceSpace space;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const char letter = axes.letter(i);
+    if (std::ranges::find(recording.recorded(), i) == recording.recorded().end()) {
+      result.not_recorded += letter;
+      continue;
+    }
+    result.recorded += letter;
+    (spec::is_rotary_axis(letter) ? space.rotary : space.linear).push_back(i);
+  }
+  return space;
+}
+
+// A time step too long: nothing is known of what the machine did.
+TraceFinding gap_of(const TimeStep& step, const TraceSpace& space) {
+  TraceFinding finding;
+  finding.kind = "gap";
+  finding.sample = step.line;
+  finding.line = finding.last_line = step.move.line;
+  finding.n = finding.last_n = step.move.n;
+  finding.duration = step.seconds;
+  finding.worst_sample = step.line;
+  for (const auto* axes : {&space.linear, &space.rotary})
+    for (const std::size_t axis : *axes) finding.at.set(axis, step.at[axis]);
+  return finding;
+}
+
+void match(Recording& recording, PathSource& path, const Metric& metric, const spec::Axes& axes, std::size_t most,
+           TraceResult& result) {
+  Findings findings(result, most);
+  Matcher matcher(path, metric, axes, result, findings);
+  TimeSteps steps([&](const TimeStep& step) { findings.add(gap_of(step, metric.space())); });
+  RecordedSample sample;
+  std::optional<double> time;
+  while (recording.next(sample)) {
+    matcher.take(sample.at, sample.line);
+    if (!recording.has_time()) continue;
+    if (time) steps.take({sample.time - *time, sample.resolution, sample.line, matcher.move(), sample.at});
+    time = sample.time;
+  }
+  matcher.end();
+  steps.end();
+  result.steps_not_judged = steps.not_judged();
+  findings.sort();
+}
+
+}  // namespace
+
+TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::string& file, const TraceOptions& options) {
+  const Distance tolerance{options.tolerance, options.rotary_tolerance.value_or(options.tolerance)};
+  expect_positive(tolerance.linear, "--tolerance", "setup units");
+  expect_positive(tolerance.rotary, "--rotary-tolerance", "degrees");
+  TraceResult result;
+  Recording recording(csv, file, c.setup.axes, fuzz::ProgramFacts::of(c).units().value_or(c.setup.units));
+  const Metric metric(recorded_space(c.setup.axes, recording, result), tolerance);
+  OldProgramPath path(c, metric.space(), std::min(tolerance.linear, tolerance.rotary), options.judge_rapids);
+  result.events = path.take_events();
+  result.undecided = path.undecided();
+  if (result.undecided.empty()) match(recording, path, metric, c.setup.axes, options.most_findings, result);
+  return result;
+}
+
+int exit_status(const TraceResult& result) {
+  if (result.findings_total > 0) return 1;
+  return !result.undecided.empty() || result.samples == 0 || result.corners == 0 ? 3 : 0;
+}
+
+}  // namespace toolcomp::certify
