@@ -98,6 +98,16 @@ class Tip {
     return result;
   }
 
+  // Of an arc: the length of the second derivative, √((r θ'²)² + (2 r' θ')²).
+  [[nodiscard]] std::optional<Interval> bend(const Interval& t) const {
+    using boost::numeric::square;
+    if (!turn_) return std::nullopt;
+    const Interval radius = boost::numeric::sqrt(square(turn_->radius[0]) + square(turn_->radius[1]));
+    const Interval outward = radius * (1.0 + t * turn_->growth) * square(turn_->sweep);
+    const Interval around = 2.0 * radius * turn_->growth * turn_->sweep;
+    return boost::numeric::sqrt(square(outward) + square(around));
+  }
+
  private:
   struct Turn {
     std::size_t first;
@@ -118,13 +128,19 @@ struct Turns {
   Turned work;
 };
 
-// EvenTurns.
+// EvenTurns, and a level LiftedSwing.
 class Even {
  public:
   Even(const Machine& machine, const model::EvenTurns& turns)
       : start_{turn_at(machine.tool_side(), turns.start.tool), turn_at(machine.work_side(), turns.start.work)},
         tool_(rate(machine.tool_side(), turns.end.tool - turns.start.tool)),
         work_(rate(machine.work_side(), turns.end.work - turns.start.work)) {}
+  // A swing at right angles to the work-side axis, which alone turns: the tool-side axis may stand at the edge of its
+  // reach, where its rate could not be bounded.
+  Even(const Machine& machine, const model::LiftedSwing& level)
+      : start_{turn_at(machine.tool_side(), level.start.tool), turn_at(machine.work_side(), level.start.work)},
+        tool_(0.0),
+        work_(static_cast<double>(level.side) * radians(enclosed(level.direction.degrees))) {}
 
   [[nodiscard]] Turns at(const Interval& t) const {
     return {start_.tool + turning(t, 0.0, tool_), start_.work + turning(t, 0.0, work_)};
@@ -244,8 +260,8 @@ class Meridian {
       sign = phi_.lower() > 0 ? 1.0 : -1.0;
     }
     sign_ = sign * static_cast<double>(pole * swing.branch) / boost::numeric::sqrt(1.0 - square(cosine_));
-    // At the start.
-    turned_back_ = swung(0.0).second;
+    const Turned start = swung(0.0).second;
+    turned_back_ = {start.cosine.value, start.sine.value};
   }
 
   [[nodiscard]] Turns at(const Interval& t) const {
@@ -270,9 +286,9 @@ class Meridian {
            size(width(x) + width(y)) * Interval(-2, 2);
   }
   int pole_;
-  Turned tool_;  // at the pole
-  Turned work_;  // at the start
-  Turned turned_back_;
+  Turned tool_;         // at the pole
+  Turned work_;         // at the start
+  Turned turned_back_;  // ψ there
   Interval rate_;       // radians
   Interval cosine_;     // of α
   Interval phi_ = 0.0;  // at the start
@@ -359,6 +375,8 @@ struct CurveBound::Motion {
   }
 
   explicit Motion(const model::PointPath& path) : tip(path) {}
+  // The axes bend as the tip does.
+  [[nodiscard]] bool is_arc() const { return std::holds_alternative<std::monostate>(posture); }
 
   Tip tip;
   Posture posture;
@@ -395,7 +413,9 @@ CurveBound::CurveBound(const model::InsideMove::Form& move, const spec::Axes& ax
     const auto& swing = std::get<model::LiftedSwing>(move.posture);
     const auto& poles = machine.singular_postures();
     // Axes at right angles have both poles, and run evenly through them.
-    if (swing.meridian && poles.size() == 1)
+    if (swing.level)
+      motion->posture.emplace<Even>(machine, swing);
+    else if (swing.side == 0 && poles.size() == 1)
       motion->posture.emplace<Meridian>(machine, swing, poles.front().side);
     else
       motion->posture.emplace<Lifted>(machine, swing);
@@ -421,7 +441,8 @@ CurveBound::CurveBound(const model::PointPath& tip, const exact::Vector3& offset
 CurveBound::Part CurveBound::part(const Rational& t0, const Rational& t1) const {
   const Rounding upward;
   const Interval begin = enclosed(t0);
-  const Motion::At at = motion_->at({begin.lower(), enclosed(t1).upper()});
+  const Interval t(begin.lower(), enclosed(t1).upper());
+  const Motion::At at = motion_->at(t);
   const Interval eighth = boost::numeric::square(enclosed(Rational(t1 - t0))) / 8.0;
   Interval second2 = 0.0;
   Interval extent2 = 0.0;
@@ -432,6 +453,9 @@ CurveBound::Part CurveBound::part(const Rational& t0, const Rational& t1) const 
   }
   Part result;
   result.sagitta.linear = bound(boost::numeric::sqrt(second2) * eighth);
+  if (motion_->is_arc())
+    if (const auto bend = motion_->tip.bend(t))
+      result.sagitta.linear = std::min(result.sagitta.linear, bound(*bend * eighth));
   result.extent.linear = bound(boost::numeric::sqrt(extent2));
   // An angle that goes without a jump while its point of the unit circle stays in a box of the diameter d: by at most
   // 2 asin(d/2), which is not more than d π/3 up to d = 1.

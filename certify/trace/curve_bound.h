@@ -22,8 +22,8 @@ namespace toolcomp::certify {
 //  * Under posture control cosine and sine of both axes come from the direction as by inverse kinematics. Their
 //    derivatives hold 1 / h², h being the distance from the pole: a part is bounded by the least h in it.
 //  * Through the pole itself the tilted direction swings about the work-side axis as the direction does, and both axes
-//    are smooth functions of the signed distance from the pole: they are used in its plane (`meridian`). Nothing has to
-//    be split there.
+//    are smooth functions of the signed distance from the pole: they are used where the axis lies in the plane of the
+//    directions. Nothing has to be split there.
 //  * Where the tool-side axis leaves the edge of its reach its rate is infinite. There the chord is bounded by what
 //    contains the part: the box of all values.
 class CurveBound {

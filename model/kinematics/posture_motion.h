@@ -30,10 +30,11 @@ struct DirectionSwing {
 // The rotary axes that follow such a direction, here in the table frame.
 struct LiftedSwing {
   DirectionSwing direction;
-  Pose start;             // at t = 0
-  int branch = 1;         // at t = 0, as of Solution
-  bool meridian = false;  // the work-side axis lies in the plane of the directions
-  int pole = 0;           // 1 or -1: it begins in this singular posture
+  Pose start;          // at t = 0
+  int branch = 1;      // at t = 0, as of Solution
+  int side = 0;        // on which the work-side axis lies: left 1, right -1; 0 in the plane of the directions
+  bool level = false;  // all directions are at right angles to that axis
+  int pole = 0;        // 1 or -1: it begins in this singular posture
 };
 using MotionForm = std::variant<EvenTurns, DirectionSwing, LiftedSwing>;
 

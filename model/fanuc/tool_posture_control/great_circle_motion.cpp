@@ -60,7 +60,7 @@ Posture GreatCircleMotion::at(const Rational& t) const {
 
 MotionForm GreatCircleMotion::form() const {
   const DirectionSwing in_table{view_.in_table(arc_.from().unit), view_.in_table(arc_.ahead()), arc_.degrees()};
-  return LiftedSwing{in_table, part_.start, part_.branch, side_ == 0, part_.pole};
+  return LiftedSwing{in_table, part_.start, part_.branch, side_, is_level(), part_.pole};
 }
 
 GreatCircleMotion::Tilt GreatCircleMotion::tilt(const Real& along_work_axis) const {
