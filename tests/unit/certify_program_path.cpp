@@ -440,6 +440,12 @@ double errors_off(const PathPiece& piece, const AxisPoint& p, const TraceSpace& 
   double scale = 1;
   for (const double x : p) scale = std::max(scale, std::fabs(x));
   const double rounding = 64 * std::numeric_limits<double>::epsilon() * scale;
+  for (const auto& [axes, error] : {std::pair(&space.linear, piece.error.linear), {&space.rotary, piece.error.rotary}})
+    for (const std::size_t i : *axes) {
+      const auto [low, high] = std::minmax(piece.begin.at(i), piece.end.at(i));
+      if (p.at(i) < low - error - rounding || p.at(i) > high + error + rounding)
+        return std::numeric_limits<double>::infinity();
+    }
   const auto off = [&](double part) {
     Distance d;
     for (const std::size_t i : space.linear)
@@ -451,7 +457,7 @@ double errors_off(const PathPiece& piece, const AxisPoint& p, const TraceSpace& 
   };
   double low = 0;
   double high = 1;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 100; ++i) {
     const double a = low + (high - low) / 3;
     const double b = high - (high - low) / 3;
     (off(a) < off(b) ? high : low) = off(a) < off(b) ? b : a;
