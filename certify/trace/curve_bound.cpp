@@ -27,7 +27,11 @@ Interval enclosed(const Real& x) {
 IntervalVector enclosed(const exact::Vector3& v) { return {enclosed(v.x), enclosed(v.y), enclosed(v.z)}; }
 
 Interval pi() { return boost::numeric::interval_lib::pi<Interval>(); }
-Interval radians(const Interval& degrees) { return degrees * pi() / 180.0; }
+// Exact numbers are enclosed before an object of Rounding lives: libraries of theirs may count on rounding to nearest.
+Interval radians(const Interval& degrees) {
+  const Rounding upward;
+  return degrees * pi() / 180.0;
+}
 Interval degrees(const Interval& radians) { return radians * 180.0 / pi(); }
 
 // Of an interval of sizes; what is no number has no bound.
@@ -244,22 +248,27 @@ class Lifted {
 class Meridian {
  public:
   Meridian(const Machine& machine, const model::LiftedSwing& swing, int pole)
-      : pole_(pole), work_(turn_at(machine.work_side(), swing.start.work)) {
+      : pole_(pole),
+        work_(turn_at(machine.work_side(), swing.start.work)),
+        cosine_(enclosed(exact::dot(machine.tool_side().line, machine.heights().along))) {
     const Swing direction(swing.direction);
     rate_ = direction.rate();
-    const auto& heights = machine.heights();
-    cosine_ = enclosed(exact::dot(machine.tool_side().line, heights.along));
-    const Interval scale = static_cast<double>(pole) / boost::numeric::sqrt(enclosed(heights.swing2));
-    tool_ = {scale * enclosed(heights.a), scale * enclosed(heights.b)};
-    Interval sign = -1.0;
+    const IntervalVector axis = enclosed(machine.work_side().line);
+    const Interval a = enclosed(machine.heights().a);
+    const Interval b = enclosed(machine.heights().b);
+    const Interval swing2 = enclosed(machine.heights().swing2);
+    const Rounding upward;
+    const double side = pole;
+    const Interval rho = boost::numeric::sqrt(swing2);
+    tool_ = {side * a / rho, side * b / rho};
+    // Behind the pole φ is negative.
+    double before = -1;
     if (swing.pole == 0) {
-      const JetVector axis = constant(enclosed(machine.work_side().line));
-      const Jet x = dot(axis, constant(direction.from()));
-      const Jet y = dot(axis, constant(direction.ahead()));
-      phi_ = angle(static_cast<double>(pole) * x.value, static_cast<double>(pole) * y.value);
-      sign = phi_.lower() > 0 ? 1.0 : -1.0;
+      phi_ = angle(side * dot(constant(axis), constant(direction.from())).value,
+                   side * dot(constant(axis), constant(direction.ahead())).value);
+      before = phi_.lower() > 0 ? 1 : -1;
     }
-    sign_ = sign * static_cast<double>(pole * swing.branch) / boost::numeric::sqrt(1.0 - square(cosine_));
+    scale_ = before * side * swing.branch / boost::numeric::sqrt(1.0 - boost::numeric::square(cosine_));
     const Turned start = swung(0.0).second;
     turned_back_ = {start.cosine.value, start.sine.value};
   }
@@ -274,7 +283,7 @@ class Meridian {
   // δ and ψ.
   [[nodiscard]] std::pair<Turned, Turned> swung(const Interval& t) const {
     const Turned half = turning(t, phi_ / 2.0, -rate_ / 2.0);
-    const Jet s = sign_ * half.sine;
+    const Jet s = scale_ * half.sine;
     const Jet c = root(Jet(1.0) - square(s));
     const Jet scale = inverse(half.cosine);
     return {{Jet(1.0) - Interval(2.0) * square(s), Interval(2.0) * (s * c)}, {c * scale, cosine_ * s * scale}};
@@ -289,10 +298,10 @@ class Meridian {
   Turned tool_;         // at the pole
   Turned work_;         // at the start
   Turned turned_back_;  // ψ there
+  Interval phi_ = 0.0;  // there
   Interval rate_;       // radians
   Interval cosine_;     // of α
-  Interval phi_ = 0.0;  // at the start
-  Interval sign_;       // over sin α
+  Interval scale_;      // 1 / sin α, with the sign of the branch
 };
 
 }  // namespace
@@ -395,7 +404,6 @@ CurveBound& CurveBound::operator=(CurveBound&&) noexcept = default;
 CurveBound::~CurveBound() = default;
 
 CurveBound::CurveBound(const model::InsideMove::Form& move, const spec::Axes& axes, const TraceSpace& space) {
-  const Rounding upward;
   auto motion = std::make_unique<Motion>(move.tip);
   motion->measure(axes, space);
   motion->length = enclosed(move.length_before);
@@ -430,7 +438,6 @@ CurveBound::CurveBound(const model::InsideMove::Form& move, const spec::Axes& ax
 
 CurveBound::CurveBound(const model::PointPath& tip, const exact::Vector3& offset_before,
                        const exact::Vector3& offset_after, const spec::Axes& axes, const TraceSpace& space) {
-  const Rounding upward;
   auto motion = std::make_unique<Motion>(tip);
   motion->measure(axes, space);
   motion->offset = enclosed(offset_before);
@@ -439,11 +446,11 @@ CurveBound::CurveBound(const model::PointPath& tip, const exact::Vector3& offset
 }
 
 CurveBound::Part CurveBound::part(const Rational& t0, const Rational& t1) const {
+  const Interval t(enclosed(t0).lower(), enclosed(t1).upper());
+  const Interval length = enclosed(Rational(t1 - t0));
   const Rounding upward;
-  const Interval begin = enclosed(t0);
-  const Interval t(begin.lower(), enclosed(t1).upper());
   const Motion::At at = motion_->at(t);
-  const Interval eighth = boost::numeric::square(enclosed(Rational(t1 - t0))) / 8.0;
+  const Interval eighth = boost::numeric::square(length) / 8.0;
   Interval second2 = 0.0;
   Interval extent2 = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -471,8 +478,9 @@ CurveBound::Part CurveBound::part(const Rational& t0, const Rational& t1) const 
 }
 
 std::array<exact::DoubleEnclosure, 3> CurveBound::space_at(const Rational& t) const {
+  const Interval place = enclosed(t);
   const Rounding upward;
-  const Motion::At at = motion_->at(enclosed(t));
+  const Motion::At at = motion_->at(place);
   std::array<exact::DoubleEnclosure, 3> result;
   for (std::size_t i = 0; i < 3; ++i) result.at(i) = {at.position.at(i).value.lower(), at.position.at(i).value.upper()};
   return result;

@@ -150,6 +150,37 @@ Seen look(const std::string& section, std::uint64_t cases) {
   return seen;
 }
 
+// f = √(1 + t²): f' = t / f, f" = 1 / f³; and 1 / f: -t / f³, (2 t² - 1) / f⁵.
+TEST(Jet, DerivativesOfARoot) {
+  const Rounding upward;
+  const double t = 0.75;
+  const double f = 1.25;
+  const Jet along{t, 1.0, 0.0};
+  const Jet result = root(Jet(1.0) + square(along));
+  const Jet inverted = inverse(result);
+  const auto expect = [](const Interval& bounds, double value) {
+    EXPECT_LE(bounds.lower(), value);
+    EXPECT_GE(bounds.upper(), value);
+    EXPECT_LT(bounds.upper() - bounds.lower(), 1e-14);
+  };
+  expect(result.value, f);
+  expect(result.rate, t / f);
+  expect(result.second, 1 / (f * f * f));
+  expect(inverted.value, 1 / f);
+  expect(inverted.rate, -t / (f * f * f));
+  expect(inverted.second, (2 * t * t - 1) / (f * f * f * f * f));
+}
+
+// Of the angle 3 t + 1 there is no second derivative, and of t² it is 2.
+TEST(Jet, SecondDerivativeOfAnAngle) {
+  const Rounding upward;
+  EXPECT_LT(std::fabs(second_of_angle(turning(0.5, 1.0, 3.0)).upper()), 1e-13);
+  const double c = std::cos(0.25);
+  const double s = std::sin(0.25);
+  const Turned squared{{c, -s, -c - 2 * s}, {s, c, -s + 2 * c}};
+  EXPECT_NEAR(second_of_angle(squared).upper(), 2, 1e-14);
+}
+
 TEST(CurveBound, HoldsUnderToolCenterPointControl) {
   const Seen seen = look("fanuc/tool-center-point-control", 300);
   EXPECT_GT(seen.bent, 500U);
