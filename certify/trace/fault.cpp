@@ -5,18 +5,25 @@
 namespace toolcomp::certify {
 namespace {
 
-Bounds bounds(double distance, double error, double searched) {
-  return {std::max(0.0, distance - error), distance + error + searched};
+Distance larger(const Distance& a, const Distance& b) {
+  return {std::max(a.linear, b.linear), std::max(a.rotary, b.rotary)};
 }
 
 TraceFinding finding_of(const Farthest& farthest, const FaultScene& scene) {
   const Metric& metric = scene.metric;
-  TraceFinding finding;
   const double searched = std::max(0.0, farthest.upper - farthest.lower);
-  finding.distance = bounds(farthest.distance.linear, farthest.error.linear, searched * metric.tolerance().linear);
-  if (!metric.space().rotary.empty())
-    finding.rotary = bounds(farthest.distance.rotary, farthest.error.rotary, searched * metric.tolerance().rotary);
-  if (const auto axis = metric.turned(farthest.at, farthest.other)) finding.rotary_axis = scene.axes.letter(*axis);
+  const auto bounds = [&](double alone, double most, double error, double tolerance) -> Bounds {
+    return {std::max(0.0, alone - error), most + searched * tolerance + error};
+  };
+  TraceFinding finding;
+  if (!metric.space().linear.empty())
+    finding.distance =
+        bounds(farthest.alone.linear, farthest.most.linear, farthest.error.linear, metric.tolerance().linear);
+  if (farthest.turned) {
+    finding.rotary =
+        bounds(farthest.alone.rotary, farthest.most.rotary, farthest.error.rotary, metric.tolerance().rotary);
+    finding.rotary_axis = scene.axes.letter(*farthest.turned);
+  }
   for (const auto* axes : {&metric.space().linear, &metric.space().rotary})
     for (const std::size_t axis : *axes) finding.at.set(axis, farthest.at[axis]);
   finding.worst_sample = farthest.csv_line;
@@ -31,6 +38,35 @@ void name_moves(TraceFinding& finding, const MoveName& first, const MoveName& la
 }
 
 }  // namespace
+
+void Farthest::take(const AxisPoint& p, const AxisPoint& nearest, const Distance& lines_off, const Metric& metric,
+                    std::uint64_t line) {
+  const Distance distance = metric.between(p, nearest);
+  Farthest here;
+  here.lower = here.upper = metric.in_tolerances(distance);
+  here.at = p;
+  here.other = nearest;
+  here.most = distance;
+  if (!metric.mixed()) here.alone = distance;
+  here.error = lines_off;
+  here.csv_line = line;
+  here.turned = metric.turned(p, nearest);
+  take(here);
+}
+
+void Farthest::take(const Farthest& part) {
+  if (part.lower > lower) {
+    lower = part.lower;
+    at = part.at;
+    other = part.other;
+    csv_line = part.csv_line;
+  }
+  upper = std::max(upper, part.upper);
+  alone = larger(alone, part.alone);
+  if (part.most.rotary > most.rotary) turned = part.turned;
+  most = larger(most, part.most);
+  error = larger(error, part.error);
+}
 
 void report(const Fault& fault, const FaultScene& scene, TraceResult& result, Findings& findings) {
   const SamplesOff samples = samples_off(fault, scene);
@@ -47,7 +83,9 @@ void report(const Fault& fault, const FaultScene& scene, TraceResult& result, Fi
     finding.samples = samples.count;
     name_moves(finding, samples.move, path.kind == nullptr ? samples.move : path.last);
     findings.add(std::move(finding));
-    if (path.kind == nullptr || path.farthest.upper <= samples.farthest.lower) return;
+    // A gap is where there are no samples.
+    const bool farther = path.farthest.lower > samples.farthest.upper;
+    if (path.kind == nullptr || path.is_gap || !farther) return;
   }
   TraceFinding finding = finding_of(path.farthest, scene);
   finding.kind = path.kind == nullptr ? "out of order" : path.kind;

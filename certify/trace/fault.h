@@ -30,15 +30,24 @@ struct FaultScene {
   const spec::Axes& axes;
 };
 
-// The farthest that one side is from the other.
+// The farthest that one side is from the other. The nearest place is the one nearest in tolerances, all axes together;
+// the linear axes by themselves, and the rotary ones, may be nearer elsewhere.
 struct Farthest {
-  double lower = 0;            // in tolerances; by the straight lines that stand for both sides
-  double upper = 0;            // the same, as far as it was searched
-  AxisPoint at{};              // where
-  AxisPoint other{};           // the nearest place of the other side
-  Distance distance;           // between the two
-  Distance error;              // how far the straight lines may be off
-  std::uint64_t csv_line = 0;  // where `at` is a sample
+  double lower = 0;                   // in tolerances; by the straight lines that stand for both sides
+  double upper = 0;                   // the same, as far as it was searched
+  AxisPoint at{};                     // where
+  AxisPoint other{};                  // the nearest place of the other side
+  Distance alone;                     // the farthest that each kind of axes is, wherever the other one is nearest
+  Distance most;                      // the farthest that each is at the nearest places
+  Distance error;                     // how far the straight lines may be off
+  std::uint64_t csv_line = 0;         // where `at` is a sample
+  std::optional<std::size_t> turned;  // the rotary axis of `most.rotary`
+
+  // A place `p` and the nearest one of the other side; `line` of the CSV if `p` is a sample.
+  void take(const AxisPoint& p, const AxisPoint& nearest, const Distance& lines_off, const Metric& metric,
+            std::uint64_t line = 0);
+  // The same as found for another part of the same side.
+  void take(const Farthest& part);
 };
 
 // A move of the program.
@@ -61,6 +70,7 @@ SamplesOff samples_off(const Fault& fault, const FaultScene& scene);
 // The path between, and how far it is from the recording there.
 struct PathLeftOut {
   const char* kind = nullptr;  // nullptr: nothing is beyond the tolerance
+  bool is_gap = false;         // all corners were reached, and a move was left and come back to
   std::uint64_t corners = 0;   // not reached
   double length = 0;           // linear axes, setup units
   MoveName first, last;        // moves concerned

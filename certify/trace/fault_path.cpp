@@ -20,14 +20,7 @@ void search(const AxisPoint& a, const AxisPoint& b, const RunDistance& run, cons
   };
   const auto look = [&](const AxisPoint& p) {
     End end{p, run.nearest(p)};
-    if (end.nearest.in_tolerances > farthest.lower) {
-      farthest.lower = end.nearest.in_tolerances;
-      farthest.at = p;
-      farthest.other = end.nearest.at;
-      farthest.distance = end.nearest.distance;
-      farthest.error = error;
-      farthest.upper = std::max(farthest.upper, farthest.lower);
-    }
+    farthest.take(p, end.nearest.at, error, metric);
     return end;
   };
   std::vector<std::pair<End, End>> lines{{look(a), look(b)}};
@@ -51,7 +44,14 @@ void search(const AxisPoint& a, const AxisPoint& b, const RunDistance& run, cons
 class LeftOut {
  public:
   LeftOut(const Fault& fault, const FaultScene& scene, const RunDistance& run, std::pair<std::size_t, std::size_t> kept)
-      : fault_(fault), scene_(scene), run_(run), kept_(kept) {}
+      : fault_(fault),
+        scene_(scene),
+        run_(run),
+        kept_(kept),
+        linear_(scene.metric.linear_only()),
+        rotary_(scene.metric.rotary_only()),
+        linear_run_(scene.run, linear_, kept.first, kept.second),
+        rotary_run_(scene.run, rotary_, kept.first, kept.second) {}
 
   PathLeftOut follow() {
     PathWindow& path = scene_.path;
@@ -114,13 +114,19 @@ class LeftOut {
     const Distance error{piece.error.linear + scene_.run.error().linear,
                          piece.error.rotary + scene_.run.error().rotary};
     const Limit limit = scene_.metric.limit(error, w.magnitude);
-    Farthest here;
     const AxisPoint end = point_at(piece.begin, piece.end, part.high);
-    search(piece.free ? end : point_at(piece.begin, piece.end, part.low), end, run_, error, scene_.metric, here);
-    move_.beyond = move_.beyond || scene_.metric.exceeds(here.distance, limit);
-    const double upper = std::max(farthest_.upper, here.upper);
-    if (here.lower > farthest_.lower) farthest_ = here;
-    farthest_.upper = upper;
+    const AxisPoint begin = piece.free ? end : point_at(piece.begin, piece.end, part.low);
+    Farthest here;
+    search(begin, end, run_, error, scene_.metric, here);
+    if (scene_.metric.mixed()) {
+      Farthest linear;
+      Farthest rotary;
+      search(begin, end, linear_run_, error, linear_, linear);
+      search(begin, end, rotary_run_, error, rotary_, rotary);
+      here.alone = {linear.most.linear, rotary.most.rotary};
+    }
+    move_.beyond = move_.beyond || scene_.metric.exceeds(here.most, limit);
+    farthest_.take(here);
     if (!piece.corner || part.high < 1) return;
     const bool corner_missed = scene_.metric.exceeds(run_.nearest(piece.end).distance, limit);
     if (corner_missed) {
@@ -146,6 +152,7 @@ class LeftOut {
       return out;
     }
     const bool gap = &group == &gap_;
+    out.is_gap = gap;
     if (fault_.end)
       out.kind = "end not reached";
     else if (gap)
@@ -161,6 +168,11 @@ class LeftOut {
   const FaultScene& scene_;
   const RunDistance& run_;
   std::pair<std::size_t, std::size_t> kept_;  // the run's first and last sample
+  // Each kind of axes by itself.
+  const Metric linear_;
+  const Metric rotary_;
+  const RunDistance linear_run_;
+  const RunDistance rotary_run_;
   Move move_;
   bool begin_missed_ = false;
   Group corner_, left_out_, gap_;

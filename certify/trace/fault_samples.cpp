@@ -18,15 +18,16 @@ Part part_between(std::size_t piece, const PathPlace& from, const PathPlace& to)
           piece == to.piece ? std::max(to.at, piece == from.piece ? from.at : 0) : 1};
 }
 
-NearestPlace nearest(const FaultScene& scene, const AxisPoint& p, const PathPlace& from, const PathPlace& to) {
+NearestPlace nearest(const PathWindow& path, const Metric& metric, const AxisPoint& p, const PathPlace& from,
+                     const PathPlace& to) {
   NearestPlace best;
-  scene.path.boxes().visit(
+  path.boxes().visit(
       from.piece, to.piece + 1,
-      [&](const Box& box) { return scene.metric.in_tolerances(scene.metric.outside(box, p)) >= best.in_tolerances; },
+      [&](const Box& box) { return metric.in_tolerances(metric.outside(box, p)) >= best.in_tolerances; },
       [&](std::size_t number) {
-        const PathPiece& piece = scene.path[number].piece;
-        const double t = scene.metric.closest(piece.begin, piece.end, p, part_between(number, from, to));
-        const double d = scene.metric.in_tolerances(scene.metric.at(piece.begin, piece.end, t, p));
+        const PathPiece& piece = path[number].piece;
+        const double t = metric.closest(piece.begin, piece.end, p, part_between(number, from, to));
+        const double d = metric.in_tolerances(metric.at(piece.begin, piece.end, t, p));
         if (d < best.in_tolerances) best = {number, t, d};
       });
   return best;
@@ -49,33 +50,40 @@ bool near_any_piece(const FaultScene& scene, const AxisPoint& p) {
 
 SamplesOff samples_off(const Fault& fault, const FaultScene& scene) {
   SamplesOff off;
+  const Metric& metric = scene.metric;
   const PathPlace to = fault.end ? PathPlace{scene.path.end() - 1, 1} : fault.back_high;
   if (holds_free_move(scene, fault.left_low.piece, to.piece)) return off;
+  const Metric linear = metric.linear_only();
+  const Metric rotary = metric.rotary_only();
+  // From the sample to the nearest place of that kind.
+  const auto alone = [&](const Metric& kind, const AxisPoint& p) {
+    const NearestPlace place = nearest(scene.path, kind, p, fault.left_low, to);
+    const PathPiece& piece = scene.path[place.piece].piece;
+    return kind.at(piece.begin, piece.end, place.at, p);
+  };
   for (const RunSample& s : scene.run.samples()) {
     const std::uint64_t number = s.sample.number;
     const bool matched = (number <= fault.from && !fault.begin) || (number >= fault.to && !fault.end);
     if (matched || number < fault.from || number > fault.to) continue;
     off.any = true;
     const AxisPoint& p = s.sample.at;
-    const NearestPlace place = nearest(scene, p, fault.left_low, to);
+    const NearestPlace place = nearest(scene.path, metric, p, fault.left_low, to);
     const PathPiece& piece = scene.path[place.piece].piece;
-    const Distance distance = scene.metric.at(piece.begin, piece.end, place.at, p);
-    if (!scene.metric.exceeds(distance, scene.path.limit(place.piece, s.sample.magnitude))) continue;
+    const Distance distance = metric.at(piece.begin, piece.end, place.at, p);
+    if (!metric.exceeds(distance, scene.path.limit(place.piece, s.sample.magnitude))) continue;
     if (off.count == 0) {
       off.csv_line = s.sample.line;
       off.move = {piece.line, piece.n};
     }
     off.count += s.stands_for;
     off.on_other_path = off.on_other_path && near_any_piece(scene, p);
-    if (place.in_tolerances <= off.farthest.lower) continue;
     const Distance& thinned = scene.run.error();
-    off.farthest = {place.in_tolerances,
-                    place.in_tolerances,
-                    p,
-                    point_at(piece.begin, piece.end, place.at),
-                    distance,
-                    {piece.error.linear + thinned.linear, piece.error.rotary + thinned.rotary},
-                    s.sample.line};
+    off.farthest.take(p, point_at(piece.begin, piece.end, place.at),
+                      {piece.error.linear + thinned.linear, piece.error.rotary + thinned.rotary}, metric,
+                      s.sample.line);
+    if (!metric.mixed()) continue;
+    Distance& least = off.farthest.alone;
+    least = {std::max(least.linear, alone(linear, p).linear), std::max(least.rotary, alone(rotary, p).rotary)};
   }
   return off;
 }

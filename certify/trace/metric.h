@@ -62,6 +62,10 @@ class Metric {
   [[nodiscard]] Distance outside(const Box& box, const AxisPoint& p) const;
 
   [[nodiscard]] double in_tolerances(const Distance& d) const;
+  // The same with the axes of one kind only.
+  [[nodiscard]] Metric linear_only() const { return {{space_.linear, {}}, tolerance_}; }
+  [[nodiscard]] Metric rotary_only() const { return {{{}, space_.rotary}, tolerance_}; }
+  [[nodiscard]] bool mixed() const { return !space_.linear.empty() && !space_.rotary.empty(); }
   // The rotary axis on which the two positions differ most; none where they do not differ.
   [[nodiscard]] std::optional<std::size_t> turned(const AxisPoint& a, const AxisPoint& b) const;
 
