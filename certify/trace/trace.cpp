@@ -4,9 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include "certify/convert.h"
+#include "certify/trace/causes/cause.h"
 #include "certify/trace/findings.h"
 #include "certify/trace/matcher.h"
-#include "certify/trace/old_program_path.h"
+#include "certify/trace/program_path.h"
 #include "certify/trace/recording.h"
 #include "certify/trace/time_steps.h"
 #include "fuzz/oracle/program_facts.h"
@@ -14,6 +16,9 @@
 
 namespace toolcomp::certify {
 namespace {
+
+// For the picture.
+constexpr std::size_t kMostEvents = 20000;
 
 void expect_positive(double tolerance, const char* option, const char* unit) {
   if (!(tolerance > 0) || !std::isfinite(tolerance))
@@ -48,8 +53,16 @@ TraceFinding gap_of(const TimeStep& step, const TraceSpace& space) {
   return finding;
 }
 
+void keep(const RecordedSample& sample, RecordedRun& kept) {
+  kept.whole = kept.whole && kept.samples.size() < RecordedRun::kMost;
+  if (kept.whole)
+    kept.samples.push_back(sample);
+  else
+    kept.samples = {};
+}
+
 void match(Recording& recording, PathSource& path, const Metric& metric, const spec::Axes& axes, std::size_t most,
-           TraceResult& result) {
+           TraceResult& result, RecordedRun& kept) {
   Findings findings(result, most);
   Matcher matcher(path, metric, axes, result, findings);
   TimeSteps steps([&](const TimeStep& step) { findings.add(gap_of(step, metric.space())); });
@@ -57,6 +70,7 @@ void match(Recording& recording, PathSource& path, const Metric& metric, const s
   std::optional<double> time;
   while (recording.next(sample)) {
     matcher.take(sample.at, sample.line);
+    keep(sample, kept);
     if (!recording.has_time()) continue;
     if (time) steps.take({sample.time - *time, sample.resolution, sample.line, matcher.move(), sample.at});
     time = sample.time;
@@ -76,10 +90,22 @@ TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::strin
   TraceResult result;
   Recording recording(csv, file, c.setup.axes, fuzz::ProgramFacts::of(c).units().value_or(c.setup.units));
   const Metric metric(recorded_space(c.setup.axes, recording, result), tolerance);
-  OldProgramPath path(c, metric.space(), std::min(tolerance.linear, tolerance.rotary), options.judge_rapids);
-  result.events = path.take_events();
+  ProgramPathOptions path_options{.judge_rapids = options.judge_rapids, .frame = options.frame};
+  path_options.on_event = [&](const model::Event& event) {
+    if (result.events.size() < kMostEvents) result.events.push_back(in_double(event));
+  };
+  ProgramPath path(c, metric.space(), tolerance, path_options);
+  RecordedRun kept;
+  kept.has_time = recording.has_time();
+  match(recording, path, metric, c.setup.axes, options.most_findings, result, kept);
   result.undecided = path.undecided();
-  if (result.undecided.empty()) match(recording, path, metric, c.setup.axes, options.most_findings, result);
+  if (!result.undecided.empty()) {
+    // Nobody knows what the rest of the recording should be.
+    result.findings.clear();
+    result.findings_total = 0;
+  } else if (result.findings_total > 0) {
+    result.cause = common_cause(c, kept, metric, path_options, result);
+  }
   return result;
 }
 

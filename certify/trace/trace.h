@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/trace/program_path.h"
 #include "spec/language/axes.h"
 #include "spec/language/case.h"
 #include "spec/language/event.h"
@@ -17,6 +18,7 @@ namespace toolcomp::certify {
 struct TraceOptions {
   double tolerance = 0;                    // linear axes, setup units; positive
   std::optional<double> rotary_tolerance;  // each rotary axis, degrees; positive; without it the number of `tolerance`
+  PathFrame frame = PathFrame::workpiece;  // the coordinates of the recording
   bool judge_rapids = true;                // as straight lines; false: their ends only (positioning axis by axis)
   std::size_t most_findings = 100;         // kept; all are counted
 };
@@ -61,7 +63,8 @@ struct TraceResult {
   std::string not_recorded;            // axes that were not judged
   std::uint64_t findings_total = 0;
   std::vector<TraceFinding> findings;       // by sample
-  std::vector<spec::Event<double>> events;  // of the exact run
+  std::optional<std::string> cause;         // one mistake that explains all findings (causes/cause.h)
+  std::vector<spec::Event<double>> events;  // of the exact run: the first ones, for a picture
   std::string undecided;                    // why the model could not decide; empty: it could
 };
 
