@@ -78,7 +78,8 @@ void report(const Fault& fault, const FaultScene& scene, TraceResult& result, Fi
   result.covered -= path.length;
   if (samples.count > 0) {
     TraceFinding finding = finding_of(samples.farthest, scene);
-    finding.kind = fault.begin ? "begin not reached" : samples.on_other_path ? "out of order" : "off the path";
+    finding.kind = "off the path";
+    if (samples.on_other_path) finding.kind = fault.begin ? "begin not reached" : "out of order";
     finding.sample = samples.csv_line;
     finding.samples = samples.count;
     name_moves(finding, samples.move, path.kind == nullptr ? samples.move : path.last);

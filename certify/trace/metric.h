@@ -58,6 +58,8 @@ class Metric {
   [[nodiscard]] double foot(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const;
   // The parameter that is closest in tolerances; of several the one closest by the linear axes.
   [[nodiscard]] double closest(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const;
+  // No point of that part of the line is closer, in tolerances.
+  [[nodiscard]] double at_least(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const;
   // No point of the box is closer to `p`.
   [[nodiscard]] Distance outside(const Box& box, const AxisPoint& p) const;
 
