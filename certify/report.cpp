@@ -246,8 +246,8 @@ std::vector<std::filesystem::path> write_report(const Certificate& c, const std:
 }
 
 std::string extent(const TraceFinding& finding) {
-  // Roundings are none.
-  constexpr double kLeast = 1e-12;
+  // Distances carry roundings.
+  constexpr double kLeast = 1e-10;
   const auto number = [](double value) { return fmt::format("{:.6g}", value < kLeast ? 0 : value); };
   const auto words = [&](const Bounds& b) {
     const std::string lower = number(b.lower);

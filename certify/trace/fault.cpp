@@ -12,8 +12,9 @@ Distance larger(const Distance& a, const Distance& b) {
 TraceFinding finding_of(const Farthest& farthest, const FaultScene& scene) {
   const Metric& metric = scene.metric;
   const double searched = std::max(0.0, farthest.upper - farthest.lower);
+  const double rounding = Metric::rounding(std::max(metric.magnitude(farthest.at), metric.magnitude(farthest.other)));
   const auto bounds = [&](double alone, double most, double error, double tolerance) -> Bounds {
-    return {std::max(0.0, alone - error), most + searched * tolerance + error};
+    return {std::max(0.0, alone - error - rounding), most + searched * tolerance + error + rounding};
   };
   TraceFinding finding;
   if (!metric.space().linear.empty())

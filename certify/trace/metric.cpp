@@ -44,13 +44,16 @@ double Metric::magnitude(const AxisPoint& p) const {
   return most;
 }
 
-Limit Metric::limit(const Distance& error, double magnitude) const {
+double Metric::rounding(double magnitude) {
   // An offset of an axis carries up to six roundings of numbers up to 2 · magnitude, and six linear axes add up.
   constexpr double kRoundings = 64 * kEpsilon;
+  return kRoundings * magnitude;
+}
+
+Limit Metric::limit(const Distance& error, double magnitude) const {
   const double linear = tolerance_.linear + error.linear;
   const double rotary = tolerance_.rotary + error.rotary;
-  return {{linear + kRoundings * std::max(linear, magnitude), rotary + kRoundings * std::max(rotary, magnitude)},
-          magnitude};
+  return {{linear + rounding(std::max(linear, magnitude)), rotary + rounding(std::max(rotary, magnitude))}, magnitude};
 }
 
 std::optional<Part> Metric::part_near(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p,

@@ -43,6 +43,8 @@ class Metric {
   // The tolerance and `error`, wider by what coordinates up to `magnitude` may have been rounded: a distance of exactly
   // the tolerance is accepted.
   [[nodiscard]] Limit limit(const Distance& error, double magnitude) const;
+  // What a distance between positions of that magnitude may have been rounded.
+  [[nodiscard]] static double rounding(double magnitude);
   [[nodiscard]] bool exceeds(const Distance& d, const Limit& limit) const {
     return d.linear > limit.reach.linear || d.rotary > limit.reach.rotary;
   }
