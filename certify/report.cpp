@@ -246,9 +246,12 @@ std::vector<std::filesystem::path> write_report(const Certificate& c, const std:
 }
 
 std::string extent(const TraceFinding& finding) {
-  const auto words = [](const Bounds& b) {
-    const std::string lower = fmt::format("{:.6g}", b.lower);
-    const std::string upper = fmt::format("{:.6g}", b.upper);
+  // Distances carry roundings.
+  constexpr double kLeast = 1e-10;
+  const auto number = [](double value) { return fmt::format("{:.6g}", value < kLeast ? 0 : value); };
+  const auto words = [&](const Bounds& b) {
+    const std::string lower = number(b.lower);
+    const std::string upper = number(b.upper);
     return lower == upper ? upper : lower + " to " + upper;
   };
   if (finding.distance.upper == 0 && finding.rotary.upper == 0 && finding.duration > 0)

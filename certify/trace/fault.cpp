@@ -12,8 +12,9 @@ Distance larger(const Distance& a, const Distance& b) {
 TraceFinding finding_of(const Farthest& farthest, const FaultScene& scene) {
   const Metric& metric = scene.metric;
   const double searched = std::max(0.0, farthest.upper - farthest.lower);
+  const double rounding = Metric::rounding(std::max(metric.magnitude(farthest.at), metric.magnitude(farthest.other)));
   const auto bounds = [&](double alone, double most, double error, double tolerance) -> Bounds {
-    return {std::max(0.0, alone - error), most + searched * tolerance + error};
+    return {std::max(0.0, alone - error - rounding), most + searched * tolerance + error + rounding};
   };
   TraceFinding finding;
   if (!metric.space().linear.empty())
@@ -78,7 +79,8 @@ void report(const Fault& fault, const FaultScene& scene, TraceResult& result, Fi
   result.covered -= path.length;
   if (samples.count > 0) {
     TraceFinding finding = finding_of(samples.farthest, scene);
-    finding.kind = fault.begin ? "begin not reached" : samples.on_other_path ? "out of order" : "off the path";
+    finding.kind = "off the path";
+    if (samples.on_other_path) finding.kind = fault.begin ? "begin not reached" : "out of order";
     finding.sample = samples.csv_line;
     finding.samples = samples.count;
     name_moves(finding, samples.move, path.kind == nullptr ? samples.move : path.last);

@@ -11,9 +11,9 @@ namespace {
 constexpr double kFine = 1e-3;
 
 // Takes the farthest point of the line from `a` to `b` into account. The distance from one line of the run is convex
-// along it, so the larger one of both ends bounds what lies between.
-void search(const AxisPoint& a, const AxisPoint& b, const RunDistance& run, const Distance& error, const Metric& metric,
-            Farthest& farthest) {
+// along it, so the larger one of both ends bounds what lies between. What is not beyond `enough` is not told apart.
+void search(const AxisPoint& a, const AxisPoint& b, RunDistance& run, const Distance& error, const Metric& metric,
+            double enough, Farthest& farthest) {
   struct End {
     AxisPoint at;
     RunDistance::Nearest nearest;
@@ -30,7 +30,7 @@ void search(const AxisPoint& a, const AxisPoint& b, const RunDistance& run, cons
     const double upper = std::min(std::max(begin.nearest.in_tolerances, run.from(end.at, begin.nearest.line)),
                                   std::max(end.nearest.in_tolerances, run.from(begin.at, end.nearest.line)));
     const double length = metric.in_tolerances(metric.between(begin.at, end.at));
-    if (upper <= farthest.lower * (1 + kFine) + kFine || length <= kFine) {
+    if (upper <= std::max(enough, farthest.lower * (1 + kFine) + kFine) || length <= kFine) {
       farthest.upper = std::max(farthest.upper, upper);
       continue;
     }
@@ -43,7 +43,7 @@ void search(const AxisPoint& a, const AxisPoint& b, const RunDistance& run, cons
 // Goes through the path left out, move by move.
 class LeftOut {
  public:
-  LeftOut(const Fault& fault, const FaultScene& scene, const RunDistance& run, std::pair<std::size_t, std::size_t> kept)
+  LeftOut(const Fault& fault, const FaultScene& scene, RunDistance& run, std::pair<std::size_t, std::size_t> kept)
       : fault_(fault),
         scene_(scene),
         run_(run),
@@ -117,12 +117,14 @@ class LeftOut {
     const AxisPoint end = point_at(piece.begin, piece.end, part.high);
     const AxisPoint begin = piece.free ? end : point_at(piece.begin, piece.end, part.low);
     Farthest here;
-    search(begin, end, run_, error, scene_.metric, here);
+    // Whether it is beyond the tolerance, and whether it is the farthest.
+    const double enough = move_.beyond ? farthest_.lower : std::min(1.0, farthest_.lower);
+    search(begin, end, run_, error, scene_.metric, enough, here);
     if (scene_.metric.mixed()) {
       Farthest linear;
       Farthest rotary;
-      search(begin, end, linear_run_, error, linear_, linear);
-      search(begin, end, rotary_run_, error, rotary_, rotary);
+      search(begin, end, linear_run_, error, linear_, linear_.in_tolerances(farthest_.alone), linear);
+      search(begin, end, rotary_run_, error, rotary_, rotary_.in_tolerances(farthest_.alone), rotary);
       here.alone = {linear.most.linear, rotary.most.rotary};
     }
     move_.beyond = move_.beyond || scene_.metric.exceeds(here.most, limit);
@@ -166,13 +168,13 @@ class LeftOut {
 
   const Fault& fault_;
   const FaultScene& scene_;
-  const RunDistance& run_;
+  RunDistance& run_;
   std::pair<std::size_t, std::size_t> kept_;  // the run's first and last sample
   // Each kind of axes by itself.
   const Metric linear_;
   const Metric rotary_;
-  const RunDistance linear_run_;
-  const RunDistance rotary_run_;
+  RunDistance linear_run_;
+  RunDistance rotary_run_;
   Move move_;
   bool begin_missed_ = false;
   Group corner_, left_out_, gap_;
@@ -185,7 +187,7 @@ class LeftOut {
 
 PathLeftOut path_left_out(const Fault& fault, const FaultScene& scene) {
   const auto kept = scene.run.between(fault.from, fault.to);
-  const RunDistance run(scene.run, scene.metric, kept.first, kept.second);
+  RunDistance run(scene.run, scene.metric, kept.first, kept.second);
   return LeftOut(fault, scene, run, kept).follow();
 }
 

@@ -44,13 +44,16 @@ double Metric::magnitude(const AxisPoint& p) const {
   return most;
 }
 
-Limit Metric::limit(const Distance& error, double magnitude) const {
+double Metric::rounding(double magnitude) {
   // An offset of an axis carries up to six roundings of numbers up to 2 · magnitude, and six linear axes add up.
   constexpr double kRoundings = 64 * kEpsilon;
+  return kRoundings * magnitude;
+}
+
+Limit Metric::limit(const Distance& error, double magnitude) const {
   const double linear = tolerance_.linear + error.linear;
   const double rotary = tolerance_.rotary + error.rotary;
-  return {{linear + kRoundings * std::max(linear, magnitude), rotary + kRoundings * std::max(rotary, magnitude)},
-          magnitude};
+  return {{linear + rounding(std::max(linear, magnitude)), rotary + rounding(std::max(rotary, magnitude))}, magnitude};
 }
 
 std::optional<Part> Metric::part_near(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p,
@@ -119,28 +122,45 @@ double Metric::foot(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, 
   return within.low;
 }
 
+double Metric::at_least(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const {
+  double least = 0;
+  if (!space_.linear.empty()) {
+    const double t = foot(a, b, p, within);
+    double square = 0;
+    for (const std::size_t axis : space_.linear) {
+      const double off = off_at(a[axis], b[axis], t, p[axis]);
+      square += off * off;
+    }
+    least = std::sqrt(square) / tolerance_.linear;
+  }
+  for (const std::size_t axis : space_.rotary) {
+    const double low = off_at(a[axis], b[axis], within.low, p[axis]);
+    const double high = off_at(a[axis], b[axis], within.high, p[axis]);
+    if (low < 0 ? high < 0 : high > 0 && low > 0)
+      least = std::max(least, std::min(std::fabs(low), std::fabs(high)) / tolerance_.rotary);
+  }
+  return least;
+}
+
 double Metric::closest(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const {
   const double foot_at = foot(a, b, p, within);
   if (space_.rotary.empty()) return foot_at;
-  // The distance is convex along the line.
-  Part between = within;
-  constexpr int kThirds = 80;  // (2/3)^80 of the line is below a rounding
-  for (int i = 0; i < kThirds && between.low < between.high; ++i) {
-    const double third = (between.high - between.low) / 3;
-    const bool left =
-        in_tolerances(at(a, b, between.low + third, p)) <= in_tolerances(at(a, b, between.high - third, p));
-    (left ? between.high : between.low) += left ? -third : third;
+  // The least distance, between what it is at least and what it is at the foot: within how much is any part near?
+  double low = at_least(a, b, p, within);
+  double high = in_tolerances(at(a, b, foot_at, p));
+  const double magnitude_here = std::max({magnitude(a), magnitude(b), magnitude(p)});
+  double best = foot_at;
+  constexpr int kHalvings = 40;
+  for (int i = 0; i < kHalvings && high - low > kEpsilon * magnitude_here; ++i) {
+    const double middle = (low + high) / 2;
+    const Limit limit{{middle * tolerance_.linear, middle * tolerance_.rotary}, magnitude_here};
+    const auto part = part_near(a, b, p, limit);
+    const double from = part ? std::max(part->low, within.low) : 1;
+    const double to = part ? std::min(part->high, within.high) : 0;
+    (from <= to ? high : low) = middle;
+    if (from <= to) best = std::clamp(foot_at, from, to);
   }
-  const double least_at = (between.low + between.high) / 2;
-  const double least = in_tolerances(at(a, b, least_at, p));
-  Limit limit{{least * tolerance_.linear, least * tolerance_.rotary}, std::max(magnitude(a), magnitude(b))};
-  limit.reach.linear += kEpsilon * limit.magnitude;
-  limit.reach.rotary += kEpsilon * limit.magnitude;
-  const auto part = part_near(a, b, p, limit);
-  if (!part) return least_at;
-  const double low = std::max(part->low, within.low);
-  const double high = std::min(part->high, within.high);
-  return low <= high ? std::clamp(foot_at, low, high) : least_at;
+  return best;
 }
 
 Distance Metric::outside(const Box& box, const AxisPoint& p) const {

@@ -43,6 +43,8 @@ class Metric {
   // The tolerance and `error`, wider by what coordinates up to `magnitude` may have been rounded: a distance of exactly
   // the tolerance is accepted.
   [[nodiscard]] Limit limit(const Distance& error, double magnitude) const;
+  // What a distance between positions of that magnitude may have been rounded.
+  [[nodiscard]] static double rounding(double magnitude);
   [[nodiscard]] bool exceeds(const Distance& d, const Limit& limit) const {
     return d.linear > limit.reach.linear || d.rotary > limit.reach.rotary;
   }
@@ -58,6 +60,8 @@ class Metric {
   [[nodiscard]] double foot(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const;
   // The parameter that is closest in tolerances; of several the one closest by the linear axes.
   [[nodiscard]] double closest(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const;
+  // No point of that part of the line is closer, in tolerances.
+  [[nodiscard]] double at_least(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const;
   // No point of the box is closer to `p`.
   [[nodiscard]] Distance outside(const Box& box, const AxisPoint& p) const;
 

@@ -1,13 +1,12 @@
 #include "certify/trace/run.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace toolcomp::certify {
 
 void Run::add(const Sample& sample) {
   if (samples_.size() >= kMost) thin();
-  samples_.push_back({sample, 1});
+  samples_.push_back({sample, 1, {}});
 }
 
 void Run::clear() {
@@ -15,23 +14,35 @@ void Run::clear() {
   error_ = {};
 }
 
+// Of the line from the sample before to the one behind.
+Distance Run::error_without(std::size_t index) const {
+  const RunSample& a = samples_[index - 1];
+  const RunSample& b = samples_[index];
+  const AxisPoint& end = samples_[index + 1].sample.at;
+  const AxisPoint& p = b.sample.at;
+  const Distance d = metric_.at(a.sample.at, end, metric_.closest(a.sample.at, end, p, {}), p);
+  return {std::max(a.error.linear, b.error.linear) + d.linear, std::max(a.error.rotary, b.error.rotary) + d.rotary};
+}
+
 void Run::thin() {
-  Distance largest;
-  std::vector<RunSample> kept{samples_.front()};
-  for (std::size_t i = 1; i < samples_.size(); ++i) {
-    const bool last = i + 1 == samples_.size();
-    if (i % 2 == 0 || last) {
+  // Every second one may go: their neighbours stay.
+  std::vector<double> errors;
+  for (std::size_t i = 1; i + 1 < samples_.size(); i += 2) errors.push_back(metric_.in_tolerances(error_without(i)));
+  std::vector<double> sorted = errors;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  std::vector<RunSample> kept;
+  error_ = {};
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    if (i % 2 == 1 && i + 1 < samples_.size() && errors[i / 2] <= *middle) {
+      kept.back().stands_for += samples_[i].stands_for;
+      kept.back().error = error_without(i);
+    } else {
       kept.push_back(samples_[i]);
-      continue;
     }
-    const AxisPoint& a = samples_[i - 1].sample.at;
-    const AxisPoint& b = samples_[i + 1].sample.at;
-    const AxisPoint& p = samples_[i].sample.at;
-    const Distance d = metric_.at(a, b, metric_.closest(a, b, p, {}), p);
-    largest = {std::max(largest.linear, d.linear), std::max(largest.rotary, d.rotary)};
-    kept.back().stands_for += samples_[i].stands_for;
+    const Distance& error = kept.back().error;
+    error_ = {std::max(error_.linear, error.linear), std::max(error_.rotary, error.rotary)};
   }
-  error_ = {error_.linear + largest.linear, error_.rotary + largest.rotary};
   samples_ = std::move(kept);
 }
 
@@ -45,7 +56,7 @@ std::pair<std::size_t, std::size_t> Run::between(std::uint64_t from, std::uint64
 }
 
 RunDistance::RunDistance(const Run& run, const Metric& metric, std::size_t first, std::size_t last)
-    : run_(run), metric_(metric), first_(first), last_(last), boxes_(first) {
+    : run_(run), metric_(metric), first_(first), last_(last), near_(first), boxes_(first) {
   for (std::size_t line = first_; line <= last_; ++line) boxes_.add(run_.samples()[line].sample.at, end_of(line));
 }
 
@@ -60,18 +71,21 @@ double RunDistance::from(const AxisPoint& p, std::size_t line) const {
   return metric_.in_tolerances(metric_.at(a, b, metric_.closest(a, b, p, {}), p));
 }
 
-RunDistance::Nearest RunDistance::nearest(const AxisPoint& p) const {
+RunDistance::Nearest RunDistance::nearest(const AxisPoint& p) {
   Nearest best;
-  best.in_tolerances = std::numeric_limits<double>::infinity();
+  best.line = near_;
+  best.in_tolerances = from(p, near_);
   boxes_.visit(
       first_, last_ + 1,
       [&](const Box& box) { return metric_.in_tolerances(metric_.outside(box, p)) >= best.in_tolerances; },
       [&](std::size_t line) {
+        if (metric_.at_least(run_.samples()[line].sample.at, end_of(line), p, {}) >= best.in_tolerances) return;
         const double d = from(p, line);
         if (d >= best.in_tolerances) return;
         best.line = line;
         best.in_tolerances = d;
       });
+  near_ = best.line;
   const AxisPoint& a = run_.samples()[best.line].sample.at;
   const AxisPoint& b = end_of(best.line);
   const double t = metric_.closest(a, b, p, {});

@@ -15,11 +15,12 @@ namespace toolcomp::certify {
 struct RunSample {
   Sample sample;
   std::uint64_t stands_for = 1;  // itself and those left out behind it
+  Distance error;                // how far the line behind it is from those through the samples left out (Fréchet)
 };
 
-// Samples in a row, joined by straight lines. At most kMost are kept: then every second one is left out, and `error`
-// bounds how far (Fréchet) the lines are from those through all samples. So distances stay certified, however long a
-// match is lost: their bounds move apart by the error.
+// Samples in a row, joined by straight lines. At most kMost are kept: then a quarter of them is left out, those that
+// change the lines least, and it is known how far the lines are from those through all samples. So distances stay
+// certified, however long a match is lost: their bounds move apart by that error.
 class Run {
  public:
   static constexpr std::size_t kMost = 16384;
@@ -29,11 +30,13 @@ class Run {
   void clear();
   [[nodiscard]] bool empty() const { return samples_.empty(); }
   [[nodiscard]] const std::vector<RunSample>& samples() const { return samples_; }
+  // The largest error of a line.
   [[nodiscard]] const Distance& error() const { return error_; }
   // The indices of the kept samples [first, last] that hold those numbered `from` to `to` between them.
   [[nodiscard]] std::pair<std::size_t, std::size_t> between(std::uint64_t from, std::uint64_t to) const;
 
  private:
+  [[nodiscard]] Distance error_without(std::size_t index) const;
   void thin();
 
   const Metric& metric_;
@@ -53,7 +56,8 @@ class RunDistance {
     Distance distance;
     double in_tolerances = 0;
   };
-  [[nodiscard]] Nearest nearest(const AxisPoint& p) const;
+  // Fast where it is asked for places in a row.
+  [[nodiscard]] Nearest nearest(const AxisPoint& p);
   // From `p` to the nearest point of that line, in tolerances.
   [[nodiscard]] double from(const AxisPoint& p, std::size_t line) const;
 
@@ -64,6 +68,7 @@ class RunDistance {
   const Metric& metric_;
   std::size_t first_;
   std::size_t last_;
+  std::size_t near_;  // the line found last
   Boxes boxes_;
 };
 

@@ -13,10 +13,10 @@ void TimeSteps::Sorted::add(double seconds) { seconds_.insert(std::ranges::upper
 
 void TimeSteps::Sorted::remove(double seconds) { seconds_.erase(std::ranges::lower_bound(seconds_, seconds)); }
 
-bool TimeSteps::Sorted::steady() const {
+bool TimeSteps::Sorted::steady(double resolution) const {
   const double period = median();
-  const auto low = std::ranges::lower_bound(seconds_, period / 2);
-  const auto high = std::ranges::upper_bound(seconds_, kLong * period);
+  const auto low = std::ranges::lower_bound(seconds_, std::min(period / 2, period - resolution));
+  const auto high = std::ranges::upper_bound(seconds_, std::max(kLong * period, period + resolution));
   return 4 * (high - low) >= 3 * static_cast<std::ptrdiff_t>(seconds_.size());
 }
 
@@ -34,18 +34,19 @@ void TimeSteps::judge() {
   const TimeStep& step = steps_[judged_];
   // A side with few steps counts only where the other one has few too.
   const bool known = !before_.few() || !behind_.few();
+  const auto counts = [&](const Sorted* around) { return !around->empty() && (!known || !around->few()); };
   double period = 0;
-  bool steady = true;
-  for (const Sorted* around : {&before_, &behind_}) {
-    if (around->empty() || (known && around->few())) continue;
-    period = std::max(period, around->median());
-    steady = steady && around->steady();
-  }
+  for (const Sorted* around : {&before_, &behind_})
+    if (counts(around)) period = std::max(period, around->median());
   if (step.seconds > kLong * period) {
     double resolution = step.resolution;
     for (const TimeStep& other : steps_) resolution = std::min(resolution, other.resolution);
-    if (step.seconds > period + resolution * (1 + 1e-6)) {
-      if (known && steady)
+    resolution *= 1 + 1e-6;  // stamps are rounded
+    bool steady = known;
+    for (const Sorted* around : {&before_, &behind_})
+      steady = steady && (!counts(around) || around->steady(resolution));
+    if (step.seconds > period + resolution) {
+      if (steady)
         gap_(step);
       else
         ++not_judged_;

@@ -23,7 +23,8 @@ struct TimeStep {
 // Steps longer than one and a half periods. The period is the median of the kAround steps before, or of as many behind
 // if that is larger: a recorder may change its period. A step is known to the last digit in which time is written, so
 // one longer than the median by no more than that is none. Where fewer than kFew steps are around, or a quarter of them
-// are not within half a period of their median, there is no period, and long steps are counted, not judged.
+// are not within half a period, or that digit, of their median, there is no period, and long steps are counted, not
+// judged.
 class TimeSteps {
  public:
   static constexpr std::size_t kAround = 31;
@@ -44,7 +45,7 @@ class TimeSteps {
     [[nodiscard]] bool empty() const { return seconds_.empty(); }
     [[nodiscard]] bool few() const { return seconds_.size() < kFew; }
     [[nodiscard]] double median() const { return seconds_[seconds_.size() / 2]; }
-    [[nodiscard]] bool steady() const;
+    [[nodiscard]] bool steady(double resolution) const;
 
    private:
     std::vector<double> seconds_;
