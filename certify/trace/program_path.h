@@ -22,7 +22,7 @@ enum class PathFrame : std::uint8_t {
 struct ProgramPathOptions {
   bool judge_rapids = true;  // false: rapid moves are free pieces
   PathFrame frame = PathFrame::workpiece;
-  std::function<void(const model::Event&)> on_event = {};  // gets every event, before the pieces of its move
+  std::function<void(const model::Event&)> on_event;  // gets every event, before the pieces of its move
 };
 
 // The pieces of a run of `c.program`, in order. The model is fed as few blocks as the next piece needs, so memory grows
