@@ -519,7 +519,7 @@ TEST(ProgramPath, PastThePole) {
     double degrees;
   };
   for (const Pass& pass : {Pass{"1.", 1e-1}, Pass{"100.", 1e-3}, Pass{"100000.", 1e-6}}) {
-    for (const std::string& machine : {kHead, kTable, kMixed}) {
+    for (const std::string& machine : {kHead, kNutating, kTable, kMixed}) {
       SCOPED_TRACE(pass.words + " " + machine);
       const spec::Case c =
           make(machine + kFive, "G90 G00 X10. Y20. Z30.\nG43.5 H1 P1\nG01 I" + pass.words + " J0.0017 K" + pass.words +
@@ -528,6 +528,7 @@ TEST(ProgramPath, PastThePole) {
       EXPECT_EQ(expect_samples(c, letters, 1, 100), 2 * 99U);
       const Ran ran = run(c, letters);
       EXPECT_TRUE(ran.alarm.empty() && ran.undecided.empty()) << ran.alarm << ran.undecided;
+      if (machine == kNutating) continue;  // its tool side swings, too
       double swung = 0;
       for (const PathPiece& piece : ran.pieces)
         if (piece.line == 4) swung += std::fabs(piece.end[4] - piece.begin[4]);
