@@ -45,9 +45,10 @@ class BlocksOf : public Blocks {
 }  // namespace
 
 std::unique_ptr<Blocks> blocks_of(const spec::Case& c, model::EventSink& events, model::MotionSink& motions) {
-  return fuzz::with_control(c.setup, [&]<class Control>(Control) -> std::unique_ptr<Blocks> {
-    return std::make_unique<BlocksOf<Control>>(c, events, motions);
-  });
+  std::unique_ptr<Blocks> blocks;
+  fuzz::with_control(c.setup,
+                     [&]<class Control>(Control) { blocks = std::make_unique<BlocksOf<Control>>(c, events, motions); });
+  return blocks;
 }
 
 }  // namespace toolcomp::certify

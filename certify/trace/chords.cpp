@@ -11,8 +11,10 @@ using exact::Rational;
 
 // A part is taken at once into as many chords of one bound, or it is halved.
 constexpr double kMostChords = 16;
-// By then a part is shorter than the ulp of its place.
-constexpr int kMostHalvings = 64;
+// By then a part is about as long as the ulp of its place: doubles bound it no better. What leaves the edge of reach is
+// then somewhat wider than asked for.
+constexpr int kMostHalvings = 50;
+constexpr double kWider = 16;
 
 // How many equal chords of a part are near enough by one kind of axes. Their sagitta goes with the square of their
 // length.
@@ -49,7 +51,14 @@ bool Chords::divide() {
       error_ = {error_of(sagitta.linear, extent.linear, chords), error_of(sagitta.rotary, extent.rotary, chords)};
       return true;
     }
-    if (part.halvings == kMostHalvings) return false;
+    if (part.halvings == kMostHalvings) {
+      if (extent.linear > kWider * most_.linear || extent.rotary > kWider * most_.rotary) return false;
+      at_ = part.from;
+      left_ = 1;
+      length_ = part.to - part.from;
+      error_ = extent;
+      return true;
+    }
     const Rational middle = (part.from + part.to) / 2;
     parts_.push_back({middle, part.to, part.halvings + 1});
     parts_.push_back({part.from, middle, part.halvings + 1});

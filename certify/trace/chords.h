@@ -14,7 +14,7 @@ namespace toolcomp::certify {
 // divided are kept.
 class Chords {
  public:
-  // `most`: of the error of a chord.
+  // `most`: of the error of a chord. Where doubles end, at the edge of reach, one may be a few times as far off.
   Chords(CurveBound bound, Distance most) : bound_(std::move(bound)), most_(most), parts_{{0, 1, 0}} {}
 
   struct Chord {

@@ -592,6 +592,24 @@ TEST(ProgramPath, AlongTheEdgeOfReach) {
   EXPECT_LT(run(c, "XYZBC", 0.1).pieces.size(), 3000U);
 }
 
+// Where it leaves the edge doubles tell its angles to about the root of an ulp, which is more than a hundredth of this
+// tolerance: those pieces, with B at 180 degrees, say so, and no others.
+TEST(ProgramPath, TheEdgeOfReachAtAFineTolerance) {
+  constexpr double tolerance = 0.001;
+  const spec::Case c = make(kNutating + kFive, "G90 G00 X10. Y20. Z30.\nG43.5 H1 P1\nG01 I1. F1000\nI1. K1.\n");
+  ProgramPath path(c, recorded(c, "XYZBC"), {tolerance, tolerance});
+  double wide = 0;
+  for (PathPiece piece; path.next(piece);) {
+    EXPECT_LE(std::max(piece.error.linear, piece.error.rotary), tolerance * 16 / 100);
+    if (std::max(piece.error.linear, piece.error.rotary) <= tolerance / 100) continue;
+    EXPECT_NEAR(piece.end[3], 180, tolerance);
+    wide += std::fabs(piece.end[3] - piece.begin[3]);
+  }
+  EXPECT_EQ(path.undecided(), "");
+  EXPECT_GT(wide, 0);
+  EXPECT_LT(wide, tolerance);
+}
+
 // Random programs.
 TEST(ProgramPath, SamplesOfRandomPrograms) {
   std::size_t seen = 0;
