@@ -1,79 +1,30 @@
 #include "certify/trace/curve_bound.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
 
 #include "certify/trace/jet.h"
+#include "certify/trace/posture_jets.h"
 #include "model/kinematics/machine.h"
 
 namespace toolcomp::certify {
 namespace {
 
 using exact::Rational;
-using exact::Real;
 using model::Machine;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-Interval enclosed(const Real& x) {
-  const exact::DoubleEnclosure bounds = x.double_enclosure();
-  return {bounds.lower, bounds.upper};
-}
-IntervalVector enclosed(const exact::Vector3& v) { return {enclosed(v.x), enclosed(v.y), enclosed(v.z)}; }
-
-Interval pi() { return boost::numeric::interval_lib::pi<Interval>(); }
-// Exact numbers are enclosed before an object of Rounding lives: libraries of theirs may count on rounding to nearest.
-Interval radians(const Interval& degrees) {
-  const Rounding upward;
-  return degrees * pi() / 180.0;
-}
-Interval degrees(const Interval& radians) { return radians * 180.0 / pi(); }
 
 // Of an interval of sizes; what is no number has no bound.
 double bound(const Interval& x) {
   const double upper = x.upper();
   return upper >= 0 ? upper : kInfinite;
 }
-Interval size(const Interval& x) { return boost::numeric::abs(x); }
 
-// A rotary axis.
-struct Axis {
-  std::size_t about = 2;  // 0, 1, 2: X, Y, Z; 3: another line
-  IntervalVector line;
-
-  explicit Axis(const model::Turn& turn) : about(turn.about), line(enclosed(turn.line)) {}
-
-  // v - (line · v) line.
-  [[nodiscard]] JetVector across(const JetVector& v) const {
-    if (about == 3) return v - dot(constant(line), v) * constant(line);
-    JetVector result = v;
-    result.at(about) = Jet();
-    return result;
-  }
-  [[nodiscard]] JetVector turned(const JetVector& v, const Turned& by) const {
-    if (about == 3) {
-      const JetVector k = constant(line);
-      const JetVector part = across(v);
-      return (v - part) + by.cosine * part + by.sine * cross(k, v);
-    }
-    const std::size_t j = (about + 1) % 3;
-    const std::size_t k = (about + 2) % 3;
-    JetVector result = v;
-    result.at(j) = by.cosine * v.at(j) - by.sine * v.at(k);
-    result.at(k) = by.sine * v.at(j) + by.cosine * v.at(k);
-    return result;
-  }
-};
-
-Turned turn_at(const model::Turn& turn, const model::Angle& position) {
-  const model::Angle angle = turn.angle(position);
-  return {enclosed(angle.cosine()), enclosed(angle.sine())};
-}
+Interval degrees(const Interval& radians) { return radians * 180.0 / boost::numeric::interval_lib::pi<Interval>(); }
 
 // The path of the tip.
 class Tip {
@@ -126,235 +77,57 @@ class Tip {
   std::optional<Turn> turn_;
 };
 
-// Turns of both axes, as they act on the tool.
-struct Turns {
-  Turned tool;
-  Turned work;
-};
+// What carries tool and table.
+struct Mechanism {
+  explicit Mechanism(const model::ControlFrame& frame)
+      : type(frame.machine.type()),
+        tool(frame.machine.tool_side()),
+        work(frame.machine.work_side()),
+        reference(enclosed(frame.machine.reference())),
+        table(enclosed(frame.machine.arms().table)),
+        table_step(enclosed(frame.machine.arms().table_step)),
+        head(enclosed(frame.machine.arms().head)),
+        head_step(enclosed(frame.machine.arms().head_step)),
+        origin(enclosed(frame.frame.origin())),
+        frozen{turn_at(frame.machine.tool_side(), frame.frame.frozen().tool),
+               turn_at(frame.machine.work_side(), frame.frame.frozen().work)} {}
 
-// EvenTurns, and a level LiftedSwing.
-class Even {
- public:
-  Even(const Machine& machine, const model::EvenTurns& turns)
-      : start_{turn_at(machine.tool_side(), turns.start.tool), turn_at(machine.work_side(), turns.start.work)},
-        tool_(rate(machine.tool_side(), turns.end.tool - turns.start.tool)),
-        work_(rate(machine.work_side(), turns.end.work - turns.start.work)) {}
-  // A swing at right angles to the work-side axis, which alone turns: the tool-side axis may stand at the edge of its
-  // reach, where its rate could not be bounded.
-  Even(const Machine& machine, const model::LiftedSwing& level)
-      : start_{turn_at(machine.tool_side(), level.start.tool), turn_at(machine.work_side(), level.start.work)},
-        tool_(0.0),
-        work_(static_cast<double>(level.side) * radians(enclosed(level.direction.degrees))) {}
-
-  [[nodiscard]] Turns at(const Interval& t) const {
-    return {start_.tool + turning(t, 0.0, tool_), start_.work + turning(t, 0.0, work_)};
-  }
-
- private:
-  static Interval rate(const model::Turn& turn, const model::Angle& by) {
-    const Interval result = radians(enclosed(by.plain_degrees()));
-    return turn.sense < 0 ? -result : result;
-  }
-  Turns start_;
-  Interval tool_;  // radians
-  Interval work_;
-};
-
-// DirectionSwing.
-class Swing {
- public:
-  explicit Swing(const model::DirectionSwing& swing)
-      : from_(enclosed(swing.from)), ahead_(enclosed(swing.ahead)), rate_(radians(enclosed(swing.degrees))) {}
-
-  [[nodiscard]] JetVector at(const Interval& t) const {
-    const Turned swept = turning(t, 0.0, rate_);
-    return swept.cosine * constant(from_) + swept.sine * constant(ahead_);
-  }
-  [[nodiscard]] const IntervalVector& from() const { return from_; }
-  [[nodiscard]] const IntervalVector& ahead() const { return ahead_; }
-  [[nodiscard]] const Interval& rate() const { return rate_; }
-
- private:
-  IntervalVector from_;
-  IntervalVector ahead_;
-  Interval rate_;
-};
-
-// LiftedSwing, by inverse kinematics (model/kinematics/inverse.h). C is the height of the direction over the mean one,
-// ρ its greatest. Where a pole is in reach ρ - C = 1 - u_w·V (ρ + C = 1 + u_w·V) is taken from the distance h of the
-// direction from the work-side axis, so that it keeps its relative width beside the pole.
-class Lifted {
- public:
-  Lifted(const Machine& machine, const model::LiftedSwing& swing)
-      : swing_(swing.direction),
-        axis_(machine.work_side()),
-        along_(enclosed(machine.heights().along)),
-        across_(enclosed(machine.heights().across)),
-        ahead_(enclosed(machine.heights().ahead)),
-        mean_(enclosed(machine.heights().mean)),
-        a_(enclosed(machine.heights().a)),
-        b_(enclosed(machine.heights().b)),
-        swing2_(enclosed(machine.heights().swing2)),
-        upper_pole_(machine.singular(1) != nullptr),
-        lower_pole_(machine.singular(-1) != nullptr),
-        branch_(swing.branch) {}
-
-  [[nodiscard]] Turns at(const Interval& t) const {
-    const JetVector direction = swing_.at(t);
-    const Jet along = dot(constant(axis_.line), direction);
-    const JetVector aside = axis_.across(direction);
-    const Jet aside2 = square(aside[0]) + square(aside[1]) + square(aside[2]);
-    const Interval rho = boost::numeric::sqrt(swing2_);
-    const Jet height = along - Jet(mean_);
-    const Jet one(1.0);
-    const Jet below = upper_pole_ && along.value.lower() > 0 ? aside2 * inverse(one + along) : Jet(rho) - height;
-    const Jet above = lower_pole_ && along.value.upper() < 0 ? aside2 * inverse(one - along) : Jet(rho) + height;
-    const Jet depth = branch_ * root(below * above);
-    Turns result;
-    const Interval scale = 1.0 / swing2_;
-    result.tool.cosine = scale * (a_ * height - b_ * depth);
-    result.tool.sine = scale * (b_ * height + a_ * depth);
-    const JetVector tilted =
-        constant(along_) + result.tool.cosine * constant(across_) + result.tool.sine * constant(ahead_);
-    const Jet scale2 = inverse(aside2);
-    result.work.cosine = dot(tilted, aside) * scale2;
-    result.work.sine = dot(cross(constant(axis_.line), tilted), aside) * scale2;
-    return result;
-  }
-
- private:
-  Swing swing_;
-  Axis axis_;
-  IntervalVector along_;
-  IntervalVector across_;
-  IntervalVector ahead_;
-  Interval mean_;
-  Interval a_;
-  Interval b_;
-  Interval swing2_;
-  bool upper_pole_;
-  bool lower_pole_;
-  double branch_;
-};
-
-// LiftedSwing in the plane of the work-side axis, on a machine whose tool reaches the pole p u_w, p = 1 or -1, but
-// whose axes are not at right angles. φ is the signed angle from the direction to the pole, α that of u_t and t0, which
-// is also that of u_t and the pole. In the isosceles triangle of u_t, the pole and the tilted direction, which stands
-// by the turn δ from the pole,
-//   sin(δ/2) = ± sin(φ/2) / sin α,   tan ψ = cos α tan(δ/2),
-// where ψ is the angle between the base and its direction at the pole: the azimuth that the tilted direction has swung
-// about p u_w. The work-side axis turns back by it; where the direction passes the pole both azimuths change by 180
-// degrees, and the axis does not. From φ: cos²ψ = (1 - sin²(δ/2)) / cos²(φ/2).
-class Meridian {
- public:
-  Meridian(const Machine& machine, const model::LiftedSwing& swing, int pole)
-      : pole_(pole),
-        work_(turn_at(machine.work_side(), swing.start.work)),
-        cosine_(enclosed(exact::dot(machine.tool_side().line, machine.heights().along))) {
-    const Swing direction(swing.direction);
-    rate_ = direction.rate();
-    const IntervalVector axis = enclosed(machine.work_side().line);
-    const Interval a = enclosed(machine.heights().a);
-    const Interval b = enclosed(machine.heights().b);
-    const Interval swing2 = enclosed(machine.heights().swing2);
-    const Rounding upward;
-    const double side = pole;
-    const Interval rho = boost::numeric::sqrt(swing2);
-    tool_ = {side * a / rho, side * b / rho};
-    // Behind the pole φ is negative.
-    double before = -1;
-    if (swing.pole == 0) {
-      phi_ = angle(side * dot(constant(axis), constant(direction.from())).value,
-                   side * dot(constant(axis), constant(direction.ahead())).value);
-      before = phi_.lower() > 0 ? 1 : -1;
+  // The control point less the workpiece zero, as ProgrammingFrame has it.
+  [[nodiscard]] JetVector control_point(const JetVector& tip, const Turns& now, const Jet& length) const {
+    const JetVector tool_vector = length * constant(reference);
+    switch (type) {
+      case model::MachineType::table: {
+        const JetVector first = tip + constant(origin) - constant(table);
+        const JetVector second = tool.turned(first, frozen.tool) - constant(table_step);
+        const JetVector carried = work.turned(second, frozen.work + -now.work) + constant(table_step);
+        return tool.turned(carried, -now.tool) + constant(table) - constant(origin) + tool_vector;
+      }
+      case model::MachineType::mixed: {
+        const JetVector first = tip + constant(origin) - constant(table);
+        const JetVector carried = work.turned(first, frozen.work + -now.work) + constant(table) - constant(origin);
+        return carried + tool.turned(tool_vector + constant(head), now.tool);
+      }
+      default:
+        return tip + work.turned(tool.turned(tool_vector + constant(head), now.tool) + constant(head_step), now.work);
     }
-    scale_ = before * side * swing.branch / boost::numeric::sqrt(1.0 - boost::numeric::square(cosine_));
-    const Turned start = swung(0.0).second;
-    turned_back_ = {start.cosine.value, start.sine.value};
   }
 
-  [[nodiscard]] Turns at(const Interval& t) const {
-    const auto [delta, psi] = swung(t);
-    const Turned by = turned_back_ + -psi;
-    return {tool_ + delta, work_ + (pole_ > 0 ? by : -by)};
-  }
-
- private:
-  // δ and ψ.
-  [[nodiscard]] std::pair<Turned, Turned> swung(const Interval& t) const {
-    const Turned half = turning(t, phi_ / 2.0, -rate_ / 2.0);
-    const Jet s = scale_ * half.sine;
-    const Jet c = root(Jet(1.0) - square(s));
-    const Jet scale = inverse(half.cosine);
-    return {{Jet(1.0) - Interval(2.0) * square(s), Interval(2.0) * (s * c)}, {c * scale, cosine_ * s * scale}};
-  }
-  // Of the middles; they, the function and its result are off by a few ulps.
-  static Interval angle(const Interval& x, const Interval& y) {
-    constexpr double ulps = 16 * std::numeric_limits<double>::epsilon();
-    return Interval(std::atan2(median(y), median(x))) + Interval(-ulps, ulps) +
-           size(width(x) + width(y)) * Interval(-2, 2);
-  }
-  int pole_;
-  Turned tool_;         // at the pole
-  Turned work_;         // at the start
-  Turned turned_back_;  // ψ there
-  Interval phi_ = 0.0;  // there
-  Interval rate_;       // radians
-  Interval cosine_;     // of α
-  Interval scale_;      // 1 / sin α, with the sign of the branch
+  model::MachineType type;
+  RotaryAxis tool;
+  RotaryAxis work;
+  IntervalVector reference;
+  IntervalVector table;
+  IntervalVector table_step;
+  IntervalVector head;
+  IntervalVector head_step;
+  IntervalVector origin;
+  Turns frozen;
 };
 
 }  // namespace
 
 struct CurveBound::Motion {
   using Posture = std::variant<std::monostate, Even, Swing, Lifted, Meridian>;
-
-  // Of the mechanism.
-  struct Mechanism {
-    explicit Mechanism(const model::ControlFrame& frame)
-        : type(frame.machine.type()),
-          tool(frame.machine.tool_side()),
-          work(frame.machine.work_side()),
-          reference(enclosed(frame.machine.reference())),
-          table(enclosed(frame.machine.arms().table)),
-          table_step(enclosed(frame.machine.arms().table_step)),
-          head(enclosed(frame.machine.arms().head)),
-          head_step(enclosed(frame.machine.arms().head_step)),
-          origin(enclosed(frame.frame.origin())),
-          frozen{turn_at(frame.machine.tool_side(), frame.frame.frozen().tool),
-                 turn_at(frame.machine.work_side(), frame.frame.frozen().work)} {}
-
-    // The control point less the workpiece zero, as ProgrammingFrame has it.
-    [[nodiscard]] JetVector control_point(const JetVector& tip, const Turns& now, const Jet& length) const {
-      const JetVector tool_vector = length * constant(reference);
-      switch (type) {
-        case model::MachineType::table: {
-          const JetVector first = tip + constant(origin) - constant(table);
-          const JetVector second = tool.turned(first, frozen.tool) - constant(table_step);
-          const JetVector carried = work.turned(second, frozen.work + -now.work) + constant(table_step);
-          return tool.turned(carried, -now.tool) + constant(table) - constant(origin) + tool_vector;
-        }
-        case model::MachineType::mixed: {
-          const JetVector first = tip + constant(origin) - constant(table);
-          const JetVector carried = work.turned(first, frozen.work + -now.work) + constant(table) - constant(origin);
-          return carried + tool.turned(tool_vector + constant(head), now.tool);
-        }
-        default:
-          return tip + work.turned(tool.turned(tool_vector + constant(head), now.tool) + constant(head_step), now.work);
-      }
-    }
-
-    model::MachineType type;
-    Axis tool;
-    Axis work;
-    IntervalVector reference;
-    IntervalVector table;
-    IntervalVector table_step;
-    IntervalVector head;
-    IntervalVector head_step;
-    IntervalVector origin;
-    Turns frozen;
-  };
 
   // What is measured.
   void measure(const spec::Axes& axes, const TraceSpace& space) {
@@ -469,7 +242,8 @@ CurveBound::Part CurveBound::part(const Rational& t0, const Rational& t1) const 
   const auto rotate = [&](const Turned& turned) {
     const Interval diameter = boost::numeric::sqrt(boost::numeric::square(Interval(width(turned.cosine.value))) +
                                                    boost::numeric::square(Interval(width(turned.sine.value))));
-    result.sagitta.rotary = std::max(result.sagitta.rotary, bound(size(degrees(second_of_angle(turned))) * eighth));
+    result.sagitta.rotary =
+        std::max(result.sagitta.rotary, bound(boost::numeric::abs(degrees(second_of_angle(turned))) * eighth));
     result.extent.rotary = std::max(result.extent.rotary, diameter.upper() <= 1 ? bound(diameter * 60.0) : kInfinite);
   };
   if (at.turns && motion_->tool_measured) rotate(at.turns->tool);

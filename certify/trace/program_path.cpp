@@ -7,12 +7,12 @@
 #include <deque>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "certify/trace/blocks.h"
+#include "certify/trace/chords.h"
 #include "certify/trace/curve_bound.h"
-#include "fuzz/oracle/control.h"
 #include "model/basis/number.h"
 #include "model/fanuc/program/motion.h"
 #include "spec/language/input_error.h"
@@ -27,10 +27,6 @@ using exact::Real;
 constexpr double kMostOfTolerance = 100;
 // Of what is left a sixteenth is for the rounding of coordinates.
 constexpr double kForChords = 15.0 / 16;
-// A part is divided at once into as many chords of one bound, or it is halved.
-constexpr double kMostChords = 16;
-// By then a part is shorter than the ulp of its place.
-constexpr int kMostHalvings = 64;
 
 using Reals = std::array<Real, spec::kMaxAxes>;
 
@@ -42,49 +38,6 @@ struct Place {
   Distance off;
 };
 
-// The program, read and run block by block.
-class Blocks {
- public:
-  virtual ~Blocks() = default;
-  // The next block; false where the run has ended.
-  virtual bool next() = 0;
-};
-
-template <class Control>
-class BlocksOf : public Blocks {
- public:
-  BlocksOf(const spec::Case& c, model::EventSink& events, model::MotionSink& motions)
-      : reader_(Control::reader(spec::text_source(c.program), c.setup, "program")),
-        block_(std::make_unique<typename Control::Block>()),
-        model_(make(c.setup, recorder_, events, motions)) {}
-
-  bool next() override {
-    if (ended_) return false;
-    if (!model_.stopped() && reader_.next(*block_)) {
-      model_.block(*block_);
-      return true;
-    }
-    ended_ = true;
-    model_.end();
-    return true;
-  }
-
- private:
-  static typename Control::Model make(const spec::Setup& setup, model::Recorder& recorder, model::EventSink& events,
-                                      model::MotionSink& motions) {
-    if constexpr (std::is_same_v<Control, fuzz::FanucControl>)
-      return typename Control::Model(setup, recorder, events, 0, &motions);
-    else
-      return typename Control::Model(setup, recorder, events);
-  }
-
-  model::Recorder recorder_;
-  typename Control::Reader reader_;
-  std::unique_ptr<typename Control::Block> block_;
-  typename Control::Model model_;
-  bool ended_ = false;
-};
-
 // What the model has given and no piece was made of yet.
 struct Given {
   std::uint64_t line = 0;
@@ -93,23 +46,12 @@ struct Given {
   std::optional<model::Event> move;
 };
 
-// A curve in the making: parts of it still to be divided, the next one last.
+// A curve in the making.
 struct Curve {
-  struct Part {
-    Rational from;
-    Rational to;
-    int halvings = 0;
-  };
-  CurveBound bound;
+  Chords chords;
   std::shared_ptr<const model::InsideMove> inside;  // none: an arc
   Reals from;                                       // all axes
   Reals by;
-  std::vector<Part> parts;
-  // Chords of the part that is being run, all of one length.
-  Rational at;
-  Rational length;
-  std::uint64_t chords = 0;
-  Distance error;
 };
 
 }  // namespace
@@ -134,7 +76,7 @@ class ProgramPath::Run : public model::EventSink, public model::MotionSink {
   bool begin(const Given& given, PathPiece& piece);
   [[nodiscard]] std::optional<CurveBound> bend(const Given& given, const Reals& from, const Reals& points) const;
   bool chord(PathPiece& piece);
-  bool divide();
+  void end(std::string why);
   [[nodiscard]] Place inside(const Rational& t) const;
 
   const spec::Case& case_;
@@ -178,8 +120,7 @@ ProgramPath::Run::Run(const spec::Case& c, TraceSpace space, Distance tolerance,
     if (const auto start = c.setup.position.find(c.setup.axes.letter(i)); start != c.setup.position.end())
       axes_.at(i) = model::plain(start->second);
   point_ = axes_;
-  fuzz::with_control(c.setup,
-                     [&]<class Control>(Control) { blocks_ = std::make_unique<BlocksOf<Control>>(c, *this, *this); });
+  blocks_ = blocks_of(c, *this, *this);
   // At the beginning the engine has said where positions are counted from.
   if (!given_.empty()) {
     zero_ = given_.front().motion.zero;
@@ -218,12 +159,16 @@ bool ProgramPath::Run::next(PathPiece& piece) {
   try {
     return next_piece(piece);
   } catch (const exact::Undecided&) {
-    closed_ = true;
-    undecided_ = "a position inside line " + std::to_string(piece_.line) + " could not be certified";
-    given_.clear();
-    curve_.reset();
+    end("a position inside line " + std::to_string(piece_.line) + " could not be certified");
     return false;
   }
+}
+
+void ProgramPath::Run::end(std::string why) {
+  undecided_ = std::move(why);
+  closed_ = true;
+  given_.clear();
+  curve_.reset();
 }
 
 bool ProgramPath::Run::next_piece(PathPiece& piece) {
@@ -305,7 +250,7 @@ bool ProgramPath::Run::begin(const Given& given, PathPiece& piece) {
   piece_.free = !options_.judge_rapids && event.type == spec::MoveType::rapid;
   std::optional<CurveBound> bound = piece_.free ? std::nullopt : bend(given, from, points);
   if (bound) {
-    curve_.emplace(Curve{std::move(*bound), given.motion.inside, from, {}, {{0, 1, 0}}, {}, {}, 0, {}});
+    curve_.emplace(Curve{Chords(*std::move(bound), most_), given.motion.inside, from, {}});
     for (std::size_t i = 0; i < axes_.size(); ++i) curve_->by.at(i) = axes_.at(i) - from.at(i);
     return false;
   }
@@ -338,63 +283,26 @@ std::optional<CurveBound> ProgramPath::Run::bend(const Given& given, const Reals
   return CurveBound(model::path_along(begin, end, *arc, axes), offset_before, offset_after, axes, space_);
 }
 
-// The next chord of the curve. False: there is none (the curve has ended, or does not move a measured axis).
+// The next chord of the curve. False: there is none (no bound is found), or it moves no measured axis.
 bool ProgramPath::Run::chord(PathPiece& piece) {
-  Curve& curve = *curve_;
-  if (curve.chords == 0 && !divide()) {
-    curve_.reset();
+  const std::optional<Chords::Chord> chord = curve_->chords.next();
+  if (!chord) {
+    end("how line " + std::to_string(piece_.line) + " bends inside could not be bounded");
     return false;
   }
-  curve.at += curve.length;
-  --curve.chords;
-  const bool last = curve.parts.empty() && curve.chords == 0;
-  const Place before = std::exchange(here_, last ? end_ : inside(curve.at));
+  const Place before = std::exchange(here_, chord->last ? end_ : inside(chord->end));
   piece = piece_;
   piece.begin = before.at;
   piece.end = here_.at;
-  piece.corner = last;
-  piece.error = curve.error;
+  piece.corner = chord->last;
+  piece.error = chord->error;
   if (piece.error.linear > 0)
     piece.error.linear = upward(piece.error.linear + std::max(before.off.linear, here_.off.linear));
   if (piece.error.rotary > 0)
     piece.error.rotary = upward(piece.error.rotary + std::max(before.off.rotary, here_.off.rotary));
   piece.curved = piece.error.linear > 0 || piece.error.rotary > 0;
-  if (last) curve_.reset();
+  if (chord->last) curve_.reset();
   return piece.curved || !same(piece.begin, piece.end);
-}
-
-// Takes the next part into chords that are near enough. False where no bound is found, and then the path ends.
-bool ProgramPath::Run::divide() {
-  // Of one kind of axes; the sagitta of equal chords goes with the square of their length.
-  const auto chords = [](double sagitta, double extent, double most) {
-    return extent <= most ? 1 : std::max(1.0, std::ceil(std::sqrt(sagitta / most)));
-  };
-  Curve& curve = *curve_;
-  for (;;) {
-    const Curve::Part part = std::move(curve.parts.back());
-    curve.parts.pop_back();
-    const auto [sagitta, extent] = curve.bound.part(part.from, part.to);
-    const double needed = std::max(chords(sagitta.linear, extent.linear, most_.linear),
-                                   chords(sagitta.rotary, extent.rotary, most_.rotary));
-    if (needed <= kMostChords) {
-      const double square = needed * needed;
-      curve.at = part.from;
-      curve.chords = static_cast<std::uint64_t>(needed);
-      curve.length = (part.to - part.from) / curve.chords;
-      curve.error = {std::min(sagitta.linear > 0 ? upward(sagitta.linear / square) : 0, extent.linear),
-                     std::min(sagitta.rotary > 0 ? upward(sagitta.rotary / square) : 0, extent.rotary)};
-      return true;
-    }
-    if (part.halvings == kMostHalvings) {
-      closed_ = true;
-      undecided_ = "how line " + std::to_string(piece_.line) + " bends inside could not be bounded";
-      given_.clear();
-      return false;
-    }
-    const Rational middle = (part.from + part.to) / 2;
-    curve.parts.push_back({middle, part.to, part.halvings + 1});
-    curve.parts.push_back({part.from, middle, part.halvings + 1});
-  }
 }
 
 // The place at t of the curve.
@@ -404,7 +312,7 @@ Place ProgramPath::Run::inside(const Rational& t) const {
   Reals even;
   for (std::size_t i = 0; i < even.size(); ++i) even.at(i) = curve.from.at(i) + Real(t) * curve.by.at(i);
   Place result = place(even);
-  const auto space = curve.bound.space_at(t);
+  const auto space = curve.chords.bound().space_at(t);
   for (const std::size_t axis : space_.linear) {
     const char letter = case_.setup.axes.letter(axis);
     if (!model::is_space_axis(letter)) continue;

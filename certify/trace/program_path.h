@@ -22,7 +22,7 @@ enum class PathFrame : std::uint8_t {
 struct ProgramPathOptions {
   bool judge_rapids = true;  // false: rapid moves are free pieces
   PathFrame frame = PathFrame::workpiece;
-  std::function<void(const model::Event&)> on_event = {};  // gets every event, before the pieces of its move
+  std::function<void(const model::Event&)> on_event;  // gets every event, before the pieces of its move
 };
 
 // The pieces of a run of `c.program`, in order. The model is fed as few blocks as the next piece needs, so memory grows
@@ -30,9 +30,11 @@ struct ProgramPathOptions {
 //
 // Straight moves are one piece; its ends are the exact ones as doubles, off by the ulp that a recording in doubles is
 // off, too, and its error is 0. Curves, that is arcs and what bends under tool center point control, are divided until
-// a chord is certified to be within a hundredth of the tolerance (curve_bound.h); the points between them are exact
-// positions at the same fraction of the move, as doubles. Their error is that of the chord and what its ends are off.
-// Where the path goes along a curve evenly with t so does the piece: at the same fraction of it they are that near.
+// a chord is certified to be within a hundredth of the tolerance (curve_bound.h; where the tool-side axis leaves the
+// edge of its reach, whose rate is infinite, and the tolerance is near what doubles tell there, a few times that); the
+// points between them are exact positions at the same fraction of the move, as doubles. Their error is that of the
+// chord and what its ends are off. Where the path goes along a curve evenly with t so does the piece: at the same
+// fraction of it they are that near.
 class ProgramPath : public PathSource {
  public:
   // `tolerance`: of what `space` measures; positive. `c` must outlive the path. Samples of the case are not made.

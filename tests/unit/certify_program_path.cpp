@@ -519,7 +519,7 @@ TEST(ProgramPath, PastThePole) {
     double degrees;
   };
   for (const Pass& pass : {Pass{"1.", 1e-1}, Pass{"100.", 1e-3}, Pass{"100000.", 1e-6}}) {
-    for (const std::string& machine : {kHead, kTable, kMixed}) {
+    for (const std::string& machine : {kHead, kNutating, kTable, kMixed}) {
       SCOPED_TRACE(pass.words + " " + machine);
       const spec::Case c =
           make(machine + kFive, "G90 G00 X10. Y20. Z30.\nG43.5 H1 P1\nG01 I" + pass.words + " J0.0017 K" + pass.words +
@@ -528,6 +528,7 @@ TEST(ProgramPath, PastThePole) {
       EXPECT_EQ(expect_samples(c, letters, 1, 100), 2 * 99U);
       const Ran ran = run(c, letters);
       EXPECT_TRUE(ran.alarm.empty() && ran.undecided.empty()) << ran.alarm << ran.undecided;
+      if (machine == kNutating) continue;  // its tool side swings, too
       double swung = 0;
       for (const PathPiece& piece : ran.pieces)
         if (piece.line == 4) swung += std::fabs(piece.end[4] - piece.begin[4]);
@@ -589,6 +590,24 @@ TEST(ProgramPath, AlongTheEdgeOfReach) {
       make(kNutating + kFive, "G90 G00 X10. Y20. Z30.\nG43.5 H1 P1\nG01 I1. F1000\nX20. J1.\nI1. K1.\nI1. J1.\n");
   EXPECT_EQ(expect_samples(c, "XYZBC", 0.1, 50), 4 * 49U);
   EXPECT_LT(run(c, "XYZBC", 0.1).pieces.size(), 3000U);
+}
+
+// Where it leaves the edge doubles tell its angles to about the root of an ulp, which is more than a hundredth of this
+// tolerance: those pieces, with B at 180 degrees, say so, and no others.
+TEST(ProgramPath, TheEdgeOfReachAtAFineTolerance) {
+  constexpr double tolerance = 0.001;
+  const spec::Case c = make(kNutating + kFive, "G90 G00 X10. Y20. Z30.\nG43.5 H1 P1\nG01 I1. F1000\nI1. K1.\n");
+  ProgramPath path(c, recorded(c, "XYZBC"), {tolerance, tolerance});
+  double wide = 0;
+  for (PathPiece piece; path.next(piece);) {
+    EXPECT_LE(std::max(piece.error.linear, piece.error.rotary), tolerance * 16 / 100);
+    if (std::max(piece.error.linear, piece.error.rotary) <= tolerance / 100) continue;
+    EXPECT_NEAR(piece.end[3], 180, tolerance);
+    wide += std::fabs(piece.end[3] - piece.begin[3]);
+  }
+  EXPECT_EQ(path.undecided(), "");
+  EXPECT_GT(wide, 0);
+  EXPECT_LT(wide, tolerance);
 }
 
 // Random programs.
