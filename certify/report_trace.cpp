@@ -61,6 +61,7 @@ std::string html_report(const TraceReport& report) {
       "were not reached, {} {} of {} are covered.</p>\n",
       r.samples, plain(report.options.tolerance, 9), unit, rotary, r.off, r.corners_missed, r.corners,
       plain(r.covered, 6), unit, plain(r.length, 6));
+  if (r.cause) body += "<p><b>One mistake explains everything found:</b> " + escape(*r.cause) + ".</p>\n";
   body += "<h2>Findings</h2>\n" + findings(report);
   body += "<h2>Path</h2>\n" + path_svg(r.events, setup.axes, drawing);
   std::uint64_t marked = r.findings.empty() ? 0 : r.findings.front().line;

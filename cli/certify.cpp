@@ -86,6 +86,7 @@ int certify_trace(const CertifyOptions& options) {
   certify::write_report(report, options.report);
   fmt::print("{} samples, {} off the path, {} of {} corners missed, worst accepted {:.6g}\n", report.result.samples,
              report.result.off, report.result.corners_missed, report.result.corners, report.result.worst.upper);
+  if (report.result.cause) fmt::print("one mistake explains everything found: {}\n", *report.result.cause);
   for (const certify::TraceFinding& finding : report.result.findings)
     fmt::print("{}:{}: {} of line {} by {}\n", options.trace, finding.sample, finding.kind, finding.line,
                certify::extent(finding));

@@ -90,7 +90,9 @@ TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::strin
   TraceResult result;
   Recording recording(csv, file, c.setup.axes, fuzz::ProgramFacts::of(c).units().value_or(c.setup.units));
   const Metric metric(recorded_space(c.setup.axes, recording, result), tolerance);
-  ProgramPathOptions path_options{.judge_rapids = options.judge_rapids, .frame = options.frame};
+  ProgramPathOptions path_options;
+  path_options.judge_rapids = options.judge_rapids;
+  path_options.frame = options.frame;
   path_options.on_event = [&](const model::Event& event) {
     if (result.events.size() < kMostEvents) result.events.push_back(in_double(event));
   };

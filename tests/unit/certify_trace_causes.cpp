@@ -59,7 +59,8 @@ struct Recorder {
     for (PathPiece piece; path.next(piece);) {
       if (r.at.empty()) r.stand(piece.begin);
       double length = 0;
-      for (std::size_t i = 0; i < piece.end.size(); ++i) length = std::max(length, std::fabs(piece.end[i] - piece.begin[i]));
+      for (std::size_t i = 0; i < piece.end.size(); ++i)
+        length = std::max(length, std::fabs(piece.end[i] - piece.begin[i]));
       const int steps = std::max(1, static_cast<int>(std::ceil(length / 0.1)));
       for (int k = 1; k <= steps; ++k) {
         AxisPoint p = piece.begin;
@@ -169,7 +170,8 @@ TEST(TraceCauses, Offsets) {
             "D1 (here 4.5) is off by +0.0");
 }
 
-const char* const kTip = "G90 G00 G43.4 H0 X0 Y0 Z0 A0 C0\nG01 X40. Y10. A20. C30. F100\nY-30. A-10. C75.\nX0 C-20.\nG49\n";
+const char* const kTip =
+    "G90 G00 G43.4 H0 X0 Y0 Z0 A0 C0\nG01 X40. Y10. A20. C30. F100\nY-30. A-10. C75.\nX0 C-20.\nG49\n";
 
 TEST(TraceCauses, NoTipControl) {
   const spec::Case c = five_axes(kTip);

@@ -9,15 +9,18 @@
 #include <utility>
 #include <vector>
 
+#include "certify/trace/causes/follow.h"
 #include "certify/trace/causes/least.h"
+#include "certify/trace/causes/listed_path.h"
 #include "certify/trace/causes/other_case.h"
 #include "certify/trace/causes/programmed_path.h"
-#include "certify/trace/matcher.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify {
 namespace {
 
+// Of longer paths no cause is found that leaves the path as it is.
+constexpr std::size_t kMostPieces = 100000;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 using MakePath = std::function<std::unique_ptr<PathSource>(Distance tolerance)>;
@@ -37,6 +40,8 @@ class Causes {
   }
 
   std::optional<std::string> find() {
+    // What was found is not about the path.
+    if (conforms(path(), as_recorded())) return std::nullopt;
     for (const OtherCase& other : other_cases(c_))
       if (conforms(path_of(other.c), as_recorded())) return other.cause;
     if (auto cause = no_tip_control()) return cause;
@@ -60,35 +65,37 @@ class Causes {
       return std::make_unique<ProgramPath>(c, metric_.space(), tolerance, options_);
     };
   }
-  [[nodiscard]] MakePath path() const { return path_of(c_); }
+  // The exact path; it is made once for each tolerance.
+  [[nodiscard]] MakePath path() const {
+    return [this](Distance tolerance) -> std::unique_ptr<PathSource> {
+      Pieces& kept = tolerance.linear == metric_.tolerance().linear ? pieces_ : wide_pieces_;
+      if (!kept) {
+        ProgramPath made(c_, metric_.space(), tolerance, options_);
+        auto pieces = std::make_shared<std::vector<PathPiece>>();
+        for (PathPiece piece; pieces->size() < kMostPieces && made.next(piece);) pieces->push_back(piece);
+        kept = std::move(pieces);
+      }
+      return std::make_unique<ListedPath>(kept);
+    };
+  }
 
-  // What the judge finds; nothing where there is no such path.
-  [[nodiscard]] std::optional<TraceResult> judge(const MakePath& make, const Recorded& recorded,
-                                                 const Metric& metric) const {
-    TraceResult result;
+  // The largest distance in tolerances of `metric`; nothing where the recording is beyond them, or there is no path.
+  [[nodiscard]] std::optional<double> distance(const MakePath& make, const Recorded& recorded,
+                                               const Metric& metric) const {
     try {
-      const std::unique_ptr<PathSource> path = make(metric.tolerance());
-      Findings findings(result, 1);
-      Matcher matcher(*path, metric, c_.setup.axes, result, findings);
-      for (std::size_t i = 0; i < run_.samples.size() && result.findings_total == 0; ++i)
-        matcher.take(recorded(i), run_.samples[i].line);
-      matcher.end();
+      return followed(*make(metric.tolerance()), metric, run_.samples.size(), recorded);
     } catch (const spec::InputError&) {
       return std::nullopt;  // no control could have such a setup
     }
-    return result;
   }
   [[nodiscard]] bool conforms(const MakePath& make, const Recorded& recorded) const {
-    const auto result = judge(make, recorded, metric_);
-    return result && result->findings_total == 0;
+    return distance(make, recorded, metric_).has_value();
   }
-  // The largest distance in tolerances, where it is not much more than what was found; else infinite.
+  // Compared with what was found: some tolerances, or infinite where it is much more.
   [[nodiscard]] double worst(const MakePath& make, const Recorded& recorded) const {
     const Distance& t = metric_.tolerance();
     const Metric wide(metric_.space(), {std::max(t.linear, 2 * off_.linear), std::max(t.rotary, 2 * off_.rotary)});
-    const auto result = judge(make, recorded, wide);
-    if (!result || result->findings_total > 0) return kNever;
-    return std::max(result->worst.upper / t.linear, result->worst_rotary.upper / t.rotary);
+    return distance(make, recorded, wide).value_or(kNever);
   }
 
   std::optional<std::string> no_tip_control() const {
@@ -179,7 +186,8 @@ class Causes {
     if (!conforms(path(), undone(lines))) return std::nullopt;
     std::string text;
     for (const std::size_t axis : axes_)
-      if (lines[axis].scale != 1) text += fmt::format("{}{} by {:.9g}", text.empty() ? " " : ", ", letter(axis), lines[axis].scale);
+      if (lines[axis].scale != 1)
+        text += fmt::format("{}{} by {:.9g}", text.empty() ? " " : ", ", letter(axis), lines[axis].scale);
     return "the recording is scaled:" + text + shift_text(lines, ", and shifted by");
   }
 
@@ -204,7 +212,8 @@ class Causes {
   // One axis, all axes before it or behind it in time.
   std::optional<std::string> late() const {
     if (!run_.has_time || run_.samples.size() < 3) return std::nullopt;
-    const double period = (run_.samples.back().time - run_.samples.front().time) / static_cast<double>(run_.samples.size() - 1);
+    const double period =
+        (run_.samples.back().time - run_.samples.front().time) / static_cast<double>(run_.samples.size() - 1);
     for (const std::size_t axis : axes_) {
       const auto moved = [&](double seconds) {
         return [this, axis, seconds](std::size_t i) {
@@ -215,7 +224,8 @@ class Causes {
       };
       const auto least = least_of([&](double seconds) { return worst(path(), moved(seconds)); }, 64 * period);
       if (least && conforms(path(), moved(*least)))
-        return fmt::format("axis {} is {} by {:.3g} ms", letter(axis), *least > 0 ? "late" : "early", std::fabs(*least) * 1000);
+        return fmt::format("axis {} is {} by {:.3g} ms", letter(axis), *least > 0 ? "late" : "early",
+                           std::fabs(*least) * 1000);
     }
     return std::nullopt;
   }
@@ -254,6 +264,8 @@ class Causes {
   ProgramPathOptions options_;
   Distance off_;  // the farthest that was found
   std::vector<std::size_t> axes_;
+  mutable Pieces pieces_;
+  mutable Pieces wide_pieces_;
 };
 
 }  // namespace

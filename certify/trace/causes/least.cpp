@@ -9,7 +9,7 @@ namespace toolcomp::certify {
 namespace {
 
 constexpr int kHalvings = 10;
-constexpr int kSteps = 28;
+constexpr int kSteps = 20;  // to a ten thousandth of what is between two of them
 
 }  // namespace
 
@@ -23,7 +23,8 @@ std::optional<double> least_of(const std::function<double(double)>& f, double re
   }
   std::ranges::sort(seen);
   const auto best = std::ranges::min_element(seen, {}, &std::pair<double, double>::second);
-  if (!std::isfinite(best->second)) return std::nullopt;
+  // A number between two that were tried, one of them twice the other, is a third off the nearer one at most.
+  if (!std::isfinite(best->second) || best->second > 0.75 * at_zero) return std::nullopt;
   // Golden section between its neighbours.
   double low = best == seen.begin() ? best->first : (best - 1)->first;
   double high = best + 1 == seen.end() ? best->first : (best + 1)->first;

@@ -6,9 +6,9 @@
 
 namespace toolcomp::certify {
 
-// The number in [-reach, reach] at which `f` is least, if it is less there than half of what it is at 0. `f` may be
-// infinite; near the least value it falls and rises. Some forty values are asked for, most of them near 0 where
-// mistakes are.
+// The number in [-reach, reach] at which `f` is least, if it is less there than half of what it is at 0. `f` grows
+// about evenly to both sides of it; far away it may be infinite. Some forty values are asked for, most of them near 0
+// where mistakes are.
 std::optional<double> least_of(const std::function<double(double)>& f, double reach);
 
 }  // namespace toolcomp::certify

@@ -68,8 +68,8 @@ void add_offsets(const spec::Case& c, Offsets spec::Setup::* table, char letter,
       others.push_back({name + " is taken without its wear", with(c, table, n, {entry.geometry, {}})});
     for (const auto& [m, value] : offsets)
       if (m != n && !(value == entry))
-        others.push_back({fmt::format("{} has the value of {}{}, {}", name, letter, m, total(value)),
-                          with(c, table, n, value)});
+        others.push_back(
+            {fmt::format("{} has the value of {}{}, {}", name, letter, m, total(value)), with(c, table, n, value)});
   }
 }
 
@@ -95,9 +95,8 @@ void add_values(const spec::Case& c, Offsets spec::Setup::* table, char letter, 
   for (const std::uint32_t n : numbers)
     if (const auto found = (c.setup.*table).find(n); found != (c.setup.*table).end()) {
       const spec::OffsetEntry entry = found->second;
-      values.push_back({fmt::format("{}{} (here {}) is off", letter, n, total(entry)), false, 2, [=](double by) {
-                          return with(c, table, n, {sum(entry.geometry, by), entry.wear});
-                        }});
+      values.push_back({fmt::format("{}{} (here {}) is off", letter, n, total(entry)), false, 2,
+                        [=](double by) { return with(c, table, n, {sum(entry.geometry, by), entry.wear}); }});
     }
 }
 

@@ -4,29 +4,12 @@
 #include <vector>
 
 #include "certify/convert.h"
+#include "certify/trace/causes/listed_path.h"
 #include "certify/trace/metric.h"
 #include "certify/trace/program_path.h"
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::certify {
-namespace {
-
-class ProgrammedPath : public PathSource {
- public:
-  explicit ProgrammedPath(std::vector<PathPiece> pieces) : pieces_(std::move(pieces)) {}
-  bool next(PathPiece& piece) override {
-    if (next_ == pieces_.size()) return false;
-    piece = pieces_[next_++];
-    return true;
-  }
-
- private:
-  std::vector<PathPiece> pieces_;
-  std::size_t next_ = 0;
-};
-
-}  // namespace
-
 std::unique_ptr<PathSource> programmed_path(const spec::Case& c, const TraceSpace& space) {
   if (!c.setup.parameter(19680)) return nullptr;
   std::vector<PathPiece> pieces;
@@ -54,7 +37,7 @@ std::unique_ptr<PathSource> programmed_path(const spec::Case& c, const TraceSpac
     pieces.push_back(piece);
   }
   if (!controlled) return nullptr;
-  return std::make_unique<ProgrammedPath>(std::move(pieces));
+  return std::make_unique<ListedPath>(std::make_shared<const std::vector<PathPiece>>(std::move(pieces)));
 }
 
 }  // namespace toolcomp::certify

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "certify/trace/recording.h"
@@ -17,8 +16,5 @@ struct RecordedRun {
   bool whole = true;  // nothing was left out
   bool has_time = false;
 };
-
-// Where the machine would have been recorded with one thing otherwise: the position for a sample, by its number.
-using Recorded = std::function<AxisPoint(std::size_t)>;
 
 }  // namespace toolcomp::certify
