@@ -79,6 +79,7 @@ int certify_trace(const CertifyOptions& options) {
   report.options.tolerance = number_of(options.tolerance, "--tolerance", "a length");
   if (!options.rotary_tolerance.empty())
     report.options.rotary_tolerance = number_of(options.rotary_tolerance, "--rotary-tolerance", "degrees");
+  if (options.frame == "machine") report.options.frame = certify::PathFrame::machine;
   if (fs::is_directory(options.trace)) throw spec::InputError(options.trace, 0, 0, "cannot be read: Is a directory");
   std::ifstream csv(options.trace);
   if (!csv) throw spec::InputError(options.trace, 0, 0, "cannot be read");
