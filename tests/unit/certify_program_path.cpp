@@ -100,15 +100,16 @@ TEST(ProgramPath, LinesAreOnePieceEach) {
 // of 10 are made of it.
 TEST(ProgramPath, ArcsInAllPlanes) {
   struct Plane {
+    std::string position;
     std::string words;
     std::size_t first;
     std::size_t second;
   };
-  for (const Plane& plane : {Plane{"G17 G03 X0 Y10. I-10.", 0, 1}, Plane{"G18 G03 Z0 X10. K-10.", 2, 0},
-                             Plane{"G19 G03 Y0 Z10. J-10.", 1, 2}}) {
+  for (const Plane& plane :
+       {Plane{"X=10\n", "G17 G03 X0 Y10. I-10. F100\n", 0, 1}, Plane{"Z=10\n", "G18 G03 Z0 X10. K-10. F100\n", 2, 0},
+        Plane{"Y=10\n", "G19 G03 Y0 Z10. J-10. F100\n", 1, 2}}) {
     SCOPED_TRACE(plane.words);
-    const std::string start(1, "XYZ"[plane.first]);
-    const Ran ran = run(make(kXyz + "[position]\n" + start + "=10\n", plane.words + " F100\n"), "XYZ");
+    const Ran ran = run(make(kXyz + "[position]\n" + plane.position, plane.words), "XYZ");
     ASSERT_EQ(ran.pieces.size(), 20U);
     const double step = std::numbers::pi / 2 / 20;
     for (std::size_t i = 0; i < 20; ++i) {
@@ -232,9 +233,7 @@ TEST(ProgramPath, JumpsKeepTheOrderOfHeldBlocks) {
   const Ran ran = run(make("cutter_compensation=\"C\"\n" + kXyz + kOrigins + "[offsets.D]\n1=1\n",
                            "G90 G00 X0 Y0\nG41 D1 G01 Y10. F100\nY20.\nG40 X10.\nG55\nG01 X0\n"),
                       "XYZ");
-  std::vector<std::uint64_t> lines;
-  for (const PathPiece& piece : ran.pieces) lines.push_back(piece.line);
-  EXPECT_TRUE(std::ranges::is_sorted(lines));
+  EXPECT_TRUE(std::ranges::is_sorted(ran.pieces, {}, &PathPiece::line));
   const auto jump = std::ranges::find_if(ran.pieces, [](const PathPiece& piece) { return piece.jump; });
   ASSERT_NE(jump, ran.pieces.end());
   EXPECT_EQ(jump->line, 5U);

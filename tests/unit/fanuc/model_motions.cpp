@@ -16,7 +16,6 @@ constexpr std::string_view kTable =
 
 // Writes down what it is told, in the order of the run.
 struct Motions final : model::EventSink, model::MotionSink {
-  explicit Motions(const spec::Axes& of) : axes(of) {}
   void on(const model::Event& event) override {
     events.push_back(event);
     if (event.kind == spec::EventKind::move) told.push_back("move " + std::to_string(event.line));
@@ -31,7 +30,6 @@ struct Motions final : model::EventSink, model::MotionSink {
     told.push_back("stand " + std::to_string(line) + " X" + (*zero)[0].decimal(3) + " C" + (*zero)[4].decimal(3));
   }
 
-  spec::Axes axes;
   std::vector<model::Event> events;
   std::vector<std::string> told;
   std::vector<std::shared_ptr<const model::InsideMove>> inside;
@@ -41,7 +39,7 @@ struct Motions final : model::EventSink, model::MotionSink {
 Motions follow(std::string_view program) {
   const spec::Setup setup = spec::read_setup_toml(kTable, "setup.toml");
   model::Recorder recorder;
-  Motions motions(setup.axes);
+  Motions motions;
   model::Engine engine(setup, recorder, motions, 0, &motions);
   spec::ProgramReader reader(spec::text_source(program), setup.axes);
   spec::Block block;
