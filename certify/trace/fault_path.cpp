@@ -56,7 +56,9 @@ class LeftOut {
   PathLeftOut follow() {
     PathWindow& path = scene_.path;
     const PathPlace from = fault_.left_high;
-    move_.whole = stands_near(kept_.first, path[path[from.piece].move_first].piece.begin);
+    const WindowPiece& left = path[from.piece];
+    move_.whole = left.move_first >= path.first() && !left.piece.free &&
+                  stands_near(kept_.first, path[left.move_first].piece.begin);
     for (std::size_t number = from.piece; fault_.end ? path.has(number) : number <= fault_.back_low.piece; ++number) {
       const Part part{number == from.piece ? from.at : 0,
                       !fault_.end && number == fault_.back_low.piece ? fault_.back_low.at : 1};

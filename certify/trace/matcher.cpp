@@ -141,9 +141,39 @@ void Matcher::recover(const std::vector<Hypothesis>& lost, const Sample& sample)
     measure(hypothesis, sample);
     candidates.push_back(std::move(hypothesis));
   }
+  const std::size_t off = left_.size();
+  leave_free_moves(sample);
+  for (Hypothesis& hypothesis : come_back(sample, off, recorded_)) {
+    measure(hypothesis, sample);
+    candidates.push_back(std::move(hypothesis));
+  }
+  left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(off), left_.end());
   keep(std::move(candidates));
   prune();
   settle();
+}
+
+bool Matcher::in_free_move(const Hypothesis& hypothesis) const {
+  return std::ranges::all_of(hypothesis.reach, [&](const Reached& r) { return path_[r.piece].piece.free; });
+}
+
+// Those inside a move that is not judged, as if they had left the path where they came closest to its end.
+void Matcher::leave_free_moves(const Sample& sample) {
+  for (Hypothesis& hypothesis : hypotheses_) {
+    if (!in_free_move(hypothesis)) continue;
+    const PathPlace end{hypothesis.reach.back().piece, 1};
+    const double distance = metric_.in_tolerances(metric_.between(path_.point(end), sample.at));
+    if (hypothesis.free_piece != end.piece || distance < hypothesis.closest) {
+      hypothesis.free_piece = end.piece;
+      hypothesis.closest = distance;
+      hypothesis.closest_after = recorded_;
+      hypothesis.closest_sample = sample.number;
+    }
+    Left left{hypothesis.history, hypothesis.closest_sample, sample.line, false, end, end, hypothesis.closest_after};
+    left.history.cost += kFault;
+    left_.push_back(std::move(left));
+  }
+  if (!left_.empty()) path_.has(first_needed() + kWindow);
 }
 
 void Matcher::leave(const Hypothesis& lost, std::uint64_t noticed) {
@@ -238,8 +268,9 @@ void Matcher::keep(std::vector<Hypothesis> candidates) {
 
 void Matcher::prune() {
   const auto cost = [&](const Left& left) { return left.history.cost + recorded_ - left.recorded; };
-  if (!hypotheses_.empty()) {
-    const double most = 2 * hypotheses_.front().history.cost + kFault;
+  const auto best = std::ranges::find_if(hypotheses_, [&](const Hypothesis& h) { return !in_free_move(h); });
+  if (best != hypotheses_.end()) {
+    const double most = 2 * best->history.cost + kFault;
     std::erase_if(hypotheses_, [&](const Hypothesis& h) { return h.history.cost > most; });
     std::erase_if(left_, [&](const Left& left) { return cost(left) > most; });
   }

@@ -34,7 +34,9 @@ namespace toolcomp::certify {
 //   recording is then said to be off the path.
 // * At most kHypotheses are followed, the cheapest. If the path held gets longer than kWindow while several are, the
 //   cheapest is taken.
-// Lengths of the recording are counted in steps of at least the tolerance: noise of a standing machine has none.
+// A move whose inside is not judged accepts every sample, so a match cannot break there: while one is inside,
+// hypotheses that did not come to the end of that move are followed besides. One without a fault is never given up for
+// them. Lengths of the recording are counted in steps of at least the tolerance: noise of a standing machine has none.
 class Matcher {
  public:
   static constexpr std::size_t kWindow = 131072;
@@ -61,6 +63,11 @@ class Matcher {
   struct Hypothesis {
     History history;
     Reach reach;
+    // Inside a move that is not judged: where it came closest to its end.
+    std::size_t free_piece = static_cast<std::size_t>(-1);
+    double closest = 0;        // in tolerances
+    double closest_after = 0;  // length of the recording
+    std::uint64_t closest_sample = 0;
   };
   // Off the path since `sample`.
   struct Left {
@@ -76,6 +83,7 @@ class Matcher {
   void advance(const Sample& sample);
   void recover(const std::vector<Hypothesis>& lost, const Sample& sample);
   void leave(const Hypothesis& lost, std::uint64_t noticed);
+  void leave_free_moves(const Sample& sample);
   [[nodiscard]] std::vector<Hypothesis> come_back(const Sample& sample, std::size_t first_left, double recorded) const;
   [[nodiscard]] Hypothesis come_back_to(const Reach& group, const Sample& sample, std::size_t first_left,
                                         double recorded) const;
@@ -91,7 +99,10 @@ class Matcher {
   void measure(Hypothesis& hypothesis, const Sample& sample) const;
   void leave_uncovered(const PathPlace& until);
   void finish(const History& history);
-  [[nodiscard]] bool following() const { return hypotheses_.size() == 1 && left_.empty(); }
+  [[nodiscard]] bool in_free_move(const Hypothesis& hypothesis) const;
+  [[nodiscard]] bool following() const {
+    return hypotheses_.size() == 1 && left_.empty() && !in_free_move(hypotheses_.front());
+  }
 
   const Metric& metric_;
   PathWindow path_;
