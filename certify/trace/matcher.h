@@ -30,8 +30,10 @@ namespace toolcomp::certify {
 // * Searched is the path from where it was left up to kWindow pieces ahead, whole moves or not: of straight moves so
 //   many, of curves that are divided most finely some twenty turns. Pieces near a sample are found by their boxes, so a
 //   sample costs about the same however much path lies ahead, and each piece is fetched and dropped once: time grows
-//   with samples and pieces, not with their product. What comes back farther ahead is not found again: the rest of the
-//   recording is then said to be off the path.
+//   with samples and pieces, not with their product.
+// * A recording that is off the path for as long as half of that is taken to have left out the first quarter, and so
+//   on: then what it is compared with stays beside it. Where more than kWindow pieces were left out at once, it is not
+//   found again: the rest is said to be off the path.
 // * At most kHypotheses are followed, the cheapest. If the path held gets longer than kWindow while several are, the
 //   cheapest is taken.
 // A move whose inside is not judged accepts every sample, so a match cannot break there: while one is inside,
@@ -76,7 +78,8 @@ class Matcher {
     std::uint64_t line = 0;  // of the CSV: where that was noticed
     bool begin = false;
     PathPlace low, high;
-    double recorded = 0;  // length of the recording up to there
+    double recorded = 0;     // length of the recording up to there
+    bool continued = false;  // part of it was told already
   };
 
   void begin(const Sample& sample);
@@ -89,9 +92,11 @@ class Matcher {
                                         double recorded) const;
   [[nodiscard]] bool is_dominated(const std::vector<Hypothesis>& by, const Hypothesis& hypothesis) const;
   void keep(std::vector<Hypothesis> candidates);
+  [[nodiscard]] double most_cost() const;
   void prune();
   void settle();
   void take_cheapest();
+  void move_on(const Sample& sample);
   void report_common();
   void report_all(const History& history);
   void drop_behind();
