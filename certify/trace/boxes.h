@@ -9,7 +9,7 @@
 
 namespace toolcomp::certify {
 
-// Lines are numbered in a row, from `first` on; 64 share a box, and 64 of those another.
+// Lines are numbered in a row, from `first` on; 16 share a box, and 32 of those another.
 class Boxes {
  public:
   explicit Boxes(std::size_t first = 0) : end_(first), blocks_first_(first / kBlock), groups_first_(first / kGroup) {}
@@ -45,8 +45,8 @@ class Boxes {
   }
 
  private:
-  static constexpr std::size_t kBlock = 64;
-  static constexpr std::size_t kGroup = kBlock * 64;
+  static constexpr std::size_t kBlock = 16;
+  static constexpr std::size_t kGroup = kBlock * 32;
   std::size_t end_;
   std::size_t blocks_first_;
   std::size_t groups_first_;

@@ -84,11 +84,15 @@ void report(const Fault& fault, const FaultScene& scene, TraceResult& result, Fi
     finding.sample = samples.csv_line;
     finding.samples = samples.count;
     name_moves(finding, samples.move, path.kind == nullptr ? samples.move : path.last);
-    findings.add(std::move(finding));
+    if (fault.continued)
+      findings.extend(finding);
+    else
+      findings.add(std::move(finding));
     // A gap is where there are no samples.
     const bool farther = path.farthest.lower > samples.farthest.upper;
     if (path.kind == nullptr || path.is_gap || !farther) return;
   }
+  if (fault.cut || (fault.continued && path.kind == nullptr)) return;
   TraceFinding finding = finding_of(path.farthest, scene);
   finding.kind = path.kind == nullptr ? "out of order" : path.kind;
   if (fault.begin && samples.count == 0) finding.kind = "begin not reached";

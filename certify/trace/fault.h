@@ -13,6 +13,8 @@ namespace toolcomp::certify {
 struct Fault {
   bool begin = false;      // nothing was matched before: `from` is the first sample
   bool end = false;        // nothing is matched behind: `to` is the last sample, and the rest of the path is left
+  bool cut = false;        // it goes on: told as far as it is known
+  bool continued = false;  // it went on after a cut
   std::uint64_t from = 0;  // number of the last sample matched
   std::uint64_t to = 0;    // number of the first one matched again
   std::uint64_t line = 0;  // of the CSV: where it was noticed

@@ -56,7 +56,9 @@ class LeftOut {
   PathLeftOut follow() {
     PathWindow& path = scene_.path;
     const PathPlace from = fault_.left_high;
-    move_.whole = stands_near(kept_.first, path[path[from.piece].move_first].piece.begin);
+    const WindowPiece& left = path[from.piece];
+    move_.whole = left.move_first >= path.first() && !left.piece.free &&
+                  stands_near(kept_.first, path[left.move_first].piece.begin);
     for (std::size_t number = from.piece; fault_.end ? path.has(number) : number <= fault_.back_low.piece; ++number) {
       const Part part{number == from.piece ? from.at : 0,
                       !fault_.end && number == fault_.back_low.piece ? fault_.back_low.at : 1};
@@ -115,7 +117,12 @@ class LeftOut {
                          piece.error.rotary + scene_.run.error().rotary};
     const Limit limit = scene_.metric.limit(error, w.magnitude);
     const AxisPoint end = point_at(piece.begin, piece.end, part.high);
-    const AxisPoint begin = piece.free ? end : point_at(piece.begin, piece.end, part.low);
+    const AxisPoint begin = piece.free || fault_.continued ? end : point_at(piece.begin, piece.end, part.low);
+    // What came before a cut is not held any more, but it was off the path.
+    if (fault_.continued && !(fault_.end && !scene_.path.has(number + 1))) {
+      corners_ += piece.corner && !piece.jump ? 1 : 0;
+      return;
+    }
     Farthest here;
     // Whether it is beyond the tolerance, and whether it is the farthest.
     const double enough = move_.beyond ? farthest_.lower : std::min(1.0, farthest_.lower);

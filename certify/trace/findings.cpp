@@ -19,7 +19,24 @@ void Findings::add(TraceFinding finding) {
     }
   }
   ++result_.findings_total;
-  if (kept.size() < most_) kept.push_back(std::move(finding));
+  const bool keep = kept.size() < most_;
+  if (finding.samples > 0) run_ = keep ? std::optional(kept.size()) : std::nullopt;
+  if (keep) kept.push_back(std::move(finding));
+}
+
+void Findings::extend(const TraceFinding& more) {
+  if (!run_) return;
+  TraceFinding& run = result_.findings[*run_];
+  run.samples += more.samples;
+  run.last_line = more.last_line;
+  run.last_n = more.last_n;
+  if (run.kind != more.kind) run.kind = "off the path";
+  if (std::max(more.distance.upper, more.rotary.upper) <= std::max(run.distance.upper, run.rotary.upper)) return;
+  run.distance = more.distance;
+  run.rotary = more.rotary;
+  run.rotary_axis = more.rotary_axis;
+  run.at = more.at;
+  run.worst_sample = more.worst_sample;
 }
 
 void Findings::sort() { std::ranges::stable_sort(result_.findings, {}, &TraceFinding::sample); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "certify/trace/trace.h"
 
@@ -13,12 +14,15 @@ class Findings {
  public:
   Findings(TraceResult& result, std::size_t most) : result_(result), most_(most) {}
   void add(TraceFinding finding);
+  // The run of samples of the last finding that had one goes on.
+  void extend(const TraceFinding& more);
   // By sample, in the end.
   void sort();
 
  private:
   TraceResult& result_;
   std::size_t most_;
+  std::optional<std::size_t> run_;  // the last finding with samples, if it is kept
 };
 
 }  // namespace toolcomp::certify

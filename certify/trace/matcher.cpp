@@ -141,9 +141,73 @@ void Matcher::recover(const std::vector<Hypothesis>& lost, const Sample& sample)
     measure(hypothesis, sample);
     candidates.push_back(std::move(hypothesis));
   }
+  const std::size_t off = left_.size();
+  leave_free_moves(sample);
+  for (Hypothesis& hypothesis : come_back(sample, off, recorded_)) {
+    measure(hypothesis, sample);
+    candidates.push_back(std::move(hypothesis));
+  }
+  left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(off), left_.end());
   keep(std::move(candidates));
   prune();
+  if (hypotheses_.empty()) move_on(sample);
   settle();
+}
+
+void Matcher::move_on(const Sample& sample) {
+  const auto cost = [&](const Left& left) { return left.history.cost + recorded_ - left.recorded; };
+  Left left = *std::ranges::min_element(left_, {}, cost);
+  if (!path_.has(first_needed() + kWindow)) return;
+  const PathPlace quarter{left.high.piece + kWindow / 4, 0};
+  const double length = path_.length_to(quarter) - path_.length_to(left.high);
+  if (recorded_ - left.recorded < (left.continued ? 1 : 2) * length) return;
+  report_all(left.history);
+  Fault fault;
+  fault.begin = left.begin;
+  fault.cut = true;
+  fault.continued = left.continued;
+  fault.from = left.sample;
+  fault.to = sample.number + 1;
+  fault.line = left.line;
+  fault.left_low = left.low;
+  fault.left_high = left.high;
+  fault.back_low = quarter;
+  fault.back_high = {path_.end() - 1, 1};
+  report(fault, scene_, result_, findings_);
+  run_.clear();
+  run_.add(sample);
+  left.history.faults.clear();
+  left.history.cost = kFault;
+  left.sample = sample.number;
+  left.line = sample.line;
+  left.begin = false;
+  left.low = left.high = quarter;
+  left.recorded = recorded_;
+  left.continued = true;
+  left_ = {left};
+}
+
+bool Matcher::in_free_move(const Hypothesis& hypothesis) const {
+  return std::ranges::all_of(hypothesis.reach, [&](const Reached& r) { return path_[r.piece].piece.free; });
+}
+
+// Those inside a move that is not judged, as if they had left the path where they came closest to its end.
+void Matcher::leave_free_moves(const Sample& sample) {
+  for (Hypothesis& hypothesis : hypotheses_) {
+    if (!in_free_move(hypothesis)) continue;
+    const PathPlace end{hypothesis.reach.back().piece, 1};
+    const double distance = metric_.in_tolerances(metric_.between(path_.point(end), sample.at));
+    if (hypothesis.free_piece != end.piece || distance < hypothesis.closest) {
+      hypothesis.free_piece = end.piece;
+      hypothesis.closest = distance;
+      hypothesis.closest_after = recorded_;
+      hypothesis.closest_sample = sample.number;
+    }
+    Left left{hypothesis.history, hypothesis.closest_sample, sample.line, false, end, end, hypothesis.closest_after};
+    left.history.cost += kFault;
+    left_.push_back(std::move(left));
+  }
+  if (!left_.empty()) path_.has(first_needed() + kWindow);
 }
 
 void Matcher::leave(const Hypothesis& lost, std::uint64_t noticed) {
@@ -167,8 +231,16 @@ std::vector<Matcher::Hypothesis> Matcher::come_back(const Sample& sample, std::s
   if (first_left >= left_.size()) return back;
   PathPlace from = left_[first_left].low;
   for (std::size_t i = first_left; i < left_.size(); ++i) from = std::min(from, left_[i].low);
+  // Farther ahead they would be too dear.
+  double reach = path_.length_to(from);
+  const double most = most_cost();
+  for (std::size_t i = first_left; i < left_.size(); ++i) {
+    const Left& left = left_[i];
+    const double most_left_out = most - (left.history.cost + recorded - left.recorded);
+    reach = std::max(reach, path_.length_to(left.high) + most_left_out);
+  }
   Reach near;
-  path_.near(from.piece, path_.end(), sample.at, [&](std::size_t piece, const Part& part) {
+  path_.near(from.piece, path_.first_beyond(reach), sample.at, [&](std::size_t piece, const Part& part) {
     const double low = piece == from.piece ? std::max(part.low, from.at) : part.low;
     if (low <= part.high) near.push_back({piece, low, part.high});
   });
@@ -204,6 +276,7 @@ Matcher::Hypothesis Matcher::come_back_to(const Reach& group, const Sample& samp
   back.history.cost = least;
   Fault fault;
   fault.begin = cheapest->begin;
+  fault.continued = cheapest->continued;
   fault.from = cheapest->sample;
   fault.to = sample.number;
   fault.line = cheapest->line;
@@ -236,13 +309,19 @@ void Matcher::keep(std::vector<Hypothesis> candidates) {
   hypotheses_ = std::move(kept);
 }
 
+// Of those worth following: twice the cheapest that is on a judged piece, and a constant.
+double Matcher::most_cost() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Hypothesis& hypothesis : hypotheses_)
+    if (!in_free_move(hypothesis)) least = std::min(least, hypothesis.history.cost);
+  return 2 * least + kFault;
+}
+
 void Matcher::prune() {
   const auto cost = [&](const Left& left) { return left.history.cost + recorded_ - left.recorded; };
-  if (!hypotheses_.empty()) {
-    const double most = 2 * hypotheses_.front().history.cost + kFault;
-    std::erase_if(hypotheses_, [&](const Hypothesis& h) { return h.history.cost > most; });
-    std::erase_if(left_, [&](const Left& left) { return cost(left) > most; });
-  }
+  const double most = most_cost();
+  std::erase_if(hypotheses_, [&](const Hypothesis& h) { return h.history.cost > most; });
+  std::erase_if(left_, [&](const Left& left) { return cost(left) > most; });
   if (left_.size() > kHypotheses) {
     std::ranges::stable_sort(left_, {}, cost);
     left_.resize(kHypotheses);
@@ -350,15 +429,28 @@ void Matcher::end() {
       if (cost >= least) continue;
       least = cost;
       best = &h.history;
-      rest = {false, !at_end, last_.number, last_.number, last_.line, first_of(h.reach), last_of(h.reach), {}, {}, 0};
+      rest = {};
+      rest.end = !at_end;
+      rest.from = last_.number;
+      rest.line = last_.line;
+      rest.left_low = first_of(h.reach);
+      rest.left_high = last_of(h.reach);
     }
     for (const Left& left : left_) {
       const double cost = left.history.cost + recorded_ - left.recorded + whole - path_.length_to(left.high);
       if (cost >= least) continue;
       least = cost;
       best = &left.history;
-      rest = {left.begin, true, left.sample, last_.number, left.line, left.low, left.high, {}, {}, 0};
+      rest = {};
+      rest.begin = left.begin;
+      rest.end = true;
+      rest.continued = left.continued;
+      rest.from = left.sample;
+      rest.line = left.line;
+      rest.left_low = left.low;
+      rest.left_high = left.high;
     }
+    rest.to = last_.number;
     report_all(*best);
     if (run_.empty()) run_.add(last_);
     if (rest.end) report(rest, scene_, result_, findings_);

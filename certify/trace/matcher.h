@@ -30,11 +30,15 @@ namespace toolcomp::certify {
 // * Searched is the path from where it was left up to kWindow pieces ahead, whole moves or not: of straight moves so
 //   many, of curves that are divided most finely some twenty turns. Pieces near a sample are found by their boxes, so a
 //   sample costs about the same however much path lies ahead, and each piece is fetched and dropped once: time grows
-//   with samples and pieces, not with their product. What comes back farther ahead is not found again: the rest of the
-//   recording is then said to be off the path.
+//   with samples and pieces, not with their product.
+// * A recording that is off the path for as long as half of that is taken to have left out the first quarter, and so
+//   on: then what it is compared with stays beside it. Where more than kWindow pieces were left out at once, it is not
+//   found again: the rest is said to be off the path.
 // * At most kHypotheses are followed, the cheapest. If the path held gets longer than kWindow while several are, the
 //   cheapest is taken.
-// Lengths of the recording are counted in steps of at least the tolerance: noise of a standing machine has none.
+// A move whose inside is not judged accepts every sample, so a match cannot break there: while one is inside,
+// hypotheses that did not come to the end of that move are followed besides. One without a fault is never given up for
+// them. Lengths of the recording are counted in steps of at least the tolerance: noise of a standing machine has none.
 class Matcher {
  public:
   static constexpr std::size_t kWindow = 131072;
@@ -61,6 +65,11 @@ class Matcher {
   struct Hypothesis {
     History history;
     Reach reach;
+    // Inside a move that is not judged: where it came closest to its end.
+    std::size_t free_piece = static_cast<std::size_t>(-1);
+    double closest = 0;        // in tolerances
+    double closest_after = 0;  // length of the recording
+    std::uint64_t closest_sample = 0;
   };
   // Off the path since `sample`.
   struct Left {
@@ -69,21 +78,25 @@ class Matcher {
     std::uint64_t line = 0;  // of the CSV: where that was noticed
     bool begin = false;
     PathPlace low, high;
-    double recorded = 0;  // length of the recording up to there
+    double recorded = 0;     // length of the recording up to there
+    bool continued = false;  // part of it was told already
   };
 
   void begin(const Sample& sample);
   void advance(const Sample& sample);
   void recover(const std::vector<Hypothesis>& lost, const Sample& sample);
   void leave(const Hypothesis& lost, std::uint64_t noticed);
+  void leave_free_moves(const Sample& sample);
   [[nodiscard]] std::vector<Hypothesis> come_back(const Sample& sample, std::size_t first_left, double recorded) const;
   [[nodiscard]] Hypothesis come_back_to(const Reach& group, const Sample& sample, std::size_t first_left,
                                         double recorded) const;
   [[nodiscard]] bool is_dominated(const std::vector<Hypothesis>& by, const Hypothesis& hypothesis) const;
   void keep(std::vector<Hypothesis> candidates);
+  [[nodiscard]] double most_cost() const;
   void prune();
   void settle();
   void take_cheapest();
+  void move_on(const Sample& sample);
   void report_common();
   void report_all(const History& history);
   void drop_behind();
@@ -91,7 +104,10 @@ class Matcher {
   void measure(Hypothesis& hypothesis, const Sample& sample) const;
   void leave_uncovered(const PathPlace& until);
   void finish(const History& history);
-  [[nodiscard]] bool following() const { return hypotheses_.size() == 1 && left_.empty(); }
+  [[nodiscard]] bool in_free_move(const Hypothesis& hypothesis) const;
+  [[nodiscard]] bool following() const {
+    return hypotheses_.size() == 1 && left_.empty() && !in_free_move(hypotheses_.front());
+  }
 
   const Metric& metric_;
   PathWindow path_;

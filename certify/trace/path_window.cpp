@@ -48,6 +48,11 @@ double PathWindow::length_to(const PathPlace& place) const {
   return w.begins + place.at * w.length;
 }
 
+std::size_t PathWindow::first_beyond(double length) const {
+  const auto beyond = std::ranges::upper_bound(pieces_, length, {}, &WindowPiece::begins);
+  return first_ + static_cast<std::size_t>(beyond - pieces_.begin());
+}
+
 double PathWindow::linear_length(std::size_t number) const {
   const PathPiece& piece = (*this)[number].piece;
   return piece.jump ? 0 : metric_.between(piece.begin, piece.end).linear;

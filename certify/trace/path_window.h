@@ -44,6 +44,8 @@ class PathWindow {
   [[nodiscard]] double length_to(const PathPlace& place) const;
   // Of a piece: the linear axes, setup units; 0 for a jump.
   [[nodiscard]] double linear_length(std::size_t number) const;
+  // The first piece that begins beyond that length of the path; the end of those held if none does.
+  [[nodiscard]] std::size_t first_beyond(double length) const;
   [[nodiscard]] Limit limit(std::size_t number, double magnitude) const;
 
   // Calls `each(number, part)` for the judged pieces in [from, to) near `p`, in order.

@@ -26,24 +26,28 @@ Distance Run::error_without(std::size_t index) const {
 
 void Run::thin() {
   // Every second one may go: their neighbours stay.
+  std::vector<Distance> error_of_kept;
   std::vector<double> errors;
-  for (std::size_t i = 1; i + 1 < samples_.size(); i += 2) errors.push_back(metric_.in_tolerances(error_without(i)));
+  for (std::size_t i = 1; i + 1 < samples_.size(); i += 2) {
+    error_of_kept.push_back(error_without(i));
+    errors.push_back(metric_.in_tolerances(error_of_kept.back()));
+  }
   std::vector<double> sorted = errors;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
-  std::vector<RunSample> kept;
   error_ = {};
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     if (i % 2 == 1 && i + 1 < samples_.size() && errors[i / 2] <= *middle) {
-      kept.back().stands_for += samples_[i].stands_for;
-      kept.back().error = error_without(i);
+      samples_[kept - 1].stands_for += samples_[i].stands_for;
+      samples_[kept - 1].error = error_of_kept[i / 2];
     } else {
-      kept.push_back(samples_[i]);
+      samples_[kept++] = samples_[i];
     }
-    const Distance& error = kept.back().error;
+    const Distance& error = samples_[kept - 1].error;
     error_ = {std::max(error_.linear, error.linear), std::max(error_.rotary, error.rotary)};
   }
-  samples_ = std::move(kept);
+  samples_.resize(kept);
 }
 
 std::pair<std::size_t, std::size_t> Run::between(std::uint64_t from, std::uint64_t to) const {

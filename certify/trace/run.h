@@ -23,7 +23,7 @@ struct RunSample {
 // certified, however long a match is lost: their bounds move apart by that error.
 class Run {
  public:
-  static constexpr std::size_t kMost = 16384;
+  static constexpr std::size_t kMost = 32768;
 
   explicit Run(const Metric& metric) : metric_(metric) {}
   void add(const Sample& sample);

@@ -175,6 +175,22 @@ TEST(Trace, ComparesRotaryAxesByThemselves) {
   EXPECT_EQ(exit_status(judge(c, "X,C\n0,0\n5,46\n10,90\n")), 1);
 }
 
+// The end of a rapid move is missed by a millimetre; behind it the path is followed, and a bump there is found too.
+TEST(Trace, TheEndOfARapidMoveThatWasMissed) {
+  const spec::Case rapid = program("G90 G00 X10. Y5.\nG01 X20. F100\nY20.\n");
+  const TraceResult r = judge(rapid, "X,Y\n0,0\n5,5\n10,4\n12,5\n14,5\n16,5.5\n18,5\n20,5\n20,20\n", 0.01, false);
+  ASSERT_EQ(r.findings.size(), 2U);
+  EXPECT_EQ(r.findings[0].kind, "corner not reached");
+  EXPECT_EQ(r.findings[0].line, 1U);
+  // From (10, 5) to the line from (10, 4) to (12, 5).
+  EXPECT_NEAR(r.findings[0].distance.upper, 2 / std::sqrt(5), 1e-9);
+  EXPECT_EQ(r.findings[1].kind, "off the path");
+  EXPECT_EQ(r.findings[1].line, 2U);
+  EXPECT_NEAR(r.findings[1].distance.upper, 0.5, 1e-9);
+  // The rapid move may run along later moves.
+  EXPECT_EQ(exit_status(judge(rapid, "X,Y\n0,0\n20,20\n20,5\n15,5\n10,5\n20,5\n20,20\n", 0.01, false)), 0);
+}
+
 TEST(Trace, RotaryAxesHaveATolerance) {
   spec::Case c = program("G90 G01 X10. C90. F100\n");
   c.setup.axes = spec::Axes("XYZC");
