@@ -121,6 +121,7 @@ void Matcher::advance(const Sample& sample) {
 
 void Matcher::recover(const std::vector<Hypothesis>& lost, const Sample& sample) {
   if (run_.empty() && !lost.empty()) run_.add(last_);
+  if (run_.full()) decide_oldest();
   run_.add(sample);
   std::vector<Hypothesis> candidates;
   if (!lost.empty()) {
@@ -345,22 +346,51 @@ void Matcher::take_cheapest() {
   left_.clear();
 }
 
+std::vector<Matcher::History*> Matcher::histories() {
+  std::vector<History*> all;
+  for (Hypothesis& hypothesis : hypotheses_) all.push_back(&hypothesis.history);
+  for (Left& left : left_) all.push_back(&left.history);
+  return all;
+}
+
+// Nothing that is followed has other faults first than the cheapest.
+void Matcher::decide_oldest() {
+  const auto cost = [&](const Left& left) { return left.history.cost + recorded_ - left.recorded; };
+  const History* cheapest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Hypothesis& h : hypotheses_)
+    if (h.history.cost < least) cheapest = &h.history, least = h.history.cost;
+  for (const Left& left : left_)
+    if (cost(left) < least) cheapest = &left.history, least = cost(left);
+  if (cheapest == nullptr || cheapest->faults.empty()) return;
+  const auto fault = cheapest->faults.front();
+  const auto other = [&](const auto& h) { return h.history.faults.empty() || h.history.faults.front() != fault; };
+  std::erase_if(hypotheses_, other);
+  std::erase_if(left_, other);
+  report_common();
+}
+
 // Faults that all that is followed has in common.
 void Matcher::report_common() {
-  while (true) {
-    std::vector<History*> histories;
-    for (Hypothesis& hypothesis : hypotheses_) histories.push_back(&hypothesis.history);
-    for (Left& left : left_) histories.push_back(&left.history);
-    if (histories.empty() || histories.front()->faults.empty()) return;
-    const auto fault = histories.front()->faults.front();
+  const std::vector<History*> all = histories();
+  bool any = false;
+  while (!all.empty() && !all.front()->faults.empty()) {
+    const auto fault = all.front()->faults.front();
     const auto has_it = [&](const History* h) { return !h->faults.empty() && h->faults.front() == fault; };
-    if (!std::ranges::all_of(histories, has_it)) return;
+    if (!std::ranges::all_of(all, has_it)) break;
     report(*fault, scene_, result_, findings_);
-    for (History* history : histories) {
+    any = true;
+    for (History* history : all) {
       history->faults.erase(history->faults.begin());
       history->cost -= fault->cost;
     }
   }
+  if (!any) return;
+  std::uint64_t needed = last_.number;
+  for (const History* history : all)
+    if (!history->faults.empty()) needed = std::min(needed, history->faults.front()->from);
+  for (const Left& left : left_) needed = std::min(needed, left.sample);
+  run_.drop_before(needed);
 }
 
 void Matcher::report_all(const History& history) {

@@ -5,13 +5,20 @@
 namespace toolcomp::certify {
 
 void Run::add(const Sample& sample) {
-  if (samples_.size() >= kMost) thin();
+  if (full()) thin();
   samples_.push_back({sample, 1, {}});
 }
 
 void Run::clear() {
   samples_.clear();
   error_ = {};
+}
+
+void Run::drop_before(std::uint64_t number) {
+  const auto behind = [](std::uint64_t limit, const RunSample& s) { return limit < s.sample.number; };
+  const auto keep = std::upper_bound(samples_.begin(), samples_.end(), number, behind);
+  // The last one that is not behind it stays.
+  if (keep - samples_.begin() > 1) samples_.erase(samples_.begin(), keep - 1);
 }
 
 // Of the line from the sample before to the one behind.
