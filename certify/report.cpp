@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -246,9 +247,9 @@ std::vector<std::filesystem::path> write_report(const Certificate& c, const std:
 }
 
 std::string extent(const TraceFinding& finding) {
-  // Distances carry roundings.
-  constexpr double kLeast = 1e-10;
-  const auto number = [](double value) { return fmt::format("{:.6g}", value < kLeast ? 0 : value); };
+  // Distances carry roundings: nine decimals of them are right.
+  constexpr double kDecimals = 1e9;
+  const auto number = [](double value) { return fmt::format("{:.6g}", std::round(value * kDecimals) / kDecimals); };
   const auto words = [&](const Bounds& b) {
     const std::string lower = number(b.lower);
     const std::string upper = number(b.upper);

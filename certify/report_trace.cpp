@@ -7,6 +7,7 @@
 #include "certify/page.h"
 #include "certify/path_svg.h"
 #include "certify/report.h"
+#include "certify/trace_svg.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -63,6 +64,9 @@ std::string html_report(const TraceReport& report) {
       plain(r.covered, 6), unit, plain(r.length, 6));
   if (r.cause) body += "<p><b>One mistake explains everything found:</b> " + escape(*r.cause) + ".</p>\n";
   body += "<h2>Findings</h2>\n" + findings(report);
+  if (const std::string picture = trace_svg(r, setup.axes, unit); !picture.empty())
+    body += "<h2>Recording</h2>\n" + picture + "\n";
+  body += "<h2>Deviations</h2>\n" + deviation_svg(r, report.options, unit) + "\n";
   body += "<h2>Path</h2>\n" + path_svg(r.events, setup.axes, drawing);
   std::uint64_t marked = r.findings.empty() ? 0 : r.findings.front().line;
   body += listing(report.c.program, marked);

@@ -14,10 +14,9 @@ namespace toolcomp::certify {
 namespace {
 
 constexpr double kSide = 480;  // of a panel
-constexpr double kGap = 10;
 constexpr double kHeader = 30;
 constexpr double kMargin = 34;
-constexpr double kShown = 22;  // the largest deviation on the paper
+constexpr double kShown = 60;  // the largest deviation on the paper
 constexpr std::size_t kMostMarks = 8;
 constexpr double kSqrt3Half = 0.8660254037844386;
 
@@ -44,10 +43,9 @@ Point3 place(const AxisPoint& p, const std::array<std::size_t, 3>& xyz) {
 
 std::string opening(double width, double height, std::string_view label) {
   return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
-             "height=\"{1:.0f}\" role=\"img\" aria-label=\"{2}\">\n",
-             width, height, label) +
-         std::string(kStyle);
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+      "height=\"{1:.0f}\" role=\"img\" aria-label=\"{2}\">\n",
+      width, height, label);
 }
 
 // 1, 2 or 5 times a power of ten, not above x.
@@ -62,7 +60,7 @@ struct Scene {
   std::vector<Point3> exact;
   struct Recorded {
     Point3 at{};
-    Point3 off{};  // from its place on the path; none where it is not followed
+    Point3 off{};  // from its place on the path
     bool followed = false;
   };
   std::vector<Recorded> recorded;
@@ -73,7 +71,7 @@ struct Scene {
     const std::array<std::size_t, 3> xyz{axes.index('X'), axes.index('Y'), axes.index('Z')};
     for (const AxisPoint& p : result.course) exact.push_back(place(p, xyz));
     for (const Deviations::Point& point : result.deviations.points()) {
-      Recorded r{place(point.recorded, xyz), {}, point.exact.has_value()};
+      Recorded r{place(point.recorded, xyz), {}, point.followed};
       if (point.exact) r.off = plus(r.at, -1, place(*point.exact, xyz));
       largest = std::max(largest, std::sqrt(dot(r.off, r.off)));
       recorded.push_back(r);
@@ -109,17 +107,18 @@ class Panel {
   }
   [[nodiscard]] double scale() const { return scale_; }
 
-  [[nodiscard]] std::string draw(double left, double factor, std::string_view unit) const {
-    std::string out = fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n", left, kHeader);
+  [[nodiscard]] std::string draw(double factor, std::string_view unit) const {
+    std::string out = opening(kSide, kSide, fmt::format("exact path and recording, {}", view_.title));
     out += fmt::format("<rect class=\"tr-paper\" width=\"{0}\" height=\"{0}\"/>\n", kSide);
     const double step = grid_step(kSide / scale_);
     if (!view_.solid) {
       const std::string lines = grid_lines(middle_, step, scale_, kSide);
       if (!lines.empty()) out += fmt::format("<path class=\"tr-grid\" d=\"{}\"/>\n", lines);
     }
-    out += fmt::format("<text class=\"tr-text\" x=\"6\" y=\"14\">{}{}</text>\n", view_.title,
-                       view_.solid ? "" : fmt::format(" {}{}, grid {} {}", view_.right, view_.up, plain(step, 9), unit));
-    return out + exact() + recorded(factor) + marks() + "</g>\n";
+    out +=
+        fmt::format("<text class=\"tr-text\" x=\"6\" y=\"14\">{}{}</text>\n", view_.title,
+                    view_.solid ? "" : fmt::format(" {}{}, grid {} {}", view_.right, view_.up, plain(step, 9), unit));
+    return out + exact() + recorded(factor) + marks() + "</svg>\n";
   }
 
  private:
@@ -136,21 +135,22 @@ class Panel {
     for (const Point3& p : scene_.exact) d += to(p, d.empty());
     return d.empty() ? d : fmt::format("<path class=\"tr-exact\" d=\"{}\"/>\n", d);
   }
-  // Where it is followed its deviation is drawn `factor` times as large; where it is not, it stands where it was.
+  // Its deviations `factor` times as large; in red where it is not followed.
   [[nodiscard]] std::string recorded(double factor) const {
     std::string followed;
     std::string off;
-    bool was_followed = false;
-    bool any = false;
-    Point3 last{};
+    const Scene::Recorded* last = nullptr;
+    const auto drawn = [&](const Scene::Recorded& r) { return plus(r.at, factor - 1, r.off); };
     for (const Scene::Recorded& r : scene_.recorded) {
-      const Point3 p = r.followed ? plus(r.at, factor - 1, r.off) : r.at;
-      if (!r.followed && any && was_followed) off += to(last, true);
-      (r.followed ? followed : off) += to(p, !any || (r.followed != was_followed && r.followed));
-      if (r.followed && any && !was_followed) off += to(p, false);
-      last = p;
-      was_followed = r.followed;
-      any = true;
+      const bool joins = last != nullptr && last->followed && r.followed;
+      // What leads away and back belongs to what is off.
+      if (last != nullptr && !joins && (!r.followed || !last->followed)) {
+        if (last->followed) off += to(drawn(*last), true);
+        off += to(drawn(r), false);
+      }
+      if (r.followed) followed += to(drawn(r), !joins);
+      if (!r.followed && last == nullptr) off += to(drawn(r), true);
+      last = &r;
     }
     std::string out;
     if (!followed.empty()) out += fmt::format("<path class=\"tr-recorded\" d=\"{}\"/>\n", followed);
@@ -201,27 +201,23 @@ std::string trace_svg(const TraceResult& result, const spec::Axes& axes, std::st
   double scale = 0;
   for (const View* view : views) scale = std::max(scale, Panel(*view, scene).scale());
   const double factor = scene.largest > 0 ? std::max(1.0, round_factor(kShown / (scene.largest * scale))) : 1;
-  const double width = static_cast<double>(views.size()) * (kSide + kGap) - kGap;
-  std::string out = opening(width, kHeader + kSide, "exact path and recording");
+  std::string out = std::string(kStyle) + opening(kSide, kHeader, "legend");
   out += "<path class=\"tr-exact\" d=\"M6 15h22\"/>" + text(34, 19, "exact path");
-  out += "<path class=\"tr-recorded\" d=\"M110 15h22\"/>" +
-         text(138, 19, fmt::format("recording, deviations {} times as large", plain(factor, 0)));
-  out += "<path class=\"tr-off\" d=\"M410 15h22\"/>" + text(438, 19, "not on the path");
-  double left = 0;
-  for (const View* view : views) {
-    out += Panel(*view, scene).draw(left, factor, unit);
-    left += kSide + kGap;
-  }
-  return out + "</svg>\n";
+  out += "<path class=\"tr-recorded\" d=\"M106 15h22\"/>" +
+         text(134, 19, fmt::format("recording, deviations {} times as large", plain(factor, 0)));
+  out += "<path class=\"tr-off\" d=\"M376 15h22\"/>" + text(404, 19, "off the path") + "</svg><br>\n";
+  for (const View* view : views) out += Panel(*view, scene).draw(factor, unit);
+  return out;
 }
 
 std::string deviation_svg(const TraceResult& result, const TraceOptions& options, std::string_view unit) {
   const Deviations& d = result.deviations;
-  std::string out = opening(2 * kChart + kGap, kTall, "deviations by move and by size");
+  std::string out = std::string(kStyle) + opening(kChart, kTall, "largest deviation by move");
   // By move: the height is the part of the tolerance, a little more than all of it at most.
   const double rotary = options.rotary_tolerance.value_or(options.tolerance);
   const auto part = [&](const Distance& at) { return std::max(at.linear / options.tolerance, at.rotary / rotary); };
-  out += text(6, 14, fmt::format("largest deviation by move; line: the tolerance, {} {}", plain(options.tolerance, 9), unit));
+  out += text(6, 14,
+              fmt::format("largest deviation by move; line: the tolerance, {} {}", plain(options.tolerance, 9), unit));
   const double each = d.moves().empty() ? 0 : (kChart - 12) / static_cast<double>(d.moves().size());
   for (std::size_t i = 0; i < d.moves().size(); ++i) {
     const Deviations::Move& move = d.moves()[i];
@@ -237,22 +233,24 @@ std::string deviation_svg(const TraceResult& result, const TraceOptions& options
     out += text(6, kBase + 16, fmt::format("line {}", d.moves().front().line));
     out += text(kChart - 70, kBase + 16, fmt::format("line {}", d.moves().back().line));
   }
+  out += "</svg>\n" + opening(kChart, kTall, "samples by deviation");
   // By size; heights go with the logarithm, so that few samples are seen beside many.
-  const double left = kChart + kGap;
-  out += text(left + 6, 14, "samples by deviation, from 0 to the tolerance; red: not on the path (logarithmic)");
+  out += text(6, 14, "samples by deviation, from 0 to the tolerance; red: not on the path (logarithmic)");
   const std::uint64_t most = std::max<std::uint64_t>(std::ranges::max(d.histogram()), d.off());
   const auto height = [&](std::uint64_t count) {
-    return count == 0 ? 0.0 : kHigh * (1 + std::log10(static_cast<double>(count))) / (1 + std::log10(static_cast<double>(most)));
+    return count == 0
+               ? 0.0
+               : kHigh * (1 + std::log10(static_cast<double>(count))) / (1 + std::log10(static_cast<double>(most)));
   };
   const double bin = (kChart - 50) / static_cast<double>(Deviations::kBins);
   for (std::size_t i = 0; i < Deviations::kBins; ++i) {
     const std::uint64_t count = d.histogram().at(i);
-    out += bar(left + 6 + static_cast<double>(i) * bin, kBase, bin * 0.85, height(count), "tr-bar",
+    out += bar(6 + static_cast<double>(i) * bin, kBase, bin * 0.85, height(count), "tr-bar",
                fmt::format("{} to {} % of the tolerance: {} samples", i * 5, i * 5 + 5, count));
   }
-  out += bar(left + 12 + bin * Deviations::kBins, kBase, bin * 0.85, height(d.off()), "tr-bad",
+  out += bar(12 + bin * Deviations::kBins, kBase, bin * 0.85, height(d.off()), "tr-bad",
              fmt::format("{} samples not on the path", d.off()));
-  out += text(left + 6, kBase + 16, "0") + text(left + bin * Deviations::kBins - 40, kBase + 16, "tolerance");
+  out += text(6, kBase + 16, "0") + text(bin * Deviations::kBins - 40, kBase + 16, "tolerance");
   return out + "</svg>\n";
 }
 

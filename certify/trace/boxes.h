@@ -16,7 +16,7 @@ class Boxes {
   void add(const AxisPoint& a, const AxisPoint& b) {
     while (blocks_first_ + blocks_.size() <= end_ / kBlock) blocks_.emplace_back();
     while (groups_first_ + groups_.size() <= end_ / kGroup) groups_.emplace_back();
-    for (Box* box : {&blocks_.back(), &groups_.back()}) {
+    for (AxisBox* box : {&blocks_.back(), &groups_.back()}) {
       box->add(a);
       box->add(b);
     }
@@ -50,8 +50,8 @@ class Boxes {
   std::size_t end_;
   std::size_t blocks_first_;
   std::size_t groups_first_;
-  std::deque<Box> blocks_;
-  std::deque<Box> groups_;
+  std::deque<AxisBox> blocks_;
+  std::deque<AxisBox> groups_;
 };
 
 }  // namespace toolcomp::certify

@@ -20,15 +20,18 @@ double in_tolerances(const Distance& d, const Distance& tolerance) {
 }  // namespace
 
 void Deviations::take(const AxisPoint& recorded, const std::optional<PlaceOnPath>& place) {
-  if (taken_++ % stride_ == 0) {
-    points_.push_back({recorded, place ? std::optional(place->exact) : std::nullopt});
+  const bool followed = place && place->followed;
+  const bool kept = keeps_next();
+  ++taken_;
+  if (kept) {
+    points_.push_back({recorded, place ? std::optional(place->exact) : std::nullopt, followed});
     if (points_.size() == kMostPoints) {
       for (std::size_t i = 0; i < kMostPoints / 2; ++i) points_[i] = points_[2 * i];
       points_.resize(kMostPoints / 2);
       stride_ *= 2;
     }
   }
-  if (!place) {
+  if (!followed) {
     ++off_;
     if (!moves_.empty()) moves_.back().off = true;
     return;

@@ -17,6 +17,7 @@ struct PlaceOnPath {
   Distance distance;
   std::uint64_t line = 0;  // of the program: the move
   std::optional<std::uint64_t> n;
+  bool followed = true;  // else what was nearest
 };
 
 // Kept in bounded memory: of long recordings some samples stand for those between, of long programs the dearest of
@@ -27,10 +28,11 @@ class Deviations {
   static constexpr std::size_t kMostMoves = 1024;
   static constexpr std::size_t kBins = 20;
 
-  // A recorded position and, where the recording is followed, its place.
+  // A recorded position and its place, or what is nearest where the recording is not followed.
   struct Point {
     AxisPoint recorded{};
     std::optional<AxisPoint> exact;
+    bool followed = false;
   };
   // What of a move was followed, and what stands for it.
   struct Move {
@@ -41,6 +43,8 @@ class Deviations {
   };
 
   explicit Deviations(Distance tolerance = {}) : tolerance_(tolerance) {}
+  // Whether the next sample will be a point: other ones need a place only where they are followed.
+  [[nodiscard]] bool keeps_next() const { return taken_ % stride_ == 0; }
   void take(const AxisPoint& recorded, const std::optional<PlaceOnPath>& place);
 
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }

@@ -8,7 +8,7 @@ namespace toolcomp::certify {
 namespace {
 
 // Finer than this, in tolerances, no distance is searched.
-constexpr double kFine = 1e-3;
+constexpr double kFine = 0.001;
 
 // Takes the farthest point of the line from `a` to `b` into account. The distance from one line of the run is convex
 // along it, so the larger one of both ends bounds what lies between. What is not beyond `enough` is not told apart.

@@ -29,7 +29,7 @@ class NearestOnPath {
     try_piece(near_, p, best);
     path_.boxes().visit(
         from_.piece, to_.piece + 1,
-        [&](const Box& box) { return metric_.in_tolerances(metric_.outside(box, p)) >= best.in_tolerances; },
+        [&](const AxisBox& box) { return metric_.in_tolerances(metric_.outside(box, p)) >= best.in_tolerances; },
         [&](std::size_t number) { try_piece(number, p, best); });
     near_ = best.piece;
     return best;

@@ -121,6 +121,7 @@ void Matcher::advance(const Sample& sample) {
 
 void Matcher::recover(const std::vector<Hypothesis>& lost, const Sample& sample) {
   if (run_.empty() && !lost.empty()) run_.add(last_);
+  if (run_.full()) decide_oldest();
   run_.add(sample);
   std::vector<Hypothesis> candidates;
   if (!lost.empty()) {
@@ -345,22 +346,51 @@ void Matcher::take_cheapest() {
   left_.clear();
 }
 
+std::vector<Matcher::History*> Matcher::histories() {
+  std::vector<History*> all;
+  for (Hypothesis& hypothesis : hypotheses_) all.push_back(&hypothesis.history);
+  for (Left& left : left_) all.push_back(&left.history);
+  return all;
+}
+
+// Nothing that is followed has other faults first than the cheapest.
+void Matcher::decide_oldest() {
+  const auto cost = [&](const Left& left) { return left.history.cost + recorded_ - left.recorded; };
+  const History* cheapest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Hypothesis& h : hypotheses_)
+    if (h.history.cost < least) cheapest = &h.history, least = h.history.cost;
+  for (const Left& left : left_)
+    if (cost(left) < least) cheapest = &left.history, least = cost(left);
+  if (cheapest == nullptr || cheapest->faults.empty()) return;
+  const auto fault = cheapest->faults.front();
+  const auto other = [&](const auto& h) { return h.history.faults.empty() || h.history.faults.front() != fault; };
+  std::erase_if(hypotheses_, other);
+  std::erase_if(left_, other);
+  report_common();
+}
+
 // Faults that all that is followed has in common.
 void Matcher::report_common() {
-  while (true) {
-    std::vector<History*> histories;
-    for (Hypothesis& hypothesis : hypotheses_) histories.push_back(&hypothesis.history);
-    for (Left& left : left_) histories.push_back(&left.history);
-    if (histories.empty() || histories.front()->faults.empty()) return;
-    const auto fault = histories.front()->faults.front();
+  const std::vector<History*> all = histories();
+  bool any = false;
+  while (!all.empty() && !all.front()->faults.empty()) {
+    const auto fault = all.front()->faults.front();
     const auto has_it = [&](const History* h) { return !h->faults.empty() && h->faults.front() == fault; };
-    if (!std::ranges::all_of(histories, has_it)) return;
+    if (!std::ranges::all_of(all, has_it)) break;
     report(*fault, scene_, result_, findings_);
-    for (History* history : histories) {
+    any = true;
+    for (History* history : all) {
       history->faults.erase(history->faults.begin());
       history->cost -= fault->cost;
     }
   }
+  if (!any) return;
+  std::uint64_t needed = last_.number;
+  for (const History* history : all)
+    if (!history->faults.empty()) needed = std::min(needed, history->faults.front()->from);
+  for (const Left& left : left_) needed = std::min(needed, left.sample);
+  run_.drop_before(needed);
 }
 
 void Matcher::report_all(const History& history) {
@@ -406,6 +436,28 @@ void Matcher::measure(Hypothesis& hypothesis, const Sample& sample) const {
 void Matcher::leave_uncovered(const PathPlace& until) {
   for (std::size_t piece = path_.first(); piece < until.piece; ++piece) result_.covered -= path_.linear_length(piece);
   result_.covered -= until.at * path_.linear_length(until.piece);
+}
+
+std::optional<PlaceOnPath> Matcher::place(bool also_left) const {
+  std::optional<PlaceOnPath> nearest;
+  const auto look = [&](std::size_t number, const Part& part) {
+    const PathPiece& piece = path_[number].piece;
+    if (piece.free) return;
+    const double t = metric_.closest(piece.begin, piece.end, last_.at, part);
+    const Distance d = metric_.at(piece.begin, piece.end, t, last_.at);
+    if (!nearest || metric_.in_tolerances(d) < metric_.in_tolerances(nearest->distance))
+      nearest = PlaceOnPath{point_at(piece.begin, piece.end, t), d, piece.line, piece.n};
+  };
+  if (!hypotheses_.empty()) {
+    const auto best = std::ranges::min_element(hypotheses_, {}, [](const Hypothesis& h) { return h.history.cost; });
+    for (const Reached& reached : best->reach) look(reached.piece, {reached.low, reached.high});
+  } else if (also_left && !left_.empty()) {
+    constexpr std::size_t kNear = 256;
+    const std::size_t from = left_.front().low.piece;
+    for (std::size_t i = from; i < std::min(from + kNear, path_.end()); ++i) look(i, {0, 1});
+    if (nearest) nearest->followed = false;
+  }
+  return nearest;
 }
 
 MoveName Matcher::move() const {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "certify/trace/deviations.h"
 #include "certify/trace/fault.h"
 #include "certify/trace/findings.h"
 #include "certify/trace/free_space.h"
@@ -34,6 +35,7 @@ namespace toolcomp::certify {
 // * A recording that is off the path for as long as half of that is taken to have left out the first quarter, and so
 //   on: then what it is compared with stays beside it. Where more than kWindow pieces were left out at once, it is not
 //   found again: the rest is said to be off the path.
+// * The oldest fault of the cheapest is decided on when as many samples are held as a run keeps (run.h).
 // * At most kHypotheses are followed, the cheapest. If the path held gets longer than kWindow while several are, the
 //   cheapest is taken.
 // A move whose inside is not judged accepts every sample, so a match cannot break there: while one is inside,
@@ -47,6 +49,9 @@ class Matcher {
   Matcher(PathSource& path, const Metric& metric, const spec::Axes& axes, TraceResult& result, Findings& findings);
   void take(const AxisPoint& at, std::uint64_t line);
   void end();
+  // Where the last sample is on the path, as far as one can tell; nothing while the recording is not followed, unless
+  // `also_left`: then what is nearest behind the place where it left.
+  [[nodiscard]] std::optional<PlaceOnPath> place(bool also_left) const;
   // The move that the recording is on, as far as one can tell.
   [[nodiscard]] MoveName move() const;
 
@@ -97,7 +102,9 @@ class Matcher {
   void settle();
   void take_cheapest();
   void move_on(const Sample& sample);
+  void decide_oldest();
   void report_common();
+  [[nodiscard]] std::vector<History*> histories();
   void report_all(const History& history);
   void drop_behind();
   [[nodiscard]] std::size_t first_needed() const;

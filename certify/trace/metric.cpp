@@ -16,12 +16,12 @@ double off_at(double a, double b, double t, double p) {
 
 }  // namespace
 
-Box::Box() {
+AxisBox::AxisBox() {
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-std::numeric_limits<double>::infinity());
 }
 
-void Box::add(const AxisPoint& p) {
+void AxisBox::add(const AxisPoint& p) {
   for (std::size_t axis = 0; axis < p.size(); ++axis) {
     low[axis] = std::min(low[axis], p[axis]);
     high[axis] = std::max(high[axis], p[axis]);
@@ -163,7 +163,7 @@ double Metric::closest(const AxisPoint& a, const AxisPoint& b, const AxisPoint& 
   return best;
 }
 
-Distance Metric::outside(const Box& box, const AxisPoint& p) const {
+Distance Metric::outside(const AxisBox& box, const AxisPoint& p) const {
   const auto off = [&](std::size_t axis) { return std::max({0.0, box.low[axis] - p[axis], p[axis] - box.high[axis]}); };
   double square = 0;
   for (const std::size_t axis : space_.linear) square += off(axis) * off(axis);

@@ -22,10 +22,10 @@ struct Limit {
 };
 
 // The least box around positions; empty at first.
-struct Box {
+struct AxisBox {
   AxisPoint low;
   AxisPoint high;
-  Box();
+  AxisBox();
   void add(const AxisPoint& p);
 };
 
@@ -63,7 +63,7 @@ class Metric {
   // No point of that part of the line is closer, in tolerances.
   [[nodiscard]] double at_least(const AxisPoint& a, const AxisPoint& b, const AxisPoint& p, const Part& within) const;
   // No point of the box is closer to `p`.
-  [[nodiscard]] Distance outside(const Box& box, const AxisPoint& p) const;
+  [[nodiscard]] Distance outside(const AxisBox& box, const AxisPoint& p) const;
 
   [[nodiscard]] double in_tolerances(const Distance& d) const;
   // The same with the axes of one kind only.

@@ -54,7 +54,7 @@ class PathWindow {
     const double magnitude = metric_.magnitude(p);
     const Limit widest = metric_.limit(largest_error_, std::max(magnitude, largest_magnitude_));
     boxes_.visit(
-        from, to, [&](const Box& box) { return metric_.exceeds(metric_.outside(box, p), widest); },
+        from, to, [&](const AxisBox& box) { return metric_.exceeds(metric_.outside(box, p), widest); },
         [&](std::size_t number) {
           const WindowPiece& w = (*this)[number];
           if (w.piece.free) return;

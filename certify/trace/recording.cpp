@@ -67,9 +67,9 @@ struct Unit {
   double scale;  // millimetres, degrees, seconds
 };
 constexpr std::array<Unit, 7> kLengths{
-    {{"um", 1e-3}, {"\xC2\xB5m", 1e-3}, {"mm", 1}, {"m", 1000}, {"in", kInch}, {"inch", kInch}, {"inches", kInch}}};
+    {{"um", 0.001}, {"\xC2\xB5m", 0.001}, {"mm", 1}, {"m", 1000}, {"in", kInch}, {"inch", kInch}, {"inches", kInch}}};
 constexpr std::array<Unit, 4> kAngles{{{"deg", 1}, {"degrees", 1}, {"\xC2\xB0", 1}, {"rad", 180 / std::numbers::pi}}};
-constexpr std::array<Unit, 4> kTimes{{{"us", 1e-6}, {"\xC2\xB5s", 1e-6}, {"ms", 1e-3}, {"s", 1}}};
+constexpr std::array<Unit, 4> kTimes{{{"us", 0.000001}, {"\xC2\xB5s", 0.000001}, {"ms", 0.001}, {"s", 1}}};
 
 template <std::size_t n>
 std::optional<double> scale_of(const std::array<Unit, n>& units, std::string_view name) {
@@ -88,8 +88,7 @@ double last_digit(std::string_view text) {
   }
   const std::size_t point = text.find('.');
   if (point < exponent_at) exponent -= static_cast<int>(exponent_at - point - 1);
-  constexpr std::array<double, 10> powers{1, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
-  return exponent <= 0 && exponent > -10 ? powers.at(static_cast<std::size_t>(-exponent)) : std::pow(10.0, exponent);
+  return std::pow(10.0, exponent);
 }
 
 }  // namespace

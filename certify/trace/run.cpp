@@ -5,13 +5,20 @@
 namespace toolcomp::certify {
 
 void Run::add(const Sample& sample) {
-  if (samples_.size() >= kMost) thin();
+  if (full()) thin();
   samples_.push_back({sample, 1, {}});
 }
 
 void Run::clear() {
   samples_.clear();
   error_ = {};
+}
+
+void Run::drop_before(std::uint64_t number) {
+  const auto behind = [](std::uint64_t limit, const RunSample& s) { return limit < s.sample.number; };
+  const auto keep = std::upper_bound(samples_.begin(), samples_.end(), number, behind);
+  // The last one that is not behind it stays.
+  if (keep - samples_.begin() > 1) samples_.erase(samples_.begin(), keep - 1);
 }
 
 // Of the line from the sample before to the one behind.
@@ -81,7 +88,7 @@ RunDistance::Nearest RunDistance::nearest(const AxisPoint& p) {
   best.in_tolerances = from(p, near_);
   boxes_.visit(
       first_, last_ + 1,
-      [&](const Box& box) { return metric_.in_tolerances(metric_.outside(box, p)) >= best.in_tolerances; },
+      [&](const AxisBox& box) { return metric_.in_tolerances(metric_.outside(box, p)) >= best.in_tolerances; },
       [&](std::size_t line) {
         if (metric_.at_least(run_.samples()[line].sample.at, end_of(line), p, {}) >= best.in_tolerances) return;
         const double d = from(p, line);

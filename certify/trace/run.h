@@ -28,6 +28,9 @@ class Run {
   explicit Run(const Metric& metric) : metric_(metric) {}
   void add(const Sample& sample);
   void clear();
+  // The samples before that number are not needed any more.
+  void drop_before(std::uint64_t number);
+  [[nodiscard]] bool full() const { return samples_.size() >= kMost; }
   [[nodiscard]] bool empty() const { return samples_.empty(); }
   [[nodiscard]] const std::vector<RunSample>& samples() const { return samples_; }
   // The largest error of a line.

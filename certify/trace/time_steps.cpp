@@ -41,7 +41,7 @@ void TimeSteps::judge() {
   if (step.seconds > kLong * period) {
     double resolution = step.resolution;
     for (const TimeStep& other : steps_) resolution = std::min(resolution, other.resolution);
-    resolution *= 1 + 1e-6;  // stamps are rounded
+    resolution += resolution / 1000;  // stamps as doubles are rounded, by far less
     bool steady = known;
     for (const Sorted* around : {&before_, &behind_})
       steady = steady && (!counts(around) || around->steady(resolution));

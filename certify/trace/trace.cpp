@@ -19,6 +19,7 @@ namespace {
 
 // For the picture.
 constexpr std::size_t kMostEvents = 20000;
+constexpr std::size_t kMostOfCourse = 10000;
 
 void expect_positive(double tolerance, const char* option, const char* unit) {
   if (!(tolerance > 0) || !std::isfinite(tolerance))
@@ -70,6 +71,7 @@ void match(Recording& recording, PathSource& path, const Metric& metric, const s
   std::optional<double> time;
   while (recording.next(sample)) {
     matcher.take(sample.at, sample.line);
+    result.deviations.take(sample.at, matcher.place(result.deviations.keeps_next()));
     keep(sample, kept);
     if (!recording.has_time()) continue;
     if (time) steps.take({sample.time - *time, sample.resolution, sample.line, matcher.move(), sample.at});
@@ -79,6 +81,24 @@ void match(Recording& recording, PathSource& path, const Metric& metric, const s
   steps.end();
   result.steps_not_judged = steps.not_judged();
   findings.sort();
+}
+
+// The path as far as a picture shows it: chords no further off than a thousandth of its size.
+std::vector<AxisPoint> course(const spec::Case& c, const Metric& metric, ProgramPathOptions options,
+                              const Deviations& deviations) {
+  AxisBox box;
+  for (const Deviations::Point& point : deviations.points()) box.add(point.recorded);
+  Distance coarse{metric.tolerance().linear, 100};
+  for (const std::size_t axis : metric.space().linear)
+    coarse.linear = std::max(coarse.linear, (box.high[axis] - box.low[axis]) / 10);
+  options.on_event = {};
+  ProgramPath path(c, metric.space(), coarse, options);
+  std::vector<AxisPoint> points;
+  for (PathPiece piece; points.size() < kMostOfCourse && path.next(piece);) {
+    if (points.empty()) points.push_back(piece.begin);
+    points.push_back(piece.end);
+  }
+  return points;
 }
 
 }  // namespace
@@ -97,10 +117,12 @@ TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::strin
     if (result.events.size() < kMostEvents) result.events.push_back(in_double(event));
   };
   ProgramPath path(c, metric.space(), tolerance, path_options);
+  result.deviations = Deviations(tolerance);
   RecordedRun kept;
   kept.has_time = recording.has_time();
   match(recording, path, metric, c.setup.axes, options.most_findings, result, kept);
   result.undecided = path.undecided();
+  result.course = course(c, metric, path_options, result.deviations);
   if (!result.undecided.empty()) {
     // Nobody knows what the rest of the recording should be.
     result.findings.clear();

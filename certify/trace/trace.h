@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/trace/deviations.h"
 #include "certify/trace/program_path.h"
 #include "spec/language/axes.h"
 #include "spec/language/case.h"
@@ -64,6 +65,8 @@ struct TraceResult {
   std::uint64_t findings_total = 0;
   std::vector<TraceFinding> findings;       // by sample
   std::optional<std::string> cause;         // one mistake that explains all findings (causes/cause.h)
+  Deviations deviations;                    // sample by sample, for pictures
+  std::vector<AxisPoint> course;            // the exact path as far as a picture shows it
   std::vector<spec::Event<double>> events;  // of the exact run: the first ones, for a picture
   std::string undecided;                    // why the model could not decide; empty: it could
 };

@@ -87,6 +87,25 @@ TEST_F(Trace, ACase) {
   EXPECT_NE(other.err.find("trace.csv:1:5:"), std::string::npos) << other.err;
 }
 
+// The rotary axis has a tolerance of its own, and a finding its name.
+TEST_F(Trace, RotaryAxes) {
+  const std::string program = folder.write("p.nc", "G90 G01 X10. C90. F100\n");
+  const std::string csv = folder.write("trace.csv", "X [mm];C (deg)\n0;0\n5;45.5\n10;90\n");
+  const std::string arguments = "certify --trace " + csv + " --tolerance 0.01 " + program + " --setup " +
+                                folder.write("setup.toml", "control = \"fanuc\"\naxes = [\"X\", \"C\"]\n") +
+                                " --report " + folder.path("report");
+  EXPECT_EQ(toolcomp(arguments + " --rotary-tolerance 0.5").status, 0);
+  const Outcome outcome = toolcomp(arguments);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.out.find("trace.csv:3: off the path of line 1 by"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find(", C "), std::string::npos) << outcome.out;
+  for (const std::string tolerance : {"0", "-1", "nan", "x"}) {
+    const Outcome refused = toolcomp(arguments + " --rotary-tolerance " + tolerance);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("--rotary-tolerance"), std::string::npos) << refused.err;
+  }
+}
+
 // Positions of a Klartext program in inches are inches, whatever the setup.
 TEST_F(Trace, AProgramInInches) {
   const std::string program = folder.write("p.h", "BEGIN PGM A INCH\nL X+1 R0 FMAX\nL Y+1\nEND PGM A INCH\n");

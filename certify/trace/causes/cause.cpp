@@ -139,13 +139,13 @@ class Causes {
 
   // By the least and the largest position of each axis.
   [[nodiscard]] std::vector<Line> lines_through(const MakePath& make) const {
-    Box exact;
+    AxisBox exact;
     const std::unique_ptr<PathSource> path = make(metric_.tolerance());
     for (PathPiece piece; path->next(piece);) {
       if (exact.low[axes_.front()] > exact.high[axes_.front()]) exact.add(piece.begin);
       exact.add(piece.end);
     }
-    Box recorded;
+    AxisBox recorded;
     for (const RecordedSample& sample : run_.samples) recorded.add(sample.at);
     std::vector<Line> lines(spec::kMaxAxes);
     for (const std::size_t axis : axes_) {
@@ -193,7 +193,7 @@ class Causes {
 
   [[nodiscard]] double mirrored_shift(std::size_t axis, const Line& line) const {
     // lines_through: shift = R - scale · E with R and E the sums of both ends' halves; mirrored it is R + E.
-    Box recorded;
+    AxisBox recorded;
     for (const RecordedSample& sample : run_.samples) recorded.add(sample.at);
     const double middle = (recorded.low[axis] + recorded.high[axis]) / 2;
     const double shift = middle + (middle - line.shift) / line.scale;
