@@ -205,7 +205,7 @@ std::string trace_svg(const TraceResult& result, const spec::Axes& axes, std::st
   out += "<path class=\"tr-exact\" d=\"M6 15h22\"/>" + text(34, 19, "exact path");
   out += "<path class=\"tr-recorded\" d=\"M106 15h22\"/>" +
          text(134, 19, fmt::format("recording, deviations {} times as large", plain(factor, 0)));
-  out += "<path class=\"tr-off\" d=\"M376 15h22\"/>" + text(404, 19, "off the path") + "</svg><br>\n";
+  out += "<path class=\"tr-off\" d=\"M376 15h22\"/>" + text(404, 19, "off the path") + "</svg><br/>\n";
   for (const View* view : views) out += Panel(*view, scene).draw(factor, unit);
   return out;
 }
