@@ -21,6 +21,8 @@ namespace {
 
 // Of longer paths no cause is found that leaves the path as it is.
 constexpr std::size_t kMostPieces = 100000;
+// Values are searched by the recording up to so many samples behind the first finding.
+constexpr std::size_t kSearchedBehind = 5000;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 using MakePath = std::function<std::unique_ptr<PathSource>(Distance tolerance)>;
@@ -34,6 +36,11 @@ class Causes {
     for (const TraceFinding& finding : found.findings) {
       off_.linear = std::max(off_.linear, finding.distance.upper);
       off_.rotary = std::max(off_.rotary, finding.rotary.upper);
+    }
+    if (!found.findings.empty()) {
+      const auto first =
+          std::ranges::lower_bound(run.samples, found.findings.front().sample, {}, &RecordedSample::line);
+      searched_ = std::min(run.samples.size(), static_cast<std::size_t>(first - run.samples.begin()) + kSearchedBehind);
     }
     for (const std::size_t axis : metric.space().linear) axes_.push_back(axis);
     for (const std::size_t axis : metric.space().rotary) axes_.push_back(axis);
@@ -79,23 +86,24 @@ class Causes {
     };
   }
 
-  // The largest distance in tolerances of `metric`; nothing where the recording is beyond them, or there is no path.
-  [[nodiscard]] std::optional<double> distance(const MakePath& make, const Recorded& recorded,
-                                               const Metric& metric) const {
+  // The largest distance in tolerances of `metric`, of all samples or of the first ones; nothing where the recording is
+  // beyond them, or there is no path.
+  [[nodiscard]] std::optional<double> distance(const MakePath& make, const Recorded& recorded, const Metric& metric,
+                                               std::size_t count) const {
     try {
-      return followed(*make(metric.tolerance()), metric, run_.samples.size(), recorded);
+      return followed(*make(metric.tolerance()), metric, count, count == run_.samples.size(), recorded);
     } catch (const spec::InputError&) {
       return std::nullopt;  // no control could have such a setup
     }
   }
   [[nodiscard]] bool conforms(const MakePath& make, const Recorded& recorded) const {
-    return distance(make, recorded, metric_).has_value();
+    return distance(make, recorded, metric_, run_.samples.size()).has_value();
   }
   // Compared with what was found: some tolerances, or infinite where it is much more.
   [[nodiscard]] double worst(const MakePath& make, const Recorded& recorded) const {
     const Distance& t = metric_.tolerance();
     const Metric wide(metric_.space(), {std::max(t.linear, 2 * off_.linear), std::max(t.rotary, 2 * off_.rotary)});
-    return distance(make, recorded, wide).value_or(kNever);
+    return distance(make, recorded, wide, searched_).value_or(kNever);
   }
 
   std::optional<std::string> no_tip_control() const {
@@ -264,6 +272,7 @@ class Causes {
   ProgramPathOptions options_;
   Distance off_;  // the farthest that was found
   std::vector<std::size_t> axes_;
+  std::size_t searched_ = 0;  // samples that values are searched by
   mutable Pieces pieces_;
   mutable Pieces wide_pieces_;
 };
@@ -273,6 +282,8 @@ class Causes {
 std::optional<std::string> common_cause(const spec::Case& c, const RecordedRun& run, const Metric& metric,
                                         const ProgramPathOptions& options, const TraceResult& found) {
   if (!run.whole || run.samples.size() < 2) return std::nullopt;
+  // Where samples are missing, nothing is known that could be explained.
+  if (std::ranges::all_of(found.findings, [](const TraceFinding& f) { return f.kind == "gap"; })) return std::nullopt;
   return Causes(c, run, metric, options, found).find();
 }
 

@@ -24,7 +24,8 @@ double distance(const PathWindow& path, const Metric& metric, const Reach& reach
 
 }  // namespace
 
-std::optional<double> followed(PathSource& path, const Metric& metric, std::size_t count, const Recorded& recorded) {
+std::optional<double> followed(PathSource& path, const Metric& metric, std::size_t count, bool to_end,
+                               const Recorded& recorded) {
   PathWindow window(path, metric);
   FreeSpace space(window, metric);
   const auto sample = [&](std::size_t i) {
@@ -45,7 +46,7 @@ std::optional<double> followed(PathSource& path, const Metric& metric, std::size
     std::swap(reach, ahead);
     last = next;
   }
-  if (!space.at_end(reach)) return std::nullopt;
+  if (reach.empty() || (to_end && !space.at_end(reach))) return std::nullopt;
   return largest;
 }
 
