@@ -52,6 +52,12 @@ class Matcher {
   [[nodiscard]] MoveName move() const;
 
  private:
+  // What leaving the path costs besides the lengths, in tolerances: places that differ by a few tolerances are the same
+  // to a match, so faults closer than about that are one.
+  static constexpr double kFault = 16;
+  // Pieces kept behind those matched: a recording that goes back is told from one that leaves the path.
+  static constexpr std::size_t kBehind = 4096;
+
   // The largest accepted distances so far.
   struct Accepted {
     Bounds linear, rotary;

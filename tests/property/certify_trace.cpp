@@ -575,5 +575,82 @@ TEST(TraceMatch, SamplesMissingOnACurve) {
   }
 }
 
+// --- Long paths -----------------------------------------------------------------------------------------------------
+
+// A zigzag of short blocks, made as it is asked for: rows of 100, 1 apart.
+class Zigzag : public PathSource {
+ public:
+  explicit Zigzag(std::size_t pieces) : pieces_(pieces) {}
+  static Point place(std::size_t number) {
+    const std::size_t row = number / 101;
+    const std::size_t column = number % 101;
+    const double along = 0.1 * static_cast<double>(column);
+    return {row % 2 == 0 ? along : 10 - along, static_cast<double>(row), 0};
+  }
+  bool next(PathPiece& piece) override {
+    if (next_ == pieces_) return false;
+    piece = {};
+    piece.begin = axes(place(next_));
+    piece.end = axes(place(++next_));
+    piece.line = next_;
+    return true;
+  }
+
+ private:
+  std::size_t pieces_;
+  std::size_t next_ = 0;
+};
+
+template <class Place>
+TraceResult match_zigzag(std::size_t pieces, Place place) {
+  const spec::Axes letters("XYC");
+  const Metric metric({{0, 1}, {}}, {kTolerance, kTolerance});
+  TraceResult result;
+  Findings findings(result, 100);
+  Zigzag path(pieces);
+  Matcher matcher(path, metric, letters, result, findings);
+  std::uint64_t line = 2;
+  for (std::size_t number = 0; number <= pieces; ++number)
+    if (const std::optional<Point> p = place(number)) matcher.take(axes(*p), line++);
+  matcher.end();
+  return result;
+}
+
+// Blocks left out are found again as far ahead as is searched, and named.
+TEST(TraceMatch, AHundredThousandBlocksLeftOut) {
+  const TraceResult r = match_zigzag(200000, [](std::size_t number) -> std::optional<Point> {
+    // From the end of row 49, (0, 49), to the begin of row 1050, (0, 1050).
+    if (number > 5049 && number < 5050 + 1000 * 101) return {};
+    return Zigzag::place(number);
+  });
+  ASSERT_EQ(r.findings_total, 1U) << words(r);
+  EXPECT_EQ(r.findings[0].kind, "move left out");
+  // The line between passes (0, 50), where block 5050 ends, and (0, 1049), where block 106049 ends.
+  EXPECT_EQ(r.findings[0].line, 5051U);
+  EXPECT_EQ(r.findings[0].last_line, 106048U);
+  EXPECT_EQ(r.findings[0].sample, 5052U);
+  // The other ends of the rows are 10 away.
+  EXPECT_NEAR(r.findings[0].distance.lower, 10, 0.01);
+  EXPECT_NEAR(r.findings[0].distance.upper, 10, 0.02);
+}
+
+// Twice the tolerance beside the path for longer than what is held of it: the distance is that of the path beside it.
+TEST(TraceMatch, LostForLongerThanTheWindow) {
+  constexpr std::size_t kPieces = 300000;
+  const TraceResult r = match_zigzag(kPieces, [](std::size_t number) -> std::optional<Point> {
+    Point p = Zigzag::place(number);
+    if (number > 1000 && number < kPieces) p[1] += 2 * kTolerance;
+    return p;
+  });
+  ASSERT_EQ(r.findings_total, 1U) << words(r);
+  EXPECT_EQ(r.findings[0].kind, "off the path");
+  EXPECT_EQ(r.findings[0].sample, 1003U);
+  // At the ends of rows the recording lies on the way to the next one.
+  EXPECT_GT(r.findings[0].samples, (kPieces - 1000) / 101 * 99);
+  EXPECT_LE(r.findings[0].distance.lower, 2 * kTolerance);
+  EXPECT_GE(r.findings[0].distance.upper, 2 * kTolerance);
+  EXPECT_LE(r.findings[0].distance.upper, 2.5 * kTolerance);
+}
+
 }  // namespace
 }  // namespace toolcomp::certify
