@@ -140,7 +140,8 @@ void Matcher::end() {
     const auto done = [&](const Hypothesis& h) { return free_.at_end(h.reach); };
     // The rest of the path, which is only known if anything is at its end; else it is the same for all.
     const double whole = std::ranges::any_of(hypotheses_, done) ? path_.length_to({path_.end() - 1, 1}) : 0;
-    const History* best = nullptr;
+    const History none;
+    const History* best = &none;
     Fault rest;
     double least = std::numeric_limits<double>::infinity();
     for (const Hypothesis& h : hypotheses_) {

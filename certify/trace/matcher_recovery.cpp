@@ -263,6 +263,7 @@ void Matcher::take_cheapest() {
 
 std::vector<Matcher::History*> Matcher::histories() {
   std::vector<History*> all;
+  all.reserve(hypotheses_.size() + left_.size());
   for (Hypothesis& hypothesis : hypotheses_) all.push_back(&hypothesis.history);
   for (Left& left : left_) all.push_back(&left.history);
   return all;
