@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "certify/trace/matcher.h"
+#include "certify/trace/time_steps.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -572,6 +573,36 @@ TEST(TraceMatch, SamplesMissingOnACurve) {
     EXPECT_LE(r.findings[0].distance.lower, sagitta + 1e-12) << i;
     EXPECT_GE(r.findings[0].distance.upper, sagitta - 1e-12) << i;
     EXPECT_LE(r.findings[0].distance.upper - r.findings[0].distance.lower, 0.1 * kTolerance + 2e-3 * sagitta) << i;
+  }
+}
+
+// Steps that vary by 30 percent, a period that changes: no gap. Left out samples: exactly those, wherever three
+// periods are missing.
+TEST(TraceTime, StepsOfAnUnsteadyClock) {
+  Random random(10);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<std::uint64_t> found;
+    TimeSteps steps([&](const TimeStep& step) { found.push_back(step.line); });
+    std::vector<std::uint64_t> missing;
+    double period = uniform(random, 0.001, 0.1);
+    std::uint64_t line = 0;
+    std::uint64_t quiet = 0;  // steps since the last change or gap
+    for (int k = 0; k < 1000; ++k, ++line, ++quiet) {
+      if (quiet > 100 && k < 950 && below(random, 200) == 0) {
+        period *= uniform(random, 0.3, 3);
+        quiet = 0;
+      }
+      double seconds = period * uniform(random, 0.85, 1.15);
+      if (quiet > 40 && k < 950 && below(random, 100) == 0) {
+        seconds += 3 * period;
+        missing.push_back(line);
+      }
+      steps.take({seconds, period / 1000, line, {}, {}});
+    }
+    steps.end();
+    // A gap beside a change of the period may be within the longer one.
+    EXPECT_TRUE(std::ranges::includes(missing, found)) << i;
+    EXPECT_GE(found.size() + 3, missing.size()) << i;
   }
 }
 

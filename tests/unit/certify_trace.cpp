@@ -344,6 +344,20 @@ TEST(Trace, StepsWithoutAPeriodAreNotJudged) {
   EXPECT_GT(r.steps_not_judged, 0U);
 }
 
+// A quarter circle between two lines without a sample on it: the recording goes straight from end to end.
+TEST(Trace, AWholeArcLeftOut) {
+  const spec::Case rounded = program("G90 G01 X10. F100\nG17 G03 X20. Y10. R10.\nG01 Y20.\n");
+  const TraceResult r = judge(rounded, "X,Y\n0,0\n10,0\n20,10\n20,20\n");
+  ASSERT_EQ(r.findings.size(), 1U);
+  EXPECT_EQ(r.findings[0].kind, "move left out");
+  EXPECT_EQ(r.findings[0].line, 2U);
+  EXPECT_EQ(r.findings[0].sample, 4U);
+  EXPECT_EQ(r.corners_missed, 0U);
+  EXPECT_LE(r.findings[0].distance.lower, 10 * (1 - std::numbers::sqrt2 / 2));
+  EXPECT_GE(r.findings[0].distance.upper, 10 * (1 - std::numbers::sqrt2 / 2));
+  EXPECT_NEAR(r.findings[0].distance.lower, r.findings[0].distance.upper, 0.01);
+}
+
 // A gap on a curve is one finding, with its duration and how far the curve is from the chord.
 TEST(Trace, AGapOnACurveHasBoth) {
   const spec::Case circle = program("G90 G01 X10. F100\nG17 G03 I-10.\n");
