@@ -66,14 +66,18 @@ Interval free_interval(const Point& a, const Point& b, const Point& p, Real line
 }
 
 // Whether the recording is within the tolerances of the path. It may begin anywhere on the first `first_pieces` of it.
-bool within(const Line& path, const Line& recording, std::size_t first_pieces, Real linear, Real rotary) {
+// Of the pieces in `free` only the ends count.
+bool within(const Line& path, const Line& recording, std::size_t first_pieces, Real linear, Real rotary,
+            const std::vector<bool>& free = {}) {
   const std::size_t n = recording.size();
   const std::size_t m = path.size() - 1;
   // left[i][k]: reached on piece k at sample i; bottom[i][k]: reached at vertex k on the line from sample i to i + 1.
   std::vector<std::vector<Interval>> left(n, std::vector<Interval>(m));
   std::vector<std::vector<Interval>> bottom(n, std::vector<Interval>(m + 1));
-  const auto on_path = [&](std::size_t k, std::size_t i) {
-    return free_interval(path[k], path[k + 1], recording[i], linear, rotary);
+  const auto on_path = [&](std::size_t k, std::size_t i) -> Interval {
+    if (free.empty() || !free[k]) return free_interval(path[k], path[k + 1], recording[i], linear, rotary);
+    // Anywhere inside, or at its end.
+    return {0, free_interval(path[k + 1], path[k + 1], recording[i], linear, rotary).empty() ? 0.5L : 1};
   };
   for (std::size_t k = 0; k < m; ++k) {
     const Interval f = on_path(k, 0);
@@ -86,7 +90,7 @@ bool within(const Line& path, const Line& recording, std::size_t first_pieces, R
       const Interval& b = bottom[i][k];
       if (l.empty() && b.empty()) continue;
       Interval right = on_path(k, i + 1);
-      if (b.empty()) right.low = std::max(right.low, l.low);
+      if (b.empty() && (free.empty() || !free[k])) right.low = std::max(right.low, l.low);
       left[i + 1][k] = right;
       Interval top = free_interval(recording[i], recording[i + 1], path[k + 1], linear, rotary);
       if (l.empty()) top.low = std::max(top.low, b.low);
@@ -213,10 +217,15 @@ TEST(TraceMatch, DecidesAsTheWholeFreeSpaceDoes) {
     const Line path = grid_path(random, below(random, 2) == 0);
     const Line recording = grid_recording(random, path, linear, rotary);
     constexpr Real kHair = 1e-9L;
-    const bool below_it = within(path, recording, 1, linear * (1 - kHair), rotary * (1 - kHair));
-    const bool above_it = within(path, recording, 1, linear * (1 + kHair), rotary * (1 + kHair));
+    // Some moves are not judged inside.
+    std::vector<bool> free(path.size() - 1, false);
+    Pieces pieces = straight(path);
+    if (below(random, 3) == 0)
+      for (std::size_t k = 0; k < free.size(); ++k) pieces.pieces[k].free = free[k] = below(random, 3) == 0;
+    const bool below_it = within(path, recording, 1, linear * (1 - kHair), rotary * (1 - kHair), free);
+    const bool above_it = within(path, recording, 1, linear * (1 + kHair), rotary * (1 + kHair), free);
     if (below_it != above_it) continue;
-    const TraceResult r = match(straight(path), recording, linear, rotary);
+    const TraceResult r = match(pieces, recording, linear, rotary);
     ASSERT_EQ(r.findings_total == 0, above_it) << i << ": path " << words(path) << "\nrecording " << words(recording)
                                                << "\ntolerances " << linear << " " << rotary << "\n"
                                                << words(r);
