@@ -119,7 +119,8 @@ class LeftOut {
     const AxisPoint end = point_at(piece.begin, piece.end, part.high);
     const AxisPoint begin = piece.free || fault_.continued ? end : point_at(piece.begin, piece.end, part.low);
     // What came before a cut is not held any more, but it was off the path.
-    if (fault_.continued && !(fault_.end && !scene_.path.has(number + 1))) {
+    const bool last = fault_.end && !scene_.path.has(number + 1);
+    if (fault_.continued && !last) {
       corners_ += piece.corner && !piece.jump ? 1 : 0;
       return;
     }

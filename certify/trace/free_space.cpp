@@ -27,7 +27,7 @@ std::optional<double> FreeSpace::beyond(std::size_t piece, const Sample& a, cons
   return std::max(part->low, least);
 }
 
-Reach FreeSpace::begin(const Sample& sample) {
+Reach FreeSpace::begin(const Sample& sample, std::size_t most) {
   Reach reach;
   bool first_move = true;
   for (std::size_t piece = 0; path_.has(piece); ++piece) {
@@ -36,7 +36,7 @@ Reach FreeSpace::begin(const Sample& sample) {
     const bool joined = !reach.empty() && reach.back().piece + 1 == piece && reach.back().high >= 1;
     if (part && (first_move || (joined && part->low <= 0))) reach.push_back({piece, part->low, part->high});
     const PathPiece& p = path_[piece].piece;
-    if (p.corner && !p.jump) first_move = false;
+    if ((p.corner && !p.jump) || piece + 1 == most) first_move = false;
     if (!first_move && (reach.empty() || reach.back().piece != piece || reach.back().high < 1)) break;
   }
   return reach;

@@ -27,6 +27,8 @@ struct Reached {
 };
 // In the order of the path; those of one piece are one interval.
 using Reach = std::vector<Reached>;
+inline PathPlace first_of(const Reach& reach) { return {reach.front().piece, reach.front().low}; }
+inline PathPlace last_of(const Reach& reach) { return {reach.back().piece, reach.back().high}; }
 
 // A recording and a path are within the tolerance of each other (Fréchet) exactly if both can be run through, never
 // backwards, so that what is left behind side by side stays within it. The pairs (place of the recording, place of the
@@ -40,8 +42,9 @@ class FreeSpace {
  public:
   FreeSpace(PathWindow& path, const Metric& metric) : path_(path), metric_(metric) {}
 
-  // What a recording that begins at `sample` may have reached: it may begin anywhere on the first move.
-  Reach begin(const Sample& sample);
+  // What a recording that begins at `sample` may have reached: it may begin anywhere on the first move (on the first
+  // `most` pieces of it).
+  Reach begin(const Sample& sample, std::size_t most);
   // What is reached behind the straight line from `a` to `b`, by what was reached at `a`.
   void advance(const Reach& behind, const Sample& a, const Sample& b, Reach& ahead);
   // Whether the end of the path is among it.

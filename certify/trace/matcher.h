@@ -25,9 +25,8 @@ namespace toolcomp::certify {
 // * A match is left only where it breaks, and taken up only at a sample.
 // * A hypothesis goes if another can be where it is for no more: one that overlaps it, or one behind it that leaves out
 //   the path between.
-// * Once one is matched again, those dearer than twice its cost and a constant go. So the alignment found costs at most
-//   twice what the best one does as far as the recording was looked at, and the one lost longest is given up when the
-//   recording has been followed again for about as long as it was lost.
+// * Once one is matched again, those dearer than twice its cost and a constant go: the one that stays off the path is
+//   given up when the recording has been followed again for about as long as it was lost.
 // * Searched is the path from where it was left up to kWindow pieces ahead, whole moves or not: of straight moves so
 //   many, of curves that are divided most finely some twenty turns. Pieces near a sample are found by their boxes, so a
 //   sample costs about the same however much path lies ahead, and each piece is fetched and dropped once: time grows
@@ -56,6 +55,12 @@ class Matcher {
   [[nodiscard]] MoveName move() const;
 
  private:
+  // What leaving the path costs besides the lengths, in tolerances: places that differ by a few tolerances are the same
+  // to a match, so faults closer than about that are one.
+  static constexpr double kFault = 16;
+  // Pieces kept behind those matched: a recording that goes back is told from one that leaves the path.
+  static constexpr std::size_t kBehind = 4096;
+
   // The largest accepted distances so far.
   struct Accepted {
     Bounds linear, rotary;

@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 #include <utility>
 
@@ -116,14 +115,12 @@ bool Recording::next_line() {
   while (begin_ < buffer_.size() || fill()) {
     if (!any) ++line_;
     any = true;
-    const char* from = buffer_.data() + begin_;
-    const std::size_t rest = buffer_.size() - begin_;
-    const auto* line_end = static_cast<const char*>(std::memchr(from, '\n', rest));
-    const std::size_t size = line_end == nullptr ? rest : static_cast<std::size_t>(line_end - from);
-    text_.append(from, size);
-    begin_ += size + (line_end == nullptr ? 0 : 1);
+    const std::size_t line_end = buffer_.find('\n', begin_);
+    const std::size_t end = std::min(line_end, buffer_.size());
+    text_.append(buffer_, begin_, end - begin_);
+    begin_ = line_end == std::string::npos ? end : end + 1;
     if (text_.size() > kLongestLine) fail(kLongestLine + 1, "a line of more than 65536 bytes");
-    if (line_end != nullptr) break;
+    if (line_end != std::string::npos) break;
   }
   if (const std::size_t nul = text_.find('\0'); nul != std::string::npos) fail(nul + 1, "a NUL: this is no text");
   if (!text_.empty() && text_.back() == '\r') text_.pop_back();
@@ -133,8 +130,6 @@ bool Recording::next_line() {
 char Recording::separator() const {
   const std::size_t first = text_.find_first_of(",;\t");
   if (first == std::string::npos) return ',';
-  std::string others = ",;\t";
-  std::erase(others, text_[first]);
   // A tab beside another separator is a blank.
   if (text_[first] == '\t') {
     const std::size_t other = text_.find_first_of(",;");

@@ -18,7 +18,7 @@ namespace toolcomp::certify {
 namespace {
 
 // For the picture.
-constexpr std::size_t kMostEvents = 20000;
+constexpr std::size_t kMostEvents = 5000;
 constexpr std::size_t kMostOfCourse = 10000;
 
 void expect_positive(double tolerance, const char* option, const char* unit) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "certify/trace/matcher.h"
+#include "certify/trace/time_steps.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -21,6 +22,9 @@ using Real = long double;
 using Point = std::array<double, 3>;
 using Line = std::vector<Point>;
 using Random = std::mt19937_64;
+
+// Each test has numbers of its own, the same in every run.
+Random numbers_of(std::uint64_t test) { return Random(test); }
 
 double uniform(Random& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
@@ -65,14 +69,18 @@ Interval free_interval(const Point& a, const Point& b, const Point& p, Real line
 }
 
 // Whether the recording is within the tolerances of the path. It may begin anywhere on the first `first_pieces` of it.
-bool within(const Line& path, const Line& recording, std::size_t first_pieces, Real linear, Real rotary) {
+// Of the pieces in `free` only the ends count.
+bool within(const Line& path, const Line& recording, std::size_t first_pieces, Real linear, Real rotary,
+            const std::vector<bool>& free = {}) {
   const std::size_t n = recording.size();
   const std::size_t m = path.size() - 1;
   // left[i][k]: reached on piece k at sample i; bottom[i][k]: reached at vertex k on the line from sample i to i + 1.
   std::vector<std::vector<Interval>> left(n, std::vector<Interval>(m));
   std::vector<std::vector<Interval>> bottom(n, std::vector<Interval>(m + 1));
-  const auto on_path = [&](std::size_t k, std::size_t i) {
-    return free_interval(path[k], path[k + 1], recording[i], linear, rotary);
+  const auto on_path = [&](std::size_t k, std::size_t i) -> Interval {
+    if (free.empty() || !free[k]) return free_interval(path[k], path[k + 1], recording[i], linear, rotary);
+    // Anywhere inside, or at its end.
+    return {0, free_interval(path[k + 1], path[k + 1], recording[i], linear, rotary).empty() ? 0.5L : 1};
   };
   for (std::size_t k = 0; k < m; ++k) {
     const Interval f = on_path(k, 0);
@@ -85,7 +93,7 @@ bool within(const Line& path, const Line& recording, std::size_t first_pieces, R
       const Interval& b = bottom[i][k];
       if (l.empty() && b.empty()) continue;
       Interval right = on_path(k, i + 1);
-      if (b.empty()) right.low = std::max(right.low, l.low);
+      if (b.empty() && (free.empty() || !free[k])) right.low = std::max(right.low, l.low);
       left[i + 1][k] = right;
       Interval top = free_interval(recording[i], recording[i + 1], path[k + 1], linear, rotary);
       if (l.empty()) top.low = std::max(top.low, b.low);
@@ -203,7 +211,7 @@ Line grid_recording(Random& random, const Line& path, double linear, double rota
 }
 
 TEST(TraceMatch, DecidesAsTheWholeFreeSpaceDoes) {
-  Random random(1);
+  Random random = numbers_of(1);
   std::size_t accepted = 0;
   std::size_t refused = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -212,10 +220,15 @@ TEST(TraceMatch, DecidesAsTheWholeFreeSpaceDoes) {
     const Line path = grid_path(random, below(random, 2) == 0);
     const Line recording = grid_recording(random, path, linear, rotary);
     constexpr Real kHair = 1e-9L;
-    const bool below_it = within(path, recording, 1, linear * (1 - kHair), rotary * (1 - kHair));
-    const bool above_it = within(path, recording, 1, linear * (1 + kHair), rotary * (1 + kHair));
+    // Some moves are not judged inside.
+    std::vector<bool> free(path.size() - 1, false);
+    Pieces pieces = straight(path);
+    if (below(random, 3) == 0)
+      for (std::size_t k = 0; k < free.size(); ++k) pieces.pieces[k].free = free[k] = below(random, 3) == 0;
+    const bool below_it = within(path, recording, 1, linear * (1 - kHair), rotary * (1 - kHair), free);
+    const bool above_it = within(path, recording, 1, linear * (1 + kHair), rotary * (1 + kHair), free);
     if (below_it != above_it) continue;
-    const TraceResult r = match(straight(path), recording, linear, rotary);
+    const TraceResult r = match(pieces, recording, linear, rotary);
     ASSERT_EQ(r.findings_total == 0, above_it) << i << ": path " << words(path) << "\nrecording " << words(recording)
                                                << "\ntolerances " << linear << " " << rotary << "\n"
                                                << words(r);
@@ -227,7 +240,7 @@ TEST(TraceMatch, DecidesAsTheWholeFreeSpaceDoes) {
 
 // Coordinates on the grid and noise on the axes: many distances are the tolerance itself, which is accepted.
 TEST(TraceMatch, AcceptsTheToleranceItself) {
-  Random random(2);
+  Random random = numbers_of(2);
   for (int i = 0; i < 5000; ++i) {
     const double linear = 0.1 * static_cast<double>(1 + below(random, 3));
     const Line path = grid_path(random, false);
@@ -290,7 +303,7 @@ Curve random_curve(Random& random, double tolerance) {
 }
 
 TEST(TraceMatch, DecidesOnCurvesWithinTheirErrors) {
-  Random random(3);
+  Random random = numbers_of(3);
   std::size_t accepted = 0;
   std::size_t refused = 0;
   for (int i = 0; i < 400; ++i) {
@@ -381,7 +394,7 @@ double distance(const Point& a, const Point& b, const Point& p) {
 }
 
 TEST(TraceMatch, HonestRecordingsHaveNoFinding) {
-  Random random(4);
+  Random random = numbers_of(4);
   for (int i = 0; i < 100; ++i) {
     const Line path = long_path(random);
     const double step = uniform(random, 0.004, 0.3);
@@ -395,7 +408,7 @@ TEST(TraceMatch, HonestRecordingsHaveNoFinding) {
 }
 
 TEST(TraceMatch, ACornerCut) {
-  Random random(5);
+  Random random = numbers_of(5);
   for (int i = 0; i < 300; ++i) {
     const bool turns = below(random, 2) == 0;
     const Line path = long_path(random, turns);
@@ -436,7 +449,7 @@ TEST(TraceMatch, ACornerCut) {
 }
 
 TEST(TraceMatch, ABump) {
-  Random random(6);
+  Random random = numbers_of(6);
   for (int i = 0; i < 300; ++i) {
     const Line path = long_path(random);
     const std::size_t leg = below(random, path.size() - 1);
@@ -481,7 +494,7 @@ TEST(TraceMatch, ABump) {
 }
 
 TEST(TraceMatch, ABlockLeftOut) {
-  Random random(7);
+  Random random = numbers_of(7);
   for (int i = 0; i < 300; ++i) {
     const Line path = long_path(random, false);
     const std::size_t left_out = 1 + below(random, path.size() - 2);  // its end
@@ -510,7 +523,7 @@ TEST(TraceMatch, ABlockLeftOut) {
 }
 
 TEST(TraceMatch, APieceRecordedTwice) {
-  Random random(8);
+  Random random = numbers_of(8);
   for (int i = 0; i < 200; ++i) {
     const Line path = long_path(random);
     Line recording = honest(random, path, 0.05);
@@ -531,7 +544,7 @@ TEST(TraceMatch, APieceRecordedTwice) {
 }
 
 TEST(TraceMatch, SamplesMissingOnACurve) {
-  Random random(9);
+  Random random = numbers_of(9);
   for (int i = 0; i < 300; ++i) {
     const double radius = uniform(random, 1, 5);
     const double missing = uniform(random, 0.3, 3);
@@ -554,7 +567,8 @@ TEST(TraceMatch, SamplesMissingOnACurve) {
     }
     Line recording{{-5, 0, 0}, {0, 0, 0}};
     std::uint64_t behind = 0;
-    for (double angle = 0.01; angle < 2 * std::numbers::pi; angle += 0.01) {
+    for (int step = 1; step <= 628; ++step) {
+      const double angle = 0.01 * step;
       if (angle > from && angle < from + missing) continue;
       if (angle >= from + missing && behind == 0) behind = recording.size() + 2;
       recording.push_back(place(angle));
@@ -573,6 +587,113 @@ TEST(TraceMatch, SamplesMissingOnACurve) {
     EXPECT_GE(r.findings[0].distance.upper, sagitta - 1e-12) << i;
     EXPECT_LE(r.findings[0].distance.upper - r.findings[0].distance.lower, 0.1 * kTolerance + 2e-3 * sagitta) << i;
   }
+}
+
+// Steps that vary by 30 percent, a period that changes: no gap. Left out samples: exactly those, wherever three
+// periods are missing.
+TEST(TraceTime, StepsOfAnUnsteadyClock) {
+  Random random = numbers_of(10);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<std::uint64_t> found;
+    TimeSteps steps([&](const TimeStep& step) { found.push_back(step.line); });
+    std::vector<std::uint64_t> missing;
+    double period = uniform(random, 0.001, 0.1);
+    std::uint64_t line = 0;
+    std::uint64_t quiet = 0;  // steps since the last change or gap
+    for (int k = 0; k < 1000; ++k, ++line, ++quiet) {
+      if (quiet > 100 && k < 950 && below(random, 200) == 0) {
+        period *= uniform(random, 0.3, 3);
+        quiet = 0;
+      }
+      double seconds = period * uniform(random, 0.85, 1.15);
+      if (quiet > 40 && k < 950 && below(random, 100) == 0) {
+        seconds += 3 * period;
+        missing.push_back(line);
+      }
+      steps.take({seconds, period / 1000, line, {}, {}});
+    }
+    steps.end();
+    // A gap beside a change of the period may be within the longer one.
+    EXPECT_TRUE(std::ranges::includes(missing, found)) << i;
+    EXPECT_GE(found.size() + 3, missing.size()) << i;
+  }
+}
+
+// --- Long paths -----------------------------------------------------------------------------------------------------
+
+// A zigzag of short blocks, made as it is asked for: rows of 100, 1 apart.
+class Zigzag : public PathSource {
+ public:
+  explicit Zigzag(std::size_t pieces) : pieces_(pieces) {}
+  static Point place(std::size_t number) {
+    const std::size_t row = number / 101;
+    const std::size_t column = number % 101;
+    const double along = 0.1 * static_cast<double>(column);
+    return {row % 2 == 0 ? along : 10 - along, static_cast<double>(row), 0};
+  }
+  bool next(PathPiece& piece) override {
+    if (next_ == pieces_) return false;
+    piece = {};
+    piece.begin = axes(place(next_));
+    piece.end = axes(place(++next_));
+    piece.line = next_;
+    return true;
+  }
+
+ private:
+  std::size_t pieces_;
+  std::size_t next_ = 0;
+};
+
+template <class Place>
+TraceResult match_zigzag(std::size_t pieces, Place place) {
+  const spec::Axes letters("XYC");
+  const Metric metric({{0, 1}, {}}, {kTolerance, kTolerance});
+  TraceResult result;
+  Findings findings(result, 100);
+  Zigzag path(pieces);
+  Matcher matcher(path, metric, letters, result, findings);
+  std::uint64_t line = 2;
+  for (std::size_t number = 0; number <= pieces; ++number)
+    if (const std::optional<Point> p = place(number)) matcher.take(axes(*p), line++);
+  matcher.end();
+  return result;
+}
+
+// Blocks left out are found again as far ahead as is searched, and named.
+TEST(TraceMatch, AHundredThousandBlocksLeftOut) {
+  const TraceResult r = match_zigzag(200000, [](std::size_t number) -> std::optional<Point> {
+    // From the end of row 49, (0, 49), to the begin of row 1050, (0, 1050).
+    if (number > 5049 && number < 5050 + 1000 * 101) return {};
+    return Zigzag::place(number);
+  });
+  ASSERT_EQ(r.findings_total, 1U) << words(r);
+  EXPECT_EQ(r.findings[0].kind, "move left out");
+  // The line between passes (0, 50), where block 5050 ends, and (0, 1049), where block 106049 ends.
+  EXPECT_EQ(r.findings[0].line, 5051U);
+  EXPECT_EQ(r.findings[0].last_line, 106048U);
+  EXPECT_EQ(r.findings[0].sample, 5052U);
+  // The other ends of the rows are 10 away.
+  EXPECT_NEAR(r.findings[0].distance.lower, 10, 0.01);
+  EXPECT_NEAR(r.findings[0].distance.upper, 10, 0.02);
+}
+
+// Twice the tolerance beside the path for longer than what is held of it: the distance is that of the path beside it.
+TEST(TraceMatch, LostForLongerThanTheWindow) {
+  constexpr std::size_t kPieces = 300000;
+  const TraceResult r = match_zigzag(kPieces, [](std::size_t number) -> std::optional<Point> {
+    Point p = Zigzag::place(number);
+    if (number > 1000 && number < kPieces) p[1] += 2 * kTolerance;
+    return p;
+  });
+  ASSERT_EQ(r.findings_total, 1U) << words(r);
+  EXPECT_EQ(r.findings[0].kind, "off the path");
+  EXPECT_EQ(r.findings[0].sample, 1003U);
+  // At the ends of rows the recording lies on the way to the next one.
+  EXPECT_GT(r.findings[0].samples, (kPieces - 1000) / 101 * 99);
+  EXPECT_LE(r.findings[0].distance.lower, 2 * kTolerance);
+  EXPECT_GE(r.findings[0].distance.upper, 2 * kTolerance);
+  EXPECT_LE(r.findings[0].distance.upper, 2.5 * kTolerance);
 }
 
 }  // namespace

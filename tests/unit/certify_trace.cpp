@@ -298,12 +298,11 @@ TEST(Trace, ARecordingThatBeginsLater) {
 template <class Missing>
 std::string timed(Missing missing, double period = 0.1, int digits = 6) {
   std::string csv = "time,X,Y\n";
-  double time = 0;
-  for (int i = 0; i <= 80; ++i, time += period) {
+  for (int i = 0; i <= 80; ++i) {
     // It stands at the corner from 20 to 60.
     const double x = std::min(i, 20) / 2.0;
     const double y = std::max(0, i - 60) / 2.0;
-    const std::string stamp = std::to_string(time);
+    const std::string stamp = std::to_string(i * period);
     if (!missing(i)) csv += stamp.substr(0, stamp.find('.') + 1 + static_cast<std::size_t>(digits)) + "," + line(x, y);
   }
   return csv;
@@ -342,6 +341,20 @@ TEST(Trace, StepsWithoutAPeriodAreNotJudged) {
   const TraceResult r = judge(kCorner, "time,X,Y\n0,0,0\n1,2,0\n5,8,0\n5.5,10,0\n9,10,10\n");
   EXPECT_EQ(exit_status(r), 0);
   EXPECT_GT(r.steps_not_judged, 0U);
+}
+
+// A quarter circle between two lines without a sample on it: the recording goes straight from end to end.
+TEST(Trace, AWholeArcLeftOut) {
+  const spec::Case rounded = program("G90 G01 X10. F100\nG17 G03 X20. Y10. R10.\nG01 Y20.\n");
+  const TraceResult r = judge(rounded, "X,Y\n0,0\n10,0\n20,10\n20,20\n");
+  ASSERT_EQ(r.findings.size(), 1U);
+  EXPECT_EQ(r.findings[0].kind, "move left out");
+  EXPECT_EQ(r.findings[0].line, 2U);
+  EXPECT_EQ(r.findings[0].sample, 4U);
+  EXPECT_EQ(r.corners_missed, 0U);
+  EXPECT_LE(r.findings[0].distance.lower, 10 * (1 - std::numbers::sqrt2 / 2));
+  EXPECT_GE(r.findings[0].distance.upper, 10 * (1 - std::numbers::sqrt2 / 2));
+  EXPECT_NEAR(r.findings[0].distance.lower, r.findings[0].distance.upper, 0.01);
 }
 
 // A gap on a curve is one finding, with its duration and how far the curve is from the chord.

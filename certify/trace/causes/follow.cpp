@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "certify/trace/free_space.h"
+#include "certify/trace/matcher.h"
 #include "certify/trace/path_window.h"
 
 namespace toolcomp::certify {
@@ -34,7 +35,7 @@ std::optional<double> followed(PathSource& path, const Metric& metric, std::size
   };
   if (count == 0 || !window.has(0)) return std::nullopt;
   Sample last = sample(0);
-  Reach reach = space.begin(last);
+  Reach reach = space.begin(last, Matcher::kWindow);
   Reach ahead;
   double largest = 0;
   for (std::size_t i = 0; !reach.empty();) {
