@@ -1,0 +1,162 @@
+#include "certify/kit/case_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "certify/kit/offsets.h"
+#include "corpus/vector.h"
+#include "model/basis/print.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::certify::kit {
+namespace {
+
+fuzz::ModelRun run_text(const spec::Setup& setup, const std::string& text, std::uint32_t samples) {
+  spec::Case c;
+  c.setup = setup;
+  c.program = text;
+  c.samples = samples;
+  return fuzz::run_model(c);
+}
+
+bool inside(const CaseLines& lines, std::uint64_t line) { return lines.first <= line && line <= lines.last; }
+
+// A choice of cases, no tolerance of a verdict: decisions as near to their boundary as this, but not on it, are left
+// to no control.
+constexpr double kTooNear = 1.0 / 1'000'000;
+
+bool decides_near_a_tie(const model::Recorder& recorder) {
+  return std::ranges::any_of(recorder.decisions(), [](const model::Decision& decision) {
+    const double margin = fuzz::margin(decision);
+    return margin != 0 && margin < kTooNear;
+  });
+}
+
+double value_of(const spec::Decimal& value) { return std::stod(spec::to_string(value)); }
+
+}  // namespace
+
+spec::Setup program_setup(const Machine& machine, const Overlay& overlay, const spec::Setup& offsets) {
+  spec::Setup setup = with_offsets(with_parameters(machine.setup, overlay), offsets.h, offsets.d);
+  setup.block_skip = true;
+  return setup;
+}
+
+CaseRunner::CaseRunner(const Machine& machine, const Outcomes& outcomes) : machine_(machine), outcomes_(outcomes) {
+  const ProgramText empty = write_program(machine, kFirstProgram + 1, "", ProgramKind::recorded, {});
+  frame_ = run_text(program_setup(machine, {}, {}), empty.text, 0).recorder;
+}
+
+std::vector<std::string> CaseRunner::events_of(const Machine& machine, const fuzz::ModelRun& run,
+                                               const CaseLines& lines) {
+  std::vector<std::string> events;
+  constexpr int kDigits = 12;
+  for (const model::Event& event : run.events) {
+    if (!inside(lines, event.line)) continue;
+    spec::TextEvent text = model::text_event(event, kDigits);
+    text.line -= lines.first - 1;
+    text.n.reset();
+    text.message = "";
+    text.setting = {};
+    text.clauses = {};  // which clauses were asked may depend on what was before; what they gave may not
+    events.push_back(corpus::event_text(text, machine.setup.axes));
+  }
+  return events;
+}
+
+CaseRun CaseRunner::with_ending(CaseText text, const Overlay& overlay, const spec::Setup& offsets,
+                                std::uint32_t samples, bool& ending_fails) const {
+  ending_fails = false;
+  CaseRun result;
+  const spec::Setup setup = program_setup(machine_, overlay, offsets);
+  ProgramText program = write_program(machine_, kFirstProgram + 1, "", ProgramKind::recorded, {text});
+  fuzz::ModelRun run = run_text(setup, program.text, samples);
+  if (!outside_travels(machine_, run.events).empty())
+    if (const auto start = shifted_start(run, text.start)) {
+      text.start = *start;
+      program = write_program(machine_, kFirstProgram + 1, "", ProgramKind::recorded, {text});
+      run = run_text(setup, program.text, samples);
+    }
+  const CaseLines lines = program.cases.front();
+  result.text = text;
+  for (const model::Event& event : run.events) {
+    if (event.kind == spec::EventKind::undecided) {
+      ending_fails = event.line > lines.last;
+      result.why = "the specification leaves open what happens";
+      return result;
+    }
+    if (event.kind != spec::EventKind::alarm) continue;
+    ending_fails = event.line > lines.last;
+    if (ending_fails || event.line < lines.first) {
+      result.why = "it cannot be ended by a common safe block";
+      return result;
+    }
+    result.stop = Stop{std::string(event.number.view()), event.line - lines.first};
+  }
+  result.why = outside_travels(machine_, run.events);
+  if (!result.why.empty()) {
+    result.why = "outside the travels";
+    return result;
+  }
+  if (decides_near_a_tie(run.recorder)) {
+    result.why = "a decision lies too near its boundary";
+    return result;
+  }
+  const bool moves = std::ranges::any_of(run.events, [&](const model::Event& event) {
+    return event.kind == spec::EventKind::move && inside(lines, event.line);
+  });
+  if (result.stop && result.stop->number == "PS0010") {
+    result.why = "the control may know a code that the model does not";
+  } else if (result.stop) {
+    result.shows = outcomes_.shown_by_alarm(run.recorder, run.events.back().clauses);
+  } else if (!moves) {
+    result.why = "it moves nothing";
+  } else {
+    result.shows = outcomes_.reached(run.recorder, &frame_);
+  }
+  if (samples != 0) result.events = events_of(machine_, run, lines);
+  for (const model::Event& event : run.events)
+    if (event.kind == spec::EventKind::setting && inside(lines, event.line))
+      result.settings.emplace_back(event.setting.view());
+  return result;
+}
+
+std::optional<spec::AxisTable> CaseRunner::shifted_start(const fuzz::ModelRun& run,
+                                                         const spec::AxisTable& start) const {
+  spec::AxisTable shifted = start;
+  bool differs = false;
+  for (const auto& [axis, extent] : extents(machine_, run.events)) {
+    if (!spec::is_linear_axis(axis)) continue;
+    const Travel& travel = machine_.travels.at(axis);
+    const double least = value_of(travel.least);
+    const double greatest = value_of(travel.greatest);
+    if (extent.least >= least && extent.greatest <= greatest) continue;
+    if (extent.greatest - extent.least > greatest - least) return std::nullopt;
+    const double shift = std::round((least + greatest - extent.least - extent.greatest) / 2);
+    shifted[axis] = sum(shifted[axis], spec::decimal(static_cast<std::int64_t>(shift)));
+    differs = true;
+  }
+  if (!differs) return std::nullopt;
+  return shifted;
+}
+
+CaseRun CaseRunner::run(const CaseText& text, const Overlay& overlay, const spec::Setup& offsets,
+                        std::uint32_t samples) const {
+  CaseRun result;
+  try {
+    for (std::size_t ending = 0; ending < ending_count(); ++ending) {
+      CaseText candidate = text;
+      candidate.ending = ending;
+      bool ending_fails = false;
+      result = with_ending(std::move(candidate), overlay, offsets, samples, ending_fails);
+      if (!ending_fails) break;
+    }
+  } catch (const spec::InputError& error) {
+    result.why = "no control could have this setup: " + error.message();
+  } catch (const exact::Undecided&) {
+    result.why = "its digits cannot be certified";
+  }
+  return result;
+}
+
+}  // namespace toolcomp::certify::kit

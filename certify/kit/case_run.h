@@ -1,0 +1,57 @@
+// One case on the machine: the program with this case alone, run through the model.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "certify/kit/machine.h"
+#include "certify/kit/outcomes.h"
+#include "certify/kit/parameters.h"
+#include "certify/kit/program.h"
+#include "fuzz/oracle/verdict.h"
+
+namespace toolcomp::certify::kit {
+
+// The setup of a kit's programs: the machine that begins at the place of the marks and skips blocks with a /.
+spec::Setup program_setup(const Machine& machine, const Overlay& overlay, const spec::Setup& offsets);
+
+struct Stop {
+  std::string number;       // PS0041
+  std::uint64_t block = 0;  // index of the case's block, from 0
+};
+
+// What the model says of it.
+struct CaseRun {
+  std::string why;                    // why it is of no use here; empty: it is
+  std::optional<Stop> stop;           // the alarm in which it ends
+  OutcomeSet shows;                   // more than the program without a case; with an alarm what that shows
+  CaseText text;                      // with the ending that works, and a start that fits the travels
+  std::vector<std::string> events;    // of the case, as JSON, lines counted from its first; where samples are asked for
+  std::vector<std::string> settings;  // "H1", "D2.wear": what it writes to the offset memory
+};
+
+class CaseRunner {
+ public:
+  CaseRunner(const Machine& machine, const Outcomes& outcomes);
+
+  // `text` with its first ending; of the events, `samples` are asked for blocks under tool center point control.
+  [[nodiscard]] CaseRun run(const CaseText& text, const Overlay& overlay, const spec::Setup& offsets,
+                            std::uint32_t samples = 0) const;
+
+  // The events of one case of a program that was run.
+  static std::vector<std::string> events_of(const Machine& machine, const fuzz::ModelRun& run, const CaseLines& lines);
+
+ private:
+  CaseRun with_ending(CaseText text, const Overlay& overlay, const spec::Setup& setup, std::uint32_t samples,
+                      bool& ending_fails) const;
+  [[nodiscard]] std::optional<spec::AxisTable> shifted_start(const fuzz::ModelRun& run,
+                                                             const spec::AxisTable& start) const;
+
+  const Machine& machine_;
+  const Outcomes& outcomes_;
+  model::Recorder frame_;
+};
+
+}  // namespace toolcomp::certify::kit

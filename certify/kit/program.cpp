@@ -1,0 +1,137 @@
+#include "certify/kit/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "certify/kit/marks.h"
+#include "certify/kit/offsets.h"
+
+namespace toolcomp::certify::kit {
+namespace {
+
+// What stands before the way back to the place of the marks, a line each. {} is that place.
+constexpr std::array<std::string_view, 5> kEndings = {
+    "G40\nG49\n", "G00 G40\nG49\n", "G00 G40\nG90 G00 {}\nG49\n", "G40\nG90 G00 {}\nG49\n", "G49\nG40\n",
+};
+
+class Writer {
+ public:
+  Writer(const Machine& machine, ProgramKind kind) : machine_(machine), kind_(kind) {
+    place_ = place_words(machine.setup, machine.setup.position);
+  }
+
+  void head(unsigned number, std::string_view title) {
+    add("%");
+    add(fmt::format("O{} ({})", number, title));
+    // What the model does not know of is cancelled in a block that it skips.
+    add("/G80 G69");
+    safe();
+    add("G00 " + place_);
+    if (kind_ == ProgramKind::recorded) mark(number - kFirstProgram);
+  }
+
+  void add_case(const CaseText& c, std::size_t index) {
+    CaseLines lines;
+    add(fmt::format("(CASE {} {})", index + 1, c.id));
+    add("G00 " + place_words(machine_.setup, c.start));
+    lines.first = line_ + 1;
+    for (std::size_t i = 0; i < c.blocks.size(); ++i) {
+      spec::Block block = c.blocks[i];
+      block.n = (index + 1) * 1000 + i + 1;
+      add(spec::to_string(block));
+    }
+    lines.last = line_;
+    const std::string ending(kEndings.at(c.ending));
+    add_lines(ending.find('{') == std::string::npos ? ending : fmt::format(fmt::runtime(ending), place_));
+    safe();
+    add("D0 H0");
+    add_lines(c.restore);
+    add("G00 " + place_);
+    if (kind_ == ProgramKind::recorded) rest(kCaseEnd);
+    lines.end = line_;
+    cases_.push_back(lines);
+  }
+
+  ProgramText end() {
+    if (kind_ == ProgramKind::recorded) {
+      // A move keeps the two rests apart.
+      step(true);
+      step(false);
+      rest(kProgramEnd);
+    }
+    add("M30");
+    add("%");
+    return {std::move(text_), std::move(cases_)};
+  }
+
+ private:
+  void add(std::string_view line) {
+    text_ += line;
+    text_ += '\n';
+    ++line_;
+  }
+
+  void add_lines(std::string_view lines) {
+    while (!lines.empty()) {
+      const std::size_t end = lines.find('\n');
+      add(lines.substr(0, end));
+      lines.remove_prefix(end + 1);
+    }
+  }
+
+  void safe() {
+    const bool inch = machine_.setup.units == spec::Units::inch;
+    add(fmt::format("G00 G90 G40 G49 G17 G94 G54 {}", inch ? "G20 F40." : "G21 F1000."));
+  }
+
+  void rest(unsigned milliseconds) { add(fmt::format("G04 P{}", milliseconds)); }
+
+  // One unit up, or back.
+  void step(bool up) {
+    const char axis = mark_axis(machine_);
+    add(fmt::format("G91 G01 {}{}1.", axis, up ? "" : "-"));
+    add("G90 G00");
+  }
+
+  void mark(unsigned number) {
+    const auto digits = digits_of(number);
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+      if (i > 0) step(i % 2 == 1);
+      rest(digit_length(digits.at(i)));
+    }
+    step(false);
+  }
+
+  const Machine& machine_;
+  ProgramKind kind_;
+  std::string place_;
+  std::string text_;
+  std::uint64_t line_ = 0;
+  std::vector<CaseLines> cases_;
+};
+
+}  // namespace
+
+std::size_t ending_count() { return kEndings.size(); }
+
+std::string place_words(const spec::Setup& setup, const spec::AxisTable& place) {
+  std::string words;
+  for (const char axis : setup.axes.letters()) {
+    const auto entry = place.find(axis);
+    words += (words.empty() ? "" : " ") + std::string(1, axis) +
+             with_point(entry == place.end() ? spec::Decimal{} : entry->second);
+  }
+  return words;
+}
+
+ProgramText write_program(const Machine& machine, unsigned number, std::string_view title, ProgramKind kind,
+                          const std::vector<CaseText>& cases) {
+  Writer writer(machine, kind);
+  writer.head(number, title);
+  for (std::size_t i = 0; i < cases.size(); ++i) writer.add_case(cases[i], i);
+  return writer.end();
+}
+
+}  // namespace toolcomp::certify::kit
