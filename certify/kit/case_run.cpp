@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "certify/convert.h"
 #include "certify/kit/offsets.h"
 #include "corpus/vector.h"
 #include "model/basis/print.h"
@@ -32,6 +33,18 @@ bool decides_near_a_tie(const model::Recorder& recorder) {
   });
 }
 
+// Where the axes stand at the end of a run, as text.
+std::vector<std::string> end_of(const fuzz::ModelRun& run) {
+  constexpr int kDigits = 12;
+  std::vector<std::string> end;
+  for (const model::Event& event : run.events) {
+    if (event.kind != spec::EventKind::move) continue;
+    end.clear();
+    for (const spec::NumberText& value : certify::in_text(event, kDigits).axes.value) end.push_back(value.v);
+  }
+  return end;
+}
+
 double value_of(const spec::Decimal& value) { return std::stod(spec::to_string(value)); }
 
 }  // namespace
@@ -44,7 +57,9 @@ spec::Setup program_setup(const Machine& machine, const Overlay& overlay, const 
 
 CaseRunner::CaseRunner(const Machine& machine, const Outcomes& outcomes) : machine_(machine), outcomes_(outcomes) {
   const ProgramText empty = write_program(machine, kFirstProgram + 1, "", ProgramKind::recorded, {});
-  frame_ = run_text(program_setup(machine, {}, {}), empty.text, 0).recorder;
+  const fuzz::ModelRun run = run_text(program_setup(machine, {}, {}), empty.text, 0);
+  frame_ = run.recorder;
+  end_ = end_of(run);
 }
 
 std::vector<std::string> CaseRunner::events_of(const Machine& machine, const fuzz::ModelRun& run,
@@ -92,6 +107,11 @@ CaseRun CaseRunner::with_ending(CaseText text, const Overlay& overlay, const spe
       return result;
     }
     result.stop = Stop{std::string(event.number.view()), event.line - lines.first};
+  }
+  if (!result.stop && end_of(run) != end_) {
+    ending_fails = true;
+    result.why = "it leaves the axes shifted";
+    return result;
   }
   result.why = outside_travels(machine_, run.events);
   if (!result.why.empty()) {

@@ -51,7 +51,8 @@ class CaseRunner {
 
   const Machine& machine_;
   const Outcomes& outcomes_;
-  model::Recorder frame_;
+  model::Recorder frame_;         // of the program without a case
+  std::vector<std::string> end_;  // where its axes stand at the end
 };
 
 }  // namespace toolcomp::certify::kit

@@ -24,6 +24,9 @@ namespace {
 constexpr unsigned kFirstStopped = 8501;
 constexpr unsigned kFirstParameters = 8950;
 
+// Parts of blocks under tool center point control, where travels are watched.
+constexpr std::uint32_t kSamples = 8;
+
 std::string program_name(unsigned number) { return fmt::format("O{}.nc", number); }
 std::string setup_name(std::size_t group) { return fmt::format("setup-{}.toml", group); }
 
@@ -104,6 +107,8 @@ class Maker {
     return order;
   }
 
+  // A case stands behind others if each does there what it does alone; else it begins a program of its own: some leave
+  // traces that no end of a case takes away (the intermediate point of G28).
   void add_recorded() {
     std::vector<const Chosen*> bundle;
     unsigned number = kFirstProgram + 1;
@@ -115,9 +120,44 @@ class Maker {
       if (!bundle.empty() && (bundle.size() == options_.cases_a_program || bundle.back()->group != chosen->group))
         close();
       bundle.push_back(chosen);
+      if (bundle.size() == 1 || independent(number, bundle)) continue;
+      bundle.pop_back();
+      close();
+      bundle.push_back(chosen);
     }
     close();
     if (number > kFirstStopped) throw std::runtime_error("a kit with too many programs: ask for fewer sections");
+  }
+
+  [[nodiscard]] bool independent(unsigned number, const std::vector<const Chosen*>& bundle) const {
+    const ProgramText program = text_of(number, ProgramKind::recorded, bundle);
+    const fuzz::ModelRun run = fuzz::run_model(case_of(program, bundle, kSamples));
+    return different_case(run, bundle, program) == nullptr;
+  }
+
+  [[nodiscard]] ProgramText text_of(unsigned number, ProgramKind kind, const std::vector<const Chosen*>& bundle) const {
+    std::vector<CaseText> texts;
+    for (const Chosen* chosen : bundle) texts.push_back(chosen->run.text);
+    const std::string title =
+        kind == ProgramKind::recorded ? fmt::format("{} CASES", bundle.size()) : "MUST END IN AN ALARM";
+    return write_program(options_.machine, number, title, kind, texts);
+  }
+
+  [[nodiscard]] spec::Case case_of(const ProgramText& program, const std::vector<const Chosen*>& bundle,
+                                   std::uint32_t samples) const {
+    spec::Case c;
+    c.setup = program_setup(options_.machine, choice_.groups[bundle.front()->group], offsets_);
+    c.program = program.text;
+    c.samples = samples;
+    return c;
+  }
+
+  // The first case that does not do in the program what it does alone.
+  [[nodiscard]] const Chosen* different_case(const fuzz::ModelRun& run, const std::vector<const Chosen*>& bundle,
+                                             const ProgramText& program) const {
+    for (std::size_t i = 0; i < bundle.size(); ++i)
+      if (CaseRunner::events_of(options_.machine, run, program.cases[i]) != bundle[i]->run.events) return bundle[i];
+    return nullptr;
   }
 
   void add_stopped() {
@@ -127,11 +167,7 @@ class Maker {
   }
 
   void add_program(unsigned number, ProgramKind kind, const std::vector<const Chosen*>& bundle) {
-    std::vector<CaseText> texts;
-    for (const Chosen* chosen : bundle) texts.push_back(chosen->run.text);
-    const std::string title =
-        kind == ProgramKind::recorded ? fmt::format("{} CASES", bundle.size()) : "MUST END IN AN ALARM";
-    const ProgramText program = write_program(options_.machine, number, title, kind, texts);
+    const ProgramText program = text_of(number, kind, bundle);
     KitProgram entry{number, bundle.front()->group, program_name(number), setup_name(bundle.front()->group), {}, {}, {},
                      0};
     const fuzz::ModelRun run = checked(number, bundle, program);
@@ -154,28 +190,15 @@ class Maker {
 
   // The whole program through both engines: they agree on it, and every case does in it what it does alone.
   fuzz::ModelRun checked(unsigned number, const std::vector<const Chosen*>& bundle, const ProgramText& program) const {
-    constexpr std::uint32_t kSamples = 8;
-    spec::Case c;
-    c.setup = program_setup(options_.machine, choice_.groups[bundle.front()->group], offsets_);
-    c.program = program.text;
-    c.samples = kSamples;
-    fuzz::Trial trial = fuzz::try_case(c);
+    const fuzz::Trial trial = fuzz::try_case(case_of(program, bundle, kSamples));
     const std::string name = program_name(number);
     if (trial.verdict.outcome == fuzz::Outcome::differs)
       throw std::runtime_error(name + ": the engines differ: " + fuzz::explain(*trial.verdict.difference));
-    for (std::size_t i = 0; i < bundle.size(); ++i) {
-      const auto events = CaseRunner::events_of(options_.machine, trial.run, program.cases[i]);
-      const auto& alone = bundle[i]->run.events;
-      if (events == alone) continue;
-      const std::size_t at = static_cast<std::size_t>(std::ranges::mismatch(events, alone).in1 - events.begin());
-      throw std::runtime_error(fmt::format("{}: {} does something else behind other cases: {}, alone {}", name,
-                                           bundle[i]->vector->id, at < events.size() ? events[at] : "nothing",
-                                           at < alone.size() ? alone[at] : "nothing"));
-    }
+    if (const Chosen* const different = different_case(trial.run, bundle, program))
+      throw std::runtime_error(name + ": " + different->vector->id + " does something else than alone");
     if (std::string why = outside_travels(options_.machine, trial.run.events); !why.empty())
       throw std::runtime_error(name + ": outside the travels: " + why);
-    c.samples = 0;
-    return fuzz::run_model(c);
+    return fuzz::run_model(case_of(program, bundle, 0));
   }
 
   [[nodiscard]] std::string lines_of(const fuzz::ModelRun& run) const {

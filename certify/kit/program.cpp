@@ -11,10 +11,24 @@
 namespace toolcomp::certify::kit {
 namespace {
 
-// What stands before the way back to the place of the marks, a line each. {} is that place.
-constexpr std::array<std::string_view, 5> kEndings = {
-    "G40\nG49\n", "G00 G40\nG49\n", "G00 G40\nG90 G00 {}\nG49\n", "G40\nG90 G00 {}\nG49\n", "G49\nG40\n",
+// What stands before the way back to the place of the marks, a line each. That place is {place}, in machine coordinates
+// {machine}: G53 takes the shift of G45 to G48 away.
+constexpr std::array<std::string_view, 7> kEndings = {
+    "G40\nG49\n",
+    "G00 G40\nG49\n",
+    "G00 G40\nG90 G00 {place}\nG49\n",
+    "G40\nG90 G00 {place}\nG49\n",
+    "G49\nG40\n",
+    "G40\nG49\nG90 G53 G00 {machine}\n",
+    "G00 G40\nG49\nG90 G53 G00 {machine}\n",
 };
+
+// The place of the marks in machine coordinates.
+spec::AxisTable machine_place(const spec::Setup& setup) {
+  spec::AxisTable place = setup.workpiece[0];
+  for (const auto& [axis, value] : setup.position) place[axis] = sum(place[axis], value);
+  return place;
+}
 
 class Writer {
  public:
@@ -43,8 +57,8 @@ class Writer {
       add(spec::to_string(block));
     }
     lines.last = line_;
-    const std::string ending(kEndings.at(c.ending));
-    add_lines(ending.find('{') == std::string::npos ? ending : fmt::format(fmt::runtime(ending), place_));
+    add_lines(fmt::format(fmt::runtime(kEndings.at(c.ending)), fmt::arg("place", place_),
+                          fmt::arg("machine", place_words(machine_.setup, machine_place(machine_.setup)))));
     safe();
     add("D0 H0");
     add_lines(c.restore);

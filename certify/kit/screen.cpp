@@ -167,7 +167,10 @@ Screened screen(const Machine& machine, const spec::Case& vector) {
   while (!screened.blocks.empty() && only_ends(screened.blocks.back())) screened.blocks.pop_back();
   if (screened.blocks.empty()) return {{}, "it has no block"};
   for (const spec::Block& block : screened.blocks) {
-    if (block.alarm) return {{}, "a block that cannot be read, or names an axis the machine does not have"};
+    if (block.alarm)
+      return {{},
+              block.alarm->number.view() == "PS0009" ? "it names an axis that the machine does not have"
+                                                     : "a block that cannot be read"};
     for (const spec::Word& word : block.words())
       if (std::string why = refuse_word(machine, block, word); !why.empty()) return {{}, std::move(why)};
   }
