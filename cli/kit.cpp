@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <iostream>
 
+#include "certify/kit/judge.h"
 #include "certify/kit/kit_json.h"
 #include "certify/kit/make.h"
 #include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
 #include "corpus/golden.h"
+#include "spec/language/decimal.h"
 #include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
@@ -67,8 +69,40 @@ int make(const KitOptions& options) {
   return kAgrees;
 }
 
+double tolerance_of(const std::string& text) {
+  const auto value = spec::parse_decimal(text);
+  if (!value || value->negative || value->is_zero()) usage("judge needs --tolerance, a positive length");
+  return std::stod(text);
+}
+
+int judge(const KitOptions& options) {
+  if (options.folder.empty()) usage("judge needs the folder of a kit");
+  expect_folder(options.report, "--report");
+  kit::JudgeKitOptions how;
+  how.folder = options.folder;
+  for (const std::string& recording : options.recordings) how.recordings.emplace_back(recording);
+  how.alarms = options.alarms;
+  how.tolerance = tolerance_of(options.tolerance);
+  how.machine_coordinates = options.machine_coordinates;
+  const kit::KitVerdict verdict = kit::judge_kit(how);
+  kit::write_certificate(verdict, options.report);
+  for (const kit::JudgedProgram& judged : verdict.programs) {
+    fmt::print("O{}: {}{}{}\n", judged.number, kit::name(judged.verdict), judged.why.empty() ? "" : ", ", judged.why);
+    for (const certify::TraceFinding& finding : judged.trace.findings)
+      fmt::print("  {}:{}: {} of line {} by {:.6g}\n", judged.file, finding.sample, finding.kind, finding.line,
+                 finding.distance);
+  }
+  for (const kit::JudgedAlarm& judged : verdict.alarms)
+    fmt::print("O{}: alarm {}{}{}\n", judged.number, kit::name(judged.verdict), judged.noted.empty() ? "" : ", ",
+               judged.noted);
+  for (const std::string& stranger : verdict.strangers) std::cerr << stranger << " is not of this kit\n";
+  fmt::print("{} of {} clause outcomes of the kit shown; {}\n", verdict.shown, verdict.kit.recorded + verdict.kit.noted,
+             (fs::path(options.report) / "index.html").string());
+  return kit::exit_status(verdict);
+}
+
 }  // namespace
 
-int kit(const KitOptions& options) { return options.verb == "make" ? make(options) : kAgrees; }
+int kit(const KitOptions& options) { return options.verb == "make" ? make(options) : judge(options); }
 
 }  // namespace toolcomp::cli

@@ -58,6 +58,7 @@ struct Kit {
   std::string offsets_program;      // "O8000.nc"
   // Every file of the folder but kit.json, by name, with its text; of a kit that was read, its SHA-256.
   std::map<std::string, std::string> files;
+  std::string digest;  // of kit.json itself, where the kit was read
 };
 
 inline constexpr const char* kKitFile = "kit.json";

@@ -48,12 +48,14 @@ class KitReader {
       : folder_(folder), file_((folder / kKitFile).string()), read_(file_) {}
 
   Kit kit() {
-    const Node root = spec::document::parse_json(spec::read_file(file_), file_);
+    const std::string bytes = spec::read_file(file_);
+    const Node root = spec::document::parse_json(bytes, file_);
     read_.keys(root, "kit",
                {"kit", "dialect", "tool", "corpus", "corpus_hash", "sections", "machine", "travels", "rests", "offsets",
                 "groups", "programs", "outcomes", "recorded", "noted", "missing", "files"});
     static_cast<void>(read_.integer(at(root, "kit"), "kit", 1, 1));
     Kit kit;
+    kit.digest = corpus::sha256(bytes);
     kit.tool = text(root, "tool");
     kit.corpus = text(root, "corpus");
     kit.corpus_hash = text(root, "corpus_hash");
