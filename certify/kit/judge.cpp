@@ -107,7 +107,7 @@ class Judge {
     const fs::path setup = options_.folder / program.setup;
     c.setup = spec::read_setup_toml(spec::read_file(setup.string()), setup.string());
     c.dialect = spec::dialect_of(c.setup.control);
-    c.program = spec::read_file((options_.folder / program.file).string());
+    c.program = between_rests(spec::read_file((options_.folder / program.file).string()), program.marks);
     std::istringstream csv(cut(recording, first, last, verdict_.kit.machine, options_.machine_coordinates));
     // How a control positions in rapid traverse, axis by axis or in a line, is no question of compensation.
     JudgedProgram judged{program.number, ProgramVerdict::conforms, recording.file, {}, {}, {}};

@@ -27,6 +27,7 @@ struct KitProgram {
   std::string setup;     // "setup-0.toml"
   std::string expected;  // "expected/O8001.jsonl"; empty of a program that ends in an alarm
   std::vector<KitCase> cases;
+  MarkLines marks;            // of programs to record
   std::string alarm;          // expected; empty: none
   std::uint64_t alarm_n = 0;  // sequence number of the block at fault
 };

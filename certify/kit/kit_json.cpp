@@ -31,6 +31,7 @@ Json json_of(const KitProgram& program) {
   Json json{{"number", program.number}, {"group", program.group}, {"file", program.file}, {"setup", program.setup}};
   if (program.alarm.empty()) {
     json["mark"] = digits_of(program.number - kFirstProgram);
+    json["mark_lines"] = {program.marks.steps, program.marks.first_rest, program.marks.last_rest};
     json["expected"] = program.expected;
   } else {
     json["alarm"] = program.alarm;
@@ -117,6 +118,7 @@ class KitReader {
       program.alarm_n = number(node, "alarm_n");
     } else {
       program.expected = text(node, "expected");
+      program.marks = marks(node);
     }
     for (const Node& item : list(node, "cases"))
       program.cases.push_back({text(item, "id"),
@@ -125,6 +127,13 @@ class KitReader {
                                {number(item, "first_line"), number(item, "last_line"), number(item, "end_line")},
                                read_.strings(at(item, "shows"), "shows")});
     return program;
+  }
+
+  MarkLines marks(const Node& node) const {
+    const std::vector<Node>& lines = list(node, "mark_lines");
+    if (lines.size() != 3) read_.fail(at(node, "mark_lines").at, "mark_lines: three lines");
+    const auto line = [&](std::size_t i) { return read_.integer(lines[i], "mark_lines", 1, 1'000'000); };
+    return {line(0), line(1), line(2)};
   }
 
   void files(const Node& node, Kit& kit) const {

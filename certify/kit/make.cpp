@@ -168,7 +168,14 @@ class Maker {
 
   void add_program(unsigned number, ProgramKind kind, const std::vector<const Chosen*>& bundle) {
     const ProgramText program = text_of(number, kind, bundle);
-    KitProgram entry{number, bundle.front()->group, program_name(number), setup_name(bundle.front()->group), {}, {}, {},
+    KitProgram entry{number,
+                     bundle.front()->group,
+                     program_name(number),
+                     setup_name(bundle.front()->group),
+                     {},
+                     {},
+                     program.marks,
+                     {},
                      0};
     const fuzz::ModelRun run = checked(number, bundle, program);
     for (std::size_t i = 0; i < bundle.size(); ++i) {

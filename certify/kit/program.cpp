@@ -63,21 +63,16 @@ class Writer {
     add("D0 H0");
     add_lines(c.restore);
     add("G00 " + place_);
-    if (kind_ == ProgramKind::recorded) rest(kCaseEnd);
+    if (kind_ == ProgramKind::recorded) rest_apart(kCaseEnd);
     lines.end = line_;
     cases_.push_back(lines);
   }
 
   ProgramText end() {
-    if (kind_ == ProgramKind::recorded) {
-      // A move keeps the two rests apart.
-      step(true);
-      step(false);
-      rest(kProgramEnd);
-    }
+    if (kind_ == ProgramKind::recorded) rest_apart(kProgramEnd);
     add("M30");
     add("%");
-    return {std::move(text_), std::move(cases_)};
+    return {std::move(text_), std::move(cases_), marks_};
   }
 
  private:
@@ -102,6 +97,16 @@ class Writer {
 
   void rest(unsigned milliseconds) { add(fmt::format("G04 P{}", milliseconds)); }
 
+  // A rest between moves: whatever the machine stood before and stands behind it is not counted with it.
+  void rest_apart(unsigned milliseconds) {
+    step(true);
+    step(false);
+    rest(milliseconds);
+    marks_.last_rest = line_;
+    step(true);
+    step(false);
+  }
+
   // One unit up, or back.
   void step(bool up) {
     const char axis = mark_axis(machine_);
@@ -111,6 +116,10 @@ class Writer {
 
   void mark(unsigned number) {
     const auto digits = digits_of(number);
+    marks_.steps = line_ + 1;
+    step(true);
+    step(false);
+    marks_.first_rest = line_ + 1;
     for (std::size_t i = 0; i < digits.size(); ++i) {
       if (i > 0) step(i % 2 == 1);
       rest(digit_length(digits.at(i)));
@@ -124,6 +133,7 @@ class Writer {
   std::string text_;
   std::uint64_t line_ = 0;
   std::vector<CaseLines> cases_;
+  MarkLines marks_;
 };
 
 }  // namespace
@@ -138,6 +148,17 @@ std::string place_words(const spec::Setup& setup, const spec::AxisTable& place) 
              with_point(entry == place.end() ? spec::Decimal{} : entry->second);
   }
   return words;
+}
+
+std::string between_rests(std::string_view text, const MarkLines& marks) {
+  std::string cut;
+  for (std::uint64_t line = 1; line <= marks.last_rest && !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (line < marks.steps || line >= marks.first_rest) cut += text.substr(0, end);
+    cut += '\n';
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return cut;
 }
 
 ProgramText write_program(const Machine& machine, unsigned number, std::string_view title, ProgramKind kind,

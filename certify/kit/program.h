@@ -34,10 +34,22 @@ struct CaseLines {
   std::uint64_t end = 0;              // of the last block that belongs to it: the rest behind it
 };
 
+// What a recording is cut to: from the first rest of the mark to the rest behind the last case. Lines of the text.
+struct MarkLines {
+  std::uint64_t steps = 0;  // of the first move that keeps the first rest apart
+  std::uint64_t first_rest = 0;
+  std::uint64_t last_rest = 0;
+};
+
 struct ProgramText {
   std::string text;
   std::vector<CaseLines> cases;
+  MarkLines marks;  // of recorded programs
 };
+
+// The program without the moves before its first rest and behind its last: what a cut recording shows. Lines keep their
+// numbers.
+std::string between_rests(std::string_view text, const MarkLines& marks);
 
 // `number` stands behind O, and less kFirstProgram in the mark.
 inline constexpr unsigned kFirstProgram = 8000;
