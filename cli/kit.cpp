@@ -40,6 +40,13 @@ void write_all(const kit::Kit& made, const fs::path& folder) {
   spec::write_file(folder / kit::kKitFile, kit::write_kit(made));
 }
 
+std::optional<spec::Decimal> tolerance_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto value = spec::parse_decimal(text);
+  if (!value || value->negative || value->is_zero()) usage("--tolerance takes a positive length");
+  return value;
+}
+
 int make(const KitOptions& options) {
   if (options.setup.empty()) usage("make needs --setup");
   if (options.out.empty()) usage("make needs --out");
@@ -51,6 +58,7 @@ int make(const KitOptions& options) {
   how.sections = options.sections;
   how.corpus = options.corpus.empty() ? corpus::default_folder() : fs::path(options.corpus);
   how.first_offset = options.first_offset;
+  how.tolerance = tolerance_of(options.tolerance).value_or(how.tolerance);
   kit::Kit made;
   {
     const Progress progress("vectors");
@@ -67,12 +75,6 @@ int make(const KitOptions& options) {
              made.recorded, made.noted);
   fmt::print("{}\n", (fs::path(options.out) / "run-sheet.html").string());
   return kAgrees;
-}
-
-double tolerance_of(const std::string& text) {
-  const auto value = spec::parse_decimal(text);
-  if (!value || value->negative || value->is_zero()) usage("judge needs --tolerance, a positive length");
-  return std::stod(text);
 }
 
 int judge(const KitOptions& options) {

@@ -185,7 +185,9 @@ class CommandLine {
     sub->add_option("--first-offset", kit_.first_offset, "make: offset numbers from here on are overwritten")
         ->check(CLI::Range(1U, 999U));
     sub->add_option("--alarms", kit_.alarms, "judge: the alarm form, filled in (default: alarms.csv of the kit)");
-    sub->add_option("--tolerance", kit_.tolerance, "judge: greatest distance from the exact path");
+    sub->add_option("--tolerance", kit_.tolerance,
+                    "Greatest distance of a recording from the exact path: make: what moves a path by less is not "
+                    "counted (default 0.05); judge: no more than that");
     sub->add_flag("--machine-coordinates", kit_.machine_coordinates,
                   "judge: recordings are of machine coordinates, not of those of G54");
     sub->add_option("--report", kit_.report, "judge: folder of the certificate");

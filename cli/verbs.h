@@ -121,9 +121,9 @@ struct KitOptions {
   std::uint32_t first_offset = 1;
   std::vector<std::string> recordings;  // judge: files and folders
   std::string alarms;                   // judge: the form; without it, that of the kit
-  std::string tolerance;                // judge
-  bool machine_coordinates = false;     // judge
-  std::string report = "report";        // judge
+  std::string tolerance;
+  bool machine_coordinates = false;  // judge
+  std::string report = "report";     // judge
 };
 int kit(const KitOptions& options);
 

@@ -5,6 +5,7 @@
 
 #include "certify/convert.h"
 #include "certify/kit/offsets.h"
+#include "certify/kit/trail.h"
 #include "corpus/vector.h"
 #include "model/basis/print.h"
 #include "spec/language/input_error.h"
@@ -139,6 +140,41 @@ CaseRun CaseRunner::with_ending(CaseText text, const Overlay& overlay, const spe
     if (event.kind == spec::EventKind::setting && inside(lines, event.line))
       result.settings.emplace_back(event.setting.view());
   return result;
+}
+
+OutcomeSet CaseRunner::told_apart(const CaseText& text, const Overlay& overlay, const spec::Setup& offsets,
+                                  const OutcomeSet& outcomes, double tolerance) const {
+  constexpr int kMostTried = 8;  // decisions an outcome
+  spec::Case c;
+  c.setup = program_setup(machine_, overlay, offsets);
+  c.program = write_program(machine_, kFirstProgram + 1, "", ProgramKind::recorded, {text}).text;
+  const fuzz::ModelRun run = fuzz::run_model(c);
+  const Trail way(run.events, tolerance);
+  const auto otherwise = [&](std::size_t decision, exact::Sign sign) {
+    try {
+      const fuzz::ModelRun forced = fuzz::run_model(c, {{decision, sign}});
+      const spec::EventKind last = forced.events.empty() ? spec::EventKind::alarm : forced.events.back().kind;
+      return last == spec::EventKind::alarm || last == spec::EventKind::undecided ||
+             way.differs(Trail(forced.events, tolerance));
+    } catch (const model::NotFinite&) {
+      return true;  // no way at all
+    }
+  };
+  OutcomeSet told;
+  for (const std::size_t outcome : outcomes) {
+    const std::optional<exact::Sign> sign = outcomes_.sign(outcome);
+    bool shown = !sign;
+    int tried = 0;
+    const auto& decisions = run.recorder.decisions();
+    for (std::size_t i = 0; i < decisions.size() && !shown && tried < kMostTried; ++i) {
+      if (decisions[i].clause != outcomes_.clause(outcome) || decisions[i].outcome != *sign) continue;
+      ++tried;
+      for (const exact::Sign other : {exact::Sign::positive, exact::Sign::negative, exact::Sign::zero})
+        shown = shown || (other != *sign && otherwise(i, other));
+    }
+    if (shown) told.push_back(outcome);
+  }
+  return told;
 }
 
 std::optional<spec::AxisTable> CaseRunner::shifted_start(const fuzz::ModelRun& run,

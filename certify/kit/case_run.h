@@ -40,6 +40,12 @@ class CaseRunner {
   [[nodiscard]] CaseRun run(const CaseText& text, const Overlay& overlay, const spec::Setup& offsets,
                             std::uint32_t samples = 0) const;
 
+  // Of these outcomes of the case, those that a recording shows: of decisions by sign, where at least one goes this way
+  // and the path would be another by more than twice the tolerance if it went otherwise. A fact, and a clause that is
+  // reached, is shown where it is met: it cannot be made otherwise.
+  [[nodiscard]] OutcomeSet told_apart(const CaseText& text, const Overlay& overlay, const spec::Setup& offsets,
+                                      const OutcomeSet& outcomes, double tolerance) const;
+
   // The events of one case of a program that was run.
   static std::vector<std::string> events_of(const Machine& machine, const fuzz::ModelRun& run, const CaseLines& lines);
 

@@ -57,12 +57,13 @@ std::string restoring(const spec::Setup& machine, const spec::Setup& offsets, co
 }  // namespace
 
 Chooser::Chooser(const Machine& machine, const Outcomes& outcomes, const std::vector<corpus::Vector>& vectors,
-                 std::uint32_t first_offset, std::function<void(const std::string&)> progress)
+                 std::uint32_t first_offset, double tolerance, std::function<void(const std::string&)> progress)
     : machine_(machine),
       outcomes_(outcomes),
       runner_(machine, outcomes),
       table_(machine, first_offset),
-      progress_(std::move(progress)) {
+      progress_(std::move(progress)),
+      tolerance_(tolerance) {
   candidates_.reserve(vectors.size());
   for (const corpus::Vector& vector : vectors) {
     candidates_.push_back({});
@@ -122,8 +123,18 @@ void Chooser::cover(std::size_t group, const std::vector<std::pair<std::size_t, 
       of_kind.push_back(&run);
       sets.push_back(run.second.shows);
     }
-  greedy_cover(sets, wanted_,
-               [&](std::size_t i) { return accept(candidates_[of_kind[i]->first], of_kind[i]->second, group); });
+  const Overlay overlay = choice_.groups[group];
+  OutcomeSet proven;
+  greedy_cover(
+      std::move(sets), wanted_,
+      [&](std::size_t i, const OutcomeSet& claimed) {
+        const Candidate& candidate = candidates_[of_kind[i]->first];
+        proven = stopped ? claimed
+                         : runner_.told_apart(of_kind[i]->second.text, overlay, candidate.offsets, claimed, tolerance_);
+        not_told_ = united(not_told_, without(claimed, proven));
+        return proven;
+      },
+      [&](std::size_t i) { return accept(candidates_[of_kind[i]->first], of_kind[i]->second, group, proven); });
 }
 
 std::size_t Chooser::group_of(const Overlay& overlay) {
@@ -193,7 +204,7 @@ void Chooser::cover_with_parameters(bool stopped) {
 
 // Takes the case if it keeps inside the travels also between the ends of its blocks, and if the model says the same of
 // it with the numbers that its offsets have in the kit.
-bool Chooser::accept(const Candidate& candidate, const CaseRun& run, std::size_t group) {
+bool Chooser::accept(const Candidate& candidate, const CaseRun& run, std::size_t group, const OutcomeSet& shows) {
   const Overlay& overlay = choice_.groups[group];
   CaseText text = run.text;
   if (run.stop) text.blocks.resize(std::min(text.blocks.size(), blocks_needed(candidate, run, overlay)));
@@ -211,9 +222,8 @@ bool Chooser::accept(const Candidate& candidate, const CaseRun& run, std::size_t
     after = runner_.run(text, overlay, offsets, kSamples);
     if (after.why != before.why || after.events != before.events) return false;
   }
-  after.shows = run.shows;
   table_ = std::move(table);
-  Chosen chosen{candidate.vector, group, candidate.same_machine, std::move(after)};
+  Chosen chosen{candidate.vector, group, candidate.same_machine, std::move(after), shows};
   (chosen.run.stop ? choice_.stopped : choice_.recorded).push_back(std::move(chosen));
   return true;
 }
@@ -238,8 +248,10 @@ std::string Chooser::why_missing(std::size_t outcome) const {
     if (!std::ranges::binary_search(candidate.at_home, outcome)) continue;
     std::string why = !candidate.why.empty() ? candidate.why : candidate.why_here;
     if (why.empty())
-      why = candidate.here.stop ? "it ends in an alarm before, which shows another clause"
-                                : "it is not reached on this machine";
+      why = candidate.here.stop ? "it ends in an alarm, which shows another clause"
+            : std::ranges::binary_search(candidate.here.shows, outcome)
+                ? "the positions are the same, whatever is decided"
+                : "it is not reached on this machine";
     ++reasons[why];
   }
   if (reasons.empty()) return "no vector of these sections reaches it";

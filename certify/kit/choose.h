@@ -19,7 +19,8 @@ struct Chosen {
   const spec::Case* vector = nullptr;
   std::size_t group = 0;
   bool same_machine = false;
-  CaseRun run;  // with the numbers of the kit's offsets
+  CaseRun run;       // with the numbers of the kit's offsets
+  OutcomeSet shows;  // what it is there for, and what else it was proven to show
 };
 
 struct Choice {
@@ -33,7 +34,7 @@ struct Choice {
 class Chooser {
  public:
   Chooser(const Machine& machine, const Outcomes& outcomes, const std::vector<corpus::Vector>& vectors,
-          std::uint32_t first_offset, std::function<void(const std::string&)> progress);
+          std::uint32_t first_offset, double tolerance, std::function<void(const std::string&)> progress);
 
   // Covers `wanted`: by recordings under the parameters of the machine, then under others, then by alarms.
   Choice choose(OutcomeSet wanted);
@@ -56,7 +57,7 @@ class Chooser {
   void prepare(Candidate& candidate);
   void cover(std::size_t group, const std::vector<std::pair<std::size_t, CaseRun>>& runs, bool stopped);
   void cover_with_parameters(bool stopped);
-  bool accept(const Candidate& candidate, const CaseRun& run, std::size_t group);
+  bool accept(const Candidate& candidate, const CaseRun& run, std::size_t group, const OutcomeSet& shows);
   [[nodiscard]] std::size_t blocks_needed(const Candidate& candidate, const CaseRun& run, const Overlay& overlay) const;
   std::size_t group_of(const Overlay& overlay);
   Overlay reduced(const Candidate& candidate, const Overlay& overlay, bool stopped);
@@ -71,7 +72,9 @@ class Chooser {
   OffsetTable table_;
   std::vector<Candidate> candidates_;
   std::function<void(const std::string&)> progress_;
+  double tolerance_;
   OutcomeSet wanted_;
+  OutcomeSet not_told_;  // outcomes that some case reached without its path showing it
   Choice choice_;
 };
 

@@ -22,26 +22,35 @@ OutcomeSet united(const OutcomeSet& a, const OutcomeSet& b) {
   return both;
 }
 
-std::vector<std::size_t> greedy_cover(std::span<const OutcomeSet> sets, OutcomeSet& wanted,
-                                      const std::function<bool(std::size_t)>& accepts) {
+OutcomeSet common(const OutcomeSet& a, const OutcomeSet& b) {
+  OutcomeSet both;
+  std::ranges::set_intersection(a, b, std::back_inserter(both));
+  return both;
+}
+
+std::vector<std::size_t> greedy_cover(std::vector<OutcomeSet> sets, OutcomeSet& wanted,
+                                      const std::function<OutcomeSet(std::size_t, const OutcomeSet&)>& prove,
+                                      const std::function<bool(std::size_t)>& take) {
   std::vector<std::size_t> taken;
-  std::vector<bool> open(sets.size(), true);
   while (!wanted.empty()) {
     std::size_t best = sets.size();
     std::size_t most = 0;
     for (std::size_t i = 0; i < sets.size(); ++i) {
-      if (!open[i]) continue;
       const std::size_t gain = count_common(sets[i], wanted);
-      if (gain == 0) open[i] = false;  // it never gains again
       if (gain <= most) continue;
       most = gain;
       best = i;
     }
     if (best == sets.size()) break;
-    open[best] = false;
-    if (!accepts(best)) continue;
+    OutcomeSet proven = prove(best, common(sets[best], wanted));
+    if (proven.size() < most) {
+      sets[best] = std::move(proven);
+      continue;
+    }
+    sets[best].clear();
+    if (!take(best)) continue;
     taken.push_back(best);
-    wanted = without(wanted, sets[best]);
+    wanted = without(wanted, proven);
   }
   return taken;
 }

@@ -10,6 +10,7 @@
 #include "certify/kit/kit_json.h"
 #include "certify/kit/recording.h"
 #include "spec/language/byte_source.h"
+#include "spec/language/decimal_order.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -40,8 +41,12 @@ class Judge {
  public:
   explicit Judge(const JudgeKitOptions& options) : options_(options) {
     verdict_.kit = read_kit(options.folder);
-    verdict_.tolerance = options.tolerance;
-    if (!(options.tolerance > 0)) throw spec::InputError("--tolerance", 0, 0, "must be positive");
+    const spec::Decimal tolerance = options.tolerance.value_or(verdict_.kit.tolerance);
+    const std::string most = spec::to_string(verdict_.kit.tolerance);
+    if (tolerance.negative || tolerance.is_zero()) throw spec::InputError("--tolerance", 0, 0, "must be positive");
+    if (spec::compare(tolerance, verdict_.kit.tolerance) == std::strong_ordering::greater)
+      throw spec::InputError("--tolerance", 0, 0, "the kit tells outcomes apart by no more than " + most);
+    verdict_.tolerance = std::stod(spec::to_string(tolerance));
   }
 
   KitVerdict judged() {
@@ -75,7 +80,7 @@ class Judge {
       return;
     }
     const std::vector<Rest> rests =
-        find_rests(recording, mark_place(machine, options_.machine_coordinates, options_.tolerance));
+        find_rests(recording, mark_place(machine, options_.machine_coordinates, verdict_.tolerance));
     for (const Found& found : find_programs(rests)) {
       const unsigned number = kFirstProgram + found.number;
       const KitProgram* const program = program_of(number);
@@ -111,7 +116,7 @@ class Judge {
     std::istringstream csv(cut(recording, first, last, verdict_.kit.machine, options_.machine_coordinates));
     // How a control positions in rapid traverse, axis by axis or in a line, is no question of compensation.
     JudgedProgram judged{program.number, ProgramVerdict::conforms, recording.file, {}, {}, {}};
-    judged.trace = judge_trace(c, csv, recording.file, {.tolerance = options_.tolerance, .judge_rapids = false});
+    judged.trace = judge_trace(c, csv, recording.file, {.tolerance = verdict_.tolerance, .judge_rapids = false});
     judged.trace.events.clear();
     const int status = certify::exit_status(judged.trace);
     if (status == 1) judged.verdict = ProgramVerdict::differs;

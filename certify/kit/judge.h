@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ struct JudgeKitOptions {
   std::filesystem::path folder;                   // of the kit
   std::vector<std::filesystem::path> recordings;  // files, and folders of .csv files
   std::filesystem::path alarms;                   // the form; empty: that of the kit
-  double tolerance = 0;                           // setup units, and degrees; positive
+  std::optional<spec::Decimal> tolerance;         // setup units, and degrees; nothing: the kit's
   bool machine_coordinates = false;               // recordings are of machine coordinates
 };
 

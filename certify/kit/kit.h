@@ -50,6 +50,7 @@ struct Kit {
   std::string corpus_hash;
   std::vector<std::string> sections;  // asked for; empty: all
   Machine machine;
+  spec::Decimal tolerance;  // greatest one that recordings may be judged with
   std::vector<KitGroup> groups;
   std::vector<KitProgram> programs;
   std::size_t outcomes = 0;         // of these sections

@@ -52,8 +52,8 @@ class KitReader {
     const std::string bytes = spec::read_file(file_);
     const Node root = spec::document::parse_json(bytes, file_);
     read_.keys(root, "kit",
-               {"kit", "dialect", "tool", "corpus", "corpus_hash", "sections", "machine", "travels", "rests", "offsets",
-                "groups", "programs", "outcomes", "recorded", "noted", "missing", "files"});
+               {"kit", "dialect", "tool", "corpus", "corpus_hash", "sections", "machine", "travels", "tolerance",
+                "rests", "offsets", "groups", "programs", "outcomes", "recorded", "noted", "missing", "files"});
     static_cast<void>(read_.integer(at(root, "kit"), "kit", 1, 1));
     Kit kit;
     kit.digest = corpus::sha256(bytes);
@@ -62,6 +62,7 @@ class KitReader {
     kit.corpus_hash = text(root, "corpus_hash");
     kit.sections = read_.strings(at(root, "sections"), "sections");
     kit.offsets_program = text(root, "offsets");
+    kit.tolerance = read_.decimal(at(root, "tolerance"), "tolerance");
     kit.outcomes = number(root, "outcomes");
     kit.recorded = number(root, "recorded");
     kit.noted = number(root, "noted");
@@ -166,6 +167,7 @@ std::string write_kit(const Kit& kit) {
             {"sections", kit.sections},
             {"machine", spec::write_setup_toml(kit.machine.setup)},
             {"travels", Json::array()},
+            {"tolerance", spec::to_string(kit.tolerance)},
             {"rests", {{"digits", Json::array()}, {"case_end", kCaseEnd}, {"program_end", kProgramEnd}}},
             {"offsets", kit.offsets_program},
             {"groups", Json::array()},

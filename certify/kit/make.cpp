@@ -27,6 +27,8 @@ constexpr unsigned kFirstParameters = 8950;
 // Parts of blocks under tool center point control, where travels are watched.
 constexpr std::uint32_t kSamples = 8;
 
+double value_of(const spec::Decimal& value) { return std::stod(spec::to_string(value)); }
+
 std::string program_name(unsigned number) { return fmt::format("O{}.nc", number); }
 std::string setup_name(std::size_t group) { return fmt::format("setup-{}.toml", group); }
 
@@ -41,6 +43,7 @@ class Maker {
   Kit make() {
     kit_.tool = "toolcomp " TOOLCOMP_VERSION;
     kit_.sections = options_.sections;
+    kit_.tolerance = options_.tolerance;
     kit_.machine = options_.machine;
     kit_.machine.setup.h = table_.h();
     kit_.machine.setup.d = table_.d();
@@ -181,7 +184,7 @@ class Maker {
     for (std::size_t i = 0; i < bundle.size(); ++i) {
       const Chosen& chosen = *bundle[i];
       KitCase c{chosen.vector->id, chosen.vector->section, chosen.same_machine, program.cases[i], {}};
-      for (const std::size_t outcome : chosen.run.shows) c.shows.push_back(outcomes_.name(outcome));
+      for (const std::size_t outcome : chosen.shows) c.shows.push_back(outcomes_.name(outcome));
       entry.cases.push_back(std::move(c));
     }
     if (kind == ProgramKind::stopped) {
@@ -235,15 +238,16 @@ Kit make(const MakeOptions& options) {
     throw spec::InputError("--section", 0, 0, fmt::format("no vector of these sections is for {}", control));
   Outcomes outcomes;
   const OutcomeSet wanted = outcomes.of_sections(options.sections, control);
-  Chooser chooser(options.machine, outcomes, vectors, options.first_offset, options.progress);
+  Chooser chooser(options.machine, outcomes, vectors, options.first_offset, value_of(options.tolerance),
+                  options.progress);
   const Choice choice = chooser.choose(wanted);
   Kit kit = Maker(options, outcomes, choice, chooser.offsets()).make();
   kit.corpus = manifest.version;
   kit.corpus_hash = manifest.hash;
   OutcomeSet recorded;
   OutcomeSet noted;
-  for (const Chosen& chosen : choice.recorded) recorded = united(recorded, chosen.run.shows);
-  for (const Chosen& chosen : choice.stopped) noted = united(noted, chosen.run.shows);
+  for (const Chosen& chosen : choice.recorded) recorded = united(recorded, chosen.shows);
+  for (const Chosen& chosen : choice.stopped) noted = united(noted, chosen.shows);
   kit.outcomes = wanted.size();
   kit.recorded = count_common(recorded, wanted);
   kit.noted = count_common(without(noted, recorded), wanted);

@@ -16,6 +16,9 @@ struct MakeOptions {
   std::vector<std::string> sections;  // empty: all of the dialect
   std::filesystem::path corpus;
   std::uint32_t first_offset = 1;  // offset numbers from here on are used
+  // Positions of recordings are judged with no more than this, in the units of the setup and in degrees: what moves a
+  // path by less shows nothing.
+  spec::Decimal tolerance{5, 2, false, false};
   std::size_t cases_a_program = 12;
   std::function<void(const std::string&)> progress;  // what is being done
 };

@@ -24,6 +24,14 @@ std::string Outcomes::name(std::size_t outcome) const {
   return std::string(spec::info(all_[outcome].clause).id) + "=" + std::string(all_[outcome].name);
 }
 
+std::optional<exact::Sign> Outcomes::sign(std::size_t outcome) const {
+  const std::string_view name = all_[outcome].name;
+  if (name == "positive") return exact::Sign::positive;
+  if (name == "negative") return exact::Sign::negative;
+  if (name == "tie") return exact::Sign::zero;
+  return std::nullopt;
+}
+
 OutcomeSet Outcomes::of_sections(const std::vector<std::string>& sections, std::string_view dialect) const {
   OutcomeSet set;
   for (std::size_t i = 0; i < all_.size(); ++i) {

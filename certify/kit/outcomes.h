@@ -1,6 +1,7 @@
 // Outcomes of clauses by index: what a run reaches, and which of them a kit is asked for.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,9 @@ class Outcomes {
   [[nodiscard]] std::string name(std::size_t outcome) const;
   [[nodiscard]] std::string_view text(std::size_t outcome) const { return all_[outcome].text; }
   [[nodiscard]] spec::Clause clause(std::size_t outcome) const { return all_[outcome].clause; }
+
+  // The sign that the outcome of a decision by sign is; nothing for facts and clauses that are reached.
+  [[nodiscard]] std::optional<exact::Sign> sign(std::size_t outcome) const;
 
   // Those of the clauses of these sections, and of what all sections of the dialect share, which no vectors are for.
   [[nodiscard]] OutcomeSet of_sections(const std::vector<std::string>& sections, std::string_view dialect) const;
