@@ -144,7 +144,7 @@ CaseRun CaseRunner::with_ending(CaseText text, const Overlay& overlay, const spe
 
 OutcomeSet CaseRunner::told_apart(const CaseText& text, const Overlay& overlay, const spec::Setup& offsets,
                                   const OutcomeSet& outcomes, double tolerance) const {
-  constexpr int kMostTried = 8;  // decisions an outcome
+  constexpr int kMostTried = 4;  // decisions an outcome
   spec::Case c;
   c.setup = program_setup(machine_, overlay, offsets);
   c.program = write_program(machine_, kFirstProgram + 1, "", ProgramKind::recorded, {text}).text;

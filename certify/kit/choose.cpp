@@ -15,6 +15,9 @@ namespace {
 // Parts into which blocks under tool center point control are divided where travels are watched.
 constexpr std::uint32_t kSamples = 8;
 
+// In so many cases an outcome is looked for that no path shows.
+constexpr int kMostTried = 10;
+
 // The numbers that a kit never changes because they describe the machine.
 bool describes_machine(spec::ParameterId id) {
   return why_left_alone(id).find("kinematics") != std::string_view::npos || id.number == 19666;
@@ -129,9 +132,11 @@ void Chooser::cover(std::size_t group, const std::vector<std::pair<std::size_t, 
       std::move(sets), wanted_,
       [&](std::size_t i, const OutcomeSet& claimed) {
         const Candidate& candidate = candidates_[of_kind[i]->first];
-        proven = stopped ? claimed
-                         : runner_.told_apart(of_kind[i]->second.text, overlay, candidate.offsets, claimed, tolerance_);
-        not_told_ = united(not_told_, without(claimed, proven));
+        if (stopped) return proven = claimed;
+        OutcomeSet hopeful = claimed;
+        std::erase_if(hopeful, [this](std::size_t outcome) { return not_told_[outcome] >= kMostTried; });
+        proven = runner_.told_apart(of_kind[i]->second.text, overlay, candidate.offsets, hopeful, tolerance_);
+        for (const std::size_t outcome : without(hopeful, proven)) ++not_told_[outcome];
         return proven;
       },
       [&](std::size_t i) { return accept(candidates_[of_kind[i]->first], of_kind[i]->second, group, proven); });
@@ -188,7 +193,11 @@ void Chooser::cover_with_parameters(bool stopped) {
     std::vector<std::pair<std::size_t, CaseRun>> runs;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const Candidate& candidate = candidates_[i];
-      if (!candidate.why.empty() || count_common(candidate.at_home, wanted_) == 0) continue;
+      const bool meant = std::ranges::all_of(overlay, [&](const auto& entry) {
+        const auto own_entry = candidate.overlay.find(entry.first);
+        return own_entry != candidate.overlay.end() && own_entry->second == entry.second;
+      });
+      if (!candidate.why.empty() || !meant || count_common(candidate.at_home, wanted_) == 0) continue;
       runs.emplace_back(i, runner_.run(candidate.text, overlay, candidate.offsets));
     }
     const std::size_t before = wanted_.size();

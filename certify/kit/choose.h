@@ -74,7 +74,7 @@ class Chooser {
   std::function<void(const std::string&)> progress_;
   double tolerance_;
   OutcomeSet wanted_;
-  OutcomeSet not_told_;  // outcomes that some case reached without its path showing it
+  std::map<std::size_t, int> not_told_;  // of outcomes: in how many cases no path showed them
   Choice choice_;
 };
 

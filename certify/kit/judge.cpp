@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "certify/kit/kit_json.h"
+#include "certify/kit/offsets.h"
 #include "certify/kit/recording.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/decimal_order.h"
@@ -42,7 +43,7 @@ class Judge {
   explicit Judge(const JudgeKitOptions& options) : options_(options) {
     verdict_.kit = read_kit(options.folder);
     const spec::Decimal tolerance = options.tolerance.value_or(verdict_.kit.tolerance);
-    const std::string most = spec::to_string(verdict_.kit.tolerance);
+    const std::string most = with_point(verdict_.kit.tolerance);
     if (tolerance.negative || tolerance.is_zero()) throw spec::InputError("--tolerance", 0, 0, "must be positive");
     if (spec::compare(tolerance, verdict_.kit.tolerance) == std::strong_ordering::greater)
       throw spec::InputError("--tolerance", 0, 0, "the kit tells outcomes apart by no more than " + most);
