@@ -41,7 +41,7 @@ std::array<unsigned, kDigits> digits_of(unsigned number) {
   std::array<unsigned, kDigits> digits{};
   for (std::size_t i = kDigits - 1; i-- > 0; number /= kBase) digits.at(i) = number % kBase;
   unsigned check = 1;
-  for (std::size_t i = 0; i + 1 < kDigits; ++i) check += static_cast<unsigned>(i + 1) * digits.at(i);
+  for (std::size_t i = 0; i + 1 < kDigits; ++i) check += (i % 2 == 0 ? 1 : 3) * digits.at(i);
   digits.back() = check % kBase;
   return digits;
 }

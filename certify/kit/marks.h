@@ -21,8 +21,8 @@ constexpr unsigned digit_length(unsigned digit) { return 1000 + 500 * digit; }
 inline constexpr unsigned kCaseEnd = 3500;     // behind a case, at the place of the marks
 inline constexpr unsigned kProgramEnd = 4500;  // behind the last one's
 
-// The digits of a program, the most significant first, the check digit last: a sum with weights 1, 2, 3 … of those
-// before it, plus 1, to the base kBase.
+// The digits of a program, the most significant first, the check digit last: a sum of those before it with weights
+// 1 and 3 by turns, plus 1, to the base kBase: one wrong digit is always found.
 std::array<unsigned, kDigits> digits_of(unsigned number);
 // The number whose digits they are; nothing where the check digit is another.
 std::optional<unsigned> number_of(std::span<const unsigned> digits);
