@@ -86,6 +86,7 @@ int judge(const KitOptions& options) {
   how.alarms = options.alarms;
   how.tolerance = tolerance_of(options.tolerance);
   how.machine_coordinates = options.machine_coordinates;
+  how.rapids_by_axis = options.rapids_by_axis;
   const kit::KitVerdict verdict = kit::judge_kit(how);
   kit::write_certificate(verdict, options.report);
   for (const kit::JudgedProgram& judged : verdict.programs) {

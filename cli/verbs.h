@@ -122,6 +122,7 @@ struct KitOptions {
   std::vector<std::string> recordings;  // judge: files and folders
   std::string alarms;                   // judge: the form; without it, that of the kit
   std::string tolerance;
+  bool rapids_by_axis = false;       // judge
   bool machine_coordinates = false;  // judge
   std::string report = "report";     // judge
 };

@@ -115,9 +115,9 @@ class Judge {
     c.dialect = spec::dialect_of(c.setup.control);
     c.program = between_rests(spec::read_file((options_.folder / program.file).string()), program.marks);
     std::istringstream csv(cut(recording, first, last, verdict_.kit.machine, options_.machine_coordinates));
-    // How a control positions in rapid traverse, axis by axis or in a line, is no question of compensation.
     JudgedProgram judged{program.number, ProgramVerdict::conforms, recording.file, {}, {}, {}};
-    judged.trace = judge_trace(c, csv, recording.file, {.tolerance = verdict_.tolerance, .judge_rapids = false});
+    judged.trace = judge_trace(c, csv, recording.file,
+                               {.tolerance = verdict_.tolerance, .judge_rapids = !options_.rapids_by_axis});
     judged.trace.events.clear();
     const int status = certify::exit_status(judged.trace);
     if (status == 1) judged.verdict = ProgramVerdict::differs;

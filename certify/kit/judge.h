@@ -19,6 +19,7 @@ struct JudgeKitOptions {
   std::filesystem::path alarms;                   // the form; empty: that of the kit
   std::optional<spec::Decimal> tolerance;         // setup units, and degrees; nothing: the kit's
   bool machine_coordinates = false;               // recordings are of machine coordinates
+  bool rapids_by_axis = false;                    // rapid moves are judged by their ends alone
 };
 
 enum class ProgramVerdict : std::uint8_t { conforms, differs, undecided, missing };

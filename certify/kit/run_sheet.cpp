@@ -66,6 +66,9 @@ std::string preparation(const Kit& kit) {
   html += check(
       "Block skip OFF, so that <code>/G80 G69</code> is executed. If the control has no G69 and raises an "
       "alarm there: block skip ON, and see to it that no canned cycle, rotation or scaling is in force.");
+  html += check(
+      "Rapid traverse in straight lines (1401#1 = 1), or the recordings are judged with "
+      "<code>--rapids-by-axis</code>.");
   html += check("Single block OFF, dry run OFF, mirror image OFF, feed override 100 %, rapid override low.");
   html += check("Enter the offsets: run " + code(kit.offsets_program) + ", or type in the list below. Compare.");
   html += check(
