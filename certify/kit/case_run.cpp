@@ -52,6 +52,7 @@ double value_of(const spec::Decimal& value) { return std::stod(spec::to_string(v
 
 spec::Setup program_setup(const Machine& machine, const Overlay& overlay, const spec::Setup& offsets) {
   spec::Setup setup = with_offsets(with_parameters(machine.setup, overlay), offsets.h, offsets.d);
+  if (machine.setup.control == spec::Control::heidenhain) setup.tools = offsets.tools;
   setup.block_skip = true;
   return setup;
 }
@@ -200,7 +201,7 @@ CaseRun CaseRunner::run(const CaseText& text, const Overlay& overlay, const spec
                         std::uint32_t samples) const {
   CaseRun result;
   try {
-    for (std::size_t ending = 0; ending < ending_count(); ++ending) {
+    for (std::size_t ending = 0; ending < ending_count(machine_.setup.control); ++ending) {
       CaseText candidate = text;
       candidate.ending = ending;
       bool ending_fails = false;

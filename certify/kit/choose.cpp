@@ -65,6 +65,7 @@ Chooser::Chooser(const Machine& machine, const Outcomes& outcomes, const std::ve
       outcomes_(outcomes),
       runner_(machine, outcomes),
       table_(machine, first_offset),
+      tools_(first_offset),
       progress_(std::move(progress)),
       tolerance_(tolerance) {
   candidates_.reserve(vectors.size());
@@ -76,7 +77,7 @@ Chooser::Chooser(const Machine& machine, const Outcomes& outcomes, const std::ve
   }
   // Those of this very machine first, then short ones.
   std::ranges::stable_sort(candidates_, [](const Candidate& a, const Candidate& b) {
-    return std::tuple(!a.same_machine, a.text.blocks.size()) < std::tuple(!b.same_machine, b.text.blocks.size());
+    return std::tuple(!a.same_machine, block_count(a.text)) < std::tuple(!b.same_machine, block_count(b.text));
   });
 }
 
@@ -84,22 +85,37 @@ void Chooser::prepare(Candidate& candidate) {
   const spec::Case& vector = *candidate.vector;
   candidate.same_machine = is_same_machine(machine_.setup, vector.setup);
   candidate.at_home = outcomes_.reached(fuzz::run_model(vector).recorder);
-  Screened screened = screen(machine_, vector);
-  candidate.why = std::move(screened.why);
+  candidate.text.id = vector.id;
+  candidate.why =
+      machine_.setup.control == spec::Control::fanuc ? prepare_fanuc(candidate) : prepare_klartext(candidate);
   if (!candidate.why.empty()) return;
-  candidate.text = {vector.id, std::move(screened.blocks), {}, 0, {}};
   const auto start = start_of(machine_.setup, vector.setup);
-  const auto numbers = offsets_for(machine_, vector, candidate.text.blocks);
   if (!start) candidate.why = "its start is finer than the increments of the machine";
-  if (!numbers) candidate.why = "an offset cannot be typed in: its digits or its range";
   if (!candidate.why.empty()) return;
   candidate.text.start = *start;
-  candidate.numbers = *numbers;
-  candidate.offsets.h = numbers->h;
-  candidate.offsets.d = numbers->d;
   candidate.overlay = overlay_for(machine_.setup, vector.setup);
   candidate.here = runner_.run(candidate.text, {}, candidate.offsets);
   candidate.why_here = candidate.here.why;
+}
+
+// Blocks and offsets of the candidate; why it has none.
+std::string Chooser::prepare_fanuc(Candidate& candidate) const {
+  Screened screened = screen(machine_, *candidate.vector);
+  if (!screened.why.empty()) return screened.why;
+  candidate.text.blocks = std::move(screened.blocks);
+  const auto numbers = offsets_for(machine_, *candidate.vector, candidate.text.blocks);
+  if (!numbers) return "an offset cannot be typed in: its digits or its range";
+  candidate.numbers = *numbers;
+  candidate.offsets.h = numbers->h;
+  candidate.offsets.d = numbers->d;
+  return {};
+}
+
+std::string Chooser::prepare_klartext(Candidate& candidate) const {
+  ScreenedKlartext screened = screen_klartext(machine_, *candidate.vector);
+  candidate.text.statements = std::move(screened.statements);
+  candidate.offsets.tools = candidate.vector->setup.tools;
+  return screened.why;
 }
 
 Choice Chooser::choose(OutcomeSet wanted) {
@@ -216,14 +232,17 @@ void Chooser::cover_with_parameters(bool stopped) {
 bool Chooser::accept(const Candidate& candidate, const CaseRun& run, std::size_t group, const OutcomeSet& shows) {
   const Overlay& overlay = choice_.groups[group];
   CaseText text = run.text;
-  if (run.stop) text.blocks.resize(std::min(text.blocks.size(), blocks_needed(candidate, run, overlay)));
+  if (run.stop) cut_to(text, blocks_needed(candidate, run, overlay));
   const CaseRun before = runner_.run(text, overlay, candidate.offsets, kSamples);
   if (!before.why.empty() || before.stop.has_value() != run.stop.has_value()) return false;
   OffsetTable table = table_;
-  if (!table.take(candidate.numbers, text.blocks)) return false;
+  ToolTable tools = tools_;
+  if (!table.take(candidate.numbers, text.blocks) || !tools.take(candidate.offsets.tools, text.statements))
+    return false;
   spec::Setup offsets;
   offsets.h = table.h();
   offsets.d = table.d();
+  offsets.tools = tools.rows();
   CaseRun after = runner_.run(text, overlay, offsets, kSamples);
   if (after.why != before.why || after.events != before.events) return false;
   if (!after.settings.empty()) {
@@ -232,6 +251,7 @@ bool Chooser::accept(const Candidate& candidate, const CaseRun& run, std::size_t
     if (after.why != before.why || after.events != before.events) return false;
   }
   table_ = std::move(table);
+  tools_ = std::move(tools);
   Chosen chosen{candidate.vector, group, candidate.same_machine, std::move(after), shows};
   (chosen.run.stop ? choice_.stopped : choice_.recorded).push_back(std::move(chosen));
   return true;
@@ -239,11 +259,11 @@ bool Chooser::accept(const Candidate& candidate, const CaseRun& run, std::size_t
 
 // How many blocks of the case it takes for the alarm: what stands behind would run if the control did not raise it.
 std::size_t Chooser::blocks_needed(const Candidate& candidate, const CaseRun& run, const Overlay& overlay) const {
-  const std::size_t all = run.text.blocks.size();
+  const std::size_t all = block_count(run.text);
   const CaseRun whole = runner_.run(run.text, overlay, candidate.offsets, kSamples);
   for (std::size_t count = run.stop->block + 1; count < all; ++count) {
     CaseText text = run.text;
-    text.blocks.resize(count);
+    cut_to(text, count);
     const CaseRun shorter = runner_.run(text, overlay, candidate.offsets, kSamples);
     if (shorter.why.empty() && shorter.stop && shorter.shows == whole.shows && shorter.events == whole.events)
       return count;

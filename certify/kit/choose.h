@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "certify/kit/case_run.h"
+#include "certify/kit/klartext.h"
 #include "certify/kit/offsets.h"
 #include "certify/kit/outcomes.h"
 #include "certify/kit/screen.h"
@@ -38,7 +39,9 @@ class Chooser {
 
   // Covers `wanted`: by recordings under the parameters of the machine, then under others, then by alarms.
   Choice choose(OutcomeSet wanted);
+  // The tables that the cases chosen share: H and D, or the tools.
   [[nodiscard]] const OffsetTable& offsets() const { return table_; }
+  [[nodiscard]] const ToolTable& tools() const { return tools_; }
 
  private:
   struct Candidate {
@@ -55,6 +58,8 @@ class Chooser {
   };
 
   void prepare(Candidate& candidate);
+  std::string prepare_fanuc(Candidate& candidate) const;
+  std::string prepare_klartext(Candidate& candidate) const;
   void cover(std::size_t group, const std::vector<std::pair<std::size_t, CaseRun>>& runs, bool stopped);
   void cover_with_parameters(bool stopped);
   bool accept(const Candidate& candidate, const CaseRun& run, std::size_t group, const OutcomeSet& shows);
@@ -70,6 +75,7 @@ class Chooser {
   const Outcomes& outcomes_;
   CaseRunner runner_;
   OffsetTable table_;
+  ToolTable tools_;
   std::vector<Candidate> candidates_;
   std::function<void(const std::string&)> progress_;
   double tolerance_;

@@ -29,15 +29,15 @@ constexpr std::uint32_t kSamples = 8;
 
 double value_of(const spec::Decimal& value) { return std::stod(spec::to_string(value)); }
 
-std::string program_name(unsigned number) { return fmt::format("O{}.nc", number); }
 std::string setup_name(std::size_t group) { return fmt::format("setup-{}.toml", group); }
 
 class Maker {
  public:
-  Maker(const MakeOptions& options, Outcomes& outcomes, const Choice& choice, const OffsetTable& table)
-      : options_(options), outcomes_(outcomes), choice_(choice), table_(table) {
-    offsets_.h = table.h();
-    offsets_.d = table.d();
+  Maker(const MakeOptions& options, Outcomes& outcomes, const Choice& choice, const Chooser& chooser)
+      : options_(options), outcomes_(outcomes), choice_(choice), table_(chooser.offsets()) {
+    offsets_.h = table_.h();
+    offsets_.d = table_.d();
+    offsets_.tools = chooser.tools().rows();
   }
 
   Kit make() {
@@ -47,8 +47,12 @@ class Maker {
     kit_.machine = options_.machine;
     kit_.machine.setup.h = table_.h();
     kit_.machine.setup.d = table_.d();
+    if (is_klartext()) kit_.machine.setup.tools = offsets_.tools;
     add_groups();
-    add_offsets();
+    if (is_klartext())
+      add_tools();
+    else
+      add_offsets();
     add_recorded();
     add_stopped();
     for (const std::size_t outcome : choice_.missing)
@@ -80,6 +84,22 @@ class Maker {
         text += fmt::format("(BY HAND: {} BIT {} = {})\n", id.number, id.bit, spec::to_string(value));
     if (!blocks.empty()) text += "G10 L50\n" + blocks + "G11\n";
     return text + "M30\n%\n";
+  }
+
+  [[nodiscard]] bool is_klartext() const { return options_.machine.setup.control == spec::Control::heidenhain; }
+
+  [[nodiscard]] std::string program_name(unsigned number) const {
+    return is_klartext() ? fmt::format("{}.h", number) : fmt::format("O{}.nc", number);
+  }
+
+  void add_tools() {
+    kit_.files["tool.t"] = tool_file(offsets_.tools);
+    std::string list = "number,L,R,R2,DL,DR,DR2\n";
+    for (const spec::ToolRow& row : offsets_.tools)
+      list += fmt::format("{},{},{},{},{},{},{}\n", row.number / 10, row.l ? spec::to_string(*row.l) : "",
+                          spec::to_string(row.r), spec::to_string(row.r2), spec::to_string(row.dl),
+                          spec::to_string(row.dr), spec::to_string(row.dr2));
+    kit_.files["tools.csv"] = list;
   }
 
   void add_offsets() {
@@ -189,7 +209,9 @@ class Maker {
     }
     if (kind == ProgramKind::stopped) {
       entry.alarm = bundle.front()->run.stop->number;
-      entry.alarm_n = 1000 + bundle.front()->run.stop->block + 1;
+      // A Klartext program counts its lines from 0.
+      const std::uint64_t block = bundle.front()->run.stop->block;
+      entry.alarm_n = is_klartext() ? program.cases.front().first + block - 1 : 1000 + block + 1;
     } else {
       entry.expected = fmt::format("expected/O{}.jsonl", number);
       kit_.files[entry.expected] = lines_of(run);
@@ -241,7 +263,7 @@ Kit make(const MakeOptions& options) {
   Chooser chooser(options.machine, outcomes, vectors, options.first_offset, value_of(options.tolerance),
                   options.progress);
   const Choice choice = chooser.choose(wanted);
-  Kit kit = Maker(options, outcomes, choice, chooser.offsets()).make();
+  Kit kit = Maker(options, outcomes, choice, chooser).make();
   kit.corpus = manifest.version;
   kit.corpus_hash = manifest.hash;
   OutcomeSet recorded;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "certify/kit/klartext.h"
 #include "certify/kit/machine.h"
 #include "spec/language/fanuc/block.h"
 
@@ -14,14 +15,18 @@ namespace toolcomp::certify::kit {
 // A case as it stands in a program.
 struct CaseText {
   std::string id;
-  std::vector<spec::Block> blocks;  // their sequence numbers are replaced
+  std::vector<spec::Block> blocks;  // FANUC; their sequence numbers are replaced
+  Statements statements;            // Klartext
   spec::AxisTable start;            // workpiece coordinates
-  std::size_t ending = 0;           // how compensation is ended behind it: below ending_count()
+  std::size_t ending = 0;           // how compensation is ended behind it: below ending_count
   std::string restore;              // G10 blocks that give offsets their values back, with line feeds
 };
 
+std::size_t block_count(const CaseText& text);
+void cut_to(CaseText& text, std::size_t count);
+
 // Ways to end what a case leaves switched on. None is right in every state; the model says which is.
-std::size_t ending_count();
+std::size_t ending_count(spec::Control control);
 
 enum class ProgramKind : std::uint8_t {
   recorded,  // with a mark and rests between its cases
