@@ -49,6 +49,24 @@ std::string refuse_feed(const Block& block) {
   return fits ? "" : "a feed of 0 or below, or above 10000";
 }
 
+// The model does not say where rotary axes stand, so only words that do may go.
+std::string refuse_rotary(const Machine& machine, const Block& block) {
+  if (block.statement != Statement::line) return {};
+  for (std::size_t slot = 0; slot < spec::klartext::kAxisLetters.size(); ++slot) {
+    const char axis = spec::klartext::kAxisLetters[slot];
+    if (!block.has_axis(slot) || !spec::is_rotary_axis(axis)) continue;
+    const spec::klartext::Value& value = block.axis.at(slot);
+    if (block.is_incremental(slot) || value.parameter.kind != spec::klartext::ParameterKind::none)
+      return "a rotary axis goes by a travel or a parameter";
+    const auto travel = machine.travels.find(axis);
+    const bool inside = travel != machine.travels.end() &&
+                        spec::compare(value.number, travel->second.least) != std::strong_ordering::less &&
+                        spec::compare(value.number, travel->second.greatest) != std::strong_ordering::greater;
+    if (!inside) return "outside the travels";
+  }
+  return {};
+}
+
 std::string refuse(const Machine& machine, const Block& block) {
   if (block.alarm) return "a block that cannot be read, or names an axis that the machine does not have";
   switch (block.statement) {
@@ -74,8 +92,21 @@ std::string refuse(const Machine& machine, const Block& block) {
   if ((block.statement == Statement::line || block.statement == Statement::line_with_vectors) && block.many_digits)
     return "more digits than the control takes";
   if (std::string why = refuse_functions(block); !why.empty()) return why;
+  if (std::string why = refuse_rotary(machine, block); !why.empty()) return why;
   return refuse_feed(block);
 }
+
+// No number begins with its point.
+std::string with_zeros(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '.' && (out.empty() || out.back() < '0' || out.back() > '9')) out += '0';
+    out += c;
+  }
+  return out;
+}
+
+std::string number(const spec::Decimal& value) { return with_zeros(spec::to_string(value)); }
 
 // The row that the call names; nullptr where the table has none.
 const spec::ToolRow* called(const std::vector<spec::ToolRow>& tools, const Block& block) {
@@ -162,7 +193,7 @@ bool ToolTable::take(const std::vector<spec::ToolRow>& tools, Statements& statem
 }
 
 std::string klartext_of(const Block& statement) {
-  std::string text = spec::klartext::to_string(statement);
+  std::string text = with_zeros(spec::klartext::to_string(statement));
   if (statement.statement == Statement::cycle && statement.cycle_part == 0) text += " DATUM SHIFT";
   return text;
 }
@@ -173,9 +204,8 @@ std::string tool_file(const std::vector<spec::ToolRow>& rows) {
       "         DR2\n";
   for (const spec::ToolRow& row : rows)
     text += fmt::format("{:<5} {:<17} {:<12} {:<12} {:<12} {:<12} {:<12} {}\n", row.number / 10,
-                        fmt::format("KIT{}", row.number / 10), row.l ? spec::to_string(*row.l) : "+0",
-                        spec::to_string(row.r), spec::to_string(row.r2), spec::to_string(row.dl),
-                        spec::to_string(row.dr), spec::to_string(row.dr2));
+                        fmt::format("KIT{}", row.number / 10), row.l ? number(*row.l) : "+0", number(row.r),
+                        number(row.r2), number(row.dl), number(row.dr), number(row.dr2));
   return text + "[END]\n";
 }
 

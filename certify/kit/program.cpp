@@ -159,6 +159,7 @@ class KlartextWriter final : private Writer {
     add(fmt::format("; {}", title));
     safe();
     go(machine_.setup.position);
+    add(fmt::format("L I{}+0 R0 F1000", mark_axis(machine_)));
     if (kind_ == ProgramKind::recorded) mark(number - kFirstProgram);
   }
 

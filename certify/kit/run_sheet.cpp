@@ -9,6 +9,7 @@
 #include "certify/kit/alarm_form.h"
 #include "certify/kit/marks.h"
 #include "certify/kit/offsets.h"
+#include "certify/kit/screen.h"
 #include "certify/markup.h"
 #include "certify/page.h"
 
@@ -20,7 +21,7 @@ constexpr std::string_view kBox = "&#9744; ";
 std::string code(std::string_view text) { return "<code>" + escape(text) + "</code>"; }
 std::string check(std::string_view html) { return "<li>" + std::string(kBox) + std::string(html) + "</li>\n"; }
 
-std::string name_of(const KitProgram& program) { return fmt::format("O{}", program.number); }
+std::string name_of(const KitProgram& program) { return program.file.substr(0, program.file.find('.')); }
 
 // The clauses that the outcomes belong to, each once, with the outcomes behind.
 std::string clauses_of(const std::vector<std::string>& shows) {
@@ -50,36 +51,58 @@ std::string summary(const Kit& kit) {
                 {"Date, name", "______________________________"}});
 }
 
-std::string preparation(const Kit& kit) {
+bool is_klartext(const Kit& kit) { return kit.machine.setup.control == spec::Control::heidenhain; }
+
+std::string columns(const spec::Setup& setup) {
+  std::string letters = "time";
+  const bool all = setup.control == spec::Control::fanuc;
+  for (const char axis : setup.axes.letters())
+    if (all || spec::is_linear_axis(axis)) letters += std::string(",") + axis;
+  return code(letters);
+}
+
+std::string preparation_fanuc(const Kit& kit) {
   const spec::Setup& setup = kit.machine.setup;
-  spec::AxisTable origin = setup.workpiece[0];
-  std::string html = "<h2>Before the first program</h2>\n<ul style=\"list-style:none\">\n";
+  std::string html =
+      check("Save parameters, offsets and work zero points: the kit overwrites offsets, and some parameters.");
+  html += check("Set the workpiece system <b>G54</b> to the machine position " +
+                code(place_words(setup, setup.workpiece[0])) + " and the external and shared shifts to 0.");
   html +=
-      check("Nothing on the table, no tool in the spindle, nothing in the way of any axis inside the travels below.");
-  html += check("Save parameters, offsets and work zero points: the kit overwrites offsets, and some parameters.");
-  html += check("Spindle and coolant off. No program of the kit starts them.");
-  html += check("Set the workpiece system <b>G54</b> to the machine position " + code(place_words(setup, origin)) +
-                " and the external and shared shifts to 0.");
-  html += check("All programs begin and end at " + code(place_words(setup, setup.position)) + " of G54" +
-                ". Go there by hand.");
-  html += check("The control is as the list of the machine says (at the end): axes, increments, units, kinematics.");
+      check("All programs begin and end at " + code(place_words(setup, setup.position)) + " of G54. Go there by hand.");
   html += check(
       "Block skip OFF, so that <code>/G80 G69</code> is executed. If the control has no G69 and raises an "
       "alarm there: block skip ON, and see to it that no canned cycle, rotation or scaling is in force.");
   html += check(
       "Rapid traverse in straight lines (1401#1 = 1), or the recordings are judged with "
       "<code>--rapids-by-axis</code>.");
-  html += check("Single block OFF, dry run OFF, mirror image OFF, feed override 100 %, rapid override low.");
   html += check("Enter the offsets: run " + code(kit.offsets_program) + ", or type in the list below. Compare.");
+  return html;
+}
+
+std::string preparation_klartext(const Kit& kit) {
+  const spec::Setup& setup = kit.machine.setup;
+  std::string html = check("Save tool table and presets.");
   html += check(
-      "Record the positions of all axes with a time column (seconds), every 20 ms or oftener, as CSV: "
-      "<code>time," +
-      escape([&] {
-        std::string letters;
-        for (const char axis : setup.axes.letters()) letters += (letters.empty() ? "" : ",") + std::string(1, axis);
-        return letters;
-      }()) +
-      "</code>. Several programs a file, any order.");
+      "Set the preset so that the travels below, of the tool's tip in its coordinates, are free, with room for "
+      "what the head adds when it turns: the kit does not know the machine's kinematics, nor where tool "
+      "vectors under TCPM put the rotary axes.");
+  html += check("All programs begin and end at " + code(place_words(setup, setup.position)) + ". Go there by hand.");
+  html += check("Take over the tools of " + code("tool.t") +
+                ", or type in the list below. The tools are not there: TOOL "
+                "CALL must not fetch them (manual tools, or a programming station).");
+  return html;
+}
+
+std::string preparation(const Kit& kit) {
+  std::string html = "<h2>Before the first program</h2>\n<ul style=\"list-style:none\">\n";
+  html +=
+      check("Nothing on the table, no tool in the spindle, nothing in the way of any axis inside the travels below.");
+  html += check("Spindle and coolant off. No program of the kit starts them.");
+  html += check("The control is as the list of the machine says (at the end).");
+  html += is_klartext(kit) ? preparation_klartext(kit) : preparation_fanuc(kit);
+  html += check("Single block OFF, dry run OFF, mirror image OFF, feed override 100 %, rapid override low.");
+  html += check("Record the positions of the axes with a time column (seconds), every 20 ms or oftener, as CSV: " +
+                columns(kit.machine.setup) + ". Several programs a file, any order.");
   return html + "</ul>\n";
 }
 
@@ -87,10 +110,21 @@ std::string travels(const Kit& kit) {
   std::vector<Row> rows{{"Axis", "Least", "Greatest"}};
   for (const auto& [axis, travel] : kit.machine.travels)
     rows.push_back({std::string(1, axis), spec::to_string(travel.least), spec::to_string(travel.greatest)});
-  return "<h2>Travels</h2>\n<p>Machine coordinates. By the model no program leaves them.</p>\n" + table(rows, 1);
+  return "<h2>Travels</h2>\n<p>" + std::string(is_klartext(kit) ? "Of the tool's tip." : "Machine coordinates.") +
+         " By the model no program leaves them.</p>\n" + table(rows, 1);
+}
+
+std::string tools(const Kit& kit) {
+  std::vector<Row> rows{{"Tool", "L", "R", "R2", "DL", "DR", "DR2", "Entered"}};
+  for (const spec::ToolRow& row : kit.machine.setup.tools)
+    rows.push_back({std::to_string(row.number / 10), row.l ? with_point(*row.l) : "", with_point(row.r),
+                    with_point(row.r2), with_point(row.dl), with_point(row.dr), with_point(row.dr2),
+                    std::string(kBox)});
+  return "<h2>Tools</h2>\n" + table(rows, 1);
 }
 
 std::string offsets(const Kit& kit) {
+  if (is_klartext(kit)) return tools(kit);
   std::vector<Row> rows{{"Table", "Number", "Geometry", "Wear", "Entered"}};
   const auto add = [&rows](std::string_view name, const std::map<std::uint32_t, spec::OffsetEntry>& entries) {
     for (const auto& [number, entry] : entries)
@@ -114,7 +148,7 @@ std::string program_rows(const Kit& kit, std::size_t group) {
     if (program.alarm.empty())
       recorded.push_back({name_of(program), std::to_string(program.cases.size()), shown, std::string(kBox)});
     else
-      stopped.push_back({name_of(program), shown, fmt::format("an alarm, block N{}", program.alarm_n)});
+      stopped.push_back({name_of(program), shown, fmt::format("an alarm, block {}", program.alarm_n)});
   }
   std::string html;
   if (recorded.size() > 1) html += "<h3>To record</h3>\n" + table(recorded);
@@ -153,9 +187,7 @@ std::string machine_list(const Kit& kit) {
   const spec::Setup& setup = kit.machine.setup;
   add("axes", setup.axes.letters());
   add("units", setup.units == spec::Units::inch ? "inch" : "mm");
-  add("digits behind the point", std::to_string(setup.increment == spec::IncrementSystem::is_a   ? 2
-                                                : setup.increment == spec::IncrementSystem::is_b ? 3
-                                                                                                 : 4));
+  if (!is_klartext(kit)) add("digits behind the point", std::to_string(decimals_of(setup, true)));
   for (const auto& [id, value] : setup.parameters) add(spec::to_string(id), spec::to_string(value));
   return "<h2>The machine</h2>\n<p>What the control must have. Nothing of it is changed but what a part above "
          "says.</p>\n" +

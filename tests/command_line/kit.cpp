@@ -218,6 +218,33 @@ TEST_F(Kit, TheSameInputGivesTheSameBytes) {
   EXPECT_EQ(manifest()["files"].size() + 1, files);
 }
 
+// No geometry here: the model knows no kinematics, so the travels are those of the tip.
+TEST_F(Kit, KlartextProgramsRunAndEndAsTheySay) {
+  const Outcome made = make("control = \"heidenhain\"\naxes = [\"X\", \"Y\", \"Z\", \"A\", \"B\", \"C\"]\n",
+                            kTravels + " --travel A=-360,360 --travel B=-360,360 --travel C=-360,360");
+  ASSERT_EQ(made.status, 0) << made.err;
+  const json kit = manifest();
+  EXPECT_TRUE(fs::exists(folder.path("kit/tool.t")));
+  std::size_t alarms = 0;
+  for (const json& program : kit["programs"]) {
+    const std::vector<json> events = run(program);
+    ASSERT_FALSE(events.empty());
+    if (program.contains("alarm")) {
+      ++alarms;
+      EXPECT_EQ(events.back()["number"], program["alarm"]) << program["file"];
+      EXPECT_EQ(events.back()["line"].get<int>(), program["alarm_n"].get<int>() + 1) << program["file"];
+    } else {
+      EXPECT_EQ(events.back()["axes"]["X"], 0) << program["file"];
+      EXPECT_EQ(events.back()["axes"]["Z"], 0) << program["file"];
+    }
+    const std::string text = read(folder.path("kit/" + program["file"].get<std::string>()));
+    for (const std::string word : {" M3\n", " M8\n", " M13", " S+", " S1"})
+      EXPECT_EQ(text.find(word), std::string::npos) << program["file"] << word;
+  }
+  EXPECT_GT(alarms, 3U);
+  EXPECT_GT(kit["recorded"].get<std::size_t>(), 50U);
+}
+
 class Recorded : public Kit {
  protected:
   json kit;
