@@ -89,15 +89,19 @@ int judge(const KitOptions& options) {
   how.rapids_by_axis = options.rapids_by_axis;
   const kit::KitVerdict verdict = kit::judge_kit(how);
   kit::write_certificate(verdict, options.report);
+  const auto program_name = [&verdict](unsigned number) {
+    return kit::program_name(verdict.kit.machine.setup.control, number);
+  };
   for (const kit::JudgedProgram& judged : verdict.programs) {
-    fmt::print("O{}: {}{}{}\n", judged.number, kit::name(judged.verdict), judged.why.empty() ? "" : ", ", judged.why);
+    fmt::print("{}: {}{}{}\n", program_name(judged.number), kit::name(judged.verdict), judged.why.empty() ? "" : ", ",
+               judged.why);
     for (const certify::TraceFinding& finding : judged.trace.findings)
       fmt::print("  {}:{}: {} of line {} by {:.6g}\n", judged.file, finding.sample, finding.kind, finding.line,
                  finding.distance);
   }
   for (const kit::JudgedAlarm& judged : verdict.alarms)
-    fmt::print("O{}: alarm {}{}{}\n", judged.number, kit::name(judged.verdict), judged.noted.empty() ? "" : ", ",
-               judged.noted);
+    fmt::print("{}: alarm {}{}{}\n", program_name(judged.number), kit::name(judged.verdict),
+               judged.noted.empty() ? "" : ", ", judged.noted);
   for (const std::string& stranger : verdict.strangers) std::cerr << stranger << " is not of this kit\n";
   fmt::print("{} of {} clause outcomes of the kit shown; {}\n", verdict.shown, verdict.kit.recorded + verdict.kit.noted,
              (fs::path(options.report) / "index.html").string());

@@ -81,7 +81,7 @@ class FormReader {
     NotedAlarm noted;
     noted.line = line_;
     const std::string& program = fields[0].text;
-    const auto number = program.starts_with('O') ? whole_number(std::string_view(program).substr(1)) : std::nullopt;
+    const auto number = whole_number(std::string_view(program).substr(program.starts_with('O') ? 1 : 0));
     const bool known = number && std::ranges::any_of(kit_.programs, [&](const KitProgram& p) {
                          return p.number == *number && !p.alarm.empty();
                        });
@@ -112,7 +112,7 @@ std::string write_alarm_form(const Kit& kit) {
   std::string text(kHeader);
   text += '\n';
   for (const KitProgram& program : kit.programs)
-    if (!program.alarm.empty()) text += fmt::format("O{},,,\n", program.number);
+    if (!program.alarm.empty()) text += program_name(kit.machine.setup.control, program.number) + ",,,\n";
   return text;
 }
 

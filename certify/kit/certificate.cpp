@@ -102,8 +102,9 @@ std::string programs(const KitVerdict& verdict) {
     for (const TraceFinding& finding : judged.trace.findings)
       findings += fmt::format("{}{} of line {}, sample on line {}, by {}", findings.empty() ? "" : "<br/>",
                               escape(finding.kind), finding.line, finding.sample, plain(finding.distance, 6));
-    rows.push_back({fmt::format("O{}", judged.number), badge(name(judged.verdict), tone_of(judged.verdict)),
-                    escape(judged.file), findings, std::to_string(judged.trace.samples),
+    rows.push_back({program_name(verdict.kit.machine.setup.control, judged.number),
+                    badge(name(judged.verdict), tone_of(judged.verdict)), escape(judged.file), findings,
+                    std::to_string(judged.trace.samples),
                     fmt::format("{} of {}", judged.trace.corners_missed, judged.trace.corners),
                     plain(judged.trace.worst, 6)});
   }
@@ -115,8 +116,9 @@ std::string alarms(const KitVerdict& verdict) {
   std::vector<Row> rows{{"Program", "Verdict", "Expected", "Noted"}};
   for (const JudgedAlarm& judged : verdict.alarms) {
     const KitProgram& program = program_of(verdict.kit, judged.number);
-    rows.push_back({fmt::format("O{}", judged.number), badge(name(judged.verdict), tone_of(judged.verdict)),
-                    escape(program.alarm) + fmt::format(" N{}", program.alarm_n), escape(judged.noted)});
+    rows.push_back({program_name(verdict.kit.machine.setup.control, judged.number),
+                    badge(name(judged.verdict), tone_of(judged.verdict)),
+                    escape(program.alarm) + fmt::format(", block {}", program.alarm_n), escape(judged.noted)});
   }
   return "<h2>Noted alarms</h2>\n" + table(rows);
 }

@@ -86,8 +86,9 @@ class Judge {
       const unsigned number = kFirstProgram + found.number;
       const KitProgram* const program = program_of(number);
       if (program == nullptr)
-        verdict_.strangers.push_back(
-            fmt::format("{}:{}: O{}", file.string(), recording.samples[rests[found.first_rest].first].line, number));
+        verdict_.strangers.push_back(fmt::format("{}:{}: {}", file.string(),
+                                                 recording.samples[rests[found.first_rest].first].line,
+                                                 program_name(machine.setup.control, number)));
       else if (!found.end_rest)
         verdict_.programs.push_back(
             {number, ProgramVerdict::missing, file.string(), "its recording has no end", {}, {}});
@@ -99,7 +100,8 @@ class Judge {
   // Without time there are no rests: the whole file is the program that it is named after.
   void take_by_name(const fs::path& file, const Recording& recording) {
     for (const KitProgram& program : verdict_.kit.programs)
-      if (program.alarm.empty() && file.stem() == fmt::format("O{}", program.number) && !recording.samples.empty()) {
+      if (program.alarm.empty() && file.stem() == program_name(verdict_.kit.machine.setup.control, program.number) &&
+          !recording.samples.empty()) {
         judge(program, recording, 0, recording.samples.size() - 1);
         return;
       }

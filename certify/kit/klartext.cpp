@@ -194,6 +194,11 @@ bool ToolTable::take(const std::vector<spec::ToolRow>& tools, Statements& statem
 
 std::string klartext_of(const Block& statement) {
   std::string text = with_zeros(spec::klartext::to_string(statement));
+  // DL, DR and DR2 with a sign, as a control writes them.
+  for (std::size_t colon = text.find(':'); colon != std::string::npos; colon = text.find(':')) {
+    const bool negative = colon + 1 < text.size() && text[colon + 1] == '-';
+    text.replace(colon, 1, negative ? "" : "+");
+  }
   if (statement.statement == Statement::cycle && statement.cycle_part == 0) text += " DATUM SHIFT";
   return text;
 }

@@ -67,7 +67,7 @@ class Maker {
       kit_.groups.push_back({overlay, {}});
       kit_.files[setup_name(group)] = spec::write_setup_toml(program_setup(options_.machine, overlay, offsets_));
       if (overlay.empty()) continue;
-      kit_.groups.back().program = program_name(kFirstParameters + static_cast<unsigned>(group));
+      kit_.groups.back().program = file_name(kFirstParameters + static_cast<unsigned>(group));
       kit_.files[kit_.groups.back().program] =
           parameter_program(kFirstParameters + static_cast<unsigned>(group), overlay);
     }
@@ -88,8 +88,8 @@ class Maker {
 
   [[nodiscard]] bool is_klartext() const { return options_.machine.setup.control == spec::Control::heidenhain; }
 
-  [[nodiscard]] std::string program_name(unsigned number) const {
-    return is_klartext() ? fmt::format("{}.h", number) : fmt::format("O{}.nc", number);
+  [[nodiscard]] std::string file_name(unsigned number) const {
+    return kit::program_name(options_.machine.setup.control, number) + (is_klartext() ? ".h" : ".nc");
   }
 
   void add_tools() {
@@ -103,7 +103,7 @@ class Maker {
   }
 
   void add_offsets() {
-    kit_.offsets_program = program_name(kFirstProgram);
+    kit_.offsets_program = file_name(kFirstProgram);
     std::string text = fmt::format("%\nO{} (OFFSETS)\nG90\n", kFirstProgram);
     std::string list = "table,number,geometry,wear\n";
     const auto add = [&](const std::map<std::uint32_t, spec::OffsetEntry>& entries, bool d) {
@@ -191,15 +191,9 @@ class Maker {
 
   void add_program(unsigned number, ProgramKind kind, const std::vector<const Chosen*>& bundle) {
     const ProgramText program = text_of(number, kind, bundle);
-    KitProgram entry{number,
-                     bundle.front()->group,
-                     program_name(number),
-                     setup_name(bundle.front()->group),
-                     {},
-                     {},
-                     program.marks,
-                     {},
-                     0};
+    KitProgram entry{
+        number, bundle.front()->group, file_name(number), setup_name(bundle.front()->group), {}, {}, program.marks, {},
+        0};
     const fuzz::ModelRun run = checked(number, bundle, program);
     for (std::size_t i = 0; i < bundle.size(); ++i) {
       const Chosen& chosen = *bundle[i];
@@ -213,7 +207,7 @@ class Maker {
       const std::uint64_t block = bundle.front()->run.stop->block;
       entry.alarm_n = is_klartext() ? program.cases.front().first + block - 1 : 1000 + block + 1;
     } else {
-      entry.expected = fmt::format("expected/O{}.jsonl", number);
+      entry.expected = fmt::format("expected/{}.jsonl", kit::program_name(options_.machine.setup.control, number));
       kit_.files[entry.expected] = lines_of(run);
     }
     kit_.files[entry.file] = program.text;
@@ -223,7 +217,7 @@ class Maker {
   // The whole program through both engines: they agree on it, and every case does in it what it does alone.
   fuzz::ModelRun checked(unsigned number, const std::vector<const Chosen*>& bundle, const ProgramText& program) const {
     const fuzz::Trial trial = fuzz::try_case(case_of(program, bundle, kSamples));
-    const std::string name = program_name(number);
+    const std::string name = file_name(number);
     if (trial.verdict.outcome == fuzz::Outcome::differs)
       throw std::runtime_error(name + ": the engines differ: " + fuzz::explain(*trial.verdict.difference));
     if (const Chosen* const different = different_case(trial.run, bundle, program))

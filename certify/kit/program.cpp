@@ -228,6 +228,10 @@ ProgramText write_by(DialectWriter writer, unsigned number, std::string_view tit
 
 std::size_t ending_count(spec::Control control) { return control == spec::Control::fanuc ? kEndings.size() : 1; }
 
+std::string program_name(spec::Control control, unsigned number) {
+  return (control == spec::Control::fanuc ? "O" : "") + std::to_string(number);
+}
+
 std::size_t block_count(const CaseText& text) { return std::max(text.blocks.size(), text.statements.size()); }
 
 void cut_to(CaseText& text, std::size_t count) {

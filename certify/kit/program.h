@@ -58,6 +58,8 @@ std::string between_rests(std::string_view text, const MarkLines& marks);
 
 // `number` stands behind O, and less kFirstProgram in the mark.
 inline constexpr unsigned kFirstProgram = 8000;
+// "O8001", of a Heidenhain control "8001".
+std::string program_name(spec::Control control, unsigned number);
 ProgramText write_program(const Machine& machine, unsigned number, std::string_view title, ProgramKind kind,
                           const std::vector<CaseText>& cases);
 

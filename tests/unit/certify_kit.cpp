@@ -8,6 +8,7 @@
 
 #include "certify/kit/alarm_form.h"
 #include "certify/kit/cover.h"
+#include "certify/kit/klartext.h"
 #include "certify/kit/marks.h"
 #include "certify/kit/offsets.h"
 #include "certify/kit/parameters.h"
@@ -153,7 +154,7 @@ TEST(KitProgram, CasesStandBetweenRestsAndAreFoundByTheirLines) {
   const kit::Machine m = machine("[position]\nX = 5\n");
   const kit::ProgramText program = kit::write_program(
       m, 8027, "TWO", kit::ProgramKind::recorded,
-      {{"one", blocks("N7 X1\nY2\n"), {{'Z', spec::decimal(3)}}, 0, {}}, {"two", blocks("X4\n"), {}, 0, {}}});
+      {{"one", blocks("N7 X1\nY2\n"), {}, {{'Z', spec::decimal(3)}}, 0, {}}, {"two", blocks("X4\n"), {}, {}, 0, {}}});
   std::istringstream in(program.text);
   std::vector<std::string> lines(1);
   for (std::string line; std::getline(in, line);) lines.push_back(line);
@@ -230,6 +231,53 @@ TEST(KitScreen, WhatABareMachineMustNotDoStaysAtHome) {
                         }())
                 .blocks.size(),
             2U);
+}
+
+kit::Statements statements(const std::string& program) {
+  spec::Case vector;
+  vector.setup = spec::read_setup_toml("control = \"heidenhain\"\naxes = [\"X\", \"Y\", \"Z\", \"B\"]\n", "setup");
+  vector.program = program;
+  kit::Machine m;
+  m.setup = vector.setup;
+  kit::add_travel(m, "B=-90,90");
+  const kit::ScreenedKlartext screened = kit::screen_klartext(m, vector);
+  EXPECT_EQ(screened.statements.empty(), !screened.why.empty());
+  return screened.statements;
+}
+
+std::string text(const kit::Statements& list) {
+  std::string all;
+  for (const auto& statement : list) all += kit::klartext_of(statement) + "\n";
+  return all;
+}
+
+TEST(KitKlartext, FrameAndNumbersFallWhatABareMachineMustNotDoStaysAtHome) {
+  EXPECT_EQ(text(statements("0 BEGIN PGM A MM\n1 BLK FORM 0.1 Z X0 Y0 Z0\n2 TOOL CALL 1 Z S5000 DR+.5\n3 L X.5 B45 R0 "
+                            "FMAX M128\n4 CYCL DEF 7.0 NULLPUNKT\n5 CYCL DEF 7.1 X+1\n6 M30\n7 END PGM A MM\n")),
+            "TOOL CALL 1 Z DR+0.5\nL X0.5 B45 R0 FMAX M128\nCYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X1\n");
+  for (const std::string program :
+       {"L X1 M3\n", "M8\n", "L X1\nM30\nL X2\n", "L X1 FU0.5\n", "L X1 FQ1\n", "L B91\n", "L IB1\n",
+        "PLANE RESET STAY\n", "CYCL DEF 9.0 X\n", "STOP\n", "BEGIN PGM A INCH\nL X1\n", "L X1.123456\n",
+        "TOOL DEF 1 L0\n", "L A5\n", "/L X1\n"})
+    EXPECT_TRUE(statements(program).empty()) << program;
+}
+
+TEST(KitKlartext, CasesShareToolsButToolsOfACaseStayApart) {
+  kit::ToolTable table(5);
+  const auto tool = [](std::uint32_t number, const std::string& name, std::int64_t radius) {
+    spec::ToolRow row;
+    row.number = number;
+    row.name = name;
+    row.r = spec::decimal(radius);
+    return row;
+  };
+  kit::Statements one = statements("TOOL CALL 1\nTOOL CALL \"B\"\nTOOL CALL 7\nTOOL CALL 1\nTOOL CALL 0\n");
+  ASSERT_TRUE(table.take({tool(10, "A", 4), tool(20, "B", 4)}, one));
+  EXPECT_EQ(text(one), "TOOL CALL 5\nTOOL CALL 6\nTOOL CALL 32767\nTOOL CALL 5\nTOOL CALL 0\n");
+  kit::Statements two = statements("TOOL CALL 3\n");
+  ASSERT_TRUE(table.take({tool(30, "", 4)}, two));
+  EXPECT_EQ(text(two), "TOOL CALL 5\n");
+  EXPECT_EQ(table.rows().size(), 2U);
 }
 
 TEST(KitParameters, NothingThatDescribesOrProtectsTheMachineIsChanged) {
