@@ -193,11 +193,12 @@ bool ToolTable::take(const std::vector<spec::ToolRow>& tools, Statements& statem
 }
 
 std::string klartext_of(const Block& statement) {
-  std::string text = with_zeros(spec::klartext::to_string(statement));
+  std::string text;
+  const std::string written = with_zeros(spec::klartext::to_string(statement));
   // DL, DR and DR2 with a sign, as a control writes them.
-  for (std::size_t colon = text.find(':'); colon != std::string::npos; colon = text.find(':')) {
-    const bool negative = colon + 1 < text.size() && text[colon + 1] == '-';
-    text.replace(colon, 1, negative ? "" : "+");
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    if (written[i] != ':') text += written[i];
+    if (written[i] == ':' && (i + 1 == written.size() || written[i + 1] != '-')) text += '+';
   }
   if (statement.statement == Statement::cycle && statement.cycle_part == 0) text += " DATUM SHIFT";
   return text;
