@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include "certify/kit/judge.h"
 #include "certify/kit/kit_json.h"

@@ -1,6 +1,7 @@
 // The certificate of a kit: JSON and a page.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "certify/kit/judge.h"

@@ -122,6 +122,7 @@ class Maker {
   // By parameters, then sections, so that a bundle is of one kind.
   [[nodiscard]] static std::vector<const Chosen*> in_order(const std::vector<Chosen>& chosen) {
     std::vector<const Chosen*> order;
+    order.reserve(chosen.size());
     for (const Chosen& c : chosen) order.push_back(&c);
     std::ranges::stable_sort(order, [](const Chosen* a, const Chosen* b) {
       return std::tie(a->group, a->vector->section, a->vector->id) <
@@ -160,6 +161,7 @@ class Maker {
 
   [[nodiscard]] ProgramText text_of(unsigned number, ProgramKind kind, const std::vector<const Chosen*>& bundle) const {
     std::vector<CaseText> texts;
+    texts.reserve(bundle.size());
     for (const Chosen* chosen : bundle) texts.push_back(chosen->run.text);
     const std::string title =
         kind == ProgramKind::recorded ? fmt::format("{} CASES", bundle.size()) : "MUST END IN AN ALARM";

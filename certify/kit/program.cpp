@@ -30,6 +30,13 @@ spec::AxisTable machine_place(const spec::Setup& setup) {
   return place;
 }
 
+// Not every control reads small letters in a comment.
+std::string in_capitals(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+  return text;
+}
+
 // Lines one behind the other, and what stands in which.
 class Writer {
  public:
@@ -99,6 +106,8 @@ class FanucWriter final : private Writer {
     add(fmt::format("O{} ({})", number, title));
     // What the model does not know of is cancelled in a block that it skips.
     add("/G80 G69");
+    // In a block of their own, as a control wants them.
+    add(machine_.setup.units == spec::Units::inch ? "G20" : "G21");
     safe();
     add("G00 " + place_);
     if (kind_ == ProgramKind::recorded) mark(number - kFirstProgram);
@@ -106,7 +115,7 @@ class FanucWriter final : private Writer {
 
   void add_case(const CaseText& c, std::size_t index) {
     CaseLines lines;
-    add(fmt::format("(CASE {} {})", index + 1, c.id));
+    add(fmt::format("(CASE {} {})", index + 1, in_capitals(c.id)));
     add("G00 " + place_words(machine_.setup, c.start));
     lines.first = line_ + 1;
     for (std::size_t i = 0; i < c.blocks.size(); ++i) {
@@ -136,7 +145,7 @@ class FanucWriter final : private Writer {
  private:
   void safe() {
     const bool inch = machine_.setup.units == spec::Units::inch;
-    add(fmt::format("G00 G90 G40 G49 G17 G94 G54 {}", inch ? "G20 F40." : "G21 F1000."));
+    add(fmt::format("G00 G90 G40 G49 G17 G94 G54 F{}.", inch ? 40 : 1000));
   }
 
   void rest(unsigned milliseconds) override { add(fmt::format("G04 P{}", milliseconds)); }

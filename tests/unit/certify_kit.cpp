@@ -159,7 +159,8 @@ TEST(KitProgram, CasesStandBetweenRestsAndAreFoundByTheirLines) {
   std::vector<std::string> lines(1);
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   EXPECT_EQ(lines[2], "O8027 (TWO)");
-  EXPECT_EQ(lines[5], "G00 X5. Y0. Z0.");
+  EXPECT_EQ(lines[4], "G21");
+  EXPECT_EQ(lines[6], "G00 X5. Y0. Z0.");
   std::vector<std::string> dwells;
   for (const std::string& line : lines)
     if (line.starts_with("G04")) dwells.push_back(line);
