@@ -81,10 +81,39 @@ std::vector<std::string> CaseRunner::events_of(const Machine& machine, const fuz
   return events;
 }
 
+std::string CaseRunner::end_of_case(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result,
+                                    bool& ending_fails) const {
+  for (const model::Event& event : run.events) {
+    if (event.kind != spec::EventKind::undecided && event.kind != spec::EventKind::alarm) continue;
+    ending_fails = event.line > lines.last;
+    if (event.kind == spec::EventKind::undecided) return "the specification leaves open what happens";
+    if (ending_fails || event.line < lines.first) return "it cannot be ended by a common safe block";
+    result.stop = Stop{std::string(event.number.view()), event.line - lines.first};
+  }
+  if (result.stop || end_of(run) == end_) return {};
+  ending_fails = true;
+  return "it leaves the axes shifted";
+}
+
+std::string CaseRunner::shown(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result) const {
+  if (!outside_travels(machine_, run.events).empty()) return "outside the travels";
+  if (decides_near_a_tie(run.recorder)) return "a decision lies too near its boundary";
+  const bool moves = std::ranges::any_of(run.events, [&](const model::Event& event) {
+    return event.kind == spec::EventKind::move && inside(lines, event.line);
+  });
+  if (result.stop && result.stop->number == "PS0010") return "the control may know a code that the model does not";
+  if (!result.stop && !moves) return "it moves nothing";
+  result.shows = result.stop ? outcomes_.shown_by_alarm(run.recorder, run.events.back().clauses)
+                             : outcomes_.reached(run.recorder, &frame_);
+  for (const model::Event& event : run.events)
+    if (event.kind == spec::EventKind::setting && inside(lines, event.line))
+      result.settings.emplace_back(event.setting.view());
+  return {};
+}
+
 CaseRun CaseRunner::with_ending(CaseText text, const Overlay& overlay, const spec::Setup& offsets,
                                 std::uint32_t samples, bool& ending_fails) const {
   ending_fails = false;
-  CaseRun result;
   const spec::Setup setup = program_setup(machine_, overlay, offsets);
   ProgramText program = write_program(machine_, kFirstProgram + 1, "", ProgramKind::recorded, {text});
   fuzz::ModelRun run = run_text(setup, program.text, samples);
@@ -95,51 +124,11 @@ CaseRun CaseRunner::with_ending(CaseText text, const Overlay& overlay, const spe
       run = run_text(setup, program.text, samples);
     }
   const CaseLines lines = program.cases.front();
-  result.text = text;
-  for (const model::Event& event : run.events) {
-    if (event.kind == spec::EventKind::undecided) {
-      ending_fails = event.line > lines.last;
-      result.why = "the specification leaves open what happens";
-      return result;
-    }
-    if (event.kind != spec::EventKind::alarm) continue;
-    ending_fails = event.line > lines.last;
-    if (ending_fails || event.line < lines.first) {
-      result.why = "it cannot be ended by a common safe block";
-      return result;
-    }
-    result.stop = Stop{std::string(event.number.view()), event.line - lines.first};
-  }
-  if (!result.stop && end_of(run) != end_) {
-    ending_fails = true;
-    result.why = "it leaves the axes shifted";
-    return result;
-  }
-  result.why = outside_travels(machine_, run.events);
-  if (!result.why.empty()) {
-    result.why = "outside the travels";
-    return result;
-  }
-  if (decides_near_a_tie(run.recorder)) {
-    result.why = "a decision lies too near its boundary";
-    return result;
-  }
-  const bool moves = std::ranges::any_of(run.events, [&](const model::Event& event) {
-    return event.kind == spec::EventKind::move && inside(lines, event.line);
-  });
-  if (result.stop && result.stop->number == "PS0010") {
-    result.why = "the control may know a code that the model does not";
-  } else if (result.stop) {
-    result.shows = outcomes_.shown_by_alarm(run.recorder, run.events.back().clauses);
-  } else if (!moves) {
-    result.why = "it moves nothing";
-  } else {
-    result.shows = outcomes_.reached(run.recorder, &frame_);
-  }
-  if (samples != 0) result.events = events_of(machine_, run, lines);
-  for (const model::Event& event : run.events)
-    if (event.kind == spec::EventKind::setting && inside(lines, event.line))
-      result.settings.emplace_back(event.setting.view());
+  CaseRun result;
+  result.text = std::move(text);
+  result.why = end_of_case(run, lines, result, ending_fails);
+  if (result.why.empty()) result.why = shown(run, lines, result);
+  if (result.why.empty() && samples != 0) result.events = events_of(machine_, run, lines);
   return result;
 }
 

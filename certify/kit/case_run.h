@@ -50,8 +50,11 @@ class CaseRunner {
   static std::vector<std::string> events_of(const Machine& machine, const fuzz::ModelRun& run, const CaseLines& lines);
 
  private:
-  CaseRun with_ending(CaseText text, const Overlay& overlay, const spec::Setup& setup, std::uint32_t samples,
+  CaseRun with_ending(CaseText text, const Overlay& overlay, const spec::Setup& offsets, std::uint32_t samples,
                       bool& ending_fails) const;
+  // Both say why the case is of no use, and fill in the rest.
+  std::string end_of_case(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result, bool& ending_fails) const;
+  std::string shown(const fuzz::ModelRun& run, const CaseLines& lines, CaseRun& result) const;
   [[nodiscard]] std::optional<spec::AxisTable> shifted_start(const fuzz::ModelRun& run,
                                                              const spec::AxisTable& start) const;
 
