@@ -57,6 +57,12 @@ spec::Setup program_setup(const Machine& machine, const Overlay& overlay, const 
   return setup;
 }
 
+std::string event_lines(const fuzz::ModelRun& run, const spec::Axes& axes) {
+  std::string lines;
+  for (const spec::TextEvent& event : corpus::expected_events(run)) lines += corpus::event_text(event, axes) + "\n";
+  return lines;
+}
+
 CaseRunner::CaseRunner(const Machine& machine, const Outcomes& outcomes) : machine_(machine), outcomes_(outcomes) {
   const ProgramText empty = write_program(machine, kFirstProgram + 1, "", ProgramKind::recorded, {});
   const fuzz::ModelRun run = run_text(program_setup(machine, {}, {}), empty.text, 0);

@@ -32,6 +32,9 @@ struct CaseRun {
   std::vector<std::string> settings;  // "H1", "D2.wear": what it writes to the offset memory
 };
 
+// The events of a run as a kit expects them, a line each.
+std::string event_lines(const fuzz::ModelRun& run, const spec::Axes& axes);
+
 class CaseRunner {
  public:
   CaseRunner(const Machine& machine, const Outcomes& outcomes);

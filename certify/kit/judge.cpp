@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "certify/kit/case_run.h"
 #include "certify/kit/kit_json.h"
 #include "certify/kit/offsets.h"
 #include "certify/kit/recording.h"
@@ -115,7 +116,12 @@ class Judge {
     const fs::path setup = options_.folder / program.setup;
     c.setup = spec::read_setup_toml(spec::read_file(setup.string()), setup.string());
     c.dialect = spec::dialect_of(c.setup.control);
-    c.program = between_rests(spec::read_file((options_.folder / program.file).string()), program.marks);
+    c.program = spec::read_file((options_.folder / program.file).string());
+    const fs::path expected = options_.folder / program.expected;
+    if (event_lines(fuzz::run_model(c), c.setup.axes) != spec::read_file(expected.string()))
+      throw spec::InputError(expected.string(), 0, 0,
+                             "is not what this version of toolcomp expects; make the kit again");
+    c.program = between_rests(c.program, program.marks);
     std::istringstream csv(cut(recording, first, last, verdict_.kit.machine, options_.machine_coordinates));
     JudgedProgram judged{program.number, ProgramVerdict::conforms, recording.file, {}, {}, {}};
     judged.trace = judge_trace(c, csv, recording.file,

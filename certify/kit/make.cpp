@@ -12,7 +12,6 @@
 #include "certify/kit/marks.h"
 #include "certify/kit/run_sheet.h"
 #include "corpus/manifest.h"
-#include "corpus/vector.h"
 #include "fuzz/oracle/trial.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
@@ -210,7 +209,7 @@ class Maker {
       entry.alarm_n = is_klartext() ? program.cases.front().first + block - 1 : 1000 + block + 1;
     } else {
       entry.expected = fmt::format("expected/{}.jsonl", kit::program_name(options_.machine.setup.control, number));
-      kit_.files[entry.expected] = lines_of(run);
+      kit_.files[entry.expected] = event_lines(run, options_.machine.setup.axes);
     }
     kit_.files[entry.file] = program.text;
     kit_.programs.push_back(std::move(entry));
@@ -227,13 +226,6 @@ class Maker {
     if (std::string why = outside_travels(options_.machine, trial.run.events); !why.empty())
       throw std::runtime_error(name + ": outside the travels: " + why);
     return fuzz::run_model(case_of(program, bundle, 0));
-  }
-
-  [[nodiscard]] std::string lines_of(const fuzz::ModelRun& run) const {
-    std::string lines;
-    for (const spec::TextEvent& event : corpus::expected_events(run))
-      lines += corpus::event_text(event, options_.machine.setup.axes) + "\n";
-    return lines;
   }
 
   const MakeOptions& options_;

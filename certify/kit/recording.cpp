@@ -99,7 +99,7 @@ std::vector<Rest> find_rests(const Recording& recording, const MarkPlace& place)
       rest.above = std::abs(rest.at - place.at[place.axis] - 1) <= place.tolerance;
       for (const std::size_t axis : recording.columns) {
         const double off = std::abs(samples[first].axes[axis] - place.at[axis]);
-        if (off > place.tolerance && !(axis == place.axis && rest.above)) rest.at_place = false;
+        if (off > place.tolerance && (axis != place.axis || !rest.above)) rest.at_place = false;
       }
       rests.push_back(rest);
     }
