@@ -181,8 +181,8 @@ std::string groups(const Kit& kit) {
 
 std::string machine_list(const Kit& kit) {
   std::vector<Row> rows{{"What", "Value", "Checked"}};
-  const auto add = [&rows](std::string what, std::string value) {
-    rows.push_back({std::move(what), escape(value), std::string(kBox)});
+  const auto add = [&rows](const std::string& what, const std::string& value) {
+    rows.push_back({what, escape(value), std::string(kBox)});
   };
   const spec::Setup& setup = kit.machine.setup;
   add("axes", setup.axes.letters());
