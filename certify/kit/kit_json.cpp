@@ -67,7 +67,7 @@ class KitReader {
     kit.recorded = number(root, "recorded");
     kit.noted = number(root, "noted");
     kit.machine.setup = spec::read_setup_toml(text(root, "machine"), file_ + " machine");
-    for (const Node& item : list(root, "travels")) add_travel(kit.machine, read_.string(item, "travels"));
+    for (const Node& item : list(root, "travels")) travel(item, kit.machine);
     for (const Node& item : list(root, "groups")) kit.groups.push_back(group(item));
     for (const Node& item : list(root, "programs")) kit.programs.push_back(program(item, kit.groups.size()));
     for (const Node& item : list(root, "missing"))
@@ -91,6 +91,14 @@ class KitReader {
   const std::vector<Node>& list(const Node& table, std::string_view key) const {
     read_.expect(at(table, key), Kind::array, key);
     return at(table, key).items;
+  }
+
+  void travel(const Node& node, Machine& machine) const {
+    try {
+      add_travel(machine, read_.string(node, "travels"));
+    } catch (const spec::InputError& error) {
+      read_.fail(node.at, error.message());
+    }
   }
 
   KitGroup group(const Node& node) const {

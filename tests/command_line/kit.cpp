@@ -65,7 +65,7 @@ class PerfectMachine {
  private:
   void sample() { samples_.emplace_back(time_, at_); }
   void stand(double seconds) {
-    for (double left = seconds; left > 0.001; left -= 0.02) {
+    for (long ticks = std::lround(seconds / 0.02); ticks > 0; --ticks) {
       time_ += 0.02;
       sample();
     }
