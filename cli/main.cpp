@@ -61,6 +61,7 @@ class CommandLine {
     add_certify();
     add_fuzz();
     add_replay();
+    add_kit();
     add_corpus();
     add_spec();
     add_serve();
@@ -172,6 +173,32 @@ class CommandLine {
     sub->add_option("--controller", replay_.controller, "Judge this controller (default: the one of the finding)");
     sub->add_option("--timeout", replay_.timeout, "Seconds the case may take")->check(CLI::PositiveNumber);
   }
+  void add_kit() {
+    CLI::App* sub = verb("kit", "Programs, offsets and run sheet for a control without a pipe; its recordings judged",
+                         [this] { return cli::kit(kit_); });
+    sub->add_option("verb", kit_.verb, "make or judge")->required()->check(CLI::IsMember({"make", "judge"}));
+    sub->add_option("folder", kit_.folder, "judge: folder of the kit");
+    sub->add_option("recordings", kit_.recordings, "judge: CSV files, or folders of them");
+    sub->add_option("--dialect", kit_.dialect, "make: fanuc or heidenhain, as the setup says")
+        ->check(CLI::IsMember({"fanuc", "heidenhain"}));
+    add_sections(sub, kit_.sections);
+    sub->add_option("--sections", kit_.sections, "make: the same, with commas between")->delimiter(',');
+    sub->add_option("--setup", kit_.setup, "make: setup of the machine; [position] is where programs begin and end");
+    sub->add_option("--travel", kit_.travels, "make: AXIS=LEAST,GREATEST in machine coordinates, once for every axis");
+    sub->add_option("--out", kit_.out, "make: folder of the kit, empty or not yet there");
+    sub->add_option("--corpus", kit_.corpus, "make: folder of the golden corpus");
+    sub->add_option("--first-offset", kit_.first_offset, "make: offset numbers from here on are overwritten")
+        ->check(CLI::Range(1U, 999U));
+    sub->add_option("--alarms", kit_.alarms, "judge: the alarm form, filled in (default: alarms.csv of the kit)");
+    sub->add_option("--tolerance", kit_.tolerance,
+                    "Greatest distance of a recording from the exact path: make: what moves a path by less is not "
+                    "counted (default 0.05); judge: no more than that");
+    sub->add_flag("--machine-coordinates", kit_.machine_coordinates,
+                  "judge: recordings are of machine coordinates, not of those of G54");
+    sub->add_flag("--rapids-by-axis", kit_.rapids_by_axis,
+                  "judge: the control positions axis by axis: rapid moves are judged by their ends");
+    sub->add_option("--report", kit_.report, "judge: folder of the certificate");
+  }
   void add_corpus() {
     CLI::App* sub =
         verb("corpus", "The golden corpus: generate, check, lint, diff; long programs: contour, flank, freeform",
@@ -235,6 +262,7 @@ class CommandLine {
   cli::CertifyOptions certify_;
   cli::FuzzOptions fuzz_;
   cli::ReplayOptions replay_;
+  cli::KitOptions kit_;
   cli::CorpusOptions corpus_;
   cli::SpecOptions spec_;
   cli::EngineName serve_ = cli::EngineName::fast;

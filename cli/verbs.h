@@ -111,6 +111,25 @@ struct SpecOptions {
 };
 int spec(const SpecOptions& options);
 
+struct KitOptions {
+  std::string verb;     // make, judge
+  std::string folder;   // judge: the kit
+  std::string dialect;  // make: fanuc or heidenhain, as the setup
+  std::string setup;
+  std::vector<std::string> sections;
+  std::vector<std::string> travels;  // "X=-300,300"
+  std::string out;
+  std::string corpus;  // folder of the golden corpus
+  std::uint32_t first_offset = 1;
+  std::vector<std::string> recordings;  // judge: files and folders
+  std::string alarms;                   // judge: the form; without it, that of the kit
+  std::string tolerance;
+  bool rapids_by_axis = false;       // judge
+  bool machine_coordinates = false;  // judge
+  std::string report = "report";     // judge
+};
+int kit(const KitOptions& options);
+
 int serve(EngineName engine);
 
 struct ConfigOptions {

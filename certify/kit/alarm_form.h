@@ -1,0 +1,33 @@
+// Alarms noted by hand: the form that a kit brings, and what was written into it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "certify/kit/kit.h"
+
+namespace toolcomp::certify::kit {
+
+// CSV: program,alarm,block,note, a line for each program that must end in an alarm. The expected alarm is not in it:
+// who notes should not know.
+std::string write_alarm_form(const Kit& kit);
+
+struct NotedAlarm {
+  unsigned number = 0;     // of the program
+  std::string alarm;       // as noted, in capitals: "PS0041", "41"; empty: not noted; "NONE": none came
+  std::string block;       // sequence number noted; empty: none
+  std::uint64_t line = 0;  // of the form
+};
+
+// Throws spec::InputError, with line and column, for a form that is none: another header, another number of fields, a
+// program that the kit does not have or that is there twice, an alarm that is neither a number, PS and a number, a name
+// of letters and _, nor NONE.
+std::vector<NotedAlarm> read_alarm_form(std::string_view text, const std::string& file, const Kit& kit);
+
+enum class AlarmVerdict : std::uint8_t { as_expected, other_alarm, none_came, not_noted };
+// An expected alarm of a name of ours (TYPE_C_FORMAT) is met by any alarm; a noted block must be the expected one.
+AlarmVerdict judge_alarm(const KitProgram& program, const NotedAlarm& noted);
+
+}  // namespace toolcomp::certify::kit

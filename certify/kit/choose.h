@@ -1,0 +1,87 @@
+// The choice: which vectors, under which parameters, show the outcomes.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "certify/kit/case_run.h"
+#include "certify/kit/klartext.h"
+#include "certify/kit/offsets.h"
+#include "certify/kit/outcomes.h"
+#include "certify/kit/screen.h"
+#include "corpus/golden.h"
+
+namespace toolcomp::certify::kit {
+
+// A vector that was taken, as it goes into a program.
+struct Chosen {
+  const spec::Case* vector = nullptr;
+  std::size_t group = 0;
+  bool same_machine = false;
+  CaseRun run;       // with the numbers of the kit's offsets
+  OutcomeSet shows;  // what it is there for, and what else it was proven to show
+};
+
+struct Choice {
+  std::vector<Overlay> groups;  // the first is empty: the machine as it is
+  std::vector<Chosen> recorded;
+  std::vector<Chosen> stopped;  // those that end in an alarm
+  OutcomeSet missing;
+  std::map<std::size_t, std::string> why;  // of every missing outcome
+};
+
+class Chooser {
+ public:
+  Chooser(const Machine& machine, const Outcomes& outcomes, const std::vector<corpus::Vector>& vectors,
+          std::uint32_t first_offset, double tolerance, std::function<void(const std::string&)> progress);
+
+  // Covers `wanted`: by recordings under the parameters of the machine, then under others, then by alarms.
+  Choice choose(OutcomeSet wanted);
+  // The tables that the cases chosen share: H and D, or the tools.
+  [[nodiscard]] const OffsetTable& offsets() const { return table_; }
+  [[nodiscard]] const ToolTable& tools() const { return tools_; }
+
+ private:
+  struct Candidate {
+    const spec::Case* vector = nullptr;
+    CaseText text;
+    spec::Setup offsets;  // H and D of the vector, for this machine
+    CaseOffsets numbers;
+    Overlay overlay;
+    bool same_machine = false;
+    std::string why;       // refused by its words
+    std::string why_here;  // refused by its run on the machine as it is
+    OutcomeSet at_home;    // reached in the setup of the corpus
+    CaseRun here;          // on the machine as it is
+  };
+
+  void prepare(Candidate& candidate);
+  std::string prepare_fanuc(Candidate& candidate) const;
+  std::string prepare_klartext(Candidate& candidate) const;
+  void cover(std::size_t group, const std::vector<std::pair<std::size_t, CaseRun>>& runs, bool stopped);
+  void cover_with_parameters(bool stopped);
+  bool accept(const Candidate& candidate, const CaseRun& run, std::size_t group, const OutcomeSet& shows);
+  [[nodiscard]] std::size_t blocks_needed(const Candidate& candidate, const CaseRun& run, const Overlay& overlay) const;
+  std::size_t group_of(const Overlay& overlay);
+  Overlay reduced(const Candidate& candidate, const Overlay& overlay, bool stopped);
+  [[nodiscard]] std::string why_missing(std::size_t outcome) const;
+  void say(const std::string& what) const {
+    if (progress_) progress_(what);
+  }
+
+  const Machine& machine_;
+  const Outcomes& outcomes_;
+  CaseRunner runner_;
+  OffsetTable table_;
+  ToolTable tools_;
+  std::vector<Candidate> candidates_;
+  std::function<void(const std::string&)> progress_;
+  double tolerance_;
+  OutcomeSet wanted_;
+  std::map<std::size_t, int> not_told_;  // of outcomes: in how many cases no path showed them
+  Choice choice_;
+};
+
+}  // namespace toolcomp::certify::kit

@@ -1,0 +1,206 @@
+#include "certify/kit/kit_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "certify/kit/marks.h"
+#include "corpus/sha256.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/case.h"
+#include "spec/language/document.h"
+#include "spec/language/input_error.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::certify::kit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using spec::document::Kind;
+using spec::document::Node;
+
+Json json_of(const KitCase& c) {
+  return {{"id", c.id},
+          {"section", c.section},
+          {"machine", c.same_machine ? "same" : "other"},
+          {"first_line", c.lines.first},
+          {"last_line", c.lines.last},
+          {"end_line", c.lines.end},
+          {"shows", c.shows}};
+}
+
+Json json_of(const KitProgram& program) {
+  Json json{{"number", program.number}, {"group", program.group}, {"file", program.file}, {"setup", program.setup}};
+  if (program.alarm.empty()) {
+    json["mark"] = digits_of(program.number - kFirstProgram);
+    json["mark_lines"] = {program.marks.steps, program.marks.first_rest, program.marks.last_rest};
+    json["expected"] = program.expected;
+  } else {
+    json["alarm"] = program.alarm;
+    json["alarm_n"] = program.alarm_n;
+  }
+  json["cases"] = Json::array();
+  for (const KitCase& c : program.cases) json["cases"].push_back(json_of(c));
+  return json;
+}
+
+// Reads one table after another with positions for messages.
+class KitReader {
+ public:
+  explicit KitReader(const std::filesystem::path& folder)
+      : folder_(folder), file_((folder / kKitFile).string()), read_(file_) {}
+
+  Kit kit() {
+    const std::string bytes = spec::read_file(file_);
+    const Node root = spec::document::parse_json(bytes, file_);
+    read_.keys(root, "kit",
+               {"kit", "dialect", "tool", "corpus", "corpus_hash", "sections", "machine", "travels", "tolerance",
+                "rests", "offsets", "groups", "programs", "outcomes", "recorded", "noted", "missing", "files"});
+    static_cast<void>(read_.integer(at(root, "kit"), "kit", 1, 1));
+    Kit kit;
+    kit.digest = corpus::sha256(bytes);
+    kit.tool = text(root, "tool");
+    kit.corpus = text(root, "corpus");
+    kit.corpus_hash = text(root, "corpus_hash");
+    kit.sections = read_.strings(at(root, "sections"), "sections");
+    kit.offsets_program = text(root, "offsets");
+    kit.tolerance = read_.decimal(at(root, "tolerance"), "tolerance");
+    kit.outcomes = number(root, "outcomes");
+    kit.recorded = number(root, "recorded");
+    kit.noted = number(root, "noted");
+    kit.machine.setup = spec::read_setup_toml(text(root, "machine"), file_ + " machine");
+    for (const Node& item : list(root, "travels")) travel(item, kit.machine);
+    for (const Node& item : list(root, "groups")) kit.groups.push_back(group(item));
+    for (const Node& item : list(root, "programs")) kit.programs.push_back(program(item, kit.groups.size()));
+    for (const Node& item : list(root, "missing"))
+      kit.missing.push_back({text(item, "outcome"), text(item, "text"), text(item, "why")});
+    files(at(root, "files"), kit);
+    return kit;
+  }
+
+ private:
+  const Node& at(const Node& table, std::string_view key) const {
+    read_.expect(table, Kind::table, key);
+    const Node* const node = table.find(key);
+    if (node == nullptr) read_.fail(table.at, "\"" + std::string(key) + "\" is missing");
+    return *node;
+  }
+  std::string text(const Node& table, std::string_view key) const { return read_.string(at(table, key), key); }
+  std::uint64_t number(const Node& table, std::string_view key) const {
+    constexpr std::uint64_t kMost = 1'000'000'000;
+    return read_.integer(at(table, key), key, 0, kMost);
+  }
+  const std::vector<Node>& list(const Node& table, std::string_view key) const {
+    read_.expect(at(table, key), Kind::array, key);
+    return at(table, key).items;
+  }
+
+  void travel(const Node& node, Machine& machine) const {
+    try {
+      add_travel(machine, read_.string(node, "travels"));
+    } catch (const spec::InputError& error) {
+      read_.fail(node.at, error.message());
+    }
+  }
+
+  KitGroup group(const Node& node) const {
+    KitGroup group;
+    group.program = text(node, "program");
+    read_.expect(at(node, "parameters"), Kind::table, "parameters");
+    for (const auto& member : at(node, "parameters").members) {
+      const std::size_t mark = member.name.find('#');
+      const auto whole = spec::parse_decimal(member.name.substr(0, mark));
+      if (!whole) read_.fail(member.at, "\"" + member.name + "\" is no parameter");
+      const int bit = mark == std::string::npos || mark + 1 == member.name.size() ? -1 : member.name[mark + 1] - '0';
+      group.parameters[{static_cast<std::uint32_t>(whole->digits), bit}] = read_.decimal(member.value, member.name);
+    }
+    return group;
+  }
+
+  KitProgram program(const Node& node, std::size_t groups) const {
+    KitProgram program;
+    program.number = static_cast<unsigned>(
+        read_.integer(at(node, "number"), "number", kFirstProgram + 1, kFirstProgram + kMostNumber));
+    program.group = static_cast<std::size_t>(read_.integer(at(node, "group"), "group", 0, groups - 1));
+    program.file = text(node, "file");
+    program.setup = text(node, "setup");
+    if (node.find("alarm") != nullptr) {
+      program.alarm = text(node, "alarm");
+      program.alarm_n = number(node, "alarm_n");
+    } else {
+      program.expected = text(node, "expected");
+      program.marks = marks(node);
+    }
+    for (const Node& item : list(node, "cases"))
+      program.cases.push_back({text(item, "id"),
+                               text(item, "section"),
+                               text(item, "machine") == "same",
+                               {number(item, "first_line"), number(item, "last_line"), number(item, "end_line")},
+                               read_.strings(at(item, "shows"), "shows")});
+    return program;
+  }
+
+  MarkLines marks(const Node& node) const {
+    const std::vector<Node>& lines = list(node, "mark_lines");
+    if (lines.size() != 3) read_.fail(at(node, "mark_lines").at, "mark_lines: three lines");
+    const auto line = [&](std::size_t i) { return read_.integer(lines[i], "mark_lines", 1, 1'000'000); };
+    return {line(0), line(1), line(2)};
+  }
+
+  void files(const Node& node, Kit& kit) const {
+    read_.expect(node, Kind::table, "files");
+    for (const auto& member : node.members) {
+      const std::string& digest = read_.string(member.value, member.name);
+      const std::string path = (folder_ / member.name).string();
+      if (member.name != kAlarmForm && corpus::sha256_file(path) != digest)
+        throw spec::InputError(path, 0, 0, "is not what kit.json says: the kit was changed");
+      kit.files[member.name] = digest;
+    }
+    for (const KitProgram& program : kit.programs)
+      if (!kit.files.contains(program.file) || !kit.files.contains(program.setup))
+        read_.fail(node.at, program.file + " or " + program.setup + " is missing");
+  }
+
+  std::filesystem::path folder_;
+  std::string file_;
+  spec::document::Reader read_;
+};
+
+}  // namespace
+
+std::string write_kit(const Kit& kit) {
+  Json json{{"kit", 1},
+            {"dialect", std::string(spec::dialect_of(kit.machine.setup.control))},
+            {"tool", kit.tool},
+            {"corpus", kit.corpus},
+            {"corpus_hash", kit.corpus_hash},
+            {"sections", kit.sections},
+            {"machine", spec::write_setup_toml(kit.machine.setup)},
+            {"travels", Json::array()},
+            {"tolerance", spec::to_string(kit.tolerance)},
+            {"rests", {{"digits", Json::array()}, {"case_end", kCaseEnd}, {"program_end", kProgramEnd}}},
+            {"offsets", kit.offsets_program},
+            {"groups", Json::array()},
+            {"programs", Json::array()},
+            {"outcomes", kit.outcomes},
+            {"recorded", kit.recorded},
+            {"noted", kit.noted},
+            {"missing", Json::array()},
+            {"files", Json::object()}};
+  for (const auto& [axis, travel] : kit.machine.travels)
+    json["travels"].push_back(std::string(1, axis) + "=" + spec::to_string(travel.least) + "," +
+                              spec::to_string(travel.greatest));
+  for (unsigned digit = 0; digit < kBase; ++digit) json["rests"]["digits"].push_back(digit_length(digit));
+  for (const KitGroup& group : kit.groups) {
+    Json parameters = Json::object();
+    for (const auto& [id, value] : group.parameters) parameters[spec::to_string(id)] = spec::to_string(value);
+    json["groups"].push_back({{"parameters", parameters}, {"program", group.program}});
+  }
+  for (const KitProgram& program : kit.programs) json["programs"].push_back(json_of(program));
+  for (const NotCovered& missing : kit.missing)
+    json["missing"].push_back({{"outcome", missing.outcome}, {"text", missing.text}, {"why", missing.why}});
+  for (const auto& [name, text] : kit.files) json["files"][name] = corpus::sha256(text);
+  return json.dump(1) + "\n";
+}
+
+Kit read_kit(const std::filesystem::path& folder) { return KitReader(folder).kit(); }
+
+}  // namespace toolcomp::certify::kit

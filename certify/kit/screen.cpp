@@ -1,0 +1,180 @@
+#include "certify/kit/screen.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "spec/language/byte_source.h"
+#include "spec/language/decimal_order.h"
+#include "spec/language/fanuc/program_reader.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::certify::kit {
+namespace {
+
+// A code in tenths: 412 for G41.2.
+std::optional<std::uint64_t> code_of(const spec::Word& word) {
+  if (word.value.negative || word.value.decimals > 1) return std::nullopt;
+  return word.value.decimals == 1 ? word.value.digits : word.value.digits * 10;
+}
+
+// What neither leaves a trace behind the case nor needs what a bare machine does not have. G20, G21, G28, G30 and G37
+// are asked about by themselves.
+constexpr std::array<std::uint64_t, 35> kCodes = {0,   10,  20,  30,  100, 170, 180, 190, 290, 390, 400, 410,
+                                                  412, 413, 416, 420, 422, 426, 430, 434, 435, 440, 450, 460,
+                                                  470, 480, 490, 530, 540, 900, 910, 940, 370, 280, 300};
+constexpr std::uint64_t kInch = 200;
+constexpr std::uint64_t kMetric = 210;
+constexpr std::uint64_t kReturn = 280;
+constexpr std::uint64_t kSecondReturn = 300;
+constexpr std::uint64_t kFloatingReturn = 301;
+constexpr std::uint64_t kMeasure = 370;
+
+std::string g(std::uint64_t code) {
+  return "G" + std::to_string(code / 10) + (code % 10 != 0 ? "." + std::to_string(code % 10) : "");
+}
+
+const spec::Word* find(const spec::Block& block, char address) {
+  const spec::Word* found = nullptr;
+  for (const spec::Word& word : block.words())
+    if (word.address == address) found = &word;
+  return found;
+}
+
+std::string refuse_code(const Machine& machine, const spec::Block& block, std::uint64_t code) {
+  const spec::Setup& setup = machine.setup;
+  if (code == kInch || code == kMetric) {
+    const bool same = (code == kInch) == (setup.units == spec::Units::inch);
+    return same ? "" : g(code) + " changes the units of the control";
+  }
+  if (code == kReturn && !setup.reference.contains(1)) return "the setup does not say where reference position 1 is";
+  if (code == kSecondReturn) {
+    const spec::Word* const p = find(block, 'P');
+    const int number = p != nullptr ? static_cast<int>(std::min<std::uint64_t>(p->value.digits, 9)) : 2;
+    if (number >= 1 && number <= 4 && !setup.reference.contains(number))
+      return "the setup does not say where reference position " + std::to_string(number) + " is";
+  }
+  if (code == kFloatingReturn)
+    return setup.floating_reference.empty() ? "the setup does not say where the floating reference position is" : "";
+  if (code == kMeasure && setup.measurement.empty()) return "the setup has no measuring signal ([measurement])";
+  if (code == 100) {
+    const spec::Word* const l = find(block, 'L');
+    const bool offsets = l != nullptr && l->value.is_integer() &&
+                         (l->value.digits == 1 || (l->value.digits >= 10 && l->value.digits <= 13));
+    if (!offsets) return "G10 without L1 or L10 to L13 may enter anything";
+  }
+  if (std::ranges::find(kCodes, code) != kCodes.end()) return {};
+  if (code >= 550 && code <= 590) return g(code) + ": other workpiece systems are the user's";
+  if (code == 40) return "a dwell inside would look like a mark";
+  if (code == 920) return "G92 leaves the coordinates shifted";
+  return g(code) + " may be known to the control, though not to the model";
+}
+
+std::string refuse_feed(const spec::Setup& setup, const spec::Decimal& value) {
+  const spec::Decimal most = spec::decimal(setup.units == spec::Units::inch ? 400 : 10000);
+  if (value.negative || value.is_zero()) return "a feed of 0 or below";
+  return spec::compare(value, most) == std::strong_ordering::greater ? "a feed above " + spec::to_string(most) : "";
+}
+
+std::string refuse_number(const Machine& machine, const spec::Word& word) {
+  constexpr std::uint64_t kMostDigits = 99'999'999;  // eight
+  const bool rotary = spec::is_rotary_axis(word.address) || word.address == 'Q';
+  if (std::string_view("FGHDPNL").find(word.address) != std::string_view::npos) return {};
+  if (word.value.digits > kMostDigits) return "a number of more than eight digits";
+  if (!is_enterable(word.value, decimals_of(machine.setup, !rotary)))
+    return "a number finer than the increments of the machine";
+  return {};
+}
+
+std::string refuse_word(const Machine& machine, const spec::Block& block, const spec::Word& word) {
+  switch (word.address) {
+    case 'M':
+    case 'S':
+    case 'T':
+      return std::string(1, word.address) + " words may start what a bare machine must not do";
+    case 'O':
+      return "a program number inside";
+    case 'L':
+      return find(block, 'G') == nullptr ? "L words may repeat a block" : "";
+    case 'F':
+      return refuse_feed(machine.setup, word.value);
+    case 'G':
+      if (const auto code = code_of(word)) return refuse_code(machine, block, *code);
+      return "a G code that is none";
+    default:
+      return refuse_number(machine, word);
+  }
+}
+
+// Whether the block ends the program and does nothing else.
+bool only_ends(const spec::Block& block) {
+  return block.size == 1 && block.word[0].address == 'M' && block.word[0].value.is_integer() &&
+         (block.word[0].value.digits == 2 || block.word[0].value.digits == 30);
+}
+
+std::vector<spec::Block> read_blocks(const spec::Case& vector, const spec::Axes& axes) {
+  std::vector<spec::Block> blocks;
+  spec::ProgramReader reader(spec::text_source(vector.program), axes, {.file = vector.id});
+  spec::Block block;
+  while (reader.next(block)) blocks.push_back(block);
+  return blocks;
+}
+
+spec::Decimal range_of(const spec::Setup& setup, bool wear) {
+  // 999.999 at IS-B: six digits, five for wear; inches have one digit more behind the point.
+  const int decimals = decimals_of(setup, true);
+  std::uint64_t digits = 0;
+  for (int i = decimals + (wear ? 2 : 3) - (setup.units == spec::Units::inch ? 1 : 0); i > 0; --i)
+    digits = digits * 10 + 9;
+  return {digits, static_cast<std::uint8_t>(decimals), false, false};
+}
+
+}  // namespace
+
+int decimals_of(const spec::Setup& setup, bool length) {
+  const int decimals = setup.increment == spec::IncrementSystem::is_a   ? 2
+                       : setup.increment == spec::IncrementSystem::is_b ? 3
+                                                                        : 4;
+  return length && setup.units == spec::Units::inch ? decimals + 1 : decimals;
+}
+
+bool is_enterable(const spec::Decimal& value, int decimals) {
+  std::uint64_t digits = value.digits;
+  int behind = value.decimals;
+  for (; behind > decimals && digits % 10 == 0; --behind) digits /= 10;
+  return behind <= decimals;
+}
+
+bool fits_memory(const spec::Setup& setup, const spec::OffsetEntry& entry) {
+  const auto fits = [&](spec::Decimal value, bool wear) {
+    value.negative = false;
+    return is_enterable(value, decimals_of(setup, true)) &&
+           spec::compare(value, range_of(setup, wear)) != std::strong_ordering::greater;
+  };
+  return fits(entry.geometry, false) && fits(entry.wear, true);
+}
+
+Screened screen(const Machine& machine, const spec::Case& vector) {
+  if (std::ranges::find(vector.flags, "generated-unrestricted") != vector.flags.end())
+    return {{}, "its words are made at random"};
+  if (vector.program.find('/') != std::string::npos) return {{}, "block skip is a switch of the panel"};
+  Screened screened;
+  try {
+    screened.blocks = read_blocks(vector, machine.setup.axes);
+  } catch (const spec::InputError& error) {
+    return {{}, "no text: " + error.message()};
+  }
+  while (!screened.blocks.empty() && only_ends(screened.blocks.back())) screened.blocks.pop_back();
+  if (screened.blocks.empty()) return {{}, "it has no block"};
+  for (const spec::Block& block : screened.blocks) {
+    if (block.alarm)
+      return {{},
+              block.alarm->number.view() == "PS0009" ? "it names an axis that the machine does not have"
+                                                     : "a block that cannot be read"};
+    for (const spec::Word& word : block.words())
+      if (std::string why = refuse_word(machine, block, word); !why.empty()) return {{}, std::move(why)};
+  }
+  return screened;
+}
+
+}  // namespace toolcomp::certify::kit
