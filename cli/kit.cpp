@@ -9,6 +9,7 @@
 #include "certify/kit/judge.h"
 #include "certify/kit/kit_json.h"
 #include "certify/kit/make.h"
+#include "certify/report.h"
 #include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
@@ -97,8 +98,9 @@ int judge(const KitOptions& options) {
     fmt::print("{}: {}{}{}\n", program_name(judged.number), kit::name(judged.verdict), judged.why.empty() ? "" : ", ",
                judged.why);
     for (const certify::TraceFinding& finding : judged.trace.findings)
-      fmt::print("  {}:{}: {} of line {} by {:.6g}\n", judged.file, finding.sample, finding.kind, finding.line,
-                 finding.distance);
+      fmt::print("  {}:{}: {} of line {} by {}\n", judged.file, finding.sample, finding.kind, finding.line,
+                 certify::extent(finding));
+    if (judged.trace.cause) fmt::print("  one mistake explains everything found: {}\n", *judged.trace.cause);
   }
   for (const kit::JudgedAlarm& judged : verdict.alarms)
     fmt::print("{}: alarm {}{}{}\n", program_name(judged.number), kit::name(judged.verdict),

@@ -8,6 +8,7 @@
 #include "certify/kit/kit_json.h"
 #include "certify/markup.h"
 #include "certify/page.h"
+#include "certify/report.h"
 #include "corpus/sha256.h"
 #include "spec/language/file_writer.h"
 
@@ -31,6 +32,8 @@ const KitProgram& program_of(const Kit& kit, unsigned number) {
   return *std::ranges::find(kit.programs, number, &KitProgram::number);
 }
 
+Json json_of(const Bounds& bounds) { return {{"lower", bounds.lower}, {"upper", bounds.upper}}; }
+
 Json json_of(const KitVerdict& verdict, const JudgedProgram& judged) {
   Json json;
   json["program"] = judged.number;
@@ -41,8 +44,9 @@ Json json_of(const KitVerdict& verdict, const JudgedProgram& judged) {
   json["off"] = judged.trace.off;
   json["corners"] = judged.trace.corners;
   json["corners_missed"] = judged.trace.corners_missed;
-  json["worst"] = judged.trace.worst;
-  json["worst_rotary"] = judged.trace.worst_rotary;
+  json["worst"] = json_of(judged.trace.worst);
+  json["worst_rotary"] = json_of(judged.trace.worst_rotary);
+  if (judged.trace.cause) json["cause"] = *judged.trace.cause;
   json["axes_not_recorded"] = judged.trace.not_recorded;
   json["cases_off"] = Json::array();
   for (const std::size_t i : judged.cases_off)
@@ -53,7 +57,8 @@ Json json_of(const KitVerdict& verdict, const JudgedProgram& judged) {
     entry["kind"] = finding.kind;
     entry["sample"] = finding.sample;
     entry["line"] = finding.line;
-    entry["distance"] = finding.distance;
+    entry["distance"] = json_of(finding.distance);
+    entry["rotary"] = json_of(finding.rotary);
     json["findings"].push_back(std::move(entry));
   }
   return json;
@@ -100,14 +105,15 @@ std::string programs(const KitVerdict& verdict) {
   std::vector<Row> rows{{"Program", "Verdict", "Recording", "Findings", "Samples", "Corners missed", "Worst accepted"}};
   for (const JudgedProgram& judged : verdict.programs) {
     std::string findings = escape(judged.why);
+    if (judged.trace.cause) findings += "one mistake explains everything: " + escape(*judged.trace.cause);
     for (const TraceFinding& finding : judged.trace.findings)
       findings += fmt::format("{}{} of line {}, sample on line {}, by {}", findings.empty() ? "" : "<br/>",
-                              escape(finding.kind), finding.line, finding.sample, plain(finding.distance, 6));
+                              escape(finding.kind), finding.line, finding.sample, escape(extent(finding)));
     rows.push_back({program_name(verdict.kit.machine.setup.control, judged.number),
                     badge(name(judged.verdict), tone_of(judged.verdict)), escape(judged.file), findings,
                     std::to_string(judged.trace.samples),
                     fmt::format("{} of {}", judged.trace.corners_missed, judged.trace.corners),
-                    plain(judged.trace.worst, 6)});
+                    plain(judged.trace.worst.upper, 6)});
   }
   return "<h2>Recorded programs</h2>\n" + table(rows, 4);
 }

@@ -76,7 +76,7 @@ class Judge {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw spec::InputError(file.string(), 0, 0, "cannot be read");
     const Machine& machine = verdict_.kit.machine;
-    const Recording recording = read_recording(stream, file.string(), machine.setup.axes);
+    const Recording recording = read_recording(stream, file.string(), machine.setup);
     if (!recording.has_time) {
       take_by_name(file, recording);
       return;
@@ -124,9 +124,14 @@ class Judge {
     c.program = between_rests(c.program, program.marks);
     std::istringstream csv(cut(recording, first, last, verdict_.kit.machine, options_.machine_coordinates));
     JudgedProgram judged{program.number, ProgramVerdict::conforms, recording.file, {}, {}, {}};
-    judged.trace = judge_trace(c, csv, recording.file,
-                               {.tolerance = verdict_.tolerance, .judge_rapids = !options_.rapids_by_axis});
+    TraceOptions how;
+    how.tolerance = verdict_.tolerance;
+    how.judge_rapids = !options_.rapids_by_axis;
+    judged.trace = judge_trace(c, csv, recording.file, how);
+    // Nobody draws them.
     judged.trace.events.clear();
+    judged.trace.deviations = {};
+    judged.trace.course.clear();
     const int status = certify::exit_status(judged.trace);
     if (status == 1) judged.verdict = ProgramVerdict::differs;
     if (status == 3) judged.verdict = ProgramVerdict::undecided;

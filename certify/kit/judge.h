@@ -9,7 +9,7 @@
 
 #include "certify/kit/alarm_form.h"
 #include "certify/kit/kit.h"
-#include "certify/trace.h"
+#include "certify/trace/trace.h"
 
 namespace toolcomp::certify::kit {
 

@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <sstream>
 #include <utility>
 
-#include "certify/trace_csv.h"
-#include "spec/language/input_error.h"
+#include "certify/trace/recording.h"
 
 namespace toolcomp::certify::kit {
 namespace {
@@ -17,29 +14,6 @@ namespace {
 double value_in(const spec::AxisTable& table, char axis) {
   const auto entry = table.find(axis);
   return entry == table.end() ? 0 : std::stod(spec::to_string(entry->second));
-}
-
-// Where `time` stands among the columns; nothing where there is none.
-std::optional<std::size_t> time_column(std::string_view header) {
-  std::size_t column = 0;
-  std::string name;
-  for (const char c : header) {
-    if (c == ',') {
-      if (name == "time" || name == "t") return column;
-      name.clear();
-      ++column;
-    } else if (c >= 'A' && c <= 'Z') {
-      name += static_cast<char>(c - 'A' + 'a');
-    } else if (c >= 'a' && c <= 'z') {
-      name += c;
-    }
-  }
-  return name == "time" || name == "t" ? std::optional(column) : std::nullopt;
-}
-
-double field(std::string_view line, std::size_t column) {
-  for (; column > 0; --column) line.remove_prefix(line.find(',') + 1);
-  return std::stod(std::string(line.substr(0, line.find(','))));
 }
 
 bool stands(const RecordedSample& a, const RecordedSample& b, double most) {
@@ -50,26 +24,14 @@ bool stands(const RecordedSample& a, const RecordedSample& b, double most) {
 
 }  // namespace
 
-Recording read_recording(std::istream& stream, const std::string& file, const spec::Axes& axes) {
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  std::istringstream in(text);
-  TraceReader reader(in, file, axes);
-  Recording recording{file, false, reader.recorded(), {}};
-  // The reader of traces sees that time is a number and never runs backwards; what it is is read here.
-  std::istringstream lines(text);
-  std::string line;
-  std::uint64_t number = 0;
-  std::optional<std::size_t> time;
-  TraceSample sample;
-  while (reader.next(sample)) {
-    while (number < sample.line && std::getline(lines, line)) {
-      if (++number < sample.line && !recording.has_time && recording.samples.empty())
-        if (const auto column = time_column(line)) {
-          time = column;
-          recording.has_time = true;
-        }
-    }
-    recording.samples.push_back({sample.line, time ? field(line, *time) : 0, sample.axes});
+Recording read_recording(std::istream& stream, const std::string& file, const spec::Setup& setup) {
+  certify::Recording reader(stream, file, setup.axes, setup.units);
+  Recording recording{file, reader.has_time(), reader.recorded(), {}};
+  for (certify::RecordedSample sample; reader.next(sample);) {
+    RecordedSample& taken = recording.samples.emplace_back();
+    taken.line = sample.line;
+    taken.time = sample.time;
+    for (const std::size_t axis : recording.columns) taken.axes.set(axis, sample.at.at(axis));
   }
   return recording;
 }

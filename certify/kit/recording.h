@@ -9,6 +9,7 @@
 #include "certify/kit/kit.h"
 #include "certify/kit/marks.h"
 #include "spec/language/axes.h"
+#include "spec/language/setup.h"
 
 namespace toolcomp::certify::kit {
 
@@ -25,8 +26,8 @@ struct Recording {
   std::vector<RecordedSample> samples;
 };
 
-// Reads a CSV as certify::TraceReader describes it. Throws spec::InputError, with line and column.
-Recording read_recording(std::istream& stream, const std::string& file, const spec::Axes& axes);
+// Reads a CSV as certify::Recording describes it. Throws spec::InputError, with line and column.
+Recording read_recording(std::istream& stream, const std::string& file, const spec::Setup& setup);
 
 // Where the programs of a kit make their marks, in the coordinates of recordings.
 struct MarkPlace {

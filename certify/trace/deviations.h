@@ -42,7 +42,8 @@ class Deviations {
     bool off = false;  // a sample behind it was not followed
   };
 
-  explicit Deviations(Distance tolerance = {}) : tolerance_(tolerance) {}
+  Deviations() = default;
+  explicit Deviations(Distance tolerance) : tolerance_(tolerance) {}
   // Whether the next sample will be a point: other ones need a place only where they are followed.
   [[nodiscard]] bool keeps_next() const { return taken_ % stride_ == 0; }
   void take(const AxisPoint& recorded, const std::optional<PlaceOnPath>& place);

@@ -75,7 +75,7 @@ class PerfectMachine {
     for (const auto& [axis, value] : event["axes"].items()) to[axis[0]] = value.get<double>();
     if (at_.empty()) at_ = to;
     const std::map<char, double> from = at_;
-    const int parts = from == to && !event.contains("center") ? 1 : 25;
+    const int parts = from == to && !event.contains("center") ? 1 : std::max(25, chords(event, from));
     for (int i = 1; i <= parts; ++i) {
       const double t = static_cast<double>(i) / parts;
       for (const auto& [axis, value] : to) at_[axis] = from.at(axis) + t * (value - from.at(axis));
@@ -84,6 +84,15 @@ class PerfectMachine {
       sample();
     }
     at_ = to;
+  }
+  // So many that no chord is a fifth of the tolerance off its arc: 1 where there is none.
+  [[nodiscard]] static int chords(const json& event, const std::map<char, double>& from) {
+    if (!event.contains("center") || !event.contains("sweep")) return 1;
+    double radius = 0;
+    for (const auto& [axis, value] : event["center"].items())
+      radius = std::hypot(radius, from.at(axis[0]) - value.get<double>());
+    const double sweep = event["sweep"].get<double>() * std::numbers::pi / 180;
+    return static_cast<int>(std::ceil(sweep * std::sqrt(radius / 8 / 0.002))) + 1;
   }
   void on_the_arc(const json& event, const std::map<char, double>& from, double t) {
     const std::string plane = event["plane"];

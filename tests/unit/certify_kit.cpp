@@ -386,7 +386,7 @@ TEST(KitRecording, RestsAreWhereTheAxesStand) {
   for (int i = 1; i < 90; ++i) sample(6 + i);
   std::istringstream in(csv);
   const kit::Machine m = machine("[position]\nX = 5\nY = 3\n");
-  const kit::Recording recording = kit::read_recording(in, "f", m.setup.axes);
+  const kit::Recording recording = kit::read_recording(in, "f", m.setup);
   ASSERT_TRUE(recording.has_time);
   const auto found = kit::find_rests(recording, kit::mark_place(m, false, 0.01));
   ASSERT_EQ(found.size(), 2U);
