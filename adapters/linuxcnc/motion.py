@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+"""The whole controller: runs a batch of programs in LinuxCNC and records the joints (docs/adapters.md).
+
+motion.py BATCH_FOLDER: in it NNN/program.nc and NNN/setup.json; out come NNN/trace.csv, or NNN/alarm.txt with
+LinuxCNC's words, or NNN/not_applicable.txt with what it does not have; and NNN/known.txt, lines where it is known to
+differ. One start of LinuxCNC for each kinematics module.
+"""
+import argparse
+import json
+import shutil
+import signal
+import sys
+import time
+from pathlib import Path
+
+import configuration
+import recording
+import session
+from machine import NotApplicable, decimal, machine_of
+from translate import translate
+
+HERE = Path(__file__).resolve().parent
+PATIENCE = 60.0  # s a program may take
+TRIES = 3
+
+
+class Job:
+    """A program of the batch, as LinuxCNC is to run it."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.number = int(folder.name)
+        self.setup = json.loads((folder / "setup.json").read_text(encoding="utf-8"))
+        self.machine = machine_of(self.setup)
+        program = (folder / "program.nc").read_text(encoding="utf-8")
+        self.text, self.tools, self.pins = translate(program, self.setup, self.machine)
+        self.axes = self.setup.get("axes", ["X", "Y", "Z"])
+        self.origin = {axis: decimal(value) for axis, value in self.setup.get("workpiece", {}).get("G54", {}).items()}
+
+    def write(self, folder):
+        (folder / f"{self.number}.ngc").write_text(self.text, encoding="ascii")
+        (folder / f"{self.number}.tbl").write_text(self.tools, encoding="ascii")
+        return {"number": self.number, "program": str(folder / f"{self.number}.ngc"), "patience": PATIENCE,
+                "tools": str(folder / f"{self.number}.tbl"), "pins": {**self.machine.pins, **self.pins}}
+
+
+def read_batch(folder):
+    jobs = []
+    for one in sorted(path for path in folder.iterdir() if path.name.isdigit()):
+        try:
+            jobs.append(Job(one))
+        except NotApplicable as why:
+            (one / "not_applicable.txt").write_text(f"{why}\n", encoding="utf-8")
+    return jobs
+
+
+def say(text):
+    print(text, file=sys.stderr, flush=True)
+
+
+def answers(folder):
+    """What ui.py said: program number → "ran" or the alarm; whether it came to its end."""
+    said = {}
+    done = folder / "done.txt"
+    lines = done.read_text(encoding="utf-8").splitlines() if done.exists() else []
+    for line in lines:
+        if line != "end":
+            number, what, *words = line.split(" ", 2)
+            said[int(number)] = words[0] if what == "alarm" else None
+    return said, bool(lines) and lines[-1] == "end"
+
+
+def run_once(module, jobs, period):
+    """Runs jobs of one module in one start; those to be run again come back."""
+    again = []
+    with session.work_folder() as folder:
+        configuration.write(folder, module, period)
+        (folder / "jobs.json").write_text(json.dumps([job.write(folder) for job in jobs]), encoding="utf-8")
+        shutil.copy(HERE / "ui.py", folder / "ui.py")
+        (folder / "ui.py").chmod(0o755)
+        output = session.run(folder, 30 + PATIENCE * len(jobs), [f"PROGRAM_PIN={len(module.joints) + 1}"])
+        said, ended = answers(folder)
+        if not said:
+            raise session.Failed("LinuxCNC did not run:\n" + output[-4000:])
+        runs, lost = recording.split(folder / "trace.txt", len(module.joints))
+        for job in jobs:
+            if job.number not in said:
+                again.append(job)
+            elif said[job.number] is not None:
+                (job.folder / "alarm.txt").write_text(said[job.number] + "\n", encoding="utf-8")
+            elif job.number in lost or job.number not in runs:
+                again.append(job)
+            else:
+                samples = recording.program_part(runs[job.number])
+                recording.write_trace(job.folder / "trace.csv", samples, module, job.axes, job.origin, period)
+    return again
+
+
+def run_module(module, jobs, period):
+    for attempt in range(TRIES):
+        begin = time.monotonic()
+        again = run_once(module, jobs, period)
+        say(f"{module.name}: {len(jobs) - len(again)} programs in {time.monotonic() - begin:.1f} s"
+            + (f", {len(again)} to be run again" if again else ""))
+        if not again:
+            return
+        jobs = again
+        if attempt:
+            period *= 2
+    for job in jobs:
+        (job.folder / "failed.txt").write_text("the recording lost samples each time\n", encoding="utf-8")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("batch", type=Path)
+    parser.add_argument("--period", type=int, default=configuration.SERVO_PERIOD, help="servo period in ns")
+    options = parser.parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+    jobs = read_batch(options.batch)
+    try:
+        with session.exclusive(600):
+            for module in dict.fromkeys(job.machine.module for job in jobs):
+                run_module(module, [job for job in jobs if job.machine.module is module], options.period)
+    except session.Failed as failure:
+        say(str(failure))
+        return 1
+    return 0
+
+
+sys.exit(main())

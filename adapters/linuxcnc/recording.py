@@ -1,0 +1,49 @@
+"""The sampler's text as one recording a program."""
+from configuration import GAIN
+from translate import PREAMBLE
+
+
+class Lost(Exception):
+    """Samples are missing: the recording is worth nothing."""
+
+
+def split(path, joints):
+    """Program number → (samples, ok): samples are (line of LinuxCNC's program, joints in millionths as text)."""
+    runs, lost = {}, set()
+    last = None
+    with open(path, encoding="ascii") as file:
+        for text in file:
+            if text.startswith("overrun"):
+                last = None
+                continue
+            fields = text.split()
+            if len(fields) != joints + 3:
+                continue  # cut off where LinuxCNC ended
+            count, line, program = int(fields[0]), int(fields[-2]), int(fields[-1])
+            if last is not None and count != last + 1 or last is None and runs:
+                lost.add(program)
+            last = count
+            runs.setdefault(program, []).append((line, fields[1:-2]))
+    return runs, lost
+
+
+def program_part(samples):
+    """The samples behind the preamble: from the last one that stands where the program starts."""
+    if not any(0 < line <= PREAMBLE for line, _ in samples):
+        raise Lost("the preamble was not recorded")
+    start = next((i for i, (line, _) in enumerate(samples) if line > PREAMBLE), len(samples))
+    return samples[max(start - 1, 0):]
+
+
+def write_trace(path, samples, module, axes, origin, period):
+    """The CSV of a trace: joints less the workpiece origin, times from 0; samples that stand still are left out."""
+    columns = [(module.joints.index(axis), int(origin.get(axis, 0) * 10**6)) for axis in axes]
+    with open(path, "w", encoding="ascii") as file:
+        file.write("time," + ",".join(axes) + "\n")
+        before = None
+        for i, (_, joints) in enumerate(samples):
+            if joints == before:
+                continue
+            before = joints
+            values = ",".join(f"{(float(joints[j]) - zero) / GAIN:.12f}" for j, zero in columns)
+            file.write(f"{i * period / 1e9:.4f},{values}\n")

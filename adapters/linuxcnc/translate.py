@@ -1,0 +1,163 @@
+"""FANUC programs as LinuxCNC reads them, line for line: line k of a program is line k + PREAMBLE of its translation."""
+import re
+
+from machine import MAX, THREE_AXES, NotApplicable, decimal
+
+PREAMBLE = 12  # lines in front of a program
+FEED = "60000"  # of every F: time is real there, and no position depends on it
+WORD = re.compile(r"([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))\s*")
+# G codes that mean the same. G43.4 has no code there: the kinematics is always in force, G43 gives it the tool length.
+SAME = {"0", "1", "2", "3", "17", "18", "19", "20", "21", "40", "41", "42", "43", "49", "54", "55", "56", "57", "58", "59",
+        "80", "90", "91", "94"}
+TIP = "43.4"
+IGNORED_M = {"3", "4", "5", "8", "9"}
+AXES = "XYZABCUVW"
+
+
+def plain(text):
+    """A number of a program without zeros that say nothing."""
+    value = decimal(text if not text.endswith(".") else text + "0")
+    return str(value.numerator) if value.denominator == 1 else f"{float(value):.12g}"
+
+
+def fixed(value):
+    return f"{float(decimal(value)):.12f}".rstrip("0").rstrip(".")
+
+
+def words_of(line, number):
+    """(letter, number as text) of a block; NotApplicable for what is no word."""
+    text = re.sub(r"\([^)]*\)", " ", line.split(";")[0]).strip().upper()
+    if text.startswith("/"):
+        text = text[1:]
+    if not text or text == "%" or text.startswith(("O", ":")):
+        return []
+    words, at = [], 0
+    while at < len(text):
+        match = WORD.match(text, at)
+        if not match:
+            raise NotApplicable(f"line {number}: {text[at:at + 20]}")
+        words.append((match[1], match[2]))
+        at = match.end()
+    return [word for word in words if word[0] != "N"]
+
+
+class Translation:
+    """One program; `lengths` are the H numbers it uses."""
+
+    def __init__(self, setup, module):
+        self.module = module
+        self.offsets = {kind: setup.get("offsets", {}).get(kind, {}) for kind in "HD"}
+        self.numbers = {"H": None, "D": None}  # in force
+        self.used = {"H": set(), "D": set()}
+        self.compensating = False
+        self.plane = "17"
+        self.ended = False
+
+    def line(self, text, number):
+        if self.ended:
+            return ""
+        words = words_of(text, number)
+        codes = [plain(value) for letter, value in words if letter == "G"]
+        for kind in "HD":
+            for letter, value in words:
+                if letter == kind:
+                    self.take_number(kind, plain(value), codes, number)
+        out = [self.word(letter, value, number) for letter, value in words if letter not in "HD"]
+        if {"41", "42"} & set(codes):
+            self.plane = next((c for c in codes if c in ("17", "18", "19")), self.plane)
+            if self.plane == "19":
+                raise NotApplicable(f"line {number}: cutter compensation in G19")
+            out.append("D" + self.number_in_force("D", number))
+            self.compensating = True
+        elif plane := next((c for c in codes if c in ("17", "18", "19")), None):
+            self.plane = plane
+        if "40" in codes:
+            self.compensating = False
+        if {"43", TIP} & set(codes):
+            if not any(letter in AXES for letter, _ in words):
+                raise NotApplicable(f"line {number}: G43 without an axis word makes no move")
+            out.append("H" + self.number_in_force("H", number))
+        if "49" in codes and not any(letter in AXES for letter, _ in words) and TIP not in codes:
+            raise NotApplicable(f"line {number}: G49 without an axis word makes no move")
+        return " ".join(word for word in out if word)
+
+    def take_number(self, kind, value, codes, number):
+        starts = {"H": {"43", TIP}, "D": {"41", "42"}}[kind] & set(codes)
+        if not starts and (kind == "H" or self.compensating):
+            raise NotApplicable(f"line {number}: {kind} without {'G43' if kind == 'H' else 'G41 or G42'}")
+        self.numbers[kind] = value
+
+    def number_in_force(self, kind, number):
+        value = self.numbers[kind]
+        if value in (None, "0"):
+            raise NotApplicable(f"line {number}: {kind}0")
+        self.used[kind].add(value)
+        return value
+
+    def word(self, letter, value, number):
+        value_plain = plain(value)
+        if letter == "G":
+            if value_plain == TIP:
+                if self.module is THREE_AXES:
+                    raise NotApplicable(f"line {number}: G43.4 on a machine of three axes")
+                return "G43"
+            if value_plain not in SAME:
+                raise NotApplicable(f"line {number}: G{value_plain}")
+            return "G" + value_plain
+        if letter == "M":
+            if value_plain in ("2", "30"):
+                self.ended = True
+                return "M2"
+            if value_plain in IGNORED_M:
+                return ""
+            raise NotApplicable(f"line {number}: M{value_plain}")
+        if letter == "S":
+            return ""
+        if letter == "F":
+            return "F" + FEED
+        if letter in "IJKR" or letter in self.module.joints:
+            return letter + value
+        raise NotApplicable(f"line {number}: {letter}{value}")
+
+    def offset(self, kind, number):
+        entry = self.offsets[kind].get(number, 0)
+        if isinstance(entry, dict):
+            return decimal(entry.get("geometry", 0)) + decimal(entry.get("wear", 0))
+        return decimal(entry)
+
+
+def preamble(setup, module):
+    """PREAMBLE lines: everything modal, the workpiece origins, and two moves to where the program starts."""
+    lines = [f"G21 G17 G90 G94 G40 G49 G80 G61 G54 F{FEED}", "G92.1"]
+    for k in range(6):
+        origin = setup.get("workpiece", {}).get(f"G{54 + k}", {})
+        if any(axis not in "XYZ" and decimal(value) for axis, value in origin.items()):
+            raise NotApplicable(f"setup: a workpiece origin of a rotary axis in G{54 + k}")
+        lines.append(f"G10 L2 P{k + 1} " + " ".join(f"{axis}{fixed(origin.get(axis, 0))}" for axis in "XYZ"))
+    start = {axis: fixed(setup.get("position", {}).get(axis, 0)) for axis in module.joints}
+    lines.append("G0 " + " ".join(axis + value for axis, value in start.items()))
+    # A move for certain, and a rest, so that the recording can be cut where the tool stands.
+    lines += ["G91 G0 Z1", "G90 G0 Z" + start["Z"], "G4 P0.005"]
+    assert len(lines) == PREAMBLE
+    return lines
+
+
+def translate(program, setup, machine):
+    """The text for LinuxCNC, its tool table, and pins that depend on the program."""
+    translation = Translation(setup, machine.module)
+    lines = preamble(setup, machine.module)
+    lines += [translation.line(text, i + 1) for i, text in enumerate(program.splitlines())]
+    if not translation.ended:
+        lines.append("M2")
+    table = {}
+    for kind, word, factor in (("H", "Z", 1), ("D", "D", 2)):
+        for number in translation.used[kind]:
+            table.setdefault(number, {})[word] = float(factor * translation.offset(kind, number))
+    tools = "".join(f"T{n} P{n} " + " ".join(f"{w}{v:.12f}" for w, v in sorted(row.items())) + "\n"
+                    for n, row in sorted(table.items(), key=lambda item: int(item[0])))
+    pins = {}
+    if machine.module is MAX:
+        if len(translation.used["H"]) > 1:
+            raise NotApplicable("setup: two tool lengths, where the pivot is a pin that can only be set")
+        pins[MAX.pivot_pin] = float(sum(translation.offset("H", n) for n in translation.used["H"]))
+    return "\n".join(lines) + "\n", tools, pins
