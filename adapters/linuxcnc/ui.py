@@ -76,7 +76,7 @@ class Runner:
     def run(self, job):
         self.error()
         for pin, value in job["pins"].items():
-            hal.set_p(pin, value)
+            hal.set_p(pin, repr(value))
         self.component["program"] = job["number"]
         shutil.copyfile(job["tools"], "sim.tbl")
         self.command.load_tool_table()
