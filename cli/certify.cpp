@@ -5,11 +5,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
+#include "certify/adapter.h"
 #include "certify/campaign.h"
 #include "certify/report.h"
 #include "certify/trace.h"
+#include "cli/certify_adapter.h"
 #include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
@@ -68,6 +71,11 @@ void say_how_the_path_ends(const certify::TraceResult& result, const std::string
       std::cerr << name << ':' << event.line << ": the path ends in " << event.number.view() << '\n';
   if (result.undecided.empty() && result.corners == 0) std::cerr << name << ": no move to judge\n";
   if (result.corners > 0 && result.samples == 0) std::cerr << "the trace holds no sample\n";
+}
+
+std::optional<certify::Adapter> adapter_named(const CertifyOptions& options) {
+  if (!certify::is_adapter_name(options.controller)) return std::nullopt;
+  return certify::find_adapter(options.controller, certify::adapter_folders(options.adapters));
 }
 
 int certify_trace(const CertifyOptions& options) {
@@ -140,6 +148,13 @@ int certify(const CertifyOptions& options) {
 
   certify::CampaignOptions campaign;
   campaign.controller = options.controller;
+  if (const auto adapter = adapter_named(options)) {
+    certify::expect_programs(*adapter);
+    if (adapter->kind == certify::AdapterKind::trace)
+      return certify_adapter(options, *adapter, read_inputs(options),
+                             options.tolerance.empty() ? 0 : length_of(options.tolerance));
+    campaign.controller = adapter->shell_command();
+  }
   campaign.sections = options.sections;
   campaign.seed = options.seed;
   campaign.accepted_resolution = options.accept_resolution;

@@ -50,6 +50,7 @@ class Translation:
         self.numbers = {"H": None, "D": None}  # in force
         self.used = {"H": set(), "D": set()}
         self.compensating = False
+        self.length_on = False
         self.plane = "17"
         self.ended = False
 
@@ -77,8 +78,11 @@ class Translation:
             if not any(letter in AXES for letter, _ in words):
                 raise NotApplicable(f"line {number}: G43 without an axis word makes no move")
             out.append("H" + self.number_in_force("H", number))
-        if "49" in codes and not any(letter in AXES for letter, _ in words) and TIP not in codes:
-            raise NotApplicable(f"line {number}: G49 without an axis word makes no move")
+            self.length_on = True
+        if "49" in codes:
+            if self.length_on and not any(letter in AXES for letter, _ in words):
+                raise NotApplicable(f"line {number}: G49 without an axis word makes no move")
+            self.length_on = False
         return " ".join(word for word in out if word)
 
     def take_number(self, kind, value, codes, number):
