@@ -1,7 +1,9 @@
 """The files of a start of LinuxCNC: sim.ini and sim.hal for a machine of perfect drives, recorded each period."""
 SERVO_PERIOD = 200_000  # ns
 VELOCITY = 2000  # mm/s, degrees/s
-ACCELERATION = 250_000  # mm/s², degrees/s²; the interpolator deviates by ACCELERATION · period² / 6
+# The interpolator deviates by acceleration · period² / 6, twice that where it turns round.
+ACCELERATION = 150_000  # mm/s²
+ROTARY_ACCELERATION = 100_000  # degrees/s²
 LIMIT = 1e6
 DEPTH = 20_000  # samples
 GAIN = 1e6  # the sampler prints six decimals: joints are recorded in millionths
@@ -35,8 +37,8 @@ MAX_LINEAR_ACCELERATION = {ACCELERATION}
 DEFAULT_LINEAR_ACCELERATION = {ACCELERATION}
 MAX_ANGULAR_VELOCITY = {VELOCITY}
 DEFAULT_ANGULAR_VELOCITY = {VELOCITY}
-MAX_ANGULAR_ACCELERATION = {ACCELERATION}
-DEFAULT_ANGULAR_ACCELERATION = {ACCELERATION}
+MAX_ANGULAR_ACCELERATION = {ROTARY_ACCELERATION}
+DEFAULT_ANGULAR_ACCELERATION = {ROTARY_ACCELERATION}
 [EMCIO]
 EMCIO = io
 CYCLE_TIME = 0.005
@@ -45,10 +47,10 @@ TOOL_TABLE = sim.tbl
 KINEMATICS = {module.name}
 JOINTS = {len(joints)}
 """]
-    limits = (f"MIN_LIMIT = {-LIMIT:.0f}\nMAX_LIMIT = {LIMIT:.0f}\nMAX_VELOCITY = {VELOCITY}\n"
-              f"MAX_ACCELERATION = {ACCELERATION}\n")
     for i, letter in enumerate(joints):
-        kind = "ANGULAR" if letter in "ABC" else "LINEAR"
+        kind, acceleration = ("ANGULAR", ROTARY_ACCELERATION) if letter in "ABC" else ("LINEAR", ACCELERATION)
+        limits = (f"MIN_LIMIT = {-LIMIT:.0f}\nMAX_LIMIT = {LIMIT:.0f}\nMAX_VELOCITY = {VELOCITY}\n"
+                  f"MAX_ACCELERATION = {acceleration}\n")
         sections.append(f"[AXIS_{letter}]\n{limits}")
         # Homed where it stands. A pin that changes between programs lets joints jump: no following error for that.
         sections.append(f"[JOINT_{i}]\nTYPE = {kind}\n{limits}FERROR = {LIMIT:.0f}\nMIN_FERROR = {LIMIT:.0f}\n"

@@ -16,6 +16,8 @@ from pathlib import Path
 import configuration
 import recording
 import session
+from interpreter import Interpreter
+from known import known_places, known_refusal
 from machine import NotApplicable, decimal, machine_of
 from translate import translate
 
@@ -27,28 +29,44 @@ TRIES = 3
 class Job:
     """A program of the batch, as LinuxCNC is to run it."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, interpreter):
         self.folder = folder
         self.number = int(folder.name)
         self.setup = json.loads((folder / "setup.json").read_text(encoding="utf-8"))
         self.machine = machine_of(self.setup)
         program = (folder / "program.nc").read_text(encoding="utf-8")
-        self.text, self.tools, self.pins = translate(program, self.setup, self.machine)
+        translated = translate(program, self.setup, self.machine)
+        self.text, self.tools, self.pins = translated.text, translated.tools, translated.pins
+        self.known = known_places(program, self.setup, self.machine, interpreter)
         self.axes = self.setup.get("axes", ["X", "Y", "Z"])
         self.origin = {axis: decimal(value) for axis, value in self.setup.get("workpiece", {}).get("G54", {}).items()}
 
     def write(self, folder):
         (folder / f"{self.number}.ngc").write_text(self.text, encoding="ascii")
-        (folder / f"{self.number}.tbl").write_text(self.tools, encoding="ascii")
+        table = (f"T{n} P{n} Z{length:.12f} D{diameter:.12f}\n" for n, (length, diameter) in sorted(self.tools.items()))
+        (folder / f"{self.number}.tbl").write_text("".join(table), encoding="ascii")
+        if self.known:
+            self.write_known(self.known)
         return {"number": self.number, "program": str(folder / f"{self.number}.ngc"), "patience": PATIENCE,
                 "tools": str(folder / f"{self.number}.tbl"), "pins": {**self.machine.pins, **self.pins}}
 
 
+    def write_known(self, places):
+        text = "".join(f"{name} {first} {last}\n" for name, first, last in places)
+        (self.folder / "known.txt").write_text(text, encoding="ascii")
+
+    def write_alarm(self, words):
+        (self.folder / "alarm.txt").write_text(words + "\n", encoding="utf-8")
+        if name := known_refusal(words):
+            self.write_known([*self.known, (name, 1, 1)])
+
+
 def read_batch(folder):
     jobs = []
+    interpreter = Interpreter()
     for one in sorted(path for path in folder.iterdir() if path.name.isdigit()):
         try:
-            jobs.append(Job(one))
+            jobs.append(Job(one, interpreter))
         except NotApplicable as why:
             (one / "not_applicable.txt").write_text(f"{why}\n", encoding="utf-8")
     return jobs
@@ -87,7 +105,7 @@ def run_once(module, jobs, period):
             if job.number not in said:
                 again.append(job)
             elif said[job.number] is not None:
-                (job.folder / "alarm.txt").write_text(said[job.number] + "\n", encoding="utf-8")
+                job.write_alarm(said[job.number])
             elif job.number in lost or job.number not in runs:
                 again.append(job)
             else:

@@ -1,5 +1,6 @@
 """FANUC programs as LinuxCNC reads them, line for line: line k of a program is line k + PREAMBLE of its translation."""
 import re
+from dataclasses import dataclass
 
 from machine import MAX, THREE_AXES, NotApplicable, decimal
 
@@ -42,14 +43,20 @@ def words_of(line, number):
 
 
 class Translation:
-    """One program; `lengths` are the H numbers it uses."""
+    """One program. `compensate`: with cutter compensation, or along the path as programmed."""
 
-    def __init__(self, setup, module):
+    def __init__(self, setup, module, compensate=True):
         self.module = module
+        self.compensate = compensate
+        self.sides = {}  # line → 1 left, -1 right: blocks in cutter compensation
+        self.starts = []  # lines of G41 and G42
+        self.lengths = []  # lines where the length offset may change, and whether LinuxCNC makes the move of it
+        self.absolute_z = []  # lines
+        self.incremental = False
         self.offsets = {kind: setup.get("offsets", {}).get(kind, {}) for kind in "HD"}
         self.numbers = {"H": None, "D": None}  # in force
         self.used = {"H": set(), "D": set()}
-        self.compensating = False
+        self.compensating = 0  # side
         self.length_on = False
         self.plane = "17"
         self.ended = False
@@ -58,30 +65,38 @@ class Translation:
         if self.ended:
             return ""
         words = words_of(text, number)
+        letters = {letter for letter, _ in words}
         codes = [plain(value) for letter, value in words if letter == "G"]
         for kind in "HD":
             for letter, value in words:
                 if letter == kind:
                     self.take_number(kind, plain(value), codes, number)
+        if "90" in codes or "91" in codes:
+            self.incremental = "91" in codes
+        if "Z" in letters and not self.incremental:
+            self.absolute_z.append(number)
         out = [self.word(letter, value, number) for letter, value in words if letter not in "HD"]
         if {"41", "42"} & set(codes):
             self.plane = next((c for c in codes if c in ("17", "18", "19")), self.plane)
             if self.plane == "19":
                 raise NotApplicable(f"line {number}: cutter compensation in G19")
-            out.append("D" + self.number_in_force("D", number))
-            self.compensating = True
+            value = self.number_in_force("D", number)
+            out.append("D" + value if self.compensate else "")
+            self.compensating = 1 if "41" in codes else -1
+            self.starts.append(number)
         elif plane := next((c for c in codes if c in ("17", "18", "19")), None):
             self.plane = plane
         if "40" in codes:
-            self.compensating = False
+            self.compensating = 0
+        if self.compensating:
+            self.sides[number] = self.compensating
         if {"43", TIP} & set(codes):
-            if not any(letter in AXES for letter, _ in words):
-                raise NotApplicable(f"line {number}: G43 without an axis word makes no move")
             out.append("H" + self.number_in_force("H", number))
             self.length_on = True
+            self.lengths.append((number, "Z" in letters and not self.incremental))
         if "49" in codes:
-            if self.length_on and not any(letter in AXES for letter, _ in words):
-                raise NotApplicable(f"line {number}: G49 without an axis word makes no move")
+            if self.length_on:
+                self.lengths.append((number, "Z" in letters and not self.incremental))
             self.length_on = False
         return " ".join(word for word in out if word)
 
@@ -107,7 +122,7 @@ class Translation:
                 return "G43"
             if value_plain not in SAME:
                 raise NotApplicable(f"line {number}: G{value_plain}")
-            return "G" + value_plain
+            return "" if value_plain in ("41", "42") and not self.compensate else "G" + value_plain
         if letter == "M":
             if value_plain in ("2", "30"):
                 self.ended = True
@@ -146,22 +161,29 @@ def preamble(setup, module):
     return lines
 
 
-def translate(program, setup, machine):
-    """The text for LinuxCNC, its tool table, and pins that depend on the program."""
-    translation = Translation(setup, machine.module)
+@dataclass
+class Translated:
+    text: str  # for LinuxCNC
+    tools: dict  # number → (length, diameter)
+    pins: dict  # that depend on the program
+    translation: Translation
+
+
+def translate(program, setup, machine, compensate=True):
+    """Throws NotApplicable."""
+    translation = Translation(setup, machine.module, compensate)
     lines = preamble(setup, machine.module)
     lines += [translation.line(text, i + 1) for i, text in enumerate(program.splitlines())]
     if not translation.ended:
         lines.append("M2")
-    table = {}
-    for kind, word, factor in (("H", "Z", 1), ("D", "D", 2)):
-        for number in translation.used[kind]:
-            table.setdefault(number, {})[word] = float(factor * translation.offset(kind, number))
-    tools = "".join(f"T{n} P{n} " + " ".join(f"{w}{v:.12f}" for w, v in sorted(row.items())) + "\n"
-                    for n, row in sorted(table.items(), key=lambda item: int(item[0])))
+    tools = {int(n): [0.0, 0.0] for kind in "HD" for n in translation.used[kind]}
+    for number in translation.used["H"]:
+        tools[int(number)][0] = float(translation.offset("H", number))
+    for number in translation.used["D"]:
+        tools[int(number)][1] = float(2 * translation.offset("D", number))
     pins = {}
     if machine.module is MAX:
         if len(translation.used["H"]) > 1:
             raise NotApplicable("setup: two tool lengths, where the pivot is a pin that can only be set")
         pins[MAX.pivot_pin] = float(sum(translation.offset("H", n) for n in translation.used["H"]))
-    return "\n".join(lines) + "\n", tools, pins
+    return Translated("\n".join(lines) + "\n", tools, pins, translation)

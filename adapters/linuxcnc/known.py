@@ -1,0 +1,86 @@
+"""Where LinuxCNC is known to do otherwise (known_differences.toml): told from the program as written alone.
+
+Never from what LinuxCNC makes of it, so that a new difference cannot pass for a known one.
+"""
+import math
+
+from translate import PREAMBLE, translate
+
+NEARLY_STRAIGHT = 0.05  # rad: LinuxCNC takes such a corner as straight on
+STRAIGHT = 1e-7  # rad
+# LinuxCNC's words where it refuses and FANUC's rules go on.
+REFUSED = {
+    "R i j k words all missing for arc": "arc-without-centre",
+    "in concave corner": "gouging-refused",
+    "Tool radius not less than arc radius": "gouging-refused",
+    "the compensated tool can't fit in": "gouging-refused",
+    "cutter compensation entry move": "short-entry",
+}
+
+
+class Leg:
+    """A move in its plane as programmed: the tangents at both ends."""
+
+    def __init__(self, move, before):
+        self.line = move.line - PREAMBLE
+        self.plane = move.plane
+        start, end = ([at[letter] for letter in self.plane] for at in (before, move.end))
+        if move.kind == "arc":
+            c, turn = move.center, 1 if move.turn > 0 else -1
+            self.first, self.last = ((-turn * (p[1] - c[1]), turn * (p[0] - c[0])) for p in (start, end))
+        else:
+            self.first = self.last = (end[0] - start[0], end[1] - start[1])
+        self.moves = math.hypot(*self.first) > 1e-9
+        self.line_move = move.kind != "arc"
+
+
+def turn(a, b):
+    return math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1])
+
+
+def legs_of(moves):
+    before, legs = None, []
+    for move in moves:
+        if before is not None and move.line > PREAMBLE:
+            leg = Leg(move, before)
+            if leg.moves:
+                legs.append(leg)
+        before = move.end
+    return legs
+
+
+def corners(legs, translation):
+    places = []
+    for a, b in zip(legs, legs[1:]):
+        side = translation.sides.get(a.line)
+        if side is None or b.line not in translation.sides:
+            continue
+        angle = turn(a.last, b.first)
+        if abs(angle) < STRAIGHT:
+            continue
+        if a.line in translation.starts:
+            places.append(("entry-not-straight-on", a.line, b.line))
+        elif angle * side < 0 or abs(abs(angle) - math.pi) < STRAIGHT:
+            places.append(("outer-corner", a.line, b.line))
+        elif abs(angle) < NEARLY_STRAIGHT:
+            places.append(("nearly-straight-corner", a.line, b.line))
+    return places
+
+
+def lengths(translation, last):
+    """From a block that changes the length without an absolute Z to the next one with it."""
+    return [("length-without-move", line, next((z for z in translation.absolute_z if z > line), last))
+            for line, moved in translation.lengths if not moved]
+
+
+def known_places(program, setup, machine, interpreter):
+    """(id, first line, last line) of the program."""
+    nominal = translate(program, setup, machine, compensate=False)
+    run = interpreter.run(nominal.text, nominal.tools)
+    last = len(program.splitlines())
+    return corners(legs_of(run.moves), nominal.translation) + lengths(nominal.translation, last)
+
+
+def known_refusal(words):
+    """The id of a known difference behind an alarm of LinuxCNC, or None."""
+    return next((name for text, name in REFUSED.items() if text in words), None)
