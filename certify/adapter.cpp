@@ -50,12 +50,14 @@ std::vector<KnownDifference> read_known(const fs::path& file, const fs::path& fo
   const Node& list = needed(reader, document, "difference");
   reader.expect(list, Kind::array, "difference");
   for (const Node& node : list.items) {
-    reader.keys(node, "a difference", {"id", "reason", "recognised", "program", "setup"});
+    reader.keys(node, "a difference", {"id", "reason", "recognised", "program", "setup", "alarms"});
     KnownDifference one{reader.string(needed(reader, node, "id"), "id"),
                         reader.string(needed(reader, node, "reason"), "reason"),
                         reader.string(needed(reader, node, "recognised"), "recognised"),
                         reader.string(needed(reader, node, "program"), "program"),
-                        file_beside(reader, needed(reader, node, "setup"), "setup", folder)};
+                        file_beside(reader, needed(reader, node, "setup"), "setup", folder),
+                        {}};
+    if (const Node* alarms = node.find("alarms")) one.alarms = reader.strings(*alarms, "alarms");
     if (std::ranges::any_of(known, [&](const KnownDifference& k) { return k.id == one.id; }))
       reader.fail(node.at, "a second difference of the id \"" + one.id + "\"");
     known.push_back(std::move(one));
@@ -124,6 +126,12 @@ std::string Adapter::shell_command(std::string_view arguments) const {
 
 const KnownDifference* Adapter::known_difference(std::string_view id) const {
   const auto found = std::ranges::find_if(known, [&](const KnownDifference& k) { return k.id == id; });
+  return found == known.end() ? nullptr : &*found;
+}
+
+const KnownDifference* Adapter::without_alarm(std::string_view number) const {
+  const auto found = std::ranges::find_if(
+      known, [&](const KnownDifference& k) { return std::ranges::find(k.alarms, number) != k.alarms.end(); });
   return found == known.end() ? nullptr : &*found;
 }
 

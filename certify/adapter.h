@@ -19,9 +19,10 @@ enum class AdapterKind : std::uint8_t {
 struct KnownDifference {
   std::string id;
   std::string reason;
-  std::string recognised;       // in words: how the adapter tells
-  std::string program;          // the shortest that shows it
-  std::filesystem::path setup;  // it is run with
+  std::string recognised;           // in words: how the adapter tells
+  std::string program;              // the shortest that shows it
+  std::filesystem::path setup;      // it is run with
+  std::vector<std::string> alarms;  // of the model, where the controller runs on: "PS0041"
 };
 
 struct Adapter {
@@ -39,6 +40,8 @@ struct Adapter {
   // What a shell runs: the command in its folder, `arguments` behind it.
   [[nodiscard]] std::string shell_command(std::string_view arguments = {}) const;
   [[nodiscard]] const KnownDifference* known_difference(std::string_view id) const;
+  // The one that the controller runs on where the model gives this alarm, or nullptr.
+  [[nodiscard]] const KnownDifference* without_alarm(std::string_view number) const;
 };
 
 // The adapters of a manifest. Throws spec::InputError, with the position of the fault, for anything that is no

@@ -56,12 +56,13 @@ std::vector<KnownPlace> read_known_places(const fs::path& file, const Adapter& a
   return places;
 }
 
-// The alarm the model ends with, as "PS0041 in line 5"; and its line.
-std::optional<std::pair<std::string, std::uint64_t>> alarm_of(const std::vector<spec::Event<double>>& events) {
-  for (const spec::Event<double>& event : events)
-    if (event.kind == spec::EventKind::alarm)
-      return std::pair(fmt::format("{} in line {}", event.number.view(), event.line), event.line);
-  return std::nullopt;
+const spec::Event<double>* alarm_of(const std::vector<spec::Event<double>>& events) {
+  const auto found = std::ranges::find(events, spec::EventKind::alarm, &spec::Event<double>::kind);
+  return found == events.end() ? nullptr : &*found;
+}
+
+std::string words_of(const spec::Event<double>& alarm) {
+  return fmt::format("{} in line {}", alarm.number.view(), alarm.line);
 }
 
 class Judge {
@@ -107,9 +108,9 @@ class Judge {
     if (!run.result.undecided.empty()) {
       run.outcome = RunOutcome::undecided;
       run.why = run.result.undecided;
-    } else if (const auto alarm = alarm_of(run.result.events)) {
+    } else if (const auto* alarm = alarm_of(run.result.events)) {
       run.outcome = RunOutcome::both_refuse;
-      run.why = alarm->first + "; " + words;
+      run.why = words_of(*alarm) + "; " + words;
     } else if (!places.empty()) {
       run.outcome = RunOutcome::known;
       for (const KnownPlace& place : places) run.known.push_back(place.id);
@@ -120,30 +121,42 @@ class Judge {
     }
   }
 
-  static void judge_findings(AdapterRun& run, const std::vector<KnownPlace>& places) {
+  void judge_findings(AdapterRun& run, const std::vector<KnownPlace>& places) const {
+    const auto place_at = [&](std::uint64_t line) {
+      const auto place =
+          std::ranges::find_if(places, [&](const KnownPlace& p) { return p.first <= line && line <= p.last; });
+      return place == places.end() ? std::string() : place->id;
+    };
+    if (const auto* alarm = alarm_of(run.result.events)) return judge_running_on(run, *alarm, place_at(alarm->line));
     const int status = exit_status(run.result);
     if (status == 3) {
       run.outcome = RunOutcome::undecided;
       run.why = run.result.undecided.empty() ? "nothing was judged" : run.result.undecided;
       return;
     }
-    bool all_known = true;
-    const auto explain = [&](std::uint64_t line, const std::string& what) {
-      const auto place =
-          std::ranges::find_if(places, [&](const KnownPlace& p) { return p.first <= line && line <= p.last; });
-      if (place == places.end()) {
-        if (all_known) run.why = what;
-        all_known = false;
-      } else if (std::ranges::find(run.known, place->id) == run.known.end()) {
-        run.known.push_back(place->id);
+    run.outcome = status == 0 ? RunOutcome::conforms : RunOutcome::known;
+    for (const TraceFinding& finding : run.result.findings) {
+      const std::string id = place_at(finding.line);
+      if (id.empty()) {
+        run.outcome = RunOutcome::differs;
+        run.why = fmt::format("{} of line {} by {:.6g}", finding.kind, finding.line, finding.distance);
+        return;
       }
-    };
-    if (const auto alarm = alarm_of(run.result.events))
-      explain(alarm->second, "ran where the model gives " + alarm->first);
-    for (const TraceFinding& finding : run.result.findings)
-      explain(finding.line, fmt::format("{} of line {} by {:.6g}", finding.kind, finding.line, finding.distance));
-    if (run.result.findings_total > run.result.findings.size()) all_known = false;
-    run.outcome = !all_known ? RunOutcome::differs : run.known.empty() ? RunOutcome::conforms : RunOutcome::known;
+      if (std::ranges::find(run.known, id) == run.known.end()) run.known.push_back(id);
+    }
+    if (run.result.findings_total > run.result.findings.size()) {
+      run.outcome = RunOutcome::differs;
+      run.why = fmt::format("{} findings", run.result.findings_total);
+    }
+  }
+
+  // The controller ran where the model gives an alarm: what it recorded behind that belongs to no path.
+  void judge_running_on(AdapterRun& run, const spec::Event<double>& alarm, const std::string& place) const {
+    const KnownDifference* known =
+        place.empty() ? adapter_.without_alarm(alarm.number.view()) : adapter_.known_difference(place);
+    run.why = "ran where the model gives " + words_of(alarm);
+    run.outcome = known == nullptr ? RunOutcome::differs : RunOutcome::known;
+    if (known != nullptr) run.known.push_back(known->id);
   }
 
   const Adapter& adapter_;

@@ -15,9 +15,9 @@ class Move:
     kind: str  # rapid, linear, arc
     end: dict  # by letter, workpiece coordinates without the tool length
     length: float  # tool length offset along Z in force
+    plane: str  # in force
     center: tuple = None  # of an arc, in its plane: first and second axis
     turn: int = 0  # of an arc: above 0 counter-clockwise
-    plane: str = "XY"
 
 
 @dataclass
@@ -68,7 +68,7 @@ class Canon:
 
     def add(self, kind, end, **others):
         at = {letter: value if letter in "ABC" else INCH * value for letter, value in zip(LETTERS, end)}
-        self.moves.append(Move(self.line, kind, at, self.length, **others))
+        self.moves.append(Move(self.line, kind, at, self.length, PLANES[self.plane], **others))
 
     def straight_traverse(self, *to):
         self.add("rapid", to)
@@ -79,8 +79,7 @@ class Canon:
     def arc_feed(self, first, second, center_first, center_second, turn, across, *rotary):
         plane = PLANES[self.plane]
         at = {plane[0]: first, plane[1]: second, next(letter for letter in "XYZ" if letter not in plane): across}
-        self.add("arc", (at["X"], at["Y"], at["Z"], *rotary), center=(INCH * center_first, INCH * center_second), turn=turn,
-                 plane=plane)
+        self.add("arc", (at["X"], at["Y"], at["Z"], *rotary), center=(INCH * center_first, INCH * center_second), turn=turn)
 
     def __getattr__(self, name):
         if name.startswith("__"):

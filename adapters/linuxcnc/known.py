@@ -10,10 +10,7 @@ NEARLY_STRAIGHT = 0.05  # rad: LinuxCNC takes such a corner as straight on
 STRAIGHT = 1e-7  # rad
 # LinuxCNC's words where it refuses and FANUC's rules go on.
 REFUSED = {
-    "R i j k words all missing for arc": "arc-without-centre",
-    "in concave corner": "gouging-refused",
-    "Tool radius not less than arc radius": "gouging-refused",
-    "the compensated tool can't fit in": "gouging-refused",
+    "R i j k words all missing for arc": "arc-without-plane-words",
     "cutter compensation entry move": "short-entry",
 }
 
@@ -31,7 +28,7 @@ class Leg:
         else:
             self.first = self.last = (end[0] - start[0], end[1] - start[1])
         self.moves = math.hypot(*self.first) > 1e-9
-        self.line_move = move.kind != "arc"
+        self.straight = move.kind != "arc"
 
 
 def turn(a, b):
@@ -42,15 +39,21 @@ def legs_of(moves):
     before, legs = None, []
     for move in moves:
         if before is not None and move.line > PREAMBLE:
-            leg = Leg(move, before)
-            if leg.moves:
-                legs.append(leg)
+            legs.append(Leg(move, before))
         before = move.end
     return legs
 
 
-def corners(legs, translation):
-    places = []
+def entries(legs, translation):
+    """Lines of the moves that take compensation on: the first behind each G41 and G42."""
+    return {next((leg.line for leg in legs if leg.line >= start), start) for start in translation.starts}
+
+
+def corners(legs, translation, last):
+    places = [("no-movement", leg.line, last) for leg in legs if leg.line in translation.sides and not leg.moves]
+    legs = [leg for leg in legs if leg.moves]
+    entry = entries(legs, translation)
+    places += [("start-in-arc", leg.line, last) for leg in legs if leg.line in entry and not leg.straight]
     for a, b in zip(legs, legs[1:]):
         side = translation.sides.get(a.line)
         if side is None or b.line not in translation.sides:
@@ -58,7 +61,7 @@ def corners(legs, translation):
         angle = turn(a.last, b.first)
         if abs(angle) < STRAIGHT:
             continue
-        if a.line in translation.starts:
+        if a.line in entry:
             places.append(("entry-not-straight-on", a.line, b.line))
         elif angle * side < 0 or abs(abs(angle) - math.pi) < STRAIGHT:
             places.append(("outer-corner", a.line, b.line))
@@ -68,17 +71,18 @@ def corners(legs, translation):
 
 
 def lengths(translation, last):
-    """From a block that changes the length without an absolute Z to the next one with it."""
-    return [("length-without-move", line, next((z for z in translation.absolute_z if z > line), last))
+    """From the move before a block that changes the length without an absolute Z to the next one with it."""
+    return [("length-without-move", max((m for m in translation.moving if m < line), default=1),
+             next((z for z in translation.absolute_z if z > line), last))
             for line, moved in translation.lengths if not moved]
 
 
-def known_places(program, setup, machine, interpreter):
+def known_places(program, setup, interpreter):
     """(id, first line, last line) of the program."""
-    nominal = translate(program, setup, machine, compensate=False)
+    nominal = translate(program, setup, compensate=False)
     run = interpreter.run(nominal.text, nominal.tools)
     last = len(program.splitlines())
-    return corners(legs_of(run.moves), nominal.translation) + lengths(nominal.translation, last)
+    return corners(legs_of(run.moves), nominal.translation, last) + lengths(nominal.translation, last)
 
 
 def known_refusal(words):

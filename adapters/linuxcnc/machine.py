@@ -25,7 +25,6 @@ class Machine:
     pins: dict = field(default_factory=dict)  # geometry of this setup
 
 
-THREE_AXES = Module("trivkins coordinates=xyz", "XYZ")
 XYZAC = Module("xyzac-trt-kins", "XYZAC", length_pin="xyzac-trt-kins.tool-offset")
 XYZBC = Module("xyzbc-trt-kins", "XYZBC", length_pin="xyzbc-trt-kins.tool-offset")
 XYZAB = Module("xyzab_tdr_kins", "XYZAB", length_pin="xyzab_tdr_kins.tool-offset-z", switch=1)
@@ -42,14 +41,20 @@ MECHANISMS = {
 }
 # Parameters that say nothing about where the tool goes on these machines, and those that name the machine.
 WITHOUT_EFFECT = {"1260", "1403#5", "3401#0", "6241", "6251", "6254", "19696#6", "19696#7", "19745", "19738", "19739",
-                  "19741", "19742", "19743", "19744", "19608#5", "6261", "19605#5", "19630", "19631"}
+                  "19741", "19742", "19743", "19744", "19608#5", "6261", "19605#5", "19630", "19631",
+                  "5001#5"}
+# These count only for a program with length offsets, or with cutter compensation.
+OF_LENGTH = {"5001", "5001#0", "5001#1", "5001#2", "5001#3", "5001#6"}
+OF_CUTTER = {"5001", "5001#2", "5001#4", "5003", "5003#0", "5003#1", "5003#2", "5008", "5008#0", "5010"}
 GEOMETRY = {str(n) for n in range(19700, 19706)}
 NAMED = {"19680", "19681", "19682", "19684", "19686", "19687", "19689", *GEOMETRY}
 DEFAULTS = {"19697": Fraction(3), "3401#0": Fraction(1)}
 
 
 def decimal(value):
-    return Fraction(str(value))
+    """Of a number or its text, also "5." as programs have it."""
+    text = str(value)
+    return Fraction(text + "0" if text.endswith(".") else text)
 
 
 def parameter(setup, name):
@@ -57,19 +62,28 @@ def parameter(setup, name):
     return decimal(values[name]) if name in values else DEFAULTS.get(name, Fraction(0))
 
 
-def check_chosen(setup):
+def check_parameter(setup, name):
+    if parameter(setup, name) != DEFAULTS.get(name, 0):
+        raise NotApplicable(f"setup: parameter {name}")
+
+
+def unit_of(setup):
+    """Millimetres in one unit of the setup."""
+    return Fraction("25.4") if setup.get("units", "mm") == "inch" else Fraction(1)
+
+
+def check_chosen(setup, by_tip):
     """Everything of a setup that LinuxCNC cannot be made to do."""
-    for key, usual in {"control": "fanuc", "units": "mm", "rotary_angles": "machine", "cutter_compensation": "C",
-                       "block_skip": False, "g49_sets_h0": False, "increment": "IS-B"}.items():
+    for key, usual in {"control": "fanuc", "cutter_compensation": "C", "block_skip": False,
+                       "g49_sets_h0": False}.items():
         if setup.get(key, usual) != usual:
             raise NotApplicable(f"setup: {key} is {setup[key]}")
     for name in setup.get("parameters", {}):
-        if name in NAMED or name in WITHOUT_EFFECT:
-            continue
-        if parameter(setup, name) != DEFAULTS.get(name, 0):
-            raise NotApplicable(f"setup: parameter {name}")
-    if parameter(setup, "3401#0") != 1:
-        raise NotApplicable("setup: parameter 3401#0")
+        of_kinematics = name.startswith(("196", "197"))
+        if by_tip if of_kinematics else name not in WITHOUT_EFFECT | OF_LENGTH | OF_CUTTER:
+            if name not in NAMED | WITHOUT_EFFECT:
+                check_parameter(setup, name)
+    check_parameter(setup, "3401#0")
 
 
 def geometry(setup, module):
@@ -93,18 +107,21 @@ def geometry(setup, module):
     pins = {f"{prefix}.{name}": value for name, value in offsets.items()}
     for letter, a, b in zip("xyz", table, back):
         pins[f"{prefix}.{letter}-rot-point"] = a + b
-    return {name: float(value) for name, value in pins.items()}
+    return {name: float(value * unit_of(setup)) for name, value in pins.items()}
 
 
-def machine_of(setup):
-    """The machine for a setup. Throws NotApplicable."""
-    check_chosen(setup)
-    axes = setup.get("axes", ["X", "Y", "Z"])
-    letters = "".join(axes)
-    if parameter(setup, "19680") == 0:
-        if sorted(letters) != ["X", "Y", "Z"]:
-            raise NotApplicable(f"setup: axes {letters}")
-        return Machine(THREE_AXES)
+def plain(letters):
+    """A machine on which each axis moves by itself."""
+    joints = "".join(letter for letter in "XYZABCUVW" if letter in letters or letter in "XYZ")
+    return Module(f"trivkins coordinates={joints.lower()}", joints)
+
+
+def machine_of(setup, by_tip):
+    """The machine for a setup; `by_tip`: for a program with tool center point control. Throws NotApplicable."""
+    check_chosen(setup, by_tip)
+    letters = "".join(setup.get("axes", ["X", "Y", "Z"]))
+    if not by_tip:
+        return Machine(plain(letters))
 
     def axis(name):
         number = int(parameter(setup, name))

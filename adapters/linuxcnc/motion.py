@@ -18,7 +18,7 @@ import recording
 import session
 from interpreter import Interpreter
 from known import known_places, known_refusal
-from machine import NotApplicable, decimal, machine_of
+from machine import NotApplicable, decimal, unit_of
 from translate import translate
 
 HERE = Path(__file__).resolve().parent
@@ -33,23 +33,24 @@ class Job:
         self.folder = folder
         self.number = int(folder.name)
         self.setup = json.loads((folder / "setup.json").read_text(encoding="utf-8"))
-        self.machine = machine_of(self.setup)
         program = (folder / "program.nc").read_text(encoding="utf-8")
-        translated = translate(program, self.setup, self.machine)
-        self.text, self.tools, self.pins = translated.text, translated.tools, translated.pins
-        self.known = known_places(program, self.setup, self.machine, interpreter)
+        self.translated = translate(program, self.setup)
+        self.module = self.translated.machine.module
+        self.known = known_places(program, self.setup, interpreter)
         self.axes = self.setup.get("axes", ["X", "Y", "Z"])
-        self.origin = {axis: decimal(value) for axis, value in self.setup.get("workpiece", {}).get("G54", {}).items()}
+        self.unit = float(unit_of(self.setup))
+        origin = self.setup.get("workpiece", {}).get("G54", {})
+        self.origin = {axis: float(decimal(value)) for axis, value in origin.items()}
 
     def write(self, folder):
-        (folder / f"{self.number}.ngc").write_text(self.text, encoding="ascii")
-        table = (f"T{n} P{n} Z{length:.12f} D{diameter:.12f}\n" for n, (length, diameter) in sorted(self.tools.items()))
+        (folder / f"{self.number}.ngc").write_text(self.translated.text, encoding="ascii")
+        tools = sorted(self.translated.tools.items())
+        table = (f"T{n} P{n} Z{length:.12f} D{diameter:.12f}\n" for n, (length, diameter) in tools)
         (folder / f"{self.number}.tbl").write_text("".join(table), encoding="ascii")
         if self.known:
             self.write_known(self.known)
         return {"number": self.number, "program": str(folder / f"{self.number}.ngc"), "patience": PATIENCE,
-                "tools": str(folder / f"{self.number}.tbl"), "pins": {**self.machine.pins, **self.pins}}
-
+                "tools": str(folder / f"{self.number}.tbl"), "pins": self.translated.pins}
 
     def write_known(self, places):
         text = "".join(f"{name} {first} {last}\n" for name, first, last in places)
@@ -110,7 +111,7 @@ def run_once(module, jobs, period):
                 again.append(job)
             else:
                 samples = recording.program_part(runs[job.number])
-                recording.write_trace(job.folder / "trace.csv", samples, module, job.axes, job.origin, period)
+                recording.write_trace(job.folder / "trace.csv", samples, module, job, period)
     return again
 
 
@@ -138,8 +139,8 @@ def main():
     jobs = read_batch(options.batch)
     try:
         with session.exclusive(600):
-            for module in dict.fromkeys(job.machine.module for job in jobs):
-                run_module(module, [job for job in jobs if job.machine.module is module], options.period)
+            for module in dict.fromkeys(job.module for job in jobs):
+                run_module(module, [job for job in jobs if job.module == module], options.period)
     except session.Failed as failure:
         say(str(failure))
         return 1

@@ -3,9 +3,9 @@
 import json
 import sys
 
-from interpreter import LETTERS, Interpreter
+from interpreter import Interpreter
 from known import known_places
-from machine import THREE_AXES, NotApplicable, machine_of
+from machine import NotApplicable, unit_of
 from translate import PREAMBLE, translate
 
 HELLO = {
@@ -16,12 +16,13 @@ HELLO = {
 }
 
 
-def event(move, axes):
-    point = {letter: move.end[letter] for letter in axes}
-    out = {"kind": "move", "line": move.line - PREAMBLE, "type": move.kind, "point": point,
-           "axes": {letter: value + (move.length if letter == "Z" else 0) for letter, value in point.items()}}
+def event(move, axes, unit):
+    at = {letter: move.end[letter] / (1 if letter in "ABC" else unit) for letter in axes}
+    out = {"kind": "move", "line": move.line - PREAMBLE, "type": move.kind,
+           "point": {letter: value for letter, value in at.items() if letter not in "ABC"},
+           "axes": {letter: value + (move.length / unit if letter == "Z" else 0) for letter, value in at.items()}}
     if move.kind == "arc":
-        out["center"] = dict(zip(move.plane, move.center))
+        out["center"] = {letter: value / unit for letter, value in zip(move.plane, move.center)}
         out["plane"] = move.plane
         out["direction"] = "ccw" if move.turn > 0 else "cw"
     return out
@@ -29,17 +30,23 @@ def event(move, axes):
 
 def answer(case, interpreter):
     setup, program = case["setup"], case["program"]
-    machine = machine_of(setup)
-    if machine.module is not THREE_AXES:
-        raise NotApplicable("setup: rotary axes, which the interpreter alone does not turn")
-    translated = translate(program, setup, machine)
-    if places := known_places(program, setup, machine, interpreter):
+    translated = translate(program, setup)
+    if translated.pins or translated.translation.kinematics:
+        raise NotApplicable("tool center point control, which is not the interpreter's")
+    if places := known_places(program, setup, interpreter):
         raise NotApplicable(f"known difference {places[0][0]} in line {places[0][1]}")
     run = interpreter.run(translated.text, translated.tools)
     if run.error:
         raise NotApplicable(f"LinuxCNC's own alarm in line {run.line - PREAMBLE}: {run.error}")
-    axes = [letter for letter in LETTERS if letter in setup.get("axes", ["X", "Y", "Z"])]
-    return [event(move, axes) for move in run.moves if move.line > PREAMBLE]
+    axes = setup.get("axes", ["X", "Y", "Z"])
+    events, before = [], None
+    for move in run.moves:
+        # G01 alone makes a move there, of no length.
+        nothing = move.kind != "arc" and move.end == before and move.line - PREAMBLE not in translated.translation.moving
+        before = move.end
+        if move.line > PREAMBLE and not nothing:
+            events.append(event(move, axes, float(unit_of(setup))))
+    return events
 
 
 def main():

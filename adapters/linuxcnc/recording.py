@@ -35,15 +35,16 @@ def program_part(samples):
     return samples[max(start - 1, 0):]
 
 
-def write_trace(path, samples, module, axes, origin, period):
+def write_trace(path, samples, module, job, period):
     """The CSV of a trace: joints less the workpiece origin, times from 0; samples that stand still are left out."""
-    columns = [(module.joints.index(axis), int(origin.get(axis, 0) * 10**6)) for axis in axes]
+    columns = [(module.joints.index(axis), GAIN * (1 if axis in "ABC" else job.unit), job.origin.get(axis, 0))
+               for axis in job.axes]
     with open(path, "w", encoding="ascii") as file:
-        file.write("time," + ",".join(axes) + "\n")
+        file.write("time," + ",".join(job.axes) + "\n")
         before = None
         for i, (_, joints) in enumerate(samples):
             if joints == before:
                 continue
             before = joints
-            values = ",".join(f"{(float(joints[j]) - zero) / GAIN:.12f}" for j, zero in columns)
+            values = ",".join(f"{float(joints[j]) / unit - zero:.12f}" for j, unit, zero in columns)
             file.write(f"{i * period / 1e9:.4f},{values}\n")

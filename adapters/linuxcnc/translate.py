@@ -2,7 +2,7 @@
 import re
 from dataclasses import dataclass
 
-from machine import MAX, THREE_AXES, NotApplicable, decimal
+from machine import MAX, OF_CUTTER, OF_LENGTH, Machine, NotApplicable, check_parameter, decimal, machine_of, unit_of
 
 PREAMBLE = 12  # lines in front of a program
 FEED = "60000"  # of every F: time is real there, and no position depends on it
@@ -17,7 +17,7 @@ AXES = "XYZABCUVW"
 
 def plain(text):
     """A number of a program without zeros that say nothing."""
-    value = decimal(text if not text.endswith(".") else text + "0")
+    value = decimal(text)
     return str(value.numerator) if value.denominator == 1 else f"{float(value):.12g}"
 
 
@@ -30,13 +30,15 @@ def words_of(line, number):
     text = re.sub(r"\([^)]*\)", " ", line.split(";")[0]).strip().upper()
     if text.startswith("/"):
         text = text[1:]
-    if not text or text == "%" or text.startswith(("O", ":")):
+    if not text or text == "%" or re.fullmatch(r"[O:]\d+", text):
         return []
     words, at = [], 0
     while at < len(text):
         match = WORD.match(text, at)
         if not match:
             raise NotApplicable(f"line {number}: {text[at:at + 20]}")
+        if match[1] == "N" and not match[2].isdigit():
+            raise NotApplicable(f"line {number}: N{match[2]}")
         words.append((match[1], match[2]))
         at = match.end()
     return [word for word in words if word[0] != "N"]
@@ -47,12 +49,18 @@ class Translation:
 
     def __init__(self, setup, module, compensate=True):
         self.module = module
+        self.axes = setup.get("axes", ["X", "Y", "Z"])
+        self.kinematics = not module.name.startswith("trivkins")
+        self.in_tip = False
+        self.rotary = {axis: decimal(value) for axis, value in setup.get("position", {}).items() if axis in "ABC"}
         self.compensate = compensate
         self.sides = {}  # line → 1 left, -1 right: blocks in cutter compensation
         self.starts = []  # lines of G41 and G42
         self.lengths = []  # lines where the length offset may change, and whether LinuxCNC makes the move of it
         self.absolute_z = []  # lines
+        self.moving = set()  # lines with an axis word
         self.incremental = False
+        self.most = int(setup.get("offsets", {}).get("count", 400))
         self.offsets = {kind: setup.get("offsets", {}).get(kind, {}) for kind in "HD"}
         self.numbers = {"H": None, "D": None}  # in force
         self.used = {"H": set(), "D": set()}
@@ -65,12 +73,16 @@ class Translation:
         if self.ended:
             return ""
         words = words_of(text, number)
+        if any(letter in AXES for letter, _ in words):
+            self.moving.add(number)
         letters = {letter for letter, _ in words}
         codes = [plain(value) for letter, value in words if letter == "G"]
+        if self.kinematics:
+            self.follow_rotary(words, codes, number)
         for kind in "HD":
             for letter, value in words:
                 if letter == kind:
-                    self.take_number(kind, plain(value), codes, number)
+                    self.take_number(kind, value, codes, number)
         if "90" in codes or "91" in codes:
             self.incremental = "91" in codes
         if "Z" in letters and not self.incremental:
@@ -90,7 +102,10 @@ class Translation:
             self.compensating = 0
         if self.compensating:
             self.sides[number] = self.compensating
-        if {"43", TIP} & set(codes):
+        changes = self.length_on and any(letter == "H" for letter, _ in words) and "49" not in codes
+        if {"43", TIP} & set(codes) or changes:
+            if changes and not {"43", TIP} & set(codes):
+                out.append("G43")
             out.append("H" + self.number_in_force("H", number))
             self.length_on = True
             self.lengths.append((number, "Z" in letters and not self.incremental))
@@ -100,11 +115,30 @@ class Translation:
             self.length_on = False
         return " ".join(word for word in out if word)
 
+    def follow_rotary(self, words, codes, number):
+        """The kinematics is always in force: outside G43.4 the rotary axes must stand at 0."""
+        incremental = "91" in codes or self.incremental and "90" not in codes
+        for letter, value in words:
+            if letter in "ABC":
+                self.rotary[letter] = decimal(value) + (self.rotary.get(letter, 0) if incremental else 0)
+        inside = self.in_tip and "49" not in codes
+        if TIP in codes or "49" in codes:
+            self.in_tip = TIP in codes
+        if not inside and any(self.rotary.values()):
+            raise NotApplicable(f"line {number}: a rotary axis is not at 0 outside G43.4")
+
+    def check_parameters(self, setup):
+        for used, names in ((self.used["H"], OF_LENGTH), (self.starts, OF_CUTTER)):
+            for name in setup.get("parameters", {}):
+                if used and name in names:
+                    check_parameter(setup, name)
+
     def take_number(self, kind, value, codes, number):
-        starts = {"H": {"43", TIP}, "D": {"41", "42"}}[kind] & set(codes)
-        if not starts and (kind == "H" or self.compensating):
-            raise NotApplicable(f"line {number}: {kind} without {'G43' if kind == 'H' else 'G41 or G42'}")
-        self.numbers[kind] = value
+        if kind == "D" and self.compensating and not {"40", "41", "42"} & set(codes):
+            raise NotApplicable(f"line {number}: D without G41 or G42")
+        if not value.isdigit() or int(value) > self.most:
+            raise NotApplicable(f"line {number}: {kind}{value}")
+        self.numbers[kind] = plain(value)
 
     def number_in_force(self, kind, number):
         value = self.numbers[kind]
@@ -117,8 +151,6 @@ class Translation:
         value_plain = plain(value)
         if letter == "G":
             if value_plain == TIP:
-                if self.module is THREE_AXES:
-                    raise NotApplicable(f"line {number}: G43.4 on a machine of three axes")
                 return "G43"
             if value_plain not in SAME:
                 raise NotApplicable(f"line {number}: G{value_plain}")
@@ -134,7 +166,7 @@ class Translation:
             return ""
         if letter == "F":
             return "F" + FEED
-        if letter in "IJKR" or letter in self.module.joints:
+        if letter in "IJKR" or letter in self.axes:
             return letter + value
         raise NotApplicable(f"line {number}: {letter}{value}")
 
@@ -145,14 +177,19 @@ class Translation:
         return decimal(entry)
 
 
+def by_tip(program):
+    """Whether the program has G43.4."""
+    return re.search(r"[Gg]\s*0*43\.4", re.sub(r"\([^)]*\)", " ", program)) is not None
+
+
 def preamble(setup, module):
     """PREAMBLE lines: everything modal, the workpiece origins, and two moves to where the program starts."""
-    lines = [f"G21 G17 G90 G94 G40 G49 G80 G61 G54 F{FEED}", "G92.1"]
+    lines = [f"{'G21' if unit_of(setup) == 1 else 'G20'} G17 G90 G94 G40 G49 G80 G61 G54 F{FEED}", "G92.1"]
     for k in range(6):
         origin = setup.get("workpiece", {}).get(f"G{54 + k}", {})
-        if any(axis not in "XYZ" and decimal(value) for axis, value in origin.items()):
+        if not module.name.startswith("trivkins") and any(decimal(v) for axis, v in origin.items() if axis in "ABC"):
             raise NotApplicable(f"setup: a workpiece origin of a rotary axis in G{54 + k}")
-        lines.append(f"G10 L2 P{k + 1} " + " ".join(f"{axis}{fixed(origin.get(axis, 0))}" for axis in "XYZ"))
+        lines.append(f"G10 L2 P{k + 1} " + " ".join(f"{axis}{fixed(origin.get(axis, 0))}" for axis in module.joints))
     start = {axis: fixed(setup.get("position", {}).get(axis, 0)) for axis in module.joints}
     lines.append("G0 " + " ".join(axis + value for axis, value in start.items()))
     # A move for certain, and a rest, so that the recording can be cut where the tool stands.
@@ -163,27 +200,30 @@ def preamble(setup, module):
 
 @dataclass
 class Translated:
+    machine: Machine
     text: str  # for LinuxCNC
-    tools: dict  # number → (length, diameter)
-    pins: dict  # that depend on the program
+    tools: dict  # number → (length, diameter), mm
+    pins: dict  # of this machine, and of the program
     translation: Translation
 
 
-def translate(program, setup, machine, compensate=True):
+def translate(program, setup, compensate=True):
     """Throws NotApplicable."""
+    machine = machine_of(setup, by_tip(program))
     translation = Translation(setup, machine.module, compensate)
     lines = preamble(setup, machine.module)
     lines += [translation.line(text, i + 1) for i, text in enumerate(program.splitlines())]
+    translation.check_parameters(setup)
     if not translation.ended:
         lines.append("M2")
     tools = {int(n): [0.0, 0.0] for kind in "HD" for n in translation.used[kind]}
     for number in translation.used["H"]:
-        tools[int(number)][0] = float(translation.offset("H", number))
+        tools[int(number)][0] = float(translation.offset("H", number) * unit_of(setup))
     for number in translation.used["D"]:
-        tools[int(number)][1] = float(2 * translation.offset("D", number))
-    pins = {}
+        tools[int(number)][1] = float(2 * translation.offset("D", number) * unit_of(setup))
+    pins = dict(machine.pins)
     if machine.module is MAX:
         if len(translation.used["H"]) > 1:
             raise NotApplicable("setup: two tool lengths, where the pivot is a pin that can only be set")
-        pins[MAX.pivot_pin] = float(sum(translation.offset("H", n) for n in translation.used["H"]))
-    return Translated("\n".join(lines) + "\n", tools, pins, translation)
+        pins[MAX.pivot_pin] = float(sum(translation.offset("H", n) for n in translation.used["H"]) * unit_of(setup))
+    return Translated(machine, "\n".join(lines) + "\n", tools, pins, translation)
