@@ -216,8 +216,8 @@ std::string run_adapter(const AdapterCampaign& campaign, const fs::path& batch, 
   constexpr std::size_t kLongestLine = 65536;
   // What it writes to standard output is nobody's.
   Process process("{ " + campaign.adapter.shell_command(fs::absolute(batch).string()) + "; } 2>&1 >/dev/null");
-  const std::chrono::seconds wait =
-      campaign.wait.count() > 0 ? campaign.wait : std::chrono::seconds(60 + 10 * static_cast<std::int64_t>(programs));
+  constexpr std::int64_t kStart = 6;  // programs: what it may take to come and go
+  const auto wait = (kStart + static_cast<std::int64_t>(programs)) * campaign.timeout;
   const Clock::time_point deadline = Clock::now() + wait;
   std::string line;
   std::string last;
@@ -227,7 +227,7 @@ std::string run_adapter(const AdapterCampaign& campaign, const fs::path& batch, 
     last = line;
   }
   const std::string ended = process.finish(std::chrono::seconds(end == Exchange::closed ? 10 : 0));
-  if (end == Exchange::timed_out) return fmt::format("did not end within {} s", wait.count());
+  if (end == Exchange::timed_out) return fmt::format("did not end within {} ms", wait.count());
   if (process.exit_status() != 0) return ended + (last.empty() ? "" : ": " + last);
   return {};
 }

@@ -45,9 +45,9 @@ struct AdapterCampaign {
   bool show_known = false;        // then the programs of the known differences
   std::uint32_t generated = 0;    // then programs, the machines of the adapter in turn
   std::uint64_t seed = 1;
-  double tolerance = 0;         // 0: that of the adapter
-  std::string report;           // folder; the batch is its subfolder runs
-  std::chrono::seconds wait{};  // for the whole batch; 0: a minute, and ten seconds a program
+  double tolerance = 0;                       // 0: that of the adapter
+  std::string report;                         // folder; the batch is its subfolder runs
+  std::chrono::milliseconds timeout{10'000};  // for each program, and six times that besides
   // A test of the judge: it alone gets this value of a parameter, in setups that name it. It must find a difference.
   std::map<spec::ParameterId, spec::Decimal> altered;
   std::function<void(const std::string&)> progress;  // gets the adapter's lines, and ours

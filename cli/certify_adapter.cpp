@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <chrono>
+#include <cmath>
 #include <iostream>
 
 #include "certify/adapter_report.h"
@@ -64,6 +66,7 @@ int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapt
   campaign.cases = std::move(cases);
   campaign.seed = options.seed;
   campaign.tolerance = tolerance;
+  campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
   campaign.report = options.report;
   for (const std::string& text : options.altered) campaign.altered.insert(read_altered(text));
   campaign.progress = [](const std::string& line) { std::cerr << line << '\n'; };

@@ -136,9 +136,11 @@ class CommandLine {
         "Cases, files of cases (.jsonl) and programs to judge; without them, the golden corpus and generated cases");
     sub->add_option("--controller", certify_.controller,
                     "Command that speaks the controller protocol, or the name of an adapter (docs/adapters.md)");
-    sub->add_option("--adapters", certify_.adapters, "Folder of adapters, searched first (repeatable)");
+    sub->add_option("--adapters", certify_.adapters, "Folder of adapters, searched first (repeatable)")
+        ->allow_extra_args(false);
     sub->add_option("--altered", certify_.altered,
-                    "Adapter that records: PARAMETER=VALUE for the judge alone, which must then find a difference");
+                    "Adapter that records: PARAMETER=VALUE for the judge alone, which must then find a difference")
+        ->allow_extra_args(false);
     sub->add_option("--trace", certify_.trace, "CSV of recorded axis positions of one run of one program");
     sub->add_option("--setup", certify_.setup, "Setup of the programs; without it, setup.toml beside each");
     add_sections(sub, certify_.sections);

@@ -22,7 +22,8 @@ from machine import NotApplicable, decimal, unit_of
 from translate import translate
 
 HERE = Path(__file__).resolve().parent
-PATIENCE = 60.0  # s a program may take
+PATIENCE = 40.0  # s a program may take …
+PATIENCE_A_BLOCK = 0.5  # … and longer by this for each block
 TRIES = 3
 
 
@@ -38,6 +39,7 @@ class Job:
         self.module = self.translated.machine.module
         self.known = known_places(program, self.setup, interpreter)
         self.axes = self.setup.get("axes", ["X", "Y", "Z"])
+        self.patience = PATIENCE + PATIENCE_A_BLOCK * len(program.splitlines())
         self.unit = float(unit_of(self.setup))
         origin = self.setup.get("workpiece", {}).get("G54", {})
         self.origin = {axis: float(decimal(value)) for axis, value in origin.items()}
@@ -49,7 +51,7 @@ class Job:
         (folder / f"{self.number}.tbl").write_text("".join(table), encoding="ascii")
         if self.known:
             self.write_known(self.known)
-        return {"number": self.number, "program": str(folder / f"{self.number}.ngc"), "patience": PATIENCE,
+        return {"number": self.number, "program": str(folder / f"{self.number}.ngc"), "patience": self.patience,
                 "tools": str(folder / f"{self.number}.tbl"), "pins": self.translated.pins}
 
     def write_known(self, places):
@@ -97,7 +99,7 @@ def run_once(module, jobs, period):
         (folder / "jobs.json").write_text(json.dumps([job.write(folder) for job in jobs]), encoding="utf-8")
         shutil.copy(HERE / "ui.py", folder / "ui.py")
         (folder / "ui.py").chmod(0o755)
-        output = session.run(folder, 30 + PATIENCE * len(jobs), [f"PROGRAM_PIN={len(module.joints) + 1}"])
+        output = session.run(folder, PATIENCE + sum(job.patience / 4 for job in jobs), [f"PROGRAM_PIN={len(module.joints) + 1}"])
         said, ended = answers(folder)
         if not said:
             raise session.Failed("LinuxCNC did not run:\n" + output[-4000:])

@@ -4,11 +4,12 @@ Every process started here has the mark of the adapter in its environment, so th
 found by process id, and nothing of anybody else is touched.
 """
 import contextlib
-import fcntl
+import errno
 import os
 import pwd
 import shutil
 import signal
+import socket
 import subprocess
 import tempfile
 import time
@@ -17,9 +18,9 @@ from pathlib import Path
 USER = "nobody"  # runs LinuxCNC where the adapter is root
 MARK = "TOOLCOMP_LINUXCNC"  # environment: process id of the adapter
 LOCK = Path("/tmp/linuxcnc.lock")  # LinuxCNC's
-ONE_AT_A_TIME = Path("/tmp/toolcomp-linuxcnc.lock")  # ours
-# Keys of LinuxCNC's segments: RTAPI, HAL, its UUID, motion, sampler, streamer; NML's are 1001 and following.
-KEYS = {0x90280A48, 0x48414C32, 0x48484C34, 0x00000064, 0x48535430, 0x48535430 + 1, *range(1001, 1020)}
+ONE_AT_A_TIME = "\0toolcomp-linuxcnc"  # ours, an abstract socket
+# Keys of LinuxCNC's shared memory: RTAPI, HAL, its count of users, motion, the sampler's fifo; NML's.
+KEYS = {0x90280A48, 0x48414C32, 0x48484C34, 0x64, 0x48535430, *range(1001, 1006)}
 
 
 class Failed(Exception):
@@ -90,14 +91,16 @@ def remove_remains():
 
 @contextlib.contextmanager
 def exclusive(patience):
-    """One adapter at a time on a machine."""
-    with open(ONE_AT_A_TIME, "a", encoding="ascii") as file:
+    """One adapter at a time on a machine: a name that ends with its process."""
+    with socket.socket(socket.AF_UNIX) as one:
         deadline = time.monotonic() + patience
         while True:
             try:
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                one.bind(ONE_AT_A_TIME)
                 break
-            except BlockingIOError:
+            except OSError as error:
+                if error.errno != errno.EADDRINUSE:
+                    raise
                 if time.monotonic() > deadline:
                     raise Failed("another adapter has LinuxCNC") from None
                 time.sleep(0.2)

@@ -21,6 +21,10 @@ class Alarm(Exception):
     """LinuxCNC refused, in its own words."""
 
 
+def adapter_lives():
+    return os.path.exists("/proc/" + os.environ["TOOLCOMP_LINUXCNC"])
+
+
 class Runner:
     def __init__(self):
         self.command = linuxcnc.command()
@@ -56,6 +60,8 @@ class Runner:
                 raise Alarm(error)
             if ready(self.status):
                 return
+            if not adapter_lives():
+                sys.exit("the adapter has gone")
             if time.monotonic() > end:
                 raise Alarm("took too long: " + what)
             time.sleep(POLL)
