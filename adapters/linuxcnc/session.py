@@ -15,6 +15,7 @@ import tempfile
 import time
 from pathlib import Path
 
+FOLDER = "toolcomp-linuxcnc-"  # of work, and the adapter's process id
 USER = "nobody"  # runs LinuxCNC where the adapter is root
 MARK = "TOOLCOMP_LINUXCNC"  # environment: process id of the adapter
 LOCK = Path("/tmp/linuxcnc.lock")  # LinuxCNC's
@@ -69,8 +70,21 @@ def linuxcnc_processes():
                     yield int(entry.name)
 
 
+def remove_files():
+    """Work folders of adapters that were killed, and what LinuxCNC then left of its output."""
+    if os.geteuid() == 0:
+        for kind in ("debug", "print"):
+            for file in Path("/tmp").glob(f"linuxcnc.{kind}.*"):
+                if file.stat().st_uid == run_as():
+                    file.unlink()
+    for folder in Path(tempfile.gettempdir()).glob(FOLDER + "*-*"):
+        number = folder.name.removeprefix(FOLDER).split("-")[0]
+        if number.isdigit() and not lives(int(number)):
+            shutil.rmtree(folder, ignore_errors=True)
+
+
 def remove_remains():
-    """What a killed adapter left: its processes, the lock, segments nobody is attached to. Throws if another LinuxCNC runs."""
+    """What this adapter or a killed one left. Throws if another LinuxCNC runs."""
     end_processes(lambda adapter: adapter == os.getpid() or not lives(adapter))
     deadline = time.monotonic() + 5
     while (running := list(linuxcnc_processes())) and time.monotonic() < deadline:
@@ -87,6 +101,7 @@ def remove_remains():
         key, segment, attached, owner = int(fields[0]), fields[1], int(fields[6]), int(fields[7])
         if owner == user and attached == 0 and key & 0xFFFFFFFF in KEYS:
             subprocess.run(["ipcrm", "-m", segment], check=False)
+    remove_files()
 
 
 @contextlib.contextmanager
@@ -110,7 +125,7 @@ def exclusive(patience):
 @contextlib.contextmanager
 def work_folder():
     """A folder that the user LinuxCNC runs under owns; removed at the end."""
-    folder = Path(tempfile.mkdtemp(prefix="toolcomp-linuxcnc-"))
+    folder = Path(tempfile.mkdtemp(prefix=f"{FOLDER}{os.getpid()}-"))
     try:
         yield folder
     finally:
@@ -122,6 +137,15 @@ def give_away(folder):
         user = pwd.getpwnam(USER)
         for path in [folder, *folder.iterdir()]:
             os.chown(path, user.pw_uid, user.pw_gid)
+
+
+def wait_for(process, patience):
+    """Until it ends, or for so long, or until whoever started the adapter has gone."""
+    parent, deadline = os.getppid(), time.monotonic() + patience
+    while process.poll() is None and time.monotonic() < deadline:
+        if os.getppid() != parent:
+            raise Failed("who started the adapter has gone")
+        time.sleep(0.1)
 
 
 def run(folder, patience, environment):
@@ -136,9 +160,7 @@ def run(folder, patience, environment):
         with open(said, "wb") as output:
             process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=output,
                                        stderr=subprocess.STDOUT, start_new_session=True)
-            process.wait(patience)
-    except subprocess.TimeoutExpired:
-        pass
+            wait_for(process, patience)
     finally:
         remove_remains()
     return said.read_text(errors="replace")

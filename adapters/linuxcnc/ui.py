@@ -54,14 +54,14 @@ class Runner:
     def wait(self, ready, patience, what):
         end = time.monotonic() + patience
         while True:
+            if not adapter_lives():
+                sys.exit("the adapter has gone")
             self.status.poll()
             error = self.error()
             if error:
                 raise Alarm(error)
             if ready(self.status):
                 return
-            if not adapter_lives():
-                sys.exit("the adapter has gone")
             if time.monotonic() > end:
                 raise Alarm("took too long: " + what)
             time.sleep(POLL)
