@@ -65,15 +65,18 @@ std::vector<KnownDifference> read_known(const fs::path& file, const fs::path& fo
   return known;
 }
 
-void read_trace_keys(const Reader& reader, const Node& node, Adapter& adapter) {
-  const Node& tolerance = needed(reader, node, "tolerance");
+double read_tolerance(const Reader& reader, const Node& tolerance) {
   const spec::Decimal width = reader.decimal(tolerance, "tolerance");
   if (width.negative || width.is_zero()) reader.fail(tolerance.at, "tolerance: a positive length is expected");
-  adapter.tolerance = std::stod(tolerance.text);
-  const Node& setups = needed(reader, node, "setups");
+  return std::stod(tolerance.text);
+}
+
+std::vector<fs::path> read_setups(const Reader& reader, const Node& setups, const fs::path& folder) {
   reader.expect(setups, Kind::array, "setups");
   if (setups.items.empty()) reader.fail(setups.at, "setups: at least one is expected");
-  for (const Node& setup : setups.items) adapter.setups.push_back(file_beside(reader, setup, "setups", adapter.folder));
+  std::vector<fs::path> files;
+  for (const Node& setup : setups.items) files.push_back(file_beside(reader, setup, "setups", folder));
+  return files;
 }
 
 Adapter read_adapter(const Reader& reader, const Node& node, const fs::path& folder) {
@@ -92,12 +95,12 @@ Adapter read_adapter(const Reader& reader, const Node& node, const fs::path& fol
   if (const Node* programs = node.find("programs")) adapter.programs = reader.strings(*programs, "programs");
   if (const Node* known = node.find("known_differences"))
     adapter.known = read_known(file_beside(reader, *known, "known_differences", folder), folder);
-  if (adapter.kind == AdapterKind::trace) {
-    read_trace_keys(reader, node, adapter);
-  } else {
-    for (const std::string_view key : {"tolerance", "setups"})
-      if (const Node* other = node.find(key)) reader.fail(other->at, std::string(key) + ": only of kind \"trace\"");
-  }
+  const bool trace = adapter.kind == AdapterKind::trace;
+  const Node* tolerance = trace ? &needed(reader, node, "tolerance") : node.find("tolerance");
+  if (!trace && tolerance != nullptr) reader.fail(tolerance->at, "tolerance: only of kind \"trace\"");
+  if (trace) adapter.tolerance = read_tolerance(reader, *tolerance);
+  if (const Node* setups = trace ? &needed(reader, node, "setups") : node.find("setups"))
+    adapter.setups = read_setups(reader, *setups, folder);
   return adapter;
 }
 

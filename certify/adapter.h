@@ -32,9 +32,9 @@ struct Adapter {
   std::string command;                // for /bin/sh
   std::vector<std::string> packages;  // of Debian, that it needs
   std::vector<std::string> programs;  // commands that must be there
-  // Of a trace adapter:
-  double tolerance = 0;                       // setup units, where the user names none
-  std::vector<std::filesystem::path> setups;  // machines it can be: programs are generated for each
+  double tolerance = 0;               // of a trace adapter: setup units, where the user names none
+  // Machines it can be: programs are generated for each (machine_program()). A trace adapter names one at least.
+  std::vector<std::filesystem::path> setups;
   std::vector<KnownDifference> known;
 
   // What a shell runs: the command in its folder, `arguments` behind it.

@@ -10,6 +10,8 @@
 
 #include "certify/adapter_contour.h"
 #include "fuzz/gen/choices.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/setup_format.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -180,6 +182,23 @@ spec::Case machine_program(const spec::Setup& setup, std::uint64_t seed) {
   spec::Case c = std::move(program).take();
   c.source.seed = std::to_string(seed);
   return c;
+}
+
+std::vector<MachineProgram> machine_programs(const std::vector<std::filesystem::path>& setups, std::uint32_t count,
+                                             std::uint64_t seed) {
+  constexpr std::uint64_t kApart = 1'000'003;  // programs of two seeds
+  std::vector<spec::Setup> read;
+  for (const std::filesystem::path& file : setups)
+    read.push_back(spec::read_setup_toml(spec::read_file(file.string()), file.string()));
+  std::vector<MachineProgram> programs;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::size_t which = i % setups.size();
+    MachineProgram& program = programs.emplace_back();
+    program.c = machine_program(read[which], seed * kApart + i);
+    program.machine = setups[which].stem().string();
+    program.c.id = fmt::format("{}-{}", program.machine, i + 1);
+  }
+  return programs;
 }
 
 }  // namespace toolcomp::certify

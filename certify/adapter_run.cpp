@@ -188,14 +188,10 @@ std::vector<AdapterRun> write_batch(const AdapterCampaign& campaign, const fs::p
   for (const spec::Case& c : campaign.cases) runs.emplace_back().c = c;
   if (campaign.show_known)
     for (AdapterRun& run : known_runs(campaign.adapter)) runs.push_back(std::move(run));
-  std::vector<spec::Setup> setups;
-  for (const fs::path& file : campaign.adapter.setups) setups.push_back(read_setup(file));
-  for (std::uint32_t i = 0; i < campaign.generated; ++i) {
-    const std::size_t which = i % setups.size();
+  for (MachineProgram& program : machine_programs(campaign.adapter.setups, campaign.generated, campaign.seed)) {
     AdapterRun& run = runs.emplace_back();
-    run.c = machine_program(setups[which], campaign.seed * 1'000'003 + i);
-    run.machine = campaign.adapter.setups[which].stem().string();
-    run.c.id = fmt::format("{}-{}", run.machine, i + 1);
+    run.c = std::move(program.c);
+    run.machine = std::move(program.machine);
   }
   std::error_code none;
   fs::remove_all(batch, none);

@@ -1,6 +1,7 @@
 // toolcomp certify: a controller or a recorded trace against the exact model, and a report.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <stdexcept>
 
 #include "certify/adapter.h"
+#include "certify/adapter_programs.h"
 #include "certify/campaign.h"
 #include "certify/report.h"
 #include "certify/trace.h"
@@ -78,6 +80,17 @@ std::optional<certify::Adapter> adapter_named(const CertifyOptions& options) {
   return certify::find_adapter(options.controller, certify::adapter_folders(options.adapters));
 }
 
+// Programs for the machines an adapter names, of the sections asked for.
+std::vector<certify::CaseInput> machine_cases(const certify::Adapter& adapter, const CertifyOptions& options) {
+  std::vector<certify::CaseInput> inputs;
+  if (adapter.setups.empty()) return inputs;
+  for (certify::MachineProgram& program :
+       certify::machine_programs(adapter.setups, options.cases.value_or(1000), options.seed))
+    if (options.sections.empty() || std::ranges::find(options.sections, program.c.section) != options.sections.end())
+      inputs.push_back({std::move(program.c), certify::Origin::generated});
+  return inputs;
+}
+
 int certify_trace(const CertifyOptions& options) {
   if (options.inputs.size() != 1) usage("--trace judges one program: name it");
   if (options.tolerance.empty()) usage("--trace needs --tolerance");
@@ -143,12 +156,18 @@ void print_widths(const certify::Certificate& certificate) {
 
 int certify(const CertifyOptions& options) {
   if (options.controller.empty() == options.trace.empty()) usage("name a --controller or a --trace");
+  const auto adapter = adapter_named(options);
+  if (options.packages) {
+    if (adapter)
+      for (const std::string& package : adapter->packages) fmt::print("{}\n", package);
+    return 0;
+  }
   expect_folder(options.report, "--report");
   if (!options.trace.empty()) return certify_trace(options);
 
   certify::CampaignOptions campaign;
   campaign.controller = options.controller;
-  if (const auto adapter = adapter_named(options)) {
+  if (adapter) {
     certify::expect_programs(*adapter);
     if (adapter->kind == certify::AdapterKind::trace)
       return certify_adapter(options, *adapter, read_inputs(options),
@@ -160,6 +179,8 @@ int certify(const CertifyOptions& options) {
   campaign.accepted_resolution = options.accept_resolution;
   campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
   for (spec::Case& c : read_inputs(options)) campaign.cases.push_back({std::move(c), certify::Origin::own});
+  if (adapter && options.inputs.empty())
+    for (certify::CaseInput& input : machine_cases(*adapter, options)) campaign.cases.push_back(std::move(input));
   // Cases named are judged alone, unless the corpus or generated cases are asked for too.
   const bool alone = !options.inputs.empty();
   campaign.generated = options.cases.value_or(alone ? 0 : campaign.generated);

@@ -138,6 +138,8 @@ class CommandLine {
                     "Command that speaks the controller protocol, or the name of an adapter (docs/adapters.md)");
     sub->add_option("--adapters", certify_.adapters, "Folder of adapters, searched first (repeatable)")
         ->allow_extra_args(false);
+    sub->add_flag("--packages", certify_.packages,
+                  "Print the Debian packages that the adapter needs, and do nothing else");
     sub->add_option("--altered", certify_.altered,
                     "Adapter that records: PARAMETER=VALUE for the judge alone, which must then find a difference")
         ->allow_extra_args(false);

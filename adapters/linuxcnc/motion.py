@@ -112,7 +112,11 @@ def run_once(module, jobs, period):
             elif job.number in lost or job.number not in runs:
                 again.append(job)
             else:
-                samples = recording.program_part(runs[job.number])
+                try:
+                    samples = recording.program_part(runs[job.number])
+                except recording.Lost:
+                    again.append(job)
+                    continue
                 recording.write_trace(job.folder / "trace.csv", samples, module, job, period)
     return again
 

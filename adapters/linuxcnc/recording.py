@@ -29,10 +29,12 @@ def split(path, joints):
 
 def program_part(samples):
     """The samples behind the preamble: from the last one that stands where the program starts."""
-    if not any(0 < line <= PREAMBLE for line, _ in samples):
+    # The line of the program before may still stand there when the recording begins.
+    first = next((i for i, (line, _) in enumerate(samples) if 0 < line <= PREAMBLE), None)
+    if first is None:
         raise Lost("the preamble was not recorded")
-    start = next((i for i, (line, _) in enumerate(samples) if line > PREAMBLE), len(samples))
-    return samples[max(start - 1, 0):]
+    start = next((i for i in range(first, len(samples)) if samples[i][0] > PREAMBLE), len(samples))
+    return samples[start - 1:]
 
 
 def write_trace(path, samples, module, job, period):

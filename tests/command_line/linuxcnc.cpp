@@ -60,9 +60,21 @@ TEST_F(LinuxCnc, AWrongMachineIsFound) {
   EXPECT_EQ(motion("5axis", "--cases 2 --altered 19689=0").status, 1);
 }
 
-// Killed in the middle, whole group, without a chance to end anything: the next start works.
+// What needs no LinuxCNC.
+TEST(LinuxCncAdapter, TranslatesAndCuts) {
+  if (command("test -x /usr/bin/python3").status != 0) GTEST_SKIP() << "python3 is not installed";
+  const Outcome outcome = command("/usr/bin/python3 " TOOLCOMP_SOURCE_DIR "/tests/adapters/linuxcnc.py");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+// The command killed, then the adapter: the next start works, and nothing is left.
 TEST_F(LinuxCnc, TheNextStartRecovers) {
   EXPECT_NE(motion("three-axes", "--cases 40", "timeout -s KILL 6 ").status, 0);
+  const std::string certify = TOOLCOMP_BINARY_DIR "/toolcomp certify --controller linuxcnc-motion --cases 40 --setup " +
+                              kSetups + "three-axes.toml --report " + folder.path("report");
+  const Outcome killed = command(certify + " & p=$!; sleep 6; kill -KILL $(cat /proc/$p/task/$p/children); wait $p");
+  EXPECT_EQ(killed.status, 3) << killed.out << killed.err;
+  EXPECT_NE(killed.err.find("killed by signal 9"), std::string::npos) << killed.err;
   const Outcome outcome = motion("three-axes", "--cases 1");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_FALSE(std::filesystem::exists("/tmp/linuxcnc.lock"));
