@@ -72,7 +72,8 @@ TEST_F(LinuxCnc, TheNextStartRecovers) {
   EXPECT_NE(motion("three-axes", "--cases 40", "timeout -s KILL 6 ").status, 0);
   const std::string certify = TOOLCOMP_BINARY_DIR "/toolcomp certify --controller linuxcnc-motion --cases 40 --setup " +
                               kSetups + "three-axes.toml --report " + folder.path("report");
-  const Outcome killed = command(certify + " & p=$!; sleep 6; kill -KILL $(cat /proc/$p/task/$p/children); wait $p");
+  const Outcome killed =
+      command("{ " + certify + " & p=$!; sleep 6; kill -KILL $(cat /proc/$p/task/$p/children); wait $p; }");
   EXPECT_EQ(killed.status, 3) << killed.out << killed.err;
   EXPECT_NE(killed.err.find("killed by signal 9"), std::string::npos) << killed.err;
   const Outcome outcome = motion("three-axes", "--cases 1");
