@@ -193,6 +193,7 @@ std::vector<AdapterRun> write_batch(const AdapterCampaign& campaign, const fs::p
     run.c = std::move(program.c);
     run.machine = std::move(program.machine);
   }
+  if (runs.empty()) throw spec::InputError("certify", 0, 0, "no program to run");
   std::error_code none;
   fs::remove_all(batch, none);
   for (std::size_t i = 0; i < runs.size(); ++i) {

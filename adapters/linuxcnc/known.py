@@ -12,6 +12,10 @@ STRAIGHT = 1e-7  # rad
 REFUSED = {
     "R i j k words all missing for arc": "arc-without-plane-words",
     "cutter compensation entry move": "short-entry",
+    "Tool radius not less than arc radius": "arc-of-the-cutters-radius",
+    "Cannot turn cutter radius comp on when on": "side-change",
+    "Radius to end of arc differs": "spiral",
+    "word with no G2, G3": "vector-words",
 }
 
 
@@ -49,9 +53,22 @@ def entries(legs, translation):
     return {next((leg.line for leg in legs if leg.line >= start), start) for start in translation.starts}
 
 
+def still(legs, translation, last):
+    """The legs that move, and where a block in compensation does not, or two in a row have no move at all."""
+    moving = [leg for leg in legs if leg.moves]
+    lines = {leg.line for leg in moving}
+    blocks = sorted(translation.sides)
+    first = next((line for line, following in zip(blocks, blocks[1:] + [0])
+                  if line not in lines and line not in translation.starts and
+                  (line in translation.moving or following and following not in lines)), None)
+    if first is None:
+        return moving, []
+    before = max((line for line in lines if line < first), default=1)
+    return moving, [("no-movement", before, last)]
+
+
 def corners(legs, translation, last):
-    places = [("no-movement", leg.line, last) for leg in legs if leg.line in translation.sides and not leg.moves]
-    legs = [leg for leg in legs if leg.moves]
+    legs, places = still(legs, translation, last)
     entry = entries(legs, translation)
     places += [("start-in-arc", leg.line, last) for leg in legs if leg.line in entry and not leg.straight]
     for a, b in zip(legs, legs[1:]):

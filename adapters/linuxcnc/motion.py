@@ -25,6 +25,7 @@ HERE = Path(__file__).resolve().parent
 PATIENCE = 40.0  # s a program may take …
 PATIENCE_A_BLOCK = 0.5  # … and longer by this for each block
 TRIES = 3
+TOO_LONG = "took too long"  # ui.py's words
 
 
 class Job:
@@ -41,8 +42,14 @@ class Job:
         self.axes = self.setup.get("axes", ["X", "Y", "Z"])
         self.patience = PATIENCE + PATIENCE_A_BLOCK * len(program.splitlines())
         self.unit = float(unit_of(self.setup))
-        origin = self.setup.get("workpiece", {}).get("G54", {})
-        self.origin = {axis: float(decimal(value)) for axis, value in origin.items()}
+        origins = [self.origin_of(system) for system in sorted(self.translated.translation.systems)]
+        if any(origin != origins[0] for origin in origins):
+            raise NotApplicable("a change of the workpiece system, behind which a recording is not judged")
+        self.origin = origins[0]
+
+    def origin_of(self, system):
+        origin = self.setup.get("workpiece", {}).get(f"G{system}", {})
+        return {axis: float(decimal(value)) for axis, value in origin.items() if decimal(value)}
 
     def write(self, folder):
         (folder / f"{self.number}.ngc").write_text(self.translated.text, encoding="ascii")
@@ -59,6 +66,9 @@ class Job:
         (self.folder / "known.txt").write_text(text, encoding="ascii")
 
     def write_alarm(self, words):
+        if words.startswith(TOO_LONG):
+            (self.folder / "not_applicable.txt").write_text(words + "\n", encoding="utf-8")
+            return
         (self.folder / "alarm.txt").write_text(words + "\n", encoding="utf-8")
         if name := known_refusal(words):
             self.write_known([*self.known, (name, 1, 1)])

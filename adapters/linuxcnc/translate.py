@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 from machine import MAX, OF_CUTTER, OF_LENGTH, Machine, NotApplicable, check_parameter, decimal, machine_of, unit_of
 
-PREAMBLE = 12  # lines in front of a program
+PREAMBLE = 13  # lines in front of a program
 FEED = "60000"  # of every F: time is real there, and no position depends on it
 WORD = re.compile(r"([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))\s*")
 # G codes that mean the same. G43.4 has no code there: the kinematics is always in force, G43 gives it the tool length.
-SAME = {"0", "1", "2", "3", "17", "18", "19", "20", "21", "40", "41", "42", "43", "49", "54", "55", "56", "57", "58", "59",
-        "80", "90", "91", "94"}
+SAME = {"0", "1", "2", "3", "17", "18", "19", "20", "21", "40", "41", "42", "43", "49", "80", "90", "91", "94"}
+SYSTEMS = {"54", "55", "56", "57", "58", "59"}
 TIP = "43.4"
 IGNORED_M = {"3", "4", "5", "8", "9"}
 AXES = "XYZABCUVW"
@@ -59,6 +59,7 @@ class Translation:
         self.lengths = []  # lines where the length offset may change, and whether LinuxCNC makes the move of it
         self.absolute_z = []  # lines
         self.moving = set()  # lines with an axis word
+        self.systems = {54}  # workpiece systems in use
         self.incremental = False
         self.most = int(setup.get("offsets", {}).get("count", 400))
         self.offsets = {kind: setup.get("offsets", {}).get(kind, {}) for kind in "HD"}
@@ -83,6 +84,7 @@ class Translation:
             for letter, value in words:
                 if letter == kind:
                     self.take_number(kind, value, codes, number)
+        self.systems |= {int(code) for code in codes if code in SYSTEMS}
         if "90" in codes or "91" in codes:
             self.incremental = "91" in codes
         if "Z" in letters and not self.incremental:
@@ -152,7 +154,7 @@ class Translation:
         if letter == "G":
             if value_plain == TIP:
                 return "G43"
-            if value_plain not in SAME:
+            if value_plain not in SAME | SYSTEMS:
                 raise NotApplicable(f"line {number}: G{value_plain}")
             return "" if value_plain in ("41", "42") and not self.compensate else "G" + value_plain
         if letter == "M":
@@ -184,7 +186,8 @@ def by_tip(program):
 
 def preamble(setup, module):
     """PREAMBLE lines: everything modal, the workpiece origins, and two moves to where the program starts."""
-    lines = [f"{'G21' if unit_of(setup) == 1 else 'G20'} G17 G90 G94 G40 G49 G80 G61 G54 F{FEED}", "G92.1"]
+    # G40 by itself and first: an alarm before may have left compensation on, which no change of the plane bears.
+    lines = ["G40", f"{'G21' if unit_of(setup) == 1 else 'G20'} G17 G90 G94 G49 G80 G61 G54 F{FEED}", "G92.1"]
     for k in range(6):
         origin = setup.get("workpiece", {}).get(f"G{54 + k}", {})
         if not module.name.startswith("trivkins") and any(decimal(v) for axis, v in origin.items() if axis in "ABC"):
