@@ -75,6 +75,7 @@ std::vector<fs::path> read_setups(const Reader& reader, const Node& setups, cons
   reader.expect(setups, Kind::array, "setups");
   if (setups.items.empty()) reader.fail(setups.at, "setups: at least one is expected");
   std::vector<fs::path> files;
+  files.reserve(setups.items.size());
   for (const Node& setup : setups.items) files.push_back(file_beside(reader, setup, "setups", folder));
   return files;
 }

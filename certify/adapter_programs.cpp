@@ -188,6 +188,7 @@ std::vector<MachineProgram> machine_programs(const std::vector<std::filesystem::
                                              std::uint64_t seed) {
   constexpr std::uint64_t kApart = 1'000'003;  // programs of two seeds
   std::vector<spec::Setup> read;
+  read.reserve(setups.size());
   for (const std::filesystem::path& file : setups)
     read.push_back(spec::read_setup_toml(spec::read_file(file.string()), file.string()));
   std::vector<MachineProgram> programs;
