@@ -1,8 +1,8 @@
 """The files of a start of LinuxCNC: sim.ini and sim.hal for a machine of perfect drives, recorded each period."""
 SERVO_PERIOD = 200_000  # ns
 VELOCITY = 2000  # mm/s, degrees/s
-# The interpolator deviates by acceleration · period² / 6, twice that where it turns round.
-ACCELERATION = 150_000  # mm/s²
+# The interpolator deviates by acceleration · period² / 6, twice that where it turns round: less with a longer period.
+ACCELERATION = 150_000  # mm/s², with SERVO_PERIOD
 ROTARY_ACCELERATION = 100_000  # degrees/s²
 LIMIT = 1e6
 DEPTH = 20_000  # samples
@@ -11,6 +11,8 @@ GAIN = 1e6  # the sampler prints six decimals: joints are recorded in millionths
 
 def ini(module, period):
     joints = module.joints
+    slower = (SERVO_PERIOD / period) ** 2
+    linear, rotary = ACCELERATION * slower, ROTARY_ACCELERATION * slower
     sections = [f"""[EMC]
 MACHINE = toolcomp
 VERSION = 1.1
@@ -33,12 +35,12 @@ LINEAR_UNITS = mm
 ANGULAR_UNITS = degree
 MAX_LINEAR_VELOCITY = {VELOCITY}
 DEFAULT_LINEAR_VELOCITY = {VELOCITY}
-MAX_LINEAR_ACCELERATION = {ACCELERATION}
-DEFAULT_LINEAR_ACCELERATION = {ACCELERATION}
+MAX_LINEAR_ACCELERATION = {linear}
+DEFAULT_LINEAR_ACCELERATION = {linear}
 MAX_ANGULAR_VELOCITY = {VELOCITY}
 DEFAULT_ANGULAR_VELOCITY = {VELOCITY}
-MAX_ANGULAR_ACCELERATION = {ROTARY_ACCELERATION}
-DEFAULT_ANGULAR_ACCELERATION = {ROTARY_ACCELERATION}
+MAX_ANGULAR_ACCELERATION = {rotary}
+DEFAULT_ANGULAR_ACCELERATION = {rotary}
 [EMCIO]
 EMCIO = io
 CYCLE_TIME = 0.005
@@ -48,7 +50,7 @@ KINEMATICS = {module.name}
 JOINTS = {len(joints)}
 """]
     for i, letter in enumerate(joints):
-        kind, acceleration = ("ANGULAR", ROTARY_ACCELERATION) if letter in "ABC" else ("LINEAR", ACCELERATION)
+        kind, acceleration = ("ANGULAR", rotary) if letter in "ABC" else ("LINEAR", linear)
         limits = (f"MIN_LIMIT = {-LIMIT:.0f}\nMAX_LIMIT = {LIMIT:.0f}\nMAX_VELOCITY = {VELOCITY}\n"
                   f"MAX_ACCELERATION = {acceleration}\n")
         sections.append(f"[AXIS_{letter}]\n{limits}")

@@ -79,7 +79,8 @@ class Canon:
     def arc_feed(self, first, second, center_first, center_second, turn, across, *rotary):
         plane = PLANES[self.plane]
         at = {plane[0]: first, plane[1]: second, next(letter for letter in "XYZ" if letter not in plane): across}
-        self.add("arc", (at["X"], at["Y"], at["Z"], *rotary), center=(INCH * center_first, INCH * center_second), turn=turn)
+        center = (INCH * center_first, INCH * center_second)
+        self.add("arc", (at["X"], at["Y"], at["Z"], *rotary), center=center, turn=turn)
 
     def __getattr__(self, name):
         if name.startswith("__"):

@@ -90,15 +90,26 @@ def say(text):
 
 
 def answers(folder):
-    """What ui.py said: program number → "ran" or the alarm; whether it came to its end."""
+    """What ui.py said: program number → None where it ran, else the alarm."""
     said = {}
     done = folder / "done.txt"
-    lines = done.read_text(encoding="utf-8").splitlines() if done.exists() else []
-    for line in lines:
+    for line in done.read_text(encoding="utf-8").splitlines() if done.exists() else []:
         if line != "end":
             number, what, *words = line.split(" ", 2)
-            said[int(number)] = words[0] if what == "alarm" else None
-    return said, bool(lines) and lines[-1] == "end"
+            said[int(number)] = " ".join(words) if what == "alarm" else None
+    return said
+
+
+def take(job, runs, lost, module, period):
+    """Writes the trace of a program that ran; whether there is a whole one."""
+    if job.number in lost or job.number not in runs:
+        return False
+    try:
+        samples = recording.program_part(runs[job.number])
+    except recording.Lost:
+        return False
+    recording.write_trace(job.folder / "trace.csv", samples, module, job, period)
+    return True
 
 
 def run_once(module, jobs, period):
@@ -109,8 +120,9 @@ def run_once(module, jobs, period):
         (folder / "jobs.json").write_text(json.dumps([job.write(folder) for job in jobs]), encoding="utf-8")
         shutil.copy(HERE / "ui.py", folder / "ui.py")
         (folder / "ui.py").chmod(0o755)
-        output = session.run(folder, PATIENCE + sum(job.patience / 4 for job in jobs), [f"PROGRAM_PIN={len(module.joints) + 1}"])
-        said, ended = answers(folder)
+        patience = PATIENCE + sum(job.patience / 4 for job in jobs)
+        output = session.run(folder, patience, [f"PROGRAM_PIN={len(module.joints) + 1}"])
+        said = answers(folder)
         if not said:
             raise session.Failed("LinuxCNC did not run:\n" + output[-4000:])
         runs, lost = recording.split(folder / "trace.txt", len(module.joints))
@@ -119,15 +131,8 @@ def run_once(module, jobs, period):
                 again.append(job)
             elif said[job.number] is not None:
                 job.write_alarm(said[job.number])
-            elif job.number in lost or job.number not in runs:
+            elif not take(job, runs, lost, module, period):
                 again.append(job)
-            else:
-                try:
-                    samples = recording.program_part(runs[job.number])
-                except recording.Lost:
-                    again.append(job)
-                    continue
-                recording.write_trace(job.folder / "trace.csv", samples, module, job, period)
     return again
 
 
@@ -143,7 +148,7 @@ def run_module(module, jobs, period):
         if attempt:
             period *= 2
     for job in jobs:
-        (job.folder / "failed.txt").write_text("the recording lost samples each time\n", encoding="utf-8")
+        (job.folder / "failed.txt").write_text(f"no whole recording in {TRIES} starts\n", encoding="utf-8")
 
 
 def main():

@@ -39,10 +39,11 @@ def answer(case, interpreter):
     if run.error:
         raise NotApplicable(f"LinuxCNC's own alarm in line {run.line - PREAMBLE}: {run.error}")
     axes = setup.get("axes", ["X", "Y", "Z"])
+    moving = translated.translation.moving
     events, before = [], None
     for move in run.moves:
         # G01 alone makes a move there, of no length.
-        nothing = move.kind != "arc" and move.end == before and move.line - PREAMBLE not in translated.translation.moving
+        nothing = move.kind != "arc" and move.end == before and move.line - PREAMBLE not in moving
         before = move.end
         if move.line > PREAMBLE and not nothing:
             events.append(event(move, axes, float(unit_of(setup))))

@@ -50,7 +50,7 @@ def end_processes(wanted, patience=5.0):
         deadline = time.monotonic() + patience
         while pids := [pid for pid, adapter in marked() if wanted(adapter) and pid != os.getpid()]:
             for pid in pids:
-                with contextlib.suppress(ProcessLookupError):
+                with contextlib.suppress(ProcessLookupError, PermissionError):
                     os.kill(pid, sign)
             if time.monotonic() > deadline:
                 break

@@ -25,6 +25,11 @@ def adapter_lives():
     return os.path.exists("/proc/" + os.environ["TOOLCOMP_LINUXCNC"])
 
 
+def at_rest(status):
+    return (status.interp_state == linuxcnc.INTERP_IDLE and status.queue == 0 and status.inpos
+            and status.state != linuxcnc.RCS_EXEC)
+
+
 class Runner:
     def __init__(self):
         self.command = linuxcnc.command()
@@ -95,8 +100,7 @@ class Runner:
         try:
             self.command.auto(linuxcnc.AUTO_RUN, 0)
             self.command.wait_complete()
-            self.wait(lambda s: s.interp_state == linuxcnc.INTERP_IDLE and s.queue == 0 and s.inpos and s.state != linuxcnc.RCS_EXEC,
-                      job["patience"], "the program")
+            self.wait(at_rest, job["patience"], "the program")
             time.sleep(SETTLE)
             error = self.error()
             if error:

@@ -11,7 +11,8 @@ import recording  # noqa: E402
 from machine import NotApplicable, machine_of, unit_of  # noqa: E402
 from translate import PREAMBLE, by_tip, translate  # noqa: E402
 
-THREE = {"axes": ["X", "Y", "Z"], "offsets": {"H": {"1": "12.5", "2": "-3"}, "D": {"1": {"geometry": 5, "wear": "-0.25"}}}}
+THREE = {"axes": ["X", "Y", "Z"],
+         "offsets": {"H": {"1": "12.5", "2": "-3"}, "D": {"1": {"geometry": 5, "wear": "-0.25"}}}}
 TRUNNION = {"axes": ["X", "Y", "Z", "A", "C"], "offsets": {"H": {"1": 50}},
             "parameters": {"19680": 12, "19681": 4, "19682": 1, "19684": 0, "19686": 5, "19687": 3, "19689": 0,
                            "19700": 1, "19701": 2, "19702": 3, "19704": -4, "19705": -5}}
