@@ -69,8 +69,8 @@ std::vector<MachineSummary> summaries(const AdapterCertificate& certificate) {
     ++found->programs;
     ++found->outcomes.at(static_cast<std::size_t>(run.outcome));
     found->samples += run.result.samples;
-    found->worst = std::max(found->worst, run.result.worst);
-    found->worst_rotary = std::max(found->worst_rotary, run.result.worst_rotary);
+    found->worst = std::max(found->worst, run.result.worst.upper);
+    found->worst_rotary = std::max(found->worst_rotary, run.result.worst_rotary.upper);
   }
   return list;
 }
@@ -121,8 +121,8 @@ std::string json_report(const AdapterCampaign& campaign, const AdapterCertificat
              {"why", run.why},
              {"known", run.known},
              {"samples", run.result.samples},
-             {"worst", run.result.worst},
-             {"worst_rotary", run.result.worst_rotary}};
+             {"worst", run.result.worst.upper},
+             {"worst_rotary", run.result.worst_rotary.upper}};
     if (run.outcome != RunOutcome::conforms) one["program"] = run.c.program;
     json["runs"].push_back(std::move(one));
   }

@@ -11,6 +11,7 @@
 
 #include "certify/adapter_programs.h"
 #include "certify/process.h"
+#include "certify/report.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/event_names.h"
 #include "spec/language/file_writer.h"
@@ -139,7 +140,7 @@ class Judge {
       const std::string id = place_at(finding.line);
       if (id.empty()) {
         run.outcome = RunOutcome::differs;
-        run.why = fmt::format("{} of line {} by {:.6g}", finding.kind, finding.line, finding.distance);
+        run.why = fmt::format("{} of line {} by {}", finding.kind, finding.line, extent(finding));
         return;
       }
       if (std::ranges::find(run.known, id) == run.known.end()) run.known.push_back(id);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "certify/adapter.h"
-#include "certify/trace.h"
+#include "certify/trace/trace.h"
 #include "spec/language/case.h"
 
 namespace toolcomp::certify {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -245,13 +246,32 @@ std::vector<std::filesystem::path> write_report(const Certificate& c, const std:
   return paths;
 }
 
+std::string extent(const TraceFinding& finding) {
+  // Distances carry roundings: nine decimals of them are right.
+  constexpr double kDecimals = 1e9;
+  const auto number = [](double value) { return fmt::format("{:.6g}", std::round(value * kDecimals) / kDecimals); };
+  const auto words = [&](const Bounds& b) {
+    const std::string lower = number(b.lower);
+    const std::string upper = number(b.upper);
+    return lower == upper ? upper : lower + " to " + upper;
+  };
+  if (finding.distance.upper == 0 && finding.rotary.upper == 0 && finding.duration > 0)
+    return fmt::format("{:.6g} s", finding.duration);
+  std::string out = words(finding.distance);
+  if (finding.rotary_axis != 0) out += std::string(", ") + finding.rotary_axis + " " + words(finding.rotary);
+  if (finding.duration > 0) out += fmt::format(", {:.6g} s", finding.duration);
+  return out;
+}
+
 std::string json_report(const TraceReport& report) {
+  const auto bounds = [](const Bounds& b) { return Json{{"lower", b.lower}, {"upper", b.upper}}; };
   const TraceResult& r = report.result;
   Json json;
   json["trace"] = 1;
   json["exit_status"] = exit_status(r);
   json["file"] = report.file;
   json["tolerance"] = report.options.tolerance;
+  json["rotary_tolerance"] = report.options.rotary_tolerance.value_or(report.options.tolerance);
   json["recorded"] = r.recorded;
   json["not_recorded"] = r.not_recorded;
   json["samples"] = r.samples;
@@ -259,16 +279,27 @@ std::string json_report(const TraceReport& report) {
   json["corners"] = r.corners;
   json["corners_missed"] = r.corners_missed;
   json["moves_not_judged_inside"] = r.not_judged_moves;
-  json["worst"] = r.worst;
-  json["worst_rotary"] = r.worst_rotary;
+  json["length"] = r.length;
+  json["covered"] = r.covered;
+  json["worst"] = bounds(r.worst);
   json["worst_sample"] = r.worst_sample;
+  json["worst_rotary"] = bounds(r.worst_rotary);
+  json["worst_rotary_sample"] = r.worst_rotary_sample;
+  json["time_steps_not_judged"] = r.steps_not_judged;
   json["undecided"] = r.undecided;
   json["findings_total"] = r.findings_total;
   json["findings"] = Json::array();
   for (const TraceFinding& f : r.findings) {
-    Json finding{
-        {"kind", f.kind}, {"sample", f.sample}, {"samples", f.samples}, {"line", f.line}, {"distance", f.distance}};
+    Json finding{{"kind", f.kind}, {"sample", f.sample},       {"samples", f.samples},
+                 {"line", f.line}, {"last_line", f.last_line}, {"distance", bounds(f.distance)}};
     if (f.n) finding["n"] = *f.n;
+    if (f.last_n) finding["last_n"] = *f.last_n;
+    if (f.rotary_axis != 0) {
+      finding["rotary"] = bounds(f.rotary);
+      finding["rotary_axis"] = std::string(1, f.rotary_axis);
+    }
+    if (f.worst_sample > 0) finding["worst_sample"] = f.worst_sample;
+    if (f.duration > 0) finding["duration"] = f.duration;
     for (std::size_t i = 0; i < report.c.setup.axes.size(); ++i)
       if (f.at.has(i)) finding["at"][std::string(1, report.c.setup.axes.letter(i))] = f.at[i];
     json["findings"].push_back(std::move(finding));
@@ -281,7 +312,7 @@ std::string junit_report(const TraceReport& report) {
   for (const TraceFinding& f : report.result.findings)
     suite.add("trace", fmt::format("{} at sample line {}", f.kind, f.sample),
               fmt::format(R"(<failure type="{}" message="program line {}, distance {}"/>)", escape(f.kind), f.line,
-                          plain(f.distance, 9)));
+                          escape(extent(f))));
   if (exit_status(report.result) == 3)
     suite.add("trace", "judged",
               fmt::format(R"(<error type="nothing judged" message="{}"/>)", escape(report.result.undecided)));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "certify/certificate.h"
-#include "certify/trace.h"
+#include "certify/trace/trace.h"
 
 namespace toolcomp::certify {
 
@@ -28,6 +28,8 @@ struct TraceReport {
   TraceOptions options;
   TraceResult result;
 };
+// How far or how long, in words: "0.5", "0.49 to 0.51", "0.1, C 5", "0.2 s".
+std::string extent(const TraceFinding& finding);
 std::string html_report(const TraceReport& report);
 std::string junit_report(const TraceReport& report);
 std::string json_report(const TraceReport& report);

@@ -7,6 +7,7 @@
 #include "certify/page.h"
 #include "certify/path_svg.h"
 #include "certify/report.h"
+#include "certify/trace_svg.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -18,14 +19,20 @@ std::string place(const spec::Axes& axes, const spec::AxisValues<double>& values
   return out;
 }
 
+std::string moves(const TraceFinding& f) {
+  const auto name = [](std::uint64_t line, const std::optional<std::uint64_t>& n) {
+    return n ? fmt::format("N{} (line {})", *n, line) : fmt::format("line {}", line);
+  };
+  return name(f.line, f.n) + (f.last_line == f.line ? "" : " to " + name(f.last_line, f.last_n));
+}
+
 std::string findings(const TraceReport& report) {
   const TraceResult& r = report.result;
   if (r.findings_total == 0) return "<p>None.</p>\n";
-  std::vector<Row> rows{{"kind", "program", "position", "CSV line", "samples", "distance"}};
+  std::vector<Row> rows{{"kind", "program", "position", "CSV line", "samples", "by"}};
   for (const TraceFinding& f : r.findings)
-    rows.push_back({escape(f.kind), f.n ? fmt::format("N{} (line {})", *f.n, f.line) : fmt::format("line {}", f.line),
-                    "<code>" + escape(place(report.c.setup.axes, f.at)) + "</code>", std::to_string(f.sample),
-                    std::to_string(f.samples), plain(f.distance, 6)});
+    rows.push_back({escape(f.kind), moves(f), "<code>" + escape(place(report.c.setup.axes, f.at)) + "</code>",
+                    std::to_string(f.sample), std::to_string(f.samples), extent(f)});
   std::string out = table(rows, 3);
   if (r.findings_total > r.findings.size())
     out += fmt::format("<p class=\"soft\">The first {} of {}.</p>\n", r.findings.size(), r.findings_total);
@@ -47,23 +54,33 @@ std::string html_report(const TraceReport& report) {
                                                   : Tone::open) +
                      "</p>\n";
   if (!r.undecided.empty()) body += "<p>" + escape(r.undecided) + ".</p>\n";
+  const bool turns = std::ranges::any_of(r.recorded, spec::is_rotary_axis);
+  const std::string rotary =
+      turns ? " and " + plain(report.options.rotary_tolerance.value_or(report.options.tolerance), 9) + " degrees" : "";
   body += fmt::format(
-      "<p>{} samples were judged against the exact path with a tolerance of {} {}: {} lie off it, {} of {} corners "
-      "were not "
-      "reached.</p>\n",
-      r.samples, plain(report.options.tolerance, 9), unit, r.off, r.corners_missed, r.corners);
+      "<p>{} samples were judged against the exact path with a tolerance of {} {}{}: {} lie off it, {} of {} corners "
+      "were not reached, {} {} of {} are covered.</p>\n",
+      r.samples, plain(report.options.tolerance, 9), unit, rotary, r.off, r.corners_missed, r.corners,
+      plain(r.covered, 6), unit, plain(r.length, 6));
+  if (r.cause) body += "<p><b>One mistake explains everything found:</b> " + escape(*r.cause) + ".</p>\n";
   body += "<h2>Findings</h2>\n" + findings(report);
+  if (const std::string picture = trace_svg(r, setup.axes, unit); !picture.empty())
+    body += "<h2>Recording</h2>\n" + picture + "\n";
+  body += "<h2>Deviations</h2>\n" + deviation_svg(r, report.options, unit) + "\n";
   body += "<h2>Path</h2>\n" + path_svg(r.events, setup.axes, drawing);
   std::uint64_t marked = r.findings.empty() ? 0 : r.findings.front().line;
   body += listing(report.c.program, marked);
-  body +=
-      "<h2>Figures</h2>\n" +
-      facts({{"axes judged", escape(r.recorded)},
-             {"axes not recorded, not judged", r.not_recorded.empty() ? "none" : escape(r.not_recorded)},
-             {"largest accepted distance", fmt::format("{} {} (CSV line {})", plain(r.worst, 9), unit, r.worst_sample)},
-             {"largest accepted distance of a rotary axis", plain(r.worst_rotary, 9) + " degrees"},
-             {"moves judged at their ends only", std::to_string(r.not_judged_moves)},
-             {"tool", "toolcomp " TOOLCOMP_VERSION}});
+  body += "<h2>Figures</h2>\n" +
+          facts({{"axes judged", escape(r.recorded)},
+                 {"axes not recorded, not judged", r.not_recorded.empty() ? "none" : escape(r.not_recorded)},
+                 {"largest accepted distance",
+                  fmt::format("{} {} (CSV line {})", plain(r.worst.upper, 9), unit, r.worst_sample)},
+                 {"largest accepted distance of a rotary axis",
+                  turns ? fmt::format("{} degrees (CSV line {})", plain(r.worst_rotary.upper, 9), r.worst_rotary_sample)
+                        : std::string("none recorded")},
+                 {"long time steps not judged, for want of a steady period", std::to_string(r.steps_not_judged)},
+                 {"moves judged at their ends only", std::to_string(r.not_judged_moves)},
+                 {"tool", "toolcomp " TOOLCOMP_VERSION}});
   return page("toolcomp trace: " + std::string(verdict), body);
 }
 

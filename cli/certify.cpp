@@ -13,7 +13,7 @@
 #include "certify/adapter_programs.h"
 #include "certify/campaign.h"
 #include "certify/report.h"
-#include "certify/trace.h"
+#include "certify/trace/trace.h"
 #include "cli/certify_adapter.h"
 #include "cli/program.h"
 #include "cli/progress.h"
@@ -52,16 +52,16 @@ std::vector<spec::Case> read_inputs(const CertifyOptions& options) {
   return cases;
 }
 
-double length_of(const std::string& text) {
+double number_of(const std::string& text, const std::string& option, const std::string& what) {
   std::size_t used = 0;
-  double length = 0;
+  double number = 0;
   try {
-    length = std::stod(text, &used);
+    number = std::stod(text, &used);
   } catch (const std::exception&) {
     used = 0;
   }
-  if (used == 0 || used < text.size()) usage("--tolerance takes a length");
-  return length;
+  if (used == 0 || used < text.size()) usage(option + " takes " + what);
+  return number;
 }
 
 // Why less was judged than a reader might think.
@@ -97,17 +97,21 @@ int certify_trace(const CertifyOptions& options) {
   certify::TraceReport report;
   report.c = read_inputs(options).front();
   report.file = options.trace;
-  report.options.tolerance = length_of(options.tolerance);
+  report.options.tolerance = number_of(options.tolerance, "--tolerance", "a length");
+  if (!options.rotary_tolerance.empty())
+    report.options.rotary_tolerance = number_of(options.rotary_tolerance, "--rotary-tolerance", "degrees");
+  if (options.frame == "machine") report.options.frame = certify::PathFrame::machine;
   if (fs::is_directory(options.trace)) throw spec::InputError(options.trace, 0, 0, "cannot be read: Is a directory");
   std::ifstream csv(options.trace);
   if (!csv) throw spec::InputError(options.trace, 0, 0, "cannot be read");
   report.result = certify::judge_trace(report.c, csv, options.trace, report.options);
   certify::write_report(report, options.report);
   fmt::print("{} samples, {} off the path, {} of {} corners missed, worst accepted {:.6g}\n", report.result.samples,
-             report.result.off, report.result.corners_missed, report.result.corners, report.result.worst);
+             report.result.off, report.result.corners_missed, report.result.corners, report.result.worst.upper);
+  if (report.result.cause) fmt::print("one mistake explains everything found: {}\n", *report.result.cause);
   for (const certify::TraceFinding& finding : report.result.findings)
-    fmt::print("{}:{}: {} of line {} by {:.6g}\n", options.trace, finding.sample, finding.kind, finding.line,
-               finding.distance);
+    fmt::print("{}:{}: {} of line {} by {}\n", options.trace, finding.sample, finding.kind, finding.line,
+               certify::extent(finding));
   say_how_the_path_ends(report.result, options.inputs.front());
   return certify::exit_status(report.result);
 }
@@ -171,7 +175,7 @@ int certify(const CertifyOptions& options) {
     certify::expect_programs(*adapter);
     if (adapter->kind == certify::AdapterKind::trace)
       return certify_adapter(options, *adapter, read_inputs(options),
-                             options.tolerance.empty() ? 0 : length_of(options.tolerance));
+                             options.tolerance.empty() ? 0 : number_of(options.tolerance, "--tolerance", "a length"));
     campaign.controller = adapter->shell_command();
   }
   campaign.sections = options.sections;

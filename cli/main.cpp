@@ -155,6 +155,11 @@ class CommandLine {
     sub->add_flag("--widths", certify_.widths, "Print how wide what the verdict policy grants is, section by section");
     sub->add_option("--tolerance", certify_.tolerance,
                     "Trace, adapter that records: greatest distance from the exact path, in the units of the events");
+    sub->add_option("--rotary-tolerance", certify_.rotary_tolerance,
+                    "Trace: the same of each rotary axis, in degrees (default: the number of --tolerance)");
+    sub->add_option("--frame", certify_.frame,
+                    "Trace: its coordinates, workpiece (default: the axes of the events) or machine")
+        ->check(CLI::IsMember({"workpiece", "machine"}));
     add_samples(sub, certify_.samples);
   }
   void add_fuzz() {

@@ -59,6 +59,8 @@ struct CertifyOptions {
   std::uint64_t seed = 1;
   double timeout = 10;
   std::string tolerance;
+  std::string rotary_tolerance;
+  std::string frame = "workpiece";
   bool widths = false;                   // print how wide what the policy granted is
   std::string accept_resolution;         // a decimal
   std::optional<std::uint32_t> samples;  // of the cases and programs named

@@ -23,13 +23,15 @@ spec::Setup checked(const spec::Setup& setup) {
 
 // The way of a block: a step is made of it, passes through the stages of compensation, and is reported.
 struct Engine::State {
-  State(const spec::Setup& given, Recorder& the_recorder, EventSink& sink, std::uint32_t samples)
+  State(const spec::Setup& given, Recorder& the_recorder, EventSink& sink, std::uint32_t samples, MotionSink* motions)
       : setup(checked(given)),
         recorder(the_recorder),
         memory(setup, recorder),
-        maker(setup, memory, recorder, samples > 1),
+        maker(setup, memory, recorder, samples > 1 || motions != nullptr),
         compensation(stages(setup), setup, memory, recorder, [this](const Step& step) { report(step); }),
-        reporter(setup.axes, recorder, sink, samples) {}
+        reporter(setup.axes, recorder, sink, samples, motions) {
+    if (motions != nullptr) motions->stand(maker.zero(), 0, {});
+  }
 
   void run(const spec::Block& block);
   void finish();
@@ -48,8 +50,9 @@ struct Engine::State {
   bool stopped = false;
 };
 
-Engine::Engine(const spec::Setup& setup, Recorder& recorder, EventSink& sink, std::uint32_t samples)
-    : state_(std::make_unique<State>(setup, recorder, sink, samples)) {}
+Engine::Engine(const spec::Setup& setup, Recorder& recorder, EventSink& sink, std::uint32_t samples,
+               MotionSink* motions)
+    : state_(std::make_unique<State>(setup, recorder, sink, samples, motions)) {}
 Engine::~Engine() = default;
 
 void Engine::block(const spec::Block& block) {

@@ -6,6 +6,7 @@
 
 #include "model/basis/event.h"
 #include "model/basis/recorder.h"
+#include "model/fanuc/program/motion.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 
@@ -16,8 +17,10 @@ namespace toolcomp::model {
 class Engine {
  public:
   // `samples`: N for events at the fractions 1/N … (N-1)/N of blocks run under tool center point control; 0 for none.
+  // `motions`: gets what lies inside the moves, if it is there.
   // Throws spec::InputError for a setup the control could not have (message names the key).
-  Engine(const spec::Setup& setup, Recorder& recorder, EventSink& sink, std::uint32_t samples = 0);
+  Engine(const spec::Setup& setup, Recorder& recorder, EventSink& sink, std::uint32_t samples = 0,
+         MotionSink* motions = nullptr);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;

@@ -16,12 +16,15 @@ Warning branch_warning() {
 
 }  // namespace
 
-Reporter::Reporter(const spec::Axes& axes, Recorder& recorder, EventSink& sink, std::uint32_t samples)
+Reporter::Reporter(const spec::Axes& axes, Recorder& recorder, EventSink& sink, std::uint32_t samples,
+                   MotionSink* motions)
     : axes_(axes),
       recorder_(recorder),
       sink_(sink),
+      motions_(motions),
       tip_moves_(
-          axes, samples, [this](const Move& move) { report(move); },
+          axes, samples, motions != nullptr,
+          [this](const Move& move, std::shared_ptr<const InsideMove> inside) { report(move, std::move(inside)); },
           [this](Event sample) { report(std::move(sample)); }) {}
 
 void Reporter::at(const spec::Block& block) {
@@ -54,11 +57,13 @@ void Reporter::report(const Step& step) {
     if (move.inside && move.inside->branch_differs) report(branch_warning());
     tip_moves_.take(move);
   }
+  if (motions_ != nullptr) motions_->stand(step.zero, step.line, step.n);
   if (step.setting) report(*step.setting);
   if (step.alarm) report(*step.alarm, step.clauses);
 }
 
-void Reporter::report(const Move& move) {
+void Reporter::report(const Move& move, std::shared_ptr<const InsideMove> inside) {
+  if (motions_ != nullptr) motions_->on({move.zero, std::move(inside), move.tip.has_value()});
   Event event = event_of_step(spec::EventKind::move);
   event.type = move.leg.type;
   event.cause = move.leg.cause;
@@ -75,7 +80,7 @@ void Reporter::report(const Move& move) {
     const bool of_tip = move.tip && is_space_axis(letter);
     const Real axis = of_tip ? component(control_point, space_index(letter)) : at + move.length.at(i);
     event.axes.set(i, axis);
-    if (move.zero) event.machine.set(i, axis + move.zero->at(i));
+    if (move.machine) event.machine.set(i, axis + move.zero->at(i));
   }
   if (move.tool.reported) event.tool_axis = {move.tool.unit.x, move.tool.unit.y, move.tool.unit.z};
   event.arc = move.leg.arc;

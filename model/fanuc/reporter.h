@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "model/basis/alarm.h"
@@ -16,8 +17,8 @@ namespace toolcomp::model {
 // Writes the events of one run to a sink, in their order (docs/events.md).
 class Reporter {
  public:
-  // `samples`: N of the fractions k/N inside blocks; 0: none.
-  Reporter(const spec::Axes& axes, Recorder& recorder, EventSink& sink, std::uint32_t samples);
+  // `samples`: N of the fractions k/N inside blocks; 0: none. `motions`: null where nobody asks.
+  Reporter(const spec::Axes& axes, Recorder& recorder, EventSink& sink, std::uint32_t samples, MotionSink* motions);
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;
 
@@ -37,7 +38,7 @@ class Reporter {
   // Of an alarm or of what is left open, in the block it names or in the one now read.
   template <class Fault>
   [[nodiscard]] Event event_of(spec::EventKind kind, const Fault& fault) const;
-  void report(const Move& move);
+  void report(const Move& move, std::shared_ptr<const InsideMove> inside);
   void report(Event sample);
   void report(const OffsetSetting& setting);
   void report(const Warning& warning);
@@ -45,6 +46,7 @@ class Reporter {
   spec::Axes axes_;
   Recorder& recorder_;
   EventSink& sink_;
+  MotionSink* motions_;
   TipMoves tip_moves_;
   const Step* step_ = nullptr;  // whose moves go out
   std::uint64_t line_ = 0;

@@ -12,12 +12,13 @@ bool measures(const Command& command) { return command.codes.one_shot == OneShot
 
 }  // namespace
 
-StepMaker::StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& recorder, bool with_samples)
+StepMaker::StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& recorder, bool with_motion)
     : axes_(setup.axes),
+      with_motion_(with_motion),
       recorder_(recorder),
       memory_(memory),
       interpreter_(setup, recorder),
-      tip_control_(setup, recorder, interpreter_.work(), interpreter_.position(), with_samples),
+      tip_control_(setup, recorder, interpreter_.work(), interpreter_.position(), with_motion),
       length_(setup, memory, recorder),
       tool_offset_(setup, memory, recorder),
       measurement_(setup, recorder) {}
@@ -130,10 +131,8 @@ Move StepMaker::move(const Leg& leg, const LengthVector& offset, const ToolAtEnd
   result.tool = tool.tool;
   result.tip = tool.tip;
   for (std::size_t i = 0; i < axes_.size(); ++i) result.length.at(i) = offset.axis.at(i);
-  if (machine) {
-    auto& zero = result.zero.emplace();
-    for (std::size_t i = 0; i < axes_.size(); ++i) zero.at(i) = interpreter_.work().zero(i).value();
-  }
+  result.machine = machine;
+  if (machine || with_motion_) result.zero = zero();
   if (interpreter_.feed()) result.feed = *interpreter_.feed();
   return result;
 }
@@ -167,6 +166,7 @@ void StepMaker::complete(Making& now) {
   step.stops_look_ahead = now.command.codes.stops_look_ahead;
   step.ends_program = now.command.codes.ends_program;
   now.stages.complete(now.words, step);
+  if (with_motion_) step.zero = zero();
   step.words.assign(now.words.begin(), now.words.end());
   step.clauses = recorder_.take_clauses();
 }

@@ -26,13 +26,15 @@ namespace toolcomp::model {
 // direction of the tool, and moves the tip.
 class StepMaker {
  public:
-  // `memory`: G10 and G37 write to it. `with_samples`: positions inside blocks will be asked for. Throws
+  // `memory`: G10 and G37 write to it. `with_motion`: what lies inside moves will be asked for. Throws
   // spec::InputError for a setup the control could not have.
-  StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& recorder, bool with_samples);
+  StepMaker(const spec::Setup& setup, OffsetMemory& memory, Recorder& recorder, bool with_motion);
 
   // The next block. `stages` have taken all steps before it. Throws Alarm or LeftOpen as reading and the words of the
   // block raise them, in their fixed order; then the block makes nothing.
   Step make(const spec::Block& block, Pipeline& stages);
+  // What positions are counted from now.
+  [[nodiscard]] const SharedZero& zero() const { return interpreter_.work().zero(); }
 
  private:
   // A block in the making.
@@ -63,6 +65,7 @@ class StepMaker {
   [[nodiscard]] LengthCommand length_command(const Command& command, const std::vector<Leg>& legs) const;
 
   spec::Axes axes_;
+  bool with_motion_;
   Recorder& recorder_;
   OffsetMemory& memory_;
   Interpreter interpreter_;

@@ -26,10 +26,8 @@ Vector simplified(const Vector& v) { return {simplified(v.x), simplified(v.y), s
 Machine::Machine(const spec::Setup& setup)
     : mechanism_(read_mechanism(setup)),
       holder_offset_(parameter(setup, 19666)),
-      table_(vector_parameter(setup, 19700)),
-      table_step_(vector_parameter(setup, 19703)),
-      head_(vector_parameter(setup, 19709)),
-      head_step_(vector_parameter(setup, 19712)),
+      arms_{vector_parameter(setup, 19700), vector_parameter(setup, 19703), vector_parameter(setup, 19709),
+            vector_parameter(setup, 19712)},
       programs_workpiece_(setup.bit(19696, 5)) {
   if (mechanism_.type == MachineType::none)
     throw spec::InputError("setup", 0, 0, "parameters.19680: a machine with rotary axes must stand here");
@@ -100,11 +98,11 @@ Vector Machine::direction_in_machine(const Pose& pose) const {
 
 Vector Machine::carried(const Vector& point, const Pose& from, const Pose& to) const {
   if (type() == MachineType::head) return point;
-  const Vector on_first = point - table_;
-  if (type() == MachineType::mixed) return table_ + work_side().carry(on_first, from.work, to.work);
-  const Vector on_second = tool_side().apply(on_first, from.tool) - table_step_;
-  const Vector carried = table_step_ + work_side().carry(on_second, from.work, to.work);
-  return table_ + tool_side().apply_back(carried, to.tool);
+  const Vector on_first = point - arms_.table;
+  if (type() == MachineType::mixed) return arms_.table + work_side().carry(on_first, from.work, to.work);
+  const Vector on_second = tool_side().apply(on_first, from.tool) - arms_.table_step;
+  const Vector carried = arms_.table_step + work_side().carry(on_second, from.work, to.work);
+  return arms_.table + tool_side().apply_back(carried, to.tool);
 }
 
 Vector Machine::tool_vector(const Pose& pose, const Real& length) const {
@@ -113,9 +111,9 @@ Vector Machine::tool_vector(const Pose& pose, const Real& length) const {
     case MachineType::table:
       return along;
     case MachineType::mixed:
-      return tool_side().apply(along + head_, pose.tool);
+      return tool_side().apply(along + arms_.head, pose.tool);
     default:
-      return work_side().apply(tool_side().apply(along + head_, pose.tool) + head_step_, pose.work);
+      return work_side().apply(tool_side().apply(along + arms_.head, pose.tool) + arms_.head_step, pose.work);
   }
 }
 

@@ -45,6 +45,16 @@ class Machine {
 
   // Parameter 19666, added to the tool length offset.
   [[nodiscard]] const Rational& holder_offset() const { return holder_offset_; }
+  // Setup units, parallel to the machine axes with both rotary axes at 0.
+  struct Arms {
+    Vector table;       // 19700-19702: machine origin to the first table axis
+    Vector table_step;  // 19703-19705: first to second table axis
+    Vector head;        // 19709-19711: tool axis to its rotary axis
+    Vector head_step;   // 19712-19714: second to first rotary axis of a head
+  };
+  [[nodiscard]] const Arms& arms() const { return arms_; }
+  // Tip to holder with both axes at 0; unit.
+  [[nodiscard]] const Vector& reference() const { return mechanism_.reference; }
   // Parameter 19696#5: points are programmed in the workpiece coordinate system, which does not turn with the table.
   [[nodiscard]] bool programs_workpiece() const { return programs_workpiece_; }
 
@@ -97,10 +107,7 @@ class Machine {
 
   Mechanism mechanism_;
   Rational holder_offset_;
-  Vector table_;       // 19700-19702: machine origin to the first table axis
-  Vector table_step_;  // 19703-19705: first to second table axis
-  Vector head_;        // 19709-19711: tool axis to its rotary axis
-  Vector head_step_;   // 19712-19714: second to first rotary axis of a head
+  Arms arms_;
   bool programs_workpiece_ = false;
   Heights heights_;
   bool tilts_ = false;
@@ -122,6 +129,8 @@ class ProgrammingFrame {
   // The same but for the turn about the work-side axis by its frozen position: as if that were its 0.
   [[nodiscard]] Vector to_table_beside(const Vector& direction) const;
   [[nodiscard]] const Pose& frozen() const { return frozen_; }
+  // Machine coordinates of the workpiece zero.
+  [[nodiscard]] const Vector& origin() const { return origin_; }
   // Of a pose, in the frame; unit.
   [[nodiscard]] Vector direction(const Pose& pose) const;
   // u_w, unit, in the frame.

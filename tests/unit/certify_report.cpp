@@ -251,6 +251,10 @@ TEST(Report, OfATraceIsWellFormed) {
   EXPECT_EQ(malformed(html), "");
   EXPECT_TRUE(has(html, "off the path"));
   EXPECT_TRUE(has(html, "end not reached"));
+  // Its pictures: the bump in red, both findings marked, the move with it red.
+  EXPECT_TRUE(has(html, "class=\"tr-off\" d=\"M"));
+  EXPECT_TRUE(has(html, ">2</text>"));
+  EXPECT_TRUE(has(html, "class=\"tr-bad\""));
   EXPECT_EQ(malformed(junit_report(report)), "");
   EXPECT_EQ(nlohmann::json::parse(json_report(report))["findings_total"], 2);
 }

@@ -5,7 +5,10 @@
 namespace toolcomp::fast {
 
 Alarm Control::plan_arc(const Words& words, BlockArc& arc, bool geometry, bool about_start) const {
-  if (!modal.is_arc(words)) return alarm::kNone;
+  if (!modal.is_arc(words)) {
+    arc.event.reset();
+    return alarm::kNone;
+  }
   const std::array<std::size_t, 2>& plane = modal.plane_axis();
   std::array<Count, 2> start;
   std::array<Count, 2> end;
@@ -30,7 +33,9 @@ Alarm Control::plan_arc(const Words& words, BlockArc& arc, bool geometry, bool a
     a = by_radius ? center_by_radius(start, end, radius, clockwise, made.center)
                   : center_by_center(start, to_center, made.center);
   if (a) return a;
-  spec::Arc<double>& event = arc.event.emplace();
+  // One that is there is not cleared: what is not present in it is not looked at.
+  spec::Arc<double>& event = arc.event ? *arc.event : arc.event.emplace();
+  event.center.present = 0;
   event.plane = modal.plane();
   event.direction = clockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   for (std::size_t i = 0; i < 2; ++i)

@@ -51,12 +51,6 @@ Alarm AxisPositions::refresh() {
   return a;
 }
 
-std::array<Count, 3> AxisPositions::programmed_xyz() const {
-  std::array<Count, 3> xyz;
-  for (std::size_t i = 0; i < 3; ++i) xyz[i] = programmed(axes_.xyz[i]);
-  return xyz;
-}
-
 std::array<Count, 3> AxisPositions::shift_xyz() const {
   std::array<Count, 3> shift;
   for (std::size_t i = 0; i < 3; ++i)

@@ -22,7 +22,11 @@ namespace toolcomp::fast {
 class AxisPositions {
  public:
   AxisPositions(const spec::Setup& setup, ControlAxes axes)
-      : axes_(std::move(axes)), length_(setup), tool_offset_(setup) {}
+      : axes_(std::move(axes)), length_(setup), tool_offset_(setup) {
+    for (std::size_t i = 0; i < 3; ++i) xyz_[i] = &programmed(axes_.xyz[i]);
+  }
+  AxisPositions(const AxisPositions&) = delete;
+  AxisPositions& operator=(const AxisPositions&) = delete;
   // The positions of the setup. Throws spec::InputError for those no control could have. Every axis is stale.
   void read(const spec::Setup& setup);
 
@@ -47,7 +51,9 @@ class AxisPositions {
   [[nodiscard]] Count actual(std::size_t axis) const {
     return axis == spec::Axes::kNone ? Count() : programmed_[axis] + tool_offset_[axis];
   }
-  [[nodiscard]] std::array<Count, 3> programmed_xyz() const;
+  // The programmed position of X, Y or Z (0, 1, 2).
+  [[nodiscard]] const Count& xyz(std::size_t i) const { return *xyz_[i]; }
+  [[nodiscard]] std::array<Count, 3> programmed_xyz() const { return {xyz(0), xyz(1), xyz(2)}; }
   [[nodiscard]] std::array<Count, 3> shift_xyz() const;  // of G45 to G48
 
   // A new position, if it is in range; the axis is stale.
@@ -136,6 +142,7 @@ class AxisPositions {
   std::array<double, spec::kMaxAxes> programmed_value_{};  // nearest doubles
   std::array<double, spec::kMaxAxes> axes_value_{};
   Mask stale_ = 0;
+  std::array<const Count*, 3> xyz_{};  // of programmed_
 };
 
 // X Y Z by themselves: a loop would count for nothing on most machines. What is not present is not looked at.
@@ -153,7 +160,10 @@ class AxisPositions {
   fill_axis(0);
   fill_axis(1);
   fill_axis(2);
-  for (std::size_t axis = 3; axis < axes_.count; ++axis) fill_axis(axis);
+  for (std::size_t axis = 3; axis < axes_.count; ++axis) event.axes.value[axis] = axes_value_[axis];
+  constexpr Mask kXyz = 0b111;
+  if ((axes_.linear & ~kXyz) != 0) [[unlikely]]
+    for (std::size_t axis = 3; axis < axes_.count; ++axis) fill_axis(axis);
   if (tool_offset_.live() != 0) [[unlikely]]
     for (unsigned rest = tool_offset_.live(); rest != 0; rest &= rest - 1) {
       const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));

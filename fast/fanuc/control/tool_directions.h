@@ -10,25 +10,36 @@ namespace toolcomp::fast {
 
 class ToolDirections {
  public:
-  [[nodiscard]] const Direction& now() const { return ring_[now_]; }
+  ToolDirections() = default;
+  ToolDirections(const ToolDirections&) = delete;
+  ToolDirections& operator=(const ToolDirections&) = delete;
+
+  [[nodiscard]] const Direction& now() const { return *now_; }
+  // Which one it is of all there have been: while it stays, so does the direction.
+  [[nodiscard]] std::uint64_t number() const { return number_; }
   // Where the block started.
-  [[nodiscard]] const Direction& before() const { return ring_[before_]; }
+  [[nodiscard]] const Direction& before() const { return *before_; }
   void begin_block() { before_ = now_; }
 
   // A new one comes into force: to be filled in.
   [[nodiscard]] Direction& next() {
-    now_ = static_cast<std::uint8_t>((now_ + 1U) % ring_.size());
-    return ring_[now_];
+    go_to(number_ + 1);
+    return *now_;
   }
-  // Back to the one in force when place() was asked for.
-  [[nodiscard]] std::uint8_t place() const { return now_; }
-  void go_back(std::uint8_t place) { now_ = place; }
+  // Back to the one in force when its number() was asked for.
+  void go_back(std::uint64_t number) { go_to(number); }
 
  private:
+  void go_to(std::uint64_t number) {
+    number_ = number;
+    now_ = &ring_[number % ring_.size()];
+  }
+
   // At most three blocks that are held have one at a time, and a block makes three at most.
   std::array<Direction, 8> ring_;
-  std::uint8_t now_ = 0;
-  std::uint8_t before_ = 0;
+  std::uint64_t number_ = 0;
+  Direction* now_ = ring_.data();
+  const Direction* before_ = now_;
 };
 
 }  // namespace toolcomp::fast

@@ -16,8 +16,7 @@ class XyzTravel {
  public:
   explicit XyzTravel(const Control& control)
       : control_(control),
-        at_{&control.positions.programmed(control.axes.xyz[0]), &control.positions.programmed(control.axes.xyz[1]),
-            &control.positions.programmed(control.axes.xyz[2])},
+        at_{&control.positions.xyz(0), &control.positions.xyz(1), &control.positions.xyz(2)},
         rounded_(control.positions.rounded()),
         small_(rounded_ == 0 && at_small()),
         from_small_{at_[0]->small(), at_[1]->small(), at_[2]->small()} {

@@ -37,14 +37,16 @@ template <class Group, class ArcTest, class LineTest>
 Interference check_pairs(bool arc, Group& start, Group& end, const ArcTest& arc_interferes,
                          const LineTest& line_interferes) {
   const std::size_t last = start.size - 1U;
+  if (!(arc ? arc_interferes() : line_interferes(last, 0))) [[likely]]
+    return Interference::none;
   const std::size_t pairs = std::max(start.size, end.size);
-  for (std::size_t q = 0; q < pairs; ++q) {
+  for (std::size_t q = 1; q < pairs; ++q) {
     const std::size_t from_start = std::min(q, last);
     const std::size_t from_end = std::min<std::size_t>(q, end.size - 1U);
-    if (arc && q == 0 ? arc_interferes() : line_interferes(last - from_start, from_end)) continue;
+    if (line_interferes(last - from_start, from_end)) continue;
     start.drop_last(from_start);
     end.drop_first(from_end);
-    return arc && q > 0 ? Interference::straightened : Interference::none;
+    return arc ? Interference::straightened : Interference::none;
   }
   return Interference::alarm;
 }

@@ -41,26 +41,30 @@ T meeting(const Numbers<T>& n, bool crossing) {
   return leading(k) >= 0 ? c / (number<T>(1) + k) : (number<T>(1) - k) / c;
 }
 
+bool is_of_second(HeadKind kind) { return kind == HeadKind::second_normal || kind == HeadKind::second_extended; }
+
 template <class T>
-Vector3<T> line_vector(const Numbers<T>& n, HeadKind kind) {
+Vector3<T> second_vector(const Numbers<T>& n, HeadKind kind) {
+  const Vector3<T> normal = n.left2 * n.rho2;
+  return kind == HeadKind::second_normal ? normal : normal - n.ahead2 * n.r;
+}
+
+// Of any other kind.
+template <class T>
+Vector3<T> first_vector(const Numbers<T>& n, HeadKind kind) {
   switch (kind) {
-    case HeadKind::zero:
-      break;
-    case HeadKind::first_normal:
-      return n.left1 * n.rho1;
-    case HeadKind::second_normal:
-      return n.left2 * n.rho2;
-    case HeadKind::first_extended:
-      return n.left1 * n.rho1 + n.ahead1 * n.r;
-    case HeadKind::second_extended:
-      return n.left2 * n.rho2 - n.ahead2 * n.r;
-    case HeadKind::tangents_meet:
+    [[likely]] case HeadKind::tangents_meet:
     case HeadKind::paths_meet:
       return (n.left1 - n.ahead1 * meeting(n, false)) * n.rho1;
     case HeadKind::paths_cross:
       return (n.left1 - n.ahead1 * meeting(n, true)) * n.rho1;
+    case HeadKind::first_normal:
+      return n.left1 * n.rho1;
+    case HeadKind::first_extended:
+      return n.left1 * n.rho1 + n.ahead1 * n.r;
+    default:
+      return {};
   }
-  return {};
 }
 
 // Whether doubles are too few for a vector: near a reversal the sine of the turn is the divisor.
@@ -98,7 +102,7 @@ bool SideGeometry::set_turn(SideCorner& corner) const {
     if (second == nullptr)
       corner.turn = plane.straight(first.travel);
     else
-      plane.set_turn(first.travel, second->travel, corner.turn);
+      set_turn_of_lines(corner, plane);
     return true;
   }
   const SidePath& arc = first.arc ? first : *second;
@@ -116,6 +120,17 @@ bool SideGeometry::set_turn(SideCorner& corner) const {
   flat.first_side = corner.facing * corner.first_side;
   flat.second_side = corner.facing * corner.second_side;
   return true;
+}
+
+[[gnu::always_inline]] inline void SideGeometry::set_turn_of_lines(SideCorner& corner, const ToolPlane& plane) {
+  const SidePath& first = *corner.first;
+  const SidePath& second = *corner.second;
+  if (first.tool == corner.tool && second.tool == corner.tool) [[likely]] {
+    plane.set_turn({first.travel, first.seen}, {second.travel, second.seen}, corner.turn);
+    return;
+  }
+  const auto seen = [&](const SidePath& path) { return path.tool == corner.tool ? path.seen : plane.see(path.travel); };
+  plane.set_turn({first.travel, seen(first)}, {second.travel, seen(second)}, corner.turn);
 }
 
 void SideGeometry::set_aligned(SideCorner& corner, const SidePath& arc) {
@@ -213,16 +228,19 @@ void SideGeometry::set_vector(const SideCorner& corner, HeadKind kind, Vector3<d
   }
   const SpaceTurn& turn = corner.turn;
   Numbers<double> n;
+  n.r = corner.offset->nearest;
+  if (is_of_second(kind)) {
+    plane(*corner.tool).set_leg(corner.second->travel, n.left2, n.ahead2);
+    n.rho2 = of(corner.second_side, n.r);
+    vector = second_vector(n, kind);
+    return;
+  }
   n.left1 = turn.left1;
   n.ahead1 = turn.ahead1;
-  if (kind == HeadKind::second_normal || kind == HeadKind::second_extended)
-    plane(*corner.tool).set_leg(corner.second->travel, n.left2, n.ahead2);
   n.c = turn.c;
   n.k = turn.k;
-  n.r = corner.offset->nearest;
   n.rho1 = of(corner.first_side, n.r);
-  n.rho2 = of(corner.second_side, n.r);
-  vector = line_vector(n, kind);
+  vector = first_vector(n, kind);
 }
 
 Vector3<DoubleDouble> SideGeometry::fine_vector(const SideCorner& corner, HeadKind kind) const {
@@ -250,7 +268,7 @@ Vector3<DoubleDouble> SideGeometry::fine_vector(const SideCorner& corner, HeadKi
   n.r = fine_value(corner.offset->exact);
   n.rho1 = signed_by(corner.first_side, n.r);
   n.rho2 = signed_by(corner.second_side, n.r);
-  return line_vector(n, kind);
+  return is_of_second(kind) ? second_vector(n, kind) : first_vector(n, kind);
 }
 
 int SideGeometry::offset_radius_sign(const SidePath& path, bool at_end, const Direction& tool, int side,

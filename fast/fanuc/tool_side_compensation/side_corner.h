@@ -21,6 +21,7 @@ struct SidePath {
   std::array<std::size_t, 2> in{};  // its axes (0 X, 1 Y, 2 Z)
   std::size_t normal = 2;           // and the third one
   const Direction* tool = nullptr;  // at the end of the block
+  SeenTravel seen;                  // by that tool, of a line
   int side = 1;                     // +1: the tool is left of the path
   Amount offset;
   std::uint32_t offset_change = 0;  // which change of the value it is from
@@ -87,6 +88,7 @@ class SideGeometry {
     int sigma = 0;  // of an arc, seen from the tool
   };
   [[nodiscard]] FineLeg fine_leg(const SidePath& path, bool at_end, const ToolPlane& plane) const;
+  static void set_turn_of_lines(SideCorner& corner, const ToolPlane& plane);
   static void set_aligned(SideCorner& corner, const SidePath& arc);
   void set_tilted(SideCorner& corner, const ToolPlane& plane) const;
 

@@ -3,6 +3,16 @@
 #include <cmath>
 
 namespace toolcomp::fast {
+namespace {
+
+// 0: none. Less is none too.
+Amount amount_parameter(const spec::Setup& setup, std::uint32_t number) {
+  const Count length = length_parameter(setup, number);
+  if (length < Count()) return {};
+  return {length, length.nearest()};
+}
+
+}  // namespace
 
 SideParameters::SideParameters(const spec::Setup& setup)
     : CornerParameters(setup),
@@ -10,7 +20,7 @@ SideParameters::SideParameters(const spec::Setup& setup)
       bare_b(setup.type_b_without_perpendicular),
       no_plane_change(setup.bit(19605, 5)),
       tilt(setup),
-      no_movement(length_parameter(setup, 19630)) {
+      no_movement(amount_parameter(setup, 19630)) {
   type_b = type == StartType::b;
 }
 
@@ -29,18 +39,6 @@ bool SideGroups::is_small_movement(const SideGroup& group, std::size_t a, std::s
   if (std::abs(over) > 0x1p-42 * scale) return over < 0;
   const Vector3<DoubleDouble> refined = fine(group, a) - fine(group, b);
   return (sqrt(dot(refined, refined)) - parameters_.fine_limit()).hi <= 0x1p-86 * scale;
-}
-
-bool SideGroups::make(SideGroup& group, CornerRule rule, Treatment treatment) const {
-  const bool in_mode = rule == CornerRule::ordinary || rule == CornerRule::repeated;
-  if (treatment == Treatment::perpendicular && in_mode && group.corner.offset->nearest != 0) {
-    set(group, HeadKind::first_normal);
-    return true;
-  }
-  if (!CornerGroups::make(group, rule)) return false;
-  const bool first_only = treatment == Treatment::first_only && rule == CornerRule::ordinary && !group.corner.flat;
-  if (first_only && !fault(Fault::side_q2_ignored)) group.size = 1;
-  return true;
 }
 
 }  // namespace toolcomp::fast

@@ -24,7 +24,7 @@ struct SideParameters : CornerParameters {
   bool bare_b = false;            // type B without the perpendicular vector of lines
   bool no_plane_change = false;   // 19605#5, NIC
   PlaneChangeLimit tilt;          // 6261
-  Count no_movement;              // 19630; 0 or less: none
+  Amount no_movement;             // 19630; 0: none
 };
 
 struct SideHead {
@@ -82,5 +82,17 @@ class SideGroups : public CornerGroups<SideGroups, SideGroup> {
   const SideGeometry& geometry_;
   const SideParameters& parameters_;
 };
+
+inline bool SideGroups::make(SideGroup& group, CornerRule rule, Treatment treatment) const {
+  const bool in_mode = rule == CornerRule::ordinary || rule == CornerRule::repeated;
+  if (treatment == Treatment::perpendicular && in_mode && group.corner.offset->nearest != 0) {
+    set(group, HeadKind::first_normal);
+    return true;
+  }
+  if (!CornerGroups::make(group, rule)) return false;
+  const bool first_only = treatment == Treatment::first_only && rule == CornerRule::ordinary && !group.corner.flat;
+  if (first_only && !fault(Fault::side_q2_ignored)) group.size = 1;
+  return true;
+}
 
 }  // namespace toolcomp::fast

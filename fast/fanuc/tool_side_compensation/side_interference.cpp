@@ -10,34 +10,48 @@ namespace {
 
 double extent(const Vector3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-// Whether the tool goes against the projected travel, of which exactly 90 degrees is no case.
-bool line_interferes(const SideGroups& groups, const SidePath& path, const SideGroup& start, std::size_t v,
-                     const SideGroup& end, std::size_t w) {
-  const Vector3<double> shift = end.head[w].vector - start.head[v].vector;
-  const double size = extent(end.head[w].vector) + extent(start.head[v].vector);
-  const bool lines = end.corner.first == &path && !end.corner.flat;
-  const ToolPlane plane = groups.geometry().plane(*path.tool);
-  // An arc may end where it starts, or above it along the tool.
-  if (!lines && !plane.moves(path.travel, Count())) return false;
-  double length = end.corner.turn.length1;
-  Vector3<double> ahead = end.corner.turn.ahead1;
-  if (!lines) {
-    const SpaceTurn seen = plane.straight(path.travel);
-    length = seen.length1;
-    ahead = seen.ahead1;
-  }
-  const double product = length + dot(ahead, shift);
-  if (std::abs(product) > 0x1p-42 * (length + size)) [[likely]]
-    return product < 0;
-  const FineTurn fine = plane.fine_turn(path.travel, path.travel);
+// As line_interferes, by doubles that cannot tell; `length` in the plane, `size` of the vectors.
+bool line_interferes_by_little(const SideGroups& groups, const SidePath& path, const SideGroup& start, std::size_t v,
+                               const SideGroup& end, std::size_t w, double length, double size) {
+  const FineTurn fine = groups.geometry().plane(*path.tool).fine_turn(path.travel, path.travel);
   const DoubleDouble refined = fine.length1 + dot(fine.ahead1, groups.fine(end, w) - groups.fine(start, v));
   const double steep = std::max(1.0, std::sqrt(path.travel.square) / path.travel.unit / length);
   return refined.hi < -0x1p-88 * steep * (length + size);
 }
 
-bool arc_interferes(const SideGeometry& geometry, const CheckedSide& block, const std::optional<double>& sweep) {
-  const SidePath& path = *block.path;
-  const int start = geometry.offset_radius_sign(path, false, *block.start_tool, block.start_side, *block.start_offset);
+// Whether the tool goes against the projected travel, of which exactly 90 degrees is no case. `turn` has its length and
+// direction.
+[[gnu::always_inline]] inline bool goes_against(const SideGroups& groups, const SidePath& path, const SideGroup& start,
+                                                std::size_t v, const SideGroup& end, std::size_t w,
+                                                const SpaceTurn& turn) {
+  const Vector3<double>& from = start.head[v].vector;
+  const Vector3<double>& to = end.head[w].vector;
+  const double size = extent(to) + extent(from);
+  const double product = turn.length1 + dot(turn.ahead1, to - from);
+  if (std::abs(product) > 0x1p-42 * (turn.length1 + size)) [[likely]]
+    return product < 0;
+  return line_interferes_by_little(groups, path, start, v, end, w, turn.length1, size);
+}
+
+bool chord_interferes(const SideGroups& groups, const SidePath& path, const SideGroup& start, std::size_t v,
+                      const SideGroup& end, std::size_t w) {
+  const ToolPlane plane = groups.geometry().plane(*path.tool);
+  // An arc may end where it starts, or above it along the tool.
+  if (!plane.moves({path.travel, plane.see(path.travel)}, Amount())) return false;
+  return goes_against(groups, path, start, v, end, w, plane.straight(path.travel));
+}
+
+[[gnu::always_inline]] inline bool line_interferes(const SideGroups& groups, const SidePath& path,
+                                                   const SideGroup& start, std::size_t v, const SideGroup& end,
+                                                   std::size_t w) {
+  if (end.corner.first == &path && !end.corner.flat) [[likely]]
+    return goes_against(groups, path, start, v, end, w, end.corner.turn);
+  return chord_interferes(groups, path, start, v, end, w);
+}
+
+bool arc_interferes(const SideGeometry& geometry, const SidePath& path, const PathStart& at_start,
+                    const std::optional<double>& sweep) {
+  const int start = geometry.offset_radius_sign(path, false, *at_start.tool, at_start.side, *at_start.offset);
   const int end = geometry.offset_radius_sign(path, true, *path.tool, path.side, path.offset);
   return fast::arc_interferes(path.flat, start, end, sweep);
 }
@@ -82,11 +96,10 @@ bool radii_agree(const SideGroups& groups, const SidePath& path, const SideGroup
 
 }  // namespace
 
-Interference check_interference(const SideGroups& groups, const CheckedSide& block, const std::optional<double>& sweep,
-                                SideGroup& start, SideGroup& end) {
-  const SidePath& path = *block.path;
+Interference check_interference(const SideGroups& groups, const SidePath& path, const PathStart& at_start,
+                                const std::optional<double>& sweep, SideGroup& start, SideGroup& end) {
   return check_pairs(
-      path.arc, start, end, [&] { return arc_interferes(groups.geometry(), block, sweep); },
+      path.arc, start, end, [&] { return arc_interferes(groups.geometry(), path, at_start, sweep); },
       [&](std::size_t v, std::size_t w) { return line_interferes(groups, path, start, v, end, w); });
 }
 

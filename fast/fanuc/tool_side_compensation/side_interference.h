@@ -9,18 +9,18 @@
 
 namespace toolcomp::fast {
 
-// A block between the groups at its start and its end.
-struct CheckedSide {
-  const SidePath* path = nullptr;
-  const Direction* start_tool = nullptr;  // of the corner at its start; where there is none, of its end
-  int start_side = 1;
-  const Amount* start_offset = nullptr;
+// How a path is seen at its start: at the corner there, or by itself.
+struct PathStart {
+  const Direction* tool = nullptr;
+  int side = 1;
+  const Amount* offset = nullptr;
 };
 
-// Drops the vectors that interfere from the end of `start` and the beginning of `end`; where the answer is an alarm it
-// drops none. `sweep`: of an arc, the tool's own, between the last of `start` and the first of `end`.
-Interference check_interference(const SideGroups& groups, const CheckedSide& block, const std::optional<double>& sweep,
-                                SideGroup& start, SideGroup& end);
+// Of a path between the groups at its start and its end. Drops the vectors that interfere from the end of `start` and
+// the beginning of `end`; where the answer is an alarm it drops none. `sweep`: of an arc, the tool's own, between the
+// last of `start` and the first of `end`.
+Interference check_interference(const SideGroups& groups, const SidePath& path, const PathStart& at_start,
+                                const std::optional<double>& sweep, SideGroup& start, SideGroup& end);
 
 // Sweep and radii of the tool's own arc, in the selected plane.
 void set_tool_arc(spec::Arc<double>& arc, const SideGroups& groups, const SidePath& path, const SideGroup& start,

@@ -7,7 +7,6 @@
 namespace toolcomp::fast {
 namespace {
 
-constexpr double u = 0x1p-53;
 // Rounding of one double-double expression of a few terms, over their magnitude.
 constexpr double kFine = 0x1p-98;
 
@@ -36,13 +35,13 @@ bool is_axis(const Direction& tool) { return tool.zero == 0b011 || tool.zero == 
 
 }  // namespace
 
-bool ToolPlane::moves_by_little(const Travel& travel, const Count& limit) const {
+bool ToolPlane::moves_by_little(const Travel& travel, const Amount& limit) const {
   // Every product of unlike components is zero: along the tool.
   if (travel.slack == 0 && live(tool_) == live(travel) && is_axis(tool_)) return false;
-  const bool limited = Count() < limit;
-  const double shortest = limited ? limit.nearest() * travel.unit : 0;
+  const bool limited = Count() < limit.exact;
+  const double shortest = limit.nearest * travel.unit;
   if (is_exact(travel, tool_)) {
-    const bool fine_units = travel.fine_units || !limit.is_small();
+    const bool fine_units = travel.fine_units || !limit.exact.is_small();
     std::array<Int128, 3> whole = travel.whole();
     if (fine_units && !travel.fine_units)
       for (Int128& component : whole) component *= Count::kRestPerSmall;
@@ -50,7 +49,7 @@ bool ToolPlane::moves_by_little(const Travel& travel, const Count& limit) const 
     const Exact c = cross(tool, exact(whole));
     const Wide square = dot(c, c);
     if (square.sign() == 0 || !limited) return square.sign() != 0;
-    const Wide least(fine_units ? limit.units() : Int128{limit.small()});
+    const Wide least(fine_units ? limit.exact.units() : Int128{limit.exact.small()});
     return (square - least * least * dot(tool, tool)).sign() >= 0;
   }
   const Fine left = fine_left(travel);
@@ -59,7 +58,7 @@ bool ToolPlane::moves_by_little(const Travel& travel, const Count& limit) const 
   if (refined <= error) return false;
   if (!limited) return true;
   const DoubleDouble least =
-      to_double_double(limit.units()) * travel.unit / DoubleDouble{static_cast<double>(Count::kRestPerOne), 0};
+      to_double_double(limit.exact.units()) * travel.unit / DoubleDouble{static_cast<double>(Count::kRestPerOne), 0};
   return (dot(left, left) - least * least).hi >= -2 * error * (refined + shortest);
 }
 
@@ -107,68 +106,28 @@ Vector3<DoubleDouble> ToolPlane::fine_left(const Travel& travel) const {
   return {left.x / norm, left.y / norm, left.z / norm};
 }
 
-[[gnu::always_inline]] inline bool ToolPlane::quick_turn(const Travel& first, const Travel& second,
-                                                         SpaceTurn& turn) const {
-  if (!first.narrow || !second.narrow) return false;
-  const Vector3<double> v = unit();
-  const Vector3<double> w1 = fast::cross(v, first.value);
-  const Vector3<double> w2 = fast::cross(v, second.value);
-  const double square1 = fast::dot(w1, w1);
-  const double square2 = fast::dot(w2, w2);
-  // Nearer than 30 degrees to the tool the projection loses digits.
-  if (4 * square1 < first.square || 4 * square2 < second.square) return false;
-  const std::array<std::int64_t, 3> a = first.small();
-  const std::array<std::int64_t, 3> b = second.small();
-  const std::array<std::int64_t, 3> n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  const Vector3<double> normal{static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])};
-  const double s = fast::dot(v, normal);
-  const double size = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
-  if (std::abs(s) > (tool_.error + 5 * u) * size) [[likely]] {
-    turn.cross = s > 0 ? 1 : -1;
-    turn.c = s;
-  } else {
-    const unsigned used = static_cast<unsigned>(n[0] != 0) | static_cast<unsigned>(n[1] != 0) << 1U |
-                          static_cast<unsigned>(n[2] != 0) << 2U;
-    if ((used & live(tool_)) != 0) return false;
-    turn.cross = 0;
-    turn.c = 0;
-  }
-  const double norm1 = std::sqrt(square1);
-  const double norm2 = std::sqrt(square2);
-  double k = fast::dot(w1, w2);
-  // |U1||U2| is at most 4 |w1||w2| here.
-  if (std::abs(k) > 4 * square_bound() * norm1 * norm2) [[likely]] {
-    turn.dot = k > 0 ? 1 : -1;
-  } else {
-    std::int64_t product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const unsigned tool_axes = live(tool_);
-    const bool across1 = (live(first) & tool_axes) == 0;
-    const bool across2 = (live(second) & tool_axes) == 0;
-    if (is_axis(tool_)) {
-      const std::size_t i = tool_axes == 1 ? 0 : (tool_axes == 2 ? 1 : 2);
-      product -= a[i] * b[i];
-    } else if (!(across1 || across2)) {
-      return false;
-    }
-    turn.dot = product > 0 ? 1 : (product < 0 ? -1 : 0);
-    k = static_cast<double>(product);
-  }
-  const double inverse1 = 1 / norm1;
-  const double inverse2 = 1 / norm2;
-  turn.c *= inverse1 * inverse2;
-  turn.k = k * (inverse1 * inverse2);
-  turn.left1 = w1 * inverse1;
-  turn.ahead1 = fast::cross(turn.left1, v);
-  constexpr double kOne = 1 / static_cast<double>(Count::kSmallPerOne);
-  turn.length1 = norm1 * kOne;
-  turn.length2 = norm2 * kOne;
-  turn.ill = false;
-  return true;
+bool ToolPlane::is_across(const std::array<std::int64_t, 3>& normal) const {
+  const unsigned used = static_cast<unsigned>(normal[0] != 0) | static_cast<unsigned>(normal[1] != 0) << 1U |
+                        static_cast<unsigned>(normal[2] != 0) << 2U;
+  return (used & live(tool_)) == 0;
 }
 
-void ToolPlane::set_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const {
-  if (quick_turn(first, second, turn)) [[likely]]
-    return;
+std::optional<std::int64_t> ToolPlane::whole_dot(const Travel& first, const Travel& second) const {
+  const std::array<std::int64_t, 3> a = first.small();
+  const std::array<std::int64_t, 3> b = second.small();
+  const std::int64_t product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const unsigned tool_axes = live(tool_);
+  if (is_axis(tool_)) {
+    const std::size_t i = tool_axes == 1 ? 0 : (tool_axes == 2 ? 1 : 2);
+    return product - a[i] * b[i];
+  }
+  const bool across1 = (live(first) & tool_axes) == 0;
+  const bool across2 = (live(second) & tool_axes) == 0;
+  if (!across1 && !across2) return std::nullopt;
+  return product;
+}
+
+void ToolPlane::set_fine_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const {
   const FineTurn numbers = fine_turn(first, second);
   turn.cross = cross_sign(first, second);
   turn.dot = dot_sign(first, second);
@@ -177,7 +136,6 @@ void ToolPlane::set_turn(const Travel& first, const Travel& second, SpaceTurn& t
   turn.c = turn.cross == 0 ? 0 : numbers.c.hi;
   turn.k = turn.dot == 0 ? 0 : numbers.k.hi;
   turn.length1 = numbers.length1.hi;
-  turn.length2 = numbers.length2.hi;
   turn.ill = true;
 }
 
@@ -192,7 +150,7 @@ FineTurn ToolPlane::fine_turn(const Travel& first, const Travel& second) const {
     return norm;
   };
   turn.length1 = leg(first, turn.left1, turn.ahead1) / DoubleDouble{first.unit, 0};
-  turn.length2 = leg(second, turn.left2, turn.ahead2) / DoubleDouble{second.unit, 0};
+  (void)leg(second, turn.left2, turn.ahead2);
   turn.c = fast::dot(v, fast::cross(turn.left1, turn.left2));
   turn.k = fast::dot(turn.left1, turn.left2);
   return turn;
@@ -216,7 +174,6 @@ SpaceTurn ToolPlane::straight(const Travel& travel) const {
     result.ill = true;
   }
   result.dot = 1;
-  result.length2 = result.length1;
   return result;
 }
 

@@ -1,12 +1,16 @@
 // The compensation plane: at right angles to the tool (clauses fanuc.tool-side).
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 
 #include "fast/arithmetic/count.h"
 #include "fast/arithmetic/double_double.h"
 #include "fast/fanuc/tool_side_compensation/travel.h"
+#include "fast/geometry/path.h"
 #include "fast/geometry/vector3.h"
 #include "fast/kinematics/kinematics.h"
 
@@ -21,15 +25,28 @@ struct SpaceTurn {
   double k = 1;
   Vector3<double> left1;   // unit, V x u1
   Vector3<double> ahead1;  // unit, along u1
-  double length1 = 0;      // |u1|, |u2|, setup units
-  double length2 = 0;
-  bool ill = false;  // doubles lose more than a few bits: take the fine numbers
+  double length1 = 0;      // |u1|, setup units
+  bool ill = false;        // doubles lose more than a few bits: take the fine numbers
 };
 
-// Double-double numbers of the same.
+// What a tool sees of a travel, by doubles. Where it stands, one is enough for all it is asked about a path.
+struct SeenTravel {
+  Vector3<double> left;  // V x U, whole units
+  double square = 0;     // |V x U|^2
+  double norm = 0;       // |V x U|
+  double inverse = 0;    // 1 / |V x U|
+};
+
+// A line, and what the tool sees of it.
+struct SeenLine {
+  const Travel& travel;
+  const SeenTravel& seen;
+};
+
+// Double-double numbers of the turn.
 struct FineTurn {
   Vector3<DoubleDouble> left1, ahead1, left2, ahead2;
-  DoubleDouble c, k, length1, length2;
+  DoubleDouble c, k, length1;
 };
 
 // Decisions go through three levels, each used only where the one before cannot tell:
@@ -48,10 +65,11 @@ class ToolPlane {
  public:
   ToolPlane(const Kinematics& kinematics, const Direction& tool) : kinematics_(kinematics), tool_(tool) {}
 
-  // Whether a travel moves in the plane: |u| > 0, and not below the limit (No. 19630; 0 or less: none).
-  [[nodiscard]] bool moves(const Travel& travel, const Count& limit) const;
-  // The turn between two travels that move in the plane.
-  void set_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const;
+  [[nodiscard]] SeenTravel see(const Travel& travel) const;
+  // Whether a line moves in the plane: |u| > 0, and not below the limit (No. 19630; 0: none).
+  [[nodiscard]] bool moves(const SeenLine& line, const Amount& limit) const;
+  // The turn between two lines that move in the plane.
+  void set_turn(const SeenLine& first, const SeenLine& second, SpaceTurn& turn) const;
   // Of a travel whose turn is not ill: the unit vectors to its left and along it.
   void set_leg(const Travel& travel, Vector3<double>& left, Vector3<double>& ahead) const {
     const Vector3<double> w = cross(unit(), travel.value);
@@ -59,7 +77,7 @@ class ToolPlane {
     ahead = cross(left, unit());
   }
   [[nodiscard]] FineTurn fine_turn(const Travel& first, const Travel& second) const;
-  // Of one travel: left1, ahead1 and length1 (c = 0, k = 1, and length2 the same).
+  // Of one travel: left1, ahead1 and length1 (c = 0, k = 1).
   [[nodiscard]] SpaceTurn straight(const Travel& travel) const;
 
   // The sign of V . (axis i): the side from which the tool looks on the plane of the other two axes.
@@ -68,10 +86,7 @@ class ToolPlane {
   [[nodiscard]] bool along(std::size_t axis) const;
 
   // Over |U1||U2| (level 1).
-  [[nodiscard]] double square_bound() const {
-    constexpr double u = 0x1p-53;
-    return 5 * (tool_.error + 4 * u) + 8 * u;
-  }
+  [[nodiscard]] double square_bound() const { return 5 * (tool_.error + 4 * u) + 8 * u; }
   [[nodiscard]] const Direction& tool() const { return tool_; }
   [[nodiscard]] Vector3<double> unit() const { return {tool_.unit[0], tool_.unit[1], tool_.unit[2]}; }
   [[nodiscard]] Vector3<DoubleDouble> fine_unit() const {
@@ -82,10 +97,17 @@ class ToolPlane {
   [[nodiscard]] double fine_error() const { return tool_.refined_error(); }
 
  private:
+  static constexpr double u = 0x1p-53;
   // moves() where doubles cannot tell.
-  [[nodiscard]] bool moves_by_little(const Travel& travel, const Count& limit) const;
+  [[nodiscard]] bool moves_by_little(const Travel& travel, const Amount& limit) const;
   // The turn by doubles alone, for the usual corner. False where doubles cannot tell, or are not good enough.
-  [[nodiscard]] bool quick_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const;
+  [[nodiscard]] bool set_quick_turn(const SeenLine& first, const SeenLine& second, SpaceTurn& turn) const;
+  // The turn by levels 2 and 3.
+  void set_fine_turn(const Travel& first, const Travel& second, SpaceTurn& turn) const;
+  // Every product of unlike components is zero: the tool is at right angles to a vector.
+  [[nodiscard]] bool is_across(const std::array<std::int64_t, 3>& normal) const;
+  // u1 . u2 of narrow travels in whole units, where the tool is along an axis, or at right angles to one of them.
+  [[nodiscard]] std::optional<std::int64_t> whole_dot(const Travel& first, const Travel& second) const;
   // The exact signs.
   [[nodiscard]] int cross_sign(const Travel& first, const Travel& second) const;
   [[nodiscard]] int dot_sign(const Travel& first, const Travel& second) const;
@@ -96,16 +118,71 @@ class ToolPlane {
   const Direction& tool_;
 };
 
+[[gnu::always_inline]] inline SeenTravel ToolPlane::see(const Travel& travel) const {
+  SeenTravel seen;
+  seen.left = cross(unit(), travel.value);
+  seen.square = dot(seen.left, seen.left);
+  seen.norm = std::sqrt(seen.square);
+  seen.inverse = 1 / seen.norm;
+  return seen;
+}
+
 // Every block asks, for each corner that waits for it.
-inline bool ToolPlane::moves(const Travel& travel, const Count& limit) const {
+inline bool ToolPlane::moves(const SeenLine& line, const Amount& limit) const {
+  const Travel& travel = line.travel;
   if (travel.zero) return false;
-  const double shortest = Count() < limit ? limit.nearest() * travel.unit : 0;
-  const Vector3<double> w = cross(unit(), travel.value);
-  const double over = dot(w, w) - shortest * shortest;
+  const double shortest = limit.nearest * travel.unit;
+  const double over = line.seen.square - shortest * shortest;
   const double bound = square_bound() * travel.square + 4 * 0x1p-53 * shortest * shortest;
   if (travel.slack == 0 && std::abs(over) > bound) [[likely]]
     return over > 0;
   return moves_by_little(travel, limit);
+}
+
+[[gnu::always_inline]] inline bool ToolPlane::set_quick_turn(const SeenLine& first, const SeenLine& second,
+                                                             SpaceTurn& turn) const {
+  if (!first.travel.narrow || !second.travel.narrow) return false;
+  // Nearer than 30 degrees to the tool the projection loses digits.
+  if (4 * first.seen.square < first.travel.square || 4 * second.seen.square < second.travel.square) return false;
+  const Vector3<double> v = unit();
+  const std::array<std::int64_t, 3> a = first.travel.small();
+  const std::array<std::int64_t, 3> b = second.travel.small();
+  const std::array<std::int64_t, 3> n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const Vector3<double> normal{static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])};
+  const double size = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
+  double c = dot(v, normal);
+  if (std::abs(c) > (tool_.error + 5 * u) * size) [[likely]] {
+    turn.cross = c > 0 ? 1 : -1;
+  } else {
+    if (!is_across(n)) return false;
+    turn.cross = 0;
+    c = 0;
+  }
+  double k = dot(first.seen.left, second.seen.left);
+  // |U1||U2| is at most 4 |w1||w2| here.
+  if (std::abs(k) > 4 * square_bound() * first.seen.norm * second.seen.norm) [[likely]] {
+    turn.dot = k > 0 ? 1 : -1;
+  } else {
+    const std::optional<std::int64_t> product = whole_dot(first.travel, second.travel);
+    if (!product) return false;
+    turn.dot = *product > 0 ? 1 : (*product < 0 ? -1 : 0);
+    k = static_cast<double>(*product);
+  }
+  const double inverses = first.seen.inverse * second.seen.inverse;
+  turn.c = c * inverses;
+  turn.k = k * inverses;
+  turn.left1 = first.seen.left * first.seen.inverse;
+  turn.ahead1 = cross(turn.left1, v);
+  constexpr double kOne = 1 / static_cast<double>(Count::kSmallPerOne);
+  turn.length1 = first.seen.norm * kOne;
+  turn.ill = false;
+  return true;
+}
+
+[[gnu::always_inline]] inline void ToolPlane::set_turn(const SeenLine& first, const SeenLine& second,
+                                                       SpaceTurn& turn) const {
+  if (!set_quick_turn(first, second, turn)) [[unlikely]]
+    set_fine_turn(first.travel, second.travel, turn);
 }
 
 // The sign of (V1 x U1) . (V2 x U2) of two tools.

@@ -26,10 +26,12 @@ struct ToolSideBlock {
   Treatment treatment = Treatment::none;
 
   const Direction* tool = nullptr;         // at the end of the block
+  std::uint64_t tool_number = 0;           // another one for every direction of the program
   const Direction* tool_before = nullptr;  // where the block before ended
 
   // Arcs. event.arc has the nearest doubles of the centre.
   bool arc = false;
+  bool mismatches = false;  // of its path, set by the stage: the tool does not stand along the normal of its plane
   bool clockwise = false;
   bool by_radius = false;
   std::array<std::size_t, 2> in{};    // which of X Y Z the plane has

@@ -10,7 +10,7 @@ ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinem
       geometry_(kinematics),
       make_(geometry_, parameters_),
       xyz_{setup.axes.index('X'), setup.axes.index('Y'), setup.axes.index('Z')},
-      shortest_(parameters_.no_movement.nearest() * static_cast<double>(Count::kSmallPerOne) * (1 + 0x1p-40)),
+      shortest_(parameters_.no_movement.nearest * static_cast<double>(Count::kSmallPerOne) * (1 + 0x1p-40)),
       xyz_first_(xyz_ == std::array<std::size_t, 3>{0, 1, 2}) {}
 
 [[gnu::always_inline]] inline void ToolSideCompensation::set_path(SidePath& to, const ToolSideBlock& block) {
@@ -20,38 +20,49 @@ ToolSideCompensation::ToolSideCompensation(const spec::Setup& setup, const Kinem
     to.in = block.in;
     to.normal = 3 - block.in[0] - block.in[1];
   }
-  to.tool = block.tool;
+  to.tool = &kept_tool(block);
   to.side = fault(Fault::side_handedness) ? -block.side : block.side;
   to.offset = value_;
   to.offset_change = value_change_;
 }
 
-[[gnu::always_inline]] inline void ToolSideCompensation::keep_tool(std::uint8_t path) {
-  const Direction* const tool = paths_[path].tool;
-  if (tool == nullptr || tool == &tools_[path]) return;
-  tools_[path] = *tool;
-  paths_[path].tool = &tools_[path];
-  if (start_tool_of_path_ == tool) start_tool_of_path_ = &tools_[path];
-  for (SideGroup& group : groups_)
-    if (group.corner.tool == tool) group.corner.tool = &tools_[path];
+[[gnu::always_inline]] inline const Direction& ToolSideCompensation::kept_tool(const ToolSideBlock& block) {
+  if (block.tool_number != kept_number_) {
+    keep_tool(*block.tool);
+    kept_number_ = block.tool_number;
+  }
+  return *kept_;
 }
 
-// Of the path that is held and the one before it.
-[[gnu::always_inline]] inline void ToolSideCompensation::keep_tools() {
-  keep_tool(path_);
-  keep_tool(before(path_));
+const Direction& ToolSideCompensation::keep_tool(const Direction& tool) {
+  kept_ = kept_ == &tools_.back() ? tools_.data() : kept_ + 1;
+  *kept_ = tool;
+  return *kept_;
 }
 
-bool ToolSideCompensation::moves(bool arc, const Travel& travel, const Direction& tool) const {
-  if (arc) return true;
-  if (travel.zero) return false;
+[[gnu::always_inline]] inline bool ToolSideCompensation::moves(const SeenLine& line, const ToolPlane& plane) const {
+  const Travel& travel = line.travel;
   if (fault(Fault::side_limit_by_length)) {
     // The length of the block itself, not of its projection.
-    const double limit = parameters_.no_movement.nearest() * travel.unit;
-    if (parameters_.no_movement < Count() || travel.square < limit * limit) return limit <= 0;
-    return geometry_.plane(tool).moves(travel, Count());
+    const double limit = parameters_.no_movement.nearest * travel.unit;
+    if (travel.zero || travel.square < limit * limit) return false;
+    return plane.moves(line, Amount());
   }
-  return geometry_.plane(tool).moves(travel, parameters_.no_movement);
+  return plane.moves(line, parameters_.no_movement);
+}
+
+[[gnu::always_inline]] inline bool ToolSideCompensation::next_moves() {
+  if (next().arc) return true;
+  SidePath& path = next_path();
+  const ToolPlane plane = geometry_.plane(*next().tool);
+  path.seen = plane.see(path.travel);
+  return moves({path.travel, path.seen}, plane);
+}
+
+bool ToolSideCompensation::moves_in_plane_of(bool arc, const Travel& travel, const Direction& tool) const {
+  if (arc) return true;
+  const ToolPlane plane = geometry_.plane(tool);
+  return moves({travel, plane.see(travel)}, plane);
 }
 
 bool ToolSideCompensation::on_edge(const ToolSideBlock& block, const Direction& tool) const {
@@ -59,7 +70,6 @@ bool ToolSideCompensation::on_edge(const ToolSideBlock& block, const Direction& 
 }
 
 bool ToolSideCompensation::mismatches(const ToolSideBlock& block) const {
-  if (!block.arc) return false;
   const std::size_t normal = 3 - block.in[0] - block.in[1];
   return !geometry_.plane(*block.tool_before).along(normal) || !geometry_.plane(*block.tool).along(normal);
 }
@@ -68,7 +78,6 @@ StageEnd ToolSideCompensation::block() {
   if (line_.taken) complete_line();
   ToolSideBlock& block = next();
   const StageEnd end = any_block(block);
-  keep_tools();
   await_line(block);
   return end;
 }
@@ -89,28 +98,28 @@ StageEnd ToolSideCompensation::block() {
     still_ = 0;
     repeated_ = false;
     start_tool_ = *block.tool;
-    start_side_ = fault(Fault::side_handedness) ? -block.side : block.side;
     start_offset_ = value_;
+    start_of_path_ = {&start_tool_, fault(Fault::side_handedness) ? -block.side : block.side, &start_offset_};
     hold();
     return {};
   }
   if (mode_ == Mode::on) return block.wanted ? next_block(block) : cancel_block(block);
-  if (!next_moves(*block.tool)) {
+  if (!next_moves()) {
     send_in_force(block);
     return {};
   }
   if (mode_ == Mode::ends) return cancel_block(block);
   first_block(block);
   moves_at_end_ = true;
-  start_tool_of_path_ = last_->tool;
-  start_offset_of_path_ = &last_->offset;
+  start_of_path_ = {last_->tool, last_->side, &last_->offset};
   return {};
 }
 
 // The block right after a start of type C.
 StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   const int side = fault(Fault::side_handedness) ? -block.side : block.side;
-  if (!block.wanted || !next_moves(start_tool_) || side != start_side_ ||
+  const bool moves_at_end = next_moves();
+  if (!block.wanted || !next_moves_at(start_tool_) || side != start_of_path_.side ||
       (block.arc && (on_edge(block, start_tool_) || on_edge(block, *block.tool))))
     return release();
   SidePath& to = new_path();
@@ -121,7 +130,7 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
   corner.first = &to;
   corner.second = &to;
   corner.tool = &start_tool_;
-  corner.first_side = corner.second_side = start_side_;
+  corner.first_side = corner.second_side = side;
   corner.offset = &start_offset_;
   if (start_offset_.nearest == 0) {
     group.clear();
@@ -130,20 +139,18 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
     make_.set(group, HeadKind::second_normal);
   }
   send_start();
-  start_tool_of_path_ = &start_tool_;
-  start_offset_of_path_ = &start_offset_;
-  moves_at_end_ = moves(to.arc, to.travel, *to.tool);
+  moves_at_end_ = moves_at_end;
   hold_path(to, false);
   return {};
 }
 
 // What counts is how the block moves at its own end and at the corners that are still to be made.
 [[gnu::always_inline]] inline StageEnd ToolSideCompensation::next_block(ToolSideBlock& block) {
-  const bool at_end = next_moves(*block.tool);
-  // Right behind the path, and the tool stands as it did there: asked already.
-  const bool stands = count_ == 1 && block.tool == block.tool_before;
-  const Moves where{at_end, held_ == Held::path && (stands ? at_end : next_moves(*last_->tool)),
-                    waiting_path_ != nullptr && next_moves(*waiting_path_->tool)};
+  const bool at_end = next_moves();
+  // The tool stands as it did at the end of the path: asked already.
+  const bool stands = held_ == Held::path && last_->tool == kept_ && block.tool_number == kept_number_;
+  const Moves where{at_end, held_ == Held::path && (stands ? at_end : next_moves_at(*last_->tool)),
+                    waiting_path_ != nullptr && next_moves_at(*waiting_path_->tool)};
   if (!where.at_end && !where.at_path && !where.at_waiting) return still_block(block, 1, 2);
   SidePath& to = new_path();
   set_path(to, block);
@@ -158,16 +165,15 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
 // A block that moves somewhere. Of two paths the first one is always out behind it.
 [[gnu::always_inline]] inline StageEnd ToolSideCompensation::path_block(ToolSideBlock& block, const SidePath& to,
                                                                         const Moves& where) {
-  // Of the corner at its start.
-  const Direction* tool = to.tool;
-  const Amount* offset = &to.offset;
+  const Direction* start_tool = to.tool;
+  const Amount* start_offset = &to.offset;
   bool corner = where.at_path;
   while (held_ == Held::path) {
     const SidePath& from = *last_;
     if (corner) {
       if (const Alarm a = join(to, rule_before(block))) return at_fault(a);
-      tool = from.tool;
-      offset = &from.offset;
+      start_tool = from.tool;
+      start_offset = &from.offset;
     } else if (still_ > 0) {
       if (const Alarm a = release_path()) return at_fault(a);
     } else {
@@ -175,16 +181,13 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
       repeated_ |= block.repeated;
       ++still_;
       if (where.at_end && !fault(Fault::side_passed_over_keeps)) waiting_path_ = &to;
-      mismatch_[next_] = false;
       hold();
       return {};
     }
     corner = where.at_waiting;
   }
   moves_at_end_ = where.at_end;
-  start_tool_of_path_ = tool;
-  start_offset_of_path_ = offset;
-  start_side_ = to.side;
+  start_of_path_ = {start_tool, to.side, start_offset};
   hold_path(to, false);
   return {};
 }
@@ -192,7 +195,7 @@ StageEnd ToolSideCompensation::second_block(ToolSideBlock& block) {
 [[gnu::always_inline]] inline void ToolSideCompensation::hold_path(const SidePath& to, bool starts_up) {
   checked_ = !starts_up && !parameters_.no_interference;
   treatment_ = next().treatment;
-  mismatch_[next_] = mismatches(next());
+  if (to.arc) next().mismatches = mismatches(next());
   CornerStage::hold_path(to, starts_up);
 }
 
@@ -206,12 +209,12 @@ void ToolSideCompensation::keep_without_direction() {
 
 // From the last head of the corner before it straight to its end, without a vector, where it moves at its own end.
 StageEnd ToolSideCompensation::cancel_block(ToolSideBlock& block) {
-  const bool at_end = next_moves(*block.tool);
+  const bool at_end = next_moves();
   if (held_ == Held::path) {
     SidePath& to = new_path();
     set_path(to, block);
     while (held_ == Held::path) {
-      if (!moves(to.arc, to.travel, *last_->tool)) {
+      if (!moves_in_plane_of(to.arc, to.travel, *last_->tool)) {
         if (const Alarm a = release_path()) return at_fault(a);
         continue;
       }
@@ -235,7 +238,7 @@ void ToolSideCompensation::set_corner(SideGroup& group, const SidePath* second, 
   corner.first = last_;
   corner.second = second;
   corner.tool = last_->tool;
-  if (fault(Fault::side_tool_at_start)) corner.tool = start_tool_of_path_;
+  if (fault(Fault::side_tool_at_start)) corner.tool = start_of_path_.tool;
   if (fault(Fault::side_turned_tool) && count_ > waits_ + 1)
     corner.tool = ring_[(first_ + waits_ + 1U) % ring_.size()].tool;
   corner.first_side = last_->side;
@@ -248,10 +251,10 @@ void ToolSideCompensation::set_corner(SideGroup& group, const SidePath* second, 
 Alarm ToolSideCompensation::make_corner(SideGroup& group, const SidePath& to, CornerRule rule) const {
   if (!make_.make(group, rule, treatment_)) return alarm::kNoIntersection;
   const SideCorner& corner = group.corner;
+  const SidePath& path = *last_;
   const bool plane_change = rule == CornerRule::ordinary && treatment_ == Treatment::none &&
                             corner.offset->nearest != 0 && corner.first_side == corner.second_side &&
-                            !parameters_.no_plane_change;
-  const SidePath& path = *last_;
+                            path.tool != to.tool && !parameters_.no_plane_change;
   const Kinematics& kinematics = geometry_.kinematics();
   if (plane_change && parameters_.tilt.reached(kinematics, *path.tool, *to.tool) &&
       dot_sign(kinematics, path.travel, *path.tool, to.travel, *to.tool) >= 0 &&
@@ -260,27 +263,22 @@ Alarm ToolSideCompensation::make_corner(SideGroup& group, const SidePath& to, Co
   return alarm::kNone;
 }
 
-bool ToolSideCompensation::hold_waiting_path() {
-  if (waiting_path_ == nullptr) return false;
-  start_tool_of_path_ = last_->tool;
-  start_offset_of_path_ = &last_->offset;
+void ToolSideCompensation::hold_waiting() {
+  start_of_path_ = {last_->tool, waiting_path_->side, &last_->offset};
   last_ = waiting_path_;
   waiting_path_ = nullptr;
   moves_at_end_ = true;
-  start_side_ = last_->side;
   held_ = Held::path;
   starts_up_ = false;
   checked_ = !parameters_.no_interference;
   treatment_ = held(0).treatment;
   still_ = static_cast<std::uint8_t>(count_ - 1U);
   repeated_ = false;
-  return true;
 }
 
 StageEnd ToolSideCompensation::release() {
   if (line_.taken) complete_line();
   line_.awaited = false;
-  keep_tools();
   keep_without_direction();
   if (held_ != Held::start) return release_paths();
   mode_ = Mode::off;
@@ -289,10 +287,7 @@ StageEnd ToolSideCompensation::release() {
   return at_fault(alarm::kTypeCFormat);
 }
 
-// Before the first move of the path that is held; it is the first one in the ring by then.
-void ToolSideCompensation::announce(const ToolSideBlock& block) {
-  if (!mismatch_[first_]) return;
-  mismatch_[first_] = false;
+void ToolSideCompensation::warn_of_mismatch(const ToolSideBlock& block) {
   notice_.kind = spec::EventKind::warning;
   notice_.number = "ARC_PLANE_MISMATCH";
   notice_.message = "the plane of the tool is not that of the arc";

@@ -92,13 +92,21 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   [[nodiscard]] Alarm make_corner(SideGroup& group, const SidePath& to, CornerRule rule) const;
   void set_tool_arc(spec::Arc<double>& arc) { fast::set_tool_arc(arc, make_, *last_, at_start(), at_end()); }
   [[nodiscard]] Interference check_interference(const std::optional<double>& sweep) {
-    const CheckedSide checked{last_, start_tool_of_path_, start_side_, start_offset_of_path_};
-    return fast::check_interference(make_, checked, sweep, at_start(), at_end());
+    return fast::check_interference(make_, *last_, start_of_path_, sweep, at_start(), at_end());
   }
   void add(Event& event, const Vector3<double>& vector) const;
-  void announce(const ToolSideBlock& block);
+  void announce(const ToolSideBlock& block) {
+    if (block.arc && block.mismatches) [[unlikely]]
+      warn_of_mismatch(block);
+  }
+  void warn_of_mismatch(const ToolSideBlock& block);
   // Behind the path that has gone out: the one that waited for it is held in its place.
-  bool hold_waiting_path();
+  bool hold_waiting_path() {
+    if (waiting_path_ == nullptr) return false;
+    hold_waiting();
+    return true;
+  }
+  void hold_waiting();
 
   // block() by kinds of blocks.
   StageEnd any_block(ToolSideBlock& block);
@@ -134,15 +142,20 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   // The compensated positions of a plain event.
   static void set_from_programmed(Event& event, const Vector3<double>& vector);
 
-  // Whether a block moves in the plane of `tool` (No. 19630).
-  [[nodiscard]] bool moves(bool arc, const Travel& travel, const Direction& tool) const;
-  [[nodiscard]] bool next_moves(const Direction& tool) { return moves(next().arc, next_travel(), tool); }
+  // Whether a line moves in a plane (No. 19630).
+  [[nodiscard]] bool moves(const SeenLine& line, const ToolPlane& plane) const;
+  // Whether next() moves in the plane at its own end, and what the tool sees of it there.
+  [[nodiscard]] bool next_moves();
+  // Whether a block moves in the plane of `tool`.
+  [[nodiscard]] bool moves_in_plane_of(bool arc, const Travel& travel, const Direction& tool) const;
+  [[nodiscard]] bool next_moves_at(const Direction& tool) { return moves_in_plane_of(next().arc, next_travel(), tool); }
   [[nodiscard]] bool on_edge(const ToolSideBlock& block, const Direction& tool) const;
   [[nodiscard]] bool mismatches(const ToolSideBlock& block) const;
 
-  // The path keeps its tool: until then it is the one of the interpreter, which keeps those of the last blocks.
-  void keep_tool(std::uint8_t path);
-  void keep_tools();
+  // Paths refer to a copy of their tool: the interpreter keeps those of the last blocks alone. Paths of one tool share
+  // it, and as many are kept as there are paths.
+  [[nodiscard]] const Direction& kept_tool(const ToolSideBlock& block);
+  const Direction& keep_tool(const Direction& tool);
   // A path held that does not move in the plane at its end goes out, with the vector it starts with.
   void keep_without_direction();
 
@@ -153,8 +166,10 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   double shortest_;  // longer travels move for certain (No. 19630); 10^-6 of a setup unit
   bool xyz_first_;   // X Y Z are the first three axes
 
-  std::array<bool, 5> mismatch_{};  // by slots
   std::array<Direction, kPaths> tools_;
+  Direction* kept_ = tools_.data();  // of them the one of the last path
+  static constexpr std::uint64_t kNoTool = UINT64_MAX;
+  std::uint64_t kept_number_ = kNoTool;  // ToolSideBlock::tool_number of that one
   // Of the blocks behind the path the last one, where it moves at its own end; nullptr: it does not, or is not
   // there.
   const SidePath* waiting_path_ = nullptr;
@@ -163,10 +178,7 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   // Of the path that is held.
   bool moves_at_end_ = false;
   Treatment treatment_ = Treatment::none;
-  // Of the corner at its start; without one those of the path itself.
-  const Direction* start_tool_of_path_ = nullptr;
-  int start_side_ = 1;
-  const Amount* start_offset_of_path_ = nullptr;
+  PathStart start_of_path_;
   UsualLine line_;
 
   Amount start_offset_;  // of type C

@@ -122,9 +122,8 @@ Alarm ToolSideStage::plain_block(const Words& words) {
   } else if (wanted_ != compensation_.active() && names_arc(words, control_.modal.motion(), control_.modal.plane())) {
     return alarm::kArcAtStartOrCancel;
   }
-  BlockArc arc;
-  if (const Alarm a = control_.plan_arc(words, arc, false, false)) return a;
-  return pass(words, false, arc);
+  if (const Alarm a = control_.plan_arc(words, arc_, false, false)) return a;
+  return pass(words, false, arc_);
 }
 
 void ToolSideStage::set_arc(ToolSideBlock& block, const ArcWords& words) const {
@@ -160,8 +159,10 @@ Alarm ToolSideStage::pass(const Words& words, bool extra, const BlockArc& arc) {
     set_travel(travel, xyz.small(0), xyz.small(1), xyz.small(2));
   else
     set_travel(travel, xyz.from(), positions.programmed_xyz(), xyz.slack(named));
-  block.tool = &control.attitude.directions().now();
-  block.tool_before = &control.attitude.directions().before();
+  const ToolDirections& directions = control.attitude.directions();
+  block.tool = &directions.now();
+  block.tool_number = directions.number();
+  block.tool_before = &directions.before();
   block.own = named != 0 || extra || block.arc || (control.modal.by_vector() && words.has_any(kDirectionLetters));
   control.fill_here(block.event, block.arc ? spec::MoveType::arc : control.modal.straight(), spec::Cause::programmed);
   if (block.arc) {

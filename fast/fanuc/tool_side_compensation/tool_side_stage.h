@@ -57,6 +57,7 @@ class ToolSideStage final : private BlockTaker, public Stage {
   void place_lines(double x, double y, double z);
 
   ToolSideCompensation compensation_;
+  BlockArc arc_;  // of a block under G02 or G03
   CutterSide word_ = CutterSide::off;
   int sign_ = 1;         // +1 left: by code and sign of the value
   bool wanted_ = false;  // a code is in force with a number

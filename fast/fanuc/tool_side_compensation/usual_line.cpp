@@ -39,6 +39,9 @@ void ToolSideCompensation::complete_line() {
   const std::uint32_t offset_change = last_->offset_change;
   SidePath& from = paths_[before(path_)];
   SidePath& to = paths_[path_];
+  from.tool = &keep_tool(*from.tool);
+  to.tool = &keep_tool(*to.tool);
+  kept_number_ = kNoTool;
   for (SidePath* path : {&from, &to}) {
     Travel& travel = path->travel;
     travel.narrow = true;
@@ -50,16 +53,15 @@ void ToolSideCompensation::complete_line() {
     path->side = side;
     path->offset = offset;
     path->offset_change = offset_change;
+    path->seen = geometry_.plane(*path->tool).see(travel);
   }
   ToolSideBlock& block = ring_[first_];
   block.own = true;
+  block.arc = false;
   if (line_.held_plain) set_from_programmed(block.event, {});
   last_ = &to;
-  moves_at_end_ = moves(false, to.travel, *to.tool);
-  start_tool_of_path_ = from.tool;
-  start_offset_of_path_ = &from.offset;
-  start_side_ = to.side;
-  mismatch_[first_] = false;
+  moves_at_end_ = moves_in_plane_of(false, to.travel, *to.tool);
+  start_of_path_ = {from.tool, to.side, &from.offset};
   still_ = 0;
   SideGroup& start = at_start();
   start.size = 1;

@@ -145,7 +145,7 @@ void ToolSideStage::end() {
     return false;
 
   // What is done until the line is taken is of no harm where it is not.
-  const std::uint8_t direction = control_.attitude.directions().place();
+  const std::uint64_t direction = control_.attitude.directions().number();
   if ((letters & ~kXyzF) != 0) turn_line(letters, ijk);
   if ((letters & 1U << kF) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
     control_.modal.set_feed(Count::nearest_small(lines_.word[kF]));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/basis/alarm.h"
+#include "model/fanuc/program/motion.h"
 #include "model/fanuc/program/offset_memory.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/coordinate.h"
@@ -40,8 +41,8 @@ struct Move {
   Vector offset;                            // compensation vector at the end, X Y Z
   std::array<Real, spec::kMaxAxes> length;  // length offset, by axis
   Direction tool;                           // at the end
-  std::optional<std::array<Real, spec::kMaxAxes>>
-      zero;  // machine coordinate of the workpiece zero, where it is reported
+  SharedZero zero;                          // of the workpiece, where it is asked for
+  bool machine = false;                     // machine coordinates are reported
   std::optional<Real> feed;
   std::optional<ToolPose> tip;              // under tool center point control, which then makes the axes of it
   std::shared_ptr<const OwnMotion> inside;  // of the own move of a block run under it
@@ -73,6 +74,7 @@ struct Step {
   // concern.
   std::vector<std::shared_ptr<const StageWords>> words;
   std::optional<Warning> warning;
+  SharedZero zero;                       // behind the block, where motions are asked for
   std::optional<OffsetSetting> setting;  // written at the end of the block
   std::optional<Alarm> alarm;            // that shows by its motion, once its moves are made
   spec::ClauseList clauses;

@@ -1,5 +1,7 @@
 #include "model/fanuc/program/work_coordinates.h"
 
+#include <utility>
+
 #include "model/basis/number.h"
 
 namespace toolcomp::model {
@@ -18,7 +20,18 @@ WorkCoordinates::WorkCoordinates(const spec::Setup& setup) : axes_(setup.axes.si
   reference_[4] = by_axis(setup.floating_reference, setup.axes);
 }
 
+const SharedZero& WorkCoordinates::zero() const {
+  if (!zero_) {
+    Zero now;
+    for (std::size_t i = 0; i < axes_; ++i) now.at(i) = zero(i).value();
+    zero_ = std::make_shared<const Zero>(std::move(now));
+  }
+  return zero_;
+}
+
 void WorkCoordinates::select(std::size_t system, Position& position) {
+  if (system == selected_) return;
+  zero_.reset();
   for (std::size_t i = 0; i < axes_; ++i)
     position.at(i) = position.at(i) + Coordinate(origin_.at(selected_).at(i) - origin_.at(system).at(i));
   selected_ = system;

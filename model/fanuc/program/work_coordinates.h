@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "model/fanuc/program/motion.h"
 #include "model/kinematics/coordinate.h"
 #include "spec/language/setup.h"
 
@@ -16,11 +17,14 @@ class WorkCoordinates {
 
   // Of the workpiece system in force, with the shift of G92.
   [[nodiscard]] Coordinate zero(std::size_t axis) const { return shift_[axis] + origin_[selected_][axis]; }
+  // The same of all axes as numbers: another object where it changes.
+  [[nodiscard]] const SharedZero& zero() const;
   // What `position` becomes when the system changes and the machine stays.
   void select(std::size_t system, Position& position);
   // G92: `from` is now called `to`, in every system.
   void shift(std::size_t axis, const Coordinate& from, const Coordinate& to) {
     shift_[axis] = shift_[axis] + (from - to);
+    zero_.reset();
   }
 
   // Machine coordinate of reference position 1 (G28), 2, 3, 4 (G30).
@@ -37,6 +41,7 @@ class WorkCoordinates {
   std::array<Values, 5> reference_;
   Position shift_;
   std::size_t selected_ = 0;
+  mutable SharedZero zero_;  // made when it is asked for
 };
 
 // The values of a table by axis index; 0 where it has none.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "model/fanuc/tool_center_point_control/tip_path.h"
+#include "model/fanuc/tool_posture_control/linear_motion.h"
 
 namespace toolcomp::model {
 namespace {
@@ -20,12 +21,37 @@ Real programmed_position(const ControlFrame& frame, const Pose& pose, std::size_
   return angle.degrees() - zero.degrees();
 }
 
-TipPath path_of(const Move& last, const Move& move, const spec::Axes& axes) {
+PointPath path_of(const Move& last, const Move& move, const spec::Axes& axes) {
   Vector from = on_table(*last.tip, tip_at(last, axes));
   Vector to = on_table(*move.tip, tip_at(move, axes));
-  if (move.leg.arc) return {std::move(from), std::move(to), *move.leg.arc, axes};
-  return {std::move(from), std::move(to)};
+  if (move.leg.arc) return path_along(std::move(from), std::move(to), *move.leg.arc, axes);
+  return {std::move(from), std::move(to), {}};
 }
+
+// The position inside a block at the fraction t of its own move, 0 < t < 1, exact: point, axes and tool axis. `last`:
+// the move before it.
+Event position_inside(const Move& last, const Move& move, const OwnMotion& inside, const spec::Axes& axes,
+                      const Rational& t);
+
+class TipInside : public InsideMove {
+ public:
+  TipInside(Move last, Move move, OwnMotion inside, spec::Axes axes)
+      : last_(std::move(last)), move_(std::move(move)), inside_(std::move(inside)), axes_(std::move(axes)) {}
+
+  [[nodiscard]] spec::AxisValues<Real> axes_at(const Rational& t) const override {
+    return position_inside(last_, move_, inside_, axes_, t).axes;
+  }
+  [[nodiscard]] Form form() const override {
+    return {path_of(last_, move_, axes_), inside_.motion->form(), inside_.length_before, move_.tip->length,
+            move_.tip->frame};
+  }
+
+ private:
+  Move last_;
+  Move move_;
+  OwnMotion inside_;
+  spec::Axes axes_;
+};
 
 }  // namespace
 
@@ -49,10 +75,12 @@ std::optional<Vector> tip_beside_name(const Move& move, const spec::Axes& axes) 
 // fanuc.tool-center-point.samples: Asked for N samples every own move of a block under tool center point control, that
 // of a lone H too, is preceded by the positions at t = k/N, k from 1 to N - 1. The block of the code, inserted moves
 // and turns give none.
-Event sample_at(const Move& last, const Move& move, const spec::Axes& axes, const Rational& t) {
-  const OwnMotion& inside = *move.inside;
+namespace {
+
+Event position_inside(const Move& last, const Move& move, const OwnMotion& inside, const spec::Axes& axes,
+                      const Rational& t) {
   const Posture posture = inside.motion->at(t);
-  const Vector on_table = path_of(last, move, axes).at(t);
+  const Vector on_table = TipPath(path_of(last, move, axes)).at(t);
   const ToolPose& end = *move.tip;
   const Rational length = (1 - t) * inside.length_before + t * end.length;
   Vector tool = posture.tool;
@@ -67,8 +95,6 @@ Event sample_at(const Move& last, const Move& move, const spec::Axes& axes, cons
   }
   Event event;
   event.kind = spec::EventKind::sample;
-  event.t_numerator = static_cast<std::uint32_t>(numerator(t));
-  event.t_denominator = static_cast<std::uint32_t>(denominator(t));
   event.tool_axis = {tool.x, tool.y, tool.z};
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const char letter = axes.letter(i);
@@ -88,16 +114,18 @@ Event sample_at(const Move& last, const Move& move, const spec::Axes& axes, cons
   return event;
 }
 
+}  // namespace
+
 void TipMoves::take(const Move& move) {
   if (!move.tip) {
     last_.reset();
-    moves_(move);
+    moves_(move, nullptr);
     return;
   }
   const bool inside = move.inside && last_;
   if (inside && move.inside->pre_turn) turn(*last_, *move.inside->pre_turn, spec::Cause::pre_turn, move);
   if (inside && samples_ > 1) sample(move);
-  moves_(move);
+  moves_(move, inside && with_inside_ ? std::make_shared<TipInside>(*last_, move, *move.inside, axes_) : nullptr);
   last_ = move;
   if (!inside || !move.inside->post_turn) return;
   turn(move, *move.inside->post_turn, spec::Cause::post_turn, move);
@@ -118,11 +146,25 @@ void TipMoves::turn(const Move& at, const Pose& to, spec::Cause cause, const Mov
   result.leg.type = of.leg.type == spec::MoveType::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
   result.leg.arc.reset();
   result.feed = of.feed;
-  moves_(result);
+  if (!with_inside_) {
+    moves_(result, nullptr);
+    return;
+  }
+  // The tip stands, and the tool.
+  OwnMotion turning;
+  turning.motion = std::make_shared<LinearMotion>(at.tip->frame, at.tip->pose, to);
+  turning.length_before = at.tip->length;
+  moves_(result, std::make_shared<TipInside>(at, result, std::move(turning), axes_));
 }
 
 void TipMoves::sample(const Move& move) const {
-  for (std::uint32_t k = 1; k < samples_; ++k) inside_(sample_at(*last_, move, axes_, Rational(k, samples_)));
+  for (std::uint32_t k = 1; k < samples_; ++k) {
+    const Rational t(k, samples_);
+    Event event = position_inside(*last_, move, *move.inside, axes_, t);
+    event.t_numerator = static_cast<std::uint32_t>(numerator(t));
+    event.t_denominator = static_cast<std::uint32_t>(denominator(t));
+    inside_(event);
+  }
 }
 
 }  // namespace toolcomp::model

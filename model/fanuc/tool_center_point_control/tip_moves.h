@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "model/basis/event.h"
@@ -15,13 +16,18 @@ namespace toolcomp::model {
 // Takes the moves of a run in order.
 class TipMoves {
  public:
-  // Receives a move whose axes are known, and a sample of the move that follows.
-  using MoveOutput = std::function<void(const Move& move)>;
+  // Receives a move whose axes are known, with its inside where that is asked for, and a sample of the move that
+  // follows.
+  using MoveOutput = std::function<void(const Move& move, std::shared_ptr<const InsideMove> inside)>;
   using SampleOutput = std::function<void(const Event& sample)>;
 
-  // `samples`: N of the fractions k/N inside a block; 0: none.
-  TipMoves(spec::Axes axes, std::uint32_t samples, MoveOutput moves, SampleOutput inside)
-      : axes_(std::move(axes)), samples_(samples), moves_(std::move(moves)), inside_(std::move(inside)) {}
+  // `samples`: N of the fractions k/N inside a block; 0: none. `with_inside`: the inside of moves is asked for.
+  TipMoves(spec::Axes axes, std::uint32_t samples, bool with_inside, MoveOutput moves, SampleOutput inside)
+      : axes_(std::move(axes)),
+        samples_(samples),
+        with_inside_(with_inside),
+        moves_(std::move(moves)),
+        inside_(std::move(inside)) {}
 
   void take(const Move& move);
 
@@ -31,6 +37,7 @@ class TipMoves {
 
   spec::Axes axes_;
   std::uint32_t samples_;
+  bool with_inside_;
   MoveOutput moves_;
   SampleOutput inside_;
   std::optional<Move> last_;  // where the tool stands, under tool center point control
@@ -42,9 +49,5 @@ Vector axes_at(const Move& move, const spec::Axes& axes);
 Vector tip_at(const Move& move, const spec::Axes& axes);
 // Where the tip is at the end of a move whose end is named for another pose, in the workpiece system: around a turn.
 std::optional<Vector> tip_beside_name(const Move& move, const spec::Axes& axes);
-
-// The position inside the block at the fraction t of its own move, 0 < t < 1, exact: point, axes and tool axis. `last`:
-// the move before it.
-Event sample_at(const Move& last, const Move& move, const spec::Axes& axes, const Rational& t);
 
 }  // namespace toolcomp::model

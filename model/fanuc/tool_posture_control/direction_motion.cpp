@@ -12,4 +12,9 @@ DirectionMotion::DirectionMotion(const Direction& from, const Direction& to) : f
 // opposite directions, where there is none, it stays the first one until the end.
 Posture DirectionMotion::at(const Rational& t) const { return {Pose(), arc_ ? arc_->at(t) : first_}; }
 
+MotionForm DirectionMotion::form() const {
+  if (!arc_) return DirectionSwing{first_, Vector(), 0};
+  return DirectionSwing{first_, arc_->ahead(), arc_->degrees()};
+}
+
 }  // namespace toolcomp::model

@@ -15,6 +15,7 @@ class DirectionMotion : public PostureMotion {
   DirectionMotion(const Direction& from, const Direction& to);
 
   [[nodiscard]] Posture at(const Rational& t) const override;
+  [[nodiscard]] MotionForm form() const override;
 
  private:
   Vector first_;

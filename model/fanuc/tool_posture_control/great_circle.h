@@ -22,6 +22,9 @@ class GreatCircle {
 
   // The unit direction at the fraction t of the swept angle. Clause: fanuc.tool-posture.great-circle.
   [[nodiscard]] Vector at(const Rational& t) const;
+  // The swept angle, degrees, over 0 and under 180; and the unit direction a quarter turn on from `from`.
+  [[nodiscard]] const Real& degrees() const { return turning().degrees; }
+  [[nodiscard]] const Vector& ahead() const { return turning().ahead; }
   // t of the swept angle, degrees.
   [[nodiscard]] Real swept(const Rational& t) const;
 

@@ -58,6 +58,11 @@ Posture GreatCircleMotion::at(const Rational& t) const {
   return posture(crossing_->behind, tool);
 }
 
+MotionForm GreatCircleMotion::form() const {
+  const DirectionSwing in_table{view_.in_table(arc_.from().unit), view_.in_table(arc_.ahead()), arc_.degrees()};
+  return LiftedSwing{in_table, part_.start, part_.branch, side_, is_level(), part_.pole};
+}
+
 GreatCircleMotion::Tilt GreatCircleMotion::tilt(const Real& along_work_axis) const {
   const Machine::Heights& heights = machine().heights();
   Tilt result;

@@ -31,6 +31,7 @@ class GreatCircleMotion : public PostureMotion {
                     std::optional<Crossing> crossing);
 
   [[nodiscard]] Posture at(const Rational& t) const override;
+  [[nodiscard]] MotionForm form() const override;
 
  private:
   // How a direction of this height stands to the tool-side axis.

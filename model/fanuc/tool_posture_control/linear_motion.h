@@ -15,6 +15,7 @@ class LinearMotion : public PostureMotion {
       : frame_(std::move(frame)), start_(std::move(start)), end_(std::move(end)) {}
 
   [[nodiscard]] Posture at(const Rational& t) const override;
+  [[nodiscard]] MotionForm form() const override { return EvenTurns{start_, end_}; }
 
  private:
   SharedFrame frame_;

@@ -1,0 +1,136 @@
+#include "certify/trace/causes/other_case.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <set>
+
+#include "spec/language/byte_source.h"
+#include "spec/language/fanuc/program_reader.h"
+
+namespace toolcomp::certify {
+namespace {
+
+using Offsets = std::map<std::uint32_t, spec::OffsetEntry>;
+
+struct Called {
+  std::set<std::uint32_t> d;
+  std::set<std::uint32_t> h;
+};
+
+// The numbers behind D and H, as far as the program can be read.
+Called called(const spec::Case& c) {
+  Called numbers;
+  if (c.setup.control != spec::Control::fanuc) return numbers;
+  spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes, {"program", c.setup.block_skip});
+  spec::Block block;
+  while (reader.next(block))
+    for (const spec::Word& word : block.words()) {
+      if ((word.address != 'D' && word.address != 'H') || !word.value.is_integer() || word.value.is_zero()) continue;
+      (word.address == 'D' ? numbers.d : numbers.h).insert(static_cast<std::uint32_t>(word.value.digits));
+    }
+  return numbers;
+}
+
+spec::Decimal negated(spec::Decimal value) {
+  value.negative = !value.negative;
+  return value;
+}
+
+double number(const spec::Decimal& value) { return std::stod(spec::to_string(value)); }
+
+std::string total(const spec::OffsetEntry& entry) {
+  return fmt::format("{:.9g}", number(entry.geometry) + number(entry.wear));
+}
+
+// To the last digit that a setup may have in any increment system.
+spec::Decimal sum(const spec::Decimal& value, double by) {
+  return spec::parse_decimal(fmt::format("{:.6f}", number(value) + by)).value_or(value);
+}
+
+spec::Case with(const spec::Case& c, Offsets spec::Setup::* table, std::uint32_t n, const spec::OffsetEntry& entry) {
+  spec::Case other = c;
+  (other.setup.*table)[n] = entry;
+  return other;
+}
+
+void add_offsets(const spec::Case& c, Offsets spec::Setup::* table, char letter, const std::set<std::uint32_t>& numbers,
+                 std::vector<OtherCase>& others) {
+  const Offsets& offsets = c.setup.*table;
+  for (const std::uint32_t n : numbers) {
+    const auto found = offsets.find(n);
+    if (found == offsets.end()) continue;
+    const spec::OffsetEntry& entry = found->second;
+    const std::string name = fmt::format("{}{} (here {})", letter, n, total(entry));
+    others.push_back({name + " is not taken off: it counts as 0", with(c, table, n, {})});
+    others.push_back({name + " has the other sign", with(c, table, n, {negated(entry.geometry), negated(entry.wear)})});
+    if (!entry.wear.is_zero())
+      others.push_back({name + " is taken without its wear", with(c, table, n, {entry.geometry, {}})});
+    for (const auto& [m, value] : offsets)
+      if (m != n && !(value == entry))
+        others.push_back(
+            {fmt::format("{} has the value of {}{}, {}", name, letter, m, total(value)), with(c, table, n, value)});
+  }
+}
+
+void add_senses(const spec::Case& c, std::vector<OtherCase>& others) {
+  if (!c.setup.parameter(19680)) return;
+  for (const std::uint32_t sense : {19684U, 19689U}) {
+    const auto now = c.setup.parameter(sense);
+    spec::Case other = c;
+    other.setup.parameters[{sense, -1}] = spec::decimal(now && !now->is_zero() ? 0 : 1);
+    others.push_back({fmt::format("a rotary axis turns the other way (No. {})", sense), std::move(other)});
+  }
+}
+
+void add_tools(const spec::Case& c, std::vector<OtherCase>& others) {
+  spec::Case other = c;
+  for (spec::ToolRow& tool : other.setup.tools) tool.dl = tool.dr = tool.dr2 = {};
+  if (other.setup.tools != c.setup.tools)
+    others.push_back({"the delta values of the tool table do not count", std::move(other)});
+}
+
+void add_values(const spec::Case& c, Offsets spec::Setup::* table, char letter, const std::set<std::uint32_t>& numbers,
+                std::vector<OtherValue>& values) {
+  for (const std::uint32_t n : numbers)
+    if (const auto found = (c.setup.*table).find(n); found != (c.setup.*table).end()) {
+      const spec::OffsetEntry entry = found->second;
+      values.push_back({fmt::format("{}{} (here {}) is off", letter, n, total(entry)), false, 2,
+                        [=](double by) { return with(c, table, n, {sum(entry.geometry, by), entry.wear}); }});
+    }
+}
+
+}  // namespace
+
+std::vector<OtherCase> other_cases(const spec::Case& c) {
+  std::vector<OtherCase> others;
+  const Called numbers = called(c);
+  add_offsets(c, &spec::Setup::h, 'H', numbers.h, others);
+  add_offsets(c, &spec::Setup::d, 'D', numbers.d, others);
+  add_senses(c, others);
+  add_tools(c, others);
+  return others;
+}
+
+std::vector<OtherValue> other_values(const spec::Case& c) {
+  std::vector<OtherValue> values;
+  const Called numbers = called(c);
+  add_values(c, &spec::Setup::h, 'H', numbers.h, values);
+  add_values(c, &spec::Setup::d, 'D', numbers.d, values);
+  if (!c.setup.parameter(19680)) return values;
+  // Positions and distances of the rotary axes, as far as the setup has them; what is off shows by the turn, however
+  // little that is.
+  for (std::uint32_t parameter = 19700; parameter <= 19714; ++parameter) {
+    if (!c.setup.parameter(parameter)) continue;
+    const spec::Decimal now = c.setup.parameter(parameter).value_or(spec::Decimal());
+    values.push_back({fmt::format("the machine's No. {} (here {}) is off", parameter, spec::to_string(now)), false, 64,
+                      [=](double by) {
+                        spec::Case other = c;
+                        other.setup.parameters[{parameter, -1}] = sum(now, by);
+                        return other;
+                      }});
+  }
+  return values;
+}
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,15 @@
+// The path of a control that takes positions under tool center point control for positions of its axes.
+#pragma once
+
+#include <memory>
+
+#include "certify/trace/path.h"
+#include "spec/language/case.h"
+
+namespace toolcomp::certify {
+
+// Straight from one programmed end to the next, rotary axes evenly; no length is taken off. Nothing for a program
+// without tool center point control, or one the model cannot decide.
+std::unique_ptr<PathSource> programmed_path(const spec::Case& c, const TraceSpace& space);
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,48 @@
+// A curve divided into chords, one after the other.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "certify/trace/curve_bound.h"
+
+namespace toolcomp::certify {
+
+// From t = 0 to 1. Where the curve bends much the chords are short; of what lies ahead only the halves still to be
+// divided are kept.
+class Chords {
+ public:
+  // `most`: of the error of a chord. Where doubles end, at the edge of reach, one may be a few times as far off.
+  Chords(CurveBound bound, Distance most) : bound_(std::move(bound)), most_(most), parts_{{0, 1, 0}} {}
+
+  struct Chord {
+    exact::Rational end;  // t
+    Distance error;
+    bool last = false;
+  };
+  // The next one; to be asked until the last. Nothing where no bound is found however short the chords are.
+  std::optional<Chord> next();
+
+  [[nodiscard]] const CurveBound& bound() const { return bound_; }
+
+ private:
+  bool divide();
+
+  struct Part {
+    exact::Rational from;
+    exact::Rational to;
+    int halvings = 0;
+  };
+  CurveBound bound_;
+  Distance most_;
+  std::vector<Part> parts_;  // the next one last
+  // Of the part that is being run.
+  exact::Rational at_;
+  exact::Rational length_;  // of a chord
+  std::uint64_t left_ = 0;  // chords
+  Distance error_;
+};
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,28 @@
+// The space in which a recording is compared with the path: the recorded axes, linear and rotary ones apart.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "spec/language/axes.h"
+
+namespace toolcomp::certify {
+
+// A position of every axis of the setup, by index; those that are not recorded stand at 0.
+using AxisPoint = std::array<double, spec::kMaxAxes>;
+
+// How far two positions are apart, or may be: the linear axes as one Euclidean length in setup units, the rotary ones
+// each by itself, in degrees. The two are never added.
+struct Distance {
+  double linear = 0;
+  double rotary = 0;
+};
+
+// The axes that are recorded, by index.
+struct TraceSpace {
+  std::vector<std::size_t> linear;
+  std::vector<std::size_t> rotary;
+};
+
+}  // namespace toolcomp::certify
