@@ -130,6 +130,7 @@ Answer Controller::run(const spec::Case& c, std::optional<std::chrono::milliseco
     spec::Reply read = spec::read_reply(line, c.setup.axes, "reply");
     if (read.id != c.id)
       return {fault(FaultKind::malformed, "an answer to " + excerpt(read.id) + " instead of " + excerpt(c.id)), {}, {}};
+    if (!read.not_applicable.empty()) return {NotApplicable{std::move(read.not_applicable)}, {}, {}};
     auto missing = find_missing(*capabilities_, read);
     spec::FieldSet sent;
     for (const spec::FieldSet& fields : read.fields) add(sent, fields);

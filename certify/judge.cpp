@@ -120,6 +120,12 @@ FailureKey key_of(const spec::Case& c, const Judgement& judgement) {
 Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
                        const Answer& answer) {
   if (const auto* failure = std::get_if<Fault>(&answer.result)) return fault(*failure, run);
+  if (const auto* none = std::get_if<NotApplicable>(&answer.result)) {
+    Judgement j;
+    j.result = Result::not_applicable;
+    j.why = none->why;
+    return j;
+  }
   if (!meets_minimum(capabilities)) {
     Judgement j;
     j.why = "the controller announces less than kind, line and one of point and axes";

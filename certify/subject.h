@@ -32,6 +32,11 @@ struct Fault {
   std::string errors;  // the last of standard error
 };
 
+// An answer that says: no such case for this controller.
+struct NotApplicable {
+  std::string why;
+};
+
 // A field that was announced, applies to an event, and is not there.
 struct MissingField {
   std::uint64_t line = 0;
@@ -43,7 +48,7 @@ using FastEvents = std::vector<fast::Event>;
 using TextEvents = std::vector<spec::TextEvent>;
 
 struct Answer {
-  std::variant<FastEvents, TextEvents, Fault> result;
+  std::variant<FastEvents, TextEvents, Fault, NotApplicable> result;
   std::optional<MissingField> missing;  // with events: the first one
   spec::FieldSet sent;                  // of a controller's events: the fields that any of them has
 };

@@ -1,15 +1,20 @@
 // toolcomp certify: a controller or a recorded trace against the exact model, and a report.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
+#include "certify/adapter.h"
+#include "certify/adapter_programs.h"
 #include "certify/campaign.h"
 #include "certify/report.h"
 #include "certify/trace/trace.h"
+#include "cli/certify_adapter.h"
 #include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
@@ -68,6 +73,22 @@ void say_how_the_path_ends(const certify::TraceResult& result, const std::string
       std::cerr << name << ':' << event.line << ": the path ends in " << event.number.view() << '\n';
   if (result.undecided.empty() && result.corners == 0) std::cerr << name << ": no move to judge\n";
   if (result.corners > 0 && result.samples == 0) std::cerr << "the trace holds no sample\n";
+}
+
+std::optional<certify::Adapter> adapter_named(const CertifyOptions& options) {
+  if (!certify::is_adapter_name(options.controller)) return std::nullopt;
+  return certify::find_adapter(options.controller, certify::adapter_folders(options.adapters));
+}
+
+// Programs for the machines an adapter names, of the sections asked for.
+std::vector<certify::CaseInput> machine_cases(const certify::Adapter& adapter, const CertifyOptions& options) {
+  std::vector<certify::CaseInput> inputs;
+  if (adapter.setups.empty()) return inputs;
+  for (certify::MachineProgram& program :
+       certify::machine_programs(adapter.setups, options.cases.value_or(1000), options.seed))
+    if (options.sections.empty() || std::ranges::find(options.sections, program.c.section) != options.sections.end())
+      inputs.push_back({std::move(program.c), certify::Origin::generated});
+  return inputs;
 }
 
 int certify_trace(const CertifyOptions& options) {
@@ -139,16 +160,31 @@ void print_widths(const certify::Certificate& certificate) {
 
 int certify(const CertifyOptions& options) {
   if (options.controller.empty() == options.trace.empty()) usage("name a --controller or a --trace");
+  const auto adapter = adapter_named(options);
+  if (options.packages) {
+    if (adapter)
+      for (const std::string& package : adapter->packages) fmt::print("{}\n", package);
+    return 0;
+  }
   expect_folder(options.report, "--report");
   if (!options.trace.empty()) return certify_trace(options);
 
   certify::CampaignOptions campaign;
   campaign.controller = options.controller;
+  if (adapter) {
+    certify::expect_programs(*adapter);
+    if (adapter->kind == certify::AdapterKind::trace)
+      return certify_adapter(options, *adapter, read_inputs(options),
+                             options.tolerance.empty() ? 0 : number_of(options.tolerance, "--tolerance", "a length"));
+    campaign.controller = adapter->shell_command();
+  }
   campaign.sections = options.sections;
   campaign.seed = options.seed;
   campaign.accepted_resolution = options.accept_resolution;
   campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
   for (spec::Case& c : read_inputs(options)) campaign.cases.push_back({std::move(c), certify::Origin::own});
+  if (adapter && options.inputs.empty())
+    for (certify::CaseInput& input : machine_cases(*adapter, options)) campaign.cases.push_back(std::move(input));
   // Cases named are judged alone, unless the corpus or generated cases are asked for too.
   const bool alone = !options.inputs.empty();
   campaign.generated = options.cases.value_or(alone ? 0 : campaign.generated);

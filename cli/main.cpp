@@ -135,7 +135,15 @@ class CommandLine {
     sub->add_option(
         "inputs", certify_.inputs,
         "Cases, files of cases (.jsonl) and programs to judge; without them, the golden corpus and generated cases");
-    sub->add_option("--controller", certify_.controller, "Command that speaks the controller protocol");
+    sub->add_option("--controller", certify_.controller,
+                    "Command that speaks the controller protocol, or the name of an adapter (docs/adapters.md)");
+    sub->add_option("--adapters", certify_.adapters, "Folder of adapters, searched first (repeatable)")
+        ->allow_extra_args(false);
+    sub->add_flag("--packages", certify_.packages,
+                  "Print the Debian packages that the adapter needs, and do nothing else");
+    sub->add_option("--altered", certify_.altered,
+                    "Adapter that records: PARAMETER=VALUE for the judge alone, which must then find a difference")
+        ->allow_extra_args(false);
     sub->add_option("--trace", certify_.trace, "CSV of recorded axis positions of one run of one program");
     sub->add_option("--setup", certify_.setup, "Setup of the programs; without it, setup.toml beside each");
     add_sections(sub, certify_.sections);
@@ -147,7 +155,7 @@ class CommandLine {
     add_accept_resolution(sub, certify_.accept_resolution);
     sub->add_flag("--widths", certify_.widths, "Print how wide what the verdict policy grants is, section by section");
     sub->add_option("--tolerance", certify_.tolerance,
-                    "Trace: greatest distance from the exact path, in the units of the events");
+                    "Trace, adapter that records: greatest distance from the exact path, in the units of the events");
     sub->add_option("--rotary-tolerance", certify_.rotary_tolerance,
                     "Trace: the same of each rotary axis, in degrees (default: the number of --tolerance)");
     sub->add_option("--frame", certify_.frame,

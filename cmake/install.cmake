@@ -17,4 +17,6 @@ configure_package_config_file(cmake/toolcompConfig.cmake.in ${PROJECT_BINARY_DIR
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/toolcompConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/toolcompConfig.cmake ${PROJECT_BINARY_DIR}/toolcompConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/toolcomp)
+# Where certify --controller NAME looks (docs/adapters.md).
+install(DIRECTORY adapters DESTINATION ${CMAKE_INSTALL_DATADIR}/toolcomp PATTERN __pycache__ EXCLUDE)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

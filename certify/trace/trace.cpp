@@ -114,7 +114,8 @@ TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::strin
   path_options.judge_rapids = options.judge_rapids;
   path_options.frame = options.frame;
   path_options.on_event = [&](const model::Event& event) {
-    if (result.events.size() < kMostEvents) result.events.push_back(in_double(event));
+    if (result.events.size() < kMostEvents || event.kind == spec::EventKind::alarm)
+      result.events.push_back(in_double(event));
   };
   ProgramPath path(c, metric.space(), tolerance, path_options);
   result.deviations = Deviations(tolerance);

@@ -25,9 +25,10 @@ struct Reply {
   std::string id;
   std::vector<TextEvent> events;
   std::vector<FieldSet> fields;  // of each event: which fields the answer gives
+  std::string not_applicable;    // instead of events: what the controller does not have; empty: it has
 };
 
-// Reads such an answer, one line. Unknown fields are ignored; `id`, `events`, and in each event
+// Reads such an answer, one line. Unknown fields are ignored; `id`, `events` or `not_applicable`, and in each event
 // `kind` and `line` must be there. Throws InputError that says what is malformed. `file` is for messages.
 Reply read_reply(std::string_view line, const Axes& axes, const std::string& file);
 

@@ -72,11 +72,17 @@ Reply read_reply(std::string_view line, const Axes& axes, const std::string& fil
   read.expect(root, Kind::table, "reply");
   const Node* id = root.find("id");
   const Node* events = root.find("events");
+  const Node* not_applicable = root.find("not_applicable");
   if (id == nullptr) read.fail(root.at, "reply: without id");
-  if (events == nullptr) read.fail(root.at, "reply: without events");
-  read.expect(*events, Kind::array, "events");
   Reply reply;
   reply.id = read.string(*id, "id");
+  if (not_applicable != nullptr && events == nullptr) {
+    reply.not_applicable = read.string(*not_applicable, "not_applicable");
+    if (reply.not_applicable.empty()) read.fail(not_applicable->at, "not_applicable: without a reason");
+    return reply;
+  }
+  if (events == nullptr) read.fail(root.at, "reply: without events");
+  read.expect(*events, Kind::array, "events");
   for (const Node& item : events->items) {
     EventWithFields each = event_from(item, read, axes, Strictness::of_replies);
     reply.events.push_back(std::move(each.event));

@@ -1,4 +1,4 @@
-// A JSON or TOML text as a tree with exact number texts and positions. Internal to the readers of this folder.
+// A JSON or TOML text as a tree with exact number texts and positions. For the readers of this folder and of manifests.
 #pragma once
 
 #include <cstdint>

@@ -248,6 +248,18 @@ TEST(Reply, PartsOfSpaceCompensation) {
   EXPECT_EQ((*reply.events[1].space->carrier)[0].v, "1");
 }
 
+TEST(Reply, MaySayThatTheCaseDoesNotApply) {
+  const Reply reply = read_reply(R"({"id":"7","not_applicable":"no such axis"})", Axes("XYZ"), "reply");
+  EXPECT_EQ(reply.id, "7");
+  EXPECT_EQ(reply.not_applicable, "no such axis");
+  EXPECT_TRUE(reply.events.empty());
+  // Beside events it is a field like others that are unknown.
+  EXPECT_EQ(read_reply(R"({"id":"7","events":[],"not_applicable":"x"})", Axes("XYZ"), "reply").not_applicable, "");
+  for (const char* line : {R"({"id":"7","not_applicable":""})", R"({"id":"7","not_applicable":1})",
+                           R"({"not_applicable":"x"})", R"({"id":"7"})"})
+    EXPECT_THROW(read_reply(line, Axes("XYZ"), "reply"), InputError) << line;
+}
+
 TEST(Reply, UnknownFieldsAreIgnoredAndKnownOnesNamed) {
   const Reply reply = read_reply(
       R"({"id":"7","took":1.5,"events":[{"kind":"move","line":3,"axes":{"X":1e-7,"S":2},"colour":[{}],"clauses":["?"]}]})",

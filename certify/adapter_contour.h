@@ -1,0 +1,35 @@
+// Contours for cutter compensation that every control can follow: inside corners alone.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fuzz/gen/choices.h"
+
+namespace toolcomp::certify {
+
+// In the plane, thousandths of a millimetre: the first axis of the plane, and the second.
+struct Point {
+  std::int64_t u = 0;
+  std::int64_t v = 0;
+};
+
+struct Leg {
+  Point end;
+  std::int64_t radius = 0;  // of an arc of less than half a turn; 0: a line
+  bool ccw = false;
+};
+
+// Approach and retract lie exactly straight on with the first and the last leg, which are lines.
+struct Contour {
+  Point approach;
+  Point start;
+  std::vector<Leg> legs;
+  Point retract;
+};
+
+// Every corner turns left, so that a cutter on the left is inside; legs are long enough for a cutter of this radius, up
+// to 5 mm (thousandths), and arcs wide enough.
+Contour inside_contour(fuzz::Choices& choose, std::int64_t radius);
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,35 @@
+// The report of a batch of recorded programs.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "certify/adapter_run.h"
+
+namespace toolcomp::certify {
+
+std::string html_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
+std::string json_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
+
+// index.html and certificate.json in the folder of the report, and in the folder of each program that differs the
+// report of its trace. Throws std::runtime_error for a folder that cannot be written.
+void write_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
+
+// Runs of one machine, or of given programs; for the table of the report and the terminal.
+struct MachineSummary {
+  std::string machine;  // empty: given programs
+  std::size_t programs = 0;
+  std::array<std::size_t, kRunOutcomes> outcomes{};
+  std::uint64_t samples = 0;
+  double worst = 0;         // largest accepted distance, setup units
+  double worst_rotary = 0;  // degrees
+};
+std::vector<MachineSummary> summaries(const AdapterCertificate& certificate);
+
+// "conforms", "does not conform", "not decided".
+std::string_view verdict(const AdapterCertificate& certificate);
+
+}  // namespace toolcomp::certify

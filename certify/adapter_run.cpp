@@ -1,0 +1,274 @@
+#include "certify/adapter_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "certify/adapter_programs.h"
+#include "certify/process.h"
+#include "certify/report.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/event_names.h"
+#include "spec/language/file_writer.h"
+#include "spec/language/input_error.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::certify {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The first line of a file, or nothing.
+std::optional<std::string> first_line(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string line;
+  if (!in) return std::nullopt;
+  std::getline(in, line);
+  return line;
+}
+
+// Lines of a program where the adapter says that the controller is known to differ: "ID FIRST LAST" each.
+struct KnownPlace {
+  std::string id;
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+};
+
+std::vector<KnownPlace> read_known_places(const fs::path& file, const Adapter& adapter) {
+  std::vector<KnownPlace> places;
+  std::ifstream in(file);
+  std::uint64_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    std::istringstream words(line);
+    KnownPlace place;
+    std::string rest;
+    if (!(words >> place.id >> place.first >> place.last) || words >> rest)
+      throw spec::InputError(file.string(), number, 1, "ID FIRST LAST is expected");
+    if (adapter.known_difference(place.id) == nullptr)
+      throw spec::InputError(file.string(), number, 1, "no known difference is called \"" + place.id + "\"");
+    places.push_back(std::move(place));
+  }
+  return places;
+}
+
+const spec::Event<double>* alarm_of(const std::vector<spec::Event<double>>& events) {
+  const auto found = std::ranges::find(events, spec::EventKind::alarm, &spec::Event<double>::kind);
+  return found == events.end() ? nullptr : &*found;
+}
+
+std::string words_of(const spec::Event<double>& alarm) {
+  return fmt::format("{} in line {}", alarm.number.view(), alarm.line);
+}
+
+class Judge {
+ public:
+  Judge(const Adapter& adapter, double tolerance) : adapter_(adapter) { options_.tolerance = tolerance; }
+
+  void judge(AdapterRun& run) const {
+    if (const auto why = first_line(run.folder / "not_applicable.txt")) {
+      run.outcome = RunOutcome::not_applicable;
+      run.why = *why;
+      return;
+    }
+    const std::vector<KnownPlace> places = read_known_places(run.folder / "known.txt", adapter_);
+    if (const auto words = first_line(run.folder / "alarm.txt")) return judge_alarm(run, *words, places);
+    const fs::path trace = run.folder / "trace.csv";
+    std::ifstream csv(trace, std::ios::binary);
+    if (!csv) {
+      run.why = first_line(run.folder / "failed.txt").value_or("the adapter wrote nothing");
+      return;
+    }
+    run.result = judge_trace(run.c, csv, trace.string(), options_);
+    judge_findings(run, places);
+  }
+
+  // A known difference that its own program does not show is one no longer.
+  static void expect_difference(AdapterRun& run) {
+    const bool shown = std::ranges::find(run.known, run.expected) != run.known.end();
+    const bool decided = run.outcome == RunOutcome::conforms || run.outcome == RunOutcome::both_refuse ||
+                         run.outcome == RunOutcome::known;
+    if (run.expected.empty() || shown || !decided) return;
+    run.outcome = RunOutcome::differs;
+    run.why = "the known difference \"" + run.expected + "\" did not show";
+  }
+
+ private:
+  // The model is asked for its events alone: a trace without samples.
+  void judge_alarm(AdapterRun& run, const std::string& words, const std::vector<KnownPlace>& places) const {
+    std::string header;
+    for (std::size_t i = 0; i < run.c.setup.axes.size(); ++i)
+      header += fmt::format("{}{}", i == 0 ? "" : ",", run.c.setup.axes.letter(i));
+    std::istringstream empty(header + "\n");
+    run.result = judge_trace(run.c, empty, "alarm.txt", options_);
+    if (!run.result.undecided.empty()) {
+      run.outcome = RunOutcome::undecided;
+      run.why = run.result.undecided;
+    } else if (const auto* alarm = alarm_of(run.result.events)) {
+      run.outcome = RunOutcome::both_refuse;
+      run.why = words_of(*alarm) + "; " + words;
+    } else if (!places.empty()) {
+      run.outcome = RunOutcome::known;
+      for (const KnownPlace& place : places) run.known.push_back(place.id);
+      run.why = words;
+    } else {
+      run.outcome = RunOutcome::differs;
+      run.why = "refused: " + words;
+    }
+  }
+
+  void judge_findings(AdapterRun& run, const std::vector<KnownPlace>& places) const {
+    const auto place_at = [&](std::uint64_t line) {
+      const auto place =
+          std::ranges::find_if(places, [&](const KnownPlace& p) { return p.first <= line && line <= p.last; });
+      return place == places.end() ? std::string() : place->id;
+    };
+    if (const auto* alarm = alarm_of(run.result.events)) return judge_running_on(run, *alarm, place_at(alarm->line));
+    const int status = exit_status(run.result);
+    if (status == 3) {
+      run.outcome = RunOutcome::undecided;
+      run.why = run.result.undecided.empty() ? "nothing was judged" : run.result.undecided;
+      return;
+    }
+    run.outcome = status == 0 ? RunOutcome::conforms : RunOutcome::known;
+    for (const TraceFinding& finding : run.result.findings) {
+      const std::string id = place_at(finding.line);
+      if (id.empty()) {
+        run.outcome = RunOutcome::differs;
+        run.why = fmt::format("{} of line {} by {}", finding.kind, finding.line, extent(finding));
+        return;
+      }
+      if (std::ranges::find(run.known, id) == run.known.end()) run.known.push_back(id);
+    }
+    if (run.result.findings_total > run.result.findings.size()) {
+      run.outcome = RunOutcome::differs;
+      run.why = fmt::format("{} findings", run.result.findings_total);
+    }
+  }
+
+  // The controller ran where the model gives an alarm: what it recorded behind that belongs to no path.
+  void judge_running_on(AdapterRun& run, const spec::Event<double>& alarm, const std::string& place) const {
+    const KnownDifference* known =
+        place.empty() ? adapter_.without_alarm(alarm.number.view()) : adapter_.known_difference(place);
+    run.why = "ran where the model gives " + words_of(alarm);
+    run.outcome = known == nullptr ? RunOutcome::differs : RunOutcome::known;
+    if (known != nullptr) run.known.push_back(known->id);
+  }
+
+  const Adapter& adapter_;
+  TraceOptions options_;
+};
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+spec::Setup read_setup(const fs::path& file) {
+  return spec::read_setup_toml(spec::read_file(file.string()), file.string());
+}
+
+// The programs of the known differences: each must show itself.
+std::vector<AdapterRun> known_runs(const Adapter& adapter) {
+  std::vector<AdapterRun> runs;
+  for (const KnownDifference& known : adapter.known) {
+    AdapterRun& run = runs.emplace_back();
+    run.c.id = known.id;
+    run.c.program = known.program;
+    run.c.setup = read_setup(known.setup);
+    run.expected = known.id;
+  }
+  return runs;
+}
+
+// Given programs, then generated ones, in folders of their own.
+std::vector<AdapterRun> write_batch(const AdapterCampaign& campaign, const fs::path& batch) {
+  std::vector<AdapterRun> runs;
+  for (const spec::Case& c : campaign.cases) runs.emplace_back().c = c;
+  if (campaign.show_known)
+    for (AdapterRun& run : known_runs(campaign.adapter)) runs.push_back(std::move(run));
+  for (MachineProgram& program : machine_programs(campaign.adapter.setups, campaign.generated, campaign.seed)) {
+    AdapterRun& run = runs.emplace_back();
+    run.c = std::move(program.c);
+    run.machine = std::move(program.machine);
+  }
+  if (runs.empty()) throw spec::InputError("certify", 0, 0, "no program to run");
+  std::error_code none;
+  fs::remove_all(batch, none);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    AdapterRun& run = runs[i];
+    run.folder = batch / fmt::format("{:04}", i + 1);
+    spec::write_file(run.folder / "program.nc", run.c.program);
+    spec::write_file(run.folder / "setup.json", spec::write_setup_json(run.c.setup) + "\n");
+    for (const auto& [parameter, value] : campaign.altered)
+      if (const auto found = run.c.setup.parameters.find(parameter); found != run.c.setup.parameters.end())
+        found->second = value;
+  }
+  return runs;
+}
+
+// Runs the adapter to its end; what it says goes to `progress`. What is wrong with it, or empty.
+std::string run_adapter(const AdapterCampaign& campaign, const fs::path& batch, std::size_t programs) {
+  constexpr std::size_t kLongestLine = 65536;
+  // What it writes to standard output is nobody's.
+  Process process("{ " + campaign.adapter.shell_command(fs::absolute(batch).string()) + "; } 2>&1 >/dev/null");
+  constexpr std::int64_t kStart = 6;  // programs: what it may take to come and go
+  const auto wait = (kStart + static_cast<std::int64_t>(programs)) * campaign.timeout;
+  const Clock::time_point deadline = Clock::now() + wait;
+  std::string line;
+  std::string last;
+  Exchange end = Exchange::line;
+  while ((end = process.exchange("", line, deadline, kLongestLine)) == Exchange::line) {
+    if (campaign.progress) campaign.progress(line);
+    last = line;
+  }
+  const std::string ended = process.finish(std::chrono::seconds(end == Exchange::closed ? 10 : 0));
+  if (end == Exchange::timed_out) return fmt::format("did not end within {} ms", wait.count());
+  if (process.exit_status() != 0) return ended + (last.empty() ? "" : ": " + last);
+  return {};
+}
+
+}  // namespace
+
+std::string_view name(RunOutcome outcome) {
+  static constexpr std::array<std::string_view, kRunOutcomes> kNames{
+      "conforms", "both refuse", "known difference", "differs", "not applicable", "undecided", "failed"};
+  return kNames.at(static_cast<std::size_t>(outcome));
+}
+
+AdapterCertificate certify_adapter(const AdapterCampaign& campaign) {
+  AdapterCertificate certificate;
+  certificate.tolerance = campaign.tolerance > 0 ? campaign.tolerance : campaign.adapter.tolerance;
+  const fs::path batch = fs::path(campaign.report) / "runs";
+  certificate.runs = write_batch(campaign, batch);
+  const Clock::time_point start = Clock::now();
+  certificate.errors = run_adapter(campaign, batch, certificate.runs.size());
+  certificate.seconds_run = seconds_since(start);
+  const Clock::time_point judged = Clock::now();
+  const Judge judge(campaign.adapter, certificate.tolerance);
+  for (std::size_t i = 0; i < certificate.runs.size(); ++i) {
+    AdapterRun& run = certificate.runs[i];
+    judge.judge(run);
+    Judge::expect_difference(run);
+    std::error_code none;
+    if (run.outcome == RunOutcome::conforms) fs::remove_all(run.folder, none);
+    if (campaign.progress && (i + 1) % 20 == 0)
+      campaign.progress(fmt::format("judged {} of {}", i + 1, certificate.runs.size()));
+  }
+  certificate.seconds_judged = seconds_since(judged);
+  return certificate;
+}
+
+int exit_status(const AdapterCertificate& certificate) {
+  const auto any = [&](RunOutcome outcome) {
+    return std::ranges::any_of(certificate.runs, [&](const AdapterRun& run) { return run.outcome == outcome; });
+  };
+  if (any(RunOutcome::differs)) return 1;
+  const bool judged = any(RunOutcome::conforms) || any(RunOutcome::both_refuse) || any(RunOutcome::known);
+  const bool left_out = !certificate.errors.empty() || any(RunOutcome::failed) || any(RunOutcome::undecided);
+  return left_out || !judged ? 3 : 0;
+}
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,71 @@
+// A batch of programs through a trace adapter, each judged as a recorded run.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "certify/adapter.h"
+#include "certify/trace/trace.h"
+#include "spec/language/case.h"
+
+namespace toolcomp::certify {
+
+enum class RunOutcome : std::uint8_t {
+  conforms,        // the recording follows the exact path
+  both_refuse,     // the controller gives an alarm where the model gives one
+  known,           // every finding is a known difference
+  differs,         // a new difference
+  not_applicable,  // the controller has no such thing
+  undecided,       // the model could not decide, or nothing was judged
+  failed,          // no recording: the adapter's fault
+};
+inline constexpr std::size_t kRunOutcomes = 7;
+// "conforms", "both refuse", …
+std::string_view name(RunOutcome outcome);
+
+struct AdapterRun {
+  spec::Case c;          // as judged
+  std::string machine;   // of a generated program: the name of its setup
+  std::string expected;  // of a program from the known differences: its id
+  RunOutcome outcome = RunOutcome::failed;
+  std::string why;                 // for people, one line
+  std::vector<std::string> known;  // ids of the known differences that explain findings
+  TraceResult result;              // of a recording
+  std::filesystem::path folder;    // of the batch: program, setup, what the adapter wrote
+};
+
+struct AdapterCampaign {
+  Adapter adapter;
+  std::vector<spec::Case> cases;  // judged first
+  bool show_known = false;        // then the programs of the known differences
+  std::uint32_t generated = 0;    // then programs, the machines of the adapter in turn
+  std::uint64_t seed = 1;
+  double tolerance = 0;                       // 0: that of the adapter
+  std::string report;                         // folder; the batch is its subfolder runs
+  std::chrono::milliseconds timeout{10'000};  // for each program, and six times that besides
+  // A test of the judge: it alone gets this value of a parameter, in setups that name it. It must find a difference.
+  std::map<spec::ParameterId, spec::Decimal> altered;
+  std::function<void(const std::string&)> progress;  // gets the adapter's lines, and ours
+};
+
+struct AdapterCertificate {
+  std::vector<AdapterRun> runs;
+  double tolerance = 0;
+  double seconds_run = 0;     // by the adapter
+  double seconds_judged = 0;  // by the model
+  std::string errors;         // the last of what an adapter said that ended with a fault; empty: it did not
+};
+
+// Throws spec::InputError for programs that no control could read and an adapter that cannot be run at all. Folders of
+// programs that conform are removed.
+AdapterCertificate certify_adapter(const AdapterCampaign& campaign);
+
+// 1 a new difference; 3 nothing judged, or something not: undecided, or the adapter failed; else 0.
+int exit_status(const AdapterCertificate& certificate);
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,85 @@
+// The adapters of LinuxCNC with LinuxCNC itself, where its package is installed: a handful of programs.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/command_line/command.h"
+
+namespace {
+
+using nlohmann::json;
+using toolcomp::test::command;
+using toolcomp::test::Folder;
+using toolcomp::test::Outcome;
+using toolcomp::test::read;
+using toolcomp::test::toolcomp;
+
+const std::string kSetups = TOOLCOMP_SOURCE_DIR "/adapters/linuxcnc/setups/";
+
+class LinuxCnc : public testing::Test {
+ protected:
+  Folder folder;
+
+  void SetUp() override {
+    if (command("command -v linuxcnc halsampler rs274").status != 0) GTEST_SKIP() << "linuxcnc-uspace is not installed";
+    if (command("pgrep -x rtapi_app").status == 0) GTEST_SKIP() << "LinuxCNC is running: one instance at a time";
+  }
+  [[nodiscard]] Outcome motion(const std::string& machine, const std::string& more,
+                               const std::string& shell = "") const {
+    return toolcomp("certify --controller linuxcnc-motion --setup " + kSetups + machine + ".toml --report " +
+                        folder.path("report") + " " + more,
+                    shell);
+  }
+};
+
+TEST_F(LinuxCnc, TheInterpreterAgrees) {
+  const Outcome outcome = toolcomp(
+      "certify --controller linuxcnc --section fanuc/tool-length-offset "
+      "--section fanuc/cutter-compensation-c --cases 200 --report " +
+      folder.path("report"));
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const json certificate = json::parse(read(folder.path("report/certificate.json")));
+  for (const json& section : certificate.at("sections")) EXPECT_GT(section.at("results").at("agrees"), 5) << section;
+}
+
+TEST_F(LinuxCnc, ThreeAxesConform) {
+  const Outcome outcome = motion("three-axes", "--cases 6");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("6 programs, conforms 6"), std::string::npos) << outcome.out;
+}
+
+TEST_F(LinuxCnc, ATrunnionConforms) {
+  const Outcome outcome = motion("xyzac-trt", "--cases 2");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
+// The judge alone is told 0.01 mm more between the axes, or the other sense of a rotary axis.
+TEST_F(LinuxCnc, AWrongMachineIsFound) {
+  EXPECT_EQ(motion("xyzac-trt", "--cases 2 --altered 19704=-20.49").status, 1);
+  EXPECT_EQ(motion("5axis", "--cases 2 --altered 19689=0").status, 1);
+}
+
+// What needs no LinuxCNC.
+TEST(LinuxCncAdapter, TranslatesAndCuts) {
+  if (command("test -x /usr/bin/python3").status != 0) GTEST_SKIP() << "python3 is not installed";
+  const Outcome outcome = command("/usr/bin/python3 " TOOLCOMP_SOURCE_DIR "/tests/adapters/linuxcnc.py");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+// The command killed, then the adapter: the next start works, and nothing is left.
+TEST_F(LinuxCnc, TheNextStartRecovers) {
+  EXPECT_NE(motion("three-axes", "--cases 40", "timeout -s KILL 6 ").status, 0);
+  const std::string certify = TOOLCOMP_BINARY_DIR "/toolcomp certify --controller linuxcnc-motion --cases 40 --setup " +
+                              kSetups + "three-axes.toml --report " + folder.path("report");
+  const Outcome killed =
+      command("{ " + certify + " & p=$!; sleep 6; kill -KILL $(cat /proc/$p/task/$p/children); wait $p; }");
+  EXPECT_EQ(killed.status, 3) << killed.out << killed.err;
+  EXPECT_NE(killed.err.find("killed by signal 9"), std::string::npos) << killed.err;
+  const Outcome outcome = motion("three-axes", "--cases 1");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists("/tmp/linuxcnc.lock"));
+  EXPECT_NE(command("pgrep -x rtapi_app").status, 0);
+}
+
+}  // namespace
