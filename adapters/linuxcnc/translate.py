@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from machine import MAX, OF_CUTTER, OF_LENGTH, Machine, NotApplicable, check_parameter, decimal, machine_of, unit_of
 
 PREAMBLE = 13  # lines in front of a program
-FEED = "60000"  # of every F: time is real there, and no position depends on it
+FEED = "30000"  # of every F: time is real there, and no position depends on it
 WORD = re.compile(r"([A-Z])\s*([+-]?(?:\d+\.?\d*|\.\d+))\s*")
 # G codes that mean the same. G43.4 has no code there: the kinematics is always in force, G43 gives it the tool length.
 SAME = {"0", "1", "2", "3", "17", "18", "19", "20", "21", "40", "41", "42", "43", "49", "80", "90", "91", "94"}

@@ -24,7 +24,7 @@ def lines(program, setup=None):
 
 class Translation(unittest.TestCase):
     def test_line_for_line(self):
-        self.assertEqual(lines("%\nO1\nN10 G01 X1. F100 (comment)\n\nM30\n"), ["", "", "G1 X1. F60000", "", "M2"])
+        self.assertEqual(lines("%\nO1\nN10 G01 X1. F100 (comment)\n\nM30\n"), ["", "", "G1 X1. F30000", "", "M2"])
 
     def test_offsets_stand_beside_their_codes(self):
         self.assertEqual(lines("G43 H1 Z5\nG41 D1 X1\nG40 X2\n")[:3], ["G43 Z5 H1", "G41 X1 D1", "G40 X2"])
