@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "certify/sort_by.h"
 #include "spec/language/decimal_order.h"
 #include "spec/language/input_error.h"
 
@@ -76,9 +77,7 @@ Chooser::Chooser(const Machine& machine, const Outcomes& outcomes, const std::ve
     if (candidates_.size() % 100 == 0) say(fmt::format("{} of {} vectors", candidates_.size(), vectors.size()));
   }
   // Those of this very machine first, then short ones.
-  std::ranges::stable_sort(candidates_, [](const Candidate& a, const Candidate& b) {
-    return std::tuple(!a.same_machine, block_count(a.text)) < std::tuple(!b.same_machine, block_count(b.text));
-  });
+  sort_by(candidates_, [](const Candidate& c) { return std::pair(!c.same_machine, block_count(c.text)); });
 }
 
 void Chooser::prepare(Candidate& candidate) {
@@ -285,7 +284,7 @@ std::string Chooser::why_missing(std::size_t outcome) const {
   }
   if (reasons.empty()) return "no vector of these sections reaches it";
   std::vector<std::pair<std::string, std::size_t>> list(reasons.begin(), reasons.end());
-  std::ranges::stable_sort(list, [](const auto& a, const auto& b) { return a.second > b.second; });
+  sort_by(list, [](const auto& entry) { return SIZE_MAX - entry.second; });  // the commonest first
   std::string text;
   for (const auto& [why, count] : list)
     text += fmt::format("{}{} {}: {}", text.empty() ? "" : "; ", count, count == 1 ? "vector" : "vectors", why);

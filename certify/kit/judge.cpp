@@ -11,6 +11,7 @@
 #include "certify/kit/kit_json.h"
 #include "certify/kit/offsets.h"
 #include "certify/kit/recording.h"
+#include "certify/sort_by.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/decimal_order.h"
 #include "spec/language/input_error.h"
@@ -56,7 +57,7 @@ class Judge {
     for (const KitProgram& program : verdict_.kit.programs)
       if (program.alarm.empty() && !recorded(program.number))
         verdict_.programs.push_back({program.number, ProgramVerdict::missing, {}, "not recorded", {}, {}});
-    std::ranges::stable_sort(verdict_.programs, {}, &JudgedProgram::number);
+    sort_by(verdict_.programs, &JudgedProgram::number);
     alarms();
     verdict_.shown = shown();
     return std::move(verdict_);

@@ -11,6 +11,7 @@
 #include "certify/kit/kit_json.h"
 #include "certify/kit/marks.h"
 #include "certify/kit/run_sheet.h"
+#include "certify/sort_by.h"
 #include "corpus/manifest.h"
 #include "fuzz/oracle/trial.h"
 #include "spec/language/input_error.h"
@@ -123,10 +124,7 @@ class Maker {
     std::vector<const Chosen*> order;
     order.reserve(chosen.size());
     for (const Chosen& c : chosen) order.push_back(&c);
-    std::ranges::stable_sort(order, [](const Chosen* a, const Chosen* b) {
-      return std::tie(a->group, a->vector->section, a->vector->id) <
-             std::tie(b->group, b->vector->section, b->vector->id);
-    });
+    sort_by(order, [](const Chosen* c) { return std::tuple(c->group, c->vector->section, c->vector->id); });
     return order;
   }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "certify/sort_by.h"
+
 namespace toolcomp::certify {
 
 void Findings::add(TraceFinding finding) {
@@ -39,6 +41,6 @@ void Findings::extend(const TraceFinding& more) {
   run.worst_sample = more.worst_sample;
 }
 
-void Findings::sort() { std::ranges::stable_sort(result_.findings, {}, &TraceFinding::sample); }
+void Findings::sort() { sort_by(result_.findings, &TraceFinding::sample); }
 
 }  // namespace toolcomp::certify

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "certify/sort_by.h"
+
 namespace toolcomp::certify {
 namespace {
 
@@ -218,7 +220,7 @@ bool Matcher::is_dominated(const std::vector<Hypothesis>& by, const Hypothesis& 
 
 void Matcher::keep(std::vector<Hypothesis> candidates) {
   for (Hypothesis& candidate : candidates) hypotheses_.push_back(std::move(candidate));
-  std::ranges::stable_sort(hypotheses_, {}, [](const Hypothesis& h) { return h.history.cost; });
+  sort_by(hypotheses_, [](const Hypothesis& h) { return h.history.cost; });
   std::vector<Hypothesis> kept;
   for (Hypothesis& hypothesis : hypotheses_)
     if (kept.size() < kHypotheses && !is_dominated(kept, hypothesis)) kept.push_back(std::move(hypothesis));
@@ -239,7 +241,7 @@ void Matcher::prune() {
   std::erase_if(hypotheses_, [&](const Hypothesis& h) { return h.history.cost > most; });
   std::erase_if(left_, [&](const Left& left) { return cost(left) > most; });
   if (left_.size() > kHypotheses) {
-    std::ranges::stable_sort(left_, {}, cost);
+    sort_by(left_, cost);
     left_.resize(kHypotheses);
   }
 }
