@@ -346,7 +346,7 @@ TEST_F(Recorded, AnotherAlarmIsFound) {
 }
 
 TEST_F(Recorded, BadInputIsNamedWithItsPlace) {
-  const auto refused = [this](const Outcome& outcome, const std::string& what) {
+  const auto refused = [](const Outcome& outcome, const std::string& what) {
     EXPECT_EQ(outcome.status, 2) << outcome.out << outcome.err;
     EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
   };
