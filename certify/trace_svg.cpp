@@ -202,10 +202,10 @@ std::string trace_svg(const TraceResult& result, const spec::Axes& axes, std::st
   for (const View* view : views) scale = std::max(scale, Panel(*view, scene).scale());
   const double factor = scene.largest > 0 ? std::max(1.0, round_factor(kShown / (scene.largest * scale))) : 1;
   std::string out = std::string(kStyle) + opening(kSide, kHeader, "legend");
-  out += "<path class=\"tr-exact\" d=\"M6 15h22\"/>" + text(34, 19, "exact path");
-  out += "<path class=\"tr-recorded\" d=\"M106 15h22\"/>" +
+  out += R"(<path class="tr-exact" d="M6 15h22"/>)" + text(34, 19, "exact path");
+  out += R"(<path class="tr-recorded" d="M106 15h22"/>)" +
          text(134, 19, fmt::format("recording, deviations {} times as large", plain(factor, 0)));
-  out += "<path class=\"tr-off\" d=\"M376 15h22\"/>" + text(404, 19, "off the path") + "</svg><br/>\n";
+  out += R"(<path class="tr-off" d="M376 15h22"/>)" + text(404, 19, "off the path") + "</svg><br/>\n";
   for (const View* view : views) out += Panel(*view, scene).draw(factor, unit);
   return out;
 }

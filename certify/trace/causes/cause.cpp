@@ -29,9 +29,9 @@ using MakePath = std::function<std::unique_ptr<PathSource>(Distance tolerance)>;
 
 class Causes {
  public:
-  Causes(const spec::Case& c, const RecordedRun& run, const Metric& metric, const ProgramPathOptions& options,
+  Causes(const spec::Case& c, const RecordedRun& run, const Metric& metric, ProgramPathOptions options,
          const TraceResult& found)
-      : c_(c), run_(run), metric_(metric), options_(options) {
+      : c_(c), run_(run), metric_(metric), options_(std::move(options)) {
     options_.on_event = {};
     for (const TraceFinding& finding : found.findings) {
       off_.linear = std::max(off_.linear, finding.distance.upper);
@@ -109,7 +109,7 @@ class Causes {
   std::optional<std::string> no_tip_control() const {
     const MakePath make = [this](Distance) { return programmed_path(c_, metric_.space()); };
     if (!make({})) return std::nullopt;
-    const std::string cause = "tool center point control is not in force";
+    std::string cause = "tool center point control is not in force";
     if (conforms(make, as_recorded())) return cause;
     // The length may be taken off along an axis all the same.
     const std::vector<Line> lines = lines_through(make);
