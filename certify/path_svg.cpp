@@ -13,6 +13,7 @@
 #include "certify/markup.h"
 #include "certify/path_detail.h"
 #include "certify/path_view.h"
+#include "fuzz/oracle/number.h"
 #include "fuzz/oracle/program_facts.h"
 
 namespace toolcomp::certify {
@@ -361,22 +362,13 @@ std::string path_svg(std::span<const spec::Event<double>> events, const spec::Ax
   return out + "</svg>\n";
 }
 
-namespace {
-
-double in_double(const spec::Decimal& value) {
-  const double magnitude = static_cast<double>(value.digits) / std::pow(10.0, value.decimals);
-  return value.negative ? -magnitude : magnitude;
-}
-
-}  // namespace
-
 PathOptions path_options(const spec::Setup& setup) {
   PathOptions options;
   options.start = start_of(setup);
   options.unit = setup.units == spec::Units::mm ? "mm" : "inch";
   if (!setup.tools.empty()) {
-    const double corner = in_double(setup.tools.front().r2);
-    options.tool = {in_double(setup.tools.front().r) - corner, corner};
+    const double corner = fuzz::approximate(setup.tools.front().r2);
+    options.tool = {fuzz::approximate(setup.tools.front().r) - corner, corner};
   }
   return options;
 }

@@ -15,12 +15,13 @@ void Box::add(const Point2& p) {
   top = std::max(top, p.second);
 }
 
-double grid_step(double size) {
-  const double rough = size / 5;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  const double mantissa = rough / power;
+double round_down(double x) {
+  const double power = std::pow(10.0, std::floor(std::log10(x)));
+  const double mantissa = x / power;
   return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
 }
+
+double grid_step(double size) { return round_down(size / 5); }
 
 std::string grid_lines(const Point2& middle, double step, double scale, double side) {
   std::string lines;

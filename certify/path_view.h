@@ -43,6 +43,9 @@ struct Box {
   void add(const Point2& p);
 };
 
+// The largest of 1, 2, 5 · 10^n that is not above x.
+double round_down(double x);
+
 // The largest of 1, 2, 5 · 10^n of which about five fit into `size`.
 double grid_step(double size);
 

@@ -48,13 +48,6 @@ std::string opening(double width, double height, std::string_view label) {
       width, height, label);
 }
 
-// 1, 2 or 5 times a power of ten, not above x.
-double round_factor(double x) {
-  const double power = std::pow(10.0, std::floor(std::log10(x)));
-  const double mantissa = x / power;
-  return power * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
-}
-
 // What is drawn: places on the exact path, recorded ones, and where findings are.
 struct Scene {
   std::vector<Point3> exact;
@@ -200,7 +193,7 @@ std::string trace_svg(const TraceResult& result, const spec::Axes& axes, std::st
   if (scene.solid()) views.push_back(&kCorner);
   double scale = 0;
   for (const View* view : views) scale = std::max(scale, Panel(*view, scene).scale());
-  const double factor = scene.largest > 0 ? std::max(1.0, round_factor(kShown / (scene.largest * scale))) : 1;
+  const double factor = scene.largest > 0 ? std::max(1.0, round_down(kShown / (scene.largest * scale))) : 1;
   std::string out = std::string(kStyle) + opening(kSide, kHeader, "legend");
   out += R"(<path class="tr-exact" d="M6 15h22"/>)" + text(34, 19, "exact path");
   out += R"(<path class="tr-recorded" d="M106 15h22"/>)" +
@@ -214,14 +207,13 @@ std::string deviation_svg(const TraceResult& result, const TraceOptions& options
   const Deviations& d = result.deviations;
   std::string out = std::string(kStyle) + opening(kChart, kTall, "largest deviation by move");
   // By move: the height is the part of the tolerance, a little more than all of it at most.
-  const double rotary = options.rotary_tolerance.value_or(options.tolerance);
-  const auto part = [&](const Distance& at) { return std::max(at.linear / options.tolerance, at.rotary / rotary); };
+  const Distance tolerance{options.tolerance, options.rotary_tolerance.value_or(options.tolerance)};
   out += text(6, 14,
               fmt::format("largest deviation by move; line: the tolerance, {} {}", plain(options.tolerance, 9), unit));
   const double each = d.moves().empty() ? 0 : (kChart - 12) / static_cast<double>(d.moves().size());
   for (std::size_t i = 0; i < d.moves().size(); ++i) {
     const Deviations::Move& move = d.moves()[i];
-    const double height = std::max(1.0, std::min(part(move.largest), 1.1) * kHigh);
+    const double height = std::max(1.0, std::min(in_tolerances(move.largest, tolerance), 1.1) * kHigh);
     std::string title = fmt::format("line {}: {} {}", move.line, plain(move.largest.linear, 6), unit);
     if (move.largest.rotary > 0) title += fmt::format(", {} degrees", plain(move.largest.rotary, 6));
     if (move.off) title += ", left";

@@ -7,6 +7,7 @@
 #include "certify/kit/offsets.h"
 #include "certify/kit/trail.h"
 #include "corpus/vector.h"
+#include "fuzz/oracle/number.h"
 #include "model/basis/print.h"
 #include "spec/language/input_error.h"
 
@@ -45,8 +46,6 @@ std::vector<std::string> end_of(const fuzz::ModelRun& run) {
   }
   return end;
 }
-
-double value_of(const spec::Decimal& value) { return std::stod(spec::to_string(value)); }
 
 }  // namespace
 
@@ -180,8 +179,8 @@ std::optional<spec::AxisTable> CaseRunner::shifted_start(const fuzz::ModelRun& r
   for (const auto& [axis, extent] : extents(machine_, run.events)) {
     if (!spec::is_linear_axis(axis)) continue;
     const Travel& travel = machine_.travels.at(axis);
-    const double least = value_of(travel.least);
-    const double greatest = value_of(travel.greatest);
+    const double least = fuzz::approximate(travel.least);
+    const double greatest = fuzz::approximate(travel.greatest);
     if (extent.least >= least && extent.greatest <= greatest) continue;
     if (extent.greatest - extent.least > greatest - least) return std::nullopt;
     const double shift = std::round((least + greatest - extent.least - extent.greatest) / 2);

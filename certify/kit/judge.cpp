@@ -12,6 +12,7 @@
 #include "certify/kit/offsets.h"
 #include "certify/kit/recording.h"
 #include "certify/sort_by.h"
+#include "fuzz/oracle/number.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/decimal_order.h"
 #include "spec/language/input_error.h"
@@ -49,7 +50,7 @@ class Judge {
     if (tolerance.negative || tolerance.is_zero()) throw spec::InputError("--tolerance", 0, 0, "must be positive");
     if (spec::compare(tolerance, verdict_.kit.tolerance) == std::strong_ordering::greater)
       throw spec::InputError("--tolerance", 0, 0, "the kit tells outcomes apart by no more than " + most);
-    verdict_.tolerance = std::stod(spec::to_string(tolerance));
+    verdict_.tolerance = fuzz::approximate(tolerance);
   }
 
   KitVerdict judged() {

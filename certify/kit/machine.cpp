@@ -9,18 +9,18 @@
 #include <vector>
 
 #include "certify/convert.h"
+#include "fuzz/oracle/number.h"
 #include "spec/language/decimal_order.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify::kit {
-namespace {
-
-double in_double(const spec::Decimal& value) { return std::stod(spec::to_string(value)); }
 
 double value_in(const spec::AxisTable& table, char axis) {
   const auto entry = table.find(axis);
-  return entry == table.end() ? 0 : in_double(entry->second);
+  return entry == table.end() ? 0 : fuzz::approximate(entry->second);
 }
+
+namespace {
 
 [[noreturn]] void refuse(std::string_view text, const std::string& what) {
   throw spec::InputError("--travel", 0, 0, "\"" + std::string(text) + "\": " + what);
@@ -124,7 +124,7 @@ void expect_whole(const Machine& machine) {
           fmt::format("axis {0} has no travel: --travel {0}=LEAST,GREATEST, machine coordinates", axis));
     const double place = value_in(machine.setup.position, axis) + value_in(machine.setup.workpiece[0], axis);
     const double room = axis == mark_axis(machine) ? 1 : 0;
-    if (place < in_double(travel->second.least) || place + room > in_double(travel->second.greatest))
+    if (place < fuzz::approximate(travel->second.least) || place + room > fuzz::approximate(travel->second.greatest))
       throw spec::InputError("--travel", 0, 0,
                              fmt::format("axis {}: the place of the marks ([position] of the setup) is at {:g} of the "
                                          "machine, with room of 1 in + direction outside the travel",
@@ -154,9 +154,9 @@ std::map<char, Extent> extents(const Machine& machine, std::span<const model::Ev
 std::string outside_travels(const Machine& machine, std::span<const model::Event> events) {
   for (const auto& [axis, extent] : extents(machine, events)) {
     const Travel& travel = machine.travels.at(axis);
-    if (!(extent.least >= in_double(travel.least)))
+    if (!(extent.least >= fuzz::approximate(travel.least)))
       return fmt::format("{} goes to {:.6g}, below {}", axis, extent.least, spec::to_string(travel.least));
-    if (!(extent.greatest <= in_double(travel.greatest)))
+    if (!(extent.greatest <= fuzz::approximate(travel.greatest)))
       return fmt::format("{} goes to {:.6g}, above {}", axis, extent.greatest, spec::to_string(travel.greatest));
   }
   return {};

@@ -45,4 +45,7 @@ struct Extent {
 };
 std::map<char, Extent> extents(const Machine& machine, std::span<const model::Event> events);
 
+// The value of an axis in a table of a setup; 0 where it has none.
+double value_in(const spec::AxisTable& table, char axis);
+
 }  // namespace toolcomp::certify::kit

@@ -13,6 +13,7 @@
 #include "certify/kit/run_sheet.h"
 #include "certify/sort_by.h"
 #include "corpus/manifest.h"
+#include "fuzz/oracle/number.h"
 #include "fuzz/oracle/trial.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
@@ -26,8 +27,6 @@ constexpr unsigned kFirstParameters = 8950;
 
 // Parts of blocks under tool center point control, where travels are watched.
 constexpr std::uint32_t kSamples = 8;
-
-double value_of(const spec::Decimal& value) { return std::stod(spec::to_string(value)); }
 
 std::string setup_name(std::size_t group) { return fmt::format("setup-{}.toml", group); }
 
@@ -246,7 +245,7 @@ Kit make(const MakeOptions& options) {
     throw spec::InputError("--section", 0, 0, fmt::format("no vector of these sections is for {}", control));
   Outcomes outcomes;
   const OutcomeSet wanted = outcomes.of_sections(options.sections, control);
-  Chooser chooser(options.machine, outcomes, vectors, options.first_offset, value_of(options.tolerance),
+  Chooser chooser(options.machine, outcomes, vectors, options.first_offset, fuzz::approximate(options.tolerance),
                   options.progress);
   const Choice choice = chooser.choose(wanted);
   Kit kit = Maker(options, outcomes, choice, chooser).make();

@@ -11,11 +11,6 @@
 namespace toolcomp::certify::kit {
 namespace {
 
-double value_in(const spec::AxisTable& table, char axis) {
-  const auto entry = table.find(axis);
-  return entry == table.end() ? 0 : std::stod(spec::to_string(entry->second));
-}
-
 bool stands(const RecordedSample& a, const RecordedSample& b, double most) {
   for (std::size_t axis = 0; axis < spec::kMaxAxes; ++axis)
     if (a.axes.has(axis) && std::abs(a.axes[axis] - b.axes[axis]) > most) return false;

@@ -11,12 +11,6 @@ void widen(Distance& largest, const Distance& d) {
   largest.rotary = std::max(largest.rotary, d.rotary);
 }
 
-double in_tolerances(const Distance& d, const Distance& tolerance) {
-  const double linear = tolerance.linear > 0 ? d.linear / tolerance.linear : 0;
-  const double rotary = tolerance.rotary > 0 ? d.rotary / tolerance.rotary : 0;
-  return std::max(linear, rotary);
-}
-
 }  // namespace
 
 void Deviations::take(const AxisPoint& recorded, const std::optional<PlaceOnPath>& place) {

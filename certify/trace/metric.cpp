@@ -172,9 +172,7 @@ Distance Metric::outside(const AxisBox& box, const AxisPoint& p) const {
   return distance;
 }
 
-double Metric::in_tolerances(const Distance& d) const {
-  return std::max(d.linear / tolerance_.linear, d.rotary / tolerance_.rotary);
-}
+double Metric::in_tolerances(const Distance& d) const { return certify::in_tolerances(d, tolerance_); }
 
 std::optional<std::size_t> Metric::turned(const AxisPoint& a, const AxisPoint& b) const {
   std::optional<std::size_t> most;

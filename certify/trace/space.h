@@ -1,6 +1,7 @@
 // The space in which a recording is compared with the path: the recorded axes, linear and rotary ones apart.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -18,6 +19,11 @@ struct Distance {
   double linear = 0;
   double rotary = 0;
 };
+
+// The larger of both, each by its tolerance.
+inline double in_tolerances(const Distance& d, const Distance& tolerance) {
+  return std::max(d.linear / tolerance.linear, d.rotary / tolerance.rotary);
+}
 
 // The axes that are recorded, by index.
 struct TraceSpace {

@@ -142,6 +142,7 @@ class Causes {
   struct Line {
     double scale = 1;
     double shift = 0;
+    double mirrored = 0;  // the shift with the scale -1: its range is that of the exact one, the other way round
     bool moves = false;
   };
 
@@ -163,7 +164,11 @@ class Causes {
       if (line.moves) line.scale = (recorded.high[axis] - recorded.low[axis]) / width;
       // What the ends of the range cannot tell from 1.
       if (std::fabs(line.scale - 1) * width < tolerance(axis) / 4) line.scale = 1;
-      line.shift = (recorded.low[axis] + recorded.high[axis] - line.scale * (exact.low[axis] + exact.high[axis])) / 2;
+      const double twice_recorded = recorded.low[axis] + recorded.high[axis];
+      const double twice_exact = exact.low[axis] + exact.high[axis];
+      line.shift = (twice_recorded - line.scale * twice_exact) / 2;
+      line.mirrored = (twice_recorded + twice_exact) / 2;
+      if (std::fabs(line.mirrored) < tolerance(axis) / 4) line.mirrored = 0;
       if (std::fabs(line.shift) < tolerance(axis) / 16) line.shift = 0;
     }
     return lines;
@@ -184,10 +189,8 @@ class Causes {
     if (conforms(path(), undone(shifted))) return "the recording is shifted by" + shift_text(shifted, "");
     for (const std::size_t axis : axes_) {
       std::vector<Line> reversed(spec::kMaxAxes);
-      reversed[axis] = lines[axis];
       reversed[axis].scale = -1;
-      // Its range is that of the exact one, the other way round.
-      reversed[axis].shift = mirrored_shift(axis, lines[axis]);
+      reversed[axis].shift = lines[axis].mirrored;
       if (lines[axis].moves && conforms(path(), undone(reversed)))
         return fmt::format("axis {} runs the other way", letter(axis)) + shift_text(reversed, ", shifted by");
     }
@@ -199,16 +202,7 @@ class Causes {
     return "the recording is scaled:" + text + shift_text(lines, ", and shifted by");
   }
 
-  [[nodiscard]] double mirrored_shift(std::size_t axis, const Line& line) const {
-    // lines_through: shift = R - scale · E with R and E the sums of both ends' halves; mirrored it is R + E.
-    AxisBox recorded;
-    for (const RecordedSample& sample : run_.samples) recorded.add(sample.at);
-    const double middle = (recorded.low[axis] + recorded.high[axis]) / 2;
-    const double shift = middle + (middle - line.shift) / line.scale;
-    return std::fabs(shift) < tolerance(axis) / 4 ? 0 : shift;
-  }
-
-  // " X 0.5 (as H1), Z -25" behind `before`; nothing where nothing is shifted.
+  // " X 0.5, Z -25" behind `before`; nothing where nothing is shifted.
   [[nodiscard]] std::string shift_text(const std::vector<Line>& lines, std::string_view before) const {
     std::string text;
     for (const std::size_t axis : axes_)

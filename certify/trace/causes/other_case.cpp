@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <set>
 
+#include "fuzz/oracle/number.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_reader.h"
 
@@ -37,15 +38,13 @@ spec::Decimal negated(spec::Decimal value) {
   return value;
 }
 
-double number(const spec::Decimal& value) { return std::stod(spec::to_string(value)); }
-
 std::string total(const spec::OffsetEntry& entry) {
-  return fmt::format("{:.9g}", number(entry.geometry) + number(entry.wear));
+  return fmt::format("{:.9g}", fuzz::approximate(entry.geometry) + fuzz::approximate(entry.wear));
 }
 
 // To the last digit that a setup may have in any increment system.
 spec::Decimal sum(const spec::Decimal& value, double by) {
-  return spec::parse_decimal(fmt::format("{:.6f}", number(value) + by)).value_or(value);
+  return spec::parse_decimal(fmt::format("{:.6f}", fuzz::approximate(value) + by)).value_or(value);
 }
 
 spec::Case with(const spec::Case& c, Offsets spec::Setup::* table, std::uint32_t n, const spec::OffsetEntry& entry) {

@@ -7,6 +7,7 @@
 #include "certify/trace/causes/listed_path.h"
 #include "certify/trace/metric.h"
 #include "certify/trace/program_path.h"
+#include "fuzz/oracle/number.h"
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::certify {
@@ -17,7 +18,7 @@ std::unique_ptr<PathSource> programmed_path(const spec::Case& c, const TraceSpac
   AxisPoint at{};
   for (const auto& [letter, start] : c.setup.position)
     if (const std::size_t axis = c.setup.axes.index(letter); axis != spec::Axes::kNone)
-      at.at(axis) = std::stod(spec::to_string(start));
+      at.at(axis) = fuzz::approximate(start);
   spec::Case own = c;
   own.samples = 0;
   for (const model::Event& exact : fuzz::run_model(own).events) {
