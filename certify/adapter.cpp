@@ -122,9 +122,9 @@ bool on_path(const std::string& program) {
 
 }  // namespace
 
-std::string Adapter::shell_command(std::string_view arguments) const {
+std::string Adapter::shell_command(const std::vector<std::string>& arguments) const {
   std::string line = "cd " + single_quoted(folder.string()) + " && " + command;
-  if (!arguments.empty()) line += " " + single_quoted(arguments);
+  for (const std::string& argument : arguments) line += " " + single_quoted(argument);
   return line;
 }
 

@@ -38,7 +38,7 @@ struct Adapter {
   std::vector<KnownDifference> known;
 
   // What a shell runs: the command in its folder, `arguments` behind it.
-  [[nodiscard]] std::string shell_command(std::string_view arguments = {}) const;
+  [[nodiscard]] std::string shell_command(const std::vector<std::string>& arguments = {}) const;
   [[nodiscard]] const KnownDifference* known_difference(std::string_view id) const;
   // The one that the controller runs on where the model gives this alarm, or nullptr.
   [[nodiscard]] const KnownDifference* without_alarm(std::string_view number) const;

@@ -9,12 +9,10 @@
 #include <system_error>
 #include <utility>
 
+#include "certify/adapter_batch.h"
 #include "certify/adapter_programs.h"
-#include "certify/process.h"
 #include "certify/report.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/event_names.h"
-#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -22,40 +20,6 @@ namespace toolcomp::certify {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The first line of a file, or nothing.
-std::optional<std::string> first_line(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string line;
-  if (!in) return std::nullopt;
-  std::getline(in, line);
-  return line;
-}
-
-// Lines of a program where the adapter says that the controller is known to differ: "ID FIRST LAST" each.
-struct KnownPlace {
-  std::string id;
-  std::uint64_t first = 0;
-  std::uint64_t last = 0;
-};
-
-std::vector<KnownPlace> read_known_places(const fs::path& file, const Adapter& adapter) {
-  std::vector<KnownPlace> places;
-  std::ifstream in(file);
-  std::uint64_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    std::istringstream words(line);
-    KnownPlace place;
-    std::string rest;
-    if (!(words >> place.id >> place.first >> place.last) || words >> rest)
-      throw spec::InputError(file.string(), number, 1, "ID FIRST LAST is expected");
-    if (adapter.known_difference(place.id) == nullptr)
-      throw spec::InputError(file.string(), number, 1, "no known difference is called \"" + place.id + "\"");
-    places.push_back(std::move(place));
-  }
-  return places;
-}
 
 const spec::Event<double>* alarm_of(const std::vector<spec::Event<double>>& events) {
   const auto found = std::ranges::find(events, spec::EventKind::alarm, &spec::Event<double>::kind);
@@ -164,6 +128,8 @@ class Judge {
   TraceOptions options_;
 };
 
+using Clock = std::chrono::steady_clock;
+
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 spec::Setup read_setup(const fs::path& file) {
@@ -199,35 +165,13 @@ std::vector<AdapterRun> write_batch(const AdapterCampaign& campaign, const fs::p
   fs::remove_all(batch, none);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     AdapterRun& run = runs[i];
-    run.folder = batch / fmt::format("{:04}", i + 1);
-    spec::write_file(run.folder / "program.nc", run.c.program);
-    spec::write_file(run.folder / "setup.json", spec::write_setup_json(run.c.setup) + "\n");
+    run.folder = batch_folder(batch, i);
+    write_program(run.folder, run.c);
     for (const auto& [parameter, value] : campaign.altered)
       if (const auto found = run.c.setup.parameters.find(parameter); found != run.c.setup.parameters.end())
         found->second = value;
   }
   return runs;
-}
-
-// Runs the adapter to its end; what it says goes to `progress`. What is wrong with it, or empty.
-std::string run_adapter(const AdapterCampaign& campaign, const fs::path& batch, std::size_t programs) {
-  constexpr std::size_t kLongestLine = 65536;
-  // What it writes to standard output is nobody's.
-  Process process("{ " + campaign.adapter.shell_command(fs::absolute(batch).string()) + "; } 2>&1 >/dev/null");
-  constexpr std::int64_t kStart = 6;  // programs: what it may take to come and go
-  const auto wait = (kStart + static_cast<std::int64_t>(programs)) * campaign.timeout;
-  const Clock::time_point deadline = Clock::now() + wait;
-  std::string line;
-  std::string last;
-  Exchange end = Exchange::line;
-  while ((end = process.exchange("", line, deadline, kLongestLine)) == Exchange::line) {
-    if (campaign.progress) campaign.progress(line);
-    last = line;
-  }
-  const std::string ended = process.finish(std::chrono::seconds(end == Exchange::closed ? 10 : 0));
-  if (end == Exchange::timed_out) return fmt::format("did not end within {} ms", wait.count());
-  if (process.exit_status() != 0) return ended + (last.empty() ? "" : ": " + last);
-  return {};
 }
 
 }  // namespace
@@ -244,7 +188,8 @@ AdapterCertificate certify_adapter(const AdapterCampaign& campaign) {
   const fs::path batch = fs::path(campaign.report) / "runs";
   certificate.runs = write_batch(campaign, batch);
   const Clock::time_point start = Clock::now();
-  certificate.errors = run_adapter(campaign, batch, certificate.runs.size());
+  certificate.errors =
+      run_adapter(campaign.adapter, "", batch, certificate.runs.size(), campaign.timeout, campaign.progress);
   certificate.seconds_run = seconds_since(start);
   const Clock::time_point judged = Clock::now();
   const Judge judge(campaign.adapter, certificate.tolerance);

@@ -6,6 +6,8 @@
 #include <iostream>
 #include <optional>
 
+#include "certify/adapter.h"
+#include "certify/adapter_batch.h"
 #include "certify/kit/judge.h"
 #include "certify/kit/kit_json.h"
 #include "certify/kit/make.h"
@@ -49,6 +51,13 @@ std::optional<spec::Decimal> tolerance_of(const std::string& text) {
   return value;
 }
 
+kit::WhyNot asking(const KitOptions& options) {
+  const auto adapter = certify::find_adapter(options.controller, certify::adapter_folders(options.adapters));
+  if (!adapter) usage("--controller names an adapter (docs/adapters.md), and none is called " + options.controller);
+  certify::expect_programs(*adapter);
+  return [adapter = *adapter](const std::vector<spec::Case>& cases) { return certify::why_not(adapter, cases); };
+}
+
 int make(const KitOptions& options) {
   if (options.setup.empty()) usage("make needs --setup");
   if (options.out.empty()) usage("make needs --out");
@@ -59,8 +68,11 @@ int make(const KitOptions& options) {
   how.machine = read_machine(options);
   how.sections = options.sections;
   how.corpus = options.corpus.empty() ? corpus::default_folder() : fs::path(options.corpus);
+  how.generated = options.cases;
+  how.seed = options.seed;
   how.first_offset = options.first_offset;
   how.tolerance = tolerance_of(options.tolerance).value_or(how.tolerance);
+  if (!options.controller.empty()) how.why_not = asking(options);
   kit::Kit made;
   {
     const Progress progress("vectors");

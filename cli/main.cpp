@@ -195,6 +195,12 @@ class CommandLine {
     sub->add_option("--travel", kit_.travels, "make: AXIS=LEAST,GREATEST in machine coordinates, once for every axis");
     sub->add_option("--out", kit_.out, "make: folder of the kit, empty or not yet there");
     sub->add_option("--corpus", kit_.corpus, "make: folder of the golden corpus");
+    sub->add_option("--controller", kit_.controller,
+                    "make: adapter of the control (docs/adapters.md); what it cannot run stays at home");
+    sub->add_option("--adapters", kit_.adapters, "make: folder of adapters, searched first (repeatable)");
+    sub->add_option("--cases", kit_.cases,
+                    "make, FANUC: so many programs made for this machine are candidates besides");
+    sub->add_option("--seed", kit_.seed, "make: seed of these programs")->capture_default_str();
     sub->add_option("--first-offset", kit_.first_offset, "make: offset numbers from here on are overwritten")
         ->check(CLI::Range(1U, 999U));
     sub->add_option("--alarms", kit_.alarms, "judge: the alarm form, filled in (default: alarms.csv of the kit)");

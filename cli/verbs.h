@@ -122,7 +122,11 @@ struct KitOptions {
   std::vector<std::string> sections;
   std::vector<std::string> travels;  // "X=-300,300"
   std::string out;
-  std::string corpus;  // folder of the golden corpus
+  std::string corpus;                 // folder of the golden corpus
+  std::string controller;             // make: name of an adapter
+  std::vector<std::string> adapters;  // make: folders of adapters
+  std::uint32_t cases = 0;            // make: generated for this machine, besides
+  std::uint64_t seed = 1;             // make: of these
   std::uint32_t first_offset = 1;
   std::vector<std::string> recordings;  // judge: files and folders
   std::string alarms;                   // judge: the form; without it, that of the kit

@@ -94,12 +94,19 @@ def lengths(translation, last):
             for line, moved in translation.lengths if not moved]
 
 
+def cancels(translation, last):
+    """From the move before G40 by itself to the next one."""
+    return [("cancel-without-move", max((m for m in translation.moving if m < line), default=1),
+             min((m for m in translation.moving if m > line), default=last)) for line in translation.cancels]
+
+
 def known_places(program, setup, interpreter):
     """(id, first line, last line) of the program."""
     nominal = translate(program, setup, compensate=False)
     run = interpreter.run(nominal.text, nominal.tools)
     last = len(program.splitlines())
-    return corners(legs_of(run.moves), nominal.translation, last) + lengths(nominal.translation, last)
+    made = nominal.translation
+    return corners(legs_of(run.moves), made, last) + cancels(made, last) + lengths(made, last)
 
 
 def known_refusal(words):

@@ -74,8 +74,7 @@ def unit_of(setup):
 
 def check_chosen(setup, by_tip):
     """Everything of a setup that LinuxCNC cannot be made to do."""
-    for key, usual in {"control": "fanuc", "cutter_compensation": "C", "block_skip": False,
-                       "g49_sets_h0": False}.items():
+    for key, usual in {"control": "fanuc", "cutter_compensation": "C", "g49_sets_h0": False}.items():
         if setup.get(key, usual) != usual:
             raise NotApplicable(f"setup: {key} is {setup[key]}")
     for name in setup.get("parameters", {}):

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """The whole controller: runs a batch of programs in LinuxCNC and records the joints (docs/adapters.md).
 
-motion.py BATCH_FOLDER: in it NNN/program.nc and NNN/setup.json; out come NNN/trace.csv, or NNN/alarm.txt with
+motion.py [--ask] BATCH_FOLDER: in it NNN/program.nc and NNN/setup.json; out come NNN/trace.csv, or NNN/alarm.txt with
 LinuxCNC's words, or NNN/not_applicable.txt with what it does not have; and NNN/known.txt, lines where it is known to
-differ. One start of LinuxCNC for each kinematics module.
+differ. One start of LinuxCNC for each kinematics module. With --ask nothing is run.
 """
 import argparse
 import json
@@ -39,8 +39,11 @@ class Job:
         self.translated = translate(program, self.setup)
         self.module = self.translated.machine.module
         self.known = known_places(program, self.setup, interpreter)
+        if self.known:
+            self.write_known(self.known)
         self.axes = self.setup.get("axes", ["X", "Y", "Z"])
-        self.patience = PATIENCE + PATIENCE_A_BLOCK * len(program.splitlines())
+        self.rests = self.translated.translation.rests
+        self.patience = PATIENCE + PATIENCE_A_BLOCK * len(program.splitlines()) + self.rests
         self.unit = float(unit_of(self.setup))
         origins = [self.origin_of(system) for system in sorted(self.translated.translation.systems)]
         if any(origin != origins[0] for origin in origins):
@@ -56,8 +59,6 @@ class Job:
         tools = sorted(self.translated.tools.items())
         table = (f"T{n} P{n} Z{length:.12f} D{diameter:.12f}\n" for n, (length, diameter) in tools)
         (folder / f"{self.number}.tbl").write_text("".join(table), encoding="ascii")
-        if self.known:
-            self.write_known(self.known)
         return {"number": self.number, "program": str(folder / f"{self.number}.ngc"), "patience": self.patience,
                 "tools": str(folder / f"{self.number}.tbl"), "pins": self.translated.pins}
 
@@ -74,9 +75,8 @@ class Job:
             self.write_known([*self.known, (name, 1, 1)])
 
 
-def read_batch(folder):
+def read_batch(folder, interpreter):
     jobs = []
-    interpreter = Interpreter()
     for one in sorted(path for path in folder.iterdir() if path.name.isdigit()):
         try:
             jobs.append(Job(one, interpreter))
@@ -120,7 +120,7 @@ def run_once(module, jobs, period):
         (folder / "jobs.json").write_text(json.dumps([job.write(folder) for job in jobs]), encoding="utf-8")
         shutil.copy(HERE / "ui.py", folder / "ui.py")
         (folder / "ui.py").chmod(0o755)
-        patience = PATIENCE + sum(job.patience / 4 for job in jobs)
+        patience = PATIENCE + sum(job.patience / 4 + job.rests for job in jobs)
         output = session.run(folder, patience, [f"PROGRAM_PIN={len(module.joints) + 1}"])
         said = answers(folder)
         if not said:
@@ -151,21 +151,40 @@ def run_module(module, jobs, period):
         (job.folder / "failed.txt").write_text(f"no whole recording in {TRIES} starts\n", encoding="utf-8")
 
 
+def ask(folder):
+    """What LinuxCNC has not and where it is known to differ, refusals of its interpreter with them."""
+    interpreter = Interpreter()
+    for job in read_batch(folder, interpreter):
+        refused = interpreter.run(job.translated.text, job.translated.tools).error
+        if refused and (name := known_refusal(refused)):
+            job.write_known([*job.known, (name, 1, 1)])
+
+
+def run_batch(folder, period):
+    """Runs what LinuxCNC can run of a batch. Throws session.Failed."""
+    jobs = read_batch(folder, Interpreter())
+    with session.exclusive(600):
+        for module in dict.fromkeys(job.module for job in jobs):
+            run_module(module, [job for job in jobs if job.module == module], period)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("batch", type=Path)
+    parser.add_argument("--ask", action="store_true", help="write known.txt and not_applicable.txt, and run nothing")
     parser.add_argument("--period", type=int, default=configuration.SERVO_PERIOD, help="servo period in ns")
     options = parser.parse_args()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
-    jobs = read_batch(options.batch)
+    if options.ask:
+        ask(options.batch)
+        return 0
     try:
-        with session.exclusive(600):
-            for module in dict.fromkeys(job.module for job in jobs):
-                run_module(module, [job for job in jobs if job.module == module], options.period)
+        run_batch(options.batch, options.period)
     except session.Failed as failure:
         say(str(failure))
         return 1
     return 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

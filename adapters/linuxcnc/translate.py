@@ -13,6 +13,7 @@ SYSTEMS = {"54", "55", "56", "57", "58", "59"}
 TIP = "43.4"
 IGNORED_M = {"3", "4", "5", "8", "9"}
 AXES = "XYZABCUVW"
+PLANES = {"17": "XY", "18": "ZX", "19": "YZ"}
 
 
 def plain(text):
@@ -25,10 +26,12 @@ def fixed(value):
     return f"{float(decimal(value)):.12f}".rstrip("0").rstrip(".")
 
 
-def words_of(line, number):
-    """(letter, number as text) of a block; NotApplicable for what is no word."""
+def words_of(line, number, skip):
+    """(letter, number as text) of a block; NotApplicable for what is no word. `skip`: of blocks with / nothing."""
     text = re.sub(r"\([^)]*\)", " ", line.split(";")[0]).strip().upper()
     if text.startswith("/"):
+        if skip:
+            return []
         text = text[1:]
     if not text or text == "%" or re.fullmatch(r"[O:]\d+", text):
         return []
@@ -54,8 +57,10 @@ class Translation:
         self.in_tip = False
         self.rotary = {axis: decimal(value) for axis, value in setup.get("position", {}).items() if axis in "ABC"}
         self.compensate = compensate
+        self.skip = setup.get("block_skip", False)
         self.sides = {}  # line → 1 left, -1 right: blocks in cutter compensation
         self.starts = []  # lines of G41 and G42
+        self.cancels = []  # lines of G40 that end compensation without a move in the plane
         self.lengths = []  # lines where the length offset may change, and whether LinuxCNC makes the move of it
         self.absolute_z = []  # lines
         self.moving = set()  # lines with an axis word
@@ -68,16 +73,19 @@ class Translation:
         self.compensating = 0  # side
         self.length_on = False
         self.plane = "17"
+        self.rests = 0.0  # s
         self.ended = False
 
     def line(self, text, number):
         if self.ended:
             return ""
-        words = words_of(text, number)
+        words = words_of(text, number, self.skip)
         if any(letter in AXES for letter, _ in words):
             self.moving.add(number)
         letters = {letter for letter, _ in words}
         codes = [plain(value) for letter, value in words if letter == "G"]
+        if "4" in codes:
+            return self.rest(dict(words), number)
         if self.kinematics:
             self.follow_rotary(words, codes, number)
         for kind in "HD":
@@ -101,6 +109,8 @@ class Translation:
         elif plane := next((c for c in codes if c in ("17", "18", "19")), None):
             self.plane = plane
         if "40" in codes:
+            if self.compensating and not letters & set(PLANES[self.plane]):
+                self.cancels.append(number)
             self.compensating = 0
         if self.compensating:
             self.sides[number] = self.compensating
@@ -117,16 +127,25 @@ class Translation:
             self.length_on = False
         return " ".join(word for word in out if word)
 
+    def rest(self, words, number):
+        """FANUC's P is milliseconds, LinuxCNC's seconds."""
+        if set(words) != {"G", "P"} or not words["P"].isdigit():
+            raise NotApplicable(f"line {number}: G4 with other words than P")
+        seconds = int(words["P"]) / 1000
+        self.rests += seconds
+        return f"G4 P{seconds:g}"
+
     def follow_rotary(self, words, codes, number):
         """The kinematics is always in force: outside G43.4 the rotary axes must stand at 0."""
         incremental = "91" in codes or self.incremental and "90" not in codes
+        turned = any(self.rotary.values())
         for letter, value in words:
             if letter in "ABC":
                 self.rotary[letter] = decimal(value) + (self.rotary.get(letter, 0) if incremental else 0)
         inside = self.in_tip and "49" not in codes
         if TIP in codes or "49" in codes:
             self.in_tip = TIP in codes
-        if not inside and any(self.rotary.values()):
+        if not inside and (turned or any(self.rotary.values())):
             raise NotApplicable(f"line {number}: a rotary axis is not at 0 outside G43.4")
 
     def check_parameters(self, setup):

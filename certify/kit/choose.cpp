@@ -117,6 +117,25 @@ std::string Chooser::prepare_klartext(Candidate& candidate) const {
   return screened.why;
 }
 
+void Chooser::leave_out(const WhyNot& why_not) {
+  as_it_is_ = true;
+  std::vector<Candidate*> asked;
+  std::vector<spec::Case> cases;
+  for (Candidate& candidate : candidates_) {
+    if (!candidate.why.empty() || !candidate.here.why.empty()) continue;
+    if (candidate.here.stop) {
+      candidate.why = "it ends in an alarm, and the control has alarms of its own";
+      continue;
+    }
+    asked.push_back(&candidate);
+    spec::Case& c = cases.emplace_back();
+    c.setup = program_setup(machine_, {}, candidate.offsets);
+    c.program = write_program(machine_, kFirstProgram + 1, "", ProgramKind::recorded, {candidate.here.text}).text;
+  }
+  const std::vector<std::string> answers = why_not(cases);
+  for (std::size_t i = 0; i < asked.size(); ++i) asked[i]->why = answers.at(i);
+}
+
 Choice Chooser::choose(OutcomeSet wanted) {
   wanted_ = std::move(wanted);
   choice_ = {};
@@ -126,7 +145,7 @@ Choice Chooser::choose(OutcomeSet wanted) {
     for (std::size_t i = 0; i < candidates_.size(); ++i)
       if (candidates_[i].why.empty() && candidates_[i].here.why.empty()) runs.emplace_back(i, candidates_[i].here);
     cover(0, runs, stopped);
-    cover_with_parameters(stopped);
+    if (!as_it_is_) cover_with_parameters(stopped);
   }
   choice_.missing = wanted_;
   for (const std::size_t outcome : wanted_) choice_.why[outcome] = why_missing(outcome);

@@ -15,6 +15,9 @@
 
 namespace toolcomp::certify::kit {
 
+// Why a control cannot run each of these programs; empty where it can.
+using WhyNot = std::function<std::vector<std::string>(const std::vector<spec::Case>&)>;
+
 // A vector that was taken, as it goes into a program.
 struct Chosen {
   const spec::Case* vector = nullptr;
@@ -37,6 +40,8 @@ class Chooser {
   Chooser(const Machine& machine, const Outcomes& outcomes, const std::vector<corpus::Vector>& vectors,
           std::uint32_t first_offset, double tolerance, std::function<void(const std::string&)> progress);
 
+  // Leaves at home what the control refuses, what ends in an alarm and what needs other parameters.
+  void leave_out(const WhyNot& why_not);
   // Covers `wanted`: by recordings under the parameters of the machine, then under others, then by alarms.
   Choice choose(OutcomeSet wanted);
   // The tables that the cases chosen share: H and D, or the tools.
@@ -79,6 +84,7 @@ class Chooser {
   std::vector<Candidate> candidates_;
   std::function<void(const std::string&)> progress_;
   double tolerance_;
+  bool as_it_is_ = false;  // no other parameters
   OutcomeSet wanted_;
   std::map<std::size_t, int> not_told_;  // of outcomes: in how many cases no path showed them
   Choice choice_;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "certify/adapter_programs.h"
 #include "certify/kit/alarm_form.h"
 #include "certify/kit/choose.h"
 #include "certify/kit/kit_json.h"
@@ -233,6 +234,22 @@ class Maker {
   Kit kit_;
 };
 
+// Programs for this machine, as vectors: with tool center point control where it has kinematics, and without.
+std::vector<corpus::Vector> generated_vectors(const MakeOptions& options) {
+  std::vector<corpus::Vector> vectors;
+  spec::Setup conventional = options.machine.setup;
+  conventional.parameters.erase(spec::ParameterId{19680, -1});
+  for (std::uint32_t i = 0; i < options.generated; ++i) {
+    constexpr std::uint64_t kApart = 1'000'003;  // programs of two seeds
+    spec::Case c = machine_program(i % 2 == 0 ? options.machine.setup : conventional, options.seed * kApart + i);
+    c.setup.parameters = options.machine.setup.parameters;
+    c.id = fmt::format("generated-{}-{}", options.seed, i + 1);
+    if (options.sections.empty() || std::ranges::find(options.sections, c.section) != options.sections.end())
+      vectors.push_back({{}, 0, {}, std::move(c)});
+  }
+  return vectors;
+}
+
 }  // namespace
 
 Kit make(const MakeOptions& options) {
@@ -241,12 +258,15 @@ Kit make(const MakeOptions& options) {
   const std::string_view control = options.machine.setup.control == spec::Control::fanuc ? "fanuc" : "heidenhain";
   std::vector<corpus::Vector> vectors = corpus::read_vectors(options.corpus, {options.sections, 1, 1});
   std::erase_if(vectors, [&](const corpus::Vector& v) { return v.c.setup.control != options.machine.setup.control; });
+  if (options.machine.setup.control == spec::Control::fanuc)
+    for (corpus::Vector& vector : generated_vectors(options)) vectors.push_back(std::move(vector));
   if (vectors.empty())
     throw spec::InputError("--section", 0, 0, fmt::format("no vector of these sections is for {}", control));
   Outcomes outcomes;
   const OutcomeSet wanted = outcomes.of_sections(options.sections, control);
   Chooser chooser(options.machine, outcomes, vectors, options.first_offset, fuzz::approximate(options.tolerance),
                   options.progress);
+  if (options.why_not) chooser.leave_out(options.why_not);
   const Choice choice = chooser.choose(wanted);
   Kit kit = Maker(options, outcomes, choice, chooser).make();
   kit.corpus = manifest.version;

@@ -11,9 +11,11 @@
 namespace toolcomp::certify::kit {
 namespace {
 
-// What stands before the way back to the place of the marks, a line each. That place is {place}, in machine coordinates
-// {machine}: G53 takes the shift of G45 to G48 away.
-constexpr std::array<std::string_view, 7> kEndings = {
+// What stands before the way back to the place of the marks, a line each. That place is {place}, its rotary axes alone
+// {turned}, in machine coordinates {machine}: G53 takes the shift of G45 to G48 away. The first is what every control
+// runs alike: it turns back under tool center point control, and takes a length off while it moves.
+constexpr std::array<std::string_view, 8> kEndings = {
+    "G40\nG90 G00{turned}\nG49 G00 {place}\n",
     "G40\nG49\n",
     "G00 G40\nG49\n",
     "G00 G40\nG90 G00 {place}\nG49\n",
@@ -28,6 +30,19 @@ spec::AxisTable machine_place(const spec::Setup& setup) {
   spec::AxisTable place = setup.workpiece[0];
   for (const auto& [axis, value] : setup.position) place[axis] = sum(place[axis], value);
   return place;
+}
+
+std::string word(char axis, const spec::AxisTable& place) {
+  const auto entry = place.find(axis);
+  return std::string(1, axis) + with_point(entry == place.end() ? spec::Decimal{} : entry->second);
+}
+
+// Those of the rotary axes, a blank before each.
+std::string rotary_words(const spec::Setup& setup, const spec::AxisTable& place) {
+  std::string words;
+  for (const char axis : setup.axes.letters())
+    if (spec::is_rotary_axis(axis)) words += " " + word(axis, place);
+  return words;
 }
 
 // Not every control reads small letters in a comment.
@@ -99,7 +114,9 @@ class Writer {
 class FanucWriter final : private Writer {
  public:
   FanucWriter(const Machine& machine, ProgramKind kind)
-      : Writer(machine, kind), place_(place_words(machine.setup, machine.setup.position)) {}
+      : Writer(machine, kind),
+        place_(place_words(machine.setup, machine.setup.position)),
+        turned_(rotary_words(machine.setup, machine.setup.position)) {}
 
   void head(unsigned number, std::string_view title) {
     add("%");
@@ -124,7 +141,7 @@ class FanucWriter final : private Writer {
       add(spec::to_string(block));
     }
     lines.last = line_;
-    add_lines(fmt::format(fmt::runtime(kEndings.at(c.ending)), fmt::arg("place", place_),
+    add_lines(fmt::format(fmt::runtime(kEndings.at(c.ending)), fmt::arg("place", place_), fmt::arg("turned", turned_),
                           fmt::arg("machine", place_words(machine_.setup, machine_place(machine_.setup)))));
     safe();
     add("D0 H0");
@@ -156,6 +173,7 @@ class FanucWriter final : private Writer {
   }
 
   std::string place_;
+  std::string turned_;
 };
 
 class KlartextWriter final : private Writer {
@@ -250,11 +268,7 @@ void cut_to(CaseText& text, std::size_t count) {
 
 std::string place_words(const spec::Setup& setup, const spec::AxisTable& place) {
   std::string words;
-  for (const char axis : setup.axes.letters()) {
-    const auto entry = place.find(axis);
-    words += (words.empty() ? "" : " ") + std::string(1, axis) +
-             with_point(entry == place.end() ? spec::Decimal{} : entry->second);
-  }
+  for (const char axis : setup.axes.letters()) words += (words.empty() ? "" : " ") + word(axis, place);
   return words;
 }
 

@@ -34,6 +34,18 @@ class Translation(unittest.TestCase):
     def test_tools_are_a_length_and_a_diameter(self):
         self.assertEqual(translate("G43 H1 Z0\nG41 D1 X1\n", THREE).tools, {1: [12.5, 9.5]})
 
+    def test_rests_are_milliseconds(self):
+        translated = translate("G04 P1500\nG4 P20\n", THREE)
+        self.assertEqual(translated.text.splitlines()[PREAMBLE:-1], ["G4 P1.5", "G4 P0.02"])
+        self.assertAlmostEqual(translated.translation.rests, 1.52)
+        for program in ("G04 X1.", "G04 P1.5", "G04 P1 X1"):
+            with self.assertRaises(NotApplicable, msg=program):
+                lines(program)
+
+    def test_block_skip(self):
+        self.assertEqual(lines("/X1\n/G69\nX2\n", {**THREE, "block_skip": True})[:3], ["", "", "X2"])
+        self.assertEqual(lines("/X1\n")[0], "X1")
+
     def test_inches(self):
         inch = {**THREE, "units": "inch"}
         self.assertEqual(float(unit_of(inch)), 25.4)
@@ -54,7 +66,8 @@ class Translation(unittest.TestCase):
 
     def test_the_kinematics_is_always_in_force(self):
         lines("G43.4 H1 X0 Z0\nA30 C40\nA0 C0\nG49 Z0\n", TRUNNION)
-        for program in ("A30\nG43.4 H1 Z0\n", "G43.4 H1 Z0 A5\n", "G43.4 H1 Z0\nA5\nG49 Z0\n"):
+        for program in ("A30\nG43.4 H1 Z0\n", "G43.4 H1 Z0 A5\n", "G43.4 H1 Z0\nA5\nG49 Z0\n",
+                        "G43.4 H1 Z0\nA5\nG49 Z0 A0\n"):
             with self.assertRaises(NotApplicable, msg=program):
                 lines(program, TRUNNION)
         lines("A30\n", TRUNNION)  # without G43.4 each axis moves by itself

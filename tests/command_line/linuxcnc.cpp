@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "tests/command_line/command.h"
@@ -59,6 +60,46 @@ TEST_F(LinuxCnc, ATrunnionConforms) {
 TEST_F(LinuxCnc, AWrongMachineIsFound) {
   EXPECT_EQ(motion("xyzac-trt", "--cases 2 --altered 19704=-20.49").status, 1);
   EXPECT_EQ(motion("5axis", "--cases 2 --altered 19689=0").status, 1);
+}
+
+// A kit for what LinuxCNC has, its programs run with offsets typed into LinuxCNC's own table, recorded and judged.
+TEST_F(LinuxCnc, AKitConformsAndAWrongOffsetIsNamed) {
+  const std::string setup =
+      read(kSetups + "xyzac-trt.toml") + "\n[workpiece.G54]\nX = 30\nY = -20\nZ = 10\n[position]\nX = 1\nZ = 2\n";
+  const Outcome made = toolcomp("kit make --setup " + folder.write("machine.toml", setup) + " --out " +
+                                folder.path("kit") + " --controller linuxcnc-motion --cases 60 --travel X=-500,500 " +
+                                "--travel Y=-500,500 --travel Z=-500,500 --travel A=-720,720 --travel C=-720,720 "
+                                "--sections fanuc/tool-length-offset,fanuc/cutter-compensation-c,"
+                                "fanuc/tool-center-point-control");
+  ASSERT_EQ(made.status, 0) << made.err;
+  const json kit = json::parse(read(folder.path("kit/kit.json")));
+  ASSERT_EQ(kit.at("programs").size(), 1U);  // a minute each
+  std::map<std::string, int> cases;
+  for (const json& program : kit.at("programs"))
+    for (const json& c : program.at("cases")) ++cases[c.at("section").get<std::string>()];
+  EXPECT_EQ(cases.size(), 3U);
+  for (const auto& [section, count] : cases) EXPECT_GT(count, 0) << section;
+
+  const auto record = [&](const std::string& folder_name, const std::string& more) {
+    const Outcome ran = command("/usr/bin/python3 " TOOLCOMP_SOURCE_DIR "/adapters/linuxcnc/kit.py " +
+                                folder.path("kit") + " " + folder.path(folder_name) + more);
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    return toolcomp("kit judge " + folder.path("kit") + " " + folder.path(folder_name) + " --report " +
+                    folder.path("certificate"));
+  };
+  const Outcome right = record("right", "");
+  EXPECT_EQ(right.status, 0) << right.out << right.err;
+  // The length under tool center point control is off by 0.1.
+  const std::string program = read(folder.path("kit/" + kit.at("programs")[0].at("file").get<std::string>()));
+  const std::string number = std::to_string(std::stoi(program.substr(program.find("G43.4 H") + 7)));
+  const std::string offsets = read(folder.path("kit/offsets.csv"));
+  const std::string row = "H and D," + number + ",";
+  const double length = std::stod(offsets.substr(offsets.find(row) + row.size()));
+  const Outcome wrong = record("wrong", " --offset H" + number + "=" + std::to_string(length - 0.1));
+  EXPECT_EQ(wrong.status, 1) << wrong.out << wrong.err;
+  EXPECT_NE(wrong.out.find("one mistake explains everything found: H" + number + " (here "), std::string::npos)
+      << wrong.out;
+  EXPECT_NE(wrong.out.find(" is off by -0.1"), std::string::npos) << wrong.out;
 }
 
 // What needs no LinuxCNC.

@@ -69,7 +69,8 @@ TEST_F(Manifest, IsReadWhole) {
 TEST_F(Manifest, TheCommandRunsInItsFolder) {
   const Adapter adapter = read(kPipe).front();
   EXPECT_EQ(adapter.folder, fs::absolute(folder.path("")).parent_path());
-  EXPECT_EQ(adapter.shell_command("it's"), "cd '" + adapter.folder.string() + R"(' && sh answer.sh 'it'\''s')");
+  EXPECT_EQ(adapter.shell_command({"--ask", "it's"}),
+            "cd '" + adapter.folder.string() + R"(' && sh answer.sh '--ask' 'it'\''s')");
 }
 
 TEST_F(Manifest, SaysWhatIsWrongAndWhere) {

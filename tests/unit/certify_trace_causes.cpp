@@ -170,6 +170,15 @@ TEST(TraceCauses, Offsets) {
             "D1 (here 4.5) is off by +0.0");
 }
 
+// Only where the axis turns back is anything to be seen, and no sample is off the line.
+TEST(TraceCauses, AnOffsetThatShowsInTurnsAlone) {
+  spec::Case c = program("G90 G01 X40. F100\nG43 H1 Z-20.\nG43 H1 Z30.\nG49 Z60.\n");
+  c.setup.h[1] = {spec::decimal(-5), {}};
+  spec::Case other = c;
+  other.setup.h[1] = {*spec::parse_decimal("-4.97"), {}};
+  EXPECT_EQ(cause(c, other).substr(0, 26), "H1 (here -5) is off by +0.");
+}
+
 const char* const kTip =
     "G90 G00 G43.4 H0 X0 Y0 Z0 A0 C0\nG01 X40. Y10. A20. C30. F100\nY-30. A-10. C75.\nX0 C-20.\nG49\n";
 

@@ -78,12 +78,16 @@ class Causes {
       Pieces& kept = tolerance.linear == metric_.tolerance().linear ? pieces_ : wide_pieces_;
       if (!kept) {
         ProgramPath made(c_, metric_.space(), tolerance, options_);
-        auto pieces = std::make_shared<std::vector<PathPiece>>();
-        for (PathPiece piece; pieces->size() < kMostPieces && made.next(piece);) pieces->push_back(piece);
-        kept = std::move(pieces);
+        kept = pieces_of(made);
       }
       return std::make_unique<ListedPath>(kept);
     };
+  }
+
+  static Pieces pieces_of(PathSource& path) {
+    auto pieces = std::make_shared<std::vector<PathPiece>>();
+    for (PathPiece piece; pieces->size() < kMostPieces && path.next(piece);) pieces->push_back(piece);
+    return pieces;
   }
 
   // The largest distance in tolerances of `metric`, of all samples or of the first ones; nothing where the recording is
@@ -101,9 +105,38 @@ class Causes {
   }
   // Compared with what was found: some tolerances, or infinite where it is much more.
   [[nodiscard]] double worst(const MakePath& make, const Recorded& recorded) const {
+    return distance(make, recorded, wide(), searched_).value_or(kNever);
+  }
+  // The least tolerance within which the recording follows, in those that it is searched with. Dearer; it also sees
+  // what no sample shows: an axis that turns back on the same line too early.
+  [[nodiscard]] double least_tolerance(const MakePath& make, const Recorded& recorded) const {
+    constexpr int kBisections = 7;
+    Pieces pieces;
+    const auto kept = [&](Distance tolerance) -> std::unique_ptr<PathSource> {
+      if (!pieces) pieces = pieces_of(*make(tolerance));
+      return std::make_unique<ListedPath>(pieces);
+    };
+    const auto follows = [&](double scale) {
+      // Of the axes that were found off; the others keep the judge's.
+      Distance least = wide().tolerance();
+      if (off_.linear > metric_.tolerance().linear) least.linear *= scale;
+      if (off_.rotary > metric_.tolerance().rotary) least.rotary *= scale;
+      const Metric metric(metric_.space(), least);
+      return distance(kept, recorded, metric, searched_).has_value();
+    };
+    if (!follows(1)) return kNever;
+    double low = 0;
+    double high = 1;
+    for (int i = 0; i < kBisections; ++i) {
+      const double middle = (low + high) / 2;
+      (follows(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+  // Twice what was found, the judge's at least.
+  [[nodiscard]] Metric wide() const {
     const Distance& t = metric_.tolerance();
-    const Metric wide(metric_.space(), {std::max(t.linear, 2 * off_.linear), std::max(t.rotary, 2 * off_.rotary)});
-    return distance(make, recorded, wide, searched_).value_or(kNever);
+    return {metric_.space(), {std::max(t.linear, 2 * off_.linear), std::max(t.rotary, 2 * off_.rotary)}};
   }
 
   std::optional<std::string> no_tip_control() const {
@@ -246,11 +279,14 @@ class Causes {
     const double off = off_.linear > 0 ? off_.linear : metric_.tolerance().linear;
     // A length that is off by far more is a mistake of another kind.
     if (off > 1000 * metric_.tolerance().linear) return std::nullopt;
+    // Where the samples are nearer to the path than what was found, they do not show it.
+    const bool hidden = worst(path(), as_recorded()) * wide().tolerance().linear < off_.linear / 2;
     for (const OtherValue& value : other_values(c_)) {
       const auto least = least_of(
           [&](double by) {
             const spec::Case other = value.by(by);
-            return worst(path_of(other), as_recorded());
+            const MakePath make = path_of(other);
+            return hidden ? least_tolerance(make, as_recorded()) : worst(make, as_recorded());
           },
           value.reach * off);
       if (!least) continue;

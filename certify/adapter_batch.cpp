@@ -1,0 +1,117 @@
+#include "certify/adapter_batch.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "certify/process.h"
+#include "spec/language/file_writer.h"
+#include "spec/language/input_error.h"
+#include "spec/language/setup_format.h"
+
+namespace toolcomp::certify {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Removed with all that is in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "toolcomp-batch-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw spec::InputError(name, 0, 0, "no temporary folder can be made");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code none;
+    fs::remove_all(path_, none);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+fs::path batch_folder(const fs::path& batch, std::size_t index) { return batch / fmt::format("{:04}", index + 1); }
+
+void write_program(const fs::path& folder, const spec::Case& c) {
+  spec::write_file(folder / "program.nc", c.program);
+  spec::write_file(folder / "setup.json", spec::write_setup_json(c.setup) + "\n");
+}
+
+std::optional<std::string> first_line(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string line;
+  if (!in) return std::nullopt;
+  std::getline(in, line);
+  return line;
+}
+
+std::vector<KnownPlace> read_known_places(const fs::path& file, const Adapter& adapter) {
+  std::vector<KnownPlace> places;
+  std::ifstream in(file);
+  std::uint64_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    std::istringstream words(line);
+    KnownPlace place;
+    std::string rest;
+    if (!(words >> place.id >> place.first >> place.last) || words >> rest)
+      throw spec::InputError(file.string(), number, 1, "ID FIRST LAST is expected");
+    if (adapter.known_difference(place.id) == nullptr)
+      throw spec::InputError(file.string(), number, 1, "no known difference is called \"" + place.id + "\"");
+    places.push_back(std::move(place));
+  }
+  return places;
+}
+
+std::string run_adapter(const Adapter& adapter, const std::string& option, const fs::path& batch, std::size_t programs,
+                        std::chrono::milliseconds timeout, const std::function<void(const std::string&)>& progress) {
+  constexpr std::size_t kLongestLine = 65536;
+  std::vector<std::string> arguments{fs::absolute(batch).string()};
+  if (!option.empty()) arguments.insert(arguments.begin(), option);
+  // What it writes to standard output is nobody's.
+  Process process("{ " + adapter.shell_command(arguments) + "; } 2>&1 >/dev/null");
+  constexpr std::int64_t kStart = 6;  // programs: what it may take to come and go
+  const auto wait = (kStart + static_cast<std::int64_t>(programs)) * timeout;
+  const Clock::time_point deadline = Clock::now() + wait;
+  std::string line;
+  std::string last;
+  Exchange end = Exchange::line;
+  while ((end = process.exchange("", line, deadline, kLongestLine)) == Exchange::line) {
+    if (progress) progress(line);
+    last = line;
+  }
+  const std::string ended = process.finish(std::chrono::seconds(end == Exchange::closed ? 10 : 0));
+  if (end == Exchange::timed_out) return fmt::format("did not end within {} ms", wait.count());
+  if (process.exit_status() != 0) return ended + (last.empty() ? "" : ": " + last);
+  return {};
+}
+
+std::vector<std::string> why_not(const Adapter& adapter, const std::vector<spec::Case>& cases) {
+  constexpr std::chrono::seconds kTimeout{10};
+  if (adapter.kind != AdapterKind::trace)
+    throw spec::InputError(adapter.name, 0, 0, "only an adapter of kind trace says beforehand what it cannot run");
+  const TemporaryFolder batch;
+  for (std::size_t i = 0; i < cases.size(); ++i) write_program(batch_folder(batch.path(), i), cases[i]);
+  const std::string wrong = run_adapter(adapter, "--ask", batch.path(), cases.size(), kTimeout, {});
+  if (!wrong.empty()) throw spec::InputError(adapter.name, 0, 0, "was asked and gave no answer: " + wrong);
+  std::vector<std::string> answers;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const fs::path folder = batch_folder(batch.path(), i);
+    const std::vector<KnownPlace> known = read_known_places(folder / "known.txt", adapter);
+    if (const auto absent = first_line(folder / "not_applicable.txt"))
+      answers.push_back(adapter.name + " has not: " + *absent);
+    else
+      answers.push_back(known.empty() ? "" : adapter.name + " is known to differ: " + known.front().id);
+  }
+  return answers;
+}
+
+}  // namespace toolcomp::certify
