@@ -15,11 +15,11 @@ constexpr std::string_view kStyle = R"(
 @media(prefers-color-scheme:dark){:root{--ink:#e6edf3;--soft:#9aa4af;--line:#30363d;--paper:#0d1117;--panel:#161b22;--good:#3fb950;--bad:#ff7b72;--open:#d29922;--hit:#4b3a00}}
 *{box-sizing:border-box}
 body{margin:0 auto;max-width:72rem;padding:1rem;font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--paper)}
-h1{font-size:1.6rem;margin:.5rem 0}h2{font-size:1.25rem;margin:2rem 0 .5rem;border-bottom:1px solid var(--line)}h3{font-size:1.05rem;margin:1.2rem 0 .3rem}
+h1{font-size:1.6rem;margin:.5rem 0;overflow-wrap:anywhere}h2{font-size:1.25rem;margin:2rem 0 .5rem;border-bottom:1px solid var(--line)}h3{font-size:1.05rem;margin:1.2rem 0 .3rem}
 p{margin:.4rem 0}code,pre{font:13px/1.45 ui-monospace,monospace}code{overflow-wrap:anywhere}
 pre{background:var(--panel);border:1px solid var(--line);border-radius:6px;padding:.6rem;overflow-x:auto;margin:.5rem 0}
 pre span{display:block}pre .hit{background:var(--hit)}pre i{display:inline-block;min-width:2.2em;color:var(--soft);font-style:normal;text-align:right;padding-right:.8em;user-select:none}
-.wide{overflow-x:auto}table{border-collapse:collapse;font-size:14px;width:100%;margin:.5rem 0}
+.wide{overflow-x:auto}.wide code{overflow-wrap:normal}table{border-collapse:collapse;font-size:14px;width:100%;margin:.5rem 0}
 th,td{border:1px solid var(--line);padding:.25rem .5rem;text-align:left;vertical-align:top}th{background:var(--panel)}td.n,th.n{text-align:right;white-space:nowrap;font-variant-numeric:tabular-nums}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:.15rem 1rem;margin:.5rem 0}dt{color:var(--soft)}dd{margin:0;overflow-wrap:anywhere}
 .badge{display:inline-block;border-radius:1em;padding:.05em .7em;border:1px solid currentColor;font-weight:600}.good{color:var(--good)}.bad{color:var(--bad)}.open{color:var(--open)}
