@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "certify/markup.h"
 #include "certify/page.h"
 #include "certify/report.h"
+#include "certify/sort_by.h"
 #include "spec/language/file_writer.h"
 
 namespace toolcomp::certify {
@@ -40,6 +42,13 @@ std::string machines(const AdapterCertificate& certificate) {
   return table(rows, 1);
 }
 
+std::string causes(const AdapterCertificate& certificate) {
+  std::vector<Row> rows{{"one mistake that explains what was found", "programs"}};
+  for (const LikelyCause& likely : likely_causes(certificate))
+    rows.push_back({escape(likely.cause), std::to_string(likely.programs)});
+  return rows.size() == 1 ? "" : "<h2>What it looks like</h2>\n" + table(rows, 1);
+}
+
 // What did not conform, with its program.
 std::string others(const AdapterCertificate& certificate) {
   std::string out;
@@ -51,6 +60,7 @@ std::string others(const AdapterCertificate& certificate) {
     out += "<h3>" + badge(name(run.outcome), tone) + " " + escape(run.c.id) + "</h3>\n";
     for (const std::string& id : run.known) out += "<p><code>" + escape(id) + "</code></p>\n";
     if (!run.why.empty()) out += "<p>" + escape(run.why) + "</p>\n";
+    if (run.result.cause) out += "<p>Looks like: " + escape(*run.result.cause) + "</p>\n";
     if (run.outcome == RunOutcome::differs && run.result.samples > 0)
       out += fmt::format("<p><a href=\"runs/{0}/report/index.html\">trace {0}</a></p>\n",
                          escape(run.folder.filename().string()));
@@ -75,6 +85,23 @@ std::vector<MachineSummary> summaries(const AdapterCertificate& certificate) {
   return list;
 }
 
+std::vector<LikelyCause> likely_causes(const AdapterCertificate& certificate) {
+  // "H1 is off by +0.01": the kind stands before the figure.
+  const auto kind = [](const std::string& cause) { return cause.substr(0, cause.rfind(" by ")); };
+  std::vector<LikelyCause> list;
+  for (const AdapterRun& run : certificate.runs) {
+    if (run.outcome != RunOutcome::differs || !run.result.cause) continue;
+    const auto same = std::ranges::find_if(
+        list, [&](const LikelyCause& likely) { return kind(likely.cause) == kind(*run.result.cause); });
+    if (same == list.end())
+      list.push_back({*run.result.cause, 1});
+    else
+      ++same->programs;
+  }
+  sort_by(list, [](const LikelyCause& likely) { return SIZE_MAX - likely.programs; });
+  return list;
+}
+
 std::string_view verdict(const AdapterCertificate& certificate) {
   const int status = exit_status(certificate);
   return status == 0 ? "conforms" : status == 1 ? "does not conform" : "not decided";
@@ -94,7 +121,7 @@ std::string html_report(const AdapterCampaign& campaign, const AdapterCertificat
       certificate.runs.size(), certificate.seconds_run, certificate.seconds_judged, plain(certificate.tolerance, 9),
       campaign.seed);
   if (!certificate.errors.empty()) body += "<p>The adapter: " + escape(certificate.errors) + "</p>\n";
-  body += machines(certificate);
+  body += machines(certificate) + causes(certificate);
   body += "<h2>Known differences</h2>\n" + known_differences(campaign, certificate);
   body += "<h2>Programs that do not simply conform</h2>\n" + others(certificate);
   body += facts({{"tool", "toolcomp " TOOLCOMP_VERSION}});
@@ -123,6 +150,7 @@ std::string json_report(const AdapterCampaign& campaign, const AdapterCertificat
              {"samples", run.result.samples},
              {"worst", run.result.worst.upper},
              {"worst_rotary", run.result.worst_rotary.upper}};
+    if (run.result.cause) one["cause"] = *run.result.cause;
     if (run.outcome != RunOutcome::conforms) one["program"] = run.c.program;
     json["runs"].push_back(std::move(one));
   }

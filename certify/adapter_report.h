@@ -29,6 +29,14 @@ struct MachineSummary {
 };
 std::vector<MachineSummary> summaries(const AdapterCertificate& certificate);
 
+// One mistake that explains what was found in each of some programs (docs/trace.md), the commonest first. Figures of
+// one kind differ from program to program: those of the first one stand here.
+struct LikelyCause {
+  std::string cause;
+  std::size_t programs = 0;
+};
+std::vector<LikelyCause> likely_causes(const AdapterCertificate& certificate);
+
 // "conforms", "does not conform", "not decided".
 std::string_view verdict(const AdapterCertificate& certificate);
 

@@ -47,6 +47,8 @@ void print(const certify::AdapterCampaign& campaign, const certify::AdapterCerti
     else if (run.outcome == certify::RunOutcome::undecided || run.outcome == certify::RunOutcome::failed)
       std::cerr << run.c.id << ": " << certify::name(run.outcome) << ", " << run.why << '\n';
   }
+  for (const certify::LikelyCause& likely : certify::likely_causes(certificate))
+    fmt::print("looks like, in {} of the programs that differ: {}\n", likely.programs, likely.cause);
   if (!certificate.errors.empty()) std::cerr << campaign.adapter.name << ": " << certificate.errors << '\n';
   fmt::print("{}; seed {}; {:.0f} s run, {:.0f} s judged; {}\n", certify::verdict(certificate), campaign.seed,
              certificate.seconds_run, certificate.seconds_judged, campaign.report + "/index.html");

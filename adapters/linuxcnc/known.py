@@ -95,9 +95,13 @@ def lengths(translation, last):
 
 
 def cancels(translation, last):
-    """From the move before G40 by itself to the next one."""
-    return [("cancel-without-move", max((m for m in translation.moving if m < line), default=1),
-             min((m for m in translation.moving if m > line), default=last)) for line in translation.cancels]
+    """From the move before G40 by itself to the next one in the plane, if others lie between."""
+    places = []
+    for line in translation.cancels:
+        end = min((m for m in translation.in_plane if m > line), default=last)
+        if any(line <= m < end for m in translation.moving):
+            places.append(("cancel-without-move", max((m for m in translation.moving if m < line), default=1), end))
+    return places
 
 
 def known_places(program, setup, interpreter):

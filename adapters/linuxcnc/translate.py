@@ -60,7 +60,8 @@ class Translation:
         self.skip = setup.get("block_skip", False)
         self.sides = {}  # line → 1 left, -1 right: blocks in cutter compensation
         self.starts = []  # lines of G41 and G42
-        self.cancels = []  # lines of G40 that end compensation without a move in the plane
+        self.cancels = []  # lines of G40 without a word of the plane
+        self.in_plane = set()  # lines with a word of the plane
         self.lengths = []  # lines where the length offset may change, and whether LinuxCNC makes the move of it
         self.absolute_z = []  # lines
         self.moving = set()  # lines with an axis word
@@ -108,8 +109,10 @@ class Translation:
             self.starts.append(number)
         elif plane := next((c for c in codes if c in ("17", "18", "19")), None):
             self.plane = plane
+        if letters & set(PLANES[self.plane]):
+            self.in_plane.add(number)
         if "40" in codes:
-            if self.compensating and not letters & set(PLANES[self.plane]):
+            if self.compensating and number not in self.in_plane:
                 self.cancels.append(number)
             self.compensating = 0
         if self.compensating:
