@@ -10,6 +10,7 @@
 
 #include "certify/trace/deviations.h"
 #include "certify/trace/program_path.h"
+#include "certify/trace/samples.h"
 #include "spec/language/axes.h"
 #include "spec/language/case.h"
 #include "spec/language/event.h"
@@ -71,12 +72,16 @@ struct TraceResult {
   std::string undecided;                    // why the model could not decide; empty: it could
 };
 
-// Judges the samples of one run of `c.program`, recorded in the coordinates of the events' `axes`. The recording, its
+// Judges the samples of one run of `c.program`, in the units of its events and the coordinates of `options.frame`. The
+// recording, its
 // samples joined by straight lines, is accepted exactly if it and the exact path can be run through side by side, never
 // backwards and never farther apart than the tolerance (the continuous Fréchet distance), the linear axes as one
 // length, each rotary axis by itself. It may begin anywhere on the first move and must end at the end. If the recording
 // names the time, steps of more than one and a half periods are findings too. Memory grows neither with the recording
-// nor with the path. Throws spec::InputError for a malformed CSV or case, and for a tolerance that is not positive.
+// nor with the path. Throws spec::InputError for a malformed case, for a tolerance that is not positive, and what the
+// source throws.
+TraceResult judge_trace(const spec::Case& c, SampleSource& samples, const TraceOptions& options);
+// The same for a CSV as certify::Recording reads it.
 TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::string& file, const TraceOptions& options);
 
 // 1 a finding; 3 the model could not decide, or nothing was judged; else 0.
