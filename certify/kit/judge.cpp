@@ -130,13 +130,10 @@ class Judge {
     TraceOptions how;
     how.tolerance = verdict_.tolerance;
     how.judge_rapids = !options_.rapids_by_axis;
+    how.pictures = false;
     // Klartext programs count from the preset.
     if (options_.machine_coordinates && c.setup.control == spec::Control::fanuc) how.frame = PathFrame::machine;
     judged.trace = judge_trace(c, samples, how);
-    // Nobody draws them.
-    judged.trace.events.clear();
-    judged.trace.deviations = {};
-    judged.trace.course.clear();
     const int status = certify::exit_status(judged.trace);
     if (status == 1) judged.verdict = ProgramVerdict::differs;
     if (status == 3) judged.verdict = ProgramVerdict::undecided;

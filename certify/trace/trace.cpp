@@ -56,19 +56,30 @@ TraceFinding gap_of(const TimeStep& step, const TraceSpace& space) {
   return finding;
 }
 
-// `kept`: the recording for as long as it may be asked for a cause; nothing where it is longer.
-void match(SampleSource& samples, PathSource& path, const Metric& metric, const spec::Axes& axes, std::size_t most,
-           TraceResult& result, std::optional<RecordedRun>& kept) {
-  Findings findings(result, most);
+// The recording as long as it may be asked for a cause.
+struct Kept {
+  RecordedRun run;
+  bool whole = true;  // else nothing is kept
+  void take(const RecordedSample& sample) {
+    whole = whole && run.samples.size() < kMostForCauses;
+    if (whole)
+      run.samples.push_back(sample);
+    else
+      run.samples = {};
+  }
+};
+
+void match(SampleSource& samples, PathSource& path, const Metric& metric, const spec::Axes& axes,
+           const TraceOptions& options, TraceResult& result, Kept& kept) {
+  Findings findings(result, options.most_findings);
   Matcher matcher(path, metric, axes, result, findings);
   TimeSteps steps([&](const TimeStep& step) { findings.add(gap_of(step, metric.space())); });
   RecordedSample sample;
   std::optional<double> time;
   while (samples.next(sample)) {
     matcher.take(sample.at, sample.line);
-    result.deviations.take(sample.at, matcher.place(result.deviations.keeps_next()));
-    if (kept && kept->samples.size() == kMostForCauses) kept.reset();
-    if (kept) kept->samples.push_back(sample);
+    if (options.pictures) result.deviations.take(sample.at, matcher.place(result.deviations.keeps_next()));
+    kept.take(sample);
     if (!samples.has_time()) continue;
     if (time) steps.take({sample.time - *time, sample.resolution, sample.line, matcher.move(), sample.at});
     time = sample.time;
@@ -109,21 +120,21 @@ TraceResult judge_trace(const spec::Case& c, SampleSource& samples, const TraceO
   path_options.judge_rapids = options.judge_rapids;
   path_options.frame = options.frame;
   path_options.on_event = [&](const model::Event& event) {
-    if (result.events.size() < kMostEvents || event.kind == spec::EventKind::alarm)
+    if ((options.pictures && result.events.size() < kMostEvents) || event.kind == spec::EventKind::alarm)
       result.events.push_back(in_double(event));
   };
   ProgramPath path(c, metric.space(), tolerance, path_options);
   result.deviations = Deviations(tolerance);
-  std::optional<RecordedRun> kept(RecordedRun{samples.recorded(), samples.has_time(), {}});
-  match(samples, path, metric, c.setup.axes, options.most_findings, result, kept);
+  Kept kept{{samples.recorded(), samples.has_time(), {}}};
+  match(samples, path, metric, c.setup.axes, options, result, kept);
   result.undecided = path.undecided();
-  result.course = course(c, metric, path_options, result.deviations);
+  if (options.pictures) result.course = course(c, metric, path_options, result.deviations);
   if (!result.undecided.empty()) {
     // Nobody knows what the rest of the recording should be.
     result.findings.clear();
     result.findings_total = 0;
-  } else if (result.findings_total > 0 && kept) {
-    result.cause = common_cause(c, *kept, metric, path_options, result);
+  } else if (options.causes && result.findings_total > 0 && kept.whole) {
+    result.cause = common_cause(c, kept.run, metric, path_options, result);
   }
   return result;
 }

@@ -23,6 +23,8 @@ struct TraceOptions {
   PathFrame frame = PathFrame::workpiece;  // the coordinates of the recording
   bool judge_rapids = true;                // as straight lines; false: their ends only (positioning axis by axis)
   std::size_t most_findings = 100;         // kept; all are counted
+  bool pictures = true;                    // false: what only pictures show is left out
+  bool causes = true;                      // one mistake that explains all findings is looked for
 };
 
 // The true distance lies between both, whatever straight pieces stand for curves.
@@ -56,9 +58,10 @@ struct TraceResult {
   std::uint64_t not_judged_moves = 0;  // whose inside is not judged
   double length = 0;                   // of the path, linear axes, setup units
   double covered = 0;                  // of that, by the recording
-  Bounds worst;                        // largest distance of an accepted sample, setup units
-  std::uint64_t worst_sample = 0;      // line of the CSV
-  Bounds worst_rotary;                 // degrees
+  // The largest distance of an accepted sample that is not only on moves whose inside is not judged.
+  Bounds worst;                    // setup units
+  std::uint64_t worst_sample = 0;  // line of the CSV
+  Bounds worst_rotary;             // degrees
   std::uint64_t worst_rotary_sample = 0;
   std::uint64_t steps_not_judged = 0;  // long time steps where the record has no steady period
   std::string recorded;                // axis letters
@@ -68,7 +71,7 @@ struct TraceResult {
   std::optional<std::string> cause;         // one mistake that explains all findings (causes/cause.h)
   Deviations deviations;                    // sample by sample, for pictures
   std::vector<AxisPoint> course;            // the exact path as far as a picture shows it
-  std::vector<spec::Event<double>> events;  // of the exact run: the first ones, for a picture
+  std::vector<spec::Event<double>> events;  // of the exact run: the first ones, for a picture, and every alarm
   std::string undecided;                    // why the model could not decide; empty: it could
 };
 

@@ -401,12 +401,12 @@ TEST(KitRecording, RestsAreWhereTheAxesStand) {
   EXPECT_TRUE(found[1].above);
   // Samples keep their lines.
   certify::SampleRange part(recording, 61, 63);
-  certify::RecordedSample sample;
+  certify::RecordedSample taken;
   for (const std::uint64_t line : {63U, 64U}) {
-    ASSERT_TRUE(part.next(sample));
-    EXPECT_EQ(sample.line, line);
+    ASSERT_TRUE(part.next(taken));
+    EXPECT_EQ(taken.line, line);
   }
-  EXPECT_FALSE(part.next(sample));
+  EXPECT_FALSE(part.next(taken));
 }
 
 }  // namespace
