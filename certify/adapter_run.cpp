@@ -32,7 +32,10 @@ std::string words_of(const spec::Event<double>& alarm) {
 
 class Judge {
  public:
-  Judge(const Adapter& adapter, double tolerance) : adapter_(adapter) { options_.tolerance = tolerance; }
+  Judge(const Adapter& adapter, double tolerance) : adapter_(adapter) {
+    options_.tolerance = tolerance;
+    options_.pictures = false;
+  }
 
   void judge(AdapterRun& run) const {
     if (const auto why = first_line(run.folder / "not_applicable.txt")) {

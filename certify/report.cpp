@@ -287,6 +287,7 @@ std::string json_report(const TraceReport& report) {
   json["worst_rotary_sample"] = r.worst_rotary_sample;
   json["time_steps_not_judged"] = r.steps_not_judged;
   json["undecided"] = r.undecided;
+  json["cause"] = r.cause.value_or("");
   json["findings_total"] = r.findings_total;
   json["findings"] = Json::array();
   for (const TraceFinding& f : r.findings) {

@@ -27,10 +27,10 @@ constexpr View kCorner{"axonometric", "", "", {kSqrt3Half, -kSqrt3Half, 0}, {-0.
 constexpr std::string_view kStyle = R"(<style>
 .tr-paper{fill:#fff;stroke:#ccd2d9}.tr-grid{stroke:#edf0f3;fill:none}.tr-text{font:11px system-ui,sans-serif;fill:#57606a}
 .tr-exact{fill:none;stroke:#8b949e;stroke-width:3.2;stroke-linejoin:round}.tr-recorded{fill:none;stroke:#0969da;stroke-width:1.3;stroke-linejoin:round}
-.tr-off{fill:none;stroke:#cf222e;stroke-width:2;stroke-linejoin:round}.tr-mark{fill:none;stroke:#cf222e;stroke-width:2.4}.tr-number{font:bold 12px system-ui,sans-serif;fill:#cf222e}
+.tr-off{fill:none;stroke:#cf222e;stroke-width:2;stroke-linejoin:round}.tr-free{fill:none;stroke:#0969da;stroke-width:1;stroke-dasharray:2 3}.tr-mark{fill:none;stroke:#cf222e;stroke-width:2.4}.tr-number{font:bold 12px system-ui,sans-serif;fill:#cf222e}
 .tr-bar{fill:#0969da}.tr-bad{fill:#cf222e}.tr-limit{stroke:#9a6700;stroke-dasharray:5 3;fill:none}
 @media(prefers-color-scheme:dark){.tr-paper{fill:#0d1117;stroke:#30363d}.tr-grid{stroke:#1b2129}.tr-text{fill:#9aa4af}.tr-exact{stroke:#57606a}
-.tr-recorded{stroke:#58a6ff}.tr-off,.tr-mark{stroke:#ff7b72}.tr-number,.tr-bad{fill:#ff7b72}.tr-bar{fill:#58a6ff}.tr-limit{stroke:#d29922}}
+.tr-recorded,.tr-free{stroke:#58a6ff}.tr-off,.tr-mark{stroke:#ff7b72}.tr-number,.tr-bad{fill:#ff7b72}.tr-bar{fill:#58a6ff}.tr-limit{stroke:#d29922}}
 </style>
 )";
 
@@ -54,7 +54,7 @@ struct Scene {
   struct Recorded {
     Point3 at{};
     Point3 off{};  // from its place on the path
-    bool followed = false;
+    SampleKind kind = SampleKind::off;
   };
   std::vector<Recorded> recorded;
   std::vector<Point3> marks;
@@ -64,7 +64,7 @@ struct Scene {
     const std::array<std::size_t, 3> xyz{axes.index('X'), axes.index('Y'), axes.index('Z')};
     for (const AxisPoint& p : result.course) exact.push_back(place(p, xyz));
     for (const Deviations::Point& point : result.deviations.points()) {
-      Recorded r{place(point.recorded, xyz), {}, point.followed};
+      Recorded r{place(point.recorded, xyz), {}, point.kind};
       if (point.exact) r.off = plus(r.at, -1, place(*point.exact, xyz));
       largest = std::max(largest, std::sqrt(dot(r.off, r.off)));
       recorded.push_back(r);
@@ -128,25 +128,30 @@ class Panel {
     for (const Point3& p : scene_.exact) d += to(p, d.empty());
     return d.empty() ? d : fmt::format("<path class=\"tr-exact\" d=\"{}\"/>\n", d);
   }
-  // Its deviations `factor` times as large; in red where it is not followed.
+  // Its deviations `factor` times as large; in red where it is not followed, dotted where it is not judged.
   [[nodiscard]] std::string recorded(double factor) const {
     std::string followed;
     std::string off;
-    const Scene::Recorded* last = nullptr;
+    std::string free;
+    const auto line_of = [&](SampleKind kind) -> std::string& {
+      return kind == SampleKind::followed ? followed : kind == SampleKind::off ? off : free;
+    };
     const auto drawn = [&](const Scene::Recorded& r) { return plus(r.at, factor - 1, r.off); };
+    const Scene::Recorded* last = nullptr;
+    const std::string* line = nullptr;  // the one that ends at the last sample
     for (const Scene::Recorded& r : scene_.recorded) {
-      const bool joins = last != nullptr && last->followed && r.followed;
-      // What leads away and back belongs to what is off.
-      if (last != nullptr && !joins && (!r.followed || !last->followed)) {
-        if (last->followed) off += to(drawn(*last), true);
-        off += to(drawn(r), false);
-      }
-      if (r.followed) followed += to(drawn(r), !joins);
-      if (!r.followed && last == nullptr) off += to(drawn(r), true);
+      // What leads away and back belongs to what is off, and else to what is not judged.
+      SampleKind kind = r.kind;
+      if (last != nullptr && r.kind != SampleKind::off && last->kind != SampleKind::followed) kind = last->kind;
+      std::string& d = line_of(kind);
+      if (last != nullptr && line != &d) d += to(drawn(*last), true);
+      d += to(drawn(r), last == nullptr);
+      line = &d;
       last = &r;
     }
     std::string out;
     if (!followed.empty()) out += fmt::format("<path class=\"tr-recorded\" d=\"{}\"/>\n", followed);
+    if (!free.empty()) out += fmt::format("<path class=\"tr-free\" d=\"{}\"/>\n", free);
     if (!off.empty()) out += fmt::format("<path class=\"tr-off\" d=\"{}\"/>\n", off);
     return out;
   }
@@ -199,6 +204,9 @@ std::string trace_svg(const TraceResult& result, const spec::Axes& axes, std::st
   out += R"(<path class="tr-recorded" d="M106 15h22"/>)" +
          text(134, 19, fmt::format("recording, deviations {} times as large", plain(factor, 0)));
   out += R"(<path class="tr-off" d="M376 15h22"/>)" + text(404, 19, "off the path") + "</svg><br/>\n";
+  if (result.deviations.not_judged() > 0)
+    out += opening(kSide, kHeader, "legend, not judged") + R"(<path class="tr-free" d="M106 15h22"/>)" +
+           text(134, 19, "recording on moves judged at their ends only") + "</svg><br/>\n";
   for (const View* view : views) out += Panel(*view, scene).draw(factor, unit);
   return out;
 }
@@ -228,6 +236,8 @@ std::string deviation_svg(const TraceResult& result, const TraceOptions& options
   out += "</svg>\n" + opening(kChart, kTall, "samples by deviation");
   // By size; heights go with the logarithm, so that few samples are seen beside many.
   out += text(6, 14, "samples by deviation, from 0 to the tolerance; red: not on the path (logarithmic)");
+  if (d.not_judged() > 0)
+    out += text(6, 28, fmt::format("without {} samples on moves judged at their ends only", d.not_judged()));
   const std::uint64_t most = std::max<std::uint64_t>(std::ranges::max(d.histogram()), d.off());
   const auto height = [&](std::uint64_t count) {
     return count == 0

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <fstream>
 #include <set>
-#include <sstream>
 
 #include "certify/kit/case_run.h"
 #include "certify/kit/kit_json.h"
 #include "certify/kit/offsets.h"
 #include "certify/kit/recording.h"
 #include "certify/sort_by.h"
+#include "certify/trace/recording.h"
+#include "certify/trace/samples.h"
 #include "fuzz/oracle/number.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/decimal_order.h"
@@ -78,7 +79,8 @@ class Judge {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw spec::InputError(file.string(), 0, 0, "cannot be read");
     const Machine& machine = verdict_.kit.machine;
-    const Recording recording = read_recording(stream, file.string(), machine.setup);
+    certify::Recording reader(stream, file.string(), machine.setup.axes, machine.setup.units);
+    const RecordedRun recording = rest_of(reader);
     if (!recording.has_time) {
       take_by_name(file, recording);
       return;
@@ -96,16 +98,16 @@ class Judge {
         verdict_.programs.push_back(
             {number, ProgramVerdict::missing, file.string(), "its recording has no end", {}, {}});
       else
-        judge(*program, recording, rests[found.first_rest].first, rests[*found.end_rest].last);
+        judge(*program, file, SampleRange(recording, rests[found.first_rest].first, rests[*found.end_rest].last + 1));
     }
   }
 
   // Without time there are no rests: the whole file is the program that it is named after.
-  void take_by_name(const fs::path& file, const Recording& recording) {
+  void take_by_name(const fs::path& file, const RecordedRun& recording) {
     for (const KitProgram& program : verdict_.kit.programs)
       if (program.alarm.empty() && file.stem() == program_name(verdict_.kit.machine.setup.control, program.number) &&
           !recording.samples.empty()) {
-        judge(program, recording, 0, recording.samples.size() - 1);
+        judge(program, file, SampleRange(recording, 0, recording.samples.size()));
         return;
       }
     throw spec::InputError(file.string(), 1, 1,
@@ -113,7 +115,7 @@ class Judge {
                            "program, as in O8001.csv");
   }
 
-  void judge(const KitProgram& program, const Recording& recording, std::size_t first, std::size_t last) {
+  void judge(const KitProgram& program, const fs::path& file, SampleRange samples) {
     spec::Case c;
     const fs::path setup = options_.folder / program.setup;
     c.setup = spec::read_setup_toml(spec::read_file(setup.string()), setup.string());
@@ -124,16 +126,14 @@ class Judge {
       throw spec::InputError(expected.string(), 0, 0,
                              "is not what this version of toolcomp expects; make the kit again");
     c.program = between_rests(c.program, program.marks);
-    std::istringstream csv(cut(recording, first, last, verdict_.kit.machine, options_.machine_coordinates));
-    JudgedProgram judged{program.number, ProgramVerdict::conforms, recording.file, {}, {}, {}};
+    JudgedProgram judged{program.number, ProgramVerdict::conforms, file.string(), {}, {}, {}};
     TraceOptions how;
     how.tolerance = verdict_.tolerance;
     how.judge_rapids = !options_.rapids_by_axis;
-    judged.trace = judge_trace(c, csv, recording.file, how);
-    // Nobody draws them.
-    judged.trace.events.clear();
-    judged.trace.deviations = {};
-    judged.trace.course.clear();
+    how.pictures = false;
+    // Klartext programs count from the preset.
+    if (options_.machine_coordinates && c.setup.control == spec::Control::fanuc) how.frame = PathFrame::machine;
+    judged.trace = judge_trace(c, samples, how);
     const int status = certify::exit_status(judged.trace);
     if (status == 1) judged.verdict = ProgramVerdict::differs;
     if (status == 3) judged.verdict = ProgramVerdict::undecided;

@@ -30,7 +30,7 @@ struct JudgedProgram {
   ProgramVerdict verdict = ProgramVerdict::missing;
   std::string file;                    // recording
   std::string why;                     // of `missing` and `undecided`
-  TraceResult trace;                   // events are left out
+  TraceResult trace;                   // without what pictures show
   std::vector<std::size_t> cases_off;  // cases with a finding, by index
 };
 

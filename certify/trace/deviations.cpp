@@ -13,26 +13,29 @@ void widen(Distance& largest, const Distance& d) {
 
 }  // namespace
 
-void Deviations::take(const AxisPoint& recorded, const std::optional<PlaceOnPath>& place) {
-  const bool followed = place && place->followed;
+void Deviations::take(const AxisPoint& recorded, const PlaceOnPath& place) {
   const bool kept = keeps_next();
   ++taken_;
   if (kept) {
-    points_.push_back({recorded, place ? std::optional(place->exact) : std::nullopt, followed});
+    points_.push_back({recorded, place.exact, place.kind});
     if (points_.size() == kMostPoints) {
       for (std::size_t i = 0; i < kMostPoints / 2; ++i) points_[i] = points_[2 * i];
       points_.resize(kMostPoints / 2);
       stride_ *= 2;
     }
   }
-  if (!followed) {
+  if (place.kind == SampleKind::not_judged) {
+    ++not_judged_;
+    return;
+  }
+  if (place.kind == SampleKind::off) {
     ++off_;
     if (!moves_.empty()) moves_.back().off = true;
     return;
   }
-  const double bin = in_tolerances(place->distance, tolerance_) * kBins;
+  const double bin = in_tolerances(place.distance, tolerance_) * kBins;
   ++histogram_.at(static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(kBins - 1))));
-  take_move(*place);
+  take_move(place);
 }
 
 void Deviations::take_move(const PlaceOnPath& place) {

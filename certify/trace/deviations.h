@@ -11,13 +11,19 @@
 
 namespace toolcomp::certify {
 
-// Where a sample is on the path.
+enum class SampleKind : std::uint8_t {
+  followed,
+  off,         // where the recording is not followed
+  not_judged,  // on a move whose inside is not judged
+};
+
+// Where a sample is on the path, or what is nearest where the recording is not followed.
 struct PlaceOnPath {
-  AxisPoint exact{};
+  SampleKind kind = SampleKind::off;
+  std::optional<AxisPoint> exact;  // nothing: no place is known, and what follows says nothing
   Distance distance;
   std::uint64_t line = 0;  // of the program: the move
   std::optional<std::uint64_t> n;
-  bool followed = true;  // else what was nearest
 };
 
 // Kept in bounded memory: of long recordings some samples stand for those between, of long programs the dearest of
@@ -28,11 +34,11 @@ class Deviations {
   static constexpr std::size_t kMostMoves = 1024;
   static constexpr std::size_t kBins = 20;
 
-  // A recorded position and its place, or what is nearest where the recording is not followed.
+  // A recorded position and its place.
   struct Point {
     AxisPoint recorded{};
     std::optional<AxisPoint> exact;
-    bool followed = false;
+    SampleKind kind = SampleKind::off;
   };
   // What of a move was followed, and what stands for it.
   struct Move {
@@ -44,15 +50,16 @@ class Deviations {
 
   Deviations() = default;
   explicit Deviations(Distance tolerance) : tolerance_(tolerance) {}
-  // Whether the next sample will be a point: other ones need a place only where they are followed.
+  // Whether the next sample will be a point: of other ones that are off no place is needed.
   [[nodiscard]] bool keeps_next() const { return taken_ % stride_ == 0; }
-  void take(const AxisPoint& recorded, const std::optional<PlaceOnPath>& place);
+  void take(const AxisPoint& recorded, const PlaceOnPath& place);
 
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
   [[nodiscard]] const std::vector<Move>& moves() const { return moves_; }
   // Samples by distance, each bin a twentieth of the tolerance; the larger of the linear and the rotary one counts.
   [[nodiscard]] const std::array<std::uint64_t, kBins>& histogram() const { return histogram_; }
   [[nodiscard]] std::uint64_t off() const { return off_; }  // samples that were not followed
+  [[nodiscard]] std::uint64_t not_judged() const { return not_judged_; }
 
  private:
   void take_move(const PlaceOnPath& place);
@@ -67,6 +74,7 @@ class Deviations {
   std::uint64_t in_last_ = 0;
   std::array<std::uint64_t, kBins> histogram_{};
   std::uint64_t off_ = 0;
+  std::uint64_t not_judged_ = 0;
 };
 
 }  // namespace toolcomp::certify

@@ -4,6 +4,22 @@
 
 namespace toolcomp::certify {
 
+std::optional<NearestReached> nearest_of(const Reach& reach, const PathWindow& path, const Metric& metric,
+                                         const AxisPoint& p) {
+  std::optional<NearestReached> best;
+  for (const Reached& reached : reach) {
+    const PathPiece& piece = path[reached.piece].piece;
+    if (piece.free) continue;
+    const Part part{reached.low, reached.high};
+    if (best && metric.mixed() && metric.at_least(piece.begin, piece.end, p, part) >= best->in_tolerances) continue;
+    const double t = metric.closest(piece.begin, piece.end, p, part);
+    const Distance distance = metric.at(piece.begin, piece.end, t, p);
+    const double in_tolerances = metric.in_tolerances(distance);
+    if (!best || in_tolerances < best->in_tolerances) best = {{reached.piece, t}, distance, in_tolerances};
+  }
+  return best;
+}
+
 std::optional<Part> FreeSpace::free_part(std::size_t piece, const Sample& sample) const {
   const PathPiece& p = path_[piece].piece;
   const Limit limit = path_.limit(piece, sample.magnitude);

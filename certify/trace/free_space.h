@@ -30,6 +30,15 @@ using Reach = std::vector<Reached>;
 inline PathPlace first_of(const Reach& reach) { return {reach.front().piece, reach.front().low}; }
 inline PathPlace last_of(const Reach& reach) { return {reach.back().piece, reach.back().high}; }
 
+struct NearestReached {
+  PathPlace place;
+  Distance distance;
+  double in_tolerances = 0;
+};
+// Where a reach is nearest to a position, in tolerances; nothing inside moves that are not judged.
+std::optional<NearestReached> nearest_of(const Reach& reach, const PathWindow& path, const Metric& metric,
+                                         const AxisPoint& p);
+
 // A recording and a path are within the tolerance of each other (Fréchet) exactly if both can be run through, never
 // backwards, so that what is left behind side by side stays within it. The pairs (place of the recording, place of the
 // path) within the tolerance are the free space; between two samples and on one piece it is convex, so that only what

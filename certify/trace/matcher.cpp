@@ -105,19 +105,10 @@ void Matcher::drop_behind() {
 }
 
 void Matcher::measure(Hypothesis& hypothesis, const Sample& sample) const {
-  double least = std::numeric_limits<double>::infinity();
-  Distance nearest;
-  Distance error;
-  for (const Reached& reached : hypothesis.reach) {
-    const PathPiece& piece = path_[reached.piece].piece;
-    if (piece.free) return;
-    const double t = metric_.foot(piece.begin, piece.end, sample.at, {reached.low, reached.high});
-    const Distance d = metric_.at(piece.begin, piece.end, t, sample.at);
-    if (metric_.in_tolerances(d) >= least) continue;
-    least = metric_.in_tolerances(d);
-    nearest = d;
-    error = piece.error;
-  }
+  hypothesis.nearest = nearest_of(hypothesis.reach, path_, metric_, sample.at);
+  if (!hypothesis.nearest) return;
+  const Distance& nearest = hypothesis.nearest->distance;
+  const Distance& error = path_[hypothesis.nearest->place.piece].piece.error;
   Accepted& accepted = hypothesis.history.accepted;
   widen(accepted.linear, accepted.linear_line, nearest.linear, error.linear, sample.line);
   widen(accepted.rotary, accepted.rotary_line, nearest.rotary, error.rotary, sample.line);
@@ -128,26 +119,26 @@ void Matcher::leave_uncovered(const PathPlace& until) {
   result_.covered -= until.at * path_.linear_length(until.piece);
 }
 
-std::optional<PlaceOnPath> Matcher::place(bool also_left) const {
-  std::optional<PlaceOnPath> nearest;
-  const auto look = [&](std::size_t number, const Part& part) {
-    const PathPiece& piece = path_[number].piece;
-    if (piece.free) return;
-    const double t = metric_.closest(piece.begin, piece.end, last_.at, part);
-    const Distance d = metric_.at(piece.begin, piece.end, t, last_.at);
-    if (!nearest || metric_.in_tolerances(d) < metric_.in_tolerances(nearest->distance))
-      nearest = PlaceOnPath{point_at(piece.begin, piece.end, t), d, piece.line, piece.n};
-  };
+PlaceOnPath Matcher::place(bool also_left) const {
+  std::optional<NearestReached> nearest;
+  PlaceOnPath place;
   if (!hypotheses_.empty()) {
-    const auto best = std::ranges::min_element(hypotheses_, {}, [](const Hypothesis& h) { return h.history.cost; });
-    for (const Reached& reached : best->reach) look(reached.piece, {reached.low, reached.high});
+    nearest = std::ranges::min_element(hypotheses_, {}, [](const Hypothesis& h) { return h.history.cost; })->nearest;
+    place.kind = nearest ? SampleKind::followed : SampleKind::not_judged;
   } else if (also_left && !left_.empty()) {
     constexpr std::size_t kNear = 256;
-    const std::size_t from = left_.front().low.piece;
-    for (std::size_t i = from; i < std::min(from + kNear, path_.end()); ++i) look(i, {0, 1});
-    if (nearest) nearest->followed = false;
+    Reach behind;
+    for (std::size_t i = left_.front().low.piece; behind.size() < kNear && i < path_.end(); ++i)
+      behind.push_back({i, 0, 1});
+    nearest = nearest_of(behind, path_, metric_, last_.at);
   }
-  return nearest;
+  if (!nearest) return place;
+  const PathPiece& piece = path_[nearest->place.piece].piece;
+  place.exact = path_.point(nearest->place);
+  place.distance = nearest->distance;
+  place.line = piece.line;
+  place.n = piece.n;
+  return place;
 }
 
 MoveName Matcher::move() const {

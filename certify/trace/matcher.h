@@ -48,9 +48,9 @@ class Matcher {
   Matcher(PathSource& path, const Metric& metric, const spec::Axes& axes, TraceResult& result, Findings& findings);
   void take(const AxisPoint& at, std::uint64_t line);
   void end();
-  // Where the last sample is on the path, as far as one can tell; nothing while the recording is not followed, unless
-  // `also_left`: then what is nearest behind the place where it left.
-  [[nodiscard]] std::optional<PlaceOnPath> place(bool also_left) const;
+  // Where the last sample is on the path, as far as one can tell. While the recording is not followed that is no place,
+  // unless `also_left`: then what is nearest behind the place where it left.
+  [[nodiscard]] PlaceOnPath place(bool also_left) const;
   // The move that the recording is on, as far as one can tell.
   [[nodiscard]] MoveName move() const;
 
@@ -75,6 +75,7 @@ class Matcher {
   struct Hypothesis {
     History history;
     Reach reach;
+    std::optional<NearestReached> nearest;  // to the last sample
     // Inside a move that is not judged: where it came closest to its end.
     std::size_t free_piece = static_cast<std::size_t>(-1);
     double closest = 0;        // in tolerances

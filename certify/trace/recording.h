@@ -9,18 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/trace/space.h"
+#include "certify/trace/samples.h"
 #include "spec/language/axes.h"
 #include "spec/parameters/keys.h"
 
 namespace toolcomp::certify {
-
-struct RecordedSample {
-  std::uint64_t line = 0;  // of the file, from 1
-  AxisPoint at{};          // in the units asked for; degrees
-  double time = 0;         // seconds; 0 if there is no such column
-  double resolution = 0;   // seconds: one of the last digit in which `time` is written
-};
 
 // Reads samples one by one in constant memory. The first line names the columns, in any order and each once: axes of
 // the setup and `time` or `t`, in either case. A unit may stand behind the name, as in `X [mm]`, `Y_in`, `C (deg)`,
@@ -28,14 +21,13 @@ struct RecordedSample {
 // for, angles in degrees, time in seconds. Time never runs backwards. Columns are separated by comma, semicolon or tab,
 // one of them in the whole file. Blank lines and those that begin with # are skipped; blanks around numbers, a byte
 // order mark and CRLF are allowed. Anything else is a spec::InputError with line and column.
-class Recording {
+class Recording : public SampleSource {
  public:
   Recording(std::istream& stream, std::string file, const spec::Axes& axes, spec::Units units);
-  // The next sample; false at the end.
-  bool next(RecordedSample& sample);
-  // The axes that are recorded, by index, in the order of the columns.
-  [[nodiscard]] const std::vector<std::size_t>& recorded() const { return recorded_; }
-  [[nodiscard]] bool has_time() const { return has_time_; }
+  bool next(RecordedSample& sample) override;
+  // In the order of the columns.
+  [[nodiscard]] const std::vector<std::size_t>& recorded() const override { return recorded_; }
+  [[nodiscard]] bool has_time() const override { return has_time_; }
 
  private:
   static constexpr std::size_t kTime = spec::kMaxAxes;

@@ -20,17 +20,19 @@ namespace {
 // For the picture.
 constexpr std::size_t kMostEvents = 5000;
 constexpr std::size_t kMostOfCourse = 10000;
+// Causes are looked for in recordings of so many samples at most.
+constexpr std::size_t kMostForCauses = 200000;
 
 void expect_positive(double tolerance, const char* option, const char* unit) {
   if (!(tolerance > 0) || !std::isfinite(tolerance))
     throw spec::InputError(option, 0, 0, std::string("must be a positive number of ") + unit);
 }
 
-TraceSpace recorded_space(const spec::Axes& axes, const Recording& recording, TraceResult& result) {
+TraceSpace recorded_space(const spec::Axes& axes, const SampleSource& samples, TraceResult& result) {
   TraceSpace space;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const char letter = axes.letter(i);
-    if (std::ranges::find(recording.recorded(), i) == recording.recorded().end()) {
+    if (std::ranges::find(samples.recorded(), i) == samples.recorded().end()) {
       result.not_recorded += letter;
       continue;
     }
@@ -54,26 +56,31 @@ TraceFinding gap_of(const TimeStep& step, const TraceSpace& space) {
   return finding;
 }
 
-void keep(const RecordedSample& sample, RecordedRun& kept) {
-  kept.whole = kept.whole && kept.samples.size() < RecordedRun::kMost;
-  if (kept.whole)
-    kept.samples.push_back(sample);
-  else
-    kept.samples = {};
-}
+// The recording as long as it may be asked for a cause.
+struct Kept {
+  RecordedRun run;
+  bool whole = true;  // else nothing is kept
+  void take(const RecordedSample& sample) {
+    whole = whole && run.samples.size() < kMostForCauses;
+    if (whole)
+      run.samples.push_back(sample);
+    else
+      run.samples = {};
+  }
+};
 
-void match(Recording& recording, PathSource& path, const Metric& metric, const spec::Axes& axes, std::size_t most,
-           TraceResult& result, RecordedRun& kept) {
-  Findings findings(result, most);
+void match(SampleSource& samples, PathSource& path, const Metric& metric, const spec::Axes& axes,
+           const TraceOptions& options, TraceResult& result, Kept& kept) {
+  Findings findings(result, options.most_findings);
   Matcher matcher(path, metric, axes, result, findings);
   TimeSteps steps([&](const TimeStep& step) { findings.add(gap_of(step, metric.space())); });
   RecordedSample sample;
   std::optional<double> time;
-  while (recording.next(sample)) {
+  while (samples.next(sample)) {
     matcher.take(sample.at, sample.line);
-    result.deviations.take(sample.at, matcher.place(result.deviations.keeps_next()));
-    keep(sample, kept);
-    if (!recording.has_time()) continue;
+    if (options.pictures) result.deviations.take(sample.at, matcher.place(result.deviations.keeps_next()));
+    kept.take(sample);
+    if (!samples.has_time()) continue;
     if (time) steps.take({sample.time - *time, sample.resolution, sample.line, matcher.move(), sample.at});
     time = sample.time;
   }
@@ -103,35 +110,38 @@ std::vector<AxisPoint> course(const spec::Case& c, const Metric& metric, Program
 
 }  // namespace
 
-TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::string& file, const TraceOptions& options) {
+TraceResult judge_trace(const spec::Case& c, SampleSource& samples, const TraceOptions& options) {
   const Distance tolerance{options.tolerance, options.rotary_tolerance.value_or(options.tolerance)};
   expect_positive(tolerance.linear, "--tolerance", "setup units");
   expect_positive(tolerance.rotary, "--rotary-tolerance", "degrees");
   TraceResult result;
-  Recording recording(csv, file, c.setup.axes, fuzz::ProgramFacts::of(c).units().value_or(c.setup.units));
-  const Metric metric(recorded_space(c.setup.axes, recording, result), tolerance);
+  const Metric metric(recorded_space(c.setup.axes, samples, result), tolerance);
   ProgramPathOptions path_options;
   path_options.judge_rapids = options.judge_rapids;
   path_options.frame = options.frame;
   path_options.on_event = [&](const model::Event& event) {
-    if (result.events.size() < kMostEvents || event.kind == spec::EventKind::alarm)
+    if ((options.pictures && result.events.size() < kMostEvents) || event.kind == spec::EventKind::alarm)
       result.events.push_back(in_double(event));
   };
   ProgramPath path(c, metric.space(), tolerance, path_options);
   result.deviations = Deviations(tolerance);
-  RecordedRun kept;
-  kept.has_time = recording.has_time();
-  match(recording, path, metric, c.setup.axes, options.most_findings, result, kept);
+  Kept kept{{samples.recorded(), samples.has_time(), {}}};
+  match(samples, path, metric, c.setup.axes, options, result, kept);
   result.undecided = path.undecided();
-  result.course = course(c, metric, path_options, result.deviations);
+  if (options.pictures) result.course = course(c, metric, path_options, result.deviations);
   if (!result.undecided.empty()) {
     // Nobody knows what the rest of the recording should be.
     result.findings.clear();
     result.findings_total = 0;
-  } else if (result.findings_total > 0) {
-    result.cause = common_cause(c, kept, metric, path_options, result);
+  } else if (options.causes && result.findings_total > 0 && kept.whole) {
+    result.cause = common_cause(c, kept.run, metric, path_options, result);
   }
   return result;
+}
+
+TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::string& file, const TraceOptions& options) {
+  Recording recording(csv, file, c.setup.axes, fuzz::ProgramFacts::of(c).units().value_or(c.setup.units));
+  return judge_trace(c, recording, options);
 }
 
 int exit_status(const TraceResult& result) {

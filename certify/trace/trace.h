@@ -10,6 +10,7 @@
 
 #include "certify/trace/deviations.h"
 #include "certify/trace/program_path.h"
+#include "certify/trace/samples.h"
 #include "spec/language/axes.h"
 #include "spec/language/case.h"
 #include "spec/language/event.h"
@@ -22,6 +23,8 @@ struct TraceOptions {
   PathFrame frame = PathFrame::workpiece;  // the coordinates of the recording
   bool judge_rapids = true;                // as straight lines; false: their ends only (positioning axis by axis)
   std::size_t most_findings = 100;         // kept; all are counted
+  bool pictures = true;                    // false: what only pictures show is left out
+  bool causes = true;                      // one mistake that explains all findings is looked for
 };
 
 // The true distance lies between both, whatever straight pieces stand for curves.
@@ -55,9 +58,10 @@ struct TraceResult {
   std::uint64_t not_judged_moves = 0;  // whose inside is not judged
   double length = 0;                   // of the path, linear axes, setup units
   double covered = 0;                  // of that, by the recording
-  Bounds worst;                        // largest distance of an accepted sample, setup units
-  std::uint64_t worst_sample = 0;      // line of the CSV
-  Bounds worst_rotary;                 // degrees
+  // The largest distance of an accepted sample that is not only on moves whose inside is not judged.
+  Bounds worst;                    // setup units
+  std::uint64_t worst_sample = 0;  // line of the CSV
+  Bounds worst_rotary;             // degrees
   std::uint64_t worst_rotary_sample = 0;
   std::uint64_t steps_not_judged = 0;  // long time steps where the record has no steady period
   std::string recorded;                // axis letters
@@ -67,16 +71,20 @@ struct TraceResult {
   std::optional<std::string> cause;         // one mistake that explains all findings (causes/cause.h)
   Deviations deviations;                    // sample by sample, for pictures
   std::vector<AxisPoint> course;            // the exact path as far as a picture shows it
-  std::vector<spec::Event<double>> events;  // of the exact run: the first ones, for a picture
+  std::vector<spec::Event<double>> events;  // of the exact run: the first ones, for a picture, and every alarm
   std::string undecided;                    // why the model could not decide; empty: it could
 };
 
-// Judges the samples of one run of `c.program`, recorded in the coordinates of the events' `axes`. The recording, its
+// Judges the samples of one run of `c.program`, in the units of its events and the coordinates of `options.frame`. The
+// recording, its
 // samples joined by straight lines, is accepted exactly if it and the exact path can be run through side by side, never
 // backwards and never farther apart than the tolerance (the continuous Fréchet distance), the linear axes as one
 // length, each rotary axis by itself. It may begin anywhere on the first move and must end at the end. If the recording
 // names the time, steps of more than one and a half periods are findings too. Memory grows neither with the recording
-// nor with the path. Throws spec::InputError for a malformed CSV or case, and for a tolerance that is not positive.
+// nor with the path. Throws spec::InputError for a malformed case, for a tolerance that is not positive, and what the
+// source throws.
+TraceResult judge_trace(const spec::Case& c, SampleSource& samples, const TraceOptions& options);
+// The same for a CSV as certify::Recording reads it.
 TraceResult judge_trace(const spec::Case& c, std::istream& csv, const std::string& file, const TraceOptions& options);
 
 // 1 a finding; 3 the model could not decide, or nothing was judged; else 0.

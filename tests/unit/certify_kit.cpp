@@ -15,6 +15,8 @@
 #include "certify/kit/program.h"
 #include "certify/kit/recording.h"
 #include "certify/kit/screen.h"
+#include "certify/trace/recording.h"
+#include "certify/trace/samples.h"
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_reader.h"
@@ -23,6 +25,7 @@
 
 namespace {
 
+namespace certify = toolcomp::certify;
 namespace kit = toolcomp::certify::kit;
 namespace spec = toolcomp::spec;
 using kit::OutcomeSet;
@@ -386,7 +389,8 @@ TEST(KitRecording, RestsAreWhereTheAxesStand) {
   for (int i = 1; i < 90; ++i) sample(6 + i);
   std::istringstream in(csv);
   const kit::Machine m = machine("[position]\nX = 5\nY = 3\n");
-  const kit::Recording recording = kit::read_recording(in, "f", m.setup);
+  certify::Recording reader(in, "f", m.setup.axes, m.setup.units);
+  const certify::RecordedRun recording = certify::rest_of(reader);
   ASSERT_TRUE(recording.has_time);
   const auto found = kit::find_rests(recording, kit::mark_place(m, false, 0.01));
   ASSERT_EQ(found.size(), 2U);
@@ -396,9 +400,13 @@ TEST(KitRecording, RestsAreWhereTheAxesStand) {
   EXPECT_NEAR(found[1].end - found[1].begin, 1, 0.001);
   EXPECT_TRUE(found[1].above);
   // Samples keep their lines.
-  const std::string cut = kit::cut(recording, 61, 62, m, false);
-  EXPECT_EQ(std::ranges::count(cut, '\n'), 64);
-  EXPECT_TRUE(cut.starts_with("time,X,Y\n\n\n"));
+  certify::SampleRange part(recording, 61, 63);
+  certify::RecordedSample taken;
+  for (const std::uint64_t line : {63U, 64U}) {
+    ASSERT_TRUE(part.next(taken));
+    EXPECT_EQ(taken.line, line);
+  }
+  EXPECT_FALSE(part.next(taken));
 }
 
 }  // namespace

@@ -240,6 +240,12 @@ TEST(Report, VerdictsAndExitStatuses) {
   EXPECT_EQ(exit_status(Certificate{}), 3);
 }
 
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
 TEST(Report, OfATraceIsWellFormed) {
   TraceReport report;
   report.c.program = "G90 G01 X10. F100 (<&>)\nY10.\n";
@@ -256,7 +262,38 @@ TEST(Report, OfATraceIsWellFormed) {
   EXPECT_TRUE(has(html, ">2</text>"));
   EXPECT_TRUE(has(html, "class=\"tr-bad\""));
   EXPECT_EQ(malformed(junit_report(report)), "");
-  EXPECT_EQ(nlohmann::json::parse(json_report(report))["findings_total"], 2);
+  const auto json = nlohmann::json::parse(json_report(report));
+  EXPECT_EQ(json["findings_total"], 2);
+  EXPECT_EQ(json["cause"], "");
+}
+
+// X and Y exchanged: the page and the file name the same mistake.
+TEST(Report, OfATraceNamesTheCause) {
+  TraceReport report;
+  report.c.program = "G90 G01 X10. F100\nY5.\n";
+  report.file = "trace.csv";
+  report.options.tolerance = 0.01;
+  std::istringstream csv("X,Y\n0,0\n0,10\n5,10\n");
+  report.result = judge_trace(report.c, csv, report.file, report.options);
+  EXPECT_TRUE(has(html_report(report), "axes X and Y are exchanged"));
+  EXPECT_EQ(nlohmann::json::parse(json_report(report))["cause"], "axes X and Y are exchanged");
+}
+
+// Samples on a move that is judged at its end only are dotted, not red, and no bar counts them as off.
+TEST(Report, OfATraceWithMovesThatAreNotJudgedInside) {
+  TraceReport report;
+  report.c.program = "G90 G00 X10. Y5.\nG01 X20. F100\n";
+  report.file = "trace.csv";
+  report.options.tolerance = 0.01;
+  report.options.judge_rapids = false;
+  std::istringstream csv("X,Y\n0,0\n5,5\n10,5\n20,5\n");
+  report.result = judge_trace(report.c, csv, report.file, report.options);
+  const std::string html = html_report(report);
+  EXPECT_EQ(malformed(html), "");
+  EXPECT_TRUE(has(html, "class=\"tr-free\" d=\"M"));
+  EXPECT_TRUE(has(html, "<title>0 samples not on the path</title>"));
+  EXPECT_TRUE(has(html, "without 2 samples on moves judged at their ends only"));
+  EXPECT_EQ(count(html, "class=\"tr-off\" d="), 1U);  // the legend
 }
 
 TEST(Markup, EscapesWhatMarkupMeans) {
@@ -279,12 +316,6 @@ std::vector<spec::Event<double>> events(const spec::Case& c) {
   std::vector<spec::Event<double>> result;
   for (const model::Event& event : fuzz::run_model(c).events) result.push_back(in_double(event));
   return result;
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
 }
 
 TEST(PathSvg, DrawsBothPathsFromAboveAndFromTheSide) {

@@ -166,6 +166,18 @@ TEST(Trace, RapidMovesMayBeJudgedAtTheirEndsOnly) {
   EXPECT_EQ(exit_status(r), 0);
   EXPECT_EQ(r.not_judged_moves, 1U);
   EXPECT_EQ(exit_status(judge(rapid, "X,Y\n0,0\n5,5\n10,4\n20,4\n", 0.01, false)), 1);
+  // Two samples lie on it, the end and what follows are judged: the largest distance is that of the last sample but
+  // one.
+  const TraceResult kinds = judge(rapid, "X,Y\n0,0\n5,5\n10,5\n15,5.008\n20,5\n", 0.01, false);
+  EXPECT_EQ(exit_status(kinds), 0);
+  EXPECT_EQ(kinds.deviations.not_judged(), 2U);
+  EXPECT_EQ(kinds.deviations.off(), 0U);
+  EXPECT_EQ(kinds.deviations.histogram()[0], 2U);
+  EXPECT_EQ(kinds.deviations.histogram()[16], 1U);
+  EXPECT_EQ(kinds.deviations.points()[1].kind, SampleKind::not_judged);
+  EXPECT_EQ(kinds.deviations.points()[3].kind, SampleKind::followed);
+  EXPECT_NEAR(kinds.worst.upper, 0.008, 1e-12);
+  EXPECT_EQ(kinds.worst_sample, 5U);
 }
 
 TEST(Trace, ComparesRotaryAxesByThemselves) {
@@ -200,10 +212,26 @@ TEST(Trace, RotaryAxesHaveATolerance) {
   options.rotary_tolerance = 0.5;
   const TraceResult r = judge_trace(c, csv, "trace.csv", options);
   EXPECT_EQ(exit_status(r), 0);
-  EXPECT_NEAR(r.worst_rotary.upper, 0.4, 0.01);
+  // C is nine times X. Nearest, in tolerances, is where both are off alike: (x - 5.0005) / 0.001 = (45.4 - 9 x) / 0.5.
+  const double x = (45.4 + 500 * 5.0005) / 509;
+  EXPECT_NEAR(r.worst.upper, x - 5.0005, 1e-12);
+  EXPECT_NEAR(r.worst_rotary.upper, 45.4 - 9 * x, 1e-10);
   options.rotary_tolerance = 0;
   std::istringstream again("X,C\n0,0\n10,90\n");
   EXPECT_THROW(judge_trace(c, again, "trace.csv", options), spec::InputError);
+}
+
+TEST(Trace, WithoutPicturesTheVerdictIsTheSame) {
+  std::istringstream csv("X,Y\n0,0\n5,0.5\n10,0\n10.005,5\n10,10\n");
+  TraceOptions options;
+  options.tolerance = 0.01;
+  options.pictures = false;
+  const TraceResult r = judge_trace(kCorner, csv, "trace.csv", options);
+  EXPECT_EQ(r.findings_total, 1U);
+  EXPECT_NEAR(r.worst.upper, 0.005, 1e-12);
+  EXPECT_TRUE(r.deviations.points().empty());
+  EXPECT_TRUE(r.course.empty());
+  EXPECT_TRUE(r.events.empty());
 }
 
 // C alone is off, by two degrees: degrees are not added to millimetres, and the axis has a name.

@@ -10,6 +10,8 @@ namespace {
 
 PlaceOnPath place(std::uint64_t line, double linear, double rotary = 0) {
   PlaceOnPath p;
+  p.kind = SampleKind::followed;
+  p.exact = AxisPoint{};
   p.line = line;
   p.distance = {linear, rotary};
   return p;
@@ -21,12 +23,18 @@ TEST(Deviations, SamplesByDistance) {
   d.take({}, place(1, 0.0051));      // 51 % of the tolerance: the eleventh twentieth
   d.take({}, place(1, 0.001, 0.4));  // 80 % of the rotary one
   d.take({}, place(1, 0.01));        // all of it counts to the last
-  d.take({}, std::nullopt);
+  d.take({}, {});
+  PlaceOnPath free;
+  free.kind = SampleKind::not_judged;
+  d.take({}, free);
+  d.take({}, free);
   EXPECT_EQ(d.histogram()[0], 1U);
   EXPECT_EQ(d.histogram()[10], 1U);
   EXPECT_EQ(d.histogram()[16], 1U);
   EXPECT_EQ(d.histogram()[19], 1U);
   EXPECT_EQ(d.off(), 1U);
+  EXPECT_EQ(d.not_judged(), 2U);
+  EXPECT_EQ(std::accumulate(d.histogram().begin(), d.histogram().end(), std::uint64_t{0}), 4U);
 }
 
 TEST(Deviations, TheLargestOfEachMove) {
@@ -35,7 +43,7 @@ TEST(Deviations, TheLargestOfEachMove) {
   d.take({}, place(3, 0.3, 0.2));
   d.take({}, place(5, 0.2));
   PlaceOnPath lost = place(5, 4);
-  lost.followed = false;
+  lost.kind = SampleKind::off;
   d.take({}, lost);
   ASSERT_EQ(d.moves().size(), 2U);
   EXPECT_EQ(d.moves()[0].line, 3U);

@@ -140,7 +140,7 @@ class Causes {
   }
 
   std::optional<std::string> no_tip_control() const {
-    const MakePath make = [this](Distance) { return programmed_path(c_, metric_.space()); };
+    const MakePath make = [this](Distance) { return programmed_path(c_, metric_.space(), options_.frame); };
     if (!make({})) return std::nullopt;
     std::string cause = "tool center point control is not in force";
     if (conforms(make, as_recorded())) return cause;
@@ -311,7 +311,7 @@ class Causes {
 
 std::optional<std::string> common_cause(const spec::Case& c, const RecordedRun& run, const Metric& metric,
                                         const ProgramPathOptions& options, const TraceResult& found) {
-  if (!run.whole || run.samples.size() < 2) return std::nullopt;
+  if (run.samples.size() < 2) return std::nullopt;
   // Where samples are missing, nothing is known that could be explained.
   if (std::ranges::all_of(found.findings, [](const TraceFinding& f) { return f.kind == "gap"; })) return std::nullopt;
   return Causes(c, run, metric, options, found).find();

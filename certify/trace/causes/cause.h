@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "certify/trace/causes/recorded_run.h"
 #include "certify/trace/metric.h"
 #include "certify/trace/program_path.h"
+#include "certify/trace/samples.h"
 #include "certify/trace/trace.h"
 #include "spec/language/case.h"
 
@@ -15,8 +15,8 @@ namespace toolcomp::certify {
 // The mistake with which the recording is what the program asks for, within the tolerance: "axes X and Y are
 // exchanged". Tried are, in this order, offsets and senses of rotation that are others (other_case.h), tool center
 // point control that is not in force, axes exchanged, reversed, shifted, scaled, late, and single numbers that are off.
-// `found`: the findings. Nothing where none of them explains all, or where the recording was not kept whole. What is
-// named is a hint: another mistake may look the same.
+// `run`: the whole recording; `found`: the findings. Nothing where none of them explains all. What is named is a hint:
+// another mistake may look the same.
 std::optional<std::string> common_cause(const spec::Case& c, const RecordedRun& run, const Metric& metric,
                                         const ProgramPathOptions& options, const TraceResult& found);
 

@@ -1,7 +1,6 @@
 #include "certify/trace/causes/follow.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "certify/trace/free_space.h"
@@ -9,22 +8,6 @@
 #include "certify/trace/path_window.h"
 
 namespace toolcomp::certify {
-namespace {
-
-// Of the nearest of the places that are reached.
-double distance(const PathWindow& path, const Metric& metric, const Reach& reach, const AxisPoint& at) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Reached& reached : reach) {
-    const PathPiece& piece = path[reached.piece].piece;
-    if (piece.free) return 0;
-    const double t = metric.closest(piece.begin, piece.end, at, {reached.low, reached.high});
-    least = std::min(least, metric.in_tolerances(metric.at(piece.begin, piece.end, t, at)));
-  }
-  return least;
-}
-
-}  // namespace
-
 std::optional<double> followed(PathSource& path, const Metric& metric, std::size_t count, bool to_end,
                                const Recorded& recorded) {
   PathWindow window(path, metric);
@@ -39,7 +22,8 @@ std::optional<double> followed(PathSource& path, const Metric& metric, std::size
   Reach ahead;
   double largest = 0;
   for (std::size_t i = 0; !reach.empty();) {
-    largest = std::max(largest, distance(window, metric, reach, last.at));
+    if (const auto nearest = nearest_of(reach, window, metric, last.at))
+      largest = std::max(largest, nearest->in_tolerances);
     window.drop_before(reach.front().piece);
     if (++i == count) break;
     const Sample next = sample(i);

@@ -4,12 +4,13 @@
 #include <memory>
 
 #include "certify/trace/path.h"
+#include "certify/trace/program_path.h"
 #include "spec/language/case.h"
 
 namespace toolcomp::certify {
 
-// Straight from one programmed end to the next, rotary axes evenly; no length is taken off. Nothing for a program
-// without tool center point control, or one the model cannot decide.
-std::unique_ptr<PathSource> programmed_path(const spec::Case& c, const TraceSpace& space);
+// Straight from one programmed end to the next, rotary axes evenly; no length is taken off. Machine coordinates are
+// those of FANUC programs. Nothing for a program without tool center point control, or one the model cannot decide.
+std::unique_ptr<PathSource> programmed_path(const spec::Case& c, const TraceSpace& space, PathFrame frame);
 
 }  // namespace toolcomp::certify
