@@ -63,10 +63,17 @@ struct Scene {
   Scene(const TraceResult& result, const spec::Axes& axes) {
     const std::array<std::size_t, 3> xyz{axes.index('X'), axes.index('Y'), axes.index('Z')};
     for (const AxisPoint& p : result.course) exact.push_back(place(p, xyz));
+    double found = result.worst.upper;
+    for (const TraceFinding& finding : result.findings) found = std::max(found, finding.distance.upper);
     for (const Deviations::Point& point : result.deviations.points()) {
       Recorded r{place(point.recorded, xyz), {}, point.kind};
       if (point.exact) r.off = plus(r.at, -1, place(*point.exact, xyz));
-      largest = std::max(largest, std::sqrt(dot(r.off, r.off)));
+      // While a recording was lost, what was nearest may have been another part of the path.
+      const double off = std::sqrt(dot(r.off, r.off));
+      if (off > found)
+        r.off = {};
+      else
+        largest = std::max(largest, off);
       recorded.push_back(r);
     }
     for (const TraceFinding& finding : result.findings) {

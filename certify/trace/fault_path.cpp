@@ -50,8 +50,8 @@ class LeftOut {
         kept_(kept),
         linear_(scene.metric.linear_only()),
         rotary_(scene.metric.rotary_only()),
-        linear_run_(scene.run, linear_, kept.first, kept.second),
-        rotary_run_(scene.run, rotary_, kept.first, kept.second) {}
+        linear_run_(scene.run, linear_, scene.run.approach(kept.first), kept.second),
+        rotary_run_(scene.run, rotary_, scene.run.approach(kept.first), kept.second) {}
 
   PathLeftOut follow() {
     PathWindow& path = scene_.path;
@@ -128,13 +128,11 @@ class LeftOut {
     // Whether it is beyond the tolerance, and whether it is the farthest.
     const double enough = move_.beyond ? farthest_.lower : std::min(1.0, farthest_.lower);
     search(begin, end, run_, error, scene_.metric, enough, here);
-    if (scene_.metric.mixed()) {
-      Farthest linear;
-      Farthest rotary;
-      search(begin, end, linear_run_, error, linear_, linear_.in_tolerances(farthest_.alone), linear);
-      search(begin, end, rotary_run_, error, rotary_, rotary_.in_tolerances(farthest_.alone), rotary);
-      here.alone = {linear.most.linear, rotary.most.rotary};
-    }
+    Farthest linear;
+    Farthest rotary;
+    search(begin, end, linear_run_, error, linear_, linear_.in_tolerances(farthest_.alone), linear);
+    search(begin, end, rotary_run_, error, rotary_, rotary_.in_tolerances(farthest_.alone), rotary);
+    here.alone = {linear.most.linear, rotary.most.rotary};
     move_.beyond = move_.beyond || scene_.metric.exceeds(here.most, limit);
     farthest_.take(here);
     if (!piece.corner || part.high < 1) return;
@@ -178,7 +176,7 @@ class LeftOut {
   const FaultScene& scene_;
   RunDistance& run_;
   std::pair<std::size_t, std::size_t> kept_;  // the run's first and last sample
-  // Each kind of axes by itself.
+  // Each kind of axes by itself, and what was recorded before besides: for lower bounds.
   const Metric linear_;
   const Metric rotary_;
   RunDistance linear_run_;

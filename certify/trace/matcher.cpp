@@ -41,7 +41,14 @@ void Matcher::take(const AxisPoint& at, std::uint64_t line) {
     advance(sample);
   }
   last_ = sample;
+  keep_approach(sample);
   drop_behind();
+}
+
+void Matcher::keep_approach(const Sample& sample) {
+  approach_.emplace_back(sample, recorded_);
+  while (approach_.size() > Run::kApproachSamples || recorded_ - approach_.front().second > Run::kApproach)
+    approach_.pop_front();
 }
 
 void Matcher::begin(const Sample& sample) {

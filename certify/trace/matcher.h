@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "certify/trace/deviations.h"
@@ -113,6 +115,7 @@ class Matcher {
   [[nodiscard]] std::vector<History*> histories();
   void report_all(const History& history);
   void drop_behind();
+  void keep_approach(const Sample& sample);
   [[nodiscard]] std::size_t first_needed() const;
   void measure(Hypothesis& hypothesis, const Sample& sample) const;
   void leave_uncovered(const PathPlace& until);
@@ -137,6 +140,8 @@ class Matcher {
   double recorded_ = 0;         // length of the recording, in tolerances
   double recorded_before_ = 0;  // up to the last sample
   AxisPoint counted_{};         // up to here
+  // The last samples, and the length of the recording up to each: as far as kApproach goes (run.h).
+  std::deque<std::pair<Sample, double>> approach_;
   std::uint64_t samples_ = 0;
 };
 

@@ -41,7 +41,8 @@ bool overlap(const Reach& a, const Reach& b) {
 }  // namespace
 
 void Matcher::recover(const std::vector<Hypothesis>& lost, const Sample& sample) {
-  if (run_.empty() && !lost.empty()) run_.add(last_);
+  if (run_.empty() && !lost.empty())
+    for (const auto& [before, recorded] : approach_) run_.add(before);
   if (run_.full()) decide_oldest();
   run_.add(sample);
   std::vector<Hypothesis> candidates;

@@ -18,7 +18,18 @@ void Run::drop_before(std::uint64_t number) {
   const auto behind = [](std::uint64_t limit, const RunSample& s) { return limit < s.sample.number; };
   const auto keep = std::upper_bound(samples_.begin(), samples_.end(), number, behind);
   // The last one that is not behind it stays.
-  if (keep - samples_.begin() > 1) samples_.erase(samples_.begin(), keep - 1);
+  if (keep - samples_.begin() <= 1) return;
+  const std::size_t first = approach(static_cast<std::size_t>(keep - 1 - samples_.begin()));
+  samples_.erase(samples_.begin(), samples_.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
+std::size_t Run::approach(std::size_t index) const {
+  std::size_t first = index;
+  for (double length = 0; first > 0 && index - first < kApproachSamples; --first) {
+    length += metric_.in_tolerances(metric_.between(samples_[first - 1].sample.at, samples_[first].sample.at));
+    if (length > kApproach) break;
+  }
+  return first;
 }
 
 // Of the line from the sample before to the one behind.

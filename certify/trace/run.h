@@ -24,11 +24,15 @@ struct RunSample {
 class Run {
  public:
   static constexpr std::size_t kMost = 32768;
+  // A match is lost some tolerances behind the place where the recording was nearest to what it left out: so far back,
+  // in tolerances, and by so many samples at most, what was recorded before counts for lower bounds.
+  static constexpr double kApproach = 4;
+  static constexpr std::size_t kApproachSamples = 256;
 
   explicit Run(const Metric& metric) : metric_(metric) {}
   void add(const Sample& sample);
   void clear();
-  // The samples before that number are not needed any more.
+  // The samples before that number are not needed any more, but for those that lead there.
   void drop_before(std::uint64_t number);
   [[nodiscard]] bool full() const { return samples_.size() >= kMost; }
   [[nodiscard]] bool empty() const { return samples_.empty(); }
@@ -37,6 +41,8 @@ class Run {
   [[nodiscard]] const Distance& error() const { return error_; }
   // The indices of the kept samples [first, last] that hold those numbered `from` to `to` between them.
   [[nodiscard]] std::pair<std::size_t, std::size_t> between(std::uint64_t from, std::uint64_t to) const;
+  // The index of the first kept sample that leads to that one.
+  [[nodiscard]] std::size_t approach(std::size_t index) const;
 
  private:
   [[nodiscard]] Distance error_without(std::size_t index) const;
