@@ -164,6 +164,7 @@ void write_report(const AdapterCampaign& campaign, const AdapterCertificate& cer
     trace.c = run.c;
     trace.file = (run.folder / "trace.csv").string();
     trace.options.tolerance = certificate.tolerance;
+    trace.options.rotary_tolerance = campaign.rotary_tolerance;
     trace.result = run.result;
     write_report(trace, run.folder / "report");
   }

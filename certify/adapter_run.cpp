@@ -32,9 +32,9 @@ std::string words_of(const spec::Event<double>& alarm) {
 
 class Judge {
  public:
-  Judge(const Adapter& adapter, double tolerance) : adapter_(adapter) {
+  Judge(const Adapter& adapter, double tolerance, std::optional<double> rotary_tolerance) : adapter_(adapter) {
     options_.tolerance = tolerance;
-    options_.pictures = false;
+    options_.rotary_tolerance = rotary_tolerance;
   }
 
   void judge(AdapterRun& run) const {
@@ -133,6 +133,13 @@ class Judge {
 
 using Clock = std::chrono::steady_clock;
 
+// Of all programs they would fill the memory.
+void drop_pictures(TraceResult& result) {
+  result.deviations = {};
+  result.course = {};
+  result.events = {};
+}
+
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 spec::Setup read_setup(const fs::path& file) {
@@ -187,7 +194,7 @@ std::string_view name(RunOutcome outcome) {
 
 AdapterCertificate certify_adapter(const AdapterCampaign& campaign) {
   AdapterCertificate certificate;
-  certificate.tolerance = campaign.tolerance > 0 ? campaign.tolerance : campaign.adapter.tolerance;
+  certificate.tolerance = campaign.tolerance.value_or(campaign.adapter.tolerance);
   const fs::path batch = fs::path(campaign.report) / "runs";
   certificate.runs = write_batch(campaign, batch);
   const Clock::time_point start = Clock::now();
@@ -195,11 +202,12 @@ AdapterCertificate certify_adapter(const AdapterCampaign& campaign) {
       run_adapter(campaign.adapter, "", batch, certificate.runs.size(), campaign.timeout, campaign.progress);
   certificate.seconds_run = seconds_since(start);
   const Clock::time_point judged = Clock::now();
-  const Judge judge(campaign.adapter, certificate.tolerance);
+  const Judge judge(campaign.adapter, certificate.tolerance, campaign.rotary_tolerance);
   for (std::size_t i = 0; i < certificate.runs.size(); ++i) {
     AdapterRun& run = certificate.runs[i];
     judge.judge(run);
     Judge::expect_difference(run);
+    if (run.outcome != RunOutcome::differs) drop_pictures(run.result);
     std::error_code none;
     if (run.outcome == RunOutcome::conforms) fs::remove_all(run.folder, none);
     if (campaign.progress && (i + 1) % 20 == 0)

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,8 @@ struct AdapterCampaign {
   bool show_known = false;        // then the programs of the known differences
   std::uint32_t generated = 0;    // then programs, the machines of the adapter in turn
   std::uint64_t seed = 1;
-  double tolerance = 0;                       // 0: that of the adapter
+  std::optional<double> tolerance;            // positive; without it that of the adapter
+  std::optional<double> rotary_tolerance;     // positive, degrees; without it the number of the other
   std::string report;                         // folder; the batch is its subfolder runs
   std::chrono::milliseconds timeout{10'000};  // for each program, and six times that besides
   // A test of the judge: it alone gets this value of a parameter, in setups that name it. It must find a difference.

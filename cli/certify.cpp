@@ -64,6 +64,18 @@ double number_of(const std::string& text, const std::string& option, const std::
   return number;
 }
 
+Tolerances tolerances_of(const CertifyOptions& options) {
+  const auto positive = [](const std::string& text, const std::string& option,
+                           const std::string& what) -> std::optional<double> {
+    if (text.empty()) return std::nullopt;
+    const double value = number_of(text, option, what);
+    if (!(value > 0) || !std::isfinite(value)) usage(option + " must be a positive number");
+    return value;
+  };
+  return {positive(options.tolerance, "--tolerance", "a length"),
+          positive(options.rotary_tolerance, "--rotary-tolerance", "degrees")};
+}
+
 // Why less was judged than a reader might think.
 void say_how_the_path_ends(const certify::TraceResult& result, const std::string& program) {
   const std::string name = spec::display_name(program);
@@ -97,9 +109,9 @@ int certify_trace(const CertifyOptions& options) {
   certify::TraceReport report;
   report.c = read_inputs(options).front();
   report.file = options.trace;
-  report.options.tolerance = number_of(options.tolerance, "--tolerance", "a length");
-  if (!options.rotary_tolerance.empty())
-    report.options.rotary_tolerance = number_of(options.rotary_tolerance, "--rotary-tolerance", "degrees");
+  const Tolerances tolerances = tolerances_of(options);
+  report.options.tolerance = *tolerances.linear;
+  report.options.rotary_tolerance = tolerances.rotary;
   if (options.frame == "machine") report.options.frame = certify::PathFrame::machine;
   if (fs::is_directory(options.trace)) throw spec::InputError(options.trace, 0, 0, "cannot be read: Is a directory");
   std::ifstream csv(options.trace);
@@ -174,8 +186,7 @@ int certify(const CertifyOptions& options) {
   if (adapter) {
     certify::expect_programs(*adapter);
     if (adapter->kind == certify::AdapterKind::trace)
-      return certify_adapter(options, *adapter, read_inputs(options),
-                             options.tolerance.empty() ? 0 : number_of(options.tolerance, "--tolerance", "a length"));
+      return certify_adapter(options, *adapter, read_inputs(options), tolerances_of(options));
     campaign.controller = adapter->shell_command();
   }
   campaign.sections = options.sections;

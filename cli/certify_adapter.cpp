@@ -57,7 +57,7 @@ void print(const certify::AdapterCampaign& campaign, const certify::AdapterCerti
 }  // namespace
 
 int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapter, std::vector<spec::Case> cases,
-                    double tolerance) {
+                    const Tolerances& tolerances) {
   if (!options.corpus.empty() || !options.sections.empty() || options.widths)
     throw spec::InputError("toolcomp certify", 0, 0, "a recorded controller takes no --corpus, --section and --widths");
   certify::AdapterCampaign campaign;
@@ -67,7 +67,8 @@ int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapt
   if (options.inputs.empty() && !options.setup.empty()) campaign.adapter.setups = {options.setup};
   campaign.cases = std::move(cases);
   campaign.seed = options.seed;
-  campaign.tolerance = tolerance;
+  campaign.tolerance = tolerances.linear;
+  campaign.rotary_tolerance = tolerances.rotary;
   campaign.timeout = std::chrono::milliseconds(std::llround(options.timeout * 1000));
   campaign.report = options.report;
   for (const std::string& text : options.altered) campaign.altered.insert(read_altered(text));

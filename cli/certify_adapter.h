@@ -1,6 +1,7 @@
 // Controllers that are recorded: programs through an adapter.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "certify/adapter.h"
@@ -9,8 +10,13 @@
 
 namespace toolcomp::cli {
 
-// `cases`: the programs named; without them, and with --cases, generated ones. `tolerance`: 0 for the adapter's own.
+// Those that the command line names: positive; the linear one in setup units, the rotary one in degrees.
+struct Tolerances {
+  std::optional<double> linear, rotary;
+};
+
+// `cases`: the programs named; without them, and with --cases, generated ones.
 int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapter, std::vector<spec::Case> cases,
-                    double tolerance);
+                    const Tolerances& tolerances);
 
 }  // namespace toolcomp::cli

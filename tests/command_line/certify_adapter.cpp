@@ -61,6 +61,26 @@ TEST_F(TraceAdapter, ANewDifferenceIsAFinding) {
   EXPECT_EQ(run().at("outcome"), "differs");
   EXPECT_TRUE(std::filesystem::exists(folder.path("report/runs/0001/report/index.html")));
   EXPECT_EQ(certify("--tolerance 0.03").status, 0);
+  EXPECT_EQ(certify("--tolerance -1").status, 2);
+}
+
+TEST_F(TraceAdapter, TheReportSaysWhatItLooksLike) {
+  adapter("printf 'X,Y,Z\\n0,0,0\\n0,10,0\\n0,20,0\\n' >trace.csv");
+  const Outcome outcome = certify();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.out.find("looks like, in 1 of the programs that differ: axes X and Y are exchanged"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(run().at("cause"), "axes X and Y are exchanged");
+  EXPECT_NE(read(folder.path("report/index.html")).find("axes X and Y are exchanged"), std::string::npos);
+  EXPECT_NE(read(folder.path("report/runs/0001/report/index.html")).find("off the path"), std::string::npos) << "drawn";
+}
+
+TEST_F(TraceAdapter, RotaryAxesHaveATolerance) {
+  adapter("printf 'X,C\\n0,0\\n10,0.02\\n20,0\\n' >trace.csv");
+  ASSERT_FALSE(folder.write("adapters/fake/machine.toml", "axes = [\"X\", \"Y\", \"Z\", \"C\"]\n").empty());
+  EXPECT_EQ(certify().status, 1);
+  EXPECT_EQ(certify("--rotary-tolerance 0.03").status, 0);
 }
 
 TEST_F(TraceAdapter, AnAlarmIsOneForBothOrAFinding) {

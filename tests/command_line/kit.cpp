@@ -214,6 +214,51 @@ TEST_F(Kit, TheOffsetProgramEntersTheTable) {
   EXPECT_FALSE(std::getline(list, line));
 }
 
+// What the adapter of a control says that it does not have, or does otherwise, stays at home, and no program ends in an
+// alarm.
+TEST_F(Kit, ForAControlThatAnAdapterDescribes) {
+  fs::create_directories(folder.path("adapters/fake"));
+  const auto write = [&](const std::string& name, const std::string& text) {
+    ASSERT_FALSE(folder.write("adapters/fake/" + name, text).empty());
+  };
+  write("machine.toml", kMachine);
+  write("manifest.toml",
+        "[[adapter]]\nname = \"fake\"\nkind = \"trace\"\ncommand = \"sh run.sh\"\ntolerance = \"0.01\"\n"
+        "setups = [\"machine.toml\"]\nknown_differences = \"known.toml\"\n");
+  write("known.toml",
+        "[[difference]]\nid = \"negative\"\nreason = \"r\"\nrecognised = \"r\"\nsetup = \"machine.toml\"\n"
+        "program = \"G44 H1 Z1.\"\n");
+  write("run.sh",
+        "test \"$1\" = --ask || exit 9\nfor one in \"$2\"/*/; do cd \"$one\"\n"
+        "grep -q '[ 0-9]G42' program.nc && echo 'no G42' >not_applicable.txt\n"
+        "grep -q '[ 0-9]G44' program.nc && echo 'negative 1 9' >known.txt\ndone\nexit 0\n");
+  const std::string sections = " --sections fanuc/cutter-compensation-c,fanuc/tool-length-offset";
+  const Outcome made =
+      make(kMachine, kTravels + sections + " --cases 20 --controller fake --adapters " + folder.path("adapters"));
+  ASSERT_EQ(made.status, 0) << made.err;
+  const json kit = manifest();
+  ASSERT_FALSE(kit["programs"].empty());
+  std::size_t generated = 0;
+  for (const json& program : kit["programs"]) {
+    EXPECT_FALSE(program.contains("alarm"));
+    const std::string text = read(folder.path("kit/" + program["file"].get<std::string>()));
+    for (const std::string word : {" G42", " G44"}) EXPECT_EQ(text.find(word), std::string::npos) << program["file"];
+    for (const json& c : program["cases"]) generated += c["id"].get<std::string>().starts_with("generated-") ? 1 : 0;
+  }
+  EXPECT_GT(generated, 0U);
+  std::string why;
+  for (const json& missing : kit["missing"]) why += missing["why"].get<std::string>();
+  EXPECT_NE(why.find("fake has not: no G42"), std::string::npos);
+  EXPECT_NE(why.find("fake is known to differ: negative"), std::string::npos);
+
+  write("run.sh", "echo broken >&2; exit 7\n");
+  const Outcome broken =
+      make(kMachine, kTravels + sections + " --controller fake --adapters " + folder.path("adapters"), "other");
+  EXPECT_EQ(broken.status, 2);
+  EXPECT_NE(broken.err.find("exit status 7: broken"), std::string::npos) << broken.err;
+  EXPECT_EQ(make(kMachine, kTravels + sections + " --controller nobody", "third").status, 2);
+}
+
 TEST_F(Kit, TheSameInputGivesTheSameBytes) {
   ASSERT_EQ(make_small("kit").status, 0);
   ASSERT_EQ(make_small("again").status, 0);
