@@ -49,6 +49,8 @@ struct Block {
   bool straight = true;  // a G01
   AxisPoint end{};       // as programmed
   Curve at;
+  std::vector<AxisPoint> fine;  // places in a row
+  double reach = 0;             // the farthest of them from the one in the middle
 };
 
 struct Program {
@@ -115,7 +117,7 @@ class Maker {
       add("G43.4 H1");
       AxisPoint up{};
       up[2] = kLength;
-      program_.blocks.push_back({line_, true, {}, line({}, up, false)});
+      program_.blocks.push_back({line_, true, {}, line({}, up, false), {}, 0});
     }
     const std::size_t count = program_.blocks.size() + 4 + below(random_, 5);
     while (program_.blocks.size() < count) {
@@ -123,6 +125,11 @@ class Maker {
         add_arc();
       else
         add_line();
+    }
+    for (Block& block : program_.blocks) {
+      constexpr int kSteps = 200;
+      for (int i = 0; i <= kSteps; ++i) block.fine.push_back(block.at(static_cast<double>(i) / kSteps));
+      for (const AxisPoint& p : block.fine) block.reach = std::max(block.reach, length(p, block.fine[kSteps / 2]));
     }
     return std::move(program_);
   }
@@ -156,7 +163,7 @@ class Maker {
     if (program_.axes > 2) text += fmt::format(" Z{:.3f}", to[2]);
     if (program_.tip) text += fmt::format(" B{:.3f} C{:.3f}", to[3], to[4]);
     add(text);
-    program_.blocks.push_back({line_, true, to, curve});
+    program_.blocks.push_back({line_, true, to, curve, {}, 0});
     at_ = to;
   }
 
@@ -192,7 +199,7 @@ class Maker {
     std::string text = fmt::format("{} X{:.3f} Y{:.3f}", turn > 0 ? "G03" : "G02", to[0], to[1]);
     if (program_.axes > 2) text += fmt::format(" Z{:.3f}", to[2]);
     add(text + fmt::format(" I{:.3f} J{:.3f}", i, j));
-    program_.blocks.push_back({line_, false, to, curve});
+    program_.blocks.push_back({line_, false, to, curve, {}, 0});
     at_ = to;
   }
 
@@ -333,18 +340,14 @@ double to_tape(const Tape& tape, std::size_t first, std::size_t last, const Axis
   return least;
 }
 
-// From `p` to the blocks [first, last], by the linear axes, to within a few micrometres of it.
+// From `p` to the blocks [first, last], by the linear axes, to within a fiftieth of the tolerance.
 double to_path(const Program& program, std::size_t first, std::size_t last, const AxisPoint& p) {
   double least = 1e9;
-  constexpr int kSteps = 500;
   for (std::size_t k = first; k <= std::min(last, program.blocks.size() - 1); ++k) {
-    const Curve& curve = program.blocks[k].at;
-    AxisPoint before = curve(0);
-    for (int i = 1; i <= kSteps; ++i) {
-      const AxisPoint at = curve(static_cast<double>(i) / kSteps);
-      least = std::min(least, to_segment(before, at, p));
-      before = at;
-    }
+    const std::vector<AxisPoint>& fine = program.blocks[k].fine;
+    const AxisPoint& middle = fine[fine.size() / 2];
+    if (length(p, middle) - program.blocks[k].reach >= least) continue;
+    for (std::size_t i = 0; i + 1 < fine.size(); ++i) least = std::min(least, to_segment(fine[i], fine[i + 1], p));
   }
   return least;
 }
@@ -636,7 +639,7 @@ Outcome drift(Random& random, const Program& program) {
 // --- The campaign ----------------------------------------------------------------------------------------------------
 
 std::size_t recordings() {
-  constexpr std::size_t kUsual = 300;
+  constexpr std::size_t kUsual = 200;
   const char* const asked = std::getenv("TOOLCOMP_TRACE_RECORDINGS");
   return asked == nullptr ? kUsual : std::stoul(asked);
 }
