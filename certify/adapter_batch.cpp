@@ -4,39 +4,16 @@
 
 #include <fstream>
 #include <sstream>
-#include <system_error>
 
 #include "certify/process.h"
+#include "certify/temporary_folder.h"
 #include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::certify {
-namespace {
 
 namespace fs = std::filesystem;
-
-// Removed with all that is in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "toolcomp-batch-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw spec::InputError(name, 0, 0, "no temporary folder can be made");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code none;
-    fs::remove_all(path_, none);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-}  // namespace
 
 fs::path batch_folder(const fs::path& batch, std::size_t index) { return batch / fmt::format("{:04}", index + 1); }
 

@@ -13,6 +13,7 @@
 #include "certify/campaign.h"
 #include "certify/finding.h"
 #include "certify/report.h"
+#include "certify/temporary_folder.h"
 #include "cli/controller.h"
 #include "cli/program.h"
 #include "cli/progress.h"
@@ -154,28 +155,10 @@ void collect(const fs::path& folder, const std::string& section, fuzz::CampaignR
     throw std::runtime_error("a fuzz target ended without a result:\n" + spec::read_file(folder / "log"));
 }
 
-// A folder that goes with the search.
-class WorkFolder {
- public:
-  WorkFolder() : path_(fs::temp_directory_path() / fmt::format("toolcomp-fuzz-{}", ::getpid())) {
-    fs::create_directories(path_);
-  }
-  ~WorkFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 // libFuzzer processes of one twin side by side, one for each job.
 fuzz::CampaignResult clang_targets(const std::string& section, fuzz::Mode mode, const Plan& plan,
                                    const FuzzOptions& options) {
-  const WorkFolder work;
+  const certify::TemporaryFolder work;
   const unsigned jobs = std::max(1U, options.jobs);
   const std::uint64_t parts = 2 * std::uint64_t{jobs};
   const std::string limit = plan.runs > 0 ? fmt::format("-runs={}", (plan.runs + parts - 1) / parts)

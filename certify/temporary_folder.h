@@ -1,0 +1,22 @@
+// A folder that goes with its user.
+#pragma once
+
+#include <filesystem>
+
+namespace toolcomp::certify {
+
+// New and empty, in the system's folder of such; removed with all that is in it.
+class TemporaryFolder {
+ public:
+  // Throws std::runtime_error where none can be made.
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace toolcomp::certify
