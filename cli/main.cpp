@@ -209,8 +209,9 @@ class CommandLine {
                     "counted (default 0.05); judge: no more than that");
     sub->add_flag("--machine-coordinates", kit_.machine_coordinates,
                   "judge: recordings are of machine coordinates, not of those of G54");
-    sub->add_flag("--rapids-by-axis", kit_.rapids_by_axis,
-                  "judge: the control positions axis by axis: rapid moves are judged by their ends");
+    sub->add_flag(
+        "--rapids-by-axis", kit_.rapids_by_axis,
+        "judge: the control positions axis by axis: rapid moves are judged by their ends, and each axis between");
     sub->add_option("--report", kit_.report, "judge: folder of the certificate");
   }
   void add_corpus() {

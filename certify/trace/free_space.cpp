@@ -24,6 +24,11 @@ std::optional<Part> FreeSpace::free_part(std::size_t piece, const Sample& sample
   const PathPiece& p = path_[piece].piece;
   const Limit limit = path_.limit(piece, sample.magnitude);
   if (!p.free) return metric_.part_near(p.begin, p.end, sample.at, limit);
+  // Each axis goes from one end to the other in its own time, and never back.
+  AxisBox box;
+  box.add(p.begin);
+  box.add(p.end);
+  if (metric_.exceeds(metric_.outside(box, sample.at), limit)) return std::nullopt;
   return Part{0, metric_.exceeds(metric_.between(p.end, sample.at), limit) ? 0.0 : 1.0};
 }
 

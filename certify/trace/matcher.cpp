@@ -84,6 +84,16 @@ void Matcher::advance(const Sample& sample) {
       continue;
     }
     std::swap(hypothesis.reach, ahead_);
+    // It may have stayed inside a move that is not judged, or have left the path behind that.
+    if (in_free_move(hypothesis)) {
+      const auto free = [&](const Reached& r) { return path_[r.piece].piece.free; };
+      std::erase_if(ahead_, free);
+      if (!ahead_.empty()) {
+        Hypothesis& left = lost.emplace_back();
+        left.history = hypothesis.history;
+        left.reach = ahead_;
+      }
+    }
     measure(hypothesis, sample);
     ++i;
   }

@@ -39,9 +39,10 @@ namespace toolcomp::certify {
 // * The oldest fault of the cheapest is decided on when as many samples are held as a run keeps (run.h).
 // * At most kHypotheses are followed, the cheapest. If the path held gets longer than kWindow while several are, the
 //   cheapest is taken.
-// A move whose inside is not judged accepts every sample, so a match cannot break there: while one is inside,
-// hypotheses that did not come to the end of that move are followed besides. One without a fault is never given up for
-// them. Lengths of the recording are counted in steps of at least the tolerance: noise of a standing machine has none.
+// A move whose inside is not judged accepts every sample between its ends, axis by axis, so a match may not break there
+// where it should: while one is inside, hypotheses that did not come to the end of that move are followed besides. One
+// without a fault is never given up for them. Lengths of the recording are counted in steps of at least the tolerance:
+// noise of a standing machine has none.
 class Matcher {
  public:
   static constexpr std::size_t kWindow = 131072;

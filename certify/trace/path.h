@@ -18,7 +18,7 @@ struct PathPiece {
   Distance error;
   bool corner = true;   // a move ends here; false: inside a curve
   bool curved = false;  // a chord of a curve
-  bool free = false;    // how the axes go from begin to end is not judged (rapid traverse axis by axis)
+  bool free = false;    // rapid traverse axis by axis: only that each axis stays between its ends is judged
   bool jump = false;    // the same position by another name; no move
   std::uint64_t line = 0;
   std::optional<std::uint64_t> n;

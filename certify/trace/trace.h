@@ -21,7 +21,7 @@ struct TraceOptions {
   double tolerance = 0;                    // linear axes, setup units; positive
   std::optional<double> rotary_tolerance;  // each rotary axis, degrees; positive; without it the number of `tolerance`
   PathFrame frame = PathFrame::workpiece;  // the coordinates of the recording
-  bool judge_rapids = true;                // as straight lines; false: their ends only (positioning axis by axis)
+  bool judge_rapids = true;                // as straight lines; false: their ends, and each axis between
   std::size_t most_findings = 100;         // kept; all are counted
   bool pictures = true;                    // false: what only pictures show is left out
   bool causes = true;                      // one mistake that explains all findings is looked for
