@@ -449,6 +449,10 @@ TEST(Trace, ReadsUnitsAndSeparators) {
   inch.setup.units = spec::Units::inch;
   EXPECT_EQ(exit_status(judge(inch, "x_mm\n0\n25.4\n")), 0);
   EXPECT_EQ(exit_status(judge(inch, "x\n0\n1\n")), 0);
+  spec::Case both = program("G90 G01 X1. C90. F100\n");
+  both.setup.units = spec::Units::inch;
+  both.setup.axes = spec::Axes("XYZC");
+  EXPECT_EQ(exit_status(judge(both, "x_mm,C (deg)\n0,0\n25.4,90\n")), 0);
   spec::Case turn = program("G90 G01 C180. F100\n");
   turn.setup.axes = spec::Axes("XYZC");
   EXPECT_EQ(exit_status(judge(turn, "C (rad)\n0\n3.141592653589793\n")), 0);
