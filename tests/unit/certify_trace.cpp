@@ -86,7 +86,15 @@ TEST(Trace, TheEndMustBeReached) {
 }
 
 TEST(Trace, MayBeginAnywhereOnTheFirstMove) {
-  EXPECT_EQ(exit_status(judge(kCorner, "X,Y\n3,0\n10,0\n10,10\n")), 0);
+  const TraceResult later = judge(kCorner, "X,Y\n3,0\n10,0\n10,10\n");
+  EXPECT_EQ(exit_status(later), 0);
+  EXPECT_NEAR(later.covered, 17, 0.011);
+  // Half a circle, from its middle.
+  const spec::Case arc = program("G90 G17 G03 X20. I10. F100\n");
+  std::string half = "X,Y\n";
+  for (int degrees = 270; degrees <= 360; ++degrees)
+    half += line(10 + 10 * std::cos(degrees * std::numbers::pi / 180), 10 * std::sin(degrees * std::numbers::pi / 180));
+  EXPECT_EQ(exit_status(judge(arc, half)), 0);
   EXPECT_EQ(exit_status(judge(kCorner, "X,Y\n10,0\n10,10\n")), 0);
   EXPECT_EQ(exit_status(judge(kCorner, "X,Y\n10,3\n10,10\n")), 1);
 }
