@@ -76,6 +76,14 @@ TEST(Trace, SamplesComeInOrder) {
   EXPECT_EQ(r.off, 1U);
 }
 
+// Between two samples corners are passed in order, too: 10 is passed at 9.99 at the earliest, and 9.97 at 9.98 at the
+// latest, which was before. 9.985 between them may be passed at either.
+TEST(Trace, CornersBetweenTwoSamplesComeInOrder) {
+  const spec::Case jog = program("G90 G01 X10. F100\nX9.985\nX9.97\nX9.99\nY10.\n");
+  EXPECT_EQ(exit_status(judge(jog, "X,Y\n0,0\n9.991,0\n9.991,10\n")), 1);
+  EXPECT_EQ(exit_status(judge(jog, "X,Y\n0,0\n9.991,0\n9.979,0\n9.991,0\n9.991,10\n")), 0);
+}
+
 TEST(Trace, TheEndMustBeReached) {
   const TraceResult r = judge(kCorner, "X,Y\n0,0\n10,0\n10,9\n");
   ASSERT_EQ(r.findings.size(), 1U);
