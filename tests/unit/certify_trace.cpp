@@ -76,6 +76,14 @@ TEST(Trace, SamplesComeInOrder) {
   EXPECT_EQ(r.off, 1U);
 }
 
+// Between two samples corners are passed in order, too: 10 is passed at 9.99 at the earliest, and 9.97 at 9.98 at the
+// latest, which was before. 9.985 between them may be passed at either.
+TEST(Trace, CornersBetweenTwoSamplesComeInOrder) {
+  const spec::Case jog = program("G90 G01 X10. F100\nX9.985\nX9.97\nX9.99\nY10.\n");
+  EXPECT_EQ(exit_status(judge(jog, "X,Y\n0,0\n9.991,0\n9.991,10\n")), 1);
+  EXPECT_EQ(exit_status(judge(jog, "X,Y\n0,0\n9.991,0\n9.979,0\n9.991,0\n9.991,10\n")), 0);
+}
+
 TEST(Trace, TheEndMustBeReached) {
   const TraceResult r = judge(kCorner, "X,Y\n0,0\n10,0\n10,9\n");
   ASSERT_EQ(r.findings.size(), 1U);
@@ -86,7 +94,15 @@ TEST(Trace, TheEndMustBeReached) {
 }
 
 TEST(Trace, MayBeginAnywhereOnTheFirstMove) {
-  EXPECT_EQ(exit_status(judge(kCorner, "X,Y\n3,0\n10,0\n10,10\n")), 0);
+  const TraceResult later = judge(kCorner, "X,Y\n3,0\n10,0\n10,10\n");
+  EXPECT_EQ(exit_status(later), 0);
+  EXPECT_NEAR(later.covered, 17, 0.011);
+  // Half a circle, from its middle.
+  const spec::Case arc = program("G90 G17 G03 X20. I10. F100\n");
+  std::string half = "X,Y\n";
+  for (int degrees = 270; degrees <= 360; ++degrees)
+    half += line(10 + 10 * std::cos(degrees * std::numbers::pi / 180), 10 * std::sin(degrees * std::numbers::pi / 180));
+  EXPECT_EQ(exit_status(judge(arc, half)), 0);
   EXPECT_EQ(exit_status(judge(kCorner, "X,Y\n10,0\n10,10\n")), 0);
   EXPECT_EQ(exit_status(judge(kCorner, "X,Y\n10,3\n10,10\n")), 1);
 }
@@ -449,6 +465,10 @@ TEST(Trace, ReadsUnitsAndSeparators) {
   inch.setup.units = spec::Units::inch;
   EXPECT_EQ(exit_status(judge(inch, "x_mm\n0\n25.4\n")), 0);
   EXPECT_EQ(exit_status(judge(inch, "x\n0\n1\n")), 0);
+  spec::Case both = program("G90 G01 X1. C90. F100\n");
+  both.setup.units = spec::Units::inch;
+  both.setup.axes = spec::Axes("XYZC");
+  EXPECT_EQ(exit_status(judge(both, "x_mm,C (deg)\n0,0\n25.4,90\n")), 0);
   spec::Case turn = program("G90 G01 C180. F100\n");
   turn.setup.axes = spec::Axes("XYZC");
   EXPECT_EQ(exit_status(judge(turn, "C (rad)\n0\n3.141592653589793\n")), 0);

@@ -119,6 +119,7 @@ TEST(TraceCauses, NoneIsLookedForWhereNothingIsFound) { EXPECT_EQ(cause(kContour
 
 TEST(TraceCauses, AxesExchanged) {
   EXPECT_EQ(cause(kContour, [](AxisPoint& at) { std::swap(at[0], at[1]); }), "axes X and Y are exchanged");
+  EXPECT_EQ(cause(kContour, [](AxisPoint& at) { std::swap(at[0], at[2]); }), "axes X and Z are exchanged");
 }
 
 TEST(TraceCauses, AnAxisReversed) {
@@ -187,6 +188,21 @@ TEST(TraceCauses, NoTipControl) {
   spec::Case straight = c;
   straight.program = "G90 G00 X0 Y0 Z0 A0 C0\nG01 X40. Y10. A20. C30. F100\nY-30. A-10. C75.\nX0 C-20.\n";
   EXPECT_EQ(cause(c, straight), "tool center point control is not in force");
+}
+
+// The same in machine coordinates, seven from those of G54.
+TEST(TraceCauses, NoTipControlInMachineCoordinates) {
+  spec::Case c = five_axes(kTip);
+  c.setup.workpiece[0]['X'] = spec::decimal(7);
+  spec::Case straight = c;
+  straight.program = "G90 G00 X0 Y0 Z0 A0 C0\nG01 X40. Y10. A20. C30. F100\nY-30. A-10. C75.\nX0 C-20.\n";
+  Recorder recorder = Recorder::along(straight);
+  for (AxisPoint& at : recorder.at) at[0] += 7;
+  std::istringstream csv(recorder.csv(c.setup.axes));
+  TraceOptions options;
+  options.tolerance = kTolerance;
+  options.frame = PathFrame::machine;
+  EXPECT_EQ(judge_trace(c, csv, "trace.csv", options).cause, "tool center point control is not in force");
 }
 
 TEST(TraceCauses, Geometry) {
