@@ -68,8 +68,18 @@ Interval free_interval(const Point& a, const Point& b, const Point& p, Real line
   return {std::max({Real(0), xy.low, c.low}), std::min({Real(1), xy.high, c.high})};
 }
 
+// Whether p is within both tolerances of the box from a to b.
+bool in_box(const Point& a, const Point& b, const Point& p, Real linear, Real rotary) {
+  const auto off = [&](std::size_t axis) {
+    const Real low = std::min(a[axis], b[axis]);
+    const Real high = std::max(a[axis], b[axis]);
+    return p[axis] < low ? low - p[axis] : p[axis] > high ? p[axis] - high : 0;
+  };
+  return off(0) * off(0) + off(1) * off(1) <= linear * linear && off(2) <= rotary;
+}
+
 // Whether the recording is within the tolerances of the path. It may begin anywhere on the first `first_pieces` of it.
-// Of the pieces in `free` only the ends count.
+// On the pieces in `free` each axis may be anywhere between both ends.
 bool within(const Line& path, const Line& recording, std::size_t first_pieces, Real linear, Real rotary,
             const std::vector<bool>& free = {}) {
   const std::size_t n = recording.size();
@@ -79,6 +89,7 @@ bool within(const Line& path, const Line& recording, std::size_t first_pieces, R
   std::vector<std::vector<Interval>> bottom(n, std::vector<Interval>(m + 1));
   const auto on_path = [&](std::size_t k, std::size_t i) -> Interval {
     if (free.empty() || !free[k]) return free_interval(path[k], path[k + 1], recording[i], linear, rotary);
+    if (!in_box(path[k], path[k + 1], recording[i], linear, rotary)) return {};
     // Anywhere inside, or at its end.
     return {0, free_interval(path[k + 1], path[k + 1], recording[i], linear, rotary).empty() ? 0.5L : 1};
   };
