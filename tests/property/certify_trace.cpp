@@ -313,6 +313,19 @@ Curve random_curve(Random& random, double tolerance) {
   return curve;
 }
 
+// A straight line behind a curve whose pieces are off by up to half a millimetre: their joint is a place of both paths,
+// so a recording has to pass it within 1, not within 1.5.
+TEST(TraceMatch, AJointIsHeldToTheSmallerError) {
+  Pieces pieces = straight({{0, 0, 0}, {10, 0, 0}, {20, 0, 0}});
+  pieces.pieces[0].error = {0.5, 0};
+  const auto conforms = [&](double x) {
+    return match(pieces, {{0, 1.2, 0}, {x, 1.2, 0}, {x, 0.9, 0}, {20, 0.9, 0}}, 1, 1).findings_total == 0;
+  };
+  EXPECT_TRUE(conforms(10));
+  EXPECT_TRUE(conforms(10.4));   // passes (10, 0) by √0.97
+  EXPECT_FALSE(conforms(10.5));  // by √1.06
+}
+
 TEST(TraceMatch, DecidesOnCurvesWithinTheirErrors) {
   Random random = numbers_of(3);
   std::size_t accepted = 0;

@@ -1,11 +1,14 @@
 // Traces of small programs, sample by sample by hand.
 #include "certify/trace/trace.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "spec/language/input_error.h"
 
@@ -229,6 +232,30 @@ TEST(Trace, ARapidMoveGoesAxisByAxis) {
   EXPECT_EQ(judged("10,-0.02\n10,5\n"), 1);
   EXPECT_EQ(judged("11,0\n10,5\n"), 1);
   EXPECT_EQ(judged("4,20\n10,5\n"), 1) << "along a later move";
+}
+
+// A head whose C carries its B, 100 mm above the tip. Behind G49 the programmed position is that of the axes: with B at
+// 90 degrees that is (100, 0, 0), and half a circle about the origin begins there.
+TEST(Trace, BehindTipControlProgramsGoOnWhereTheAxesAre) {
+  spec::Case c = program("G90 G01 G43.4 H1 F1000\nB90.\nG49\nG17 G03 X-100. Y0 I-100. J0\n");
+  c.setup.axes = spec::Axes("XYZBC");
+  const std::vector<std::pair<std::uint32_t, std::int64_t>> head{
+      {19680, 2}, {19681, 5}, {19682, 3}, {19686, 4}, {19687, 2}};
+  for (const auto& [number, value] : head) c.setup.parameters[{number, -1}] = spec::decimal(value);
+  c.setup.h[1] = {spec::decimal(100), {}};
+  std::string csv = "X,Y,Z,B,C\n0,0,0,0,0\n0,0,100,0,0\n";
+  constexpr int kParts = 2000;
+  for (int i = 1; i <= kParts; ++i) {
+    const double b = std::numbers::pi / 2 * i / kParts;
+    csv += fmt::format("{},0,{},{},0\n", 100 * std::sin(b), 100 * std::cos(b), 90.0 * i / kParts);
+  }
+  for (int i = 1; i <= kParts; ++i) {
+    const double turn = std::numbers::pi * i / kParts;
+    csv += fmt::format("{},{},0,90,0\n", 100 * std::cos(turn), 100 * std::sin(turn));
+  }
+  const TraceResult r = judge(c, csv);
+  EXPECT_EQ(exit_status(r), 0);
+  EXPECT_LT(r.worst.upper, 0.001);
 }
 
 TEST(Trace, RotaryAxesHaveATolerance) {

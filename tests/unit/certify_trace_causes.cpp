@@ -180,6 +180,17 @@ TEST(TraceCauses, AnOffsetThatShowsInTurnsAlone) {
   EXPECT_EQ(cause(c, other).substr(0, 26), "H1 (here -5) is off by +0.");
 }
 
+// A mistake that explains what was recorded explains no end that is missing.
+TEST(TraceCauses, ARecordingThatEndsTooEarlyHasNone) {
+  EXPECT_EQ(cause(kContour, kContour,
+                  [](Recorder& recorder) {
+                    recorder.at.resize(recorder.at.size() * 3 / 4);
+                    recorder.time.resize(recorder.at.size());
+                    for (AxisPoint& at : recorder.at) std::swap(at[0], at[1]);
+                  }),
+            "none");
+}
+
 const char* const kTip =
     "G90 G00 G43.4 H0 X0 Y0 Z0 A0 C0\nG01 X40. Y10. A20. C30. F100\nY-30. A-10. C75.\nX0 C-20.\nG49\n";
 
