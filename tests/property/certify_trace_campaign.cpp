@@ -632,8 +632,9 @@ Outcome drift(Random& random, const Program& program) {
     if (each.worst_sample == 0) continue;
     const std::size_t worst = each.worst_sample - 2;
     const double least = to_path(program, 0, program.blocks.size(), tape[worst].at);
-    // It is compared with the path between the places where it left and came back. A recording that runs ahead leaves
-    // that far ahead of where it should be.
+    // Evenly, it is nearer than `away` to where it should be. But it is compared with the path from where it left on,
+    // and a recording that runs ahead leaves ahead of where it should be: by no more than it was off there and the
+    // tolerance, for the place is within that of the sample. So what is short of that place is off by so much more.
     const double away =
         scale * length(by, {}) * static_cast<double>(worst) / static_cast<double>(tape.size() - 1) + kTolerance;
     if (!holds(each.distance, least, 2 * away))
