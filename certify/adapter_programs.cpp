@@ -184,9 +184,13 @@ spec::Case machine_program(const spec::Setup& setup, std::uint64_t seed) {
   return c;
 }
 
+std::uint64_t program_seed(std::uint64_t seed, std::uint32_t index) {
+  constexpr std::uint64_t kApart = 1'000'003;
+  return seed * kApart + index;
+}
+
 std::vector<MachineProgram> machine_programs(const std::vector<std::filesystem::path>& setups, std::uint32_t count,
                                              std::uint64_t seed) {
-  constexpr std::uint64_t kApart = 1'000'003;  // programs of two seeds
   std::vector<spec::Setup> read;
   read.reserve(setups.size());
   for (const std::filesystem::path& file : setups)
@@ -195,7 +199,7 @@ std::vector<MachineProgram> machine_programs(const std::vector<std::filesystem::
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::size_t which = i % setups.size();
     MachineProgram& program = programs.emplace_back();
-    program.c = machine_program(read[which], seed * kApart + i);
+    program.c = machine_program(read[which], program_seed(seed, i));
     program.machine = setups[which].stem().string();
     program.c.id = fmt::format("{}-{}", program.machine, i + 1);
   }

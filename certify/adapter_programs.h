@@ -15,6 +15,9 @@ namespace toolcomp::certify {
 // and cutter compensation C at inside corners. Moves are some hundred millimetres in all.
 spec::Case machine_program(const spec::Setup& setup, std::uint64_t seed);
 
+// Its seed for program number `index` of those of one seed: two seeds have no program in common.
+std::uint64_t program_seed(std::uint64_t seed, std::uint32_t index);
+
 struct MachineProgram {
   spec::Case c;
   std::string machine;  // name of its setup: that of the file without its ending

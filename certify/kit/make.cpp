@@ -240,8 +240,7 @@ std::vector<corpus::Vector> generated_vectors(const MakeOptions& options) {
   spec::Setup conventional = options.machine.setup;
   conventional.parameters.erase(spec::ParameterId{19680, -1});
   for (std::uint32_t i = 0; i < options.generated; ++i) {
-    constexpr std::uint64_t kApart = 1'000'003;  // programs of two seeds
-    spec::Case c = machine_program(i % 2 == 0 ? options.machine.setup : conventional, options.seed * kApart + i);
+    spec::Case c = machine_program(i % 2 == 0 ? options.machine.setup : conventional, program_seed(options.seed, i));
     c.setup.parameters = options.machine.setup.parameters;
     c.id = fmt::format("generated-{}-{}", options.seed, i + 1);
     if (options.sections.empty() || std::ranges::find(options.sections, c.section) != options.sections.end())
