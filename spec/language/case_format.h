@@ -20,20 +20,24 @@ std::string write_case(const Case& c);
 // … or all in one line without a line feed.
 std::string write_case_line(const Case& c);
 
-// What a controller answers to a case (certify/README.md).
+// What a controller answers to a case (docs/protocol.md).
 struct Reply {
   std::string id;
   std::vector<TextEvent> events;
   std::vector<FieldSet> fields;  // of each event: which fields the answer gives
   std::string not_applicable;    // instead of events: what the controller does not have; empty: it has
+  std::string error;             // instead of events: why it could not run the case; empty: it could
 };
 
-// Reads such an answer, one line. Unknown fields are ignored; `id`, `events` or `not_applicable`, and in each event
-// `kind` and `line` must be there. Throws InputError that says what is malformed. `file` is for messages.
+// Reads such an answer, one line. Unknown fields are ignored; `id`, one of `events`, `not_applicable` and `error`, and
+// in each event `kind` and `line` must be there; with `error`, the id of what cannot be read may be missing. Throws
+// InputError that says what is malformed. `file` is for messages.
 Reply read_reply(std::string_view line, const Axes& axes, const std::string& file);
 
-// JSON Schemas (draft 2020-12) of cases and of events: corpus/schema.
+// JSON Schemas (draft 2020-12) of cases, events and what controllers answer: corpus/schema.
 std::string_view case_schema();
 std::string_view event_schema();
+std::string_view hello_schema();
+std::string_view answer_schema();
 
 }  // namespace toolcomp::spec

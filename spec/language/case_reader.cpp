@@ -1,3 +1,4 @@
+#include "spec/language/case_document.h"
 #include "spec/language/case_format.h"
 #include "spec/language/event_document.h"
 #include "spec/language/setup_document.h"
@@ -37,9 +38,7 @@ CaseSource source_from(const Node& node, const Reader& read) {
 
 }  // namespace
 
-Case read_case(std::string_view text, const std::string& file) {
-  const Node root = document::parse_json(text, file);
-  const Reader read(file);
+Case case_from(const Node& root, const Reader& read) {
   Case c;
   read.keys(root, "case",
             {"case", "id", "section", "comment", "clauses", "flags", "dialect", "setup", "program", "samples", "source",
@@ -66,6 +65,10 @@ Case read_case(std::string_view text, const std::string& file) {
   return c;
 }
 
+Case read_case(std::string_view text, const std::string& file) {
+  return case_from(document::parse_json(text, file), Reader(file));
+}
+
 Reply read_reply(std::string_view line, const Axes& axes, const std::string& file) {
   const Node root = document::parse_json(line, file);
   const Reader read(file);
@@ -73,12 +76,22 @@ Reply read_reply(std::string_view line, const Axes& axes, const std::string& fil
   const Node* id = root.find("id");
   const Node* events = root.find("events");
   const Node* not_applicable = root.find("not_applicable");
-  if (id == nullptr) read.fail(root.at, "reply: without id");
+  const Node* error = root.find("error");
+  const bool failed = error != nullptr && events == nullptr && not_applicable == nullptr;
+  if (id == nullptr && !failed) read.fail(root.at, "reply: without id");
   Reply reply;
-  reply.id = read.string(*id, "id");
+  if (id != nullptr) reply.id = read.string(*id, "id");
+  const auto reason = [&read](const Node& node, std::string_view name) {
+    std::string text = read.string(node, name);
+    if (text.empty()) read.fail(node.at, std::string(name) + ": without a reason");
+    return text;
+  };
+  if (failed) {
+    reply.error = reason(*error, "error");
+    return reply;
+  }
   if (not_applicable != nullptr && events == nullptr) {
-    reply.not_applicable = read.string(*not_applicable, "not_applicable");
-    if (reply.not_applicable.empty()) read.fail(not_applicable->at, "not_applicable: without a reason");
+    reply.not_applicable = reason(*not_applicable, "not_applicable");
     return reply;
   }
   if (events == nullptr) read.fail(root.at, "reply: without events");

@@ -123,14 +123,32 @@ std::string source_text(const ClauseInfo& c) {
   return text;
 }
 
+// Ids for somebody who wrote another: those it is a part of, or else those of the nearest family ("fanuc.cutter" of
+// "fanuc.cutter.on") with the nearest last part first.
+std::vector<std::string_view> nearest_ids(std::string_view id) {
+  constexpr std::size_t kShown = 5;
+  std::vector<std::string_view> ids;
+  for (const ClauseInfo& c : clauses())
+    if (c.id.find(id) != std::string_view::npos) ids.push_back(c.id);
+  const auto family = [](std::string_view whole) { return whole.substr(0, whole.rfind('.')); };
+  const auto last = [](std::string_view whole) { return whole.substr(whole.rfind('.') + 1); };
+  if (ids.empty() && id.find('.') != std::string_view::npos) {
+    const auto distance = [&](const ClauseInfo& c) { return edit_distance(family(id), family(c.id)); };
+    const std::string_view nearest = family(std::ranges::min_element(clauses(), {}, distance)->id);
+    for (const ClauseInfo& c : clauses())
+      if (family(c.id) == nearest) ids.push_back(c.id);
+    std::ranges::sort(ids, {},
+                      [&](std::string_view other) { return std::pair(edit_distance(last(id), last(other)), other); });
+  }
+  if (ids.size() > kShown) ids.resize(kShown);
+  return ids;
+}
+
 [[noreturn]] void fail_unknown(std::string_view id) {
   std::string message = "no clause has this id";
-  if (!clauses().empty()) {
-    const auto nearest =
-        std::ranges::min_element(clauses(), {}, [&](const ClauseInfo& c) { return edit_distance(id, c.id); });
-    message += fmt::format("; the nearest is {}", nearest->id);
-  }
-  throw InputError(std::string(id), 0, 0, message);
+  const std::vector<std::string_view> ids = nearest_ids(id);
+  for (std::size_t i = 0; i < ids.size(); ++i) message += (i == 0 ? "; near it: " : ", ") + std::string(ids[i]);
+  throw InputError(std::string(id), 0, 0, message + (ids.empty() ? "; `toolcomp spec list` lists them" : ""));
 }
 
 std::string mention_text(const std::vector<Mention>& mentions) {

@@ -299,6 +299,8 @@ TEST(Case, SchemaFilesAreTheSchemas) {
   };
   EXPECT_EQ(file("case.schema.json"), case_schema());
   EXPECT_EQ(file("event.schema.json"), event_schema());
+  EXPECT_EQ(file("hello.schema.json"), hello_schema());
+  EXPECT_EQ(file("answer.schema.json"), answer_schema());
 }
 
 }  // namespace

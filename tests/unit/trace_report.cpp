@@ -43,8 +43,7 @@ TEST(SpecReport, UnknownIdNamesTheNearest) {
     show_clause("fanuc.leading-edge.sing", ReportFormat::text);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("the nearest is fanuc.leading-edge.sign"), std::string::npos)
-        << error.what();
+    EXPECT_NE(std::string(error.what()).find("near it: fanuc.leading-edge.sign"), std::string::npos) << error.what();
   }
 }
 

@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kBufferSize = 65536;
 constexpr int kMaxProgramDigits = 15;  // one more raises PS0003
 constexpr int kEnd = -1;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
 
 // What a byte may be where an address can stand.
 enum class Kind : std::uint8_t {
@@ -89,6 +90,7 @@ struct ProgramReader::State {
   }
   void take() { ++position; }
   bool refill();
+  void skip_byte_order_mark();
 
   // Bytes taken so far.
   [[nodiscard]] std::uint64_t offset() const { return consumed + static_cast<std::uint64_t>(position - buffer.data()); }
@@ -132,12 +134,22 @@ struct ProgramReader::State {
 
 bool ProgramReader::State::refill() {
   if (exhausted) return false;
+  const bool first = consumed == 0 && end == buffer.data();
   consumed += static_cast<std::uint64_t>(end - buffer.data());
   position = end = buffer.data();
   end += source->read(buffer.data(), kBufferSize);
-  buffer[static_cast<std::size_t>(end - buffer.data())] = 0;
   exhausted = position == end;
-  return !exhausted;
+  if (first) skip_byte_order_mark();
+  buffer[static_cast<std::size_t>(end - buffer.data())] = 0;
+  if (exhausted) return false;
+  return position != end || refill();
+}
+
+void ProgramReader::State::skip_byte_order_mark() {
+  const auto size = [this] { return static_cast<std::size_t>(end - buffer.data()); };
+  for (std::size_t more = size(); more > 0 && size() < kByteOrderMark.size(); end += more)
+    more = source->read(buffer.data() + size(), kBufferSize - size());
+  if (std::string_view(buffer.data(), size()).starts_with(kByteOrderMark)) position += kByteOrderMark.size();
 }
 
 // Attaches the fault; the rest of the block is not read as words.

@@ -192,6 +192,18 @@ TEST(ProgramReader, BytesThatAreNoText) {
             "f:1:3: byte 0x80 outside a comment; a program is ASCII text");
 }
 
+TEST(ProgramReader, AByteOrderMarkAtTheStart) {
+  EXPECT_EQ(read("\xEF\xBB\xBF"
+                 "G0 X1.\nY2."),
+            (Blocks{"1: G0 X1.", "2: Y2."}));
+  EXPECT_EQ(read("\xEF\xBB\xBF"), Blocks{});
+  EXPECT_EQ(read("\xEF\xBB\xBF%\nX1"), Blocks{"2: X1"});
+  EXPECT_EQ(error("\xEF\xBB\xBFX1 \x7F"), "program:1:7: control character 0x7F; a program is ASCII text");
+  // Half of one, and one that comes later, are bytes as any others.
+  EXPECT_EQ(error("\xEF\xBB"), "program:1:1: byte 0xEF outside a comment; a program is ASCII text");
+  EXPECT_EQ(error("X1\n\xEF\xBB\xBF"), "program:2:1: byte 0xEF outside a comment; a program is ASCII text");
+}
+
 TEST(ProgramReader, CtrlZPadsTheEnd) {
   EXPECT_EQ(read("X1\n\x1A\x1A"), (Blocks{"1: X1"}));
   EXPECT_EQ(read("X1 (comment\x1A"), (Blocks{"1: X1"}));

@@ -1,0 +1,12 @@
+// The tree of a case to a Case. For readers of files that hold cases among other things.
+#pragma once
+
+#include "spec/language/case.h"
+#include "spec/language/document.h"
+
+namespace toolcomp::spec {
+
+// Throws InputError, with the position of the fault, for anything that is not a case (read_case).
+Case case_from(const document::Node& node, const document::Reader& read);
+
+}  // namespace toolcomp::spec
