@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "certify/process.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/document.h"
 #include "spec/language/input_error.h"
@@ -22,12 +23,6 @@ using spec::document::Node;
 using spec::document::Reader;
 
 constexpr std::string_view kManifest = "manifest.toml";
-
-std::string single_quoted(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
 
 const Node& needed(const Reader& reader, const Node& table, std::string_view key) {
   const Node* node = table.find(key);
@@ -123,8 +118,8 @@ bool on_path(const std::string& program) {
 }  // namespace
 
 std::string Adapter::shell_command(const std::vector<std::string>& arguments) const {
-  std::string line = "cd " + single_quoted(folder.string()) + " && " + command;
-  for (const std::string& argument : arguments) line += " " + single_quoted(argument);
+  std::string line = "cd " + shell_quoted(folder.string()) + " && " + command;
+  for (const std::string& argument : arguments) line += " " + shell_quoted(argument);
   return line;
 }
 

@@ -11,7 +11,7 @@
 namespace toolcomp::certify {
 
 enum class AdapterKind : std::uint8_t {
-  pipe,   // speaks the controller protocol (certify/README.md)
+  pipe,   // speaks the controller protocol (docs/protocol.md)
   trace,  // runs a batch of programs and records the axes
 };
 

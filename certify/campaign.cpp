@@ -3,21 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <exception>
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <set>
+#include <span>
 #include <thread>
 #include <utility>
 
 #include "certify/convert.h"
 #include "certify/event_fields.h"
+#include "certify/evidence.h"
+#include "certify/failure_groups.h"
 #include "certify/path_svg.h"
-#include "certify/program_text.h"
 #include "certify/selection.h"
+#include "certify/self_check.h"
 #include "certify/shrink.h"
 #include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
@@ -27,11 +30,13 @@
 namespace toolcomp::certify {
 namespace {
 
-// After this many hangs, or faults of any kind, in one section its remaining cases are not run.
-constexpr unsigned kMostHangs = 2;
-constexpr unsigned kMostFaults = 20;
-// Programs of a faulty controller that shrinking tries again: each costs a restart, a hang its time-out.
-constexpr std::size_t kMostFaultyRuns = 40;
+// A section is given up after so many hangs, or faults of any kind, in a row: the controller does not get well again.
+constexpr unsigned kHangsInARow = 2;
+constexpr unsigned kFaultsInARow = 20;
+// And after so many hangs in all: each is waited for.
+constexpr unsigned kMostHangs = 20;
+// Of what the process was asked before a failure, so many requests are kept.
+constexpr std::size_t kMostBefore = 10'000;
 // Cases with fewer events judged are counted apart.
 constexpr std::uint64_t kFewestEvents = 3;
 constexpr std::size_t kMostUnsettled = 100;
@@ -71,16 +76,6 @@ std::string picture_of(const spec::Case& c, const fuzz::ModelRun& run) {
   return path_svg(drawn_events(c, run), c.setup.axes, path_options(c));
 }
 
-bool is_fault(const FailureKey& key) {
-  constexpr std::array kFaults = {FaultKind::crash, FaultKind::hang, FaultKind::malformed, FaultKind::too_long};
-  return std::ranges::any_of(kFaults, [&](FaultKind kind) { return key.kind == name(kind); });
-}
-
-// The time-out while shrinking: short, because a hanging controller uses it up again and again.
-std::chrono::milliseconds short_patience(const Subject& subject, std::chrono::milliseconds timeout) {
-  return std::min(timeout, std::chrono::milliseconds(200) + 10 * subject.slowest());
-}
-
 class Campaign {
  public:
   explicit Campaign(const CampaignOptions& options) : options_(options) {
@@ -101,7 +96,7 @@ class Campaign {
     const std::unique_ptr<Subject> first = subject_of(options_.controller, options_.timeout, options_.reply_limit);
     const auto capabilities = first->capabilities();
     if (const auto* failure = std::get_if<Fault>(&capabilities)) {
-      cannot_be_asked(*first, *failure);
+      if (why_to_stop().empty()) cannot_be_asked(*first, *failure);
       return std::move(certificate_);
     }
     certificate_.subject = std::get<Capabilities>(capabilities);
@@ -109,16 +104,64 @@ class Campaign {
     results_.resize(total_);
     run_all(*first);
     summarize();
-    shrink_all(*first);
+    find_all(*first);
     find_fields_never_sent();
+    certificate_.chatter = first->chatter();
     return std::move(certificate_);
   }
 
  private:
   struct Faults {
+    std::atomic<unsigned> hangs_in_a_row{0};
+    std::atomic<unsigned> in_a_row{0};
     std::atomic<unsigned> hangs{0};
-    std::atomic<unsigned> all{0};
+
+    [[nodiscard]] bool hopeless() const {
+      return hangs_in_a_row >= kHangsInARow || in_a_row >= kFaultsInARow || hangs >= kMostHangs;
+    }
+    void count(const FailureKey& key, bool fault) {
+      const bool hang = fault && key.kind == name(FaultKind::hang);
+      in_a_row = fault ? in_a_row + 1 : 0;
+      hangs_in_a_row = hang ? hangs_in_a_row + 1 : 0;
+      if (hang) ++hangs;
+    }
   };
+
+  // The cases that the process of one worker has been asked, by index.
+  class Asked {
+   public:
+    void ask(const Subject& subject, std::size_t index) {
+      if (subject.starts() != starts_) cases_.clear();
+      starts_ = subject.starts();
+      cases_.push_back(index);
+    }
+    // Without the last.
+    [[nodiscard]] std::span<const std::size_t> before() const {
+      const auto all = std::span(cases_).first(cases_.size() - 1);
+      return all.last(std::min(all.size(), kMostBefore));
+    }
+
+   private:
+    std::uint64_t starts_ = 0;
+    std::vector<std::size_t> cases_;
+  };
+
+  // Thrown where cases are still being chosen.
+  struct Stopped {};
+
+  // What one worker has.
+  struct Work {
+    Subject& subject;
+    Asked asked;
+    std::vector<model::ClauseCount> clauses = std::vector<model::ClauseCount>(spec::kClauseCount);
+  };
+
+  std::string why_to_stop() {
+    const std::string why = options_.stop ? options_.stop() : std::string();
+    if (why.empty()) return why;
+    const std::scoped_lock lock(mutex_);
+    return certificate_.interrupted = why;
+  }
 
   void identify() {
     Identity& id = certificate_.identity;
@@ -158,6 +201,7 @@ class Campaign {
       return cases;
     }
     cases = select_cases(name, options_.seed, options_.generated, [&](std::uint64_t looked_at) {
+              if (!why_to_stop().empty()) throw Stopped{};
               if (options_.choosing) options_.choosing(name, looked_at);
             }).cases;
     return cases;
@@ -170,19 +214,25 @@ class Campaign {
         options_.cases.empty()
             ? CaseInput{select_cases(sections_.front(), options_.seed, 1).cases.front(), Origin::generated}
             : options_.cases.front();
-    const Judgement j = judge_answer({}, input.c, fuzz::run_model(input.c), {failure, {}, {}});
+    Witness witness;
+    witness.c = input.c;
+    witness.judgement = judge_answer({}, input.c, fuzz::run_model(input.c), {failure, {}, {}});
     certificate_.sections.push_back({});
     SectionResult& section = certificate_.sections.back();
     section.section = input.c.section;
     ++section.cases[static_cast<std::size_t>(input.origin)];
     ++section.results[static_cast<std::size_t>(Result::differs)];
-    certificate_.findings.push_back(finding(subject, {}, input.c, key_of(input.c, j)));
+    certificate_.findings.push_back(signed_by_us(make_finding(subject, {}, witness, evidence())));
+    certificate_.causes = shared_causes(certificate_.findings);
   }
 
-  Finding finding(Subject& subject, const Capabilities& capabilities, const spec::Case& c,
-                  const FailureKey& key) const {
-    Finding f = make_finding(subject, capabilities, c, key, options_.shrink_runs, options_.timeout);
+  EvidenceOptions evidence() {
+    return {options_.shrink_runs, options_.timeout, [this] { return !why_to_stop().empty(); }};
+  }
+
+  Finding signed_by_us(Finding f) const {
     f.controller = options_.controller;
+    if (!f.controller.empty()) f.directory = std::filesystem::current_path().string();
     f.seed = std::to_string(options_.seed);
     f.tool = certificate_.identity.tool;
     return f;
@@ -202,12 +252,16 @@ class Campaign {
   }
 
   void work(Subject& subject) {
-    std::vector<model::ClauseCount> clauses(spec::kClauseCount);
+    Work work{subject, {}};
     try {
-      for (std::size_t index = 0; (index = next_++) < total_;) {
-        results_[index] = judge(subject, case_at(index), index < kMostPictures, clauses);
+      for (std::size_t index = 0; why_to_stop().empty() && (index = next_++) < total_;) {
+        CaseResult result = judge(work, case_at(index), index);
+        // What came while all was being ended says nothing.
+        if (!why_to_stop().empty()) break;
+        results_[index] = std::move(result);
         report_progress();
       }
+    } catch (const Stopped&) {  // NOLINT(bugprone-empty-catch): what was judged is there
     } catch (...) {
       const std::scoped_lock lock(mutex_);
       // The error of the earliest case would need all cases: any is as good, and ends the campaign.
@@ -215,22 +269,26 @@ class Campaign {
       next_ = total_;
     }
     const std::scoped_lock lock(mutex_);
-    for (std::size_t i = 0; i < clauses.size(); ++i) {
-      certificate_.clauses[i].reached += clauses[i].reached;
-      certificate_.clauses[i].positive += clauses[i].positive;
-      certificate_.clauses[i].negative += clauses[i].negative;
-      certificate_.clauses[i].tie += clauses[i].tie;
+    add_counts(certificate_.clauses, work.clauses);
+  }
+
+  static void add_counts(std::vector<model::ClauseCount>& sum, std::span<const model::ClauseCount> counts) {
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      sum[i].reached += counts[i].reached;
+      sum[i].positive += counts[i].positive;
+      sum[i].negative += counts[i].negative;
+      sum[i].tie += counts[i].tie;
     }
   }
 
-  CaseResult judge(Subject& subject, const CaseInput& input, bool draw, std::vector<model::ClauseCount>& clauses) {
+  CaseResult judge(Work& work, const CaseInput& input, std::size_t index) {
     const spec::Case& c = input.c;
     CaseResult r;
     r.origin = input.origin;
     r.section = c.section;
     r.id = c.id;
     Faults& faults = faults_of(c.section);
-    if (faults.hangs >= kMostHangs || faults.all >= kMostFaults) {
+    if (faults.hopeless()) {
       r.why = "left out after repeated faults";
       return r;
     }
@@ -243,8 +301,9 @@ class Campaign {
     const fuzz::ModelRun run = fuzz::run_model(c);
     // A controller that has hung before is not waited for that long again.
     std::optional<std::chrono::milliseconds> patience;
-    if (faults.hangs > 0) patience = short_patience(subject, options_.timeout);
-    const Answer answer = subject.run(c, patience);
+    if (faults.hangs > 0) patience = short_patience(work.subject, options_.timeout);
+    const Answer answer = work.subject.run(c, patience);
+    work.asked.ask(work.subject, index);
     Judgement j = judge_answer(capabilities, c, run, answer);
     r.result = j.result;
     r.sent = answer.sent;
@@ -252,22 +311,31 @@ class Campaign {
     const bool agrees = j.result == Result::agrees || j.result == Result::partly_judged;
     if (agrees && std::holds_alternative<TextEvents>(answer.result)) r.due = fields_of(run);
     r.key = key_of(c, j);
+    faults.count(r.key, j.result == Result::differs && is_fault(r.key));
+    if (j.result == Result::differs) keep(work, c, j, answer, index);
     r.why = std::move(j.why);
     r.setup = spec::write_setup_json(c.setup);
-    if (draw && r.origin == Origin::own) r.picture = picture_of(c, run);
+    if (index < kMostPictures && r.origin == Origin::own) r.picture = picture_of(c, run);
     r.verdict = std::move(j.verdict);
-    if (j.result == Result::differs && is_fault(r.key)) {
-      ++faults.all;
-      if (r.key.kind == name(FaultKind::hang)) ++faults.hangs;
-    }
-    for (std::size_t i = 0; i < clauses.size(); ++i) {
-      const model::ClauseCount& count = run.recorder.counts()[i];
-      clauses[i].reached += count.reached;
-      clauses[i].positive += count.positive;
-      clauses[i].negative += count.negative;
-      clauses[i].tie += count.tie;
-    }
+    add_counts(work.clauses, run.recorder.counts());
     return r;
+  }
+
+  // The smallest of its group is kept with all that was seen, and told at once.
+  void keep(const Work& work, const spec::Case& c, const Judgement& j, const Answer& answer, std::size_t index) {
+    if (!why_to_stop().empty()) return;
+    const FailureKey key = key_of(c, j);
+    {
+      const std::scoped_lock lock(mutex_);
+      if (!groups_.add(key, index, c.program)) return;
+    }
+    Witness witness{c, j, events_in_double(answer), {}};
+    if (witness.judgement.errors.empty()) witness.judgement.errors = work.subject.errors();
+    if (work.subject.starts() > 0)
+      for (const std::size_t earlier : work.asked.before()) witness.before.push_back(case_at(earlier).c);
+    const Finding seen = signed_by_us(as_seen(certificate_.subject, witness));
+    const std::scoped_lock lock(mutex_);
+    if (groups_.keep(key, index, std::move(witness)) && options_.found) options_.found(seen);
   }
 
   Faults& faults_of(const std::string& section) {
@@ -289,7 +357,18 @@ class Campaign {
     return certificate_.sections.back();
   }
 
+  // Section and origin of a case that was not looked at.
+  void place(std::size_t index) {
+    CaseResult& r = results_[index];
+    if (!r.id.empty() || !r.section.empty()) return;
+    const bool own = index < options_.cases.size();
+    r.origin = own ? options_.cases[index].origin : Origin::generated;
+    r.section = own ? options_.cases[index].c.section : sections_[(index - options_.cases.size()) / options_.generated];
+    r.id = own ? options_.cases[index].c.id : std::string();
+  }
+
   void summarize() {
+    for (std::size_t i = 0; i < results_.size(); ++i) place(i);
     // Sections in the order of fuzz::sections(), then programs of the user's own.
     for (const std::string_view section : fuzz::sections())
       if (std::ranges::any_of(results_, [&](const CaseResult& r) { return r.section == section; }))
@@ -314,13 +393,15 @@ class Campaign {
       s.ties += r.verdict.ties;
       // The distance of a wrong answer is a finding, not a rounding error.
       if (judged) {
+        s.bias.add(r.verdict.bias);
         s.worst_ulp = std::max(s.worst_ulp, r.verdict.worst_ulp);
         s.worst_um = std::max(s.worst_um, r.verdict.worst_um);
       }
       if (!r.setup.empty()) setups.insert(r.setup);
       if (!r.picture.empty()) certificate_.pictures.push_back({r.id, r.picture});
       const bool settled = result == Result::agrees || result == Result::differs || result == Result::not_applicable;
-      if (!settled && certificate_.unsettled.size() < kMostUnsettled)
+      const bool interrupted = result == Result::not_run && r.why.empty();
+      if (!settled && !interrupted && certificate_.unsettled.size() < kMostUnsettled)
         certificate_.unsettled.push_back({r.id, r.section, r.result, r.why});
     }
     corpus::Sha256 hash;
@@ -332,22 +413,16 @@ class Campaign {
     certificate_.identity.setups = setups.size();
   }
 
-  void shrink_all(Subject& subject) {
-    std::map<FailureKey, std::vector<std::size_t>> groups;
-    for (std::size_t i = 0; i < results_.size(); ++i)
-      if (results_[i].result == Result::differs) groups[results_[i].key].push_back(i);
-    for (const auto& [key, indices] : groups) {
-      // The smallest program of the group is the shortest way down.
-      std::optional<std::pair<std::pair<std::size_t, std::size_t>, std::size_t>> best;
-      for (const std::size_t i : indices) {
-        const std::string program = case_at(i).c.program;
-        const std::pair size{std::pair{count_blocks(program), program.size()}, i};
-        if (!best || size < *best) best = size;
-      }
-      Finding f = finding(subject, certificate_.subject, case_at(best->second).c, key);
-      f.occurrences = indices.size();
+  // Causes are looked for in what was seen, which has more events than what is left of it.
+  void find_all(Subject& subject) {
+    std::vector<Finding> seen;
+    for (const auto& [key, group] : groups_.all()) {
+      seen.push_back(as_seen(certificate_.subject, group.witness));
+      Finding f = signed_by_us(make_finding(subject, certificate_.subject, group.witness, evidence()));
+      f.occurrences = group.cases;
       certificate_.findings.push_back(std::move(f));
     }
+    certificate_.causes = shared_causes(seen);
   }
 
   // Announced, due in a case, and in no answer: a finding each, on the first such case.
@@ -395,10 +470,8 @@ class Campaign {
       if (!event->clauses.empty()) f.key.clause = spec::info(event->clauses.back()).id;
     }
     for (const model::Event& e : run.events) f.expected_events.push_back(certify::in_double(e));
-    f.controller = options_.controller;
-    f.seed = std::to_string(options_.seed);
-    f.tool = certificate_.identity.tool;
-    return f;
+    f.subject = certificate_.subject;
+    return signed_by_us(std::move(f));
   }
 
   const CampaignOptions& options_;
@@ -412,137 +485,12 @@ class Campaign {
   std::uint64_t done_ = 0;
   std::mutex mutex_;
   std::map<std::string, Faults> faults_;
+  FailureGroups groups_;
   std::exception_ptr error_;
 };
 
-FastEvents in_double(const Answer& answer) {
-  if (const auto* fast = std::get_if<FastEvents>(&answer.result)) return *fast;
-  FastEvents events;
-  if (const auto* text = std::get_if<TextEvents>(&answer.result))
-    for (const spec::TextEvent& event : *text) events.push_back(certify::in_double(event));
-  return events;
-}
-
-// A candidate of the shrinker, judged afresh; nothing if no control could read it. A controller that cannot even say
-// hello has no capabilities and fails every case alike.
-std::optional<Judgement> judge_candidate(Subject& subject, const Capabilities& capabilities, const spec::Case& c,
-                                         const FailureKey& key, std::optional<std::chrono::milliseconds> patience) {
-  try {
-    const fuzz::ModelRun run = fuzz::run_model(c);
-    // A fault costs a restart, a hang its time-out: no need to see it once more where the clause is another anyway.
-    if (is_fault(key)) {
-      const auto clause = clause_of_fault(run);
-      if (key.clause != (clause ? spec::info(*clause).id : std::string_view())) return std::nullopt;
-    }
-    if (capabilities.fields.empty()) return judge_answer(capabilities, c, run, subject.run(c, patience));
-    return judge_case(subject, capabilities, c, run, patience);
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-}
-
-// Runs the case once more and takes what differs, for people and for the picture. Whether it still fails with the key.
-bool describe(Finding& f, Subject& subject, const Capabilities& capabilities, spec::Case c,
-              std::chrono::milliseconds timeout) {
-  f.smallest = std::move(c);
-  f.smallest.expect.clear();
-  f.smallest.has_expect = false;
-  const fuzz::ModelRun run = fuzz::run_model(f.smallest);
-  f.expected_events.clear();
-  for (const model::Event& event : run.events) f.expected_events.push_back(certify::in_double(event));
-  const Answer answer = subject.run(f.smallest, timeout);
-  f.actual_events = in_double(answer);
-  const Judgement j = judge_answer(capabilities, f.smallest, run, answer);
-  f.errors = j.errors;
-  if (!j.difference) return false;
-  f.line = j.difference->line;
-  f.field = j.difference->field;
-  f.expected = j.difference->expected;
-  f.actual = j.difference->actual;
-  f.deviation_um = j.difference->deviation_um;
-  f.event = j.difference->event;
-  return j.result == Result::differs && key_of(f.smallest, j) == f.key;
-}
-
-// The judge on a program whose last event sends an axis to a place that is known.
-std::string check_judge(const spec::Case& c, std::size_t axis, std::string_view place) {
-  const fuzz::ModelRun run = fuzz::run_model(c);
-  TextEvents events;
-  constexpr int kDigits = 40;
-  for (const model::Event& event : run.events) events.push_back(in_text(event, kDigits));
-  const auto judged = [&](const TextEvents& answer) { return fuzz::judge(c, run, answer).outcome; };
-  if (events.size() != 2 || events.back().axes[axis].v != place)
-    return fmt::format("{}: the model does not send {} to {}", c.section, c.setup.axes.letter(axis), place);
-  if (judged(events) != fuzz::Outcome::agrees) return c.section + ": the model's own events are not accepted";
-  const TextEvents fewer(events.begin(), events.end() - 1);
-  if (judged(fewer) != fuzz::Outcome::differs) return c.section + ": a missing event is not noticed";
-  TextEvents moved = events;
-  moved.back().axes.set(axis,
-                        {std::string(place) + (place.find('.') == std::string_view::npos ? ".001" : "1"), {}, {}});
-  if (judged(moved) != fuzz::Outcome::differs) return c.section + ": a deviation is not noticed";
-  return {};
-}
-
 }  // namespace
 
-Finding make_finding(Subject& subject, const Capabilities& capabilities, const spec::Case& failing,
-                     const FailureKey& key, std::size_t max_runs, std::chrono::milliseconds timeout) {
-  const auto fails = [&](const spec::Case& c, std::optional<std::chrono::milliseconds> patience) {
-    const auto j = judge_candidate(subject, capabilities, c, key, patience);
-    return j && j->result == Result::differs && key_of(c, *j) == key;
-  };
-  const std::chrono::milliseconds patience = short_patience(subject, timeout);
-  const bool faulty = is_fault(key);
-  std::size_t faulty_runs = 0;
-  const auto given_up = [&] { return faulty && faulty_runs == kMostFaultyRuns; };
-  const auto still_fails = [&](const spec::Case& c) {
-    if (given_up()) return false;
-    const bool failed = fails(c, patience);
-    if (failed) ++faulty_runs;
-    return failed;
-  };
-  Shrunk shrunk = shrink(failing, still_fails, {max_runs});
-  Finding f;
-  f.key = key;
-  f.first_case = failing.id;
-  f.runs = shrunk.runs;
-  f.complete = shrunk.complete && !given_up();
-  // What looks like a hang under a short time-out must be one under the real one; else the case stays as it was.
-  if (!describe(f, subject, capabilities, std::move(shrunk.smallest), timeout)) {
-    f.complete = false;
-    describe(f, subject, capabilities, failing, timeout);
-  }
-  return f;
-}
-
 Certificate certify(const CampaignOptions& options) { return Campaign(options).run(); }
-
-std::string self_check() {
-  spec::Case fanuc;
-  fanuc.id = "self-check";
-  fanuc.section = "fanuc/tool-length-offset";
-  fanuc.setup.h[1] = {spec::decimal(20), {}};
-  fanuc.program = "G90 G43 Z100. H1\nG01 X10. Y5. F100\n";
-  if (const std::string failure = check_judge(fanuc, 2, "120"); !failure.empty()) return failure;
-  // A toroid cutter of 5 and 2 mm against a wall of 3-4-5: the tip moves by dR2 (n - t) + (rho' - rho) u, in X by
-  // 0.1 * 0.6 + 0.2.
-  spec::Case heidenhain;
-  heidenhain.id = "self-check";
-  heidenhain.section = "heidenhain/face-milling";
-  heidenhain.dialect = "klartext";
-  heidenhain.setup.control = spec::Control::heidenhain;
-  heidenhain.setup.axes = spec::Axes("XYZ");
-  spec::ToolRow tool;
-  tool.number = 10;
-  tool.r = spec::decimal(5);
-  tool.r2 = spec::decimal(2);
-  heidenhain.setup.tools = {tool};
-  heidenhain.program =
-      "TOOL CALL 1 Z DL+0.25 DR+0.3 DR2+0.1\nL Z+9 R0 FMAX M107\nLN X+0 Y+0 Z+0 NX+0.6 NY+0 NZ+0.8 R0 F500\n";
-  if (const std::string failure = check_judge(heidenhain, 0, "0.26"); !failure.empty()) return failure;
-  if (corpus::sha256("abc") != "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad")
-    return "SHA-256 is wrong";
-  return {};
-}
 
 }  // namespace toolcomp::certify

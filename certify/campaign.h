@@ -34,20 +34,18 @@ struct CampaignOptions {
   std::function<void(std::uint64_t, std::uint64_t)> progress;
   // Called while the generated cases of a section are chosen, with the candidates looked at; from one thread at a time.
   std::function<void(const std::string&, std::uint64_t)> choosing;
+  // Called with a finding as soon as it is seen, not yet shrunk, and again where a smaller program shows the same; from
+  // one thread at a time.
+  std::function<void(const Finding&)> found;
+  // Why to come to an end before all is done; empty: go on. Asked before each case and while findings are shrunk.
+  std::function<std::string()> stop;
 };
 
-// Judges every case, groups the failures by section, clause and kind, and shrinks the smallest of each group. Case k of
-// a section is the same for the same seed, however many jobs. After repeated hangs or faults in a section its other
-// cases are not run (and the certificate says so). Throws spec::InputError for cases no control could read, for an
-// unknown section, and for a command that cannot be run.
+// Judges every case, groups the failures by section, clause and kind, and makes a finding of the smallest of each group
+// (certify/evidence.h). Case k of a section is the same for the same seed, however many jobs. After a fault the
+// controller is started afresh; a section that it answers no more, by hangs or faults in a row, is given up, and the
+// certificate says what was not run. Throws spec::InputError for cases no control could read, for an unknown section,
+// and for a command that cannot be run.
 Certificate certify(const CampaignOptions& options);
-
-// Shrinks one failing case and describes it. `failing` fails with `key` under `subject`.
-Finding make_finding(Subject& subject, const Capabilities& capabilities, const spec::Case& failing,
-                     const FailureKey& key, std::size_t max_runs, std::chrono::milliseconds timeout);
-
-// Judges a small case whose answer is known: the model's own events must agree, and must not once one is dropped or a
-// coordinate is off by a micrometre. What went wrong, or empty.
-std::string self_check();
 
 }  // namespace toolcomp::certify

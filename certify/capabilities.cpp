@@ -40,6 +40,50 @@ std::vector<std::string> list_at(const Json& object, const char* key) {
   return list;
 }
 
+void expect_increment(const std::string& text) {
+  const auto value = spec::parse_decimal(text);
+  if (!value || value->negative || value->is_zero()) fail("resolution must be a positive decimal");
+}
+
+// The decimal with its point moved: least increments of inches are a tenth of those of millimetres.
+std::string times_ten_to(const std::string& text, int power) {
+  spec::Decimal value = *spec::parse_decimal(text);
+  std::string digits = std::to_string(value.digits);
+  int decimals = static_cast<int>(value.decimals) - power;
+  for (; decimals < 0; ++decimals) digits += '0';
+  const auto behind = static_cast<std::size_t>(decimals);
+  if (digits.size() <= behind) digits.insert(0, behind + 1 - digits.size(), '0');
+  return behind == 0 ? digits : digits.insert(digits.size() - behind, ".");
+}
+
+// `inch`: the controller has lengths in inches alone, and one number is of those.
+AnnouncedResolution resolution_at(const Json& json, bool inch) {
+  AnnouncedResolution r;
+  r.rounding = text_at(json, "rounding");
+  constexpr std::array kRoundings{"", "nearest", "down", "toward zero"};
+  if (std::ranges::find(kRoundings, r.rounding) == kRoundings.end())
+    fail("rounding must be \"nearest\", \"down\" or \"toward zero\"");
+  const auto entry = json.find("resolution");
+  if (entry == json.end() || entry->is_null()) return r;
+  if (entry->is_object()) {
+    for (const auto& [key, value] : entry->items()) {
+      std::string* slot = key == "mm"        ? &r.mm
+                          : key == "inch"    ? &r.inch
+                          : key == "degrees" ? &r.degrees
+                          : key == "vectors" ? &r.vectors
+                                             : nullptr;
+      if (slot == nullptr || !value.is_string()) fail("resolution has mm, inch, degrees and vectors, each a string");
+      expect_increment(*slot = value.get<std::string>());
+    }
+  } else if (const std::string plain = text_at(json, "resolution"); !plain.empty()) {
+    expect_increment(plain);
+    r.degrees = r.vectors = plain;
+    r.mm = inch ? times_ten_to(plain, 1) : plain;
+    r.inch = inch ? plain : times_ten_to(plain, -1);
+  }
+  return r;
+}
+
 // The value without trailing zeros, so that 1.0 and 1 compare equal.
 spec::Decimal reduced(spec::Decimal value) {
   while (value.decimals > 0 && value.digits % 10 == 0) {
@@ -144,6 +188,10 @@ std::optional<spec::Setup> overlaid(const spec::Setup& setup, const std::string&
   }
 }
 
+bool has_inches_alone(const Capabilities& c) {
+  return !c.setup.empty() && spec::read_setup_json(c.setup, std::string(kFile) + " setup").units == spec::Units::inch;
+}
+
 bool lists(const std::vector<std::string>& list, std::string_view item) {
   return std::ranges::find(list, item) != list.end();
 }
@@ -160,16 +208,12 @@ Capabilities read_capabilities(std::string_view line) {
   c.version = text_at(json, "version");
   c.sections = list_at(json, "sections");
   c.fields = list_at(json, "fields");
-  c.resolution = text_at(json, "resolution");
-  if (!c.resolution.empty()) {
-    const auto resolution = spec::parse_decimal(c.resolution);
-    if (!resolution || resolution->negative || resolution->is_zero()) fail("resolution must be a positive decimal");
-  }
   if (const auto setup = json.find("setup"); setup != json.end() && !setup->is_null()) {
     if (!setup->is_object()) fail("setup must be an object");
     c.setup = setup->empty() ? "" : setup->dump();
     if (!c.setup.empty()) spec::read_setup_json(c.setup, std::string(kFile) + " setup");
   }
+  c.resolution = resolution_at(json, has_inches_alone(c));
   return c;
 }
 
@@ -180,7 +224,11 @@ std::string write_capabilities(const Capabilities& capabilities) {
   json["protocol"] = 1;
   json["sections"] = capabilities.sections;
   json["fields"] = capabilities.fields;
-  if (!capabilities.resolution.empty()) json["resolution"] = capabilities.resolution;
+  const AnnouncedResolution& r = capabilities.resolution;
+  for (const auto& [key, value] :
+       {std::pair{"mm", &r.mm}, {"inch", &r.inch}, {"degrees", &r.degrees}, {"vectors", &r.vectors}})
+    if (!value->empty()) json["resolution"][key] = *value;
+  if (!r.rounding.empty()) json["rounding"] = r.rounding;
   json["setup"] = capabilities.setup.empty() ? Json::object() : Json::parse(capabilities.setup);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -206,20 +254,37 @@ bool meets_minimum(const Capabilities& capabilities) {
   return lists(fields, "kind") && lists(fields, "line") && (lists(fields, "point") || lists(fields, "axes"));
 }
 
+std::string AnnouncedResolution::words() const {
+  if (empty()) return "double precision";
+  std::string text;
+  for (const auto& [unit, value] :
+       {std::pair{" mm", &mm}, {" inch", &inch}, {" degrees", &degrees}, {" of unit vectors", &vectors}})
+    if (!value->empty()) text += (text.empty() ? "" : ", ") + *value + unit;
+  if (rounding == "nearest") return text + ", rounded to nearest";
+  return rounding.empty() ? text : text + ", rounded " + rounding;
+}
+
+fuzz::Resolution AnnouncedResolution::numbers() const {
+  const auto number = [](const std::string& text) { return text.empty() ? 0.0 : std::stod(text); };
+  const auto rounded = rounding == "nearest"       ? fuzz::Rounding::nearest
+                       : rounding == "down"        ? fuzz::Rounding::down
+                       : rounding == "toward zero" ? fuzz::Rounding::toward_zero
+                                                   : fuzz::Rounding::unknown;
+  return {number(mm), number(inch), number(degrees), number(vectors), rounded};
+}
+
 void expect_fine_resolution(const Capabilities& capabilities, const std::string& accepted) {
-  if (capabilities.resolution.empty()) return;
   constexpr double kFineMm = 0.01;
   constexpr double kFineInch = 0.0004;
-  const bool inch = !capabilities.setup.empty() &&
-                    spec::read_setup_json(capabilities.setup, std::string(kFile) + " setup").units == spec::Units::inch;
-  const double fine = inch ? kFineInch : kFineMm;
-  const double announced = std::stod(capabilities.resolution);
-  if (announced <= fine || (!accepted.empty() && announced <= std::stod(accepted))) return;
-  const std::string unit = inch ? " inch" : " mm";
+  const AnnouncedResolution& r = capabilities.resolution;
+  const bool inch = r.mm.empty() || has_inches_alone(capabilities);
+  const std::string& announced = inch ? r.inch : r.mm;
+  if (announced.empty() || std::stod(announced) <= (inch ? kFineInch : kFineMm)) return;
+  if (!accepted.empty() && std::stod(announced) <= std::stod(accepted)) return;
   throw spec::InputError("--controller", 0, 0,
-                         "the controller announces a resolution of " + capabilities.resolution + unit +
+                         "the controller announces a resolution of " + announced + (inch ? " inch" : " mm") +
                              ", coarser than 0.01 mm (0.0004 inch): whoever accepts that says --accept-resolution " +
-                             capabilities.resolution);
+                             announced);
 }
 
 std::string why_not_applicable(const Capabilities& capabilities, const spec::Case& c) {

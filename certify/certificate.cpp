@@ -1,9 +1,12 @@
 #include "certify/certificate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
 #include "corpus/sha256.h"
+#include "fuzz/gen/generator.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -53,21 +56,53 @@ std::vector<spec::Clause> open_clauses_relied_on(const Certificate& certificate)
 int exit_status(const Certificate& certificate) {
   if (!certificate.self_check.empty()) return 4;
   if (!certificate.findings.empty()) return 1;
-  if (!is_decided(certificate)) return 3;
+  if (!certificate.interrupted.empty() || !is_decided(certificate)) return 3;
   return std::ranges::any_of(certificate.sections, is_too_wide) ? 3 : 0;
 }
 
-std::string_view verdict(const Certificate& certificate) {
+std::string scope(const Certificate& certificate) {
+  std::size_t judged = 0;
+  std::size_t not_applicable = 0;
+  std::uint64_t programs = 0;
+  for (const SectionResult& s : certificate.sections) {
+    const std::uint64_t applicable = s.total() - s.count(Result::not_applicable);
+    if (s.section.empty())
+      programs += applicable;
+    else
+      ++(applicable > 0 ? judged : not_applicable);
+  }
+  const std::size_t all = fuzz::sections().size();
+  std::string text;
+  if (judged + not_applicable > 0) {
+    text = judged == all ? fmt::format("all {} sections", all) : fmt::format("{} of {} sections", judged, all);
+    if (not_applicable > 0) text += fmt::format(", {} not applicable", not_applicable);
+    if (judged + not_applicable < all) text += fmt::format(", {} not asked for", all - judged - not_applicable);
+  }
+  if (programs > 0)
+    text += fmt::format("{}{} program{}", text.empty() ? "" : " and ", programs, programs == 1 ? "" : "s");
+  return text.empty() ? "nothing" : text;
+}
+
+std::string verdict(const Certificate& certificate) {
   switch (exit_status(certificate)) {
     case 0:
-      return "conforms";
+      return "conforms in " + scope(certificate);
     case 1:
       return "does not conform";
     case 4:
       return "self-check failed";
     default:
-      return is_decided(certificate) ? "conforms only in part: more than 1 % not judged" : "not decided";
+      break;
   }
+  if (!certificate.interrupted.empty()) return "not decided: " + certificate.interrupted;
+  if (!is_decided(certificate)) return "not decided";
+  return "conforms only in part (" + scope(certificate) + "): more than 1 % not judged";
+}
+
+std::uint64_t cases_not_run(const Certificate& certificate) {
+  std::uint64_t sum = 0;
+  for (const SectionResult& s : certificate.sections) sum += s.count(Result::not_run);
+  return sum;
 }
 
 std::string_view kind_name(spec::ClauseKind kind) {

@@ -11,6 +11,7 @@
 #include "certify/capabilities.h"
 #include "certify/finding.h"
 #include "certify/judge.h"
+#include "certify/shared_cause.h"
 #include "model/basis/recorder.h"
 
 namespace toolcomp::certify {
@@ -34,6 +35,7 @@ struct SectionResult {
   fuzz::Widths widths;                            // that were granted
   double worst_ulp = 0;                           // in the units the verdict policy multiplies by its k
   double worst_um = 0;
+  fuzz::Bias bias;  // of rounded lengths
 
   [[nodiscard]] std::uint64_t count(Result result) const { return results[static_cast<std::size_t>(result)]; }
   [[nodiscard]] std::uint64_t count(Origin origin) const { return cases[static_cast<std::size_t>(origin)]; }
@@ -74,9 +76,12 @@ struct Certificate {
   std::vector<SectionResult> sections;
   std::vector<model::ClauseCount> clauses;  // by clause, of the cases that were judged
   std::vector<Finding> findings;            // by section, clause, kind
+  std::vector<SharedCause> causes;          // of the findings, those that explain most first
   std::vector<Unsettled> unsettled;         // the first hundred
   std::vector<Picture> pictures;            // of the first programs of the user's own
   std::string self_check;                   // what failed; empty: nothing
+  std::string interrupted;                  // why not all was run; empty: all was
+  std::string chatter;                      // what the controller wrote that is no answer, the first such line
 };
 
 // Normative, parameter and alarm clauses of the certificate's sections that can be tested and were not reached.
@@ -84,12 +89,16 @@ std::vector<spec::Clause> clauses_not_exercised(const Certificate& certificate);
 // Open clauses that were reached: results that rest on a definition of ours.
 std::vector<spec::Clause> open_clauses_relied_on(const Certificate& certificate);
 
-// 4 a self-check failed; 1 a finding; 3 the oracle could not decide a case, a section that applies had no value judged,
-// or more than policy::kMostWide of the values of a section or of an own case were not judged; else 0.
+// 4 a self-check failed; 1 a finding; 3 it was interrupted, the oracle could not decide a case, a section that applies
+// had no value judged, or more than policy::kMostWide of the values of a section or of an own case were not judged;
+// else 0.
 int exit_status(const Certificate& certificate);
-// "conforms", "does not conform", "not decided", "conforms only in part: more than 1 % not judged", "self-check
-// failed".
-std::string_view verdict(const Certificate& certificate);
+// "conforms in 1 of 12 sections, 11 not applicable", "does not conform", "not decided", "not decided: interrupted",
+// "conforms only in part (…): more than 1 % not judged", "self-check failed".
+std::string verdict(const Certificate& certificate);
+// What was looked at: "all 12 sections", "1 of 12 sections, 3 not applicable, 8 not asked for and 2 programs".
+std::string scope(const Certificate& certificate);
+std::uint64_t cases_not_run(const Certificate& certificate);
 
 std::string_view kind_name(spec::ClauseKind kind);
 

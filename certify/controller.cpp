@@ -66,22 +66,41 @@ Fault Controller::fault(FaultKind kind, std::string what, std::chrono::milliseco
   const std::string ended = process_->finish(wait_for_end);
   exit_status_ = process_->exit_status();
   if (kind == FaultKind::crash) what += ": " + ended;
-  Fault result{kind, std::move(what), process_->errors()};
+  if (!last_chatter_.empty()) what += ", but wrote " + last_chatter_;
+  Fault result{kind, std::move(what), ended, process_->errors()};
   process_.reset();
   return result;
 }
 
+void Controller::restart() { process_.reset(); }
+
+bool Controller::is_chatter(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" \t");
+  if (begin != std::string_view::npos && line[begin] == '{') return false;
+  last_chatter_ = excerpt(line);
+  if (chatter_.empty()) chatter_ = last_chatter_;
+  return true;
+}
+
 std::variant<std::string, Fault> Controller::exchange(std::string_view line, std::chrono::milliseconds timeout) {
-  if (process_->unread()) return fault(FaultKind::malformed, "more than one line for one request");
+  last_chatter_.clear();
   std::string reply;
+  while (process_->take_line(reply))
+    if (!is_chatter(reply)) return fault(FaultKind::malformed, "more than one line for one request");
   const Clock::time_point begin = Clock::now();
-  const Exchange end = process_->exchange(line, reply, begin + timeout, options_.reply_limit);
+  Exchange end = process_->exchange(line, reply, begin + timeout, options_.reply_limit);
+  while (end == Exchange::line && is_chatter(reply)) {
+    if (chatter_for_answers_ && greeted_) return fault(FaultKind::malformed, "no answer");
+    end = process_->receive_line(reply, begin + timeout, options_.reply_limit);
+  }
   const auto elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin);
   switch (end) {
     case Exchange::line:
       break;
     case Exchange::timed_out:
-      return fault(FaultKind::hang, "no answer within " + std::to_string(timeout.count()) + " ms");
+      chatter_for_answers_ = !last_chatter_.empty();
+      return fault(chatter_for_answers_ ? FaultKind::malformed : FaultKind::hang,
+                   "no answer within " + std::to_string(timeout.count()) + " ms");
     case Exchange::closed:
       return fault(FaultKind::crash, "ended before it answered", kEndPatience);
     case Exchange::too_long:
@@ -94,6 +113,8 @@ std::variant<std::string, Fault> Controller::exchange(std::string_view line, std
 std::optional<Fault> Controller::start(std::chrono::milliseconds timeout) {
   if (process_) return std::nullopt;
   process_ = std::make_unique<Process>(options_.command);
+  greeted_ = false;
+  ++starts_;
   auto reply = exchange(R"({"hello":1})", timeout);
   if (auto* failure = std::get_if<Fault>(&reply)) {
     // What a shell says of a command that is not there; only the first time, because later it was there.
@@ -107,6 +128,7 @@ std::optional<Fault> Controller::start(std::chrono::milliseconds timeout) {
   } catch (const spec::InputError& error) {
     return fault(FaultKind::malformed, "hello: " + error.message() + " but " + excerpt(std::get<std::string>(reply)));
   }
+  greeted_ = true;
   return std::nullopt;
 }
 
@@ -128,6 +150,8 @@ Answer Controller::run(const spec::Case& c, std::optional<std::chrono::milliseco
   const std::string& line = std::get<std::string>(reply);
   try {
     spec::Reply read = spec::read_reply(line, c.setup.axes, "reply");
+    if (!read.error.empty() && (read.id.empty() || read.id == c.id))
+      return {Fault{FaultKind::error, excerpt(read.error), {}, process_->errors()}, {}, {}};
     if (read.id != c.id)
       return {fault(FaultKind::malformed, "an answer to " + excerpt(read.id) + " instead of " + excerpt(c.id)), {}, {}};
     if (!read.not_applicable.empty()) return {NotApplicable{std::move(read.not_applicable)}, {}, {}};

@@ -1,4 +1,4 @@
-// A controller under test: any command that speaks the protocol (certify/README.md) on its standard input and output.
+// A controller under test: any command that speaks the protocol (docs/protocol.md) on its standard input and output.
 #pragma once
 
 #include <chrono>
@@ -29,18 +29,29 @@ class Controller final : public Subject {
   Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience = {}) override;
 
   [[nodiscard]] std::chrono::milliseconds slowest() const override { return slowest_; }
+  [[nodiscard]] std::uint64_t starts() const override { return starts_; }
+  void restart() override;
+  [[nodiscard]] std::string errors() const override { return process_ ? process_->errors() : std::string(); }
+  [[nodiscard]] std::string chatter() const override { return chatter_; }
 
  private:
   std::optional<Fault> start(std::chrono::milliseconds timeout);
-  // One line there and one line back; anything else is a fault and ends the process.
+  // One line there and one line back; anything else is a fault and ends the process. Lines that are no JSON objects are
+  // no answers: the first is kept, and the wait goes on.
   std::variant<std::string, Fault> exchange(std::string_view line, std::chrono::milliseconds timeout);
   Fault fault(FaultKind kind, std::string what, std::chrono::milliseconds wait_for_end = std::chrono::milliseconds(0));
+  bool is_chatter(std::string_view line);
 
   ControllerOptions options_;
   std::unique_ptr<Process> process_;
   std::optional<Capabilities> capabilities_;
   std::chrono::milliseconds slowest_{0};
   int exit_status_ = -1;
+  std::uint64_t starts_ = 0;
+  std::string chatter_;               // the first
+  std::string last_chatter_;          // the last since the request
+  bool greeted_ = false;              // the process has answered hello
+  bool chatter_for_answers_ = false;  // nothing else came in time once: behind chatter it is not waited again
 };
 
 }  // namespace toolcomp::certify

@@ -1,12 +1,13 @@
 #include "certify/finding.h"
 
 #include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "certify/controller.h"
-#include "certify/event_fields.h"
 #include "spec/language/byte_source.h"
+#include "spec/language/case_document.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
 
@@ -14,110 +15,48 @@ namespace toolcomp::certify {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using spec::document::Kind;
+using spec::document::Node;
+using spec::document::Reader;
 
-constexpr std::array<std::string_view, 15> kKeys{"finding",  "kind",   "clause",       "line",        "field",
-                                                 "expected", "actual", "deviation_um", "errors",      "controller",
-                                                 "seed",     "tool",   "first_case",   "occurrences", "case"};
+constexpr std::uint64_t kMostCount = 1'000'000'000'000;
 
-// The end of the JSON string that begins at `i` (its opening quote): behind its closing quote.
-std::size_t skip_string(std::string_view text, std::size_t i) {
-  for (++i; i < text.size() && text[i] != '"'; ++i)
-    if (text[i] == '\\') ++i;
-  return std::min(i + 1, text.size());
+std::string quoted(const std::string& text) { return Json(text).dump(-1, ' ', true, Json::error_handler_t::replace); }
+
+// A member that may be left out, or null.
+const Node* given(const Node& root, std::string_view key) {
+  const Node* node = root.find(key);
+  return node == nullptr || node->kind == Kind::null ? nullptr : node;
 }
 
-// The text of the member `name` of the object `text`, which is valid JSON: the case keeps its digits as they were
-// written, which a JSON library that reads numbers as doubles would not.
-std::string_view member_text(std::string_view text, std::string_view name) {
-  int depth = 0;
-  std::string_view last_string;
-  std::size_t begin = std::string_view::npos;
-  for (std::size_t i = 0; i < text.size();) {
-    const char c = text[i];
-    if (c == '"') {
-      const std::size_t end = skip_string(text, i);
-      last_string = text.substr(i + 1, end - i - 2);
-      i = end;
-      continue;
-    }
-    if (c == ':' && depth == 1 && last_string == name) begin = i + 1;
-    if (begin != std::string_view::npos && depth == 1 && (c == ',' || c == '}')) return text.substr(begin, i - begin);
-    if (c == '{' || c == '[') ++depth;
-    if (c == '}' || c == ']') --depth;
-    ++i;
-  }
-  return {};
+std::string text_of(const Node& root, const char* key, const Reader& read) {
+  const Node* node = given(root, key);
+  return node == nullptr ? std::string() : read.string(*node, key);
 }
 
-// The text before `part` with nothing but its line ends, then `part`: what stands in it keeps its line and column.
-std::string in_its_place(std::string_view text, std::string_view part) {
-  std::string placed(text.substr(0, static_cast<std::size_t>(part.data() - text.data())));
-  std::ranges::replace_if(placed, [](char c) { return c != '\n'; }, ' ');
-  return placed += part;
+std::uint64_t count_of(const Node& root, const char* key, const Reader& read, std::uint64_t otherwise) {
+  const Node* node = given(root, key);
+  return node == nullptr ? otherwise : read.integer(*node, key, 0, kMostCount);
 }
 
-class Fields {
- public:
-  Fields(const Json& json, std::string_view text, const std::string& file) : json_(json), text_(text), file_(file) {}
-
-  // At the value of the member `key`, or at the object itself.
-  [[noreturn]] void fail(const std::string& key, const std::string& what) const {
-    const std::string_view value = member_text(text_, key);
-    std::size_t at = value.empty() ? text_.find('{') : static_cast<std::size_t>(value.data() - text_.data());
-    at = std::min(text_.find_first_not_of(" \t\r\n", at), text_.size());
-    const std::string_view before = text_.substr(0, at);
-    const std::size_t line_end = before.rfind('\n');
-    throw spec::InputError(file_, static_cast<std::uint64_t>(std::ranges::count(before, '\n')) + 1,
-                           line_end == std::string_view::npos ? at + 1 : at - line_end, what);
-  }
-
-  [[nodiscard]] std::string text(const char* key) const {
-    const auto entry = json_.find(key);
-    if (entry == json_.end() || entry->is_null()) return {};
-    if (!entry->is_string()) fail(key, std::string(key) + " must be a string");
-    return entry->get<std::string>();
-  }
-  [[nodiscard]] std::uint64_t count(const char* key, std::uint64_t otherwise) const {
-    const auto entry = json_.find(key);
-    if (entry == json_.end()) return otherwise;
-    if (!entry->is_number_unsigned()) fail(key, std::string(key) + " must be a whole number");
-    return entry->get<std::uint64_t>();
-  }
-  [[nodiscard]] double number(const char* key) const {
-    const auto entry = json_.find(key);
-    if (entry == json_.end() || entry->is_null()) return 0;
-    if (!entry->is_number()) fail(key, std::string(key) + " must be a number");
-    return entry->get<double>();
-  }
-
- private:
-  const Json& json_;
-  std::string_view text_;
-  const std::string& file_;
-};
-
-// Whether the field of the finding is still announced and still not sent.
-void replay_never_sent(Replay& replay, Subject& subject) {
-  const auto capabilities = subject.capabilities();
-  const auto field = spec::find_field(replay.finding.field);
-  const auto* const able = std::get_if<Capabilities>(&capabilities);
-  if (able == nullptr || !field) return;
-  const bool announced = std::ranges::find(able->fields, replay.finding.field) != able->fields.end();
-  const Answer answer = subject.run(replay.finding.smallest);
-  if (!announced || !std::holds_alternative<TextEvents>(answer.result) || answer.sent.has(*field)) return;
-  replay.judgement.result = Result::differs;
-  replay.key = replay.finding.key;
+double number_of(const Node& root, const char* key, const Reader& read) {
+  const Node* node = given(root, key);
+  if (node == nullptr) return 0;
+  read.expect(*node, Kind::number, key);
+  double value = 0;
+  std::from_chars(node->text.data(), node->text.data() + node->text.size(), value);
+  return value;
 }
 
 }  // namespace
 
 std::string write_finding(const Finding& finding) {
-  const auto quoted = [](const std::string& text) {
-    return Json(text).dump(-1, ' ', true, Json::error_handler_t::replace);
-  };
   std::string out = "{\"finding\": 1";
   const auto add = [&out](std::string_view key, const std::string& value) {
     out += ",\n \"" + std::string(key) + "\": " + value;
+  };
+  const auto add_text = [&](std::string_view key, const std::string& text) {
+    if (!text.empty()) add(key, quoted(text));
   };
   add("kind", quoted(finding.key.kind));
   add("clause", finding.key.clause.empty() ? "null" : quoted(finding.key.clause));
@@ -126,45 +65,74 @@ std::string write_finding(const Finding& finding) {
   add("expected", quoted(finding.expected));
   add("actual", quoted(finding.actual));
   add("deviation_um", Json(finding.deviation_um).dump());
-  if (!finding.errors.empty()) add("errors", quoted(finding.errors));
+  add_text("status", finding.status);
+  add_text("errors", finding.errors);
   add("controller", quoted(finding.controller));
+  add_text("directory", finding.directory);
+  if (!finding.subject.name.empty()) add("capabilities", write_capabilities(finding.subject));
   add("seed", quoted(finding.seed));
   add("tool", quoted(finding.tool));
   add("first_case", quoted(finding.first_case));
   add("occurrences", std::to_string(finding.occurrences));
+  add("seen", std::to_string(finding.seen));
+  add("tried", std::to_string(finding.tried));
+  if (!finding.before.empty()) {
+    std::string cases;
+    for (const spec::Case& c : finding.before) cases += (cases.empty() ? "\n  " : ",\n  ") + spec::write_case_line(c);
+    add("before", "[" + cases + "]");
+  }
   add("case", spec::write_case_line(finding.smallest));
   return out + "}\n";
 }
 
 Finding read_finding(std::string_view text, const std::string& file) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Node root = spec::document::parse_json(text, file);
+  const Reader read(file);
   Finding finding;
-  // Not JSON at all, or a bare case: the reader of cases says what is wrong, and where.
-  if (!json.is_object() || !json.contains("finding")) {
-    finding.smallest = spec::read_case(text, file);
+  if (root.find("finding") == nullptr) {
+    finding.smallest = spec::case_from(root, read);
     finding.key.section = finding.smallest.section;
     finding.first_case = finding.smallest.id;
     return finding;
   }
-  const Fields fields(json, text, file);
-  for (const auto& [key, value] : json.items())
-    if (std::ranges::find(kKeys, key) == kKeys.end()) fields.fail(key, "unknown key \"" + key + "\" in a finding");
-  if (json["finding"] != 1) fields.fail("finding", "finding must be 1");
-  if (!json.contains("case")) fields.fail("case", "a finding needs a case");
-  finding.smallest = spec::read_case(in_its_place(text, member_text(text, "case")), file);
-  finding.key = {finding.smallest.section, fields.text("clause"), fields.text("kind")};
-  finding.line = fields.count("line", 0);
-  finding.field = fields.text("field");
-  finding.expected = fields.text("expected");
-  finding.actual = fields.text("actual");
-  finding.deviation_um = fields.number("deviation_um");
-  finding.errors = fields.text("errors");
-  finding.controller = fields.text("controller");
-  finding.seed = fields.text("seed");
-  finding.tool = fields.text("tool");
-  finding.first_case = fields.text("first_case");
-  finding.occurrences = fields.count("occurrences", 1);
+  read.keys(root, "finding",
+            {"finding",      "kind",       "clause",      "line",       "field",     "expected",     "actual",
+             "deviation_um", "status",     "errors",      "controller", "directory", "capabilities", "seed",
+             "tool",         "first_case", "occurrences", "seen",       "tried",     "before",       "case"});
+  (void)read.integer(*root.find("finding"), "finding", 1, 1);
+  const Node* c = root.find("case");
+  if (c == nullptr) read.fail(root.at, "a finding needs a case");
+  finding.smallest = spec::case_from(*c, read);
+  finding.key = {finding.smallest.section, text_of(root, "clause", read), text_of(root, "kind", read)};
+  finding.line = count_of(root, "line", read, 0);
+  finding.field = text_of(root, "field", read);
+  finding.expected = text_of(root, "expected", read);
+  finding.actual = text_of(root, "actual", read);
+  finding.deviation_um = number_of(root, "deviation_um", read);
+  finding.status = text_of(root, "status", read);
+  finding.errors = text_of(root, "errors", read);
+  finding.controller = text_of(root, "controller", read);
+  finding.directory = text_of(root, "directory", read);
+  if (const Node* capabilities = given(root, "capabilities")) {
+    read.expect(*capabilities, Kind::table, "capabilities");
+    finding.subject = read_capabilities(Json::parse(text).at("capabilities").dump());
+  }
+  finding.seed = text_of(root, "seed", read);
+  finding.tool = text_of(root, "tool", read);
+  finding.first_case = text_of(root, "first_case", read);
+  finding.occurrences = count_of(root, "occurrences", read, 1);
+  finding.seen = count_of(root, "seen", read, 1);
+  finding.tried = count_of(root, "tried", read, 1);
+  if (const Node* before = given(root, "before")) {
+    read.expect(*before, Kind::array, "before");
+    for (const Node& item : before->items) finding.before.push_back(spec::case_from(item, read));
+  }
   return finding;
+}
+
+std::string command_in(const std::string& directory, const std::string& command) {
+  if (directory.empty() || command.empty()) return command;
+  return "cd " + shell_quoted(directory) + " && {\n" + command + "\n}";
 }
 
 std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::milliseconds timeout,
@@ -175,23 +143,6 @@ std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::
   options.timeout = timeout;
   options.reply_limit = reply_limit;
   return std::make_unique<Controller>(std::move(options));
-}
-
-Replay replay(const std::filesystem::path& file, const ReplayOptions& options) {
-  Replay result;
-  result.finding = read_finding(spec::read_file(file), file.string());
-  const spec::Case& c = result.finding.smallest;
-  const fuzz::ModelRun run = fuzz::run_model(c);
-  const std::unique_ptr<Subject> subject =
-      subject_of(options.controller.value_or(result.finding.controller), options.timeout);
-  const auto capabilities = subject->capabilities();
-  if (const auto* failure = std::get_if<Fault>(&capabilities))
-    result.judgement = judge_answer({}, c, run, {*failure, {}, {}});
-  else
-    result.judgement = judge_case(*subject, std::get<Capabilities>(capabilities), c, run);
-  result.key = key_of(c, result.judgement);
-  if (result.finding.key.kind == kNeverSent) replay_never_sent(result, *subject);
-  return result;
 }
 
 int exit_status(Result result) {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,15 +22,21 @@ struct Finding {
   std::string field;       // "point.X"
   std::string expected;    // for people
   std::string actual;
-  double deviation_um = 0;        // linear coordinates
-  std::string errors;             // the last of the controller's standard error, with a fault
-  std::string controller;         // the command; empty: the built-in fast engine
-  std::string seed;               // of the campaign
-  std::string tool;               // name and version of what found it
-  std::string first_case;         // id of the case it was shrunk from
-  std::uint64_t occurrences = 1;  // cases with the same key
-  std::size_t runs = 0;           // executions that shrinking took
-  bool complete = true;           // nothing simpler fails in the same way
+  double deviation_um = 0;         // linear coordinates
+  std::string status;              // with a fault: how the controller's process ended
+  std::string errors;              // the last of its standard error
+  std::string controller;          // the command; empty: the built-in fast engine
+  std::string directory;           // where it was run
+  Capabilities subject;            // what it said of itself; without a name: it could not be asked
+  std::string seed;                // of the campaign
+  std::string tool;                // name and version of what found it
+  std::string first_case;          // id of the case it was shrunk from
+  std::uint64_t occurrences = 1;   // cases with the same key
+  std::vector<spec::Case> before;  // what the same process has to be asked before, in order
+  std::uint64_t seen = 1;          // so many times, of so many tries with fresh processes
+  std::uint64_t tried = 1;
+  std::size_t runs = 0;  // executions that shrinking took
+  bool complete = true;  // nothing simpler fails in the same way
 
   // For the report's picture, not written to the file.
   std::vector<spec::Event<double>> expected_events;
@@ -43,18 +49,8 @@ std::string write_finding(const Finding& finding);
 // Reads a finding, or a bare case as a finding without a kind. Throws spec::InputError; unknown keys are errors.
 Finding read_finding(std::string_view text, const std::string& file);
 
-struct ReplayOptions {
-  std::optional<std::string> controller;  // instead of the finding's own; empty: the built-in engine
-  std::chrono::milliseconds timeout{10'000};
-};
-struct Replay {
-  Finding finding;      // as read
-  Judgement judgement;  // of now
-  FailureKey key;       // of now
-  [[nodiscard]] bool reproduced() const { return judgement.result == Result::differs && key == finding.key; }
-};
-// Judges the case of a finding again. Throws spec::InputError for a file that is no finding or case.
-Replay replay(const std::filesystem::path& file, const ReplayOptions& options = {});
+// The command run in a folder; in this one, if that is empty.
+std::string command_in(const std::string& directory, const std::string& command);
 
 // The subject a command names: a controller, or the built-in engine if it is empty.
 inline constexpr std::size_t kReplyLimit = std::size_t{64} << 20;  // bytes

@@ -40,6 +40,7 @@ Judgement fault(const Fault& fault, const fuzz::ModelRun& run) {
   d.line = run.events.empty() ? 0 : run.events.back().line;
   d.clause = clause_of_fault(run);
   Judgement j = differs(std::move(d));
+  j.status = fault.status;
   j.errors = fault.errors;
   return j;
 }
@@ -132,7 +133,7 @@ Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, co
     return j;
   }
   if (answer.missing) return missing_field(*answer.missing, run);
-  const fuzz::JudgeOptions options{capabilities.fields, capabilities.resolution};
+  const fuzz::JudgeOptions options{capabilities.fields, capabilities.resolution.numbers()};
   Judgement j;
   if (const auto* text = std::get_if<TextEvents>(&answer.result))
     j.verdict = fuzz::judge(c, run, *text, options);

@@ -32,7 +32,8 @@ struct Judgement {
   Result result = Result::nothing_judged;
   fuzz::Verdict verdict;                       // counts; the difference too
   std::optional<fuzz::Difference> difference;  // with `differs`
-  std::string errors;                          // standard error, with a fault
+  std::string status;                          // with a fault: how the process ended
+  std::string errors;                          // and its standard error
   std::string why;                             // with undecided, nothing_judged, partly_judged, not_applicable
 };
 

@@ -183,11 +183,11 @@ Process::Process(const std::string& command) {
 
 Process::~Process() { finish(); }
 
-bool Process::send(std::string_view& rest) const {
+bool Process::send() {
   const NoSigpipe guard;
-  const ssize_t n = ::write(in_, rest.data(), rest.size());
+  const ssize_t n = ::write(in_, outgoing_.data() + sent_, outgoing_.size() - sent_);
   if (n >= 0) {
-    rest.remove_prefix(static_cast<std::size_t>(n));
+    sent_ += static_cast<std::size_t>(n);
     return true;
   }
   return errno == EAGAIN || errno == EINTR;
@@ -234,20 +234,25 @@ bool Process::take_line(std::string& reply) {
 }
 
 Exchange Process::exchange(std::string_view line, std::string& reply, Clock::time_point deadline, std::size_t limit) {
-  const std::string request = std::string(line) + '\n';
-  std::string_view rest = request;
+  outgoing_ = std::string(line) + '\n';
+  sent_ = 0;
+  return receive_line(reply, deadline, limit);
+}
+
+Exchange Process::receive_line(std::string& reply, Clock::time_point deadline, std::size_t limit) {
   Exchange end = Exchange::closed;
   while (true) {
     if (take_line(reply)) return reply.size() > limit ? Exchange::too_long : Exchange::line;
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
     if (left <= 0) return Exchange::timed_out;
-    std::array<pollfd, 3> ready{{{out_, POLLIN, 0}, {err_, POLLIN, 0}, {rest.empty() ? -1 : in_, POLLOUT, 0}}};
+    std::array<pollfd, 3> ready{
+        {{out_, POLLIN, 0}, {err_, POLLIN, 0}, {sent_ == outgoing_.size() ? -1 : in_, POLLOUT, 0}}};
     const int n = ::poll(ready.data(), ready.size(), static_cast<int>(std::min<std::int64_t>(left, 60'000)));
     if (n < 0 && errno != EINTR) return Exchange::closed;
     if (n <= 0) continue;
     if (ready[1].revents != 0) receive_errors();
     // A process that reads nothing more may still have answered: only the end of its output ends the exchange.
-    if (ready[2].revents != 0 && !send(rest)) rest = {};
+    if (ready[2].revents != 0 && !send()) sent_ = outgoing_.size();
     if (ready[0].revents != 0 && !receive(limit, end)) return end;
   }
 }
@@ -279,6 +284,12 @@ std::string Process::finish(std::chrono::milliseconds patience) {
   close_fd(out_);
   close_fd(err_);
   return ended_;
+}
+
+std::string shell_quoted(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + '\'';
 }
 
 void kill_processes() noexcept {

@@ -33,6 +33,10 @@ class Process {
   // Sends `line` and a line feed, then waits for one line, kept without its line end in `reply`. Reads while it writes,
   // so that neither side can block the other with a long line. Memory is bounded by `limit`.
   Exchange exchange(std::string_view line, std::string& reply, Clock::time_point deadline, std::size_t limit);
+  // Waits for one more line.
+  Exchange receive_line(std::string& reply, Clock::time_point deadline, std::size_t limit);
+  // A line that came already; false: there is none.
+  bool take_line(std::string& reply);
 
   // Kills the group and waits for it; how the process ended: "exit status 3", "killed by signal 11 (Segmentation
   // fault)". Waits up to `patience` for it to end by itself first.
@@ -40,16 +44,13 @@ class Process {
   // The exit status after finish(); -1 if it did not exit by itself.
   [[nodiscard]] int exit_status() const { return exit_status_; }
 
-  // Bytes that came after the last line: a well-behaved controller leaves none.
-  [[nodiscard]] bool unread() const { return !pending_.empty(); }
   // The last 4 KiB of standard error.
   [[nodiscard]] const std::string& errors() const { return errors_; }
 
  private:
-  [[nodiscard]] bool send(std::string_view& rest) const;  // false: the process takes no more
+  [[nodiscard]] bool send();  // false: the process takes no more
   bool receive(std::size_t limit, Exchange& end);
   void receive_errors();
-  bool take_line(std::string& reply);
 
   pid_t pid_ = -1;
   int in_ = -1;   // to its standard input
@@ -57,10 +58,15 @@ class Process {
   int err_ = -1;  // from its standard error
   int exit_status_ = -1;
   std::string ended_;
-  std::string pending_;
+  std::string outgoing_;  // the last request, and how much of it has been sent
+  std::size_t sent_ = 0;
+  std::string pending_;      // not yet taken
   std::size_t scanned_ = 0;  // bytes of pending_ known to hold no line end
   std::string errors_;
 };
+
+// The text as one word of a shell command.
+std::string shell_quoted(std::string_view text);
 
 // Kills every process group alive. Async-signal-safe: for the handler of an interrupt.
 void kill_processes() noexcept;

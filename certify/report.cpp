@@ -39,6 +39,8 @@ Json to_json(const SectionResult& s) {
   json["cases_with_fewer_than_three_events"] = s.few_events;
   json["worst_um"] = s.worst_um;
   json["worst_ulp"] = s.worst_ulp;
+  if (s.bias.count > 0)
+    json["rounded_lengths_um"] = {{"count", s.bias.count}, {"mean", s.bias.mean()}, {"worst", s.bias.worst}};
   return json;
 }
 
@@ -54,6 +56,11 @@ Json to_json(const Finding& f, std::size_t index) {
   json["actual"] = f.actual;
   json["deviation_um"] = f.deviation_um;
   json["occurrences"] = f.occurrences;
+  json["seen"] = f.seen;
+  json["tried"] = f.tried;
+  json["requests_before"] = f.before.size();
+  if (!f.status.empty()) json["status"] = f.status;
+  if (!f.errors.empty()) json["errors"] = f.errors;
   json["first_case"] = f.first_case;
   json["program"] = f.smallest.program;
   json["shrink_runs"] = f.runs;
@@ -136,7 +143,10 @@ Suite suite_of(const Certificate& c, const SectionResult& s) {
   return suite;
 }
 
-void remove_old_findings(const std::filesystem::path& folder) {
+}  // namespace
+
+void remove_findings(const std::filesystem::path& report) {
+  const std::filesystem::path folder = report / "findings";
   if (!std::filesystem::is_directory(folder)) return;
   std::vector<std::filesystem::path> old;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -147,8 +157,6 @@ void remove_old_findings(const std::filesystem::path& folder) {
   }
   for (const auto& path : old) std::filesystem::remove(path);
 }
-
-}  // namespace
 
 std::string file_name(const Finding& finding, std::size_t index) {
   std::string kind;
@@ -161,6 +169,7 @@ std::string explanation(const Finding& f) {
   if (kind == "crash") return "The controller " + f.actual + ".";
   if (kind == "hang") return "The controller gives " + f.actual + ".";
   if (kind == "malformed reply") return "The controller's answer breaks the protocol: " + f.actual + ".";
+  if (kind == "error") return "The controller answers with an error: " + f.actual + ".";
   if (kind == "reply too long") return "The controller gives " + f.actual + ".";
   const std::string place = "Line " + std::to_string(f.line) + ": ";
   if (kind == "missing field")
@@ -178,11 +187,23 @@ std::string explanation(const Finding& f) {
   return text + ".";
 }
 
+std::string how_it_comes(const Finding& f) {
+  std::string text;
+  if (!f.before.empty())
+    text += fmt::format(", after {} request{} before it", f.before.size(), f.before.size() == 1 ? "" : "s");
+  if (f.tried == 0) return text + ", not tried again";
+  if (f.seen < f.tried) text += fmt::format(", in {} of {} runs", f.seen, f.tried);
+  return text;
+}
+
 std::string json_report(const Certificate& c) {
   Json json;
   json["certificate"] = 1;
   json["verdict"] = verdict(c);
   json["exit_status"] = exit_status(c);
+  json["scope"] = scope(c);
+  json["interrupted"] = c.interrupted;
+  json["cases_not_run"] = cases_not_run(c);
   json["self_check"] = c.self_check.empty() ? "passed" : c.self_check;
   const Identity& id = c.identity;
   json["identity"] = {{"tool", id.tool},
@@ -198,14 +219,18 @@ std::string json_report(const Certificate& c) {
   json["controller"] = {{"name", c.subject.name},
                         {"version", c.subject.version},
                         {"sections", c.subject.sections},
-                        {"resolution", c.subject.resolution},
+                        {"resolution", c.subject.resolution.words()},
                         {"fields", c.subject.fields},
                         {"fields_not_judged", fields_not_judged(c.subject)},
-                        {"setup", c.subject.setup.empty() ? Json::object() : Json::parse(c.subject.setup)}};
+                        {"setup", c.subject.setup.empty() ? Json::object() : Json::parse(c.subject.setup)},
+                        {"chatter", c.chatter}};
   json["sections"] = Json::array();
   for (const SectionResult& s : c.sections) json["sections"].push_back(to_json(s));
   json["findings"] = Json::array();
   for (std::size_t i = 0; i < c.findings.size(); ++i) json["findings"].push_back(to_json(c.findings[i], i));
+  json["causes"] = Json::array();
+  for (const SharedCause& cause : c.causes)
+    json["causes"].push_back({{"cause", cause.words}, {"findings", cause.findings}});
   json["unsettled"] = Json::array();
   for (const Unsettled& u : c.unsettled)
     json["unsettled"].push_back({{"id", u.id}, {"section", u.section}, {"result", name(u.result)}, {"why", u.why}});
@@ -234,7 +259,7 @@ std::string junit_report(const Certificate& c) {
 }
 
 std::vector<std::filesystem::path> write_report(const Certificate& c, const std::filesystem::path& folder) {
-  remove_old_findings(folder / "findings");
+  remove_findings(folder);
   std::vector<std::filesystem::path> paths;
   for (std::size_t i = 0; i < c.findings.size(); ++i) {
     paths.push_back(folder / "findings" / file_name(c.findings[i], i));
@@ -323,7 +348,7 @@ std::string junit_report(const TraceReport& report) {
 }
 
 void write_report(const TraceReport& report, const std::filesystem::path& folder) {
-  remove_old_findings(folder / "findings");
+  remove_findings(folder);
   spec::write_file(folder / "certificate.json", json_report(report));
   spec::write_file(folder / "junit.xml", junit_report(report));
   spec::write_file(folder / "index.html", html_report(report));

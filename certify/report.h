@@ -21,6 +21,9 @@ std::string json_report(const Certificate& certificate);
 // there are removed. Returns the paths of the findings. Throws std::runtime_error for a folder that cannot be written.
 std::vector<std::filesystem::path> write_report(const Certificate& certificate, const std::filesystem::path& folder);
 
+// The findings of a report that stands in the folder.
+void remove_findings(const std::filesystem::path& report);
+
 // The same for a trace of program `c`, recorded in `file`.
 struct TraceReport {
   spec::Case c;
@@ -39,5 +42,7 @@ void write_report(const TraceReport& report, const std::filesystem::path& folder
 std::string file_name(const Finding& finding, std::size_t index);
 // One or two sentences on what differs.
 std::string explanation(const Finding& finding);
+// Where it does not come every time and by itself: ", after 49 requests before it", ", in 3 of 10 runs".
+std::string how_it_comes(const Finding& finding);
 
 }  // namespace toolcomp::certify

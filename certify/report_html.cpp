@@ -53,11 +53,18 @@ std::string summary(const Certificate& c) {
     all.near_ties += s.near_ties;
     all.worst_ulp = std::max(all.worst_ulp, s.worst_ulp);
     all.worst_um = std::max(all.worst_um, s.worst_um);
+    all.bias.add(s.bias);
   }
   std::string out =
       "<h1>Certificate of " + escape(subject_name(c)) + "</h1>\n<p>" + badge(verdict(c), tone_of(c)) + "</p>\n";
   if (!c.self_check.empty())
     out += "<p class=\"bad\">The harness failed its own check: " + escape(c.self_check) + ".</p>\n";
+  if (const std::uint64_t not_run = cases_not_run(c); not_run > 0 || !c.interrupted.empty())
+    out += fmt::format("<p class=\"bad\">{} cases were not run{}.</p>\n", not_run,
+                       c.interrupted.empty() ? "" : ": " + escape(c.interrupted));
+  if (!c.chatter.empty())
+    out += "<p class=\"soft\">The controller writes on its standard output what is no answer: " + code(c.chatter) +
+           ".</p>\n";
   out += fmt::format(
       "<p>{} cases of {} section{} were judged against the exact model: {} agree, {} differ in {} finding{}, {} could "
       "not be "
@@ -66,6 +73,12 @@ std::string summary(const Certificate& c) {
       all.total(), c.sections.size(), c.sections.size() == 1 ? "" : "s", all.count(Result::agrees),
       all.count(Result::differs), c.findings.size(), c.findings.size() == 1 ? "" : "s", all.count(Result::undecided),
       all.values, small(all.worst_um), small(all.worst_ulp));
+  if (all.bias.count > 0)
+    out += fmt::format(
+        "<p>Of {} rounded lengths the mean lies {:+.3g} µm off the exact one, the worst {:+.3g} µm: rounding to "
+        "nearest has "
+        "no mean, and down half an increment.</p>\n",
+        all.bias.count, all.bias.mean(), all.bias.worst);
   if (all.wide > 0 || all.out_of_scope > 0)
     out += fmt::format(
         "<p>Not judged: {} values that the policy would have to grant more than {} µm ({} cases have more "
@@ -101,29 +114,34 @@ std::string sections(const Certificate& c) {
                          "worst µm",
                          "worst ulp",
                          "permitted ulp"}};
+  std::vector<std::string> not_applicable;
   for (const SectionResult& s : c.sections)
-    rows.push_back({code(section_name(s.section)),
-                    count(s.count(Origin::golden)),
-                    count(s.count(Origin::generated)),
-                    count(s.count(Origin::own)),
-                    count(s.count(Result::agrees)),
-                    count(s.count(Result::differs)),
-                    count(s.count(Result::undecided)),
-                    count(s.count(Result::nothing_judged)),
-                    count(s.count(Result::not_applicable)),
-                    count(s.count(Result::not_run)),
-                    count(s.wide_cases),
-                    count(s.few_events),
-                    count(s.values),
-                    count(s.wide),
-                    count(s.out_of_scope),
-                    count(s.decisions),
-                    count(s.near_ties),
-                    count(s.ties),
-                    small(s.worst_um),
-                    small(s.worst_ulp),
-                    plain(fuzz::policy::budget(s.section).coordinate)});
+    if (s.count(Result::not_applicable) == s.total())
+      not_applicable.push_back(s.section);
+    else
+      rows.push_back({code(section_name(s.section)),
+                      count(s.count(Origin::golden)),
+                      count(s.count(Origin::generated)),
+                      count(s.count(Origin::own)),
+                      count(s.count(Result::agrees)),
+                      count(s.count(Result::differs)),
+                      count(s.count(Result::undecided)),
+                      count(s.count(Result::nothing_judged)),
+                      count(s.count(Result::not_applicable)),
+                      count(s.count(Result::not_run)),
+                      count(s.wide_cases),
+                      count(s.few_events),
+                      count(s.values),
+                      count(s.wide),
+                      count(s.out_of_scope),
+                      count(s.decisions),
+                      count(s.near_ties),
+                      count(s.ties),
+                      small(s.worst_um),
+                      small(s.worst_ulp),
+                      plain(fuzz::policy::budget(s.section).coordinate)});
   std::string out = "<h2 id=\"sections\">Sections</h2>\n" + table(rows, 1);
+  if (!not_applicable.empty()) out += "<p>Not applicable: " + list_of(not_applicable) + ".</p>\n";
   out +=
       "<p class=\"soft\">A near tie is a decision whose exact margin lies inside the band that double precision (or "
       "the controller's "
@@ -153,6 +171,10 @@ std::string finding(const Finding& f, std::size_t index) {
   std::vector<Row> rows{{"field", code(f.field)}, {"expected", code(f.expected)}, {"actual", code(f.actual)}};
   if (f.deviation_um != 0) rows.push_back({"deviation", escape(small(f.deviation_um)) + " µm"});
   rows.push_back({"cases", fmt::format("{}, the first {}", f.occurrences, code(f.first_case))});
+  if (!f.status.empty()) rows.push_back({"the process", escape(f.status)});
+  if (!f.before.empty()) rows.push_back({"asked before", fmt::format("{} cases, in the file", f.before.size())});
+  if (f.seen < f.tried || f.tried == 0)
+    rows.push_back({"comes again", f.tried == 0 ? "not tried" : fmt::format("in {} of {} runs", f.seen, f.tried)});
   rows.push_back({"judge again", code("toolcomp replay findings/" + file_name(f, index))});
   out += facts(rows);
   out += listing(f.smallest.program, f.line);
@@ -165,13 +187,23 @@ std::string finding(const Finding& f, std::size_t index) {
   options.other = f.actual_events;
   options.marked = f.event;
   out += path_svg(f.expected_events, f.smallest.setup.axes, options);
-  if (!f.complete) out += "<p class=\"soft\">Shrinking was ended by its budget: a smaller program may fail too.</p>\n";
+  if (!f.complete) out += "<p class=\"soft\">Not shrunk to the end: a smaller program may fail too.</p>\n";
   return out + "</article>\n";
 }
 
 std::string findings(const Certificate& c) {
   std::string out = "<h2 id=\"findings\">Findings</h2>\n";
   if (c.findings.empty()) return out + "<p>None.</p>\n";
+  if (!c.causes.empty()) {
+    std::vector<Row> causes{{"what it looks like", "findings", ""}};
+    for (const SharedCause& cause : c.causes) {
+      std::string links;
+      for (const std::size_t i : cause.findings) links += fmt::format("<a href=\"#finding-{0}\">{0}</a> ", i + 1);
+      causes.push_back({escape(cause.words), count(cause.findings.size()), links});
+    }
+    out +=
+        table(causes) + "<p class=\"soft\">Each explains its findings whole; another mistake may look the same.</p>\n";
+  }
   std::vector<Row> rows{{"", "section", "clause of first divergence", "kind", "cases"}};
   for (std::size_t i = 0; i < c.findings.size(); ++i) {
     const Finding& f = c.findings[i];
@@ -257,7 +289,7 @@ std::string identity(const Certificate& c) {
                 {"controller",
                  escape(subject_name(c)) + (id.controller.empty() ? " (in process)" : " " + code(id.controller))},
                 {"sections announced", list_of(c.subject.sections)},
-                {"resolution", c.subject.resolution.empty() ? "double precision" : code(c.subject.resolution)},
+                {"resolution", escape(c.subject.resolution.words())},
                 {"fields judged", list_of(c.subject.fields)},
                 {"fields not judged", list_of(fields_not_judged(c.subject))},
                 {"fixed settings", c.subject.setup.empty() ? "none" : code(c.subject.setup)}}) +
@@ -267,9 +299,9 @@ std::string identity(const Certificate& c) {
 }  // namespace
 
 std::string html_report(const Certificate& certificate) {
-  return page("toolcomp certificate: " + std::string(verdict(certificate)),
-              summary(certificate) + sections(certificate) + findings(certificate) + programs(certificate) +
-                  clauses(certificate) + identity(certificate));
+  return page("toolcomp certificate: " + verdict(certificate), summary(certificate) + sections(certificate) +
+                                                                   findings(certificate) + programs(certificate) +
+                                                                   clauses(certificate) + identity(certificate));
 }
 
 }  // namespace toolcomp::certify

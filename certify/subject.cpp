@@ -32,6 +32,8 @@ std::string name(FaultKind kind) {
       return "hang";
     case FaultKind::too_long:
       return "reply too long";
+    case FaultKind::error:
+      return "error";
     case FaultKind::malformed:
       break;
   }

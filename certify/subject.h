@@ -21,14 +21,16 @@ enum class FaultKind : std::uint8_t {
   hang,       // no answer in time
   malformed,  // an answer that breaks the protocol
   too_long,   // an answer longer than the limit
+  error,      // an answer that says why there are no events
 };
-// "crash", "hang", "malformed reply", "reply too long": the kind of the finding.
+// "crash", "hang", "malformed reply", "reply too long", "error": the kind of the finding.
 std::string name(FaultKind kind);
 
 // An answer that is no list of events.
 struct Fault {
   FaultKind kind{};
   std::string what;    // for people
+  std::string status;  // how the process ended: "exit status 3", "killed by signal 11 (Segmentation fault)"
   std::string errors;  // the last of standard error
 };
 
@@ -63,6 +65,13 @@ class Subject {
   virtual Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience = {}) = 0;
   // The longest time an answer took so far.
   [[nodiscard]] virtual std::chrono::milliseconds slowest() const { return std::chrono::milliseconds(0); }
+  // Processes started so far: what one has been told, the next does not know. 0 for ever: there is none.
+  [[nodiscard]] virtual std::uint64_t starts() const { return 0; }
+  // The next request meets a fresh process.
+  virtual void restart() {}
+  // The last of standard error, and the first line on standard output that is no answer.
+  [[nodiscard]] virtual std::string errors() const { return {}; }
+  [[nodiscard]] virtual std::string chatter() const { return {}; }
 };
 
 // The fast engine in this process: every section and field, in double. InputError of the engine passes through.

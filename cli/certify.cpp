@@ -13,10 +13,12 @@
 #include "certify/adapter_programs.h"
 #include "certify/campaign.h"
 #include "certify/report.h"
+#include "certify/running_report.h"
 #include "certify/trace/trace.h"
 #include "cli/certify_adapter.h"
 #include "cli/program.h"
 #include "cli/progress.h"
+#include "cli/stop.h"
 #include "cli/verbs.h"
 #include "corpus/golden.h"
 #include "spec/language/byte_source.h"
@@ -128,28 +130,49 @@ int certify_trace(const CertifyOptions& options) {
   return certify::exit_status(report.result);
 }
 
+std::string shown(const std::string& section) { return section.empty() ? "programs" : section; }
+
+void print(const certify::SectionResult& s) {
+  const std::uint64_t not_applicable = s.count(certify::Result::not_applicable);
+  if (not_applicable == s.total()) {
+    fmt::print("{:<34} not applicable\n", shown(s.section));
+    return;
+  }
+  fmt::print(
+      "{:<34} {:>6} cases, {:>6} agree, {:>4} differ, {:>4} undecided, {:>8} values, {} ties, worst {:.3g} ulp "
+      "{:.3g} µm, {} values not judged, {} events out of scope, {} cases with fewer than three events",
+      shown(s.section), s.total(), s.count(certify::Result::agrees), s.count(certify::Result::differs),
+      s.count(certify::Result::undecided), s.values, s.ties, s.worst_ulp, s.worst_um, s.wide, s.out_of_scope,
+      s.few_events);
+  if (not_applicable > 0) fmt::print(", {} not applicable", not_applicable);
+  if (const std::uint64_t not_run = s.count(certify::Result::not_run); not_run > 0) fmt::print(", {} not run", not_run);
+  fmt::print("\n");
+}
+
+void print(const certify::Finding& finding, const fs::path& file) {
+  fmt::print("\nFINDING {} {} ({} cases, first {}{})\n  {}\n{}  toolcomp replay {}\n", finding.key.kind,
+             finding.key.clause, finding.occurrences, finding.first_case, certify::how_it_comes(finding),
+             certify::explanation(finding),
+             finding.smallest.program, file.string());
+}
+
 void print(const certify::Certificate& certificate, const std::vector<fs::path>& findings, const std::string& report,
            double seconds) {
-  for (const certify::SectionResult& section : certificate.sections)
-    fmt::print(
-        "{:<34} {:>6} cases, {:>6} agree, {:>4} differ, {:>4} undecided, {:>8} values, {} ties, worst {:.3g} ulp "
-        "{:.3g} µm, {} values not judged, {} events out of scope, {} cases with fewer than three events\n",
-        section.section.empty() ? "programs" : section.section, section.total(), section.count(certify::Result::agrees),
-        section.count(certify::Result::differs), section.count(certify::Result::undecided), section.values,
-        section.ties, section.worst_ulp, section.worst_um, section.wide, section.out_of_scope, section.few_events);
+  for (const certify::SectionResult& section : certificate.sections) print(section);
   for (const certify::Unsettled& unsettled : certificate.unsettled)
     std::cerr << unsettled.id << ": " << certify::name(unsettled.result)
               << (unsettled.why.empty() ? "" : ", " + unsettled.why) << '\n';
-  for (std::size_t i = 0; i < findings.size(); ++i) {
-    const certify::Finding& finding = certificate.findings[i];
-    fmt::print("\nFINDING {} {} ({} cases)\n  {}\n{}  toolcomp replay {}\n", finding.key.kind, finding.key.clause,
-               finding.occurrences, certify::explanation(finding), finding.smallest.program, findings[i].string());
-  }
+  for (std::size_t i = 0; i < findings.size(); ++i) print(certificate.findings[i], findings[i]);
+  for (const certify::SharedCause& cause : certificate.causes)
+    fmt::print("\nlooks like, in {} of {} findings: {}\n", cause.findings.size(), findings.size(), cause.words);
   if (!certificate.self_check.empty()) std::cerr << "self-check failed: " << certificate.self_check << '\n';
+  if (!certificate.chatter.empty())
+    std::cerr << "the controller writes on its standard output what is no answer: " << certificate.chatter << '\n';
   for (const certify::SectionResult& section : certificate.sections)
     if (certify::too_many_wide(section.values, section.wide))
-      fmt::print("{}: {}\n", section.section.empty() ? "programs" : section.section,
-                 certify::words_on_wide(section.values, section.wide));
+      fmt::print("{}: {}\n", shown(section.section), certify::words_on_wide(section.values, section.wide));
+  if (const std::uint64_t not_run = certify::cases_not_run(certificate); not_run > 0)
+    fmt::print("{} cases not run{}\n", not_run, certificate.interrupted.empty() ? "" : ": " + certificate.interrupted);
   fmt::print("{}; seed {}; {:.0f} s; {}\n", certify::verdict(certificate), certificate.identity.seed, seconds,
              (fs::path(report) / "index.html").string());
 }
@@ -162,9 +185,9 @@ void print_widths(const certify::Certificate& certificate) {
   constexpr double most = 0.99;
   for (const certify::SectionResult& section : certificate.sections) {
     const fuzz::Widths& widths = section.widths;
-    fmt::print("{:<32} {:>8} {:>10.2g} {:>10.2g} {:>10.2g} {:>7.3f} % {:>7.3f} %\n",
-               section.section.empty() ? "programs" : section.section, widths.count(), widths.quantile(median),
-               widths.quantile(most), widths.largest(), 100 * widths.share_above_nm(), 100 * widths.share_above_um());
+    fmt::print("{:<32} {:>8} {:>10.2g} {:>10.2g} {:>10.2g} {:>7.3f} % {:>7.3f} %\n", shown(section.section),
+               widths.count(), widths.quantile(median), widths.quantile(most), widths.largest(),
+               100 * widths.share_above_nm(), 100 * widths.share_above_um());
   }
 }
 
@@ -214,8 +237,15 @@ int certify(const CertifyOptions& options) {
   const auto elapsed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
+  certify::RunningReport running(options.report, campaign.controller);
+  if (!running.earlier().empty()) std::cerr << options.report << ": " << running.earlier() << '\n';
+  const Stop stop(options.time_limit.empty() ? std::nullopt
+                                             : std::optional(duration_of(options.time_limit, "--time-limit")));
+  campaign.stop = [&stop] { return stop.why(); };
+  campaign.found = [&running](const certify::Finding& finding) { running.found(finding); };
   const Progress progress("cases");
-  campaign.progress = [elapsed](std::uint64_t done, std::uint64_t all) {
+  campaign.progress = [&running, elapsed](std::uint64_t done, std::uint64_t all) {
+    running.progress(done, all);
     Progress::line(fmt::format("{} of {} cases, {:.0f} s", done, all, elapsed()));
   };
   campaign.choosing = [elapsed](const std::string& section, std::uint64_t looked_at) {

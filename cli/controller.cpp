@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <memory>
+#include <utility>
 #include <variant>
 
 #include "certify/finding.h"
@@ -11,23 +13,63 @@
 #include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
+namespace {
+
+// Of what a process was asked, so many requests are kept.
+constexpr std::size_t kMostBefore = 10'000;
+
+class Watched {
+ public:
+  Watched(std::shared_ptr<certify::Subject> subject, certify::Capabilities able, Watch watch)
+      : subject_(std::move(subject)), able_(std::move(able)), watch_(std::move(watch)) {}
+
+  fuzz::Verdict judge(const spec::Case& c, const fuzz::ModelRun& run) {
+    certify::Answer answer;
+    certify::Judgement judgement;
+    if (std::string why = certify::why_not_applicable(able_, c); !why.empty()) {
+      judgement.result = certify::Result::not_applicable;
+    } else {
+      answer = subject_->run(c);
+      remember(c);
+      judgement = certify::judge_answer(able_, c, run, answer);
+    }
+    if (judgement.result == certify::Result::differs && watch_.wants)
+      if (const auto number = watch_.wants(certify::key_of(c, judgement), c.program))
+        watch_.keep(able_, *number,
+                    {c, judgement, certify::events_in_double(answer), {asked_.begin(), asked_.end() - 1}});
+    if (judgement.difference) judgement.verdict.difference = judgement.difference;
+    if (judgement.result == certify::Result::differs) judgement.verdict.outcome = fuzz::Outcome::differs;
+    return judgement.verdict;
+  }
+
+ private:
+  void remember(const spec::Case& c) {
+    if (subject_->starts() != starts_) asked_.clear();
+    starts_ = subject_->starts();
+    asked_.push_back(c);
+    if (asked_.size() > kMostBefore + 1) asked_.pop_front();
+  }
+
+  std::shared_ptr<certify::Subject> subject_;
+  certify::Capabilities able_;
+  Watch watch_;
+  std::uint64_t starts_ = 0;
+  std::deque<spec::Case> asked_;  // by the process, the last one included
+};
+
+}  // namespace
 
 fuzz::Subject controller_subject(const std::string& command, double timeout,
-                                 const std::optional<std::string>& accepted_resolution) {
+                                 const std::optional<std::string>& accepted_resolution, Watch watch) {
   const std::shared_ptr<certify::Subject> subject =
       certify::subject_of(command, std::chrono::milliseconds(std::llround(timeout * 1000)));
   const auto capabilities = subject->capabilities();
   if (const auto* fault = std::get_if<certify::Fault>(&capabilities))
     throw spec::InputError(command, 0, 0, "the controller cannot be used: " + fault->what);
-  if (accepted_resolution)
-    certify::expect_fine_resolution(std::get<certify::Capabilities>(capabilities), *accepted_resolution);
-  return
-      [subject, able = std::get<certify::Capabilities>(capabilities)](const spec::Case& c, const fuzz::ModelRun& run) {
-        certify::Judgement judgement = certify::judge_case(*subject, able, c, run);
-        if (judgement.difference) judgement.verdict.difference = judgement.difference;
-        if (judgement.result == certify::Result::differs) judgement.verdict.outcome = fuzz::Outcome::differs;
-        return judgement.verdict;
-      };
+  const auto& able = std::get<certify::Capabilities>(capabilities);
+  if (accepted_resolution) certify::expect_fine_resolution(able, *accepted_resolution);
+  const auto watched = std::make_shared<Watched>(subject, able, std::move(watch));
+  return [watched](const spec::Case& c, const fuzz::ModelRun& run) { return watched->judge(c, run); };
 }
 
 }  // namespace toolcomp::cli

@@ -8,10 +8,11 @@
 #include <optional>
 #include <string>
 
-#include "certify/process.h"
+#include "cli/stop.h"
 #include "cli/verbs.h"
 #include "spec/language/case.h"
 #include "spec/language/decimal.h"
+#include "spec/language/edit_distance.h"
 #include "spec/language/input_error.h"
 
 namespace {
@@ -69,6 +70,7 @@ class CommandLine {
   }
 
   int execute(int argc, char** argv) {
+    if (argc > 1 && *argv[1] != '-') expect_verb(argv[1]);
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -78,6 +80,23 @@ class CommandLine {
   }
 
  private:
+  void expect_verb(const std::string& word) const {
+    std::string nearest;
+    std::string all;
+    constexpr std::size_t kNear = 2;
+    for (const CLI::App* sub : app_.get_subcommands({})) {
+      const std::string& name = sub->get_name();
+      if (name == word) return;
+      all += (all.empty() ? "" : ", ") + name;
+      if (spec::edit_distance(word, name) <= kNear &&
+          (nearest.empty() || spec::edit_distance(word, name) < spec::edit_distance(word, nearest)))
+        nearest = name;
+    }
+    throw spec::InputError(
+        "toolcomp", 0, 0,
+        "no verb \"" + word + "\"; " + (nearest.empty() ? "there are " + all : "did you mean " + nearest + "?"));
+  }
+
   CLI::App* verb(const std::string& name, const std::string& about, std::function<int()> action) {
     CLI::App* sub = app_.add_subcommand(name, about);
     sub->callback([this, action = std::move(action)] { action_ = action; });
@@ -93,7 +112,8 @@ class CommandLine {
         ->check(CLI::Range(0U, spec::kMostSamples));
   }
   static void add_sections(CLI::App* sub, std::vector<std::string>& sections) {
-    sub->add_option("--section", sections, "Section, e.g. fanuc/leading-edge-offset (repeatable; default: all)");
+    sub->add_option("--section", sections, "Section, e.g. fanuc/leading-edge-offset (repeatable; default: all)")
+        ->allow_extra_args(false);
   }
 
   static void add_accept_resolution(CLI::App* sub, std::string& resolution) {
@@ -152,6 +172,8 @@ class CommandLine {
     sub->add_option("--corpus", certify_.corpus, "Folder of the golden corpus, to be judged besides the inputs");
     sub->add_option("--seed", certify_.seed, "Seed of every random choice");
     sub->add_option("--timeout", certify_.timeout, "Seconds a case may take")->check(CLI::PositiveNumber);
+    sub->add_option("--time-limit", certify_.time_limit,
+                    "60s, 10m, 1h: what is not judged by then is not run; the report says so");
     add_accept_resolution(sub, certify_.accept_resolution);
     sub->add_flag("--widths", certify_.widths, "Print how wide what the verdict policy grants is, section by section");
     sub->add_option("--tolerance", certify_.tolerance,
@@ -265,7 +287,8 @@ class CommandLine {
     sub->add_option("verb", config_.verb, "example, schema or check")
         ->required()
         ->check(CLI::IsMember({"example", "schema", "check"}));
-    sub->add_option("file", config_.file, "check: the setup or case");
+    sub->add_option("file", config_.file,
+                    "check: the setup or case; schema: setup (default), case, event, hello or answer");
     sub->add_option("--control", config_.control, "fanuc or heidenhain")->check(CLI::IsMember({"fanuc", "heidenhain"}));
   }
 
@@ -284,17 +307,10 @@ class CommandLine {
   cli::ConfigOptions config_;
 };
 
-// Controllers run in process groups of their own, which the terminal's interrupt does not reach.
-void interrupted(int signal) {
-  certify::kill_processes();
-  static_cast<void>(std::signal(signal, SIG_DFL));
-  static_cast<void>(std::raise(signal));
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) static_cast<void>(std::signal(signal, interrupted));
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) static_cast<void>(std::signal(signal, cli::on_signal));
   try {
     CommandLine command_line;
     return command_line.execute(argc, argv);

@@ -39,7 +39,10 @@ class Program {
   bool is_case_ = false;
 };
 
+// Throws spec::InputError, with the place in the file, also for what only the engines refuse (check_setup).
 spec::Setup read_setup(const std::string& path);
+// What only the engines refuse: kinematics no machine could have, tables of deviations that are missing.
+void check_setup(const spec::Setup& setup);
 
 // Throws spec::InputError where the program of a case holds what no control would read, up to where the run ends.
 // `name` stands for the program in it.

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <iostream>
 
-#include "certify/finding.h"
+#include "certify/replay.h"
 #include "cli/difference.h"
 #include "cli/verbs.h"
 #include "spec/language/input_error.h"
@@ -32,7 +32,16 @@ int replay(const ReplayOptions& options) {
   const certify::Replay replay = judged(options.finding, how);
   fmt::print("{}\n", replay.finding.smallest.program);
   if (replay.judgement.verdict.difference) print_difference(*replay.judgement.verdict.difference, options.finding);
-  std::cerr << certify::name(replay.judgement.result) << (replay.reproduced() ? ", as in the finding" : "") << '\n';
+  if (!replay.judgement.errors.empty()) std::cerr << replay.judgement.errors << '\n';
+  std::cerr << "asked: " << (replay.asked.empty() ? "the built-in fast engine" : replay.asked);
+  if (!replay.finding.before.empty()) std::cerr << ", after " << replay.finding.before.size() << " requests before it";
+  if (!replay.other_subject.empty()) std::cerr << "; it is another now: " << replay.other_subject;
+  std::cerr << '\n' << certify::name(replay.judgement.result) << (replay.reproduced() ? ", as in the finding" : "");
+  const bool moody = replay.finding.seen < replay.finding.tried;
+  if (moody)
+    std::cerr << ", at try " << replay.tried << "; it came in " << replay.finding.seen << " of " << replay.finding.tried
+              << " runs when it was found";
+  std::cerr << '\n';
   return certify::exit_status(replay.judgement.result);
 }
 

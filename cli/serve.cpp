@@ -1,6 +1,8 @@
 // toolcomp serve: the controller protocol, for our own engines.
 #include "certify/serve.h"
 
+#include <unistd.h>
+
 #include <iostream>
 
 #include "cli/verbs.h"
@@ -8,6 +10,10 @@
 namespace toolcomp::cli {
 
 int serve(EngineName engine) {
+  if (::isatty(STDIN_FILENO) == 1)
+    std::cerr << "This speaks the controller protocol (docs/protocol.md): a JSON object a line, an answer a line.\n"
+                 "Try {\"hello\":1}, then {\"case\":1,\"id\":\"a\",\"setup\":{\"control\":\"fanuc\"},\"program\":\"G01 "
+                 "X1 F1\"}; Ctrl-D ends it.\n";
   const auto served = engine == EngineName::model ? certify::ServedEngine::model : certify::ServedEngine::fast;
   return certify::serve(served, std::cin, std::cout, std::cerr) == 0 ? kAgrees : kBadInput;
 }

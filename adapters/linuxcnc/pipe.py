@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The interpreter alone behind the controller protocol (certify/README.md): one JSON line asks, one answers."""
+"""The interpreter alone behind the controller protocol (docs/protocol.md): one JSON line asks, one answers."""
 import json
 import sys
 
@@ -12,7 +12,7 @@ HELLO = {
     "name": "LinuxCNC rs274", "version": "2.9", "protocol": 1,
     "sections": ["fanuc/tool-length-offset", "fanuc/cutter-compensation-c"],
     "fields": ["kind", "line", "type", "point", "axes", "center", "plane", "direction"],
-    "resolution": "0.000001",
+    "resolution": {"mm": "0.000001", "inch": "0.000001", "degrees": "0.000001"},
 }
 
 

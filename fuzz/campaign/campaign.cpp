@@ -53,7 +53,7 @@ class Job {
   }
 
   void run(std::uint64_t runs) {
-    for (std::uint64_t i = 0; !shared_.stop; ++i) {
+    for (std::uint64_t i = 0; !stopped(); ++i) {
       if (shared_.options.runs != 0 ? i >= runs : shared_.seconds() >= shared_.options.seconds) break;
       execute(next(i));
       ++shared_.executions;
@@ -64,6 +64,11 @@ class Job {
   CampaignResult& result() { return result_; }
 
  private:
+  bool stopped() {
+    if (shared_.options.stop && shared_.options.stop()) shared_.stop = true;
+    return shared_.stop;
+  }
+
   // Fresh cases and changed corpus cases in turns, sections and modes in turns.
   spec::Case next(std::uint64_t i) {
     const auto& modes = shared_.options.modes;
@@ -88,6 +93,7 @@ class Job {
 
   void execute(spec::Case c) {
     Trial trial = try_case(c, subject_);
+    if (shared_.options.stop && shared_.options.stop()) return;
     add(result_, trial);
     if (trial.acceptance == Acceptance::not_decided) keep_shortest(result_.not_decided, {c, trial.verdict.undecided});
     if (trial.found()) {

@@ -51,6 +51,8 @@ struct CampaignOptions {
   // Called for each distinct finding as it is made, never at the same time from two threads; what it throws ends the
   // campaign.
   std::function<void(const Finding&)> on_finding;
+  // Whether to come to an end; what is judged meanwhile does not count.
+  std::function<bool()> stop;
 };
 
 struct CampaignResult {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -407,7 +406,29 @@ class Comparison {
     }
   }
 
-  // k·unit (and the controller's resolution) around the enclosure.
+  // What the controller's rounding grants a number that lies that far outside its enclosure.
+  double rounded_off(const Real& e, const Number& a, double distance, Measure measure) {
+    const double r = resolution_of(measure);
+    if (r == 0) return 0;
+    const double off = std::copysign(distance, signed_distance(e, a));
+    if (measure == Measure::length && distance <= r) tally_.bias.add(off * rules_.um_per_unit());
+    return fuzz::rounded_off(rules_.rounding(), r, approximate(e), off);
+  }
+
+  [[nodiscard]] double resolution_of(Measure measure) const {
+    switch (measure) {
+      case Measure::angle:
+        return rules_.angle_resolution();
+      case Measure::direction:
+        return rules_.vector_resolution();
+      case Measure::length:
+      case Measure::other:
+        break;
+    }
+    return rules_.resolution();
+  }
+
+  // k·unit (and what the controller rounds) around the enclosure.
   bool number(std::string_view kind, const Path& path, const Real& e, const Number& a, double k, double unit = 0,
               Measure measure = Measure::other) {
     const double granted = moves(k * unit, measure);
@@ -420,7 +441,7 @@ class Comparison {
     if (distance == 0) return false;
     if (unit > 0) tally_.worst_ulp = std::max(tally_.worst_ulp, distance / unit);
     if (linear) tally_.worst_um = std::max(tally_.worst_um, distance * rules_.um_per_unit());
-    if (distance <= k * unit + rules_.resolution()) return false;
+    if (distance <= k * unit + rounded_off(e, a, distance, measure)) return false;
     if (linear) difference_.deviation_um = distance * rules_.um_per_unit();
     return differ(std::string(kind), path.text(), fuzz::text(e), fuzz::text(a));
   }
@@ -457,17 +478,14 @@ class Comparison {
 }  // namespace
 
 Rules::Rules(const spec::Setup& setup, std::string_view section, const JudgeOptions& options)
-    : budget_(policy::budget(section)), axes_(setup.axes), fields_(options.fields) {
+    : budget_(policy::budget(section)), axes_(setup.axes), fields_(options.fields), resolution_(options.resolution) {
   units(setup.units);
-  if (options.resolution.empty()) return;
-  const std::optional<Rational> r = parse_number(options.resolution);
-  if (!r || *r < 0) throw std::invalid_argument("resolution \"" + options.resolution + "\" is no decimal number");
-  resolution_ = r->convert_to<double>();
 }
 
 void Rules::units(spec::Units units) {
   constexpr double um_per_mm = 1000;
   constexpr double um_per_inch = 25400;
+  inch_ = units == spec::Units::inch;
   um_per_unit_ = units == spec::Units::mm ? um_per_mm : um_per_inch;
 }
 
@@ -475,10 +493,10 @@ bool Rules::is_near_tie(const model::Decision& decision, double band, const Posi
   if (policy::compares_positions(decision.clause))
     band = std::max(
         {band, std::min(band * positions.at(decision.line), policy::kWidestBand), positions.deviation(decision.line)});
-  const bool square = resolution_ == 0 && policy::is_square(decision.clause);
+  const bool square = !rounds() && policy::is_square(decision.clause);
   if (margin(decision) > (square ? band * band : band)) return false;
   const bool scale_is_one = decision.scale.is_rational() && decision.scale.rational() == 1;
-  if (resolution_ > 0 || !policy::compares_exactly(decision.clause, scale_is_one)) return true;
+  if (rounds() || !policy::compares_exactly(decision.clause, scale_is_one)) return true;
   if (!decision.quantity.is_rational() || decision.quantity.rational() != 0 || !decision.scale.is_rational())
     return true;
   // The scale is the sum of all numbers compared.
@@ -513,6 +531,7 @@ void take(Verdict& verdict, const Tally& tally) {
   verdict.out_of_scope = tally.out_of_scope;
   verdict.worst_ulp = tally.worst_ulp;
   verdict.worst_um = tally.worst_um;
+  verdict.bias = tally.bias;
 }
 
 bool left_open(const model::Event& event) {

@@ -15,7 +15,6 @@ namespace toolcomp::fuzz {
 // Which fields are judged and how far numbers may lie; the same for every event of a case.
 class Rules {
  public:
-  // Throws std::invalid_argument for a resolution that is no decimal number.
   Rules(const spec::Setup& setup, std::string_view section, const JudgeOptions& options);
 
   // Of the events, where the program says other ones than the setup.
@@ -26,19 +25,24 @@ class Rules {
   [[nodiscard]] bool judges_undecided() const;
   [[nodiscard]] const policy::Budget& budget() const { return budget_; }
   [[nodiscard]] const spec::Axes& axes() const { return axes_; }
-  // 0: the actual numbers are doubles.
-  [[nodiscard]] double resolution() const { return resolution_; }
+  // Of lengths in the units of the events, of angles in degrees, of components of unit vectors; 0: they are doubles.
+  [[nodiscard]] double resolution() const { return inch_ ? resolution_.inch : resolution_.mm; }
+  [[nodiscard]] double angle_resolution() const { return resolution_.degrees; }
+  [[nodiscard]] double vector_resolution() const { return resolution_.vectors; }
+  [[nodiscard]] Rounding rounding() const { return resolution_.rounding; }
+  [[nodiscard]] bool rounds() const { return resolution_.any(); }
   // Whether the other outcomes of a decision are permitted, with this relative half width of a near tie.
   [[nodiscard]] bool is_near_tie(const model::Decision& decision, double band, const PositionErrors& positions) const;
   [[nodiscard]] double um_per_unit() const { return um_per_unit_; }
   // In micrometres: a value that is granted more is not judged.
-  [[nodiscard]] double cap_um() const { return std::max(policy::kCap, resolution_ * um_per_unit_); }
+  [[nodiscard]] double cap_um() const { return std::max(policy::kCap, resolution() * um_per_unit_); }
 
  private:
   policy::Budget budget_;
   spec::Axes axes_;
   std::vector<std::string> fields_;
-  double resolution_ = 0;
+  Resolution resolution_;
+  bool inch_ = false;
   double um_per_unit_ = 0;
 };
 
@@ -52,6 +56,7 @@ struct Tally {
   bool scope_left = false;         // such an event was there
   double worst_ulp = 0;
   double worst_um = 0;
+  Bias bias;
   Widths widths;
 };
 

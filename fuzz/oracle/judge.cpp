@@ -227,8 +227,8 @@ class Judge {
     positions.deviate(deviations);
     for (const model::Event& event : run.events) positions.follow(event);
     for (std::size_t i = 0; i < decisions.size(); ++i) {
-      const double band = rules_.resolution() > 0
-                              ? policy::controller_band(rules_.resolution(),
+      const double band = rules_.rounds()
+                              ? policy::controller_band(rules_.resolution(), rules_.angle_resolution(),
                                                         shortest_move(run.events, case_.setup.axes, decisions[i].line))
                               : policy::kDoubleBand;
       if (rules_.is_near_tie(decisions[i], band, positions)) result.push_back(i);

@@ -28,7 +28,8 @@
 //   feeds, values of settings                     … by nothing: one of the two doubles that enclose the exact value; a
 //                                                 controller's text by 1.5 · ulp(value) where the value is no double:
 //                                                 the shortest text of one of the two
-//   any number of a controller of resolution r    … by r more, so that truncating, rounding up and to nearest all pass
+//   any number of a controller of resolution r    … by r more, so that truncating, rounding up and to nearest all pass;
+//   (of mm, inches, degrees, unit vectors)        where it says how it rounds, by r/2, or r on the side it rounds to
 //   a decision by sign                            as the exact sign; the other outcomes are permitted where
 //                                                 |quantity| <= band · scale and the model yields finite vectors for
 //                                                 them
@@ -119,6 +120,10 @@ inline constexpr double kCap = 1;
 inline constexpr double kMostWide = 0.01;
 inline constexpr double kMicrometresAtOneMetre = 1e6;  // of a radian
 
+// Two numbers that count as one where a mistake is looked for that explains a finding (certify/shared_cause.h): of the
+// larger one, or of 1. No verdict rests on it.
+inline constexpr double kSameForCause = 1e-10;
+
 // Setup units, less k: where more would be granted to the head of a vector that two conditions place, it is judged by
 // these (head.h).
 inline constexpr double kByConditions = 0x1p-34;
@@ -135,13 +140,13 @@ inline constexpr double kConvertedText = 1.5;
 // orders.
 inline constexpr double kDoubleBand = 0x1p-40;
 
-// The same for a controller that computes with lengths of resolution r (setup units) and angles of resolution r
+// The same for a controller that computes with lengths of resolution r (setup units) and angles of resolution a
 // degrees: a direction over the shortest move next to the decision is known to 2·r/length, a tool direction to
-// r·pi/180, and a predicate of degree four quadruples either.
-inline double controller_band(double resolution, double shortest_move) {
+// a·pi/180, and a predicate of degree four quadruples either.
+inline double controller_band(double resolution, double degrees, double shortest_move) {
   constexpr double radians_per_degree = 0.017453292519943295;
   const double direction = shortest_move > 0 ? 2 * resolution / shortest_move : 1;
-  return std::fmin(1.0, kDoubleBand + 4 * (direction + resolution * radians_per_degree));
+  return std::fmin(1.0, kDoubleBand + 4 * (direction + degrees * radians_per_degree));
 }
 
 // Of the same, lines: a move counts as next to a decision where it is no farther from its line.

@@ -189,13 +189,13 @@ bool PoseFit<Number>::turns_into(const View& view, const Scale& scale) const {
   // Inside a block the directions at its ends count, as the controller has them.
   const double inherited = view.sample ? direction_ * scale.pose.direction / policy::ulp(1) : 0;
   if (length(view.own_tool - view.tool) >
-      rules_.budget().tool_axis * error + inherited + 2 * rules_.resolution() / kDegreesPerRadian)
+      rules_.budget().tool_axis * error + inherited + 2 * rules_.angle_resolution() / kDegreesPerRadian)
     return false;
   const double position = magnitude(view.expected.tool);
   const Posture posture = posture_at(view.expected);
   const double branch = posture.tool_error(error + inherited) * kDegreesPerRadian + policy::ulp(position);
-  return std::fabs(view.off.tool) <= rules_.budget().rotary * branch + rules_.resolution() &&
-         std::fabs(view.off.work) <= kHalfTurn * (1 + policy::kSlack) + rules_.resolution();
+  return std::fabs(view.off.tool) <= rules_.budget().rotary * branch + rules_.angle_resolution() &&
+         std::fabs(view.off.work) <= kHalfTurn * (1 + policy::kSlack) + rules_.angle_resolution();
 }
 
 // Each axis goes as expected from where the controller had it.
@@ -221,7 +221,7 @@ bool PoseFit<Number>::goes_as_expected(std::span<const model::Event> window, con
   const auto fits = [&](double off, double before, double ahead_of, const Rational& expected, const Rational& own) {
     const double rounding = rules_.budget().rotary * (policy::ulp(std::max(magnitude(expected), magnitude(own))) +
                                                       policy::ulp(1) * kDegreesPerRadian) +
-                            rules_.resolution();
+                            rules_.angle_resolution();
     if (view.sample) return std::fabs(off) <= std::fabs(before) + ahead_of + rounding;
     return std::fabs(off) <= ahead_of + rounding || std::fabs(off - before) <= 2 * rounding;
   };
@@ -315,8 +315,8 @@ std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::without_kinematic
   const Vector tool = vector(*expected.tool_axis);
   const double direction = length(own - tool);
   const double inherited = expected.kind == EventKind::sample ? direction_ * scale.pose.direction / policy::ulp(1) : 0;
-  if (direction >
-      rules_.budget().tool_axis * std::max(policy::ulp(1), scale.pose.direction) + inherited + 2 * rules_.resolution())
+  if (direction > rules_.budget().tool_axis * std::max(policy::ulp(1), scale.pose.direction) + inherited +
+                      2 * rules_.vector_resolution())
     return std::nullopt;
   Seen result{expected, direction, 0};
   const Vector axes = linear(expected.axes);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fast/basis/event.h"
+#include "fuzz/oracle/resolution.h"
 #include "fuzz/oracle/widths.h"
 #include "model/basis/event.h"
 #include "model/basis/recorder.h"
@@ -52,13 +53,14 @@ struct Verdict {
   std::uint64_t ties = 0;                // near ties in which the engine took the other, permitted, outcome
   double worst_ulp = 0;   // largest distance outside an enclosure, in the units the policy multiplies by k
   double worst_um = 0;    // the same of linear coordinates, in micrometres
+  Bias bias;              // of rounded lengths
   std::string undecided;  // why, where the outcome is `undecided`
 };
 
 // What is judged. The default judges everything, in double. Samples are judged where the field `t` is.
 struct JudgeOptions {
   std::vector<std::string> fields;  // event fields the controller announced; empty: all
-  std::string resolution;           // least increment of the controller's numbers ("0.001"); empty: double
+  Resolution resolution;            // of the controller's numbers
 };
 
 // The model on one case. `undecided` where a decision could not be certified.

@@ -1,4 +1,5 @@
 // The comparator must see every kind of wrong answer. Events here are made by hand: no engine is involved.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -484,13 +485,51 @@ TEST(Comparator, JudgesTextsExactly) {
   EXPECT_EQ(v.difference->field, "feed");
 }
 
+Resolution all_of(double r, Rounding rounding = Rounding::unknown) { return {r, r, r, r, rounding}; }
+
 TEST(Comparator, AResolutionGrantsOneIncrement) {
   const spec::Case c = plain_case();
   const std::vector<spec::TextEvent> coarse = as_text(two_decimals);  // eighths lose 0.005
   EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(coarse)).outcome, Outcome::differs);
-  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, "0.01"}).outcome, Outcome::agrees);
-  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, "0.001"}).outcome, Outcome::differs);
-  EXPECT_THROW(judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, "fine"}), std::invalid_argument);
+  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, all_of(0.01)}).outcome,
+            Outcome::agrees);
+  EXPECT_EQ(judge(c, expected(), std::span<const spec::TextEvent>(coarse), {{}, all_of(0.001)}).outcome,
+            Outcome::differs);
+}
+
+// Where the controller says how it rounds, only that passes. two_decimals() goes toward zero.
+TEST(Comparator, ARoundingThatIsAnnounced) {
+  const auto judged = [](const std::vector<spec::TextEvent>& events, Rounding rounding) {
+    return judge(plain_case(), expected(), std::span<const spec::TextEvent>(events), {{}, all_of(0.01, rounding)})
+        .outcome;
+  };
+  const std::vector<spec::TextEvent> zero = as_text(two_decimals);
+  EXPECT_EQ(judged(zero, Rounding::toward_zero), Outcome::agrees);
+  EXPECT_EQ(judged(as_text(three_decimals), Rounding::nearest), Outcome::agrees);
+  // What lies 0.006 off is no rounding to nearest; what lies above is none downward.
+  std::vector<spec::TextEvent> off = as_text(three_decimals);
+  off[1].point.value[0].v = fmt::format("{:.3f}", std::stod(off[1].point.value[0].v) + 0.006);
+  EXPECT_EQ(judged(off, Rounding::nearest), Outcome::differs);
+  EXPECT_EQ(judged(off, Rounding::down), Outcome::differs);
+  EXPECT_EQ(judged(off, Rounding::unknown), Outcome::agrees);
+  off[1].point.value[0].v = fmt::format("{:.3f}", std::stod(off[1].point.value[0].v) - 0.012);
+  EXPECT_EQ(judged(off, Rounding::nearest), Outcome::differs);
+  EXPECT_EQ(judged(off, Rounding::down), Outcome::agrees);
+}
+
+// Inches are not judged by the millimetres announced, nor degrees.
+TEST(Comparator, AResolutionIsOfItsUnit) {
+  spec::Case inch = plain_case();
+  inch.setup.units = spec::Units::inch;
+  std::vector<fast::Event> off = events<double>();
+  off[1].axes.value[0] += 0.001;
+  const auto judged = [&](const Resolution& r) { return judge(inch, expected(), off, {{}, r}).outcome; };
+  EXPECT_EQ(judged({.mm = 0.01, .degrees = 0.01}), Outcome::differs);
+  EXPECT_EQ(judged({.inch = 0.0001}), Outcome::differs);
+  EXPECT_EQ(judged({.inch = 0.001}), Outcome::agrees);
+  const Verdict v = judge(inch, expected(), off, {{}, {.inch = 0.002}});
+  EXPECT_EQ(v.bias.count, 1U);
+  EXPECT_NEAR(v.bias.worst, 25.4, 0.001);
 }
 
 TEST(Comparator, ATextThatIsNoNumberIsADifference) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -10,10 +11,12 @@
 
 #include "certify/campaign.h"
 #include "certify/program_text.h"
+#include "certify/replay.h"
 #include "certify/report.h"
 #include "certify/selection.h"
 #include "fuzz/campaign/features.h"
 #include "fuzz/gen/generator.h"
+#include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::certify {
@@ -97,8 +100,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"exit", "crash", 3}, Misbehaviour{"abort", "crash", 3},
                     Misbehaviour{"long-line", "reply too long", 3}, Misbehaviour{"wrong-id", "malformed reply", 3},
                     Misbehaviour{"no-events", "malformed reply", 3}, Misbehaviour{"missing-field", "missing field", 3},
-                    Misbehaviour{"missing-axes", "", 3}, Misbehaviour{"hello-rubbish", "malformed reply", 3},
-                    Misbehaviour{"hello-hang", "hang", 3}),
+                    Misbehaviour{"missing-axes", "", 3}, Misbehaviour{"error", "error", 3},
+                    Misbehaviour{"not-a-number", "malformed reply", 3},
+                    Misbehaviour{"hello-rubbish", "malformed reply", 3}, Misbehaviour{"hello-hang", "hang", 3}),
     [](const auto& test) {
       std::string name = test.param.fault;
       std::ranges::replace(name, '-', '_');
@@ -112,6 +116,100 @@ TEST(Controller, StandardErrorOfACrashIsKept) {
   ASSERT_FALSE(c.findings.empty());
   EXPECT_NE(c.findings[0].errors.find("servo not ready"), std::string::npos);
   EXPECT_NE(c.findings[0].actual.find("exit status 3"), std::string::npos);
+  EXPECT_EQ(c.findings[0].status, "exit status 3");
+}
+
+// A fault at every seventh case that a process is asked: the rest of the section goes on with a fresh process, the
+// finding keeps the six requests before it, and replay asks them again.
+TEST(Controller, AFaultBehindOtherRequestsKeepsThem) {
+  for (const char* fault : {"seventh-exit", "seventh-drop-event"}) {
+    CampaignOptions o = options(faulty(fault));
+    o.shrink_runs = 20;
+    const Certificate c = certify(o);
+    EXPECT_EQ(section(c).count(Result::not_run), 0U) << fault;
+    EXPECT_GE(section(c).count(Result::differs), 4U) << fault;
+    ASSERT_FALSE(c.findings.empty());
+    const auto report = folder(fault);
+    const auto paths = write_report(c, report);
+    for (std::size_t i = 0; i < c.findings.size(); ++i) {
+      const Finding& f = c.findings[i];
+      EXPECT_EQ(f.before.size(), 6U) << fault << '\n' << write_finding(f);
+      EXPECT_EQ(f.seen, f.tried) << fault;
+      const Replay again = replay(paths[i]);
+      EXPECT_TRUE(again.reproduced()) << fault;
+      EXPECT_EQ(again.asked, faulty(fault));
+      EXPECT_EQ(again.finding.subject.name, "faulty controller");
+      // Without them it does not come.
+      Finding alone = f;
+      alone.before.clear();
+      const auto file = report / "alone.json";
+      spec::write_file(file, write_finding(alone));
+      EXPECT_EQ(replay(file).judgement.result, Result::agrees) << fault;
+    }
+  }
+}
+
+// What comes by chance is kept, with how often it came.
+TEST(Controller, AFaultByChanceIsKeptWithItsShare) {
+  CampaignOptions o = options(faulty("sometimes-drop-event"));
+  o.shrink_runs = 20;
+  const Certificate c = certify(o);
+  ASSERT_FALSE(c.findings.empty());
+  std::uint64_t seen = 0;
+  std::uint64_t tried = 0;
+  for (const Finding& f : c.findings) {
+    EXPECT_EQ(f.key.kind, "missing event");
+    seen += f.seen;
+    tried += f.tried;
+  }
+  EXPECT_LT(seen, tried) << "all of them came every time, by a chance of less than a millionth";
+  EXPECT_GT(seen, 0U);
+  const auto paths = write_report(c, folder("sometimes"));
+  EXPECT_TRUE(replay(paths.front()).judgement.result == Result::differs || c.findings.front().seen == 0);
+}
+
+// Found at once, and again where a smaller program shows the same: each time as a file that replay takes.
+TEST(Controller, FindingsAreToldAsTheyAreSeen) {
+  CampaignOptions o = options(faulty("drop-event"));
+  std::vector<Finding> told;
+  o.found = [&told](const Finding& f) { told.push_back(f); };
+  const Certificate c = certify(o);
+  ASSERT_GE(told.size(), c.findings.size());
+  for (const Finding& f : c.findings)
+    EXPECT_TRUE(std::ranges::any_of(told, [&](const Finding& early) { return early.key == f.key; })) << f.key.clause;
+  for (const Finding& f : told) {
+    EXPECT_EQ(f.controller, o.controller);
+    EXPECT_EQ(write_finding(read_finding(write_finding(f), "told")), write_finding(f));
+  }
+}
+
+// An end that was asked for keeps all there is, and says what is missing.
+TEST(Controller, AnEndBeforeAllIsDone) {
+  CampaignOptions o = options(faulty("drop-event"));
+  std::uint64_t done = 0;
+  o.progress = [&done](std::uint64_t now, std::uint64_t) { done = now; };
+  o.stop = [&done] { return done < 10 ? std::string() : std::string("enough"); };
+  const Certificate c = certify(o);
+  EXPECT_EQ(section(c).count(Result::not_run), 30U);
+  EXPECT_EQ(section(c).total(), 40U);
+  EXPECT_EQ(c.interrupted, "enough");
+  EXPECT_EQ(exit_status(c), 1);
+  ASSERT_FALSE(c.findings.empty());
+  EXPECT_EQ(c.findings[0].tried, 0U);
+  const auto paths = write_report(c, folder("enough"));
+  EXPECT_TRUE(replay(paths.front()).reproduced());
+  o.controller = faulty("none");
+  done = 0;
+  const Certificate sound = certify(o);
+  EXPECT_EQ(exit_status(sound), 3);
+  EXPECT_EQ(verdict(sound), "not decided: enough");
+}
+
+// Lines that are no answers are passed over, and shown once.
+TEST(Controller, ChatterIsNoRubbish) {
+  const Certificate c = certify(options(faulty("chatter")));
+  EXPECT_EQ(exit_status(c), 0) << json_report(c);
+  EXPECT_EQ(c.chatter, "\"axes ready\"");
 }
 
 // One fault in some programs does not spoil the verdict on the others.
@@ -147,6 +245,15 @@ TEST(Controller, FieldsThatAreNotAnnouncedAreNotJudged) {
 TEST(Controller, ItsResolutionIsHonoured) {
   const Certificate c = certify(options(faulty("coarse")));
   EXPECT_EQ(exit_status(c), 0) << json_report(c);
+  // It truncates: by its mean the lengths lie toward zero of the exact ones, by less than an increment.
+  EXPECT_GT(section(c).bias.count, 0U);
+  EXPECT_LE(std::fabs(section(c).bias.worst), 25.4);
+}
+
+// One that truncates and announces that it rounds to nearest, or 0.0001 inches where it has 0.001, is found.
+TEST(Controller, ARoundingOtherThanAnnouncedIsFound) {
+  const Certificate c = certify(options(faulty("coarse-rounding")));
+  EXPECT_EQ(exit_status(c), 1);
 }
 
 TEST(Controller, CasesAgainstItsFixedSetupDoNotApply) {

@@ -246,15 +246,15 @@ TEST(NearTies, ACoarserControllerHasAWiderBand) {
   const ModelRun run = run_model(c);
   const std::vector<fast::Event> other = test::in_doubles(run_model(c, opposite(run, Clause::fanuc_leading_edge_sign)));
   EXPECT_EQ(judge(c, run, other).outcome, Outcome::differs);
-  EXPECT_EQ(judge(c, run, other, {{}, "0.001"}).outcome, Outcome::agrees);
+  EXPECT_EQ(judge(c, run, other, {{}, {.mm = 0.001, .degrees = 0.001}}).outcome, Outcome::agrees);
   // A lean of 1e-2 it knows as well: what it moves is long.
   const spec::Case clear = leaning("0.01");
   const ModelRun sure = run_model(clear);
   const std::vector<fast::Event> wrong =
       test::in_doubles(run_model(clear, opposite(sure, Clause::fanuc_leading_edge_sign)));
-  EXPECT_EQ(judge(clear, sure, wrong, {{}, "0.001"}).outcome, Outcome::differs);
-  EXPECT_GT(policy::controller_band(0.001, 100), 1e-5);
-  EXPECT_LT(policy::controller_band(0.001, 100), 1e-3);
+  EXPECT_EQ(judge(clear, sure, wrong, {{}, {.mm = 0.001, .degrees = 0.001}}).outcome, Outcome::differs);
+  EXPECT_GT(policy::controller_band(0.001, 0.001, 100), 1e-5);
+  EXPECT_LT(policy::controller_band(0.001, 0.001, 100), 1e-3);
 }
 
 // Many independent near ties in one program: each event is explained by its own decision, so a chain of forks finds the
@@ -455,7 +455,7 @@ TEST(NearTies, AnExactTieOfDecimalsGoesAsTheClauseSays) {
     ASSERT_EQ(other.events.back().number.view(), "PS0080");
     EXPECT_EQ(judge(c, run, test::in_doubles(run)).near_ties, 0U);
     EXPECT_EQ(judge(c, run, test::in_doubles(other)).outcome, Outcome::differs);
-    EXPECT_EQ(judge(c, run, test::in_doubles(other), {{}, "0.001"}).outcome, Outcome::agrees);
+    EXPECT_EQ(judge(c, run, test::in_doubles(other), {{}, {.mm = 0.001, .degrees = 0.001}}).outcome, Outcome::agrees);
   }
 }
 

@@ -19,7 +19,7 @@ TEST(Capabilities, AreReadWhole) {
   EXPECT_EQ(c.version, "3");
   EXPECT_EQ(c.sections, std::vector<std::string>{"fanuc/tool-length-offset"});
   EXPECT_EQ(c.fields.size(), 3U);
-  EXPECT_EQ(c.resolution, "0.001");
+  EXPECT_EQ(c.resolution.words(), "0.01 mm, 0.001 inch, 0.001 degrees, 0.001 of unit vectors");  // it has inches alone
   EXPECT_EQ(c.setup, R"({"units":"inch"})");
   EXPECT_TRUE(meets_minimum(c));
 }
@@ -29,8 +29,24 @@ TEST(Capabilities, AreWrittenAsTheyAreRead) {
   const Capabilities again = read_capabilities(write_capabilities(c));
   EXPECT_EQ(again.name, c.name);
   EXPECT_EQ(again.fields, c.fields);
-  EXPECT_EQ(again.resolution, c.resolution);
+  EXPECT_EQ(again.resolution.words(), c.resolution.words());
   EXPECT_EQ(again.setup, c.setup);
+}
+
+TEST(Capabilities, AResolutionByUnit) {
+  const auto read = [](const std::string& members) {
+    return read_capabilities(R"({"protocol":1,)" + members + "}").resolution;
+  };
+  EXPECT_EQ(read(R"("resolution":"0.001")").words(), "0.001 mm, 0.0001 inch, 0.001 degrees, 0.001 of unit vectors");
+  EXPECT_EQ(read(R"("resolution":"5")").words(), "5 mm, 0.5 inch, 5 degrees, 5 of unit vectors");
+  EXPECT_EQ(read(R"("resolution":{"mm":"0.0001","degrees":"0.001"},"rounding":"nearest")").words(),
+            "0.0001 mm, 0.001 degrees, rounded to nearest");
+  EXPECT_EQ(read(R"("resolution":{"inch":"0.00001"},"rounding":"toward zero")").numbers().inch, 0.00001);
+  EXPECT_EQ(read(R"("rounding":"down")").words(), "double precision");
+  for (const char* wrong :
+       {R"("resolution":{"mm":0.001})", R"("resolution":{"metre":"1"})", R"("resolution":{"mm":"-1"})",
+        R"("resolution":"0.001","rounding":"up")", R"("rounding":1)"})
+    EXPECT_THROW(read(wrong), spec::InputError) << wrong;
 }
 
 TEST(Capabilities, RefuseWhatIsNone) {

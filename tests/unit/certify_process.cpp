@@ -21,7 +21,22 @@ TEST(Process, SendsALineAndReadsALine) {
   EXPECT_EQ(reply, "hello");
   EXPECT_EQ(p.exchange("again", reply, in(5000), kLimit), Exchange::line);
   EXPECT_EQ(reply, "again");
-  EXPECT_FALSE(p.unread());
+  EXPECT_FALSE(p.take_line(reply));
+}
+
+TEST(Process, MoreThanOneLineForOne) {
+  Process p("read line; echo one; echo two; echo three; read line; echo four");
+  std::string reply;
+  EXPECT_EQ(p.exchange("x", reply, in(5000), kLimit), Exchange::line);
+  EXPECT_EQ(reply, "one");
+  EXPECT_EQ(p.receive_line(reply, in(5000), kLimit), Exchange::line);
+  EXPECT_EQ(reply, "two");
+  EXPECT_EQ(p.receive_line(reply, in(5000), kLimit), Exchange::line);
+  EXPECT_EQ(reply, "three");
+  EXPECT_FALSE(p.take_line(reply));
+  EXPECT_EQ(p.receive_line(reply, in(50), kLimit), Exchange::timed_out);
+  EXPECT_EQ(p.exchange("x", reply, in(5000), kLimit), Exchange::line);
+  EXPECT_EQ(reply, "four");
 }
 
 // Both directions are far larger than a pipe holds: writing all before reading would block for ever.

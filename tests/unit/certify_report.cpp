@@ -75,7 +75,7 @@ Certificate example() {
   c.subject.name = "CNC <3000> & \"Co\"";
   c.subject.fields = {"kind", "line", "axes"};
   c.subject.sections = {"fanuc/tool-length-offset"};
-  c.subject.resolution = "0.001";
+  c.subject.resolution.mm = "0.001";
   c.clauses.resize(spec::kClauseCount);
   c.sections.push_back({});
   SectionResult& s = c.sections.back();

@@ -1,17 +1,22 @@
 // A controller that is right until it is told not to be: `toolcomp_faulty_controller FAULT [TEXT]` answers with the
-// fast engine and commits FAULT in every case whose program contains TEXT (without TEXT: in every case).
+// fast engine and commits FAULT in every case whose program contains TEXT (without TEXT: in every case). `seventh-…`
+// commits it in every seventh case that its process is asked, `sometimes-…` in about half of them, by chance.
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "certify/serve.h"
 #include "spec/language/input_error.h"
+#include "tests/support/controllers/wrong_events.h"
 
 namespace {
 
@@ -44,7 +49,11 @@ std::string hello(const std::string& fault, const std::string& request) {
   json["name"] = "faulty controller";
   if (fault == "less-than-minimum") json["fields"] = {"kind", "line", "type"};
   if (fault == "no-type") std::erase(json["fields"].get_ref<Json::array_t&>(), Json("type"));
-  if (fault == "coarse") json["resolution"] = "0.001";
+  if (fault == "coarse") json["resolution"] = {{"mm", "0.001"}, {"inch", "0.001"}, {"degrees", "0.001"}};
+  if (fault == "coarse-rounding") {
+    json["resolution"] = "0.001";
+    json["rounding"] = "nearest";
+  }
   if (fault == "very-coarse") json["resolution"] = "0.05";
   if (fault == "very-coarse-inch") {
     json["resolution"] = "0.001";
@@ -81,13 +90,30 @@ bool commit(const std::string& fault, Json& json) {
     json["id"] = "somebody else's";
   } else if (fault == "no-events") {
     json.erase("events");
+  } else if (const auto lie = toolcomp::test::lies().find(fault); lie != toolcomp::test::lies().end()) {
+    lie->second(events);
+  } else if (fault == "previous") {
+    static Json before = Json::array();
+    std::swap(before, events);
+  } else if (fault == "duplicate-keys") {
+    std::string text = json.dump();
+    text.insert(1, R"("id":"another",)");
+    std::cout << text << '\n' << std::flush;
+    return false;
+  } else if (fault == "error") {
+    json.erase("events");
+    json["error"] = "servo not ready";
+  } else if (fault == "chatter") {
+    std::cout << "axes ready\n";
+  } else if (fault == "not-a-number") {
+    if (Json* z = last_z(events)) *z = "nan";
   } else if (fault == "missing-field" || fault == "no-type") {
     for (Json& event : events) event.erase("type");
   } else if (fault == "missing-axes") {
     for (Json& event : events) event.erase("axes");
   } else if (fault == "two-lines") {
     std::cout << json.dump() << '\n';
-  } else if (fault == "coarse") {
+  } else if (fault == "coarse" || fault == "coarse-rounding") {
     // Truncates to its resolution, as a display does.
     for (Json& event : events)
       for (const char* field : {"programmed", "point", "axes", "machine"})
@@ -100,19 +126,42 @@ bool commit(const std::string& fault, Json& json) {
   return true;
 }
 
+// Whether the fault is committed now, and without its prefix.
+bool is_due(std::string& fault, std::uint64_t cases) {
+  constexpr std::uint64_t kSeventh = 7;
+  constexpr std::string_view kByCount = "seventh-";
+  constexpr std::string_view kByChance = "sometimes-";
+  if (fault.starts_with(kByCount)) {
+    fault.erase(0, kByCount.size());
+    return cases % kSeventh == 0;
+  }
+  if (fault.starts_with(kByChance)) {
+    fault.erase(0, kByChance.size());
+    return std::random_device{}() % 2 == 0;
+  }
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string fault = argc > 1 ? argv[1] : "none";
+  const std::string given = argc > 1 ? argv[1] : "none";
   const std::string text = argc > 2 ? argv[2] : "";
+  std::uint64_t cases = 0;
   std::string line;
   while (std::getline(std::cin, line)) {
     const Json request = Json::parse(line);
     if (request.contains("hello")) {
-      std::cout << hello(fault, line) << std::endl;
+      std::cout << hello(given, line) << std::endl;
       continue;
     }
-    Json json = Json::parse(answer(ServedEngine::fast, line));
+    Json asked = request;
+    if (const auto other = toolcomp::test::other_requests().find(given);
+        other != toolcomp::test::other_requests().end())
+      other->second(asked);
+    Json json = Json::parse(answer(ServedEngine::fast, asked.dump()));
+    std::string fault = given;
+    if (!is_due(fault, ++cases)) fault = "none";
     if (request["program"].get<std::string>().find(text) == std::string::npos || commit(fault, json))
       std::cout << json.dump() << std::endl;
   }

@@ -1,0 +1,38 @@
+// The numbers of events, in a row: what came beside what was expected.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "spec/language/event.h"
+
+namespace toolcomp::certify {
+
+using Events = std::vector<spec::Event<double>>;
+
+// One number of an event.
+struct EventValue {
+  std::size_t event = 0;
+  std::string_view field;
+  char letter = 0;  // of an axis or a component; 0: the field is one number
+  double number = 0;
+};
+std::vector<EventValue> values_of(const Events& events, const spec::Axes& axes);
+
+// The same number as it was expected and as it came.
+struct ValuePair {
+  EventValue expected;
+  double actual = 0;
+};
+// All pairs; nothing where the events are not the same in number, kind, words and fields. A field that comes nowhere is
+// one that is not announced; an axis that what came has not, one that is not read.
+std::optional<std::vector<ValuePair>> pairs_of(const Events& expected, const spec::Axes& expected_axes,
+                                               const Events& actual, const spec::Axes& axes);
+inline std::optional<std::vector<ValuePair>> pairs_of(const Events& expected, const Events& actual,
+                                                      const spec::Axes& axes) {
+  return pairs_of(expected, axes, actual, axes);
+}
+
+}  // namespace toolcomp::certify

@@ -1,0 +1,147 @@
+// What was found is there, whatever ended the run: a signal, a kill, a limit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <string>
+
+#include "tests/command_line/command.h"
+
+namespace {
+
+using toolcomp::test::command;
+using toolcomp::test::Folder;
+using toolcomp::test::Outcome;
+using toolcomp::test::read;
+using toolcomp::test::toolcomp;
+using Json = nlohmann::json;
+
+const std::string kFaulty = TOOLCOMP_BINARY_DIR "/toolcomp_faulty_controller ";
+const std::string kSection = " --section fanuc/tool-length-offset ";
+
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  if (std::filesystem::is_directory(folder))
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path().string());
+  std::ranges::sort(files);
+  return files;
+}
+
+// A controller that drops events and after some answers sends the signal to the command that runs it.
+struct Ending {
+  const Folder folder;
+  const std::string report = folder.path("r");
+  std::string controller(int signal) const {
+    const std::string script =
+        kFaulty + "drop-event | while IFS= read -r line; do n=$((n + 1)); printf '%s\\n' \"$line\"; " +
+        "if [ $n = 40 ]; then kill -" + std::to_string(signal) + " $(cat " + folder.path("command") + "); fi; done\n";
+    return "sh " + folder.write("controller", script);
+  }
+  Outcome run(const std::string& verb, int signal) const {
+    return toolcomp(verb + " --controller '" + controller(signal) + "'" + kSection,
+                    "sh -c 'echo $$ >" + folder.path("command") + "; exec \"$@\"' sh ");
+  }
+};
+
+class EndedBy : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Signals, EndedBy, testing::Values(SIGINT, SIGTERM));
+
+TEST_P(EndedBy, ASignalCertifyWritesWhatItHas) {
+  const Ending ending;
+  const Outcome outcome = ending.run("certify --cases 300 --report " + ending.report, GetParam());
+  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find(" not run: interrupted (SIG"), std::string::npos) << outcome.out;
+  const Json certificate = Json::parse(read(ending.report + "/certificate.json"));
+  EXPECT_NE(certificate["interrupted"], "");
+  EXPECT_GT(certificate["cases_not_run"], 100);
+  EXPECT_FALSE(certificate["findings"].empty());
+  EXPECT_NE(read(ending.report + "/index.html").find("interrupted (SIG"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(ending.report + "/running.json"));
+  for (const std::string& file : files_in(ending.report + "/findings"))
+    EXPECT_EQ(toolcomp("replay " + file + " --controller '" + kFaulty + "drop-event'").status, 1) << file;
+}
+
+TEST(Kill, CertifyLosesNoFindingAndSaysSo) {
+  const Ending ending;
+  const Outcome outcome = ending.run("certify --cases 300 --report " + ending.report, SIGKILL);
+  EXPECT_EQ(outcome.status, 128 + SIGKILL);
+  const std::vector<std::string> findings = files_in(ending.report + "/findings");
+  ASSERT_FALSE(findings.empty());
+  for (const std::string& file : findings)
+    EXPECT_EQ(toolcomp("replay " + file + " --controller '" + kFaulty + "drop-event'").status, 1) << file;
+  const std::string kept = read(findings.front());
+  // The next run says so, and keeps them.
+  const Outcome next =
+      toolcomp("certify --cases 5 --controller '" + kFaulty + "none'" + kSection + "--report " + ending.report);
+  EXPECT_NE(next.err.find("ended without a report"), std::string::npos) << next.err;
+  EXPECT_NE(next.err.find("its findings are in " + ending.report + "/interrupted-1"), std::string::npos) << next.err;
+  ASSERT_EQ(files_in(ending.report + "/interrupted-1").size(), findings.size());
+  EXPECT_EQ(read(files_in(ending.report + "/interrupted-1").front()), kept);
+  // And the one after that has nothing to say.
+  const Outcome last =
+      toolcomp("certify --cases 5 --controller '" + kFaulty + "none'" + kSection + "--report " + ending.report);
+  EXPECT_EQ(last.err.find("ended without a report"), std::string::npos) << last.err;
+}
+
+TEST(Kill, FuzzLosesNoFindingAndSaysSo) {
+  const Ending ending;
+  const std::string fuzz = "fuzz --runs 400 --findings " + ending.report;
+  EXPECT_EQ(ending.run(fuzz, SIGKILL).status, 128 + SIGKILL);
+  const std::vector<std::string> before = files_in(ending.report);
+  const auto is_finding = [](const std::string& file) { return file.find("running.json") == std::string::npos; };
+  ASSERT_GT(std::ranges::count_if(before, is_finding), 0);
+  const Outcome next = toolcomp(fuzz + " --controller '" + kFaulty + "drop-event'" + kSection);
+  EXPECT_EQ(next.status, 1);
+  EXPECT_NE(next.err.find("ended without a report"), std::string::npos) << next.err;
+  // Nothing found earlier is written over, and each finding asks its controller again.
+  const std::vector<std::string> after = files_in(ending.report);
+  for (const std::string& file : before)
+    EXPECT_TRUE(!is_finding(file) || std::ranges::find(after, file) != after.end()) << file;
+  EXPECT_GT(after.size() + 1, before.size());
+  std::size_t replayed = 0;
+  for (const std::string& file : after)
+    if (std::ranges::find(before, file) == before.end()) {
+      const Outcome again = toolcomp("replay " + file);
+      EXPECT_EQ(again.status, 1) << file << again.err;
+      EXPECT_NE(again.err.find("asked: " + kFaulty), std::string::npos) << again.err;
+      ++replayed;
+    }
+  EXPECT_GT(replayed, 0U);
+}
+
+TEST(TimeLimit, WhatIsLeftIsCounted) {
+  const Folder folder;
+  const Outcome outcome = toolcomp("certify --time-limit 1s --cases 20000 --controller '" + kFaulty + "none'" +
+                                   kSection + "--report " + folder.path("r"));
+  EXPECT_EQ(outcome.status, 3) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("not decided: time limit of 1 s"), std::string::npos) << outcome.out;
+  EXPECT_EQ(toolcomp("certify --time-limit soon --controller x").status, 2);
+}
+
+// Two runs do not share a folder.
+TEST(Report, IsOneRunsAtATime) {
+  const Folder folder;
+  const std::string report = folder.path("r");
+  const std::string slow = "sh " + folder.write("slow", "sleep 3; exec " + kFaulty + "none\n");
+  const Outcome outcome = command(
+      "(" TOOLCOMP_BINARY_DIR "/toolcomp certify --cases 1 --controller '" + slow + "'" + kSection + "--report " +
+      report + " >/dev/null 2>&1 &) ; sleep 1; " TOOLCOMP_BINARY_DIR "/toolcomp certify --cases 1 --controller '" +
+      kFaulty + "none'" + kSection + "--report " + report);
+  EXPECT_EQ(outcome.status, 2) << outcome.out;
+  EXPECT_NE(outcome.err.find("is at work there"), std::string::npos) << outcome.err;
+}
+
+// A controller is found again from another folder.
+TEST(Replay, RunsTheControllerWhereItWasRun) {
+  const Folder folder;
+  static_cast<void>(folder.write("controller", "exec " + kFaulty + "drop-event\n"));
+  const Outcome outcome =
+      command("cd " + folder.path("") +
+              " && " TOOLCOMP_BINARY_DIR "/toolcomp certify --cases 10 --controller 'sh ./controller'" + kSection);
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  const std::vector<std::string> findings = files_in(folder.path("report/findings"));
+  ASSERT_FALSE(findings.empty());
+  EXPECT_EQ(toolcomp("replay " + findings.front()).status, 1);
+}
+
+}  // namespace

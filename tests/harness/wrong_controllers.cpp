@@ -1,0 +1,107 @@
+// Controllers that are wrong in one way, each asked cases of every section: each is found, its findings stand in three
+// groups at most, the first of which names the mistake where it is one of those that have a name, and replay sees it
+// again.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "certify/campaign.h"
+#include "certify/replay.h"
+#include "certify/report.h"
+#include "certify/selection.h"
+#include "fuzz/gen/generator.h"
+#include "tests/support/controllers/wrong_events.h"
+
+namespace toolcomp::certify {
+namespace {
+
+constexpr std::size_t kCases = 5;  // a section
+constexpr std::size_t kMostGroups = 3;
+// Of those that are waited for.
+constexpr std::size_t kCasesOfHangs = 12;
+constexpr std::chrono::milliseconds kTimeout{300};
+
+// The same cases for all of them.
+const std::vector<CaseInput>& cases() {
+  static const std::vector<CaseInput> all = [] {
+    std::vector<CaseInput> inputs;
+    for (const std::string_view section : fuzz::sections())
+      for (spec::Case& c : select_cases(section, 3, kCases).cases) inputs.push_back({std::move(c), Origin::generated});
+    return inputs;
+  }();
+  return all;
+}
+
+CampaignOptions options(const std::string& fault) {
+  CampaignOptions o;
+  o.controller = std::string("'") + TOOLCOMP_BINARY_DIR + "/toolcomp_faulty_controller' " + fault;
+  o.cases = cases();
+  if (fault.find("hang") != std::string::npos) o.cases.resize(kCasesOfHangs);
+  o.generated = 0;
+  o.shrink_runs = 0;
+  o.timeout = fault.find("hang") != std::string::npos || fault == "rubbish" ? kTimeout : 10 * kTimeout;
+  return o;
+}
+
+struct Wrong {
+  std::string fault;
+  std::string named;  // how the first cause begins; empty: by whatever name
+};
+class Controllers : public testing::TestWithParam<Wrong> {};
+
+TEST_P(Controllers, AreFoundInFewGroups) {
+  const CampaignOptions asked = options(GetParam().fault);
+  const Certificate c = certify(asked);
+  EXPECT_EQ(exit_status(c), 1);
+  ASSERT_FALSE(c.findings.empty());
+  ASSERT_FALSE(c.causes.empty());
+  std::string causes;
+  for (const SharedCause& cause : c.causes) causes += fmt::format("{} ({})\n", cause.words, cause.findings.size());
+  EXPECT_LE(c.causes.size(), kMostGroups) << causes;
+  EXPECT_TRUE(c.causes.front().words.starts_with(GetParam().named)) << causes;
+  const auto folder = std::filesystem::path(testing::TempDir()) / ("toolcomp-wrong-" + GetParam().fault);
+  const auto paths = write_report(c, folder);
+  for (std::size_t i = 0; i < std::min<std::size_t>(paths.size(), 2); ++i) {
+    ReplayOptions how;
+    how.timeout = asked.timeout;
+    EXPECT_EQ(replay(paths[i], how).judgement.result, Result::differs) << paths[i];
+  }
+  std::filesystem::remove_all(folder);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, Controllers,
+    testing::Values(
+        Wrong{"constant-x", "X of every position is off by 1e-06"},
+        Wrong{"constant-z", "Z of every position is off by -0.25"}, Wrong{"bias", "every position is off by 1e-05"},
+        Wrong{"scaled-z", "Z of every position is scaled by 1.0001"}, Wrong{"inches", "every linear axis is in inches"},
+        Wrong{"radians", "every rotary axis is in radians"}, Wrong{"sign-y", "Y of every position has the other sign"},
+        Wrong{"rotary-sense", "every rotary axis has the other sign"},
+        Wrong{"rounded-3", "positions look rounded to 3 decimals, to nearest"},
+        Wrong{"down-2", "positions look rounded to 2 decimals, down"},
+        Wrong{"truncated-4", "positions look rounded to 4 decimals, toward zero"}, Wrong{"huge", ""},
+        Wrong{"zero", "every position is always 0"}, Wrong{"exchanged", "X and Y are exchanged"},
+        Wrong{"late", "positions come a block late"}, Wrong{"feed", "feed is scaled by 60"},
+        Wrong{"no-feed", "feed is always 0"}, Wrong{"sweep", "sweep has the other sign"},
+        Wrong{"tool-axis", "tool_axis has the other sign"}, Wrong{"line", "lines are one too high"},
+        Wrong{"sequence", ""}, Wrong{"rapid", "type is always rapid"}, Wrong{"cause", ""}, Wrong{"direction", ""},
+        Wrong{"plane", ""}, Wrong{"alarm", "number is always PS0001"}, Wrong{"no-alarm", ""}, Wrong{"alarm-alone", ""},
+        Wrong{"no-settings", ""}, Wrong{"no-corners", ""}, Wrong{"nothing", "all events are missing"},
+        Wrong{"drop-last", "the last event is missing"}, Wrong{"twice", "the last event comes twice"},
+        Wrong{"reversed", "events come in reverse order"}, Wrong{"offset-sign", ""}, Wrong{"no-offsets", ""},
+        Wrong{"sides", ""}, Wrong{"previous", "the answer is that of the case before"},
+        Wrong{"duplicate-keys", "malformed reply"}, Wrong{"seventh-exit", "crash"}, Wrong{"sometimes-drop-last", ""},
+        Wrong{"not-a-number", "malformed reply"}, Wrong{"error", "error"}, Wrong{"hang", "hang"},
+        Wrong{"hello-hang", "hang"}, Wrong{"rubbish", "malformed reply"}, Wrong{"wrong-id", "malformed reply"},
+        Wrong{"two-lines", "malformed reply"}, Wrong{"missing-axes", "missing field: axes"}),
+    [](const auto& test) {
+      std::string name = test.param.fault;
+      std::ranges::replace(name, '-', '_');
+      return name;
+    });
+
+}  // namespace
+}  // namespace toolcomp::certify
