@@ -17,7 +17,9 @@ bool is_never_sent(const Finding& finding, const Capabilities& able, const Answe
 }
 
 std::uint64_t tries_for(const Finding& finding) {
-  if (finding.seen >= finding.tried) return 1;
+  // It may have come every time by chance.
+  constexpr std::uint64_t kLeast = 3;
+  if (finding.seen >= finding.tried) return finding.controller.empty() ? 1 : kLeast;
   constexpr std::uint64_t kMost = 50;
   return std::min(kMost, 3 * finding.tried / std::max<std::uint64_t>(finding.seen, 1));
 }

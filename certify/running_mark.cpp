@@ -52,7 +52,8 @@ std::optional<RunningMark::Earlier> read_mark(const fs::path& file) {
 }  // namespace
 
 RunningMark::RunningMark(const fs::path& folder, std::string command)
-    : file_(folder / "running.json"),
+    : made_folder_(!fs::exists(folder)),
+      file_(folder / "running.json"),
       command_(std::move(command)),
       begun_(fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))),
       earlier_(read_mark(file_)) {
@@ -62,6 +63,7 @@ RunningMark::RunningMark(const fs::path& folder, std::string command)
 RunningMark::~RunningMark() {
   std::error_code none;
   fs::remove(file_, none);
+  if (made_folder_) fs::remove(file_.parent_path(), none);
 }
 
 void RunningMark::progress(std::uint64_t done, std::uint64_t all) {

@@ -32,6 +32,7 @@ class RunningMark {
  private:
   void write(std::uint64_t done, std::uint64_t all);
 
+  bool made_folder_ = false;  // then it goes with the mark, if nothing else is in it
   std::filesystem::path file_;
   std::string command_;
   std::string begun_;

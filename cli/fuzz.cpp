@@ -97,6 +97,7 @@ bool collect(const fs::path& folder, const std::string& section, fuzz::CampaignR
     finding.input.section = section;
     finding.input.id = name;
     finding.difference.kind = name.substr(0, name.find('-'));
+    finding.difference.actual = "ended at this input";
     finding.executions = 1;
     sum.findings.push_back(finding);
   }
@@ -202,6 +203,7 @@ int fuzz(const FuzzOptions& options) {
     const Progress progress("executions");
     fuzz::CampaignResult sum;
     for (const fuzz::Mode mode : {fuzz::Mode::directed, fuzz::Mode::unrestricted}) {
+      if (!stop.why().empty()) break;
       const fuzz::CampaignResult result = clang ? clang_targets(section, mode, plan, options, stop)
                                                 : built_in(section, mode, plan, options, findings, stop);
       print_summary(section, mode, result, clang);

@@ -91,10 +91,11 @@ TEST_F(Replay, WhatIsNoFinding) {
   refused("program.h", "0 BEGIN PGM A MM\nL X+1\n", "program.h:1:3:");
   refused("program.nc", "G90 G00 X1.\n", "program.nc:1:1:");
   refused("cut.json", good.substr(0, good.find("DR2")), "cut.json:9:");
-  refused("two.json", replaced(good, "\"finding\": 1", "\"finding\": 2"), "two.json:1:13: finding must be 1");
-  refused("line.json", replaced(good, "\"line\": 2", "\"line\": \"2\""), "line.json:4:10: line must be a whole number");
-  refused("kind.json", replaced(good, "\"coordinate\"", "[]"), "kind.json:2:10: kind must be a string");
-  refused("key.json", replaced(good, "\"field\"", "\"fields\""), "key.json:5:12: unknown key \"fields\"");
+  refused("two.json", replaced(good, "\"finding\": 1", "\"finding\": 2"),
+          "two.json:1:13: finding: expected an integer from 1 to 1");
+  refused("line.json", replaced(good, "\"line\": 2", "\"line\": \"2\""), "line.json:4:10: line: expected a number");
+  refused("kind.json", replaced(good, "\"coordinate\"", "[]"), "kind.json:2:10: kind: expected a string");
+  refused("key.json", replaced(good, "\"field\"", "\"fields\""), "key.json:5:2: finding: unknown key \"fields\"");
   refused("none.json", "\n{\"finding\": 1}", "none.json:2:1: a finding needs a case");
   refused("table.json", "{\"finding\": 1,\n \"case\": 3}", "table.json:2:10: case: expected a table");
   refused("setup.json", replaced(good, "\"R2\"", "\"R3\""), "setup.json:9:");

@@ -165,7 +165,8 @@ TEST(Controller, AFaultByChanceIsKeptWithItsShare) {
   EXPECT_LT(seen, tried) << "all of them came every time, by a chance of less than a millionth";
   EXPECT_GT(seen, 0U);
   const auto paths = write_report(c, folder("sometimes"));
-  EXPECT_TRUE(replay(paths.front()).judgement.result == Result::differs || c.findings.front().seen == 0);
+  EXPECT_TRUE(
+      std::ranges::any_of(paths, [](const auto& path) { return replay(path).judgement.result == Result::differs; }));
 }
 
 // Found at once, and again where a smaller program shows the same: each time as a file that replay takes.
