@@ -157,7 +157,7 @@ class Campaign {
   };
 
   std::string why_to_stop() {
-    const std::string why = options_.stop ? options_.stop() : std::string();
+    std::string why = options_.stop ? options_.stop() : std::string();
     if (why.empty()) return why;
     const std::scoped_lock lock(mutex_);
     return certificate_.interrupted = why;

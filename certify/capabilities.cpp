@@ -62,7 +62,7 @@ AnnouncedResolution resolution_at(const Json& json, bool inch) {
   r.rounding = text_at(json, "rounding");
   constexpr std::array kRoundings{"", "nearest", "down", "toward zero"};
   if (std::ranges::find(kRoundings, r.rounding) == kRoundings.end())
-    fail("rounding must be \"nearest\", \"down\" or \"toward zero\"");
+    fail(R"(rounding must be "nearest", "down" or "toward zero")");
   const auto entry = json.find("resolution");
   if (entry == json.end() || entry->is_null()) return r;
   if (entry->is_object()) {

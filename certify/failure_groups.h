@@ -15,8 +15,8 @@ class FailureGroups {
  public:
   struct Group {
     std::uint64_t cases = 0;
-    std::size_t index = 0;                       // of the smallest, among all cases
-    std::pair<std::size_t, std::size_t> size{};  // its blocks and bytes
+    std::size_t index = 0;                     // of the smallest, among all cases
+    std::pair<std::size_t, std::size_t> size;  // its blocks and bytes
     Witness witness;
   };
 

@@ -404,6 +404,7 @@ Seen seen_in(const Finding& f) {
 
 std::vector<SharedCause> shared_causes(const std::vector<Finding>& findings) {
   std::vector<Seen> all;
+  all.reserve(findings.size());
   for (const Finding& f : findings) all.push_back(seen_in(f));
   std::vector<SharedCause> causes;
   for (const Hypothesis& h : hypotheses(all)) {

@@ -119,14 +119,15 @@ TEST(TimeLimit, WhatIsLeftIsCounted) {
 }
 
 // Two runs do not share a folder.
-TEST(Report, IsOneRunsAtATime) {
+TEST(Report, IsThatOfOneRunAtATime) {
   const Folder folder;
   const std::string report = folder.path("r");
-  const std::string slow = "sh " + folder.write("slow", "sleep 3; exec " + kFaulty + "none\n");
-  const Outcome outcome = command(
-      "(" TOOLCOMP_BINARY_DIR "/toolcomp certify --cases 1 --controller '" + slow + "'" + kSection + "--report " +
-      report + " >/dev/null 2>&1 &) ; sleep 1; " TOOLCOMP_BINARY_DIR "/toolcomp certify --cases 1 --controller '" +
-      kFaulty + "none'" + kSection + "--report " + report);
+  const std::string slow = "sh " + folder.write("slow", "sleep 4; exec " + kFaulty + "none\n");
+  const std::string certify =
+      TOOLCOMP_BINARY_DIR "/toolcomp certify --cases 1" + kSection + "--report " + report + " --controller ";
+  const Outcome outcome = command("(" + certify + "'" + slow + "' >/dev/null 2>&1 & until [ -e " + report +
+                                  "/running.json ]; do sleep 0.1; done; " + certify + "'" + kFaulty +
+                                  "none'; status=$?; wait; exit $status)");
   EXPECT_EQ(outcome.status, 2) << outcome.out;
   EXPECT_NE(outcome.err.find("is at work there"), std::string::npos) << outcome.err;
 }

@@ -64,7 +64,8 @@ TEST_P(Controllers, AreFoundInFewGroups) {
   EXPECT_TRUE(c.causes.front().words.starts_with(GetParam().named)) << causes;
   const auto folder = std::filesystem::path(testing::TempDir()) / ("toolcomp-wrong-" + GetParam().fault);
   const auto paths = write_report(c, folder);
-  for (std::size_t i = 0; i < std::min<std::size_t>(paths.size(), 2); ++i) {
+  const bool by_chance = GetParam().fault.starts_with("sometimes");
+  for (std::size_t i = 0; i < std::min<std::size_t>(paths.size(), 2) && !by_chance; ++i) {
     ReplayOptions how;
     how.timeout = asked.timeout;
     EXPECT_EQ(replay(paths[i], how).judgement.result, Result::differs) << paths[i];
