@@ -27,9 +27,9 @@ struct Replay {
   [[nodiscard]] bool reproduced() const { return judgement.result == Result::differs && key == finding.key; }
 };
 
-// Asks a fresh process what the finding was asked, all before it included, and judges the answer: until it differs, three
-// times, or where it did not come every time three times as often as it should take. Throws spec::InputError for a file that
-// is no finding or case.
+// Asks a fresh process what the finding was asked, all before it included, and judges the answer: until it differs,
+// three times, or where it did not come every time three times as often as it should take. Throws spec::InputError for
+// a file that is no finding or case.
 Replay replay(const std::filesystem::path& file, const ReplayOptions& options = {});
 
 }  // namespace toolcomp::certify

@@ -152,8 +152,7 @@ void print(const certify::SectionResult& s) {
 void print(const certify::Finding& finding, const fs::path& file) {
   fmt::print("\nFINDING {} {} ({} cases, first {}{})\n  {}\n{}  toolcomp replay {}\n", finding.key.kind,
              finding.key.clause, finding.occurrences, finding.first_case, certify::how_it_comes(finding),
-             certify::explanation(finding),
-             finding.smallest.program, file.string());
+             certify::explanation(finding), finding.smallest.program, file.string());
 }
 
 void print(const certify::Certificate& certificate, const std::vector<fs::path>& findings, const std::string& report,

@@ -211,7 +211,8 @@ TEST(Adapters, ACaseMayNotApply) {
                               "\n");
   const Outcome outcome =
       toolcomp("certify --controller '" + controller + "' " + cases + " --report " + folder.path("report"));
-  EXPECT_NE(outcome.out.find("fanuc/tool-length-offset           not applicable"), std::string::npos) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("fanuc/tool-length-offset           not applicable"), std::string::npos)
+      << outcome.out << outcome.err;
   const json certificate = json::parse(read(folder.path("report/certificate.json")));
   EXPECT_EQ(certificate.at("sections").at(0).at("results").at("not applicable"), 1);
 }
