@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <filesystem>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -14,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "certify/asked.h"
 #include "certify/convert.h"
 #include "certify/event_fields.h"
 #include "certify/evidence.h"
@@ -35,8 +35,6 @@ constexpr unsigned kHangsInARow = 2;
 constexpr unsigned kFaultsInARow = 20;
 // And after so many hangs in all: each is waited for.
 constexpr unsigned kMostHangs = 20;
-// Of what the process was asked before a failure, so many requests are kept.
-constexpr std::size_t kMostBefore = 10'000;
 // Cases with fewer events judged are counted apart.
 constexpr std::uint64_t kFewestEvents = 3;
 constexpr std::size_t kMostUnsettled = 100;
@@ -49,7 +47,6 @@ struct CaseResult {
   std::string section;
   std::string setup;  // JSON
   fuzz::Verdict verdict;
-  FailureKey key;
   std::string id;
   std::string why;
   std::string picture;
@@ -66,9 +63,7 @@ FastEvents drawn_events(const spec::Case& c, const fuzz::ModelRun& run) {
   spec::Case sampled = c;
   sampled.samples = kSamples;
   const bool again = moves_the_control_point && c.samples < kSamples;
-  FastEvents events;
-  for (const model::Event& event : (again ? fuzz::run_model(sampled) : run).events) events.push_back(in_double(event));
-  return events;
+  return in_doubles((again ? fuzz::run_model(sampled) : run).events);
 }
 
 // The exact path, drawn.
@@ -127,32 +122,13 @@ class Campaign {
     }
   };
 
-  // The cases that the process of one worker has been asked, by index.
-  class Asked {
-   public:
-    void ask(const Subject& subject, std::size_t index) {
-      if (subject.starts() != starts_) cases_.clear();
-      starts_ = subject.starts();
-      cases_.push_back(index);
-    }
-    // Without the last.
-    [[nodiscard]] std::span<const std::size_t> before() const {
-      const auto all = std::span(cases_).first(cases_.size() - 1);
-      return all.last(std::min(all.size(), kMostBefore));
-    }
-
-   private:
-    std::uint64_t starts_ = 0;
-    std::vector<std::size_t> cases_;
-  };
-
   // Thrown where cases are still being chosen.
   struct Stopped {};
 
   // What one worker has.
   struct Work {
     Subject& subject;
-    Asked asked;
+    Asked<std::size_t> asked;  // by index
     std::vector<model::ClauseCount> clauses = std::vector<model::ClauseCount>(spec::kClauseCount);
   };
 
@@ -230,13 +206,7 @@ class Campaign {
     return {options_.shrink_runs, options_.timeout, [this] { return !why_to_stop().empty(); }};
   }
 
-  Finding signed_by_us(Finding f) const {
-    f.controller = options_.controller;
-    if (!f.controller.empty()) f.directory = std::filesystem::current_path().string();
-    f.seed = std::to_string(options_.seed);
-    f.tool = certificate_.identity.tool;
-    return f;
-  }
+  Finding signed_by_us(Finding f) const { return signed_finding(std::move(f), options_.controller, options_.seed); }
 
   void run_all(Subject& first) {
     std::vector<std::jthread> helpers;
@@ -303,16 +273,16 @@ class Campaign {
     std::optional<std::chrono::milliseconds> patience;
     if (faults.hangs > 0) patience = short_patience(work.subject, options_.timeout);
     const Answer answer = work.subject.run(c, patience);
-    work.asked.ask(work.subject, index);
+    work.asked.add(work.subject, index);
     Judgement j = judge_answer(capabilities, c, run, answer);
     r.result = j.result;
     r.sent = answer.sent;
     // What is missing where something differs is part of that finding.
     const bool agrees = j.result == Result::agrees || j.result == Result::partly_judged;
     if (agrees && std::holds_alternative<TextEvents>(answer.result)) r.due = fields_of(run);
-    r.key = key_of(c, j);
-    faults.count(r.key, j.result == Result::differs && is_fault(r.key));
-    if (j.result == Result::differs) keep(work, c, j, answer, index);
+    const FailureKey key = key_of(c, j);
+    faults.count(key, j.result == Result::differs && is_fault(key));
+    if (j.result == Result::differs) keep(work, key, {c, j, events_in_double(answer), {}}, index);
     r.why = std::move(j.why);
     r.setup = spec::write_setup_json(c.setup);
     if (index < kMostPictures && r.origin == Origin::own) r.picture = picture_of(c, run);
@@ -322,14 +292,12 @@ class Campaign {
   }
 
   // The smallest of its group is kept with all that was seen, and told at once.
-  void keep(const Work& work, const spec::Case& c, const Judgement& j, const Answer& answer, std::size_t index) {
+  void keep(const Work& work, const FailureKey& key, Witness witness, std::size_t index) {
     if (!why_to_stop().empty()) return;
-    const FailureKey key = key_of(c, j);
     {
       const std::scoped_lock lock(mutex_);
-      if (!groups_.add(key, index, c.program)) return;
+      if (!groups_.add(key, index, witness.c.program)) return;
     }
-    Witness witness{c, j, events_in_double(answer), {}};
     if (witness.judgement.errors.empty()) witness.judgement.errors = work.subject.errors();
     if (work.subject.starts() > 0)
       for (const std::size_t earlier : work.asked.before()) witness.before.push_back(case_at(earlier).c);
@@ -469,7 +437,7 @@ class Campaign {
       f.line = event->line;
       if (!event->clauses.empty()) f.key.clause = spec::info(event->clauses.back()).id;
     }
-    for (const model::Event& e : run.events) f.expected_events.push_back(certify::in_double(e));
+    f.expected_events = in_doubles(run.events);
     f.subject = certificate_.subject;
     return signed_by_us(std::move(f));
   }

@@ -224,11 +224,9 @@ milliseconds short_patience(const Subject& subject, milliseconds timeout) {
 }
 
 std::vector<spec::Event<double>> events_in_double(const Answer& answer) {
-  std::vector<spec::Event<double>> events;
   if (const auto* fast = std::get_if<FastEvents>(&answer.result)) return *fast;
-  if (const auto* text = std::get_if<TextEvents>(&answer.result))
-    for (const spec::TextEvent& event : *text) events.push_back(in_double(event));
-  return events;
+  const auto* text = std::get_if<TextEvents>(&answer.result);
+  return text == nullptr ? std::vector<spec::Event<double>>{} : in_doubles(*text);
 }
 
 Answer ask_fresh(Subject& subject, const std::vector<spec::Case>& before, const spec::Case& c,
@@ -249,7 +247,7 @@ Finding as_seen(const Capabilities& capabilities, const Witness& witness) {
   f.before = witness.before;
   f.status = witness.judgement.status;
   f.errors = witness.judgement.errors;
-  for (const model::Event& event : fuzz::run_model(f.smallest).events) f.expected_events.push_back(in_double(event));
+  f.expected_events = in_doubles(fuzz::run_model(f.smallest).events);
   f.actual_events = witness.answer;
   if (const auto& d = witness.judgement.difference) {
     f.line = d->line;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -127,6 +128,14 @@ Finding read_finding(std::string_view text, const std::string& file) {
     read.expect(*before, Kind::array, "before");
     for (const Node& item : before->items) finding.before.push_back(spec::case_from(item, read));
   }
+  return finding;
+}
+
+Finding signed_finding(Finding finding, const std::string& controller, std::uint64_t seed) {
+  finding.controller = controller;
+  if (!controller.empty()) finding.directory = std::filesystem::current_path().string();
+  finding.seed = std::to_string(seed);
+  finding.tool = std::string("toolcomp ") + TOOLCOMP_VERSION;
   return finding;
 }
 

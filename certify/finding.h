@@ -49,6 +49,9 @@ std::string write_finding(const Finding& finding);
 // Reads a finding, or a bare case as a finding without a kind. Throws spec::InputError; unknown keys are errors.
 Finding read_finding(std::string_view text, const std::string& file);
 
+// With what it was found by: this build, in this folder, with that command and seed.
+Finding signed_finding(Finding finding, const std::string& controller, std::uint64_t seed);
+
 // The command run in a folder; in this one, if that is empty.
 std::string command_in(const std::string& directory, const std::string& command);
 

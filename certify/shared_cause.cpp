@@ -182,57 +182,56 @@ void add_late(Hypotheses& out) {
                  }});
 }
 
-// Whether with `kept` alone of the events expected, those are what came.
-bool came(const Seen& seen, const std::function<bool(const spec::Event<double>&, std::size_t)>& kept) {
+// Whether these events are what came.
+bool came(const Seen& seen, const Events& events, const spec::Axes& axes) {
   if (seen.fault) return false;
-  Events expected;
-  for (std::size_t i = 0; i < seen.finding.expected_events.size(); ++i)
-    if (kept(seen.finding.expected_events[i], i)) expected.push_back(seen.finding.expected_events[i]);
-  const auto pairs = pairs_of(expected, seen.finding.actual_events, seen.finding.smallest.setup.axes);
-  return pairs &&
-         std::ranges::all_of(*pairs, [&seen](const ValuePair& p) { return seen.same(p.actual, p.expected.number); });
+  const auto pairs = pairs_of(events, axes, seen.finding.actual_events, seen.finding.smallest.setup.axes);
+  return pairs && std::ranges::all_of(
+                      *pairs, [&](const ValuePair& pair) { return seen.same(pair.actual, pair.expected.number); });
+}
+
+// Whether what the model says of the case is what came.
+bool came(const Seen& seen, const spec::Case& c) {
+  if (seen.fault) return false;
+  try {
+    return came(seen, in_doubles(fuzz::run_model(c).events), c.setup.axes);
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+// Whether it is the events expected, once they are changed.
+bool came_changed(const Seen& seen, const std::function<void(Events&)>& change) {
+  Events events = seen.finding.expected_events;
+  change(events);
+  return came(seen, events, seen.finding.smallest.setup.axes);
 }
 
 void add_left_out(Hypotheses& out) {
   using Event = spec::Event<double>;
-  const auto add = [&out](const std::string& words,
-                          const std::function<bool(const Event&, const Seen&, std::size_t)>& left) {
+  const auto add = [&out](const std::string& words, bool (*left)(const Event&)) {
     out.push_back({words, [left](const Seen& s) {
-                     return came(s, [&](const Event& e, std::size_t i) { return !left(e, s, i); });
+                     return came_changed(s, [left](Events& events) { std::erase_if(events, left); });
                    }});
   };
-  add("the last event is missing",
-      [](const Event&, const Seen& s, std::size_t i) { return i + 1 == s.finding.expected_events.size(); });
-  add("all events are missing", [](const Event&, const Seen&, std::size_t) { return true; });
-  add("alarms are missing", [](const Event& e, const Seen&, std::size_t) { return e.kind == spec::EventKind::alarm; });
-  add("events that are no moves are missing",
-      [](const Event& e, const Seen&, std::size_t) { return e.kind != spec::EventKind::move; });
-  add("samples are missing",
-      [](const Event& e, const Seen&, std::size_t) { return e.kind == spec::EventKind::sample; });
-  add("warnings are missing",
-      [](const Event& e, const Seen&, std::size_t) { return e.kind == spec::EventKind::warning; });
-  constexpr std::array kInserted{std::pair{spec::Cause::corner, "corner moves"},
-                                 std::pair{spec::Cause::start_up, "start-up moves"},
-                                 std::pair{spec::Cause::cancel, "cancel moves"}};
-  for (const auto& [cause, name] : kInserted)
-    add(std::string(name) + " are missing", [cause](const Event& e, const Seen&, std::size_t) {
-      return e.kind == spec::EventKind::move && e.cause == cause;
-    });
+  add("all events are missing", [](const Event&) { return true; });
+  add("alarms are missing", [](const Event& e) { return e.kind == spec::EventKind::alarm; });
+  add("events that are no moves are missing", [](const Event& e) { return e.kind != spec::EventKind::move; });
+  add("samples are missing", [](const Event& e) { return e.kind == spec::EventKind::sample; });
+  add("warnings are missing", [](const Event& e) { return e.kind == spec::EventKind::warning; });
+  add("corner moves are missing", [](const Event& e) { return e.cause == spec::Cause::corner; });
+  add("start-up moves are missing", [](const Event& e) { return e.cause == spec::Cause::start_up; });
+  add("cancel moves are missing", [](const Event& e) { return e.cause == spec::Cause::cancel; });
 }
 
-// Events that come twice, or in another order.
+// The last event twice or not at all, and events in another order.
 void add_orders(Hypotheses& out) {
-  const auto follows_order = [](const Seen& s, const std::function<void(Events&)>& change) {
-    if (s.fault) return false;
-    Events expected = s.finding.expected_events;
-    change(expected);
-    const auto pairs = pairs_of(expected, s.finding.actual_events, s.finding.smallest.setup.axes);
-    return pairs &&
-           std::ranges::all_of(*pairs, [&s](const ValuePair& p) { return s.same(p.actual, p.expected.number); });
+  const auto add = [&out](const char* words, void (*change)(Events&)) {
+    out.push_back({words, [change](const Seen& s) { return came_changed(s, change); }});
   };
-  const auto add = [&](const char* words, const std::function<void(Events&)>& change) {
-    out.push_back({words, [=](const Seen& s) { return follows_order(s, change); }});
-  };
+  add("the last event is missing", [](Events& events) {
+    if (!events.empty()) events.pop_back();
+  });
   add("the last event comes twice", [](Events& events) {
     if (!events.empty()) events.push_back(events.back());
   });
@@ -279,18 +278,9 @@ void exchange_sides(spec::Case& c) {
 
 // Whether the model gives what came, once the case is changed.
 bool comes_with(const Seen& seen, const Change& change) {
-  if (seen.fault) return false;
   spec::Case other = seen.finding.smallest;
   change(other);
-  Events events;
-  try {
-    for (const model::Event& event : fuzz::run_model(other).events) events.push_back(in_double(event));
-  } catch (const std::exception&) {
-    return false;
-  }
-  const auto pairs = pairs_of(events, seen.finding.actual_events, other.setup.axes);
-  return pairs &&
-         std::ranges::all_of(*pairs, [&seen](const ValuePair& p) { return seen.same(p.actual, p.expected.number); });
+  return came(seen, other);
 }
 
 void add_other_cases(Hypotheses& out) {
@@ -338,20 +328,8 @@ std::vector<std::string> words_of(const Finding& f) {
 
 // What came is what the case before asks for.
 void add_stale(Hypotheses& out) {
-  out.push_back({"the answer is that of the case before", [](const Seen& s) {
-                   if (s.fault || s.finding.before.empty()) return false;
-                   Events events;
-                   try {
-                     for (const model::Event& event : fuzz::run_model(s.finding.before.back()).events)
-                       events.push_back(in_double(event));
-                   } catch (const std::exception&) {
-                     return false;
-                   }
-                   const auto pairs = pairs_of(events, s.finding.before.back().setup.axes, s.finding.actual_events,
-                                               s.finding.smallest.setup.axes);
-                   return pairs && std::ranges::all_of(
-                                       *pairs, [&](const ValuePair& p) { return s.same(p.actual, p.expected.number); });
-                 }});
+  out.push_back({"the answer is that of the case before",
+                 [](const Seen& s) { return !s.finding.before.empty() && came(s, s.finding.before.back()); }});
 }
 
 Hypotheses hypotheses(const std::vector<Seen>& all) {
@@ -362,8 +340,8 @@ Hypotheses hypotheses(const std::vector<Seen>& all) {
     add_grids(seen, out);
   }
   add_late(out);
-  add_left_out(out);
   add_orders(out);
+  add_left_out(out);
   add_other_cases(out);
   add_stale(out);
   for (const Seen& seen : all)

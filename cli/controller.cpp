@@ -2,11 +2,11 @@
 
 #include <chrono>
 #include <cmath>
-#include <deque>
 #include <memory>
 #include <utility>
 #include <variant>
 
+#include "certify/asked.h"
 #include "certify/finding.h"
 #include "certify/judge.h"
 #include "certify/subject.h"
@@ -14,9 +14,6 @@
 
 namespace toolcomp::cli {
 namespace {
-
-// Of what a process was asked, so many requests are kept.
-constexpr std::size_t kMostBefore = 10'000;
 
 class Watched {
  public:
@@ -30,31 +27,22 @@ class Watched {
       judgement.result = certify::Result::not_applicable;
     } else {
       answer = subject_->run(c);
-      remember(c);
+      asked_.add(*subject_, c);
       judgement = certify::judge_answer(able_, c, run, answer);
     }
     if (judgement.result == certify::Result::differs && watch_.wants)
       if (const auto number = watch_.wants(certify::key_of(c, judgement), c.program))
-        watch_.keep(able_, *number,
-                    {c, judgement, certify::events_in_double(answer), {asked_.begin(), asked_.end() - 1}});
+        watch_.keep(able_, *number, {c, judgement, certify::events_in_double(answer), asked_.before()});
     if (judgement.difference) judgement.verdict.difference = judgement.difference;
     if (judgement.result == certify::Result::differs) judgement.verdict.outcome = fuzz::Outcome::differs;
     return judgement.verdict;
   }
 
  private:
-  void remember(const spec::Case& c) {
-    if (subject_->starts() != starts_) asked_.clear();
-    starts_ = subject_->starts();
-    asked_.push_back(c);
-    if (asked_.size() > kMostBefore + 1) asked_.pop_front();
-  }
-
   std::shared_ptr<certify::Subject> subject_;
   certify::Capabilities able_;
   Watch watch_;
-  std::uint64_t starts_ = 0;
-  std::deque<spec::Case> asked_;  // by the process, the last one included
+  certify::Asked<spec::Case> asked_;
 };
 
 }  // namespace

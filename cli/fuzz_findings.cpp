@@ -124,11 +124,7 @@ certify::Finding FuzzFindings::settled(const fuzz::Finding& found) const {
 }
 
 certify::Finding FuzzFindings::signed_by_us(certify::Finding finding) const {
-  finding.controller = options_.controller;
-  if (!finding.controller.empty()) finding.directory = fs::current_path().string();
-  finding.seed = std::to_string(options_.seed);
-  finding.tool = std::string("toolcomp ") + TOOLCOMP_VERSION;
-  return finding;
+  return certify::signed_finding(std::move(finding), options_.controller, options_.seed);
 }
 
 void FuzzFindings::write(const certify::Finding& finding) {
