@@ -24,6 +24,8 @@
 #include "certify/shrink.h"
 #include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/fanuc/without_effect.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -50,8 +52,9 @@ struct CaseResult {
   std::string id;
   std::string why;
   std::string picture;
-  spec::FieldSet sent;  // by the controller
-  spec::FieldSet due;   // as the model's events have them
+  std::set<std::string> without_effect;  // words
+  spec::FieldSet sent;                   // by the controller
+  spec::FieldSet due;                    // as the model's events have them
 };
 
 // What a picture shows of a run: inside blocks under tool center point control the tool turns, so the picture has
@@ -69,6 +72,19 @@ FastEvents drawn_events(const spec::Case& c, const fuzz::ModelRun& run) {
 // The exact path, drawn.
 std::string picture_of(const spec::Case& c, const fuzz::ModelRun& run) {
   return path_svg(drawn_events(c, run), c.setup.axes, path_options(c));
+}
+
+// Of a FANUC program, as far as it can be read.
+std::set<std::string> words_without_effect(const spec::Case& c) {
+  std::set<std::string> words;
+  auto reader = fuzz::FanucControl::reader(spec::text_source(c.program), c.setup, c.id);
+  spec::Block block;
+  try {
+    while (reader.next(block)) spec::add_words_without_effect(block, words);
+  } catch (const spec::InputError&) {
+    return words;
+  }
+  return words;
 }
 
 class Campaign {
@@ -286,6 +302,7 @@ class Campaign {
     r.why = std::move(j.why);
     r.setup = spec::write_setup_json(c.setup);
     if (index < kMostPictures && r.origin == Origin::own) r.picture = picture_of(c, run);
+    if (r.origin == Origin::own && c.setup.control == spec::Control::fanuc) r.without_effect = words_without_effect(c);
     r.verdict = std::move(j.verdict);
     add_counts(work.clauses, run.recorder.counts());
     return r;
@@ -349,7 +366,9 @@ class Campaign {
       const bool wide = r.result == Result::partly_judged;
       const Result result = wide && r.origin != Origin::own ? Result::agrees : r.result;
       ++s.results[static_cast<std::size_t>(result)];
-      s.wide_cases += wide ? 1 : 0;
+      s.cut_cases += wide && r.verdict.beyond ? 1 : 0;
+      s.cut_programs += wide && r.verdict.beyond && r.origin == Origin::own ? 1 : 0;
+      s.wide_cases += wide && !r.verdict.beyond ? 1 : 0;
       s.wide += r.verdict.wide;
       s.widths.add(r.verdict.widths);
       s.out_of_scope += r.verdict.out_of_scope;
@@ -366,6 +385,7 @@ class Campaign {
         s.worst_um = std::max(s.worst_um, r.verdict.worst_um);
       }
       if (!r.setup.empty()) setups.insert(r.setup);
+      certificate_.without_effect.insert(r.without_effect.begin(), r.without_effect.end());
       if (!r.picture.empty()) certificate_.pictures.push_back({r.id, r.picture});
       const bool settled = result == Result::agrees || result == Result::differs || result == Result::not_applicable;
       const bool interrupted = result == Result::not_run && r.why.empty();

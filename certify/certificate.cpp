@@ -34,6 +34,13 @@ bool is_decided(const Certificate& certificate) {
   return values > 0;
 }
 
+// Of the user's own.
+std::uint64_t programs_cut(const Certificate& certificate) {
+  std::uint64_t sum = 0;
+  for (const SectionResult& s : certificate.sections) sum += s.cut_programs;
+  return sum;
+}
+
 bool is_too_wide(const SectionResult& s) {
   return s.count(Result::partly_judged) > 0 || too_many_wide(s.values, s.wide);
 }
@@ -96,6 +103,10 @@ std::string verdict(const Certificate& certificate) {
   }
   if (!certificate.interrupted.empty()) return "not decided: " + certificate.interrupted;
   if (!is_decided(certificate)) return "not decided";
+  const std::uint64_t cut = programs_cut(certificate);
+  if (cut > 0)
+    return fmt::format("conforms only in part ({}): {} program{} not judged to the end", scope(certificate), cut,
+                       cut == 1 ? "" : "s");
   return "conforms only in part (" + scope(certificate) + "): more than 1 % not judged";
 }
 

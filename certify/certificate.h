@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,8 @@ struct SectionResult {
   std::uint64_t near_ties = 0;                    // decisions inside their band
   std::uint64_t ties = 0;                         // near ties in which the other, permitted, outcome was taken
   std::uint64_t wide = 0;                         // values that were granted more than policy::kCap: not judged
+  std::uint64_t cut_cases = 0;                    // judged up to a block that goes beyond what is supported
+  std::uint64_t cut_programs = 0;                 // the user's own among them
   std::uint64_t wide_cases = 0;                   // cases with more than policy::kMostWide of such
   std::uint64_t out_of_scope = 0;                 // events behind one of reason OUT_OF_SCOPE
   std::uint64_t few_events = 0;                   // cases with a verdict and fewer than three events judged
@@ -78,6 +81,7 @@ struct Certificate {
   std::vector<Finding> findings;            // by section, clause, kind
   std::vector<SharedCause> causes;          // of the findings, those that explain most first
   std::vector<Unsettled> unsettled;         // the first hundred
+  std::set<std::string> without_effect;     // words of the user's own programs that are read and change no path
   std::vector<Picture> pictures;            // of the first programs of the user's own
   std::string self_check;                   // what failed; empty: nothing
   std::string interrupted;                  // why not all was run; empty: all was

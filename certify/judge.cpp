@@ -102,6 +102,10 @@ std::string words_on_wide(std::uint64_t values, std::uint64_t wide) {
                      fuzz::policy::kCap);
 }
 
+std::string words_on_beyond(const fuzz::Beyond& beyond) {
+  return fmt::format("line {}: {}; it and what follows are not judged", beyond.line, beyond.what);
+}
+
 std::optional<spec::Clause> clause_of_fault(const fuzz::ModelRun& run) { return last_clause(run, run.events.size()); }
 
 FailureKey key_of(const spec::Case& c, const Judgement& judgement) {
@@ -151,7 +155,10 @@ Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, co
     j.result = Result::partly_judged;
     j.why = words_on_wide(j.verdict.values, j.verdict.wide);
   }
+  if (j.result == Result::agrees && j.verdict.beyond) j.result = Result::partly_judged;
   if (j.result == Result::nothing_judged) j.why = "the program makes no value that is judged";
+  if (j.verdict.beyond && (j.result == Result::partly_judged || j.result == Result::nothing_judged))
+    j.why = words_on_beyond(*j.verdict.beyond);
   return j;
 }
 

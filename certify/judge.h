@@ -18,7 +18,8 @@ enum class Result : std::uint8_t {
   nothing_judged,  // less than the minimum, or no value at all
   not_applicable,  // to this controller
   not_run,         // left out after many faults
-  partly_judged,   // agrees where it was judged, but more than policy::kMostWide of its values were not
+  partly_judged,   // agrees where it was judged, but more than policy::kMostWide of its values were not, or it goes
+                   // beyond what is supported
 };
 inline constexpr std::size_t kResults = 7;
 std::string_view name(Result result);
@@ -27,6 +28,9 @@ std::string_view name(Result result);
 bool too_many_wide(std::uint64_t values, std::uint64_t wide);
 // "17 of 200 values were granted more than 1 µm: not judged".
 std::string words_on_wide(std::uint64_t values, std::uint64_t wide);
+
+// "line 12: G81 (drilling, a canned cycle) is not supported; it and what follows are not judged".
+std::string words_on_beyond(const fuzz::Beyond& beyond);
 
 struct Judgement {
   Result result = Result::nothing_judged;

@@ -35,6 +35,7 @@ Json to_json(const SectionResult& s) {
   json["values_not_judged"] = s.wide;
   json["largest_width_um"] = s.widths.largest();
   json["cases_with_more_than_1_percent_not_judged"] = s.wide_cases;
+  json["cases_not_judged_to_their_end"] = s.cut_cases;
   json["events_out_of_scope"] = s.out_of_scope;
   json["cases_with_fewer_than_three_events"] = s.few_events;
   json["worst_um"] = s.worst_um;
@@ -231,6 +232,7 @@ std::string json_report(const Certificate& c) {
   json["causes"] = Json::array();
   for (const SharedCause& cause : c.causes)
     json["causes"].push_back({{"cause", cause.words}, {"findings", cause.findings}});
+  json["read_without_effect"] = c.without_effect;
   json["unsettled"] = Json::array();
   for (const Unsettled& u : c.unsettled)
     json["unsettled"].push_back({{"id", u.id}, {"section", u.section}, {"result", name(u.result)}, {"why", u.why}});

@@ -1,5 +1,6 @@
 // toolcomp certify: a controller or a recorded trace against the exact model, and a report.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -165,6 +166,8 @@ void print(const certify::Certificate& certificate, const std::vector<fs::path>&
   for (const certify::SharedCause& cause : certificate.causes)
     fmt::print("\nlooks like, in {} of {} findings: {}\n", cause.findings.size(), findings.size(), cause.words);
   if (!certificate.self_check.empty()) std::cerr << "self-check failed: " << certificate.self_check << '\n';
+  if (!certificate.without_effect.empty())
+    fmt::print("read, no effect on what is judged: {}\n", fmt::join(certificate.without_effect, " "));
   if (!certificate.chatter.empty())
     std::cerr << "the controller writes on its standard output what is no answer: " << certificate.chatter << '\n';
   for (const certify::SectionResult& section : certificate.sections)

@@ -66,6 +66,8 @@ inline std::vector<Changed> changed_tables_of_fanuc() {
   add("d", [&](Setup& s) { s.d[1] = {five, {}}; });
   for (std::size_t i = 0; i < Setup().workpiece.size(); ++i)
     add("workpiece", [&](Setup& s) { s.workpiece.at(i)['X'] = five; });
+  for (const std::uint32_t number : {0U, 1U, 48U})
+    add("additional_workpiece", [&, number](Setup& s) { s.additional_workpiece[number]['X'] = five; });
   add("position", [&](Setup& s) { s.position['X'] = five; });
   for (int i = 1; i <= 4; ++i) add("reference", [&](Setup& s) { s.reference[i]['X'] = five; });
   add("floating_reference", [&](Setup& s) { s.floating_reference['X'] = five; });

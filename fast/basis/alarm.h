@@ -12,7 +12,9 @@ struct Alarm {
 namespace alarm {
 
 inline constexpr Alarm kNone{};
-inline constexpr Alarm kUnknownCode{"PS0010", "G code not available"};
+inline constexpr Alarm kUnknownCode{"PS0010", "there is no such G code"};
+// `text`: of a code that has a name; else nullptr.
+constexpr Alarm unknown_code(const char* text) { return text == nullptr ? kUnknownCode : Alarm{"PS0010", text}; }
 inline constexpr Alarm kUnknownList{"PS0010", "this use of G10 is not available"};
 inline constexpr Alarm kLengthAxes{"PS0015", "G49 with three or more offset axes"};
 inline constexpr Alarm kArcRadius{"PS0023", "arc radius or centre that cannot be"};
@@ -20,6 +22,8 @@ inline constexpr Alarm kLengthAxisMissing{"PS0027", "no axis, or a second axis, 
 inline constexpr Alarm kPlaneAxis{"PS0028", "the machine lacks an axis of the plane"};
 inline constexpr Alarm kOffsetValue{"PS0029", "offset value too large"};
 inline constexpr Alarm kOffsetNumber{"PS0030", "offset number out of range"};
+inline constexpr Alarm kSystemNumber{"PS0030", "G54.1: there is no workpiece system of this number"};
+inline constexpr Alarm kOriginNumber{"PS0031", "G10: there is no workpiece system of this number"};
 inline constexpr Alarm kWriteNumber{"PS0031", "G10: offset number out of range"};
 inline constexpr Alarm kWriteValue{"PS0032", "G10: offset value out of range"};
 inline constexpr Alarm kNoIntersection{"PS0033", "no intersection in cutter compensation"};

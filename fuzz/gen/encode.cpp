@@ -33,7 +33,8 @@ constexpr std::string_view kProgram = "%%\n";
 constexpr std::string_view kDefaultAxes = "XYZ";
 constexpr std::uint32_t kDefaultCount = 400;
 constexpr std::uint32_t kFirstWorkpiece = 54;
-constexpr std::uint32_t kMostSamples = 64;  // of a fuzzed case
+constexpr std::uint32_t kExternalWorkpiece = 100;  // 101 is G54.1 P1
+constexpr std::uint32_t kMostSamples = 64;         // of a fuzzed case
 
 constexpr std::size_t kLongestName = 32;
 
@@ -163,6 +164,18 @@ std::optional<std::size_t> place_in(std::string_view letters, const Line& line) 
   return at == std::string_view::npos ? std::nullopt : std::optional(at);
 }
 
+void put_workpiece(Setup& setup, const Line& line) {
+  const auto n = whole(line.word[1], kExternalWorkpiece + spec::kAdditionalWorkpieces);
+  if (!n || *n < kFirstWorkpiece) return;
+  if (*n < kFirstWorkpiece + setup.workpiece.size()) {
+    put(setup.workpiece.at(*n - kFirstWorkpiece), line.word[2], line.word[3]);
+  } else if (*n >= kExternalWorkpiece) {
+    AxisTable& table = setup.additional_workpiece[*n - kExternalWorkpiece];
+    put(table, line.word[2], line.word[3]);
+    if (table.empty()) setup.additional_workpiece.erase(*n - kExternalWorkpiece);
+  }
+}
+
 void apply_to_fanuc(Setup& setup, const Line& line) {
   const std::string_view first = line.word[1];
   switch (line.word[0][0]) {
@@ -180,8 +193,7 @@ void apply_to_fanuc(Setup& setup, const Line& line) {
       put(setup.d, line);
       break;
     case 'w':
-      if (const auto n = whole(first, kFirstWorkpiece + 5); n && *n >= kFirstWorkpiece)
-        put(setup.workpiece.at(*n - kFirstWorkpiece), line.word[2], line.word[3]);
+      put_workpiece(setup, line);
       break;
     case 'r':
       if (const auto n = whole(first, 4); n && *n > 0) {
@@ -308,6 +320,8 @@ std::string encode(const spec::Case& c) {
   add(out, 'd', s.d);
   for (std::uint32_t i = 0; i < s.workpiece.size(); ++i)
     add(out, fmt::format("w {}", kFirstWorkpiece + i), s.workpiece.at(i));
+  for (const auto& [number, table] : s.additional_workpiece)
+    add(out, fmt::format("w {}", kExternalWorkpiece + number), table);
   add(out, "o", s.position);
   for (const auto& [number, table] : s.reference) add(out, fmt::format("r {}", number), table);
   add(out, "f", s.floating_reference);

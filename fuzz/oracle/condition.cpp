@@ -62,6 +62,7 @@ Conditions::Conditions(const spec::Setup& setup, const ProgramFacts* facts, doub
       if (spec::is_linear_axis(axis)) setup_scale_ = std::max(setup_scale_, magnitude(number));
   };
   for (const spec::AxisTable& origin : setup.workpiece) table(origin);
+  for (const auto& entry : setup.additional_workpiece) table(entry.second);
   for (const auto& entry : setup.reference) table(entry.second);
   table(setup.floating_reference);
   table(setup.position);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <queue>
 #include <set>
 #include <type_traits>
@@ -83,12 +84,15 @@ std::string wanted_by(const Difference& d, const std::vector<model::Event>& expe
   return text;
 }
 
+// `judged`: how many of the events expected; behind them nothing is.
 template <class Number>
 Agreement agreement(const Rules& rules, const spec::Setup& setup, const ProgramFacts& facts,
-                    const std::vector<model::Event>& expected, std::span<const spec::Event<Number>> actual) {
+                    const std::vector<model::Event>& expected, std::size_t judged,
+                    std::span<const spec::Event<Number>> actual) {
   Agreement result;
   Pairing<Number> pairing(rules, setup, &facts);
   for (std::size_t i = 0; i < std::max(expected.size(), actual.size()); ++i) {
+    if (i == judged) return result;
     const bool open = i < expected.size() && expected[i].kind == EventKind::undecided;
     if (open && !left_open(expected[i])) {
       result.undecided = true;
@@ -159,6 +163,7 @@ class Judge {
     Verdict v;
     v.decisions = run.recorder.decision_count();
     v.near_ties = near_ties(run, {}).size();
+    if constexpr (!std::is_same_v<Number, double>) v.beyond = run.beyond;
     const Agreement first = compared(run);
     if (first.undecided) return undecided(v, first, why(run));
     if (!first.difference) return agrees(v, first);
@@ -172,11 +177,17 @@ class Judge {
     return event.kind != EventKind::sample || rules_.judges("t");
   }
   [[nodiscard]] Agreement compared(const ModelRun& run) const {
-    if (rules_.judges("t")) return agreement(rules_, case_.setup, facts_, run.events, actual_);
+    // An engine of ours says what it does not have; what a controller does there is not known.
+    constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+    const std::size_t certain = run.beyond && !std::is_same_v<Number, double> ? run.beyond->events : kAll;
+    if (rules_.judges("t")) return agreement(rules_, case_.setup, facts_, run.events, certain, actual_);
     std::vector<model::Event> expected;
-    for (const model::Event& event : run.events)
-      if (is_judged(event)) expected.push_back(event);
-    return agreement(rules_, case_.setup, facts_, expected, actual_);
+    std::size_t judged = kAll;
+    for (std::size_t i = 0; i < run.events.size(); ++i) {
+      if (i == certain) judged = expected.size();
+      if (is_judged(run.events[i])) expected.push_back(run.events[i]);
+    }
+    return agreement(rules_, case_.setup, facts_, expected, judged, actual_);
   }
 
   static std::string why(const ModelRun& run) {

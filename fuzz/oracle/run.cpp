@@ -2,6 +2,8 @@
 
 #include "fuzz/oracle/control.h"
 #include "fuzz/oracle/verdict.h"
+#include "spec/language/fanuc/not_supported.h"
+#include "spec/language/heidenhain/unsupported.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -28,11 +30,14 @@ class FastEvents final : public fast::EventSink {
 };
 
 // The whole program of a case through an engine of its control.
-template <class Control, class Engine>
-void run(const spec::Case& c, Engine& engine) {
+template <class Control, class Engine, class OnBlock>
+void run(const spec::Case& c, Engine& engine, const OnBlock& on_block) {
   auto reader = Control::reader(spec::text_source(c.program), c.setup, "program");
   const auto block = std::make_unique<typename Control::Block>();
-  while (!engine.stopped() && reader.next(*block)) engine.block(*block);
+  while (!engine.stopped() && reader.next(*block)) {
+    on_block(*block);
+    engine.block(*block);
+  }
   engine.end();
 }
 
@@ -44,7 +49,10 @@ ModelRun run_model(const spec::Case& c, const Forced& forced) {
   ModelEvents sink(result);
   with_control(c.setup, [&]<class Control>(Control) {
     auto engine = Control::model(c.setup, result.recorder, sink, c.samples);
-    run<Control>(c, engine);
+    run<Control>(c, engine, [&result](const typename Control::Block& block) {
+      if (result.beyond) return;
+      if (const char* const what = not_supported(block)) result.beyond = {block.line, what, result.events.size()};
+    });
   });
   return result;
 }
@@ -54,7 +62,7 @@ std::vector<fast::Event> run_fast(const spec::Case& c) {
   FastEvents sink(events);
   with_control(c.setup, [&]<class Control>(Control) {
     auto engine = Control::fast(c.setup, sink, c.samples);
-    run<Control>(c, engine);
+    run<Control>(c, engine, [](const typename Control::Block&) {});
   });
   return events;
 }

@@ -39,6 +39,13 @@ struct Difference {
 // "line 5, point.X: 3.5 expected, 3.25 given, 250000 um off (fanuc.leading-edge.…)".
 std::string explain(const Difference& difference);
 
+// Where a program goes beyond what is supported: what a control does there, and from there on, is not known.
+struct Beyond {
+  std::uint64_t line = 0;
+  const char* what = "";   // static text, names it
+  std::size_t events = 0;  // that were given before the block was known: nothing behind them is certain
+};
+
 struct Verdict {
   Outcome outcome = Outcome::nothing_judged;
   std::optional<Difference> difference;  // also with `undecided`, where a difference could not be settled
@@ -48,6 +55,7 @@ struct Verdict {
   Widths widths;                         // granted to the numbers, judged or not
   std::uint64_t events = 0;              // of the model, judged against one of the other side
   std::uint64_t out_of_scope = 0;        // of the model, behind one of reason OUT_OF_SCOPE (a controller's: not judged)
+  std::optional<Beyond> beyond;          // a controller's program was judged up to there
   std::uint64_t decisions = 0;           // of the model, by sign
   std::uint64_t near_ties = 0;           // decisions inside their band
   std::uint64_t ties = 0;                // near ties in which the engine took the other, permitted, outcome
@@ -66,6 +74,7 @@ struct JudgeOptions {
 // The model on one case. `undecided` where a decision could not be certified.
 struct ModelRun {
   std::vector<model::Event> events;
+  std::optional<Beyond> beyond;
   std::vector<std::size_t> asked;  // of every event: the decisions by sign that had been taken when it was given
   model::Recorder recorder{true};
 };
@@ -82,7 +91,8 @@ Verdict judge(const spec::Case& c, std::span<const fast::Event> events, const Ju
 Verdict judge(const spec::Case& c, const ModelRun& run, std::span<const fast::Event> events,
               const JudgeOptions& options = {});
 // The same for a controller's events: decimal texts are judged as the exact rationals they are. A text that is no
-// decimal number is a difference of kind "malformed number".
+// decimal number is a difference of kind "malformed number". Where the program goes beyond what is supported only the
+// events before are judged.
 Verdict judge(const spec::Case& c, const ModelRun& run, std::span<const spec::TextEvent> events,
               const JudgeOptions& options = {});
 

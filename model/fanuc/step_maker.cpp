@@ -50,7 +50,9 @@ void StepMaker::read_words(Making& now) {
   now.stages.read(Extent::plane, for_stages, now.words);
   if (measures(command))
     measurement_.read(command, length_.number(), now.stages.in_force(Extent::plane, command).any());
-  if (command.codes.one_shot == OneShot::data)
+  if (command.codes.writes_origin)
+    interpreter_.write_origins(command);
+  else if (command.codes.one_shot == OneShot::data)
     pending_write_ = memory_.read_write(command.words, interpreter_.numbers(), command.incremental);
 }
 

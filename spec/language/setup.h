@@ -55,6 +55,9 @@ struct CorrectionRow {
 // Deviations of the corner radius (mm) by the angle of the contact (degrees, ascending).
 using DeviationTable = std::vector<std::pair<Decimal, Decimal>>;
 
+// The most that P of G54.1 and of G10 L20 may name.
+inline constexpr std::uint32_t kAdditionalWorkpieces = 48;
+
 // What is chosen by key (units, rotary_angles, …) is inherited; setup_key.h has the table of it.
 struct Setup : SetupKeys {
   Control control = Control::fanuc;
@@ -67,6 +70,8 @@ struct Setup : SetupKeys {
   std::map<std::uint32_t, OffsetEntry> d;
 
   std::array<AxisTable, 6> workpiece;  // G54 … G59: machine coordinates of the workpiece origin
+  // 0 is added to all of them (EXT); 1 to 48 are G54.1 P1 … P48.
+  std::map<std::uint32_t, AxisTable> additional_workpiece;
   AxisTable position;                  // start, workpiece coordinates without offsets
   std::map<int, AxisTable> reference;  // 1, 2, 3, 4: machine coordinates for G28, G30
   AxisTable floating_reference;        // G30.1

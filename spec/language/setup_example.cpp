@@ -43,6 +43,9 @@ X = 0
 Y = 0
 Z = 0
 
+[workpiece.P1]                        # G54.1 P1 to P48 [0]; workpiece.external is added to all of them [0]
+X = 400
+
 [position]                            # where the program starts, workpiece coordinates without offsets [0]
 Z = 100
 

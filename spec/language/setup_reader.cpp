@@ -162,11 +162,26 @@ AxisTable axis_table(const Node& node, const std::string& name, const Setup& set
   return table;
 }
 
+// The table of a workpiece origin: G54 to G59, P1 to P48, external; nullptr for any other name.
+AxisTable* workpiece_table(const std::string& name, Setup& setup) {
+  if (name == "external") return &setup.additional_workpiece[0];
+  if (name.size() == 3 && name.starts_with("G5") && name[2] >= '4' && name[2] <= '9')
+    return &setup.workpiece[static_cast<std::size_t>(name[2] - '4')];
+  if (!name.starts_with('P')) return nullptr;
+  const std::uint32_t number = small_number(name.substr(1), kAdditionalWorkpieces).value_or(0);
+  return number == 0 ? nullptr : &setup.additional_workpiece[number];
+}
+
 void read_workpiece(const Node& node, const Reader& read, Setup& setup) {
-  read.keys(node, "workpiece", {"G54", "G55", "G56", "G57", "G58", "G59"});
-  for (const Member& member : node.members)
-    setup.workpiece[static_cast<std::size_t>(member.name[2] - '4')] =
-        axis_table(member.value, "workpiece." + member.name, setup, read);
+  read.expect(node, Kind::table, "workpiece");
+  for (const Member& member : node.members) {
+    AxisTable* const table = workpiece_table(member.name, setup);
+    if (table == nullptr)
+      read.fail(member.at,
+                "workpiece: " + in_quotes(member.name) + " is no key; expected G54 to G59, P1 to P48 or external");
+    *table = axis_table(member.value, "workpiece." + member.name, setup, read);
+  }
+  std::erase_if(setup.additional_workpiece, [](const auto& entry) { return entry.second.empty(); });
 }
 
 void read_reference(const Node& node, const Reader& read, Setup& setup) {

@@ -53,7 +53,9 @@ constexpr std::string_view kFanucTables = R"schema(
         "workpiece": {
           "description": "Workpiece origins in machine coordinates.",
           "type": "object", "additionalProperties": false,
+          "patternProperties": { "^P([1-9]|[1-3][0-9]|4[0-8])$": { "description": "G54.1 P1 to P48.", "$ref": "#/$defs/axis_values" } },
           "properties": {
+            "external": { "description": "Added to all workpiece origins.", "$ref": "#/$defs/axis_values" },
             "G54": { "$ref": "#/$defs/axis_values" }, "G55": { "$ref": "#/$defs/axis_values" }, "G56": { "$ref": "#/$defs/axis_values" },
             "G57": { "$ref": "#/$defs/axis_values" }, "G58": { "$ref": "#/$defs/axis_values" }, "G59": { "$ref": "#/$defs/axis_values" }
           }

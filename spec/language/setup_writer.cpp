@@ -77,6 +77,8 @@ std::vector<Table> tables(const Setup& setup, Format format) {
   add("offsets", "D", entries(setup.d));
   for (std::size_t i = 0; i < setup.workpiece.size(); ++i)
     add("workpiece", "G5" + std::to_string(4 + i), axes(setup.workpiece[i]));
+  for (const auto& [index, table] : setup.additional_workpiece)
+    add("workpiece", index == 0 ? "external" : "P" + std::to_string(index), axes(table));
   add("", "position", axes(setup.position));
   for (const auto& [index, table] : setup.reference) add("reference", std::to_string(index), axes(table));
   add("reference", "floating", axes(setup.floating_reference));

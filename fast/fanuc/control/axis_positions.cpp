@@ -6,8 +6,10 @@
 namespace toolcomp::fast {
 
 void AxisPositions::read(const spec::Setup& setup) {
-  for (std::size_t i = 0; i < origin_.size(); ++i) axes_.read(setup.workpiece[i], "workpiece", origin_[i]);
-  mark_displaced();
+  for (std::size_t i = 0; i < setup.workpiece.size(); ++i) axes_.read(setup.workpiece[i], "workpiece", origin_[i]);
+  for (const auto& [number, table] : setup.additional_workpiece)
+    axes_.read(table, "workpiece", origin_[number == 0 ? kExternal : kFirstAdditional + number - 1]);
+  add_zeros();
   axes_.read(setup.floating_reference, "reference.floating", reference_[0]);
   for (const auto& [number, table] : setup.reference)
     if (number >= 1 && number <= 4) axes_.read(table, "reference", reference_[static_cast<std::size_t>(number)]);
@@ -66,28 +68,46 @@ void AxisPositions::fill_displaced_machine(Event& event) const {
   }
 }
 
-void AxisPositions::mark_displaced() {
+void AxisPositions::add_zeros() {
   displaced_ = 0;
-  for (std::size_t axis = 0; axis < axes_.count; ++axis)
-    if (!origin_[workpiece_][axis].is_zero() || !shift_[axis].is_zero())
-      displaced_ = static_cast<Mask>(displaced_ | bit(axis));
+  for (std::size_t axis = 0; axis < axes_.count; ++axis) {
+    zero_[axis] = origin_[kExternal][axis] + origin_[workpiece_][axis] + local_[axis] + shift_[axis];
+    if (!zero_[axis].is_zero()) displaced_ = static_cast<Mask>(displaced_ | bit(axis));
+  }
+}
+
+void AxisPositions::set_origin(std::size_t number, std::size_t axis, const Count& value) {
+  if (number == workpiece_ || number == kExternal) set(axis, programmed_[axis] + origin_[number][axis] - value);
+  origin_[number][axis] = value;
+}
+
+void AxisPositions::end_origins() {
+  add_zeros();
+  make_stale();
+}
+
+Alarm AxisPositions::set_local(std::size_t axis, const Count& origin) {
+  const Count called = programmed_[axis] + local_[axis] - origin;
+  local_[axis] = origin;
+  return place(axis, called);
 }
 
 void AxisPositions::select_system(std::size_t system) {
   for (std::size_t axis = 0; axis < axes_.count; ++axis) set(axis, in_system(axis, system));
   workpiece_ = system;
-  mark_displaced();
+  add_zeros();
   make_stale();
 }
 
 Alarm AxisPositions::shift(std::size_t axis, const Count& position) {
-  shift_[axis] += programmed_[axis] - position;
+  shift_[axis] += programmed_[axis] + local_[axis] - position;
+  local_[axis] = Count();
   if (!shift_[axis].in_range()) return alarm::kRange;
   return place(axis, position);
 }
 
 void AxisPositions::end_shift(Mask axes) {
-  mark_displaced();
+  add_zeros();
   shift_rounded_ = static_cast<Mask>(shift_rounded_ | (rounded_ & axes));
   clear_rounded(axes);
 }

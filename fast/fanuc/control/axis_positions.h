@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "fast/arithmetic/count.h"
 #include "fast/basis/alarm.h"
@@ -97,8 +98,8 @@ class AxisPositions {
   void fill(Event& event) const;
   void fill_machine(Event& event) const;
 
-  // --- machine coordinates: G53, G54 to G59, G92, G28 to G30 ---
-  [[nodiscard]] Count machine_origin(std::size_t axis) const { return origin_[workpiece_][axis] + shift_[axis]; }
+  // --- machine coordinates: G53, G54 to G59, G54.1, G52, G92, G10 L2 L20, G28 to G30 ---
+  [[nodiscard]] Count machine_origin(std::size_t axis) const { return zero_[axis]; }
   // Axes with a workpiece origin in force or a shift.
   [[nodiscard]] Mask displaced() const { return displaced_; }
   // The position as workpiece system `system` (G54: 0) calls it.
@@ -108,7 +109,15 @@ class AxisPositions {
   [[nodiscard]] std::size_t system() const { return workpiece_; }
   // The machine stays where it is: the programmed position shifts by the difference of the origins.
   void select_system(std::size_t system);
-  // G92 calls the position of an axis otherwise; end_shift() behind the last one.
+  // Origins: 0 to 5 of G54 to G59, of G54.1 P1 …, and the one that is added to all.
+  static constexpr std::size_t kFirstAdditional = 6;
+  static constexpr std::size_t kExternal = kFirstAdditional + spec::kAdditionalWorkpieces;
+  [[nodiscard]] const Count& origin(std::size_t number, std::size_t axis) const { return origin_[number][axis]; }
+  // G10 writes one, G52 puts that of the local system of an axis there; end_origins() behind the last axis.
+  void set_origin(std::size_t number, std::size_t axis, const Count& value);
+  [[nodiscard]] Alarm set_local(std::size_t axis, const Count& origin);
+  void end_origins();
+  // G92 calls the position of an axis otherwise, and ends its local system; end_shift() behind the last one.
   [[nodiscard]] Alarm shift(std::size_t axis, const Count& position);
   void end_shift(Mask axes);
   // An axis at a machine position: its offsets are taken away, its workpiece position is what is left.
@@ -122,17 +131,19 @@ class AxisPositions {
   [[nodiscard]] const Positions& reference(std::size_t number) const { return reference_[number]; }
 
  private:
-  void mark_displaced();
+  void add_zeros();
   void fill_displaced_machine(Event& event) const;
 
   ControlAxes axes_;  // a copy at hand: every block asks
   ToolLengthOffset length_;
   ToolOffset tool_offset_;
-  std::array<Positions, 6> origin_;
+  std::vector<Positions> origin_ = std::vector<Positions>(kExternal + 1);
   std::array<Positions, 5> reference_;
   std::size_t workpiece_ = 0;
   Positions programmed_;
+  Positions local_;  // G52
   Positions shift_;  // G92
+  Positions zero_;   // of all of them, in force
   Mask displaced_ = 0;
   Positions intermediate_;
   Mask has_intermediate_ = 0;

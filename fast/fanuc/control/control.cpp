@@ -27,9 +27,13 @@ void Control::fill(Event& event, spec::MoveType type, spec::Cause cause) { fill_
 
 Alarm Control::shift_coordinates(const Words& words) {
   const Alarm a = for_each_axis(words.axes(), [&](std::size_t axis) {
-    return positions.shift(axis, units.value(words.axis(axis), (axes.linear & bit(axis)) != 0));
+    const Count word = units.value(words.axis(axis), (axes.linear & bit(axis)) != 0);
+    return words.code(Words::kOneShot) == 520 ? positions.set_local(axis, word) : positions.shift(axis, word);
   });
-  positions.end_shift(words.axes());
+  if (words.code(Words::kOneShot) == 520)
+    positions.end_origins();
+  else
+    positions.end_shift(words.axes());
   attitude.take_zeros();
   if (kinematics.defined()) attitude.turn();
   return a;

@@ -83,7 +83,7 @@ struct Control {
   // The alarms of an arc, and what its event has; a block that is none has no event. Without `geometry` it has its
   // centre, but neither sweep nor radii. `about_start`: an arc about its start is for the stage to refuse.
   [[nodiscard]] Alarm plan_arc(const Words& words, BlockArc& arc, bool geometry, bool about_start) const;
-  // G92: the positions of the axes of the block are called otherwise.
+  // G52, G92: the positions of the axes of the block are called otherwise.
   [[nodiscard]] Alarm shift_coordinates(const Words& words);
 
   // --- G10 ---

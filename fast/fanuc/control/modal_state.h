@@ -76,7 +76,14 @@ class ModalState {
   }
 
   [[nodiscard]] const std::optional<double>& feed() const { return feed_; }
-  void set_feed(double feed) { feed_ = feed; }
+  // Under G93 and G95 F is no feed per minute: moves have none.
+  void set_feed(double feed) {
+    if (per_minute_) feed_ = feed;
+  }
+  void set_feed_mode(bool per_minute) {
+    if (per_minute_ != per_minute) feed_.reset();
+    per_minute_ = per_minute;
+  }
 
  private:
   std::array<std::size_t, 3> xyz_;
@@ -88,6 +95,7 @@ class ModalState {
   bool incremental_ = false;
   bool by_vector_ = false;
   std::uint32_t arc_letters_ = kArcLetters;
+  bool per_minute_ = true;
   std::optional<double> feed_;
 };
 

@@ -86,7 +86,7 @@ class Stage {
   [[nodiscard]] bool takes_moves() const { return takes_moves_; }
   // The block's own move.
   [[nodiscard]] virtual Alarm move(const Words& words, const OwnMove& own) = 0;
-  // G92, and its own move.
+  // G52 or G92, and its own move.
   [[nodiscard]] virtual Alarm shift(const Words& words, const OwnMove& own) {
     if (const Alarm a = move(words, own)) return a;
     return control_.shift_coordinates(words);

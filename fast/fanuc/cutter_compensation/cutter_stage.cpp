@@ -133,9 +133,8 @@ bool CutterStage<Compensation>::stays(const Words& words, unsigned axes) const {
   };
   const bool add = is(Words::kDistance, 910, control_.modal.incremental());
   const bool inch = is(Words::kUnits, 200, control_.units.inch());
-  const Code system = words.code(Words::kWorkpiece);
-  const std::size_t chosen =
-      system == kNone ? control_.positions.system() : static_cast<std::size_t>((system - 540) / 10);
+  const bool selects = words.code(Words::kWorkpiece) != kNone;
+  const std::size_t chosen = selects ? words.workpiece() : control_.positions.system();
   for (; axes != 0; axes &= axes - 1) {
     const auto axis = static_cast<std::size_t>(__builtin_ctz(axes));
     const Count word = control_.units.value(words.axis(axis), (control_.axes.linear & bit(axis)) != 0, inch);

@@ -15,9 +15,10 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
     for (const auto& stage : asked_)
       if (!stage->is_built(words)) return alarm::kUnknownCode;
   const std::uint32_t list = words.has('L') ? whole_number(words['L'], 99) : 100;
-  if (one_shot == 100 && !memory.has_list(list)) return alarm::kUnknownList;
+  if (one_shot == 100 && !words.writes_origin() && !memory.has_list(list)) return alarm::kUnknownList;
   for (const char letter : {'H', 'D'})
     if (words.has(letter) && whole_number(words[letter], memory.count()) > memory.count()) return alarm::kOffsetNumber;
+  if (words.code(Words::kWorkpiece) != kNone && words.workpiece() == Words::kNoSystem) return alarm::kSystemNumber;
 
   const bool along_before = control_.positions.along_tool();
   command.motion = words.code(Words::kMotion) == kNone ? modal.motion() : words.code(Words::kMotion);
@@ -34,7 +35,8 @@ Alarm Interpreter::check(const Words& words, Command& command) const {
       if (const Alarm a = stage->check(words, command)) return a;
   if (one_shot == 370)
     if (const Alarm a = check_measurement(words)) return a;
-  if (one_shot == 100)
+  if (words.writes_origin() && !names_origin(words, list)) return alarm::kOriginNumber;
+  if (one_shot == 100 && !words.writes_origin())
     if (const Alarm a = check_offset_write(words, list, command)) return a;
   if (one_shot == 300 && words.axes() != 0 && reference_point(words) == 0) return alarm::kReferenceNumber;
   return alarm::kNone;
@@ -54,6 +56,13 @@ Alarm Interpreter::check_offset_write(const Words& words, std::uint32_t list, Co
   command.write = memory.plan(list, number, command.writes ? control_.units.value(words['R'], true, inch) : Count(),
                               command.writes && add);
   return command.write.alarm;
+}
+
+// Whether P of G10 L2 or L20 names a workpiece system.
+bool Interpreter::names_origin(const Words& words, std::uint32_t list) {
+  if (!words.has('P')) return false;
+  const std::uint32_t number = whole_number(words['P'], spec::kAdditionalWorkpieces);
+  return list == 2 ? number <= 6 : number >= 1 && number <= spec::kAdditionalWorkpieces;
 }
 
 // The alarms of G37, in their order.

@@ -10,7 +10,7 @@ Alarm Interpreter::check_tip_control(const Words& words, const Command& command)
   const Code one_shot = words.code(Words::kOneShot);
   const bool forbidden = one_shot != kNone && one_shot != 40 && one_shot != 100;
   const bool in_plane = words.code(Words::kCompensation) == 410 || words.code(Words::kCompensation) == 420;
-  if (command.along && (forbidden || in_plane || words.code(Words::kWorkpiece) != kNone))
+  if (command.along && (forbidden || in_plane || words.code(Words::kWorkpiece) != kNone || words.writes_origin()))
     return alarm::kForbiddenUnderDirection;
   if (control_.positions.along_tool() && (length == 430 || length == 440)) return alarm::kLengthExclusion;
   // The stage in space that is on before the block or after it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fast/basis/fault.h"
+#include "spec/language/fanuc/not_supported.h"
 
 namespace toolcomp::fast {
 
@@ -118,7 +119,7 @@ void Interpreter::block(const spec::Block& block) {
 void Interpreter::other_block(const Words& words) {
   Alarm alarm;
   if (words.unsupported()) {
-    alarm = alarm::kUnknownCode;
+    alarm = alarm::unknown_code(spec::code_not_supported(words.unknown_code()));
   } else if (words.any()) {
     alarm = block_with_commands(words);
   } else if (on_ != nullptr) {
@@ -161,17 +162,19 @@ void Interpreter::take_codes(const Words& words, const Command& command) {
   if (const Code code = words.code(Words::kPlane); code != kNone) modal.select_plane(plane_of(code));
   if (const Code code = words.code(Words::kDistance); code != kNone) modal.set_incremental(code == 910);
   if (const Code code = words.code(Words::kUnits); code != kNone) control_.units.select(code);
+  if (const Code code = words.code(Words::kFeedMode); code != kNone) modal.set_feed_mode(code == 940);
   if (words.has('F')) set_feed(words);
   if (command.ends_along) {
     control_.attitude.end(command.along);
     send_to(sink_);
   }
   modal.set_by_vector(command.vector);
-  if (const Code code = words.code(Words::kWorkpiece); code != kNone) {
-    select_workpiece(code);
+  const bool selects = words.code(Words::kWorkpiece) != kNone;
+  if (selects) select_workpiece(words.workpiece());
+  if (words.writes_origin()) write_origins(words);
+  if (selects || words.writes_origin())
     for (const auto& stage : asked_)
       if (stage->concerned()) stage->rename();
-  }
 }
 
 Alarm Interpreter::take_arc(const Words& words, BlockArc& arc) const {
@@ -224,10 +227,10 @@ Alarm Interpreter::move(const Words& words, const Command& command, Stage* stage
     }
   Alarm alarm;
   if (stage != nullptr) {
-    alarm = own.one_shot == 920 ? stage->shift(words, own) : stage->move(words, own);
+    alarm = words.shifts_coordinates() ? stage->shift(words, own) : stage->move(words, own);
   } else {
     alarm = uncompensated(words, own.one_shot == kNone || words.is_tool_offset(), own.extra, own.arc.event);
-    if (!alarm && own.one_shot == 920) alarm = control_.shift_coordinates(words);
+    if (!alarm && words.shifts_coordinates()) alarm = control_.shift_coordinates(words);
   }
   if (!alarm && command.writes) control_.write_offset(command.write);
   return alarm;

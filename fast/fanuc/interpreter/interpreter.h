@@ -57,6 +57,7 @@ class Interpreter final : public BlockTaker {
   [[nodiscard]] Alarm check(const Words& words, Command& command) const;
   [[nodiscard]] Alarm check_measurement(const Words& words) const;
   [[nodiscard]] Alarm check_offset_write(const Words& words, std::uint32_t list, Command& command) const;
+  [[nodiscard]] static bool names_origin(const Words& words, std::uint32_t list);
   [[nodiscard]] std::uint32_t reference_point(const Words& words) const;
   // check_tip_control.cpp
   [[nodiscard]] Alarm check_tip_control(const Words& words, const Command& command) const;
@@ -64,13 +65,14 @@ class Interpreter final : public BlockTaker {
   // Of the words that move, under G43.4 or G43.5. `stage`: the one that is on in space, or nullptr.
   [[nodiscard]] Alarm check_tip_move(const Words& words, Code motion, bool vector, const Stage* stage) const;
 
-  // machine_moves.cpp: G53, G28, G30, G30.1, G29, G54 to G59.
+  // machine_moves.cpp: G53, G28, G30, G30.1, G29, G54 to G59, G54.1, G10 L2 L20.
   [[nodiscard]] Alarm to_machine_position(const Words& words, Stage* stage);
   [[nodiscard]] Alarm to_reference(const Words& words, Stage* stage);
   [[nodiscard]] Alarm from_reference(const Words& words, Stage* stage);
   // The next rapid move, named `motion` to the stage.
   [[nodiscard]] Alarm send_rapid(Stage* stage, spec::Cause cause, bool with_machine, CutterMotion motion);
-  void select_workpiece(Code code);
+  void select_workpiece(std::size_t system);
+  void write_origins(const Words& words);
 
   // one_shot_moves.cpp: G45 to G48, G37.
   struct Shifts {  // what G45 to G48 add to the shift of the axes of the block

@@ -1,4 +1,4 @@
-// Moves in machine coordinates, and workpiece coordinates: G53, G28, G30, G30.1, G29, G54 to G59.
+// Moves in machine coordinates, and workpiece coordinates: G53, G28, G30, G30.1, G29, G54 to G59, G54.1, G10 L2 L20.
 #include "fast/basis/fault.h"
 #include "fast/fanuc/interpreter/interpreter.h"
 
@@ -54,8 +54,25 @@ Alarm Interpreter::from_reference(const Words& words, Stage* stage) {
   return send_rapid(stage, spec::Cause::programmed, false, CutterMotion::from_reference);
 }
 
-void Interpreter::select_workpiece(Code code) {
-  control_.positions.select_system(static_cast<std::size_t>((code - 540) / 10));
+void Interpreter::select_workpiece(std::size_t system) {
+  control_.positions.select_system(system);
+  control_.attitude.take_zeros();
+  if (control_.kinematics.defined()) control_.attitude.turn();
+}
+
+// P has been checked.
+void Interpreter::write_origins(const Words& words) {
+  AxisPositions& positions = control_.positions;
+  const std::uint32_t number = whole_number(words['P'], spec::kAdditionalWorkpieces);
+  const std::size_t origin = whole_number(words['L'], 20) == 20 ? AxisPositions::kFirstAdditional + number - 1
+                             : number == 0                      ? AxisPositions::kExternal
+                                                                : number - 1;
+  for (unsigned rest = words.data_axes(); rest != 0; rest &= rest - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
+    const Count value = control_.units.value(words.axis(axis), (control_.axes.linear & bit(axis)) != 0);
+    positions.set_origin(origin, axis, control_.modal.incremental() ? positions.origin(origin, axis) + value : value);
+  }
+  positions.end_origins();
   control_.attitude.take_zeros();
   if (control_.kinematics.defined()) control_.attitude.turn();
 }

@@ -38,7 +38,7 @@ Alarm LeadingEdgeStage::check(const Words& words, const Command& command) const 
   if (!on_after()) return alarm::kNone;
   if (is_other(words.code(Words::kCompensation))) return alarm::kForbiddenInCompensation;
   if (words.code(Words::kOneShot) != kNone || words.code(Words::kWorkpiece) != kNone ||
-      words.code(Words::kUnits) != kNone || (moves && words.has_any(kAuxiliaryLetters)))
+      words.code(Words::kUnits) != kNone || words.refused_in_space() || (moves && words.has_any(kAuxiliaryLetters)))
     return alarm::kForbiddenInCompensation;
   if (!on_before() || words.has('D'))
     if (!control_.memory.fits(control_.memory.d(d_read_))) return alarm::kOffsetValue;

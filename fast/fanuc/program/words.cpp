@@ -1,5 +1,9 @@
 #include "fast/fanuc/program/words.h"
 
+#include <algorithm>
+
+#include "spec/language/setup.h"
+
 namespace toolcomp::fast {
 namespace {
 
@@ -17,12 +21,26 @@ bool is_one_shot(std::uint64_t tenths) {
     case 460:
     case 470:
     case 480:
+    case 520:
     case 530:
     case 920:
       return true;
     default:
       return false;
   }
+}
+
+// Codes that change no path of what is built: cancels of what is not, and how fast and exactly a path is run.
+bool is_without_effect(std::uint64_t tenths) {
+  constexpr std::array<std::uint16_t, 29> kCodes{50,  51,  80,  90,  110, 131, 150,  220,  230, 250,
+                                                 401, 500, 501, 502, 610, 611, 620,  630,  640, 670,
+                                                 690, 800, 960, 970, 980, 990, 1130, 1500, 1600};
+  return std::ranges::binary_search(kCodes, tenths);
+}
+
+// Codes to which the axis letters of their block belong.
+bool takes_letters(std::uint64_t tenths) {
+  return tenths == 40 || tenths == 100 || tenths == 50 || tenths == 51 || tenths == 220 || tenths == 501;
 }
 
 }  // namespace
@@ -48,7 +66,7 @@ void Words::g_word(const spec::Decimal& value) {
     --decimals;
   }
   if (decimals > 1 || tenths > 9999) {
-    unsupported_ = true;
+    unknown_ = true;
     return;
   }
   if (decimals == 0) tenths *= 10;
@@ -94,6 +112,7 @@ void Words::set_code(std::uint64_t tenths) {
     case 550:
     case 560:
     case 570:
+    case 541:
     case 580:
     case 590:
       group = kWorkpiece;
@@ -102,17 +121,41 @@ void Words::set_code(std::uint64_t tenths) {
     case 910:
       group = kDistance;
       break;
+    case 930:
     case 940:
+    case 950:
       group = kFeedMode;
       break;
     default:
+      data_letters_ = data_letters_ || takes_letters(tenths);
+      high_speed_ = high_speed_ || tenths == 50;
+      spindle_ = spindle_ || tenths == 960 || tenths == 970 || tenths == 1600;
+      if (is_without_effect(tenths)) return;
       if (!is_one_shot(tenths)) {
-        unsupported_ = true;
+        if (!unknown_) unknown_code_ = tenths;
+        unknown_ = true;
         return;
       }
       group = kOneShot;
   }
   code_[group] = static_cast<Code>(tenths);
+}
+
+bool Words::writes_origin() const {
+  if (code_[kOneShot] != 100 || !has('L')) return false;
+  const std::uint32_t list = whole_number((*this)['L'], 20);
+  return list == 2 || list == 20;
+}
+
+bool Words::refused_in_space() const {
+  return spindle_ || (high_speed_ && (!has('P') || whole_number((*this)['P'], 10000) != 10000));
+}
+
+std::size_t Words::workpiece() const {
+  const Code code = code_[kWorkpiece];
+  if (code != 541) return static_cast<std::size_t>((code - 540) / 10);
+  const std::uint32_t number = has('P') ? whole_number((*this)['P'], spec::kAdditionalWorkpieces) : 1;
+  return number == 0 || number > spec::kAdditionalWorkpieces ? kNoSystem : std::size_t{5} + number;
 }
 
 void Words::m_word(const spec::Decimal& value) {

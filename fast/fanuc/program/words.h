@@ -56,12 +56,24 @@ class Words {
     kGroups
   };
 
-  // Codes the control does not have set unsupported(). Refers to both.
+  // A code the control does not have is unknown_code(). Refers to both.
   Words(const spec::Block& block, const AxisLetters& axes);
 
   // The code of a group, or kNone.
   [[nodiscard]] Code code(std::size_t group) const { return code_[group]; }
-  [[nodiscard]] bool unsupported() const { return unsupported_; }
+  [[nodiscard]] bool unsupported() const { return unknown_; }
+  // The first of those codes, in tenths, where there is one.
+  [[nodiscard]] std::uint64_t unknown_code() const { return unknown_code_; }
+  // G10 L2, G10 L20.
+  [[nodiscard]] bool writes_origin() const;
+  // G05 but for P10000, G96, G97, G160.
+  [[nodiscard]] bool refused_in_space() const;
+  // G52, G92.
+  [[nodiscard]] bool shifts_coordinates() const { return code_[kOneShot] == 520 || code_[kOneShot] == 920; }
+  // The workpiece system that G54 to G59 or G54.1 P selects: 0 to 5, from 6 on; kNoSystem where P names none. Only
+  // where there is such a code.
+  static constexpr std::size_t kNoSystem = ~std::size_t{0};
+  [[nodiscard]] std::size_t workpiece() const;
   [[nodiscard]] bool has(char letter) const { return (letters_ >> (letter - 'A') & 1U) != 0; }
   [[nodiscard]] bool has_any(std::uint32_t letters) const { return (letters_ & letters) != 0; }
   // Only where has(letter).
@@ -70,9 +82,11 @@ class Words {
   }
   // Words, and only positions, F, G00 to G03, I J K and R: nothing of the modal state changes but feed and group 01.
   [[nodiscard]] bool plain() const { return plain_; }
-  // Bit i: axis i of the setup has a position. In a block with G04 or G10 axis letters and I J K are data of that code:
-  // there the block has none of them.
+  // Bit i: axis i of the setup has a position. In a block with G04 G05 G05.1 G10 G22 or G50.1 axis letters and I J K
+  // are data of that code: there the block has none of them.
   [[nodiscard]] std::uint16_t axes() const { return axes_; }
+  // The axes that are named as data of a code.
+  [[nodiscard]] std::uint16_t data_axes() const { return data_axes_; }
   [[nodiscard]] const spec::Decimal& axis(std::size_t index) const { return *value_[axis_letters_.index[index]]; }
   // G45 to G48.
   [[nodiscard]] bool is_tool_offset() const { return code_[kOneShot] >= 450 && code_[kOneShot] <= 480; }
@@ -104,9 +118,14 @@ class Words {
   std::array<const spec::Decimal*, 26> value_;  // set where letters_ has the bit
   std::uint32_t letters_ = 0;
   std::uint16_t axes_ = 0;
+  std::uint16_t data_axes_ = 0;
+  std::uint64_t unknown_code_ = 0;
+  bool data_letters_ = false;
+  bool high_speed_ = false;  // G05
+  bool spindle_ = false;     // G96, G97, G160
   bool any_ = false;
   bool plain_ = true;
-  bool unsupported_ = false;
+  bool unknown_ = false;
   bool stop_ = false;
   bool end_ = false;
 };
@@ -130,8 +149,9 @@ inline Words::Words(const spec::Block& block, const AxisLetters& axes) : axis_le
   if ((others & set_of("GM")) != 0) read_codes(block);
   if (plain_) [[likely]]
     return;
-  if (code_[kOneShot] == 40 || code_[kOneShot] == 100) {
+  if (data_letters_) {
     letters_ &= ~set_of("ABCIJKUVWXYZ");
+    data_axes_ = axes_;
     axes_ = 0;
   }
 }

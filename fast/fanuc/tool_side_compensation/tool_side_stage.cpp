@@ -61,7 +61,7 @@ Alarm ToolSideStage::check(const Words& words, const Command& command) const {
   const bool moves = words.axes() != 0 || (command.vector && words.has_any(kDirectionLetters));
   const bool arc = words.code(Words::kOneShot) == kNone && names_arc(words, command.motion, selected);
   if (after && (words.code(Words::kWorkpiece) != kNone || words.code(Words::kUnits) != kNone ||
-                ((moves || arc) && words.has_any(kAuxiliaryLetters))))
+                words.refused_in_space() || ((moves || arc) && words.has_any(kAuxiliaryLetters))))
     return alarm::kForbiddenInCompensation;
   if ((before || after) && words.code(Words::kOneShot) != kNone) return alarm::kForbiddenInCompensation;
   if (before && (code == 410 || code == 420 || code == 413)) return alarm::kForbiddenInCompensation;

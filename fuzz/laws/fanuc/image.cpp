@@ -72,6 +72,8 @@ bool change(const Map& map, spec::AxisTable& table) {
 bool change_all(const Map& map, spec::Setup& setup) {
   for (spec::AxisTable& table : setup.workpiece)
     if (!change(map, table)) return false;
+  for (auto& [number, table] : setup.additional_workpiece)
+    if (!change(map, table)) return false;
   for (auto& [number, table] : setup.reference)
     if (!change(map, table)) return false;
   return change(map, setup.position) && change(map, setup.floating_reference) && change(map, setup.measurement);

@@ -109,7 +109,7 @@ std::shared_ptr<CutterBlock> CutterWords::read(const StageCommand& now) {
     block.radius = radius < 0 ? Rational(-radius) : radius;
   }
   block.is_block = command.is_block;
-  block.changes_workpiece_system = codes.workpiece.has_value();
+  block.changes_workpiece_system = codes.workpiece.has_value() || codes.writes_origin;
   return result;
 }
 

@@ -117,8 +117,8 @@ void CutterCompensationB::keep(Step& step) const {
 void CutterCompensationB::cancel(Step& step) {
   const CutterBlock& block = said(step);
   const Removal removal = rules_.removal(block, started_, vector_);
-  // Beside G92 the only move there can be is that of the length offset.
-  if (removal == Removal::alone && (step.moves.empty() || block.one_shot == OneShot::shift)) step.moves = {step.rest};
+  // Beside G52 and G92 the only move there can be is that of the length offset.
+  if (removal == Removal::alone && (step.moves.empty() || is_shift(block.one_shot))) step.moves = {step.rest};
   vector_ = {};
   started_ = false;
   // Machine and reference positions keep the causes of their moves.

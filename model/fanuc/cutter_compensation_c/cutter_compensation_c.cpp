@@ -137,10 +137,11 @@ void CutterCompensationC::take_while_on(Step& now, bool wanted, bool moves) {
   if (wanted && ahead_.mode == CornerMode::leaving)
     ahead_.leave_open_at(now, Clause::fanuc_cutter_c_restart_before_removal,
                          "G41 or G42 again before the vector of the cancelled mode is removed");
-  // fanuc.cutter-c.coordinate-shift: G92 with an axis word of the plane while the mode is on leaves the run undecided
-  // at that block; the blocks before it are given as if it were absent.
-  if (block.one_shot == OneShot::shift && block.has_plane_word())
-    ahead_.leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift, "G92 in the plane of cutter compensation C");
+  // fanuc.cutter-c.coordinate-shift: G52 or G92 with an axis word of the plane while the mode is on leaves the run
+  // undecided at that block; the blocks before it are given as if it were absent.
+  if (is_shift(block.one_shot) && block.has_plane_word())
+    ahead_.leave_open_at(now, Clause::fanuc_cutter_c_coordinate_shift,
+                         "G52 or G92 in the plane of cutter compensation C");
   if (is_machine_move(block.motion)) {
     take_machine_move(now, wanted);
   } else if (!wanted) {
@@ -233,7 +234,7 @@ void CutterCompensationC::cancel_alone(Step& now) {
   ahead_.cancel_alone(now, has_vector, removes);
 }
 
-// Beside G92 the only move there can be is that of the length offset (clause fanuc.cutter-c.workpiece-change).
+// Beside G52 and G92 the only move there can be is that of the length offset (clause fanuc.cutter-c.workpiece-change).
 void CutterCompensationC::see_move_alone(Step& step, bool changes) const {
   const CutterBlock& block = said(step);
   // The words of an ignored G53 are none.
@@ -242,7 +243,7 @@ void CutterCompensationC::see_move_alone(Step& step, bool changes) const {
   // move of its own, of the kind of group 01 (linear under G02 and G03), where the block has no axis word; else the
   // block's own move takes it along.
   recorder().decide(Clause::fanuc_cutter_c_start_without_motion_move, block.axis_word && !ignored);
-  if (changes && block.one_shot == OneShot::shift) step.moves.clear();
+  if (changes && is_shift(block.one_shot)) step.moves.clear();
 }
 
 void CutterCompensationC::end_standing(Clause why) {

@@ -83,10 +83,11 @@ void LeadingEdgeOffset::complete(StageWords& words, const Step& step) const {
 void LeadingEdgeOffset::forbid(const StageCommand& now) const {
   const Codes& codes = now.command.codes;
   const bool other = codes.compensation && (is_cutter_side(*codes.compensation) || is_tool_side(*codes.compensation));
-  const bool code = codes.one_shot != OneShot::none || codes.workpiece || codes.units || other;
+  const bool code =
+      codes.one_shot != OneShot::none || codes.workpiece || codes.units || codes.refused_in_space || other;
   // fanuc.leading-edge.forbidden: In a block after which the mode is on these raise FORBIDDEN_IN_3D_COMPENSATION (the
-  // alarm number is not known): G04 G10 G28 G29 G30 G30.1 G37 G39 G41 G42 G41.2 G42.2 G41.6 G42.6 G45 to G48 G53 G92
-  // G54 to G59 G20 G21, and an M, S or T word together with an axis word.
+  // alarm number is not known): G04 G10 G28 G29 G30 G30.1 G37 G39 G41 G42 G41.2 G42.2 G41.6 G42.6 G45 to G48 G52 G53
+  // G92 G54 to G59 G54.1 G20 G21 G96 G97 G160 G05 but for P10000, and an M, S or T word together with an axis word.
   if (code || (codes.auxiliary && now.moves()))
     raise(recorder(), Clause::fanuc_leading_edge_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
           "a command that is not allowed while the leading edge offset is on");

@@ -4,6 +4,7 @@
 
 #include "model/basis/alarm.h"
 #include "model/fanuc/program/offset_memory.h"
+#include "spec/language/fanuc/not_supported.h"
 
 namespace toolcomp::model {
 namespace {
@@ -21,9 +22,19 @@ std::optional<std::uint64_t> tenths(const spec::Decimal& value) {
   return decimals == 1 ? digits : digits * 10;
 }
 
+[[noreturn]] void raise_unknown(Recorder& recorder, const std::optional<std::uint64_t>& code) {
+  const char* const known = code ? spec::code_not_supported(*code) : nullptr;
+  raise(recorder, Clause::fanuc_program_unknown_code, "PS0010", known != nullptr ? known : "there is no such G code");
+}
+
+constexpr std::size_t kAdditional = 6;  // of G54.1 P1
+
 class Reader {
  public:
-  Reader(Codes& codes, Recorder& recorder) : codes_(codes), recorder_(recorder) {}
+  Reader(Codes& codes, const Words& words, Recorder& recorder) : codes_(codes), recorder_(recorder) {
+    const spec::Decimal* const p = words.find('P');
+    high_speed_ = p != nullptr && plain(*p) == 10000;
+  }
 
   // False if the code is not supported.
   bool read(std::uint64_t code) {
@@ -37,8 +48,46 @@ class Reader {
       case 30:
         return group(codes_.motion, Motion::arc_ccw);
       case 40:
+        codes_.letters_are_data = true;
         return one_shot(OneShot::dwell);
+      case 50:
+        codes_.refused_in_space = codes_.refused_in_space || !high_speed_;
+        [[fallthrough]];
+      case 51:
+      case 220:
+      case 501:
+        codes_.letters_are_data = true;
+        return without_effect();
+      case 80:
+      case 90:
+      case 110:
+      case 131:
+      case 150:
+      case 230:
+      case 250:
+      case 401:
+      case 500:
+      case 502:
+      case 610:
+      case 611:
+      case 620:
+      case 630:
+      case 640:
+      case 670:
+      case 690:
+      case 800:
+      case 980:
+      case 990:
+      case 1130:
+      case 1500:
+        return without_effect();
+      case 960:
+      case 970:
+      case 1600:
+        codes_.refused_in_space = true;
+        return without_effect();
       case 100:
+        codes_.letters_are_data = true;
         return one_shot(OneShot::data);
       case 170:
         return group(codes_.plane, spec::Plane::xy);
@@ -96,6 +145,8 @@ class Reader {
         return one_shot(OneShot::double_decrease);
       case 490:
         return group(codes_.length, LengthCode::cancel);
+      case 520:
+        return one_shot(OneShot::local_coordinates);
       case 530:
         return one_shot(OneShot::machine_coordinates);
       case 540:
@@ -105,14 +156,19 @@ class Reader {
       case 580:
       case 590:
         return group(codes_.workpiece, static_cast<std::size_t>((code - 540) / 10));
+      case 541:
+        return group(codes_.workpiece, kAdditional);
       case 900:
         return group(codes_.incremental, false);
       case 910:
         return group(codes_.incremental, true);
       case 920:
         return one_shot(OneShot::shift);
+      case 930:
+      case 950:
+        return group(codes_.feed_per_minute, false);
       case 940:
-        return true;  // feed per minute, the only kind
+        return group(codes_.feed_per_minute, true);
       default:
         return false;
     }
@@ -122,9 +178,16 @@ class Reader {
   template <class Code>
   bool group(std::optional<Code>& slot, Code code) {
     // fanuc.program.last-code-of-group: Of several G codes of one modal group in a block the last counts. G04 G10 G28
-    // G29 G30 G30.1 G37 G39 G45 to G48 G53 and G92 exclude each other in the same way.
+    // G29 G30 G30.1 G37 G39 G45 to G48 G52 G53 and G92 exclude each other in the same way.
     if (slot) recorder_.reach(Clause::fanuc_program_last_code_of_group);
     slot = code;
+    return true;
+  }
+  // fanuc.program.without-effect: G05 G05.1 G08 G09 G11 G13.1 G15 G22 G23 G25 G40.1 G50 G50.1 G50.2 G61 G61.1 G62 G63
+  // G64 G67 G69 G80 G96 to G99 G113 G150 and G160 change nothing here: they cancel what is not supported, or say how
+  // fast and how exactly a path is run, not where it lies.
+  bool without_effect() {
+    recorder_.reach(Clause::fanuc_program_without_effect);
     return true;
   }
   bool one_shot(OneShot code) {
@@ -135,6 +198,7 @@ class Reader {
 
   Codes& codes_;
   Recorder& recorder_;
+  bool high_speed_ = false;  // P10000 stands in the block
 };
 
 void read_m(const spec::Decimal& value, Codes& codes) {
@@ -148,9 +212,34 @@ void read_m(const spec::Decimal& value, Codes& codes) {
     case 1:
       codes.stops_look_ahead = true;
       break;
+    case 98:
+      codes.calls = true;
+      break;
+    case 99:
+      codes.returns = true;
+      break;
     default:
       break;
   }
+}
+
+// G10 with L2 or L20.
+bool names_origin(const Words& words) {
+  const spec::Decimal* const l = words.find('L');
+  return l != nullptr && (l->digits == 2 || l->digits == 20);
+}
+
+// The system that G54.1 selects, behind the six of G54 to G59.
+std::size_t additional_system(const Words& words, Recorder& recorder) {
+  const spec::Decimal* const p = words.find('P');
+  // fanuc.program.additional-system: G54.1 selects an additional workpiece system, by P1 to P48; without P it is P1.
+  // Another P raises PS0030.
+  recorder.reach(Clause::fanuc_program_additional_system);
+  if (p == nullptr) return kAdditional;
+  const Rational number = plain(*p);
+  if (denominator(number) != 1 || number < 1 || number > spec::kAdditionalWorkpieces)
+    throw Alarm("PS0030", "G54.1 with a P that names no workpiece system");
+  return kAdditional + static_cast<std::size_t>(numerator(number)) - 1;
 }
 
 // An H or D number; the reader admits neither sign nor point.
@@ -178,14 +267,13 @@ Words::Words(const spec::Block& block, Recorder& recorder) {
 
 Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup& setup, Recorder& recorder) {
   Codes codes;
-  Reader reader(codes, recorder);
+  Reader reader(codes, words, recorder);
   for (const spec::Word& word : block.words()) {
     codes.any = codes.any || word.address != 'O';
     if (word.address == 'G') {
       const auto code = tenths(word.value);
       // fanuc.program.unknown-code: A G code that does not exist or is not supported raises PS0010.
-      if (!code || !reader.read(*code))
-        raise(recorder, Clause::fanuc_program_unknown_code, "PS0010", "G code unknown or not supported");
+      if (!code || !reader.read(*code)) raise_unknown(recorder, code);
     } else if (word.address == 'M') {
       read_m(word.value, codes);
     } else if (word.address == 'S' || word.address == 'T') {
@@ -195,15 +283,18 @@ Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup
   const bool side = codes.compensation && is_cutter_side(*codes.compensation);
   // fanuc.cutter-c.three-dimensional: G41 or G42 in a block with all of I, J and K is three-dimensional tool
   // compensation. That section is not built: PS0010, as of a code that is not supported.
-  if (side && !takes_letters_as_data(codes.one_shot) && words.has('I') && words.has('J') && words.has('K') &&
+  if (side && !codes.letters_are_data && words.has('I') && words.has('J') && words.has('K') &&
       setup.cutter_compensation == spec::CutterCompensationType::c)
     raise(recorder, Clause::fanuc_cutter_c_three_dimensional, "PS0010", "three-dimensional compensation is not built");
+  codes.writes_origin = codes.one_shot == OneShot::data && names_origin(words);
   // fanuc.memory.g10-kind: G10 writes by L: memory A L11; B L10 geometry, L11 wear; C L10 and L11 for H, L12 and L13
-  // for D; L1 is L11. Any other L, and none, raises PS0010: that use of G10 is not supported.
-  if (codes.one_shot == OneShot::data && !offset_kind(words, setup.memory))
+  // for D; L1 is L11. L2 and L20 write workpiece origins (fanuc.program.origin). Any other L, and none, raises PS0010:
+  // that use of G10 is not supported.
+  if (codes.one_shot == OneShot::data && !codes.writes_origin && !offset_kind(words, setup.memory))
     raise(recorder, Clause::fanuc_memory_g10_kind, "PS0010", "G10 with an L that this offset memory does not have");
   codes.h = offset_number(words.find('H'), setup, recorder);
   codes.d = offset_number(words.find('D'), setup, recorder);
+  if (codes.workpiece == kAdditional) codes.workpiece = additional_system(words, recorder);
   return codes;
 }
 

@@ -45,6 +45,7 @@ enum class OneShot : std::uint8_t {  // group 00
   decrease,             // G46
   double_increase,      // G47
   double_decrease,      // G48
+  local_coordinates,    // G52
   machine_coordinates,  // G53
   shift                 // G92
 };
@@ -61,8 +62,10 @@ constexpr bool goes_by_machine_coordinates(OneShot code) {
   return is_reference_return(code) || code == OneShot::machine_coordinates;
 }
 
-// G04 and G10: axis letters and I J K are their data.
-constexpr bool takes_letters_as_data(OneShot code) { return code == OneShot::dwell || code == OneShot::data; }
+// G52 and G92: the axis words say how positions are called, and move nothing.
+constexpr bool is_shift(OneShot code) { return code == OneShot::local_coordinates || code == OneShot::shift; }
+// G04 and G10: no code of the path.
+constexpr bool is_dwell_or_data(OneShot code) { return code == OneShot::dwell || code == OneShot::data; }
 
 // G41, G42.
 constexpr bool is_cutter_side(Compensation code) { return code == Compensation::left || code == Compensation::right; }
@@ -95,16 +98,23 @@ struct Codes {
   std::optional<spec::Units> units;          // group 06
   std::optional<Compensation> compensation;  // group 07
   std::optional<LengthCode> length;          // group 08
-  std::optional<std::size_t> workpiece;      // group 14: 0 for G54 … 5 for G59
+  std::optional<bool> feed_per_minute;       // group 05: G94, or G93 G95
+  std::optional<std::size_t> workpiece;      // group 14: 0 for G54 … 5 for G59, behind them G54.1 P1 …
+  bool writes_origin = false;                // G10 L2, G10 L20
+  bool refused_in_space = false;             // G05 but for P10000, G96 G97 G160: not in a compensation in space
+  bool letters_are_data = false;             // of G04 G05 G05.1 G10 G22 G50.1: axis letters, I J K
   std::optional<std::uint32_t> h;            // offset numbers
   std::optional<std::uint32_t> d;
   bool stops_look_ahead = false;  // M00 M01 M02 M30
   bool ends_program = false;      // M02 M30
   bool auxiliary = false;         // an M, S or T word
+  bool calls = false;             // M98
+  bool returns = false;           // M99
   bool any = false;               // a word other than O
 };
 
-// Throws Alarm: PS0010 for the first code that is not supported, PS0030 for an offset number beyond the memory.
+// Throws Alarm: PS0010 for the first code that is not supported, PS0030 for an offset number beyond the memory and for
+// a P that G54.1 does not have.
 Codes read_codes(const spec::Block& block, const Words& words, const spec::Setup& setup, Recorder& recorder);
 
 }  // namespace toolcomp::model

@@ -48,14 +48,33 @@ Command Interpreter::read(const spec::Block& block) {
   command.motion = motion_;
   command.plane = plane_;
   command.incremental = incremental_;
-  if (const spec::Decimal* f = words.find('F')) feed_ = numbers_.feed(*f);
-  // fanuc.program.letters-as-data: In a block with G04 or G10 axis letters and I J K are data of that code (the dwell
-  // time), not positions: they move nothing, turn nothing and name no axis.
-  if (!recorder_.decide(Clause::fanuc_program_letters_as_data, takes_letters_as_data(codes.one_shot))) {
+  // fanuc.program.call: A block with M98 runs, then the program that it calls: that of the number P, as often as L
+  // says; without L the digits of P before the last four say how often. Whoever reads the text gives the blocks in this
+  // order.
+  if (codes.calls) recorder_.reach(Clause::fanuc_program_call);
+  // fanuc.program.return: A block with M99 runs, then ends its program, and so does the end of its text: the program
+  // that has called it goes on behind the call.
+  if (codes.returns) recorder_.reach(Clause::fanuc_program_return);
+  read_feed(command);
+  // fanuc.program.letters-as-data: In a block with G04 G05 G05.1 G10 G22 or G50.1 axis letters and I J K are data of
+  // that code (a dwell time, limits, origins), not positions: they move nothing, turn nothing and name no axis.
+  if (!recorder_.decide(Clause::fanuc_program_letters_as_data, codes.letters_are_data)) {
     command.axes = axis_words(words);
     command.direction = words.has('I') || words.has('J') || words.has('K');
   }
   return command;
+}
+
+void Interpreter::read_feed(const Command& command) {
+  if (command.codes.feed_per_minute) {
+    if (feed_per_minute_ != *command.codes.feed_per_minute) feed_.reset();
+    feed_per_minute_ = *command.codes.feed_per_minute;
+  }
+  const spec::Decimal* const f = command.words.find('F');
+  if (f == nullptr) return;
+  // fanuc.program.feed-mode: Under G94, which is in force at the start, F is the feed per minute. Under G93 and G95 it
+  // is another number: moves carry no feed, and behind the next G94 none until F is given.
+  if (recorder_.decide(Clause::fanuc_program_feed_mode, feed_per_minute_)) feed_ = numbers_.feed(*f);
 }
 
 Rational Interpreter::word(const Command& command, std::size_t axis) const {
@@ -229,10 +248,37 @@ std::optional<spec::Arc<Real>> Interpreter::arc(const Command& command, const Le
 
 void Interpreter::select_workpiece_system(const Command& command) {
   if (!command.codes.workpiece) return;
-  // fanuc.program.workpiece-system: G54 to G59 select the workpiece system. The machine stays where it is: the
-  // programmed position shifts by the difference of the origins, without an event.
+  // fanuc.program.workpiece-system: G54 to G59 and G54.1 select the workpiece system. The machine stays where it is:
+  // the programmed position shifts by the difference of the origins, without an event.
   recorder_.reach(Clause::fanuc_program_workpiece_system);
   work_.select(*command.codes.workpiece, position_);
+}
+
+void Interpreter::write_origins(const Command& command) {
+  const spec::Decimal* const l = command.words.find('L');
+  const spec::Decimal* const p = command.words.find('P');
+  const bool additional = l->digits == 20;
+  const Rational number = p == nullptr ? Rational(-1) : plain(*p);
+  const std::size_t first = additional ? 1 : 0;
+  const std::size_t last = additional ? spec::kAdditionalWorkpieces : setup_.workpiece.size();
+  // fanuc.program.origin-number: P of G10 L2 is 1 to 6 for G54 to G59, or 0 for the origin that is added to all; of G10
+  // L20 it is that of G54.1. Another number, and none, raises PS0031.
+  if (recorder_.decide(Clause::fanuc_program_origin_number,
+                       denominator(number) != 1 || number < first || number > last))
+    throw Alarm("PS0031", "G10 with a P that names no workpiece system");
+  const auto named = static_cast<std::size_t>(numerator(number));
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (!command.words.has(axes_.letter(i))) continue;
+    // fanuc.program.origin: G10 L2 and L20 write the workpiece origin of the axes that they name: under G90 the words
+    // replace it, under G91 they are added. It counts from this block on. The machine stays where it is: the programmed
+    // position shifts, without an event.
+    const bool add = recorder_.decide(Clause::fanuc_program_origin, command.incremental);
+    if (!additional && named == 0)
+      work_.set_external(i, word(command, i), add, position_);
+    else
+      work_.set_origin(additional ? setup_.workpiece.size() + named - 1 : named - 1, i, word(command, i), add,
+                       position_);
+  }
 }
 
 std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool always, bool compensated) {
@@ -248,7 +294,7 @@ std::vector<Leg> Interpreter::legs(const Command& command, bool directed, bool a
     return {machine_leg(command)};
   }
   if (one_shot == OneShot::corner_arc) return {};
-  if (one_shot == OneShot::shift || one_shot == OneShot::dwell || one_shot == OneShot::data) {
+  if (is_shift(one_shot) || is_dwell_or_data(one_shot)) {
     return always ? std::vector{stay(command)} : std::vector<Leg>{};
   }
   Leg leg = toward(command);
@@ -271,15 +317,19 @@ Leg Interpreter::stay(const Command& command) const {
 
 void Interpreter::arrive(const Command& command, const std::vector<Leg>& legs) {
   if (!legs.empty()) position_ = legs.back().end;
-  if (command.codes.one_shot != OneShot::shift) return;
-  // fanuc.program.shift: G92 calls the programmed position of the axes it names by its words; the shift holds in G54 to
-  // G59 alike. No event.
-  recorder_.reach(Clause::fanuc_program_shift);
+  if (!is_shift(command.codes.one_shot)) return;
+  // fanuc.program.shift: G92 calls the programmed position of the axes it names by its words; the shift holds in all
+  // workpiece systems alike, and ends their local system. No event.
+  // fanuc.program.local-system: G52 puts the origin of the local coordinate system of the axes it names to its words,
+  // in all workpiece systems alike, under G90 and G91; 0 ends it. The machine stays where it is. No event.
+  const bool local = command.codes.one_shot == OneShot::local_coordinates;
+  recorder_.reach(local ? Clause::fanuc_program_local_system : Clause::fanuc_program_shift);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     if (!in(command.axes, i)) continue;
-    const Coordinate called = word(command, i);
-    work_.shift(i, position_.at(i), called);
-    position_.at(i) = called;
+    if (local)
+      work_.set_local(i, word(command, i), position_);
+    else
+      work_.shift(i, word(command, i), position_);
   }
 }
 

@@ -39,8 +39,10 @@ class Interpreter {
   // Reads the words and updates the modal groups. Throws Alarm for a block that cannot be read, PS0010, PS0030.
   Command read(const spec::Block& block);
 
-  // G54 to G59: the position is called by the new system from here on.
+  // G54 to G59, G54.1: the position is called by the new system from here on.
   void select_workpiece_system(const Command& command);
+  // G10 L2, L20: from here on it is called by the new origins. Throws Alarm PS0031.
+  void write_origins(const Command& command);
   // Where the block goes. `directed`: G43.5 is in force in it, I J K are a tool direction and alone make a move;
   // `always`: it makes a move even without; `compensated`: by cutter compensation C, which refuses an arc about its
   // start, here one without a sweep. Throws Alarm PS0023 or PS0046. The position stays until arrive().
@@ -49,7 +51,7 @@ class Interpreter {
   [[nodiscard]] Leg stay(const Command& command) const;
   // The straight leg to where the axis words of the block point, moving or not.
   [[nodiscard]] Leg toward(const Command& command) const;
-  // After the block: its end, and what G92 redefines.
+  // After the block: its end, and what G52 and G92 redefine.
   void arrive(const Command& command, const std::vector<Leg>& legs);
 
   // An axis stands elsewhere than its word said: where G37 has stopped it.
@@ -64,6 +66,7 @@ class Interpreter {
   [[nodiscard]] const std::optional<Rational>& feed() const { return feed_; }
 
  private:
+  void read_feed(const Command& command);
   [[nodiscard]] AxisMask axis_words(const Words& words) const;
   [[nodiscard]] Rational word(const Command& command, std::size_t axis) const;
   [[nodiscard]] Leg ordinary(const Command& command, spec::MoveType type) const;
@@ -85,6 +88,7 @@ class Interpreter {
   Position position_;
   std::array<std::optional<Coordinate>, spec::kMaxAxes> intermediate_;  // of the last G28 or G30
   std::optional<Rational> feed_;
+  bool feed_per_minute_ = true;
   Motion motion_ = Motion::rapid;
   spec::Plane plane_ = spec::Plane::xy;
   bool incremental_ = false;

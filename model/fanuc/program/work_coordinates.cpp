@@ -14,7 +14,11 @@ std::array<Rational, spec::kMaxAxes> by_axis(const spec::AxisTable& table, const
 }
 
 WorkCoordinates::WorkCoordinates(const spec::Setup& setup) : axes_(setup.axes.size()) {
-  for (std::size_t i = 0; i < origin_.size(); ++i) origin_.at(i) = by_axis(setup.workpiece.at(i), setup.axes);
+  for (const spec::AxisTable& origin : setup.workpiece) origin_.push_back(by_axis(origin, setup.axes));
+  const std::size_t additional = origin_.size();
+  origin_.resize(additional + spec::kAdditionalWorkpieces);
+  for (const auto& [number, origin] : setup.additional_workpiece)
+    (number == 0 ? external_ : origin_.at(additional + number - 1)) = by_axis(origin, setup.axes);
   for (const auto& [number, table] : setup.reference)
     if (number >= 1 && number <= 4) reference_.at(static_cast<std::size_t>(number - 1)) = by_axis(table, setup.axes);
   reference_[4] = by_axis(setup.floating_reference, setup.axes);
@@ -35,6 +39,38 @@ void WorkCoordinates::select(std::size_t system, Position& position) {
   for (std::size_t i = 0; i < axes_; ++i)
     position.at(i) = position.at(i) + Coordinate(origin_.at(selected_).at(i) - origin_.at(system).at(i));
   selected_ = system;
+}
+
+// Of a value that is part of the zero in force.
+void WorkCoordinates::set(Rational& value, const Rational& to, std::size_t axis, Position& position) {
+  position.at(axis) = position.at(axis) + Coordinate(value - to);
+  value = to;
+  zero_.reset();
+}
+
+void WorkCoordinates::set_local(std::size_t axis, const Rational& origin, Position& position) {
+  set(local_.at(axis), origin, axis, position);
+}
+
+void WorkCoordinates::shift(std::size_t axis, const Coordinate& to, Position& position) {
+  set_local(axis, 0, position);
+  shift_.at(axis) = shift_.at(axis) + (position.at(axis) - to);
+  position.at(axis) = to;
+}
+
+void WorkCoordinates::set_origin(std::size_t system, std::size_t axis, const Rational& value, bool add,
+                                 Position& position) {
+  Rational& origin = origin_.at(system).at(axis);
+  const Rational to = add ? Rational(origin + value) : value;
+  if (system == selected_)
+    set(origin, to, axis, position);
+  else
+    origin = to;
+}
+
+void WorkCoordinates::set_external(std::size_t axis, const Rational& value, bool add, Position& position) {
+  Rational& origin = external_.at(axis);
+  set(origin, add ? Rational(origin + value) : value, axis, position);
 }
 
 }  // namespace toolcomp::model

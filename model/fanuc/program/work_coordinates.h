@@ -1,8 +1,9 @@
-// Where the workpiece stands in the machine: G54–G59, G92, and the reference positions.
+// Where the workpiece stands in the machine: G54–G59, G54.1, G52, G92, and the reference positions.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "model/fanuc/program/motion.h"
 #include "model/kinematics/coordinate.h"
@@ -15,17 +16,23 @@ class WorkCoordinates {
  public:
   explicit WorkCoordinates(const spec::Setup& setup);
 
-  // Of the workpiece system in force, with the shift of G92.
-  [[nodiscard]] Coordinate zero(std::size_t axis) const { return shift_[axis] + origin_[selected_][axis]; }
+  // Of the workpiece system in force, with the local one of G52 and the shift of G92.
+  [[nodiscard]] Coordinate zero(std::size_t axis) const {
+    return shift_[axis] + (external_[axis] + origin_[selected_][axis] + local_[axis]);
+  }
   // The same of all axes as numbers: another object where it changes.
   [[nodiscard]] const SharedZero& zero() const;
-  // What `position` becomes when the system changes and the machine stays.
+  // These change what `position` is called while the machine stays.
+  // G54 to G59 are systems 0 to 5, G54.1 P1 is 6.
   void select(std::size_t system, Position& position);
-  // G92: `from` is now called `to`, in every system.
-  void shift(std::size_t axis, const Coordinate& from, const Coordinate& to) {
-    shift_[axis] = shift_[axis] + (from - to);
-    zero_.reset();
-  }
+  // G52: the origin of the local system in every workpiece system.
+  void set_local(std::size_t axis, const Rational& origin, Position& position);
+  // G92: the position is called `to`, in every system; the local system of the axis ends.
+  void shift(std::size_t axis, const Coordinate& to, Position& position);
+  // G10 L2, L20: the origin of a system becomes `value`, or is moved by it.
+  void set_origin(std::size_t system, std::size_t axis, const Rational& value, bool add, Position& position);
+  // The same of the one that is added to all.
+  void set_external(std::size_t axis, const Rational& value, bool add, Position& position);
 
   // Machine coordinate of reference position 1 (G28), 2, 3, 4 (G30).
   [[nodiscard]] const Rational& reference(std::size_t number, std::size_t axis) const {
@@ -37,7 +44,11 @@ class WorkCoordinates {
  private:
   using Values = std::array<Rational, spec::kMaxAxes>;
   std::size_t axes_;
-  std::array<Values, 6> origin_;
+  void set(Rational& value, const Rational& to, std::size_t axis, Position& position);
+
+  std::vector<Values> origin_;
+  Values external_;
+  Values local_;
   std::array<Values, 5> reference_;
   Position shift_;
   std::size_t selected_ = 0;

@@ -7,11 +7,11 @@
 namespace toolcomp::model {
 namespace {
 
-bool leaves_the_path(OneShot code) { return code != OneShot::none && !takes_letters_as_data(code); }
+bool leaves_the_path(OneShot code) { return code != OneShot::none && !is_dwell_or_data(code); }
 
-// A word that is no data of G04 or G10.
+// A word that is no data of a code.
 const spec::Decimal* word(const Command& command, char letter) {
-  return takes_letters_as_data(command.codes.one_shot) ? nullptr : command.words.find(letter);
+  return command.codes.letters_are_data ? nullptr : command.words.find(letter);
 }
 
 bool is_zero_word(const Command& command, char letter) {
@@ -53,9 +53,9 @@ void ToolCenterPointControl::restrict_mode(const Command& command, const ToolLen
                                            const TipMarks& marks) const {
   const Codes& codes = command.codes;
   const bool cutter = codes.compensation && is_cutter_side(*codes.compensation);
-  // fanuc.tool-center-point.forbidden: G28 G29 G30 G30.1 G37 G39 G41 G42 G45 to G48 G53 G54 to G59 and G92 in a block
-  // under G43.4 or G43.5, the block of the code included, raise FORBIDDEN_UNDER_TOOL_DIRECTION.
-  if (marks.tip_control && (leaves_the_path(codes.one_shot) || codes.workpiece || cutter))
+  // fanuc.tool-center-point.forbidden: G28 G29 G30 G30.1 G37 G39 G41 G42 G45 to G48 G52 G53 G54 to G59 G54.1 G92 and
+  // G10 L2 L20 in a block under G43.4 or G43.5, the block of the code included, raise FORBIDDEN_UNDER_TOOL_DIRECTION.
+  if (marks.tip_control && (leaves_the_path(codes.one_shot) || codes.workpiece || codes.writes_origin || cutter))
     raise(recorder_, Clause::fanuc_tool_center_point_forbidden, "FORBIDDEN_UNDER_TOOL_DIRECTION",
           "a command that is not allowed while G43.4 or G43.5 is in force");
   const bool axis_offset_code = codes.length == LengthCode::plus || codes.length == LengthCode::minus;

@@ -82,10 +82,10 @@ void ToolSideCompensation::check(const ToolSideBlock& words) const {
 void ToolSideCompensation::forbid(const ToolSideBlock& words) const {
   const bool around = (on() || words.wanted()) && words.leaves_the_path;
   const bool after =
-      words.wanted() && (words.changes_coordinates || (words.auxiliary && (words.moves || words.arc_words)));
-  // fanuc.tool-side.forbidden: FORBIDDEN_IN_3D_COMPENSATION (the alarm number is not known): G54 to G59, G20, G21, and
-  // an M, S or T word together with an axis word (I J K under G43.5 included) or in an arc, in a block after which tool
-  // side compensation is on.
+      words.wanted() && (words.refused_while_on || (words.auxiliary && (words.moves || words.arc_words)));
+  // fanuc.tool-side.forbidden: FORBIDDEN_IN_3D_COMPENSATION (the alarm number is not known): G54 to G59, G54.1, G20,
+  // G21, G96, G97, G160, G05 but for P10000, and an M, S or T word together with an axis word (I J K under G43.5
+  // included) or in an arc, in a block after which tool side compensation is on.
   if (around || after || (on() && words.other_compensation))
     raise(recorder(), Clause::fanuc_tool_side_forbidden, "FORBIDDEN_IN_3D_COMPENSATION",
           "a command that is not allowed while tool side compensation is on");

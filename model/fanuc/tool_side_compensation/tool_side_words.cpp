@@ -67,7 +67,7 @@ std::shared_ptr<ToolSideBlock> ToolSideWords::read(const StageCommand& now) {
 
   block.treatment = treatment(command);
   block.leaves_the_path = codes.one_shot != OneShot::none;
-  block.changes_coordinates = codes.workpiece || codes.units;
+  block.refused_while_on = codes.workpiece || codes.units || codes.refused_in_space;
   block.auxiliary = codes.auxiliary;
   block.stops_look_ahead = codes.stops_look_ahead;
   block.moves = now.moves();

@@ -25,6 +25,7 @@ struct ReadAlarm {
   Name number;  // PS0003 …
   std::uint32_t column = 0;
   const char* message = "";  // static text
+  bool beyond = false;       // a control may well read this; this project does not
 };
 
 // Words in the order written. A block with a read alarm keeps the words before the fault; it is not executed.

@@ -1,0 +1,115 @@
+// The blocks of a piece of FANUC program text, one after the other as they stand there. ProgramReader puts them in the
+// order in which they run.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "spec/language/axes.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/digits.h"
+#include "spec/language/fanuc/block.h"
+#include "spec/language/reader_options.h"
+
+namespace toolcomp::spec {
+
+// What an address admits.
+struct Address {
+  bool known = false;
+  bool sign = false;
+  bool point = false;
+};
+
+// In constant memory, whatever the length of a line.
+class BlockReader {
+ public:
+  // Where the program goes on behind a block.
+  enum class Jump : std::uint8_t { none, call, back };  // M98, M99
+
+  BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, const ReaderOptions& options,
+              std::uint64_t first_line = 1);
+
+  // The next block with at least one word (or an alarm); false at the end of the text or at the `%` that ends it.
+  // Throws InputError for bytes that are no text. Does not allocate.
+  bool next(Block& block);
+  // Of the block read last, where it has no alarm.
+  [[nodiscard]] Jump jump() const { return jump_; }
+  // The name in angle brackets behind its M98, or empty.
+  [[nodiscard]] std::string_view called_name() const { return {name_.data(), name_size_}; }
+
+  // No further blocks.
+  void end() { done_ = true; }
+  // The text behind the block read last, which is read no more from here; go_on() reads on in it, or in less of it.
+  std::string take_rest();
+  void go_on(std::unique_ptr<ByteSource> bytes);
+  // Of what comes next.
+  [[nodiscard]] std::uint64_t line() const { return line_; }
+
+ private:
+  static constexpr std::size_t kBufferSize = 65536;
+  static constexpr std::size_t kLongestName = 32;
+
+  // The next byte, or kEnd, without taking it.
+  int peek() {
+    if (position_ != end_ || refill()) [[likely]]
+      return static_cast<unsigned char>(*position_);
+    return kEnd;
+  }
+  void take() { ++position_; }
+  bool refill();
+  void skip_byte_order_mark();
+
+  // Bytes taken so far.
+  [[nodiscard]] std::uint64_t offset() const {
+    return consumed_ + static_cast<std::uint64_t>(position_ - buffer_.data());
+  }
+  // Of the byte that peek() shows.
+  [[nodiscard]] std::uint32_t column() const;
+
+  // One block, up to and with what ends it; false if it has no word but N and no alarm.
+  bool read_block(Block& block);
+  // These return whether all is well; after a fault the rest of the block is behind.
+  bool read_word(Block& block, char letter);
+  bool read_number(Block& block, const Address& admitted, std::uint32_t start, Decimal& value);
+  // The usual number without a detour, [-]digits[.digits] of at most seven each; false, and nothing taken, where it is
+  // or may be any other.
+  bool read_usual(const Address& admitted, Decimal& value);
+  bool read_slash(Block& block);
+  bool read_name(Block& block);
+  bool raise(Block& block, std::uint32_t column, const char* number, const char* message);
+  void skip_comment();
+  void skip_block();
+  void end_line();
+  void end_percent();
+  void end_file();
+  [[noreturn]] void refuse(int byte);
+
+  static constexpr int kEnd = -1;
+
+  std::unique_ptr<ByteSource> source_;
+  ReaderOptions options_;
+  std::array<Address, 256> address_;
+  std::array<char, kBufferSize + 2 * kDigitsRead> buffer_{};  // the byte at `end_` is 0
+  const char* position_ = buffer_.data();
+  const char* end_ = buffer_.data();
+  std::uint64_t consumed_ = 0;    // bytes before the buffer
+  std::uint64_t line_;            // being read
+  std::uint64_t line_start_ = 0;  // offset of its first byte
+  bool at_start_ = true;          // no byte has come
+  bool started_ = false;          // something other than blanks, comments, line ends and % was read
+  bool begun_ = false;            // the % that begins the program was read
+  bool exhausted_ = false;        // the source has no more bytes
+  bool done_ = false;             // no more blocks
+  char letter_ = 0;               // of the word read last
+  Jump jump_ = Jump::none;
+  std::array<char, kLongestName> name_{};
+  std::size_t name_size_ = 0;
+  std::array<char, 8> passed_{};  // what was not read as words, from its first character
+  std::size_t passed_size_ = 0;
+};
+
+}  // namespace toolcomp::spec

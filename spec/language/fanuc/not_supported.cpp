@@ -1,0 +1,137 @@
+#include "spec/language/fanuc/not_supported.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace toolcomp::spec {
+namespace {
+
+struct Code {
+  std::uint64_t tenths;
+  const char* text;
+};
+
+// Machining centre system, ascending.
+constexpr std::array kCodes{
+    Code{22, "G02.2 (involute interpolation) is not supported"},
+    Code{23, "G02.3 (exponential interpolation) is not supported"},
+    Code{24, "G02.4 (three-dimensional circular interpolation) is not supported"},
+    Code{32, "G03.2 (involute interpolation) is not supported"},
+    Code{33, "G03.3 (exponential interpolation) is not supported"},
+    Code{34, "G03.4 (three-dimensional circular interpolation) is not supported"},
+    Code{54, "G05.4 (hold of high precision control) is not supported"},
+    Code{62, "G06.2 (NURBS interpolation) is not supported"},
+    Code{70, "G07 (hypothetical axis interpolation) is not supported"},
+    Code{71, "G07.1 (cylindrical interpolation) is not supported"},
+    Code{106, "G10.6 (tool retract and recover) is not supported"},
+    Code{121, "G12.1 (polar coordinate interpolation) is not supported"},
+    Code{160, "G16 (polar coordinate command) is not supported"},
+    Code{270, "G27 (reference position return check) is not supported"},
+    Code{310, "G31 (skip) is not supported"},
+    Code{318, "G31.8 (EGB skip) is not supported"},
+    Code{330, "G33 (threading) is not supported"},
+    Code{380, "G38 (cutter compensation vector retention) is not supported"},
+    Code{411, "G41.1 (normal direction control) is not supported"},
+    Code{414, "G41.4 (three-dimensional cutter compensation) is not supported"},
+    Code{415, "G41.5 (three-dimensional cutter compensation) is not supported"},
+    Code{421, "G42.1 (normal direction control) is not supported"},
+    Code{424, "G42.4 (three-dimensional cutter compensation) is not supported"},
+    Code{425, "G42.5 (three-dimensional cutter compensation) is not supported"},
+    Code{431, "G43.1 (tool length compensation in tool axis direction) is not supported"},
+    Code{433, "G43.3 (nutating rotary head tool length compensation) is not supported"},
+    Code{437, "G43.7 (tool offset) is not supported"},
+    Code{438, "G43.8 (cutting point command) is not supported"},
+    Code{439, "G43.9 (cutting point command) is not supported"},
+    Code{441, "G44.1 (torch turning control) is not supported"},
+    Code{510, "G51 (scaling) is not supported"},
+    Code{511, "G51.1 (programmable mirror image) is not supported"},
+    Code{512, "G51.2 (polygon turning) is not supported"},
+    Code{531, "G53.1 (tool axis direction control) is not supported"},
+    Code{536, "G53.6 (tool center point retention type tool axis direction control) is not supported"},
+    Code{542, "G54.2 (rotary table dynamic fixture offset) is not supported"},
+    Code{544, "G54.4 (workpiece setting error compensation) is not supported"},
+    Code{600, "G60 (single direction positioning) is not supported"},
+    Code{650, "G65 (macro call) is not supported"},
+    Code{660, "G66 (modal macro call) is not supported"},
+    Code{661, "G66.1 (modal macro call) is not supported"},
+    Code{680, "G68 (coordinate system rotation) is not supported"},
+    Code{682, "G68.2 (tilted working plane) is not supported"},
+    Code{683, "G68.3 (tilted working plane) is not supported"},
+    Code{684, "G68.4 (tilted working plane) is not supported"},
+    Code{721, "G72.1 (figure copy) is not supported"},
+    Code{722, "G72.2 (figure copy) is not supported"},
+    Code{730, "G73 (peck drilling, a canned cycle) is not supported"},
+    Code{740, "G74 (left-handed tapping, a canned cycle) is not supported"},
+    Code{750, "G75 (grinding cycle) is not supported"},
+    Code{760, "G76 (fine boring, a canned cycle) is not supported"},
+    Code{770, "G77 (grinding cycle) is not supported"},
+    Code{780, "G78 (grinding cycle) is not supported"},
+    Code{790, "G79 (grinding cycle) is not supported"},
+    Code{810, "G81 (drilling, a canned cycle) is not supported"},
+    Code{811, "G81.1 (chopping) is not supported"},
+    Code{820, "G82 (counter boring, a canned cycle) is not supported"},
+    Code{830, "G83 (peck drilling, a canned cycle) is not supported"},
+    Code{840, "G84 (tapping, a canned cycle) is not supported"},
+    Code{842, "G84.2 (rigid tapping, a canned cycle) is not supported"},
+    Code{843, "G84.3 (left-handed rigid tapping, a canned cycle) is not supported"},
+    Code{850, "G85 (boring, a canned cycle) is not supported"},
+    Code{860, "G86 (boring, a canned cycle) is not supported"},
+    Code{870, "G87 (back boring, a canned cycle) is not supported"},
+    Code{880, "G88 (boring, a canned cycle) is not supported"},
+    Code{890, "G89 (boring, a canned cycle) is not supported"},
+    Code{921, "G92.1 (workpiece coordinate system preset) is not supported"},
+    Code{1070, "G107 (cylindrical interpolation) is not supported"},
+    Code{1120, "G112 (polar coordinate interpolation) is not supported"},
+    Code{1510, "G151 (normal direction control) is not supported"},
+    Code{1520, "G152 (normal direction control) is not supported"},
+    Code{1610, "G161 (in-feed control) is not supported"},
+};
+static_assert(std::ranges::is_sorted(kCodes, {}, &Code::tenths));
+
+// A G number in tenths; one that no list has where it is none.
+std::uint64_t tenths_of(const Decimal& number) {
+  constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t digits = number.digits;
+  unsigned decimals = number.decimals;
+  for (; decimals > 1; --decimals, digits /= 10)
+    if (digits % 10 != 0) return kNone;
+  if (digits >= kCodes.back().tenths + 1) return kNone;
+  return decimals == 1 ? digits : digits * 10;
+}
+
+constexpr std::array<std::string_view, 11> kMacroWords{"IF",    "WHILE", "GOTO",  "THEN",  "END",  "DO",
+                                                       "SETVN", "POPEN", "PCLOS", "DPRNT", "BPRNT"};
+
+}  // namespace
+
+const char* code_not_supported(std::uint64_t tenths) {
+  const auto* const found = std::ranges::lower_bound(kCodes, tenths, {}, &Code::tenths);
+  return found != kCodes.end() && found->tenths == tenths ? found->text : nullptr;
+}
+
+const char* text_not_supported(std::string_view text) {
+  if (text.starts_with(",R") || text.starts_with(",C"))
+    return ",R and ,C (corner rounding, chamfering) are not supported";
+  const auto variable = [text](std::size_t at) { return text.size() > at && (text[at] == '#' || text[at] == '['); };
+  if (variable(0) || variable(1)) return "custom macro variables and expressions are not supported";
+  if (std::ranges::any_of(kMacroWords, [text](std::string_view word) { return text.starts_with(word); }))
+    return "custom macro statements (IF, WHILE, GOTO and the like) are not supported";
+  return nullptr;
+}
+
+const Word* word_not_supported(const Block& block) {
+  const auto words = block.words();
+  const auto found = std::ranges::find_if(words, [](const Word& word) {
+    return word.address == 'G' && code_not_supported(tenths_of(word.value)) != nullptr;
+  });
+  return found == words.end() ? nullptr : &*found;
+}
+
+const char* not_supported(const Block& block) {
+  if (block.alarm) return block.alarm->beyond ? block.alarm->message : nullptr;
+  const Word* const word = word_not_supported(block);
+  return word == nullptr ? nullptr : code_not_supported(tenths_of(word->value));
+}
+
+}  // namespace toolcomp::spec

@@ -1,0 +1,44 @@
+#include "spec/language/fanuc/program_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <system_error>
+
+#include "spec/language/byte_source.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::spec {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What names of one program have in common.
+std::string common_name(std::string_view name) {
+  std::string text(name);
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  const bool number = text.find_first_not_of("0123456789", text.starts_with('O') ? 1 : 0) == std::string::npos;
+  if (!number) return text;
+  text.erase(0, std::min(text.find_first_not_of("O0"), text.size()));
+  return 'O' + text;
+}
+
+}  // namespace
+
+std::optional<std::string> program_beside(const fs::path& folder, std::string_view name) {
+  const std::string wanted = common_name(name);
+  fs::path found;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
+    if (!entry.is_regular_file(error) || common_name(entry.path().stem().string()) != wanted) continue;
+    // A setup or a table is no program.
+    const fs::path ending = entry.path().extension();
+    if (ending == ".toml" || ending == ".json" || ending == ".csv") continue;
+    if (!found.empty())
+      throw InputError(found.string(), 0, 0, "program " + std::string(name) + " is also in " + entry.path().string());
+    found = entry.path();
+  }
+  if (found.empty()) return std::nullopt;
+  return read_file(found.string());
+}
+
+}  // namespace toolcomp::spec

@@ -1,0 +1,133 @@
+#include "spec/language/fanuc/program_library.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "spec/language/byte_source.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::spec {
+namespace {
+
+constexpr std::uint64_t kNumbers = 10000;  // a program number has four digits, what stands before them is how often
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+const Decimal* last(const Block& block, char address) {
+  const Decimal* found = nullptr;
+  for (const Word& word : block.words())
+    if (word.address == address) found = &word.value;
+  return found;
+}
+
+std::string_view trimmed(std::string_view line) {
+  for (;;) {
+    const std::size_t first = line.find_first_not_of(" \t\r%");
+    if (first == std::string_view::npos) return {};
+    line.remove_prefix(first);
+    if (line.front() != '(') return line;
+    line.remove_prefix(std::min(line.find(')'), line.size() - 1) + 1);
+  }
+}
+
+// The program whose head a line is: O and its number, or a name in < >.
+std::string head(std::string_view line) {
+  line = trimmed(line);
+  if (line.empty()) return {};
+  if (line.front() == '<') {
+    const std::size_t end = line.find('>');
+    return end == std::string_view::npos ? std::string() : std::string(line.substr(1, end - 1));
+  }
+  if (line.front() != 'O' && line.front() != 'o' && line.front() != ':') return {};
+  line.remove_prefix(std::min(line.find_first_not_of(" \t", 1), line.size()));
+  line.remove_prefix(std::min(line.find_first_not_of('0'), line.size()));
+  const auto end = std::ranges::find_if_not(line, is_digit);
+  const std::string number(line.begin(), end);
+  return number.empty() ? std::string() : 'O' + number;
+}
+
+// A text cut where the heads of programs stand.
+std::vector<ProgramLibrary::Piece> pieces(std::string_view text, std::uint64_t first_line) {
+  std::vector<ProgramLibrary::Piece> all{{{}, text, first_line}};
+  std::uint64_t line = first_line;
+  for (std::string_view rest = text; !rest.empty(); ++line) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size() - 1) + 1;
+    if (std::string name = head(rest.substr(0, end)); !name.empty()) {
+      all.back().text.remove_suffix(rest.size());
+      all.push_back({std::move(name), rest, line});
+    }
+    rest.remove_prefix(end);
+  }
+  return all;
+}
+
+}  // namespace
+
+ProgramCall program_call(const Block& block, const BlockReader& reader) {
+  ProgramCall call;
+  const Decimal* const p = last(block, 'P');
+  const Decimal* const l = last(block, 'L');
+  std::uint64_t number = 0;
+  if (p != nullptr && p->decimals == 0 && !p->point && !p->negative) number = p->digits;
+  if (!reader.called_name().empty()) {
+    call.program = reader.called_name();
+  } else if (l == nullptr && number >= kNumbers) {
+    call.times = number / kNumbers;
+    number %= kNumbers;
+  }
+  if (call.program.empty() && number != 0) call.program = 'O' + std::to_string(number);
+  if (l != nullptr) call.times = std::max<std::uint64_t>(l->digits, 1);
+  return call;
+}
+
+std::string_view ProgramLibrary::add(std::string text, std::uint64_t first_line, const std::string& program) {
+  next_line_ = first_line;
+  const std::vector<Piece> all = keep(std::move(text), {});
+  join(program);
+  for (const Piece& piece : all) join_called(piece.text);
+  return all.front().text;
+}
+
+// `program`: the text is that one, where no head in it says so.
+std::vector<ProgramLibrary::Piece> ProgramLibrary::keep(std::string text, const std::string& program) {
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  const std::string_view kept = texts_.emplace_back(std::move(text));
+  const std::vector<Piece> all = pieces(kept, next_line_);
+  for (const Piece& piece : all)
+    if (!piece.name.empty()) programs_.try_emplace(piece.name, Program{piece.text, piece.line});
+  if (!program.empty())
+    programs_.try_emplace(program, Program{all.front().text.empty() ? kept : all.front().text, next_line_});
+  next_line_ += static_cast<std::uint64_t>(std::ranges::count(kept, '\n'));
+  return all;
+}
+
+void ProgramLibrary::join_called(std::string_view text) {
+  BlockReader reader(text_source(text), axes_, options_);
+  Block block;
+  try {
+    while (reader.next(block))
+      if (reader.jump() == BlockReader::Jump::call && !block.alarm) join(program_call(block, reader).program);
+  } catch (const InputError&) {
+    // It is told where the text runs.
+  }
+}
+
+void ProgramLibrary::join(const std::string& program) {
+  if (program.empty() || programs_.contains(program) || !options_.called_program) return;
+  if (std::optional<std::string> text = options_.called_program(program))
+    for (const Piece& piece : keep(std::move(*text), program)) join_called(piece.text);
+}
+
+std::optional<ProgramLibrary::Program> ProgramLibrary::find(const std::string& program) const {
+  const auto found = programs_.find(program);
+  return found == programs_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string ProgramLibrary::joined() const {
+  std::string all;
+  for (const std::string& text : texts_) all += text;
+  return all;
+}
+
+}  // namespace toolcomp::spec
