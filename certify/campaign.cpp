@@ -27,6 +27,7 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/without_effect.h"
 #include "spec/language/input_error.h"
+#include "spec/language/naming_clause.h"
 #include "spec/language/setup_format.h"
 
 namespace toolcomp::certify {
@@ -455,7 +456,7 @@ class Campaign {
     if (event != run.events.end()) {
       f.event = static_cast<std::size_t>(event - run.events.begin());
       f.line = event->line;
-      if (!event->clauses.empty()) f.key.clause = spec::info(event->clauses.back()).id;
+      if (const auto clause = spec::naming_clause(event->clauses)) f.key.clause = spec::info(*clause).id;
     }
     f.expected_events = in_doubles(run.events);
     f.subject = certificate_.subject;

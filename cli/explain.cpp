@@ -153,13 +153,16 @@ class Explanation {
     }
     model.end();
     fast.end();
-    add_text(read);
+    add_text(options_.program == "-" ? read : program.as_case().program);
   }
 
   void add(const spec::Block& block) {
     blocks_.push_back({block.line, block.n, block.alarm ? std::string() : to_string(block)});
   }
-  void add(const spec::klartext::Block& block) { blocks_.push_back({block.line, block.n, {}}); }
+  // What is read again has its events at its line.
+  void add(const spec::klartext::Block& block) {
+    if (read_.insert(block.line).second) blocks_.push_back({block.line, block.n, {}});
+  }
 
   // Blocks that have no text yet: their lines as written, with those that ~ joins to them.
   void add_text(std::string_view read) {
@@ -232,6 +235,7 @@ class Explanation {
   const spec::Setup& setup_;
   spec::Axes axes_;
   std::vector<Source> blocks_;
+  std::set<std::uint64_t> read_;  // lines of Klartext blocks
   std::vector<model::Event> exact_;
   std::map<std::uint64_t, Line> lines_;
   bool numbered_ = false;  // the block asked for is a sequence number

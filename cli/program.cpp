@@ -9,6 +9,7 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
 #include "spec/language/document.h"
+#include "spec/language/heidenhain/joined_program.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
@@ -27,6 +28,14 @@ bool begins_with_brace(const std::string& path) {
   for (std::size_t i = 0; i < size; ++i)
     if (std::string_view(" \t\r\n").find(buffer[i]) == std::string_view::npos) return buffer[i] == '{';
   return false;
+}
+
+// The programs that one in this file calls stand beside it; standard input has no place.
+fuzz::CalledProgram called_program(const std::string& path, const spec::Setup& setup) {
+  if (path == "-" || setup.control != spec::Control::heidenhain) return {};
+  return [folder = fs::path(path).parent_path()](std::string_view name) {
+    return spec::klartext::program_beside(folder, name);
+  };
 }
 
 std::string setup_beside(const std::string& path) {
@@ -103,12 +112,15 @@ Program::Program(const std::string& path, const std::string& setup, std::optiona
 
 fuzz::StreamedProgram Program::text() const {
   return {[this] { return is_case_ ? spec::text_source(case_.program) : spec::file_source(path_); }, path_ == "-",
-          spec::display_name(path_)};
+          spec::display_name(path_), is_case_ ? fuzz::CalledProgram() : called_program(path_, case_.setup)};
 }
 
 spec::Case Program::as_case() const {
   spec::Case whole = case_;
-  if (!is_case_) whole.program = spec::read_file(path_);
+  if (is_case_) return whole;
+  whole.program = spec::read_file(path_);
+  if (const auto called = called_program(path_, case_.setup))
+    whole.program = spec::klartext::joined_klartext(whole.program, called);
   return whole;
 }
 

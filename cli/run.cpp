@@ -133,7 +133,7 @@ class Printer final : public spec::EventSink<Number> {
 template <class Control, class Engine, class Sink>
 void feed(const Program& program, Engine& engine, Sink& sink) {
   const fuzz::StreamedProgram text = program.text();
-  auto reader = Control::reader(text.open(), program.setup(), text.name);
+  auto reader = Control::reader(text.open(), program.setup(), text.name, text.called_program);
   typename Control::Block block;
   try {
     while (!engine.stopped() && reader.next(block)) {

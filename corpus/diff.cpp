@@ -6,13 +6,14 @@
 
 #include "corpus/vector.h"
 #include "spec/language/case_format.h"
+#include "spec/language/naming_clause.h"
 
 namespace toolcomp::corpus {
 namespace {
 
 std::string clause_of(const spec::Case& c, std::size_t event) {
   if (event >= c.expect.size() || c.expect[event].clauses.empty()) return {};
-  return std::string(spec::info(c.expect[event].clauses.back()).id);
+  return std::string(spec::info(*spec::naming_clause(c.expect[event].clauses)).id);
 }
 
 Change compare(const spec::Case& before, const spec::Case& after) {

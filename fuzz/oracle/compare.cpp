@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "fuzz/oracle/number.h"
+#include "spec/language/naming_clause.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -80,7 +81,9 @@ class Comparison {
     if (event()) {
       difference_.line = expected_.line;
       difference_.clauses = expected_.clauses;
-      if (!expected_.clauses.empty()) difference_.clause = expected_.clauses.back();
+      difference_.clause = spec::naming_clause(expected_.clauses);
+      // The cause of a move comes with the clause applied last.
+      if (difference_.kind == "cause" && !expected_.clauses.empty()) difference_.clause = expected_.clauses.back();
       return difference_;
     }
     return std::nullopt;

@@ -13,9 +13,13 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/heidenhain/klartext_reader.h"
+#include "spec/language/reader_options.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {
+
+// Finds a program that another calls (spec::ReaderOptions).
+using CalledProgram = decltype(spec::ReaderOptions::called_program);
 
 // `file` is the name in messages. Every function throws spec::InputError for a setup the control could not have.
 struct FanucControl {
@@ -23,8 +27,11 @@ struct FanucControl {
   using Block = spec::Block;
   using Model = model::Engine;
   using Fast = fast::Engine;
-  static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file) {
-    return {std::move(text), setup.axes, {.file = std::move(file), .block_skip = setup.block_skip}};
+  static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file,
+                       CalledProgram called = {}) {
+    return {std::move(text),
+            setup.axes,
+            {.file = std::move(file), .block_skip = setup.block_skip, .called_program = std::move(called)}};
   }
   static Model model(const spec::Setup& setup, model::Recorder& recorder, model::EventSink& sink,
                      std::uint32_t samples) {
@@ -41,8 +48,11 @@ struct HeidenhainControl {
   using Block = spec::klartext::Block;
   using Model = model::klartext::Engine;
   using Fast = fast::klartext::Engine;
-  static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file) {
-    return {std::move(text), setup, {.file = std::move(file), .block_skip = setup.block_skip}};
+  static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file,
+                       CalledProgram called = {}) {
+    return {std::move(text),
+            setup,
+            {.file = std::move(file), .block_skip = setup.block_skip, .called_program = std::move(called)}};
   }
   static Model model(const spec::Setup& setup, model::Recorder& recorder, model::EventSink& sink, std::uint32_t) {
     return {setup, recorder, sink};

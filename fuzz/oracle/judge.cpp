@@ -13,6 +13,7 @@
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/pairing.h"
 #include "fuzz/oracle/verdict.h"
+#include "spec/language/naming_clause.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -52,7 +53,7 @@ Difference unpaired(const std::vector<model::Event>& expected, std::span<const s
   d.line = i < expected.size() ? expected[i].line : actual[i].line;
   if (!expected.empty()) {
     d.clauses = expected[std::min(i, expected.size() - 1)].clauses;
-    if (!d.clauses.empty()) d.clause = d.clauses.back();
+    d.clause = spec::naming_clause(d.clauses);
   }
   return d;
 }

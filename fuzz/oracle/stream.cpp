@@ -9,6 +9,7 @@
 #include "fuzz/oracle/control.h"
 #include "fuzz/oracle/pairing.h"
 #include "fuzz/oracle/verdict.h"
+#include "spec/language/naming_clause.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -189,7 +190,7 @@ class Pass {
       const model::Event& event = expected_.events[actual_.events.size()];
       d.line = event.line;
       d.clauses = event.clauses;
-      if (!event.clauses.empty()) d.clause = event.clauses.back();
+      d.clause = spec::naming_clause(event.clauses);
       d.expected = describe(event);
       d.actual = "no more events";
     }
@@ -241,7 +242,7 @@ Verdict judge_passes(const StreamedProgram& program, const spec::Setup& setup, s
     Verdict v;
     try {
       pass.emplace(setup, samples, task.choices);
-      v = pass->run(Control::reader(program.open(), setup, program.name), first ? nullptr : on_block);
+      v = pass->run(Control::reader(program.open(), setup, program.name, program.called_program), first ? nullptr : on_block);
     } catch (const std::exception&) {
       if (!first) throw;
       continue;  // the forced outcome has no finite vectors

@@ -6,6 +6,7 @@
 #include "fuzz/laws/changed_program.h"
 #include "fuzz/laws/laws.h"
 #include "spec/language/input_error.h"
+#include "spec/language/naming_clause.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -65,7 +66,7 @@ std::uint64_t hold_laws(const spec::Case& c, const ModelRun& run, Verdict& verdi
   d.line = violation.line;
   d.event = violation.event;
   if (violation.event < run.events.size()) d.clauses = run.events[violation.event].clauses;
-  if (!d.clauses.empty()) d.clause = d.clauses.back();
+  d.clause = spec::naming_clause(d.clauses);
   return held.checks;
 }
 

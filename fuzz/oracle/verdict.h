@@ -23,7 +23,7 @@ namespace toolcomp::fuzz {
 
 enum class Outcome : std::uint8_t { agrees, differs, undecided, nothing_judged };
 
-// The first difference. Texts are for people; `clause` is the last clause the model applied before it.
+// The first difference. Texts are for people; `clause` is the one that names it (spec::naming_clause).
 struct Difference {
   std::uint64_t line = 0;
   std::string kind;   // what differs: "missing event", "extra event", "order", "alarm", "cause", "coordinate", …
@@ -104,6 +104,9 @@ struct StreamedProgram {
   std::function<std::unique_ptr<spec::ByteSource>()> open;  // from the beginning
   bool once = false;                                        // standard input: it can be opened once
   std::string name = "program";                             // in messages
+  // Programs that it calls and does not hold itself (spec::ReaderOptions).
+  // NOLINTNEXTLINE(*-redundant-member-init): GCC warns where braces leave it out otherwise
+  std::function<std::optional<std::string>(std::string_view name)> called_program = {};
 };
 
 // Runs both engines over it in bounded memory and judges as it goes; stops at the first difference. `samples` as in a

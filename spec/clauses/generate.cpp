@@ -26,6 +26,7 @@ struct ClauseText {
   std::string positive, negative, tie, reason, unreachable_reason, replaced_by;
   std::vector<std::string> parameters, alternatives, unreachable;
   bool testable = true;
+  bool makes_value = false;
 };
 
 [[noreturn]] void fail(const std::filesystem::path& file, const toml::source_region& where, std::string_view what) {
@@ -45,7 +46,7 @@ std::string joined(const std::vector<std::string>& list) { return fmt::format("{
 
 constexpr std::string_view kKeys[] = {
     "id",       "kind",         "source",   "text",   "formula",     "parameters",         "alternatives",
-    "outcomes", "outcome_text", "testable", "reason", "unreachable", "unreachable_reason", "replaced_by"};
+    "outcomes", "outcome_text", "testable", "reason", "unreachable", "unreachable_reason", "replaced_by", "makes_value"};
 constexpr std::string_view kKinds[] = {"normative", "parameter", "alarm", "open", "note"};
 constexpr std::string_view kOutcomes[] = {"sign", "fact", "reach"};
 
@@ -62,6 +63,7 @@ ClauseText read_clause(const std::filesystem::path& file, const std::string& sec
   clause.formula = text_of(table, "formula");
   clause.outcomes = table["outcomes"].value_or(std::string("reach"));
   clause.testable = table["testable"].value_or(true);
+  clause.makes_value = table["makes_value"].value_or(false);
   clause.reason = text_of(table, "reason");
   clause.unreachable_reason = text_of(table, "unreachable_reason");
   clause.replaced_by = text_of(table, "replaced_by");
@@ -146,6 +148,7 @@ struct ClauseInfo {{
   std::string_view positive, negative, tie;  // what each outcome means; a fact has true as positive, false as negative
   bool testable;
   std::string_view reason, unreachable, unreachable_reason, replaced_by;
+  bool makes_value;  // the position of a move comes from it; other clauses of the event say where it applies
 }};
 
 const ClauseInfo& info(Clause clause);
@@ -185,12 +188,12 @@ void generate(const std::filesystem::path& folder, const std::filesystem::path& 
     enumerators += fmt::format("  {},\n", c.enumerator);
     rows += fmt::format(
         "    ClauseInfo{{{}, {}, {}, ClauseKind::{}, {}, {}, {}, {},\n      {}, {},\n      {}, {}, "
-        "ClauseOutcomes::{},\n      {}, {}, {}, {}, {}, {}, {}, {}}},\n",
+        "ClauseOutcomes::{},\n      {}, {}, {}, {}, {}, {}, {}, {}, {}}},\n",
         literal(c.id), literal(c.section), literal(c.file), c.kind, literal(c.document), literal(c.edition),
         literal(c.page), literal(c.provenance), literal(c.text), literal(c.formula), literal(joined(c.parameters)),
         literal(joined(c.alternatives)), c.outcomes, literal(c.positive), literal(c.negative), literal(c.tie),
         c.testable, literal(c.reason), literal(joined(c.unreachable)), literal(c.unreachable_reason),
-        literal(c.replaced_by));
+        literal(c.replaced_by), c.makes_value);
   }
   write_changed(output / "clauses.h", fmt::format(kHeader, enumerators, clauses.size()));
   write_changed(output / "clauses.cpp", fmt::format(kSource, rows));

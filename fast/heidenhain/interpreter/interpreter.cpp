@@ -192,7 +192,12 @@ Alarm Interpreter::execute(const Block& block, Functions functions) {
     case Statement::select_corrections:
     case Statement::plane:
     case Statement::stop:
+    case Statement::label:
+    case Statement::call_label:
+    case Statement::call_program:
+    case Statement::program_return:
     case Statement::miscellaneous:
+    case Statement::without_effect:
       break;
   }
   return alarm::kNone;

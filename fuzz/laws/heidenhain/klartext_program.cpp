@@ -166,7 +166,14 @@ KlartextProgram::KlartextProgram(const spec::Case& c) {
   try {
     spec::klartext::Reader reader(spec::text_source(c.program), c.setup, {.file = "program"});
     const auto block = std::make_unique<Block>();
-    while (reader.next(*block) && !block->alarm) blocks_.push_back(state.read_block(*block));
+    while (reader.next(*block) && !block->alarm) {
+      // Where calls or repeats lead back, a line has no one state: nothing is known of such a program.
+      if (!blocks_.empty() && block->line <= blocks_.back().line) {
+        blocks_.clear();
+        return;
+      }
+      blocks_.push_back(state.read_block(*block));
+    }
   } catch (const spec::InputError&) {  // NOLINT(bugprone-empty-catch): the run says so, where it comes so far
   }
 }

@@ -4,6 +4,7 @@
 
 #include "model/basis/alarm.h"
 #include "model/basis/number.h"
+#include "model/heidenhain/program/calls.h"
 #include "model/heidenhain/program/read_alarm.h"
 
 namespace toolcomp::model::klartext {
@@ -97,6 +98,12 @@ std::optional<Motion> Interpreter::execute(const Block& block, const Functions& 
     case Statement::assignment:
       values_.assign(block.target, block.value);
       break;
+    case Statement::label:
+    case Statement::call_label:
+    case Statement::call_program:
+    case Statement::program_return:
+      record_call(recorder_, block);
+      break;
     case Statement::begin_program:
     case Statement::end_program:
     case Statement::block_form:
@@ -105,6 +112,7 @@ std::optional<Motion> Interpreter::execute(const Block& block, const Functions& 
     case Statement::plane:
     case Statement::stop:
     case Statement::miscellaneous:
+    case Statement::without_effect:
       break;
   }
   return std::nullopt;

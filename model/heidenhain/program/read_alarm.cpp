@@ -12,7 +12,7 @@ struct Row {
   std::string_view number;
   Clause clause;
 };
-constexpr std::array<Row, 6> kRows{{
+constexpr auto kRows = std::to_array<Row>({
     // heidenhain.program.too-many-functions: More than four M functions in a block raise E_TOO_MANY_M.
     {"E_TOO_MANY_M", Clause::heidenhain_program_too_many_functions},
     // heidenhain.program.vector-order: In LN the position X, Y, Z comes first, then NX, NY, NZ, then TX, TY, TZ.
@@ -30,7 +30,29 @@ constexpr std::array<Row, 6> kRows{{
     // heidenhain.program.vector-zero: A vector whose components are all 0 has no direction and raises E_VEC_ZERO, a
     // tool vector that would be ignored too.
     {"E_VEC_ZERO", Clause::heidenhain_program_vector_zero},
-}};
+    // heidenhain.program.not-supported: What a control may well run and this project does not follow raises
+    // E_UNSUPPORTED when it is reached, and its message names it.
+    {"E_UNSUPPORTED", Clause::heidenhain_program_not_supported},
+    // heidenhain.program.label-missing: CALL LBL of a label that its program does not have raises E_LABEL_MISSING.
+    {"E_LABEL_MISSING", Clause::heidenhain_program_label_missing},
+    // heidenhain.program.label-twice: CALL LBL of a label that stands in its program more than once raises
+    // E_LABEL_TWICE.
+    {"E_LABEL_TWICE", Clause::heidenhain_program_label_twice},
+    // heidenhain.program.label-recursion: A subprogram that calls itself, directly or through others, raises
+    // E_LABEL_RECURSION.
+    {"E_LABEL_RECURSION", Clause::heidenhain_program_label_recursion},
+    // heidenhain.program.program-recursion: A program that calls itself, directly or through others, raises
+    // E_PROGRAM_RECURSION.
+    {"E_PROGRAM_RECURSION", Clause::heidenhain_program_program_recursion},
+    // heidenhain.program.nesting: Subprograms may stand 19 deep in each other, and so may programs; one more raises
+    // E_NESTING.
+    {"E_NESTING", Clause::heidenhain_program_nesting},
+    // heidenhain.program.program-missing: CALL PGM of a program that is not there raises E_NO_PROGRAM.
+    {"E_NO_PROGRAM", Clause::heidenhain_program_program_missing},
+    // heidenhain.program.too-many-blocks: Where calls and repeats add more than a million blocks to those of the text,
+    // the next one raises E_TOO_LONG.
+    {"E_TOO_LONG", Clause::heidenhain_program_too_many_blocks},
+});
 
 Clause clause_of(const spec::Name& number) {
   for (const Row& row : kRows)

@@ -12,7 +12,6 @@ namespace toolcomp::spec {
 namespace {
 
 constexpr std::size_t kMostCalls = 10;                   // one inside the other
-constexpr std::uint64_t kMostCalledBlocks = 10'000'000;  // of all programs called
 
 }  // namespace
 
@@ -145,8 +144,8 @@ bool ProgramReader::next(Block& block) {
   }
   if (!state.calls.empty()) [[unlikely]] {
     state.calls.back().empty = false;
-    if (++state.called_blocks > kMostCalledBlocks)
-      block.alarm = ReadAlarm{"TOO_MANY_BLOCKS", 1, "programs that are called have more than 10,000,000 blocks"};
+    if (++state.called_blocks > state.options.most_repeated)
+      block.alarm = ReadAlarm{"TOO_LONG", 1, "programs that are called have more blocks than are followed here", true};
   }
   if (state.reader().jump() != BlockReader::Jump::none && !block.alarm) [[unlikely]]
     state.follow(block);

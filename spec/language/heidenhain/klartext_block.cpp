@@ -96,6 +96,7 @@ std::string statement(const Block& block) {
     case Statement::begin_program:
       return "BEGIN PGM P " + std::string(unit);
     case Statement::end_program:
+    case Statement::program_return:
       return "END PGM P " + std::string(unit);
     case Statement::block_form:
       return "BLK FORM 0.1 Z X0 Y0 Z0";
@@ -125,6 +126,15 @@ std::string statement(const Block& block) {
       return "CYCL DEF " + std::to_string(block.cycle) + '.' + std::to_string(block.cycle_part) + axis_words(block);
     case Statement::plane:
       return "PLANE RESET STAY";
+    case Statement::label:
+      return "LBL " + std::string(block.label.view());
+    case Statement::call_label:
+      return "CALL LBL " + std::string(block.label.view()) +
+             (block.repeats == 0 ? "" : " REP " + std::to_string(block.repeats));
+    case Statement::call_program:
+      return "CALL PGM \"" + std::string(block.program.view()) + '"';
+    case Statement::without_effect:
+      return "FUNCTION MODE MILL";
     case Statement::assignment:
       return parameter_text(block.target) + " = " + to_string(block.value);
     case Statement::stop:

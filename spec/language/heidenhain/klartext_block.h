@@ -30,9 +30,14 @@ enum class Statement : std::uint8_t {
   reset_corrections,   // FUNCTION CORRDATA RESET: corrections
   cycle,               // CYCL DEF: cycle, cycle_part; of cycle 7 the axis words
   plane,               // PLANE RESET, PLANE SPATIAL
+  label,               // LBL: label, jumps
+  call_label,          // CALL LBL: label, repeats, jumps
+  call_program,        // CALL PGM: program
+  program_return,      // END PGM of a program that was called
   assignment,          // Q1 = …, FN 0: Q1 = …: target, value
   stop,                // STOP: M functions
   miscellaneous,       // M functions alone
+  without_effect,      // SEL TABLE, FUNCTION MODE MILL, PRESET SELECT, …
 };
 
 enum class ParameterKind : std::uint8_t { none, q, ql, qr };
@@ -67,6 +72,7 @@ struct ReadAlarm {
   std::uint64_t line = 0;  // of the text: of the fault; behind a continuation not that of the block
   std::uint32_t column = 0;
   const char* message = "";  // static text
+  bool beyond = false;       // the control may well read this; this project does not
 };
 
 // A value of a member counts only where the statement has it and its mask or kind says so: the reader writes nothing
@@ -80,6 +86,7 @@ struct Block {
   std::uint32_t column = 1;        // of the statement
   std::optional<std::uint64_t> n;  // block number
   std::optional<ReadAlarm> alarm;
+  const char* passed_over = nullptr;  // static text: what was read as if it did nothing (unsupported.h)
 
   // L, LN, cycle 7: by slot, see kAxisLetters
   std::uint16_t axes = 0;         // bit i: slot i has a word
@@ -118,6 +125,12 @@ struct Block {
   std::uint32_t cycle_part = 0;                         // … and 1
   Parameter target;                                     // Q1 = value
   Value value;
+
+  // LBL, CALL LBL: the digits of a number, or a name with its quotes. LBL 0 ends a subprogram.
+  Name label;
+  std::uint16_t repeats = 0;  // CALL LBL: of REP; 0: a subprogram
+  bool jumps = false;         // LBL, CALL LBL: the next block is not the one behind it
+  Name program;               // CALL PGM, BEGIN PGM, END PGM: the name as written, without quotes
 
   [[nodiscard]] bool has_axis(std::size_t slot) const { return (axes >> slot & 1U) != 0; }
   [[nodiscard]] bool is_incremental(std::size_t slot) const { return (incremental >> slot & 1U) != 0; }

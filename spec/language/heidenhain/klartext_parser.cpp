@@ -11,6 +11,17 @@ constexpr unsigned kNormal = 0b000'111'000;
 constexpr unsigned kToolVector = 0b111'000'000;
 constexpr unsigned kNoRank = 9;
 
+constexpr unsigned kRotarySlots = 0b000'111'000;  // A, B, C
+
+// A rotary axis is sent elsewhere than to 0, or may be.
+bool turns(const Block& block) {
+  for (std::size_t slot = 3; slot < 6; ++slot)
+    if (block.has_axis(slot) && (block.axis[slot].number.digits != 0 || block.is_incremental(slot) ||
+                                 block.axis[slot].parameter.kind != ParameterKind::none))
+      return true;
+  return false;
+}
+
 // More than 5 decimals, or beyond 99999.99999.
 bool many_axis_digits(const Decimal& number) {
   return number.decimals > 5 || number.digits >= kPowersOfTen[5U + number.decimals];
@@ -34,7 +45,7 @@ unsigned rank_of(const char* at) {
 
 }  // namespace
 
-BlockParser::BlockParser(const Setup& setup, const std::string& file) : setup_(setup), file_(file) {
+BlockParser::BlockParser(const Setup& setup, const std::string& file) : setup_(setup), file_(file), units_(setup.units) {
   slot_.fill(kNoSlot);
   for (std::size_t slot = 0; slot < kAxisLetters.size(); ++slot) {
     const char letter = kAxisLetters[slot];
@@ -57,6 +68,12 @@ const char* BlockParser::raise(Block& block, const char* at, const char* number,
   const Place fault = place(at);
   block.alarm = ReadAlarm{number, fault.line, fault.column, message};
   passed_over_ = true;
+  return nullptr;
+}
+
+const char* BlockParser::refuse(Block& block, const char* at, const char* message) {
+  raise(block, at, "E_UNSUPPORTED", message);
+  block.alarm->beyond = true;
   return nullptr;
 }
 
@@ -101,6 +118,7 @@ BlockParser::Head BlockParser::parse_head(Block& block, const BlockText& text) {
   block.line = text.line;
   block.n.reset();
   block.alarm.reset();
+  block.passed_over = nullptr;
   Head head;
   const auto slash = [&](const char* at) {
     while (is_blank(*at)) ++at;
@@ -179,6 +197,8 @@ const char* BlockParser::line(Block& block, const char* at) {
   block.axes = static_cast<std::uint16_t>(axes);
   block.incremental = static_cast<std::uint16_t>(incremental);
   block.many_digits = many_digits;
+  if ((axes & kRotarySlots) != 0 && !turned_) [[unlikely]]
+    turned_ = turns(block);
   at = tail(block, at);
   return at == nullptr ? nullptr : finish(block, at);
 }
@@ -296,20 +316,13 @@ const char* BlockParser::functions(Block& block, const char* at) {
       block.function[block.functions++] = static_cast<std::uint16_t>(number);
     else if (fifth_function_ == nullptr)
       fifth_function_ = word;
-    at = gap(at);
-    if (number == 128 && upper(*at) == 'F') {  // of the compensating movements
-      Value ignored;
-      at = keyed_value(block, at, 1, ignored);
-      if (at == nullptr) return nullptr;
-    } else if (number == 118 || number == 120 || number == 138) {
-      at = words_without_effect(block, at);
-      if (at == nullptr) return nullptr;
-    }
+    at = words_of_function(block, gap(at), number, word);
+    if (at == nullptr) return nullptr;
   }
   return at;
 }
 
-// X Y Z of M118, LA of M120, the axes of M138.
+// X Y Z of M118, LA of M120, the axes of M94 and M138.
 const char* BlockParser::words_without_effect(Block& block, const char* at) {
   for (char letter = upper(*at); is_linear_axis(letter) || is_rotary_axis(letter) || letter == 'L';
        letter = upper(*at)) {

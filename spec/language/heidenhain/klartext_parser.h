@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -45,6 +46,11 @@ class BlockParser {
   [[nodiscard]] bool admits_any_byte(const char* statement) const;
   // END PGM was read.
   [[nodiscard]] bool ended() const { return ended_; }
+  // BEGIN PGM of the program, as far as it was read.
+  [[nodiscard]] const Name& program_name() const { return program_name_; }
+  [[nodiscard]] Units units() const { return units_; }
+  // BEGIN PGM may stand in the next block.
+  void begin() { first_ = true; }
 
  private:
   static constexpr std::uint8_t kNoSlot = 255;
@@ -64,6 +70,10 @@ class BlockParser {
   };
   [[nodiscard]] Place place(const char* at) const;
   const char* raise(Block& block, const char* at, const char* number, const char* message);
+  // E_UNSUPPORTED.
+  const char* refuse(Block& block, const char* at, const char* message);
+  // The same where the statement is one of those that have a name, else E_SYNTAX.
+  const char* refuse_by_name(Block& block, const char* at);
   const char* bad_word(Block& block, const char* at);
   // The end of the block, and no fault that waited for it.
   const char* finish(Block& block, const char* at);
@@ -76,6 +86,7 @@ class BlockParser {
   const char* radius(Block& block, const char* at);
   const char* feed(Block& block, const char* at);
   const char* functions(Block& block, const char* at);
+  const char* words_of_function(Block& block, const char* at, std::uint64_t number, const char* function);
   const char* words_without_effect(Block& block, const char* at);
 
   const char* rare_statement(Block& block, const char* at);
@@ -93,9 +104,19 @@ class BlockParser {
   const char* table_word(Block& block, const char* at);
   const char* select_corrections(Block& block, const char* at);
   const char* cycle(Block& block, const char* at);
+  const char* path_cycle(Block& block, const char* at);
   const char* datum_shift(Block& block, const char* at);
+  const char* transformation(Block& block, const char* at);
+  const char* preset(Block& block, const char* at);
+  void select_preset(Block& block, const Value& number);
+  const char* without_effect(Block& block);
   const char* plane(Block& block, const char* at);
   const char* assignment(Block& block, const char* at, bool locals);
+  const char* label(Block& block, const char* at);
+  const char* label_word(Block& block, const char* at);
+  const char* call(Block& block, const char* at);
+  const char* called_label(Block& block, const char* at);
+  const char* called_program(Block& block, const char* at);
   // A value behind a key of this length, and the gap behind it.
   const char* keyed_value(Block& block, const char* at, std::size_t key, Value& value);
   const char* quoted(Block& block, const char* at, std::string_view& text);
@@ -108,6 +129,10 @@ class BlockParser {
   bool first_ = true;  // no block was returned yet
   bool passed_over_ = false;
   bool ended_ = false;
+  Name program_name_;
+  Units units_;
+  bool turned_ = false;          // a rotary axis was sent elsewhere than to 0
+  std::optional<Value> preset_;  // the number selected first
   // Words of the block at hand that are at fault if no other is.
   const char* fifth_function_ = nullptr;
   const char* out_of_order_ = nullptr;

@@ -5,13 +5,20 @@
 #include <utility>
 
 #include "spec/language/heidenhain/klartext_bytes.h"
+#include "spec/language/heidenhain/klartext_calls.h"
 #include "spec/language/heidenhain/klartext_parser.h"
 
 namespace toolcomp::spec::klartext {
 namespace {
 
-constexpr std::size_t kBufferSize = 65536;  // of one block at most, with the line feed that ends it
+constexpr std::size_t kBufferSize = kLongestBlock;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+bool may_call(const char* statement) {
+  const char first = upper(*statement);
+  return (first == 'L' && read_word(statement, "LBL") != nullptr) ||
+         (first == 'C' && read_word(statement, "CALL") != nullptr);
+}
 
 }  // namespace
 
@@ -29,6 +36,10 @@ struct Reader::State {
   bool refill();
   void skip_byte_order_mark();
   void check_bytes(const BlockText& text, const char* statement) const;
+  // The program calls something, or may be called: the rest of the text comes into memory, from this block on.
+  void keep_text();
+  // The block was read from `text`: goes to the one that comes next.
+  void follow(Block& block, const BlockText& text);
   // To behind the end of a block that began at `text` and is longer than the buffer.
   void pass_long(const BlockText& text, const char* statement);
 
@@ -42,6 +53,7 @@ struct Reader::State {
   std::uint64_t line = 1;   // at `position`
   std::uint64_t lines = 1;  // of the block fetched
   std::size_t mark = 0;     // bytes of a byte order mark right before `position`
+  std::unique_ptr<Calls> calls;  // with them: `position` and `end` stand in their text
   bool begun = false;
   bool exhausted = false;  // the source has no more bytes
   bool done = false;       // no more blocks
@@ -80,7 +92,7 @@ Reader::State::Fetched Reader::State::fetch(BlockText& text) {
       while (last != line_begin && is_blank(last[-1])) --last;
       if (last == line_begin || last[-1] != '~') [[likely]] {
         text = {position, feed, line, mark};
-        return Fetched::block;
+        return feed - position < static_cast<std::ptrdiff_t>(kBufferSize) ? Fetched::block : Fetched::too_long;
       }
       ++lines;
       line_begin = from = feed + 1;
@@ -96,7 +108,7 @@ Reader::State::Fetched Reader::State::fetch(BlockText& text) {
     if (position == end) return Fetched::nothing;
     *end = '\n';  // behind the bytes of the text
     text = {position, end, line, mark};
-    return exhausted ? Fetched::block : Fetched::too_long;
+    return end - position < static_cast<std::ptrdiff_t>(kBufferSize) ? Fetched::block : Fetched::too_long;
   }
 }
 
@@ -124,6 +136,29 @@ void Reader::State::pass_long(const BlockText& text, const char* statement) {
   }
 }
 
+void Reader::State::keep_text() {
+  std::string text(position, end);
+  for (std::size_t count = 1; !exhausted && count != 0; text.append(buffer.data(), count))
+    count = source->read(buffer.data(), kBufferSize);
+  exhausted = true;
+  calls = std::make_unique<Calls>(
+      setup, options, std::move(text),
+      Calls::Main{std::string(parser.program_name().view()), parser.units(), line});
+  position = calls->data();
+  end = position + calls->size();
+}
+
+void Reader::State::follow(Block& block, const BlockText& text) {
+  const auto offset = [this](const char* at) { return static_cast<std::size_t>(at - calls->data()); };
+  const std::optional<TextPlace> next =
+      calls->next(block, {offset(text.begin), text.line}, {offset(position), line});
+  done = !next;
+  if (done) return;
+  position = calls->data() + next->offset;
+  end = calls->data() + calls->size();
+  line = next->line;
+}
+
 bool Reader::State::next(Block& block) {
   while (!done) {
     BlockText text;
@@ -131,6 +166,10 @@ bool Reader::State::next(Block& block) {
     if (fetched == Fetched::nothing) break;
     const BlockParser::Head head = parser.parse_head(block, text);
     const char* const statement = head.statement == nullptr ? text.stop : head.statement;
+    if (!calls && fetched == Fetched::block && may_call(statement)) [[unlikely]] {
+      keep_text();
+      continue;
+    }
     const bool skipped = head.slash && setup.block_skip;
     bool given = !skipped;
     if (fetched == Fetched::too_long) {
@@ -147,7 +186,10 @@ bool Reader::State::next(Block& block) {
     line += lines;
     mark = 0;
     if (given) {
-      done = parser.ended();
+      if (calls) [[unlikely]]
+        follow(block, text);
+      else
+        done = parser.ended();
       return true;
     }
   }

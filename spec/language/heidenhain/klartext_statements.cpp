@@ -1,4 +1,6 @@
 // The statements that do not move: everything but L and LN.
+#include <algorithm>
+#include <array>
 #include <optional>
 
 #include "spec/language/heidenhain/klartext_parser.h"
@@ -10,6 +12,20 @@ namespace {
 constexpr std::uint64_t kMostTool = 32767;
 constexpr std::uint64_t kMostRow = 999'999'999;
 constexpr std::size_t kLongestName = 32;
+
+bool is_zero(const Value& value) { return value.parameter.kind == ParameterKind::none && value.number.digits == 0; }
+
+// Signs, brackets and functions of a formula.
+bool is_operator(const char* at) {
+  return std::string_view("+-*/^").find(*at) != std::string_view::npos && is_blank(at[1]);
+}
+bool begins_formula(const char* at) {
+  if (*at == '(' || is_operator(at)) return true;
+  constexpr std::array<std::string_view, 16> kFunctions{"SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "SQRT", "SQ",
+                                                        "LN",  "LOG", "EXP", "NEG",  "INT",  "ABS",  "FRAC", "SGN"};
+  return std::ranges::any_of(kFunctions, [at](std::string_view name) { return read_word(at, name) != nullptr; }) ||
+         read_word(at, "PI") != nullptr;
+}
 
 // X, Y or Z alone.
 char axis_letter(const char* at) {
@@ -61,10 +77,19 @@ const char* BlockParser::rare_statement(Block& block, const char* at) {
       at = assignment(block, at, true);
       break;
     case 'C':
-      at = cycle(block, at);
+      if (const char* const called = words(at, "CALL"))
+        at = call(block, called);
+      else
+        at = cycle(block, at);
+      break;
+    case 'L':
+      at = label(block, at);
       break;
     case 'P':
-      at = plane(block, at);
+      if (const char* const selected = words(at, "PRESET", "SELECT"))
+        at = preset(block, selected);
+      else
+        at = plane(block, at);
       break;
     case 'B':
       at = read_word(at, "BEGIN") != nullptr ? program(block, at) : block_form(block, at);
@@ -82,7 +107,7 @@ const char* BlockParser::rare_statement(Block& block, const char* at) {
       }
       break;
     default:
-      return bad_word(block, at);
+      return refuse_by_name(block, at);
   }
   if (at == nullptr || finish(block, at) == nullptr) return nullptr;
   ended_ = block.statement == Statement::end_program;
@@ -99,17 +124,19 @@ const char* BlockParser::program(Block& block, const char* at) {
     return raise(block, initiator, "E_SYNTAX", "BEGIN PGM stands only in the first block");
   passed_over_ = true;
   if (at == text_.stop) return bad_word(block, at);
-  while (!is_blank(*at) && *at != ';' && *at != '\n') ++at;  // the name
+  const char* const name = at;
+  while (!is_blank(*at) && *at != ';' && *at != '\n') ++at;
+  block.program = std::string_view(name, static_cast<std::size_t>(at - name));
   at = gap(at);
-  if (const char* const mm = words(at, "MM")) {
-    block.unit = Units::mm;
-    return mm;
+  const char* behind = words(at, "MM");
+  block.unit = behind != nullptr ? Units::mm : Units::inch;
+  if (behind == nullptr) behind = words(at, "INCH");
+  if (behind == nullptr) return bad_word(block, at);
+  if (block.statement == Statement::begin_program && behind == text_.stop) {
+    program_name_ = block.program;
+    units_ = block.unit;
   }
-  if (const char* const inch = words(at, "INCH")) {
-    block.unit = Units::inch;
-    return inch;
-  }
-  return bad_word(block, at);
+  return behind;
 }
 
 const char* BlockParser::block_form(Block& block, const char* at) {
@@ -117,6 +144,8 @@ const char* BlockParser::block_form(Block& block, const char* at) {
   at = words(at, "BLK", "FORM");
   if (at == nullptr) return bad_word(block, initiator);
   block.statement = Statement::block_form;
+  for (const std::string_view form : {"CYLINDER", "ROTATION", "FILE"})
+    if (read_word(at, form) != nullptr) return free_text();
   const bool second = read_word(at, "0.2") != nullptr;
   if (!second && read_word(at, "0.1") == nullptr) return bad_word(block, at);
   at = gap(at + 3);
@@ -137,7 +166,8 @@ const char* BlockParser::block_form(Block& block, const char* at) {
 const char* BlockParser::tool(Block& block, const char* at) {
   if (const char* const call = words(at, "TOOL", "CALL")) return tool_call(block, call);
   if (const char* const definition = words(at, "TOOL", "DEF")) return tool_definition(block, definition);
-  return bad_word(block, at);
+  if (const char* const datum = words(at, "TRANS", "DATUM")) return transformation(block, datum);
+  return refuse_by_name(block, at);
 }
 
 // A number, a name, a string parameter, or none of them.
@@ -238,7 +268,7 @@ const char* BlockParser::tool_definition(Block& block, const char* at) {
 
 const char* BlockParser::function(Block& block, const char* at) {
   if (const char* const assigned = words(at, "FN")) {
-    if (assigned[0] != '0' || assigned[1] != ':') return bad_word(block, assigned);
+    if (assigned[0] != '0' || assigned[1] != ':') return refuse_by_name(block, at);
     return assignment(block, gap(assigned + 2), false);
   }
   const char* const named = words(at, "FUNCTION");
@@ -261,7 +291,11 @@ const char* BlockParser::function(Block& block, const char* at) {
     return off == nullptr ? bad_word(block, path) : off;
   }
   if (const char* const data = words(named, "CORRDATA")) return correction_data(block, data);
-  return bad_word(block, named);
+  if (words(named, "MODE", "MILL") != nullptr) return without_effect(block);
+  for (const std::string_view word : {"COUNT", "DCM", "DWELL", "FEED", "LIFTOFF", "S-PULSE"})
+    if (read_word(named, word) != nullptr) return without_effect(block);
+  refuse_by_name(block, at);
+  return block.alarm->beyond ? nullptr : bad_word(block, named);
 }
 
 const char* BlockParser::tcpm(Block& block, const char* at) {
@@ -312,7 +346,12 @@ const char* BlockParser::table_word(Block& block, const char* at) {
 
 const char* BlockParser::select_corrections(Block& block, const char* at) {
   const char* const table = words(at, "SEL", "CORR-TABLE");
-  if (table == nullptr) return bad_word(block, at);
+  if (table == nullptr) {
+    // Tables and contours are named here and used elsewhere.
+    for (const std::string_view kind : {"TABLE", "PATTERN", "CONTOUR"})
+      if (words(at, "SEL", kind) != nullptr) return without_effect(block);
+    return refuse_by_name(block, at);
+  }
   block.statement = Statement::select_corrections;
   at = table_word(block, table);
   std::string_view name;
@@ -345,7 +384,7 @@ const char* BlockParser::correction_row(Block& block, const char* at) {
 
 const char* BlockParser::cycle(Block& block, const char* at) {
   const char* const definition = words(at, "CYCL", "DEF");
-  if (definition == nullptr) return bad_word(block, at);
+  if (definition == nullptr) return refuse_by_name(block, at);
   block.statement = Statement::cycle;
   block.axes = block.incremental = 0;
   std::uint64_t number = 0;
@@ -355,11 +394,12 @@ const char* BlockParser::cycle(Block& block, const char* at) {
   if (at == nullptr || !at_word_end(at)) return bad_word(block, definition);
   block.cycle = static_cast<std::uint32_t>(number);
   block.cycle_part = static_cast<std::uint32_t>(part);
-  return number == 7 && part != 0 ? datum_shift(block, gap(at)) : free_text();
+  return number == 7 && part != 0 ? datum_shift(block, gap(at)) : path_cycle(block, gap(at));
 }
 
 const char* BlockParser::datum_shift(Block& block, const char* at) {
   constexpr std::string_view kLinear = "XYZUVW";
+  if (*at == '#') return refuse(block, at, "CYCL DEF 7 with a datum table is not supported");
   while (at != text_.stop) {
     const char* const word = at;
     const bool increment = upper(*at) == 'I';
@@ -375,29 +415,45 @@ const char* BlockParser::datum_shift(Block& block, const char* at) {
   return at;
 }
 
+// Rotary axes that are at 0 need no turn.
 const char* BlockParser::plane(Block& block, const char* at) {
+  constexpr const char* kTurns = "PLANE with MOVE or TURN (positioning of rotary axes) is not supported";
   const char* const initiator = at;
   at = words(at, "PLANE");
-  if (at == nullptr) return bad_word(block, initiator);
+  if (at == nullptr) return refuse_by_name(block, initiator);
   block.statement = Statement::plane;
-  if (words(at, "RESET") != nullptr) return free_text();
+  if (const char* const reset = words(at, "RESET")) {
+    if (turned_ && (read_word(reset, "MOVE") != nullptr || read_word(reset, "TURN") != nullptr))
+      block.passed_over = kTurns;
+    return free_text();
+  }
   const char* const spatial = words(at, "SPATIAL");
-  if (spatial == nullptr) return bad_word(block, at);
+  if (spatial == nullptr) {
+    refuse_by_name(block, initiator);
+    return block.alarm->beyond ? nullptr : bad_word(block, at);
+  }
   at = spatial;
   for (const char letter : {'A', 'B', 'C'}) {
     if (upper(at[0]) != 'S' || upper(at[1]) != 'P' || upper(at[2]) != letter) return bad_word(block, at);
-    Value ignored;
-    at = keyed_value(block, at, 3, ignored);
+    Value angle;
+    at = keyed_value(block, at, 3, angle);
     if (at == nullptr) return nullptr;
+    if (!is_zero(angle)) block.passed_over = "PLANE SPATIAL (tilted working plane) is not supported";
   }
   for (const std::string_view movement : {"MOVE", "TURN", "STAY"})
-    if (read_word(at, movement) != nullptr) return free_text();
+    if (read_word(at, movement) != nullptr) {
+      if (turned_ && movement != "STAY" && block.passed_over == nullptr) block.passed_over = kTurns;
+      return free_text();
+    }
   return bad_word(block, at);
 }
 
 const char* BlockParser::assignment(Block& block, const char* at, bool locals) {
+  constexpr const char* kFormula = "a formula of Q parameters is not supported";
   block.statement = Statement::assignment;
   const char* const word = at;
+  if (locals && upper(at[1]) == 'S' && is_digit(at[2]))
+    return refuse(block, word, "QS (string parameters) is not supported");
   at = read_parameter(at, block.target);
   if (at == nullptr || (block.target.kind != ParameterKind::q && !locals)) return bad_word(block, word);
   if (*at != '=') {
@@ -406,7 +462,10 @@ const char* BlockParser::assignment(Block& block, const char* at, bool locals) {
     if (*at != '=') return bad_word(block, at);
   }
   at = gap(at + 1);
-  return keyed_value(block, at, 0, block.value);
+  if (locals && begins_formula(at)) return refuse(block, at, kFormula);
+  at = keyed_value(block, at, 0, block.value);
+  if (at != nullptr && locals && is_operator(at)) return refuse(block, at, kFormula);
+  return at;
 }
 
 }  // namespace toolcomp::spec::klartext

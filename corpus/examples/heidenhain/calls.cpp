@@ -1,0 +1,85 @@
+// Programs in programs, and what is not supported: one program for each rule. The tool is along Z and blocks L are not
+// compensated, so that the tip stands where the blocks add up to.
+#include "corpus/examples/heidenhain/tools.h"
+
+namespace toolcomp::corpus {
+namespace {
+
+#define FAULT(words, figures) TOOL_1(REWORKED), "L X1\n" words "L X2\n", "1 programmed tip=1,0,0\n" figures
+#define IN_EACH_OTHER(outer, inner) "LBL " outer "\nCALL LBL " inner "\n"
+#define NINE_IN_EACH_OTHER                                                                                    \
+  IN_EACH_OTHER("1", "2")                                                                                     \
+  IN_EACH_OTHER("2", "3")                                                                                     \
+  IN_EACH_OTHER("3", "4")                                                                                     \
+  IN_EACH_OTHER("4", "5")                                                                                     \
+  IN_EACH_OTHER("5", "6") IN_EACH_OTHER("6", "7") IN_EACH_OTHER("7", "8") IN_EACH_OTHER("8", "9")
+#define EIGHTEEN_IN_EACH_OTHER                                                                                \
+  NINE_IN_EACH_OTHER IN_EACH_OTHER("9", "10") IN_EACH_OTHER("10", "11") IN_EACH_OTHER("11", "12")             \
+      IN_EACH_OTHER("12", "13") IN_EACH_OTHER("13", "14") IN_EACH_OTHER("14", "15") IN_EACH_OTHER("15", "16") \
+          IN_EACH_OTHER("16", "17") IN_EACH_OTHER("17", "18") IN_EACH_OTHER("18", "19")
+
+constexpr Example kCalls[] = {
+    {"CALL LBL runs the blocks behind the label up to LBL 0 and goes on behind the call, twice.", TOOL_1(REWORKED),
+     "TOOL CALL 1 Z\nL X1\nCALL LBL 5\nL X2\nCALL LBL 5\nM30\nLBL 5\nL IY1\nLBL 0\n",
+     "2 programmed tip=1,0,0\n8 programmed tip=1,1,0\n4 programmed tip=2,1,0\n8 programmed tip=2,2,0\n"},
+    {"Blocks that run into a subprogram run on; LBL 0 without a call means nothing.", TOOL_1(REWORKED),
+     "L X1\nLBL 1\nL IX1\nLBL 0\nL IY1\nCALL LBL 1\nL IZ1\n",
+     "1 programmed tip=1,0,0\n3 programmed tip=2,0,0\n5 programmed tip=2,1,0\n3 programmed tip=3,1,0\n"
+     "7 programmed tip=3,1,1\n"},
+    {"REP 2 runs a section three times in all, the REP 1 in it anew each time.", TOOL_1(REWORKED),
+     "LBL 1\nL IX1\nLBL \"IN\"\nL IY1\nCALL LBL \"IN\" REP 1\nCALL LBL 1 REP 2\nL IZ1\n",
+     "2 programmed tip=1,0,0\n4 programmed tip=1,1,0\n4 programmed tip=1,2,0\n2 programmed tip=2,2,0\n"
+     "4 programmed tip=2,3,0\n4 programmed tip=2,4,0\n2 programmed tip=3,4,0\n4 programmed tip=3,5,0\n"
+     "4 programmed tip=3,6,0\n7 programmed tip=3,6,1\n"},
+    {"CALL PGM runs a program that stands behind the main one; its END PGM goes back also from its subprogram.",
+     TOOL_1(REWORKED),
+     "BEGIN PGM MAIN MM\nL X1\nCALL PGM sub.h\nCALL PGM \"SUB\"\nEND PGM MAIN MM\nBEGIN PGM SUB MM\nL IY1\nCALL LBL "
+     "1\nLBL 1\nL IZ1\nEND PGM SUB MM\n",
+     "2 programmed tip=1,0,0\n7 programmed tip=1,1,0\n10 programmed tip=1,1,1\n7 programmed tip=1,2,1\n"
+     "10 programmed tip=1,2,2\n"},
+    {"Modal words come back from a subprogram, the feed here.", TOOL_1(REWORKED),
+     "L X1 F100\nCALL LBL 1\nL X3\nM30\nLBL 1\nL X2 F200\nLBL 0\n",
+     "1 programmed tip=1,0,0 feed=100\n6 programmed tip=2,0,0 feed=200\n3 programmed tip=3,0,0 feed=200\n"},
+    {"M30 in a subprogram ends the run.", TOOL_1(REWORKED), "L X1\nCALL LBL 1\nL X3\nLBL 1\nL X2 M30\nLBL 0\n",
+     "1 programmed tip=1,0,0\n5 programmed tip=2,0,0\n"},
+    {"TRANS DATUM shifts the datum as cycle 7 does, and RESET all of it back.", TOOL_1(REWORKED),
+     "L X1\nTRANS DATUM AXIS X+10 IY+2\nL X1 Y1\nTRANS DATUM RESET\nL X1 Y1\n",
+     "1 programmed tip=1,0,0\n3 programmed tip=11,3,0\n5 programmed tip=1,1,0\n"},
+
+    // Faults
+    {"A label that is not there: E_LABEL_MISSING.", FAULT("CALL LBL 7\n", "2 E_LABEL_MISSING\n")},
+    {"Labels are those of their program: that of another one is E_LABEL_MISSING.", TOOL_1(REWORKED),
+     "L X1\nCALL PGM SUB\nLBL 7\nEND PGM MAIN MM\nBEGIN PGM SUB MM\nCALL LBL 7 REP 1\nEND PGM SUB MM\n",
+     "1 programmed tip=1,0,0\n6 E_LABEL_MISSING\n"},
+    {"A label that stands there twice: E_LABEL_TWICE.", FAULT("CALL LBL 7\nLBL 7\nLBL 07\n", "2 E_LABEL_TWICE\n")},
+    {"A subprogram that calls itself through another one: E_LABEL_RECURSION.",
+     FAULT("CALL LBL 1\nLBL 1\nCALL LBL 2\nLBL 2\nCALL LBL 1\n", "6 E_LABEL_RECURSION\n")},
+    {"A program that calls itself: E_PROGRAM_RECURSION.", TOOL_1(REWORKED),
+     "BEGIN PGM MAIN MM\nL X1\nCALL PGM MAIN\nEND PGM MAIN MM\n", "2 programmed tip=1,0,0\n3 E_PROGRAM_RECURSION\n"},
+    {"Subprograms 19 deep in each other.", FAULT("CALL LBL 1\n" EIGHTEEN_IN_EACH_OTHER "LBL 19\n",
+                                                 "40 programmed tip=2,0,0\n")},
+    {"Subprograms 20 deep in each other: E_NESTING.",
+     FAULT("CALL LBL 1\n" EIGHTEEN_IN_EACH_OTHER IN_EACH_OTHER("19", "20") "LBL 20\n", "40 E_NESTING\n")},
+    {"A program that is not there: E_NO_PROGRAM.", FAULT("CALL PGM SUB.H\n", "2 E_NO_PROGRAM\n")},
+    {"A program with a path: E_NO_PROGRAM.", FAULT("CALL PGM TNC:\\PARTS\\SUB.H\n", "2 E_NO_PROGRAM\n")},
+    {"A program without END PGM: E_NO_PROGRAM.", TOOL_1(REWORKED),
+     "L X1\nCALL PGM SUB\nEND PGM MAIN MM\nBEGIN PGM SUB MM\nL X2\n", "1 programmed tip=1,0,0\n2 E_NO_PROGRAM\n"},
+    {"A circle: E_UNSUPPORTED.", FAULT("CC X+0 Y+0\n", "2 E_UNSUPPORTED\n")},
+    {"A machining cycle is defined and then called: E_UNSUPPORTED at the call.",
+     FAULT("CYCL DEF 200 DRILLING ~\n  Q201=-5 ;DEPTH\nCYCL CALL\n", "4 E_UNSUPPORTED\n")},
+    {"A rotation by zero changes nothing, one by an angle is E_UNSUPPORTED.",
+     FAULT("CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+0\nL Y1\nCYCL DEF 10.1 ROT+30\n",
+           "4 programmed tip=1,1,0\n5 E_UNSUPPORTED\n")},
+    {"M140 moves the tool by itself: E_UNSUPPORTED.", FAULT("L Y1 M140 MB MAX\n", "2 E_UNSUPPORTED\n")},
+};
+
+#undef FAULT
+#undef IN_EACH_OTHER
+#undef NINE_IN_EACH_OTHER
+#undef EIGHTEEN_IN_EACH_OTHER
+
+}  // namespace
+
+std::span<const Example> klartext_calls() { return kCalls; }
+
+}  // namespace toolcomp::corpus

@@ -1,0 +1,89 @@
+#include "spec/language/heidenhain/joined_program.h"
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+#include <vector>
+
+#include "spec/language/byte_source.h"
+
+namespace toolcomp::spec::klartext {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+bool has_path(std::string_view name) { return name.find_first_of("/\\:") != std::string_view::npos; }
+
+std::string_view without_mark(std::string_view text) {
+  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
+
+// Programs that stand behind the main one: their BEGIN PGM follows an END PGM.
+void add_names(const std::vector<OutlineEntry>& entries, std::set<std::string>& names) {
+  for (const OutlineEntry& entry : entries)
+    if (entry.statement == Statement::begin_program) names.insert(program_key(entry.name.view()));
+}
+
+}  // namespace
+
+std::optional<std::string> program_beside(const std::filesystem::path& folder, std::string_view name) {
+  if (has_path(name)) return {};
+  namespace fs = std::filesystem;
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path& path = entry->path();
+    if (entry->is_regular_file(error) && program_key(path.filename().string()) == program_key(name))
+      found.push_back(path);
+  }
+  if (found.empty()) return {};
+  std::ranges::sort(found);
+  const auto exact =
+      std::ranges::find_if(found, [name](const fs::path& path) { return path.filename().string() == name; });
+  return read_file((exact == found.end() ? found.front() : *exact).string());
+}
+
+std::string joined_rest(std::string_view rest, std::string_view main, const CalledProgram& called) {
+  Setup setup;  // lines that begin with / count too: whether they are skipped is not known here
+  setup.control = Control::heidenhain;
+  std::string text(rest);
+  std::set<std::string> names{program_key(main)};
+  std::vector<OutlineEntry> entries = outline(setup, text, {});
+  add_names(entries, names);
+  bool ended = std::ranges::any_of(
+      entries, [](const OutlineEntry& entry) { return entry.statement == Statement::end_program; });
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].statement != Statement::call_program) continue;
+    const Name name = entries[i].name;
+    if (has_path(name.view()) || !names.insert(program_key(name.view())).second) continue;
+    const std::optional<std::string> found = called(name.view());
+    if (!found) continue;
+    if (!text.empty() && text.back() != '\n') text += '\n';
+    if (!ended) text.append("END PGM ").append(main.empty() ? "MAIN" : main).append(" MM\n");
+    ended = true;
+    const std::size_t begin = text.size();
+    text += without_mark(*found);
+    const std::vector<OutlineEntry> more = outline(setup, text, {begin, 1});
+    add_names(more, names);
+    entries.insert(entries.end(), more.begin(), more.end());
+  }
+  return text;
+}
+
+std::string joined_klartext(std::string_view main_text, const CalledProgram& called) {
+  const std::string text(main_text);
+  Setup setup;
+  setup.control = Control::heidenhain;
+  const std::vector<OutlineEntry> entries = outline(setup, std::string(without_mark(text)), {});
+  const bool begins = !entries.empty() && entries.front().statement == Statement::begin_program;
+  const std::string main(begins ? entries.front().name.view() : std::string_view());
+  std::string joined = joined_rest(without_mark(text), main, called);
+  return text.substr(0, text.size() - without_mark(text).size()) + joined;
+}
+
+std::string joined_klartext(std::string_view main_text, const std::filesystem::path& folder) {
+  return joined_klartext(main_text, [&folder](std::string_view name) { return program_beside(folder, name); });
+}
+
+}  // namespace toolcomp::spec::klartext
