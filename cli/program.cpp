@@ -9,6 +9,9 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
 #include "spec/language/document.h"
+#include "spec/language/fanuc/not_supported.h"
+#include "spec/language/fanuc/program_files.h"
+#include "spec/language/fanuc/program_reader.h"
 #include "spec/language/heidenhain/joined_program.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
@@ -32,9 +35,10 @@ bool begins_with_brace(const std::string& path) {
 
 // The programs that one in this file calls stand beside it; standard input has no place.
 fuzz::CalledProgram called_program(const std::string& path, const spec::Setup& setup) {
-  if (path == "-" || setup.control != spec::Control::heidenhain) return {};
-  return [folder = fs::path(path).parent_path()](std::string_view name) {
-    return spec::klartext::program_beside(folder, name);
+  if (path == "-") return {};
+  const bool klartext = setup.control == spec::Control::heidenhain;
+  return [folder = fs::path(path).parent_path(), klartext](std::string_view name) {
+    return klartext ? spec::klartext::program_beside(folder, name) : spec::program_beside(folder, name);
   };
 }
 
@@ -119,8 +123,13 @@ spec::Case Program::as_case() const {
   spec::Case whole = case_;
   if (is_case_) return whole;
   whole.program = spec::read_file(path_);
-  if (const auto called = called_program(path_, case_.setup))
-    whole.program = spec::klartext::joined_klartext(whole.program, called);
+  const auto called = called_program(path_, case_.setup);
+  if (!called) return whole;
+  whole.program =
+      case_.setup.control == spec::Control::heidenhain
+          ? spec::klartext::joined_klartext(whole.program, called)
+          : spec::joined_program(whole.program, case_.setup.axes,
+                                 {.file = path_, .block_skip = case_.setup.block_skip, .called_program = called});
   return whole;
 }
 
@@ -151,7 +160,9 @@ void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t col
 }
 
 void RecentBlocks::add(const spec::Block& block) {
-  add(block.line, {block.line, block.alarm ? block.alarm->column : block.size > 0 ? block.word[0].column : 1});
+  const spec::Word* const beyond = spec::word_not_supported(block);
+  const std::uint64_t first = block.size > 0 ? block.word[0].column : 1;
+  add(block.line, {block.line, block.alarm ? block.alarm->column : beyond != nullptr ? beyond->column : first});
 }
 
 void RecentBlocks::add(const spec::klartext::Block& block) {

@@ -15,7 +15,10 @@
 #include "fuzz/campaign/summary.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/mutate.h"
+#include "fuzz/oracle/control.h"
 #include "fuzz/oracle/trial.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/input_error.h"
 
 namespace {
 
@@ -60,6 +63,22 @@ void report() {
   }
 }
 
+// Programs that call others may be as long as they like: too long to be run here.
+bool repeats_much(const toolcomp::spec::Case& c) {
+  constexpr std::size_t kMostBlocks = 4000;
+  return toolcomp::fuzz::with_control(c.setup, [&]<class Control>(Control) {
+    auto reader = Control::reader(toolcomp::spec::text_source(c.program), c.setup, "program");
+    typename Control::Block block;
+    std::size_t blocks = 0;
+    try {
+      while (blocks <= kMostBlocks && reader.next(block)) ++blocks;
+    } catch (const toolcomp::spec::InputError&) {
+      return false;
+    }
+    return blocks > kMostBlocks;
+  });
+}
+
 std::size_t put(const toolcomp::spec::Case& c, std::uint8_t* out, std::size_t most) {
   const std::string bytes = encode(c);
   if (bytes.size() > most) return 0;
@@ -79,6 +98,7 @@ int initialize_target(std::string_view, Mode mode) {
 
 void run_target(std::string_view section, Mode, const std::uint8_t* data, std::size_t size) {
   const spec::Case c = decode(section, as_text({data, size}));
+  if (repeats_much(c)) return;
   const Trial trial = try_case(c);
   add(g_result, trial);
   count_features(trial.run.recorder, g_counters);

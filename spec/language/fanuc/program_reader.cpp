@@ -11,7 +11,7 @@
 namespace toolcomp::spec {
 namespace {
 
-constexpr std::size_t kMostCalls = 10;                   // one inside the other
+constexpr std::size_t kMostCalls = 10;  // one inside the other
 
 }  // namespace
 
