@@ -24,6 +24,7 @@
 #include "certify/shrink.h"
 #include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
+#include "fuzz/oracle/control.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/without_effect.h"
 #include "spec/language/input_error.h"

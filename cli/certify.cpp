@@ -145,6 +145,7 @@ void print(const certify::SectionResult& s) {
       shown(s.section), s.total(), s.count(certify::Result::agrees), s.count(certify::Result::differs),
       s.count(certify::Result::undecided), s.values, s.ties, s.worst_ulp, s.worst_um, s.wide, s.out_of_scope,
       s.few_events);
+  if (const std::uint64_t part = s.count(certify::Result::partly_judged); part > 0) fmt::print(", {} in part", part);
   if (not_applicable > 0) fmt::print(", {} not applicable", not_applicable);
   if (const std::uint64_t not_run = s.count(certify::Result::not_run); not_run > 0) fmt::print(", {} not run", not_run);
   fmt::print("\n");

@@ -86,7 +86,11 @@ Verdict ask_all(const Law<Scene> (&laws)[N], const Scene& scene, std::string_vie
 }
 
 Verdict ask_all(const spec::Case& c, std::span<const model::Event> events, std::string_view only) {
-  if (c.setup.control == spec::Control::fanuc) return ask_all(kFanucLaws, FanucScene(c, events), only);
+  if (c.setup.control == spec::Control::fanuc) {
+    const FanucScene scene(c, events);
+    // Laws find the block of an event by its line; where programs are called a line may run more than once.
+    return scene.program.calls() ? Verdict() : ask_all(kFanucLaws, scene, only);
+  }
   return ask_all(kKlartextLaws, KlartextScene(c, events), only);
 }
 

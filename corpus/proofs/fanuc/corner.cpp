@@ -5,8 +5,8 @@
 namespace toolcomp::corpus {
 namespace {
 
-constexpr std::initializer_list<const char*> kBeyond = {"G10", "G28", "G29", "G30", "G30.1", "G37",
-                                                        "G45", "G46", "G47", "G48", "G53",   "G54",
+constexpr std::initializer_list<const char*> kBeyond = {"G10", "G28", "G29", "G30", "G30.1", "G37", "G45",
+                                                        "G46", "G47", "G48", "G52", "G53",   "G54", "G54.1",
                                                         "G55", "G56", "G57", "G58", "G59",   "G92"};
 
 bool has_any(const spec::Block& block, std::initializer_list<const char*> codes) {

@@ -179,7 +179,7 @@ std::vector<Lemma> leading_edge_lemmas(const spec::Case& c) {
   const auto blocks = blocks_of(c);
   if (!blocks) return lemmas;
   for (const auto& [line, block] : *blocks)
-    if (has(block, "G10") || has(block, "G92")) return lemmas;
+    if (has(block, "G10") || has(block, "G52") || has(block, "G92")) return lemmas;
   for (std::size_t i = 0; i + 1 < c.expect.size(); ++i) {
     if (!is_made_by(c.expect[i], c.expect[i + 1])) continue;
     if (auto lemma = Statement(c, c.expect[i], c.expect[i + 1]).lemma(*blocks)) lemmas.push_back(std::move(*lemma));

@@ -79,10 +79,16 @@ Vector3 approximate(const Exact3& v) {
 
 bool has_rotary_zeros(const spec::Case& c, const Blocks& blocks) {
   if (c.setup.rotary_angles != spec::RotaryAngles::machine) return false;
-  for (const spec::AxisTable& origin : c.setup.workpiece)
-    for (const auto& [axis, zero] : origin)
-      if (spec::is_rotary_axis(axis) && !zero.is_zero()) return true;
-  return std::ranges::any_of(blocks, [](const auto& numbered) { return has(numbered.second, "G92"); });
+  const auto turns = [](const spec::AxisTable& origin) {
+    return std::ranges::any_of(
+        origin, [](const auto& zero) { return spec::is_rotary_axis(zero.first) && !zero.second.is_zero(); });
+  };
+  if (std::ranges::any_of(c.setup.workpiece, turns)) return true;
+  if (std::ranges::any_of(c.setup.additional_workpiece, [&](const auto& entry) { return turns(entry.second); }))
+    return true;
+  return std::ranges::any_of(blocks, [](const auto& numbered) {
+    return has(numbered.second, "G92") || has(numbered.second, "G52") || has(numbered.second, "G10");
+  });
 }
 
 std::optional<Tool> tool_of(const spec::Case& c, const Blocks& blocks, const spec::TextEvent& event) {

@@ -22,7 +22,10 @@ ProgramWriter::ProgramWriter(Choices& choose, const spec::Setup& setup)
       setup_(setup),
       decimals_(increment_decimals(setup)),
       counts_without_point_(!setup.bit(3401, 0, true)),
-      numbered_(choose.chance(60)) {
+      numbered_(choose.chance(60)),
+      idles_(choose.chance(10)),
+      calls_(choose.chance(5)),
+      renames_(choose.chance(4)) {
   for (int i = 0; i < decimals_; ++i) one_ *= 10;
   for (const auto& [letter, value] : setup.position) {
     auto counts = static_cast<std::int64_t>(value.digits);
@@ -99,9 +102,47 @@ void ProgramWriter::end_block() {
   if (block_.empty()) return;
   ++blocks_;
   if (numbered_ && choose_.chance(80)) text_ += fmt::format("N{} ", blocks_ * 10);
-  text_ += block_;
-  text_ += '\n';
+  if (calls_ && choose_.chance(12)) {
+    text_ += fmt::format("M98 P{}\n", 1000 + ++called_programs_);
+    called_ += fmt::format("O{}\n{}{}M99\n", 1000 + called_programs_, block_, choose_.chance(50) ? " " : "\n");
+  } else {
+    text_ += block_;
+    text_ += '\n';
+  }
   block_.clear();
+  if ((idles_ || renames_) && choose_.chance(8)) idle_words();
+}
+
+void ProgramWriter::idle_words() {
+  if (idles_ && (!renames_ || choose_.chance(50))) {
+    text_ += choose_.one_of(
+        {"G64",     "G61",       "G80 G98",  "G80 G69 G50", "G05.1 Q1", "G05.1 Q1 X0 Y0", "G05 P10000",
+         "G05 P0",  "G08 P1",    "G94",      "G95 F0.2",    "G93 F3.",  "G50.1 X0 Y0",    "G22 X9. Y9. Z9. I1. J1. K1.",
+         "G23",     "G15 G13.1", "G97 S800", "G96 S100",    "G09",      "G62 G67 G40.1",  "G54.1",
+         "G94 F300"});
+  } else {
+    const char axis = choose_.one_of({'X', 'Y', 'Z'});
+    if (!setup_.axes.has(axis)) return;
+    const std::string value = fmt::format("{}{}.", axis, choose_.between(-30, 30));
+    switch (choose_.below(5)) {
+      case 0:
+        text_ += "G52 " + value;
+        break;
+      case 1:
+        text_ += fmt::format("G54.1 P{}", choose_.one_of({1, 2, 48, 49}));
+        break;
+      case 2:
+        text_ += fmt::format("G10 L2 P{} {}", choose_.between(0, 7), value);
+        break;
+      case 3:
+        text_ += fmt::format("{} G10 L20 P{} {}", incremental_ ? "G91" : "G90", choose_.between(0, 3), value);
+        break;
+      default:
+        text_ += "G52 X0 Y0 Z0";
+    }
+  }
+  text_ += '\n';
+  ++blocks_;
 }
 
 std::int64_t ProgramWriter::at(char letter) const {

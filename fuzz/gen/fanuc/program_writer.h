@@ -41,9 +41,12 @@ class ProgramWriter {
   [[nodiscard]] Pose pose() const;
   [[nodiscard]] const spec::Setup& setup() const { return setup_; }
   [[nodiscard]] std::uint32_t blocks() const { return blocks_; }
-  [[nodiscard]] std::string text() const { return text_; }
+  // With the programs that it calls behind it.
+  [[nodiscard]] std::string text() const { return text_ + called_; }
 
  private:
+  // What post processors write between the blocks: modes, cancels, coordinate systems.
+  void idle_words();
   // Of the setup to the program.
   void convert_positions();
 
@@ -58,6 +61,11 @@ class ProgramWriter {
   bool incremental_ = false;
   bool numbered_ = false;
   bool other_units_ = false;
+  bool idles_ = false;    // has words that change no path
+  bool calls_ = false;    // some of its blocks stand in programs of their own
+  bool renames_ = false;  // has G52, G54.1, G10 L2 L20
+  std::uint32_t called_programs_ = 0;
+  std::string called_;
   std::uint32_t blocks_ = 0;
 };
 

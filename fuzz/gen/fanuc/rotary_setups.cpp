@@ -205,6 +205,7 @@ Setup random_rotary_setup(Choices& choose) {
     std::erase_if(table, [&setup](const auto& entry) { return !setup.axes.has(entry.first); });
   };
   for (spec::AxisTable& origin : setup.workpiece) drop(origin);
+  setup.additional_workpiece.clear();
   drop(setup.position);
   drop(setup.measurement);
   setup.reference.clear();

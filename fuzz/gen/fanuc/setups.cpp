@@ -232,6 +232,12 @@ Setup random_setup(Choices& choose, Kinematics wanted) {
   }
   for (spec::AxisTable& origin : setup.workpiece)
     if (choose.chance(40)) origin = table(choose, setup, 70);
+  for (const std::uint32_t number : {0U, 1U, 2U, 48U})
+    if (choose.chance(4)) {
+      spec::AxisTable origin = table(choose, setup, 70);
+      std::erase_if(origin, [](const auto& axis) { return spec::is_rotary_axis(axis.first); });
+      if (!origin.empty()) setup.additional_workpiece[number] = std::move(origin);
+    }
   if (choose.chance(40)) setup.position = table(choose, setup, 60);
   if (choose.chance(2)) far_away(choose, setup);
   for (int number = 1; number <= 4; ++number)
@@ -278,6 +284,8 @@ void drop_absent_axes(Setup& setup) {
     std::erase_if(table, [&setup](const auto& entry) { return !setup.axes.has(entry.first); });
   };
   for (spec::AxisTable& origin : setup.workpiece) drop(origin);
+  for (auto& entry : setup.additional_workpiece) drop(entry.second);
+  std::erase_if(setup.additional_workpiece, [](const auto& entry) { return entry.second.empty(); });
   for (auto& entry : setup.reference) drop(entry.second);
   std::erase_if(setup.reference, [](const auto& entry) { return entry.second.empty(); });
   for (spec::AxisTable* const table : {&setup.position, &setup.floating_reference, &setup.measurement}) drop(*table);

@@ -65,10 +65,11 @@ std::string any_word(Choices& choose, const spec::Setup& setup, std::string_view
   if (controls_the_tip(section) && choose.chance(40)) return tip_control_word(choose);
   switch (choose.weighted({30, 30, 12, 10, 8, 10})) {
     case 0:
-      return fmt::format("G{}", choose.one_of({"00",   "01", "02",   "03",   "04", "10", "17", "18", "19", "20", "21",
-                                               "28",   "29", "30",   "30.1", "37", "39", "40", "41", "41", "42", "42",
-                                               "41.3", "43", "43.5", "44",   "45", "46", "47", "48", "49", "53", "54",
-                                               "55",   "59", "90",   "91",   "92", "94", "0",  "1"}));
+      return fmt::format(
+          "G{}", choose.one_of({"00",   "01", "02",   "03",   "04", "10", "17", "18", "19", "20", "21",   "28",
+                                "29",   "30", "30.1", "37",   "39", "40", "41", "41", "42", "42", "41.3", "43",
+                                "43.5", "44", "45",   "46",   "47", "48", "49", "53", "54", "52", "54.1", "80",
+                                "64",   "93", "95",   "05.1", "55", "59", "90", "91", "92", "94", "0",    "1"}));
     case 1: {
       const std::string& letters = setup.axes.letters();
       const char letter = letters[choose.below(letters.size())];
@@ -88,7 +89,7 @@ std::string any_word(Choices& choose, const spec::Setup& setup, std::string_view
     case 4:
       return fmt::format("F{}", choose.between(0, 5000));
     default:
-      return choose.one_of({"M00", "M01", "M02", "M30", "M08", "S1000", "T1", "Q1", "N5", "O1"});
+      return choose.one_of({"M00", "M01", "M02", "M30", "M08", "S1000", "T1", "Q1", "N5", "O1", "M98", "M99", "L20"});
   }
 }
 

@@ -16,7 +16,7 @@ bool is_left(const FanucBlock& b) { return b.compensation == 410 || b.compensati
 // Other vectors may stand between the programmed point and the tool: of G45 to G48, of G37.
 bool shifts_the_point(const FanucScene& s) { return s.program.has_code({450, 460, 470, 480, 370}); }
 bool leaves_the_path(const FanucScene& s) {
-  return shifts_the_point(s) || s.program.has_code({100, 920, 530, 280, 290, 300, 301, 310});
+  return shifts_the_point(s) || s.program.has_code({100, 520, 920, 530, 280, 290, 300, 301, 310});
 }
 
 Vector normal_of(int plane) {

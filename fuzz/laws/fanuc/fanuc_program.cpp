@@ -1,6 +1,7 @@
 #include "fuzz/laws/fanuc/fanuc_program.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <string_view>
@@ -41,7 +42,7 @@ bool is_renaming(int code) {
 void keep_last_one_shot(std::vector<spec::Word>& words) {
   const auto is_one_shot = [](const spec::Word& w) {
     return w.address == 'G' &&
-           among(code_of(w.value), {40, 100, 280, 290, 300, 301, 370, 390, 450, 460, 470, 480, 530, 920});
+           among(code_of(w.value), {40, 100, 280, 290, 300, 301, 370, 390, 450, 460, 470, 480, 520, 530, 920});
   };
   const auto last = std::find_if(words.rbegin(), words.rend(), is_one_shot);
   if (last == words.rend()) return;
@@ -124,9 +125,11 @@ FanucProgram::FanucProgram(const spec::Case& c) {
       state.line = block->line;
       state.words.assign(block->words().begin(), block->words().end());
       keep_last_one_shot(state.words);
-      if (state.has_code(40) || state.has_code(100))
+      constexpr std::array kTakesLetters{40, 50, 51, 100, 220, 501};
+      if (std::ranges::any_of(kTakesLetters, [&state](int code) { return state.has_code(code); }))
         std::erase_if(state.words, [](const spec::Word& w) { return !is_shared_with_data(w.address); });
       for (const spec::Word& w : state.words) {
+        calls_ = calls_ || (w.address == 'M' && (w.value.digits == 98 || w.value.digits == 99));
         if (w.address == 'D') state.d = number(w.value);
         if (w.address == 'H') state.h = number(w.value);
         if (w.address != 'G') continue;

@@ -49,9 +49,12 @@ class FanucProgram {
   // Whether coordinates may be renamed in the blocks behind `from`, up to and including `to` (indices): a position
   // before does not subtract from one after.
   [[nodiscard]] bool renames(std::size_t from, std::size_t to) const;
+  // Programs are called: blocks run in another order than they stand.
+  [[nodiscard]] bool calls() const { return calls_; }
 
  private:
   std::vector<FanucBlock> blocks_;
+  bool calls_ = false;
 };
 
 // Offsets as they stand in the setup, setup units; nothing where the number is none.

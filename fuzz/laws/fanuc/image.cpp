@@ -124,6 +124,13 @@ std::optional<spec::Word> change(const Map& map, const spec::Word& word) {
   return image;
 }
 
+// M98, M99: the blocks run in another order than they stand.
+bool calls(const spec::Block& block) {
+  return std::ranges::any_of(block.words(), [](const spec::Word& word) {
+    return word.address == 'M' && (word.value.digits == 98 || word.value.digits == 99);
+  });
+}
+
 // The program in the image, every block in its line; nothing where one cannot be read or written, or two share a line.
 std::optional<std::string> change(const Map& map, const spec::Case& c) {
   std::string text;
@@ -134,7 +141,7 @@ std::optional<std::string> change(const Map& map, const spec::Case& c) {
     const auto block = std::make_unique<spec::Block>();
     std::uint64_t latest = 0;
     while (reader.next(*block)) {
-      if (block->alarm || block->line == latest) return std::nullopt;
+      if (block->alarm || block->line <= latest || calls(*block)) return std::nullopt;
       latest = block->line;
       for (; line < block->line; ++line) text += '\n';
       for (std::size_t i = 0; i < block->size; ++i) {

@@ -29,7 +29,7 @@ void leading_edge_vector(const FanucScene& s, Holding& holding) {
   exact::Rational range = 1;
   if (const auto p = s.c.setup.parameter(19631)) range = rational(*p);
   if (range >= 45 || s.c.setup.bit(5001, 2) ||
-      s.program.has_code({100, 370, 920, 530, 280, 290, 300, 301, 450, 460, 470, 480}))
+      s.program.has_code({100, 370, 520, 920, 530, 280, 290, 300, 301, 450, 460, 470, 480}))
     return;
   const Real sine = range > 0 ? exact::sin_degrees(range) : Real(0);
   for (std::size_t i = 0; i + 1 < s.stops.size(); ++i) {

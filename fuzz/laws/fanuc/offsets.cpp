@@ -86,7 +86,7 @@ void length_offset_stays(const FanucScene& s, Holding& holding) {
 
 void signed_sums(const FanucScene& s, Holding& holding) {
   const auto compensated = [](const FanucBlock& b) { return b.compensation != 400; };
-  if (leaves_the_path(s) || edits_offsets(s) || s.program.has_code({920}) || s.names_other_points() ||
+  if (leaves_the_path(s) || edits_offsets(s) || s.program.has_code({520, 920}) || s.names_other_points() ||
       s.c.setup.bit(5001, 2) || s.c.setup.bit(5001, 5) || std::ranges::any_of(s.program.blocks(), compensated))
     return;
   for (std::size_t i = 1; i < s.stops.size(); ++i) {

@@ -69,7 +69,8 @@ void reversed(const spec::Case& c, std::span<const model::Event> events, const R
     return;
   if (const auto limit = c.setup.parameter(5010); limit && !limit->is_zero()) return;
   const FanucScene scene(c, events);
-  if (scene.program.has_code({100, 200, 210, 280, 290, 300, 301, 370, 434, 435, 450, 460, 470, 480, 530, 920})) return;
+  if (scene.program.has_code({100, 200, 210, 280, 290, 300, 301, 370, 434, 435, 450, 460, 470, 480, 520, 530, 920}))
+    return;
   const auto contour = contour_of(scene);
   if (!contour) return;
   const FanucBlock& begun = scene.block(scene.stops[contour->first]);
