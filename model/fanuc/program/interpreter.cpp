@@ -72,9 +72,12 @@ void Interpreter::read_feed(const Command& command) {
   }
   const spec::Decimal* const f = command.words.find('F');
   if (f == nullptr) return;
-  // fanuc.program.feed-mode: Under G94, which is in force at the start, F is the feed per minute. Under G93 and G95 it
-  // is another number: moves carry no feed, and behind the next G94 none until F is given.
-  if (recorder_.decide(Clause::fanuc_program_feed_mode, feed_per_minute_)) feed_ = numbers_.feed(*f);
+  // fanuc.program.feed-mode: Under G93 and G95 F is no feed per minute: moves carry no feed, and behind the next G94,
+  // which is in force at the start, none until F is given.
+  if (feed_per_minute_)
+    feed_ = numbers_.feed(*f);
+  else
+    recorder_.reach(Clause::fanuc_program_feed_mode);
 }
 
 Rational Interpreter::word(const Command& command, std::size_t axis) const {
