@@ -87,7 +87,10 @@ class Writer {
             line("LBL " + label);
             body(depth - 1, first);
             const std::string count = std::to_string(1 + below(2));
-            line("CALL LBL " + label + (chance(30) ? " ~\n  REP " + count : chance(50) ? " REP" + count : " REP " + count));
+            line("CALL LBL " + label +
+                 (chance(30)   ? " ~\n  REP " + count
+                  : chance(50) ? " REP" + count
+                               : " REP " + count));
           }
           break;
         case 1:
@@ -217,7 +220,8 @@ TEST(KlartextExpansion, CallsGiveTheEventsOfTheFlatProgram) {
     expect_same(fast, map, of_fast(called));
     expect_same(fast, map, of_files(called, files[0], folder));
     events += model.events.size();
-    longer += static_cast<std::size_t>(map.size() > std::size_t{2} + static_cast<std::size_t>(std::ranges::count(files[0], '\n')));
+    longer += static_cast<std::size_t>(map.size() >
+                                       std::size_t{2} + static_cast<std::size_t>(std::ranges::count(files[0], '\n')));
   }
   fs::remove_all(folder);
   EXPECT_GT(events, 500U);
