@@ -144,7 +144,7 @@ class Explanation {
     auto fast = Control::fast(setup_, fast_events, program.samples());
     const fuzz::StreamedProgram text = program.text();
     std::string read;
-    auto reader = Control::reader(std::make_unique<Kept>(text.open(), read), setup_, text.name);
+    auto reader = Control::reader(std::make_unique<Kept>(text.open(), read), setup_, text.name, text.called_program);
     typename Control::Block block;
     while (!model.stopped() && reader.next(block)) {
       add(block);

@@ -242,7 +242,8 @@ Verdict judge_passes(const StreamedProgram& program, const spec::Setup& setup, s
     Verdict v;
     try {
       pass.emplace(setup, samples, task.choices);
-      v = pass->run(Control::reader(program.open(), setup, program.name, program.called_program), first ? nullptr : on_block);
+      v = pass->run(Control::reader(program.open(), setup, program.name, program.called_program),
+                    first ? nullptr : on_block);
     } catch (const std::exception&) {
       if (!first) throw;
       continue;  // the forced outcome has no finite vectors

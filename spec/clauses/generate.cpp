@@ -45,8 +45,9 @@ std::vector<std::string> list_of(const toml::table& table, std::string_view key)
 std::string joined(const std::vector<std::string>& list) { return fmt::format("{}", fmt::join(list, "\n")); }
 
 constexpr std::string_view kKeys[] = {
-    "id",       "kind",         "source",   "text",   "formula",     "parameters",         "alternatives",
-    "outcomes", "outcome_text", "testable", "reason", "unreachable", "unreachable_reason", "replaced_by", "makes_value"};
+    "id",         "kind",         "source",   "text",   "formula",     "parameters",         "alternatives",
+    "outcomes",   "outcome_text", "testable", "reason", "unreachable", "unreachable_reason", "replaced_by",
+    "makes_value"};
 constexpr std::string_view kKinds[] = {"normative", "parameter", "alarm", "open", "note"};
 constexpr std::string_view kOutcomes[] = {"sign", "fact", "reach"};
 

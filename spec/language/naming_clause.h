@@ -7,8 +7,8 @@
 
 namespace toolcomp::spec {
 
-// The last that makes the value of a move, where one of the list does (`makes_value` in the clause files), else the last
-// that was applied; nothing for an event without clauses.
+// The last that makes the value of a move, where one of the list does (`makes_value` in the clause files), else the
+// last that was applied; nothing for an event without clauses.
 inline std::optional<Clause> naming_clause(const ClauseList& clauses) {
   std::optional<Clause> naming;
   for (const Clause clause : clauses)

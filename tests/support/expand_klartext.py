@@ -23,7 +23,7 @@ class Block:
         self.lines = lines
         joined = " ".join(re.sub(r"~\s*$", " ", line) for line in lines)
         words = re.sub(r'("[^"]*")|;.*', lambda match: match.group(1) or "", joined)
-        self.words = re.sub(r"^\s*/?\s*\d*\s*/?", "", words).split()
+        self.words = re.findall(r'"[^"]*"|\S+', re.sub(r"^\s*/?\s*\d*\s*/?", "", words))
         self.key = [word.upper() for word in self.words[:2]]
 
     def is_label(self):
@@ -64,7 +64,7 @@ class Expansion:
         self.programs = {}
         text = main.read_text(encoding="utf-8")
         self.main = Program(blocks_of(text, 1))
-        self.read_called(blocks_of(text, 1), 1 + len(text.rstrip("\n").split("\n")))
+        self.read_called(blocks_of(text, 1), 1 + text.count("\n") + (not text.endswith("\n")))
 
     def read_called(self, blocks, line):
         queue = list(blocks)
@@ -78,7 +78,7 @@ class Expansion:
             file = next(p for p in sorted(self.folder.iterdir()) if p.stem.upper() == name and p.suffix.upper() == ".H")
             text = file.read_text(encoding="utf-8")
             more = blocks_of(text, line)
-            line += len(text.rstrip("\n").split("\n"))
+            line += text.count("\n") + (not text.endswith("\n"))
             begin = next(i for i, other in enumerate(more) if other.key == ["BEGIN", "PGM"])
             self.programs[name] = Program(more[begin + 1 :])
             queue += more

@@ -7,11 +7,11 @@ namespace {
 
 #define FAULT(words, figures) TOOL_1(REWORKED), "L X1\n" words "L X2\n", "1 programmed tip=1,0,0\n" figures
 #define IN_EACH_OTHER(outer, inner) "LBL " outer "\nCALL LBL " inner "\n"
-#define NINE_IN_EACH_OTHER                                                                                    \
-  IN_EACH_OTHER("1", "2")                                                                                     \
-  IN_EACH_OTHER("2", "3")                                                                                     \
-  IN_EACH_OTHER("3", "4")                                                                                     \
-  IN_EACH_OTHER("4", "5")                                                                                     \
+#define NINE_IN_EACH_OTHER \
+  IN_EACH_OTHER("1", "2")  \
+  IN_EACH_OTHER("2", "3")  \
+  IN_EACH_OTHER("3", "4")  \
+  IN_EACH_OTHER("4", "5")  \
   IN_EACH_OTHER("5", "6") IN_EACH_OTHER("6", "7") IN_EACH_OTHER("7", "8") IN_EACH_OTHER("8", "9")
 #define EIGHTEEN_IN_EACH_OTHER                                                                                \
   NINE_IN_EACH_OTHER IN_EACH_OTHER("9", "10") IN_EACH_OTHER("10", "11") IN_EACH_OTHER("11", "12")             \
@@ -56,8 +56,8 @@ constexpr Example kCalls[] = {
      FAULT("CALL LBL 1\nLBL 1\nCALL LBL 2\nLBL 2\nCALL LBL 1\n", "6 E_LABEL_RECURSION\n")},
     {"A program that calls itself: E_PROGRAM_RECURSION.", TOOL_1(REWORKED),
      "BEGIN PGM MAIN MM\nL X1\nCALL PGM MAIN\nEND PGM MAIN MM\n", "2 programmed tip=1,0,0\n3 E_PROGRAM_RECURSION\n"},
-    {"Subprograms 19 deep in each other.", FAULT("CALL LBL 1\n" EIGHTEEN_IN_EACH_OTHER "LBL 19\n",
-                                                 "40 programmed tip=2,0,0\n")},
+    {"Subprograms 19 deep in each other.",
+     FAULT("CALL LBL 1\n" EIGHTEEN_IN_EACH_OTHER "LBL 19\n", "40 programmed tip=2,0,0\n")},
     {"Subprograms 20 deep in each other: E_NESTING.",
      FAULT("CALL LBL 1\n" EIGHTEEN_IN_EACH_OTHER IN_EACH_OTHER("19", "20") "LBL 20\n", "40 E_NESTING\n")},
     {"A program that is not there: E_NO_PROGRAM.", FAULT("CALL PGM SUB.H\n", "2 E_NO_PROGRAM\n")},

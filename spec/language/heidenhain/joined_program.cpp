@@ -51,8 +51,8 @@ std::string joined_rest(std::string_view rest, std::string_view main, const Call
   std::set<std::string> names{program_key(main)};
   std::vector<OutlineEntry> entries = outline(setup, text, {});
   add_names(entries, names);
-  bool ended = std::ranges::any_of(
-      entries, [](const OutlineEntry& entry) { return entry.statement == Statement::end_program; });
+  bool ended =
+      std::ranges::any_of(entries, [](const OutlineEntry& entry) { return entry.statement == Statement::end_program; });
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (entries[i].statement != Statement::call_program) continue;
     const Name name = entries[i].name;

@@ -18,9 +18,9 @@ using CalledProgram = std::function<std::optional<std::string>(std::string_view 
 std::optional<std::string> program_beside(const std::filesystem::path& folder, std::string_view name);
 
 // The main text, and behind it the programs that it calls and does not hold itself, and those that they call: each
-// once, in the order of the first CALL PGM in the text that arises, as it is in its file. Lines count on. The definition
-// of a program that calls others is this text: the reader gives the same blocks, lines and columns for both. A main
-// text without END PGM gets one where others follow it; what is not found is left out.
+// once, in the order of the first CALL PGM in the text that arises, as it is in its file. Lines count on. The
+// definition of a program that calls others is this text: the reader gives the same blocks, lines and columns for both.
+// A main text without END PGM gets one where others follow it; what is not found is left out.
 std::string joined_klartext(std::string_view main_text, const CalledProgram& called);
 std::string joined_klartext(std::string_view main_text, const std::filesystem::path& folder);
 

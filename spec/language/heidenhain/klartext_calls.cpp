@@ -91,9 +91,8 @@ TextPlace Calls::subprogram(Block& block, TextPlace behind) {
   const std::optional<TextPlace> place = place_of_label(block);
   if (!place) return behind;
   const std::size_t program = frames_.back().program;
-  if (std::ranges::any_of(frames_, [&](const Frame& frame) {
-        return frame.program == program && frame.label == block.label.view();
-      }))
+  if (std::ranges::any_of(
+          frames_, [&](const Frame& frame) { return frame.program == program && frame.label == block.label.view(); }))
     raise(block, "E_LABEL_RECURSION", "a subprogram calls itself");
   else if (depth(true) == kDeepest)
     raise(block, "E_NESTING", "more than 19 subprograms in each other");

@@ -1,5 +1,5 @@
-// What of a text in memory matters to calls: LBL, CALL PGM, BEGIN PGM and END PGM, in the order of the text. Internal to
-// the reader.
+// What of a text in memory matters to calls: LBL, CALL PGM, BEGIN PGM and END PGM, in the order of the text. Internal
+// to the reader.
 #pragma once
 
 #include <cstddef>

@@ -45,7 +45,8 @@ unsigned rank_of(const char* at) {
 
 }  // namespace
 
-BlockParser::BlockParser(const Setup& setup, const std::string& file) : setup_(setup), file_(file), units_(setup.units) {
+BlockParser::BlockParser(const Setup& setup, const std::string& file)
+    : setup_(setup), file_(file), units_(setup.units) {
   slot_.fill(kNoSlot);
   for (std::size_t slot = 0; slot < kAxisLetters.size(); ++slot) {
     const char letter = kAxisLetters[slot];

@@ -50,9 +50,9 @@ struct Reader::State {
   std::array<char, kBufferSize + 4 * kDigitsRead> buffer{};
   char* position = buffer.data();
   char* end = buffer.data();
-  std::uint64_t line = 1;   // at `position`
-  std::uint64_t lines = 1;  // of the block fetched
-  std::size_t mark = 0;     // bytes of a byte order mark right before `position`
+  std::uint64_t line = 1;        // at `position`
+  std::uint64_t lines = 1;       // of the block fetched
+  std::size_t mark = 0;          // bytes of a byte order mark right before `position`
   std::unique_ptr<Calls> calls;  // with them: `position` and `end` stand in their text
   bool begun = false;
   bool exhausted = false;  // the source has no more bytes
@@ -141,17 +141,15 @@ void Reader::State::keep_text() {
   for (std::size_t count = 1; !exhausted && count != 0; text.append(buffer.data(), count))
     count = source->read(buffer.data(), kBufferSize);
   exhausted = true;
-  calls = std::make_unique<Calls>(
-      setup, options, std::move(text),
-      Calls::Main{std::string(parser.program_name().view()), parser.units(), line});
+  calls = std::make_unique<Calls>(setup, options, std::move(text),
+                                  Calls::Main{std::string(parser.program_name().view()), parser.units(), line});
   position = calls->data();
   end = position + calls->size();
 }
 
 void Reader::State::follow(Block& block, const BlockText& text) {
   const auto offset = [this](const char* at) { return static_cast<std::size_t>(at - calls->data()); };
-  const std::optional<TextPlace> next =
-      calls->next(block, {offset(text.begin), text.line}, {offset(position), line});
+  const std::optional<TextPlace> next = calls->next(block, {offset(text.begin), text.line}, {offset(position), line});
   done = !next;
   if (done) return;
   position = calls->data() + next->offset;

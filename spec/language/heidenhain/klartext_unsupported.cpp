@@ -146,6 +146,15 @@ bool is_one_literal(const char* at, std::string_view key, std::uint64_t value, c
          (!number.negative || value == 0);
 }
 
+// FN 1 to FN 4 have a word +, -, * or DIV in their line.
+bool has_operator(const char* at) {
+  for (; *at != '\n' && *at != ';'; ++at)
+    if (is_blank(at[-1]) && (read_word(at, "DIV") != nullptr ||
+                             (std::string_view("+-*").find(*at) != std::string_view::npos && at_word_end(at + 1))))
+      return true;
+  return false;
+}
+
 // Behind the word, or behind a ~ that joins no lines.
 const char* word_end(const char* at) {
   if (*at == '~') return at + 1;
@@ -159,7 +168,8 @@ const char* BlockParser::refuse_by_name(Block& block, const char* at) {
   if (const char* const function = words(at, "FN")) {
     std::uint64_t number = 0;
     const char* const end = read_integer(function, std::numeric_limits<std::uint64_t>::max(), number);
-    const char* const message = end != nullptr && *end == ':' ? message_of(kFunctions, number) : nullptr;
+    const bool whole = end != nullptr && *end == ':' && (number > 4 || has_operator(end));
+    const char* const message = whole ? message_of(kFunctions, number) : nullptr;
     return message == nullptr ? bad_word(block, function) : refuse(block, at, message);
   }
   for (const Named& named : kStatements)

@@ -132,4 +132,36 @@ TEST(HeidenhainCommands, FuzzAndCertifyKnowTheSections) {
   EXPECT_EQ(certified.status, 0) << certified.out << certified.err;
 }
 
+// A program in two files: lines count on in the second, for every command.
+TEST(HeidenhainCalls, FilesBesideTheProgram) {
+  const Folder folder;
+  folder.write("setup.toml", "control = \"heidenhain\"\n");
+  const std::string main =
+      folder.write("main.h", "BEGIN PGM MAIN MM\nL X1\nCALL PGM PASS.H\nCALL PGM \"pass\"\nL X0\nEND PGM MAIN MM\n");
+  folder.write("Pass.H", "BEGIN PGM PASS MM\nLBL 1\nL IY1\nCALL LBL 1 REP 1\nEND PGM PASS MM\n");
+  std::vector<std::string> ran;
+  for (const json& event : toolcomp("run " + main).events())
+    ran.push_back(std::to_string(event.at("line").get<int>()) + ' ' + event.at("point").at("Y").dump());
+  EXPECT_EQ(ran, (std::vector<std::string>{"2 0", "9 1", "9 2", "9 3", "9 4", "5 4"}));
+  EXPECT_EQ(toolcomp("diff " + main).status, 0);
+  const Outcome explained = toolcomp("explain " + main + " --block 9");
+  EXPECT_EQ(explained.status, 0) << explained.err;
+  EXPECT_EQ(count(explained.out, "line 9: L IY1"), 1U);
+  EXPECT_EQ(count(explained.out, "  exact "), 4U);
+
+  // From standard input nothing stands beside it.
+  const Outcome alone = toolcomp("run - --setup " + folder.path("setup.toml") + " < " + main);
+  EXPECT_NE(alone.err.find(":3:1: E_NO_PROGRAM "), std::string::npos) << alone.err;
+}
+
+TEST(HeidenhainCalls, WhatIsNotSupportedSaysItsNameAndPlace) {
+  const Folder folder;
+  folder.write("setup.toml", "control = \"heidenhain\"\n");
+  const std::string program = folder.write("p.h", "L X1\n7 RND R2\n");
+  const Outcome outcome = toolcomp("run " + program);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("p.h:2:3: E_UNSUPPORTED RND (rounding) is not supported"), std::string::npos)
+      << outcome.err;
+}
+
 }  // namespace

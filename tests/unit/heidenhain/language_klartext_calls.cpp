@@ -145,7 +145,9 @@ TEST(KlartextCalls, UnitsAndNamesOfCalledPrograms) {
 TEST(KlartextCalls, FilesFollowInTheOrderOfTheirFirstCall) {
   const std::string main = "BEGIN PGM M MM\nL X1\nCALL PGM B\nCALL PGM A\nCALL PGM B\nEND PGM M MM\n";
   const Files files{{"A", "BEGIN PGM A MM\r\nL X2\r\nEND PGM A MM\r\n"},
-                    {"B", "\xEF\xBB\xBF" "BEGIN PGM B MM\nCALL PGM C\nEND PGM B MM"},
+                    {"B",
+                     "\xEF\xBB\xBF"
+                     "BEGIN PGM B MM\nCALL PGM C\nEND PGM B MM"},
                     {"C", "BEGIN PGM C MM\nL X3\nEND PGM C MM\n"}};
   const std::string joined = joined_klartext(main, from(files));
   EXPECT_EQ(joined, main + "BEGIN PGM B MM\nCALL PGM C\nEND PGM B MM\n" + files.at("A") + files.at("C"));

@@ -427,7 +427,7 @@ TEST(Klartext, BlockForm) {
   EXPECT_EQ(one("BLK FORM 0.1 Z X0 Z0 Y0"), "!E_SYNTAX@1:19");
   EXPECT_EQ(one("BLK FORM 0.2 X0 Y0"), "!E_SYNTAX@1:19");
   EXPECT_EQ(one("BLK FORM 0.3 X0 Y0 Z0"), "!E_SYNTAX@1:10");
-  EXPECT_EQ(one("BLK FORM CYLINDER Z R50 L100"), "!E_SYNTAX@1:10");
+  EXPECT_EQ(one("BLK FORM CUBE Z R50 L100"), "!E_SYNTAX@1:10");
   EXPECT_EQ(one("BLK 0.1"), "!E_SYNTAX@1:1");
 }
 
@@ -448,7 +448,7 @@ TEST(Klartext, ToolCenterPointManagement) {
   EXPECT_EQ(one("FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT CNT-TIP"), "!E_SYNTAX@1:51");
   EXPECT_EQ(one("FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS F500 REFPNT TIP-TIP"), "!E_SYNTAX@1:49");
   EXPECT_EQ(one("FUNCTION RESET"), "!E_SYNTAX@1:10");
-  EXPECT_EQ(one("FUNCTION MODE MILL"), "!E_SYNTAX@1:10");
+  EXPECT_EQ(one("FUNCTION MILL"), "!E_SYNTAX@1:10");
 }
 
 TEST(Klartext, ProgrammedPath) {
@@ -482,19 +482,19 @@ TEST(Klartext, CyclesAndPlanes) {
   EXPECT_EQ(one("CYCL DEF 32.2 HSC-MODE:0 TA0.5"), "CYCL DEF 32.2");
   EXPECT_EQ(one("CYCL DEF 247"), "CYCL DEF 247.0");
   EXPECT_EQ(one("CYCL DEF 7 X1"), "CYCL DEF 7.0");
-  EXPECT_EQ(one("CYCL DEF 7.1 #5"), "!E_SYNTAX@1:14");
+  EXPECT_EQ(one("CYCL DEF 7.1 #5"), "!E_UNSUPPORTED@1:14");
   EXPECT_EQ(one("CYCL DEF 7.1 X1 X2"), "!E_SYNTAX@1:17");
   EXPECT_EQ(one("CYCL DEF 7.1 A1"), "!E_SYNTAX@1:14");
   EXPECT_EQ(one("CYCL DEF 7.1 U1"), "!E_SYNTAX@1:14");
   EXPECT_EQ(one("CYCL DEF 7.1 IX"), "!E_SYNTAX@1:14");
   EXPECT_EQ(one("CYCL DEF 7.A"), "!E_SYNTAX@1:10");
   EXPECT_EQ(one("CYCL DEF"), "!E_SYNTAX@1:9");
-  EXPECT_EQ(one("CYCL CALL"), "!E_SYNTAX@1:1");
+  EXPECT_EQ(one("CYCL CALL"), "!E_UNSUPPORTED@1:1");
   EXPECT_EQ(one("PLANE RESET STAY"), "PLANE RESET STAY");
   EXPECT_EQ(one("PLANE SPATIAL SPA+0 SPB-QL1 SPC,5 TURN MB MAX FMAX SEQ-"), "PLANE RESET STAY");
   EXPECT_EQ(one("PLANE SPATIAL SPA0 SPC0 SPB0 STAY"), "!E_SYNTAX@1:20");
   EXPECT_EQ(one("PLANE SPATIAL SPA0 SPB0 SPC0"), "!E_SYNTAX@1:29");
-  EXPECT_EQ(one("PLANE EULER"), "!E_SYNTAX@1:7");
+  EXPECT_EQ(one("PLANE EULER"), "!E_UNSUPPORTED@1:1");
   EXPECT_EQ(one("PLANE"), "!E_SYNTAX@1:6");
 }
 
@@ -505,16 +505,16 @@ TEST(Klartext, Assignments) {
   EXPECT_EQ(one("FN 0: Q1999 = -,5"), "Q1999 = -.5");
   EXPECT_EQ(one("fn  0:Q1=1"), "Q1 = 1");
   EXPECT_EQ(one("FN 0: QL1 = 1"), "!E_SYNTAX@1:7");
-  EXPECT_EQ(one("FN 1: Q1 = 1 + 2"), "!E_SYNTAX@1:4");
-  EXPECT_EQ(one("Q1 = Q2 + 1"), "!E_SYNTAX@1:9");
+  EXPECT_EQ(one("FN 1: Q1 = 1 + 2"), "!E_UNSUPPORTED@1:1");
+  EXPECT_EQ(one("Q1 = Q2 + 1"), "!E_UNSUPPORTED@1:9");
   EXPECT_EQ(one("Q1"), "!E_SYNTAX@1:3");
   EXPECT_EQ(one("Q1 ="), "!E_SYNTAX@1:5");
   EXPECT_EQ(one("Q2000 = 1"), "!E_SYNTAX@1:1");
-  EXPECT_EQ(one("QS1 = \"A\""), "!E_SYNTAX@1:1");
+  EXPECT_EQ(one("QS1 = \"A\""), "!E_UNSUPPORTED@1:1");
 }
 
 TEST(Klartext, OtherLanguagesAreFaults) {
-  EXPECT_EQ(read("%1 G71 *\nN10 G00 X1 *\nG01 X1\nX1\nCC X1\nCYCL CALL\nLBL 1"),
+  EXPECT_EQ(read("%1 G71 *\nN10 G00 X1 *\nG01 X1\nX1\nCIRC X1\nCYCLE81(5)\nL1"),
             (Blocks{"1: !E_SYNTAX@1:1", "2: !E_SYNTAX@2:1", "3: !E_SYNTAX@3:1", "4: !E_SYNTAX@4:1", "5: !E_SYNTAX@5:1",
                     "6: !E_SYNTAX@6:1", "7: !E_SYNTAX@7:1"}));
 }

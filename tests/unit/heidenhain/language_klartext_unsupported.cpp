@@ -36,7 +36,8 @@ TEST(KlartextUnsupported, StatementsSayTheirName) {
   EXPECT_EQ(said("CC\n"), "E_UNSUPPORTED@1:1 CC (centre of a circle, pole) is not supported");
   EXPECT_EQ(said("RND R5 F20\n"), "E_UNSUPPORTED@1:1 RND (rounding) is not supported");
   EXPECT_EQ(said("chf 2\n"), "E_UNSUPPORTED@1:1 CHF (chamfer) is not supported");
-  EXPECT_EQ(said("L X1\n  APPR LCT X+5 Y+5 R2 RL\n"), "E_UNSUPPORTED@2:3 APPR (approach of a contour) is not supported");
+  EXPECT_EQ(said("L X1\n  APPR LCT X+5 Y+5 R2 RL\n"),
+            "E_UNSUPPORTED@2:3 APPR (approach of a contour) is not supported");
   EXPECT_EQ(said("LP PR+10 PA+30\n"), "E_UNSUPPORTED@1:1 LP (polar coordinates) is not supported");
   EXPECT_EQ(said("CYCL CALL M3\n"), "E_UNSUPPORTED@1:1 CYCL CALL (machining cycles) is not supported");
   EXPECT_EQ(said("PLANE RELATIV SPB45 TURN\n"), "E_UNSUPPORTED@1:1 PLANE RELATIV is not supported");
@@ -60,6 +61,8 @@ TEST(KlartextUnsupported, OtherWordsAreNoKlartext) {
 
 TEST(KlartextUnsupported, ArithmeticAndJumps) {
   EXPECT_EQ(said("FN 1: Q1 = +Q2 + +5\n"), "E_UNSUPPORTED@1:1 FN 1 (addition) is not supported");
+  EXPECT_EQ(said("FN 4: Q4 = +4 DIV +Q2\n"), "E_UNSUPPORTED@1:1 FN 4 (division) is not supported");
+  EXPECT_EQ(said("FN 1: Q1 = 2\n"), "E_SYNTAX@1:4 ") << "no sum";
   EXPECT_EQ(said("FN 9: IF +Q1 EQU +0 GOTO LBL 99\n"), "E_UNSUPPORTED@1:1 FN 9 (jump if equal) is not supported");
   EXPECT_EQ(said("Q1 = Q2 + 1\n"), "E_UNSUPPORTED@1:9 a formula of Q parameters is not supported");
   EXPECT_EQ(said("Q1 = SIN 30\n"), "E_UNSUPPORTED@1:6 a formula of Q parameters is not supported");
@@ -121,8 +124,7 @@ TEST(KlartextUnsupported, PlanesThatTurnSomething) {
             "passed over: PLANE SPATIAL (tilted working plane) is not supported");
   EXPECT_EQ(said("PLANE SPATIAL SPA+0 SPB+Q1 SPC+0 STAY\n"),
             "passed over: PLANE SPATIAL (tilted working plane) is not supported");
-  constexpr const char* kTurns =
-      "passed over: PLANE with MOVE or TURN (positioning of rotary axes) is not supported";
+  constexpr const char* kTurns = "passed over: PLANE with MOVE or TURN (positioning of rotary axes) is not supported";
   EXPECT_EQ(said("L B+10\nL B+0\nPLANE RESET TURN\n"), kTurns);
   EXPECT_EQ(said("L IC+0\nPLANE SPATIAL SPA+0 SPB+0 SPC+0 TURN\n"), kTurns);
   EXPECT_EQ(said("L B+10\nPLANE RESET STAY\n"), "read");
