@@ -31,7 +31,7 @@ th,td{border:1px solid var(--line);padding:.25rem .5rem;text-align:left;vertical
 dl{display:grid;grid-template-columns:max-content 1fr;gap:.15rem 1rem;margin:.5rem 0}dt{color:var(--soft)}dd{margin:0;overflow-wrap:anywhere}
 .badge{display:inline-block;border-radius:1em;padding:.05em .7em;border:1px solid currentColor;font-weight:600}.good{color:var(--good)}.bad{color:var(--bad)}.open{color:var(--open)}
 article{border:1px solid var(--line);border-radius:8px;padding:.2rem 1rem 1rem;margin:1rem 0}details{margin:.4rem 0}summary{cursor:pointer}
-svg{max-width:100%;height:auto}.soft{color:var(--soft)}nav a{margin-right:1rem}a{color:inherit}
+svg{max-width:100%;height:auto}.soft{color:var(--soft)}nav{margin:1.5rem 0 0}nav a{margin-right:1rem}a{color:inherit}
 .sign{display:grid;grid-template-columns:repeat(3,1fr);gap:1.5rem;margin-top:4rem}.sign span{border-top:1px solid var(--ink);padding-top:.2rem;font-size:13px}
 :focus-visible{outline:3px solid #0969da;outline-offset:2px}
 @media(max-width:40rem){dl{grid-template-columns:1fr}dt{margin-top:.4rem}article{padding:.2rem .6rem .6rem}

@@ -47,7 +47,7 @@ struct Layer {
 constexpr double kCos30 = 0.8660254037844386;
 constexpr View kTop{"top", "X", "Y", {1, 0, 0}, {0, 1, 0}};
 constexpr View kSide{"side", "X", "Z", {1, 0, 0}, {0, 0, 1}};
-constexpr View kCorner{"axonometric", "", "", {kCos30, -kCos30, 0}, {-0.5, -0.5, 1}, true};
+constexpr View kCorner{"axonometric", "", "", {kCos30, -kCos30, 0}, {0.5, 0.5, 1}, true};
 
 double distance(const Point2& a, const Point2& b) { return std::hypot(a.first - b.first, a.second - b.second); }
 

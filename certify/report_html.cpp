@@ -128,11 +128,10 @@ std::string first_page(const Certificate& c) {
                     badge(verdict(c), tone_of(c)) + "</p>\n";
   if (!c.self_check.empty())
     out += "<p class=\"bad\">The harness failed its own check: " + escape(c.self_check) + ".</p>\n";
-  out += "<p>Judged: " + escape(scope(c)) + ". ";
   out += fmt::format(
-      "{} in {} were held against the exact model: {} agree, {} differ in {}, {} could not be decided. {} values were "
-      "compared; the worst that was accepted lies {} µm ({} ulp) outside its exact enclosure.</p>\n",
-      plural(all.total(), "case"), plural(c.sections.size(), "section"), all.count(Result::agrees),
+      "<p>Judged: {}. Held against the exact model: {} in {}; {} agree, {} differ in {}, {} could not be decided. {} "
+      "values were compared; the worst that was accepted lies {} µm ({} ulp) outside its exact enclosure.</p>\n",
+      escape(scope(c)), plural(all.total(), "case"), plural(c.sections.size(), "section"), all.count(Result::agrees),
       all.count(Result::differs), plural(c.findings.size(), "finding"), all.count(Result::undecided), all.values,
       small(all.worst_um), small(all.worst_ulp));
   if (all.bias.count > 0)

@@ -82,7 +82,10 @@ std::string first_page(const TraceReport& report, std::string_view verdict, std:
 std::string html_report(const TraceReport& report) {
   const TraceResult& r = report.result;
   const spec::Setup& setup = report.c.setup;
-  const PathOptions drawing = path_options(report.c);
+  PathOptions drawing = path_options(report.c);
+  const std::uint64_t marked = r.findings.empty() ? 0 : r.findings.front().line;
+  if (const auto event = std::ranges::find(r.events, marked, &spec::Event<double>::line); event != r.events.end())
+    drawing.marked = static_cast<std::size_t>(event - r.events.begin());
   const std::string& unit = drawing.unit;
   const int status = exit_status(r);
   const std::string_view verdict = status == 0 ? "conforms" : status == 1 ? "does not conform" : "not decided";
@@ -100,7 +103,6 @@ std::string html_report(const TraceReport& report) {
                  picture);
   else
     body += picture;
-  const std::uint64_t marked = r.findings.empty() ? 0 : r.findings.front().line;
   return page("toolcomp trace: " + std::string(verdict), body + listing(report.c.program, marked));
 }
 

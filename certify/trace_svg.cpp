@@ -23,7 +23,7 @@ constexpr double kSqrt3Half = 0.8660254037844386;
 
 constexpr View kTop{"top", "X", "Y", {1, 0, 0}, {0, 1, 0}};
 constexpr View kFront{"side", "X", "Z", {1, 0, 0}, {0, 0, 1}};
-constexpr View kCorner{"axonometric", "", "", {kSqrt3Half, -kSqrt3Half, 0}, {-0.5, -0.5, 1}, true};
+constexpr View kCorner{"axonometric", "", "", {kSqrt3Half, -kSqrt3Half, 0}, {0.5, 0.5, 1}, true};
 
 constexpr std::string_view kStyle = R"(<style>
 .tr-paper{fill:#fff;stroke:#ccd2d9}.tr-grid{stroke:#edf0f3;fill:none}.tr-text{font:11px system-ui,sans-serif;fill:#57606a}

@@ -26,7 +26,7 @@ export class Panel {
     const label = this.figure.getAttribute('aria-label');
     this.canvas = element('canvas', { tabindex: 0, role: 'application', 'aria-label': `${label}. ${HELP}` });
     this.count = element('output', {});
-    this.words = element('div', { class: 'view-words', 'aria-live': 'polite' });
+    this.words = element('div', { class: 'view-words', 'aria-live': 'polite', tabindex: 0 });
     const button = (name, text, action) => {
       const node = element('button', { type: 'button', 'aria-label': name, title: name }, text);
       node.addEventListener('click', action);
@@ -35,10 +35,10 @@ export class Panel {
     const steps = element(
       'div',
       { class: 'view-bar' },
-      button('first block', '⏮', () => this.select(0)),
+      button('first block', '|◀', () => this.select(0)),
       button('previous block', '◀', () => this.select(this.index - 1)),
       button('next block', '▶', () => this.select(this.index + 1)),
-      button('last block', '⏭', () => this.select(Infinity)),
+      button('last block', '▶|', () => this.select(Infinity)),
       this.count,
       ...['top', 'front', 'corner'].map((from) => button(`seen from the ${from}`, from, () => this.look(from))),
     );
@@ -109,8 +109,8 @@ export class Panel {
   }
 
   key(event) {
-    // The arrows of a slider are its own; keys with Ctrl and Alt the browser's.
-    if (event.target.tagName === 'INPUT' || event.ctrlKey || event.altKey || event.metaKey) return;
+    // The arrows of a slider are its own, and those of the words scroll; keys with Ctrl and Alt are the browser's.
+    if (event.target.tagName === 'INPUT' || event.target === this.words || event.ctrlKey || event.altKey || event.metaKey) return;
     const turn = event.shiftKey && { ArrowLeft: [10, 0], ArrowRight: [-10, 0], ArrowUp: [0, 10], ArrowDown: [0, -10] }[event.key];
     if (turn) this.space.orbit(...turn);
     const act = turn

@@ -27,6 +27,7 @@ export class Run {
       axes: 'exact: axes, with length offset',
       other: data.controller,
     };
+    if (!this.has('point')) this.names.programmed = 'programmed and exact';
     this.shown = COURSES.filter((course) => this.has(course));
     this.largest = this.largestDeviation();
   }

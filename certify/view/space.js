@@ -66,6 +66,7 @@ export class Space {
     this.canvas = canvas;
     this.run = run;
     const [low, high] = run.box();
+    this.box = [low, high];
     this.center = low.map((x, i) => (x + high[i]) / 2);
     this.size = length(minus(high, low)) || 1;
     this.camera = new OrthographicCamera(-1, 1, 1, -1, -20 * this.size, 20 * this.size);
@@ -79,6 +80,26 @@ export class Space {
     [this.around, this.above] = { top: [0, 90], front: [0, 0], corner: [30, 30] }[name];
     this.zoom = 1;
     this.shift = [0, 0];
+    this.fit();
+  }
+
+  // How far everything reaches to the side and up, as it is seen now. Of a tool larger than its path some is cut off.
+  fit() {
+    const [right, up] = this.paper();
+    const tool = Math.min(Math.max(0, ...this.run.tools.map((shape) => shape.radius)), this.size / 2);
+    const half = minus(this.box[1], this.box[0]).map((x) => x / 2);
+    this.reach = [right, up].map((axis) => {
+      const far = axis.reduce((sum, x, i) => sum + Math.abs(x) * half[i], 0);
+      return (far + tool) * 1.25 || this.size;
+    });
+  }
+
+  // What is to the right on the paper, and what is up.
+  paper() {
+    const rad = Math.PI / 180;
+    const [sa, ca] = [Math.sin(this.around * rad), Math.cos(this.around * rad)];
+    const [sb, cb] = [Math.sin(this.above * rad), Math.cos(this.above * rad)];
+    return [[ca, sa, 0], [-sa * sb, ca * sb, cb]];
   }
 
   orbit(around, above) {
@@ -121,17 +142,14 @@ export class Space {
   }
 
   aim(width, height) {
-    const rad = Math.PI / 180;
-    const [sa, ca] = [Math.sin(this.around * rad), Math.cos(this.around * rad)];
-    const [sb, cb] = [Math.sin(this.above * rad), Math.cos(this.above * rad)];
-    const eye = new Vector3(sa * cb, -ca * cb, sb);
-    this.camera.up.set(-sa * sb, ca * sb, cb);
+    const [right, up] = this.paper().map((axis) => new Vector3(...axis));
+    const eye = right.clone().cross(up);
+    this.camera.up.copy(up);
     this.camera.position.copy(eye);
     this.camera.lookAt(0, 0, 0);
     this.camera.updateMatrixWorld();
-    const half = (this.size * 0.62) / this.zoom;
-    const [x, y] = width > height ? [(half * width) / height, half] : [half, (half * height) / width];
-    this.perPixel = (2 * x) / width;
+    this.perPixel = Math.max((2 * this.reach[0]) / width, (2 * this.reach[1]) / height) / this.zoom;
+    const [x, y] = [(width * this.perPixel) / 2, (height * this.perPixel) / 2];
     const [dx, dy] = this.shift.map((s) => s * this.perPixel);
     Object.assign(this.camera, { left: -x - dx, right: x - dx, top: y + dy, bottom: -y + dy });
     this.camera.updateProjectionMatrix();
@@ -164,6 +182,7 @@ export class Space {
     if (dashed) material.defines.USE_DASH = '';
     material.resolution = this.resolution;
     material.depthTest = false;
+    material.transparent = true; // drawn with the tool, in the order given
     const lines = new LineSegments2(geometry, material);
     if (dashed) lines.computeLineDistances();
     lines.frustumCulled = false;
@@ -268,17 +287,22 @@ export class Space {
     this.drawAxes(paper, height, write, soft);
     this.drawScale(paper, width, height, write, soft);
     const { run } = this;
+    const written = new Set();
     const mark = (i, weight) => {
       const [x, y] = this.project(run.tip(i), width, height);
       const step = run.steps[i];
+      // Several moves of a block may end in one place.
+      const place = `${step.line} ${Math.round(x)} ${Math.round(y)}`;
+      if (written.has(place)) return;
+      written.add(place);
       const colour = step.alarm ? this.style.getPropertyValue('--bad') : soft;
       paper.fillStyle = colour;
       paper.beginPath();
       paper.arc(x, y, weight ? 3.5 : 2, 0, 7);
       paper.fill();
       const text = (step.n === undefined ? `${step.line}` : `N${step.n}`) + (step.alarm ? ` ${step.alarm}` : '');
-      return [[6, -6], [6, 14], [-10 - 7 * text.length, -6], [-10 - 7 * text.length, 14]].some(([dx, dy]) =>
-        write(text, x + dx, y + dy, colour, weight));
+      const left = -10 - 7 * text.length;
+      [[6, -6], [6, 14], [left, -6], [left, 14]].some(([dx, dy]) => write(text, x + dx, y + dy, colour, weight));
     };
     if (run.steps[index]) mark(index, 'bold');
     const order = run.steps.map((_, i) => i).filter((i) => i !== index);

@@ -118,24 +118,30 @@ class Browser:
 
 
 def colours(browser):
-    """How many colours the first view is drawn in."""
+    """How many colours the view is drawn in."""
     return browser.value(
         """(() => {
-             const canvas = document.querySelector('figure.live canvas');
-             if (!canvas) return 0;
+             const canvas = document.querySelector('.looked-at canvas');
              const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
              return new Set(new Uint32Array(pixels.buffer)).size;
            })()""")
 
 
-IMAGE = "document.querySelector('figure.live canvas').toDataURL()"
-STEP = "Number(document.querySelector('figure.live').dataset.step)"
-WORDS = "document.querySelector('figure.live .view-words').textContent"
+# Of the views of a page, that with the most blocks.
+CHOOSE = """{
+  const blocks = (figure) => JSON.parse(figure.querySelector('script').textContent).steps.length;
+  const views = [...document.querySelectorAll('figure.live')].sort((a, b) => blocks(b) - blocks(a));
+  views[0].classList.add('looked-at');
+  blocks(views[0]);
+}"""
+IMAGE = "document.querySelector('.looked-at canvas').toDataURL()"
+STEP = "Number(document.querySelector('.looked-at').dataset.step)"
+WORDS = "document.querySelector('.looked-at .view-words').textContent"
 
 
 def steps(browser):
     """The block selected, and whether the image and the words change, key by key."""
-    browser.value("document.querySelector('figure.live canvas').focus()")
+    browser.value("document.querySelector('.looked-at canvas').focus()")
     list_of = []
     for key, shift in (("Home", False), ("ArrowRight", False), ("ArrowLeft", False), ("End", False),
                        ("ArrowRight", True), ("]", False)):
@@ -151,9 +157,12 @@ def look(browser, url, pictures):
     browser.ask("Page.navigate", url=url)
     browser.wait_for("Page.loadEventFired")
     # Every view is started when it is seen.
-    browser.value("new Promise((done) => setTimeout(done, 300))")
-    browser.value("document.querySelector('figure.view')?.scrollIntoView()")
-    browser.settle()
+    browser.value("""(async () => {
+      for (const figure of document.querySelectorAll('figure.view')) {
+        figure.scrollIntoView();
+        await new Promise((done) => setTimeout(done, 200));
+      }
+    })()""")
     browser.settle()
     result = {
         "views": browser.value("document.querySelectorAll('figure.view').length"),
@@ -162,8 +171,8 @@ def look(browser, url, pictures):
             "[...document.querySelectorAll('.picture')].filter((p) => p.offsetHeight > 0).length"),
     }
     if result["live"]:
+        result["blocks"] = browser.value(CHOOSE)
         result["colours"] = colours(browser)
-        result["last"] = browser.value("document.querySelector('figure.live output').textContent")
         result["keys"] = steps(browser)
     result["overflow"] = {}
     for width in (1280, 400):

@@ -16,6 +16,9 @@ using toolcomp::test::toolcomp;
 // Upwards of what letters and lines alone would need on an empty paper.
 constexpr int kDrawn = 50;
 
+const std::string kSetup =
+    "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets]\nH = { 1 = 20 }\nD = { 1 = 5 }\n";
+
 class ReportPage : public testing::Test {
  protected:
   void SetUp() override {
@@ -39,8 +42,10 @@ class ReportPage : public testing::Test {
   }
 
   // The view draws and follows the keys: Home, right, left, End, Shift and right, ].
-  static void expect_view(const json& look, int blocks, bool deviates) {
+  static void expect_view(const json& look, bool deviates) {
     ASSERT_GT(look["live"], 0);
+    const int blocks = look["blocks"];
+    ASSERT_GT(blocks, 1);
     EXPECT_GT(look["colours"], kDrawn);
     const json& keys = look["keys"];
     ASSERT_EQ(keys.size(), 6U);
@@ -49,7 +54,7 @@ class ReportPage : public testing::Test {
     EXPECT_EQ(keys[2]["step"], 0);
     EXPECT_EQ(keys[3]["step"], blocks - 1);
     EXPECT_EQ(keys[4]["step"], blocks - 1);
-    for (const int i : {1, 2, 3}) {
+    for (const std::size_t i : {1U, 2U, 3U}) {
       EXPECT_TRUE(keys[i]["drawn_anew"]) << keys[i];
       EXPECT_TRUE(keys[i]["told_anew"]) << keys[i];
     }
@@ -59,18 +64,16 @@ class ReportPage : public testing::Test {
   }
 };
 
-// A controller whose vectors are off, and one program that it gets wrong: moves N10, N20 and N30.
+// A controller that gives every position a block late, and one program, with a comment that would be a script.
 TEST_F(ReportPage, OfFindings) {
-  const std::string setup = folder.write("setup.toml",
-                                         "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets]\nH = { 1 = 20 }\n"
-                                         "D = { 1 = 5 }\n");
+  const std::string setup = folder.write("setup.toml", kSetup);
   const std::string program =
       folder.write("part.nc",
-                   "N10 G90 G00 G43 Z30. H1 (</script><script>alert`1`</script> <!-- & \")\n"
-                   "N20 G01 Z10. F100\nN30 X50. Y20.\nM30\n");
+                   "N10 G90 G00 X5. Y5. (</script><script>alert`1`</script> <!-- & \")\n"
+                   "N20 G01 G41 D1 X10. Y10. F100\nN30 Y50.\nN40 X60.\nN50 G40 X80. Y60.\nM30\n");
   const std::string report = folder.path("report");
   const Outcome outcome =
-      toolcomp("certify --controller '" TOOLCOMP_BINARY_DIR "/toolcomp_faulty_controller flip-sign' --report " + report +
+      toolcomp("certify --controller '" TOOLCOMP_BINARY_DIR "/toolcomp_faulty_controller late' --report " + report +
                " --operator 'A. <Body>' --serial 4711 " + program + " --setup " + setup);
   ASSERT_EQ(outcome.status, 1) << outcome.err;
   const std::string page = toolcomp::test::read(report + "/index.html");
@@ -81,14 +84,11 @@ TEST_F(ReportPage, OfFindings) {
   EXPECT_EQ(look["views"], 2) << "the finding and the program";
   EXPECT_EQ(look["pictures_shown"], look["views"].get<int>() - look["live"].get<int>());
   EXPECT_GE(look["printed_pages"], 2) << "the first page stands alone";
-  ASSERT_TRUE(look.contains("keys"));
-  const int blocks = std::stoi(look["last"].get<std::string>().substr(look["last"].get<std::string>().find("of") + 2));
-  expect_view(look, blocks, true);
+  expect_view(look, true);
 }
 
 TEST_F(ReportPage, OfATrace) {
-  const std::string setup =
-      folder.write("setup.toml", "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n[offsets]\nD = { 1 = 5 }\n");
+  const std::string setup = folder.write("setup.toml", kSetup);
   const std::string program = folder.write("part.nc", "N10 G90 G01 X10. F100\nN20 Y10.\n");
   const std::string trace = folder.write("trace.csv", "X,Y\n0,0\n5,1\n10,0\n10,10\n");
   ASSERT_EQ(toolcomp("certify --trace " + trace + " --tolerance 0.01 " + program + " --setup " + setup + " --report " +
@@ -97,21 +97,21 @@ TEST_F(ReportPage, OfATrace) {
             1);
   const json look = seen(folder.path("report/index.html"));
   EXPECT_EQ(look["views"], 1);
-  expect_view(look, 2, true);
+  EXPECT_EQ(look["blocks"], 2);
+  expect_view(look, true);
 }
 
 // Five moves, no controller: nothing deviates.
 TEST_F(ReportPage, OfARun) {
-  const std::string setup = folder.write("setup.toml", "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n"
-                                                       "[offsets]\nD = { 1 = 5 }\n");
+  const std::string setup = folder.write("setup.toml", kSetup);
   const std::string program =
       folder.write("part.nc", "G90 G00 Z5.\nG01 G41 D1 X10. Y10. F100\nY50.\nX60.\nG40 X80. Y60.\n");
   const Outcome outcome = toolcomp("run --format html --setup " + setup + " " + program);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::string page = folder.write("run.html", outcome.out);
   const json look = seen(page);
-  const auto events = toolcomp("run --setup " + setup + " " + program).events();
-  expect_view(look, static_cast<int>(events.size()), false);
+  EXPECT_EQ(look["blocks"], 5);
+  expect_view(look, false);
   // Where a browser cannot draw in space, the picture stays.
   const json flat = seen(page, "--without-webgl");
   EXPECT_EQ(flat["live"], 0);
