@@ -127,10 +127,11 @@ def colours(browser):
            })()""")
 
 
-# Of the views of a page, that with the most blocks.
+# Of the views of a page one in which something deviates, and of those that with the most blocks.
 CHOOSE = """{
   const blocks = (figure) => JSON.parse(figure.querySelector('script').textContent).steps.length;
-  const views = [...document.querySelectorAll('figure.live')].sort((a, b) => blocks(b) - blocks(a));
+  const worth = (figure) => 1e6 * (figure.querySelector('[type=range]') !== null) + blocks(figure);
+  const views = [...document.querySelectorAll('figure.live')].sort((a, b) => worth(b) - worth(a));
   views[0].classList.add('looked-at');
   blocks(views[0]);
 }"""
