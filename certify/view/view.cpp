@@ -249,7 +249,7 @@ ViewRun view_run(const spec::Case& c, std::vector<spec::Event<double>> events) {
 
 std::string view(std::string_view title, const spec::Case& c, const ViewRun& run, const ViewOptions& options,
                  std::string_view picture) {
-  const std::string drawn = "<div class=\"picture\">" + std::string(picture) + "</div>\n";
+  std::string drawn = "<div class=\"picture\">" + std::string(picture) + "</div>\n";
   const Json data = ViewData(c, run, options).json();
   if (data["steps"].empty() && options.recorded.empty()) return drawn;
   return std::string(kFigure) + " aria-label=\"" + escape(title) + "\">\n" + drawn +
