@@ -22,6 +22,7 @@
 #include "certify/selection.h"
 #include "certify/self_check.h"
 #include "certify/shrink.h"
+#include "certify/view/view.h"
 #include "corpus/sha256.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/control.h"
@@ -61,19 +62,21 @@ struct CaseResult {
 
 // What a picture shows of a run: inside blocks under tool center point control the tool turns, so the picture has
 // samples there, whether the case asks for them or not.
-FastEvents drawn_events(const spec::Case& c, const fuzz::ModelRun& run) {
+ViewRun drawn_run(const spec::Case& c, const fuzz::ModelRun& run) {
   constexpr std::uint32_t kSamples = 16;
   const bool moves_the_control_point = std::ranges::any_of(
       run.events, [](const model::Event& event) { return event.kind == spec::EventKind::move && event.tool_axis; });
   spec::Case sampled = c;
   sampled.samples = kSamples;
   const bool again = moves_the_control_point && c.samples < kSamples;
-  return in_doubles((again ? fuzz::run_model(sampled) : run).events);
+  return view_run((again ? fuzz::run_model(sampled) : run).events);
 }
 
 // The exact path, drawn.
 std::string picture_of(const spec::Case& c, const fuzz::ModelRun& run) {
-  return path_svg(drawn_events(c, run), c.setup.axes, path_options(c));
+  const ViewRun drawn = drawn_run(c, run);
+  const ViewOptions options{path_options(c), {}};
+  return view("Program " + c.id, c, drawn, options, path_svg(drawn.events, c.setup.axes, options.path));
 }
 
 // Of a FANUC program, as far as it can be read.

@@ -56,7 +56,7 @@ struct Unsettled {
 // The exact path of one of the user's own programs.
 struct Picture {
   std::string id;
-  std::string svg;
+  std::string html;  // view/view.h
 };
 
 // Everything that went in, so that the same can be done again. Hashes are SHA-256 in hexadecimal.
@@ -73,8 +73,17 @@ struct Identity {
   std::string controller;       // command; empty: the built-in fast engine
 };
 
+// When, by whom and on what it was made: told, not established.
+struct Occasion {
+  std::string date;       // ISO 8601 with the offset from UTC
+  std::string operated;   // --operator
+  std::string serial;     // --serial: of the controller
+  std::string arguments;  // the command line
+};
+
 struct Certificate {
   Identity identity;
+  Occasion occasion;
   Capabilities subject;
   std::vector<SectionResult> sections;
   std::vector<model::ClauseCount> clauses;  // by clause, of the cases that were judged

@@ -25,4 +25,8 @@ std::string facts(const std::vector<Row>& rows);
 enum class Tone : std::uint8_t { good, bad, open };
 std::string badge(std::string_view text, Tone tone);
 
+// Where one signs, at the foot of a first page.
+inline constexpr std::string_view kSignature =
+    "<div class=\"sign\"><span>Place, date</span><span>Name</span><span>Signature</span></div>\n";
+
 }  // namespace toolcomp::certify

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <ranges>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "certify/contact_svg.h"
+#include "certify/label_places.h"
 #include "certify/markup.h"
 #include "certify/path_detail.h"
 #include "certify/path_view.h"
@@ -31,8 +33,8 @@ constexpr std::size_t kLong = 500;    // moves
 constexpr double kThinnest = 0.5;     // from point to point of a course
 constexpr double kBetweenEnds = 50;   // from dot to dot
 constexpr double kBetweenTools = 22;  // from tool stroke to tool stroke
-constexpr double kBetweenLabels = 14;
-constexpr double kStroke = 0.08;  // length of a tool stroke, of the path's
+constexpr double kLabel = 9;          // height of a label
+constexpr double kStroke = 0.08;      // length of a tool stroke, of the path's
 
 constexpr std::size_t kMostContacts = 6;
 
@@ -45,7 +47,7 @@ struct Layer {
 constexpr double kCos30 = 0.8660254037844386;
 constexpr View kTop{"top", "X", "Y", {1, 0, 0}, {0, 1, 0}};
 constexpr View kSide{"side", "X", "Z", {1, 0, 0}, {0, 0, 1}};
-constexpr View kCorner{"axonometric", "", "", {kCos30, -kCos30, 0}, {-0.5, -0.5, 1}, true};
+constexpr View kCorner{"axonometric", "", "", {kCos30, -kCos30, 0}, {0.5, 0.5, 1}, true};
 
 double distance(const Point2& a, const Point2& b) { return std::hypot(a.first - b.first, a.second - b.second); }
 
@@ -184,11 +186,13 @@ class Panel {
     return out;
   }
 
-  // A dot, a tooltip and, while they can be read, a label where each programmed move ends.
+  // A dot, a tooltip and, where there is room, a label where each programmed move ends; before them the alarms, each
+  // where the path stands when it is raised.
   [[nodiscard]] std::string ends(const Layer& layer, std::span<const spec::Event<double>> events) const {
-    std::string out;
-    Point2 last{-1e9, -1e9};
-    Point2 dot = last;
+    LabelPlaces places(side_, kLabel);
+    for (const double corner : {0.0, side_}) places.keep_free({0, corner}, 2 * kLabel);  // title and axes
+    std::string out = alarms(layer, events, places);
+    Point2 dot{-1e9, -1e9};
     const bool is_long = layer.path.moves.size() > kLong;
     std::size_t labels = is_long ? kMostLabels - kMostLabelsOfALongOne : 0;
     for (const PathMove& move : layer.path.moves) {
@@ -198,12 +202,31 @@ class Panel {
       const std::string label = label_of(events[move.event]);
       out += fmt::format(R"(<circle class="tp-end" cx="{:.2f}" cy="{:.2f}" r="2"><title>{} {}</title></circle>)",
                          p.first, p.second, escape(label), coordinates(move.points.back()));
-      if (labels < kMostLabels && distance(p, last) > kBetweenLabels) {
-        out += fmt::format(R"(<text class="tp-label" x="{:.2f}" y="{:.2f}">{}</text>)", p.first + 4, p.second - 4,
-                           escape(label));
-        last = p;
-        ++labels;
-      }
+      if (labels < kMostLabels)
+        if (const auto at = places.beside(p, label.size(), 2)) {
+          out += fmt::format(R"(<text class="tp-label" x="{:.2f}" y="{:.2f}">{}</text>)", at->first, at->second,
+                             escape(label));
+          ++labels;
+        }
+      out += '\n';
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::string alarms(const Layer& layer, std::span<const spec::Event<double>> events,
+                                   LabelPlaces& places) const {
+    std::string out;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      if (events[i].kind != spec::EventKind::alarm) continue;
+      const auto next = std::ranges::lower_bound(layer.path.moves, i, {}, &PathMove::event);
+      const Point2 p = place(next == layer.path.moves.begin() ? layer.path.start : std::prev(next)->points.back());
+      places.keep_free(p, 5);
+      const std::string_view number = events[i].number.view();
+      out += fmt::format(R"(<path class="tp-alarm" d="M{:.2f} {:.2f}l8 8m0 -8l-8 8"><title>{}: {} {}</title></path>)",
+                         p.first - 4, p.second - 4, label_of(events[i]), escape(number), escape(events[i].message));
+      if (const auto at = places.beside(p, number.size(), 5))
+        out += fmt::format(R"(<text class="tp-label tp-alarm-name" x="{:.2f}" y="{:.2f}">{}</text>)", at->first,
+                           at->second, escape(number));
       out += '\n';
     }
     return out;
@@ -241,10 +264,10 @@ constexpr std::string_view kStyle = R"(<style>
 .tp-note,.tp-label,.tp-legend{font:11px system-ui,sans-serif;fill:#57606a}.tp-label{font-size:9px}
 .tp-path{fill:none;stroke-width:1.6;stroke-linejoin:round}.tp-rapid{stroke-dasharray:5 3}
 .tp-programmed{stroke:#8b949e;stroke-width:3}.tp-nominal{stroke-width:1.6;stroke-dasharray:6 3}.tp-wall{fill:#edf0f3;stroke:#57606a}.tp-point{stroke:#0969da}.tp-axes{stroke:#1a7f37}.tp-other{stroke:#cf222e;stroke-dasharray:2 2}
-.tp-tool{stroke:#9a6700;fill:none}.tp-thin{stroke-width:.6}.tp-vector,.tp-round{stroke:#bf3989;fill:none}.tp-round{stroke-dasharray:4 3}.tp-end{fill:#57606a}.tp-mark{fill:none;stroke:#cf222e;stroke-width:2}
+.tp-tool{stroke:#9a6700;fill:none}.tp-thin{stroke-width:.6}.tp-vector,.tp-round{stroke:#bf3989;fill:none}.tp-round{stroke-dasharray:4 3}.tp-end{fill:#57606a}.tp-mark,.tp-alarm{fill:none;stroke:#cf222e;stroke-width:2}.tp-alarm-name{fill:#cf222e}
 @media(prefers-color-scheme:dark){.tp-paper{fill:#0d1117;stroke:#30363d}.tp-wall{fill:#1b2129;stroke:#9aa4af}.tp-grid{stroke:#1b2129}.tp-cross{stroke:#8b949e}
 .tp-note,.tp-label,.tp-legend{fill:#9aa4af}.tp-point{stroke:#58a6ff}.tp-axes{stroke:#3fb950}.tp-other{stroke:#ff7b72}
-.tp-tool{stroke:#d29922}.tp-vector,.tp-round{stroke:#f778ba}.tp-end{fill:#9aa4af}.tp-mark{stroke:#ff7b72}}
+.tp-tool{stroke:#d29922}.tp-vector,.tp-round{stroke:#f778ba}.tp-end{fill:#9aa4af}.tp-mark,.tp-alarm{stroke:#ff7b72}.tp-alarm-name{fill:#ff7b72}}
 </style>
 )";
 

@@ -45,6 +45,10 @@ Json to_json(const SectionResult& s) {
   return json;
 }
 
+Json to_json(const Occasion& o) {
+  return {{"date", o.date}, {"operator", o.operated}, {"serial", o.serial}, {"arguments", o.arguments}};
+}
+
 Json to_json(const Finding& f, std::size_t index) {
   Json json;
   json["file"] = "findings/" + file_name(f, index);
@@ -217,6 +221,7 @@ std::string json_report(const Certificate& c) {
                       {"seed", id.seed},
                       {"generated", id.generated},
                       {"command", id.controller}};
+  json["occasion"] = to_json(c.occasion);
   json["controller"] = {{"name", c.subject.name},
                         {"version", c.subject.version},
                         {"sections", c.subject.sections},
@@ -297,6 +302,7 @@ std::string json_report(const TraceReport& report) {
   json["trace"] = 1;
   json["exit_status"] = exit_status(r);
   json["file"] = report.file;
+  json["occasion"] = to_json(report.occasion);
   json["tolerance"] = report.options.tolerance;
   json["rotary_tolerance"] = report.options.rotary_tolerance.value_or(report.options.tolerance);
   json["recorded"] = r.recorded;

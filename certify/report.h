@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "certify/certificate.h"
+#include "certify/path_svg.h"
 #include "certify/trace/trace.h"
 
 namespace toolcomp::certify {
 
-// One self-contained HTML page: no external resource, no script; readable on a phone and on paper, light and dark.
+// One self-contained HTML page: it asks for nothing from anywhere, and is whole without scripts; readable on a phone
+// and on paper, light and dark.
 std::string html_report(const Certificate& certificate);
 // A test suite a section, a test case a clause: failed with findings, skipped if not exercised.
 std::string junit_report(const Certificate& certificate);
@@ -30,6 +32,7 @@ struct TraceReport {
   std::string file;
   TraceOptions options;
   TraceResult result;
+  Occasion occasion;
 };
 // How far or how long, in words: "0.5", "0.49 to 0.51", "0.1, C 5", "0.2 s".
 std::string extent(const TraceFinding& finding);
@@ -37,6 +40,9 @@ std::string html_report(const TraceReport& report);
 std::string junit_report(const TraceReport& report);
 std::string json_report(const TraceReport& report);
 void write_report(const TraceReport& report, const std::filesystem::path& folder);
+
+// A page that shows one run of `c`, block by block.
+std::string html_run(const spec::Case& c, const std::vector<spec::Event<double>>& events, const PathOptions& drawing);
 
 // The name of a finding's file: "01-hang.json".
 std::string file_name(const Finding& finding, std::size_t index);

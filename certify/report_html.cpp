@@ -8,6 +8,8 @@
 #include "certify/page.h"
 #include "certify/path_svg.h"
 #include "certify/report.h"
+#include "certify/view/view.h"
+#include "fuzz/gen/generator.h"
 #include "fuzz/oracle/policy.h"
 #include "spec/language/setup_format.h"
 
@@ -39,7 +41,7 @@ std::string subject_name(const Certificate& c) {
   return c.subject.version.empty() ? c.subject.name : c.subject.name + " " + c.subject.version;
 }
 
-std::string summary(const Certificate& c) {
+SectionResult all_sections(const Certificate& c) {
   SectionResult all;
   for (const SectionResult& s : c.sections) {
     for (std::size_t i = 0; i < all.cases.size(); ++i) all.cases.at(i) += s.cases.at(i);
@@ -55,92 +57,127 @@ std::string summary(const Certificate& c) {
     all.worst_um = std::max(all.worst_um, s.worst_um);
     all.bias.add(s.bias);
   }
-  std::string out =
-      "<h1>Certificate of " + escape(subject_name(c)) + "</h1>\n<p>" + badge(verdict(c), tone_of(c)) + "</p>\n";
+  return all;
+}
+
+std::string plural(std::uint64_t n, std::string_view what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+// What the verdict says nothing about: HTML, an item each.
+std::vector<std::string> not_judged(const Certificate& c, const SectionResult& all) {
+  std::vector<std::string> items;
+  if (const std::uint64_t not_run = cases_not_run(c); not_run > 0 || !c.interrupted.empty())
+    items.push_back(fmt::format("<span class=\"bad\">{} not run{}</span>", plural(not_run, "case"),
+                                c.interrupted.empty() ? "" : ": " + escape(c.interrupted)));
+  std::vector<std::string> not_applicable;
+  for (const SectionResult& s : c.sections)
+    if (!s.section.empty() && s.total() > 0 && s.count(Result::not_applicable) == s.total())
+      not_applicable.push_back(s.section);
+  if (!not_applicable.empty()) items.push_back("not applicable, as the controller says: " + list_of(not_applicable));
+  std::vector<std::string> not_asked;
+  for (const std::string_view section : fuzz::sections())
+    if (std::ranges::find(c.sections, section, &SectionResult::section) == c.sections.end())
+      not_asked.emplace_back(section);
+  if (!not_asked.empty()) items.push_back("not asked for: " + list_of(not_asked));
+  const std::vector<std::string> fields = fields_not_judged(c.subject);
+  if (!fields.empty()) items.push_back("fields that the controller does not announce: " + list_of(fields));
+  if (const std::uint64_t undecided = all.count(Result::undecided); undecided > 0)
+    items.push_back(plural(undecided, "case") + " that the oracle could not decide");
+  if (all.wide > 0)
+    items.push_back(
+        fmt::format("{} values that the policy would have to grant more than {} µm ({} cases have more than "
+                    "{} % of such)",
+                    all.wide, fuzz::policy::kCap, all.wide_cases, 100 * fuzz::policy::kMostWide));
+  if (all.out_of_scope > 0) items.push_back(plural(all.out_of_scope, "event") + " behind what is out of scope");
+  if (const std::size_t clauses = clauses_not_exercised(c).size(); clauses > 0)
+    items.push_back("<a href=\"#not-exercised\">" + plural(clauses, "clause") + " not exercised</a>");
+  return items;
+}
+
+std::string told(const std::string& text) { return text.empty() ? "not stated" : escape(text); }
+
+std::string identity(const Certificate& c) {
+  const Identity& id = c.identity;
+  const std::string golden =
+      id.corpus_hash.empty() ? escape(id.corpus) : escape(id.corpus) + " " + code(id.corpus_hash);
+  const bool unnamed = c.subject.name.empty();
+  return facts({{"controller", unnamed ? escape(subject_name(c)) : escape(c.subject.name)},
+                {"its version", told(c.subject.version)},
+                {"its serial number", told(c.occasion.serial)},
+                {"its command", id.controller.empty() ? "none: in process" : code(id.controller)},
+                {"resolution", escape(c.subject.resolution.words())},
+                {"fields judged", list_of(c.subject.fields)},
+                {"fixed settings", c.subject.setup.empty() ? "none" : code(c.subject.setup)},
+                {"date", told(c.occasion.date)},
+                {"operator", told(c.occasion.operated)},
+                {"command line", c.occasion.arguments.empty() ? "not stated" : code(c.occasion.arguments)},
+                {"seed", count(id.seed) + fmt::format(", {} generated cases a section", id.generated)},
+                {"tool", escape(id.tool) + " " + code(id.tool_hash)},
+                {"clause set", code(id.clause_hash)},
+                {"golden corpus", golden},
+                {"setups", fmt::format("{} different ones {}", id.setups, code(id.setup_hash))}}) +
+         "<p class=\"soft\">Hashes are SHA-256. Apart from the date, the same tool, seed and corpus give the same "
+         "certificate.</p>\n";
+}
+
+// For the one who signs: it stands alone on its sheet of paper.
+std::string first_page(const Certificate& c) {
+  const SectionResult all = all_sections(c);
+  std::string out = "<section class=\"first\">\n<h1>Certificate of " + escape(subject_name(c)) + "</h1>\n<p>" +
+                    badge(verdict(c), tone_of(c)) + "</p>\n";
   if (!c.self_check.empty())
     out += "<p class=\"bad\">The harness failed its own check: " + escape(c.self_check) + ".</p>\n";
-  if (const std::uint64_t not_run = cases_not_run(c); not_run > 0 || !c.interrupted.empty())
-    out += fmt::format("<p class=\"bad\">{} cases were not run{}.</p>\n", not_run,
-                       c.interrupted.empty() ? "" : ": " + escape(c.interrupted));
-  if (!c.chatter.empty())
-    out += "<p class=\"soft\">The controller writes on its standard output what is no answer: " + code(c.chatter) +
-           ".</p>\n";
   out += fmt::format(
-      "<p>{} cases of {} section{} were judged against the exact model: {} agree, {} differ in {} finding{}, {} could "
-      "not be "
-      "decided. {} values were compared; the worst that was accepted lies {} µm ({} ulp) outside its exact "
-      "enclosure.</p>\n",
-      all.total(), c.sections.size(), c.sections.size() == 1 ? "" : "s", all.count(Result::agrees),
-      all.count(Result::differs), c.findings.size(), c.findings.size() == 1 ? "" : "s", all.count(Result::undecided),
-      all.values, small(all.worst_um), small(all.worst_ulp));
+      "<p>Judged: {}. Held against the exact model: {} in {}; {} agree, {} differ in {}, {} could not be decided. {} "
+      "values were compared; the worst that was accepted lies {} µm ({} ulp) outside its exact enclosure.</p>\n",
+      escape(scope(c)), plural(all.total(), "case"), plural(c.sections.size(), "section"), all.count(Result::agrees),
+      all.count(Result::differs), plural(c.findings.size(), "finding"), all.count(Result::undecided), all.values,
+      small(all.worst_um), small(all.worst_ulp));
   if (all.bias.count > 0)
     out += fmt::format(
         "<p>Of {} rounded lengths the mean lies {:+.3g} µm off the exact one, the worst {:+.3g} µm: rounding to "
-        "nearest has "
-        "no mean, and down half an increment.</p>\n",
+        "nearest has no mean, and down half an increment.</p>\n",
         all.bias.count, all.bias.mean(), all.bias.worst);
-  if (all.wide > 0 || all.out_of_scope > 0)
-    out += fmt::format(
-        "<p>Not judged: {} values that the policy would have to grant more than {} µm ({} cases have more "
-        "than "
-        "{} % of such), and {} events behind what is out of scope.</p>\n",
-        all.wide, fuzz::policy::kCap, all.wide_cases, 100 * fuzz::policy::kMostWide, all.out_of_scope);
+  if (!c.chatter.empty())
+    out += "<p class=\"soft\">The controller writes on its standard output what is no answer: " + code(c.chatter) +
+           ".</p>\n";
+  out += "<h2 id=\"not-judged\">Not judged</h2>\n<ul>\n";
+  const std::vector<std::string> items = not_judged(c, all);
+  for (const std::string& item : items) out += "<li>" + item + "</li>\n";
+  if (items.empty()) out += "<li>nothing of what was asked</li>\n";
+  out += "</ul>\n<h2 id=\"identity\">Identity</h2>\n" + identity(c);
+  out += std::string(kSignature) + "</section>\n";
   out += R"(<nav><a href="#sections">Sections</a><a href="#findings">Findings</a>)";
   if (!c.pictures.empty()) out += R"(<a href="#programs">Programs</a>)";
-  out += R"(<a href="#clauses">Clauses</a><a href="#identity">Identity</a></nav>)";
-  out += '\n';
-  return out;
+  return out + "<a href=\"#clauses\">Clauses</a></nav>\n";
 }
 
 std::string sections(const Certificate& c) {
-  std::vector<Row> rows{{"section",
-                         "golden",
-                         "generated",
-                         "own",
-                         "agree",
-                         "differ",
-                         "undecided",
-                         "nothing judged",
-                         "not applicable",
-                         "not run",
-                         "more than 1 % not judged",
-                         "fewer than three events",
-                         "values",
-                         "values not judged",
-                         "out of scope",
-                         "decisions",
-                         "near ties",
-                         "ties",
-                         "worst µm",
-                         "worst ulp",
-                         "permitted ulp"}};
+  std::vector<Row> cases{{"section", "golden", "generated", "own", "agree", "differ", "undecided", "nothing judged",
+                          "not applicable", "not run", "more than 1 % not judged", "fewer than three events"}};
+  std::vector<Row> values{{"section", "values", "not judged", "out of scope", "decisions", "near ties", "ties",
+                           "worst µm", "worst ulp", "permitted ulp"}};
   std::vector<std::string> not_applicable;
-  for (const SectionResult& s : c.sections)
-    if (s.count(Result::not_applicable) == s.total())
+  for (const SectionResult& s : c.sections) {
+    if (s.count(Result::not_applicable) == s.total()) {
       not_applicable.push_back(s.section);
-    else
-      rows.push_back({code(section_name(s.section)),
-                      count(s.count(Origin::golden)),
-                      count(s.count(Origin::generated)),
-                      count(s.count(Origin::own)),
-                      count(s.count(Result::agrees)),
-                      count(s.count(Result::differs)),
-                      count(s.count(Result::undecided)),
-                      count(s.count(Result::nothing_judged)),
-                      count(s.count(Result::not_applicable)),
-                      count(s.count(Result::not_run)),
-                      count(s.wide_cases),
-                      count(s.few_events),
-                      count(s.values),
-                      count(s.wide),
-                      count(s.out_of_scope),
-                      count(s.decisions),
-                      count(s.near_ties),
-                      count(s.ties),
-                      small(s.worst_um),
-                      small(s.worst_ulp),
+      continue;
+    }
+    Row row{code(section_name(s.section)), count(s.count(Origin::golden)), count(s.count(Origin::generated)),
+            count(s.count(Origin::own))};
+    for (const Result result : {Result::agrees, Result::differs, Result::undecided, Result::nothing_judged,
+                                Result::not_applicable, Result::not_run})
+      row.push_back(count(s.count(result)));
+    row.push_back(count(s.wide_cases));
+    row.push_back(count(s.few_events));
+    cases.push_back(std::move(row));
+    values.push_back({code(section_name(s.section)), count(s.values), count(s.wide), count(s.out_of_scope),
+                      count(s.decisions), count(s.near_ties), count(s.ties), small(s.worst_um), small(s.worst_ulp),
                       plain(fuzz::policy::budget(s.section).coordinate)});
-  std::string out = "<h2 id=\"sections\">Sections</h2>\n" + table(rows, 1);
+  }
+  std::string out = "<h2 id=\"sections\">Sections</h2>\n<h3>Cases</h3>\n" + table(cases, 1) +
+                    "<h3>What was judged in them</h3>\n" + table(values, 1);
   if (!not_applicable.empty()) out += "<p>Not applicable: " + list_of(not_applicable) + ".</p>\n";
   out +=
       "<p class=\"soft\">A near tie is a decision whose exact margin lies inside the band that double precision (or "
@@ -186,7 +223,8 @@ std::string finding(const Finding& f, std::size_t index) {
   PathOptions options = path_options(f.smallest);
   options.other = f.actual_events;
   options.marked = f.event;
-  out += path_svg(f.expected_events, f.smallest.setup.axes, options);
+  out += view(fmt::format("Finding {}", index + 1), f.smallest, view_run(f.smallest, f.expected_events), {options, {}},
+              path_svg(f.expected_events, f.smallest.setup.axes, options));
   if (!f.complete) out += "<p class=\"soft\">Not shrunk to the end: a smaller program may fail too.</p>\n";
   return out + "</article>\n";
 }
@@ -220,7 +258,7 @@ std::string programs(const Certificate& c) {
   if (c.pictures.empty()) return {};
   std::string out =
       "<h2 id=\"programs\">Programs</h2>\n<p class=\"soft\">The exact paths, as the model gives them.</p>\n";
-  for (const Picture& picture : c.pictures) out += "<h3>" + code(picture.id) + "</h3>\n" + picture.svg;
+  for (const Picture& picture : c.pictures) out += "<h3>" + code(picture.id) + "</h3>\n" + picture.html;
   return out;
 }
 
@@ -252,8 +290,9 @@ std::string clause_table(const Certificate& c, std::string_view section) {
          table(rows, 3) + "</details>\n";
 }
 
-std::string clause_list(std::string_view title, std::string_view note, const std::vector<spec::Clause>& clauses) {
-  std::string out = "<h3>" + escape(title) + "</h3>\n";
+std::string clause_list(std::string_view id, std::string_view title, std::string_view note,
+                        const std::vector<spec::Clause>& clauses) {
+  std::string out = "<h3 id=\"" + escape(id) + "\">" + escape(title) + "</h3>\n";
   if (clauses.empty()) return out + "<p>None.</p>\n";
   out += "<p class=\"soft\">" + escape(note) + "</p>\n<ul>\n";
   for (const spec::Clause clause : clauses)
@@ -271,37 +310,27 @@ std::string clauses(const Certificate& c) {
       shown.push_back(section);
   }
   for (const std::string_view section : shown) out += clause_table(c, section);
-  out += clause_list("Clauses not exercised", "Nothing is said about these.", clauses_not_exercised(c));
-  return out + clause_list("Open clauses relied on", "The manual is silent; the result rests on a definition of ours.",
+  out +=
+      clause_list("not-exercised", "Clauses not exercised", "Nothing is said about these.", clauses_not_exercised(c));
+  return out + clause_list("open", "Open clauses relied on",
+                           "The manual is silent; the result rests on a definition of ours.",
                            open_clauses_relied_on(c));
-}
-
-std::string identity(const Certificate& c) {
-  const Identity& id = c.identity;
-  const std::string golden =
-      id.corpus_hash.empty() ? escape(id.corpus) : escape(id.corpus) + " " + code(id.corpus_hash);
-  return "<h2 id=\"identity\">Identity</h2>\n" +
-         facts({{"tool", escape(id.tool) + " " + code(id.tool_hash)},
-                {"clause set", code(id.clause_hash)},
-                {"golden corpus", golden},
-                {"setups", fmt::format("{} different ones {}", id.setups, code(id.setup_hash))},
-                {"seed", count(id.seed) + fmt::format(", {} generated cases a section", id.generated)},
-                {"controller",
-                 escape(subject_name(c)) + (id.controller.empty() ? " (in process)" : " " + code(id.controller))},
-                {"sections announced", list_of(c.subject.sections)},
-                {"resolution", escape(c.subject.resolution.words())},
-                {"fields judged", list_of(c.subject.fields)},
-                {"fields not judged", list_of(fields_not_judged(c.subject))},
-                {"fixed settings", c.subject.setup.empty() ? "none" : code(c.subject.setup)}}) +
-         "<p class=\"soft\">Hashes are SHA-256. The same tool, seed and corpus give the same certificate.</p>\n";
 }
 
 }  // namespace
 
 std::string html_report(const Certificate& certificate) {
-  return page("toolcomp certificate: " + verdict(certificate), summary(certificate) + sections(certificate) +
+  return page("toolcomp certificate: " + verdict(certificate), first_page(certificate) + sections(certificate) +
                                                                    findings(certificate) + programs(certificate) +
-                                                                   clauses(certificate) + identity(certificate));
+                                                                   clauses(certificate));
+}
+
+std::string html_run(const spec::Case& c, const std::vector<spec::Event<double>>& events, const PathOptions& drawing) {
+  const std::string name = c.id.empty() ? "program" : c.id;
+  return page("toolcomp run: " + name, "<h1>" + escape(name) + "</h1>\n" +
+                                           view("Program " + name, c, view_run(c, events), {drawing, {}},
+                                                path_svg(events, c.setup.axes, drawing)) +
+                                           listing(c.program, 0));
 }
 
 }  // namespace toolcomp::certify

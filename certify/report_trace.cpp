@@ -8,6 +8,7 @@
 #include "certify/path_svg.h"
 #include "certify/report.h"
 #include "certify/trace_svg.h"
+#include "certify/view/view.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -39,49 +40,70 @@ std::string findings(const TraceReport& report) {
   return out;
 }
 
+std::string first_page(const TraceReport& report, std::string_view verdict, std::string_view unit, bool turns) {
+  const TraceResult& r = report.result;
+  const int status = exit_status(r);
+  std::string out = "<section class=\"first\">\n<h1>Trace " + escape(report.file) + "</h1>\n<p>" +
+                    badge(verdict, status == 0   ? Tone::good
+                                   : status == 1 ? Tone::bad
+                                                 : Tone::open) +
+                    "</p>\n";
+  if (!r.undecided.empty()) out += "<p>" + escape(r.undecided) + ".</p>\n";
+  const std::string rotary =
+      turns ? " and " + plain(report.options.rotary_tolerance.value_or(report.options.tolerance), 9) + " degrees" : "";
+  out += fmt::format(
+      "<p>{} samples were judged against the exact path with a tolerance of {} {}{}: {} lie off it, {} of {} corners "
+      "were not reached, {} {} of {} are covered.</p>\n",
+      r.samples, plain(report.options.tolerance, 9), unit, rotary, r.off, r.corners_missed, r.corners,
+      plain(r.covered, 6), unit, plain(r.length, 6));
+  if (r.cause) out += "<p><b>One mistake explains everything found:</b> " + escape(*r.cause) + ".</p>\n";
+  out += "<h2>Not judged</h2>\n" +
+         facts({{"axes not recorded", r.not_recorded.empty() ? "none" : escape(r.not_recorded)},
+                {"moves judged at their ends only", std::to_string(r.not_judged_moves)},
+                {"long time steps, for want of a steady period", std::to_string(r.steps_not_judged)}});
+  const auto told = [](const std::string& text) { return text.empty() ? "not stated" : escape(text); };
+  out += "<h2>Figures</h2>\n" +
+         facts({{"axes judged", escape(r.recorded)},
+                {"largest accepted distance",
+                 fmt::format("{} {} (CSV line {})", plain(r.worst.upper, 9), unit, r.worst_sample)},
+                {"largest accepted distance of a rotary axis",
+                 turns ? fmt::format("{} degrees (CSV line {})", plain(r.worst_rotary.upper, 9), r.worst_rotary_sample)
+                       : std::string("none recorded")},
+                {"serial number of the controller", told(report.occasion.serial)},
+                {"date", told(report.occasion.date)},
+                {"operator", told(report.occasion.operated)},
+                {"command line", told(report.occasion.arguments)},
+                {"tool", "toolcomp " TOOLCOMP_VERSION}});
+  return out + std::string(kSignature) + "</section>\n";
+}
+
 }  // namespace
 
 std::string html_report(const TraceReport& report) {
   const TraceResult& r = report.result;
   const spec::Setup& setup = report.c.setup;
-  const PathOptions drawing = path_options(report.c);
+  PathOptions drawing = path_options(report.c);
+  const std::uint64_t marked = r.findings.empty() ? 0 : r.findings.front().line;
+  if (const auto event = std::ranges::find(r.events, marked, &spec::Event<double>::line); event != r.events.end())
+    drawing.marked = static_cast<std::size_t>(event - r.events.begin());
   const std::string& unit = drawing.unit;
   const int status = exit_status(r);
   const std::string_view verdict = status == 0 ? "conforms" : status == 1 ? "does not conform" : "not decided";
-  std::string body = "<h1>Trace " + escape(report.file) + "</h1>\n<p>" +
-                     badge(verdict, status == 0   ? Tone::good
-                                    : status == 1 ? Tone::bad
-                                                  : Tone::open) +
-                     "</p>\n";
-  if (!r.undecided.empty()) body += "<p>" + escape(r.undecided) + ".</p>\n";
   const bool turns = std::ranges::any_of(r.recorded, spec::is_rotary_axis);
-  const std::string rotary =
-      turns ? " and " + plain(report.options.rotary_tolerance.value_or(report.options.tolerance), 9) + " degrees" : "";
-  body += fmt::format(
-      "<p>{} samples were judged against the exact path with a tolerance of {} {}{}: {} lie off it, {} of {} corners "
-      "were not reached, {} {} of {} are covered.</p>\n",
-      r.samples, plain(report.options.tolerance, 9), unit, rotary, r.off, r.corners_missed, r.corners,
-      plain(r.covered, 6), unit, plain(r.length, 6));
-  if (r.cause) body += "<p><b>One mistake explains everything found:</b> " + escape(*r.cause) + ".</p>\n";
+  std::string body = first_page(report, verdict, unit, turns);
   body += "<h2>Findings</h2>\n" + findings(report);
   if (const std::string picture = trace_svg(r, setup.axes, unit); !picture.empty())
     body += "<h2>Recording</h2>\n" + picture + "\n";
   body += "<h2>Deviations</h2>\n" + deviation_svg(r, report.options, unit) + "\n";
-  body += "<h2>Path</h2>\n" + path_svg(r.events, setup.axes, drawing);
-  std::uint64_t marked = r.findings.empty() ? 0 : r.findings.front().line;
-  body += listing(report.c.program, marked);
-  body += "<h2>Figures</h2>\n" +
-          facts({{"axes judged", escape(r.recorded)},
-                 {"axes not recorded, not judged", r.not_recorded.empty() ? "none" : escape(r.not_recorded)},
-                 {"largest accepted distance",
-                  fmt::format("{} {} (CSV line {})", plain(r.worst.upper, 9), unit, r.worst_sample)},
-                 {"largest accepted distance of a rotary axis",
-                  turns ? fmt::format("{} degrees (CSV line {})", plain(r.worst_rotary.upper, 9), r.worst_rotary_sample)
-                        : std::string("none recorded")},
-                 {"long time steps not judged, for want of a steady period", std::to_string(r.steps_not_judged)},
-                 {"moves judged at their ends only", std::to_string(r.not_judged_moves)},
-                 {"tool", "toolcomp " TOOLCOMP_VERSION}});
-  return page("toolcomp trace: " + std::string(verdict), body);
+  body += "<h2>Path</h2>\n";
+  const std::string picture = path_svg(r.events, setup.axes, drawing);
+  // The events are in workpiece coordinates.
+  if (report.options.frame == PathFrame::workpiece)
+    body += view("Path and recording", report.c, view_run(report.c, r.events), {drawing, view_samples(r, setup.axes)},
+                 picture);
+  else
+    body += picture;
+  return page("toolcomp trace: " + std::string(verdict), body + listing(report.c.program, marked));
 }
 
 }  // namespace toolcomp::certify

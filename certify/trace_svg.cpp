@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "certify/label_places.h"
 #include "certify/markup.h"
 #include "certify/path_view.h"
 
@@ -22,7 +23,7 @@ constexpr double kSqrt3Half = 0.8660254037844386;
 
 constexpr View kTop{"top", "X", "Y", {1, 0, 0}, {0, 1, 0}};
 constexpr View kFront{"side", "X", "Z", {1, 0, 0}, {0, 0, 1}};
-constexpr View kCorner{"axonometric", "", "", {kSqrt3Half, -kSqrt3Half, 0}, {-0.5, -0.5, 1}, true};
+constexpr View kCorner{"axonometric", "", "", {kSqrt3Half, -kSqrt3Half, 0}, {0.5, 0.5, 1}, true};
 
 constexpr std::string_view kStyle = R"(<style>
 .tr-paper{fill:#fff;stroke:#ccd2d9}.tr-grid{stroke:#edf0f3;fill:none}.tr-text{font:11px system-ui,sans-serif;fill:#57606a}
@@ -163,13 +164,19 @@ class Panel {
     return out;
   }
   [[nodiscard]] std::string marks() const {
+    constexpr double kRadius = 10;
+    LabelPlaces places(kSide, 12);
+    for (const Point3& mark : scene_.marks) places.keep_free(at(mark), kRadius);
     std::string out;
     for (std::size_t i = 0; i < scene_.marks.size(); ++i) {
       const Point2 q = at(scene_.marks[i]);
-      out += fmt::format(
-          "<circle class=\"tr-mark\" cx=\"{0:.2f}\" cy=\"{1:.2f}\" r=\"10\"/><text class=\"tr-number\" x=\"{2:.2f}\" "
-          "y=\"{3:.2f}\">{4}</text>\n",
-          q.first, q.second, q.first + 12, q.second - 8, i + 1);
+      out +=
+          fmt::format("<circle class=\"tr-mark\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/>", q.first, q.second, kRadius);
+      const std::string number = std::to_string(i + 1);
+      if (const auto p = places.beside(q, number.size(), kRadius))
+        out +=
+            fmt::format("<text class=\"tr-number\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>", p->first, p->second, number);
+      out += '\n';
     }
     return out;
   }
@@ -216,6 +223,13 @@ std::string trace_svg(const TraceResult& result, const spec::Axes& axes, std::st
            text(134, 19, "recording on moves judged at their ends only") + "</svg><br/>\n";
   for (const View* view : views) out += Panel(*view, scene).draw(factor, unit);
   return out;
+}
+
+std::vector<ViewSample> view_samples(const TraceResult& result, const spec::Axes& axes) {
+  std::vector<ViewSample> samples;
+  for (const Scene::Recorded& r : Scene(result, axes).recorded)
+    samples.push_back({r.at, plus(r.at, -1, r.off), r.kind == SampleKind::off});
+  return samples;
 }
 
 std::string deviation_svg(const TraceResult& result, const TraceOptions& options, std::string_view unit) {

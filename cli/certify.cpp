@@ -1,9 +1,11 @@
 // toolcomp certify: a controller or a recorded trace against the exact model, and a report.
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -106,12 +108,18 @@ std::vector<certify::CaseInput> machine_cases(const certify::Adapter& adapter, c
   return inputs;
 }
 
+certify::Occasion occasion_of(const CertifyOptions& options) {
+  const std::time_t now = std::time(nullptr);
+  return {fmt::format("{:%FT%T%z}", fmt::localtime(now)), options.operated, options.serial, options.arguments};
+}
+
 int certify_trace(const CertifyOptions& options) {
   if (options.inputs.size() != 1) usage("--trace judges one program: name it");
   if (options.tolerance.empty()) usage("--trace needs --tolerance");
   certify::TraceReport report;
   report.c = read_inputs(options).front();
   report.file = options.trace;
+  report.occasion = occasion_of(options);
   const Tolerances tolerances = tolerances_of(options);
   report.options.tolerance = *tolerances.linear;
   report.options.rotary_tolerance = tolerances.rotary;
@@ -254,7 +262,8 @@ int certify(const CertifyOptions& options) {
   campaign.choosing = [elapsed](const std::string& section, std::uint64_t looked_at) {
     Progress::line(fmt::format("{}: cases chosen out of {}, {:.0f} s", section, looked_at, elapsed()));
   };
-  const certify::Certificate certificate = certify::certify(campaign);
+  certify::Certificate certificate = certify::certify(campaign);
+  certificate.occasion = occasion_of(options);
   const std::vector<fs::path> findings = certify::write_report(certificate, options.report);
   print(certificate, findings, options.report, elapsed());
   if (options.widths) print_widths(certificate);

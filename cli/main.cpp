@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "cli/stop.h"
 #include "cli/verbs.h"
@@ -35,8 +36,11 @@ CLI::Validator one_of(const std::map<std::string, Value>& values) {
 
 const std::map<std::string, cli::EngineName> kEngines{{"model", cli::EngineName::model},
                                                       {"fast", cli::EngineName::fast}};
-const std::map<std::string, cli::Format> kFormats{
-    {"jsonl", cli::Format::jsonl}, {"csv", cli::Format::csv}, {"gcode", cli::Format::gcode}, {"svg", cli::Format::svg}};
+const std::map<std::string, cli::Format> kFormats{{"jsonl", cli::Format::jsonl},
+                                                  {"csv", cli::Format::csv},
+                                                  {"gcode", cli::Format::gcode},
+                                                  {"svg", cli::Format::svg},
+                                                  {"html", cli::Format::html}};
 const std::map<std::string, corpus::ContourVariant> kVariants{{"pocket", corpus::ContourVariant::pocket},
                                                               {"island", corpus::ContourVariant::island},
                                                               {"tight", corpus::ContourVariant::tight}};
@@ -76,10 +80,29 @@ class CommandLine {
     } catch (const CLI::ParseError& error) {
       return app_.exit(error) == 0 ? cli::kAgrees : cli::kBadInput;
     }
+    certify_.arguments = as_typed(argc, argv);
     return action_();
   }
 
  private:
+  // The command line as a shell reads it.
+  static std::string as_typed(int argc, char** argv) {
+    constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+,-./:=@_";
+    std::string line = "toolcomp";
+    for (int i = 1; i < argc; ++i) {
+      const std::string_view word = argv[i];
+      line += ' ';
+      if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) {
+        line += word;
+        continue;
+      }
+      line += '\'';
+      for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+      line += '\'';
+    }
+    return line;
+  }
+
   void expect_verb(const std::string& word) const {
     std::string nearest;
     std::string all;
@@ -129,7 +152,9 @@ class CommandLine {
     CLI::App* sub = verb("run", "Run a program and print its events", [this] { return cli::run(run_); });
     add_program(sub, run_.program, run_.setup);
     sub->add_option("--engine", run_.engine, "model (exact) or fast")->transform(one_of(kEngines));
-    sub->add_option("--format", run_.format, "jsonl, csv, gcode (ends of blocks; with --samples, also inside) or svg")
+    sub->add_option(
+           "--format", run_.format,
+           "jsonl, csv, gcode (ends of blocks; with --samples, also inside), svg or html (a page to step through)")
         ->transform(one_of(kFormats));
     sub->add_option("--digits", run_.digits, "Decimals the model prints")->check(CLI::Range(0, 1000));
     add_samples(sub, run_.samples);
@@ -183,6 +208,8 @@ class CommandLine {
     sub->add_option("--frame", certify_.frame,
                     "Trace: its coordinates, workpiece (default: the axes of the events) or machine")
         ->check(CLI::IsMember({"workpiece", "machine"}));
+    sub->add_option("--operator", certify_.operated, "Who certifies, for the first page of the report");
+    sub->add_option("--serial", certify_.serial, "Serial number of the controller, for the first page of the report");
     add_samples(sub, certify_.samples);
   }
   void add_fuzz() {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "certify/path_svg.h"
+#include "certify/report.h"
 #include "cli/program.h"
 #include "cli/verbs.h"
 #include "fast/basis/print.h"
@@ -13,6 +14,7 @@
 #include "model/basis/print.h"
 #include "spec/language/event_format.h"
 #include "spec/language/event_map.h"
+#include "spec/language/input_error.h"
 #include "spec/language/text_buffer.h"
 
 namespace toolcomp::cli {
@@ -113,6 +115,7 @@ class Printer final : public spec::EventSink<Number> {
         spec::append_event_gcode(out, event, axes, append_, gcode_);
         break;
       case Format::svg:
+      case Format::html:
         break;
     }
   }
@@ -195,12 +198,17 @@ struct Collector final : spec::EventSink<Number> {
   }
 };
 
-// The path as a picture.
+bool is_drawn(Format format) { return format == Format::svg || format == Format::html; }
+
+// The path as a picture, or a page with it.
 template <class Number>
-int draw(const Program& program, const Collector<Number>& run) {
+int draw(const Program& program, const Collector<Number>& run, Format format) {
   certify::PathOptions options = certify::path_options(program.setup());
   if (!run.unit.empty()) options.unit = run.unit;
-  std::cout << certify::path_svg(run.events, program.setup().axes, options) << '\n';
+  if (format == Format::svg)
+    std::cout << certify::path_svg(run.events, program.setup().axes, options) << '\n';
+  else
+    std::cout << certify::html_run(program.as_case(), run.events, options);
   return run.undecided ? kUndecided : kAgrees;
 }
 
@@ -220,16 +228,19 @@ spec::AxisValues<Number> start_of(const spec::Setup& setup, NumberOf number) {
 }  // namespace
 
 int run(const RunOptions& options) {
+  // Its page shows the program too.
+  if (options.format == Format::html && options.program == "-")
+    throw spec::InputError("toolcomp run", 0, 0, "--format html needs the program as a file");
   const Program program(options.program, options.setup, options.samples);
   if (options.engine == EngineName::fast) {
     fast::NumberWriter numbers;
     const auto append = [&numbers](spec::TextCursor& out, double value) {
       out.write([&](char* to) { return numbers.write(to, value); });
     };
-    if (options.format == Format::svg) {
+    if (is_drawn(options.format)) {
       Collector<double> sink(program);
       feed_fast(program, sink);
-      return draw(program, sink);
+      return draw(program, sink, options.format);
     }
     const auto start =
         start_of<double>(program.setup(), [](const spec::Decimal& d) { return std::stod(spec::to_string(d)); });
@@ -238,10 +249,10 @@ int run(const RunOptions& options) {
     return sink.status();
   }
   model::Recorder recorder;
-  if (options.format == Format::svg) {
+  if (is_drawn(options.format)) {
     Collector<exact::Real> sink(program);
     feed_model(program, recorder, sink);
-    return draw(program, sink);
+    return draw(program, sink, options.format);
   }
   const auto append = [&options](spec::TextCursor& out, const exact::Real& value) {
     std::string number;

@@ -19,7 +19,7 @@ inline constexpr int kUndecided = 3;
 inline constexpr int kSelfCheckFailed = 4;
 
 enum class EngineName : std::uint8_t { model, fast };
-enum class Format : std::uint8_t { jsonl, csv, gcode, svg };
+enum class Format : std::uint8_t { jsonl, csv, gcode, svg, html };
 
 struct RunOptions {
   std::string program;
@@ -68,6 +68,9 @@ struct CertifyOptions {
   std::vector<std::string> adapters;     // folders of adapters
   bool packages = false;                 // print those the adapter needs, and nothing else
   std::vector<std::string> altered;      // "PARAMETER=VALUE": told to the judge of a recorded controller alone
+  std::string operated;                  // by whom, for the report
+  std::string serial;                    // of the controller, for the report
+  std::string arguments;                 // the command line as a shell reads it
 };
 int certify(const CertifyOptions& options);
 

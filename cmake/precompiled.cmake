@@ -57,7 +57,7 @@ function(toolcomp_precompile folder)
     get_target_property(sources ${target} SOURCES)
     get_target_property(libraries ${target} LINK_LIBRARIES)
     get_target_property(alone ${target} DISABLE_PRECOMPILE_HEADERS)
-    if(alone OR target MATCHES "^toolcomp_precompiled" OR target STREQUAL toolcomp_clauses OR target STREQUAL toolcomp_parameters OR "${sources}" MATCHES "\\.c(;|$)")
+    if(alone OR target MATCHES "^toolcomp_precompiled" OR target STREQUAL toolcomp_clauses OR target STREQUAL toolcomp_parameters OR target STREQUAL toolcomp_embed OR "${sources}" MATCHES "\\.c(;|$)")
       continue()
     elseif(type STREQUAL EXECUTABLE)
       # Whoever gets the header has to define what it was made with, also where fmt is not used.

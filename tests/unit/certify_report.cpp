@@ -4,14 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "certify/campaign.h"
 #include "certify/convert.h"
+#include "certify/label_places.h"
 #include "certify/markup.h"
 #include "certify/path_svg.h"
+#include "certify/view/tool_shapes.h"
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/byte_source.h"
 
@@ -29,12 +32,28 @@ std::string with_empty_values(const std::string& tag) {
   return out;
 }
 
+// <script> elements without what is in them.
+std::string without_scripts(std::string text) {
+  for (std::size_t at = text.find("<script"); at != std::string::npos; at = text.find("<script", at + 1)) {
+    const std::size_t begin = text.find('>', at) + 1;
+    text.erase(begin, text.find("</script>", begin) - begin);
+  }
+  return text;
+}
+
+// The data of the view in a page.
+nlohmann::json view_data(const std::string& html) {
+  const std::string begin = "<script type=\"application/json\">";
+  const std::size_t at = html.find(begin) + begin.size();
+  return nlohmann::json::parse(html.substr(at, html.find("</script>", at) - at));
+}
+
 // Reads XML far enough to know that every element is closed, in order, that attributes are quoted and once each, and
-// that no bare `<` or `&` is left. What is wrong, or empty. HTML written as XML passes but for its doctype and its
-// <style>.
+// that no bare `<` or `&` is left. What is wrong, or empty. HTML written as XML passes but for its doctype, its <style>
+// and its scripts.
 std::string malformed(std::string text) {
   static const std::regex kProlog(R"(^(<\?xml[^>]*\?>|<!DOCTYPE html>)\s*)");
-  text = std::regex_replace(text, kProlog, "");
+  text = std::regex_replace(without_scripts(text), kProlog, "");
   std::vector<std::string> open;
   std::size_t i = 0;
   static const std::regex kEntity(R"(&(amp|lt|gt|quot|#39);)");
@@ -67,6 +86,12 @@ std::string malformed(std::string text) {
 }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
 
 // A certificate with one finding whose texts are hostile.
 Certificate example() {
@@ -117,18 +142,97 @@ Certificate example() {
 TEST(Report, HtmlIsWellFormedAndSelfContained) {
   const std::string html = html_report(example());
   EXPECT_EQ(malformed(html), "");
-  EXPECT_FALSE(has(html, "<script"));
-  EXPECT_FALSE(has(html, "<link"));
-  EXPECT_FALSE(has(html, "src="));
-  EXPECT_FALSE(has(html, "href=\"http"));
-  EXPECT_FALSE(has(html, "url("));
+  EXPECT_FALSE(has(html, "<script>alert"));
+  EXPECT_TRUE(has(html, "default-src 'none'"));
+  const std::string written = without_scripts(html);
+  EXPECT_FALSE(has(written, "<link"));
+  EXPECT_FALSE(has(written, "src="));
+  EXPECT_FALSE(has(written, "href=\"http"));
+  EXPECT_FALSE(has(written, "url("));
   EXPECT_TRUE(has(html, "prefers-color-scheme:dark"));
   EXPECT_TRUE(has(html, "@media print"));
   EXPECT_TRUE(has(html, "width=device-width"));
 }
 
+// The scripts of a page: data of the one finding, and what draws it. Without anything to draw there is none.
+TEST(Report, HtmlHasTheViewOnlyWhereThereIsSomethingToDraw) {
+  Certificate c = example();
+  EXPECT_EQ(count(html_report(c), "<script"), 2U);
+  c.findings.clear();
+  EXPECT_EQ(count(html_report(c), "<script"), 0U);
+}
+
+// Two blocks; in the first the controller's Z is -120 where 120 is due, and the clauses of the length offset decided.
+TEST(Report, TheViewOfAFindingHasBothPathsAndTheClauses) {
+  const std::string html = html_report(example());
+  const auto data = view_data(html);
+  EXPECT_EQ(data["unit"], "mm");
+  EXPECT_EQ(data["compared"], "axes");
+  EXPECT_EQ(data["marked"], 0);
+  ASSERT_EQ(data["steps"].size(), 2U);
+  const auto& step = data["steps"][0];
+  EXPECT_EQ(step["line"], 1);
+  EXPECT_EQ(step["n"], 10);
+  EXPECT_EQ(step["text"], "N10 G90 G43 Z100. H1 (a <b> & \"c\")");
+  EXPECT_EQ(step["programmed"], nlohmann::json::parse("[[0,0,100]]"));
+  EXPECT_EQ(step["axes"], nlohmann::json::parse("[[0,0,120]]"));
+  EXPECT_EQ(step["other"], nlohmann::json::parse("[[0,0,-120]]"));
+  EXPECT_TRUE(step["rapid"]);
+  std::vector<std::string> clauses;
+  for (const auto& clause : step["clauses"]) clauses.push_back(data["clauses"][clause.get<std::size_t>()][0]);
+  EXPECT_NE(std::ranges::find(clauses, "fanuc.length-offset.direction"), clauses.end());
+  // What it was read from cannot end its element.
+  const std::size_t at = html.find("application/json");
+  EXPECT_EQ(html.substr(at, html.find("</script>", at) - at).find_first_of("<&"), std::string::npos);
+}
+
+// A cutter of 5 mm, 100 long from the second block on; without D there is no shape.
+TEST(ToolShapes, FollowTheOffsetNumbersInForce) {
+  spec::Case c;
+  c.setup.d[1] = {spec::decimal(5), {}};
+  c.setup.h[2] = {spec::decimal(100), {}};
+  c.program = "G90 G01 X1. F100\nG41 D1 X2.\nG43 H2 Z1.\nX9.\nD0 G40 X10.\n";
+  const ToolShapes shapes(c);
+  EXPECT_EQ(shapes.at(1), std::nullopt);
+  EXPECT_EQ(shapes.at(2), (ToolShape{5, 0, 0, "D1"}));
+  EXPECT_EQ(shapes.at(4), (ToolShape{5, 0, 100, "D1 H2"}));
+  EXPECT_EQ(shapes.at(5), std::nullopt);
+}
+
+// A ball of 3 mm with deltas of -0.1 in the table and +0.3 of its length.
+TEST(ToolShapes, OfATableHaveTheirDeltas) {
+  spec::Case c;
+  c.setup.control = spec::Control::heidenhain;
+  spec::ToolRow row;
+  row.number = 10;
+  row.r = row.r2 = spec::decimal(3);
+  row.dr = row.dr2 = spec::parse_decimal("-0.1").value();
+  row.l = spec::decimal(80);
+  c.setup.tools.push_back(row);
+  c.program = "TOOL CALL 1 Z\nL X+10 R0 F500\n";
+  const auto shape = ToolShapes(c).at(2);
+  ASSERT_TRUE(shape);
+  EXPECT_DOUBLE_EQ(shape->radius, 2.9);
+  EXPECT_DOUBLE_EQ(shape->corner, 2.9);
+  EXPECT_DOUBLE_EQ(shape->length, 80);
+}
+
+TEST(LabelPlaces, NoneCoversAnother) {
+  LabelPlaces places(100, 10);
+  const Point2 middle{50, 50};
+  std::vector<Point2> taken;
+  while (const auto at = places.beside(middle, 2, 2)) taken.push_back(*at);
+  // Right and left of it, above and below.
+  ASSERT_EQ(taken.size(), 4U);
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_TRUE(std::abs(taken[i].first - taken[j].first) >= 10 || std::abs(taken[i].second - taken[j].second) >= 10);
+  EXPECT_EQ(places.beside({98, 50}, 20, 2), std::nullopt) << "wider than the paper has room";
+}
+
 TEST(Report, HtmlSaysEverythingACertificateMust) {
-  const Certificate c = example();
+  Certificate c = example();
+  c.occasion = {"2026-01-02T03:04:05+0100", "A. Body", "SN 4711", "toolcomp certify 'x y'"};
   const std::string html = html_report(c);
   for (const std::string& part : {std::string("does not conform"),
                                   c.identity.clause_hash,
@@ -137,6 +241,12 @@ TEST(Report, HtmlSaysEverythingACertificateMust) {
                                   std::string("cccc"),
                                   std::string("1.2.3"),
                                   std::string("17, 200 generated"),
+                                  c.occasion.date,
+                                  c.occasion.operated,
+                                  c.occasion.serial,
+                                  std::string("toolcomp certify &#39;x y&#39;"),
+                                  std::string("Signature"),
+                                  std::string("1 of 12 sections, 11 not asked for"),
                                   std::string("0.001"),
                                   std::string("tool_axis"),
                                   std::string("0.25"),
@@ -238,12 +348,6 @@ TEST(Report, VerdictsAndExitStatuses) {
   c.self_check = "broken";
   EXPECT_EQ(exit_status(c), 4);
   EXPECT_EQ(exit_status(Certificate{}), 3);
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
 }
 
 TEST(Report, OfATraceIsWellFormed) {
