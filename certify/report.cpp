@@ -267,6 +267,7 @@ std::vector<std::filesystem::path> write_report(const Certificate& c, const std:
   }
   spec::write_file(folder / "certificate.json", json_report(c));
   spec::write_file(folder / "junit.xml", junit_report(c));
+  spec::write_file(folder / "certificate.sarif", sarif_report(c));
   spec::write_file(folder / "index.html", html_report(c));
   return paths;
 }

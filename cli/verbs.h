@@ -1,6 +1,7 @@
 // The verbs of the toolcomp command: what each takes, already read from the command line. Each returns an exit status.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -68,6 +69,9 @@ struct CertifyOptions {
   std::vector<std::string> adapters;     // folders of adapters
   bool packages = false;                 // print those the adapter needs, and nothing else
   std::vector<std::string> altered;      // "PARAMETER=VALUE": told to the judge of a recorded controller alone
+  std::string evidence;                  // the file of the bundle; empty: none
+  std::string sign;                      // the key of its signature; empty: none
+  std::vector<std::string> words;        // of the command line
 };
 int certify(const CertifyOptions& options);
 
@@ -83,6 +87,16 @@ struct FuzzOptions {
   std::string accept_resolution;  // a decimal
 };
 int fuzz(const FuzzOptions& options);
+
+struct VerifyOptions {
+  std::string file;
+  std::string corpus;  // folder of the golden corpus
+  std::size_t sample = 100;
+  std::optional<std::uint64_t> seed;  // without one, any
+  bool all = false;
+};
+// 0 accepted, 1 refused.
+int verify(const VerifyOptions& options);
 
 struct ReplayOptions {
   std::string finding;
