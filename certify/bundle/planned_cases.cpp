@@ -28,11 +28,16 @@ PlannedCases::PlannedCases(const Plan& plan) : of_adapter_(plan.of_adapter), int
 }
 
 void PlannedCases::plan_golden(const Plan& plan) {
-  for (const corpus::ManifestFile& file : corpus::read_manifest(plan.corpus).files)
+  corpus::Selection selection;
+  for (const corpus::ManifestFile& file : corpus::read_manifest(plan.corpus).files) {
+    if (!plan.sections.empty() && !among(plan.sections, file.section)) continue;
     if (corpus::sha256_file((plan.corpus / file.file).string()) != file.sha256)
       throw spec::InputError((plan.corpus / file.file).string(), 0, 0, "is not the file of the corpus's manifest");
-  for (const spec::Case& c : corpus::read_golden(plan.corpus))
-    if (plan.sections.empty() || among(plan.sections, c.section)) golden_[c.id] = {1, corpus::sha256(request_line(c))};
+    if (!among(selection.sections, file.section)) selection.sections.push_back(file.section);
+  }
+  if (selection.sections.empty()) return;
+  for (const corpus::Vector& vector : corpus::read_vectors(plan.corpus, selection))
+    golden_[vector.c.id] = {1, corpus::sha256(request_line(vector.c))};
 }
 
 void PlannedCases::plan_generated(const Plan& plan) {
