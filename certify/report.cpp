@@ -352,6 +352,7 @@ void write_report(const TraceReport& report, const std::filesystem::path& folder
   remove_findings(folder);
   spec::write_file(folder / "certificate.json", json_report(report));
   spec::write_file(folder / "junit.xml", junit_report(report));
+  spec::write_file(folder / "certificate.sarif", sarif_report(report));
   spec::write_file(folder / "index.html", html_report(report));
 }
 

@@ -39,6 +39,7 @@ std::string extent(const TraceFinding& finding);
 std::string html_report(const TraceReport& report);
 std::string junit_report(const TraceReport& report);
 std::string json_report(const TraceReport& report);
+std::string sarif_report(const TraceReport& report);
 void write_report(const TraceReport& report, const std::filesystem::path& folder);
 
 // The name of a finding's file: "01-hang.json".

@@ -123,6 +123,25 @@ TEST(Sarif, AGroupOfFindingsIsOneResult) {
             std::string::npos);
 }
 
+TEST(Sarif, OfARecordedRunPointsIntoTheRecording) {
+  TraceReport report;
+  report.file = "runs/part 1.csv";
+  TraceFinding finding;
+  finding.kind = "off the path";
+  finding.sample = 17;
+  finding.line = 3;
+  report.result.findings = {finding, finding};
+  const Json log = Json::parse(sarif_report(report));
+  expect_sarif(log);
+  const Json& run = log.at("runs").at(0);
+  ASSERT_EQ(run.at("results").size(), 2U);
+  EXPECT_EQ(run.at("tool").at("driver").at("rules").size(), 1U);
+  EXPECT_EQ(run.at("results").at(0).at("ruleId"), "trace.off-the-path");
+  const Json& place = run.at("results").at(0).at("locations").at(0).at("physicalLocation");
+  EXPECT_EQ(place.at("artifactLocation").at("uri"), "runs/part%201.csv");
+  EXPECT_EQ(place.at("region").at("startLine"), 17);
+}
+
 // The line a result names is that of the case in the finding's file.
 TEST(Sarif, AResultPointsIntoTheFindingsFile) {
   const Certificate c = example();
