@@ -40,25 +40,8 @@ constexpr unsigned kHangsInARow = 2;
 constexpr unsigned kFaultsInARow = 20;
 // And after so many hangs in all: each is waited for.
 constexpr unsigned kMostHangs = 20;
-// Cases with fewer events judged are counted apart.
-constexpr std::uint64_t kFewestEvents = 3;
 constexpr std::size_t kMostUnsettled = 100;
 constexpr std::size_t kMostPictures = 20;
-
-// What remains of one judged case.
-struct CaseResult {
-  Result result = Result::not_run;
-  Origin origin = Origin::own;
-  std::string section;
-  std::string setup;  // JSON
-  fuzz::Verdict verdict;
-  std::string id;
-  std::string why;
-  std::string picture;
-  std::set<std::string> without_effect;  // words
-  spec::FieldSet sent;                   // by the controller
-  spec::FieldSet due;                    // as the model's events have them
-};
 
 // What a picture shows of a run: inside blocks under tool center point control the tool turns, so the picture has
 // samples there, whether the case asks for them or not.
@@ -116,6 +99,7 @@ class Campaign {
       return std::move(certificate_);
     }
     certificate_.subject = std::get<Capabilities>(capabilities);
+    certificate_.hello = first->hello();
     expect_fine_resolution(certificate_.subject, options_.accepted_resolution);
     results_.resize(total_);
     run_all(*first);
@@ -211,14 +195,15 @@ class Campaign {
         options_.cases.empty()
             ? CaseInput{select_cases(sections_.front(), options_.seed, 1).cases.front(), Origin::generated}
             : options_.cases.front();
+    const fuzz::ModelRun run = fuzz::run_model(input.c);
+    Answer answer;
+    answer.result = failure;
     Witness witness;
     witness.c = input.c;
-    witness.judgement = judge_answer({}, input.c, fuzz::run_model(input.c), {failure, {}, {}});
-    certificate_.sections.push_back({});
-    SectionResult& section = certificate_.sections.back();
-    section.section = input.c.section;
-    ++section.cases[static_cast<std::size_t>(input.origin)];
-    ++section.results[static_cast<std::size_t>(Result::differs)];
+    witness.judgement = judge_answer({}, input.c, run, answer);
+    const CaseResult result = asked_and_judged(input.c, input.origin, run, answer, witness.judgement);
+    add(section_of(input.c.section), result);
+    if (options_.judged) options_.judged({input.c, &answer, result});
     certificate_.findings.push_back(signed_by_us(make_finding(subject, {}, witness, evidence())));
     certificate_.causes = shared_causes(certificate_.findings);
   }
@@ -246,10 +231,9 @@ class Campaign {
     Work work{subject, {}};
     try {
       for (std::size_t index = 0; why_to_stop().empty() && (index = next_++) < total_;) {
-        CaseResult result = judge(work, case_at(index), index);
-        // What came while all was being ended says nothing.
-        if (!why_to_stop().empty()) break;
-        results_[index] = std::move(result);
+        auto result = judge(work, case_at(index), index);
+        if (!result) break;
+        results_[index] = std::move(*result);
         report_progress();
       }
     } catch (const Stopped&) {  // NOLINT(bugprone-empty-catch): what was judged is there
@@ -260,62 +244,44 @@ class Campaign {
       next_ = total_;
     }
     const std::scoped_lock lock(mutex_);
-    add_counts(certificate_.clauses, work.clauses);
+    add(certificate_.clauses, work.clauses);
   }
 
-  static void add_counts(std::vector<model::ClauseCount>& sum, std::span<const model::ClauseCount> counts) {
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-      sum[i].reached += counts[i].reached;
-      sum[i].positive += counts[i].positive;
-      sum[i].negative += counts[i].negative;
-      sum[i].tie += counts[i].tie;
-    }
-  }
-
-  CaseResult judge(Work& work, const CaseInput& input, std::size_t index) {
+  // None: what came while all was being ended says nothing.
+  std::optional<CaseResult> judge(Work& work, const CaseInput& input, std::size_t index) {
     const spec::Case& c = input.c;
-    CaseResult r;
-    r.origin = input.origin;
-    r.section = c.section;
-    r.id = c.id;
     Faults& faults = faults_of(c.section);
-    if (faults.hopeless()) {
-      r.why = "left out after repeated faults";
-      return r;
-    }
+    if (faults.hopeless()) return told(c, nullptr, not_asked(c, input.origin, Result::not_run, std::string(kLeftOut)));
     const Capabilities& capabilities = certificate_.subject;
-    if (std::string why = why_not_applicable(capabilities, c); !why.empty()) {
-      r.result = Result::not_applicable;
-      r.why = std::move(why);
-      return r;
-    }
+    if (std::string why = why_not_applicable(capabilities, c); !why.empty())
+      return told(c, nullptr, not_asked(c, input.origin, Result::not_applicable, std::move(why)));
     const fuzz::ModelRun run = fuzz::run_model(c);
     // A controller that has hung before is not waited for that long again.
     std::optional<std::chrono::milliseconds> patience;
     if (faults.hangs > 0) patience = short_patience(work.subject, options_.timeout);
     const Answer answer = work.subject.run(c, patience);
+    if (!why_to_stop().empty()) return std::nullopt;
     work.asked.add(work.subject, index);
     Judgement j = judge_answer(capabilities, c, run, answer);
-    r.result = j.result;
-    r.sent = answer.sent;
-    // What is missing where something differs is part of that finding.
-    const bool agrees = j.result == Result::agrees || j.result == Result::partly_judged;
-    if (agrees && std::holds_alternative<TextEvents>(answer.result)) r.due = fields_of(run);
     const FailureKey key = key_of(c, j);
     faults.count(key, j.result == Result::differs && is_fault(key));
     if (j.result == Result::differs) keep(work, key, {c, j, events_in_double(answer), {}}, index);
-    r.why = std::move(j.why);
-    r.setup = spec::write_setup_json(c.setup);
+    CaseResult r = asked_and_judged(c, input.origin, run, answer, std::move(j));
     if (index < kMostPictures && r.origin == Origin::own) r.picture = picture_of(c, run);
     if (r.origin == Origin::own && c.setup.control == spec::Control::fanuc) r.without_effect = words_without_effect(c);
-    r.verdict = std::move(j.verdict);
-    add_counts(work.clauses, run.recorder.counts());
-    return r;
+    add(work.clauses, run.recorder.counts());
+    return told(c, &answer, std::move(r));
+  }
+
+  CaseResult told(const spec::Case& c, const Answer* answer, CaseResult result) {
+    if (!options_.judged) return result;
+    const std::scoped_lock lock(mutex_);
+    options_.judged({c, answer, result});
+    return result;
   }
 
   // The smallest of its group is kept with all that was seen, and told at once.
   void keep(const Work& work, const FailureKey& key, Witness witness, std::size_t index) {
-    if (!why_to_stop().empty()) return;
     {
       const std::scoped_lock lock(mutex_);
       if (!groups_.add(key, index, witness.c.program)) return;
@@ -365,44 +331,17 @@ class Campaign {
         section_of(std::string(section));
     std::set<std::string> setups;
     for (const CaseResult& r : results_) {
-      SectionResult& s = section_of(r.section);
-      ++s.cases[static_cast<std::size_t>(r.origin)];
-      // Of a user's own program each counts; of golden and generated cases, which go where it is steep, their section.
-      const bool wide = r.result == Result::partly_judged;
-      const Result result = wide && r.origin != Origin::own ? Result::agrees : r.result;
-      ++s.results[static_cast<std::size_t>(result)];
-      s.cut_cases += wide && r.verdict.beyond ? 1 : 0;
-      s.cut_programs += wide && r.verdict.beyond && r.origin == Origin::own ? 1 : 0;
-      s.wide_cases += wide && !r.verdict.beyond ? 1 : 0;
-      s.wide += r.verdict.wide;
-      s.widths.add(r.verdict.widths);
-      s.out_of_scope += r.verdict.out_of_scope;
-      const bool judged = r.result == Result::agrees || r.result == Result::partly_judged;
-      s.few_events += judged && r.verdict.events < kFewestEvents ? 1 : 0;
-      s.values += r.verdict.values;
-      s.decisions += r.verdict.decisions;
-      s.near_ties += r.verdict.near_ties;
-      s.ties += r.verdict.ties;
-      // The distance of a wrong answer is a finding, not a rounding error.
-      if (judged) {
-        s.bias.add(r.verdict.bias);
-        s.worst_ulp = std::max(s.worst_ulp, r.verdict.worst_ulp);
-        s.worst_um = std::max(s.worst_um, r.verdict.worst_um);
-      }
+      add(section_of(r.section), r);
       if (!r.setup.empty()) setups.insert(r.setup);
       certificate_.without_effect.insert(r.without_effect.begin(), r.without_effect.end());
       if (!r.picture.empty()) certificate_.pictures.push_back({r.id, r.picture});
-      const bool settled = result == Result::agrees || result == Result::differs || result == Result::not_applicable;
-      const bool interrupted = result == Result::not_run && r.why.empty();
+      const bool settled =
+          counted(r) == Result::agrees || r.result == Result::differs || r.result == Result::not_applicable;
+      const bool interrupted = r.result == Result::not_run && r.why.empty();
       if (!settled && !interrupted && certificate_.unsettled.size() < kMostUnsettled)
         certificate_.unsettled.push_back({r.id, r.section, r.result, r.why});
     }
-    corpus::Sha256 hash;
-    for (const std::string& setup : setups) {
-      hash.update(setup);
-      hash.update("\n");
-    }
-    certificate_.identity.setup_hash = hash.hex();
+    certificate_.identity.setup_hash = setups_hash(setups);
     certificate_.identity.setups = setups.size();
   }
 
@@ -418,24 +357,18 @@ class Campaign {
     certificate_.causes = shared_causes(seen);
   }
 
-  // Announced, due in a case, and in no answer: a finding each, on the first such case.
+  // A finding each, on the first such case.
   void find_fields_never_sent() {
-    spec::FieldSet sent;
-    for (const CaseResult& r : results_) add(sent, r.sent);
-    for (const std::string& name : certificate_.subject.fields) {
-      const auto field = spec::find_field(name);
-      if (!field || sent.has(*field)) continue;
-      const auto due = std::ranges::find_if(results_, [&](const CaseResult& r) { return r.due.has(*field); });
-      const bool known = std::ranges::any_of(certificate_.findings, [&](const Finding& f) { return f.field == name; });
-      if (due == results_.end() || known) continue;
-      Finding f = never_sent(case_at(static_cast<std::size_t>(due - results_.begin())).c, *field);
-      f.occurrences = static_cast<std::uint64_t>(
-          std::ranges::count_if(results_, [&](const CaseResult& r) { return r.due.has(*field); }));
+    for (const NeverSent& field : never_sent(certificate_.subject.fields, results_)) {
+      const std::string_view name = spec::field_name(field.field);
+      if (std::ranges::any_of(certificate_.findings, [&](const Finding& f) { return f.field == name; })) continue;
+      Finding f = never_sent_finding(case_at(field.first).c, field.field);
+      f.occurrences = field.cases;
       certificate_.findings.push_back(std::move(f));
     }
   }
 
-  Finding never_sent(const spec::Case& c, spec::Field field) const {
+  Finding never_sent_finding(const spec::Case& c, spec::Field field) const {
     Finding f;
     Shrunk shrunk = shrink(c,
                            [field](const spec::Case& smaller) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/case_result.h"
 #include "certify/certificate.h"
 #include "spec/language/case.h"
 
@@ -15,6 +16,13 @@ namespace toolcomp::certify {
 struct CaseInput {
   spec::Case c;
   Origin origin = Origin::own;
+};
+
+// A case, what came of asking for it, and what is said of that.
+struct JudgedCase {
+  const spec::Case& c;
+  const Answer* answer;  // none: the case was not asked
+  const CaseResult& result;
 };
 
 struct CampaignOptions {
@@ -37,6 +45,9 @@ struct CampaignOptions {
   // Called with a finding as soon as it is seen, not yet shrunk, and again where a smaller program shows the same; from
   // one thread at a time.
   std::function<void(const Finding&)> found;
+  // Called with every case as it has been judged or passed over, from one thread at a time. Cases that come after the
+  // end that `stop` asks for are not among them.
+  std::function<void(const JudgedCase&)> judged;
   // Why to come to an end before all is done; empty: go on. Asked before each case and while findings are shrunk.
   std::function<std::string()> stop;
 };

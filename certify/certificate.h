@@ -95,6 +95,7 @@ struct Certificate {
   std::string self_check;                   // what failed; empty: nothing
   std::string interrupted;                  // why not all was run; empty: all was
   std::string chatter;                      // what the controller wrote that is no answer, the first such line
+  std::string hello;                        // its answer to hello, as it came; empty: none came
 };
 
 // Normative, parameter and alarm clauses of the certificate's sections that can be tested and were not reached.

@@ -124,7 +124,11 @@ std::optional<Fault> Controller::start(std::chrono::milliseconds timeout) {
     return std::move(*failure);
   }
   try {
-    capabilities_ = read_capabilities(std::get<std::string>(reply));
+    Capabilities said = read_capabilities(std::get<std::string>(reply));
+    if (!capabilities_) {
+      capabilities_ = std::move(said);
+      hello_ = std::get<std::string>(reply);
+    }
   } catch (const spec::InputError& error) {
     return fault(FaultKind::malformed, "hello: " + error.message() + " but " + excerpt(std::get<std::string>(reply)));
   }
@@ -139,29 +143,58 @@ std::variant<Capabilities, Fault> Controller::capabilities() {
   return *capabilities_;
 }
 
-Answer Controller::run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience) {
-  const std::chrono::milliseconds timeout = patience.value_or(options_.timeout);
-  if (auto failure = start(timeout)) return {std::move(*failure), {}, {}};
+std::string request_line(const spec::Case& c) {
   spec::Case request = c;
   request.expect.clear();
   request.has_expect = false;
-  auto reply = exchange(spec::write_case_line(request), timeout);
-  if (auto* failure = std::get_if<Fault>(&reply)) return {std::move(*failure), {}, {}};
-  const std::string& line = std::get<std::string>(reply);
+  return spec::write_case_line(request);
+}
+
+Answer read_answer(const Capabilities& capabilities, const spec::Case& c, std::string line) {
+  Answer answer;
+  answer.line = std::move(line);
+  const auto fault = [&answer](FaultKind kind, std::string what) {
+    answer.result = Fault{kind, std::move(what), {}, {}};
+    return std::move(answer);
+  };
   try {
-    spec::Reply read = spec::read_reply(line, c.setup.axes, "reply");
+    spec::Reply read = spec::read_reply(answer.line, c.setup.axes, "reply");
     if (!read.error.empty() && (read.id.empty() || read.id == c.id))
-      return {Fault{FaultKind::error, excerpt(read.error), {}, process_->errors()}, {}, {}};
+      return fault(FaultKind::error, excerpt(read.error));
     if (read.id != c.id)
-      return {fault(FaultKind::malformed, "an answer to " + excerpt(read.id) + " instead of " + excerpt(c.id)), {}, {}};
-    if (!read.not_applicable.empty()) return {NotApplicable{std::move(read.not_applicable)}, {}, {}};
-    auto missing = find_missing(*capabilities_, read);
-    spec::FieldSet sent;
-    for (const spec::FieldSet& fields : read.fields) add(sent, fields);
-    return {std::move(read.events), std::move(missing), sent};
+      return fault(FaultKind::malformed, "an answer to " + excerpt(read.id) + " instead of " + excerpt(c.id));
+    if (!read.not_applicable.empty()) {
+      answer.result = NotApplicable{std::move(read.not_applicable)};
+      return answer;
+    }
+    answer.missing = find_missing(capabilities, read);
+    for (const spec::FieldSet& fields : read.fields) add(answer.sent, fields);
+    answer.result = std::move(read.events);
+    return answer;
   } catch (const spec::InputError& error) {
-    return {fault(FaultKind::malformed, error.message() + ": " + excerpt(line)), {}, {}};
+    return fault(FaultKind::malformed, error.message() + ": " + excerpt(answer.line));
   }
+}
+
+Answer Controller::run(const spec::Case& c, std::optional<std::chrono::milliseconds> patience) {
+  const std::chrono::milliseconds timeout = patience.value_or(options_.timeout);
+  const auto failed = [](Fault failure) {
+    Answer answer;
+    answer.result = std::move(failure);
+    return answer;
+  };
+  if (auto failure = start(timeout)) return failed(std::move(*failure));
+  auto reply = exchange(request_line(c), timeout);
+  if (auto* failure = std::get_if<Fault>(&reply)) return failed(std::move(*failure));
+  Answer answer = read_answer(*capabilities_, c, std::move(std::get<std::string>(reply)));
+  if (auto* failure = std::get_if<Fault>(&answer.result)) {
+    // One that says what is wrong goes on; behind one that breaks the protocol nothing is worth reading.
+    if (failure->kind == FaultKind::error)
+      failure->errors = process_->errors();
+    else
+      *failure = fault(failure->kind, std::move(failure->what));
+  }
+  return answer;
 }
 
 }  // namespace toolcomp::certify

@@ -19,6 +19,13 @@ struct ControllerOptions {
   std::size_t reply_limit = std::size_t{64} << 20;  // bytes of one answer
 };
 
+// The line that asks a controller for a case: without what is expected.
+std::string request_line(const spec::Case& c);
+
+// What a line says that came as the answer to `c`. A line that breaks the protocol is a fault that names nothing but
+// the line: neither the end of a process nor its standard error.
+Answer read_answer(const Capabilities& capabilities, const spec::Case& c, std::string line);
+
 // Starts the command when it is first needed and again after every fault, so that each case meets a healthy one.
 class Controller final : public Subject {
  public:
@@ -33,6 +40,7 @@ class Controller final : public Subject {
   void restart() override;
   [[nodiscard]] std::string errors() const override { return process_ ? process_->errors() : std::string(); }
   [[nodiscard]] std::string chatter() const override { return chatter_; }
+  [[nodiscard]] std::string hello() const override { return hello_; }
 
  private:
   std::optional<Fault> start(std::chrono::milliseconds timeout);
@@ -44,7 +52,8 @@ class Controller final : public Subject {
 
   ControllerOptions options_;
   std::unique_ptr<Process> process_;
-  std::optional<Capabilities> capabilities_;
+  std::optional<Capabilities> capabilities_;  // as it said first
+  std::string hello_;                         // the same as it came
   std::chrono::milliseconds slowest_{0};
   int exit_status_ = -1;
   std::uint64_t starts_ = 0;

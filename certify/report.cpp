@@ -274,6 +274,7 @@ std::vector<std::filesystem::path> write_report(const Certificate& c, const std:
   }
   spec::write_file(folder / "certificate.json", json_report(c));
   spec::write_file(folder / "junit.xml", junit_report(c));
+  spec::write_file(folder / "certificate.sarif", sarif_report(c));
   spec::write_file(folder / "index.html", html_report(c));
   return paths;
 }
@@ -359,6 +360,7 @@ void write_report(const TraceReport& report, const std::filesystem::path& folder
   remove_findings(folder);
   spec::write_file(folder / "certificate.json", json_report(report));
   spec::write_file(folder / "junit.xml", junit_report(report));
+  spec::write_file(folder / "certificate.sarif", sarif_report(report));
   spec::write_file(folder / "index.html", html_report(report));
 }
 

@@ -18,9 +18,12 @@ std::string html_report(const Certificate& certificate);
 std::string junit_report(const Certificate& certificate);
 // Everything the page says, without the pictures.
 std::string json_report(const Certificate& certificate);
+// SARIF 2.1.0: a rule a clause that a finding is laid to, a result a group of findings with one cause.
+std::string sarif_report(const Certificate& certificate);
 
-// index.html, junit.xml, certificate.json and findings/NN-KIND.json in `folder`; finding files of an earlier report
-// there are removed. Returns the paths of the findings. Throws std::runtime_error for a folder that cannot be written.
+// index.html, junit.xml, certificate.json, certificate.sarif and findings/NN-KIND.json in `folder`; finding files of an
+// earlier report there are removed. Returns the paths of the findings. Throws std::runtime_error for a folder that
+// cannot be written.
 std::vector<std::filesystem::path> write_report(const Certificate& certificate, const std::filesystem::path& folder);
 
 // The findings of a report that stands in the folder.
@@ -39,6 +42,7 @@ std::string extent(const TraceFinding& finding);
 std::string html_report(const TraceReport& report);
 std::string junit_report(const TraceReport& report);
 std::string json_report(const TraceReport& report);
+std::string sarif_report(const TraceReport& report);
 void write_report(const TraceReport& report, const std::filesystem::path& folder);
 
 // A page that shows one run of `c`, block by block.

@@ -184,9 +184,7 @@ class Selecting {
 
   void choose(spec::Case c) {
     const std::string index = std::to_string(selection_.cases.size());
-    std::string id(section_);
-    std::ranges::replace(id, '/', '.');
-    c.id = id + ".seed-" + std::to_string(seed_) + "." + index;
+    c.id = generated_id(section_, seed_, selection_.cases.size());
     c.source = {"toolcomp certify", TOOLCOMP_VERSION, std::to_string(seed_) + ":" + index};
     selection_.cases.push_back(std::move(c));
   }
@@ -202,6 +200,12 @@ class Selecting {
 };
 
 }  // namespace
+
+std::string generated_id(std::string_view section, std::uint64_t seed, std::size_t index) {
+  std::string id(section);
+  std::ranges::replace(id, '/', '.');
+  return id + ".seed-" + std::to_string(seed) + "." + std::to_string(index);
+}
 
 Selection select_cases(std::string_view section, std::uint64_t seed, std::size_t count,
                        const std::function<void(std::uint64_t)>& progress) {

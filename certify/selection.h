@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,5 +28,8 @@ struct Selection {
 // what it is asked. `progress` gets the candidates looked at.
 Selection select_cases(std::string_view section, std::uint64_t seed, std::size_t count,
                        const std::function<void(std::uint64_t)>& progress = {});
+
+// The id of the `index`-th of them.
+std::string generated_id(std::string_view section, std::uint64_t seed, std::size_t index);
 
 }  // namespace toolcomp::certify

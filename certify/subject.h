@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,6 +24,7 @@ enum class FaultKind : std::uint8_t {
   too_long,   // an answer longer than the limit
   error,      // an answer that says why there are no events
 };
+inline constexpr std::size_t kFaultKinds = 5;
 // "crash", "hang", "malformed reply", "reply too long", "error": the kind of the finding.
 std::string name(FaultKind kind);
 
@@ -53,6 +55,7 @@ struct Answer {
   std::variant<FastEvents, TextEvents, Fault, NotApplicable> result;
   std::optional<MissingField> missing;  // with events: the first one
   spec::FieldSet sent;                  // of a controller's events: the fields that any of them has
+  std::string line = {};                // of a controller: as it came; empty: nothing did
 };
 
 // One thread uses a subject at a time.
@@ -72,6 +75,8 @@ class Subject {
   // The last of standard error, and the first line on standard output that is no answer.
   [[nodiscard]] virtual std::string errors() const { return {}; }
   [[nodiscard]] virtual std::string chatter() const { return {}; }
+  // The first answer to hello, as it came.
+  [[nodiscard]] virtual std::string hello() const { return {}; }
 };
 
 // The fast engine in this process: every section and field, in double. InputError of the engine passes through.

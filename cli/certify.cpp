@@ -19,6 +19,7 @@
 #include "certify/running_report.h"
 #include "certify/trace/trace.h"
 #include "cli/certify_adapter.h"
+#include "cli/evidence.h"
 #include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
@@ -213,14 +214,21 @@ int certify(const CertifyOptions& options) {
     return 0;
   }
   expect_folder(options.report, "--report");
-  if (!options.trace.empty()) return certify_trace(options);
+  if (!options.trace.empty()) {
+    refuse_evidence(options, "a trace has no answers to keep: the file of the recording is the evidence");
+    return certify_trace(options);
+  }
+  Evidence evidence(options);
 
   certify::CampaignOptions campaign;
   campaign.controller = options.controller;
   if (adapter) {
     certify::expect_programs(*adapter);
-    if (adapter->kind == certify::AdapterKind::trace)
+    if (adapter->kind == certify::AdapterKind::trace) {
+      refuse_evidence(options,
+                      "a controller that is recorded has no answers to keep: its recordings are in the report");
       return certify_adapter(options, *adapter, read_inputs(options), tolerances_of(options));
+    }
     campaign.controller = adapter->shell_command();
   }
   campaign.sections = options.sections;
@@ -233,6 +241,7 @@ int certify(const CertifyOptions& options) {
   // Cases named are judged alone, unless the corpus or generated cases are asked for too.
   const bool alone = !options.inputs.empty();
   campaign.generated = options.cases.value_or(alone ? 0 : campaign.generated);
+  fs::path golden;
   if (!alone || !options.corpus.empty()) {
     const fs::path folder = options.corpus.empty() ? corpus::default_folder() : fs::path(options.corpus);
     for (spec::Case& c : corpus::read_golden(folder)) {
@@ -243,7 +252,9 @@ int certify(const CertifyOptions& options) {
     const corpus::Manifest manifest = corpus::read_manifest(folder);
     campaign.corpus = manifest.version;
     campaign.corpus_hash = manifest.hash;
+    golden = folder;
   }
+  evidence.begin(campaign, adapter ? adapter->name : "", golden);
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -266,6 +277,7 @@ int certify(const CertifyOptions& options) {
   certificate.occasion = occasion_of(options);
   const std::vector<fs::path> findings = certify::write_report(certificate, options.report);
   print(certificate, findings, options.report, elapsed());
+  evidence.finish(certificate, findings);
   if (options.widths) print_widths(certificate);
   return certify::exit_status(certificate);
 }

@@ -64,6 +64,7 @@ class CommandLine {
     add_diff();
     add_explain();
     add_certify();
+    add_verify();
     add_fuzz();
     add_replay();
     add_kit();
@@ -75,6 +76,7 @@ class CommandLine {
 
   int execute(int argc, char** argv) {
     if (argc > 1 && *argv[1] != '-') expect_verb(argv[1]);
+    certify_.words.assign(argv, argv + argc);
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -193,6 +195,9 @@ class CommandLine {
     sub->add_option("--setup", certify_.setup, "Setup of the programs; without it, setup.toml beside each");
     add_sections(sub, certify_.sections);
     sub->add_option("--report", certify_.report, "Folder of the report");
+    sub->add_option("--evidence", certify_.evidence,
+                    "FILE.tar.zst: everything needed to repeat the certificate (docs/evidence.md); see verify");
+    sub->add_option("--sign", certify_.sign, "Key of gpg that signs it: FILE.tar.zst.asc");
     sub->add_option("--cases", certify_.cases, "Generated cases a section (default: 1000, none with inputs)");
     sub->add_option("--corpus", certify_.corpus, "Folder of the golden corpus, to be judged besides the inputs");
     sub->add_option("--seed", certify_.seed, "Seed of every random choice");
@@ -211,6 +216,15 @@ class CommandLine {
     sub->add_option("--operator", certify_.operated, "Who certifies, for the first page of the report");
     sub->add_option("--serial", certify_.serial, "Serial number of the controller, for the first page of the report");
     add_samples(sub, certify_.samples);
+  }
+  void add_verify() {
+    CLI::App* sub = verb("verify", "Check the evidence of a certificate, and judge cases of it again",
+                         [this] { return cli::verify(verify_); });
+    sub->add_option("file", verify_.file, "The file that certify --evidence wrote")->required();
+    sub->add_option("--sample", verify_.sample, "So many cases are judged again")->capture_default_str();
+    sub->add_option("--seed", verify_.seed, "Seed of their choice (default: any)");
+    sub->add_flag("--all", verify_.all, "All cases are judged again, and generated ones made again");
+    sub->add_option("--corpus", verify_.corpus, "Folder of the golden corpus it rests on");
   }
   void add_fuzz() {
     CLI::App* sub = verb("fuzz", "Search for differences", [this] { return cli::fuzz(fuzz_); });
@@ -325,6 +339,7 @@ class CommandLine {
   cli::DiffOptions diff_;
   cli::ExplainOptions explain_;
   cli::CertifyOptions certify_;
+  cli::VerifyOptions verify_;
   cli::FuzzOptions fuzz_;
   cli::ReplayOptions replay_;
   cli::KitOptions kit_;

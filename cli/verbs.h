@@ -1,6 +1,7 @@
 // The verbs of the toolcomp command: what each takes, already read from the command line. Each returns an exit status.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -71,6 +72,9 @@ struct CertifyOptions {
   std::string operated;                  // by whom, for the report
   std::string serial;                    // of the controller, for the report
   std::string arguments;                 // the command line as a shell reads it
+  std::string evidence;                  // the file of the bundle; empty: none
+  std::string sign;                      // the key of its signature; empty: none
+  std::vector<std::string> words;        // of the command line
 };
 int certify(const CertifyOptions& options);
 
@@ -86,6 +90,16 @@ struct FuzzOptions {
   std::string accept_resolution;  // a decimal
 };
 int fuzz(const FuzzOptions& options);
+
+struct VerifyOptions {
+  std::string file;
+  std::string corpus;  // folder of the golden corpus
+  std::size_t sample = 100;
+  std::optional<std::uint64_t> seed;  // without one, any
+  bool all = false;
+};
+// 0 accepted, 1 refused.
+int verify(const VerifyOptions& options);
 
 struct ReplayOptions {
   std::string finding;

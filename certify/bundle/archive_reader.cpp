@@ -1,0 +1,78 @@
+#include "certify/bundle/archive_reader.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+
+#include <algorithm>
+#include <array>
+
+#include "certify/bundle/refused.h"
+
+namespace toolcomp::certify::bundle {
+namespace {
+
+constexpr std::size_t kLongestName = 120;
+constexpr std::size_t kPiece = std::size_t{1} << 16;
+
+std::string words(struct archive* archive) {
+  const char* const text = archive_error_string(archive);
+  return text == nullptr ? "it is broken" : text;
+}
+
+}  // namespace
+
+bool is_plain_name(std::string_view name) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
+           c == '-';
+  };
+  const auto part = [&](std::string_view text) {
+    return !text.empty() && text.front() != '.' && std::ranges::all_of(text, plain);
+  };
+  if (name.size() > kLongestName) return false;
+  const std::size_t slash = name.find('/');
+  if (slash == std::string_view::npos) return part(name);
+  return part(name.substr(0, slash)) && part(name.substr(slash + 1));
+}
+
+ArchiveReader::ArchiveReader(const std::filesystem::path& file) : archive_(archive_read_new()) {
+  if (archive_ == nullptr || archive_read_support_filter_zstd(archive_) != ARCHIVE_OK ||
+      archive_read_support_format_tar(archive_) != ARCHIVE_OK ||
+      archive_read_open_filename(archive_, file.c_str(), kPiece) != ARCHIVE_OK) {
+    const std::string why = archive_ == nullptr ? "no memory" : words(archive_);
+    static_cast<void>(archive_read_free(archive_));
+    throw Refused("the archive cannot be read: " + why);
+  }
+}
+
+ArchiveReader::~ArchiveReader() { static_cast<void>(archive_read_free(archive_)); }
+
+std::optional<ArchiveReader::Member> ArchiveReader::next() {
+  const int result = archive_read_next_header(archive_, &entry_);
+  if (result == ARCHIVE_EOF) return std::nullopt;
+  if (result != ARCHIVE_OK) throw Refused("the archive cannot be read: " + words(archive_));
+  const char* const name = archive_entry_pathname(entry_);
+  if (name == nullptr || !is_plain_name(name)) throw Refused("a member has a name that no bundle has");
+  const bool plain = archive_entry_filetype(entry_) == AE_IFREG && archive_entry_hardlink(entry_) == nullptr &&
+                     archive_entry_symlink(entry_) == nullptr && archive_entry_sparse_count(entry_) == 0 &&
+                     archive_entry_size_is_set(entry_) != 0 && archive_entry_size(entry_) >= 0;
+  if (!plain) throw Refused(std::string(name) + ": is no plain file");
+  member_ = {name, static_cast<std::uint64_t>(archive_entry_size(entry_))};
+  return member_;
+}
+
+void ArchiveReader::read(const std::function<void(std::string_view)>& take) {
+  std::array<char, kPiece> buffer{};
+  std::uint64_t left = member_.size;
+  while (true) {
+    const la_ssize_t size = archive_read_data(archive_, buffer.data(), buffer.size());
+    if (size < 0) throw Refused(member_.name + ": cannot be read: " + words(archive_));
+    if (static_cast<std::uint64_t>(size) > left) throw Refused(member_.name + ": is longer than it says");
+    if (size == 0) break;
+    left -= static_cast<std::uint64_t>(size);
+    take({buffer.data(), static_cast<std::size_t>(size)});
+  }
+  if (left > 0) throw Refused(member_.name + ": is cut off");
+}
+
+}  // namespace toolcomp::certify::bundle

@@ -1,0 +1,14 @@
+// What is wrong with a bundle.
+#pragma once
+
+#include <stdexcept>
+
+namespace toolcomp::certify::bundle {
+
+// what() names the file in the bundle, or the case, and says why.
+class Refused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace toolcomp::certify::bundle

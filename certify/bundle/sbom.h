@@ -1,0 +1,11 @@
+// The bill of materials: toolcomp and what it was built of.
+#pragma once
+
+#include <string>
+
+namespace toolcomp::certify::bundle {
+
+// SPDX 2.3 as JSON. `made`: UTC, of the document; `tool_hash`: SHA-256 of the executable, or empty.
+std::string sbom(const std::string& made, const std::string& tool_hash);
+
+}  // namespace toolcomp::certify::bundle

@@ -1,0 +1,45 @@
+// A file without a name: whatever ends the process, nothing of it is left.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "corpus/sha256.h"
+
+namespace toolcomp::certify::bundle {
+
+// Written first, then read. All functions throw std::runtime_error where the disk does not do it.
+class Spool {
+ public:
+  explicit Spool(const std::filesystem::path& folder);
+
+  void append(std::string_view bytes);
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  // SHA-256 of all that was appended; from now on it is read.
+  std::string finish();
+
+  // From the beginning again.
+  void rewind();
+  // The next bytes, `most` of them or fewer; none at the end. Valid until the next call.
+  std::string_view read(std::size_t most);
+  // The next line without its line feed; false at the end. A last line without a line feed is one, too. Throws Refused
+  // for one of more than 256 MiB.
+  bool next_line(std::string& line);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const noexcept { static_cast<void>(std::fclose(file)); }
+  };
+  std::unique_ptr<std::FILE, Close> file_;
+  corpus::Sha256 digest_;
+  std::uint64_t size_ = 0;
+  std::string buffer_;
+  std::size_t at_ = 0;  // in buffer_, of next_line
+};
+
+}  // namespace toolcomp::certify::bundle

@@ -1,0 +1,199 @@
+// SARIF 2.1.0: findings for tools that collect those of others.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+
+#include "certify/report.h"
+#include "corpus/sha256.h"
+
+namespace toolcomp::certify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json text(std::string_view words) { return {{"text", words}}; }
+
+// The rule of a finding that rests on no clause.
+std::string rule_of(const FailureKey& key) { return key.clause.empty() ? "no-clause." + key.kind : key.clause; }
+
+Json rule(const std::string& id) {
+  Json json{{"id", id}};
+  const auto clause = spec::find_clause(id);
+  if (!clause) {
+    json["shortDescription"] = text("A difference that no clause stands behind.");
+    return json;
+  }
+  const spec::ClauseInfo& info = spec::info(*clause);
+  json["shortDescription"] = text(info.text);
+  std::string help(info.text);
+  if (!info.formula.empty()) help += fmt::format("\n\n{}", info.formula);
+  json["help"] = text(help + fmt::format("\n\ntoolcomp spec show {}", id));
+  json["properties"] = {{"section", info.section}, {"kind", kind_name(info.kind)}};
+  return json;
+}
+
+// A line of a text in which `part` begins, from 1.
+std::size_t line_of(const std::string& all, std::string_view part) {
+  const std::size_t at = all.find(part);
+  return at == std::string::npos ? 1
+                                 : 1 + static_cast<std::size_t>(std::count(
+                                           all.begin(), all.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+// The finding's file, where its case stands in it; and the line of the program, which stands in the case.
+Json location(const Finding& f, std::size_t index) {
+  Json region{{"startLine", line_of(write_finding(f), "\n \"case\": ") + 1}, {"snippet", text(f.smallest.program)}};
+  Json json;
+  json["physicalLocation"] = {
+      {"artifactLocation", {{"uri", "findings/" + file_name(f, index)}, {"uriBaseId", "REPORT"}}},
+      {"region", std::move(region)}};
+  json["logicalLocations"] =
+      Json::array({{{"name", fmt::format("line {}", f.line)},
+                    {"fullyQualifiedName",
+                     fmt::format("{}/line {}", f.first_case.empty() ? f.key.section : f.first_case, f.line)}}});
+  return json;
+}
+
+std::string fingerprint(const FailureKey& key) {
+  return corpus::sha256(key.section + '\n' + key.clause + '\n' + key.kind);
+}
+
+// Findings that one mistake explains, or one alone.
+struct Group {
+  std::string cause;
+  std::vector<std::size_t> findings;
+};
+
+std::vector<Group> groups_of(const Certificate& c) {
+  std::vector<Group> groups;
+  std::set<std::size_t> explained;
+  for (const SharedCause& cause : c.causes) {
+    Group group{cause.words, {}};
+    for (const std::size_t i : cause.findings)
+      if (i < c.findings.size() && explained.insert(i).second) group.findings.push_back(i);
+    if (!group.findings.empty()) groups.push_back(std::move(group));
+  }
+  for (std::size_t i = 0; i < c.findings.size(); ++i)
+    if (!explained.contains(i)) groups.push_back({{}, {i}});
+  return groups;
+}
+
+Json result(const Certificate& c, const Group& group, const std::vector<std::string>& rules) {
+  const Finding& first = c.findings[group.findings.front()];
+  const std::string id = rule_of(first.key);
+  Json json{{"ruleId", id}, {"ruleIndex", std::ranges::find(rules, id) - rules.begin()}, {"level", "error"}};
+  std::string message = explanation(first);
+  if (!group.cause.empty())
+    message = fmt::format("{} ({} findings). The first: {}", group.cause, group.findings.size(), message);
+  json["message"] = text(message);
+  json["locations"] = Json::array({location(first, group.findings.front())});
+  for (std::size_t i = 1; i < group.findings.size(); ++i)
+    json["relatedLocations"].push_back(location(c.findings[group.findings[i]], group.findings[i]));
+  json["partialFingerprints"] = {{"finding/v1", fingerprint(first.key)}};
+  std::uint64_t cases = 0;
+  for (const std::size_t i : group.findings) cases += c.findings[i].occurrences;
+  json["occurrenceCount"] = std::max<std::uint64_t>(cases, 1);
+  json["properties"] = {{"section", first.key.section}, {"kind", first.key.kind}};
+  return json;
+}
+
+Json notification(std::string_view level, const std::string& message) {
+  return {{"level", level}, {"message", text(message)}};
+}
+
+Json invocation(const Certificate& c) {
+  Json json{{"executionSuccessful", exit_status(c) <= 1}, {"exitCode", exit_status(c)}};
+  Json notes = Json::array({notification("note", verdict(c))});
+  if (!c.self_check.empty()) notes.push_back(notification("error", "self-check failed: " + c.self_check));
+  if (!c.interrupted.empty()) notes.push_back(notification("warning", c.interrupted));
+  if (const std::uint64_t not_run = cases_not_run(c); not_run > 0)
+    notes.push_back(notification("warning", fmt::format("{} cases not run", not_run)));
+  for (const Unsettled& u : c.unsettled)
+    notes.push_back(
+        notification("warning", fmt::format("{}: {}{}{}", u.id, name(u.result), u.why.empty() ? "" : ", ", u.why)));
+  json["toolExecutionNotifications"] = std::move(notes);
+  return json;
+}
+
+// A log of one run.
+std::string log(Json rules, Json invocation, Json results) {
+  Json driver{{"name", "toolcomp"}, {"version", TOOLCOMP_VERSION}, {"semanticVersion", TOOLCOMP_VERSION}};
+  driver["rules"] = std::move(rules);
+  Json run{{"tool", {{"driver", std::move(driver)}}}};
+  run["invocations"] = Json::array({std::move(invocation)});
+  run["originalUriBaseIds"] = {{"REPORT", {{"description", text("The folder of the report.")}}}};
+  run["results"] = std::move(results);
+  Json json{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}};
+  json["runs"] = Json::array({std::move(run)});
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+// A path as a relative or absolute reference (RFC 3986).
+std::string uri_of(const std::string& path) {
+  std::string uri;
+  for (const char c : path) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("/.-_~").find(c) != std::string_view::npos;
+    uri += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return uri;
+}
+
+std::string rule_of(const TraceFinding& f) {
+  std::string id = "trace." + f.kind;
+  std::ranges::replace(id, ' ', '-');
+  return id;
+}
+
+// A place in the recording.
+Json result(const TraceReport& report, const TraceFinding& f, std::size_t rule) {
+  Json json{{"ruleId", rule_of(f)}, {"ruleIndex", rule}, {"level", "error"}};
+  json["message"] = text(fmt::format("{} of line {} by {}", f.kind, f.line, extent(f)));
+  json["locations"] = Json::array({{{"physicalLocation",
+                                     {{"artifactLocation", {{"uri", uri_of(report.file)}}},
+                                      {"region", {{"startLine", std::max<std::uint64_t>(f.sample, 1)}}}}},
+                                    {"logicalLocations", Json::array({{{"name", fmt::format("line {}", f.line)}}})}}});
+  json["partialFingerprints"] = {{"trace/v1", corpus::sha256(fmt::format("{}\n{}\n{}", f.kind, f.line, f.last_line))}};
+  json["occurrenceCount"] = 1;
+  return json;
+}
+
+}  // namespace
+
+std::string sarif_report(const Certificate& c) {
+  const std::vector<Group> groups = groups_of(c);
+  std::vector<std::string> ids;
+  for (const Group& group : groups)
+    if (std::string id = rule_of(c.findings[group.findings.front()].key); std::ranges::find(ids, id) == ids.end())
+      ids.push_back(std::move(id));
+  Json rules = Json::array();
+  for (const std::string& id : ids) rules.push_back(rule(id));
+  Json results = Json::array();
+  for (const Group& group : groups) results.push_back(result(c, group, ids));
+  return log(std::move(rules), invocation(c), std::move(results));
+}
+
+std::string sarif_report(const TraceReport& report) {
+  std::vector<std::string> ids;
+  Json rules = Json::array();
+  Json results = Json::array();
+  for (const TraceFinding& f : report.result.findings) {
+    if (std::ranges::find(ids, rule_of(f)) == ids.end()) {
+      ids.push_back(rule_of(f));
+      rules.push_back(Json{{"id", ids.back()}, {"shortDescription", text("A recorded run: " + f.kind)}});
+    }
+    results.push_back(result(report, f, static_cast<std::size_t>(std::ranges::find(ids, rule_of(f)) - ids.begin())));
+  }
+  const int status = exit_status(report.result);
+  Json notes = Json::array();
+  if (!report.result.undecided.empty()) notes.push_back(notification("warning", report.result.undecided));
+  if (report.result.cause) notes.push_back(notification("note", "explains everything found: " + *report.result.cause));
+  return log(std::move(rules),
+             {{"executionSuccessful", status <= 1}, {"exitCode", status}, {"toolExecutionNotifications", notes}},
+             std::move(results));
+}
+
+}  // namespace toolcomp::certify

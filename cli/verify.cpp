@@ -1,0 +1,54 @@
+// toolcomp verify: whether a certificate is what its evidence says.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <random>
+
+#include "certify/bundle/verify.h"
+#include "cli/progress.h"
+#include "cli/verbs.h"
+#include "corpus/golden.h"
+
+namespace toolcomp::cli {
+namespace {
+
+// Whoever makes a bundle must not know what will be looked at.
+std::uint64_t any_seed() { return std::random_device{}(); }
+
+void print(const certify::bundle::Verification& v, const VerifyOptions& options, std::uint64_t seed) {
+  if (!v.manifest.tool.empty())
+    fmt::print("evidence of {}, made {}{}\n", v.manifest.tool, v.manifest.made,
+               v.manifest.interrupted.empty() ? "" : ", " + v.manifest.interrupted);
+  if (!v.controller.empty()) fmt::print("controller: {}\n", v.controller);
+  if (!v.verdict.empty()) fmt::print("certificate: {}; {} cases asked; corpus {}\n", v.verdict, v.asked, v.corpus);
+  if (v.judged_again > 0) {
+    const bool all = v.judged_again == v.asked;
+    fmt::print("judged again: {} of {} cases{}\n", v.judged_again, v.asked, all ? "" : fmt::format(", seed {}", seed));
+  }
+  fmt::print("signature: {}\n", v.signature.empty() ? "none" : v.signature);
+  for (const std::string& why : v.refused) fmt::print("refused: {}\n", why);
+  fmt::print("{}: {}\n", options.file, v.refused.empty() ? "accepted" : "refused");
+}
+
+}  // namespace
+
+int verify(const VerifyOptions& options) {
+  certify::bundle::VerifyOptions how;
+  how.file = options.file;
+  how.corpus = options.corpus.empty() ? corpus::default_folder() : std::filesystem::path(options.corpus);
+  how.sample = options.sample;
+  how.seed = options.seed.value_or(any_seed());
+  how.all = options.all;
+  certify::bundle::Verification verification;
+  {
+    const Progress progress("cases");
+    how.progress = [](std::uint64_t done, std::uint64_t all) {
+      Progress::line(fmt::format("{} of {} cases judged again", done, all));
+    };
+    verification = certify::bundle::verify(how);
+  }
+  print(verification, options, how.seed);
+  return verification.refused.empty() ? kAgrees : kDiffers;
+}
+
+}  // namespace toolcomp::cli
