@@ -49,6 +49,7 @@ SectionResult all_sections(const Certificate& c) {
     all.values += s.values;
     all.wide += s.wide;
     all.wide_cases += s.wide_cases;
+    all.cut_cases += s.cut_cases;
     all.out_of_scope += s.out_of_scope;
     all.few_events += s.few_events;
     all.ties += s.ties;
@@ -89,6 +90,8 @@ std::vector<std::string> not_judged(const Certificate& c, const SectionResult& a
         fmt::format("{} values that the policy would have to grant more than {} µm ({} cases have more than "
                     "{} % of such)",
                     all.wide, fuzz::policy::kCap, all.wide_cases, 100 * fuzz::policy::kMostWide));
+  if (all.cut_cases > 0)
+    items.push_back("the end of " + plural(all.cut_cases, "case") + ", from what is not supported on");
   if (all.out_of_scope > 0) items.push_back(plural(all.out_of_scope, "event") + " behind what is out of scope");
   if (const std::size_t clauses = clauses_not_exercised(c).size(); clauses > 0)
     items.push_back("<a href=\"#not-exercised\">" + plural(clauses, "clause") + " not exercised</a>");
@@ -141,6 +144,9 @@ std::string first_page(const Certificate& c) {
         all.bias.count, all.bias.mean(), all.bias.worst);
   if (!c.chatter.empty())
     out += "<p class=\"soft\">The controller writes on its standard output what is no answer: " + code(c.chatter) +
+           ".</p>\n";
+  if (!c.without_effect.empty())
+    out += "<p>Read, no effect on what is judged: " + list_of({c.without_effect.begin(), c.without_effect.end()}) +
            ".</p>\n";
   out += "<h2 id=\"not-judged\">Not judged</h2>\n<ul>\n";
   const std::vector<std::string> items = not_judged(c, all);
