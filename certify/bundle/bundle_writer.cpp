@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <functional>
 #include <map>
@@ -30,7 +32,8 @@ constexpr std::size_t kMostOfFault = std::size_t{1} << 16;
 // Now, or the time that reproducible builds agree on.
 std::string date() {
   const char* const epoch = std::getenv("SOURCE_DATE_EPOCH");  // NOLINT(concurrency-mt-unsafe)
-  const std::time_t time = epoch == nullptr ? std::time(nullptr) : static_cast<std::time_t>(std::atoll(epoch));
+  std::time_t time = std::time(nullptr);
+  if (epoch != nullptr) std::from_chars(epoch, epoch + std::strlen(epoch), time);
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(time));
 }
 
