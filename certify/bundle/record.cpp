@@ -55,6 +55,7 @@ Json facts(const Record& record) {
   if (record.fault) json["fault"] = name(record.fault->kind);
   json["values"] = v.values;
   json["not_judged"] = v.wide;
+  if (v.beyond) json["judged_before_line"] = v.beyond->line;
   json["events"] = v.events;
   json["out_of_scope"] = v.out_of_scope;
   json["decisions"] = v.decisions;
@@ -106,6 +107,8 @@ Record read_record(std::uint64_t number, std::string_view line) {
     fuzz::Verdict& v = r.verdict;
     v.values = json.at("values").get<std::uint64_t>();
     v.wide = json.at("not_judged").get<std::uint64_t>();
+    if (json.contains("judged_before_line"))
+      v.beyond = fuzz::Beyond{json.at("judged_before_line").get<std::uint64_t>(), "", 0};
     v.events = json.at("events").get<std::uint64_t>();
     v.out_of_scope = json.at("out_of_scope").get<std::uint64_t>();
     v.decisions = json.at("decisions").get<std::uint64_t>();
