@@ -53,7 +53,7 @@ std::string joined(std::span<const std::string_view> pieces) {
 std::string page(std::string_view title, std::string_view body) {
   std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n";
   out += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n";
-  out += "<meta http-equiv=\"Content-Security-Policy\" content=\"" + std::string(kPolicy) + "\"/>\n";
+  out += R"(<meta http-equiv="Content-Security-Policy" content=")" + std::string(kPolicy) + "\"/>\n";
   const bool moves = has_view(body);
   out += "<title>" + escape(title) + "</title>\n<style>" + std::string(kStyle) + (moves ? joined(view_style()) : "") +
          "</style>\n</head>\n<body>\n";

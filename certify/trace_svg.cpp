@@ -170,12 +170,10 @@ class Panel {
     std::string out;
     for (std::size_t i = 0; i < scene_.marks.size(); ++i) {
       const Point2 q = at(scene_.marks[i]);
-      out +=
-          fmt::format("<circle class=\"tr-mark\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/>", q.first, q.second, kRadius);
+      out += fmt::format(R"(<circle class="tr-mark" cx="{:.2f}" cy="{:.2f}" r="{}"/>)", q.first, q.second, kRadius);
       const std::string number = std::to_string(i + 1);
       if (const auto p = places.beside(q, number.size(), kRadius))
-        out +=
-            fmt::format("<text class=\"tr-number\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>", p->first, p->second, number);
+        out += fmt::format(R"(<text class="tr-number" x="{:.2f}" y="{:.2f}">{}</text>)", p->first, p->second, number);
       out += '\n';
     }
     return out;
