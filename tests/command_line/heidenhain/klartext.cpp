@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tests/command_line/command.h"
@@ -135,10 +136,10 @@ TEST(HeidenhainCommands, FuzzAndCertifyKnowTheSections) {
 // A program in two files: lines count on in the second, for every command.
 TEST(HeidenhainCalls, FilesBesideTheProgram) {
   const Folder folder;
-  folder.write("setup.toml", "control = \"heidenhain\"\n");
+  std::ignore = folder.write("setup.toml", "control = \"heidenhain\"\n");
   const std::string main =
       folder.write("main.h", "BEGIN PGM MAIN MM\nL X1\nCALL PGM PASS.H\nCALL PGM \"pass\"\nL X0\nEND PGM MAIN MM\n");
-  folder.write("Pass.H", "BEGIN PGM PASS MM\nLBL 1\nL IY1\nCALL LBL 1 REP 1\nEND PGM PASS MM\n");
+  std::ignore = folder.write("Pass.H", "BEGIN PGM PASS MM\nLBL 1\nL IY1\nCALL LBL 1 REP 1\nEND PGM PASS MM\n");
   std::vector<std::string> ran;
   for (const json& event : toolcomp("run " + main).events())
     ran.push_back(std::to_string(event.at("line").get<int>()) + ' ' + event.at("point").at("Y").dump());
@@ -156,7 +157,7 @@ TEST(HeidenhainCalls, FilesBesideTheProgram) {
 
 TEST(HeidenhainCalls, WhatIsNotSupportedSaysItsNameAndPlace) {
   const Folder folder;
-  folder.write("setup.toml", "control = \"heidenhain\"\n");
+  std::ignore = folder.write("setup.toml", "control = \"heidenhain\"\n");
   const std::string program = folder.write("p.h", "L X1\n7 RND R2\n");
   const Outcome outcome = toolcomp("run " + program);
   EXPECT_EQ(outcome.status, 0);
