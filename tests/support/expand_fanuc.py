@@ -7,6 +7,8 @@ FLAT.nc is the program with M98 and M99 carried out; M50 stands where M98 and M9
 blocks. Line i of MAP is where line i of FLAT.nc comes from: a line of the main file, or one behind it, where the files
 called follow in the order of the calls as they stand in the text, each followed by those that it calls itself.
 
+A number with O is a word that stays; a name at the head of a program is none, and goes.
+
 Written from the words of fanuc.program.call and fanuc.program.return, not from the reader it is held against. It expects
 a program without faults and raises where it finds one.
 """
@@ -15,7 +17,7 @@ import re
 import sys
 
 WORD = re.compile(r"\([^)]*\)|<[^>]*>|[A-Z][ \t]*[-+]?[\d.]*|.", re.IGNORECASE)
-HEAD = re.compile(r"\s*(?:O\s*(\d+)|O?\s*<([^>]*)>)", re.IGNORECASE)
+HEAD = re.compile(r"\s*(?:O\s*(\d+)|<([^>]*)>)", re.IGNORECASE)
 MOST_CALLS = 10
 
 
@@ -80,9 +82,8 @@ def programs_of(text, first_line):
             if len(programs) == 1 and programs[0].name is None and not programs[0].blocks:
                 programs = []
             programs.append(Program(name))
-            line = line[head.end() :]
-            if not words_of(line):
-                continue
+            if not head.group(1):
+                line = line[head.end() :]
         if line.strip() and not line.startswith("%"):
             programs[-1].blocks.append(Block(first_line + offset, line))
     return programs
