@@ -14,6 +14,27 @@ spec::MoveType straight(Motion motion) {
   return motion == Motion::rapid ? spec::MoveType::rapid : spec::MoveType::linear;
 }
 
+[[noreturn]] void raise_reading(Recorder& recorder, const spec::ReadAlarm& alarm) {
+  // fanuc.program.call: A block with M98 runs, then the program that it calls: that of the number P, as often as L
+  // says; without L the digits of P before the last four say how often. M98 with a name in < > calls by name. The
+  // program is looked for in the text, where its head O and number, or its name in < >, begins a line, and then among
+  // the files beside it. No such program, and none named, raises PS0076, more than 10 calls one inside the other
+  // PS0077.
+  if (alarm.number == spec::Name("PS0076") || alarm.number == spec::Name("PS0077"))
+    recorder.reach(Clause::fanuc_program_call);
+  // fanuc.program.return: A block with M99 runs, then ends its program, and so does the end of its text: the program
+  // that has called it goes on behind the call; with P, from the first block behind the call that has the sequence
+  // number P, once, and PS0078 where there is none.
+  else if (alarm.number == spec::Name("PS0078"))
+    recorder.reach(Clause::fanuc_program_return);
+  // fanuc.program.unreadable-block: A block that cannot be read raises the alarm of reading when it is reached: PS0003
+  // too many digits, PS0004 no address, PS0005 no digit, PS0006 a sign, PS0007 a point, PS0009 an unknown letter. It
+  // ends the run.
+  else
+    recorder.reach(Clause::fanuc_program_unreadable_block);
+  throw Alarm(alarm.number, alarm.message);
+}
+
 }  // namespace
 
 Interpreter::Interpreter(const spec::Setup& setup, Recorder& recorder)
@@ -30,13 +51,7 @@ AxisMask Interpreter::axis_words(const Words& words) const {
 }
 
 Command Interpreter::read(const spec::Block& block) {
-  if (block.alarm) {
-    // fanuc.program.unreadable-block: A block that cannot be read raises the alarm of reading when it is reached:
-    // PS0003 too many digits, PS0004 no address, PS0005 no digit, PS0006 a sign, PS0007 a point, PS0009 an unknown
-    // letter. It ends the run.
-    recorder_.reach(Clause::fanuc_program_unreadable_block);
-    throw Alarm(block.alarm->number, block.alarm->message);
-  }
+  if (block.alarm) raise_reading(recorder_, *block.alarm);
   const Words words(block, recorder_);
   Command command{words, read_codes(block, words, setup_, recorder_)};
   const Codes& codes = command.codes;

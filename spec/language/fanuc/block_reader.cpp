@@ -82,6 +82,14 @@ bool BlockReader::next(Block& block) {
   return false;
 }
 
+bool BlockReader::find(std::uint64_t sequence_number, Block& block) {
+  while (!done_) {
+    read_block(block);
+    if (block.n == sequence_number) return true;
+  }
+  return false;
+}
+
 std::string BlockReader::take_rest() {
   std::string rest(position_, static_cast<std::size_t>(end_ - position_));
   consumed_ = offset();

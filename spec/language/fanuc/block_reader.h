@@ -36,6 +36,8 @@ class BlockReader {
   // The next block with at least one word (or an alarm); false at the end of the text or at the `%` that ends it.
   // Throws InputError for bytes that are no text. Does not allocate.
   bool next(Block& block);
+  // The next block with this sequence number, also one without words; false where there is none.
+  bool find(std::uint64_t sequence_number, Block& block);
   // Of the block read last, where it has no alarm.
   [[nodiscard]] Jump jump() const { return jump_; }
   // The name in angle brackets behind its M98, or empty.

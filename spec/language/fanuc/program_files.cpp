@@ -29,7 +29,9 @@ std::optional<std::string> program_beside(const fs::path& folder, std::string_vi
   fs::path found;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
-    if (!entry.is_regular_file(error) || common_name(entry.path().stem().string()) != wanted) continue;
+    const auto is_wanted = [&wanted](const fs::path& file) { return common_name(file.string()) == wanted; };
+    if (!is_wanted(entry.path().stem()) && !is_wanted(entry.path().filename())) continue;
+    if (!entry.is_regular_file(error)) continue;
     // A setup or a table is no program.
     const fs::path ending = entry.path().extension();
     if (ending == ".toml" || ending == ".json" || ending == ".csv") continue;

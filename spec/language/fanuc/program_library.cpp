@@ -31,20 +31,51 @@ std::string_view trimmed(std::string_view line) {
   }
 }
 
+// "O" and the number, without zeros before it; empty where it is none.
+std::string numbered(std::string_view digits) {
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  const std::string number(digits.begin(), std::ranges::find_if_not(digits, is_digit));
+  return number.empty() ? std::string() : 'O' + number;
+}
+
+// A name such as O0012 is that of program 12.
+std::string common_name(std::string_view name) {
+  const bool number = name.starts_with('O') && std::ranges::all_of(name.substr(1), is_digit);
+  const std::string program = number ? numbered(name.substr(1)) : std::string();
+  return program.empty() ? std::string(name) : program;
+}
+
 // The program whose head a line is: O and its number, or a name in < >.
 std::string head(std::string_view line) {
   line = trimmed(line);
   if (line.empty()) return {};
   if (line.front() == '<') {
     const std::size_t end = line.find('>');
-    return end == std::string_view::npos ? std::string() : std::string(line.substr(1, end - 1));
+    return end == std::string_view::npos ? std::string() : common_name(line.substr(1, end - 1));
   }
   if (line.front() != 'O' && line.front() != 'o' && line.front() != ':') return {};
   line.remove_prefix(std::min(line.find_first_not_of(" \t", 1), line.size()));
-  line.remove_prefix(std::min(line.find_first_not_of('0'), line.size()));
-  const auto end = std::ranges::find_if_not(line, is_digit);
-  const std::string number(line.begin(), end);
-  return number.empty() ? std::string() : 'O' + number;
+  return numbered(line);
+}
+
+// What stands around the programs of a file taken away, its last line ended.
+std::string lines_of(std::string text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  while (text.ends_with('\x1A')) text.pop_back();
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  return text;
+}
+
+// Before the first block of a text, in its line: the head that makes it this program.
+void add_head(std::string& text, const std::string& program) {
+  std::string_view rest = text;
+  while (!rest.empty() && trimmed(rest.substr(0, rest.find('\n'))).empty())
+    rest.remove_prefix(std::min(rest.find('\n'), rest.size() - 1) + 1);
+  const std::string_view first = trimmed(rest);
+  const bool number = program.starts_with('O') && std::ranges::all_of(std::string_view(program).substr(1), is_digit);
+  text.insert(first.empty() ? 0 : text.size() - first.size(), (number ? program : '<' + program + '>') + ';');
+  text = lines_of(std::move(text));
 }
 
 // A text cut where the heads of programs stand.
@@ -71,7 +102,7 @@ ProgramCall program_call(const Block& block, const BlockReader& reader) {
   std::uint64_t number = 0;
   if (p != nullptr && p->decimals == 0 && !p->point && !p->negative) number = p->digits;
   if (!reader.called_name().empty()) {
-    call.program = reader.called_name();
+    call.program = common_name(reader.called_name());
   } else if (l == nullptr && number >= kNumbers) {
     call.times = number / kNumbers;
     number %= kNumbers;
@@ -89,15 +120,15 @@ std::string_view ProgramLibrary::add(std::string text, std::uint64_t first_line,
   return all.front().text;
 }
 
-// `program`: the text is that one, where no head in it says so.
+// A text that was asked for as `program` is that one, also where no head in it says so.
 std::vector<ProgramLibrary::Piece> ProgramLibrary::keep(std::string text, const std::string& program) {
-  if (!text.empty() && text.back() != '\n') text += '\n';
+  text = lines_of(std::move(text));
+  const auto is_wanted = [&program](const Piece& piece) { return piece.name == program; };
+  if (std::ranges::none_of(pieces(text, next_line_), is_wanted)) add_head(text, program);
   const std::string_view kept = texts_.emplace_back(std::move(text));
-  const std::vector<Piece> all = pieces(kept, next_line_);
+  std::vector<Piece> all = pieces(kept, next_line_);
   for (const Piece& piece : all)
     if (!piece.name.empty()) programs_.try_emplace(piece.name, Program{piece.text, piece.line});
-  if (!program.empty())
-    programs_.try_emplace(program, Program{all.front().text.empty() ? kept : all.front().text, next_line_});
   next_line_ += static_cast<std::uint64_t>(std::ranges::count(kept, '\n'));
   return all;
 }

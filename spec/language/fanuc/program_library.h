@@ -43,7 +43,8 @@ class ProgramLibrary {
 
   // Adds the text behind a call of `program`, whose first line has this number, with the programs whose heads stand in
   // it; then the files of what is called, from this call on, in the order of the text, each followed by those that it
-  // calls itself. Lines count on. The text up to the first head in it.
+  // calls itself. A file without the head of its program gets one, in its first line with a block. Lines count on. The
+  // text up to the first head in it.
   std::string_view add(std::string text, std::uint64_t first_line, const std::string& program);
   [[nodiscard]] std::optional<Program> find(const std::string& program) const;
   // All texts that were added, one behind the other, each ending with its line.

@@ -103,13 +103,13 @@ void ProgramReader::State::follow(Block& block) {
 
 // In the program that has called, from behind the call to its end.
 void ProgramReader::State::return_to(Block& block, const Word& sequence_number) {
-  Block next;
-  while (reader().next(next)) {
-    if (next.n != sequence_number.value.digits || sequence_number.value.decimals != 0) continue;
-    found = next;
-    return;
-  }
-  block.alarm = ReadAlarm{"PS0078", sequence_number.column, "M99 P: no block behind the call has this sequence number"};
+  Block target;
+  const Decimal& number = sequence_number.value;
+  if (number.decimals != 0 || number.negative || !reader().find(number.digits, target))
+    block.alarm =
+        ReadAlarm{"PS0078", sequence_number.column, "M99 P: no block behind the call has this sequence number"};
+  else if (target.size != 0 || target.alarm)
+    found = target;
 }
 
 void ProgramReader::State::call(Block& block) {
