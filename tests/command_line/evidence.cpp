@@ -122,7 +122,7 @@ TEST(TimeLimit, WhatIsLeftIsCounted) {
 TEST(Report, IsThatOfOneRunAtATime) {
   const Folder folder;
   const std::string report = folder.path("r");
-  const std::string slow = "sh " + folder.write("slow", "sleep 4; exec " + kFaulty + "none\n");
+  const std::string slow = "sh " + folder.write("slow", "sleep 20; exec " + kFaulty + "none\n");
   const std::string certify =
       TOOLCOMP_BINARY_DIR "/toolcomp certify --cases 1" + kSection + "--report " + report + " --controller ";
   const Outcome outcome = command("(" + certify + "'" + slow + "' >/dev/null 2>&1 & until [ -e " + report +

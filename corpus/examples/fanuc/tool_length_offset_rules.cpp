@@ -24,6 +24,51 @@ constexpr Example kRules[] = {
      "1 X20 Y0 Z0 O 10 0 w 180\n"
      "2 X10 Y0 Z0 O 15 -8.660254037844386 w 300\n"
      "3 PS0023\n"},
+    {"G52 X2 calls machine 5 X3, X5 is then machine 7. G54.1 P2 (X100) with G52: X0 is machine 102; G52 X0 calls it "
+     "X2, "
+     "and machine 0 is X-100 behind it.",
+     SETUP "[workpiece.P2]\nX = 100\n[workpiece.external]\nY = 1\n",
+     "G00 X5\nG52 X2\nX5\nG54.1 P2 X0\nG52 X0\nG53 X0\n",
+     "1 X5 Y0 Z0\n"
+     "3 X5 Y0 Z0\n"
+     "4 X0 Y0 Z0\n"
+     "6 X-100 Y0 Z0\n"},
+    {"G92 ends the local system of its axis: machine 0 is called X7, so X7 is machine 0 and G53 X0 stays.", SETUP,
+     "G52 X2\nG92 X7\nG00 X7\nG53 X0\n",
+     "3 X7 Y0 Z0\n"
+     "4 X7 Y0 Z0\n"},
+    {"G10 L2 P1 puts G54 to 10, under G91 to 15; P0 adds 1 to all; G10 L20 P3 puts G54.1 P3 to 50: machine 0 is X-51 "
+     "there. L20 has no P49: PS0031.",
+     SETUP,
+     "G10 L2 P1 X10\nG00 X0\nG91 G10 L2 P1 X5\nG90 X0\nG10 L2 P0 X1\nG10 L20 P3 X50\nG54.1 P3 X0\nG53 X0\nG10 L20 P49 "
+     "X0\n",
+     "2 X0 Y0 Z0\n"
+     "4 X0 Y0 Z0\n"
+     "7 X0 Y0 Z0\n"
+     "8 X-51 Y0 Z0\n"
+     "9 PS0031\n"},
+    {"G54.1 without P is P1 (X5): machine 0 is X-5. There is no P49: PS0030.", SETUP "[workpiece.P1]\nX = 5\n",
+     "G54.1\nG53 X0\nG54.1 P49\n",
+     "2 X-5 Y0 Z0\n"
+     "3 PS0030\n"},
+    {"Modes without effect: X9 of G05.1 moves nothing, F3 of G93 is no feed per minute.", SETUP,
+     "G21 G80 G64 G05.1 Q1 X9\nG01 X1 F100\nG93\nX2 F3\nG94\nX3\n",
+     "2 X1 Y0 Z0\n"
+     "4 X2 Y0 Z0\n"
+     "6 X3 Y0 Z0\n"},
+    {"M98 P7 L2 runs O7 twice, 10 each time, and goes on behind the call.", SETUP,
+     "G00 X1\nM98 P7 L2\nX0\nM30\nO7\nG91 X10\nG90 M99\n",
+     "1 X1 Y0 Z0\n"
+     "6 X11 Y0 Z0\n"
+     "6 X21 Y0 Z0\n"
+     "3 X0 Y0 Z0\n"},
+    {"M99 P20 goes on at N20.", SETUP, "M98 P7\nG00 X1\nN20 X2\nM30\nO7\nX3 M99 P20\n",
+     "6 X3 Y0 Z0\n"
+     "3 X2 Y0 Z0\n"},
+    {"No program O8: PS0076.", SETUP, "G00 X1\nM98 P8\n",
+     "1 X1 Y0 Z0\n"
+     "2 PS0076\n"},
+    {"No block N5 behind the call: PS0078.", SETUP, "M98 P7\nM30\nO7\nM99 P5\n", "4 PS0078\n"},
     {"R with the start for an end: PS0023.", SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X0 R5 F100\n", "1 PS0023\n"},
     {"An arc without centre: PS0023.", SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X10 F100\n", "1 PS0023\n"},
     {"Geometry 999.999 and wear 0.001 make 1000, beyond the geometry range of IS-B: PS0029 where G43 applies it.",
