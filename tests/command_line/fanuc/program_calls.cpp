@@ -1,0 +1,60 @@
+// Programs as they come, as a user runs them: what is not supported says its name with its place, and programs are
+// called from files beside.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "tests/command_line/command.h"
+
+namespace {
+
+using toolcomp::test::Folder;
+using toolcomp::test::Outcome;
+using toolcomp::test::toolcomp;
+
+class FanucPrograms : public testing::TestWithParam<std::string> {
+ protected:
+  [[nodiscard]] Outcome run(const std::string& program) const {
+    return toolcomp("run " + folder.write("p.nc", program) + " --setup " + setup + " --engine " + GetParam());
+  }
+  Folder folder;
+  std::string setup = folder.write("setup.toml", "control = \"fanuc\"\naxes = [\"X\", \"Y\", \"Z\"]\n");
+};
+INSTANTIATE_TEST_SUITE_P(BothEngines, FanucPrograms, testing::Values("model", "fast"),
+                         [](const auto& engine) { return engine.param; });
+
+TEST_P(FanucPrograms, WhatIsNotSupportedSaysItsNameAndPlace) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"N10 G98 G81 X1 R2", "p.nc:2:9: PS0010 G81 (drilling, a canned cycle) is not supported"},
+      {"X1 G77.7", "PS0010 there is no such G code"},
+      {"  #1=5", "p.nc:2:3: PS0004 custom macro variables and expressions are not supported"},
+      {"G01 X1 ,R5", "p.nc:2:8: PS0004 ,R and ,C (corner rounding, chamfering) are not supported"},
+      {"N5 M98 P7", "p.nc:2:4: PS0076 M98: there is no program of this number"},
+  };
+  for (const auto& [block, said] : cases) {
+    const Outcome outcome = run(std::string("G80 G69 X1\n") + block + "\nX9\n");
+    EXPECT_EQ(outcome.status, 0) << block;
+    EXPECT_EQ(outcome.events().size(), 2U) << block;
+    EXPECT_EQ(outcome.events().back().at("kind"), "alarm") << block;
+    EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_P(FanucPrograms, FilesBesideAreCalled) {
+  const std::string sub = folder.write("o0007.NC", "O7\nG91 X1\nM99 P30\n");
+  const Outcome outcome = run("O1\nM98 P20007\nX50\nN30 Y2\nM30\n");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(outcome.events().size(), 2U);
+  EXPECT_EQ(outcome.events()[0].at("line"), 7) << "behind the five of the main program";
+  EXPECT_EQ(outcome.events()[1].at("axes").at("X"), 1);
+  EXPECT_EQ(outcome.events()[1].at("axes").at("Y"), 2);
+  // Two files of one program are an error of the input.
+  const std::string other = folder.write("7.txt", "X1\n");
+  const Outcome both = run("M98 P7\n");
+  EXPECT_EQ(both.status, 2);
+  EXPECT_NE(both.err.find("o0007.NC"), std::string::npos) << both.err;
+  EXPECT_NE(both.err.find("7.txt"), std::string::npos) << both.err;
+}
+
+}  // namespace
