@@ -69,6 +69,12 @@ constexpr Example kRules[] = {
      "1 X1 Y0 Z0\n"
      "2 PS0076\n"},
     {"No block N5 behind the call: PS0078.", SETUP, "M98 P7\nM30\nO7\nM99 P5\n", "4 PS0078\n"},
+    {"There is no G77.7: PS0010.", SETUP, "G00 X1\nG77.7\n",
+     "1 X1 Y0 Z0\n"
+     "2 PS0010\n"},
+    {"G81 is not supported: PS0010.", SETUP, "G00 X1\nG80\nG99 G81 X2 Z-5 R1 F100\n",
+     "1 X1 Y0 Z0\n"
+     "3 PS0010\n"},
     {"R with the start for an end: PS0023.", SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X0 R5 F100\n", "1 PS0023\n"},
     {"An arc without centre: PS0023.", SETUP "[offsets.H]\n1 = 20\n", "G17 G02 X10 F100\n", "1 PS0023\n"},
     {"Geometry 999.999 and wear 0.001 make 1000, beyond the geometry range of IS-B: PS0029 where G43 applies it.",

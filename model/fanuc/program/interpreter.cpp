@@ -64,11 +64,11 @@ Command Interpreter::read(const spec::Block& block) {
   command.plane = plane_;
   command.incremental = incremental_;
   // fanuc.program.call: A block with M98 runs, then the program that it calls: that of the number P, as often as L
-  // says; without L the digits of P before the last four say how often. Whoever reads the text gives the blocks in this
-  // order.
+  // says; without L the digits of P before the last four say how often.
   if (codes.calls) recorder_.reach(Clause::fanuc_program_call);
   // fanuc.program.return: A block with M99 runs, then ends its program, and so does the end of its text: the program
-  // that has called it goes on behind the call.
+  // that has called it goes on behind the call; with P, from the first block behind the call that has the sequence
+  // number P, once, and PS0078 where there is none.
   if (codes.returns) recorder_.reach(Clause::fanuc_program_return);
   read_feed(command);
   // fanuc.program.letters-as-data: In a block with G04 G05 G05.1 G10 G22 or G50.1 axis letters and I J K are data of
