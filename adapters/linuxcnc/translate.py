@@ -210,6 +210,8 @@ def preamble(setup, module):
     """PREAMBLE lines: everything modal, the workpiece origins, and two moves to where the program starts."""
     # G40 by itself and first: an alarm before may have left compensation on, which no change of the plane bears.
     lines = ["G40", f"{'G21' if unit_of(setup) == 1 else 'G20'} G17 G90 G94 G49 G80 G61 G54 F{FEED}", "G92.1"]
+    if any(decimal(v) for v in setup.get("workpiece", {}).get("external", {}).values()):
+        raise NotApplicable("setup: an origin that is added to all workpiece systems")
     for k in range(6):
         origin = setup.get("workpiece", {}).get(f"G{54 + k}", {})
         if not module.name.startswith("trivkins") and any(decimal(v) for axis, v in origin.items() if axis in "ABC"):
