@@ -72,9 +72,9 @@ std::array<Address, 256> addresses(const Axes& axes) {
 
 }  // namespace
 
-BlockReader::BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, const ReaderOptions& options,
+BlockReader::BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, ReaderOptions options,
                          std::uint64_t first_line)
-    : source_(std::move(bytes)), options_(options), address_(addresses(axes)), line_(first_line) {}
+    : source_(std::move(bytes)), options_(std::move(options)), address_(addresses(axes)), line_(first_line) {}
 
 bool BlockReader::next(Block& block) {
   while (!done_)

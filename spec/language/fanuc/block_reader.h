@@ -30,8 +30,7 @@ class BlockReader {
   // Where the program goes on behind a block.
   enum class Jump : std::uint8_t { none, call, back };  // M98, M99
 
-  BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, const ReaderOptions& options,
-              std::uint64_t first_line = 1);
+  BlockReader(std::unique_ptr<ByteSource> bytes, const Axes& axes, ReaderOptions options, std::uint64_t first_line = 1);
 
   // The next block with at least one word (or an alarm); false at the end of the text or at the `%` that ends it.
   // Throws InputError for bytes that are no text. Does not allocate.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "spec/language/axes.h"
@@ -39,7 +40,7 @@ class ProgramLibrary {
     std::uint64_t line = 1;
   };
 
-  ProgramLibrary(const Axes& axes, const ReaderOptions& options) : axes_(axes), options_(options) {}
+  ProgramLibrary(Axes axes, ReaderOptions options) : axes_(std::move(axes)), options_(std::move(options)) {}
 
   // Adds the text behind a call of `program`, whose first line has this number, with the programs whose heads stand in
   // it; then the files of what is called, from this call on, in the order of the text, each followed by those that it

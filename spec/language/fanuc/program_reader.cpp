@@ -16,8 +16,8 @@ constexpr std::size_t kMostCalls = 10;  // one inside the other
 }  // namespace
 
 struct ProgramReader::State {
-  State(std::unique_ptr<ByteSource> source, const Axes& given, ReaderOptions reader_options)
-      : axes(given), options(std::move(reader_options)), main(std::move(source), axes, options) {}
+  State(std::unique_ptr<ByteSource> source, Axes given, ReaderOptions reader_options)
+      : axes(std::move(given)), options(std::move(reader_options)), main(std::move(source), axes, options) {}
 
   // A program that is called and runs.
   struct Call {

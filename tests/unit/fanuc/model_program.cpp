@@ -179,7 +179,7 @@ TEST(ModelProgram, OffsetMemoryRanges) {
 }
 
 TEST(ModelProgram, WritesThatCannotBe) {
-  for (const char* block : {"G10 P1 R1", "G10 L2 P1 R1", "G10 L10 P1 R1", "G10 L12 P1 R1"})
+  for (const char* block : {"G10 P1 R1", "G10 L3 P1 R1", "G10 L10 P1 R1", "G10 L12 P1 R1"})
     EXPECT_EQ(moves(std::string(block) + "\n"), (Lines{"1 PS0010"})) << block;
   for (const char* block : {"G10 L11 R1", "G10 L11 P0 R1", "G10 L11 P401 R1", "G10 L11 P1.5 R1", "G10 L11 P-1 R1"})
     EXPECT_EQ(moves(std::string(block) + "\n"), (Lines{"1 PS0031"})) << block;
@@ -211,7 +211,7 @@ TEST(ModelProgram, DwellWordsAreNoPositions) {
 }
 
 TEST(ModelProgram, UnknownCodes) {
-  for (const char* code : {"G05", "G38", "G43.6", "G41.4", "G30.2", "G54.1", "G43.51", "G95", "G999999999"})
+  for (const char* code : {"G06", "G38", "G43.6", "G41.4", "G30.2", "G54.2", "G43.51", "G68", "G999999999"})
     EXPECT_EQ(moves(std::string("X1\n") + code + " X2\n"), (Lines{"1 rapid X1 Y0 Z0 C0", "2 PS0010"})) << code;
   EXPECT_EQ(moves("G1.0 X1\nG030.10 X0\n").size(), 3U);  // the value counts, not the spelling
 }
@@ -225,7 +225,7 @@ TEST(ModelProgram, AnAlarmEndsTheRun) {
 }
 
 TEST(ModelProgram, OrderOfAlarms) {
-  EXPECT_EQ(moves("G99 H401\n"), (Lines{"1 PS0010"}));
+  EXPECT_EQ(moves("G68 H401\n"), (Lines{"1 PS0010"}));
   EXPECT_EQ(moves("G43.5 G28 X0 H401\n"), (Lines{"1 PS0030"}));
   EXPECT_EQ(moves("G43.5 G28 X0 Q1\n"), (Lines{"1 FORBIDDEN_UNDER_TOOL_DIRECTION"}));
   EXPECT_EQ(moves("G43 H1\nG43.5 Q1\n", "[offsets.H]\n1 = 1\n").back(), "2 LENGTH_OFFSET_EXCLUSION");

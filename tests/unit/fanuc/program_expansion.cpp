@@ -249,8 +249,8 @@ TEST(ProgramExpansion, CallsGiveTheEventsOfTheFlatProgram) {
     for (const auto& [name, text] : files) std::ofstream(folder / name, std::ios::binary) << text;
     // What it writes is no file beside.
     const std::string out = folder.string() + "-flat";
-    const std::string command = "python3 " TOOLCOMP_SOURCE_DIR "/tests/support/expand_fanuc.py " +
-                                (folder / "main.nc").string() + ' ' + out + ' ' + out + ".map";
+    std::string command = "python3 " TOOLCOMP_SOURCE_DIR "/tests/support/expand_fanuc.py ";
+    command.append((folder / "main.nc").string()).append(" ").append(out).append(" ").append(out).append(".map");
     ASSERT_EQ(std::system(command.c_str()), 0) << files.at("main.nc");  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
     std::vector<std::uint64_t> map;
     std::istringstream lines(spec::read_file(out + ".map"));
