@@ -139,7 +139,8 @@ bool equal_parameters(const spec::Setup& a, const spec::Setup& b) {
   });
 }
 
-bool equal_references(const std::map<int, spec::AxisTable>& a, const std::map<int, spec::AxisTable>& b) {
+template <class Number>
+bool equal_by_number(const std::map<Number, spec::AxisTable>& a, const std::map<Number, spec::AxisTable>& b) {
   const auto covered = [](const auto& some, const auto& other) {
     return std::ranges::all_of(some, [&](const auto& entry) {
       const auto match = other.find(entry.first);
@@ -304,7 +305,8 @@ bool same_meaning(const spec::Setup& a, const spec::Setup& b) {
   for (std::size_t i = 0; i < a.workpiece.size(); ++i)
     if (!equal_tables(a.workpiece.at(i), b.workpiece.at(i))) return false;
   return equal_parameters(a, b) && equal_offsets(a.h, b.h) && equal_offsets(a.d, b.d) &&
-         equal_tables(a.position, b.position) && equal_references(a.reference, b.reference) &&
+         equal_tables(a.position, b.position) && equal_by_number(a.reference, b.reference) &&
+         equal_by_number(a.additional_workpiece, b.additional_workpiece) &&
          equal_tables(a.floating_reference, b.floating_reference) && equal_tables(a.measurement, b.measurement) &&
          equal_tools(a, b) && equal_corrections(a.tcs, b.tcs) && equal_deviations(a.dr2_tables, b.dr2_tables);
 }

@@ -26,8 +26,8 @@ struct CaseResult {
   std::string why;
   std::string picture;
   std::set<std::string> without_effect;  // words
-  spec::FieldSet sent;  // by the controller
-  spec::FieldSet due;   // as the model's events have them
+  spec::FieldSet sent;                   // by the controller
+  spec::FieldSet due;                    // as the model's events have them
 };
 
 // "golden", "generated", "own".

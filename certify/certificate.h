@@ -75,7 +75,7 @@ struct Identity {
 
 // When, by whom and on what it was made: told, not established.
 struct Occasion {
-  std::string date;       // ISO 8601 with the offset from UTC
+  std::string date;       // ISO 8601, UTC
   std::string operated;   // --operator
   std::string serial;     // --serial: of the controller
   std::string arguments;  // the command line

@@ -40,6 +40,8 @@ std::string key_of(const Candidate& c) {
   key += '|';
   for (const auto& table : c.setup.workpiece) key += table_key(table);
   key += table_key(c.setup.position);
+  for (const auto& [number, table] : c.setup.additional_workpiece) key += std::to_string(number) + table_key(table);
+  key += '|';
   for (const auto& [number, table] : c.setup.reference) key += std::to_string(number) + table_key(table);
   for (const spec::ToolRow& tool : c.setup.tools) {
     key += '|' + std::to_string(tool.number) + ' ' + tool.name + ' ' + tool.dr2_table;
@@ -196,6 +198,10 @@ class Shrinker {
     while (best_.setup.axes.size() > kFewestAxes) {
       Candidate candidate = best_;
       const std::string& letters = best_.setup.axes.letters();
+      // A table that still names the axis would be refused.
+      const auto& origins = best_.setup.additional_workpiece;
+      if (std::ranges::any_of(origins, [&](const auto& origin) { return origin.second.contains(letters.back()); }))
+        return;
       candidate.setup.axes = spec::Axes(std::string_view(letters).substr(0, letters.size() - 1));
       if (!attempt(std::move(candidate))) return;
     }
@@ -212,6 +218,7 @@ class Shrinker {
     entries([](spec::Setup& s) -> auto& { return s.d; });
     for (std::size_t i = 0; i < best_.setup.workpiece.size(); ++i)
       entries([i](spec::Setup& s) -> auto& { return s.workpiece.at(i); });
+    entries([](spec::Setup& s) -> auto& { return s.additional_workpiece; });
     entries([](spec::Setup& s) -> auto& { return s.position; });
     entries([](spec::Setup& s) -> auto& { return s.reference; });
     entries([](spec::Setup& s) -> auto& { return s.floating_reference; });

@@ -1,11 +1,9 @@
 // toolcomp certify: a controller or a recorded trace against the exact model, and a report.
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -15,6 +13,7 @@
 #include "certify/adapter.h"
 #include "certify/adapter_programs.h"
 #include "certify/campaign.h"
+#include "certify/date.h"
 #include "certify/report.h"
 #include "certify/running_report.h"
 #include "certify/trace/trace.h"
@@ -110,8 +109,7 @@ std::vector<certify::CaseInput> machine_cases(const certify::Adapter& adapter, c
 }
 
 certify::Occasion occasion_of(const CertifyOptions& options) {
-  const std::time_t now = std::time(nullptr);
-  return {fmt::format("{:%FT%T%z}", fmt::localtime(now)), options.operated, options.serial, options.arguments};
+  return {certify::date_of_now(), options.operated, options.serial, options.arguments};
 }
 
 int certify_trace(const CertifyOptions& options) {

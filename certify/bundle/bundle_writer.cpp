@@ -1,13 +1,8 @@
 #include "certify/bundle/bundle_writer.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cstdlib>
-#include <cstring>
-#include <ctime>
 #include <functional>
 #include <map>
 #include <utility>
@@ -18,6 +13,7 @@
 #include "certify/bundle/sbom.h"
 #include "certify/bundle/signature.h"
 #include "certify/controller.h"
+#include "certify/date.h"
 #include "corpus/sha256.h"
 #include "spec/language/byte_source.h"
 
@@ -28,14 +24,6 @@ namespace fs = std::filesystem;
 
 // Of an answer that is no list of events, so many bytes are kept.
 constexpr std::size_t kMostOfFault = std::size_t{1} << 16;
-
-// Now, or the time that reproducible builds agree on.
-std::string date() {
-  const char* const epoch = std::getenv("SOURCE_DATE_EPOCH");  // NOLINT(concurrency-mt-unsafe)
-  std::time_t time = std::time(nullptr);
-  if (epoch != nullptr) std::from_chars(epoch, epoch + std::strlen(epoch), time);
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(time));
-}
 
 // "inputs/01-pocket.nc"
 std::string input_name(std::size_t index, const std::string& given) {
@@ -91,7 +79,7 @@ void BundleWriter::finish(const Certificate& certificate, const fs::path& report
                           const std::vector<fs::path>& findings) {
   Manifest manifest;
   manifest.tool = certificate.identity.tool;
-  manifest.made = date();
+  manifest.made = date_of_now();
   manifest.command = request_.command;
   manifest.directory = fs::current_path().string();
   manifest.sections = request_.sections;

@@ -178,7 +178,7 @@ void read_workpiece(const Node& node, const Reader& read, Setup& setup) {
     AxisTable* const table = workpiece_table(member.name, setup);
     if (table == nullptr)
       read.fail(member.at,
-                "workpiece: " + in_quotes(member.name) + " is no key; expected G54 to G59, P1 to P48 or external");
+                "workpiece: unknown key " + in_quotes(member.name) + "; expected G54 to G59, P1 to P48 or external");
     *table = axis_table(member.value, "workpiece." + member.name, setup, read);
   }
   std::erase_if(setup.additional_workpiece, [](const auto& entry) { return entry.second.empty(); });

@@ -22,7 +22,7 @@ const std::string kCase =
   "program": "TOOL CALL 1 Z\nLN X+0 Y+0 Z+0 NX+0.6 NY+0 NZ+0.8\n"})";
 
 std::string finding(const std::string& c, const std::string& controller = "") {
-  return "{\"finding\": 1,\n \"kind\": \"coordinate\",\n \"clause\": \"heidenhain.contour.nominal-tip\",\n \"line\": "
+  return "{\"finding\": 1,\n \"kind\": \"coordinate\",\n \"clause\": \"heidenhain.face.effective-tip\",\n \"line\": "
          "2,\n"
          " \"field\": \"tool_center.X\",\n \"controller\": \"" +
          controller + "\",\n \"case\": " + c + "}\n";

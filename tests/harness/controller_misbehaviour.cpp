@@ -324,7 +324,7 @@ std::size_t features_of(const std::vector<spec::Case>& cases) {
 
 // Chosen by the model alone: the same cases whatever answers, and the same again.
 TEST(Selection, IsTheSameForASeedAndReachesWhatRandomCasesDoNot) {
-  constexpr std::size_t kCount = 100;
+  constexpr std::size_t kCount = 40;  // a hundred random ones come near to all there is
   for (const std::string_view section : {"fanuc/cutter-compensation-c", "heidenhain/face-milling"}) {
     const Selection a = select_cases(section, 5, kCount);
     const Selection b = select_cases(section, 5, kCount);

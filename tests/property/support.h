@@ -133,6 +133,7 @@ inline bool is_one_of(const std::string& word, std::initializer_list<const char*
 // Every axis table of a setup.
 inline void each_table(spec::Setup& setup, const std::function<void(spec::AxisTable&)>& change) {
   for (spec::AxisTable& table : setup.workpiece) change(table);
+  for (auto& [number, table] : setup.additional_workpiece) change(table);
   change(setup.position);
   for (auto& [number, table] : setup.reference) change(table);
   change(setup.floating_reference);

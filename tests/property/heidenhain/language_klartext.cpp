@@ -99,6 +99,9 @@ Block any_block() {
   if (coin()) block.n = *inRange<std::uint64_t>(0, 1'000'000'000'000'000'000);
   block.statement = static_cast<Statement>(
       *inRange(static_cast<int>(Statement::block_form), static_cast<int>(Statement::miscellaneous) + 1));
+  // Calls are followed: they have tests of their own.
+  if (block.statement >= Statement::label && block.statement <= Statement::program_return)
+    block.statement = Statement::assignment;
   block.unit = coin() ? Units::mm : Units::inch;
   block.contour = coin();
   block.reference = *rc::gen::element(ReferenceWord::tip_tip, ReferenceWord::tip_center, ReferenceWord::center_center);

@@ -142,7 +142,7 @@ TEST(Program, Coordinates) {
 
 TEST(Program, Alarms) {
   const std::string s = setup("", "");
-  EXPECT_EQ(ProgramRun(s, "X1\nG05\n").alarm(), "PS0010@2");
+  EXPECT_EQ(ProgramRun(s, "X1\nG07\n").alarm(), "PS0010@2");
   EXPECT_EQ(ProgramRun(s, "X1\nX1.2.3\n").alarm(), "PS0007@2");
   EXPECT_EQ(ProgramRun(s, "G30 P5 X0\n").alarm(), "PS0046@1");
   EXPECT_EQ(ProgramRun(s, "X1\nM30\nX2\n").moves(), 1U);
