@@ -8,14 +8,14 @@
 namespace toolcomp::model {
 
 struct ToolSideBlock final : CornerBlock {
-  std::optional<int> treatment;      // Q: 1, 2 or 3; 0 where it is none of them
-  bool wrong_mode = false;           // G41.2 under G43.5, or G41.6 without it
-  bool leaves_the_path = false;      // a code of group 00
+  std::optional<int> treatment;   // Q: 1, 2 or 3; 0 where it is none of them
+  bool wrong_mode = false;        // G41.2 under G43.5, or G41.6 without it
+  bool leaves_the_path = false;   // a code of group 00
   bool refused_while_on = false;  // G54–G59, G20, G21 and the like
-  bool auxiliary = false;            // an M, S or T word
-  bool stops_look_ahead = false;     // M00 M01 M02 M30
-  bool moves = false;                // an axis word, I J K under G43.5 included
-  bool arc_mode = false;             // G02 or G03 in force
+  bool auxiliary = false;         // an M, S or T word
+  bool stops_look_ahead = false;  // M00 M01 M02 M30
+  bool moves = false;             // an axis word, I J K under G43.5 included
+  bool arc_mode = false;          // G02 or G03 in force
 
   // The compensation is on after the block.
   [[nodiscard]] bool wanted() const { return side != CutterSide::none && number != 0; }
