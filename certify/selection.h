@@ -23,7 +23,8 @@ struct Selection {
 // by round, fresh ones and changes of those chosen; one is chosen if the model reaches in it an outcome of a clause, or
 // a bin of its margin, that it reached in none before, or ends with an alarm beside a word that stood with it in none.
 // After a round without such a one, or a fixed number of rounds, those of the others are chosen that reach what few do,
-// so that a fault that shows in some cases of a clause only is met; then fresh cases fill the number. Directed,
+// so that a fault that shows in some cases of a clause only is met; then fresh cases fill the number. Cases that the
+// model cannot decide are passed over. Directed,
 // unrestricted and slipped cases (fuzz/gen) have fixed shares. No other engine is run: how one behaves has no say in
 // what it is asked. `progress` gets the candidates looked at.
 Selection select_cases(std::string_view section, std::uint64_t seed, std::size_t count,
