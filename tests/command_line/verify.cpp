@@ -207,7 +207,7 @@ TEST_F(Verify, ACaseAddedIsRefused) {
 
 // A vector that is another program, under its own name.
 TEST_F(Verify, AnEasierCaseIsRefused) {
-  for (const std::size_t from_the_end : {0, 1}) {
+  for (const std::size_t from_the_end : {0U, 1U}) {
     std::string id;
     bundle->change([&](Members& members) {
       Cases cases(members);
