@@ -209,9 +209,9 @@ void ToolAttitude::keep_tip_on_table(Mask axes, const Pose& start, const Pose& e
   positions_.make_stale();
 }
 
-// P and Q; with G04 or G10 they are data of that code.
+// P and Q, where they are no data of another code.
 void ToolAttitude::begin(const Words& words) {
-  const bool data = words.code(Words::kOneShot) != kNone;
+  const bool data = words.code(Words::kOneShot) != kNone || words.letters_are_data();
   posture_control_ = words.has('P') && !data ? whole_number(words['P'], 1) == 1 : posture_.by_default();
   lean_angle_ = modal_.by_vector() && words.has('Q') && !data ? Count::of(words['Q']) : Count();
   starts_tip_ = plans_tool_ = machine_.defined() || !lean_angle_.is_zero();

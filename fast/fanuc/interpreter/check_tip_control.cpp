@@ -56,7 +56,8 @@ Alarm Interpreter::check_tip_control_start(const Words& words, const Command& co
   const bool vector = command.vector;
   if (!vector && !machine.defined()) return alarm::kTipControl;
   if (vector && machine.defined() && machine.workpiece_frame()) return alarm::kTipControl;
-  if (words.has('P') && words.code(Words::kOneShot) == kNone && whole_number(words['P'], 1) > 1)
+  if (words.has('P') && words.code(Words::kOneShot) == kNone && !words.letters_are_data() &&
+      whole_number(words['P'], 1) > 1)
     return alarm::kTipControlWord;
   if (vector && machine.defined()) {
     if (!machine.invertible()) return alarm::kTipControl;

@@ -85,6 +85,8 @@ class Words {
   // Bit i: axis i of the setup has a position. In a block with G04 G05 G05.1 G10 G22 or G50.1 axis letters and I J K
   // are data of that code: there the block has none of them.
   [[nodiscard]] std::uint16_t axes() const { return axes_; }
+  // A code stands in the block to which its axis letters, P and Q belong.
+  [[nodiscard]] bool letters_are_data() const { return data_letters_; }
   // The axes that are named as data of a code.
   [[nodiscard]] std::uint16_t data_axes() const { return data_axes_; }
   [[nodiscard]] const spec::Decimal& axis(std::size_t index) const { return *value_[axis_letters_.index[index]]; }
