@@ -160,9 +160,8 @@ void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t col
 }
 
 void RecentBlocks::add(const spec::Block& block) {
-  const spec::Word* const beyond = spec::word_not_supported(block);
-  const std::uint64_t first = block.size > 0 ? block.word[0].column : 1;
-  add(block.line, {block.line, block.alarm ? block.alarm->column : beyond != nullptr ? beyond->column : first});
+  latest_ = &block;
+  add(block.line, {block.line, block.alarm ? block.alarm->column : block.size > 0 ? block.word[0].column : 1});
 }
 
 void RecentBlocks::add(const spec::klartext::Block& block) {
@@ -170,6 +169,9 @@ void RecentBlocks::add(const spec::klartext::Block& block) {
 }
 
 RecentBlocks::Place RecentBlocks::place(std::uint64_t line) const {
+  // Looked for here, not in every block that is read.
+  if (latest_ != nullptr && latest_->line == line && !latest_->alarm)
+    if (const spec::Word* const beyond = spec::word_not_supported(*latest_)) return {line, beyond->column};
   // The latest block of the line: an alarm ends the run, so no block behind the one at fault was read for it, except
   // within the look-ahead.
   for (std::size_t i = next_; i > 0 && next_ - i < places_.size(); --i)

@@ -64,6 +64,7 @@ class RecentBlocks {
     std::uint64_t column = 1;
   };
 
+  // The block has to be there, and the one read last, where place() is asked.
   void add(const spec::Block& block);
   void add(const spec::klartext::Block& block);
   // Of the block that begins in this line; column 1 of it where the block is no longer known.
@@ -76,6 +77,7 @@ class RecentBlocks {
     std::uint64_t line = 0;
     Place place;
   };
+  const spec::Block* latest_ = nullptr;
   std::array<Known, 16> places_{};
   std::size_t next_ = 0;
 };

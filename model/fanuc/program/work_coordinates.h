@@ -43,9 +43,9 @@ class WorkCoordinates {
 
  private:
   using Values = std::array<Rational, spec::kMaxAxes>;
-  std::size_t axes_;
   void set(Rational& value, const Rational& to, std::size_t axis, Position& position);
 
+  std::size_t axes_;
   std::vector<Values> origin_;
   Values external_;
   Values local_;
