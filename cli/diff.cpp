@@ -15,8 +15,8 @@
 
 namespace toolcomp::cli {
 
-void print_difference(const fuzz::Difference& difference, const std::string& path) {
-  fmt::print("{}:{}: {}{}{}\n", spec::display_name(path), difference.line, difference.kind,
+void print_difference(const fuzz::Difference& difference, const Place& place) {
+  fmt::print("{}:{}: {}{}{}\n", spec::display_name(place.file), place.line, difference.kind,
              difference.field.empty() ? "" : " ", difference.field);
   fmt::print("  expected  {}\n  actual    {}\n", difference.expected, difference.actual);
   if (difference.deviation_um != 0) fmt::print("  deviation {:.6g} µm\n", difference.deviation_um);
@@ -45,9 +45,14 @@ std::uint64_t ask_laws(const Program& program, fuzz::Verdict& verdict) {
 int diff(const DiffOptions& options) {
   const Program program(options.program, options.setup, options.samples);
   const Progress progress("blocks");
-  fuzz::Verdict verdict = fuzz::judge_stream(program.text(), program.setup(), program.samples(), &Progress::count);
+  fuzz::Verdict verdict;
+  try {
+    verdict = fuzz::judge_stream(program.text(), program.setup(), program.samples(), &Progress::count);
+  } catch (const spec::InputError& error) {
+    throw program.placed(error);
+  }
   const std::uint64_t questions = ask_laws(program, verdict);
-  if (verdict.difference) print_difference(*verdict.difference, program.path());
+  if (verdict.difference) print_difference(*verdict.difference, program.place(verdict.difference->line));
   std::cerr << fmt::format(
       "{} values judged, {} questions of laws, {} decisions, {} near ties, {} ties; worst {:.3g} ulp, {:.3g} µm\n",
       verdict.values, questions, verdict.decisions, verdict.near_ties, verdict.ties, verdict.worst_ulp,

@@ -1,13 +1,12 @@
 // A difference, for people.
 #pragma once
 
-#include <string>
-
+#include "cli/called_files.h"
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::cli {
 
-// What differs in `path`, the two values, and the clause in words, on standard output.
-void print_difference(const fuzz::Difference& difference, const std::string& path);
+// What differs at a place, the two values, and the clause in words, on standard output.
+void print_difference(const fuzz::Difference& difference, const Place& place);
 
 }  // namespace toolcomp::cli

@@ -146,10 +146,14 @@ class Explanation {
     std::string read;
     auto reader = Control::reader(std::make_unique<Kept>(text.open(), read), setup_, text.name, text.called_program);
     typename Control::Block block;
-    while (!model.stopped() && reader.next(block)) {
-      add(block);
-      model.block(block);
-      fast.block(block);
+    try {
+      while (!model.stopped() && reader.next(block)) {
+        add(block);
+        model.block(block);
+        fast.block(block);
+      }
+    } catch (const spec::InputError& error) {
+      throw program.placed(error);
     }
     model.end();
     fast.end();

@@ -10,7 +10,6 @@
 #include "spec/language/case_format.h"
 #include "spec/language/document.h"
 #include "spec/language/fanuc/not_supported.h"
-#include "spec/language/fanuc/program_files.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/heidenhain/joined_program.h"
 #include "spec/language/input_error.h"
@@ -31,15 +30,6 @@ bool begins_with_brace(const std::string& path) {
   for (std::size_t i = 0; i < size; ++i)
     if (std::string_view(" \t\r\n").find(buffer[i]) == std::string_view::npos) return buffer[i] == '{';
   return false;
-}
-
-// The programs that one in this file calls stand beside it; standard input has no place.
-fuzz::CalledProgram called_program(const std::string& path, const spec::Setup& setup) {
-  if (path == "-") return {};
-  const bool klartext = setup.control == spec::Control::heidenhain;
-  return [folder = fs::path(path).parent_path(), klartext](std::string_view name) {
-    return klartext ? spec::klartext::program_beside(folder, name) : spec::program_beside(folder, name);
-  };
 }
 
 std::string setup_beside(const std::string& path) {
@@ -112,18 +102,19 @@ Program::Program(const std::string& path, const std::string& setup, std::optiona
     case_.id = path;
   }
   if (samples) case_.samples = *samples;
+  called_ = std::make_unique<CalledFiles>(path, case_.setup.control);
 }
 
 fuzz::StreamedProgram Program::text() const {
   return {[this] { return is_case_ ? spec::text_source(case_.program) : spec::file_source(path_); }, path_ == "-",
-          spec::display_name(path_), is_case_ ? fuzz::CalledProgram() : called_program(path_, case_.setup)};
+          spec::display_name(path_), is_case_ ? spec::CalledProgram() : called_->finder()};
 }
 
 spec::Case Program::as_case() const {
   spec::Case whole = case_;
   if (is_case_) return whole;
   whole.program = spec::read_file(path_);
-  const auto called = called_program(path_, case_.setup);
+  const spec::CalledProgram called = called_->finder();
   if (!called) return whole;
   whole.program =
       case_.setup.control == spec::Control::heidenhain
@@ -131,6 +122,14 @@ spec::Case Program::as_case() const {
           : spec::joined_program(whole.program, case_.setup.axes,
                                  {.file = path_, .block_skip = case_.setup.block_skip, .called_program = called});
   return whole;
+}
+
+Place Program::place(std::uint64_t line, std::uint64_t column) const { return called_->place(line, column); }
+
+spec::InputError Program::placed(const spec::InputError& error) const {
+  if (error.line() == 0 || error.file() != spec::display_name(path_)) return error;
+  const Place at = place(error.line(), error.column());
+  return {at.file == path_ ? error.file() : at.file, at.line, at.column, error.message()};
 }
 
 void expect_readable(const spec::Case& c, const std::string& name) {
@@ -165,10 +164,11 @@ void RecentBlocks::add(const spec::Block& block) {
 }
 
 void RecentBlocks::add(const spec::klartext::Block& block) {
-  add(block.line, block.alarm ? Place{block.alarm->line, block.alarm->column} : Place{block.line, block.column});
+  add(block.line,
+      block.alarm ? LineColumn{block.alarm->line, block.alarm->column} : LineColumn{block.line, block.column});
 }
 
-RecentBlocks::Place RecentBlocks::place(std::uint64_t line) const {
+RecentBlocks::LineColumn RecentBlocks::place(std::uint64_t line) const {
   // Looked for here, not in every block that is read.
   if (latest_ != nullptr && latest_->line == line && !latest_->alarm)
     if (const spec::Word* const beyond = spec::word_not_supported(*latest_)) return {line, beyond->column};

@@ -4,14 +4,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "cli/called_files.h"
 #include "fuzz/oracle/verdict.h"
 #include "spec/language/case.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/heidenhain/klartext_block.h"
+#include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
 
@@ -29,6 +32,10 @@ class Program {
   // The case itself, or the program as one (read whole).
   [[nodiscard]] spec::Case as_case() const;
   [[nodiscard]] const std::string& path() const { return path_; }
+  // Where a line of the text that is read stands: in its file, or in one that it calls.
+  [[nodiscard]] Place place(std::uint64_t line, std::uint64_t column = 1) const;
+  // The same for a fault of the input.
+  [[nodiscard]] spec::InputError placed(const spec::InputError& error) const;
   [[nodiscard]] bool is_case() const { return is_case_; }
   // Into how many parts blocks under tool center point control are divided (docs/events.md, rule 7); 0: no samples.
   [[nodiscard]] std::uint32_t samples() const { return case_.samples; }
@@ -37,6 +44,7 @@ class Program {
   std::string path_;
   spec::Case case_;
   bool is_case_ = false;
+  std::unique_ptr<CalledFiles> called_;
 };
 
 // Throws spec::InputError, with the place in the file, also for what only the engines refuse (check_setup).
@@ -59,7 +67,7 @@ void report_alarm(const std::string& file, std::uint64_t line, std::uint64_t col
 // lines has its alarm of reading where the fault is.
 class RecentBlocks {
  public:
-  struct Place {
+  struct LineColumn {
     std::uint64_t line = 0;
     std::uint64_t column = 1;
   };
@@ -68,14 +76,14 @@ class RecentBlocks {
   void add(const spec::Block& block);
   void add(const spec::klartext::Block& block);
   // Of the block that begins in this line; column 1 of it where the block is no longer known.
-  [[nodiscard]] Place place(std::uint64_t line) const;
+  [[nodiscard]] LineColumn place(std::uint64_t line) const;
 
  private:
-  void add(std::uint64_t line, Place place) { places_[next_++ % places_.size()] = {line, place}; }
+  void add(std::uint64_t line, LineColumn place) { places_[next_++ % places_.size()] = {line, place}; }
 
   struct Known {
     std::uint64_t line = 0;
-    Place place;
+    LineColumn place;
   };
   const spec::Block* latest_ = nullptr;
   std::array<Known, 16> places_{};

@@ -31,7 +31,9 @@ int replay(const ReplayOptions& options) {
   how.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000));
   const certify::Replay replay = judged(options.finding, how);
   fmt::print("{}\n", replay.finding.smallest.program);
-  if (replay.judgement.verdict.difference) print_difference(*replay.judgement.verdict.difference, options.finding);
+  if (replay.judgement.verdict.difference)
+    print_difference(*replay.judgement.verdict.difference,
+                     {options.finding, replay.judgement.verdict.difference->line});
   if (!replay.judgement.errors.empty()) std::cerr << replay.judgement.errors << '\n';
   std::cerr << "asked: " << (replay.asked.empty() ? "the built-in fast engine" : replay.asked);
   if (!replay.finding.before.empty()) std::cerr << ", after " << replay.finding.before.size() << " requests before it";

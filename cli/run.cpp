@@ -22,8 +22,9 @@ namespace {
 
 template <class Number>
 void report(const Program& program, const RecentBlocks& recent, const spec::Event<Number>& alarm) {
-  const RecentBlocks::Place place = recent.place(alarm.line);
-  report_alarm(program.path(), place.line, place.column, alarm.number.view(), alarm.message);
+  const RecentBlocks::LineColumn at = recent.place(alarm.line);
+  const Place place = program.place(at.line, at.column);
+  report_alarm(place.file, place.line, place.column, alarm.number.view(), alarm.message);
 }
 
 // Prints each event as it comes; an alarm also on standard error, with its place in the file.
@@ -143,8 +144,11 @@ void feed(const Program& program, Engine& engine, Sink& sink) {
       sink.reading(block);
       engine.block(block);
     }
-  } catch (...) {
+  } catch (const spec::InputError& error) {
     // The events before the bytes that could not be read stand.
+    sink.flush();
+    throw program.placed(error);
+  } catch (...) {
     sink.flush();
     throw;
   }

@@ -18,9 +18,6 @@
 
 namespace toolcomp::fuzz {
 
-// Finds a program that another calls (spec::ReaderOptions).
-using CalledProgram = decltype(spec::ReaderOptions::called_program);
-
 // `file` is the name in messages. Every function throws spec::InputError for a setup the control could not have.
 struct FanucControl {
   using Reader = spec::ProgramReader;
@@ -28,7 +25,7 @@ struct FanucControl {
   using Model = model::Engine;
   using Fast = fast::Engine;
   static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file,
-                       CalledProgram called = {}) {
+                       spec::CalledProgram called = {}) {
     return {std::move(text),
             setup.axes,
             {.file = std::move(file), .block_skip = setup.block_skip, .called_program = std::move(called)}};
@@ -49,7 +46,7 @@ struct HeidenhainControl {
   using Model = model::klartext::Engine;
   using Fast = fast::klartext::Engine;
   static Reader reader(std::unique_ptr<spec::ByteSource> text, const spec::Setup& setup, std::string file,
-                       CalledProgram called = {}) {
+                       spec::CalledProgram called = {}) {
     return {std::move(text),
             setup,
             {.file = std::move(file), .block_skip = setup.block_skip, .called_program = std::move(called)}};

@@ -17,6 +17,7 @@
 #include "model/basis/recorder.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case.h"
+#include "spec/language/reader_options.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fuzz {
@@ -104,9 +105,8 @@ struct StreamedProgram {
   std::function<std::unique_ptr<spec::ByteSource>()> open;  // from the beginning
   bool once = false;                                        // standard input: it can be opened once
   std::string name = "program";                             // in messages
-  // Programs that it calls and does not hold itself (spec::ReaderOptions).
   // NOLINTNEXTLINE(*-redundant-member-init): GCC warns where braces leave it out otherwise
-  std::function<std::optional<std::string>(std::string_view name)> called_program = {};
+  spec::CalledProgram called_program = {};
 };
 
 // Runs both engines over it in bounded memory and judges as it goes; stops at the first difference. `samples` as in a

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string>
 #include <system_error>
+#include <utility>
 
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
@@ -24,7 +26,7 @@ std::string common_name(std::string_view name) {
 
 }  // namespace
 
-std::optional<std::string> program_beside(const fs::path& folder, std::string_view name) {
+std::optional<fs::path> file_beside(const fs::path& folder, std::string_view name) {
   const std::string wanted = common_name(name);
   fs::path found;
   std::error_code error;
@@ -40,7 +42,14 @@ std::optional<std::string> program_beside(const fs::path& folder, std::string_vi
     found = entry.path();
   }
   if (found.empty()) return std::nullopt;
-  return read_file(found.string());
+  return found;
+}
+
+CalledProgram programs_beside(fs::path folder) {
+  return [folder = std::move(folder)](std::string_view name, std::uint64_t /*line*/) {
+    const std::optional<fs::path> file = file_beside(folder, name);
+    return file ? std::optional(read_file(file->string())) : std::nullopt;
+  };
 }
 
 }  // namespace toolcomp::spec

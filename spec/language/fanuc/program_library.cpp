@@ -146,7 +146,7 @@ void ProgramLibrary::join_called(std::string_view text) {
 
 void ProgramLibrary::join(const std::string& program) {
   if (program.empty() || programs_.contains(program) || !options_.called_program) return;
-  if (std::optional<std::string> text = options_.called_program(program))
+  if (std::optional<std::string> text = options_.called_program(program, next_line_))
     for (const Piece& piece : keep(std::move(*text), program)) join_called(piece.text);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "spec/language/byte_source.h"
@@ -26,7 +27,7 @@ void add_names(const std::vector<OutlineEntry>& entries, std::set<std::string>& 
 
 }  // namespace
 
-std::optional<std::string> program_beside(const std::filesystem::path& folder, std::string_view name) {
+std::optional<std::filesystem::path> file_beside(const std::filesystem::path& folder, std::string_view name) {
   if (has_path(name)) return {};
   namespace fs = std::filesystem;
   std::vector<fs::path> found;
@@ -41,13 +42,20 @@ std::optional<std::string> program_beside(const std::filesystem::path& folder, s
   std::ranges::sort(found);
   const auto exact =
       std::ranges::find_if(found, [name](const fs::path& path) { return path.filename().string() == name; });
-  return read_file((exact == found.end() ? found.front() : *exact).string());
+  return exact == found.end() ? found.front() : *exact;
 }
 
-std::string joined_rest(std::string_view rest, std::string_view main, const CalledProgram& called) {
+CalledProgram programs_beside(std::filesystem::path folder) {
+  return [folder = std::move(folder)](std::string_view name, std::uint64_t /*line*/) {
+    const std::optional<std::filesystem::path> file = file_beside(folder, name);
+    return file ? std::optional(read_file(file->string())) : std::nullopt;
+  };
+}
+
+std::string joined_rest(TextAt rest, std::string_view main, const CalledProgram& called) {
   Setup setup;  // lines that begin with / count too: whether they are skipped is not known here
   setup.control = Control::heidenhain;
-  std::string text(rest);
+  std::string text(rest.text);
   std::set<std::string> names{program_key(main)};
   std::vector<OutlineEntry> entries = outline(setup, text, {});
   add_names(entries, names);
@@ -57,10 +65,12 @@ std::string joined_rest(std::string_view rest, std::string_view main, const Call
     if (entries[i].statement != Statement::call_program) continue;
     const Name name = entries[i].name;
     if (has_path(name.view()) || !names.insert(program_key(name.view())).second) continue;
-    const std::optional<std::string> found = called(name.view());
+    std::string before = !text.empty() && text.back() != '\n' ? "\n" : "";
+    if (!ended) before.append("END PGM ").append(main.empty() ? "MAIN" : main).append(" MM\n");
+    const auto lines = std::ranges::count(text, '\n') + std::ranges::count(before, '\n');
+    const std::optional<std::string> found = called(name.view(), rest.line + static_cast<std::uint64_t>(lines));
     if (!found) continue;
-    if (!text.empty() && text.back() != '\n') text += '\n';
-    if (!ended) text.append("END PGM ").append(main.empty() ? "MAIN" : main).append(" MM\n");
+    text += before;
     ended = true;
     const std::size_t begin = text.size();
     text += without_mark(*found);
@@ -78,12 +88,8 @@ std::string joined_klartext(std::string_view main_text, const CalledProgram& cal
   const std::vector<OutlineEntry> entries = outline(setup, std::string(without_mark(text)), {});
   const bool begins = !entries.empty() && entries.front().statement == Statement::begin_program;
   const std::string main(begins ? entries.front().name.view() : std::string_view());
-  std::string joined = joined_rest(without_mark(text), main, called);
+  std::string joined = joined_rest({without_mark(text)}, main, called);
   return text.substr(0, text.size() - without_mark(text).size()) + joined;
-}
-
-std::string joined_klartext(std::string_view main_text, const std::filesystem::path& folder) {
-  return joined_klartext(main_text, [&folder](std::string_view name) { return program_beside(folder, name); });
 }
 
 }  // namespace toolcomp::spec::klartext

@@ -131,7 +131,7 @@ void Calls::join(TextPlace& behind) {
   joined_ = true;
   const std::size_t before = size();
   const bool open_line = text_[before - 1] != '\n';
-  text_ = joined_rest(std::string_view(text_).substr(0, size()), main_.name, options_.called_program);
+  text_ = joined_rest({std::string_view(text_).substr(0, size()), main_.line}, main_.name, options_.called_program);
   if (open_line && text_.size() > before && behind.offset == before) ++behind.offset;
   text_.append(kBehindText, '\0');
   make_programs();

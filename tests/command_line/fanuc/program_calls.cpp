@@ -49,6 +49,16 @@ TEST_P(FanucPrograms, FilesBesideAreCalled) {
   EXPECT_EQ(outcome.events()[0].at("line"), 7) << "behind the five of the main program";
   EXPECT_EQ(outcome.events()[1].at("axes").at("X"), 1);
   EXPECT_EQ(outcome.events()[1].at("axes").at("Y"), 2);
+  // What is wrong in a file is told where it stands in it, whatever was joined before.
+  const std::string second = folder.write("8.nc", "O8\nX1\n  G81 X1\n");
+  const Outcome alarm = run("O1\nM98 P7\nN30 M98 P8\nM30\n");
+  EXPECT_EQ(alarm.status, 0) << alarm.err;
+  EXPECT_NE(alarm.err.find("8.nc:3:3: PS0010 G81"), std::string::npos) << alarm.err;
+  EXPECT_EQ(alarm.events().back().at("line"), 10) << "of the joined text";
+  EXPECT_EQ(folder.write("8.nc", "O8\nX1 \xFF\n"), second);
+  const Outcome bytes = run("O1\nM98 P8\nM30\n");
+  EXPECT_EQ(bytes.status, 2);
+  EXPECT_NE(bytes.err.find("8.nc:2:4: "), std::string::npos) << bytes.err;
   // Two files of one program are an error of the input.
   const std::string other = folder.write("7.txt", "X1\n");
   const Outcome both = run("M98 P7\n");

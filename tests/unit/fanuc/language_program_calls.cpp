@@ -28,7 +28,7 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 ReaderOptions options(const Files& files = {}, bool block_skip = false) {
   return {.file = "p.nc",
           .block_skip = block_skip,
-          .called_program = [files](std::string_view name) -> std::optional<std::string> {
+          .called_program = [files](std::string_view name, std::uint64_t /*line*/) -> std::optional<std::string> {
             const auto found = files.find(std::string(name));
             return found == files.end() ? std::nullopt : std::optional(found->second);
           }};
@@ -248,7 +248,7 @@ class ProgramsBeside : public testing::Test {
   ~ProgramsBeside() override { fs::remove_all(folder_); }
   void write(const std::string& name) const { std::ofstream(folder_ / name) << name; }
   [[nodiscard]] std::string beside(std::string_view name) const {
-    return program_beside(folder_, name).value_or("none");
+    return programs_beside(folder_)(name, 1).value_or("none");
   }
   fs::path folder_ = fs::temp_directory_path() / ("toolcomp-beside-" + std::to_string(std::random_device{}()));
 };
@@ -268,7 +268,7 @@ TEST_F(ProgramsBeside, Spellings) {
   EXPECT_EQ(beside("SUB-A.nc"), "sub-a.NC") << "a name may have a point";
   EXPECT_EQ(beside("SUB"), "none");
   EXPECT_EQ(beside("../SUB-A"), "none");
-  EXPECT_EQ(program_beside(folder_ / "none", "O1"), std::nullopt);
+  EXPECT_EQ(programs_beside(folder_ / "none")("O1", 1), std::nullopt);
 }
 
 TEST_F(ProgramsBeside, TwoFilesOfOneProgramAreNamed) {

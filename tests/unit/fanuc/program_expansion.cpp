@@ -221,8 +221,7 @@ Told of_files(const spec::Case& c, const std::string& main, const fs::path& fold
     void on(const fast::Event& event) override { events.push_back(event); }
   } sink;
   using Control = fuzz::FanucControl;
-  auto reader = Control::reader(spec::text_source(main), c.setup, "p",
-                                [&folder](std::string_view name) { return spec::program_beside(folder, name); });
+  auto reader = Control::reader(spec::text_source(main), c.setup, "p", spec::programs_beside(folder));
   auto engine = Control::fast(c.setup, sink, 0);
   for (Control::Block block; !engine.stopped() && reader.next(block);) engine.block(block);
   engine.end();
@@ -261,8 +260,7 @@ TEST(ProgramExpansion, CallsGiveTheEventsOfTheFlatProgram) {
     spec::Case called = flat;
     flat.program = spec::read_file(out);
     called.program =
-        spec::joined_program(files.at("main.nc"), flat.setup.axes,
-                             {.called_program = [&](auto name) { return spec::program_beside(folder, name); }});
+        spec::joined_program(files.at("main.nc"), flat.setup.axes, {.called_program = spec::programs_beside(folder)});
     const Told model = of_model(flat);
     expect_same(model, map, of_model(called));
     const Told fast = of_fast(fuzz::run_fast(flat), flat.setup.axes);

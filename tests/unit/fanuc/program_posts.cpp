@@ -70,9 +70,7 @@ TEST(ProgramPosts, BothEnginesAgreeAndTheUnsupportedSaysItsName) {
     c.dialect = spec::dialect_of(setup.control);
     c.setup = setup;
     const std::string text = spec::read_file(entry.path().string());
-    c.program = spec::joined_program(text, setup.axes, {.called_program = [](std::string_view called) {
-                                       return spec::program_beside(kFolder, called);
-                                     }});
+    c.program = spec::joined_program(text, setup.axes, {.called_program = spec::programs_beside(kFolder)});
     const fuzz::Trial trial = fuzz::try_case(c);
     EXPECT_EQ(trial.verdict.outcome, fuzz::Outcome::agrees)
         << (trial.verdict.difference ? fuzz::explain(*trial.verdict.difference) : "");

@@ -175,9 +175,7 @@ Told of_files(const spec::Case& c, const std::string& main, const fs::path& fold
     void on(const fast::Event& event) override { events.push_back(event); }
   } sink;
   using Control = fuzz::HeidenhainControl;
-  auto reader = Control::reader(spec::text_source(main), c.setup, "p", [&folder](std::string_view name) {
-    return spec::klartext::program_beside(folder, name);
-  });
+  auto reader = Control::reader(spec::text_source(main), c.setup, "p", spec::klartext::programs_beside(folder));
   auto engine = Control::fast(c.setup, sink, 0);
   for (Control::Block block; !engine.stopped() && reader.next(block);) engine.block(block);
   engine.end();
@@ -213,7 +211,7 @@ TEST(KlartextExpansion, CallsGiveTheEventsOfTheFlatProgram) {
     flat.setup = spec::read_setup_toml(kSetup, "setup.toml");
     spec::Case called = flat;
     flat.program = spec::read_file((folder / "flat").string());
-    called.program = spec::klartext::joined_klartext(files[0], folder);
+    called.program = spec::klartext::joined_klartext(files[0], spec::klartext::programs_beside(folder));
     const Told model = of_model(flat);
     expect_same(model, map, of_model(called));
     const Told fast = of_fast(flat);

@@ -74,7 +74,7 @@ TEST(KlartextPosts, BothEnginesAgreeAndTheUnsupportedSaysItsName) {
     c.dialect = spec::dialect_of(setup.control);
     c.setup = setup;
     const std::string text = spec::read_file(entry.path().string());
-    c.program = spec::klartext::joined_klartext(text, kFolder);
+    c.program = spec::klartext::joined_klartext(text, spec::klartext::programs_beside(kFolder));
     const fuzz::Trial trial = fuzz::try_case(c);
     EXPECT_EQ(trial.verdict.outcome, fuzz::Outcome::agrees)
         << (trial.verdict.difference ? fuzz::explain(*trial.verdict.difference) : "");

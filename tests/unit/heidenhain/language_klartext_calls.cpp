@@ -30,7 +30,7 @@ Setup setup_with(bool block_skip = false) {
 }
 
 CalledProgram from(const Files& files) {
-  return [files](std::string_view name) -> std::optional<std::string> {
+  return [files](std::string_view name, std::uint64_t /*line*/) -> std::optional<std::string> {
     const auto found = files.find(std::string(name));
     return found == files.end() ? std::nullopt : std::optional(found->second);
   };

@@ -1,0 +1,34 @@
+#include "cli/called_files.h"
+
+#include <iterator>
+#include <optional>
+
+#include "spec/language/byte_source.h"
+#include "spec/language/fanuc/program_files.h"
+#include "spec/language/heidenhain/joined_program.h"
+
+namespace toolcomp::cli {
+
+namespace fs = std::filesystem;
+
+spec::CalledProgram CalledFiles::finder() {
+  if (main_ == "-") return {};
+  return [this](std::string_view name, std::uint64_t line) -> std::optional<std::string> {
+    const fs::path folder = fs::path(main_).parent_path();
+    const std::optional<fs::path> file = control_ == spec::Control::heidenhain
+                                             ? spec::klartext::file_beside(folder, name)
+                                             : spec::file_beside(folder, name);
+    if (!file) return std::nullopt;
+    begins_.insert_or_assign(line, *file);
+    return spec::read_file(file->string());
+  };
+}
+
+Place CalledFiles::place(std::uint64_t line, std::uint64_t column) const {
+  const auto behind = begins_.upper_bound(line);
+  if (behind == begins_.begin()) return {main_, line, column};
+  const auto& [first, file] = *std::prev(behind);
+  return {file.string(), line - first + 1, column};
+}
+
+}  // namespace toolcomp::cli

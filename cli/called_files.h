@@ -1,0 +1,37 @@
+// The files that a program calls, and where their lines stand in the text of all of them joined.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "spec/language/reader_options.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::cli {
+
+struct Place {
+  std::string file;
+  std::uint64_t line = 0;
+  std::uint64_t column = 1;
+};
+
+class CalledFiles {
+ public:
+  // What `main` calls stands beside it; standard input ("-") calls no files.
+  CalledFiles(std::string main, spec::Control control) : main_(std::move(main)), control_(control) {}
+
+  // For a reader of the program; valid while this is. It remembers which files the reader joined.
+  spec::CalledProgram finder();
+  // The file and its line in which a line of the joined text stands, as far as a reader joined them.
+  [[nodiscard]] Place place(std::uint64_t line, std::uint64_t column) const;
+
+ private:
+  std::string main_;
+  spec::Control control_;
+  std::map<std::uint64_t, std::filesystem::path> begins_;  // by the first line in the joined text
+};
+
+}  // namespace toolcomp::cli
