@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -49,7 +50,8 @@ std::vector<KnownPlace> read_known_places(const fs::path& file, const Adapter& a
 }
 
 std::string run_adapter(const Adapter& adapter, const std::string& option, const fs::path& batch, std::size_t programs,
-                        std::chrono::milliseconds timeout, const std::function<void(const std::string&)>& progress) {
+                        std::chrono::milliseconds timeout, const std::function<void(const std::string&)>& progress,
+                        const std::function<std::string()>& stop) {
   constexpr std::size_t kLongestLine = 65536;
   std::vector<std::string> arguments{fs::absolute(batch).string()};
   if (!option.empty()) arguments.insert(arguments.begin(), option);
@@ -61,10 +63,17 @@ std::string run_adapter(const Adapter& adapter, const std::string& option, const
   std::string line;
   std::string last;
   Exchange end = Exchange::line;
-  while ((end = process.exchange("", line, deadline, kLongestLine)) == Exchange::line) {
+  const auto go_on = [&] {
+    if (stop && !stop().empty()) return false;
+    return end == Exchange::line || (end == Exchange::timed_out && Clock::now() < deadline);
+  };
+  do {
+    constexpr std::chrono::milliseconds kLook{200};
+    end = process.receive_line(line, std::min(deadline, Clock::now() + kLook), kLongestLine);
+    if (end != Exchange::line) continue;
     if (progress) progress(line);
     last = line;
-  }
+  } while (go_on());
   const std::string ended = process.finish(std::chrono::seconds(end == Exchange::closed ? 10 : 0));
   if (end == Exchange::timed_out) return fmt::format("did not end within {} ms", wait.count());
   if (process.exit_status() != 0) return ended + (last.empty() ? "" : ": " + last);

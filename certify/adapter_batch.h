@@ -34,11 +34,12 @@ struct KnownPlace {
 std::vector<KnownPlace> read_known_places(const std::filesystem::path& file, const Adapter& adapter);
 
 // Runs the adapter's command with `option`, if any, on the batch to its end; what it says goes to `progress`. It is
-// killed when it takes longer than `timeout` for each program and six times that besides. What is wrong with it, or
-// empty.
+// killed when it takes longer than `timeout` for each program and six times that besides, and when `stop` says why.
+// What is wrong with it, or empty.
 std::string run_adapter(const Adapter& adapter, const std::string& option, const std::filesystem::path& batch,
                         std::size_t programs, std::chrono::milliseconds timeout,
-                        const std::function<void(const std::string&)>& progress);
+                        const std::function<void(const std::string&)>& progress,
+                        const std::function<std::string()>& stop = {});
 
 // Why the controller cannot run each of these programs, or is known to run it otherwise; empty where neither is said.
 // Nothing is run: the adapter is asked. Throws spec::InputError where it gives no answer.

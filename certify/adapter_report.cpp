@@ -6,14 +6,19 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "certify/junit.h"
 #include "certify/markup.h"
 #include "certify/page.h"
 #include "certify/report.h"
+#include "certify/sarif.h"
 #include "certify/sort_by.h"
 #include "spec/language/file_writer.h"
 
 namespace toolcomp::certify {
 namespace {
+
+// Runs of one machine, or of given programs.
+std::string group_of(const std::string& machine) { return machine.empty() ? "programs" : machine; }
 
 std::string known_differences(const AdapterCampaign& campaign, const AdapterCertificate& certificate) {
   std::vector<Row> rows{{"known difference", "why", "how it is told", "programs"}};
@@ -29,10 +34,10 @@ std::string known_differences(const AdapterCampaign& campaign, const AdapterCert
 
 std::string machines(const AdapterCertificate& certificate) {
   std::vector<Row> rows{{"machine", "programs", "conform", "both refuse", "known differences", "differ",
-                         "not applicable", "undecided", "failed", "samples", "largest distance",
+                         "not applicable", "undecided", "failed", "not run", "samples", "largest distance",
                          "of a rotary axis, degrees"}};
   for (const MachineSummary& m : summaries(certificate)) {
-    Row row{m.machine.empty() ? "programs" : escape(m.machine), std::to_string(m.programs)};
+    Row row{escape(group_of(m.machine)), std::to_string(m.programs)};
     for (const std::size_t count : m.outcomes) row.push_back(std::to_string(count));
     row.push_back(std::to_string(m.samples));
     row.push_back(plain(m.worst, 6));
@@ -53,7 +58,9 @@ std::string causes(const AdapterCertificate& certificate) {
 std::string others(const AdapterCertificate& certificate) {
   std::string out;
   for (const AdapterRun& run : certificate.runs) {
-    if (run.outcome == RunOutcome::conforms || run.outcome == RunOutcome::not_applicable) continue;
+    if (run.outcome == RunOutcome::conforms || run.outcome == RunOutcome::not_applicable ||
+        run.outcome == RunOutcome::not_run)
+      continue;
     const Tone tone = run.outcome == RunOutcome::differs                                           ? Tone::bad
                       : run.outcome == RunOutcome::both_refuse || run.outcome == RunOutcome::known ? Tone::good
                                                                                                    : Tone::open;
@@ -102,14 +109,19 @@ std::vector<LikelyCause> likely_causes(const AdapterCertificate& certificate) {
   return list;
 }
 
+std::size_t not_run(const AdapterCertificate& certificate) {
+  return static_cast<std::size_t>(std::ranges::count(certificate.runs, RunOutcome::not_run, &AdapterRun::outcome));
+}
+
 std::string_view verdict(const AdapterCertificate& certificate) {
   const int status = exit_status(certificate);
+  if (status == 3 && !certificate.interrupted.empty()) return "not decided: interrupted";
   return status == 0 ? "conforms" : status == 1 ? "does not conform" : "not decided";
 }
 
 std::string html_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate) {
   const int status = exit_status(certificate);
-  std::string body = "<h1>" + escape(campaign.adapter.name) + "</h1>\n<p>" +
+  std::string body = "<section class=\"first\">\n<h1>Recordings of " + escape(campaign.adapter.name) + "</h1>\n<p>" +
                      badge(verdict(certificate), status == 0   ? Tone::good
                                                  : status == 1 ? Tone::bad
                                                                : Tone::open) +
@@ -121,10 +133,15 @@ std::string html_report(const AdapterCampaign& campaign, const AdapterCertificat
       certificate.runs.size(), certificate.seconds_run, certificate.seconds_judged, plain(certificate.tolerance, 9),
       campaign.seed);
   if (!certificate.errors.empty()) body += "<p>The adapter: " + escape(certificate.errors) + "</p>\n";
-  body += machines(certificate) + causes(certificate);
+  if (!certificate.interrupted.empty())
+    body += fmt::format("<p class=\"bad\">{} programs not run: {}.</p>\n", not_run(certificate),
+                        escape(certificate.interrupted));
+  std::vector<Row> identity = rows(certificate.occasion);
+  identity.push_back({"tool", "toolcomp " TOOLCOMP_VERSION});
+  body += facts(identity) + std::string(kSignature) + "</section>\n";
+  body += "<h2>Machines</h2>\n" + machines(certificate) + causes(certificate);
   body += "<h2>Known differences</h2>\n" + known_differences(campaign, certificate);
   body += "<h2>Programs that do not simply conform</h2>\n" + others(certificate);
-  body += facts({{"tool", "toolcomp " TOOLCOMP_VERSION}});
   return page("toolcomp: " + campaign.adapter.name + " " + std::string(verdict(certificate)), body);
 }
 
@@ -135,6 +152,9 @@ std::string json_report(const AdapterCampaign& campaign, const AdapterCertificat
   json["exit_status"] = exit_status(certificate);
   json["verdict"] = verdict(certificate);
   json["tool"] = "toolcomp " TOOLCOMP_VERSION;
+  json["interrupted"] = certificate.interrupted;
+  json["programs_not_run"] = not_run(certificate);
+  json["occasion"] = to_json(certificate.occasion);
   json["seed"] = campaign.seed;
   json["tolerance"] = certificate.tolerance;
   json["seconds_run"] = certificate.seconds_run;
@@ -157,6 +177,59 @@ std::string json_report(const AdapterCampaign& campaign, const AdapterCertificat
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string junit_report(const AdapterCertificate& certificate) {
+  std::string suites;
+  for (const MachineSummary& machine : summaries(certificate)) {
+    const std::string group = group_of(machine.machine);
+    junit::Suite suite;
+    for (const AdapterRun& run : certificate.runs) {
+      if (run.machine != machine.machine) continue;
+      const auto with = [&run](std::string_view element) {
+        return fmt::format(R"(<{} type="{}" message="{}"/>)", element, name(run.outcome), escape(run.why));
+      };
+      std::string inside;
+      switch (run.outcome) {
+        case RunOutcome::conforms:
+        case RunOutcome::both_refuse:
+        case RunOutcome::known:
+          break;
+        case RunOutcome::differs:
+          inside = with("failure");
+          break;
+        case RunOutcome::not_applicable:
+        case RunOutcome::not_run:
+          inside = with("skipped");
+          break;
+        case RunOutcome::undecided:
+        case RunOutcome::failed:
+          inside = with("error");
+          break;
+      }
+      suite.add(group, run.c.id, inside);
+    }
+    suites += suite.xml(group);
+  }
+  return junit::document(suites);
+}
+
+std::string sarif_report(const AdapterCertificate& certificate) {
+  sarif::TraceResults results;
+  for (const AdapterRun& run : certificate.runs) {
+    if (run.outcome != RunOutcome::differs) continue;
+    const std::string folder = "runs/" + run.folder.filename().string();
+    for (const TraceFinding& finding : run.result.findings) results.add(finding, folder + "/trace.csv");
+    if (run.result.findings.empty()) results.add("whole run", run.c.id + ": " + run.why, folder + "/program.nc");
+  }
+  const int status = exit_status(certificate);
+  sarif::Json notes = sarif::Json::array({sarif::notification("note", std::string(verdict(certificate)))});
+  if (!certificate.errors.empty()) notes.push_back(sarif::notification("error", certificate.errors));
+  if (!certificate.interrupted.empty()) notes.push_back(sarif::notification("warning", certificate.interrupted));
+  for (const LikelyCause& likely : likely_causes(certificate))
+    notes.push_back(sarif::notification("note", fmt::format("{} programs: {}", likely.programs, likely.cause)));
+  return results.log(
+      {{"executionSuccessful", status <= 1}, {"exitCode", status}, {"toolExecutionNotifications", notes}});
+}
+
 void write_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate) {
   for (const AdapterRun& run : certificate.runs) {
     if (run.outcome != RunOutcome::differs || run.result.samples == 0) continue;
@@ -166,10 +239,13 @@ void write_report(const AdapterCampaign& campaign, const AdapterCertificate& cer
     trace.options.tolerance = certificate.tolerance;
     trace.options.rotary_tolerance = campaign.rotary_tolerance;
     trace.result = run.result;
+    trace.occasion = certificate.occasion;
     write_report(trace, run.folder / "report");
   }
   const std::filesystem::path folder = campaign.report;
   spec::write_file(folder / "certificate.json", json_report(campaign, certificate));
+  spec::write_file(folder / "junit.xml", junit_report(certificate));
+  spec::write_file(folder / "certificate.sarif", sarif_report(certificate));
   spec::write_file(folder / "index.html", html_report(campaign, certificate));
 }
 

@@ -14,8 +14,13 @@ namespace toolcomp::certify {
 std::string html_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
 std::string json_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
 
-// index.html and certificate.json in the folder of the report, and in the folder of each program that differs the
-// report of its trace. Throws std::runtime_error for a folder that cannot be written.
+// A suite a machine, a test case a program.
+std::string junit_report(const AdapterCertificate& certificate);
+// SARIF 2.1.0: a result a finding, at its sample.
+std::string sarif_report(const AdapterCertificate& certificate);
+
+// index.html, certificate.json, junit.xml and certificate.sarif in the folder of the report, and in the folder of each
+// program that differs the report of its trace. Throws std::runtime_error for a folder that cannot be written.
 void write_report(const AdapterCampaign& campaign, const AdapterCertificate& certificate);
 
 // Runs of one machine, or of given programs; for the table of the report and the terminal.
@@ -37,7 +42,10 @@ struct LikelyCause {
 };
 std::vector<LikelyCause> likely_causes(const AdapterCertificate& certificate);
 
-// "conforms", "does not conform", "not decided".
+// Programs that were interrupted before they were judged.
+std::size_t not_run(const AdapterCertificate& certificate);
+
+// "conforms", "does not conform", "not decided", "not decided: interrupted".
 std::string_view verdict(const AdapterCertificate& certificate);
 
 }  // namespace toolcomp::certify

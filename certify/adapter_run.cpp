@@ -184,11 +184,31 @@ std::vector<AdapterRun> write_batch(const AdapterCampaign& campaign, const fs::p
   return runs;
 }
 
+// Of a batch that was cut: programs without an answer, and the one of the newest recording, which may be cut itself.
+void leave_out_unfinished(std::vector<AdapterRun>& runs) {
+  fs::file_time_type newest = fs::file_time_type::min();
+  std::vector<fs::file_time_type> written;  // of each, the latest of its answers
+  std::error_code none;
+  for (const AdapterRun& run : runs) {
+    fs::file_time_type last = fs::file_time_type::min();
+    for (const char* file : {"trace.csv", "alarm.txt", "not_applicable.txt", "failed.txt"})
+      if (const fs::path answer = run.folder / file; fs::exists(answer, none))
+        last = std::max(last, fs::last_write_time(answer, none));
+    newest = std::max(newest, last);
+    written.push_back(last);
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (written[i] != newest && written[i] != fs::file_time_type::min()) continue;
+    runs[i].outcome = RunOutcome::not_run;
+    runs[i].why = written[i] == fs::file_time_type::min() ? "not run" : "its recording may be cut";
+  }
+}
+
 }  // namespace
 
 std::string_view name(RunOutcome outcome) {
   static constexpr std::array<std::string_view, kRunOutcomes> kNames{
-      "conforms", "both refuse", "known difference", "differs", "not applicable", "undecided", "failed"};
+      "conforms", "both refuse", "known difference", "differs", "not applicable", "undecided", "failed", "not run"};
   return kNames.at(static_cast<std::size_t>(outcome));
 }
 
@@ -198,13 +218,27 @@ AdapterCertificate certify_adapter(const AdapterCampaign& campaign) {
   const fs::path batch = fs::path(campaign.report) / "runs";
   certificate.runs = write_batch(campaign, batch);
   const Clock::time_point start = Clock::now();
-  certificate.errors =
-      run_adapter(campaign.adapter, "", batch, certificate.runs.size(), campaign.timeout, campaign.progress);
+  certificate.errors = run_adapter(campaign.adapter, "", batch, certificate.runs.size(), campaign.timeout,
+                                   campaign.progress, campaign.stop);
   certificate.seconds_run = seconds_since(start);
+  const auto stopped = [&campaign] { return campaign.stop ? campaign.stop() : std::string(); };
+  const bool cut = !stopped().empty() && !certificate.errors.empty();
+  if (cut) {
+    certificate.errors.clear();
+    certificate.interrupted = stopped();
+    leave_out_unfinished(certificate.runs);
+  }
   const Clock::time_point judged = Clock::now();
   const Judge judge(campaign.adapter, certificate.tolerance, campaign.rotary_tolerance);
   for (std::size_t i = 0; i < certificate.runs.size(); ++i) {
     AdapterRun& run = certificate.runs[i];
+    if (run.outcome == RunOutcome::not_run) continue;
+    if (!cut && certificate.interrupted.empty()) certificate.interrupted = stopped();
+    if (!cut && !certificate.interrupted.empty()) {
+      run.outcome = RunOutcome::not_run;
+      run.why = "recorded, not judged";
+      continue;
+    }
     judge.judge(run);
     Judge::expect_difference(run);
     if (run.outcome != RunOutcome::differs) drop_pictures(run.result);
@@ -223,7 +257,8 @@ int exit_status(const AdapterCertificate& certificate) {
   };
   if (any(RunOutcome::differs)) return 1;
   const bool judged = any(RunOutcome::conforms) || any(RunOutcome::both_refuse) || any(RunOutcome::known);
-  const bool left_out = !certificate.errors.empty() || any(RunOutcome::failed) || any(RunOutcome::undecided);
+  const bool left_out = !certificate.errors.empty() || !certificate.interrupted.empty() || any(RunOutcome::failed) ||
+                        any(RunOutcome::undecided);
   return left_out || !judged ? 3 : 0;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "certify/adapter.h"
+#include "certify/occasion.h"
 #include "certify/trace/trace.h"
 #include "spec/language/case.h"
 
@@ -24,8 +25,9 @@ enum class RunOutcome : std::uint8_t {
   not_applicable,  // the controller has no such thing
   undecided,       // the model could not decide, or nothing was judged
   failed,          // no recording: the adapter's fault
+  not_run,         // interrupted before it was judged
 };
-inline constexpr std::size_t kRunOutcomes = 7;
+inline constexpr std::size_t kRunOutcomes = 8;
 // "conforms", "both refuse", …
 std::string_view name(RunOutcome outcome);
 
@@ -53,6 +55,8 @@ struct AdapterCampaign {
   // A test of the judge: it alone gets this value of a parameter, in setups that name it. It must find a difference.
   std::map<spec::ParameterId, spec::Decimal> altered;
   std::function<void(const std::string&)> progress;  // gets the adapter's lines, and ours
+  // Asked again and again: why to come to an end; empty: go on. The adapter is killed, what it recorded is judged.
+  std::function<std::string()> stop;
 };
 
 struct AdapterCertificate {
@@ -61,13 +65,15 @@ struct AdapterCertificate {
   double seconds_run = 0;     // by the adapter
   double seconds_judged = 0;  // by the model
   std::string errors;         // the last of what an adapter said that ended with a fault; empty: it did not
+  std::string interrupted;    // why not all was run or judged; empty: all was
+  Occasion occasion;
 };
 
 // Throws spec::InputError for programs that no control could read and an adapter that cannot be run at all. Folders of
 // programs that conform are removed.
 AdapterCertificate certify_adapter(const AdapterCampaign& campaign);
 
-// 1 a new difference; 3 nothing judged, or something not: undecided, or the adapter failed; else 0.
+// 1 a new difference; 3 nothing judged, or something not: undecided, interrupted, or the adapter failed; else 0.
 int exit_status(const AdapterCertificate& certificate);
 
 }  // namespace toolcomp::certify

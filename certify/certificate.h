@@ -12,6 +12,7 @@
 #include "certify/capabilities.h"
 #include "certify/finding.h"
 #include "certify/judge.h"
+#include "certify/occasion.h"
 #include "certify/shared_cause.h"
 #include "model/basis/recorder.h"
 
@@ -71,14 +72,6 @@ struct Identity {
   std::uint64_t seed = 0;
   std::uint32_t generated = 0;  // cases a section
   std::string controller;       // command; empty: the built-in fast engine
-};
-
-// When, by whom and on what it was made: told, not established.
-struct Occasion {
-  std::string date;       // ISO 8601, UTC
-  std::string operated;   // --operator
-  std::string serial;     // --serial: of the controller
-  std::string arguments;  // the command line
 };
 
 struct Certificate {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "certify/event_fields.h"
+#include "certify/junit.h"
 #include "certify/markup.h"
 #include "spec/language/file_writer.h"
 
@@ -45,10 +46,6 @@ Json to_json(const SectionResult& s) {
   return json;
 }
 
-Json to_json(const Occasion& o) {
-  return {{"date", o.date}, {"operator", o.operated}, {"serial", o.serial}, {"arguments", o.arguments}};
-}
-
 Json to_json(const Finding& f, std::size_t index) {
   Json json;
   json["file"] = "findings/" + file_name(f, index);
@@ -75,40 +72,10 @@ Json to_json(const Finding& f, std::size_t index) {
 
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
-// One test case; `inside` is XML.
-std::string test_case(std::string_view group, std::string_view name, const std::string& inside) {
-  const std::string head = fmt::format(R"(    <testcase classname="{}" name="{}")", escape(group), escape(name));
-  return inside.empty() ? head + "/>\n" : head + ">" + inside + "</testcase>\n";
-}
-
 std::string failure(const Finding& f) {
   return fmt::format(R"(<failure type="{}" message="{}">{}</failure>)", escape(f.key.kind), escape(explanation(f)),
                      escape(f.smallest.program));
 }
-
-struct Suite {
-  std::string cases;
-  std::size_t tests = 0;
-  std::size_t failures = 0;
-  std::size_t errors = 0;
-  std::size_t skipped = 0;
-
-  void add(std::string_view group, std::string_view name, const std::string& inside) {
-    ++tests;
-    failures += inside.find("<failure") == std::string::npos ? 0 : 1;
-    errors += inside.find("<error") == std::string::npos ? 0 : 1;
-    skipped += inside.find("<skipped") == std::string::npos ? 0 : 1;
-    cases += test_case(group, name, inside);
-  }
-  [[nodiscard]] std::string xml(std::string_view name) const {
-    return fmt::format(
-        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n{}  </testsuite>\n",
-        escape(name), tests, failures, errors, skipped, cases);
-  }
-};
-
-constexpr std::string_view kXmlHead =
-    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"toolcomp certify\">\n";
 
 // The findings of a section on a clause (empty: on none).
 std::string failures_of(const Certificate& c, std::string_view section, std::string_view clause) {
@@ -118,8 +85,8 @@ std::string failures_of(const Certificate& c, std::string_view section, std::str
   return out;
 }
 
-Suite suite_of(const Certificate& c, const SectionResult& s) {
-  Suite suite;
+junit::Suite suite_of(const Certificate& c, const SectionResult& s) {
+  junit::Suite suite;
   std::string group = s.section.empty() ? "own programs" : s.section;
   std::vector<std::string_view> named{""};
   for (std::size_t i = 0; i < spec::clauses().size() && i < c.clauses.size(); ++i) {
@@ -254,15 +221,16 @@ std::string json_report(const Certificate& c) {
 }
 
 std::string junit_report(const Certificate& c) {
-  std::string out(kXmlHead);
-  for (const SectionResult& s : c.sections) out += suite_of(c, s).xml(s.section.empty() ? "own programs" : s.section);
+  std::string suites;
+  for (const SectionResult& s : c.sections)
+    suites += suite_of(c, s).xml(s.section.empty() ? "own programs" : s.section);
   if (!c.self_check.empty()) {
-    Suite harness;
+    junit::Suite harness;
     harness.add("harness", "self-check",
                 fmt::format(R"(<error type="self-check" message="{}"/>)", escape(c.self_check)));
-    out += harness.xml("harness");
+    suites += harness.xml("harness");
   }
-  return out + "</testsuites>\n";
+  return junit::document(suites);
 }
 
 std::vector<std::filesystem::path> write_report(const Certificate& c, const std::filesystem::path& folder) {
@@ -343,7 +311,7 @@ std::string json_report(const TraceReport& report) {
 }
 
 std::string junit_report(const TraceReport& report) {
-  Suite suite;
+  junit::Suite suite;
   for (const TraceFinding& f : report.result.findings)
     suite.add("trace", fmt::format("{} at sample line {}", f.kind, f.sample),
               fmt::format(R"(<failure type="{}" message="program line {}, distance {}"/>)", escape(f.kind), f.line,
@@ -353,7 +321,7 @@ std::string junit_report(const TraceReport& report) {
               fmt::format(R"(<error type="nothing judged" message="{}"/>)", escape(report.result.undecided)));
   else
     suite.add("trace", "judged", "");
-  return std::string(kXmlHead) + suite.xml(report.file) + "</testsuites>\n";
+  return junit::document(suite.xml(report.file));
 }
 
 void write_report(const TraceReport& report, const std::filesystem::path& folder) {

@@ -7,14 +7,15 @@
 #include <string_view>
 
 #include "certify/report.h"
+#include "certify/sarif.h"
 #include "corpus/sha256.h"
 
 namespace toolcomp::certify {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json text(std::string_view words) { return {{"text", words}}; }
+using sarif::Json;
+using sarif::notification;
+using sarif::text;
 
 // The rule of a finding that rests on no clause.
 std::string rule_of(const FailureKey& key) { return key.clause.empty() ? "no-clause." + key.kind : key.clause; }
@@ -100,10 +101,6 @@ Json result(const Certificate& c, const Group& group, const std::vector<std::str
   return json;
 }
 
-Json notification(std::string_view level, const std::string& message) {
-  return {{"level", level}, {"message", text(message)}};
-}
-
 Json invocation(const Certificate& c) {
   Json json{{"executionSuccessful", exit_status(c) <= 1}, {"exitCode", exit_status(c)}};
   Json notes = Json::array({notification("note", verdict(c))});
@@ -115,49 +112,6 @@ Json invocation(const Certificate& c) {
     notes.push_back(
         notification("warning", fmt::format("{}: {}{}{}", u.id, name(u.result), u.why.empty() ? "" : ", ", u.why)));
   json["toolExecutionNotifications"] = std::move(notes);
-  return json;
-}
-
-// A log of one run.
-std::string log(Json rules, Json invocation, Json results) {
-  Json driver{{"name", "toolcomp"}, {"version", TOOLCOMP_VERSION}, {"semanticVersion", TOOLCOMP_VERSION}};
-  driver["rules"] = std::move(rules);
-  Json run{{"tool", {{"driver", std::move(driver)}}}};
-  run["invocations"] = Json::array({std::move(invocation)});
-  run["originalUriBaseIds"] = {{"REPORT", {{"description", text("The folder of the report.")}}}};
-  run["results"] = std::move(results);
-  Json json{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}};
-  json["runs"] = Json::array({std::move(run)});
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-// A path as a relative or absolute reference (RFC 3986).
-std::string uri_of(const std::string& path) {
-  std::string uri;
-  for (const char c : path) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       std::string_view("/.-_~").find(c) != std::string_view::npos;
-    uri += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return uri;
-}
-
-std::string rule_of(const TraceFinding& f) {
-  std::string id = "trace." + f.kind;
-  std::ranges::replace(id, ' ', '-');
-  return id;
-}
-
-// A place in the recording.
-Json result(const TraceReport& report, const TraceFinding& f, std::size_t rule) {
-  Json json{{"ruleId", rule_of(f)}, {"ruleIndex", rule}, {"level", "error"}};
-  json["message"] = text(fmt::format("{} of line {} by {}", f.kind, f.line, extent(f)));
-  json["locations"] = Json::array({{{"physicalLocation",
-                                     {{"artifactLocation", {{"uri", uri_of(report.file)}}},
-                                      {"region", {{"startLine", std::max<std::uint64_t>(f.sample, 1)}}}}},
-                                    {"logicalLocations", Json::array({{{"name", fmt::format("line {}", f.line)}}})}}});
-  json["partialFingerprints"] = {{"trace/v1", corpus::sha256(fmt::format("{}\n{}\n{}", f.kind, f.line, f.last_line))}};
-  json["occurrenceCount"] = 1;
   return json;
 }
 
@@ -173,27 +127,18 @@ std::string sarif_report(const Certificate& c) {
   for (const std::string& id : ids) rules.push_back(rule(id));
   Json results = Json::array();
   for (const Group& group : groups) results.push_back(result(c, group, ids));
-  return log(std::move(rules), invocation(c), std::move(results));
+  return sarif::log(std::move(rules), invocation(c), std::move(results));
 }
 
 std::string sarif_report(const TraceReport& report) {
-  std::vector<std::string> ids;
-  Json rules = Json::array();
-  Json results = Json::array();
-  for (const TraceFinding& f : report.result.findings) {
-    if (std::ranges::find(ids, rule_of(f)) == ids.end()) {
-      ids.push_back(rule_of(f));
-      rules.push_back(Json{{"id", ids.back()}, {"shortDescription", text("A recorded run: " + f.kind)}});
-    }
-    results.push_back(result(report, f, static_cast<std::size_t>(std::ranges::find(ids, rule_of(f)) - ids.begin())));
-  }
+  sarif::TraceResults results;
+  for (const TraceFinding& f : report.result.findings) results.add(f, report.file);
   const int status = exit_status(report.result);
   Json notes = Json::array();
   if (!report.result.undecided.empty()) notes.push_back(notification("warning", report.result.undecided));
   if (report.result.cause) notes.push_back(notification("note", "explains everything found: " + *report.result.cause));
-  return log(std::move(rules),
-             {{"executionSuccessful", status <= 1}, {"exitCode", status}, {"toolExecutionNotifications", notes}},
-             std::move(results));
+  return results.log(
+      {{"executionSuccessful", status <= 1}, {"exitCode", status}, {"toolExecutionNotifications", notes}});
 }
 
 }  // namespace toolcomp::certify

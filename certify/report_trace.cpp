@@ -61,19 +61,15 @@ std::string first_page(const TraceReport& report, std::string_view verdict, std:
          facts({{"axes not recorded", r.not_recorded.empty() ? "none" : escape(r.not_recorded)},
                 {"moves judged at their ends only", std::to_string(r.not_judged_moves)},
                 {"long time steps, for want of a steady period", std::to_string(r.steps_not_judged)}});
-  const auto told = [](const std::string& text) { return text.empty() ? "not stated" : escape(text); };
-  out += "<h2>Figures</h2>\n" +
-         facts({{"axes judged", escape(r.recorded)},
-                {"largest accepted distance",
-                 fmt::format("{} {} (CSV line {})", plain(r.worst.upper, 9), unit, r.worst_sample)},
-                {"largest accepted distance of a rotary axis",
-                 turns ? fmt::format("{} degrees (CSV line {})", plain(r.worst_rotary.upper, 9), r.worst_rotary_sample)
-                       : std::string("none recorded")},
-                {"serial number of the controller", told(report.occasion.serial)},
-                {"date", told(report.occasion.date)},
-                {"operator", told(report.occasion.operated)},
-                {"command line", told(report.occasion.arguments)},
-                {"tool", "toolcomp " TOOLCOMP_VERSION}});
+  std::vector<Row> figures{
+      {"axes judged", escape(r.recorded)},
+      {"largest accepted distance", fmt::format("{} {} (CSV line {})", plain(r.worst.upper, 9), unit, r.worst_sample)},
+      {"largest accepted distance of a rotary axis",
+       turns ? fmt::format("{} degrees (CSV line {})", plain(r.worst_rotary.upper, 9), r.worst_rotary_sample)
+             : std::string("none recorded")}};
+  for (Row& row : rows(report.occasion)) figures.push_back(std::move(row));
+  figures.push_back({"tool", "toolcomp " TOOLCOMP_VERSION});
+  out += "<h2>Figures</h2>\n" + facts(figures);
   return out + std::string(kSignature) + "</section>\n";
 }
 

@@ -76,6 +76,16 @@ void RunningMark::write(std::uint64_t done, std::uint64_t all) {
   spec::write_file(file_, state.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
+std::optional<fs::path> set_aside(const fs::path& folder) {
+  if (!fs::is_directory(folder) || fs::is_empty(folder)) return std::nullopt;
+  for (int n = 1;; ++n) {
+    fs::path aside = folder.parent_path() / fmt::format("interrupted-{}", n);
+    if (fs::exists(aside)) continue;
+    fs::rename(folder, aside);
+    return aside;
+  }
+}
+
 std::string words(const RunningMark::Earlier& earlier) {
   std::string text =
       "the run begun at " + (earlier.begun.empty() ? "a time unknown" : earlier.begun) + " ended without a report";

@@ -40,6 +40,10 @@ class RunningMark {
   std::chrono::steady_clock::time_point last_;
 };
 
+// Moves what an earlier run left in a folder of its report aside, to interrupted-1, interrupted-2, … beside it: where
+// it is now; nothing if there is none.
+std::optional<std::filesystem::path> set_aside(const std::filesystem::path& folder);
+
 // "the run begun at … ended without a report, after 12 of 3400 cases"
 std::string words(const RunningMark::Earlier& earlier);
 

@@ -225,7 +225,7 @@ int certify(const CertifyOptions& options) {
     if (adapter->kind == certify::AdapterKind::trace) {
       refuse_evidence(options,
                       "a controller that is recorded has no answers to keep: its recordings are in the report");
-      return certify_adapter(options, *adapter, read_inputs(options), tolerances_of(options));
+      return certify_adapter(options, *adapter, read_inputs(options), tolerances_of(options), occasion_of(options));
     }
     campaign.controller = adapter->shell_command();
   }

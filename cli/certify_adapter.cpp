@@ -6,11 +6,14 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 
 #include "certify/adapter_report.h"
 #include "certify/adapter_run.h"
+#include "certify/running_mark.h"
 #include "cli/progress.h"
+#include "cli/stop.h"
 #include "spec/language/decimal.h"
 #include "spec/language/input_error.h"
 #include "spec/language/parameter.h"
@@ -50,6 +53,8 @@ void print(const certify::AdapterCampaign& campaign, const certify::AdapterCerti
   for (const certify::LikelyCause& likely : certify::likely_causes(certificate))
     fmt::print("looks like, in {} of the programs that differ: {}\n", likely.programs, likely.cause);
   if (!certificate.errors.empty()) std::cerr << campaign.adapter.name << ": " << certificate.errors << '\n';
+  if (!certificate.interrupted.empty())
+    fmt::print("{} programs not run: {}\n", certify::not_run(certificate), certificate.interrupted);
   fmt::print("{}; seed {}; {:.0f} s run, {:.0f} s judged; {}\n", certify::verdict(certificate), campaign.seed,
              certificate.seconds_run, certificate.seconds_judged, campaign.report + "/index.html");
 }
@@ -57,7 +62,7 @@ void print(const certify::AdapterCampaign& campaign, const certify::AdapterCerti
 }  // namespace
 
 int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapter, std::vector<spec::Case> cases,
-                    const Tolerances& tolerances) {
+                    const Tolerances& tolerances, const certify::Occasion& occasion) {
   if (!options.corpus.empty() || !options.sections.empty() || options.widths)
     throw spec::InputError("toolcomp certify", 0, 0, "a recorded controller takes no --corpus, --section and --widths");
   certify::AdapterCampaign campaign;
@@ -73,7 +78,17 @@ int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapt
   campaign.report = options.report;
   for (const std::string& text : options.altered) campaign.altered.insert(read_altered(text));
   campaign.progress = [](const std::string& line) { std::cerr << line << '\n'; };
-  const certify::AdapterCertificate certificate = certify::certify_adapter(campaign);
+  certify::RunningMark mark(options.report, adapter.name);
+  if (mark.earlier()) {
+    const auto aside = certify::set_aside(std::filesystem::path(options.report) / "runs");
+    std::cerr << options.report << ": " << certify::words(*mark.earlier())
+              << (aside ? "; its recordings are in " + aside->string() : "") << '\n';
+  }
+  const Stop stop(options.time_limit.empty() ? std::nullopt
+                                             : std::optional(duration_of(options.time_limit, "--time-limit")));
+  campaign.stop = [&stop] { return stop.why(); };
+  certify::AdapterCertificate certificate = certify::certify_adapter(campaign);
+  certificate.occasion = occasion;
   certify::write_report(campaign, certificate);
   print(campaign, certificate);
   return certify::exit_status(certificate);

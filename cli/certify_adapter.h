@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "certify/adapter.h"
+#include "certify/occasion.h"
 #include "cli/verbs.h"
 #include "spec/language/case.h"
 
@@ -17,6 +18,6 @@ struct Tolerances {
 
 // `cases`: the programs named; without them, and with --cases, generated ones.
 int certify_adapter(const CertifyOptions& options, const certify::Adapter& adapter, std::vector<spec::Case> cases,
-                    const Tolerances& tolerances);
+                    const Tolerances& tolerances, const certify::Occasion& occasion);
 
 }  // namespace toolcomp::cli

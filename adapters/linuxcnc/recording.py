@@ -41,8 +41,10 @@ def write_trace(path, samples, module, job, period):
     """The CSV of a trace: joints less the workpiece origin, times from 0."""
     columns = [(module.joints.index(axis), GAIN * (1 if axis in "ABC" else job.unit), job.origin.get(axis, 0))
                for axis in job.axes]
-    with open(path, "w", encoding="ascii") as file:
+    beside = path.with_suffix(".part")
+    with open(beside, "w", encoding="ascii") as file:
         file.write("time," + ",".join(job.axes) + "\n")
         for i, (_, joints) in enumerate(samples):
             values = ",".join(f"{float(joints[j]) / unit - zero:.12f}" for j, unit, zero in columns)
             file.write(f"{i * period / 1e9:.4f},{values}\n")
+    beside.replace(path)

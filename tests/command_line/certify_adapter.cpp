@@ -119,6 +119,80 @@ TEST_F(TraceAdapter, NoRecordingIsNoPass) {
   EXPECT_EQ(certify("--timeout 0.01").status, 3);
 }
 
+// Three programs; in the folder of the third the adapter does `script`. `command` knows the process that runs it.
+class Interrupted : public TraceAdapter {
+ protected:
+  [[nodiscard]] Outcome certify_three(const std::string& script, const std::string& more = "") const {
+    adapter("case $one in */0003/) " + script + ";; *) printf '" + kGood + "' >trace.csv; sleep 0.05;; esac");
+    return three(more);
+  }
+  [[nodiscard]] Outcome three(const std::string& more = "") const {
+    std::string programs;
+    for (const char* name : {"1.nc", "2.nc", "3.nc"}) programs += folder.write(name, kProgram) + " ";
+    return toolcomp("certify --controller fake --adapters " + folder.path("adapters") + " " + programs + " --setup " +
+                        folder.path("adapters/fake/machine.toml") + " --report " + folder.path("report") + " " + more,
+                    "sh -c 'echo $$ >" + folder.path("command") + "; exec \"$@\"' sh ");
+  }
+  [[nodiscard]] std::string signalled(const std::string& signal) const {
+    return "kill -" + signal + " $(cat " + folder.path("command") + ")";
+  }
+  [[nodiscard]] json certificate() const { return json::parse(read(folder.path("report/certificate.json"))); }
+};
+
+TEST_F(Interrupted, WhatWasRecordedIsJudged) {
+  for (const std::string signal : {"INT", "TERM"}) {
+    const Outcome outcome = certify_three(signalled(signal) + "; sleep 1000");
+    EXPECT_EQ(outcome.status, 3) << outcome.err;
+    EXPECT_NE(outcome.out.find("2 programs not run: interrupted (SIG" + signal + ")"), std::string::npos)
+        << outcome.out;
+    const json all = certificate();
+    EXPECT_EQ(all.at("verdict"), "not decided: interrupted");
+    EXPECT_EQ(all.at("errors"), "") << "it was killed";
+    EXPECT_EQ(all.at("runs").at(0).at("outcome"), "conforms");
+    EXPECT_EQ(all.at("runs").at(1).at("outcome"), "not run") << "the newest recording may be cut";
+    EXPECT_EQ(all.at("runs").at(2).at("outcome"), "not run");
+    EXPECT_TRUE(std::filesystem::exists(folder.path("report/runs/0002/trace.csv"))) << "but stays";
+  }
+}
+
+TEST_F(Interrupted, ByATimeLimit) {
+  const Outcome outcome = certify_three("sleep 1000", "--time-limit 1s");
+  EXPECT_EQ(outcome.status, 3) << outcome.err;
+  EXPECT_EQ(certificate().at("interrupted"), "time limit of 1 s");
+  EXPECT_EQ(certificate().at("programs_not_run"), 2);
+}
+
+TEST_F(Interrupted, ByAKillNothingIsLost) {
+  const Outcome killed = certify_three(signalled("KILL"));
+  EXPECT_NE(killed.status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("report/certificate.json")));
+  adapter("printf '" + kGood + "' >trace.csv");
+  const Outcome next = three();
+  EXPECT_EQ(next.status, 0) << next.err;
+  EXPECT_NE(next.err.find("ended without a report; its recordings are in " + folder.path("report/interrupted-1")),
+            std::string::npos)
+      << next.err;
+  EXPECT_EQ(read(folder.path("report/interrupted-1/0001/trace.csv")), "X,Y,Z\n0,0,0\n10,0,0\n20,0,0\n");
+  EXPECT_EQ(three().err.find("without a report"), std::string::npos);
+}
+
+TEST_F(TraceAdapter, TheReportHasItsFormsAndSaysWho) {
+  adapter("printf 'X,Y,Z\\n0,0,0\\n10,0.02,0\\n20,0,0\\n' >trace.csv");
+  EXPECT_EQ(certify("--operator 'A. Miller' --serial 4711").status, 1);
+  const json certificate = json::parse(read(folder.path("report/certificate.json")));
+  EXPECT_EQ(certificate.at("occasion").at("operator"), "A. Miller");
+  EXPECT_EQ(certificate.at("occasion").at("serial"), "4711");
+  for (const char* page : {"report/index.html", "report/runs/0001/report/index.html"})
+    EXPECT_NE(read(folder.path(page)).find("A. Miller"), std::string::npos) << page;
+  const json result = json::parse(read(folder.path("report/certificate.sarif"))).at("runs").at(0).at("results").at(0);
+  EXPECT_EQ(result.at("ruleId"), "trace.off-the-path");
+  EXPECT_EQ(result.at("locations").at(0).at("physicalLocation").at("artifactLocation").at("uri"),
+            "runs/0001/trace.csv");
+  EXPECT_EQ(result.at("locations").at(0).at("physicalLocation").at("region").at("startLine"), 3) << "of the CSV";
+  EXPECT_NE(read(folder.path("report/junit.xml")).find(R"(tests="1" failures="1" errors="0" skipped="0")"),
+            std::string::npos);
+}
+
 class KnownDifferences : public TraceAdapter {
  protected:
   void known(const std::string& more = "") const {

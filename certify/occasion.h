@@ -1,0 +1,23 @@
+// When, by whom and on what a report was made.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "certify/page.h"
+
+namespace toolcomp::certify {
+
+// Told, not established.
+struct Occasion {
+  std::string date;       // ISO 8601, UTC
+  std::string operated;   // --operator
+  std::string serial;     // --serial: of the controller
+  std::string arguments;  // the command line
+};
+
+nlohmann::ordered_json to_json(const Occasion& occasion);
+// For facts() of a page: names and values, what is empty as "not stated".
+std::vector<Row> rows(const Occasion& occasion);
+
+}  // namespace toolcomp::certify
