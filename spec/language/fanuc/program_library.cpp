@@ -139,8 +139,7 @@ void ProgramLibrary::join_called(std::string_view text) {
   try {
     while (reader.next(block))
       if (reader.jump() == BlockReader::Jump::call && !block.alarm) join(program_call(block, reader).program);
-  } catch (const InputError&) {
-    // It is told where the text runs.
+  } catch (const InputError&) {  // NOLINT(bugprone-empty-catch): it is told where the text runs
   }
 }
 
