@@ -31,7 +31,7 @@ fs::path folder_of(const CorpusOptions& options) {
 corpus::Selection selection_of(const CorpusOptions& options) {
   corpus::Selection selection;
   selection.sections = options.sections;
-  if (!options.shard.empty()) corpus::set_shard(selection, options.shard);
+  if (!options.shard.empty()) corpus::set_shard(selection.share, options.shard);
   return selection;
 }
 

@@ -46,9 +46,9 @@ std::vector<Vector> read_vectors(const std::filesystem::path& folder, const Sele
   std::vector<Vector> all;
   for (const ManifestFile& file : manifest.files)
     if (selection.wants(file.section)) read_into(all, folder / file.file, file.file);
-  if (selection.count == 1) return all;
+  if (selection.share.count == 1) return all;
   std::vector<Vector> selected;
-  for (std::size_t i = selection.index - 1; i < all.size(); i += selection.count) selected.push_back(std::move(all[i]));
+  for (std::size_t i = selection.share.index - 1; i < all.size(); i += selection.share.count) selected.push_back(std::move(all[i]));
   return selected;
 }
 

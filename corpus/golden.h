@@ -23,9 +23,10 @@ struct Vector {
   spec::Case c;
 };
 
-// Which vectors: of these sections (all if empty), and of those every `count`-th, from the `index`-th.
-struct Selection : Share {
+// Which vectors: of these sections (all if empty), and of those every N-th, from the I-th, as a share I of N.
+struct Selection {
   std::vector<std::string> sections;
+  Share share;
 
   [[nodiscard]] bool wants(const std::string& section) const;
 };

@@ -4,7 +4,7 @@
 # seeds (NAME_seed_corpus.zip), its dictionary (NAME.dict) and its options (NAME.options). Arguments are the targets to
 # build; without them, all.
 set -o pipefail
-cd "$SRC/toolcomp"
+cd -P "$SRC/toolcomp"
 
 # A build type of no other flags: $CFLAGS are all there are. Warnings of a compiler that is newer than ours are no errors.
 cmake -S . -B "$WORK/build" -G Ninja -DCMAKE_BUILD_TYPE=Fuzzing -DTOOLCOMP_FUZZERS=ON -DTOOLCOMP_TESTS=OFF \
