@@ -15,6 +15,7 @@
 #include "corpus/freeform.h"
 #include "corpus/generate.h"
 #include "corpus/lint.h"
+#include "corpus/shard.h"
 #include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
@@ -30,25 +31,51 @@ fs::path folder_of(const CorpusOptions& options) {
 corpus::Selection selection_of(const CorpusOptions& options) {
   corpus::Selection selection;
   selection.sections = options.sections;
-  if (!options.shard.empty()) corpus::set_shard(selection, options.shard);
+  if (!options.shard.empty()) corpus::set_shard(selection.share, options.shard);
   return selection;
 }
 
-int generate(const CorpusOptions& options) {
+corpus::GenerateOptions generate_options(const CorpusOptions& options) {
   corpus::GenerateOptions how;
   how.folder = folder_of(options);
   how.sections = options.sections;
   how.seed = options.seed;
-  const Progress progress("vectors");
   how.progress = [](const std::string& file, std::size_t vectors) {
     Progress::line(fmt::format("{}: {} vectors", file, vectors));
   };
-  const corpus::GenerateResult result = corpus::generate(how);
+  return how;
+}
+
+// One machine's share, as a file in the folder of shards.
+int generate_shard(const CorpusOptions& options) {
+  if (options.directory.empty())
+    throw spec::InputError("toolcomp corpus generate --shard", 0, 0, "name the folder of the shards: --dir");
+  corpus::Share share;
+  corpus::set_shard(share, options.shard);
+  const Progress progress("vectors");
+  corpus::write_shard(generate_options(options), share);
+  fmt::print("{}\n", corpus::shard_file(options.directory, share).string());
+  return kAgrees;
+}
+
+int report(const corpus::GenerateResult& result, const std::string& seed) {
   for (const corpus::Rejection& rejection : result.rejected)
     fmt::print("{}.rej:{}: {}\n", rejection.file, rejection.line, rejection.why);
   if (!result.rejected.empty()) return kSelfCheckFailed;
-  fmt::print("seed {}; {} vectors; corpus {}\n", options.seed, result.vectors, result.version);
+  fmt::print("{}; {} vectors; corpus {}\n", seed, result.vectors, result.version);
   return kAgrees;
+}
+
+int generate(const CorpusOptions& options) {
+  if (!options.shard.empty()) return generate_shard(options);
+  const Progress progress("vectors");
+  return report(corpus::generate(generate_options(options)), fmt::format("seed {}", options.seed));
+}
+
+int merge(const CorpusOptions& options) {
+  if (options.against.empty()) throw spec::InputError("toolcomp corpus merge", 0, 0, "name the folder of the shards");
+  const Progress progress("vectors");
+  return report(corpus::merge_shards(options.against, generate_options(options)), "merged");
 }
 
 int check(const CorpusOptions& options) {
@@ -151,6 +178,7 @@ int freeform(const CorpusOptions& options) {
 
 int corpus(const CorpusOptions& options) {
   if (options.verb == "generate") return generate(options);
+  if (options.verb == "merge") return merge(options);
   if (options.verb == "check") return check(options);
   if (options.verb == "lint") return lint(options);
   if (options.verb == "contour") return contour(options);

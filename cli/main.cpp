@@ -279,15 +279,19 @@ class CommandLine {
   }
   void add_corpus() {
     CLI::App* sub =
-        verb("corpus", "The golden corpus: generate, check, lint, diff; long programs: contour, flank, freeform",
+        verb("corpus", "The golden corpus: generate, merge, check, lint, diff; long programs: contour, flank, freeform",
              [this] { return cli::corpus(corpus_); });
-    sub->add_option("verb", corpus_.verb, "generate, check, lint, diff, contour, flank or freeform")
+    sub->add_option("verb", corpus_.verb, "generate, merge, check, lint, diff, contour, flank or freeform")
         ->required()
-        ->check(CLI::IsMember({"generate", "check", "lint", "diff", "contour", "flank", "freeform"}));
-    sub->add_option("against", corpus_.against, "diff: the folder of the other corpus");
+        ->check(CLI::IsMember({"generate", "merge", "check", "lint", "diff", "contour", "flank", "freeform"}));
+    sub->add_option("against", corpus_.against, "diff: the folder of the other corpus; merge: that of the shards");
     add_sections(sub, corpus_.sections);
-    sub->add_option("--dir", corpus_.directory, "Folder of the corpus (default: corpus/golden of the source tree)");
-    sub->add_option("--shard", corpus_.shard, "I/N: only every N-th vector, from the I-th (1 <= I <= N)");
+    sub->add_option(
+        "--dir", corpus_.directory,
+        "Folder of the corpus (default: corpus/golden of the source tree), or of the shards (generate --shard)");
+    sub->add_option(
+        "--shard", corpus_.shard,
+        "I/N: only every N-th vector, from the I-th (1 <= I <= N); generate: the share of one machine of N, for merge");
     sub->add_option("--controller", corpus_.controller, "check: judge this controller instead of both engines");
     sub->add_option("--seed", corpus_.seed, "Seed of every random choice");
     sub->add_option("--out", corpus_.out,

@@ -109,12 +109,12 @@ struct ReplayOptions {
 int replay(const ReplayOptions& options);
 
 struct CorpusOptions {
-  std::string verb;  // generate, check, lint, diff, contour, flank, freeform
+  std::string verb;  // generate, merge, check, lint, diff, contour, flank, freeform
   std::vector<std::string> sections;
   std::string directory;
   std::string shard;  // "I/N"
   std::string controller;
-  std::string against;  // diff: the other corpus
+  std::string against;  // diff: the other corpus; merge: the shards
   std::uint64_t seed = 1;
   corpus::ContourOptions contour;
   corpus::FlankTool tool = corpus::FlankTool::rotary;

@@ -19,37 +19,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Chosen = std::function<std::vector<spec::Case>(std::string_view section)>;
+
 class Writer {
  public:
-  explicit Writer(const GenerateOptions& options) : options_(options) {}
+  Writer(const GenerateOptions& options, const Chosen& chosen) : options_(options), chosen_(chosen) {}
 
   GenerateResult run() {
     read_old();
     for (const std::string_view section : fuzz::sections()) {
-      if (!wanted(std::string(section))) continue;
+      if (!wants(options_, section)) continue;
       for (const ExampleFile& file : example_files())
         if (file.section == section) write(std::string(section), std::string(file.name), by_hand(file));
-      write(std::string(section), "generated", select(section, {options_.seed, options_.vectors, options_.candidates}));
+      write(std::string(section), "generated", chosen_(section));
     }
     if (result_.rejected.empty()) finish();
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] bool wanted(const std::string& section) const {
-    return options_.sections.empty() || std::ranges::find(options_.sections, section) != options_.sections.end();
-  }
-
   // What is there before: files of sections that are not wanted stay.
   void read_old() {
-    for (const std::string& section : options_.sections)
-      if (std::ranges::find(fuzz::sections(), section) == fuzz::sections().end())
-        throw spec::InputError("--section", 0, 0, "there is no section " + section);
+    expect_sections(options_.sections);
     if (!fs::exists(options_.folder / "manifest.json")) return;
     old_manifest_ = read_manifest(options_.folder);
     has_old_ = true;
     for (const ManifestFile& file : old_manifest_.files)
-      if (!wanted(file.section)) files_[file.file] = file;
+      if (!wants(options_, file.section)) files_[file.file] = file;
     // A corpus of another clause set may not be readable: then everything in it counts as changed.
     try {
       old_ = read_golden(options_.folder);
@@ -135,6 +131,7 @@ class Writer {
   }
 
   const GenerateOptions& options_;
+  const Chosen& chosen_;
   GenerateResult result_;
   Manifest old_manifest_;
   std::vector<spec::Case> old_;
@@ -145,6 +142,22 @@ class Writer {
 
 }  // namespace
 
-GenerateResult generate(const GenerateOptions& options) { return Writer(options).run(); }
+void expect_sections(const std::vector<std::string>& sections) {
+  for (const std::string& section : sections)
+    if (std::ranges::find(fuzz::sections(), section) == fuzz::sections().end())
+      throw spec::InputError("--section", 0, 0, "there is no section " + section);
+}
+
+bool wants(const GenerateOptions& options, std::string_view section) {
+  return options.sections.empty() || std::ranges::find(options.sections, section) != options.sections.end();
+}
+
+GenerateResult generate(const GenerateOptions& options) {
+  return generate(options, [&](std::string_view section) {
+    return select(section, {options.seed, options.vectors, options.candidates});
+  });
+}
+
+GenerateResult generate(const GenerateOptions& options, const Chosen& chosen) { return Writer(options, chosen).run(); }
 
 }  // namespace toolcomp::corpus

@@ -43,5 +43,13 @@ struct GenerateResult {
 // compiler. Every file is read again and run again, model and fast, before it takes its place. Throws spec::InputError
 // for an unknown section, std::runtime_error for what cannot be written.
 GenerateResult generate(const GenerateOptions& options);
+// The same with generated vectors that are chosen elsewhere: `chosen` gives those of a section.
+GenerateResult generate(const GenerateOptions& options,
+                        const std::function<std::vector<spec::Case>(std::string_view section)>& chosen);
+
+// Throws spec::InputError for a section that there is not.
+void expect_sections(const std::vector<std::string>& sections);
+// Whether vectors of a section are asked for.
+bool wants(const GenerateOptions& options, std::string_view section);
 
 }  // namespace toolcomp::corpus

@@ -1,9 +1,7 @@
 #include "corpus/golden.h"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
-#include <string_view>
 
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
@@ -40,16 +38,6 @@ bool Selection::wants(const std::string& section) const {
   return sections.empty() || std::ranges::find(sections, section) != sections.end();
 }
 
-void set_shard(Selection& selection, const std::string& shard) {
-  const char* const end = shard.data() + shard.size();
-  const auto first = std::from_chars(shard.data(), end, selection.index);
-  const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
-  const auto second = std::from_chars(slash ? first.ptr + 1 : end, end, selection.count);
-  if (!slash || second.ec != std::errc() || second.ptr != end || selection.index < 1 ||
-      selection.index > selection.count)
-    throw spec::InputError("--shard", 0, 0, "a shard is I/N with 1 <= I <= N");
-}
-
 std::vector<Vector> read_vectors(const std::filesystem::path& folder, const Selection& selection) {
   const Manifest manifest = read_manifest(folder);
   for (const std::string& section : selection.sections)
@@ -58,9 +46,9 @@ std::vector<Vector> read_vectors(const std::filesystem::path& folder, const Sele
   std::vector<Vector> all;
   for (const ManifestFile& file : manifest.files)
     if (selection.wants(file.section)) read_into(all, folder / file.file, file.file);
-  if (selection.count == 1) return all;
+  if (selection.share.count == 1) return all;
   std::vector<Vector> selected;
-  for (std::size_t i = selection.index - 1; i < all.size(); i += selection.count) selected.push_back(std::move(all[i]));
+  for (std::size_t i = selection.share.index - 1; i < all.size(); i += selection.share.count) selected.push_back(std::move(all[i]));
   return selected;
 }
 

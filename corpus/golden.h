@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "corpus/manifest.h"
+#include "corpus/share.h"
 #include "spec/language/case.h"
 
 namespace toolcomp::corpus {
@@ -22,16 +23,13 @@ struct Vector {
   spec::Case c;
 };
 
-// Which vectors: of these sections (all if empty), and of those every `count`-th, from the `index`-th.
+// Which vectors: of these sections (all if empty), and of those every N-th, from the I-th, as a share I of N.
 struct Selection {
   std::vector<std::string> sections;
-  std::size_t index = 1;  // 1 … count
-  std::size_t count = 1;
+  Share share;
 
   [[nodiscard]] bool wants(const std::string& section) const;
 };
-// Reads "I/N"; throws spec::InputError for anything else.
-void set_shard(Selection& selection, const std::string& shard);
 
 // The selected vectors, by file and line. Throws spec::InputError (naming file and line) for what is no case, for a
 // folder without manifest, and for a section that the corpus does not have.

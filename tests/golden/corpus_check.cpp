@@ -55,7 +55,7 @@ TEST(GoldenCorpus, ShardsPartIt) {
   std::map<std::string, int> seen;
   for (std::size_t i = 1; i <= 3; ++i) {
     Selection selection;
-    set_shard(selection, std::to_string(i) + "/3");
+    set_shard(selection.share, std::to_string(i) + "/3");
     for (const Vector& vector : read_vectors(default_folder(), selection)) ++seen[vector.c.id];
   }
   EXPECT_EQ(seen.size(), read_golden(default_folder()).size());
@@ -65,7 +65,7 @@ TEST(GoldenCorpus, ShardsPartIt) {
 TEST(GoldenCorpus, BadShardsAndSections) {
   Selection selection;
   for (const char* shard : {"0/3", "4/3", "1", "1/", "/3", "a/b", "1/3x", "-1/3"})
-    EXPECT_THROW(set_shard(selection, shard), spec::InputError) << shard;
+    EXPECT_THROW(set_shard(selection.share, shard), spec::InputError) << shard;
   EXPECT_THROW(read_vectors(default_folder(), {{"fanuc/no-such-section"}, 1, 1}), spec::InputError);
   EXPECT_THROW(read_vectors("no-such-folder"), spec::InputError);
 }
