@@ -48,7 +48,8 @@ std::vector<Vector> read_vectors(const std::filesystem::path& folder, const Sele
     if (selection.wants(file.section)) read_into(all, folder / file.file, file.file);
   if (selection.share.count == 1) return all;
   std::vector<Vector> selected;
-  for (std::size_t i = selection.share.index - 1; i < all.size(); i += selection.share.count) selected.push_back(std::move(all[i]));
+  for (std::size_t i = selection.share.index - 1; i < all.size(); i += selection.share.count)
+    selected.push_back(std::move(all[i]));
   return selected;
 }
 
