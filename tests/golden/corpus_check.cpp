@@ -66,7 +66,7 @@ TEST(GoldenCorpus, BadShardsAndSections) {
   Selection selection;
   for (const char* shard : {"0/3", "4/3", "1", "1/", "/3", "a/b", "1/3x", "-1/3"})
     EXPECT_THROW(set_shard(selection.share, shard), spec::InputError) << shard;
-  EXPECT_THROW(read_vectors(default_folder(), {{"fanuc/no-such-section"}, 1, 1}), spec::InputError);
+  EXPECT_THROW(read_vectors(default_folder(), {.sections = {"fanuc/no-such-section"}, .share = {}}), spec::InputError);
   EXPECT_THROW(read_vectors("no-such-folder"), spec::InputError);
 }
 
