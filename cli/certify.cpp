@@ -242,11 +242,8 @@ int certify(const CertifyOptions& options) {
   fs::path golden;
   if (!alone || !options.corpus.empty()) {
     const fs::path folder = options.corpus.empty() ? corpus::default_folder() : fs::path(options.corpus);
-    for (spec::Case& c : corpus::read_golden(folder)) {
-      const bool wanted =
-          options.sections.empty() || std::ranges::find(options.sections, c.section) != options.sections.end();
-      if (wanted) campaign.cases.push_back({std::move(c), certify::Origin::golden});
-    }
+    for (spec::Case& c : corpus::read_golden(folder, options.sections))
+      campaign.cases.push_back({std::move(c), certify::Origin::golden});
     const corpus::Manifest manifest = corpus::read_manifest(folder);
     campaign.corpus = manifest.version;
     campaign.corpus_hash = manifest.hash;

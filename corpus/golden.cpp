@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
@@ -62,9 +63,11 @@ std::vector<spec::Case> read_cases(const std::filesystem::path& file) {
   return cases;
 }
 
-std::vector<spec::Case> read_golden(const std::filesystem::path& folder) {
+std::vector<spec::Case> read_golden(const std::filesystem::path& folder, const std::vector<std::string>& sections) {
+  const Selection wanted{.sections = sections, .share = {}};
   std::vector<spec::Case> cases;
-  for (Vector& vector : read_vectors(folder)) cases.push_back(std::move(vector.c));
+  for (const ManifestFile& file : read_manifest(folder).files)
+    if (wanted.wants(file.section)) std::ranges::move(read_cases(folder / file.file), std::back_inserter(cases));
   return cases;
 }
 

@@ -35,8 +35,9 @@ struct Selection {
 // folder without manifest, and for a section that the corpus does not have.
 std::vector<Vector> read_vectors(const std::filesystem::path& folder, const Selection& selection = {});
 
-// The cases of one file (one JSON object a line; empty lines are skipped), and of the whole corpus.
+// The cases of one file (one JSON object a line; empty lines are skipped).
 std::vector<spec::Case> read_cases(const std::filesystem::path& file);
-std::vector<spec::Case> read_golden(const std::filesystem::path& folder);
+// The cases of the whole corpus, or of the sections named; one that the corpus does not have gives none.
+std::vector<spec::Case> read_golden(const std::filesystem::path& folder, const std::vector<std::string>& sections = {});
 
 }  // namespace toolcomp::corpus

@@ -73,7 +73,7 @@ TEST(GoldenCorpus, BadShardsAndSections) {
 // A subject that answers nothing is no pass.
 TEST(GoldenCorpus, ASubjectThatJudgesNothingFails) {
   CheckOptions options;
-  options.selection = {{"fanuc/leading-edge-offset"}, 1, 50};
+  options.selection = {.sections = {"fanuc/leading-edge-offset"}, .share = {.index = 1, .count = 50}};
   options.subject = [](const spec::Case&, const fuzz::ModelRun&) { return fuzz::Verdict(); };
   const CheckResult result = check(options);
   EXPECT_GT(result.vectors, 0U);

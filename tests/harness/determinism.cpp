@@ -12,6 +12,7 @@
 #include "fuzz/gen/encode.h"
 #include "fuzz/oracle/number.h"
 #include "fuzz/oracle/trial.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -36,7 +37,7 @@ std::string digest(const spec::Case& c) {
 
 TEST(Determinism, ACaseAloneIsTheSameCaseInABatch) {
   std::vector<spec::Case> cases;
-  for (std::uint64_t seed = 0; seed < 150; ++seed)
+  for (std::uint64_t seed = 0; seed < test::random_cases(150); ++seed)
     for (const std::string_view section : sections())
       for (const Mode mode : {Mode::directed, Mode::unrestricted}) {
         SeededSource source(seed);
@@ -50,7 +51,7 @@ TEST(Determinism, ACaseAloneIsTheSameCaseInABatch) {
 TEST(Determinism, TheSameSeedIsTheSameCampaign) {
   CampaignOptions options;
   options.modes = {Mode::directed, Mode::unrestricted};
-  options.runs = 1500;
+  options.runs = test::random_cases(1500);
   const auto text = [&] {
     CampaignResult r = run_campaign(options);
     r.seconds = r.per_second_per_core = 0;

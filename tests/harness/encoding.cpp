@@ -18,7 +18,7 @@ void expect_same(const spec::Case& a, const spec::Case& b) {
 }
 
 TEST(Encoding, GivesBackEveryGeneratedAndEveryMutatedCase) {
-  constexpr std::uint64_t seeds = test::kSanitized ? 500 : 2000;
+  constexpr std::uint64_t seeds = test::random_cases(2000);
   for (std::uint64_t seed = 0; seed < seeds; ++seed)
     for (const std::string_view section : sections())
       for (const Mode mode : {Mode::directed, Mode::unrestricted}) {

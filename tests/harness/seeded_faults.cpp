@@ -72,7 +72,7 @@ TEST(SeededFaults, NameClausesAndSections) {
 
 // No fault, no finding: what the faults are measured against.
 TEST(SeededFaults, TheSoundEngineAgrees) {
-  constexpr std::uint64_t cases = test::kSanitized ? 200 : 2000;
+  constexpr std::uint64_t cases = test::random_cases(2000);
   for (const std::string_view section : sections())
     for (std::uint64_t seed = 1; seed <= cases; ++seed) {
       const Trial t = try_case(fresh(section, seed));

@@ -19,7 +19,7 @@ namespace toolcomp::fuzz {
 namespace {
 
 TEST(Streams, GiveTheVerdictOfTheWholeCase) {
-  constexpr std::uint64_t seeds = test::kSanitized ? 100 : 300;
+  constexpr std::uint64_t seeds = test::random_cases(300);
   for (std::uint64_t seed = 0; seed < seeds; ++seed)
     for (const std::string_view section : sections()) {
       SeededSource source(seed);

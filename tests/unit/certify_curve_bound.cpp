@@ -15,6 +15,7 @@
 #include "fuzz/oracle/control.h"
 #include "model/fanuc/engine.h"
 #include "spec/language/setup_format.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -131,7 +132,7 @@ struct Seen {
 
 Seen look(const std::string& section, std::uint64_t cases) {
   Seen seen;
-  for (std::uint64_t seed = 1; seed <= cases; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::random_cases(cases); ++seed) {
     fuzz::SeededSource source(seed);
     const spec::Case c = fuzz::generate(section, fuzz::Mode::directed, source, 12);
     SCOPED_TRACE(section + " " + std::to_string(seed) + "\n" + spec::write_setup_toml(c.setup) + c.program);
@@ -183,19 +184,19 @@ TEST(Jet, SecondDerivativeOfAnAngle) {
 
 TEST(CurveBound, HoldsUnderToolCenterPointControl) {
   const Seen seen = look("fanuc/tool-center-point-control", 300);
-  EXPECT_GT(seen.bent, 500U);
+  EXPECT_GT(seen.bent, test::random_cases(500));
   EXPECT_LT(seen.loose * 20, seen.bent) << seen.loose << " of " << seen.bent;
 }
 
 TEST(CurveBound, HoldsUnderToolPostureControl) {
   const Seen seen = look("fanuc/tool-posture-control", 300);
-  EXPECT_GT(seen.bent, 500U);
+  EXPECT_GT(seen.bent, test::random_cases(500));
   EXPECT_LT(seen.loose * 20, seen.bent) << seen.loose << " of " << seen.bent;
 }
 
 TEST(CurveBound, HoldsWithToolSideCompensation) {
   const Seen seen = look("fanuc/tool-side-compensation", 200);
-  EXPECT_GT(seen.moves, 100U);
+  EXPECT_GT(seen.moves, test::random_cases(100));
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "spec/language/event_names.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -509,7 +510,8 @@ std::size_t expect_samples(spec::Case c, const std::string& letters, double tole
 
 TEST(ProgramPath, DenseSamplesOfSixteenTurns) {
   const spec::Case c = make(kTable + kFive, "G90 G00 X100. Y0 Z50.\nG43.4 H1\nG01 X20. A30. C5760. F1000\nG49\n");
-  EXPECT_EQ(expect_samples(c, "XYZAC", 1, 20'000), 19'999U);
+  constexpr auto samples = static_cast<std::uint32_t>(test::random_cases(20'000));
+  EXPECT_EQ(expect_samples(c, "XYZAC", 1, samples), samples - 1);
 }
 
 // Across the pole at a distance: from a direction in the plane of X and Z to the opposite side, J aside. The work-side
@@ -616,7 +618,7 @@ TEST(ProgramPath, SamplesOfRandomPrograms) {
   std::size_t seen = 0;
   for (const std::string_view section : fuzz::sections()) {
     const bool samples = section.starts_with("fanuc/tool-center") || section.starts_with("fanuc/tool-posture");
-    for (std::uint64_t seed = 1; seed <= (samples ? 50 : 20); ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::random_cases(samples ? 50 : 20); ++seed) {
       fuzz::SeededSource source(seed);
       const spec::Case c = fuzz::generate(section, fuzz::Mode::directed, source, 10);
       SCOPED_TRACE(std::string(section) + " " + std::to_string(seed) + "\n" + spec::write_setup_toml(c.setup) +
@@ -625,7 +627,7 @@ TEST(ProgramPath, SamplesOfRandomPrograms) {
       if (testing::Test::HasFailure()) return;
     }
   }
-  EXPECT_GT(seen, 1000U);
+  EXPECT_GT(seen, test::random_cases(1000));
 }
 
 }  // namespace

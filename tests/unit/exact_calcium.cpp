@@ -1,5 +1,5 @@
 // link: toolcomp_calcium_shim
-// Calcium as a second opinion: wherever it decides the sign of one of 10,000 random expressions (1,000 under
+// Calcium as a second opinion: wherever it decides the sign of one of 10,000 random expressions (200 under
 // AddressSanitizer), exact::Real agrees.
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace toolcomp::exact::test {
 namespace {
 
-constexpr int expressions = toolcomp::test::kSanitized ? 1'000 : 10'000;
+constexpr int expressions = toolcomp::test::kSanitized ? 200 : 10'000;
 
 // Values are slots of the machine, one a step.
 class CalciumArithmetic {

@@ -6,13 +6,14 @@
 #include <cstdio>
 #include <memory>
 
+#include "tests/sanitized.h"
 #include "tests/support/exact/random_expression.h"
 
 namespace toolcomp::exact::test {
 namespace {
 
 constexpr mpfr_prec_t precision = 1536;
-constexpr int expressions = 10'000;
+constexpr int expressions = toolcomp::test::random_cases(10'000);
 
 class Number {
  public:

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "fast/geometry/angle.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -25,7 +26,7 @@ TEST(PolarAngle, MultiplesOfFortyFiveDegreesAreExact) {
 // Both are within 2^-51 of the angle.
 TEST(PolarAngle, AgreesWithTheLibrary) {
   std::mt19937_64 random(5);
-  for (int i = 0; i < 100'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(100'000); ++i) {
     const double x = std::ldexp(static_cast<double>(random() >> 11U) + 1, -static_cast<int>(random() % 60));
     const double y = std::ldexp(static_cast<double>(random() >> 11U) + 1, -static_cast<int>(random() % 60));
     const double signed_x = random() % 2 == 0 ? x : -x;

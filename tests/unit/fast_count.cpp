@@ -10,6 +10,7 @@
 #include <random>
 
 #include "fast/arithmetic/wide.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -50,7 +51,7 @@ spec::Decimal random_decimal(std::mt19937_64& random, unsigned digits) {
 
 TEST(Count, WordsAndFactorsAreExact) {
   std::mt19937_64 random(1);
-  for (int i = 0; i < 100'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(100'000); ++i) {
     const spec::Decimal value = random_decimal(random, 15);
     const mpq_rational exact = rational(value);
     ASSERT_EQ(rational(Count::of(value)), exact);
@@ -73,7 +74,7 @@ TEST(Count, SumsAreExactAndRoundOnce) {
   std::mt19937_64 random(2);
   Count sum;
   mpq_rational exact = 0;
-  for (int i = 0; i < 100'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(100'000); ++i) {
     const auto value =
         Count::of(random_decimal(random, 1 + static_cast<unsigned>(i) % 15), static_cast<Factor>(random() % 3));
     const mpq_rational single = rational(value);
@@ -123,7 +124,7 @@ TEST(Wide, AgreesWithGmp) {
         static_cast<Int128>((static_cast<UInt128>(random()) << 64 | random()) >> (127 - bits)) >> 1;
     return random() % 2 == 0 ? magnitude : -magnitude;
   };
-  for (int i = 0; i < 100'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(100'000); ++i) {
     const Int128 a = any(), b = any(), c = any(), d = any();
     const Wide product = (Wide(a) * Wide(b) - Wide(c) * Wide(d)) * Wide(a) * Wide(c);
     const mpz_int exact = (whole(a) * whole(b) - whole(c) * whole(d)) * whole(a) * whole(c);

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "spec/language/setup_format.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -36,7 +37,7 @@ void check(const std::string& parameters, std::size_t t, std::size_t w, const Cl
   Kinematics kinematics(spec::read_setup_toml(machine(parameters), "setup"));
   ASSERT_TRUE(kinematics.defined());
   std::mt19937_64 random(7);
-  for (int i = 0; i < 2000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(2000); ++i) {
     std::array<Count, spec::kMaxAxes> position;
     const auto angle = [&] {
       spec::Decimal value{random() % 720'000'000, static_cast<std::uint8_t>(6), random() % 2 == 0, true};

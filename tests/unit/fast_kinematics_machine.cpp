@@ -1,6 +1,7 @@
 // Inverse kinematics, choice of the pair and control point of the fast engine, beside the worked examples 1, 2, 9 and
 // 11 (golden/fanuc/corpus_examples_tool_center_point.cpp); forward after inverse on every type.
 #include "fast/kinematics/machine.h"
+#include "tests/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -111,7 +112,7 @@ TEST(FastMachine, InverseThenForward) {
     TestMachine m(parameters);
     Pose present = m.at("0", "0");
     int reached = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (std::uint64_t i = 0; i < test::random_cases(3000); ++i) {
       const std::int64_t x = component();
       const std::int64_t y = i % 7 == 0 ? 0 : component();
       const std::int64_t z = component();

@@ -1,5 +1,6 @@
 // Numbers of the fast engine as text: shortest, plain, and read back to the same double.
 #include "fast/basis/print.h"
+#include "tests/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +57,7 @@ TEST(Print, ShortestOfAll) {
       ASSERT_EQ(number, std::string(buffer, shortest.ptr));
     }
   };
-  for (int i = 0; i < 200'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(200'000); ++i) {
     const double any = std::bit_cast<double>(random());
     if (std::isfinite(any) && any != 0) check(any);
     // Decimals of all lengths, and the doubles next to them.
@@ -75,7 +76,7 @@ TEST(Print, ShortestOfAll) {
 // from others, in the whole range of the product and at its ends.
 TEST(Print, ShortestNearTies) {
   std::mt19937_64 random(2);
-  for (int i = 0; i < 300'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(300'000); ++i) {
     const auto exponent = static_cast<int>(random() % 80) - 64;  // from 2^-12 to 2^68
     std::uint64_t mantissa = random() >> 11U | std::uint64_t{1} << 52U;
     const auto cleared = random() % 53;
@@ -90,7 +91,7 @@ TEST(Print, ShortestNearTies) {
 TEST(NumberWriter, WritesTheSameAgain) {
   std::mt19937_64 random(3);
   NumberWriter writer;
-  for (int i = 0; i < 10'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(10'000); ++i) {
     const double value = static_cast<double>(random() % 40) / (i % 2 == 0 ? 3 : -4);
     std::array<char, kNumberText> written{};
     char* const end = writer.write(written.data(), value);

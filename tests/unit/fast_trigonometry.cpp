@@ -1,6 +1,7 @@
 // Sines and cosines of the fast engine against MPFR with 300 bits.
 // link: mpfr gmp
 #include "fast/arithmetic/trigonometry.h"
+#include "tests/sanitized.h"
 
 #include <gtest/gtest.h>
 #include <mpfr.h>
@@ -63,7 +64,7 @@ TEST(Trigonometry, WithinTheStatedErrors) {
   double worst_fine = 0;
   Exact sine;
   Exact cosine;
-  for (int i = 0; i < 100'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(100'000); ++i) {
     const Count angle = random_angle(random);
     sine_cosine_of(angle, sine, cosine);
     if (mpfr_cmpabs_ui(sine.get(), 0) == 0) continue;
@@ -104,7 +105,7 @@ TEST(Trigonometry, ArctangentWithinItsError) {
   Exact y;
   double worst = 0;
   double worst_fine = 0;
-  for (int i = 0; i < 100'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(100'000); ++i) {
     const double sine = std::ldexp(number(random), i % 3 == 0 ? -static_cast<int>(random() % 60) : 0);
     const double cosine = std::ldexp(number(random), i % 3 == 1 ? -static_cast<int>(random() % 60) : 0);
     mpfr_set_d(y.get(), sine, MPFR_RNDN);
@@ -136,7 +137,7 @@ TEST(Trigonometry, ArctangentWithinItsError) {
 
 TEST(Trigonometry, AnglesInDouble) {
   std::mt19937_64 random(4);
-  for (int i = 0; i < 20'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(20'000); ++i) {
     const Count angle = Count::of({random() % 10'000'000'000, 6, random() % 2 == 0, true});
     // The double is the count rounded: half an ulp of 10^4 degrees, in radians.
     const auto exact = sine_cosine(angle);
@@ -158,7 +159,7 @@ TEST(Trigonometry, PairsAreAsTheirParts) {
     const bool zero = random() % 8 == 0;
     return zero ? 0.0 : number(random);
   };
-  for (int i = 0; i < 50'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(50'000); ++i) {
     DoublePair sine{};
     DoublePair cosine{};
     for (int lane = 0; lane < 2; ++lane) {
@@ -183,7 +184,7 @@ TEST(Trigonometry, PlainCountsAreWithinOneUlp) {
   Exact sine;
   Exact cosine;
   double worst = 0;
-  for (int i = 0; i < 200'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(200'000); ++i) {
     const auto turns = static_cast<std::int64_t>(random() % 41) - 20;
     const auto size = std::int64_t{1} << random() % 27;
     const auto part = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(size)) - size / 2;

@@ -1,5 +1,6 @@
 // Angles of unit vectors, against the arc tangents of the C library in long double.
 #include "fast/kinematics/unit_angle.h"
+#include "tests/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ TEST(UnitAngle, WithinItsError) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi);
   double worst = 0;
-  for (int i = 0; i < 200'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(200'000); ++i) {
     // Everywhere, and ever nearer to 0 and to 90.
     const double shrunk = std::ldexp(angle(random), -(i % 40));
     for (const double t : {angle(random), shrunk, std::numbers::pi / 2 + shrunk}) {

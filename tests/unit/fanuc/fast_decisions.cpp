@@ -10,6 +10,7 @@
 #include "fast/arithmetic/wide.h"
 #include "fast/fanuc/leading_edge_offset/compensation_vector.h"
 #include "spec/language/setup_format.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -50,7 +51,7 @@ TEST(Decisions, RationalDirectionsAreDecidedExactly) {
   std::array<int, 5> seen{};
   for (const auto& limit : limits) {
     const CompensationVector compensation(spec::decimal(limit.degrees));
-    for (int i = 0; i < 40'000; ++i) {
+    for (std::uint64_t i = 0; i < test::random_cases(40'000); ++i) {
       const auto small = [&] { return static_cast<std::int64_t>(random() % 9) - 4; };
       const std::int64_t scale = random() % 2 == 0 ? 1 : static_cast<std::int64_t>(random() % 100'000'000);
       std::array<std::int64_t, 3> m{small() * scale, small() * scale, small() * scale};
@@ -88,7 +89,7 @@ TEST(Decisions, VectorsNearTheToolAreAccurate) {
   std::mt19937_64 random(2);
   double worst = 0;
   const CompensationVector compensation(spec::decimal(0));
-  for (int i = 0; i < 20'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(20'000); ++i) {
     std::array<std::int64_t, 3> v{};
     for (auto& component : v) component = static_cast<std::int64_t>(random() % 2'000'001) - 1'000'000;
     std::array<std::int64_t, 3> m{};
@@ -166,7 +167,7 @@ TEST(Decisions, LevelsAgree) {
   const CompensationVector rational(spec::decimal(30));
   const CompensationVector decimal({300'000'000'000'001, 13, false, true});
   int compared = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(20'000); ++i) {
     std::array<std::int64_t, 3> m{};
     std::array<std::int64_t, 3> v{};
     for (auto& component : m) component = static_cast<std::int64_t>(random() % 2001) - 1000;

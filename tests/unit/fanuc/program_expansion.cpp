@@ -22,6 +22,7 @@
 #include "spec/language/fanuc/program_files.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp {
 namespace {
@@ -239,7 +240,7 @@ TEST(ProgramExpansion, CallsGiveTheEventsOfTheFlatProgram) {
   std::size_t events = 0;
   std::size_t in_files = 0;
   std::size_t ended = 0;
-  constexpr unsigned kPrograms = 60;
+  constexpr unsigned kPrograms = test::random_cases(60);
   for (unsigned seed = 1; seed <= kPrograms; ++seed) {
     SCOPED_TRACE(seed);
     fs::remove_all(folder);
@@ -279,7 +280,7 @@ TEST(ProgramExpansion, CallsGiveTheEventsOfTheFlatProgram) {
     fs::remove(out + ".map");
   }
   fs::remove_all(folder);
-  EXPECT_GT(events, 1000U);
+  EXPECT_GT(events, test::random_cases(1000));
   EXPECT_GT(in_files, kPrograms / 3) << "programs that run a file";
   EXPECT_LT(ended, kPrograms / 2) << "programs that end by an alarm";
 }

@@ -19,6 +19,7 @@
 #include "spec/language/event_format.h"
 #include "spec/language/heidenhain/joined_program.h"
 #include "spec/language/setup_format.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp {
 namespace {
@@ -192,7 +193,7 @@ TEST(KlartextExpansion, CallsGiveTheEventsOfTheFlatProgram) {
   const fs::path folder = fs::temp_directory_path() / ("toolcomp-calls-" + std::to_string(std::random_device{}()));
   std::size_t longer = 0;
   std::size_t events = 0;
-  for (unsigned seed = 1; seed <= 60; ++seed) {
+  for (unsigned seed = 1; seed <= test::random_cases(60); ++seed) {
     SCOPED_TRACE(seed);
     fs::remove_all(folder);
     fs::create_directories(folder);
@@ -222,8 +223,8 @@ TEST(KlartextExpansion, CallsGiveTheEventsOfTheFlatProgram) {
                                        std::size_t{2} + static_cast<std::size_t>(std::ranges::count(files[0], '\n')));
   }
   fs::remove_all(folder);
-  EXPECT_GT(events, 500U);
-  EXPECT_GT(longer, 10U) << "programs that calls make longer";
+  EXPECT_GT(events, test::random_cases(500));
+  EXPECT_GT(longer, test::random_cases(60) / 6) << "programs that calls make longer";
 }
 
 }  // namespace
