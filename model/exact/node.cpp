@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "model/exact/limb_pool.h"
 #include "model/exact/refinement.h"
 
 namespace toolcomp::exact {
@@ -45,6 +46,9 @@ struct ThreadEnd {
     while (pool.chunks != nullptr) delete std::exchange(pool.chunks, pool.chunks->previous);
   }
 };
+
+// Before any number of a program is made, those of static storage too.
+[[gnu::constructor(101)]] void begin() { use_limb_pool(); }
 
 // A new chunk's nodes, linked; the pool has none free.
 Node* grow() {
