@@ -61,6 +61,35 @@ void of_degrees(Interval& result, const Interval& degrees, void (*function)(arb_
   arb_get_interval_mpfr(result.lower, result.upper, balls.cosine);
 }
 
+// The degrees of one end, rounded outwards. Arb takes a twentieth of the time of mpfr_atanu.
+void arctangent_of_end(mpfr_ptr result, mpfr_srcptr tangent, mpfr_rnd_t outwards) {
+  constexpr long right_angle = 90;
+  const int sign = mpfr_sgn(tangent);
+  if (mpfr_inf_p(tangent) != 0) {
+    mpfr_set_si(result, sign * right_angle, outwards);
+    return;
+  }
+  // Besides 0 the only rational tangents of rational degrees.
+  if (mpfr_cmp_si(tangent, sign) == 0) {
+    mpfr_set_si(result, sign * right_angle / 2, outwards);
+    return;
+  }
+  const mpfr_prec_t precision = mpfr_get_prec(result) + guard_bits;
+  constexpr unsigned long half_turn = 180;
+  Balls balls;
+  arb_t& angle = balls.cosine;
+  arf_set_mpfr(arb_midref(balls.sine), tangent);
+  arb_atan(angle, balls.sine, precision);
+  arb_mul_ui(angle, angle, half_turn, precision);
+  arb_const_pi(balls.sine, precision);
+  arb_div(angle, angle, balls.sine, precision);
+  arf_t end;
+  arf_init(end);
+  (outwards == MPFR_RNDD ? arb_get_lbound_arf : arb_get_ubound_arf)(end, angle, precision);
+  arf_get_mpfr(result, end, outwards);
+  arf_clear(end);
+}
+
 struct Remembered {
   mpq_t degrees;
   InlineInterval sine;
@@ -107,9 +136,8 @@ void sine_of_degrees(Interval& result, const Interval& degrees) { of_degrees(res
 void cosine_of_degrees(Interval& result, const Interval& degrees) { of_degrees(result, degrees, arb_cos_pi); }
 
 void arctangent_degrees(Interval& result, const Interval& tangent) {
-  constexpr unsigned long turn = 360;
-  mpfr_atanu(result.lower, tangent.lower, turn, MPFR_RNDD);
-  mpfr_atanu(result.upper, tangent.upper, turn, MPFR_RNDU);
+  arctangent_of_end(result.lower, tangent.lower, MPFR_RNDD);
+  arctangent_of_end(result.upper, tangent.upper, MPFR_RNDU);
 }
 
 }  // namespace toolcomp::exact

@@ -53,6 +53,22 @@ TEST(AngleFunctions, SinesOfFractionsOfArctangents) {
       }
 }
 
+// MPFR's arctangent, which the model does not use, at 400 bits.
+TEST(AngleFunctions, ArctangentsAreThoseOfMpfr) {
+  const Rational huge(Integer(1) << 200);
+  for (const Rational& size : {Rational(1), Rational(1, 3), Rational(1000003, 1000000), 1 / huge, huge})
+    for (const Rational& tangent : {size, Rational(-size)}) {
+      Number expected;
+      mpfr_set_q(expected.value, tangent.backend().data(), MPFR_RNDN);
+      mpfr_atanu(expected.value, expected.value, 360, MPFR_RNDN);
+      const Enclosure bounds = arctangent_degrees(Real(tangent)).enclosure(150);
+      EXPECT_TRUE(holds(bounds, expected)) << tangent;
+      EXPECT_LT(bounds.upper - bounds.lower, Rational(1, Integer(1) << 140)) << tangent;
+    }
+  EXPECT_EQ(arctangent_degrees(Real(-1)).decimal(40), "-45");
+  EXPECT_EQ(arctangent_degrees(Real(0)).decimal(40), "0");
+}
+
 TEST(AngleFunctions, SineOfAnArctangentIsItsSide) {
   // 3, 4, 5.
   const Real angle = arctangent_degrees(Rational(3, 4));
