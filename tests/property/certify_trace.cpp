@@ -13,6 +13,7 @@
 
 #include "certify/trace/matcher.h"
 #include "certify/trace/time_steps.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -225,7 +226,7 @@ TEST(TraceMatch, DecidesAsTheWholeFreeSpaceDoes) {
   Random random = numbers_of(1);
   std::size_t accepted = 0;
   std::size_t refused = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(20000); ++i) {
     const double linear = std::array{0.01, 0.3, 0.8, 1.5}.at(below(random, 4));
     const double rotary = std::array{0.01, 2.0, 12.0}.at(below(random, 3));
     const Line path = grid_path(random, below(random, 2) == 0);
@@ -245,14 +246,14 @@ TEST(TraceMatch, DecidesAsTheWholeFreeSpaceDoes) {
                                                << words(r);
     (above_it ? accepted : refused) += 1;
   }
-  EXPECT_GT(accepted, 5000U);
-  EXPECT_GT(refused, 4000U);
+  EXPECT_GT(accepted, test::random_cases(5000));
+  EXPECT_GT(refused, test::random_cases(4000));
 }
 
 // Coordinates on the grid and noise on the axes: many distances are the tolerance itself, which is accepted.
 TEST(TraceMatch, AcceptsTheToleranceItself) {
   Random random = numbers_of(2);
-  for (int i = 0; i < 5000; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(5000); ++i) {
     const double linear = 0.1 * static_cast<double>(1 + below(random, 3));
     const Line path = grid_path(random, false);
     Line recording;
@@ -330,7 +331,7 @@ TEST(TraceMatch, DecidesOnCurvesWithinTheirErrors) {
   Random random = numbers_of(3);
   std::size_t accepted = 0;
   std::size_t refused = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(400); ++i) {
     constexpr double kTolerance = 0.2;
     constexpr double kRotary = 3;
     Curve curve = random_curve(random, kTolerance);
@@ -359,8 +360,8 @@ TEST(TraceMatch, DecidesOnCurvesWithinTheirErrors) {
       ++refused;
     }
   }
-  EXPECT_GT(accepted, 50U);
-  EXPECT_GT(refused, 50U);
+  EXPECT_GT(accepted, test::random_cases(50));
+  EXPECT_GT(refused, test::random_cases(50));
 }
 
 // --- Recordings with a known fault ----------------------------------------------------------------------------------
@@ -419,7 +420,7 @@ double distance(const Point& a, const Point& b, const Point& p) {
 
 TEST(TraceMatch, HonestRecordingsHaveNoFinding) {
   Random random = numbers_of(4);
-  for (int i = 0; i < 100; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(100); ++i) {
     const Line path = long_path(random);
     const double step = uniform(random, 0.004, 0.3);
     Line recording = honest(random, path, step);
@@ -433,7 +434,7 @@ TEST(TraceMatch, HonestRecordingsHaveNoFinding) {
 
 TEST(TraceMatch, ACornerCut) {
   Random random = numbers_of(5);
-  for (int i = 0; i < 300; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(300); ++i) {
     const bool turns = below(random, 2) == 0;
     const Line path = long_path(random, turns);
     const std::size_t corner = 1 + below(random, path.size() - 2);
@@ -474,7 +475,7 @@ TEST(TraceMatch, ACornerCut) {
 
 TEST(TraceMatch, ABump) {
   Random random = numbers_of(6);
-  for (int i = 0; i < 300; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(300); ++i) {
     const Line path = long_path(random);
     const std::size_t leg = below(random, path.size() - 1);
     Line recording{path[0]};
@@ -519,7 +520,7 @@ TEST(TraceMatch, ABump) {
 
 TEST(TraceMatch, ABlockLeftOut) {
   Random random = numbers_of(7);
-  for (int i = 0; i < 300; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(300); ++i) {
     const Line path = long_path(random, false);
     const std::size_t left_out = 1 + below(random, path.size() - 2);  // its end
     Line without = path;
@@ -548,7 +549,7 @@ TEST(TraceMatch, ABlockLeftOut) {
 
 TEST(TraceMatch, APieceRecordedTwice) {
   Random random = numbers_of(8);
-  for (int i = 0; i < 200; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(200); ++i) {
     const Line path = long_path(random);
     Line recording = honest(random, path, 0.05);
     for (Point& p : recording) noise(random, p, 0.2 * kTolerance);
@@ -569,7 +570,7 @@ TEST(TraceMatch, APieceRecordedTwice) {
 
 TEST(TraceMatch, SamplesMissingOnACurve) {
   Random random = numbers_of(9);
-  for (int i = 0; i < 300; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(300); ++i) {
     const double radius = uniform(random, 1, 5);
     const double missing = uniform(random, 0.3, 3);
     const double from = uniform(random, 0.1, 3);
@@ -617,7 +618,7 @@ TEST(TraceMatch, SamplesMissingOnACurve) {
 // periods are missing.
 TEST(TraceTime, StepsOfAnUnsteadyClock) {
   Random random = numbers_of(10);
-  for (int i = 0; i < 200; ++i) {
+  for (std::uint64_t i = 0; i < test::random_cases(200); ++i) {
     std::vector<std::uint64_t> found;
     TimeSteps steps([&](const TimeStep& step) { found.push_back(step.line); });
     std::vector<std::uint64_t> missing;

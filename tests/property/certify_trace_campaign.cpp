@@ -22,6 +22,7 @@
 #include "certify/trace/samples.h"
 #include "certify/trace/trace.h"
 #include "spec/language/setup_format.h"
+#include "tests/sanitized.h"
 
 namespace toolcomp::certify {
 namespace {
@@ -647,7 +648,7 @@ Outcome drift(Random& random, const Program& program) {
 // --- The campaign ----------------------------------------------------------------------------------------------------
 
 std::size_t recordings() {
-  constexpr std::size_t kUsual = 200;
+  constexpr std::size_t kUsual = test::kSanitized ? 40 : 200;
   const char* const asked = std::getenv("TOOLCOMP_TRACE_RECORDINGS");
   return asked == nullptr ? kUsual : std::stoul(asked);
 }
