@@ -18,7 +18,7 @@ TEST(UnitAngle, WithinItsError) {
   double worst = 0;
   for (std::uint64_t i = 0; i < test::random_cases(200'000); ++i) {
     // Everywhere, and ever nearer to 0 and to 90.
-    const double shrunk = std::ldexp(angle(random), -(i % 40));
+    const double shrunk = std::ldexp(angle(random), -static_cast<int>(i % 40));
     for (const double t : {angle(random), shrunk, std::numbers::pi / 2 + shrunk}) {
       const double s = std::sin(t);
       const double c = std::cos(t);
