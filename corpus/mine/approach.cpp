@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace toolcomp::corpus {
@@ -175,8 +176,8 @@ class Approach {
       sides[at > whole ? 0 : 1].push_back({std::fabs(at - whole), k, static_cast<std::int64_t>(whole)});
     }
     for (std::vector<Tooth>& side : sides) {
-      const auto less = [](const Tooth& a, const Tooth& b) {
-        return a.off != b.off ? a.off < b.off : a.along < b.along;
+      const auto less = [](const Tooth& one, const Tooth& other) {
+        return std::tie(one.off, one.along) < std::tie(other.off, other.along);
       };
       const auto end = side.begin() + static_cast<std::ptrdiff_t>(std::min(kTried, side.size()));
       std::partial_sort(side.begin(), end, side.end(), less);

@@ -8,6 +8,7 @@
 #include "corpus/mine/numbers.h"
 #include "corpus/vector.h"
 #include "fuzz/gen/program_text.h"
+#include "fuzz/oracle/compare.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
 

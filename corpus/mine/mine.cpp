@@ -38,6 +38,8 @@ constexpr std::size_t kSlipEvery = 8;
 
 // What the sections share.
 struct Shared {
+  Shared(const HardCases& b, const MineOptions& o) : before(b), options(o) {}
+
   const HardCases& before;
   const MineOptions& options;
   std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
@@ -294,7 +296,7 @@ MineResult mine(const HardCases& before, const MineOptions& options) {
       throw spec::InputError("--section", 0, 0, "there is no section " + section);
   if (sections.empty()) sections.assign(fuzz::sections().begin(), fuzz::sections().end());
 
-  Shared shared{before, options};
+  Shared shared(before, options);
   std::vector<Part> parts(sections.size());
   std::vector<std::exception_ptr> failures(sections.size());
   std::atomic<std::size_t> next{0};

@@ -24,7 +24,7 @@ double value(const spec::Decimal& d) {
 spec::Case fanuc_case(const std::string& program) {
   spec::Case c;
   c.section = "fanuc/cutter-compensation-c";
-  c.setup.axes = *spec::Axes::parse("XYZ");
+  c.setup.axes = spec::Axes("XYZ");
   c.setup.d[1] = {decimal("5.5"), {}};
   c.program = program;
   return c;
