@@ -158,7 +158,7 @@ std::string rounded_up(const Rational& value, int digits) {
   }
   std::string text = mantissa.str();
   while (text.size() > 1 && text.back() == '0') text.pop_back();
-  if (text.size() > 1) text.insert(1, ".");
+  if (text.size() > 1) text.insert(1, 1, '.');
   return exponent == 0 ? text : fmt::format("{}e{}", text, exponent);
 }
 
