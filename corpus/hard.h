@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,7 @@ struct Searched {
 };
 
 struct HardCases {
-  std::string seed;
+  std::set<std::uint64_t> seeds;
   std::map<std::string, Searched> sections;     // runs of all, searches for deviations
   std::map<spec::Clause, Searched> predicates;  // runs in which it was decided, searches for its zero
   std::vector<Nearest> nearest;                 // by clause, outcome and decimals

@@ -70,9 +70,9 @@ std::string manifest(const HardCases& hard, const std::map<std::string, std::str
     worst.push_back(
         {{"section", w.section}, {"of", name_of(w.of)}, {"value", w.value}, {"case", w.c.id}, {"found", w.found}});
   return fmt::format(
-      "{{\n  \"hard\": 1,\n  \"seed\": {},\n  \"sections\": {},\n  \"predicates\": {},\n  \"nearest\": {},\n  "
+      "{{\n  \"hard\": 1,\n  \"seeds\": {},\n  \"sections\": {},\n  \"predicates\": {},\n  \"nearest\": {},\n  "
       "\"worst\": {}\n}}\n",
-      Json(hard.seed).dump(), list(sections), list(predicates), list(nearest), list(worst));
+      Json(hard.seeds).dump(), list(sections), list(predicates), list(nearest), list(worst));
 }
 
 const Nearest* find(const HardCases& hard, spec::Clause clause, Sign outcome, bool usual) {
@@ -194,7 +194,7 @@ HardCases read_hard(const fs::path& folder) {
   try {
     const Json json = Json::parse(spec::read_file(file));
     if (json.at("hard") != 1) throw spec::InputError(file.string(), 0, 0, "hard: 1 is the format that is known");
-    hard.seed = json.at("seed").get<std::string>();
+    hard.seeds = json.at("seeds").get<std::set<std::uint64_t>>();
     std::map<std::string, spec::Case> cases;
     for (const Json& entry : json.at("sections")) {
       const auto section = entry.at("section").get<std::string>();

@@ -80,9 +80,10 @@ class SectionMine {
   [[nodiscard]] const std::map<spec::Clause, std::uint64_t>& searches() const { return searches_; }
 
  private:
+  [[nodiscard]] bool stopped() const { return shared_.options.stop && shared_.options.stop(); }
   [[nodiscard]] bool over(double share) const {
     const MineOptions& options = shared_.options;
-    if (options.stop && options.stop()) return true;
+    if (stopped()) return true;
     if (options.runs != 0) return static_cast<double>(harvest_.runs()) >= share * static_cast<double>(options.runs);
     return shared_.seconds() - begun_ >= share * seconds_;
   }
@@ -93,7 +94,7 @@ class SectionMine {
     shared_.options.progress(section_, harvest_.runs());
   }
 
-  // Hard cases and golden vectors there are, then generated ones.
+  // The hard cases and golden vectors there are, all of them: they reach every outcome. Then generated ones.
   void meet() {
     for (const Nearest& n : shared_.before.nearest)
       if (n.c.section == section_) try_start(n.c, n.found);
@@ -101,7 +102,7 @@ class SectionMine {
       if (w.c.section == section_) try_start(w.c, w.found);
     if (std::filesystem::exists(default_folder() / "manifest.json"))
       for (const Vector& vector : read_vectors(default_folder(), {{section_}, 1, 1})) {
-        if (over(kMeet)) break;
+        if (stopped()) break;
         try_start(vector.c, "golden " + vector.c.id);
       }
     for (std::size_t i = 1; !over(kMeet); ++i) {
@@ -319,7 +320,7 @@ MineResult mine(const HardCases& before, const MineOptions& options) {
 
   MineResult result;
   result.hard = before;
-  result.hard.seed = std::to_string(options.seed);
+  result.hard.seeds.insert(options.seed);
   // What was searched again is measured again.
   const auto searched = [&](const std::string& section) {
     return std::ranges::find(sections, section) != sections.end();

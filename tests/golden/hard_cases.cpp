@@ -147,7 +147,7 @@ TEST_F(SpoiltHardCases, WhatCannotBeReadIsNamed) {
 TEST(Mining, IsTheSameForASeed) {
   MineOptions options;
   options.sections = {"fanuc/cutter-compensation-b"};
-  options.runs = 900;
+  options.runs = 1500;
   const MineResult first = mine({}, options);
   const MineResult second = mine({}, options);
   ASSERT_FALSE(first.hard.nearest.empty());
