@@ -264,11 +264,12 @@ void keep_nearest(std::vector<Nearest>& all, Nearest n) {
 
 // With more digits than usual only what is nearer for them.
 void drop_needless(std::vector<Nearest>& all) {
-  std::erase_if(all, [&all](const Nearest& n) {
-    return !is_usual(n) && std::ranges::any_of(all, [&n](const Nearest& other) {
-      return other.clause == n.clause && other.outcome == n.outcome && is_usual(other) &&
-             std::stod(other.margin) <= std::stod(n.margin);
-    });
+  std::map<std::pair<spec::Clause, Sign>, double> in_usual;
+  for (const Nearest& n : all)
+    if (is_usual(n)) in_usual[{n.clause, n.outcome}] = std::stod(n.margin);
+  std::erase_if(all, [&in_usual](const Nearest& n) {
+    const auto usual = in_usual.find({n.clause, n.outcome});
+    return !is_usual(n) && usual != in_usual.end() && usual->second <= std::stod(n.margin);
   });
 }
 
