@@ -82,6 +82,8 @@ class Checker {
                                        : "could not be judged: " + trial.verdict.undecided);
       return;
     }
+    if (c.has_expect)
+      if (const std::string wrong = verify(c, trial); !wrong.empty()) fail(c, wrong);
     for (const std::size_t i : statements) {
       ++result_.statements;
       if (i < hard_.nearest.size())

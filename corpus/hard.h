@@ -36,7 +36,7 @@ struct Nearest {
 enum class Deviation : std::uint8_t { ulp, um };
 
 // A program on which the fast engine lies farthest off the exact values, in the units that the policy multiplies by k,
-// or in micrometres; within the policy.
+// or in micrometres; within the policy. Its case is a vector: it holds what is expected (vector.h).
 struct Worst {
   std::string section;
   Deviation of{};
@@ -87,7 +87,7 @@ struct HardCheck {
 };
 
 // Runs all of them: both engines agree within the policy, the clause has that outcome with exactly that margin, no
-// deviation is larger than stated, and the files stand as the writer writes them.
+// deviation is larger than stated, vectors are given again to the letter, and the files stand as the writer writes them.
 HardCheck check_hard(const std::filesystem::path& folder, const std::vector<std::string>& sections = {},
                      const std::function<void(std::uint64_t done)>& progress = {});
 

@@ -90,8 +90,8 @@ std::string page(const HardCases& hard) {
 Written by `toolcomp corpus mine`; a test keeps it so, and `toolcomp corpus hard` runs every case again.
 
 For each decision by sign the programs nearest to its boundary, and for each section the programs on which the fast engine
-lies farthest off. Every line of a `.jsonl` file is a case without expected events: every verb that takes cases takes them.
-`manifest.json` says what each case is there for, and how it was found.
+lies farthest off. Every line of a `.jsonl` file is a case, and every verb that takes cases takes them; the largest
+deviations are vectors, with what is expected. `manifest.json` says what each case is there for, and how it was found.
 
 Searched: programs of at most {} lines, numbers of at most {} (mm, inches, degrees) and {} digits. The search begins with
 the golden corpus and with generated programs. It follows the margin of a decision, as the exact model reports it, along one

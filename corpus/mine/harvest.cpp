@@ -184,9 +184,13 @@ std::vector<Nearest> Harvest::nearest() const {
 
 std::vector<Worst> Harvest::worst() const {
   std::vector<Worst> list;
-  for (const auto& [of, kept] : worst_)
+  for (const auto& [of, kept] : worst_) {
+    spec::Case c = kept.c;
+    // Both engines agreed on it; digits that cannot be certified would leave it a case alone.
+    if (!complete(c).empty()) c = kept.c;
     list.push_back(
-        {kept.c.section, of, deviation_text(deviation(fuzz::try_case(kept.c).verdict, of)), kept.found, kept.c});
+        {kept.c.section, of, deviation_text(deviation(fuzz::try_case(kept.c).verdict, of)), kept.found, std::move(c)});
+  }
   return list;
 }
 

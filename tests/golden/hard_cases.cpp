@@ -43,6 +43,7 @@ TEST(HardCases, AreComplete) {
   }
   EXPECT_EQ(hard.sections.size(), fuzz::sections().size());
   EXPECT_EQ(hard.worst.size(), 2 * fuzz::sections().size());
+  for (const Worst& w : hard.worst) EXPECT_TRUE(w.c.has_expect) << w.section << ": no vector";
 }
 
 TEST(HardCases, StaySmall) {
@@ -123,6 +124,13 @@ TEST_F(SpoiltHardCases, ADeviationThatIsSmallerIsCounted) {
   const HardCheck result = check_hard(folder_, {kSection});
   EXPECT_TRUE(result.failures.empty());
   EXPECT_EQ(result.lower, 1U);
+}
+
+TEST_F(SpoiltHardCases, AVectorThatExpectsSomethingElse) {
+  const std::string id = vector_id(hard_.worst.front().c);
+  for (Worst& w : hard_.worst)
+    if (vector_id(w.c) == id) w.c.expect.pop_back();
+  EXPECT_NE(failure().find("nothing expected, the model gives"), std::string::npos) << failure();
 }
 
 TEST_F(SpoiltHardCases, AChangedFile) {
