@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -292,11 +291,14 @@ void add(MineResult& result, Part part) {
 }  // namespace
 
 MineResult mine(const HardCases& before, const MineOptions& options) {
-  std::vector<std::string> sections = options.sections;
-  for (const std::string& section : sections)
+  for (const std::string& section : options.sections)
     if (std::ranges::find(fuzz::sections(), section) == fuzz::sections().end())
       throw spec::InputError("--section", 0, 0, "there is no section " + section);
-  if (sections.empty()) sections.assign(fuzz::sections().begin(), fuzz::sections().end());
+  // Each once, whatever the order in which they are named.
+  std::vector<std::string> sections;
+  for (const std::string_view section : fuzz::sections())
+    if (options.sections.empty() || std::ranges::find(options.sections, section) != options.sections.end())
+      sections.emplace_back(section);
 
   Shared shared(before, options);
   std::vector<Part> parts(sections.size());

@@ -185,6 +185,15 @@ TEST(Mining, BeginsWithWhatIsThere) {
   EXPECT_EQ(after.worst.size(), before.worst.size());
 }
 
+TEST(Mining, ASectionNamedTwiceIsSearchedOnce) {
+  MineOptions options;
+  options.sections = {"fanuc/tool-offset", "fanuc/tool-offset"};
+  options.runs = 20;
+  const HardCases hard = mine({}, options).hard;
+  EXPECT_EQ(hard.sections.size(), 1U);
+  EXPECT_LE(hard.worst.size(), 2U);
+}
+
 TEST(Mining, AnUnknownSectionIsNamed) {
   MineOptions options;
   options.sections = {"fanuc/no-such-section"};
