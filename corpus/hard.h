@@ -87,7 +87,8 @@ struct HardCheck {
 };
 
 // Runs all of them: both engines agree within the policy, the clause has that outcome with exactly that margin, no
-// deviation is larger than stated, vectors are given again to the letter, and the files stand as the writer writes them.
+// deviation is larger than stated, vectors are given again to the letter, and the files stand as the writer writes
+// them.
 HardCheck check_hard(const std::filesystem::path& folder, const std::vector<std::string>& sections = {},
                      const std::function<void(std::uint64_t done)>& progress = {});
 

@@ -140,7 +140,8 @@ void Harvest::worse(const fuzz::Verdict& verdict, const spec::Case& c, const std
   for (const Deviation of : {Deviation::ulp, Deviation::um}) {
     const double value = deviation(verdict, of);
     const auto kept = worst_.find(of);
-    if (value == 0 || (kept != worst_.end() && !(value > kept->second.margin * kWorse))) continue;
+    // Where all is exact it is zero, and that is stated too.
+    if (kept != worst_.end() && !(value > kept->second.margin * kWorse)) continue;
     if (const auto written = as_written(c)) worst_[of] = {value, *written, found};
   }
 }
@@ -160,12 +161,14 @@ void Harvest::shorten() {
       return has_usual_numbers(c) == usual && margin(fuzz::try_case(c)) == before;
     });
   }
+  // Any program has a deviation of zero or more.
   for (auto& [of, kept] : worst_)
-    kept.c = with_fewer_lines(kept.c, [&, of = of, least = kept.margin](const spec::Case& c) {
-      ++runs_;
-      const fuzz::Verdict v = fuzz::try_case(c).verdict;
-      return v.outcome == fuzz::Outcome::agrees && v.wide == 0 && deviation(v, of) >= least;
-    });
+    if (kept.margin != 0)
+      kept.c = with_fewer_lines(kept.c, [&, of = of, least = kept.margin](const spec::Case& c) {
+        ++runs_;
+        const fuzz::Verdict v = fuzz::try_case(c).verdict;
+        return v.outcome == fuzz::Outcome::agrees && v.wide == 0 && deviation(v, of) >= least;
+      });
 }
 
 std::vector<Nearest> Harvest::nearest() const {
