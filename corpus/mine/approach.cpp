@@ -209,10 +209,11 @@ Point climb(const Numbers& numbers, const Quantity& height, fuzz::Choices& choos
   for (int idle = 0; numbers.size() > 0 && idle < patience && !options.stop(); ++idle) {
     const std::size_t number = choose.below(numbers.size());
     const int decimals = numbers.is_whole(number) ? 0 : static_cast<int>(choose.between(-2, most_decimals(at[number])));
-    // Below the point: tens and hundreds.
+    // Counted in the last digit there is, so that a number with many of them still goes by tens and hundreds.
+    const int last = std::max<int>({decimals, at[number].decimals, 0});
     std::int64_t steps = choose.between(1, 9) * (choose.chance(50) ? 1 : -1);
-    for (int i = decimals; i < 0; ++i) steps *= 10;
-    const auto next = moved(at[number], steps, std::max(decimals, 0));
+    for (int i = decimals; i < last; ++i) steps *= 10;
+    const auto next = moved(at[number], steps, last);
     if (!next) continue;
     Point point = at;
     point[number] = *next;

@@ -83,8 +83,8 @@ TEST(Numbers, KeepToWhatIsSearched) {
   EXPECT_FALSE(is_searched(fanuc_case("X10001.\n")));
 }
 
-// x² + y² = 2 · 50² has no solution near (51, 49) but ties at whole numbers; with three decimals the least difference
-// that is none is one unit of the sum of squares, 1e-6: one number alone leaves some 1e-3 · 50.
+// 50 x + y² = 5000: with three decimals the least difference that is none is one unit of the square, 1e-6: one number
+// alone leaves some 1e-3 · 25. How x follows y is of the second degree, what the three values tell without an error.
 TEST(Approach, FindsTheNearestDecimalsOfTwoNumbers) {
   const Numbers numbers(fanuc_case("X50.123 Y49.2\n"));
   double least = 1;
@@ -93,7 +93,7 @@ TEST(Approach, FindsTheNearestDecimalsOfTwoNumbers) {
     ++tries;
     const double x = value(p[0]);
     const double y = value(p[1]);
-    const double q = (x * x + y * y - 5000) / 5000;
+    const double q = (50 * x + y * y - 5000) / 5000;
     if (finest(p) <= 3 && q != 0) least = std::min(least, std::fabs(q));
     return q;
   };
