@@ -167,9 +167,9 @@ std::string_view name_of(Deviation of) { return of == Deviation::ulp ? "ulp" : "
 std::map<std::string, std::string> hard_files(HardCases& hard) {
   for (Nearest& n : hard.nearest) n.c.id = vector_id(n.c);
   for (Worst& w : hard.worst) w.c.id = vector_id(w.c);
-  std::ranges::stable_sort(hard.nearest, {},
-                           [](const Nearest& n) { return std::tuple(n.clause, place(n.outcome), n.decimals, n.c.id); });
-  std::ranges::stable_sort(hard.worst, {}, [](const Worst& w) {
+  std::ranges::sort(hard.nearest, {},
+                    [](const Nearest& n) { return std::tuple(n.clause, place(n.outcome), n.decimals, n.c.id); });
+  std::ranges::sort(hard.worst, {}, [](const Worst& w) {
     return std::tuple(std::ranges::find(fuzz::sections(), w.section) - fuzz::sections().begin(), w.of, w.c.id);
   });
   std::map<std::string, std::map<std::string, const spec::Case*>> by_section;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace toolcomp::corpus {
@@ -81,7 +82,7 @@ class Approach {
       if (!there && (there = value(at_, site, -1))) site.slope = here - *there;
       if (site.slope != 0) sites.push_back(site);
     }
-    std::ranges::stable_sort(sites, {}, [here](const Site& s) { return std::fabs(here / s.slope); });
+    std::ranges::sort(sites, {}, [here](const Site& s) { return std::pair(std::fabs(here / s.slope), s.number); });
     return sites;
   }
 

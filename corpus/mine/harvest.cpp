@@ -148,27 +148,31 @@ void Harvest::worse(const fuzz::Verdict& verdict, const spec::Case& c, const std
 
 void Harvest::shorten() {
   for (auto& [key, kept] : kept_) {
-    const auto [clause, outcome, usual] = key;
-    const auto margin = [&, clause = clause, outcome = outcome](const fuzz::Trial& trial) -> std::string {
+    const spec::Clause clause = std::get<0>(key);
+    const Sign outcome = std::get<1>(key);
+    const bool usual = std::get<2>(key);
+    const auto margin = [&](const fuzz::Trial& trial) -> std::string {
       if (trial.verdict.outcome != fuzz::Outcome::agrees) return "";
       const auto least = least_margin(trial.run, clause, outcome);
       return least ? least->margin : "";
     };
     ++runs_;
     const std::string before = margin(fuzz::try_case(kept.c));
-    kept.c = with_fewer_lines(kept.c, [&, usual = usual](const spec::Case& c) {
+    kept.c = with_fewer_lines(kept.c, [&](const spec::Case& c) {
       ++runs_;
       return has_usual_numbers(c) == usual && margin(fuzz::try_case(c)) == before;
     });
   }
   // Any program has a deviation of zero or more.
-  for (auto& [of, kept] : worst_)
-    if (kept.margin != 0)
-      kept.c = with_fewer_lines(kept.c, [&, of = of, least = kept.margin](const spec::Case& c) {
-        ++runs_;
-        const fuzz::Verdict v = fuzz::try_case(c).verdict;
-        return v.outcome == fuzz::Outcome::agrees && v.wide == 0 && deviation(v, of) >= least;
-      });
+  for (auto& [deviates, kept] : worst_) {
+    if (kept.margin == 0) continue;
+    const Deviation of = deviates;
+    kept.c = with_fewer_lines(kept.c, [&, least = kept.margin](const spec::Case& c) {
+      ++runs_;
+      const fuzz::Verdict v = fuzz::try_case(c).verdict;
+      return v.outcome == fuzz::Outcome::agrees && v.wide == 0 && deviation(v, of) >= least;
+    });
+  }
 }
 
 std::vector<Nearest> Harvest::nearest() const {

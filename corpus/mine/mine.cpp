@@ -100,7 +100,7 @@ class SectionMine {
     for (const Worst& w : shared_.before.worst)
       if (w.c.section == section_) try_start(w.c, w.found);
     if (std::filesystem::exists(default_folder() / "manifest.json"))
-      for (const Vector& vector : read_vectors(default_folder(), {{section_}, 1, 1})) {
+      for (const Vector& vector : read_vectors(default_folder(), {{section_}, {1, 1}})) {
         if (stopped()) break;
         try_start(vector.c, "golden " + vector.c.id);
       }
