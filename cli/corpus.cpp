@@ -1,4 +1,4 @@
-// toolcomp corpus: the golden corpus.
+// toolcomp corpus: the golden corpus, hard cases, long programs.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include "cli/controller.h"
 #include "cli/program.h"
 #include "cli/progress.h"
+#include "cli/stop.h"
 #include "cli/verbs.h"
 #include "corpus/check.h"
 #include "corpus/contour.h"
@@ -14,8 +15,12 @@
 #include "corpus/flank.h"
 #include "corpus/freeform.h"
 #include "corpus/generate.h"
+#include "corpus/hard.h"
 #include "corpus/lint.h"
+#include "corpus/mine/mine.h"
 #include "corpus/shard.h"
+#include "corpus/vector.h"
+#include "spec/language/case_format.h"
 #include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
@@ -113,6 +118,63 @@ int diff(const CorpusOptions& options) {
   return changes.empty() ? kAgrees : kDiffers;
 }
 
+// Each case a file; toolcomp replay takes it.
+void write_met(const std::string& folder, std::vector<corpus::Met> cases, std::string_view what) {
+  for (corpus::Met& met : cases) {
+    met.c.id = corpus::vector_id(met.c);
+    met.c.expect.clear();
+    met.c.has_expect = false;
+    const fs::path file = fs::path(folder) / (met.c.id + ".json");
+    spec::write_file(file, spec::write_case(met.c));
+    fmt::print("{}: {}: {}\n", what, file.string(), met.what);
+  }
+}
+
+int mine(const CorpusOptions& options) {
+  if (options.into.empty()) throw spec::InputError("toolcomp corpus mine", 0, 0, "name the folder to write: --into");
+  if (options.runs != 0 && !options.duration.empty())
+    throw spec::InputError("toolcomp corpus mine", 0, 0, "--for or --runs, not both");
+  corpus::MineOptions how;
+  how.sections = options.sections;
+  how.seed = options.seed;
+  how.jobs = options.jobs;
+  how.runs = options.runs;
+  if (options.runs == 0)
+    how.seconds =
+        static_cast<double>(duration_of(options.duration.empty() ? "10m" : options.duration, "--for").count());
+  const Stop stop;
+  how.stop = [&stop] { return !stop.why().empty(); };
+  const Progress progress("runs");
+  how.progress = [](const std::string& section, std::uint64_t runs) {
+    Progress::line(fmt::format("{}: {} runs", section, runs));
+  };
+  const bool begun = fs::exists(fs::path(options.into) / "manifest.json");
+  corpus::MineResult result = corpus::mine(begun ? corpus::read_hard(options.into) : corpus::HardCases(), how);
+  const std::size_t nearest = result.hard.nearest.size();
+  const std::size_t worst = result.hard.worst.size();
+  const bool differ = !result.differ.empty();
+  write_met(options.findings, std::move(result.differ), "FINDING");
+  write_met(options.findings, std::move(result.undecided), "undecided");
+  corpus::write_hard(options.into, std::move(result.hard));
+  if (const std::string why = stop.why(); !why.empty())
+    fmt::print(stderr, "{}: what was found until then is written\n", why);
+  fmt::print("seed {}; {} runs; {} nearest cases, {} largest deviations; {} cases larger than what is searched\n",
+             options.seed, result.runs, nearest, worst, result.not_searched);
+  return differ ? kDiffers : kAgrees;
+}
+
+int hard(const CorpusOptions& options) {
+  const Progress progress("cases");
+  const corpus::HardCheck result =
+      corpus::check_hard(options.directory.empty() ? corpus::hard_folder() : fs::path(options.directory),
+                         options.sections, [](std::uint64_t done) { Progress::count(done); });
+  for (const std::string& failure : result.failures) fmt::print("{}\n", failure);
+  fmt::print("{} hard cases, {} statements, {} deviations smaller than stated, {} failures\n", result.cases,
+             result.statements, result.lower, result.failures.size());
+  if (!result.failures.empty()) return kDiffers;
+  return result.cases == 0 ? kUndecided : kAgrees;
+}
+
 // Writes the program named by --out and its setup beside it, whose place it returns.
 std::string write_program(const CorpusOptions& options, const std::string& text, const std::string& setup_text) {
   const fs::path program = fs::absolute(options.out);
@@ -181,6 +243,8 @@ int corpus(const CorpusOptions& options) {
   if (options.verb == "merge") return merge(options);
   if (options.verb == "check") return check(options);
   if (options.verb == "lint") return lint(options);
+  if (options.verb == "mine") return mine(options);
+  if (options.verb == "hard") return hard(options);
   if (options.verb == "contour") return contour(options);
   if (options.verb == "flank") return flank(options);
   if (options.verb == "freeform") return freeform(options);

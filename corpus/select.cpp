@@ -18,15 +18,6 @@ namespace {
 // One unrestricted case for every so many directed ones.
 constexpr std::size_t kUnrestrictedEvery = 8;
 
-// A seed of its own for every candidate, so that each can be made again alone.
-std::uint64_t seed_of(std::string_view section, std::uint64_t seed, std::size_t index) {
-  const std::string digest = sha256(std::string(section) + ' ' + std::to_string(seed) + ' ' + std::to_string(index));
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < 16; ++i)
-    value = value << 4U | static_cast<std::uint64_t>(digest[i] <= '9' ? digest[i] - '0' : digest[i] - 'a' + 10);
-  return value;
-}
-
 spec::Case candidate(std::string_view section, std::uint64_t seed, std::size_t index) {
   const bool unrestricted = index % kUnrestrictedEvery == kUnrestrictedEvery - 1;
   const std::uint64_t own = seed_of(section, seed, index);
@@ -97,6 +88,14 @@ class Choice {
 };
 
 }  // namespace
+
+std::uint64_t seed_of(std::string_view section, std::uint64_t seed, std::size_t index) {
+  const std::string digest = sha256(std::string(section) + ' ' + std::to_string(seed) + ' ' + std::to_string(index));
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < 16; ++i)
+    value = value << 4U | static_cast<std::uint64_t>(digest[i] <= '9' ? digest[i] - '0' : digest[i] - 'a' + 10);
+  return value;
+}
 
 std::vector<spec::Case> select(std::string_view section, const SelectOptions& options) {
   Choice choice(section, options);

@@ -19,6 +19,9 @@ struct SelectOptions {
   std::size_t candidates = 6000;  // to choose from
 };
 
+// A seed of its own for every case of a section, so that each can be made again alone.
+std::uint64_t seed_of(std::string_view section, std::uint64_t seed, std::size_t index);
+
 // Vectors of one section, complete: first those that reach a clause, an outcome or a margin of decision that none
 // before them reached, in the order they were generated; then, if those are fewer than `vectors`, the first of the
 // rest. Cases that can be no vector (nothing decided, nothing judged) are passed over; one on which the engines differ

@@ -92,8 +92,15 @@ int dot_sign(const Kinematics& kinematics, const Travel& first, const Direction&
         .sign();
   const Fine first_unit = a.fine_unit();  // by value: refining the other tool takes its place
   const Fine second_unit = b.fine_unit();
-  const double refined = dot(cross(first_unit, fine(first.whole())), cross(second_unit, fine(second.whole()))).hi;
-  const double bound = 6 * (a.fine_error() + b.fine_error() + kFine) * lengths +
+  // Either is off by its tool's error over the whole travel, however little of that the tool leaves across itself.
+  const Fine across1 = cross(first_unit, fine(first.whole()));
+  const Fine across2 = cross(second_unit, fine(second.whole()));
+  const double refined = dot(across1, across2).hi;
+  const double off1 = (a.fine_error() + kFine) * std::sqrt(first.square);
+  const double off2 = (b.fine_error() + kFine) * std::sqrt(second.square);
+  const double size1 = std::sqrt(dot(across1, across1).hi);
+  const double size2 = std::sqrt(dot(across2, across2).hi);
+  const double bound = 6 * (off1 * size2 + off2 * size1 + off1 * off2) + kFine * size1 * size2 +
                        4 * (first.slack * std::sqrt(second.square) + second.slack * std::sqrt(first.square));
   return std::abs(refined) <= bound ? 0 : sign_of(refined);
 }

@@ -35,6 +35,15 @@ FineVector3 fine_unit(const Lateral& c) {
 
 Vector signed_unit(const Vector& v, int side) { return v * (side / std::sqrt(dot(v, v))); }
 
+Vector nearest(const WideVector3& v) { return {v.x.to_double(), v.y.to_double(), v.z.to_double()}; }
+
+// Of directions that are opposite but for a hair: c turned by a right angle within their plane, as long as the tangent
+// of half their angle, and c. Their sum is so short that it has lost its direction. `axis`: of the turn from c to c',
+// unit; `sine`: of their angle; `share`: 1 + c.c'.
+Vector long_mitre(const Vector& c, const Vector& axis, double sine, double share) {
+  return c + cross(axis, c) * ((2 - share) / sine);
+}
+
 }  // namespace
 
 bool lean_direction(const Lateral& made_from, Vector& c) {
@@ -55,20 +64,36 @@ bool lean_direction(const Lateral& made_from, Vector& c) {
 }
 
 bool sharp_mitre(const Lateral& c, const Lateral& next, Vector& between) {
-  const FineVector3 sum = fine_unit(c) + fine_unit(next);
+  const FineVector3 own = fine_unit(c);
+  const FineVector3 other = fine_unit(next);
+  const FineVector3 sum = own + other;
   const DoubleDouble square = dot(sum, sum);  // 2 (1 + c.c')
-  const bool whole = c.tool->is_whole() && next.tool->is_whole();
-  if (square.hi < 0x1p-80 && whole) {
+  if (square.hi >= 0x1p-80) {
+    const DoubleDouble two{2, 0};
+    between = Vector(nearest(FineVector3{two * sum.x / square, two * sum.y / square, two * sum.z / square}));
+    return true;
+  }
+  const Vector unit(nearest(own));
+  const double share = square.hi / 2;
+  if (c.tool->is_whole() && next.tool->is_whole()) {
     const WideVector3 a = exact_cross(c);
     const WideVector3 b = exact_cross(next);
-    const WideVector3 turn = cross(a, b);
+    const Vector turn = nearest(cross(a, b));
+    const double size = dot(turn, turn);
     // Opposite it is: a double cannot come near 1 + c.c' = 0 from vectors that agree.
-    if (turn.x.sign() == 0 && turn.y.sign() == 0 && turn.z.sign() == 0) return false;
-  } else if (square.hi < 0x1p-170) {
-    return false;
+    if (size == 0) return false;
+    const double lengths = dot(nearest(a), nearest(a)) * dot(nearest(b), nearest(b));
+    between = long_mitre(unit, signed_unit(turn, c.side * next.side), std::sqrt(size / lengths), share);
+    return true;
   }
-  const DoubleDouble two{2, 0};
-  between = Vector(nearest(FineVector3{two * sum.x / square, two * sum.y / square, two * sum.z / square}));
+  if (square.hi < 0x1p-170) return false;
+  const Vector turn(nearest(cross(own, other)));
+  const double size = dot(turn, turn);
+  if (size == 0) return false;
+  // Both are across the same tool, as a rule: it is the axis, better than so short a product.
+  const int along = c.tool == next.tool ? (dot(turn, c.tool->unit()) < 0 ? -1 : 1) : 0;
+  const Vector axis = along == 0 ? signed_unit(turn, 1) : c.tool->unit() * along;
+  between = long_mitre(unit, axis, std::sqrt(size), share);
   return true;
 }
 

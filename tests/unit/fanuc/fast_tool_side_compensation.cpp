@@ -267,6 +267,20 @@ TEST(FastToolSideCompensation, MovesAtItsOwnEnd) {
          {{100, 10, 0}, {106, 10, 8.5}, {98, 100, 14.5}});
 }
 
+// Back the same way, which the tool sees as 7e-16 of its length. By hand: B30 points the tool along T = (1/2, 0, √3/2),
+// the movement U = (10, 0, 10 √3 + h), h = 2.7e-14 by the digits of Z; u = U − (U.T) T = h/2 (−√3/2, 0, 1/2), and left
+// of it is T x u/|u| = (0, −1, 0). Type B, a reversal under 1 degree: the start-up ends perpendicular to the way back,
+// to the right of it, which is left of the way out.
+TEST(FastToolSideCompensation, BackTheSameWayAlmostAlongTheTool) {
+  const ProgramRun run(machine(kTypeB, 'B', 0, 0),
+                       "G91 G01 B30. F100\nG42.2 D1 X10. Z17.3205080756888\n"
+                       "X-10. Z-17.3205080756888\nG40 X50.\n");
+  EXPECT_EQ(run.alarm(), "");
+  ASSERT_GE(run.events.size(), 3U);
+  expect_near(point(run, 1), {10, -10, 17.3205080756888}, "start-up");
+  expect_near(point(run, 2), {0, -10, 0}, "end of the way back");
+}
+
 TEST(FastToolSideCompensation, Alarms) {
   const auto alarm = [](const std::string& parameters, const std::string& program) {
     return ProgramRun(machine(parameters, 'B', -40, 0), program).alarm();

@@ -90,6 +90,21 @@ TEST(PeripheralMilling, NearReversal) {
   EXPECT_EQ(KlartextRun(kMill, kHead + "M128\nL X0 A30 C10 RL\nL X10\nL X0\nL X-10 R0\n").messages(), "E_REVERSAL@4");
 }
 
+// The head of so long a mitre is hardly known along the movement, but lies on the offset lines of both. By hand: out by
+// d = (1, 0, 0), back by (−1, e, 0)/n, n = sqrt(1 + e²), e = 1e-10/10000 = 1e-14. The tool t = (0, u, w) gives c = t x
+// d = (0, w, −u), and of the way back c' = (−w e, −w, u)/m, m = sqrt(1 + w² e²). Their mitre is (c + c')/(1 + c.c') =
+// (−w e/(m − 1), w, −u) = (−2/(w e), w, −u), times −0.1.
+TEST(PeripheralMilling, AlmostBackStaysOnTheOffsetLines) {
+  for (const char* const turn : {"", " A30", " A30 C0 B0"}) {
+    const KlartextRun run(kMill, kHead + "M128\nL X0" + turn + " RL\nL X10000\nL X0 Y0.0000000001\nL X-10 R0\n");
+    const auto [zero, u, w] = run.tool_axis(1);
+    EXPECT_EQ(zero, 0) << turn;
+    EXPECT_NEAR(run.tip(1)[0] / (0.1 * 2 / (w * 1e-14)), 1, 1e-9) << turn;
+    EXPECT_NEAR(run.tip(1)[1], -0.1 * w, 1e-15) << turn;
+    EXPECT_NEAR(run.tip(1)[2], 0.1 * u, 1e-15) << turn;
+  }
+}
+
 TEST(PeripheralMilling, OutOfScope) {
   const KlartextRun run(kMill, kHead + "L X10 RL\nLN X0 Y0 Z0 TX0 TY0 TZ1\nL X20 R0\n");
   EXPECT_EQ(run.messages(), "heidenhain.peripheral.out-of-scope@2 W_T_IGNORED@3 heidenhain.peripheral.out-of-scope@3");
