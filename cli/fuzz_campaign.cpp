@@ -13,10 +13,12 @@
 #include "certify/fuzzing/regression.h"
 #include "certify/fuzzing/summary.h"
 #include "cli/board.h"
+#include "cli/controller.h"
 #include "cli/fuzz_bench.h"
 #include "cli/program.h"
 #include "cli/stop.h"
 #include "cli/verbs.h"
+#include "fuzz/campaign/diary.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 
@@ -96,6 +98,9 @@ int fuzz_campaign(const FuzzOptions& options) {
     campaign.seconds = static_cast<std::uint64_t>(duration_of(options.duration, "--for").count());
   campaign.jobs = std::max(1U, options.jobs);
   campaign.seed = options.seed;
+  // Whether it can be used is known before hours of work.
+  if (!options.controller.empty())
+    static_cast<void>(controller_subject(options.controller, options.timeout, options.accept_resolution));
   const Stop stop;
   campaign.stop = [&stop] { return !stop.why().empty(); };
   Board board;
@@ -131,9 +136,13 @@ int fuzz_settle(const SettleOptions& options) {
                      fuzzing::settle_file(folder, options.file, options.target, options.as_seen, how))
               << std::endl;
     return kAgrees;
-  } catch (const std::exception& error) {
+  } catch (const spec::InputError& error) {
     std::cerr << error.what() << '\n';
-    return kSelfCheckFailed;
+    return kBadInput;
+  } catch (const std::runtime_error& error) {
+    // What looking at it throws is in its dossier: it is the dossier that could not be written.
+    std::cerr << error.what() << '\n';
+    return fuzz::Diary::kCannotWrite;
   }
 }
 

@@ -173,7 +173,8 @@ class Hunt {
     executions_ += counted;
     folder_.close(state_, number, worker->milliseconds(), running());
     failures_ = counted == 0 && !worker->how().empty() && worker->executions() == 0 ? failures_ + 1 : 0;
-    if (worker->how().empty()) return;
+    // An end asked for ends the workers too.
+    if (worker->how().empty() || stopped()) return;
     ++state_.ends[worker->how()];
     say(fmt::format("{}: {} after {} executions, {:.1f} s; seed {}", worker->slice().target->name, worker->how(),
                     worker->executions(), static_cast<double>(worker->milliseconds()) / 1000, worker->slice().seed));

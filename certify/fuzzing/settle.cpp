@@ -9,7 +9,6 @@
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
 #include "spec/language/byte_source.h"
-#include "spec/language/input_error.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -41,28 +40,31 @@ Finding with_origin(Finding finding, const Finding& seen) {
 Dossier as_it_was(const Finding& seen, Stage stage, std::string why) {
   Dossier dossier{with_origin(seen, seen), stage, {}, std::move(why)};
   dossier.finding.complete = false;
+  if (stage == Stage::gone) dossier.finding.seen = 0;
   return dossier;
 }
 
 Dossier undecided(const Finding& seen) {
+  // A controller's answer to it is not asked for again.
+  if (!seen.controller.empty()) return as_it_was(seen, Stage::seen, "of a controller");
   const fuzz::ModelRun run = fuzz::run_model(seen.smallest);
   const auto engine = built_in_engine();
   const auto able = std::get<Capabilities>(engine->capabilities());
   const Judgement judgement = judge_case(*engine, able, seen.smallest, run);
-  if (seen.controller.empty() && judgement.result != Result::undecided)
+  if (judgement.result != Result::undecided)
     return as_it_was(seen, Stage::gone, fmt::format("judged again: {}", name(judgement.result)));
-  return as_it_was(seen, Stage::reproduced, "it could not be decided again");
+  return as_it_was(seen, Stage::reproduced, judgement.why);
 }
 
 }  // namespace
 
 Dossier settle(const Finding& seen, const SettleOptions& options) {
   if (seen.key.section.empty()) return as_it_was(seen, Stage::seen, "the input of a reader stays as it is");
-  if (seen.key.kind == fuzz::kUndecidedKind) return undecided(seen);
-  const auto subject = subject_for(seen, options);
-  const auto said = subject->capabilities();
-  const auto* const able = std::get_if<Capabilities>(&said);
   try {
+    if (seen.key.kind == fuzz::kUndecidedKind) return undecided(seen);
+    const auto subject = subject_for(seen, options);
+    const auto said = subject->capabilities();
+    const auto* const able = std::get_if<Capabilities>(&said);
     const fuzz::ModelRun run = fuzz::run_model(seen.smallest);
     const Capabilities capabilities = able != nullptr ? *able : Capabilities{};
     Answer answer = ask_fresh(*subject, seen.before, seen.smallest);
@@ -81,12 +83,8 @@ Dossier settle(const Finding& seen, const SettleOptions& options) {
     dossier.stage = dossier.finding.complete ? Stage::shrunk : Stage::reproduced;
     dossier.shape = shape_of(dossier.finding.smallest);
     return dossier;
-  } catch (const spec::InputError& error) {
-    // One engine refuses the setup and the other does not: there is no run to shrink.
-    return as_it_was(seen, Stage::seen, error.what());
-  } catch (const std::domain_error& error) {
-    return as_it_was(seen, Stage::seen, error.what());
-  } catch (const std::logic_error& error) {
+  } catch (const std::exception& error) {
+    // One engine refuses the setup and the other does not, or throws: there is no run to shrink.
     return as_it_was(seen, Stage::seen, error.what());
   }
 }

@@ -40,7 +40,7 @@ std::string iso_word(std::string_view word) {
 // Keywords as they are, F AUTO and M128 too; of a coordinate its letters, of vectors NX TX the first, of a number alone
 // nothing.
 std::string klartext_word(std::string_view word) {
-  if (word.front() == ';' || word == "~") return {};
+  if (word == "~") return {};
   if (upper(word.front()) == 'M' && word.size() > 1 && is_digit(word[1])) return std::string(word);
   std::string letters;
   for (const char c : word.substr(0, word.find_first_of("+-.0123456789"))) letters += upper(c);
@@ -58,9 +58,11 @@ std::string shape_of(const spec::Case& c) {
   std::string before;
   for (const TextLine& line : split_program(c.program, c.dialect)) {
     std::set<std::string> words;
-    for (const std::string& word : line.words)
+    for (const std::string& word : line.words) {
+      if (word.front() == ';') break;  // a comment, to the end
       if (std::string text = c.dialect == "klartext" ? klartext_word(word) : iso_word(word); !text.empty())
         words.insert(std::move(text));
+    }
     std::string block;
     for (const std::string& word : words) block += (block.empty() ? "" : " ") + word;
     if (block.empty() || block == before) continue;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
 #include <utility>
 
 #include "fuzz/campaign/black_box.h"
@@ -23,6 +22,9 @@ constexpr int kOutOfMemory = 71;
 constexpr int kCrash = 77;
 constexpr int kSignalled = 128;
 constexpr std::chrono::milliseconds kToEnd{2000};
+// Between two looks at the black box.
+constexpr std::chrono::milliseconds kLook{250};
+constexpr const char* kKilled = "killed by signal 9";
 
 std::string word(const fs::path& path) { return ' ' + shell_quoted(fs::absolute(path).string()); }
 
@@ -83,11 +85,13 @@ bool Worker::goes_on(std::chrono::milliseconds wait) {
   if (ended_ != Clock::time_point{}) return false;
   std::string nothing;
   const Exchange heard = process_.receive_line(nothing, Clock::now() + wait, 1024);
-  look();
+  if (heard == Exchange::closed || Clock::now() - looked_ >= kLook) look();
   if (heard == Exchange::closed) {
     process_.finish(kToEnd);
     const int status = process_.exit_status();
-    end(status == 0                           ? ""
+    // Without one the shell itself was killed, and the worker with it: from outside.
+    end(status < 0                            ? kKilled
+        : status == 0                         ? ""
         : status == kHang                     ? "hang"
         : status == kOutOfMemory              ? "out of memory"
         : status == kCrash                    ? "crash"
@@ -110,6 +114,7 @@ void Worker::stop() {
 }
 
 void Worker::look() {
+  looked_ = Clock::now();
   const auto box = fuzz::BlackBox::read(folder_ / fuzz::Diary::kBlackBox);
   if (!box) return;
   process_number_ = box->process;
@@ -122,8 +127,7 @@ void Worker::look() {
 void Worker::end(std::string how) {
   ended_ = Clock::now();
   how_ = std::move(how);
-  const bool told = how_.empty() || how_ == "cannot write" || how_ == fmt::format("killed by signal {}", SIGKILL) ||
-                    how_ == fmt::format("killed by signal {}", SIGTERM);
+  const bool told = how_.empty() || how_ == "cannot write" || how_ == kKilled || how_ == "killed by signal 15";
   if (told) return;
   for (const auto& entry : fs::directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();

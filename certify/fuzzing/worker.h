@@ -67,6 +67,7 @@ class Worker {
   Clock::time_point begun_ = Clock::now();
   Clock::time_point ended_{};
   Clock::time_point moved_ = begun_;  // when an execution began last, as far as it was looked
+  Clock::time_point looked_{};
   std::uint64_t executions_ = 0;
   std::int64_t process_number_ = 0;
   std::string how_;

@@ -220,9 +220,10 @@ TEST_F(Campaign, AFolderThatCannotBeWritten) {
   const std::string file = folder.write("file", "");
   EXPECT_EQ(toolcomp("fuzz --campaign " + file + "/c" + kSection + " --runs 2").status, 2);
   // Every write above 0 bytes fails, as on a full disk.
-  const Outcome full =
-      command("trap '' XFSZ; ulimit -f 0; " TOOLCOMP_BINARY_DIR "/toolcomp " + fuzz + kSection + " --runs 2 | cat");
-  EXPECT_NE(full.err.find("cannot be written"), std::string::npos) << full.out << full.err;
+  const Outcome full = command("(trap '' XFSZ; ulimit -f 0; " TOOLCOMP_BINARY_DIR "/toolcomp " + fuzz + kSection +
+                               " --runs 2 2>&1; echo status $?) | cat");
+  EXPECT_NE(full.out.find("cannot be written"), std::string::npos) << full.out;
+  EXPECT_NE(full.out.find("status 2\n"), std::string::npos) << full.out;
 }
 
 // In the middle of a run a worker cannot make files any more: what it found is in its black box, and comes to light.

@@ -47,7 +47,7 @@ TEST(Shape, BlocksThatRepeatTheOneBeforeCountOnce) { EXPECT_EQ(shape("G41 D1\nX1
 
 TEST(Shape, OfKlartext) {
   EXPECT_EQ(shape("1 LN X+1 Y-2 NX+0.6 NZ+0.8 TX+0 TY+1 F AUTO M128 ; c\n", "klartext"), "AUTO F LN M128 NX TX X");
-  EXPECT_EQ(shape("TOOL CALL 1 Z S100\n", "klartext"), shape("TOOL CALL 7 X\n", "klartext") + "");
+  EXPECT_EQ(shape("TOOL CALL 1 Z\n", "klartext"), "CALL TOOL X");
 }
 
 TEST(Schedule, TheTargetThatHadTheLeastTimeIsNext) {
