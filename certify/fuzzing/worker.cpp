@@ -53,9 +53,10 @@ std::string built_in(const Bench& bench, const Slice& slice, const fs::path& fol
   return line;
 }
 
-// The worker ends with this process, even if it is killed: then its standard input ends.
+// The worker ends with this process, even if it is killed: then its standard input ends. Standard output is the shell's
+// alone, so that it ends with the shell, even if that is killed.
 std::string script(const std::string& worker) {
-  return "exec 3<&0\n{ cat <&3 >/dev/null; kill -KILL 0; } &\nwatcher=$!\n" + worker +
+  return "exec 3<&0\n{ cat <&3; kill -KILL 0; } >/dev/null &\nwatcher=$!\n" + worker +
          " </dev/null >/dev/null\nstatus=$?\nkill -KILL $watcher\nexit $status\n";
 }
 
