@@ -12,6 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::chrono::seconds kPatience{180};  // with one sighting
+// For its line; with no time at all nothing is read.
+constexpr std::chrono::milliseconds kLook{1};
 
 // Of a group of sightings so many are looked at before only some are.
 constexpr std::uint64_t kLookedAt = 32;
@@ -74,7 +76,7 @@ void Settler::step(State& state, const std::function<void(const Settled&)>& on_s
   }
   std::string line;
   constexpr std::size_t kLongest = 1 << 16;
-  const Exchange heard = process_->receive_line(line, Clock::now(), kLongest);
+  const Exchange heard = process_->receive_line(line, Clock::now() + kLook, kLongest);
   if (heard == Exchange::timed_out && Clock::now() - begun_ < kPatience) return;
   const auto settled = heard == Exchange::line ? read_settled(line) : std::nullopt;
   const std::string how = process_->finish(std::chrono::milliseconds(settled ? 2000 : 0));
