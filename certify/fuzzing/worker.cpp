@@ -31,7 +31,8 @@ std::string word(const fs::path& path) { return ' ' + shell_quoted(fs::absolute(
 std::string libfuzzer(const Bench& bench, const Slice& slice, const fs::path& folder, const fs::path& corpus) {
   const fuzz::Target& target = *slice.target;
   std::string line = fmt::format("TOOLCOMP_FUZZ_WORK={} TOOLCOMP_FUZZ_SEED={}{} -seed={} -verbosity=0 -max_len=16384",
-                                 word(folder), slice.seed, word(bench.targets / target.name), slice.seed);
+                                 shell_quoted(fs::absolute(folder).string()), slice.seed,
+                                 word(bench.targets / target.name), slice.seed);
   line += slice.runs > 0 ? fmt::format(" -runs={}", slice.runs) : fmt::format(" -max_total_time={}", slice.seconds);
   line += fmt::format(" -timeout={} -artifact_prefix={}", bench.patience.count() / 2,
                       shell_quoted(fs::absolute(folder).string() + "/"));
