@@ -9,6 +9,7 @@
 #include "certify/path_svg.h"
 #include "certify/program_text.h"
 #include "certify/report.h"
+#include "certify/sort_by.h"
 #include "fast/basis/print.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/oracle/verdict.h"
@@ -62,7 +63,7 @@ std::string margins(const Finding& finding, const fuzz::ModelRun& run) {
   choose(by_clause);
   choose([&](const model::Decision& d) { return d.line == finding.line; });
   if (at.empty()) return "no decision by the sign of a number was taken there\n";
-  std::ranges::stable_sort(at, {}, [](const model::Decision* d) { return fuzz::margin(*d); });
+  sort_by(at, [](const model::Decision* d) { return fuzz::margin(*d); });
   constexpr std::size_t kMost = 3;
   std::string text = at.size() > kMost ? fmt::format("the nearest {} of {} decisions there:\n", kMost, at.size())
                                        : "decisions there:\n";
