@@ -128,7 +128,7 @@ void Settler::begin(State& state) {
   process_ = std::make_unique<Process>(line);
 }
 
-void Settler::done(State& state, const Settled& settled, const std::function<void(const Settled&)>& on_settled) {
+void Settler::done(State& state, const Settled& settled, const std::function<void(const Settled&)>& on_settled) const {
   if (!settled.open) ++state.groups[settled.name];
   fs::remove(at_.file);
   on_settled(settled);

@@ -46,7 +46,7 @@ class Settler {
 
  private:
   void begin(State& state);
-  void done(State& state, const Settled& settled, const std::function<void(const Settled&)>& on_settled);
+  void done(State& state, const Settled& settled, const std::function<void(const Settled&)>& on_settled) const;
 
   const Folder& folder_;
   std::filesystem::path program_;
@@ -54,7 +54,7 @@ class Settler {
   std::unique_ptr<Process> process_;
   Folder::Sighting at_;
   std::string group_;
-  Clock::time_point begun_{};
+  Clock::time_point begun_;
   bool as_seen_ = false;
   std::string failed_;  // why looking at it was given up; then it is kept as seen
 };

@@ -77,7 +77,7 @@ bool Bench::has_clang(const fuzz::Target& target) const {
 
 bool Bench::can_run(const fuzz::Target& target) const { return !target.is_reader() || has_clang(target); }
 
-Worker::Worker(const Bench& bench, const Slice& slice, fs::path folder, fs::path corpus)
+Worker::Worker(const Bench& bench, const Slice& slice, fs::path folder, const fs::path& corpus)
     : slice_(slice),
       folder_(std::move(folder)),
       patience_(bench.patience),

@@ -38,7 +38,7 @@ struct Slice {
 class Worker {
  public:
   // `folder` is its own and made here; what reaches something new goes to `corpus`. Throws std::runtime_error.
-  Worker(const Bench& bench, const Slice& slice, std::filesystem::path folder, std::filesystem::path corpus);
+  Worker(const Bench& bench, const Slice& slice, std::filesystem::path folder, const std::filesystem::path& corpus);
 
   // Whether it goes on; looks for its end so long. One that hangs is ended.
   bool goes_on(std::chrono::milliseconds wait);
@@ -65,9 +65,9 @@ class Worker {
   std::filesystem::path folder_;
   std::chrono::seconds patience_;
   Clock::time_point begun_ = Clock::now();
-  Clock::time_point ended_{};
+  Clock::time_point ended_;
   Clock::time_point moved_ = begun_;  // when an execution began last, as far as it was looked
-  Clock::time_point looked_{};
+  Clock::time_point looked_;
   std::uint64_t executions_ = 0;
   std::int64_t process_number_ = 0;
   std::string how_;
