@@ -72,6 +72,11 @@ std::string write_finding(const Finding& finding) {
   add_text("directory", finding.directory);
   if (!finding.subject.name.empty()) add("capabilities", write_capabilities(finding.subject));
   add("seed", quoted(finding.seed));
+  if (!finding.target.empty()) {
+    add("target", quoted(finding.target));
+    add("executions", std::to_string(finding.executions));
+    add("seconds", Json(finding.seconds).dump());
+  }
   add("tool", quoted(finding.tool));
   add("first_case", quoted(finding.first_case));
   add("occurrences", std::to_string(finding.occurrences));
@@ -96,10 +101,10 @@ Finding read_finding(std::string_view text, const std::string& file) {
     finding.first_case = finding.smallest.id;
     return finding;
   }
-  read.keys(root, "finding",
-            {"finding",      "kind",       "clause",      "line",       "field",     "expected",     "actual",
-             "deviation_um", "status",     "errors",      "controller", "directory", "capabilities", "seed",
-             "tool",         "first_case", "occurrences", "seen",       "tried",     "before",       "case"});
+  read.keys(root, "finding", {"finding",      "kind",         "clause", "line",       "field",       "expected",
+                              "actual",       "deviation_um", "status", "errors",     "controller",  "directory",
+                              "capabilities", "seed",         "tool",   "first_case", "occurrences", "seen",
+                              "tried",        "before",       "case",   "target",     "executions",  "seconds"});
   (void)read.integer(*root.find("finding"), "finding", 1, 1);
   const Node* c = root.find("case");
   if (c == nullptr) read.fail(root.at, "a finding needs a case");
@@ -119,6 +124,9 @@ Finding read_finding(std::string_view text, const std::string& file) {
     finding.subject = read_capabilities(Json::parse(text).at("capabilities").dump());
   }
   finding.seed = text_of(root, "seed", read);
+  finding.target = text_of(root, "target", read);
+  finding.executions = count_of(root, "executions", read, 0);
+  finding.seconds = number_of(root, "seconds", read);
   finding.tool = text_of(root, "tool", read);
   finding.first_case = text_of(root, "first_case", read);
   finding.occurrences = count_of(root, "occurrences", read, 1);

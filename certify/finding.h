@@ -29,6 +29,9 @@ struct Finding {
   std::string directory;           // where it was run
   Capabilities subject;            // what it said of itself; without a name: it could not be asked
   std::string seed;                // of the campaign
+  std::string target;              // of a campaign: which of its targets
+  std::uint64_t executions = 0;    // of the worker that found it, this one included; 0: not known
+  double seconds = 0;              // since that worker began
   std::string tool;                // name and version of what found it
   std::string first_case;          // id of the case it was shrunk from
   std::uint64_t occurrences = 1;   // cases with the same key

@@ -1,17 +1,19 @@
 // toolcomp fuzz: the search for differences, by the clang targets of build/fuzz, or by the built-in driver.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <iostream>
-#include <stdexcept>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "certify/fuzzing/campaign.h"
 #include "certify/judge.h"
-#include "certify/process.h"
 #include "cli/controller.h"
+#include "cli/fuzz_bench.h"
 #include "cli/fuzz_findings.h"
 #include "cli/program.h"
 #include "cli/progress.h"
@@ -19,27 +21,20 @@
 #include "cli/verbs.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/campaign/summary.h"
+#include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
-#include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
 namespace {
 
 namespace fs = std::filesystem;
+namespace fuzzing = certify::fuzzing;
 
 [[noreturn]] void usage(const std::string& message) { throw spec::InputError("toolcomp fuzz", 0, 0, message); }
 
-std::string target_name(std::string_view section, fuzz::Mode mode) {
-  std::string name(section.substr(section.find('/') + 1));
-  for (char& c : name)
-    if (c == '-') c = '_';
-  return name + (mode == fuzz::Mode::directed ? "_directed" : "_unrestricted");
-}
-
-// Beside build/release/toolcomp lies build/fuzz.
-fs::path target_folder() { return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "fuzz"; }
+constexpr std::array kModes = {fuzz::Mode::directed, fuzz::Mode::unrestricted};
 
 struct Plan {
   std::vector<std::string> sections;
@@ -87,78 +82,69 @@ fuzz::CampaignResult built_in(const std::string& section, fuzz::Mode mode, const
   return fuzz::run_campaign(campaign);
 }
 
-// What a process of libFuzzer left behind: its statistics, and inputs that did not pass. Whether it came to its end.
-bool collect(const fs::path& folder, const std::string& section, fuzz::CampaignResult& sum) {
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename();
-    if (!name.starts_with("crash-") && !name.starts_with("timeout-") && !name.starts_with("oom-")) continue;
-    fuzz::Finding finding;
-    finding.input = fuzz::decode(section, spec::read_file(entry.path()));
-    finding.input.section = section;
-    finding.input.id = name;
-    finding.difference.kind = name.substr(0, name.find('-'));
-    finding.difference.actual = "ended at this input";
-    finding.executions = 1;
-    sum.findings.push_back(finding);
-  }
-  if (!fs::exists(folder / "statistics")) return false;
-  fuzz::add(sum, fuzz::read_summary(spec::read_file(folder / "statistics")));
-  return true;
+// The clang targets work as a campaign in a folder among the findings, so that nothing is lost with this process.
+fuzzing::CampaignOptions campaign_of(const FuzzOptions& options, const Stop& stop) {
+  fuzzing::CampaignOptions campaign;
+  campaign.folder = fs::path(options.findings) / "running";
+  campaign.bench = fuzz_bench(options);
+  campaign.jobs = std::max(1U, options.jobs);
+  campaign.seed = options.seed;
+  campaign.stop = [&stop] { return !stop.why().empty(); };
+  campaign.show = [](const fuzzing::BoardView& view) { Progress::line(fuzzing::plain_line(view)); };
+  return campaign;
 }
 
-// Where the targets of one twin work: among the findings, so that nothing is lost with this process.
-fs::path work_folder(const FuzzOptions& options, const std::string& section, fuzz::Mode mode) {
-  return fs::path(options.findings) / ("running-" + target_name(section, mode));
+// Its findings become those of this run, and its folder goes; where somebody ended it before all was looked at, the
+// next run takes up the rest.
+void adopt(const fs::path& folder, FuzzFindings& findings, std::optional<fuzz::NotDecided>& open) {
+  for (const certify::Finding& finding : fuzzing::findings_in(folder / "findings")) findings.adopt(finding);
+  for (const certify::Finding& finding : fuzzing::findings_in(folder / "open"))
+    fuzz::keep_shortest(open, {finding.smallest, finding.actual});
+  if (fuzzing::Folder(folder).waiting().empty()) {
+    fs::remove_all(folder);
+    return;
+  }
+  for (const char* const part : {"findings", "open"})
+    for (const fs::path& dossier : fuzzing::dossiers_in(folder / part)) fs::remove_all(dossier);
 }
 
 // What targets had found when an earlier run was ended by a kill.
-void settle_earlier(const FuzzOptions& options, FuzzFindings& findings) {
-  for (const std::string_view section : fuzz::sections())
-    for (const fuzz::Mode mode : {fuzz::Mode::directed, fuzz::Mode::unrestricted}) {
-      const fs::path folder = work_folder(options, std::string(section), mode);
-      if (!fs::is_directory(folder)) continue;
-      fuzz::CampaignResult left;
-      for (const auto& job : fs::directory_iterator(folder))
-        if (job.is_directory()) static_cast<void>(collect(job.path(), std::string(section), left));
-      findings.settle(left);
-      fs::remove_all(folder);
-    }
+void settle_earlier(const FuzzOptions& options, FuzzFindings& findings, const Stop& stop) {
+  fuzzing::CampaignOptions campaign = campaign_of(options, stop);
+  if (!fs::exists(campaign.folder / "state.json")) return;
+  campaign.seconds = 0;
+  campaign.targets = {&fuzz::targets().front()};
+  fuzzing::run_campaign(campaign);
+  std::optional<fuzz::NotDecided> open;
+  adopt(campaign.folder, findings, open);
 }
 
-// libFuzzer processes of one twin side by side, one for each job. They end with this process, even if it is killed:
-// then their standard input ends.
-fuzz::CampaignResult clang_targets(const std::string& section, fuzz::Mode mode, const Plan& plan,
-                                   const FuzzOptions& options, const Stop& stop) {
-  const fs::path work = work_folder(options, section, mode);
-  const unsigned jobs = std::max(1U, options.jobs);
-  const std::uint64_t parts = 2 * std::uint64_t{jobs};
-  const std::string limit = plan.runs > 0 ? fmt::format("-runs={}", (plan.runs + parts - 1) / parts)
-                                          : fmt::format("-max_total_time={}", (plan.seconds + 1) / 2);
-  std::string script = "exec 3<&0\n{ cat <&3 >/dev/null; kill -KILL 0; } &\nwatcher=$!\ntargets=\n";
-  for (unsigned job = 0; job < jobs; ++job) {
-    const fs::path folder = fs::absolute(work) / std::to_string(job);
-    fs::create_directories(folder / "corpus");
-    script += fmt::format(
-        "TOOLCOMP_FUZZ_STATISTICS={0}/statistics {1} -seed={2} {3} -artifact_prefix={0}/ -max_len=16384 {0}/corpus "
-        ">{0}/log 2>&1 &\ntargets=\"$targets $!\"\n",
-        certify::shell_quoted(folder.string()),
-        certify::shell_quoted((target_folder() / target_name(section, mode)).string()), options.seed * 1000 + job + 1,
-        limit);
+// Of both targets of a section, directed first.
+std::vector<fuzz::CampaignResult> clang_targets(const std::string& section, const Plan& plan,
+                                                const FuzzOptions& options, FuzzFindings& findings, const Stop& stop) {
+  fuzzing::CampaignOptions campaign = campaign_of(options, stop);
+  for (const fuzz::Mode mode : kModes) campaign.targets.push_back(fuzz::find_target(fuzz::twin_name(section, mode)));
+  campaign.runs = (plan.runs + 1) / 2;
+  if (plan.runs == 0) campaign.seconds = plan.seconds;
+  const fuzzing::CampaignEnd end = fuzzing::run_campaign(campaign);
+  std::vector<fuzz::CampaignResult> results;
+  for (const fuzz::Target* target : campaign.targets) {
+    const auto known = end.state.targets.find(target->name);
+    fuzz::CampaignResult result = known == end.state.targets.end() ? fuzz::CampaignResult{} : known->second.sum;
+    if (known != end.state.targets.end()) {
+      // The seconds of all workers, as if of one.
+      result.seconds = static_cast<double>(known->second.milliseconds) / 1000;
+      result.cores = 1;
+      result.per_second_per_core = result.seconds > 0 ? static_cast<double>(result.executions) / result.seconds : 0;
+    }
+    results.push_back(std::move(result));
   }
-  script += "wait $targets\necho done\nkill -KILL $watcher\n";
-  Progress::line(fmt::format("{}: {}", target_name(section, mode), limit));
-  certify::Process process(script);
-  std::string reply;
-  const auto long_enough = certify::Clock::now() + std::chrono::hours(24 * 365);
-  process.receive_line(reply, long_enough, 1024);
-  process.finish();
-  fuzz::CampaignResult sum;
-  for (unsigned job = 0; job < jobs; ++job)
-    if (!collect(work / std::to_string(job), section, sum) && sum.findings.empty() && stop.why().empty())
-      throw std::runtime_error("a fuzz target ended without a result:\n" +
-                               spec::read_file(work / std::to_string(job) / "log"));
-  fs::remove_all(work);
-  return sum;
+  std::optional<fuzz::NotDecided> open;
+  adopt(campaign.folder, findings, open);
+  for (fuzz::CampaignResult& result : results)
+    if (result.acceptance.at(static_cast<std::size_t>(fuzz::Acceptance::not_decided)) > 0)
+      result.not_decided = std::exchange(open, std::nullopt);
+  return results;
 }
 
 void print_summary(const std::string& section, fuzz::Mode mode, const fuzz::CampaignResult& result, bool clang) {
@@ -183,12 +169,16 @@ void print_summary(const std::string& section, fuzz::Mode mode, const fuzz::Camp
 }  // namespace
 
 int fuzz(const FuzzOptions& options) {
+  for (const auto& [given, option] : {std::pair{!options.targets.empty(), "--target"},
+                                      std::pair{!options.shard.empty(), "--shard"}, std::pair{options.json, "--json"}})
+    if (given) usage(std::string(option) + " needs --campaign");
   const Plan plan = plan_of(options);
   expect_folder(options.findings, "--findings");
   fmt::print("seed {}\n", options.seed);
   const Stop stop;
   FuzzFindings findings(options, [&stop] { return !stop.why().empty(); });
-  settle_earlier(options, findings);
+  settle_earlier(options, findings, stop);
+  const fuzzing::Bench bench = fuzz_bench(options);
   std::string not_run;
   bool nothing_judged = false;
   bool undecided = false;
@@ -198,14 +188,16 @@ int fuzz(const FuzzOptions& options) {
       not_run += (not_run.empty() ? "" : ", ") + section;
       continue;
     }
-    const bool clang =
-        options.controller.empty() && fs::exists(target_folder() / target_name(section, fuzz::Mode::directed));
+    const bool clang = bench.has_clang(*fuzz::find_target(fuzz::twin_name(section, fuzz::Mode::directed)));
     const Progress progress("executions");
     fuzz::CampaignResult sum;
-    for (const fuzz::Mode mode : {fuzz::Mode::directed, fuzz::Mode::unrestricted}) {
-      if (!stop.why().empty()) break;
-      const fuzz::CampaignResult result = clang ? clang_targets(section, mode, plan, options, stop)
-                                                : built_in(section, mode, plan, options, findings, stop);
+    std::vector<fuzz::CampaignResult> results;
+    if (clang) results = clang_targets(section, plan, options, findings, stop);
+    for (const fuzz::Mode mode : kModes) {
+      if (!clang && !stop.why().empty()) break;
+      const auto at = static_cast<std::size_t>(mode);
+      if (!clang) results.push_back(built_in(section, mode, plan, options, findings, stop));
+      const fuzz::CampaignResult& result = results[at];
       print_summary(section, mode, result, clang);
       nothing_judged = nothing_judged || result.values == 0;
       undecided = undecided || result.acceptance.at(static_cast<std::size_t>(fuzz::Acceptance::not_decided)) > 0;

@@ -137,9 +137,20 @@ void FuzzFindings::settle(certify::Finding finding, std::uint64_t executions) {
   finding = signed_by_us(std::move(finding));
   finding.occurrences = executions;
   write(finding);
-  const std::string file = files_.at(finding.key).string();
-  fmt::print("FINDING {}{}\n{}", file, certify::how_it_comes(finding), finding.smallest.program);
-  fmt::print("  {}\n  toolcomp replay {}\n", certify::explanation(finding), file);
+  print(files_.at(finding.key), finding);
+}
+
+void FuzzFindings::adopt(certify::Finding finding) {
+  finding = signed_by_us(std::move(finding));
+  const fs::path file = free_file(folder_, finding);
+  spec::write_file(file, certify::write_finding(finding));
+  ++adopted_;
+  print(file, finding);
+}
+
+void FuzzFindings::print(const fs::path& file, const certify::Finding& finding) {
+  fmt::print("FINDING {}{}\n{}", file.string(), certify::how_it_comes(finding), finding.smallest.program);
+  fmt::print("  {}\n  toolcomp replay {}\n", certify::explanation(finding), file.string());
 }
 
 }  // namespace toolcomp::cli

@@ -32,13 +32,17 @@ class FuzzFindings {
   // Makes findings of what was seen, shrunk where possible, and prints them.
   void settle(const fuzz::CampaignResult& result);
 
-  [[nodiscard]] std::size_t count() const { return files_.size(); }
+  // One that is shrunk already.
+  void adopt(certify::Finding finding);
+
+  [[nodiscard]] std::size_t count() const { return files_.size() + adopted_; }
 
  private:
   certify::Finding settled(const fuzz::Finding& found) const;
   certify::Finding signed_by_us(certify::Finding finding) const;
   void write(const certify::Finding& finding);
   void settle(certify::Finding finding, std::uint64_t executions);
+  static void print(const std::filesystem::path& file, const certify::Finding& finding);
 
   const FuzzOptions& options_;
   std::function<bool()> stop_;
@@ -48,6 +52,7 @@ class FuzzFindings {
   certify::FailureGroups groups_;  // of a controller, not yet settled
   certify::Capabilities able_;
   std::map<certify::FailureKey, std::filesystem::path> files_;
+  std::size_t adopted_ = 0;
 };
 
 }  // namespace toolcomp::cli

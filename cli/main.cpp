@@ -66,6 +66,8 @@ class CommandLine {
     add_certify();
     add_verify();
     add_fuzz();
+    add_fuzz_worker();
+    add_fuzz_settle();
     add_replay();
     add_kit();
     add_corpus();
@@ -112,6 +114,7 @@ class CommandLine {
     for (const CLI::App* sub : app_.get_subcommands({})) {
       const std::string& name = sub->get_name();
       if (name == word) return;
+      if (sub->get_group().empty()) continue;
       all += (all.empty() ? "" : ", ") + name;
       if (spec::edit_distance(word, name) <= kNear &&
           (nearest.empty() || spec::edit_distance(word, name) < spec::edit_distance(word, nearest)))
@@ -227,9 +230,13 @@ class CommandLine {
     sub->add_option("--corpus", verify_.corpus, "Folder of the golden corpus it rests on");
   }
   void add_fuzz() {
-    CLI::App* sub = verb("fuzz", "Search for differences", [this] { return cli::fuzz(fuzz_); });
+    CLI::App* sub = verb("fuzz", "Search for differences", [this] {
+      return fuzz_.campaign.empty() && fuzz_.merge.empty() ? cli::fuzz(fuzz_) : cli::fuzz_campaign(fuzz_);
+    });
     add_sections(sub, fuzz_.sections);
-    sub->add_option("--for", fuzz_.duration, "How long a section: 60s, 10m, 1h (default 60s without --runs)");
+    sub->add_option(
+        "--for", fuzz_.duration,
+        "How long a section: 60s, 10m, 1h (default 60s without --runs); a campaign: in all (default: without end)");
     sub->add_option("--runs", fuzz_.runs, "Executions a section instead of a time");
     sub->add_option("--jobs", fuzz_.jobs, "Searches side by side")->check(CLI::Range(1, 256));
     sub->add_option("--seed", fuzz_.seed, "Seed of every random choice");
@@ -237,6 +244,37 @@ class CommandLine {
     sub->add_option("--findings", fuzz_.findings, "Folder for findings");
     add_accept_resolution(sub, fuzz_.accept_resolution);
     sub->add_option("--timeout", fuzz_.timeout, "Seconds a case may take the controller")->check(CLI::PositiveNumber);
+    sub->add_option("--campaign", fuzz_.campaign,
+                    "Folder of a campaign (docs/campaigns.md): corpus, findings, log, state; goes on where it stopped");
+    sub->add_option("--target", fuzz_.targets, "Campaign: this target (repeatable), besides those of --section")
+        ->allow_extra_args(false);
+    sub->add_option("--shard", fuzz_.shard, "Campaign: I/N, with other seeds than the other shards");
+    sub->add_option("--merge", fuzz_.merge, "Merge these campaigns into the new one of --campaign");
+    sub->add_flag("--built-in", fuzz_.built_in, "Without the clang targets, where they are");
+    sub->add_flag("--json", fuzz_.json, "Campaign: the summary as JSON on standard output");
+  }
+  // For campaigns alone: not listed.
+  void add_fuzz_worker() {
+    CLI::App* sub = verb("fuzz-worker", "A worker of a campaign", [this] { return cli::fuzz_worker(worker_); });
+    sub->group("");
+    sub->add_option("--target", worker_.target)->required();
+    sub->add_option("--work", worker_.work)->required();
+    sub->add_option("--corpus", worker_.corpus)->required();
+    sub->add_option("--inputs", worker_.inputs)->allow_extra_args(false);
+    sub->add_option("--seed", worker_.seed);
+    sub->add_option("--seconds", worker_.seconds);
+    sub->add_option("--runs", worker_.runs);
+    sub->add_option("--controller", worker_.controller);
+    sub->add_option("--timeout", worker_.timeout);
+  }
+  void add_fuzz_settle() {
+    CLI::App* sub = verb("fuzz-settle", "A sighting looked at", [this] { return cli::fuzz_settle(settle_); });
+    sub->group("");
+    sub->add_option("--campaign", settle_.campaign)->required();
+    sub->add_option("--target", settle_.target)->required();
+    sub->add_option("--as-seen", settle_.as_seen);
+    sub->add_option("--timeout", settle_.timeout);
+    sub->add_option("file", settle_.file)->required();
   }
   void add_replay() {
     CLI::App* sub = verb("replay", "Judge a finding again", [this] { return cli::replay(replay_); });
@@ -353,6 +391,8 @@ class CommandLine {
   cli::CertifyOptions certify_;
   cli::VerifyOptions verify_;
   cli::FuzzOptions fuzz_;
+  cli::WorkerOptions worker_;
+  cli::SettleOptions settle_;
   cli::ReplayOptions replay_;
   cli::KitOptions kit_;
   cli::CorpusOptions corpus_;

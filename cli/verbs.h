@@ -88,8 +88,37 @@ struct FuzzOptions {
   std::string findings = "findings";
   double timeout = 10;
   std::string accept_resolution;  // a decimal
+  std::string campaign;           // its folder; empty: none
+  std::vector<std::string> targets;
+  std::vector<std::string> merge;  // folders of campaigns
+  std::string shard;               // "I/N"
+  bool built_in = false;           // without the clang targets
+  bool json = false;
 };
 int fuzz(const FuzzOptions& options);
+int fuzz_campaign(const FuzzOptions& options);
+
+// What a campaign runs in processes of their own.
+struct WorkerOptions {
+  std::string target;
+  std::string work;                 // its folder
+  std::string corpus;               // what reaches something new goes there
+  std::vector<std::string> inputs;  // folders of first inputs
+  std::uint64_t seed = 1;
+  std::uint64_t seconds = 0;
+  std::uint64_t runs = 0;  // instead of seconds
+  std::string controller;
+  double timeout = 10;
+};
+int fuzz_worker(const WorkerOptions& options);
+struct SettleOptions {
+  std::string campaign;
+  std::string file;  // the sighting
+  std::string target;
+  std::string as_seen;  // why it is not looked at again
+  double timeout = 10;
+};
+int fuzz_settle(const SettleOptions& options);
 
 struct VerifyOptions {
   std::string file;

@@ -73,8 +73,9 @@ struct CampaignResult {
   std::uint64_t law_checks = 0;
   double worst_ulp = 0;
   double worst_um = 0;
-  std::vector<Finding> findings;          // by job, then by when they were found
-  std::optional<NotDecided> not_decided;  // the one with the shortest program
+  std::map<std::string, std::uint64_t> hits;  // of a worker: executions that differed, by group_of()
+  std::vector<Finding> findings;              // by job, then by when they were found
+  std::optional<NotDecided> not_decided;      // the one with the shortest program
 
   [[nodiscard]] double accepted_share() const;
 };

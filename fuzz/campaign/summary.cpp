@@ -91,6 +91,7 @@ void add(CampaignResult& total, const CampaignResult& part) {
   total.worst_um = std::max(total.worst_um, part.worst_um);
   for (std::size_t i = 0; i < kAcceptances; ++i) total.acceptance.at(i) += part.acceptance.at(i);
   add(total.clauses, part.clauses);
+  for (const auto& [group, count] : part.hits) total.hits[group] += count;
   if (part.not_decided) keep_shortest(total.not_decided, *part.not_decided);
   total.findings.insert(total.findings.end(), part.findings.begin(), part.findings.end());
   if (total.seconds > 0 && total.cores > 0)
@@ -121,6 +122,7 @@ std::string write_summary(const CampaignResult& r) {
   line("worst_ulp", r.worst_ulp);
   line("worst_um", r.worst_um);
   for (std::size_t i = 0; i < kAcceptances; ++i) line(fmt::format("acceptance {}", i), r.acceptance.at(i));
+  for (const auto& [group, count] : r.hits) line("hits", fmt::format("{} {}", count, group));
   for (std::size_t i = 0; i < r.clauses.size(); ++i) {
     const ClauseCount& c = r.clauses[i];
     if (c.reached != 0)
@@ -158,6 +160,11 @@ CampaignResult read_summary(std::string_view text) {
       std::uint64_t count = 0;
       if (words >> index >> count && index < kAcceptances) r.acceptance.at(index) = count;
     }
+    if (name == "hits") {
+      std::uint64_t count = 0;
+      std::string group;
+      if (words >> count >> std::ws && std::getline(words, group)) r.hits[group] = count;
+    }
     if (name == "clause") {
       std::string id;
       ClauseCount c;
@@ -169,23 +176,27 @@ CampaignResult read_summary(std::string_view text) {
   return r;
 }
 
-void print_outcomes(std::ostream& out, std::string_view section, const std::vector<ClauseCount>& clauses) {
-  std::size_t seen = 0;
-  std::size_t all = 0;
-  std::string missing;
-  for (std::size_t i = 0; i < clauses.size(); ++i) {
+Reached outcomes_reached(std::string_view section, const std::vector<ClauseCount>& clauses) {
+  Reached reached;
+  for (std::size_t i = 0; i < spec::kClauseCount; ++i) {
     const spec::ClauseInfo& clause = spec::info(static_cast<spec::Clause>(i));
     if (clause.section != section || !clause.testable || clause.kind == spec::ClauseKind::note) continue;
-    for (const OutcomeSeen& outcome : outcomes(clause, clauses[i])) {
-      ++all;
+    for (const OutcomeSeen& outcome : outcomes(clause, i < clauses.size() ? clauses[i] : ClauseCount{})) {
+      ++reached.all;
       if (outcome.count != 0)
-        ++seen;
+        ++reached.seen;
       else
-        missing += fmt::format("    {} {}\n", clause.id, outcome.name);
+        reached.missing.push_back(fmt::format("{} {}", clause.id, outcome.name));
     }
   }
-  out << fmt::format("  clause outcomes reached: {} of {}\n", seen, all);
-  if (!missing.empty()) out << "  not reached:\n" << missing;
+  return reached;
+}
+
+void print_outcomes(std::ostream& out, std::string_view section, const std::vector<ClauseCount>& clauses) {
+  const Reached reached = outcomes_reached(section, clauses);
+  out << fmt::format("  clause outcomes reached: {} of {}\n", reached.seen, reached.all);
+  if (!reached.missing.empty()) out << "  not reached:\n";
+  for (const std::string& outcome : reached.missing) out << "    " << outcome << '\n';
 }
 
 }  // namespace toolcomp::fuzz

@@ -25,7 +25,15 @@ std::string write_summary(const CampaignResult& result);
 // Reads it back; lines it does not know are left out.
 CampaignResult read_summary(std::string_view text);
 
-// How many clauses and outcomes of a section were reached, and those that were not.
+// Of the outcomes that the clauses of a section can have.
+struct Reached {
+  std::size_t seen = 0;
+  std::size_t all = 0;
+  std::vector<std::string> missing;  // "fanuc.leading-edge.near-90 false"
+};
+Reached outcomes_reached(std::string_view section, const std::vector<model::ClauseCount>& clauses);
+
+// How many outcomes of a section were reached, and those that were not.
 void print_outcomes(std::ostream& out, std::string_view section, const std::vector<model::ClauseCount>& clauses);
 
 }  // namespace toolcomp::fuzz

@@ -1,21 +1,16 @@
 // Any bytes as a case and as the reply of a controller: read or refused; the text of what is read is a fixed point of
 // reading and writing, in both layouts.
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
+#include "fuzz/targets/worker.h"
 #include "spec/language/case_format.h"
 #include "spec/language/input_error.h"
 
 namespace {
 
 using namespace toolcomp::spec;
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
+using toolcomp::fuzz::require;
 
 void as_case(std::string_view text) {
   Case c;
@@ -40,12 +35,11 @@ void as_reply(std::string_view text) {
   }
 }
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // NOLINTNEXTLINE(*-reinterpret-cast): bytes as characters
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
+void hold(std::string_view text) {
   as_case(text);
   as_reply(text);
-  return 0;
 }
+
+}  // namespace
+
+TOOLCOMP_READER_TARGET("read_case", hold)

@@ -1,21 +1,16 @@
 // Any bytes as a setup, JSON if they begin with {, else TOML: read or refused; what is read is read back equal from
 // both formats.
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <string_view>
 
+#include "fuzz/targets/worker.h"
 #include "spec/language/input_error.h"
 #include "spec/language/setup_format.h"
 
 namespace {
 
 using namespace toolcomp::spec;
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
+using toolcomp::fuzz::require;
 
 std::optional<Setup> read(std::string_view text) {
   try {
@@ -26,13 +21,13 @@ std::optional<Setup> read(std::string_view text) {
   }
 }
 
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // NOLINTNEXTLINE(*-reinterpret-cast): bytes as characters
-  const std::optional<Setup> setup = read({reinterpret_cast<const char*>(data), size});
-  if (!setup) return 0;
+void hold(std::string_view text) {
+  const std::optional<Setup> setup = read(text);
+  if (!setup) return;
   require(read_setup_toml(write_setup_toml(*setup), "again") == *setup);
   require(read_setup_json(write_setup_json(*setup), "again") == *setup);
-  return 0;
 }
+
+}  // namespace
+
+TOOLCOMP_READER_TARGET("read_setup", hold)

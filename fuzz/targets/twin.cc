@@ -3,20 +3,23 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/features.h"
+#include "fuzz/campaign/floors.h"
 #include "fuzz/campaign/summary.h"
+#include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/mutate.h"
 #include "fuzz/oracle/control.h"
 #include "fuzz/oracle/trial.h"
+#include "fuzz/targets/worker.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 
@@ -28,27 +31,15 @@ using namespace toolcomp::fuzz;
 // executable itself: from a shared library it would be lost.
 __attribute__((section("__libfuzzer_extra_counters"))) std::array<std::uint8_t, kFeatures> g_counters;
 
-// Directed cases are made to be judged: a target below this share tests its own generator's mistakes.
-constexpr double kFloor = 0.85;
-// Fewer executions say nothing about a share (replays, minimisation).
-constexpr std::uint64_t kEnough = 2000;
 constexpr int kBelowFloor = 76;
 
 CampaignResult g_result;
 Mode g_mode = Mode::directed;
-std::chrono::steady_clock::time_point g_start;
-
-// To the file named by TOOLCOMP_FUZZ_STATISTICS, if it is set.
-void write_statistics() {
-  g_result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - g_start).count();
-  g_result.cores = 1;
-  if (const char* path = std::getenv("TOOLCOMP_FUZZ_STATISTICS"))  // NOLINT(concurrency-mt-unsafe): one thread
-    std::ofstream(path) << write_summary(g_result);
-}
 
 void report() {
   if (g_result.executions == 0) return;
-  write_statistics();
+  Diary* const diary = worker_diary("");
+  if (diary != nullptr) diary->write(g_result);
   std::string text =
       fmt::format("acceptance: {:.1f} % of {} executions", 100 * g_result.accepted_share(), g_result.executions);
   for (std::size_t i = 1; i < kAcceptances; ++i)
@@ -56,8 +47,10 @@ void report() {
       text += fmt::format(", {} {}", name(static_cast<Acceptance>(i)), g_result.acceptance.at(i));
   fmt::print(stderr, "{}\n{} questions of laws; worst {:.3g} ulp, {:.3g} um\n", text, g_result.law_checks,
              g_result.worst_ulp, g_result.worst_um);
-  if (g_mode == Mode::directed && g_result.executions >= kEnough && g_result.accepted_share() < kFloor) {
-    fmt::print(stderr, "acceptance is below its floor of {:.0f} %\n", 100 * kFloor);
+  // A campaign judges the sum of its workers.
+  if (diary == nullptr && g_mode == Mode::directed && g_result.executions >= kEnoughToJudge &&
+      g_result.accepted_share() < kDirectedFloor) {
+    fmt::print(stderr, "acceptance is below its floor of {:.0f} %\n", 100 * kDirectedFloor);
     std::fflush(nullptr);
     std::_Exit(kBelowFloor);
   }
@@ -79,6 +72,17 @@ bool repeats_much(const toolcomp::spec::Case& c) {
   });
 }
 
+// What has to be looked at again.
+void note(Diary& diary, toolcomp::spec::Case c, const Trial& trial) {
+  std::optional<Difference> what = trial.found() ? trial.verdict.difference : std::nullopt;
+  if (trial.acceptance == Acceptance::not_decided) what = not_decided(trial.verdict.undecided);
+  if (!what) return;
+  c.id = "found." + digest(encode(c));
+  diary.hit(
+      group_of(c.section, *what), g_result.executions, [&](const HowFound& how) { return seen_text(c, *what, how); },
+      ".json");
+}
+
 std::size_t put(const toolcomp::spec::Case& c, std::uint8_t* out, std::size_t most) {
   const std::string bytes = encode(c);
   if (bytes.size() > most) return 0;
@@ -90,20 +94,28 @@ std::size_t put(const toolcomp::spec::Case& c, std::uint8_t* out, std::size_t mo
 
 namespace toolcomp::fuzz {
 
-int initialize_target(std::string_view, Mode mode) {
+int initialize_target(std::string_view section, Mode mode) {
   g_mode = mode;
-  g_start = std::chrono::steady_clock::now();
+  static_cast<void>(worker_diary(twin_name(section, mode).c_str()));
   return std::atexit(report);
 }
 
-void run_target(std::string_view section, Mode, const std::uint8_t* data, std::size_t size) {
+int run_target(std::string_view section, Mode, const std::uint8_t* data, std::size_t size) {
   const spec::Case c = decode(section, as_text({data, size}));
-  if (repeats_much(c)) return;
+  if (repeats_much(c)) return 0;
+  Diary* const diary = worker_diary("");
+  if (diary != nullptr) diary->begin(as_text({data, size}));
   const Trial trial = try_case(c);
   add(g_result, trial);
   count_features(trial.run.recorder, g_counters);
-  if (!trial.found()) return;
-  write_statistics();
+  if (diary != nullptr) {
+    note(*diary, c, trial);
+    diary->tick(g_result);
+    end_if_failed(*diary, g_result);
+    // Not into the corpus: it would be met again and again.
+    return trial.found() ? -1 : 0;
+  }
+  if (!trial.found()) return 0;
   fmt::print(stderr, "\nDIFFERENCE {}\n{}\n", explain(*trial.verdict.difference), encode(c));
   std::abort();
 }

@@ -11,8 +11,9 @@
 namespace toolcomp::fuzz {
 
 int initialize_target(std::string_view section, Mode mode);
-// Prints what differs and aborts, so that the fuzzer keeps the input.
-void run_target(std::string_view section, Mode mode, const std::uint8_t* data, std::size_t size);
+// As a worker of a campaign notes what differs and goes on; else prints it and aborts, so that the fuzzer keeps the
+// input. What libFuzzer is to be told.
+int run_target(std::string_view section, Mode mode, const std::uint8_t* data, std::size_t size);
 // A changed case, or a new one, in at most `most` bytes; the length.
 std::size_t mutate_input(std::string_view section, Mode mode, std::uint8_t* data, std::size_t size, std::size_t most,
                          unsigned seed);
@@ -26,8 +27,7 @@ std::size_t cross_inputs(std::string_view section, const std::uint8_t* a, std::s
 #define TOOLCOMP_TWIN_TARGET(section, mode)                                                                          \
   extern "C" int LLVMFuzzerInitialize(int*, char***) { return toolcomp::fuzz::initialize_target(section, mode); }    \
   extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {                                \
-    toolcomp::fuzz::run_target(section, mode, data, size);                                                           \
-    return 0;                                                                                                        \
+    return toolcomp::fuzz::run_target(section, mode, data, size);                                                    \
   }                                                                                                                  \
   extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,             \
                                                  unsigned seed) {                                                    \

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/policy.h"
@@ -89,6 +90,13 @@ TEST(Inventory, EverySeedOfASectionIsACaseOnWhichTheEnginesAgree) {
           EXPECT_EQ(t.acceptance, Acceptance::accepted) << entry.path();
         }
       }
+}
+
+// A campaign knows the targets by a list of its own.
+TEST(Inventory, CampaignsKnowEveryTarget) {
+  std::map<std::string, fs::path> known;
+  for (const Target& target : fuzz::targets()) known.emplace(target.name, target.seeds);
+  EXPECT_EQ(known, targets());
 }
 
 // The short run of every target in CI takes its list from the same folder.

@@ -2,8 +2,6 @@
 // alarm is read back from its own text.
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,18 +9,16 @@
 #include <vector>
 
 #include "fuzz/targets/pieces.h"
+#include "fuzz/targets/worker.h"
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/input_error.h"
 
 namespace {
 
 using namespace toolcomp::spec;
+using toolcomp::fuzz::require;
 
 constexpr std::string_view kAxes = "XYZBC";
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 struct Outcome {
   std::vector<Block> blocks;
@@ -56,20 +52,21 @@ void read_back(const Block& block) {
   require(again.error.empty() && again.blocks.size() == 1 && !again.blocks[0].alarm && same(again.blocks[0], block));
 }
 
-}  // namespace
-
 // The first byte chooses block skip and the size of the pieces.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  const bool block_skip = (data[0] & 1U) != 0;
-  // NOLINTNEXTLINE(*-reinterpret-cast): bytes as characters
-  const std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
+void hold(std::string_view bytes) {
+  if (bytes.empty()) return;
+  const auto first = static_cast<unsigned char>(bytes[0]);
+  const bool block_skip = (first & 1U) != 0;
+  const std::string_view text = bytes.substr(1);
   const Outcome whole = read(text_source(text), block_skip);
-  const Outcome pieces = read(std::make_unique<toolcomp::fuzz::Pieces>(text, 1 + data[0] / 2U), block_skip);
+  const Outcome pieces = read(std::make_unique<toolcomp::fuzz::Pieces>(text, 1 + first / 2U), block_skip);
   require(whole.error == pieces.error && whole.blocks.size() == pieces.blocks.size());
   for (std::size_t i = 0; i < whole.blocks.size(); ++i) {
     require(same(whole.blocks[i], pieces.blocks[i]) && same_place(whole.blocks[i], pieces.blocks[i]));
     if (!whole.blocks[i].alarm) read_back(whole.blocks[i]);
   }
-  return 0;
 }
+
+}  // namespace
+
+TOOLCOMP_READER_TARGET("read_program", hold)

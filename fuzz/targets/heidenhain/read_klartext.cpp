@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "fuzz/targets/pieces.h"
+#include "fuzz/targets/worker.h"
 #include "spec/language/heidenhain/klartext_reader.h"
 #include "spec/language/heidenhain/unsupported.h"
 #include "spec/language/input_error.h"
@@ -21,10 +21,7 @@ namespace {
 
 using namespace toolcomp::spec;
 using klartext::Block;
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
+using toolcomp::fuzz::require;
 
 Setup setup_of(bool block_skip) {
   Setup setup;
@@ -153,18 +150,19 @@ std::string with_carriage_returns(std::string_view text) {
   return result;
 }
 
-}  // namespace
-
 // The first byte chooses block skip and the size of the pieces.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  const bool block_skip = (data[0] & 1U) != 0;
-  // NOLINTNEXTLINE(*-reinterpret-cast): bytes as characters
-  const std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
+void hold(std::string_view bytes) {
+  if (bytes.empty()) return;
+  const auto first = static_cast<unsigned char>(bytes[0]);
+  const bool block_skip = (first & 1U) != 0;
+  const std::string_view text = bytes.substr(1);
   const Outcome whole = read(text_source(text), block_skip);
-  require(same(whole, read(std::make_unique<toolcomp::fuzz::Pieces>(text, 1 + data[0] / 2U), block_skip)));
+  require(same(whole, read(std::make_unique<toolcomp::fuzz::Pieces>(text, 1 + first / 2U), block_skip)));
   require(same(whole, read(text_source(with_carriage_returns(text)), block_skip)));
   check_positions(whole, text);
   read_back(whole.blocks);
-  return 0;
 }
+
+}  // namespace
+
+TOOLCOMP_READER_TARGET("read_klartext", hold)

@@ -1,0 +1,47 @@
+// The folder of one finding: everything somebody needs to believe it, and to repeat it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "certify/finding.h"
+
+namespace toolcomp::certify::fuzzing {
+
+// How far a finding has come.
+enum class Stage : std::uint8_t {
+  seen,        // as its worker met it; looking again failed
+  gone,        // looked at again, and not met
+  reproduced,  // met again, not shrunk to the end
+  shrunk,      // nothing simpler fails in the same way
+};
+std::string_view name(Stage stage);
+
+struct Dossier {
+  Finding finding;
+  Stage stage = Stage::seen;
+  std::string shape;  // of the shrunk case (shape.h); of what is not shrunk: none
+  std::string why;    // why it is not shrunk
+
+  // Two cases of one bug have one name, two bugs have two: kind, clause or section, and a digest of these with the
+  // shape.
+  [[nodiscard]] std::string name() const;
+};
+
+// Everything but the program's name for the folder: finding.json, case.json, expected.jsonl, actual.jsonl, picture.svg,
+// finding.txt. A folder with the same name stays if its case is as small or smaller. Whole or not at all, whatever ends
+// the process. Whether there was none. Throws std::runtime_error where it cannot be written.
+bool write_dossier(const Dossier& dossier, const std::filesystem::path& folder);
+
+// The dossiers of a folder, by name.
+std::vector<std::filesystem::path> dossiers_in(const std::filesystem::path& folder);
+// Their findings; those of readers left out.
+std::vector<Finding> findings_in(const std::filesystem::path& folder);
+
+// Whether the finding in folder `a` is smaller than that in `b`: fewer blocks, fewer bytes, the lesser bytes.
+bool is_smaller(const Finding& a, const Finding& b);
+
+}  // namespace toolcomp::certify::fuzzing

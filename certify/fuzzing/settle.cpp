@@ -1,0 +1,122 @@
+#include "certify/fuzzing/settle.h"
+
+#include <fmt/format.h>
+
+#include "certify/evidence.h"
+#include "certify/fuzzing/shape.h"
+#include "certify/process.h"
+#include "fuzz/campaign/diary.h"
+#include "fuzz/campaign/target.h"
+#include "fuzz/gen/encode.h"
+#include "spec/language/byte_source.h"
+
+namespace toolcomp::certify::fuzzing {
+namespace {
+
+// What only a process of its own can be asked about.
+bool ends_processes(const std::string& kind) { return kind == "crash" || kind == "hang" || kind == "out of memory"; }
+
+std::string this_engine() {
+  return shell_quoted(std::filesystem::read_symlink("/proc/self/exe").string()) + " serve --engine fast";
+}
+
+std::unique_ptr<Subject> subject_for(const Finding& seen, const SettleOptions& options) {
+  const bool apart = seen.controller.empty() && ends_processes(seen.key.kind);
+  return subject_of(apart ? this_engine() : seen.controller, options.timeout);
+}
+
+// Who found it and how, which looking again does not know.
+Finding with_origin(Finding finding, const Finding& seen) {
+  finding.target = seen.target;
+  finding.seed = seen.seed;
+  finding.executions = seen.executions;
+  finding.seconds = seen.seconds;
+  finding.controller = seen.controller;
+  finding.directory = seen.directory;
+  finding.tool = std::string("toolcomp ") + TOOLCOMP_VERSION;
+  return finding;
+}
+
+Dossier as_it_was(const Finding& seen, Stage stage, std::string why) {
+  Dossier dossier{with_origin(seen, seen), stage, {}, std::move(why)};
+  dossier.finding.complete = false;
+  if (stage == Stage::gone) dossier.finding.seen = 0;
+  return dossier;
+}
+
+Dossier undecided(const Finding& seen) {
+  // A controller's answer to it is not asked for again.
+  if (!seen.controller.empty()) return as_it_was(seen, Stage::seen, "of a controller");
+  const fuzz::ModelRun run = fuzz::run_model(seen.smallest);
+  const auto engine = built_in_engine();
+  const auto able = std::get<Capabilities>(engine->capabilities());
+  const Judgement judgement = judge_case(*engine, able, seen.smallest, run);
+  if (judgement.result != Result::undecided)
+    return as_it_was(seen, Stage::gone, fmt::format("judged again: {}", name(judgement.result)));
+  return as_it_was(seen, Stage::reproduced, judgement.why);
+}
+
+}  // namespace
+
+Dossier settle(const Finding& seen, const SettleOptions& options) {
+  if (seen.key.section.empty()) return as_it_was(seen, Stage::seen, "the input of a reader stays as it is");
+  try {
+    if (seen.key.kind == fuzz::kUndecidedKind) return undecided(seen);
+    const auto subject = subject_for(seen, options);
+    const auto said = subject->capabilities();
+    const auto* const able = std::get_if<Capabilities>(&said);
+    const fuzz::ModelRun run = fuzz::run_model(seen.smallest);
+    const Capabilities capabilities = able != nullptr ? *able : Capabilities{};
+    Answer answer = ask_fresh(*subject, seen.before, seen.smallest);
+    const Judgement judgement = judge_answer(capabilities, seen.smallest, run, answer);
+    if (judgement.result != Result::differs)
+      return as_it_was(seen, Stage::gone, fmt::format("judged again: {}", name(judgement.result)));
+    EvidenceOptions evidence;
+    evidence.timeout = options.timeout;
+    evidence.shrink_runs = options.shrink_runs;
+    evidence.stop = options.stop;
+    Dossier dossier;
+    dossier.finding =
+        with_origin(make_finding(*subject, capabilities,
+                                 {seen.smallest, judgement, events_in_double(answer), seen.before}, evidence),
+                    seen);
+    dossier.stage = dossier.finding.complete ? Stage::shrunk : Stage::reproduced;
+    dossier.shape = shape_of(dossier.finding.smallest);
+    return dossier;
+  } catch (const std::exception& error) {
+    // One engine refuses the setup and the other does not, or throws: there is no run to shrink.
+    return as_it_was(seen, Stage::seen, error.what());
+  }
+}
+
+Finding read_sighting(const std::filesystem::path& file, const std::string& target) {
+  const std::string bytes = spec::read_file(file.string());
+  if (file.extension() == ".json") return read_finding(bytes, file.string());
+  const fuzz::Target* const known = fuzz::find_target(target);
+  Finding finding;
+  finding.target = target;
+  const std::string name = file.filename().string();
+  finding.key.kind = name.find("timeout-") != std::string::npos ? "hang"
+                     : name.find("oom-") != std::string::npos   ? "out of memory"
+                     : name.find("crash-") != std::string::npos ? "crash"
+                                                                : "broken";
+  // DIGEST.read_case.cpp-31.input: where the reader broke.
+  const std::size_t dot = name.find('.');
+  if (finding.key.kind == "broken" && name.ends_with(".input") && name.size() - dot > 7)
+    finding.key.clause = name.substr(dot + 1, name.size() - dot - 7);
+  if (known != nullptr && !known->is_reader()) {
+    finding.smallest = fuzz::decode(known->section, bytes);
+    finding.smallest.section = known->section;
+    finding.key.section = known->section;
+  } else {
+    finding.smallest.program = bytes;
+  }
+  finding.smallest.id = "found." + fuzz::digest(bytes);
+  finding.first_case = finding.smallest.id;
+  finding.field = "process";
+  finding.expected = "events";
+  finding.actual = "ended at this input";
+  return finding;
+}
+
+}  // namespace toolcomp::certify::fuzzing

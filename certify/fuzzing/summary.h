@@ -1,0 +1,23 @@
+// What a campaign has to say at its end: what was covered, and whether "nothing found" means anything.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "certify/fuzzing/campaign.h"
+
+namespace toolcomp::certify::fuzzing {
+
+struct Verdict {
+  int status = 0;  // 0 nothing found, 1 findings, 3 nothing found that would mean anything
+  std::string words;
+  std::vector<std::string> shortfalls;  // "tool_offset_directed: not run"
+};
+Verdict verdict_of(const CampaignOptions& options, const CampaignEnd& end);
+
+// For people.
+std::string summary_text(const CampaignOptions& options, const CampaignEnd& end, const Verdict& verdict);
+// For machines: one JSON object.
+std::string summary_json(const CampaignOptions& options, const CampaignEnd& end, const Verdict& verdict);
+
+}  // namespace toolcomp::certify::fuzzing

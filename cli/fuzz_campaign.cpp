@@ -1,0 +1,149 @@
+// toolcomp fuzz --campaign, and the processes that work for it.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "certify/fuzzing/merge.h"
+#include "certify/fuzzing/regression.h"
+#include "certify/fuzzing/summary.h"
+#include "cli/board.h"
+#include "cli/controller.h"
+#include "cli/fuzz_bench.h"
+#include "cli/program.h"
+#include "cli/stop.h"
+#include "cli/verbs.h"
+#include "fuzz/campaign/diary.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+namespace fuzzing = certify::fuzzing;
+
+[[noreturn]] void usage(const std::string& message) { throw spec::InputError("toolcomp fuzz", 0, 0, message); }
+
+fuzzing::Shard shard_of(const std::string& text) {
+  fuzzing::Shard shard;
+  if (text.empty()) return shard;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, shard.index);
+  const bool slash = first.ec == std::errc() && first.ptr != end && *first.ptr == '/';
+  const auto second = slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
+  if (!slash || second.ec != std::errc() || second.ptr != end || shard.index < 1 || shard.index > shard.count)
+    throw spec::InputError("--shard", 0, 0, "takes I/N with 1 <= I <= N, found \"" + text + "\"");
+  return shard;
+}
+
+void add(std::vector<const fuzz::Target*>& list, const fuzz::Target& target) {
+  if (std::ranges::find(list, &target) == list.end()) list.push_back(&target);
+}
+
+// Those named; both of every section named; without either, all that can be run.
+std::vector<const fuzz::Target*> chosen(const FuzzOptions& options, const fuzzing::Bench& bench) {
+  std::vector<const fuzz::Target*> list;
+  for (const std::string& section : options.sections) {
+    const std::size_t before = list.size();
+    for (const fuzz::Target& target : fuzz::targets())
+      if (target.section == section) add(list, target);
+    if (list.size() == before) usage("no section " + section + "; `toolcomp spec sections` lists them");
+  }
+  for (const std::string& name : options.targets) {
+    const fuzz::Target* const target = fuzz::find_target(name);
+    if (target == nullptr) {
+      std::string all;
+      for (const fuzz::Target& known : fuzz::targets()) all += (all.empty() ? "" : ", ") + known.name;
+      usage("no target " + name + "; there are " + all);
+    }
+    if (!bench.can_run(*target))
+      usage("the reader " + name + " has no built-in driver: `./dev fuzz` builds its target");
+    add(list, *target);
+  }
+  if (list.empty())
+    for (const fuzz::Target& target : fuzz::targets())
+      if (bench.can_run(target)) add(list, target);
+  return list;
+}
+
+int merge(const FuzzOptions& options) {
+  if (options.campaign.empty()) usage("--merge needs --campaign: the folder of the merged campaign, a new one");
+  const std::vector<fs::path> folders(options.merge.begin(), options.merge.end());
+  fuzzing::merge_campaigns(folders, options.campaign);
+  fmt::print("{} campaigns merged: {}\n", folders.size(), options.campaign);
+  return kAgrees;
+}
+
+}  // namespace
+
+int fuzz_campaign(const FuzzOptions& options) {
+  if (!options.merge.empty()) return merge(options);
+  if (options.runs > 0 && !options.duration.empty()) usage("--for or --runs, not both");
+  expect_folder(options.campaign, "--campaign");
+  fuzzing::CampaignOptions campaign;
+  campaign.folder = options.campaign;
+  campaign.bench = fuzz_bench(options);
+  campaign.bench.inputs.push_back(campaign.folder / "regression");
+  campaign.targets = chosen(options, campaign.bench);
+  campaign.shard = shard_of(options.shard);
+  // Half the runs for each target of a section.
+  campaign.runs = (options.runs + 1) / 2;
+  if (!options.duration.empty())
+    campaign.seconds = static_cast<std::uint64_t>(duration_of(options.duration, "--for").count());
+  campaign.jobs = std::max(1U, options.jobs);
+  campaign.seed = options.seed;
+  // Whether it can be used is known before hours of work.
+  if (!options.controller.empty())
+    static_cast<void>(controller_subject(options.controller, options.timeout, options.accept_resolution));
+  const Stop stop;
+  campaign.stop = [&stop] { return !stop.why().empty(); };
+  Board board;
+  campaign.show = [&board](const fuzzing::BoardView& view) { board.show(view); };
+  campaign.say = [&board](const std::string& line) { board.say(line); };
+  try {
+    fuzzing::write_regression_inputs(fs::path(TOOLCOMP_SOURCE_DIR) / "corpus/regression",
+                                     campaign.folder / "regression");
+    const fuzzing::CampaignEnd end = fuzzing::run_campaign(campaign);
+    board.close();
+    const fuzzing::Verdict verdict = fuzzing::verdict_of(campaign, end);
+    const std::string text = fuzzing::summary_text(campaign, end, verdict);
+    if (!stop.why().empty()) std::cerr << stop.why() << '\n';
+    if (options.json) std::cerr << text << std::flush;
+    std::cout << (options.json ? fuzzing::summary_json(campaign, end, verdict) : text) << std::flush;
+    return verdict.status;
+  } catch (const spec::InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    // A folder that cannot be written is no fault of this program.
+    board.close();
+    std::cerr << "toolcomp fuzz: " << error.what() << '\n';
+    return kBadInput;
+  }
+}
+
+int fuzz_settle(const SettleOptions& options) {
+  try {
+    fuzzing::SettleOptions how;
+    how.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000));
+    const fuzzing::Folder folder{options.campaign};
+    std::cout << fuzzing::write_settled(
+                     fuzzing::settle_file(folder, options.file, options.target, options.as_seen, how))
+              << std::endl;
+    return kAgrees;
+  } catch (const spec::InputError& error) {
+    std::cerr << error.what() << '\n';
+    return kBadInput;
+  } catch (const std::runtime_error& error) {
+    // What looking at it throws is in its dossier: it is the dossier that could not be written.
+    std::cerr << error.what() << '\n';
+    return fuzz::Diary::kCannotWrite;
+  }
+}
+
+}  // namespace toolcomp::cli

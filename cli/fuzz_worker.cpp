@@ -1,0 +1,149 @@
+// toolcomp fuzz-worker: the built-in driver as a worker of a campaign.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "certify/finding.h"
+#include "cli/controller.h"
+#include "cli/verbs.h"
+#include "fuzz/campaign/diary.h"
+#include "fuzz/campaign/driver.h"
+#include "fuzz/campaign/target.h"
+#include "fuzz/gen/encode.h"
+#include "spec/language/byte_source.h"
+#include "spec/language/file_writer.h"
+#include "spec/language/input_error.h"
+
+namespace toolcomp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A worker's seed in all of its 64 bits, so that the executions of two workers never meet.
+std::uint64_t spread(std::uint64_t seed) {
+  seed += 0x9E3779B97F4A7C15ULL;
+  seed = (seed ^ (seed >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+  seed = (seed ^ (seed >> 27U)) * 0x94D049BB133111EBULL;
+  return seed ^ (seed >> 31U);
+}
+
+class BuiltIn {
+ public:
+  BuiltIn(const WorkerOptions& options, const fuzz::Target& target)
+      : options_(options),
+        target_(target),
+        diary_(options.work, target.name, options.seed),
+        driver_(driver_options()) {}
+
+  int run() {
+    visit_corpus();
+    for (std::uint64_t i = 0; goes_on(i); ++i) {
+      driver_.step(i);
+      diary_.tick(driver_.result());
+    }
+    diary_.write(driver_.result());
+    return diary_.failed() ? fuzz::Diary::kCannotWrite : kAgrees;
+  }
+
+ private:
+  bool goes_on(std::uint64_t i) {
+    if (diary_.failed()) return false;
+    return options_.runs > 0 ? i < options_.runs : diary_.seconds() < static_cast<double>(options_.seconds);
+  }
+
+  // In the order of their names, so that the same inputs give the same search.
+  void visit_corpus() {
+    std::vector<std::string> folders = options_.inputs;
+    folders.push_back(options_.corpus);
+    for (const std::string& folder : folders) {
+      std::vector<fs::path> files;
+      for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.is_regular_file() && entry.path().extension() != ".part") files.push_back(entry.path());
+      std::ranges::sort(files);
+      for (const fs::path& file : files) {
+        if (!goes_on(0)) return;
+        spec::Case c = fuzz::decode(target_.section, spec::read_file(file.string()));
+        c.section = target_.section;
+        driver_.revisit(std::move(c), target_.mode);
+        diary_.tick(driver_.result());
+      }
+    }
+  }
+
+  fuzz::DriverOptions driver_options() {
+    fuzz::DriverOptions driver;
+    driver.sections = {target_.section};
+    driver.modes = {target_.mode};
+    driver.seed = spread(options_.seed);
+    driver.on_input = [this](const spec::Case& c) { diary_.begin(fuzz::encode(c)); };
+    driver.on_corpus = [this](const spec::Case& c, fuzz::Mode) { keep(fuzz::encode(c)); };
+    driver.on_open = [this](const spec::Case& c, const std::string& why) { note(c, fuzz::not_decided(why)); };
+    if (options_.controller.empty())
+      driver.on_finding = [this](const fuzz::Finding& finding, bool) { note(finding.input, finding.difference); };
+    else
+      driver.subject = controller_subject(options_.controller, options_.timeout, {}, watch());
+    return driver;
+  }
+
+  void note(const spec::Case& c, const fuzz::Difference& difference) {
+    diary_.hit(
+        fuzz::group_of(c.section, difference), driver_.result().executions,
+        [&](const fuzz::HowFound& how) { return fuzz::seen_text(c, difference, how); }, ".json");
+  }
+
+  // Of a controller all that was seen belongs to it: what it was asked before, and what it said.
+  Watch watch() {
+    return {[](const certify::FailureKey&, const std::string&) { return std::optional<std::size_t>(0); },
+            [this](const certify::Capabilities& able, std::size_t, const certify::Witness& witness) {
+              const certify::FailureKey key = certify::key_of(witness.c, witness.judgement);
+              diary_.hit(
+                  fmt::format("{}|{}|{}", key.section, key.kind, key.clause), driver_.result().executions + 1,
+                  [&](const fuzz::HowFound& how) {
+                    certify::Finding seen =
+                        certify::signed_finding(certify::as_seen(able, witness), options_.controller, options_.seed);
+                    seen.target = how.target;
+                    seen.executions = how.executions;
+                    seen.seconds = how.seconds;
+                    return certify::write_finding(seen);
+                  },
+                  ".json");
+            }};
+  }
+
+  void keep(const std::string& input) {
+    try {
+      spec::write_file(fs::path(options_.corpus) / fuzz::digest(input), input);
+    } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch)
+      // Where the disk is full the diary cannot be written either, and that ends this worker.
+    }
+  }
+
+  const WorkerOptions& options_;
+  const fuzz::Target& target_;
+  fuzz::Diary diary_;
+  fuzz::Driver driver_;
+};
+
+}  // namespace
+
+int fuzz_worker(const WorkerOptions& options) {
+  const fuzz::Target* const target = fuzz::find_target(options.target);
+  if (target == nullptr || target->is_reader())
+    throw spec::InputError("toolcomp fuzz-worker", 0, 0, "no target of a section: " + options.target);
+  try {
+    return BuiltIn(options, *target).run();
+  } catch (const spec::InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    std::cerr << error.what() << '\n';
+    return fuzz::Diary::kCannotWrite;
+  }
+}
+
+}  // namespace toolcomp::cli

@@ -1,0 +1,38 @@
+// What was found once and fixed stays fixed: corpus/regression.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "certify/fuzzing/regression.h"
+#include "fuzz/gen/encode.h"
+#include "fuzz/gen/generator.h"
+#include "fuzz/oracle/trial.h"
+
+namespace toolcomp {
+namespace {
+
+const std::filesystem::path kFolder = TOOLCOMP_SOURCE_DIR "/corpus/regression";
+
+TEST(Regression, EveryFindingThatWasFixedIsJudgedAndAgrees) {
+  const auto cases = certify::fuzzing::regression_cases(kFolder);
+  EXPECT_FALSE(cases.empty());
+  for (const spec::Case& c : cases) {
+    const fuzz::Trial trial = fuzz::try_case(c);
+    EXPECT_FALSE(trial.found()) << c.id << ": " << fuzz::explain(*trial.verdict.difference);
+    EXPECT_GT(trial.verdict.values, 0U) << c.id;
+    EXPECT_NE(std::ranges::find(fuzz::sections(), c.section), fuzz::sections().end()) << c.id;
+  }
+}
+
+// As a first input of a campaign it is the same case.
+TEST(Regression, EveryCaseSurvivesTheWayOfAnInput) {
+  for (const spec::Case& c : certify::fuzzing::regression_cases(kFolder)) {
+    const spec::Case again = fuzz::decode(c.section, fuzz::encode(c));
+    EXPECT_EQ(again.program, c.program);
+    EXPECT_TRUE(again.setup == c.setup) << c.id;
+  }
+}
+
+}  // namespace
+}  // namespace toolcomp
