@@ -255,7 +255,8 @@ Kit make(const MakeOptions& options) {
   expect_whole(options.machine);
   const corpus::Manifest manifest = corpus::read_manifest(options.corpus);
   const std::string_view control = options.machine.setup.control == spec::Control::fanuc ? "fanuc" : "heidenhain";
-  std::vector<corpus::Vector> vectors = corpus::read_vectors(options.corpus, {.sections = options.sections, .share = {}});
+  std::vector<corpus::Vector> vectors =
+      corpus::read_vectors(options.corpus, {.sections = options.sections, .share = {}});
   std::erase_if(vectors, [&](const corpus::Vector& v) { return v.c.setup.control != options.machine.setup.control; });
   if (options.machine.setup.control == spec::Control::fanuc)
     for (corpus::Vector& vector : generated_vectors(options)) vectors.push_back(std::move(vector));
