@@ -183,7 +183,7 @@ TEST(Decisions, LevelsAgree) {
               decimal.lean(no_kinematics(), displacement(m), direction).angle);
     ++compared;
   }
-  EXPECT_GT(compared, 15'000);
+  EXPECT_GT(compared, test::random_cases(15'000));
 }
 
 }  // namespace
