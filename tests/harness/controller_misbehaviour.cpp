@@ -1,3 +1,4 @@
+// begins first
 // Controllers that break in every way the harness must survive: each gives the right typed finding, shrunk to a program
 // a machinist can key in, and replay reproduces it.
 #include <gtest/gtest.h>
