@@ -54,9 +54,11 @@ std::string manifest(const HardCases& hard, const std::map<std::string, std::str
                           {"sha256", there ? sha256(files.at(file)) : ""}});
     }
   std::vector<Json> predicates;
+  predicates.reserve(hard.predicates.size());
   for (const auto& [clause, searched] : hard.predicates)
     predicates.push_back({{"clause", spec::info(clause).id}, {"runs", searched.runs}, {"searches", searched.searches}});
   std::vector<Json> nearest;
+  nearest.reserve(hard.nearest.size());
   for (const Nearest& n : hard.nearest)
     nearest.push_back({{"clause", spec::info(n.clause).id},
                        {"outcome", name_of(n.outcome)},
@@ -66,6 +68,7 @@ std::string manifest(const HardCases& hard, const std::map<std::string, std::str
                        {"line", n.line},
                        {"found", n.found}});
   std::vector<Json> worst;
+  worst.reserve(hard.worst.size());
   for (const Worst& w : hard.worst)
     worst.push_back(
         {{"section", w.section}, {"of", name_of(w.of)}, {"value", w.value}, {"case", w.c.id}, {"found", w.found}});

@@ -77,9 +77,10 @@ class Approach {
     for (const std::size_t number : order) {
       Site site{number, all_digits ? most_decimals(at_[number]) : options_.decimals, 0};
       if (numbers_.is_whole(number)) site.decimals = 0;
-      std::optional<double> there = value(at_, site, 1);
-      if (there) site.slope = *there - here;
-      if (!there && (there = value(at_, site, -1))) site.slope = here - *there;
+      if (const std::optional<double> above = value(at_, site, 1))
+        site.slope = *above - here;
+      else if (const std::optional<double> below = value(at_, site, -1))
+        site.slope = here - *below;
       if (site.slope != 0) sites.push_back(site);
     }
     std::ranges::sort(sites, {}, [here](const Site& s) { return std::pair(std::fabs(here / s.slope), s.number); });
@@ -211,7 +212,7 @@ Point climb(const Numbers& numbers, const Quantity& height, fuzz::Choices& choos
     const std::size_t number = choose.below(numbers.size());
     const int decimals = numbers.is_whole(number) ? 0 : static_cast<int>(choose.between(-2, most_decimals(at[number])));
     // Counted in the last digit there is, so that a number with many of them still goes by tens and hundreds.
-    const int last = std::max<int>({decimals, at[number].decimals, 0});
+    const int last = std::max({decimals, static_cast<int>(at[number].decimals), 0});
     std::int64_t steps = choose.between(1, 9) * (choose.chance(50) ? 1 : -1);
     for (int i = decimals; i < last; ++i) steps *= 10;
     const auto next = moved(at[number], steps, last);

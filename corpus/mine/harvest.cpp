@@ -203,6 +203,7 @@ std::vector<Worst> Harvest::worst() const {
 
 std::vector<Met> Harvest::values(const std::map<std::string, Met>& met) {
   std::vector<Met> list;
+  list.reserve(met.size());
   for (const auto& [key, value] : met) list.push_back(value);
   return list;
 }

@@ -307,6 +307,7 @@ MineResult mine(const HardCases& before, const MineOptions& options) {
   const unsigned jobs = std::min<unsigned>(options.jobs, static_cast<unsigned>(sections.size()));
   const double seconds = options.seconds * jobs / static_cast<double>(sections.size());
   std::vector<std::thread> threads;
+  threads.reserve(jobs);
   for (unsigned n = 0; n < jobs; ++n)
     threads.emplace_back([&] {
       for (std::size_t i = next++; i < sections.size(); i = next++) try {

@@ -59,7 +59,7 @@ std::size_t words(std::size_t bytes) { return std::max<std::size_t>(1, (bytes + 
 // GMP cannot go on without memory, and no exception passes through it.
 void* whole(void* block) {
   if (block == nullptr) {
-    std::fputs("out of memory for an exact number\n", stderr);
+    static_cast<void>(std::fputs("out of memory for an exact number\n", stderr));
     std::abort();
   }
   return block;

@@ -16,7 +16,7 @@ struct Lateral {
 
 // Where doubles lose too much: the tool leans toward the movement; 1 + c.c' is small.
 [[nodiscard]] bool lean_direction(const Lateral& made_from, Vector& c);
-[[nodiscard]] bool sharp_mitre(const Lateral& made_from, const Lateral& next_from, Vector& between);
+[[nodiscard]] bool sharp_mitre(const Lateral& c, const Lateral& next, Vector& between);
 
 // c = side (t x d)/|t x d|, within a few ulps of 1; false where the tool is parallel to the movement or nothing moves,
 // exactly (turned tools: within 2^-90).
