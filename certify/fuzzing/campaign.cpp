@@ -16,7 +16,6 @@
 namespace toolcomp::certify::fuzzing {
 namespace {
 
-namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds kLook{20};
 constexpr std::chrono::seconds kSave{1};
 // After so many bad ends of workers in a row, without an execution between, something is wrong with all of them.
@@ -209,6 +208,7 @@ class Hunt {
 
   [[nodiscard]] std::vector<Running> running() const {
     std::vector<Running> list;
+    list.reserve(workers_.size());
     for (const auto& worker : workers_)
       list.push_back({worker->slice().number, worker->slice().target->name, worker->process(), worker->executions()});
     return list;
