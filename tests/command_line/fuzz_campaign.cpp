@@ -272,7 +272,7 @@ TEST_F(Campaign, AFolderThatCannotBeWritten) {
 // In the middle of a run a worker cannot make files any more: what it found is in its black box, and comes to light.
 TEST_F(Campaign, AFindingThatCannotBeWrittenIsThereAtTheNextStart) {
   // Without a pause, so that it is there before the first finding, and again, if one came between.
-  const std::string findings = dir + "/work/00000001/findings";
+  const std::string findings = (std::filesystem::path(dir) / "work" / "00000001" / "findings").string();
   const std::string made = "until [ -d " + findings + " ]; do :; done; ";
   const std::string broken = "until [ -f " + findings + " ]; do rm -rf " + findings + "; echo >" + findings + "; done";
   const Outcome outcome = command("timeout 60 sh -c '" + made + broken + "' 2>/dev/null & TOOLCOMP_FAULT=g44_as_g43 " +
