@@ -11,6 +11,7 @@
 
 #include "certify/adapter_batch.h"
 #include "certify/adapter_programs.h"
+#include "certify/process.h"
 #include "certify/report.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
@@ -130,8 +131,6 @@ class Judge {
   const Adapter& adapter_;
   TraceOptions options_;
 };
-
-using Clock = std::chrono::steady_clock;
 
 // Of all programs they would fill the memory.
 void drop_pictures(TraceResult& result) {

@@ -45,13 +45,13 @@ bool is_position(std::string_view field) {
 }
 
 // Which numbers a mistake is in.
-struct Part {
+struct ValuePart {
   std::string words;
   std::function<bool(const EventValue&)> has;
 };
 
 // Every pair of the part is the number of `made`, every other is as expected.
-bool follows(const Seen& seen, const Part& part, const std::function<double(double)>& made) {
+bool follows(const Seen& seen, const ValuePart& part, const std::function<double(double)>& made) {
   return seen.pairs && std::ranges::all_of(*seen.pairs, [&](const ValuePair& pair) {
            return seen.same(pair.actual, part.has(pair.expected) ? made(pair.expected.number) : pair.expected.number);
          });
@@ -73,10 +73,10 @@ std::string factor_words(double factor) {
 }
 
 // The parts that may be wrong where this number is, the widest first.
-std::vector<Part> parts_of(const EventValue& wrong) {
+std::vector<ValuePart> parts_of(const EventValue& wrong) {
   const std::string field(wrong.field);
   const char letter = wrong.letter;
-  std::vector<Part> parts{{"every number", [](const EventValue&) { return true; }}};
+  std::vector<ValuePart> parts{{"every number", [](const EventValue&) { return true; }}};
   if (is_position(field)) {
     const bool linear = spec::is_linear_axis(letter);
     parts.push_back({"every position", [](const EventValue& v) { return is_position(v.field); }});
@@ -98,7 +98,7 @@ void add_constants_and_factors(const Seen& seen, Hypotheses& out) {
   const auto wrong = [&seen](const ValuePair& pair) { return !seen.same(pair.actual, pair.expected.number); };
   const auto first = std::ranges::find_if(*seen.pairs, wrong);
   if (first == seen.pairs->end()) return;
-  for (const Part& part : parts_of(first->expected)) {
+  for (const ValuePart& part : parts_of(first->expected)) {
     const double by = first->actual - first->expected.number;
     out.push_back({fmt::format("{} is off by {:.6g}", part.words, by),
                    [=](const Seen& s) { return follows(s, part, [by](double x) { return x + by; }); }});
@@ -111,7 +111,7 @@ void add_constants_and_factors(const Seen& seen, Hypotheses& out) {
 
 // The numbers of the part lie on the grid of 1/scale, no farther off than the rounding brings them, and all others are
 // as expected. A number that is on the edge of its cell but for the last bit may go either way.
-bool is_rounded(const Seen& seen, const Part& part, fuzz::Rounding how, double scale) {
+bool is_rounded(const Seen& seen, const ValuePart& part, fuzz::Rounding how, double scale) {
   return seen.pairs && std::ranges::all_of(*seen.pairs, [&](const ValuePair& pair) {
            const double exact = pair.expected.number;
            if (!part.has(pair.expected)) return seen.same(pair.actual, exact);
@@ -133,12 +133,12 @@ void add_grids(const Seen& seen, Hypotheses& out) {
                                                        {"down", fuzz::Rounding::down},
                                                        {"toward zero", fuzz::Rounding::toward_zero}}};
   if (!seen.pairs) return;
-  static const std::array kParts{Part{"numbers", [](const EventValue&) { return true; }},
-                                 Part{"positions", [](const EventValue& v) { return is_position(v.field); }}};
+  static const std::array kParts{ValuePart{"numbers", [](const EventValue&) { return true; }},
+                                 ValuePart{"positions", [](const EventValue& v) { return is_position(v.field); }}};
   double scale = 1;
   for (int digits = 1; digits <= kFinest; ++digits) {
     scale *= 10;
-    for (const Part& part : kParts)
+    for (const ValuePart& part : kParts)
       for (const Rounding& rounding : kRoundings)
         out.push_back({fmt::format("{} look rounded to {} decimals, {}", part.words, digits, rounding.words),
                        [=](const Seen& s) { return s.resolution == 0 && is_rounded(s, part, rounding.how, scale); }});

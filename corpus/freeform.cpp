@@ -24,7 +24,7 @@ using Triple = std::array<Wide, 3>;  // of kOne
 Wide times(Wide a, Wide b) { return (a * b) >> 56U; }
 
 // The whole part of the square root, bit by bit.
-Wide square_root(Wide square) {
+Wide whole_root(Wide square) {
   Wide root = 0;
   for (Wide bit = Wide{1} << 60U; bit != 0; bit >>= 1U)
     if ((root + bit) * (root + bit) <= square) root += bit;
@@ -32,7 +32,7 @@ Wide square_root(Wide square) {
 }
 
 Triple unit(const Triple& v) {
-  const Wide length = square_root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  const Wide length = whole_root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   return {v[0] * kOne / length, v[1] * kOne / length, v[2] * kOne / length};
 }
 

@@ -12,7 +12,7 @@ namespace toolcomp::certify::bundle {
 namespace {
 
 constexpr std::size_t kLongestName = 120;
-constexpr std::size_t kPiece = std::size_t{1} << 16;
+constexpr std::size_t kReadAtATime = std::size_t{1} << 16;
 
 std::string words(struct archive* archive) {
   const char* const text = archive_error_string(archive);
@@ -38,7 +38,7 @@ bool is_plain_name(std::string_view name) {
 ArchiveReader::ArchiveReader(const std::filesystem::path& file) : archive_(archive_read_new()) {
   if (archive_ == nullptr || archive_read_support_filter_zstd(archive_) != ARCHIVE_OK ||
       archive_read_support_format_tar(archive_) != ARCHIVE_OK ||
-      archive_read_open_filename(archive_, file.c_str(), kPiece) != ARCHIVE_OK) {
+      archive_read_open_filename(archive_, file.c_str(), kReadAtATime) != ARCHIVE_OK) {
     const std::string why = archive_ == nullptr ? "no memory" : words(archive_);
     static_cast<void>(archive_read_free(archive_));
     throw Refused("the archive cannot be read: " + why);
@@ -62,7 +62,7 @@ std::optional<ArchiveReader::Member> ArchiveReader::next() {
 }
 
 void ArchiveReader::read(const std::function<void(std::string_view)>& take) {
-  std::array<char, kPiece> buffer{};
+  std::array<char, kReadAtATime> buffer{};
   std::uint64_t left = member_.size;
   while (true) {
     const la_ssize_t size = archive_read_data(archive_, buffer.data(), buffer.size());

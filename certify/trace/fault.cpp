@@ -69,7 +69,7 @@ void Farthest::take(const Farthest& part) {
   error = larger(error, part.error);
 }
 
-void report(const Fault& fault, const FaultScene& scene, TraceResult& result, Findings& findings) {
+void report(const LostMatch& fault, const FaultScene& scene, TraceResult& result, Findings& findings) {
   const SamplesOff samples = samples_off(fault, scene);
   PathLeftOut path = path_left_out(fault, scene);
   // Samples between that all lie on a move say that it was not left out.

@@ -10,7 +10,7 @@
 namespace toolcomp::certify {
 
 // A match was lost behind one sample and found again at another, or at the same one further on.
-struct Fault {
+struct LostMatch {
   bool begin = false;      // nothing was matched before: `from` is the first sample
   bool end = false;        // nothing is matched behind: `to` is the last sample, and the rest of the path is left
   bool cut = false;        // it goes on: told as far as it is known
@@ -67,7 +67,7 @@ struct SamplesOff {
   bool on_other_path = true;   // each of them is near another part of the path
   Farthest farthest;
 };
-SamplesOff samples_off(const Fault& fault, const FaultScene& scene);
+SamplesOff samples_off(const LostMatch& fault, const FaultScene& scene);
 
 // The path between, and how far it is from the recording there.
 struct PathLeftOut {
@@ -78,10 +78,10 @@ struct PathLeftOut {
   MoveName first, last;        // moves concerned
   Farthest farthest;
 };
-PathLeftOut path_left_out(const Fault& fault, const FaultScene& scene);
+PathLeftOut path_left_out(const LostMatch& fault, const FaultScene& scene);
 
 // Adds one finding of the samples that lie off the path, and one of the path left out if that is farther from the
 // recording than the recording is from the path.
-void report(const Fault& fault, const FaultScene& scene, TraceResult& result, Findings& findings);
+void report(const LostMatch& fault, const FaultScene& scene, TraceResult& result, Findings& findings);
 
 }  // namespace toolcomp::certify

@@ -43,7 +43,7 @@ void search(const AxisPoint& a, const AxisPoint& b, RunDistance& run, const Dist
 // Goes through the path left out, move by move.
 class LeftOut {
  public:
-  LeftOut(const Fault& fault, const FaultScene& scene, RunDistance& run, std::pair<std::size_t, std::size_t> kept)
+  LeftOut(const LostMatch& fault, const FaultScene& scene, RunDistance& run, std::pair<std::size_t, std::size_t> kept)
       : fault_(fault),
         scene_(scene),
         run_(run),
@@ -172,7 +172,7 @@ class LeftOut {
     return out;
   }
 
-  const Fault& fault_;
+  const LostMatch& fault_;
   const FaultScene& scene_;
   RunDistance& run_;
   std::pair<std::size_t, std::size_t> kept_;  // the run's first and last sample
@@ -191,7 +191,7 @@ class LeftOut {
 
 }  // namespace
 
-PathLeftOut path_left_out(const Fault& fault, const FaultScene& scene) {
+PathLeftOut path_left_out(const LostMatch& fault, const FaultScene& scene) {
   const auto kept = scene.run.between(fault.from, fault.to);
   RunDistance run(scene.run, scene.metric, kept.first, kept.second);
   return LeftOut(fault, scene, run, kept).follow();

@@ -72,7 +72,7 @@ bool near_any_piece(const FaultScene& scene, const AxisPoint& p) {
 
 }  // namespace
 
-SamplesOff samples_off(const Fault& fault, const FaultScene& scene) {
+SamplesOff samples_off(const LostMatch& fault, const FaultScene& scene) {
   SamplesOff off;
   const Metric& metric = scene.metric;
   const PathPlace to = fault.end ? PathPlace{scene.path.end() - 1, 1} : fault.back_high;

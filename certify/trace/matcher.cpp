@@ -172,7 +172,7 @@ void Matcher::end() {
     const double whole = std::ranges::any_of(hypotheses_, done) ? path_.length_to({path_.end() - 1, 1}) : 0;
     const History none;
     const History* best = &none;
-    Fault rest;
+    LostMatch rest;
     double least = std::numeric_limits<double>::infinity();
     for (const Hypothesis& h : hypotheses_) {
       const bool at_end = done(h);

@@ -71,7 +71,7 @@ class Matcher {
   };
   struct History {
     double cost = 0;                                   // in tolerances
-    std::vector<std::shared_ptr<const Fault>> faults;  // not yet reported
+    std::vector<std::shared_ptr<const LostMatch>> faults;  // not yet reported
     Accepted accepted;
   };
   // On the path.

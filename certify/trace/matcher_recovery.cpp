@@ -85,7 +85,7 @@ void Matcher::move_on(const Sample& sample) {
   const double length = path_.length_to(quarter) - path_.length_to(left.high);
   if (recorded_ - left.recorded < (left.continued ? 1 : 2) * length) return;
   report_all(left.history);
-  Fault fault;
+  LostMatch fault;
   fault.begin = left.begin;
   fault.cut = true;
   fault.continued = left.continued;
@@ -193,7 +193,7 @@ Matcher::Hypothesis Matcher::come_back_to(const Reach& group, const Sample& samp
   if (back.reach.empty()) return back;
   back.history = cheapest->history;
   back.history.cost = least;
-  Fault fault;
+  LostMatch fault;
   fault.begin = cheapest->begin;
   fault.continued = cheapest->continued;
   fault.from = cheapest->sample;
@@ -204,7 +204,7 @@ Matcher::Hypothesis Matcher::come_back_to(const Reach& group, const Sample& samp
   fault.back_low = first_of(back.reach);
   fault.back_high = last_of(back.reach);
   fault.cost = least - cheapest->history.cost + kFault;
-  back.history.faults.push_back(std::make_shared<const Fault>(fault));
+  back.history.faults.push_back(std::make_shared<const LostMatch>(fault));
   return back;
 }
 

@@ -183,7 +183,7 @@ struct Unit {
   std::uint64_t align = 0;  // it in 10^-19
   UInt128 half = 0;         // half the distance of two doubles, by 2^64
 };
-constexpr auto kUnits = [] {
+constexpr auto kUnitsByShift = [] {
   std::array<Unit, 64> units;
   for (unsigned shift = 1; shift < units.size(); ++shift) {
     const unsigned places = (shift * 1233 >> 12U) + 1;
@@ -198,7 +198,7 @@ constexpr auto kUnits = [] {
 // nearer: if one of them ends in 0 it is the shortest (of further digits 0 none is written), otherwise all are equally
 // long. A decimal halfway between two doubles is read as the even one.
 inline Decimal shortest(const Binary& value) {
-  const Unit& unit = kUnits[value.shift];
+  const Unit& unit = kUnitsByShift[value.shift];
   // In units of 10^-places / 2^64: the value behind its point, and what is nearer to it on either side.
   const std::uint64_t behind = value.mantissa << (64 - value.shift);
   const UInt128 scaled = static_cast<UInt128>(behind) * unit.one;

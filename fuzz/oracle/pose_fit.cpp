@@ -31,7 +31,7 @@ Rational rational(double x) {
 }
 Rational rational(const Rational& x) { return x; }
 
-double length(const Vector& v) { return std::hypot(approximate(v.x), approximate(v.y), approximate(v.z)); }
+double rough_length(const Vector& v) { return std::hypot(approximate(v.x), approximate(v.y), approximate(v.z)); }
 Vector vector(const std::array<Real, 3>& v) { return {v[0], v[1], v[2]}; }
 
 double magnitude(const Rational& degrees) { return std::fabs(degrees.convert_to<double>()); }
@@ -174,7 +174,7 @@ Posture PoseFit<Number>::posture_at(const Positions& positions) const {
   Posture posture(*estimate_, positions.tool.template convert_to<double>());
   if (!posture.singular) return posture;
   // Doubles do not tell it from one hardly beside it.
-  posture.polar_sine = length(cross(machine_->tilted(positions.tool), machine_->work_side().line));
+  posture.polar_sine = rough_length(cross(machine_->tilted(positions.tool), machine_->work_side().line));
   posture.singular = posture.polar_sine < policy::kExactlyParallel;
   return posture;
 }
@@ -188,7 +188,7 @@ bool PoseFit<Number>::turns_into(const View& view, const Scale& scale) const {
   const double error = std::max(policy::ulp(1), scale.pose.direction) + rounded(view);
   // Inside a block the directions at its ends count, as the controller has them.
   const double inherited = view.sample ? direction_ * scale.pose.direction / policy::ulp(1) : 0;
-  if (length(view.own_tool - view.tool) >
+  if (rough_length(view.own_tool - view.tool) >
       rules_.budget().tool_axis * error + inherited + 2 * rules_.angle_resolution() / kDegreesPerRadian)
     return false;
   const double position = magnitude(view.expected.tool);
@@ -241,10 +241,10 @@ std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::seen(std::span<co
   find_zeros(event);
   const View at = view(event, actual);
   // In coordinates whose zero no event has said positions do not tell what the tool is.
-  if (!at.controlled && length(machine_->direction(at.expected.pose()) - at.tool) > policy::kEstimateNoise)
+  if (!at.controlled && rough_length(machine_->direction(at.expected.pose()) - at.tool) > policy::kEstimateNoise)
     return std::nullopt;
   if (!turns_into(at, scale) && !goes_as_expected(window, at)) return std::nullopt;
-  const double direction = length(at.own_tool - at.tool);
+  const double direction = rough_length(at.own_tool - at.tool);
   return Seen{adjusted(at, off_tip(event, actual, scale)), direction, rounded(at)};
 }
 
@@ -313,7 +313,7 @@ std::optional<typename PoseFit<Number>::Seen> PoseFit<Number>::without_kinematic
   const auto& a = *actual.tool_axis;
   const Vector own{Real(rational(a[0])), Real(rational(a[1])), Real(rational(a[2]))};
   const Vector tool = vector(*expected.tool_axis);
-  const double direction = length(own - tool);
+  const double direction = rough_length(own - tool);
   const double inherited = expected.kind == EventKind::sample ? direction_ * scale.pose.direction / policy::ulp(1) : 0;
   if (direction > rules_.budget().tool_axis * std::max(policy::ulp(1), scale.pose.direction) + inherited +
                       2 * rules_.vector_resolution())

@@ -1,4 +1,3 @@
-// link: LibArchive::LibArchive
 // A bundle with bytes that somebody, or a disk, has changed: refused, never a crash, never accepted as another.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,3 @@
-// link: LibArchive::LibArchive
 // `toolcomp certify --evidence` and `toolcomp verify`: what is accepted, and what is not.
 #include <gtest/gtest.h>
 

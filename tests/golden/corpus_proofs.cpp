@@ -1,3 +1,4 @@
+// program: coq
 // begins first
 // The formal specification proves golden vectors: lemmas are generated and given to Coq (corpus/proofs/check).
 #include "corpus/proofs/proofs.h"

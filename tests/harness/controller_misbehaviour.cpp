@@ -1,3 +1,4 @@
+// program: misbehaviour
 // begins first
 // Controllers that break in every way the harness must survive: each gives the right typed finding, shrunk to a program
 // a machinist can key in, and replay reproduces it.
@@ -48,7 +49,7 @@ std::filesystem::path folder(const std::string& name) {
 const SectionResult& section(const Certificate& c) { return c.sections.at(0); }
 
 TEST(Controller, TheFastEngineThroughThePipeConforms) {
-  const Certificate c = certify(options(faulty("none")));
+  const Certificate c = certify::certify(options(faulty("none")));
   EXPECT_EQ(exit_status(c), 0) << json_report(c);
   EXPECT_EQ(section(c).count(Origin::generated), 40U);
   EXPECT_GT(section(c).values, 1000U);
@@ -67,7 +68,7 @@ TEST_P(Misbehaves, GivesATypedFindingThatReplayReproduces) {
   CampaignOptions o = options(faulty(m.fault));
   // 200 MB come: the default limit would read a third of them each time.
   if (std::string(m.fault) == "long-line") o.reply_limit = std::size_t{4} << 20;
-  const Certificate c = certify(o);
+  const Certificate c = certify::certify(o);
   EXPECT_EQ(exit_status(c), 1);
   ASSERT_FALSE(c.findings.empty());
   const auto paths = write_report(c, folder(m.fault));
@@ -113,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Controller, StandardErrorOfACrashIsKept) {
   CampaignOptions o = options(faulty("exit"));
   o.shrink_runs = 0;
-  const Certificate c = certify(o);
+  const Certificate c = certify::certify(o);
   ASSERT_FALSE(c.findings.empty());
   EXPECT_NE(c.findings[0].errors.find("servo not ready"), std::string::npos);
   EXPECT_NE(c.findings[0].actual.find("exit status 3"), std::string::npos);
@@ -126,7 +127,7 @@ TEST(Controller, AFaultBehindOtherRequestsKeepsThem) {
   for (const char* fault : {"seventh-exit", "seventh-drop-event"}) {
     CampaignOptions o = options(faulty(fault));
     o.shrink_runs = 20;
-    const Certificate c = certify(o);
+    const Certificate c = certify::certify(o);
     EXPECT_EQ(section(c).count(Result::not_run), 0U) << fault;
     EXPECT_GE(section(c).count(Result::differs), 4U) << fault;
     ASSERT_FALSE(c.findings.empty());
@@ -154,7 +155,7 @@ TEST(Controller, AFaultBehindOtherRequestsKeepsThem) {
 TEST(Controller, AFaultByChanceIsKeptWithItsShare) {
   CampaignOptions o = options(faulty("sometimes-drop-event"));
   o.shrink_runs = 20;
-  const Certificate c = certify(o);
+  const Certificate c = certify::certify(o);
   ASSERT_FALSE(c.findings.empty());
   std::uint64_t seen = 0;
   std::uint64_t tried = 0;
@@ -175,7 +176,7 @@ TEST(Controller, FindingsAreToldAsTheyAreSeen) {
   CampaignOptions o = options(faulty("drop-event"));
   std::vector<Finding> told;
   o.found = [&told](const Finding& f) { told.push_back(f); };
-  const Certificate c = certify(o);
+  const Certificate c = certify::certify(o);
   ASSERT_GE(told.size(), c.findings.size());
   for (const Finding& f : c.findings)
     EXPECT_TRUE(std::ranges::any_of(told, [&](const Finding& early) { return early.key == f.key; })) << f.key.clause;
@@ -191,7 +192,7 @@ TEST(Controller, AnEndBeforeAllIsDone) {
   std::uint64_t done = 0;
   o.progress = [&done](std::uint64_t now, std::uint64_t) { done = now; };
   o.stop = [&done] { return done < 10 ? std::string() : std::string("enough"); };
-  const Certificate c = certify(o);
+  const Certificate c = certify::certify(o);
   EXPECT_EQ(section(c).count(Result::not_run), 30U);
   EXPECT_EQ(section(c).total(), 40U);
   EXPECT_EQ(c.interrupted, "enough");
@@ -202,21 +203,21 @@ TEST(Controller, AnEndBeforeAllIsDone) {
   EXPECT_TRUE(replay(paths.front()).reproduced());
   o.controller = faulty("none");
   done = 0;
-  const Certificate sound = certify(o);
+  const Certificate sound = certify::certify(o);
   EXPECT_EQ(exit_status(sound), 3);
   EXPECT_EQ(verdict(sound), "not decided: enough");
 }
 
 // Lines that are no answers are passed over, and shown once.
 TEST(Controller, ChatterIsNoRubbish) {
-  const Certificate c = certify(options(faulty("chatter")));
+  const Certificate c = certify::certify(options(faulty("chatter")));
   EXPECT_EQ(exit_status(c), 0) << json_report(c);
   EXPECT_EQ(c.chatter, "\"axes ready\"");
 }
 
 // One fault in some programs does not spoil the verdict on the others.
 TEST(Controller, IsRestartedAfterACrash) {
-  const Certificate c = certify(options(faulty("exit", "G49")));
+  const Certificate c = certify::certify(options(faulty("exit", "G49")));
   EXPECT_GT(section(c).count(Result::agrees), 0U);
   EXPECT_GT(section(c).count(Result::differs), 0U);
   for (const Finding& f : c.findings) EXPECT_NE(f.smallest.program.find("G49"), std::string::npos);
@@ -225,13 +226,13 @@ TEST(Controller, IsRestartedAfterACrash) {
 TEST(Controller, RepeatedHangsEndASectionEarly) {
   CampaignOptions o = options(faulty("hang"));
   o.shrink_runs = 0;
-  const Certificate c = certify(o);
+  const Certificate c = certify::certify(o);
   EXPECT_EQ(section(c).count(Result::differs), 2U);
   EXPECT_EQ(section(c).count(Result::not_run), 38U);
 }
 
 TEST(Controller, LessThanTheMinimumIsNeverAPass) {
-  const Certificate c = certify(options(faulty("less-than-minimum")));
+  const Certificate c = certify::certify(options(faulty("less-than-minimum")));
   EXPECT_TRUE(c.findings.empty());
   EXPECT_EQ(section(c).values, 0U);
   EXPECT_EQ(exit_status(c), 3);
@@ -239,13 +240,13 @@ TEST(Controller, LessThanTheMinimumIsNeverAPass) {
 
 // What is not announced is not judged, and the certificate says so.
 TEST(Controller, FieldsThatAreNotAnnouncedAreNotJudged) {
-  const Certificate c = certify(options(faulty("no-type")));
+  const Certificate c = certify::certify(options(faulty("no-type")));
   EXPECT_EQ(exit_status(c), 0) << json_report(c);
   EXPECT_EQ(fields_not_judged(c.subject), std::vector<std::string>{"type"});
 }
 
 TEST(Controller, ItsResolutionIsHonoured) {
-  const Certificate c = certify(options(faulty("coarse")));
+  const Certificate c = certify::certify(options(faulty("coarse")));
   EXPECT_EQ(exit_status(c), 0) << json_report(c);
   // It truncates: by its mean the lengths lie toward zero of the exact ones, by less than an increment.
   EXPECT_GT(section(c).bias.count, 0U);
@@ -254,12 +255,12 @@ TEST(Controller, ItsResolutionIsHonoured) {
 
 // One that truncates and announces that it rounds to nearest, or 0.0001 inches where it has 0.001, is found.
 TEST(Controller, ARoundingOtherThanAnnouncedIsFound) {
-  const Certificate c = certify(options(faulty("coarse-rounding")));
+  const Certificate c = certify::certify(options(faulty("coarse-rounding")));
   EXPECT_EQ(exit_status(c), 1);
 }
 
 TEST(Controller, CasesAgainstItsFixedSetupDoNotApply) {
-  const Certificate c = certify(options(faulty("fixed-setup")));
+  const Certificate c = certify::certify(options(faulty("fixed-setup")));
   EXPECT_GT(section(c).count(Result::not_applicable), 0U);
   EXPECT_TRUE(c.findings.empty());
 }
@@ -267,13 +268,13 @@ TEST(Controller, CasesAgainstItsFixedSetupDoNotApply) {
 TEST(Controller, SectionsItDoesNotAnnounceDoNotApply) {
   CampaignOptions o = options(faulty("one-section"));
   o.sections = {"fanuc/leading-edge-offset"};
-  const Certificate c = certify(o);
+  const Certificate c = certify::certify(o);
   EXPECT_EQ(section(c).count(Result::not_applicable), section(c).total());
   EXPECT_EQ(exit_status(c), 3);
 }
 
 TEST(Controller, ACommandThatIsNotThereIsBadUsage) {
-  EXPECT_THROW(certify(options("/nowhere/controller")), spec::InputError);
+  EXPECT_THROW(certify::certify(options("/nowhere/controller")), spec::InputError);
 }
 
 // The same seed gives the same certificate, with one job or three.
@@ -281,26 +282,26 @@ TEST(Controller, TheCertificateIsDeterministic) {
   CampaignOptions one = options(faulty("drop-event"));
   CampaignOptions three = one;
   three.jobs = 3;
-  const Certificate a = certify(one);
-  EXPECT_EQ(json_report(a), json_report(certify(one)));
-  EXPECT_EQ(json_report(a), json_report(certify(three)));
+  const Certificate a = certify::certify(one);
+  EXPECT_EQ(json_report(a), json_report(certify::certify(one)));
+  EXPECT_EQ(json_report(a), json_report(certify::certify(three)));
 }
 
 // Coarser than 0.01 mm, or 0.0004 inch where the setup is fixed in inches: only for a user who accepts it.
 TEST(Controller, ACoarseResolutionMustBeAccepted) {
-  EXPECT_EQ(exit_status(certify(options(faulty("coarse")))), 0);
+  EXPECT_EQ(exit_status(certify::certify(options(faulty("coarse")))), 0);
   for (const std::string fault : {"very-coarse", "very-coarse-inch"}) {
     CampaignOptions o = options(faulty(fault));
-    EXPECT_THROW(certify(o), spec::InputError) << fault;
+    EXPECT_THROW(certify::certify(o), spec::InputError) << fault;
     o.accepted_resolution = "0.0009";
-    EXPECT_THROW(certify(o), spec::InputError) << fault;
+    EXPECT_THROW(certify::certify(o), spec::InputError) << fault;
     o.accepted_resolution = "0.050";
-    EXPECT_EQ(exit_status(certify(o)), 0) << fault;
+    EXPECT_EQ(exit_status(certify::certify(o)), 0) << fault;
   }
 }
 
 TEST(Controller, AFieldAnnouncedAndNeverSentIsAFinding) {
-  const Certificate c = certify(options(faulty("never-sends")));
+  const Certificate c = certify::certify(options(faulty("never-sends")));
   EXPECT_EQ(exit_status(c), 1);
   ASSERT_EQ(c.findings.size(), 1U);
   EXPECT_EQ(c.findings[0].key.kind, "field never sent");
@@ -347,7 +348,7 @@ TEST(Selection, IsTheSameForASeedAndReachesWhatRandomCasesDoNot) {
 TEST(Controller, AnUnknownSectionIsBadUsage) {
   CampaignOptions o = options("");
   o.sections = {"fanuc/no-such-section"};
-  EXPECT_THROW(certify(o), spec::InputError);
+  EXPECT_THROW(certify::certify(o), spec::InputError);
 }
 
 TEST(Controller, TheBuiltInEngineConforms) {
@@ -355,7 +356,7 @@ TEST(Controller, TheBuiltInEngineConforms) {
   o.sections.clear();
   std::uint64_t done = 0;
   o.progress = [&done](std::uint64_t now, std::uint64_t) { done = now; };
-  const Certificate c = certify(o);
+  const Certificate c = certify::certify(o);
   EXPECT_EQ(exit_status(c), 0) << json_report(c);
   EXPECT_EQ(c.sections.size(), fuzz::sections().size());
   EXPECT_EQ(done, 40 * fuzz::sections().size());

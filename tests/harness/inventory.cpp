@@ -30,7 +30,7 @@ std::string contents(const fs::path& path) {
 
 // What fuzz/CMakeLists.txt builds: one target a file, by the name of the file; and its folder, which is that of its
 // seeds: a dialect, or none.
-std::map<std::string, fs::path> targets() {
+std::map<std::string, fs::path> targets_of_the_tree() {
   std::map<std::string, fs::path> names;
   const fs::path all = root() / "fuzz/targets";
   for (const auto& entry : fs::recursive_directory_iterator(all))
@@ -53,7 +53,7 @@ TEST(Inventory, EverySectionHasItsTwinTargetsAndARowOfThePolicy) {
   for (const std::string_view section : sections()) {
     for (const Mode mode : {Mode::directed, Mode::unrestricted}) {
       const std::string name = twin(section, mode);
-      EXPECT_TRUE(targets().contains(name)) << name;
+      EXPECT_TRUE(targets_of_the_tree().contains(name)) << name;
       const std::string source = contents(root() / "fuzz/targets" / dialect(section) / (name + ".cpp"));
       EXPECT_NE(source.find("\"" + std::string(section) + "\""), std::string::npos) << name;
       EXPECT_NE(source.find(mode == Mode::directed ? "Mode::directed" : "Mode::unrestricted"), std::string::npos)
@@ -66,7 +66,7 @@ TEST(Inventory, EverySectionHasItsTwinTargetsAndARowOfThePolicy) {
 TEST(Inventory, EveryTargetHasSeedsAndEverySeedFolderATarget) {
   const fs::path seeds = root() / "corpus/seeds";
   std::set<fs::path> folders;
-  for (const auto& [name, folder] : targets()) {
+  for (const auto& [name, folder] : targets_of_the_tree()) {
     ASSERT_TRUE(fs::is_directory(seeds / folder)) << folder;
     EXPECT_GT(std::distance(fs::directory_iterator(seeds / folder), fs::directory_iterator()), 0) << folder;
     folders.insert(folder);
@@ -96,7 +96,7 @@ TEST(Inventory, EverySeedOfASectionIsACaseOnWhichTheEnginesAgree) {
 TEST(Inventory, CampaignsKnowEveryTarget) {
   std::map<std::string, fs::path> known;
   for (const Target& target : fuzz::targets()) known.emplace(target.name, target.seeds);
-  EXPECT_EQ(known, targets());
+  EXPECT_EQ(known, targets_of_the_tree());
 }
 
 // The short run of every target in CI takes its list from the same folder.

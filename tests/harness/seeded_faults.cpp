@@ -1,3 +1,4 @@
+// program: faults
 // link: toolcomp_fast_faulty
 // The harness measured: every seeded fault of the fast engine must be found by its section's directed generator, within
 // its budget, with a first divergence that rests on the clause the fault breaks. `./dev mutants` prints the table;

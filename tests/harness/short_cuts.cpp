@@ -1,3 +1,4 @@
+// program: faults
 // link: toolcomp_fast_faulty
 // The law of short cuts: where one is closed (fast/basis/short_cut.h), the general path gives the same events, bit for
 // bit. Three of them compute in doubles what the general path computes otherwise: there the events are the same, and

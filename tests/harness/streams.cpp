@@ -1,3 +1,4 @@
+// program: faults
 // link: toolcomp_fast_faulty
 // Judging while reading: long programs, and the same verdicts as on whole cases.
 #include <gtest/gtest.h>

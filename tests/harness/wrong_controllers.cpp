@@ -54,7 +54,7 @@ class Controllers : public testing::TestWithParam<Wrong> {};
 
 TEST_P(Controllers, AreFoundInFewGroups) {
   const CampaignOptions asked = options(GetParam().fault);
-  const Certificate c = certify(asked);
+  const Certificate c = certify::certify(asked);
   EXPECT_EQ(exit_status(c), 1);
   ASSERT_FALSE(c.findings.empty());
   ASSERT_FALSE(c.causes.empty());

@@ -1,4 +1,3 @@
-// link: LibArchive::LibArchive
 // Archives that nobody would make who means well, and the parts of a bundle by themselves.
 #include <archive.h>
 #include <archive_entry.h>

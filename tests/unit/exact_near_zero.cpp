@@ -152,7 +152,7 @@ TEST(Adversarial, AHopelessProofEndsUndecided) {
   EXPECT_THROW((void)zero.sign(), Undecided);
   const double taken = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   // A sanitizer makes it about ten times as long.
-  EXPECT_LT(taken, test::kSanitized ? 10 : 1);
+  EXPECT_LT(taken, toolcomp::test::kSanitized ? 10 : 1);
   // Its bounds still hold zero and are narrow.
   const Enclosure bounds = zero.enclosure();
   EXPECT_LE(bounds.lower, 0);

@@ -1,5 +1,4 @@
 // Exact positions against GMP rationals, and their nearest doubles against MPFR.
-// link: mpfr gmp
 #include "fast/arithmetic/count.h"
 
 #include <gmp.h>

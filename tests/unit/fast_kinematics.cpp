@@ -1,6 +1,5 @@
 // Tool directions of the fast engine against the closed forms of each machine, by hand,
 // evaluated with MPFR, and their stated errors.
-// link: mpfr gmp
 #include "fast/kinematics/kinematics.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
 // Sines and cosines of the fast engine against MPFR with 300 bits.
-// link: mpfr gmp
 #include "fast/arithmetic/trigonometry.h"
 #include "tests/sanitized.h"
 

@@ -1,4 +1,3 @@
-// link: toolcomp_trace
 // The linter on our own clause files, and on files with one fault each: the expected line, column and words are those
 // of the text below, by hand.
 #include "spec/trace/lint.h"

@@ -1,4 +1,3 @@
-// link: toolcomp_trace
 // What `toolcomp spec` prints. Expected texts are written by hand from the clause file of the leading edge.
 #include "spec/trace/report.h"
 

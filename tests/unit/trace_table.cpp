@@ -1,4 +1,3 @@
-// link: toolcomp_trace
 // The trace table: rules that the source tree must keep, and a small tree whose mentions are counted by hand.
 #include "spec/trace/trace.h"
 

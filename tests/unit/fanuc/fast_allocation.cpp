@@ -1,3 +1,4 @@
+// program: allocations
 // Nothing allocates per block: neither the reader nor the engine, in any section.
 #include <gtest/gtest.h>
 

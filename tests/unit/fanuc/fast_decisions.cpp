@@ -1,6 +1,5 @@
 // Decisions and vectors of leading edge offset: against whole numbers of GMP where the tool direction is rational,
 // against identities of special angles where it comes from rotary axes.
-// link: mpfr gmp
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/gmp.hpp>

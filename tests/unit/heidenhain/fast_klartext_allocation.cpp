@@ -1,3 +1,4 @@
+// program: allocations
 // Nothing allocates per block of a Klartext program: neither the reader nor the engine.
 #include <gtest/gtest.h>
 
@@ -52,7 +53,7 @@ TEST(KlartextAllocation, NoneABlock) {
   for (int i = 0; i < 500; ++i) program += body;
   const spec::Setup setup = spec::read_setup_toml(kSetup, "setup");
   Counter counter;
-  Engine engine(setup, counter);
+  klartext::Engine engine(setup, counter);
   spec::klartext::Reader reader(spec::text_source(program), setup);
   spec::klartext::Block block;
   const std::size_t before = allocations;
