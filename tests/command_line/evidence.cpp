@@ -133,7 +133,7 @@ TEST(Report, IsThatOfOneRunAtATime) {
 }
 
 // A controller is found again from another folder.
-TEST(Replay, RunsTheControllerWhereItWasRun) {
+TEST(ReplayOfEvidence, RunsTheControllerWhereItWasRun) {
   const Folder folder;
   static_cast<void>(folder.write("controller", "exec " + kFaulty + "drop-event\n"));
   const Outcome outcome =

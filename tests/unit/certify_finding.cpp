@@ -112,7 +112,7 @@ TEST(FindingFile, ReplayJudgesAgain) {
   EXPECT_EQ(exit_status(r.judgement.result), 0);
 }
 
-TEST(Files, AreWrittenWholeOrNotAtAll) {
+TEST(FilesOfFindings, AreWrittenWholeOrNotAtAll) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "toolcomp-files";
   std::filesystem::remove_all(folder);
   spec::write_file(folder / "deep" / "file", "one");
