@@ -70,7 +70,7 @@ class Matcher {
     std::uint64_t linear_line = 0, rotary_line = 0;
   };
   struct History {
-    double cost = 0;                                   // in tolerances
+    double cost = 0;                                       // in tolerances
     std::vector<std::shared_ptr<const LostMatch>> faults;  // not yet reported
     Accepted accepted;
   };

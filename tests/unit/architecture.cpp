@@ -93,6 +93,34 @@ TEST(Architecture, FoldersHaveAnOrder) {
       EXPECT_TRUE(read_before.contains(other)) << folder << " and " << other << " are in a circle";
 }
 
+// Two types of one name in one namespace would be taken for each other where programs are linked, and no linker says
+// so.
+TEST(Architecture, ATypeIsDefinedOnce) {
+  const std::regex opens(R"(namespace ([a-z_:]*) ?\{)");
+  const std::regex type(R"((?:struct|class|enum class|enum) (\w+)(?: final)?(?: :[^:].*)?\s*\{.*)");
+  std::map<std::string, std::set<std::string>> definitions;
+  for (const std::string room : {"spec", "model", "fast", "fuzz", "corpus", "certify", "cli"})
+    for (const fs::path& file : sources(room)) {
+      std::ifstream lines(file);
+      std::string name;
+      bool own = false;
+      std::smatch found;
+      for (std::string line; std::getline(lines, line);) {
+        if (line == "}  // namespace") own = false;
+        if (line.empty() || std::string("nsce").find(line.front()) == std::string::npos) continue;
+        if (std::regex_match(line, found, opens)) {
+          own = found[1].length() == 0;
+          if (!own) name = found[1];
+        } else if (!own && std::regex_match(line, found, type)) {
+          definitions[name + "::" + found[1].str()].insert(fs::relative(file, kSource).generic_string());
+        }
+      }
+    }
+  EXPECT_GT(definitions.size(), 500U);
+  for (const auto& [name, files] : definitions)
+    EXPECT_EQ(files.size(), 1U) << name << " in " << testing::PrintToString(files);
+}
+
 // What is divided by dialect, and the files above both that choose one by the control of a case.
 const std::set<std::string> kDivided{"model",     "fast",         "spec/language",   "fuzz/gen",
                                      "fuzz/laws", "fuzz/targets", "corpus/examples", "corpus/proofs"};
