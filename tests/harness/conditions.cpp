@@ -4,13 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "certify/convert.h"
 #include "fuzz/oracle/policy.h"
+#include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -100,6 +103,35 @@ TEST(Conditions, OfAnIntersectionNearAReversal) {
     EXPECT_NEAR(std::fabs(list[1].heads[0].bands[0].normal[1]), 1, 1e-15);
     EXPECT_NEAR(std::fabs(list[1].heads[0].bands[1].normal[0]), 1 / std::hypot(n, 1.0), 1e-15);
   }
+}
+
+// The same head in the comparison. It lies 2,000,000 mm out, where doubles are 2.3e-10 apart; the lines meet at an
+// angle of 1e-5, so that an error of one double moves it by 100,000 of them along both, and by none of them across. A
+// head 1e-4 further along is right; one that is 1e-5 beside the lines, 43,000 doubles, is not, whatever it may slide.
+TEST(Conditions, AHeadBesideItsLinesIsFound) {
+  const int n = 100'000;
+  const Real x = 40 + Real(-10) * (sqrt(Real(n) * Real(n) + 1) + Real(n));
+  ModelRun run;
+  run.events = {move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", x, Real(10)),
+                move(kOwn, std::to_string(40 - 50 * n), "50", Real(0), Real(0))};
+  spec::Case c;
+  c.section = "fanuc/cutter-compensation-c";
+  c.setup.axes = spec::Axes("XYZ");
+  const auto agrees = [&](double along, double across) {
+    std::vector<fast::Event> actual = certify::in_doubles(run.events);
+    for (spec::AxisValues<double>* values : {&actual[1].point, &actual[1].axes}) {
+      values->set(0, values->value.at(0) + along);
+      values->set(1, values->value.at(1) + across);
+    }
+    return judge(c, run, actual).outcome == Outcome::agrees;
+  };
+  EXPECT_TRUE(agrees(0, 0));
+  EXPECT_TRUE(agrees(1e-4, 0));
+  EXPECT_TRUE(agrees(-1e-4, 0));
+  EXPECT_FALSE(agrees(0, 1e-5));
+  EXPECT_FALSE(agrees(0, -1e-5));
+  EXPECT_FALSE(agrees(1e-4, 1e-5));
+  EXPECT_FALSE(agrees(10, 0));
 }
 
 // The alarm of a block whose move is not made, and which the head before it was made with.
