@@ -15,9 +15,9 @@ constexpr std::size_t kLongestName = 32;
 
 bool is_zero(const Value& value) { return value.parameter.kind == ParameterKind::none && value.number.digits == 0; }
 
-// Signs, brackets and functions of a formula.
+// Signs, brackets and functions of a formula. The end of a line is none of a sign, be it CR LF or LF.
 bool is_operator(const char* at) {
-  return std::string_view("+-*/^").find(*at) != std::string_view::npos && is_blank(at[1]);
+  return std::string_view("+-*/^").find(*at) != std::string_view::npos && (at[1] == ' ' || at[1] == '\t');
 }
 bool begins_formula(const char* at) {
   if (*at == '(' || is_operator(at)) return true;
