@@ -254,7 +254,8 @@ TEST_P(CampaignEndedBy, ASignalSaysWhatItHas) {
   const Background campaign(TOOLCOMP_BINARY_DIR "/toolcomp " + fuzz + kSection);
   const int worker = a_worker(dir);
   EXPECT_TRUE(campaign.end(GetParam()));
-  EXPECT_FALSE(alive(worker));
+  // It is killed with its shell; who collects it then is not the campaign, and may take a moment.
+  EXPECT_TRUE(comes_true([&] { return !alive(worker); })) << "the worker lives on";
   EXPECT_NE(campaign.out().find("clause outcomes"), std::string::npos) << campaign.out();
   EXPECT_FALSE(fs::exists(dir + "/running.json"));
 }
