@@ -122,12 +122,14 @@ TEST(TimeLimit, WhatIsLeftIsCounted) {
 TEST(Report, IsThatOfOneRunAtATime) {
   const Folder folder;
   const std::string report = folder.path("r");
-  const std::string slow = "sh " + folder.write("slow", "sleep 20; exec " + kFaulty + "none\n");
+  const std::string over = folder.path("over");
+  const std::string slow =
+      "sh " + folder.write("slow", "until [ -e " + over + " ]; do sleep 0.1; done; exec " + kFaulty + "none\n");
   const std::string certify =
       TOOLCOMP_BINARY_DIR "/toolcomp certify --cases 1" + kSection + "--report " + report + " --controller ";
   const Outcome outcome = command("(" + certify + "'" + slow + "' >/dev/null 2>&1 & until [ -e " + report +
                                   "/running.json ]; do sleep 0.1; done; " + certify + "'" + kFaulty +
-                                  "none'; status=$?; wait; exit $status)");
+                                  "none'; status=$?; touch " + over + "; wait; exit $status)");
   EXPECT_EQ(outcome.status, 2) << outcome.out;
   EXPECT_NE(outcome.err.find("is at work there"), std::string::npos) << outcome.err;
 }
