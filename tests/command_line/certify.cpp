@@ -65,12 +65,10 @@ INSTANTIATE_TEST_SUITE_P(Wrappers, Faults,
 TEST_P(Faults, AreFound) {
   const Folder folder;
   const std::string controller = wrapper(folder, "controller.sh", GetParam().second);
-  // Two sections: with all of them hundreds of findings are shrunk. A malformed answer ends a process: under sanitizers,
-  // where one takes a while to begin, a few cases.
-  const std::string cases = toolcomp::test::kSanitized ? " --cases 30" : " --cases 60 --corpus " TOOLCOMP_SOURCE_DIR "/corpus/golden";
+  // Two sections: with all of them hundreds of findings are shrunk.
   const Outcome outcome = toolcomp("certify --controller '" + controller +
-                                   "' --section fanuc/tool-length-offset --section heidenhain/face-milling" + cases +
-                                   " --timeout 3 --report " +
+                                   "' --section fanuc/tool-length-offset --section heidenhain/face-milling --cases 60"
+                                   " --corpus " TOOLCOMP_SOURCE_DIR "/corpus/golden --timeout 3 --report " +
                                    folder.path("report"));
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
   const std::filesystem::path findings = folder.path("report/findings");
