@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "certify/fuzzing/dossier.h"
+#include "certify/fuzzing/families.h"
 #include "fuzz/campaign/floors.h"
 #include "fuzz/campaign/summary.h"
 #include "spec/language/byte_source.h"
@@ -38,6 +41,34 @@ std::vector<SectionSum> sections_of(const CampaignOptions& options, const State&
 std::string first_line(const fs::path& file) {
   const std::string text = spec::read_file(file.string());
   return text.substr(0, text.find('\n'));
+}
+
+// The findings of a campaign, by families.
+struct Found {
+  std::vector<fs::path> dossiers;
+  std::vector<Family> families;
+};
+
+Found found_in(const CampaignOptions& options) {
+  Found found{dossiers_in(options.folder / "findings"), {}};
+  std::vector<Shaped> shaped;
+  for (const fs::path& dossier : found.dossiers) {
+    Shaped& one = shaped.emplace_back();
+    std::istringstream story(spec::read_file((dossier / "finding.txt").string()));
+    for (std::string line; std::getline(story, line);) {
+      constexpr std::string_view kSection = "section   ";
+      constexpr std::string_view kShape = "shape     ";
+      if (line.starts_with(kSection)) one.section = line.substr(kSection.size());
+      if (line.starts_with(kShape) && !line.ends_with(" not known")) one.shape = line.substr(kShape.size());
+    }
+  }
+  found.families = families(shaped);
+  return found;
+}
+
+std::uint64_t cases_of(const State& state, const fs::path& dossier) {
+  const auto known = state.groups.find(dossier.filename().string());
+  return known == state.groups.end() ? 0 : known->second;
 }
 
 std::string time_text(double seconds) {
@@ -123,11 +154,18 @@ std::string summary_text(const CampaignOptions& options, const CampaignEnd& end,
     text += wanted(sections) + kNoScore;
   }
   for (const auto& [how, count] : state.ends) text += fmt::format("workers that ended by {}: {}\n", how, count);
-  for (const fs::path& dossier : dossiers_in(options.folder / "findings")) {
-    const auto cases = state.groups.find(dossier.filename().string());
-    text += fmt::format("FINDING {}\n  {}\n  cases that came to it: {}\n", dossier.string(),
-                        first_line(dossier / "finding.txt"), cases == state.groups.end() ? 0 : cases->second);
+  const Found found = found_in(options);
+  for (const Family& family : found.families) {
+    const fs::path& simplest = found.dossiers[family.simplest];
+    text += fmt::format("FINDING {}\n  {}\n  cases that came to it: {}\n", simplest.string(),
+                        first_line(simplest / "finding.txt"), cases_of(state, simplest));
+    for (const std::size_t i : family.others)
+      text += fmt::format("  its blocks are in {} too: {} cases\n", found.dossiers[i].string(),
+                          cases_of(state, found.dossiers[i]));
   }
+  if (found.families.size() < found.dossiers.size())
+    text += fmt::format("look first at {} of {} findings: the programs of the others contain one of theirs\n",
+                        found.families.size(), found.dossiers.size());
   for (const fs::path& dossier : dossiers_in(options.folder / "open"))
     text += fmt::format("NOT DECIDED {}\n", dossier.string());
   for (const std::string& words : verdict.shortfalls) text += "below its floor: " + words + "\n";
@@ -151,11 +189,17 @@ std::string summary_json(const CampaignOptions& options, const CampaignEnd& end,
             {"not_decided", end.open},
             {"ends", state.ends}};
   json["findings"] = Json::array();
-  for (const fs::path& dossier : dossiers_in(options.folder / "findings")) {
-    const auto cases = state.groups.find(dossier.filename().string());
-    json["findings"].push_back({{"folder", dossier.string()},
-                                {"what", first_line(dossier / "finding.txt")},
-                                {"cases", cases == state.groups.end() ? 0 : cases->second}});
+  const Found found = found_in(options);
+  const auto add = [&](std::size_t i, std::size_t simplest) {
+    Json one{{"folder", found.dossiers[i].string()},
+             {"what", first_line(found.dossiers[i] / "finding.txt")},
+             {"cases", cases_of(state, found.dossiers[i])}};
+    if (i != simplest) one["contains"] = found.dossiers[simplest].string();
+    json["findings"].push_back(std::move(one));
+  };
+  for (const Family& family : found.families) {
+    add(family.simplest, family.simplest);
+    for (const std::size_t i : family.others) add(i, family.simplest);
   }
   json["targets"] = Json::array();
   for (const BoardRow& row : view_of(state, options.targets).rows)

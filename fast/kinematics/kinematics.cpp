@@ -79,7 +79,7 @@ FineVector tilted(const Count& ra, const Count& rb, int third) {
   const auto b = fine_sine_cosine(rb);
   FineVector v{};
   v[static_cast<std::size_t>((third + 1) % 3)] = a.cosine * b.sine;
-  v[static_cast<std::size_t>((third + 2) % 3)] = -a.sine;
+  v[static_cast<std::size_t>((third + 2) % 3)] = fault(Fault::direction_tilt_sense) ? a.sine : -a.sine;
   v[static_cast<std::size_t>(third)] = a.cosine * b.cosine;
   return v;
 }
@@ -92,6 +92,7 @@ FineVector axis_direction(const spec::Setup& setup, std::uint32_t number) {
   const auto a = fine_sine_cosine(angle_parameter(setup, number + 1));
   if (code == 4) return {a.cosine, a.sine, DoubleDouble{}};
   if (code == 5) return {DoubleDouble{}, a.cosine, a.sine};
+  if (fault(Fault::direction_code_6_mirrored)) return {a.cosine, DoubleDouble{}, a.sine};
   return {a.sine, DoubleDouble{}, a.cosine};
 }
 

@@ -74,9 +74,9 @@ Machine::Machine(const spec::Setup& setup, Kinematics& kinematics) : kinematics_
   workpiece_frame_ = setup.bit(19696, 5);
   const auto set = [](Vectors& vectors, const Vector3<DoubleDouble>& v) { vectors = {v, rounded(v)}; };
   set(table_, three(setup, 19700));
-  set(second_table_, three(setup, 19703));
+  if (!fault(Fault::pose_second_table_ignored)) set(second_table_, three(setup, 19703));
   set(tool_offset_, three(setup, 19709));
-  set(head_offset_, three(setup, 19712));
+  if (!fault(Fault::pose_head_offset_ignored)) set(head_offset_, three(setup, 19712));
   set(zero_, vector(kinematics.zero_direction()));
   const auto nowhere = [](const Vectors& v) { return v.rough.x == 0 && v.rough.y == 0 && v.rough.z == 0; };
   along_tool_ = type_ == 2 && nowhere(tool_offset_) && nowhere(head_offset_);
@@ -115,7 +115,7 @@ template <class T>
 void Machine::set_zeros(const std::array<Count, spec::kMaxAxes>& zero) {
   for (Axis& axis : axis_) {
     if (axis.index == kNone) continue;
-    axis.zero = zero[axis.index];
+    if (!fault(Fault::pose_rotary_origin_ignored)) axis.zero = zero[axis.index];
     axis.zero_degrees = axis.zero.nearest();
   }
 }

@@ -20,7 +20,8 @@ namespace toolcomp::fast {
                            DoublePair{axis_[tool_side_].sense, axis_[work_side()].sense};
   constexpr double kShift = 0x1.8p52;
   const DoublePair turned = (near - basic) * (1.0 / 360) + kShift;
-  const DoublePair degrees = basic + 360.0 * (turned - kShift);
+  DoublePair degrees = basic + 360.0 * (turned - kShift);
+  if (fault(Fault::usual_pair_turn)) degrees[1] = basic[1];
   const auto set = [&](RotaryPosition& tool_axis, RotaryPosition& work_axis) {
     tool_axis.degrees = degrees[0];
     work_axis.degrees = degrees[1];

@@ -19,10 +19,12 @@ using Json = nlohmann::json;
 const std::string kFaulty = TOOLCOMP_BINARY_DIR "/toolcomp_faulty_controller ";
 const std::string kSection = " --section fanuc/tool-length-offset ";
 
+// Without what a kill has left half written, under a name of its own.
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> files;
   if (std::filesystem::is_directory(folder))
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path().string());
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() != ".part") files.push_back(entry.path().string());
   std::ranges::sort(files);
   return files;
 }

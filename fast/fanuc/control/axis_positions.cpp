@@ -71,13 +71,15 @@ void AxisPositions::fill_displaced_machine(Event& event) const {
 void AxisPositions::add_zeros() {
   displaced_ = 0;
   for (std::size_t axis = 0; axis < axes_.count; ++axis) {
-    zero_[axis] = origin_[kExternal][axis] + origin_[workpiece_][axis] + local_[axis] + shift_[axis];
+    zero_[axis] = origin_[workpiece_][axis] + local_[axis] + shift_[axis];
+    if (!fault(Fault::external_origin_ignored)) zero_[axis] += origin_[kExternal][axis];
     if (!zero_[axis].is_zero()) displaced_ = static_cast<Mask>(displaced_ | bit(axis));
   }
 }
 
 void AxisPositions::set_origin(std::size_t number, std::size_t axis, const Count& value) {
-  if (number == workpiece_ || number == kExternal) set(axis, programmed_[axis] + origin_[number][axis] - value);
+  const bool counts = number == workpiece_ || number == kExternal || fault(Fault::origin_of_any_system);
+  if (counts) set(axis, programmed_[axis] + origin_[number][axis] - value);
   origin_[number][axis] = value;
 }
 
@@ -101,7 +103,7 @@ void AxisPositions::select_system(std::size_t system) {
 
 Alarm AxisPositions::shift(std::size_t axis, const Count& position) {
   shift_[axis] += programmed_[axis] + local_[axis] - position;
-  local_[axis] = Count();
+  if (!fault(Fault::local_survives_shift)) local_[axis] = Count();
   if (!shift_[axis].in_range()) return alarm::kRange;
   return place(axis, position);
 }

@@ -28,6 +28,10 @@ PlaneChangeLimit::PlaneChangeLimit(const spec::Setup& setup) {
       rational_ = true;
       quarters_ = rational.quarters;
     }
+  if (fault(Fault::side_tilt_limit_supplement) && cosine_.hi < 0) {
+    cosine_ = -cosine_;
+    quarters_ = -quarters_;
+  }
 }
 
 bool PlaneChangeLimit::reached(const Kinematics& kinematics, const Direction& first, const Direction& second) const {

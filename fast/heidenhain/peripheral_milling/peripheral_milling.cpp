@@ -83,7 +83,7 @@ Alarm PeripheralMilling::hold() {
 Alarm PeripheralMilling::follow() {
   const PeripheralMotion& former = ring_[held_];
   Lateral own = lateral(former.tool, former);
-  if (first_) own.travel = &next().travel;
+  if (first_ && !fault(Fault::peripheral_first_by_own_travel)) own.travel = &next().travel;
   if (!direct(own)) return alarm::kNoDirection;
   send(last_unit_);
   holds_ = false;
@@ -104,7 +104,8 @@ void PeripheralMilling::send(const Vector& between) {
   Placement placement;
   placement.tool = former.tool.unit();
   placement.shift = between * former.radius_delta;
-  placement.tip = between * former.lateral - placement.tool * former.tip_below;
+  const double lateral = fault(Fault::peripheral_delta_as_shift) ? former.radius_delta : former.lateral;
+  placement.tip = between * lateral - placement.tool * former.tip_below;
   placement.corner = former.effective_corner;
   writer_.move(former.head, placement, former.length, first_ ? spec::Cause::start_up : spec::Cause::programmed);
 }

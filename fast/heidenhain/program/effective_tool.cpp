@@ -106,9 +106,10 @@ void EffectiveTool::set_row(std::optional<std::uint32_t> row) {
 }
 
 void EffectiveTool::update() {
-  const Count length_delta = own_.length + call_.length + row_.length;
+  const bool replaces = fault(Fault::klartext_call_length_replaces) && !call_.length.is_zero();
+  const Count length_delta = (replaces ? Count{} : own_.length) + call_.length + row_.length;
   const Count radius_delta = own_.radius + call_.radius + row_.radius;
-  const Count added_corner = call_.corner + row_.corner;
+  const Count added_corner = fault(Fault::klartext_corner_row_ignored) ? call_.corner : call_.corner + row_.corner;
   const Count corner_delta = own_.corner + added_corner;
   const Count effective_radius = radius_ + radius_delta;
   const Count effective_corner = corner_ + corner_delta;
@@ -142,7 +143,7 @@ void EffectiveTool::update() {
   };
   const bool shrunk = negative(effective_radius);
   const bool corner_negative = negative(effective_corner);
-  const bool oversize = positive(radius_delta);
+  const bool oversize = positive(fault(Fault::klartext_oversize_of_table_only) ? own_.radius : radius_delta);
   const Alarm always =
       first({{table, alarm::kTool}, {shrunk, alarm::kEffectiveTool}, {corner_negative, alarm::kCornerNegative}});
   const Alarm radius = first({{oversize, alarm::kOversizeRadius}});

@@ -13,7 +13,17 @@ namespace {
 constexpr std::string_view kLetters = "XYZ";
 
 bool leaves_the_path(const FanucScene& s) { return s.program.has_code({530, 280, 290, 300, 301}); }
+bool edits_offsets(const FanucBlock& b) { return b.has_code(100) || b.has_code(370); }
 bool edits_offsets(const FanucScene& s) { return s.program.has_code({100, 370}); }
+
+// Up to here the offsets are those of the setup: the first block with G10 or G37. Where programs are called, blocks do
+// not run as they stand.
+std::size_t first_edit(const FanucScene& s) {
+  if (s.program.calls() && edits_offsets(s)) return 0;
+  const auto& blocks = s.program.blocks();
+  return static_cast<std::size_t>(std::ranges::find_if(blocks, [](const FanucBlock& b) { return edits_offsets(b); }) -
+                                  blocks.begin());
+}
 
 // axes - point.
 std::optional<Vector> offset_of(const FanucScene& s, const Stop& stop) {
@@ -46,8 +56,9 @@ int sign_of(const Real& x) { return certainly_positive(x) ? 1 : certainly_negati
 }  // namespace
 
 void length_offset(const FanucScene& s, Holding& holding) {
-  if (leaves_the_path(s) || edits_offsets(s)) return;
-  for (std::size_t i = 0; i < s.stops.size(); ++i) {
+  if (leaves_the_path(s)) return;
+  const std::size_t end = first_edit(s);
+  for (std::size_t i = 0; i < s.stops.size() && s.stops[i].block < end; ++i) {
     const Stop& stop = s.stops[i];
     const FanucBlock& b = s.block(stop);
     const auto offset = offset_of(s, stop);
@@ -67,8 +78,9 @@ void length_offset(const FanucScene& s, Holding& holding) {
 }
 
 void length_offset_stays(const FanucScene& s, Holding& holding) {
-  if (leaves_the_path(s) || edits_offsets(s)) return;
-  for (std::size_t i = 1; i < s.stops.size(); ++i) {
+  if (leaves_the_path(s)) return;
+  const std::size_t end = first_edit(s);
+  for (std::size_t i = 1; i < s.stops.size() && s.stops[i].block < end; ++i) {
     const Stop& before = s.stops[i - 1];
     const Stop& stop = s.stops[i];
     if (s.program.renames(before.block, stop.block)) continue;

@@ -6,8 +6,8 @@
 namespace toolcomp::fuzz::laws {
 
 // The axes go to the point plus the offset: a block with G43 or G44 and H moves the axis of its offset by +H or -H, and
-// without a length offset in force (G49) the axes go to the point itself. Chapter 14, 14.1.1 (effect, cancel). Not in
-// programs with G10 or G37 (the memory changes) or G28, G29, G30, G53.
+// without a length offset in force (G49) the axes go to the point itself. Chapter 14, 14.1.1 (effect, cancel). Up to
+// the first G10 or G37 (the memory changes); not in programs with G28, G29, G30 or G53.
 void length_offset(const FanucScene& scene, Holding& holding);
 
 // The length offset stays what it was from one block to the next unless a block says otherwise (G43, G44, G49, H).

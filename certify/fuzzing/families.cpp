@@ -1,0 +1,54 @@
+#include "certify/fuzzing/families.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace toolcomp::certify::fuzzing {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char at) {
+  std::vector<std::string_view> parts;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(at), text.size());
+    parts.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return parts;
+}
+
+std::set<std::string_view> words_of(std::string_view block) {
+  const std::vector<std::string_view> words = split(block, ' ');
+  return {words.begin(), words.end()};
+}
+
+}  // namespace
+
+bool contains(std::string_view shape, std::string_view simpler) {
+  const std::vector<std::string_view> wanted = split(simpler, '|');
+  auto next = wanted.begin();
+  for (const std::string_view block : split(shape, '|'))
+    if (next != wanted.end() && std::ranges::includes(words_of(block), words_of(*next))) ++next;
+  return next == wanted.end();
+}
+
+std::vector<Family> families(const std::vector<Shaped>& findings) {
+  std::vector<std::size_t> order(findings.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return findings[i].shape.size(); });
+  std::vector<Family> all;
+  for (const std::size_t i : order) {
+    const auto home = std::ranges::find_if(all, [&](const Family& family) {
+      const Shaped& simplest = findings[family.simplest];
+      return !simplest.shape.empty() && simplest.section == findings[i].section &&
+             contains(findings[i].shape, simplest.shape);
+    });
+    if (home == all.end())
+      all.push_back({i, {}});
+    else
+      home->others.push_back(i);
+  }
+  return all;
+}
+
+}  // namespace toolcomp::certify::fuzzing

@@ -1,0 +1,46 @@
+// Findings that contain others, and those to look at first. Expectations by hand.
+#include "certify/fuzzing/families.h"
+
+#include <gtest/gtest.h>
+
+#include "certify/fuzzing/shape.h"
+
+namespace toolcomp::certify::fuzzing {
+namespace {
+
+TEST(Families, AShapeContainsBlocksInTheirOrder) {
+  EXPECT_TRUE(contains("G43 H X|G44 H X Y|G49", "G44 H X"));
+  EXPECT_TRUE(contains("G43 H X|G44 H X Y|G49", "G43|G49"));
+  EXPECT_TRUE(contains("G44", "G44"));
+  EXPECT_FALSE(contains("G43 H X|G44 H X Y|G49", "G49|G43")) << "the other way round";
+  EXPECT_FALSE(contains("G44 X|G44 H", "G44 H X")) << "spread over two blocks";
+  EXPECT_FALSE(contains("G44 H", "G44 H|G44 H")) << "once, not twice";
+  EXPECT_FALSE(contains("G4 X", "G44")) << "words, not letters";
+}
+
+TEST(Families, ShapesHaveNoNumbers) {
+  spec::Case c;
+  c.program = "N10 G43 H1 Z10. (up)\nN20 G44 H2 Y-3\nG44 X4 H3\nG4.0\n";
+  EXPECT_EQ(shape_of(c), "G43 H X|G44 H X|G4");
+}
+
+TEST(Families, TheSimplestIsLookedAtFirst) {
+  const std::vector<Family> all = families({{"fanuc/tool-offset", "G45 X"},
+                                            {"fanuc/tool-length-offset", "G43 H X|G44 H X"},
+                                            {"fanuc/tool-length-offset", "G44 H X"},
+                                            {"fanuc/tool-length-offset", ""},
+                                            {"fanuc/tool-length-offset", "G49"},
+                                            {"fanuc/tool-length-offset", "G44 H X|G49"}});
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all[0].simplest, 3U) << "a shape that is not known contains nothing and is in nothing";
+  EXPECT_TRUE(all[0].others.empty());
+  EXPECT_EQ(all[1].simplest, 4U);
+  EXPECT_EQ(all[1].others, std::vector<std::size_t>{5}) << "in the family of the simplest that is in it";
+  EXPECT_EQ(all[2].simplest, 0U);
+  EXPECT_TRUE(all[2].others.empty()) << "another section";
+  EXPECT_EQ(all[3].simplest, 2U);
+  EXPECT_EQ(all[3].others, std::vector<std::size_t>{1});
+}
+
+}  // namespace
+}  // namespace toolcomp::certify::fuzzing
