@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -35,7 +36,8 @@ bool contains(std::string_view shape, std::string_view simpler) {
 std::vector<Family> families(const std::vector<Shaped>& findings) {
   std::vector<std::size_t> order(findings.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return findings[i].shape.size(); });
+  // With its place: clang warns of what std::stable_sort is made of.
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(findings[i].shape.size(), i); });
   std::vector<Family> all;
   for (const std::size_t i : order) {
     const auto home = std::ranges::find_if(all, [&](const Family& family) {
