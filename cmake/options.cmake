@@ -13,7 +13,7 @@ if(TOOLCOMP_WERROR)
   target_compile_options(toolcomp_options INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 
-# What reads, reports and waits for engines is linked with toolcomp_light: GCC optimizes it lightly, in three quarters of
+# What reads, reports and waits for engines is linked with toolcomp_light: GCC optimizes it lightly, in four fifths of
 # the time. Where time is spent (exact numbers, engines, generators, readers) nothing is.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_BUILD_TYPE STREQUAL Release)
   add_library(toolcomp_light INTERFACE)

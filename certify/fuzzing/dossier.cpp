@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <sstream>
+#include <string_view>
 #include <tuple>
 
 #include "certify/path_svg.h"
@@ -91,12 +93,17 @@ std::string exact_events(const fuzz::ModelRun& run, const spec::Axes& axes) {
   });
 }
 
+// Lines of finding.txt that are read again.
+constexpr std::string_view kSection = "section   ";
+constexpr std::string_view kShape = "shape     ";
+constexpr std::string_view kNotKnown = "not known";
+
 std::string story(const Dossier& dossier, const std::string& margin) {
   const Finding& f = dossier.finding;
   std::string text = explanation(f) + how_it_comes(f) + "\n\n";
-  text += fmt::format("section   {}\nclause    {}\nkind      {}\nshape     {}\nstage     {}{}\n", f.key.section,
-                      f.key.clause.empty() ? "none" : f.key.clause, f.key.kind,
-                      dossier.shape.empty() ? "not known" : dossier.shape, name(dossier.stage),
+  text += fmt::format("{}{}\nclause    {}\nkind      {}\n{}{}\nstage     {}{}\n", kSection, f.key.section,
+                      f.key.clause.empty() ? "none" : f.key.clause, f.key.kind, kShape,
+                      dossier.shape.empty() ? kNotKnown : dossier.shape, name(dossier.stage),
                       dossier.why.empty() ? "" : ": " + dossier.why);
   text += fmt::format("found by  {}, seed {}, execution {}, {:.1f} s after its worker began\n",
                       f.target.empty() ? "toolcomp fuzz" : f.target, f.seed, f.executions, f.seconds);
@@ -173,6 +180,18 @@ std::vector<fs::path> dossiers_in(const fs::path& folder) {
         dossiers.push_back(entry.path());
   std::ranges::sort(dossiers);
   return dossiers;
+}
+
+Story read_story(const fs::path& dossier) {
+  Story story;
+  std::istringstream text(spec::read_file((dossier / "finding.txt").string()));
+  std::getline(text, story.what);
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with(kSection)) story.section = line.substr(kSection.size());
+    if (line.starts_with(kShape)) story.shape = line.substr(kShape.size());
+  }
+  if (story.shape == kNotKnown) story.shape.clear();
+  return story;
 }
 
 std::vector<Finding> findings_in(const fs::path& folder) {

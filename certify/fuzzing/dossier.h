@@ -38,6 +38,12 @@ bool write_dossier(const Dossier& dossier, const std::filesystem::path& folder);
 
 // The dossiers of a folder, by name.
 std::vector<std::filesystem::path> dossiers_in(const std::filesystem::path& folder);
+// What finding.txt of a dossier says first, and of what; of a reader's finding section and shape are empty, and the
+// shape of what is not shrunk.
+struct Story {
+  std::string what, section, shape;
+};
+Story read_story(const std::filesystem::path& dossier);
 // Their findings; those of readers left out.
 std::vector<Finding> findings_in(const std::filesystem::path& folder);
 

@@ -5,30 +5,22 @@
 #include <set>
 #include <utility>
 
+#include "spec/language/split.h"
+
 namespace toolcomp::certify::fuzzing {
 namespace {
 
-std::vector<std::string_view> split(std::string_view text, char at) {
-  std::vector<std::string_view> parts;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(at), text.size());
-    parts.push_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return parts;
-}
-
 std::set<std::string_view> words_of(std::string_view block) {
-  const std::vector<std::string_view> words = split(block, ' ');
+  const std::vector<std::string_view> words = spec::split(block, ' ');
   return {words.begin(), words.end()};
 }
 
 }  // namespace
 
 bool contains(std::string_view shape, std::string_view simpler) {
-  const std::vector<std::string_view> wanted = split(simpler, '|');
+  const std::vector<std::string_view> wanted = spec::split(simpler, '|');
   auto next = wanted.begin();
-  for (const std::string_view block : split(shape, '|'))
+  for (const std::string_view block : spec::split(shape, '|'))
     if (next != wanted.end() && std::ranges::includes(words_of(block), words_of(*next))) ++next;
   return next == wanted.end();
 }

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <utility>
 
 #include "certify/fuzzing/dossier.h"
 #include "certify/fuzzing/families.h"
 #include "fuzz/campaign/floors.h"
 #include "fuzz/campaign/summary.h"
-#include "spec/language/byte_source.h"
 
 namespace toolcomp::certify::fuzzing {
 namespace {
@@ -38,29 +37,20 @@ std::vector<SectionSum> sections_of(const CampaignOptions& options, const State&
   return all;
 }
 
-std::string first_line(const fs::path& file) {
-  const std::string text = spec::read_file(file.string());
-  return text.substr(0, text.find('\n'));
-}
-
 // The findings of a campaign, by families.
 struct Found {
   std::vector<fs::path> dossiers;
+  std::vector<std::string> what;  // each says
   std::vector<Family> families;
 };
 
 Found found_in(const CampaignOptions& options) {
-  Found found{dossiers_in(options.folder / "findings"), {}};
+  Found found{dossiers_in(options.folder / "findings"), {}, {}};
   std::vector<Shaped> shaped;
   for (const fs::path& dossier : found.dossiers) {
-    Shaped& one = shaped.emplace_back();
-    std::istringstream story(spec::read_file((dossier / "finding.txt").string()));
-    for (std::string line; std::getline(story, line);) {
-      constexpr std::string_view kSection = "section   ";
-      constexpr std::string_view kShape = "shape     ";
-      if (line.starts_with(kSection)) one.section = line.substr(kSection.size());
-      if (line.starts_with(kShape) && !line.ends_with(" not known")) one.shape = line.substr(kShape.size());
-    }
+    Story story = read_story(dossier);
+    found.what.push_back(std::move(story.what));
+    shaped.push_back({std::move(story.section), std::move(story.shape)});
   }
   found.families = families(shaped);
   return found;
@@ -158,7 +148,7 @@ std::string summary_text(const CampaignOptions& options, const CampaignEnd& end,
   for (const Family& family : found.families) {
     const fs::path& simplest = found.dossiers[family.simplest];
     text += fmt::format("FINDING {}\n  {}\n  cases that came to it: {}\n", simplest.string(),
-                        first_line(simplest / "finding.txt"), cases_of(state, simplest));
+                        found.what[family.simplest], cases_of(state, simplest));
     for (const std::size_t i : family.others)
       text += fmt::format("  its blocks are in {} too: {} cases\n", found.dossiers[i].string(),
                           cases_of(state, found.dossiers[i]));
@@ -191,9 +181,8 @@ std::string summary_json(const CampaignOptions& options, const CampaignEnd& end,
   json["findings"] = Json::array();
   const Found found = found_in(options);
   const auto add = [&](std::size_t i, std::size_t simplest) {
-    Json one{{"folder", found.dossiers[i].string()},
-             {"what", first_line(found.dossiers[i] / "finding.txt")},
-             {"cases", cases_of(state, found.dossiers[i])}};
+    Json one{
+        {"folder", found.dossiers[i].string()}, {"what", found.what[i]}, {"cases", cases_of(state, found.dossiers[i])}};
     if (i != simplest) one["contains"] = found.dossiers[simplest].string();
     json["findings"].push_back(std::move(one));
   };

@@ -8,20 +8,11 @@
 
 #include "spec/language/decimal_order.h"
 #include "spec/language/edit_distance.h"
+#include "spec/language/split.h"
 #include "spec/parameters/table.h"
 
 namespace toolcomp::spec {
 namespace {
-
-std::vector<std::string_view> split(std::string_view list, char separator) {
-  std::vector<std::string_view> items;
-  while (!list.empty()) {
-    const std::size_t end = list.find(separator);
-    items.push_back(list.substr(0, end));
-    list.remove_prefix(end == std::string_view::npos ? list.size() : end + 1);
-  }
-  return items;
-}
 
 // "0, 2, 12 or 21"
 std::string any_of(const std::vector<std::string_view>& items) {

@@ -13,16 +13,15 @@ namespace {
 constexpr std::string_view kLetters = "XYZ";
 
 bool leaves_the_path(const FanucScene& s) { return s.program.has_code({530, 280, 290, 300, 301}); }
-bool edits_offsets(const FanucBlock& b) { return b.has_code(100) || b.has_code(370); }
-bool edits_offsets(const FanucScene& s) { return s.program.has_code({100, 370}); }
 
-// Up to here the offsets are those of the setup: the first block with G10 or G37. Where programs are called, blocks do
-// not run as they stand.
+// Up to here the offsets are those of the setup: the first block with G10 or G37; all blocks where there is none. Where
+// programs are called, blocks do not run as they stand.
 std::size_t first_edit(const FanucScene& s) {
-  if (s.program.calls() && edits_offsets(s)) return 0;
   const auto& blocks = s.program.blocks();
-  return static_cast<std::size_t>(std::ranges::find_if(blocks, [](const FanucBlock& b) { return edits_offsets(b); }) -
-                                  blocks.begin());
+  const auto first =
+      std::ranges::find_if(blocks, [](const FanucBlock& b) { return b.has_code(100) || b.has_code(370); });
+  if (first != blocks.end() && s.program.calls()) return 0;
+  return static_cast<std::size_t>(first - blocks.begin());
 }
 
 // axes - point.
@@ -98,7 +97,7 @@ void length_offset_stays(const FanucScene& s, Holding& holding) {
 
 void signed_sums(const FanucScene& s, Holding& holding) {
   const auto compensated = [](const FanucBlock& b) { return b.compensation != 400; };
-  if (leaves_the_path(s) || edits_offsets(s) || s.program.has_code({520, 920}) || s.names_other_points() ||
+  if (leaves_the_path(s) || s.program.has_code({100, 370, 520, 920}) || s.names_other_points() ||
       s.c.setup.bit(5001, 2) || s.c.setup.bit(5001, 5) || std::ranges::any_of(s.program.blocks(), compensated))
     return;
   for (std::size_t i = 1; i < s.stops.size(); ++i) {
