@@ -76,7 +76,7 @@ fuzz::CampaignResult built_in(const std::string& section, fuzz::Mode mode, const
   campaign.stop = [&stop] { return !stop.why().empty(); };
   campaign.progress = [&findings](const fuzz::CampaignProgress& p) {
     findings.progress(p.executions);
-    Progress::line(fmt::format("{} executions, {:.0f} s, {} features, {} findings", p.executions, p.seconds, p.features,
+    Progress::line(fmt::format("{} executions, {:.0f} s, {} features, {} findings", p.executions, p.seconds, p.reached,
                                p.findings));
   };
   return fuzz::run_campaign(campaign);

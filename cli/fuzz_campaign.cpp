@@ -19,6 +19,7 @@
 #include "cli/stop.h"
 #include "cli/verbs.h"
 #include "fuzz/campaign/diary.h"
+#include "fuzz/campaign/steering.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 
@@ -86,6 +87,7 @@ int fuzz_campaign(const FuzzOptions& options) {
   if (!options.merge.empty()) return merge(options);
   if (options.runs > 0 && !options.duration.empty()) usage("--for or --runs, not both");
   expect_folder(options.campaign, "--campaign");
+  fuzz::steering_of_process();  // workers inherit it: refused before one begins
   fuzzing::CampaignOptions campaign;
   campaign.folder = options.campaign;
   campaign.bench = fuzz_bench(options);

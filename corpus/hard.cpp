@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "corpus/hard_files.h"
-#include "corpus/mine/numbers.h"
 #include "corpus/vector.h"
 #include "fuzz/gen/generator.h"
+#include "fuzz/gen/numbers.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 
@@ -102,7 +102,7 @@ class Checker {
       fail(n.c, fmt::format("{}: the margin is {}, {} is stated", what, least->margin, n.margin));
     else if (least->line != n.line)
       fail(n.c, fmt::format("{}: decided in line {}, {} is stated", what, least->line, n.line));
-    if (const int finest_there = finest(Numbers(n.c).values()); finest_there != n.decimals)
+    if (const int finest_there = fuzz::finest(fuzz::Numbers(n.c).values()); finest_there != n.decimals)
       fail(n.c, fmt::format("{} decimals, {} are stated", finest_there, n.decimals));
   }
 
@@ -128,7 +128,7 @@ class Checker {
 
 fs::path hard_folder() { return default_folder().parent_path() / "hard"; }
 
-bool is_usual(const Nearest& nearest) { return nearest.decimals <= usual_decimals(nearest.c.setup.control); }
+bool is_usual(const Nearest& nearest) { return nearest.decimals <= fuzz::usual_decimals(nearest.c.setup.control); }
 
 std::optional<MarginFound> least_margin(const fuzz::ModelRun& run, spec::Clause clause, Sign outcome) {
   const model::Decision* least = nullptr;

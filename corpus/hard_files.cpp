@@ -8,10 +8,11 @@
 #include <tuple>
 #include <vector>
 
-#include "corpus/mine/numbers.h"
 #include "corpus/sha256.h"
 #include "corpus/vector.h"
 #include "fuzz/gen/generator.h"
+#include "fuzz/gen/numbers.h"
+#include "fuzz/gen/program_text.h"
 #include "fuzz/oracle/policy.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_format.h"
@@ -109,8 +110,8 @@ setup, {} in Klartext; *any*: up to {} digits. A tie is a quantity of exactly ze
 | predicate | + usual | + any | - usual | - any | tie | decided in runs | searches |
 |---|---|---|---|---|---|---|---|
 )",
-      kMostLines, kLargestNumber, kMostDigits, usual_decimals(spec::Control::fanuc),
-      usual_decimals(spec::Control::heidenhain), kMostDigits);
+      fuzz::kMostLines, fuzz::kSearchedMagnitude, fuzz::kSearchedDigits, fuzz::usual_decimals(spec::Control::fanuc),
+      fuzz::usual_decimals(spec::Control::heidenhain), fuzz::kSearchedDigits);
   for (std::size_t i = 0; i < spec::kClauseCount; ++i) {
     if (spec::clauses()[i].outcomes != spec::ClauseOutcomes::sign) continue;
     const auto clause = static_cast<spec::Clause>(i);

@@ -56,7 +56,7 @@ void count(State& state, const fs::path& work, std::optional<std::uint64_t> mill
   ++sum.slices;
   // Times are summed as whole milliseconds: in whatever order, the sum is the same.
   counters.seconds = counters.cores = counters.per_second_per_core = 0;
-  counters.features = 0;
+  counters.reached = {};
   fuzz::add(sum.sum, counters);
 }
 

@@ -29,7 +29,8 @@ struct Site {
 
 class Approach {
  public:
-  Approach(const Numbers& numbers, const Quantity& quantity, fuzz::Choices& choose, const ApproachOptions& options)
+  Approach(const fuzz::Numbers& numbers, const Quantity& quantity, fuzz::Choices& choose,
+           const ApproachOptions& options)
       : numbers_(numbers), quantity_(quantity), choose_(choose), options_(options), at_(numbers.values()) {}
 
   void run() {
@@ -44,7 +45,7 @@ class Approach {
   }
 
  private:
-  std::optional<double> value(const Point& point) {
+  std::optional<double> value(const fuzz::Point& point) {
     if (options_.stop()) return std::nullopt;
     const std::optional<double> v = quantity_(point);
     if (v && *v != 0 && (!nearest_ || std::fabs(*v) < *nearest_)) {
@@ -55,14 +56,14 @@ class Approach {
   }
 
   // The point with one number moved.
-  static std::optional<Point> stepped(const Point& point, const Site& site, std::int64_t steps) {
-    const auto number = moved(point[site.number], steps, site.decimals);
+  static std::optional<fuzz::Point> stepped(const fuzz::Point& point, const Site& site, std::int64_t steps) {
+    const auto number = fuzz::moved(point[site.number], steps, site.decimals);
     if (!number) return std::nullopt;
-    Point next = point;
+    fuzz::Point next = point;
     next[site.number] = *number;
     return next;
   }
-  std::optional<double> value(const Point& point, const Site& site, std::int64_t steps) {
+  std::optional<double> value(const fuzz::Point& point, const Site& site, std::int64_t steps) {
     const auto next = stepped(point, site, steps);
     return next ? value(*next) : std::nullopt;
   }
@@ -75,7 +76,7 @@ class Approach {
     if (order.size() > kMostSites) order.resize(kMostSites);
     std::vector<Site> sites;
     for (const std::size_t number : order) {
-      Site site{number, all_digits ? most_decimals(at_[number]) : options_.decimals, 0};
+      Site site{number, all_digits ? fuzz::most_decimals(at_[number]) : options_.decimals, 0};
       if (numbers_.is_whole(number)) site.decimals = 0;
       if (const std::optional<double> above = value(at_, site, 1))
         site.slope = *above - here;
@@ -90,7 +91,7 @@ class Approach {
   void along(const std::vector<Site>& sites, int pair, double here) {
     // The nearest zero first, then any.
     Site x = sites[pair == 0 ? 0 : choose_.below(sites.size())];
-    const std::optional<Point> root = solved(x, here);
+    const std::optional<fuzz::Point> root = solved(x, here);
     if (!root || sites.size() < 2) return;
     const Site& y = sites[choose_.below(sites.size())];
     if (y.number == x.number) return;
@@ -98,7 +99,7 @@ class Approach {
   }
 
   // The point along x nearest to zero; the slope of x becomes the one there.
-  std::optional<Point> solved(Site& x, double here) {
+  std::optional<fuzz::Point> solved(Site& x, double here) {
     std::int64_t before = 0;
     double value_before = here;
     std::int64_t now = 0;
@@ -136,7 +137,8 @@ class Approach {
   }
 
   // How far along x zero lies from a point, in steps; nothing where it cannot be told.
-  std::optional<double> distance(const Point& root, const Site& x, const Site& y, std::int64_t along, double expected) {
+  std::optional<double> distance(const fuzz::Point& root, const Site& x, const Site& y, std::int64_t along,
+                                 double expected) {
     const auto moved_along = stepped(root, y, along);
     if (!moved_along) return std::nullopt;
     double at = expected;
@@ -158,7 +160,7 @@ class Approach {
     std::int64_t steps = 0;
   };
 
-  void comb(const Point& root, const Site& x, const Site& y, std::int64_t span) {
+  void comb(const fuzz::Point& root, const Site& x, const Site& y, std::int64_t span) {
     const std::optional<double> here = distance(root, x, y, 0, 0);
     if (!here) return;
     const double lean = -y.slope / x.slope * static_cast<double>(span);
@@ -188,36 +190,38 @@ class Approach {
     }
   }
 
-  const Numbers& numbers_;
+  const fuzz::Numbers& numbers_;
   const Quantity& quantity_;
   fuzz::Choices& choose_;
   const ApproachOptions& options_;
-  Point at_;
+  fuzz::Point at_;
   std::optional<double> nearest_;
-  Point nearest_point_;
+  fuzz::Point nearest_point_;
 };
 
 }  // namespace
 
-void approach(const Numbers& numbers, const Quantity& quantity, fuzz::Choices& choose, const ApproachOptions& options) {
+void approach(const fuzz::Numbers& numbers, const Quantity& quantity, fuzz::Choices& choose,
+              const ApproachOptions& options) {
   Approach(numbers, quantity, choose, options).run();
 }
 
-Point climb(const Numbers& numbers, const Quantity& height, fuzz::Choices& choose, const ApproachOptions& options,
-            int patience) {
-  Point at = numbers.values();
+fuzz::Point climb(const fuzz::Numbers& numbers, const Quantity& height, fuzz::Choices& choose,
+                  const ApproachOptions& options, int patience) {
+  fuzz::Point at = numbers.values();
   std::optional<double> highest = height(at);
   if (!highest) return at;
   for (int idle = 0; numbers.size() > 0 && idle < patience && !options.stop(); ++idle) {
     const std::size_t number = choose.below(numbers.size());
-    const int decimals = numbers.is_whole(number) ? 0 : static_cast<int>(choose.between(-2, most_decimals(at[number])));
+    const int decimals =
+        numbers.is_whole(number) ? 0 : static_cast<int>(choose.between(-2, fuzz::most_decimals(at[number])));
     // Counted in the last digit there is, so that a number with many of them still goes by tens and hundreds.
     const int last = std::max({decimals, static_cast<int>(at[number].decimals), 0});
     std::int64_t steps = choose.between(1, 9) * (choose.chance(50) ? 1 : -1);
     for (int i = decimals; i < last; ++i) steps *= 10;
-    const auto next = moved(at[number], steps, last);
+    const auto next = fuzz::moved(at[number], steps, last);
     if (!next) continue;
-    Point point = at;
+    fuzz::Point point = at;
     point[number] = *next;
     const std::optional<double> there = height(point);
     if (!there || *there < *highest) continue;

@@ -4,14 +4,14 @@
 #include <functional>
 #include <optional>
 
-#include "corpus/mine/numbers.h"
 #include "fuzz/gen/choices.h"
+#include "fuzz/gen/numbers.h"
 
 namespace toolcomp::corpus {
 
 // A signed quantity at a point; nothing where it is not defined. It sees every point that is tried: who searches keeps
 // what is worth keeping there.
-using Quantity = std::function<std::optional<double>(const Point&)>;
+using Quantity = std::function<std::optional<double>(const fuzz::Point&)>;
 
 struct ApproachOptions {
   int decimals = 0;            // first with so many, then with all digits a number may have
@@ -23,11 +23,12 @@ struct ApproachOptions {
 // follow is a smooth function of it, of which three values are measured; where that function comes nearest to a whole
 // number of steps, among as many as a hundred thousand, quantity is tried again. All that with several pairs of
 // numbers, chosen by `choose`.
-void approach(const Numbers& numbers, const Quantity& quantity, fuzz::Choices& choose, const ApproachOptions& options);
+void approach(const fuzz::Numbers& numbers, const Quantity& quantity, fuzz::Choices& choose,
+              const ApproachOptions& options);
 
 // Climbs from the values of `numbers`: changes one number at a time, by steps of any size, and keeps a change after
 // which `height` is no smaller. Ends after `patience` changes in a row that did not raise it. The highest point.
-Point climb(const Numbers& numbers, const Quantity& height, fuzz::Choices& choose, const ApproachOptions& options,
-            int patience);
+fuzz::Point climb(const fuzz::Numbers& numbers, const Quantity& height, fuzz::Choices& choose,
+                  const ApproachOptions& options, int patience);
 
 }  // namespace toolcomp::corpus

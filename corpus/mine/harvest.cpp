@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "corpus/mine/numbers.h"
 #include "corpus/vector.h"
+#include "fuzz/gen/numbers.h"
 #include "fuzz/gen/program_text.h"
 #include "fuzz/oracle/compare.h"
 #include "spec/language/case_format.h"
@@ -39,7 +39,9 @@ std::optional<spec::Case> as_written(const spec::Case& c) {
   }
 }
 
-bool has_usual_numbers(const spec::Case& c) { return finest(Numbers(c).values()) <= usual_decimals(c.setup.control); }
+bool has_usual_numbers(const spec::Case& c) {
+  return fuzz::finest(fuzz::Numbers(c).values()) <= fuzz::usual_decimals(c.setup.control);
+}
 
 // The clause at which a run of the model ends undecided although no clause leaves it open.
 std::optional<std::string> not_decided(const fuzz::ModelRun& run) {
@@ -67,7 +69,7 @@ spec::Case with_fewer_lines(spec::Case c, const std::function<bool(const spec::C
 }  // namespace
 
 std::optional<fuzz::ModelRun> Harvest::look(const spec::Case& c, const std::string& found) {
-  if (!is_searched(c)) {
+  if (!fuzz::is_searched(c)) {
     ++not_searched_;
     return std::nullopt;
   }
@@ -86,7 +88,7 @@ std::optional<fuzz::ModelRun> Harvest::look(const spec::Case& c, const std::stri
 }
 
 std::optional<fuzz::Verdict> Harvest::judge(const spec::Case& c, const std::string& found) {
-  if (!is_searched(c)) {
+  if (!fuzz::is_searched(c)) {
     ++not_searched_;
     return std::nullopt;
   }
@@ -184,7 +186,8 @@ std::vector<Nearest> Harvest::nearest() const {
     if (!usual && in_usual != kept_.end() && in_usual->second.margin <= kept.margin) continue;
     const auto least = least_margin(fuzz::run_model(kept.c), clause, outcome);
     if (!least) continue;
-    list.push_back({clause, outcome, finest(Numbers(kept.c).values()), least->margin, least->line, kept.found, kept.c});
+    list.push_back({clause, outcome, fuzz::finest(fuzz::Numbers(kept.c).values()), least->margin, least->line,
+                    kept.found, kept.c});
   }
   return list;
 }

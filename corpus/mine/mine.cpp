@@ -156,10 +156,10 @@ class SectionMine {
   }
 
   void follow(spec::Clause clause, const Start& start) {
-    const Numbers numbers(start.c);
+    const fuzz::Numbers numbers(start.c);
     std::optional<std::size_t> which;
     std::size_t nearest = 0;
-    const Quantity quantity = [&](const Point& point) -> std::optional<double> {
+    const Quantity quantity = [&](const fuzz::Point& point) -> std::optional<double> {
       const auto run = harvest_.look(numbers.with(point), from(start, numbers, point));
       if (!run) return std::nullopt;
       const auto& decisions = run->recorder.decisions();
@@ -179,7 +179,8 @@ class SectionMine {
       if (!which && value) which = nearest;
       return value;
     };
-    approach(numbers, quantity, choose_, {usual_decimals(start.c.setup.control), [this] { return over(kFollow); }});
+    approach(numbers, quantity, choose_,
+             {fuzz::usual_decimals(start.c.setup.control), [this] { return over(kFollow); }});
   }
 
   // Both deviations in turn.
@@ -195,15 +196,15 @@ class SectionMine {
   }
 
   void raise(Deviation of, const Start& start) {
-    const Numbers numbers(start.c);
-    const Quantity height = [&](const Point& point) -> std::optional<double> {
+    const fuzz::Numbers numbers(start.c);
+    const Quantity height = [&](const fuzz::Point& point) -> std::optional<double> {
       const auto verdict = harvest_.judge(numbers.with(point), from(start, numbers, point));
       return verdict ? std::optional(deviation(*verdict, of)) : std::nullopt;
     };
     climb(numbers, height, choose_, {0, [this] { return over(1); }}, kPatience);
   }
 
-  static std::string from(const Start& start, const Numbers& numbers, const Point& point) {
+  static std::string from(const Start& start, const fuzz::Numbers& numbers, const fuzz::Point& point) {
     const std::string changed = numbers.changed(point);
     return changed.empty() ? start.found : start.found + "; then " + changed;
   }

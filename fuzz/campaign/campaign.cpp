@@ -26,7 +26,7 @@ struct Shared {
   Clock::time_point start;
   std::atomic<std::uint64_t> executions{0};
   std::atomic<std::uint64_t> findings{0};
-  std::atomic<std::uint64_t> features{0};
+  std::atomic<std::uint64_t> reached{0};
   std::atomic<bool> stop{false};
   std::mutex reporting;
 
@@ -43,7 +43,7 @@ class Job {
       if (shared_.options.runs != 0 ? i >= runs : shared_.seconds() >= shared_.options.seconds) break;
       driver_.step(i);
       ++shared_.executions;
-      if (number_ == 0) shared_.features = driver_.result().features;
+      if (number_ == 0) shared_.reached = driver_.result().reached.total();
       if (shared_.findings >= shared_.options.max_findings) shared_.stop = true;
     }
   }
@@ -94,7 +94,7 @@ void report_progress(const Shared& shared, const std::atomic<unsigned>& running)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     if (Clock::now() < next) continue;
     next += std::chrono::seconds(1);
-    shared.options.progress({shared.executions, shared.seconds(), shared.features, shared.findings});
+    shared.options.progress({shared.executions, shared.seconds(), shared.reached, shared.findings});
   }
 }
 

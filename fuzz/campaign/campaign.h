@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/campaign/steering.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/trial.h"
 
@@ -18,7 +19,7 @@ namespace toolcomp::fuzz {
 struct CampaignProgress {
   std::uint64_t executions = 0;
   double seconds = 0;
-  std::uint64_t features = 0;
+  std::uint64_t reached = 0;   // things, in all (steering.h)
   std::uint64_t findings = 0;  // distinct
 };
 
@@ -62,7 +63,7 @@ struct CampaignResult {
   double per_second_per_core = 0;
   std::array<std::uint64_t, kAcceptances> acceptance{};
   std::vector<model::ClauseCount> clauses;  // summed over all executions
-  std::uint64_t features = 0;               // distinct clause × outcome × margin bins
+  Reach reached;
   std::uint64_t decisions = 0;
   std::uint64_t near_ties = 0;
   std::uint64_t ties = 0;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "fuzz/campaign/diary.h"
-#include "fuzz/campaign/features.h"
 #include "fuzz/campaign/summary.h"
 #include "fuzz/gen/mutate.h"
 
@@ -16,7 +15,7 @@ constexpr std::uint64_t kSlipEvery = 6;
 
 }  // namespace
 
-Driver::Driver(DriverOptions options) : options_(std::move(options)), reached_(kFeatures, false) {}
+Driver::Driver(DriverOptions options) : options_(std::move(options)) {}
 
 void Driver::step(std::uint64_t i) {
   spec::Case c = next(i);
@@ -40,7 +39,7 @@ spec::Case Driver::next(std::uint64_t i) {
   } else {
     c = corpus[source.below(corpus.size())];
     if (source.below(10) == 0) c = splice(c, corpus[source.below(corpus.size())], source);
-    mutate(c, mode_, source);
+    change(c, mode_, options_.steering, source);
   }
   c.source = {"toolcomp fuzz", "1", fmt::format("{}", seed)};
   return c;
@@ -59,12 +58,8 @@ void Driver::execute(spec::Case c, Mode mode, bool keep) {
     record(std::move(c), *trial.verdict.difference);
     return;
   }
-  bool fresh = false;
-  for (const std::uint32_t feature : features(trial.run.recorder))
-    if (!reached_[feature]) {
-      reached_[feature] = fresh = true;
-      ++result_.features;
-    }
+  const bool fresh = coverage_.add(trial.run, options_.steering);
+  result_.reached = coverage_.reach();
   auto& corpus = corpus_[{c.section, mode}];
   if (!fresh || corpus.size() >= kLargestCorpus) return;
   if (keep && options_.on_corpus) options_.on_corpus(c, mode);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/campaign/steering.h"
 
 namespace toolcomp::fuzz {
 
@@ -18,6 +19,7 @@ struct DriverOptions {
   std::uint64_t seed = 1;
   unsigned number = 0;  // among searches side by side: their choices differ
   Subject subject;      // empty: the fast engine
+  Steering steering = steering_of_process();
   std::function<bool()> stop;
   std::function<void(const spec::Case&)> on_input;                     // before each execution
   std::function<void(const Finding&, bool fresh)> on_finding;          // each difference; fresh: the first of its group
@@ -43,7 +45,7 @@ class Driver {
   void record(spec::Case c, const Difference& difference);
 
   DriverOptions options_;
-  std::vector<bool> reached_;
+  Coverage coverage_;
   Mode mode_ = Mode::directed;
   std::map<std::pair<std::string, Mode>, std::vector<spec::Case>> corpus_;
   std::map<std::string, std::size_t> index_;

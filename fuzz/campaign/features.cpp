@@ -6,10 +6,18 @@
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::fuzz {
-namespace {
 
-template <class Take>
-void for_each_feature(const model::Recorder& recorder, Take take) {
+std::size_t margin_bin(double margin) {
+  constexpr int bits_per_bin = 8;
+  const int exponent = margin > 0 ? -std::ilogb(margin) : bits_per_bin * static_cast<int>(kMarginBins);
+  return std::min(static_cast<std::size_t>(std::max(exponent, 0) / bits_per_bin), kMarginBins - 1);
+}
+
+std::vector<FeatureCount> counted_features(const model::Recorder& recorder) {
+  std::vector<FeatureCount> result;
+  const auto take = [&](std::size_t feature, std::uint64_t count) {
+    result.push_back({static_cast<std::uint32_t>(feature), count});
+  };
   const auto& counts = recorder.counts();
   for (std::size_t clause = 0; clause < counts.size(); ++clause) {
     const std::uint64_t slots[kOutcomeSlots] = {counts[clause].reached, counts[clause].positive,
@@ -23,28 +31,12 @@ void for_each_feature(const model::Recorder& recorder, Take take) {
     const std::size_t side = d.outcome == exact::Sign::positive ? 0 : kMarginBins;
     take(static_cast<std::size_t>(d.clause) * kClauseSlots + kOutcomeSlots + side + margin_bin(m), 1);
   }
-}
-
-}  // namespace
-
-std::size_t margin_bin(double margin) {
-  constexpr int bits_per_bin = 8;
-  const int exponent = margin > 0 ? -std::ilogb(margin) : bits_per_bin * static_cast<int>(kMarginBins);
-  return std::min(static_cast<std::size_t>(std::max(exponent, 0) / bits_per_bin), kMarginBins - 1);
-}
-
-void count_features(const model::Recorder& recorder, std::span<std::uint8_t> counters) {
-  constexpr std::uint64_t most = 255;
-  for_each_feature(recorder, [&](std::size_t feature, std::uint64_t count) {
-    if (feature < counters.size())
-      counters[feature] = static_cast<std::uint8_t>(std::min(most, counters[feature] + count));
-  });
+  return result;
 }
 
 std::vector<std::uint32_t> features(const model::Recorder& recorder) {
   std::vector<std::uint32_t> result;
-  for_each_feature(recorder,
-                   [&](std::size_t feature, std::uint64_t) { result.push_back(static_cast<std::uint32_t>(feature)); });
+  for (const FeatureCount& reached : counted_features(recorder)) result.push_back(reached.feature);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;

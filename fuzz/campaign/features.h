@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "model/basis/recorder.h"
@@ -20,8 +19,13 @@ inline constexpr std::size_t kFeatures = kClauseSlots * spec::kClauseCount;
 // 0 for margins over 2^-8, …, 7 for those below 2^-56.
 std::size_t margin_bin(double margin);
 
-// Adds the features of a run to `counters` (kFeatures of them), saturating.
-void count_features(const model::Recorder& recorder, std::span<std::uint8_t> counters);
+struct FeatureCount {
+  std::uint32_t feature = 0;
+  std::uint64_t count = 0;
+};
+
+// The features of a run with how often each was reached; that of a margin once for each decision.
+std::vector<FeatureCount> counted_features(const model::Recorder& recorder);
 // The features of a run, each once.
 std::vector<std::uint32_t> features(const model::Recorder& recorder);
 

@@ -26,6 +26,11 @@ void add(std::vector<ClauseCount>& total, const std::vector<ClauseCount>& part) 
   for (std::size_t i = 0; i < part.size(); ++i) add(total[i], part[i]);
 }
 
+void larger(Reach& total, const Reach& part) {
+  for (const auto count : {&Reach::outcomes, &Reach::margins, &Reach::pairs, &Reach::shapes})
+    total.*count = std::max(total.*count, part.*count);
+}
+
 // An outcome a clause can have, with how often it was seen.
 struct OutcomeSeen {
   std::string_view name;
@@ -86,7 +91,7 @@ void add(CampaignResult& total, const CampaignResult& part) {
   total.out_of_scope += part.out_of_scope;
   total.few_events += part.few_events;
   total.law_checks += part.law_checks;
-  total.features = std::max(total.features, part.features);
+  larger(total.reached, part.reached);
   total.worst_ulp = std::max(total.worst_ulp, part.worst_ulp);
   total.worst_um = std::max(total.worst_um, part.worst_um);
   for (std::size_t i = 0; i < kAcceptances; ++i) total.acceptance.at(i) += part.acceptance.at(i);
@@ -118,7 +123,7 @@ std::string write_summary(const CampaignResult& r) {
   line("out_of_scope", r.out_of_scope);
   line("few_events", r.few_events);
   line("law_checks", r.law_checks);
-  line("features", r.features);
+  line("reached", fmt::format("{} {} {} {}", r.reached.outcomes, r.reached.margins, r.reached.pairs, r.reached.shapes));
   line("worst_ulp", r.worst_ulp);
   line("worst_um", r.worst_um);
   for (std::size_t i = 0; i < kAcceptances; ++i) line(fmt::format("acceptance {}", i), r.acceptance.at(i));
@@ -152,7 +157,7 @@ CampaignResult read_summary(std::string_view text) {
     if (name == "out_of_scope") words >> r.out_of_scope;
     if (name == "few_events") words >> r.few_events;
     if (name == "law_checks") words >> r.law_checks;
-    if (name == "features") words >> r.features;
+    if (name == "reached") words >> r.reached.outcomes >> r.reached.margins >> r.reached.pairs >> r.reached.shapes;
     if (name == "worst_ulp") words >> r.worst_ulp;
     if (name == "worst_um") words >> r.worst_um;
     if (name == "acceptance") {

@@ -13,8 +13,8 @@ namespace toolcomp::fuzz {
 
 // One execution more.
 void add(CampaignResult& total, const Trial& trial);
-// The sums of both; features and worst values are the larger ones, findings follow each other. Time is the longer one
-// and the rate that of all executions over it: parts run side by side.
+// The sums of both; what was reached and worst values are the larger ones, findings follow each other. Time is the
+// longer one and the rate that of all executions over it: parts run side by side.
 void add(CampaignResult& total, const CampaignResult& part);
 
 // Keeps the case of the two that has the shorter program.

@@ -11,6 +11,8 @@ namespace toolcomp::fuzz {
 // A changed program is no longer than this.
 inline constexpr std::size_t kMostLines = 64;
 
+inline bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
 using WordTexts = std::vector<std::string>;  // "G01", "X-1.5"; text that is no word keeps its place
 
 std::vector<std::string> lines(std::string_view program);

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "fuzz/campaign/diary.h"
-#include "fuzz/campaign/features.h"
 #include "fuzz/campaign/floors.h"
+#include "fuzz/campaign/steering.h"
 #include "fuzz/campaign/summary.h"
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
@@ -29,11 +29,13 @@ using namespace toolcomp::fuzz;
 
 // libFuzzer reads this section as more coverage and zeroes it before each run. It must be in an object of the
 // executable itself: from a shared library it would be lost.
-__attribute__((section("__libfuzzer_extra_counters"))) std::array<std::uint8_t, kFeatures> g_counters;
+__attribute__((section("__libfuzzer_extra_counters"))) std::array<std::uint8_t, kSteeringSlots> g_counters;
 
+constexpr int kBadUsage = 2;
 constexpr int kBelowFloor = 76;
 
 CampaignResult g_result;
+Coverage g_coverage;
 Mode g_mode = Mode::directed;
 
 void report() {
@@ -97,6 +99,12 @@ namespace toolcomp::fuzz {
 int initialize_target(std::string_view section, Mode mode) {
   g_mode = mode;
   static_cast<void>(worker_diary(twin_name(section, mode).c_str()));
+  try {
+    steering_of_process();
+  } catch (const toolcomp::spec::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    std::_Exit(kBadUsage);
+  }
   return std::atexit(report);
 }
 
@@ -107,7 +115,9 @@ int run_target(std::string_view section, Mode, const std::uint8_t* data, std::si
   if (diary != nullptr) diary->begin(as_text({data, size}));
   const Trial trial = try_case(c);
   add(g_result, trial);
-  count_features(trial.run.recorder, g_counters);
+  count_reached(trial.run, steering_of_process(), g_counters);
+  g_coverage.add(trial.run, steering_of_process());
+  g_result.reached = g_coverage.reach();
   if (diary != nullptr) {
     note(*diary, c, trial);
     diary->tick(g_result);
@@ -129,7 +139,7 @@ std::size_t mutate_input(std::string_view section, Mode mode, std::uint8_t* data
   if (c.program.empty() || source.below(anew) == 0)
     c = generate(section, mode, source);
   else
-    mutate(c, mode, source);
+    change(c, mode, steering_of_process(), source);
   const std::size_t length = put(c, data, most);
   return length > 0 ? length : size;
 }

@@ -18,8 +18,12 @@ Real order_of_halves(const Angle& a, const Integer& half_of_a, const Angle& b, c
   return apart > 0 ? 1 : -1;
 }
 
-const Angle& greatest(const std::array<Angle, 2>& at, std::size_t count) {
-  return count == 2 && at[1] > at[0] ? at[1] : at[0];
+// Not negative; but where a small move cannot be told from none, it may be, which its cosine does not show.
+Angle moving_angle(const Angle& difference) try {
+  return absolute(difference);
+} catch (const exact::Undecided&) {
+  if (difference.cosine().sign() != Sign::positive) throw;
+  return difference;
 }
 
 }  // namespace
@@ -102,17 +106,36 @@ PairChoice::Targets PairChoice::targets(const Axis& axis, const Angle& angle, co
     result.move = absolute(result.at[0] - present);
     return result;
   }
-  result.move = absolute(nearest - present);
+  result.move = moving_angle(nearest - present);
   add_other_way(axis, present, result);
   return result;
 }
 
+// Of a pair that is not taken nobody asks by which turns it would be reached: just half a turn from the present
+// position that may be hard to prove, and cosines tell the pairs apart without it.
+PairChoice::Targets PairChoice::targets_or_open(const Axis& axis, const Angle& angle, const Angle& present) const try {
+  return targets(axis, angle, present);
+} catch (const exact::Undecided&) {
+  if (axis.range) throw;
+  const Real cosine = angle.cosine() * present.cosine() + angle.sine() * present.sine();
+  const Real sine = angle.sine() * present.cosine() - angle.cosine() * present.sine();
+  return {{angle, {}}, 1, Angle::known(cosine, sine, 0), true};
+}
+
+const Angle& PairChoice::greatest(const Targets& targets) const {
+  if (targets.open) {
+    recorder_.reach(Clause::fanuc_tool_center_point_choice);  // names what is not decided
+    throw exact::Undecided();
+  }
+  return targets.count == 2 && targets.at[1] > targets.at[0] ? targets.at[1] : targets.at[0];
+}
+
 void PairChoice::add_other_way(const Axis& axis, const Angle& present, Targets& targets) const {
-  const bool up = targets.at[0] > present;
-  const Angle other = targets.at[0].plus_turns(up ? -1 : 1);
   // Only a move of almost half a turn needs to be asked about.
   const Real excess = order(180, targets.move);
   if (excess.is_rational() && excess == Real(1)) return;
+  const bool up = targets.at[0] > present;
+  const Angle other = targets.at[0].plus_turns(up ? -1 : 1);
   const Sign nearer = recorder_.decide(axis.move, excess, 1);
   if (nearer == Sign::positive || !within(axis, other)) return;
   if (nearer == Sign::zero) ++targets.count;
@@ -179,7 +202,7 @@ bool PairChoice::takes_second(const Candidate& a, const Candidate& b, const Pose
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const Targets& of_a = a.targets.at(i);
     const Targets& of_b = b.targets.at(i);
-    const Sign sign = order(greatest(of_a.at, of_a.count), greatest(of_b.at, of_b.count)).sign();
+    const Sign sign = order(greatest(of_a), greatest(of_b)).sign();
     if (sign != Sign::zero) return sign == Sign::negative;
   }
   return false;
@@ -226,7 +249,7 @@ Solution PairChoice::choose(Solutions solutions, const Pose& present, Sign has_i
       const Axis& axis = axes_.at(i);
       const Angle& now = present.*axis.position;
       const bool stands = solutions.work_free && axis.position == &Pose::work;
-      candidate.targets.at(i) = stands ? standing(axis, now) : targets(axis, solution.pose.*axis.position, now);
+      candidate.targets.at(i) = stands ? standing(axis, now) : targets_or_open(axis, solution.pose.*axis.position, now);
       in_range = candidate.targets.at(i).count != 0;
     }
     if (in_range) candidates.push_back(std::move(candidate));
@@ -240,7 +263,7 @@ Solution PairChoice::choose(Solutions solutions, const Pose& present, Sign has_i
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const Targets& of_axis = taken.targets.at(i);
     if (of_axis.count == 2) recorder_.reach(Clause::fanuc_tool_center_point_choice_tie);
-    result.pose.*axes_.at(i).position = greatest(of_axis.at, of_axis.count);
+    result.pose.*axes_.at(i).position = greatest(of_axis);
   }
   return result;
 }

@@ -49,7 +49,8 @@ class PairChoice {
   struct Targets {
     std::array<Angle, 2> at;
     std::size_t count = 0;
-    Angle move;  // the moving angle, not negative
+    Angle move;         // the moving angle, not negative
+    bool open = false;  // the whole turns could not be decided: the first position, and cosines alone
   };
   struct Candidate {
     Solution solution;
@@ -59,6 +60,8 @@ class PairChoice {
   static std::optional<Range> range(const spec::Setup& setup, std::uint32_t upper);
   [[nodiscard]] bool within(const Axis& axis, const Angle& position) const;
   [[nodiscard]] Targets targets(const Axis& axis, const Angle& angle, const Angle& present) const;
+  // The same; of an axis without a range open where exact::Undecided.
+  [[nodiscard]] Targets targets_or_open(const Axis& axis, const Angle& angle, const Angle& present) const;
   // The other way round, where that is equally far.
   void add_other_way(const Axis& axis, const Angle& present, Targets& targets) const;
   // Puts a pose of the direction in place of the pair of its branch, and what is its pair then where that is plain.
@@ -72,6 +75,8 @@ class PairChoice {
   // Negative: the first of two candidates moves less.
   [[nodiscard]] Sign compare_moves(const Axis& axis, const Targets& a, const Targets& b, const Angle& present) const;
   [[nodiscard]] Sign compare_nearness(const Axis& axis, const Targets& a, const Targets& b) const;
+  // The position taken of them; throws exact::Undecided where they are open.
+  [[nodiscard]] const Angle& greatest(const Targets& targets) const;
   [[nodiscard]] bool takes_second(const Candidate& a, const Candidate& b, const Pose& present) const;
 
   const Machine& machine_;

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "fuzz/campaign/features.h"
+#include "fuzz/campaign/steering.h"
 
 namespace toolcomp::fuzz {
 namespace {
@@ -30,7 +30,7 @@ TEST(ExtraCounters, LibFuzzerReportsEveryFeature) {
   if (!fs::exists(target)) GTEST_SKIP() << "no clang fuzz build";
   const std::string text = output("'" + target.string() + "' -runs=500 -seed=1 -max_len=16384");
   // Built from the same clauses: an older build of the targets says nothing about this one.
-  EXPECT_NE(text.find(fmt::format("{} Extra Counters", kFeatures)), std::string::npos) << text.substr(0, 2000);
+  EXPECT_NE(text.find(fmt::format("{} Extra Counters", kSteeringSlots)), std::string::npos) << text.substr(0, 2000);
   EXPECT_NE(text.find("acceptance:"), std::string::npos) << text;
 }
 

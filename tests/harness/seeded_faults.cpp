@@ -2,7 +2,7 @@
 // link: toolcomp_fast_faulty
 // The harness measured: every seeded fault of the fast engine must be found by its section's directed generator, within
 // its budget, with a first divergence that rests on the clause the fault breaks. `./dev mutants` prints the table;
-// TOOLCOMP_FAULT=NAME asks one alone.
+// TOOLCOMP_FAULT=NAME asks one alone, TOOLCOMP_FAULT_SEED=N takes other cases than those of N = 1.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -39,8 +39,14 @@ class Active {
   Active& operator=(const Active&) = delete;
 };
 
-spec::Case fresh(std::string_view section, std::uint64_t seed) {
-  SeededSource source(seed);
+// The i-th case of the sequence that TOOLCOMP_FAULT_SEED names.
+spec::Case fresh(std::string_view section, std::uint64_t i) {
+  constexpr std::uint64_t apart = 1'000'000;
+  static const std::uint64_t sequence = [] {
+    const char* const text = std::getenv("TOOLCOMP_FAULT_SEED");
+    return text == nullptr ? 1 : std::strtoull(text, nullptr, 10);
+  }();
+  SeededSource source((sequence - 1) * apart + i);
   return generate(section, Mode::directed, source);
 }
 

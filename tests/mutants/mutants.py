@@ -2,18 +2,21 @@
 """Random mutants of the sources: does anything notice?
 
 Makes N mutants of the fast engine, or of the oracle and the judges of certify: an operator, a condition or a constant
-changed, a statement left out. Each is one object file and one link. A mutant of the fast engine answers
-`toolcomp certify` as ./dev certify runs it; one of the oracle runs the tests of the harness. Killed: found. Survived:
-nobody noticed. Mutants whose object code is that of the original are counted apart, so are those that do not compile
-and those that took too long.
+changed, a statement left out. Each is one object file and one link. A mutant of the fast engine is searched as a
+campaign searches, with fresh directed cases of all sections in turns, which says after how many executions it is found;
+what is not found so answers `toolcomp certify` as ./dev certify runs it. One of the oracle runs the tests of the
+harness. Killed: found. Survived: nobody noticed. Mutants whose object code is that of the original are counted apart,
+so are those that do not compile and those that took too long.
 
 The results stand in BUILD/mutants/SOURCES-SEED.json and .txt. A run that was ended goes on where it stopped.
 """
 import argparse
+import concurrent.futures
 import hashlib
 import json
 import os
 import pathlib
+import queue
 import random
 import re
 import shlex
@@ -29,6 +32,8 @@ SOURCES = {
     "oracle": ["fuzz/oracle/*.cpp", "certify/judge.cpp", "certify/certificate.cpp", "certify/capabilities.cpp",
                "certify/event_fields.cpp", "certify/controller.cpp"],
 }
+# The sound engine takes some half a minute for 5,000 executions a section: what takes so long hangs.
+SEARCH_SECONDS = 240
 # Programs and which of their tests, quick ones first.
 ORACLE_TESTS = [("harness", "Comparator.*:Conditions.*:ArcFit.*:PoseErrors.*:PoseFit.*:RotaryMachines.*:NearTies.*:Space*"),
                 ("unit", "Capabilities.*:FindingFile.*:FilesOfFindings.*:"
@@ -115,17 +120,20 @@ def run(command, timeout, **how):
 
 
 class Bench:
-    def __init__(self, build, sources, work, timeout, cases):
+    """Where one mutant at a time is made and judged."""
+
+    def __init__(self, build, sources, work, timeout, cases, runs):
         self.build, self.sources, self.work, self.timeout, self.cases = build, sources, work, timeout, cases
+        self.runs = runs
         self.commands = {e["file"]: e for e in json.loads((build / "compile_commands.json").read_text())}
         self.originals = {}
         work.mkdir(parents=True, exist_ok=True)
         self.libraries = self.link_line("toolcomp")
         if sources == "fast":
-            main = ROOT / "tests/mutants/serve_main.cc"
-            self.main = work / "serve_main.o"
-            flags = ["-std=c++20", "-O1", f"-I{ROOT}", f"-I{build}/generated"]
-            subprocess.run(["g++", *flags, "-c", main, "-o", self.main], check=True)
+            flags = ["-std=c++20", "-O1", f"-I{ROOT}", f"-I{build}/generated", "-isystem", "/usr/include/eigen3"]
+            for name in ("serve_main", "search_main"):
+                main = ROOT / f"tests/mutants/{name}.cc"
+                subprocess.run(["g++", *flags, "-c", main, "-o", work / f"{name}.o"], check=True)
 
     def link_line(self, target):
         """The libraries of a target, in the order of its link."""
@@ -188,18 +196,40 @@ class Bench:
                    str(report), "--timeout", "5", "--corpus", str(ROOT / "corpus/golden"), *arguments]
         return run(command, self.timeout, cwd=ROOT)[0]
 
+    def search(self, objects):
+        """Outcome, by what, executions; None where it does not link, no outcome where nothing was found."""
+        program = self.work / "search"
+        if self.link([self.work / "search_main.o", *objects], program, self.libraries):
+            return None
+        status, out = run([str(program), str(self.runs)], min(self.timeout, SEARCH_SECONDS), cwd=ROOT)
+        lines = out.splitlines() or [""]
+        if status is None:
+            return "timeout", "search", None
+        if lines[-1].startswith("found "):
+            _, executions, what = lines[-1].split(" ", 2)
+            return "killed", f"search, {executions} executions: {what}", int(executions)
+        if lines[-1].startswith("not found"):
+            return "", "", None
+        last = [int(line.split()[1]) for line in lines if line.startswith("at ")] or [0]
+        return "killed", f"search, exit status {status} after about {last[-1]} executions", last[-1]
+
     def judge_fast(self, target):
+        found = self.search([target])
+        if found is None:
+            return "does not compile", "link", None
+        if found[0]:
+            return found
         program = self.work / "serve"
-        if self.link([self.main, target], program, self.libraries):
-            return "does not compile", "link"
+        if self.link([self.work / "serve_main.o", target], program, self.libraries):
+            return "does not compile", "link", None
         # The golden corpus first: most end there, and it is quick.
         for what, arguments in self.stages():
             status = self.certify(program, arguments)
             if status is None:
-                return "timeout", what
+                return "timeout", what, None
             if status != self.baseline[what]:
-                return "killed", f"{what}, status {status}"
-        return "survived", ""
+                return "killed", f"{what}, status {status}", None
+        return "survived", "", None
 
     def stages(self):
         programs = sorted(str(p) for e in ("nc", "h") for p in (ROOT / "examples").glob(f"*/*/*.{e}"))
@@ -217,6 +247,9 @@ class Bench:
             if not self.baseline:
                 sys.exit("no test of the harness passes: ./dev build")
             return
+        found = self.search([])
+        if found is None or found[0]:
+            sys.exit(f"the sound engine is found: {found}")
         self.baseline = {what: self.certify(f"{self.build}/toolcomp serve --engine fast", arguments)
                          for what, arguments in self.stages()}
         print(f"exit statuses of the sound engine: {self.baseline}", flush=True)
@@ -233,24 +266,25 @@ class Bench:
         for test, which in self.baseline:
             program = self.work / "test"
             if self.link_test(test, [target], program):
-                return "does not compile", "link"
+                return "does not compile", "link", None
             passed = self.passes(program, which)
             if passed is None:
-                return "timeout", f"{test} {which}"
+                return "timeout", f"{test} {which}", None
             if not passed:
-                return "killed", f"{test} {which}"
-        return "survived", ""
+                return "killed", f"{test} {which}", None
+        return "survived", "", None
 
     def judge(self, mutation):
+        """Outcome, by what, executions to find it."""
         path, i, _, _, changed = mutation
         lines = (ROOT / path).read_text().splitlines()
         original = self.original_hash(path)
         lines[i] = changed
         target = self.compile(path, "\n".join(lines) + "\n")
         if target is None:
-            return "does not compile", ""
+            return "does not compile", "", None
         if hashlib.sha256(target.read_bytes()).hexdigest() == original:
-            return "same object code", ""
+            return "same object code", "", None
         return self.judge_fast(target) if self.sources == "fast" else self.judge_oracle(target)
 
 
@@ -262,6 +296,10 @@ def table(results):
     judged = counts.get("killed", 0) + counts.get("survived", 0) + counts.get("timeout", 0)
     if judged:
         out.append(f"found, or ended by their time: {100 * (judged - counts.get('survived', 0)) / judged:.1f} %")
+    searched = sorted(r["executions"] for r in results if r.get("executions") is not None)
+    if searched:
+        within = ", ".join(f"{sum(n <= most for n in searched)} within {most}" for most in (100, 1000, 10000))
+        out.append(f"found by searching: {len(searched)}, {within}, the last after {searched[-1]} executions")
     for r in sorted(results, key=lambda r: (r["outcome"] != "survived", r["outcome"], r["file"], r["line"])):
         out.append(f"{r['outcome']:17} {r['file']}:{r['line']}: {r['operator']}   {r['by']}")
         out.append(f"    - {r['original'].strip()}\n    + {r['changed'].strip()}")
@@ -276,6 +314,8 @@ def main():
     parser.add_argument("--file", help="mutants of this source alone, e.g. fast/geometry/path.cpp")
     parser.add_argument("--again", action="store_true", help="those of an earlier run that survived, once more")
     parser.add_argument("--cases", type=int, default=1000, help="generated cases a section")
+    parser.add_argument("--runs", type=int, default=5000, help="executions a section of the search")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--timeout", type=float, default=900, help="seconds a mutant may take")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/mutants",
                         help="where every file is compiled by itself")
@@ -284,7 +324,8 @@ def main():
     chosen = random.Random(options.seed).sample(every, min(options.count, len(every)))
     folder = options.build.resolve() / "mutants"
     name = f"{options.sources}-{options.seed}" + (f"-{pathlib.Path(options.file).stem}" if options.file else "")
-    bench = Bench(options.build.resolve(), options.sources, folder / f"{name}.work", options.timeout, options.cases)
+    benches = [Bench(options.build.resolve(), options.sources, folder / f"{name}.work" / str(job), options.timeout,
+                     options.cases, options.runs) for job in range(options.jobs)]
     record = folder / f"{name}.json"
     results = json.loads(record.read_text())["mutants"] if record.exists() else []
     if options.again:
@@ -293,20 +334,34 @@ def main():
         chosen = [(pathlib.Path(r["file"]), r["line"] - 1, r["operator"], r["original"], r["changed"])
                   for r in survivors if (ROOT / r["file"]).read_text().splitlines()[r["line"] - 1] == r["original"]]
     done = {(r["file"], r["line"], r["original"], r["changed"]) for r in results}
-    bench.measure_baseline()
+    benches[0].measure_baseline()
+    for bench in benches:
+        bench.baseline = benches[0].baseline
     print(f"{len(every)} places, {len(chosen)} mutants, {len(done)} of an earlier run", flush=True)
-    for n, mutation in enumerate(chosen, 1):
-        path, i, operator, line, changed = mutation
-        if (str(path), i + 1, line, changed) in done:
-            continue
+    free = queue.SimpleQueue()
+    for bench in benches:
+        free.put(bench)
+
+    def judged(mutation):
+        bench = free.get()
         start = time.monotonic()
-        outcome, by = bench.judge(mutation)
-        results.append({"file": str(path), "line": i + 1, "operator": operator, "original": line, "changed": changed,
-                        "outcome": outcome, "by": by, "seconds": round(time.monotonic() - start, 1)})
-        print(f"{n}/{len(chosen)} {outcome:17} {path}:{i + 1}: {operator} {by}", flush=True)
-        partial = record.with_suffix(".part")
-        partial.write_text(json.dumps({"sources": options.sources, "seed": options.seed, "mutants": results}, indent=1))
-        partial.rename(record)
+        try:
+            return mutation, bench.judge(mutation), round(time.monotonic() - start, 1)
+        finally:
+            free.put(bench)
+
+    waiting = [m for m in chosen if (str(m[0]), m[1] + 1, m[3], m[4]) not in done]
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for n, job in enumerate(concurrent.futures.as_completed([pool.submit(judged, m) for m in waiting]), 1):
+            (path, i, operator, line, changed), (outcome, by, executions), seconds = job.result()
+            results.append({"file": str(path), "line": i + 1, "operator": operator, "original": line,
+                            "changed": changed, "outcome": outcome, "by": by, "executions": executions,
+                            "seconds": seconds})
+            print(f"{n}/{len(waiting)} {outcome:17} {path}:{i + 1}: {operator} {by}", flush=True)
+            partial = record.with_suffix(".part")
+            partial.write_text(json.dumps({"sources": options.sources, "seed": options.seed, "mutants": results},
+                                          indent=1))
+            partial.rename(record)
     text = table(results)
     (folder / f"{name}.txt").write_text(text)
     print(text + str(record))

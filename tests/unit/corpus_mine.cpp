@@ -9,7 +9,7 @@
 
 #include "corpus/hard.h"
 #include "corpus/mine/approach.h"
-#include "corpus/mine/numbers.h"
+#include "fuzz/gen/numbers.h"
 
 namespace toolcomp::corpus {
 namespace {
@@ -32,13 +32,13 @@ spec::Case fanuc_case(const std::string& program) {
 
 // Words that are no measure, and comments, stay; a number that has not changed stays as it was written.
 TEST(Numbers, OfAFanucProgram) {
-  const Numbers numbers(fanuc_case("N10 G41 D1 X10. Y-3.50 (X9)\nG01 X.5 F100\n"));
+  const fuzz::Numbers numbers(fanuc_case("N10 G41 D1 X10. Y-3.50 (X9)\nG01 X.5 F100\n"));
   std::vector<std::string> names;
   for (std::size_t i = 0; i < numbers.size(); ++i) names.push_back(numbers.name(i));
   EXPECT_EQ(names, (std::vector<std::string>{"X", "Y", "X", "D1", "wear of D1"}));
-  Point point = numbers.values();
-  point[1] = *moved(point[1], 1, 4);
-  point[3] = *moved(point[3], -6, 0);
+  fuzz::Point point = numbers.values();
+  point[1] = *fuzz::moved(point[1], 1, 4);
+  point[3] = *fuzz::moved(point[3], -6, 0);
   const spec::Case c = numbers.with(point);
   EXPECT_EQ(c.program, "N10 G41 D1 X10. Y-3.4999 (X9)\nG01 X.5 F100\n");
   EXPECT_EQ(spec::to_string(c.setup.d.at(1).geometry), "4.9");
@@ -51,7 +51,7 @@ TEST(Numbers, OfAFanucProgram) {
 TEST(Numbers, WholeOnesStayWhole) {
   spec::Case c = fanuc_case("X10 Y10.\n");
   c.setup.parameters[{3401, 0}] = decimal("0");
-  const Numbers numbers(c);
+  const fuzz::Numbers numbers(c);
   EXPECT_TRUE(numbers.is_whole(0));
   EXPECT_FALSE(numbers.is_whole(1));
 }
@@ -61,40 +61,40 @@ TEST(Numbers, OfAKlartextProgram) {
   c.section = "heidenhain/face-milling";
   c.setup.control = spec::Control::heidenhain;
   c.program = "4 TOOL CALL 5 Z S1000 DR2+0.3 DR-0,1\n5 LN X+1 IY-2.5 NX+0.6 TZ1 R0 F200 ; X9\n";
-  const Numbers numbers(c);
+  const fuzz::Numbers numbers(c);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < numbers.size(); ++i) names.push_back(numbers.name(i));
   EXPECT_EQ(names, (std::vector<std::string>{"DR2", "DR", "X", "IY", "NX", "TZ"}));
-  Point point = numbers.values();
-  point[1] = *moved(point[1], 1, 1);
+  fuzz::Point point = numbers.values();
+  point[1] = *fuzz::moved(point[1], 1, 1);
   EXPECT_EQ(numbers.with(point).program,
             "4 TOOL CALL 5 Z S1000 DR2+0.3 DR0.\n5 LN X+1 IY-2.5 NX+0.6 TZ1 R0 F200 ; X9\n");
 }
 
 TEST(Numbers, KeepToWhatIsSearched) {
-  EXPECT_EQ(spec::to_string(*moved(decimal("10000"), -1, 3)), "9999.999");
-  EXPECT_FALSE(moved(decimal("10000"), 1, 3));
-  EXPECT_EQ(spec::to_string(*moved(decimal("1"), 1, 14)), "1.00000000000001");
-  EXPECT_FALSE(moved(decimal("10"), 1, 14)) << "16 digits";
-  EXPECT_EQ(spec::to_string(*moved(decimal("-.001"), 2, 3)), ".001");
-  EXPECT_EQ(most_decimals(decimal("123.4")), 12);
-  EXPECT_EQ(most_decimals(decimal(".4")), 14);
-  EXPECT_TRUE(is_searched(fanuc_case("X1.\n")));
-  EXPECT_FALSE(is_searched(fanuc_case("X10001.\n")));
+  EXPECT_EQ(spec::to_string(*fuzz::moved(decimal("10000"), -1, 3)), "9999.999");
+  EXPECT_FALSE(fuzz::moved(decimal("10000"), 1, 3));
+  EXPECT_EQ(spec::to_string(*fuzz::moved(decimal("1"), 1, 14)), "1.00000000000001");
+  EXPECT_FALSE(fuzz::moved(decimal("10"), 1, 14)) << "16 digits";
+  EXPECT_EQ(spec::to_string(*fuzz::moved(decimal("-.001"), 2, 3)), ".001");
+  EXPECT_EQ(fuzz::most_decimals(decimal("123.4")), 12);
+  EXPECT_EQ(fuzz::most_decimals(decimal(".4")), 14);
+  EXPECT_TRUE(fuzz::is_searched(fanuc_case("X1.\n")));
+  EXPECT_FALSE(fuzz::is_searched(fanuc_case("X10001.\n")));
 }
 
 // 50 x + y² = 5000: with three decimals the least difference that is none is one unit of the square, 1e-6: one number
 // alone leaves some 1e-3 · 25. How x follows y is of the second degree, what the three values tell without an error.
 TEST(Approach, FindsTheNearestDecimalsOfTwoNumbers) {
-  const Numbers numbers(fanuc_case("X50.123 Y49.2\n"));
+  const fuzz::Numbers numbers(fanuc_case("X50.123 Y49.2\n"));
   double least = 1;
   std::size_t tries = 0;
-  const Quantity quantity = [&](const Point& p) -> std::optional<double> {
+  const Quantity quantity = [&](const fuzz::Point& p) -> std::optional<double> {
     ++tries;
     const double x = value(p[0]);
     const double y = value(p[1]);
     const double q = (50 * x + y * y - 5000) / 5000;
-    if (finest(p) <= 3 && q != 0) least = std::min(least, std::fabs(q));
+    if (fuzz::finest(p) <= 3 && q != 0) least = std::min(least, std::fabs(q));
     return q;
   };
   fuzz::SeededSource source(1);
@@ -106,9 +106,9 @@ TEST(Approach, FindsTheNearestDecimalsOfTwoNumbers) {
 
 // With all digits a root that no decimal is.
 TEST(Approach, GoesOnToAllDigits) {
-  const Numbers numbers(fanuc_case("X1. Y3.\n"));
+  const fuzz::Numbers numbers(fanuc_case("X1. Y3.\n"));
   double least = 1;
-  const Quantity quantity = [&](const Point& p) -> std::optional<double> {
+  const Quantity quantity = [&](const fuzz::Point& p) -> std::optional<double> {
     const double q = value(p[0]) * value(p[0]) - 2;
     if (q != 0) least = std::min(least, std::fabs(q));
     return q;
@@ -120,9 +120,9 @@ TEST(Approach, GoesOnToAllDigits) {
 }
 
 TEST(Approach, EndsWhereNothingIsDefined) {
-  const Numbers numbers(fanuc_case("X1.\n"));
+  const fuzz::Numbers numbers(fanuc_case("X1.\n"));
   std::size_t tries = 0;
-  const Quantity nothing = [&](const Point&) -> std::optional<double> {
+  const Quantity nothing = [&](const fuzz::Point&) -> std::optional<double> {
     ++tries;
     return std::nullopt;
   };
@@ -133,13 +133,13 @@ TEST(Approach, EndsWhereNothingIsDefined) {
 }
 
 TEST(Climb, ReachesATop) {
-  const Numbers numbers(fanuc_case("X1. Y1.\n"));
-  const Quantity hill = [](const Point& p) -> std::optional<double> {
+  const fuzz::Numbers numbers(fanuc_case("X1. Y1.\n"));
+  const Quantity hill = [](const fuzz::Point& p) -> std::optional<double> {
     return -std::fabs(value(p[0]) - 12.34) - std::fabs(value(p[1]) + 56);
   };
   fuzz::SeededSource source(1);
   fuzz::Choices choose(source);
-  const Point top = climb(numbers, hill, choose, {0, [] { return false; }}, 2000);
+  const fuzz::Point top = climb(numbers, hill, choose, {0, [] { return false; }}, 2000);
   EXPECT_GT(*hill(top), -0.01);
 }
 

@@ -12,10 +12,10 @@ namespace {
 
 using Exact2 = std::array<Rational, 2>;
 
-Rational dot(const Exact2& a, const Exact2& b) { return a[0] * b[0] + a[1] * b[1]; }
+Rational dot_in_plane(const Exact2& a, const Exact2& b) { return a[0] * b[0] + a[1] * b[1]; }
 Rational turn(const Exact2& a, const Exact2& b) { return a[0] * b[1] - a[1] * b[0]; }
-Exact2 difference(const Exact2& to, const Exact2& from) { return {to[0] - from[0], to[1] - from[1]}; }
-std::string coq(const Exact2& v) { return fmt::format("(Vec {} {} 0)", corpus::coq(v[0]), corpus::coq(v[1])); }
+Exact2 difference_in_plane(const Exact2& to, const Exact2& from) { return {to[0] - from[0], to[1] - from[1]}; }
+std::string coq_in_plane(const Exact2& v) { return fmt::format("(Vec {} {} 0)", coq(v[0]), coq(v[1])); }
 
 // The corner at the end of one line: its travel, that of the next line, and the recorded heads in between.
 struct Corner {
@@ -47,21 +47,22 @@ std::optional<Corner> corner_at(const spec::Case& c, const Blocks& blocks, std::
   const auto modal_at_line = [&](std::uint64_t line) { return modal_at(c, blocks, line, {"G41"}, {"G42"}); };
   const Modal modal = modal_at_line(event.line);
   if (!there || !modal.straight || !modal_at_line(c.expect[next].line).straight) return std::nullopt;
-  corner.former = difference(*here, *from);
-  corner.latter = difference(*there, *here);
+  corner.former = difference_in_plane(*here, *from);
+  corner.latter = difference_in_plane(*there, *here);
   corner.rho = modal.side * modal.value;
   if (corner.rho == 0 || corner.former == Exact2{} || corner.latter == Exact2{}) return std::nullopt;
   return corner;
 }
 
 std::optional<Lemma> lemma_of(const spec::Case& c, const Corner& corner) {
-  const bool acute = corner.rho * turn(corner.former, corner.latter) <= 0 && dot(corner.former, corner.latter) < 0;
+  const bool acute =
+      corner.rho * turn(corner.former, corner.latter) <= 0 && dot_in_plane(corner.former, corner.latter) < 0;
   if (corner.heads.size() != (acute ? 2U : 1U)) return std::nullopt;
-  const std::string a = coq(corner.former);
-  const std::string b = coq(corner.latter);
-  const auto first = square_root(dot(corner.former, corner.former));
-  const auto second = square_root(dot(corner.latter, corner.latter));
-  const std::string rho = corpus::coq(corner.rho);
+  const std::string a = coq_in_plane(corner.former);
+  const std::string b = coq_in_plane(corner.latter);
+  const auto first = square_root(dot_in_plane(corner.former, corner.former));
+  const auto second = square_root(dot_in_plane(corner.latter, corner.latter));
+  const std::string rho = coq(corner.rho);
   Lemma lemma;
   lemma.name = fmt::format("{}_line_{}", identifier(c.id), corner.line);
   lemma.by_intervals = !first || !second;
@@ -70,11 +71,11 @@ std::optional<Lemma> lemma_of(const spec::Case& c, const Corner& corner) {
     for (std::size_t j = 0; j < 2; ++j) {
       const spec::NumberText& value = corner.heads[i]->point[c.setup.axes.index("XY"[j])];
       const auto exactly = fraction_of(value);
-      const std::string is = fmt::format("{} + v{} {}", corpus::coq(corner.place[j]), "xy"[j], "vw"[i]);
+      const std::string is = fmt::format("{} + v{} {}", coq(corner.place[j]), "xy"[j], "vw"[i]);
       // Where the lengths are rational the heads are, and where they are not intervals have to do.
       if (exactly.has_value() == lemma.by_intervals) return std::nullopt;
       if (exactly)
-        says += fmt::format(" /\\\n  {} = {}", is, corpus::coq(*exactly));
+        says += fmt::format(" /\\\n  {} = {}", is, coq(*exactly));
       else
         says += fmt::format(" /\\\n  recorded ({}) {} {}", is, coq_decimal(value.v), coq_decimal(value.r));
     }
@@ -84,8 +85,7 @@ std::optional<Lemma> lemma_of(const spec::Case& c, const Corner& corner) {
                                         rho)
                                   : fmt::format("let v := CutterCompensationC.M {} (unit a) (unit b) in", rho);
   const std::string proof =
-      lemma.by_intervals ? "head_by_intervals"
-                         : fmt::format("by_lengths {} {} {} {}", a, corpus::coq(*first), b, corpus::coq(*second));
+      lemma.by_intervals ? "head_by_intervals" : fmt::format("by_lengths {} {} {} {}", a, coq(*first), b, coq(*second));
   lemma.text = fmt::format(
       "Lemma {} :\n  let a := {} in\n  let b := {} in\n  {}\n  corner {} a b = [{}]{}.\n"
       "Proof. cbv zeta; split; [{} |]; repeat split; {}. Qed.\n",

@@ -9,12 +9,11 @@
 
 #include "spec/language/case.h"
 
-namespace toolcomp::corpus {
+namespace toolcomp::fuzz {
 
 // What is searched: beyond it lie kilometres, and digits that no control reads.
-inline constexpr std::uint64_t kLargestNumber = 10'000;  // magnitude, in the units of the case
-inline constexpr int kMostDigits = 15;                   // the 16th raises PS0003
-inline constexpr std::size_t kMostLines = 64;
+inline constexpr std::uint64_t kSearchedMagnitude = 10'000;  // magnitude, in the units of the case
+inline constexpr int kSearchedDigits = 15;                   // the 16th raises PS0003
 
 // Decimals that programs of this control have: least increments of at most a tenth of a micrometre, seven in the
 // components of a direction of a Klartext program.
@@ -55,7 +54,7 @@ class Numbers {
 // would be larger, or have more digits, than what is searched.
 std::optional<spec::Decimal> moved(const spec::Decimal& value, std::int64_t steps, int decimals);
 
-// Decimals the value may have for its size, up to kMostDigits.
+// Decimals the value may have for its size, up to kSearchedDigits.
 int most_decimals(const spec::Decimal& value);
 
 // The most decimals that one of the values has.
@@ -64,4 +63,4 @@ int finest(const Point& values);
 // Whether program and setup are no larger than what is searched.
 bool is_searched(const spec::Case& c);
 
-}  // namespace toolcomp::corpus
+}  // namespace toolcomp::fuzz

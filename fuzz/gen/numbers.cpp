@@ -1,21 +1,20 @@
-#include "corpus/mine/numbers.h"
+#include "fuzz/gen/numbers.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
+#include "fuzz/gen/change_text.h"
+#include "fuzz/gen/program_text.h"
 #include "spec/language/parameter.h"
 
-namespace toolcomp::corpus {
+namespace toolcomp::fuzz {
 namespace {
 
 using spec::Decimal;
 
 constexpr int kFanucDecimals = 4;
 constexpr int kKlartextDecimals = 7;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 std::uint64_t power_of_ten(int exponent) {
   std::uint64_t power = 1;
@@ -191,12 +190,13 @@ std::string Numbers::changed(const Point& values) const {
 
 std::optional<Decimal> moved(const Decimal& value, std::int64_t steps, int decimals) {
   const int scale = std::max<int>(decimals, value.decimals);
-  const std::uint64_t most = power_of_ten(kMostDigits);
-  if (scale >= kMostDigits || value.digits >= most) return std::nullopt;
+  const std::uint64_t most = power_of_ten(kSearchedDigits);
+  if (scale >= kSearchedDigits || value.digits >= most) return std::nullopt;
   const std::uint64_t factor = power_of_ten(scale - value.decimals);
   if (value.digits >= most / factor) return std::nullopt;
   const auto magnitude = static_cast<std::int64_t>(value.digits * factor);
-  const auto limit = static_cast<std::int64_t>(std::min(most - 1, kLargestNumber * power_of_ten(std::min(scale, 11))));
+  const auto limit =
+      static_cast<std::int64_t>(std::min(most - 1, kSearchedMagnitude * power_of_ten(std::min(scale, 11))));
   if (steps > 2 * limit || steps < -2 * limit) return std::nullopt;
   const std::int64_t sum = (value.negative ? -magnitude : magnitude) + steps;
   if (sum > limit || sum < -limit) return std::nullopt;
@@ -213,7 +213,7 @@ std::optional<Decimal> moved(const Decimal& value, std::int64_t steps, int decim
 }
 
 int most_decimals(const Decimal& value) {
-  return kMostDigits - std::max(1, digits_of(value.digits / power_of_ten(value.decimals)));
+  return kSearchedDigits - std::max(1, digits_of(value.digits / power_of_ten(value.decimals)));
 }
 
 int finest(const Point& values) {
@@ -228,4 +228,4 @@ bool is_searched(const spec::Case& c) {
   return std::ranges::all_of(numbers.values(), [](const Decimal& value) { return moved(value, 0, 0).has_value(); });
 }
 
-}  // namespace toolcomp::corpus
+}  // namespace toolcomp::fuzz

@@ -1,0 +1,154 @@
+#include "fuzz/campaign/steering.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "fuzz/gen/choices.h"
+#include "fuzz/gen/mutate.h"
+#include "fuzz/gen/push.h"
+#include "spec/language/input_error.h"
+#include "spec/language/naming_clause.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+// One change in so many pushes: it runs the model some ten times, where executing a case runs it once.
+constexpr std::uint64_t kPushEvery = 24;
+
+constexpr std::pair<std::string_view, bool Steering::*> kParts[] = {{"outcomes", &Steering::outcomes},
+                                                                    {"margins", &Steering::margins},
+                                                                    {"pairs", &Steering::pairs},
+                                                                    {"shapes", &Steering::shapes},
+                                                                    {"push", &Steering::push}};
+
+constexpr Steering kNothing{false, false, false, false, false};
+
+// The same on every machine.
+constexpr std::uint32_t mixed(std::uint32_t hash, std::uint32_t value) {
+  hash = (hash ^ value) * 0x9E3779B1U;
+  return hash ^ (hash >> 15U);
+}
+
+std::uint32_t shape_of(const model::Event& event) {
+  std::uint32_t hash = mixed(1, static_cast<std::uint32_t>(event.kind));
+  hash = mixed(hash, static_cast<std::uint32_t>(event.type));
+  hash = mixed(hash, static_cast<std::uint32_t>(event.cause));
+  const auto clause = spec::naming_clause(event.clauses);
+  return mixed(hash, clause ? static_cast<std::uint32_t>(*clause) + 1 : 0);
+}
+
+template <class Take>
+void for_each_pair(const std::vector<model::Event>& events, Take take) {
+  spec::ClauseList block;
+  const auto close = [&] {
+    for (std::size_t i = 0; i < block.size(); ++i)
+      for (std::size_t k = i + 1; k < block.size(); ++k) {
+        const auto one = static_cast<std::uint32_t>(block[i]);
+        const auto other = static_cast<std::uint32_t>(block[k]);
+        take(kFeatures + mixed(mixed(1, std::min(one, other)), std::max(one, other)) % kPairSlots, 1);
+      }
+    block = {};
+  };
+  std::uint64_t line = 0;
+  for (const model::Event& event : events) {
+    if (event.line != line) close();
+    line = event.line;
+    block.add(event.clauses);
+  }
+  close();
+}
+
+template <class Take>
+void for_each_shape(const std::vector<model::Event>& events, Take take) {
+  std::uint32_t last = 0;
+  std::uint32_t before = 0;
+  for (const model::Event& event : events) {
+    const std::uint32_t now = shape_of(event);
+    take(kFeatures + kPairSlots + mixed(mixed(now, last), before) % kShapeSlots, 1);
+    before = std::exchange(last, now);
+  }
+}
+
+template <class Take>
+void for_each_slot(const ModelRun& run, Take take) {
+  for (const auto& [feature, count] : counted_features(run.recorder)) take(feature, count);
+  for_each_pair(run.events, take);
+  for_each_shape(run.events, take);
+}
+
+struct Kind {
+  bool Steering::* part;
+  std::uint64_t Reach::* count;
+};
+
+Kind kind_of(std::size_t slot) {
+  if (slot >= kFeatures + kPairSlots) return {&Steering::shapes, &Reach::shapes};
+  if (slot >= kFeatures) return {&Steering::pairs, &Reach::pairs};
+  if (slot % kClauseSlots < kOutcomeSlots) return {&Steering::outcomes, &Reach::outcomes};
+  return {&Steering::margins, &Reach::margins};
+}
+
+}  // namespace
+
+Steering parse_steering(std::string_view text, const char* where) {
+  if (text == "all") return {};
+  Steering steering = kNothing;
+  if (text == "none") return steering;
+  while (true) {
+    const std::string_view name = text.substr(0, text.find(','));
+    const auto part = std::ranges::find(kParts, name, &std::pair<std::string_view, bool Steering::*>::first);
+    if (part == std::end(kParts))
+      throw spec::InputError(
+          where, 0, 0,
+          "expected all, none, or some of outcomes,margins,pairs,shapes,push; found \"" + std::string(name) + "\"");
+    steering.*part->second = true;
+    if (name.size() == text.size()) return steering;
+    text.remove_prefix(name.size() + 1);
+  }
+}
+
+std::string to_string(const Steering& steering) {
+  if (steering == Steering{}) return "all";
+  std::string text;
+  for (const auto& [name, part] : kParts)
+    if (steering.*part) (text += text.empty() ? "" : ",") += name;
+  return text.empty() ? "none" : text;
+}
+
+const Steering& steering_of_process() {
+  static const Steering steering = [] {
+    constexpr const char* variable = "TOOLCOMP_STEERING";
+    const char* const text = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): nobody sets it
+    return text == nullptr ? Steering{} : parse_steering(text, variable);
+  }();
+  return steering;
+}
+
+void count_reached(const ModelRun& run, const Steering& steering, std::span<std::uint8_t> counters) {
+  constexpr std::uint64_t most = 255;
+  for_each_slot(run, [&](std::size_t slot, std::uint64_t count) {
+    if (slot < counters.size() && steering.*kind_of(slot).part)
+      counters[slot] = static_cast<std::uint8_t>(std::min(most, counters[slot] + count));
+  });
+}
+
+bool Coverage::add(const ModelRun& run, const Steering& steering) {
+  bool fresh = false;
+  for_each_slot(run, [&](std::size_t slot, std::uint64_t) {
+    if (slots_[slot]) return;
+    slots_[slot] = true;
+    const Kind kind = kind_of(slot);
+    ++(reach_.*kind.count);
+    fresh = fresh || steering.*kind.part;
+  });
+  return fresh;
+}
+
+void change(spec::Case& c, Mode mode, const Steering& steering, ChoiceSource& source) {
+  Choices choose(source);
+  if (steering.push && choose.below(kPushEvery) == 0 && push_toward_boundary(c, choose)) return;
+  mutate(c, mode, source);
+}
+
+}  // namespace toolcomp::fuzz
