@@ -125,6 +125,7 @@ Numbers::Numbers(spec::Case c) : case_(std::move(c)) {
   for_each_number(case_.setup, [this](std::string name, const Decimal& value) {
     names_.push_back(std::move(name));
     values_.push_back(value);
+    lines_.push_back(0);
     whole_.push_back(false);
   });
 }
@@ -135,9 +136,11 @@ void Numbers::read_program() {
   const bool counts = fanuc && !case_.setup.bit(3401, 0, true);
   std::size_t from = 0;
   bool comment = false;
+  std::uint64_t line = 1;
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] == '(' || text[at] == ';' || text[at] == '"') comment = true;
     if (text[at] == ')' || text[at] == '\n') comment = false;
+    if (text[at] == '\n') ++line;
     if (comment || !is_letter(text[at])) continue;
     // "DR2+0.3": the digit belongs to the address.
     std::size_t begin = at + 1;
@@ -154,6 +157,7 @@ void Numbers::read_program() {
     written_.emplace_back(text.substr(begin, end - begin));
     names_.emplace_back(address_before(text, begin));
     values_.push_back(*value);
+    lines_.push_back(line);
     whole_.push_back(counts && !value->point);
     from = end;
     at = end - 1;

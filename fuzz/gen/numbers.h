@@ -32,6 +32,8 @@ class Numbers {
   [[nodiscard]] std::size_t size() const { return values_.size(); }
   // "X", "NX", "D1", "parameter 19631".
   [[nodiscard]] const std::string& name(std::size_t i) const { return names_[i]; }
+  // The line of the program it stands in, from 1; of a number of the setup 0.
+  [[nodiscard]] std::uint64_t line(std::size_t i) const { return lines_[i]; }
   // Without a point this number means something else: it stays whole.
   [[nodiscard]] bool is_whole(std::size_t i) const { return whole_[i]; }
   // The case with these values; a number that has not changed stays as it was written.
@@ -45,6 +47,7 @@ class Numbers {
   spec::Case case_;
   Point values_;
   std::vector<std::string> names_;
+  std::vector<std::uint64_t> lines_;
   std::vector<bool> whole_;
   std::vector<std::string> text_;     // of the program: before each number, and behind the last one
   std::vector<std::string> written_;  // each number

@@ -22,10 +22,15 @@ constexpr int kSecants = 4;
 // Farther than this no number is moved, in units of its last digit.
 constexpr double kFarthestPush = 1e12;
 
+// Lines before a decision's own whose numbers it mostly hangs on, and how often it is one of these, in percent.
+constexpr std::uint64_t kLinesBefore = 2;
+constexpr std::uint64_t kNear = 85;
+
 // One decision of a run: the n-th of its clause.
 struct Followed {
   spec::Clause clause{};
   std::size_t place = 0;
+  std::uint64_t line = 0;
 };
 
 double signed_margin(const model::Decision& decision) {
@@ -38,6 +43,7 @@ std::optional<Followed> chosen(const std::vector<model::Decision>& decisions, Ch
     double margin = 0;
     std::size_t place = 0;
     std::size_t seen = 0;
+    std::uint64_t line = 0;
   };
   std::map<spec::Clause, Nearest> nearest;
   for (const model::Decision& decision : decisions) {
@@ -46,13 +52,14 @@ std::optional<Followed> chosen(const std::vector<model::Decision>& decisions, Ch
     if (m > 0 && (n.margin == 0 || m < n.margin)) {
       n.margin = m;
       n.place = n.seen;
+      n.line = decision.line;
     }
     ++n.seen;
   }
   std::erase_if(nearest, [](const auto& entry) { return entry.second.margin == 0; });
   if (nearest.empty()) return std::nullopt;
   const auto at = std::next(nearest.begin(), static_cast<std::ptrdiff_t>(choose.below(nearest.size())));
-  return Followed{at->first, at->second.place};
+  return Followed{at->first, at->second.place, at->second.line};
 }
 
 std::optional<double> value_of(const Followed& followed, const std::vector<model::Decision>& decisions) {
@@ -60,6 +67,15 @@ std::optional<double> value_of(const Followed& followed, const std::vector<model
   for (const model::Decision& decision : decisions)
     if (decision.clause == followed.clause && seen++ == followed.place) return signed_margin(decision);
   return std::nullopt;
+}
+
+// A number that the decision may hang on: mostly of its own block or of those just before.
+std::size_t chosen(const Numbers& numbers, const Followed& followed, Choices& choose) {
+  std::vector<std::size_t> near;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (numbers.line(i) <= followed.line && numbers.line(i) + kLinesBefore >= followed.line) near.push_back(i);
+  if (near.empty() || !choose.chance(kNear)) return choose.below(numbers.size());
+  return near[choose.below(near.size())];
 }
 
 // The model threw on this case.
@@ -138,7 +154,7 @@ bool push_toward_boundary(spec::Case& c, Choices& choose) {
     const Numbers numbers(c);
     if (numbers.size() == 0) return false;
     for (int i = 0; i < kAsked; ++i) {
-      const std::size_t number = choose.below(numbers.size());
+      const std::size_t number = chosen(numbers, *followed, choose);
       Along along(numbers, number, numbers.is_whole(number) ? 0 : usual_decimals(c.setup.control), *followed);
       const auto first = along.value(1);
       if (!first || *first == start) continue;

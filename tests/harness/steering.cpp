@@ -84,6 +84,7 @@ TEST(Steering, PairsAreOfOneBlockAndShapesOfRows) {
 // Nine in ten pushes that succeed must bring some decision's margin down, and they must succeed often enough to be
 // worth their runs.
 TEST(Push, BringsADecisionNearerToItsBoundary) {
+  std::size_t could = 0;
   std::size_t pushed = 0;
   std::size_t nearer = 0;
   constexpr std::size_t tries = 60;
@@ -92,13 +93,19 @@ TEST(Push, BringsADecisionNearerToItsBoundary) {
     const spec::Case before = generate("fanuc/cutter-compensation-c", Mode::directed, source);
     spec::Case after = before;
     Choices choose(source);
+    const ModelRun first = run_model(before);
+    // Where no decision has a margin there is nothing to push.
+    if (std::ranges::none_of(first.recorder.decisions(), [](const model::Decision& d) { return margin(d) > 0; })) {
+      EXPECT_FALSE(push_toward_boundary(after, choose));
+      continue;
+    }
+    ++could;
     if (!push_toward_boundary(after, choose)) {
       EXPECT_EQ(after.program, before.program);
       continue;
     }
     ++pushed;
     EXPECT_TRUE(after.program != before.program || after.setup != before.setup);
-    const ModelRun first = run_model(before);
     bool one = false;
     for (const model::Decision& d : first.recorder.decisions()) {
       const auto was = least_margin(before, d.clause);
@@ -107,7 +114,8 @@ TEST(Push, BringsADecisionNearerToItsBoundary) {
     }
     nearer += one ? 1 : 0;
   }
-  EXPECT_GE(pushed, tries / 3);
+  EXPECT_GE(could, tries / 2);
+  EXPECT_GE(pushed, could / 3) << could;
   EXPECT_GE(nearer * 10, pushed * 9);
 }
 

@@ -36,6 +36,9 @@ TEST(Numbers, OfAFanucProgram) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < numbers.size(); ++i) names.push_back(numbers.name(i));
   EXPECT_EQ(names, (std::vector<std::string>{"X", "Y", "X", "D1", "wear of D1"}));
+  EXPECT_EQ(numbers.line(1), 1U);
+  EXPECT_EQ(numbers.line(2), 2U);
+  EXPECT_EQ(numbers.line(3), 0U);
   fuzz::Point point = numbers.values();
   point[1] = *fuzz::moved(point[1], 1, 4);
   point[3] = *fuzz::moved(point[3], -6, 0);
