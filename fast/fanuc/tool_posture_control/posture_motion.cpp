@@ -36,9 +36,11 @@ struct Room {
   double above, below;
 };
 Room room(const Frame& c, double k, double n2) {
-  // Near u_w and -u_w from the horizontal parts, which are small there: 1 - k = n2 / (1 + k).
-  return {std::max(0.0, k > 0 ? n2 / (1 + k) - c.above : c.top - k),
-          std::max(0.0, k < 0 ? n2 / (1 - k) - c.below : k - c.bottom)};
+  // Near u_w and -u_w from the horizontal parts, which are small there: 1 - k = n2 / (1 + k). Elsewhere k is the
+  // smaller of the two; with axes that are nearly parallel it is all there is.
+  constexpr double kNearAxis = 0.5;
+  return {std::max(0.0, k > kNearAxis ? n2 / (1 + k) - c.above : c.top - k),
+          std::max(0.0, k < -kNearAxis ? n2 / (1 - k) - c.below : k - c.bottom)};
 }
 
 // The horizontal part of c(psi) for the sine of psi.
