@@ -146,6 +146,7 @@ std::optional<spec::Case> nearer(Along& along, double start, double first) {
 }  // namespace
 
 bool push_toward_boundary(spec::Case& c, Choices& choose) {
+  if (!is_searched(c)) return false;
   try {
     const std::vector<model::Decision> decisions = decisions_of(c);
     const auto followed = chosen(decisions, choose);

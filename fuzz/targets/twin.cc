@@ -136,10 +136,13 @@ std::size_t mutate_input(std::string_view section, Mode mode, std::uint8_t* data
   spec::Case c = decode(section, as_text({data, size}));
   // libFuzzer changes an input several times in a row: directed cases start anew often, or they would decay.
   const std::uint64_t anew = mode == Mode::directed ? 2 : 8;
-  if (c.program.empty() || source.below(anew) == 0)
+  if (c.program.empty() || source.below(anew) == 0) {
     c = generate(section, mode, source);
-  else
-    change(c, mode, steering_of_process(), source);
+  } else {
+    Steering steering = steering_of_process();
+    steering.push = steering.push && !repeats_much(c);
+    change(c, mode, steering, source);
+  }
   const std::size_t length = put(c, data, most);
   return length > 0 ? length : size;
 }
