@@ -443,7 +443,8 @@ class Comparison {
     const double distance = outside(e, a);
     if (distance == 0) return false;
     if (unit > 0) tally_.worst_ulp = std::max(tally_.worst_ulp, distance / unit);
-    if (linear) tally_.worst_um = std::max(tally_.worst_um, distance * rules_.um_per_unit());
+    if (linear && granted <= rules_.cap_um())
+      tally_.worst_um = std::max(tally_.worst_um, distance * rules_.um_per_unit());
     if (distance <= k * unit + rounded_off(e, a, distance, measure)) return false;
     if (linear) difference_.deviation_um = distance * rules_.um_per_unit();
     return differ(std::string(kind), path.text(), fuzz::text(e), fuzz::text(a));

@@ -61,7 +61,7 @@ struct Verdict {
   std::uint64_t near_ties = 0;           // decisions inside their band
   std::uint64_t ties = 0;                // near ties in which the engine took the other, permitted, outcome
   double worst_ulp = 0;   // largest distance outside an enclosure, in the units the policy multiplies by k
-  double worst_um = 0;    // the same of linear coordinates, in micrometres
+  double worst_um = 0;    // the same of linear coordinates that were judged, in micrometres
   Bias bias;              // of rounded lengths
   std::string undecided;  // why, where the outcome is `undecided`
 };

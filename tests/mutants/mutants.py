@@ -12,6 +12,7 @@ The results stand in BUILD/mutants/SOURCES-SEED.json and .txt. A run that was en
 """
 import argparse
 import concurrent.futures
+import ctypes
 import hashlib
 import json
 import os
@@ -107,9 +108,16 @@ def all_mutations(patterns):
                 yield path.relative_to(ROOT), i, operator, line, changed
 
 
+def end_with_parent():
+    """A mutant that hangs must not outlive a run that was killed."""
+    pr_set_pdeathsig = 1
+    ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGKILL)
+
+
 def run(command, timeout, **how):
     """Exit status, or None after the time-out; what it started ends with it."""
-    process = subprocess.Popen(command, start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **how)
+    process = subprocess.Popen(command, start_new_session=True, preexec_fn=end_with_parent, stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, **how)
     try:
         out, _ = process.communicate(timeout=timeout)
         return process.returncode, out.decode(errors="replace")
