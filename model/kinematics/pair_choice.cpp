@@ -19,9 +19,7 @@ Real order_of_halves(const Angle& a, const Integer& half_of_a, const Angle& b, c
 }
 
 // Not negative; but where a small move cannot be told from none, it may be, which its cosine does not show.
-Angle moving_angle(const Angle& difference) try {
-  return absolute(difference);
-} catch (const exact::Undecided&) {
+Angle moving_angle(const Angle& difference) try { return absolute(difference); } catch (const exact::Undecided&) {
   if (difference.cosine().sign() != Sign::positive) throw;
   return difference;
 }

@@ -496,9 +496,9 @@ TEST(ModelToolCenterPoint, AlongTheEdgeOfReach) {
             (Lines{"1 rapid X0 Y0 Z0 A0 B180 C0", "2 1/2 X5 Y0 Z0 A0 B180 C-45", "2 rapid X10 Y0 Z0 A0 B180 C-90"}));
 }
 
-// A carries the inclined C of a table. Where the mode starts anew the tool is upright in the workpiece system, so a lean
-// along Y is a turn of A alone, by Q; that C stands, and that the other pair has it just half a turn away, is beyond what
-// can be proven of positions that come from directions, and need not be.
+// A carries the inclined C of a table. Where the mode starts anew the tool is upright in the workpiece system, so a
+// lean along Y is a turn of A alone, by Q; that C stands, and that the other pair has it just half a turn away, is
+// beyond what can be proven of positions that come from directions, and need not be.
 TEST(ModelToolCenterPoint, TheOtherPairNeedsNoTurns) {
   const auto done = run(setup("19680 = 12\n19681 = 4\n19682 = 1\n19686 = 6\n19687 = 6\n19688 = 50\n"),
                         "G43.5 Q5.24\nG01 F1 I-54133.7148 J70018.8878 K-16336.9609\n"
