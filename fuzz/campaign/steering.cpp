@@ -97,7 +97,7 @@ Steering parse_steering(std::string_view text, const char* where) {
   if (text == "none") return steering;
   while (true) {
     const std::string_view name = text.substr(0, text.find(','));
-    const auto part = std::ranges::find(kParts, name, &std::pair<std::string_view, bool Steering::*>::first);
+    const auto* const part = std::ranges::find(kParts, name, &std::pair<std::string_view, bool Steering::*>::first);
     if (part == std::end(kParts))
       throw spec::InputError(
           where, 0, 0,
