@@ -125,22 +125,18 @@ const Steering& steering_of_process() {
   return steering;
 }
 
-void count_reached(const ModelRun& run, const Steering& steering, std::span<std::uint8_t> counters) {
+bool Coverage::add(const ModelRun& run, const Steering& steering, std::span<std::uint8_t> counters) {
   constexpr std::uint64_t most = 255;
-  for_each_slot(run, [&](std::size_t slot, std::uint64_t count) {
-    if (slot < counters.size() && steering.*kind_of(slot).part)
-      counters[slot] = static_cast<std::uint8_t>(std::min(most, counters[slot] + count));
-  });
-}
-
-bool Coverage::add(const ModelRun& run, const Steering& steering) {
   bool fresh = false;
-  for_each_slot(run, [&](std::size_t slot, std::uint64_t) {
+  for_each_slot(run, [&](std::size_t slot, std::uint64_t count) {
+    const Kind kind = kind_of(slot);
+    const bool looked_for = steering.*kind.part;
+    if (looked_for && slot < counters.size())
+      counters[slot] = static_cast<std::uint8_t>(std::min(most, counters[slot] + count));
     if (slots_[slot]) return;
     slots_[slot] = true;
-    const Kind kind = kind_of(slot);
     ++(reach_.*kind.count);
-    fresh = fresh || steering.*kind.part;
+    fresh = fresh || looked_for;
   });
   return fresh;
 }

@@ -36,9 +36,6 @@ inline constexpr std::size_t kPairSlots = 8192;
 inline constexpr std::size_t kShapeSlots = 8192;
 inline constexpr std::size_t kSteeringSlots = kFeatures + kPairSlots + kShapeSlots;
 
-// Adds what a run reached of what is looked for to `counters` (kSteeringSlots of them), saturating.
-void count_reached(const ModelRun& run, const Steering& steering, std::span<std::uint8_t> counters);
-
 // How much has been reached, each thing once.
 struct Reach {
   std::uint64_t outcomes = 0;
@@ -52,8 +49,9 @@ struct Reach {
 // What the runs of a search have reached, looked for or not.
 class Coverage {
  public:
-  // Whether there was something new among what is looked for.
-  bool add(const ModelRun& run, const Steering& steering);
+  // Whether there was something new among what is looked for. That is added to `counters` too, saturating: one for each
+  // slot, or none.
+  bool add(const ModelRun& run, const Steering& steering, std::span<std::uint8_t> counters = {});
   [[nodiscard]] const Reach& reach() const { return reach_; }
 
  private:

@@ -118,10 +118,15 @@ class Along {
   Point point_;
 };
 
-// By secants from a first step that changes the value; the nearest case met, if it is nearer than the start.
+// By secants from a first step that changes the value, where `along` stands; the nearest case met, the first step among
+// them, if it is nearer than the start.
 std::optional<spec::Case> nearer(Along& along, double start, double first) {
   std::optional<spec::Case> best;
   double least = std::fabs(start);
+  if (std::fabs(first) < least) {
+    least = std::fabs(first);
+    best = along.here();
+  }
   std::int64_t before = 0;
   double value_before = start;
   std::int64_t now = 1;

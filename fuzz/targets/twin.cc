@@ -115,8 +115,7 @@ int run_target(std::string_view section, Mode, const std::uint8_t* data, std::si
   if (diary != nullptr) diary->begin(as_text({data, size}));
   const Trial trial = try_case(c);
   add(g_result, trial);
-  count_reached(trial.run, steering_of_process(), g_counters);
-  g_coverage.add(trial.run, steering_of_process());
+  g_coverage.add(trial.run, steering_of_process(), g_counters);
   g_result.reached = g_coverage.reach();
   if (diary != nullptr) {
     note(*diary, c, trial);

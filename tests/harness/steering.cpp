@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fuzz/gen/choices.h"
+#include "fuzz/gen/numbers.h"
 #include "fuzz/gen/push.h"
 #include "spec/language/input_error.h"
 
@@ -49,14 +50,13 @@ TEST(Steering, EachPartIsLookedForByItself) {
       run_model(steered_case("G90 G17 G01 F100 X0. Y0.\nG41 D1 X10. Y0.\nX20. Y10.\nX30. Y0.\nG40 X40.\n"));
   for (const char* const part : {"outcomes", "margins", "pairs", "shapes"}) {
     Coverage coverage;
-    EXPECT_TRUE(coverage.add(run, parse_steering(part, "here"))) << part;
+    std::vector<std::uint8_t> counters(kSteeringSlots);
+    EXPECT_TRUE(coverage.add(run, parse_steering(part, "here"), counters)) << part;
     EXPECT_FALSE(coverage.add(run, parse_steering(part, "here"))) << part;
     EXPECT_GT(coverage.reach().outcomes, 0U);
     EXPECT_GT(coverage.reach().margins, 0U);
     EXPECT_GT(coverage.reach().pairs, 0U);
     EXPECT_GT(coverage.reach().shapes, 0U);
-    std::vector<std::uint8_t> counters(kSteeringSlots);
-    count_reached(run, parse_steering(part, "here"), counters);
     const auto counted =
         static_cast<std::uint64_t>(std::ranges::count_if(counters, [](std::uint8_t count) { return count != 0; }));
     const Reach& reach = coverage.reach();
@@ -94,8 +94,9 @@ TEST(Push, BringsADecisionNearerToItsBoundary) {
     spec::Case after = before;
     Choices choose(source);
     const ModelRun first = run_model(before);
-    // Where no decision has a margin there is nothing to push.
-    if (std::ranges::none_of(first.recorder.decisions(), [](const model::Decision& d) { return margin(d) > 0; })) {
+    // Where no decision has a margin there is nothing to push; large cases are left alone.
+    if (!is_searched(before) ||
+        std::ranges::none_of(first.recorder.decisions(), [](const model::Decision& d) { return margin(d) > 0; })) {
       EXPECT_FALSE(push_toward_boundary(after, choose));
       continue;
     }
@@ -115,7 +116,7 @@ TEST(Push, BringsADecisionNearerToItsBoundary) {
     nearer += one ? 1 : 0;
   }
   EXPECT_GE(could, tries / 2);
-  EXPECT_GE(pushed, tries / 10) << could;  // larger cases are left alone
+  EXPECT_GE(pushed, could / 3) << could;
   EXPECT_GE(nearer * 10, pushed * 9);
 }
 
