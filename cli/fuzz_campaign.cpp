@@ -60,7 +60,7 @@ std::vector<const fuzz::Target*> chosen(const FuzzOptions& options, const fuzzin
     const fuzz::Target* const target = fuzz::find_target(name);
     if (target == nullptr) {
       std::string all;
-      for (const fuzz::Target& known : fuzz::targets()) all += (all.empty() ? "" : ", ") + known.name;
+      for (const fuzz::Target& known : fuzz::targets()) (all += all.empty() ? "" : ", ") += known.name;
       usage("no target " + name + "; there are " + all);
     }
     if (!bench.can_run(*target))
