@@ -60,8 +60,8 @@ std::vector<const fuzz::Target*> chosen(const FuzzOptions& options, const fuzzin
     const fuzz::Target* const target = fuzz::find_target(name);
     if (target == nullptr) {
       std::string all;
-      for (const fuzz::Target& known : fuzz::targets()) (all += all.empty() ? "" : ", ") += known.name;
-      usage("no target " + name + "; there are " + all);
+      for (const fuzz::Target& known : fuzz::targets()) all += (all.empty() ? "" : ", ") + known.name;
+      usage(fmt::format("no target {}; there are {}", name, all));
     }
     if (!bench.can_run(*target))
       usage("the reader " + name + " has no built-in driver: `./dev fuzz` builds its target");
