@@ -1,6 +1,7 @@
 #include "certify/shrink.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -74,6 +75,8 @@ class Shrinker {
       changed_ = false;
       blocks();
       words();
+      joined_blocks();
+      exchanged_words();
       setup_entries();
       digits();
     } while (changed_ && !exhausted());
@@ -178,6 +181,43 @@ class Shrinker {
                   return candidate;
                 });
     }
+  }
+
+  // A block with the next one in it. A block of Klartext is one command.
+  void joined_blocks() {
+    if (case_.dialect == "klartext") return;
+    for (std::size_t line = best_.program.size(); line-- > 1 && !exhausted();) {
+      Candidate candidate = best_;
+      auto& words = candidate.program[line - 1].words;
+      words.insert(words.end(), best_.program[line].words.begin(), best_.program[line].words.end());
+      candidate.program.erase(candidate.program.begin() + static_cast<std::ptrdiff_t>(line));
+      attempt(std::move(candidate));
+    }
+  }
+
+  // For a word a lesser one: another of the program, or the code before it (G43 for G44 and for G43.4).
+  void exchanged_words() {
+    for (std::size_t line = 0; line < best_.program.size(); ++line)
+      for (std::size_t word = 0; word < best_.program[line].words.size(); ++word)
+        for (const std::string& lesser : lesser_words(best_.program[line].words[word])) {
+          Candidate candidate = best_;
+          candidate.program[line].words[word] = lesser;
+          if (attempt(std::move(candidate))) break;
+        }
+  }
+
+  [[nodiscard]] std::vector<std::string> lesser_words(const std::string& word) const {
+    std::set<std::string> lesser;
+    for (const TextLine& line : best_.program)
+      for (const std::string& other : line.words)
+        if (other < word) lesser.insert(other);
+    std::vector<std::string> list(lesser.begin(), lesser.end());
+    if (case_.dialect == "klartext" || word[0] != 'G') return list;
+    if (const std::size_t point = word.find('.'); point != std::string::npos)
+      list.push_back(word.substr(0, point));
+    else if (word.size() == 3 && word[2] > '0' && word[2] <= '9')
+      list.push_back({word[0], word[1], static_cast<char>(word[2] - 1)});
+    return list;
   }
 
   // The entries of one map of the setup.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "certify/fuzzing/found.h"
+
 namespace toolcomp::certify::fuzzing {
 namespace {
 
@@ -14,8 +16,8 @@ std::string clock_text(double seconds) {
                       : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-std::string findings_text(const BoardView& view) {
-  std::string text = fmt::format("{} finding{}", view.findings, view.findings == 1 ? "" : "s");
+std::string found_text(const BoardView& view) {
+  std::string text = findings_text(view.findings, view.ways);
   if (view.waiting > 0) text += fmt::format(", {} to look at", view.waiting);
   return text;
 }
@@ -55,7 +57,7 @@ std::vector<std::string> board_lines(const BoardView& view, bool summary) {
         reader ? "" : std::to_string(r.ties), r.hits);
   }
   if (idle > 0) lines.push_back(fmt::format("{} targets had no turn{}", idle, summary ? "" : " yet"));
-  lines.push_back(fmt::format("{}  {}{}", clock_text(view.seconds), findings_text(view),
+  lines.push_back(fmt::format("{}  {}{}", clock_text(view.seconds), found_text(view),
                               view.state.empty() ? "" : "  " + view.state));
   return lines;
 }
@@ -74,7 +76,7 @@ std::string plain_line(const BoardView& view) {
     if (r.workers > 0) at += (at.empty() ? "" : ", ") + r.target;
   }
   return fmt::format("{}  {} executions, outcomes {}/{}{}, {}; {}", clock_text(view.seconds), executions, outcomes, of,
-                     fresh == 0 ? "" : fmt::format(" (+{})", fresh), findings_text(view),
+                     fresh == 0 ? "" : fmt::format(" (+{})", fresh), found_text(view),
                      at.empty() ? view.state : "at " + at);
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <thread>
 
+#include "certify/fuzzing/found.h"
 #include "certify/running_mark.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/summary.h"
@@ -66,10 +67,12 @@ class Hunt {
       throw;
     }
     show("");
-    folder_.log(fmt::format("ends after {:.0f} s: {} executions, {} findings", seconds(), executions_,
-                            dossiers_in(folder_.findings()).size()));
+    const Found found = found_in(folder_.findings());
+    folder_.log(fmt::format("ends after {:.0f} s: {} executions, {}", seconds(), executions_,
+                            findings_text(found.findings.size(), found.dossiers.size())));
     return {state_,
-            dossiers_in(folder_.findings()).size(),
+            found.findings.size(),
+            found.dossiers.size(),
             dossiers_in(folder_.open()).size(),
             folder_.waiting().size(),
             seconds(),
@@ -238,7 +241,12 @@ class Hunt {
     }
     BoardView view = view_of(now, options_.targets);
     view.seconds = seconds();
-    view.findings = dossiers_in(folder_.findings()).size();
+    if (const std::size_t ways = dossiers_in(folder_.findings()).size(); ways != ways_) {
+      findings_ = found_in(folder_.findings()).findings.size();
+      ways_ = ways;
+    }
+    view.findings = findings_;
+    view.ways = ways_;
     view.waiting = folder_.waiting().size();
     view.state = what;
     for (BoardRow& row : view.rows) {
@@ -261,6 +269,9 @@ class Hunt {
   std::size_t begun_targets_ = 0;
   std::uint64_t slice_seconds_ = 0;
   std::uint64_t executions_ = 0;
+  // In the folder: read again when there are more of them.
+  std::size_t findings_ = 0;
+  std::size_t ways_ = 0;
   unsigned failures_ = 0;
   OutcomeWindow window_;
   Clock::time_point begun_ = Clock::now();

@@ -32,7 +32,8 @@ struct CampaignOptions {
 
 struct CampaignEnd {
   State state;                   // of all starts
-  std::size_t findings = 0;      // folders there
+  std::size_t findings = 0;      // there (found.h)
+  std::size_t ways = 0;          // in which they show, a folder each
   std::size_t open = 0;          // cases there that could not be decided
   std::size_t waiting = 0;       // sightings that nobody has looked at
   double seconds = 0;            // this start

@@ -96,14 +96,16 @@ std::string exact_events(const fuzz::ModelRun& run, const spec::Axes& axes) {
 // Lines of finding.txt that are read again.
 constexpr std::string_view kSection = "section   ";
 constexpr std::string_view kShape = "shape     ";
+constexpr std::string_view kCore = "core      ";
 constexpr std::string_view kNotKnown = "not known";
 
 std::string story(const Dossier& dossier, const std::string& margin) {
   const Finding& f = dossier.finding;
   std::string text = explanation(f) + how_it_comes(f) + "\n\n";
-  text += fmt::format("{}{}\nclause    {}\nkind      {}\n{}{}\nstage     {}{}\n", kSection, f.key.section,
+  text += fmt::format("{}{}\nclause    {}\nkind      {}\n{}{}\n{}{}\nstage     {}{}\n", kSection, f.key.section,
                       f.key.clause.empty() ? "none" : f.key.clause, f.key.kind, kShape,
-                      dossier.shape.empty() ? kNotKnown : dossier.shape, name(dossier.stage),
+                      dossier.shape.empty() ? kNotKnown : dossier.shape, kCore,
+                      dossier.core.empty() ? kNotKnown : dossier.core, name(dossier.stage),
                       dossier.why.empty() ? "" : ": " + dossier.why);
   text += fmt::format("found by  {}, seed {}, execution {}, {:.1f} s after its worker began\n",
                       f.target.empty() ? "toolcomp fuzz" : f.target, f.seed, f.executions, f.seconds);
@@ -189,8 +191,10 @@ Story read_story(const fs::path& dossier) {
   for (std::string line; std::getline(text, line);) {
     if (line.starts_with(kSection)) story.section = line.substr(kSection.size());
     if (line.starts_with(kShape)) story.shape = line.substr(kShape.size());
+    if (line.starts_with(kCore)) story.core = line.substr(kCore.size());
   }
   if (story.shape == kNotKnown) story.shape.clear();
+  if (story.core == kNotKnown) story.core.clear();
   return story;
 }
 

@@ -24,6 +24,9 @@ struct Dossier {
   Finding finding;
   Stage stage = Stage::seen;
   std::string shape;  // of the shrunk case (shape.h); of what is not shrunk: none
+  // Of the simplest program that is left when the shrunk one may go on to fail in any way: where several ways a bug shows
+  // come from. None where it is not known.
+  std::string core;
   std::string why;    // why it is not shrunk
 
   // Two cases of one bug have one name, two bugs have two: kind, clause or section, and a digest of these with the
@@ -38,10 +41,10 @@ bool write_dossier(const Dossier& dossier, const std::filesystem::path& folder);
 
 // The dossiers of a folder, by name.
 std::vector<std::filesystem::path> dossiers_in(const std::filesystem::path& folder);
-// What finding.txt of a dossier says first, and of what; of a reader's finding section and shape are empty, and the
-// shape of what is not shrunk.
+// What finding.txt of a dossier says first, and of what; of a reader's finding section, shape and core are empty, and
+// shape and core of what is not shrunk.
 struct Story {
-  std::string what, section, shape;
+  std::string what, section, shape, core;
 };
 Story read_story(const std::filesystem::path& dossier);
 // Their findings; those of readers left out.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
-#include <utility>
+#include <tuple>
 
 #include "spec/language/split.h"
 
@@ -25,17 +25,19 @@ bool contains(std::string_view shape, std::string_view simpler) {
   return next == wanted.end();
 }
 
-std::vector<Family> families(const std::vector<Shaped>& findings) {
-  std::vector<std::size_t> order(findings.size());
+std::vector<Family> families(const std::vector<Way>& ways) {
+  std::vector<std::size_t> order(ways.size());
   std::iota(order.begin(), order.end(), 0);
   // With its place: clang warns of what std::stable_sort is made of.
-  std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(findings[i].shape.size(), i); });
+  std::ranges::sort(order, {}, [&](std::size_t i) {
+    const Way& way = ways[i];
+    return std::tuple(way.core.size(), std::string_view(way.core), way.shape.size(), std::string_view(way.shape), i);
+  });
   std::vector<Family> all;
   for (const std::size_t i : order) {
     const auto home = std::ranges::find_if(all, [&](const Family& family) {
-      const Shaped& simplest = findings[family.simplest];
-      return !simplest.shape.empty() && simplest.section == findings[i].section &&
-             contains(findings[i].shape, simplest.shape);
+      const Way& first = ways[family.first];
+      return !first.core.empty() && first.section == ways[i].section && contains(ways[i].core, first.core);
     });
     if (home == all.end())
       all.push_back({i, {}});

@@ -1,5 +1,4 @@
-// Which findings to look at first: one mistake shows in many programs, and the simplest of them is in most of the
-// others.
+// Ways a bug shows, put together: one mistake shows at several clauses and in many programs.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +12,20 @@ namespace toolcomp::certify::fuzzing {
 // "G44 H X" in "G43 H X|G44 H X Y|G49".
 bool contains(std::string_view shape, std::string_view simpler);
 
-struct Shaped {
+struct Way {
   std::string section;
-  std::string shape;  // empty: not known
+  std::string shape;
+  std::string core;  // dossier.h; empty: not known, and the way is one of its own
 };
 
-// A finding and those whose programs contain its own, as places in the list they were given in.
+// The ways of one finding, as places in the list they were given in; `first` is the one to look at.
 struct Family {
-  std::size_t simplest = 0;
+  std::size_t first = 0;
   std::vector<std::size_t> others;
 };
 
-// Each finding is in one family, with the simplest of its section that is in it; the simplest ones first. That two are
-// in one family does not say that they are one mistake.
-std::vector<Family> families(const std::vector<Shaped>& findings);
+// Each way is in one family, with the least core of its section that its own contains. That two are in one family does
+// not prove that they are one mistake: what is fixed has to be searched again.
+std::vector<Family> families(const std::vector<Way>& ways);
 
 }  // namespace toolcomp::certify::fuzzing

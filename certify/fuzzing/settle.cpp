@@ -5,6 +5,7 @@
 #include "certify/evidence.h"
 #include "certify/fuzzing/shape.h"
 #include "certify/process.h"
+#include "certify/shrink.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
@@ -38,10 +39,30 @@ Finding with_origin(Finding finding, const Finding& seen) {
 }
 
 Dossier as_it_was(const Finding& seen, Stage stage, std::string why) {
-  Dossier dossier{with_origin(seen, seen), stage, {}, std::move(why)};
+  Dossier dossier{with_origin(seen, seen), stage, {}, {}, std::move(why)};
   dossier.finding.complete = false;
   if (stage == Stage::gone) dossier.finding.seen = 0;
   return dossier;
+}
+
+// What is left of the shrunk program where a simpler one may differ in another way: by other events, at another clause.
+// Faults of a process keep theirs: each costs a restart, and there is no way from one to a wrong value.
+std::string core_of(Subject& subject, const Capabilities& capabilities, const Finding& finding,
+                    const SettleOptions& options) {
+  if (is_fault(finding.key) || !finding.before.empty()) return shape_of(finding.smallest);
+  const auto differs = [&](const spec::Case& c) {
+    if (options.stop && options.stop()) return false;
+    try {
+      const fuzz::ModelRun run = fuzz::run_model(c);
+      if (!capabilities.fields.empty() && !why_not_applicable(capabilities, c).empty()) return false;
+      const Answer answer = subject.run(c, short_patience(subject, options.timeout));
+      const Judgement judgement = judge_answer(capabilities, c, run, answer);
+      return judgement.result == Result::differs && !is_fault(key_of(c, judgement));
+    } catch (const std::exception&) {
+      return false;
+    }
+  };
+  return shape_of(shrink(finding.smallest, differs, {options.shrink_runs}).smallest);
 }
 
 Dossier undecided(const Finding& seen) {
@@ -82,6 +103,7 @@ Dossier settle(const Finding& seen, const SettleOptions& options) {
                     seen);
     dossier.stage = dossier.finding.complete ? Stage::shrunk : Stage::reproduced;
     dossier.shape = shape_of(dossier.finding.smallest);
+    if (dossier.stage == Stage::shrunk) dossier.core = core_of(*subject, capabilities, dossier.finding, options);
     return dossier;
   } catch (const std::exception& error) {
     // One engine refuses the setup and the other does not, or throws: there is no run to shrink.

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "certify/fuzzing/dossier.h"
-#include "certify/fuzzing/families.h"
+#include "certify/fuzzing/found.h"
 #include "fuzz/campaign/floors.h"
 #include "fuzz/campaign/summary.h"
 
@@ -35,25 +35,6 @@ std::vector<SectionSum> sections_of(const CampaignOptions& options, const State&
     if (target->mode == fuzz::Mode::directed) all.back().directed += known->second.sum.executions;
   }
   return all;
-}
-
-// The findings of a campaign, by families.
-struct Found {
-  std::vector<fs::path> dossiers;
-  std::vector<std::string> what;  // each says
-  std::vector<Family> families;
-};
-
-Found found_in(const CampaignOptions& options) {
-  Found found{dossiers_in(options.folder / "findings"), {}, {}};
-  std::vector<Shaped> shaped;
-  for (const fs::path& dossier : found.dossiers) {
-    Story story = read_story(dossier);
-    found.what.push_back(std::move(story.what));
-    shaped.push_back({std::move(story.section), std::move(story.shape)});
-  }
-  found.families = families(shaped);
-  return found;
 }
 
 std::uint64_t cases_of(const State& state, const fs::path& dossier) {
@@ -103,7 +84,7 @@ Verdict verdict_of(const CampaignOptions& options, const CampaignEnd& end) {
   if (end.waiting > 0) verdict.shortfalls.push_back(fmt::format("{} sightings nobody has looked at", end.waiting));
   if (end.findings > 0) {
     verdict.status = 1;
-    verdict.words = fmt::format("{} finding{}", end.findings, end.findings == 1 ? "" : "s");
+    verdict.words = findings_text(end.findings, end.ways);
   } else if (!verdict.shortfalls.empty()) {
     verdict.status = 3;
     verdict.words = "no finding, which means nothing yet";
@@ -122,6 +103,7 @@ std::string summary_text(const CampaignOptions& options, const CampaignEnd& end,
   BoardView view = view_of(state, options.targets);
   view.seconds = end.seconds;
   view.findings = end.findings;
+  view.ways = end.ways;
   view.waiting = end.waiting;
   std::vector<std::string> lines = board_lines(view, true);
   lines.pop_back();
@@ -144,18 +126,15 @@ std::string summary_text(const CampaignOptions& options, const CampaignEnd& end,
     text += wanted(sections) + kNoScore;
   }
   for (const auto& [how, count] : state.ends) text += fmt::format("workers that ended by {}: {}\n", how, count);
-  const Found found = found_in(options);
-  for (const Family& family : found.families) {
-    const fs::path& simplest = found.dossiers[family.simplest];
-    text += fmt::format("FINDING {}\n  {}\n  cases that came to it: {}\n", simplest.string(),
-                        found.what[family.simplest], cases_of(state, simplest));
-    for (const std::size_t i : family.others)
-      text += fmt::format("  its blocks are in {} too: {} cases\n", found.dossiers[i].string(),
-                          cases_of(state, found.dossiers[i]));
+  const Found found = found_in(options.folder / "findings");
+  for (const Family& finding : found.findings) {
+    const fs::path& first = found.dossiers[finding.first];
+    text += fmt::format("FINDING {}\n  {}\n  cases that came to it: {}\n", first.string(), found.what[finding.first],
+                        cases_of(state, first));
+    for (const std::size_t i : finding.others)
+      text +=
+          fmt::format("  shows in {} too: {} cases\n", found.dossiers[i].string(), cases_of(state, found.dossiers[i]));
   }
-  if (found.families.size() < found.dossiers.size())
-    text += fmt::format("look first at {} of {} findings: the programs of the others contain one of theirs\n",
-                        found.families.size(), found.dossiers.size());
   for (const fs::path& dossier : dossiers_in(options.folder / "open"))
     text += fmt::format("NOT DECIDED {}\n", dossier.string());
   for (const std::string& words : verdict.shortfalls) text += "below its floor: " + words + "\n";
@@ -179,16 +158,16 @@ std::string summary_json(const CampaignOptions& options, const CampaignEnd& end,
             {"not_decided", end.open},
             {"ends", state.ends}};
   json["findings"] = Json::array();
-  const Found found = found_in(options);
-  const auto add = [&](std::size_t i, std::size_t simplest) {
-    Json one{
+  const Found found = found_in(options.folder / "findings");
+  const auto way = [&](std::size_t i) {
+    return Json{
         {"folder", found.dossiers[i].string()}, {"what", found.what[i]}, {"cases", cases_of(state, found.dossiers[i])}};
-    if (i != simplest) one["contains"] = found.dossiers[simplest].string();
-    json["findings"].push_back(std::move(one));
   };
-  for (const Family& family : found.families) {
-    add(family.simplest, family.simplest);
-    for (const std::size_t i : family.others) add(i, family.simplest);
+  for (const Family& finding : found.findings) {
+    Json one = way(finding.first);
+    one["other_ways"] = Json::array();
+    for (const std::size_t i : finding.others) one["other_ways"].push_back(way(i));
+    json["findings"].push_back(std::move(one));
   }
   json["targets"] = Json::array();
   for (const BoardRow& row : view_of(state, options.targets).rows)

@@ -1,4 +1,4 @@
-// Findings that contain others, and those to look at first. Expectations by hand.
+// Ways a bug shows, as one finding. Expectations by hand.
 #include "certify/fuzzing/families.h"
 
 #include <gtest/gtest.h>
@@ -24,22 +24,24 @@ TEST(Families, ShapesHaveNoNumbers) {
   EXPECT_EQ(shape_of(c), "G43 H X|G44 H X|G4");
 }
 
-TEST(Families, TheSimplestIsLookedAtFirst) {
-  const std::vector<Family> all = families({{"fanuc/tool-offset", "G45 X"},
-                                            {"fanuc/tool-length-offset", "G43 H X|G44 H X"},
-                                            {"fanuc/tool-length-offset", "G44 H X"},
-                                            {"fanuc/tool-length-offset", ""},
-                                            {"fanuc/tool-length-offset", "G49"},
-                                            {"fanuc/tool-length-offset", "G44 H X|G49"}});
+TEST(Families, WaysWithOneCoreAreOneFinding) {
+  const std::string length = "fanuc/tool-length-offset";
+  const std::vector<Family> all = families({{"fanuc/tool-offset", "G45 X|G44 H", "G45 X|G44 H"},
+                                            {length, "G43 H X|G44 H X", "G44 H"},
+                                            {length, "G44 H X", "G44 H"},
+                                            {length, "G44 H", ""},
+                                            {length, "G44 H", "G44 H"},
+                                            {length, "G49", "G49"},
+                                            {length, "G44 H X|G49", "G44 H|G40"}});
   ASSERT_EQ(all.size(), 4U);
-  EXPECT_EQ(all[0].simplest, 3U) << "a shape that is not known contains nothing and is in nothing";
+  EXPECT_EQ(all[0].first, 3U) << "a core that is not known is in nothing";
   EXPECT_TRUE(all[0].others.empty());
-  EXPECT_EQ(all[1].simplest, 4U);
-  EXPECT_EQ(all[1].others, std::vector<std::size_t>{5}) << "in the family of the simplest that is in it";
-  EXPECT_EQ(all[2].simplest, 0U);
-  EXPECT_TRUE(all[2].others.empty()) << "another section";
-  EXPECT_EQ(all[3].simplest, 2U);
-  EXPECT_EQ(all[3].others, std::vector<std::size_t>{1});
+  EXPECT_EQ(all[1].first, 5U);
+  EXPECT_TRUE(all[1].others.empty());
+  EXPECT_EQ(all[2].first, 4U) << "the simplest";
+  EXPECT_EQ(all[2].others, (std::vector<std::size_t>{2, 1, 6})) << "the last one contains their core";
+  EXPECT_EQ(all[3].first, 0U);
+  EXPECT_TRUE(all[3].others.empty()) << "another section";
 }
 
 }  // namespace

@@ -28,12 +28,25 @@ TEST(Shrink, KeepsTheTwoBlocksThatMatter) {
   program += "N41 G43 Z12.345 H7 (approach)\nN42 G49\n";
   const auto fails = [](const spec::Case& c) {
     const std::size_t on = c.program.find("G43");
-    return on != std::string::npos && c.program.find("G49", on) != std::string::npos;
+    return on != std::string::npos && c.program.find("G49", c.program.find('\n', on)) != std::string::npos;
   };
   const Shrunk s = shrink(failing(program), fails);
   EXPECT_EQ(s.smallest.program, "G43\nG49\n");
   EXPECT_TRUE(s.complete);
   EXPECT_LT(s.runs, 200U);
+}
+
+TEST(Shrink, JoinsBlocksAndTakesLesserWords) {
+  // Fails while it adds a length (a code of the group of G43 from there on) and has an offset number behind it.
+  const auto fails = [](const spec::Case& c) {
+    const std::size_t on = c.program.find("G4");
+    return on != std::string::npos && c.program[on + 2] >= '3' && c.program.find('H', on) != std::string::npos;
+  };
+  EXPECT_EQ(shrink(failing("G44\nH1\n"), fails).smallest.program, "G43 H0\n");
+  EXPECT_EQ(shrink(failing("G43.4\nX2\nH2\n"), fails).smallest.program, "G43 H0\n");
+  // A word of the program that is less than another stands for it.
+  const auto two = [](const spec::Case& c) { return count_blocks(c.program) == 2; };
+  EXPECT_EQ(shrink(failing("(A)\nM5\n"), two).smallest.program, "(A)\n(A)\n");
 }
 
 TEST(Shrink, ShortensNumbersToWhatMatters) {
