@@ -3,6 +3,7 @@
 #include <streambuf>
 
 #include "fast/basis/print.h"
+#include "formal/engine.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/verdict.h"
 #include "model/basis/print.h"
@@ -16,6 +17,8 @@ namespace {
 
 // Enough for a coordinate that is an irrational number to be judged by the same rule as a double.
 constexpr int kModelDigits = 40;
+
+void append_exact(std::string& out, const exact::Real& value) { model::append_number(out, value, kModelDigits); }
 
 template <class Number, class AppendNumber>
 std::string reply(const spec::Case& c, const std::vector<spec::Event<Number>>& events, const AppendNumber& append) {
@@ -35,6 +38,22 @@ bool is_hello(std::string_view request) {
   for (const char c : request.substr(0, 64))
     if (c != ' ' && c != '\t' && c != '\r') bare += c;
   return bare == "{\"hello\":1}";
+}
+
+std::string not_applicable(const spec::Case& c, const std::string& why) {
+  std::string out = "{\"id\":";
+  spec::append_json_string(out, c.id);
+  out += ",\"not_applicable\":";
+  spec::append_json_string(out, why);
+  return out + '}';
+}
+
+// The events of the formal specification, where it says all of the program.
+std::string specified(const spec::Case& c) {
+  if (c.dialect != "fanuc") return not_applicable(c, "the formal specification says nothing of this dialect yet");
+  const formal::Run run = formal::run(c);
+  if (!run.not_said.empty()) return not_applicable(c, "the formal specification does not say yet: " + run.not_said);
+  return reply(c, run.events, append_exact);
 }
 
 std::string refusal(std::string_view what) {
@@ -64,8 +83,15 @@ Line next_line(std::streambuf& in, std::string& line, std::size_t limit) {
 
 Capabilities served_capabilities(ServedEngine engine) {
   Capabilities c;
-  c.name = engine == ServedEngine::fast ? "toolcomp fast engine" : "toolcomp model";
   c.version = TOOLCOMP_VERSION;
+  if (engine == ServedEngine::specification) {
+    c.name = "toolcomp formal specification";
+    c.sections = formal::sections();
+    c.fields = all_fields();
+    std::erase(c.fields, "tool_axis");
+    return c;
+  }
+  c.name = engine == ServedEngine::fast ? "toolcomp fast engine" : "toolcomp model";
   for (const std::string_view section : fuzz::sections()) c.sections.emplace_back(section);
   c.fields = all_fields();
   return c;
@@ -74,10 +100,10 @@ Capabilities served_capabilities(ServedEngine engine) {
 std::string answer(ServedEngine engine, std::string_view request) {
   if (is_hello(request)) return write_capabilities(served_capabilities(engine));
   const spec::Case c = spec::read_case(request, "stdin");
+  if (engine == ServedEngine::specification) return specified(c);
   if (engine == ServedEngine::fast)
     return reply(c, fuzz::run_fast(c), [](std::string& out, double value) { fast::append_number(out, value); });
-  return reply(c, fuzz::run_model(c).events,
-               [](std::string& out, const exact::Real& value) { model::append_number(out, value, kModelDigits); });
+  return reply(c, fuzz::run_model(c).events, append_exact);
 }
 
 std::uint64_t serve(ServedEngine engine, std::istream& in, std::ostream& out, std::ostream& errors, std::size_t limit) {

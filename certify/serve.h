@@ -12,7 +12,7 @@
 
 namespace toolcomp::certify {
 
-enum class ServedEngine : std::uint8_t { model, fast };
+enum class ServedEngine : std::uint8_t { model, fast, specification };
 
 // What the engine says of itself: every section that is built, every field.
 Capabilities served_capabilities(ServedEngine engine);

@@ -36,6 +36,9 @@ CLI::Validator one_of(const std::map<std::string, Value>& values) {
 
 const std::map<std::string, cli::EngineName> kEngines{{"model", cli::EngineName::model},
                                                       {"fast", cli::EngineName::fast}};
+const std::map<std::string, cli::EngineName> kServed{{"model", cli::EngineName::model},
+                                                     {"fast", cli::EngineName::fast},
+                                                     {"spec", cli::EngineName::specification}};
 const std::map<std::string, cli::Format> kFormats{{"jsonl", cli::Format::jsonl},
                                                   {"csv", cli::Format::csv},
                                                   {"gcode", cli::Format::gcode},
@@ -370,7 +373,9 @@ class CommandLine {
   void add_serve() {
     CLI::App* sub = verb("serve", "Speak the controller protocol on standard input and output",
                          [this] { return cli::serve(serve_); });
-    sub->add_option("--engine", serve_, "model or fast")->required()->transform(one_of(kEngines));
+    sub->add_option("--engine", serve_, "model, fast or spec (the formal specification)")
+        ->required()
+        ->transform(one_of(kServed));
   }
   void add_config() {
     CLI::App* sub =

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "cli/verbs.h"
+#include "formal/engine.h"
 
 namespace toolcomp::cli {
 
@@ -14,7 +15,14 @@ int serve(EngineName engine) {
     std::cerr << "This speaks the controller protocol (docs/protocol.md): a JSON object a line, an answer a line.\n"
                  "Try {\"hello\":1}, then {\"case\":1,\"id\":\"a\",\"setup\":{\"control\":\"fanuc\"},\"program\":\"G01 "
                  "X1 F1\"}; Ctrl-D ends it.\n";
-  const auto served = engine == EngineName::model ? certify::ServedEngine::model : certify::ServedEngine::fast;
+  if (engine == EngineName::specification && !formal::available()) {
+    std::cerr << "this toolcomp was built without the formal specification: install coq, ocaml and ocaml-findlib, and "
+                 "build it again\n";
+    return kBadInput;
+  }
+  const auto served = engine == EngineName::model  ? certify::ServedEngine::model
+                      : engine == EngineName::fast ? certify::ServedEngine::fast
+                                                   : certify::ServedEngine::specification;
   return certify::serve(served, std::cin, std::cout, std::cerr) == 0 ? kAgrees : kBadInput;
 }
 

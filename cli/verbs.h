@@ -19,7 +19,7 @@ inline constexpr int kBadInput = 2;
 inline constexpr int kUndecided = 3;
 inline constexpr int kSelfCheckFailed = 4;
 
-enum class EngineName : std::uint8_t { model, fast };
+enum class EngineName : std::uint8_t { model, fast, specification };
 enum class Format : std::uint8_t { jsonl, csv, gcode, svg, html };
 
 struct RunOptions {

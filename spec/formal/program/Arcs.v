@@ -1,0 +1,90 @@
+(** fanuc/program: the arc of a block in G02 or G03, in the plane. *)
+From Coq Require Import List String ZArith Bool PeanoNat.
+From Toolcomp Require Import Numbers Outcomes Words Codes.
+Import ListNotations.
+Open Scope string_scope.
+Open Scope Z_scope.
+Open Scope list_scope.
+
+(** A point or a vector of the plane. *)
+Definition pair (num : Type) := (num * num)%type.
+
+
+Definition add2 {num} {N : Numbers num} (a b : pair num) : pair num := ((fst a + fst b)%num, (snd a + snd b)%num).
+Definition sub2 {num} {N : Numbers num} (a b : pair num) : pair num := ((fst a - fst b)%num, (snd a - snd b)%num).
+Definition dot2 {num} {N : Numbers num} (a b : pair num) : num := (fst a * fst b + snd a * snd b)%num.
+Definition cross2 {num} {N : Numbers num} (a b : pair num) : num := (fst a * snd b - snd a * fst b)%num.
+
+(** An arc from its start: centre, and what is told of it. *)
+Record circle (num : Type) := Circle { center_at : pair num; sweep_of : option num; ends : option (num * num) }.
+Arguments Circle {num}. Arguments center_at {num}. Arguments sweep_of {num}. Arguments ends {num}.
+
+(** The letters of a plane: its axes in order, and those of the centre. *)
+Definition plane_axes (p : plane) : Letter.t * Letter.t :=
+  match p with XY => (Letter.X, Letter.Y) | ZX => (Letter.Z, Letter.X) | YZ => (Letter.Y, Letter.Z) end.
+Definition center_letters (p : plane) : Letter.t * Letter.t :=
+  match p with XY => (Letter.I, Letter.J) | ZX => (Letter.K, Letter.I) | YZ => (Letter.J, Letter.K) end.
+
+(** fanuc.program.arc-sweep: the angle from one radius to the other in the direction of the arc, more than 0 and at most
+    360 degrees; on one ray it is a whole turn.
+    fanuc.program.arc-ends-in-center: no sweep where one of them is nothing. *)
+Definition angle_between {num} {N : Numbers num} (clockwise : bool) (from to : pair num) : outcome (option num) :=
+  let clause := "fanuc.program.arc-sweep" in
+  from_length <- decide clause (dot2 from from) ;;
+  to_length <- decide clause (dot2 to to) ;;
+  match from_length, to_length with
+  | Eq, _ | _, Eq => Got None
+  | _, _ =>
+      let along := dot2 from to in
+      let across := if clockwise then cross2 to from else cross2 from to in
+      side <- decide clause across ;;
+      ahead <- decide clause along ;;
+      let half := integer 180 in
+      Got (Some
+        match side, ahead with
+        | Eq, Lt => half
+        | Eq, _ => integer 360
+        | Gt, Eq => integer 90
+        | Lt, Eq => integer 270
+        | Gt, Gt => arctangent (across / along)%num
+        | Gt, Lt | Lt, Lt => (half + arctangent (across / along))%num
+        | Lt, Gt => (integer 360 + arctangent (across / along))%num
+        end)
+  end.
+
+(** fanuc.program.arc-full-circle: an arc whose end is its start is a full circle.
+    fanuc.program.arc-spiral: start and end may have different distances from the centre. *)
+Definition around {num} {N : Numbers num} (clockwise : bool) (center start finish : pair num) : outcome (circle num) :=
+  let from := sub2 start center in
+  let to := sub2 finish center in
+  turn <- angle_between clockwise from to ;;
+  equal <- is_zero "fanuc.program.arc-spiral" (dot2 to to - dot2 from from)%num ;;
+  Got (Circle center turn (if equal then None else Some (root (dot2 from from), root (dot2 to to)))).
+
+(** fanuc.program.arc-radius: R exists where it is at least half the chord, else PS0023.
+    fanuc.program.arc-radius-without-chord: an end that is the start, and R0, raise PS0023.
+    fanuc.program.arc-larger: a positive R means the arc of at most 180 degrees, a negative one the larger arc. *)
+Definition by_radius {num} {N : Numbers num} (clockwise : bool) (r : num) (start finish : pair num) :
+    outcome (circle num) :=
+  let chord := sub2 finish start in
+  let square := dot2 chord chord in
+  no_chord <- is_zero "fanuc.program.arc-radius-without-chord" square ;;
+  no_radius <- is_zero "fanuc.program.arc-radius-without-chord" r ;;
+  too_small <- is_negative "fanuc.program.arc-radius" (integer 4 * r * r - square)%num ;;
+  larger <- is_negative "fanuc.program.arc-larger" r ;;
+  _ <- alarm_if (no_chord || no_radius || too_small) "PS0023" ;;
+  (* The centre of the smaller arc lies to the left of the chord where it runs counterclockwise. *)
+  let height := root (r * r / square - 1 / integer 4)%num in
+  let height := if xorb clockwise larger then (- height)%num else height in
+  let half x := (x / integer 2)%num in
+  let center := ((fst start + half (fst chord) - height * snd chord)%num,
+                 (snd start + half (snd chord) + height * fst chord)%num) in
+  around clockwise center start finish.
+
+(** The vector from the start to the centre. fanuc.program.arc-center-in-start: I J K of which those of the plane are zero
+    or missing raise PS0023. *)
+Definition by_center {num} {N : Numbers num} (clockwise : bool) (to_center start finish : pair num) :
+    outcome (circle num) :=
+  in_start <- is_zero "fanuc.program.arc-center-in-start" (dot2 to_center to_center) ;;
+  _ <- alarm_if in_start "PS0023" ;;
+  around clockwise (add2 start to_center) start finish.

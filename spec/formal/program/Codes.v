@@ -1,0 +1,133 @@
+(** fanuc/program: what the G codes of a block select. *)
+From Coq Require Import List String ZArith Bool PeanoNat.
+From Toolcomp Require Import Numbers Outcomes Words.
+Import ListNotations.
+Open Scope string_scope.
+Open Scope Z_scope.
+Open Scope list_scope.
+
+(** Codes in tenths: 430 is G43, 434 is G43.4. *)
+Definition among (code : Z) (codes : list Z) : bool := existsb (Z.eqb code) codes.
+
+(** fanuc.program.without-effect: they change nothing. *)
+Definition without_effect := [50; 51; 80; 90; 110; 131; 150; 220; 230; 250; 401; 500; 501; 502; 610; 611; 620; 630; 640;
+  670; 690; 800; 960; 970; 980; 990; 1130; 1500; 1600].
+
+(** fanuc.program.unknown-code: supported are these. *)
+Definition known := [0; 10; 20; 30; 40; 100; 170; 180; 190; 200; 210; 280; 290; 300; 301; 370; 390; 400; 410; 412; 413;
+  416; 420; 422; 426; 430; 434; 435; 440; 450; 460; 470; 480; 490; 520; 530; 540; 541; 550; 560; 570; 580; 590; 900; 910;
+  920; 930; 940; 950] ++ without_effect.
+
+(** What this text does not say yet. *)
+Definition beyond := [370; 390; 410; 412; 413; 416; 420; 422; 426; 434; 435].
+
+(** fanuc.program.last-code-of-group: modal groups. *)
+Definition motions := [0; 10; 20; 30].
+Definition planes := [170; 180; 190].
+Definition units := [200; 210].
+Definition distances := [900; 910].
+Definition feeds := [930; 940; 950].
+Definition lengths := [430; 440; 490].
+Definition systems := [540; 541; 550; 560; 570; 580; 590].
+
+(** The codes that act in their block alone, of which the last counts. *)
+Inductive action :=
+| Dwell                 (* G04 *)
+| DataInput             (* G10 *)
+| FirstReference        (* G28 *)
+| ReturnFromReference   (* G29 *)
+| OtherReference        (* G30 *)
+| FloatingReference     (* G30.1 *)
+| Lengthen              (* G45 *)
+| Shorten               (* G46 *)
+| LengthenTwice         (* G47 *)
+| ShortenTwice          (* G48 *)
+| LocalSystem           (* G52 *)
+| MachinePosition       (* G53 *)
+| SetPosition.          (* G92 *)
+Definition actions := [(40, Dwell); (100, DataInput); (280, FirstReference); (290, ReturnFromReference);
+  (300, OtherReference); (301, FloatingReference); (450, Lengthen); (460, Shorten); (470, LengthenTwice);
+  (480, ShortenTwice); (520, LocalSystem); (530, MachinePosition); (920, SetPosition)].
+
+(** The codes of a block, in their order; none where one does not exist. *)
+Definition codes_of {num} (b : block num) : option (list Z) :=
+  fold_right
+    (fun w rest =>
+      match address w, tenths w, rest with
+      | Letter.G, Some code, Some codes => if among code known then Some (code :: codes) else None
+      | Letter.G, _, _ => None
+      | _, _, _ => rest
+      end)
+    (Some []) (words b).
+
+(** The last code of a group. *)
+Definition last_of (group codes : list Z) : option Z := find (fun code => among code group) (rev codes).
+Definition action_of (codes : list Z) : option action :=
+  match last_of (map fst actions) codes with Some code => lookup code actions | None => None end.
+
+(** fanuc.program.letters-as-data: axis letters and I J K are data of these codes, not positions. *)
+Definition takes_letters (codes : list Z) : bool := existsb (fun code => among code [40; 50; 51; 100; 220; 501]) codes.
+
+(** What is in force until another code of its group comes. *)
+Record modes := Modes {
+  motion : travel;
+  in_plane : plane;
+  in_inches : bool;
+  incremental : bool;
+  feed_per_minute : bool
+}.
+
+(** fanuc.program.initial-state: G00 G17 G90 G94, in the units of the setup. *)
+Definition initial_modes (setup_in_inches : bool) : modes := Modes Rapid XY setup_in_inches false true.
+
+(** With the codes of a block. *)
+Definition select (codes : list Z) (m : modes) : modes :=
+  let chosen {A} (group : list Z) (names : list A) (before : A) :=
+    match last_of group codes with
+    | Some code => or_else (lookup code (combine group names)) before
+    | None => before
+    end in
+  Modes
+    (chosen motions [Rapid; Linear; Clockwise; Counterclockwise] (motion m))
+    (chosen planes [XY; ZX; YZ] (in_plane m))
+    (chosen units [true; false] (in_inches m))
+    (chosen distances [false; true] (incremental m))
+    (chosen feeds [false; true; false] (feed_per_minute m)).
+
+(** fanuc.program.units: a linear word is converted by the exact factor 25.4.
+    fanuc.program.least-increments: with 3401#0 = 0 a number without decimal point counts least input increments, in inch
+    input a tenth of them for linear words. *)
+Definition in_setup_units {num} {N : Numbers num} (s : setup num) (in_inches : bool) (x : num) : num :=
+  match in_inches, inches s with
+  | true, false => (x * integer 254 / integer 10)%num
+  | false, true => (x * integer 10 / integer 254)%num
+  | _, _ => x
+  end.
+
+Definition counts_increments {num} (s : setup num) (w : word num) : bool :=
+  negb (or_else (parameter_bit s "3401#0") true) && negb (point w) &&
+  match address w with
+  | Letter.X | Letter.Y | Letter.Z | Letter.A | Letter.B | Letter.C | Letter.U | Letter.V | Letter.W
+  | Letter.I | Letter.J | Letter.K | Letter.R => true
+  | _ => false
+  end.
+
+Definition rotary (letter : Letter.t) : bool := match letter with Letter.A | Letter.B | Letter.C => true | _ => false end.
+
+Definition number_of {num} {N : Numbers num} (s : setup num) (in_inches : bool) (w : word num) : num :=
+  let linear := negb (rotary (address w)) in
+  let x :=
+    if counts_increments s w then
+      let x := (value w / integer (match least_increment s with IS_A => 100 | IS_B => 1000 | IS_C => 10000 end))%num in
+      if linear && in_inches then (x / integer 10)%num else x
+    else value w in
+  if linear then in_setup_units s in_inches x else x.
+
+(** The number of the last word with this letter. *)
+Definition last_number {num} {N : Numbers num} (s : setup num) (in_inches : bool) (letter : Letter.t) (b : block num) :
+    option num :=
+  option_map (number_of s in_inches) (last_word letter (words b)).
+
+(** The words of the controlled axes. *)
+Definition axis_numbers {num} {N : Numbers num} (s : setup num) (in_inches : bool) (b : block num) : some_values num :=
+  map (fun letter => last_number s in_inches letter b) (axes s).

@@ -1,0 +1,84 @@
+(** fanuc/program: the words of a block and the setup of a control, as the reader of text hands them over. *)
+From Coq Require Import List String ZArith Bool PeanoNat.
+From Toolcomp Require Import Numbers Outcomes.
+Import ListNotations.
+Open Scope string_scope.
+Open Scope Z_scope.
+Open Scope list_scope.
+
+Module Letter.
+  Inductive t := A | B | C | D | E | F | G | H | I | J | K | L | M | N | O | P | Q | R | S | T | U | V | W | X | Y | Z.
+  Definition eqb (a b : t) : bool.
+  Proof. refine (if (_ : {a = b} + {a <> b}) then true else false). decide equality. Defined.
+  Definition linear (a : t) : bool := match a with U | V | W | X | Y | Z => true | _ => false end.
+End Letter.
+
+
+(** A word of a block. *)
+Record word (num : Type) := Word {
+  address : Letter.t;
+  value : num;                 (* as written, in the units written *)
+  tenths : option Z;         (* ten times the value, where that is a natural number of seven digits at most *)
+  negative : bool;             (* a minus is written, before a zero too *)
+  point : bool                 (* a decimal point is written *)
+}.
+Arguments Word {num}. Arguments address {num}. Arguments value {num}. Arguments tenths {num}. Arguments negative {num}. Arguments point {num}.
+
+Record block (num : Type) := Block {
+  words : list (word num);
+  unreadable : option string   (* the alarm of reading *)
+}.
+Arguments Block {num}. Arguments words {num}. Arguments unreadable {num}.
+
+Inductive memory_kind := MemoryA | MemoryB | MemoryC.
+Inductive increment := IS_A | IS_B | IS_C.
+Inductive number_by := ByH | ByD.
+
+(** Geometry and wear of an offset number. *)
+Definition entry (num : Type) := (num * num)%type.
+Definition table (num : Type) := list (Z * entry num).
+
+Record setup (num : Type) := Setup {
+  axes : list Letter.t;
+  inches : bool;
+  least_increment : increment;
+  parameter_bit : string -> option bool;   (* "5001#2" *)
+  memory : memory_kind;
+  offset_count : Z;
+  h_offsets : table num;
+  d_offsets : table num;
+  g49_sets_h0 : bool;
+  workpiece : list (values num);                 (* G54 to G59 *)
+  external : values num;
+  additional : list (Z * values num);          (* G54.1 *)
+  start : values num;
+  reference : list (Z * values num);           (* 1 to 4 *)
+  floating : values num
+}.
+Arguments Setup {num}. Arguments axes {num}. Arguments inches {num}. Arguments least_increment {num}. Arguments parameter_bit {num}.
+Arguments memory {num}. Arguments offset_count {num}. Arguments h_offsets {num}. Arguments d_offsets {num}.
+Arguments g49_sets_h0 {num}. Arguments workpiece {num}. Arguments external {num}. Arguments additional {num}.
+Arguments start {num}. Arguments reference {num}. Arguments floating {num}.
+
+(** A bit that the setup does not give. *)
+Definition bit {num} (s : setup num) (parameter : string) : bool := or_else (parameter_bit s parameter) false.
+
+Definition zeros {num} {N : Numbers num} (s : setup num) : values num := map (fun _ => 0%num) (axes s).
+
+(** fanuc.program.last-word-of-address: Of several words with one address in a block the last counts. *)
+Definition last_word {num} (letter : Letter.t) (ws : list (word num)) : option (word num) :=
+  find (fun w => Letter.eqb (address w) letter) (rev ws).
+
+(** A whole number of a word that is not negative; none where it is none. *)
+Definition whole {num} (w : word num) : option Z :=
+  match tenths w with
+  | Some t => if t mod 10 =? 0 then Some (t / 10) else None
+  | None => None
+  end.
+
+(** The value of a table at a key. *)
+Fixpoint lookup {A} (key : Z) (entries : list (Z * A)) : option A :=
+  match entries with
+  | [] => None
+  | (k, a) :: rest => if k =? key then Some a else lookup key rest
+  end.
