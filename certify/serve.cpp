@@ -15,9 +15,6 @@
 namespace toolcomp::certify {
 namespace {
 
-// Enough for a coordinate that is an irrational number to be judged by the same rule as a double.
-constexpr int kModelDigits = 40;
-
 void append_exact(std::string& out, const exact::Real& value) { model::append_number(out, value, kModelDigits); }
 
 template <class Number, class AppendNumber>

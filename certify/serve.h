@@ -14,6 +14,9 @@ namespace toolcomp::certify {
 
 enum class ServedEngine : std::uint8_t { model, fast, specification };
 
+// Enough for a coordinate that is an irrational number to be judged by the same rule as a double.
+inline constexpr int kModelDigits = 40;
+
 // What the engine says of itself: every section that is built, every field.
 Capabilities served_capabilities(ServedEngine engine);
 

@@ -195,15 +195,23 @@ class Shrinker {
     }
   }
 
-  // For a word a lesser one: another of the program, or the code before it (G43 for G44 and for G43.4).
+  // For a word a lesser one: another of the program, or the code before it (G43 for G44 and
+  // for G43.4, RL for RR). M128 for the longer code of the same.
   void exchanged_words() {
-    for (std::size_t line = 0; line < best_.program.size(); ++line)
+    for (std::size_t line = 0; line < best_.program.size(); ++line) {
+      if (best_.program[line].words.size() > 1 && best_.program[line].words[0] == "FUNCTION" &&
+          best_.program[line].words[1] == "TCPM") {
+        Candidate candidate = best_;
+        candidate.program[line].words = {"M128"};
+        attempt(std::move(candidate));
+      }
       for (std::size_t word = 0; word < best_.program[line].words.size(); ++word)
         for (const std::string& lesser : lesser_words(best_.program[line].words[word])) {
           Candidate candidate = best_;
           candidate.program[line].words[word] = lesser;
           if (attempt(std::move(candidate))) break;
         }
+    }
   }
 
   [[nodiscard]] std::vector<std::string> lesser_words(const std::string& word) const {
@@ -212,6 +220,7 @@ class Shrinker {
       for (const std::string& other : line.words)
         if (other < word) lesser.insert(other);
     std::vector<std::string> list(lesser.begin(), lesser.end());
+    if (case_.dialect == "klartext" && word == "RR") list.emplace_back("RL");
     if (case_.dialect == "klartext" || word[0] != 'G') return list;
     if (const std::size_t point = word.find('.'); point != std::string::npos)
       list.push_back(word.substr(0, point));

@@ -1,5 +1,10 @@
 #include "certify/subject.h"
 
+#include <algorithm>
+
+#include "certify/convert.h"
+#include "certify/serve.h"
+#include "formal/engine.h"
 #include "fuzz/gen/generator.h"
 #include "fuzz/oracle/verdict.h"
 
@@ -22,6 +27,22 @@ class BuiltInEngine final : public Subject {
   }
 };
 
+class FormalSpecification final : public Subject {
+ public:
+  std::variant<Capabilities, Fault> capabilities() override { return served_capabilities(ServedEngine::specification); }
+
+  Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> /*patience*/) override {
+    if (c.dialect != "fanuc")
+      return {NotApplicable{"the formal specification says nothing of this dialect yet"}, {}, {}};
+    const formal::Run run = formal::run(c);
+    if (!run.not_said.empty())
+      return {NotApplicable{"the formal specification does not say yet: " + run.not_said}, {}, {}};
+    TextEvents events;
+    for (const model::Event& event : run.events) events.push_back(in_text(event, kModelDigits));
+    return {std::move(events), {}, {}};
+  }
+};
+
 }  // namespace
 
 std::string name(FaultKind kind) {
@@ -39,6 +60,8 @@ std::string name(FaultKind kind) {
   }
   return "malformed reply";
 }
+
+std::unique_ptr<Subject> formal_specification() { return std::make_unique<FormalSpecification>(); }
 
 std::unique_ptr<Subject> built_in_engine() { return std::make_unique<BuiltInEngine>(); }
 

@@ -14,6 +14,7 @@
 #include "certify/adapter_programs.h"
 #include "certify/campaign.h"
 #include "certify/date.h"
+#include "certify/process.h"
 #include "certify/report.h"
 #include "certify/running_report.h"
 #include "certify/trace/trace.h"
@@ -92,7 +93,17 @@ void say_how_the_path_ends(const certify::TraceResult& result, const std::string
   if (result.corners > 0 && result.samples == 0) std::cerr << "the trace holds no sample\n";
 }
 
+// The formal specification of this command.
+constexpr std::string_view kSpecification = "spec";
+
+// A program that speaks the protocol, as a shell is told.
+std::string command_of(const std::string& controller) {
+  if (controller != kSpecification) return controller;
+  return certify::shell_quoted(fs::read_symlink("/proc/self/exe").string()) + " serve --engine spec";
+}
+
 std::optional<certify::Adapter> adapter_named(const CertifyOptions& options) {
+  if (options.controller == kSpecification) return std::nullopt;
   if (!certify::is_adapter_name(options.controller)) return std::nullopt;
   return certify::find_adapter(options.controller, certify::adapter_folders(options.adapters));
 }
@@ -207,6 +218,7 @@ int certify(const CertifyOptions& options) {
   if (options.controller.empty() == options.trace.empty()) usage("name a --controller or a --trace");
   const auto adapter = adapter_named(options);
   if (options.packages) {
+    if (options.controller == kSpecification) fmt::print("coq\nocaml-nox\nocaml-findlib\n");
     if (adapter)
       for (const std::string& package : adapter->packages) fmt::print("{}\n", package);
     return 0;
@@ -219,7 +231,7 @@ int certify(const CertifyOptions& options) {
   Evidence evidence(options);
 
   certify::CampaignOptions campaign;
-  campaign.controller = options.controller;
+  campaign.controller = command_of(options.controller);
   if (adapter) {
     certify::expect_programs(*adapter);
     if (adapter->kind == certify::AdapterKind::trace) {

@@ -17,10 +17,10 @@ using List = std::vector<Data>;
 struct Data {
   std::variant<exact::Real, std::int64_t, std::string, List> value;
 
-  Data(exact::Real number) : value(std::move(number)) {}         // NOLINT(google-explicit-constructor)
-  Data(std::int64_t integer) : value(integer) {}                 // NOLINT(google-explicit-constructor)
-  Data(std::string text) : value(std::move(text)) {}             // NOLINT(google-explicit-constructor)
-  Data(List list) : value(std::move(list)) {}                    // NOLINT(google-explicit-constructor)
+  Data(exact::Real number) : value(std::move(number)) {}  // NOLINT(google-explicit-constructor)
+  Data(std::int64_t integer) : value(integer) {}          // NOLINT(google-explicit-constructor)
+  Data(std::string text) : value(std::move(text)) {}      // NOLINT(google-explicit-constructor)
+  Data(List list) : value(std::move(list)) {}             // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] const exact::Real& number() const { return std::get<exact::Real>(value); }
   [[nodiscard]] std::int64_t integer() const { return std::get<std::int64_t>(value); }

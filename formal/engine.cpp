@@ -37,8 +37,8 @@ std::int64_t tenths(const spec::Decimal& decimal) {
 Data block_data(const spec::Block& block) {
   List words;
   for (const spec::Word& word : block.words())
-    words.emplace_back(List{whole(static_cast<std::size_t>(word.address - 'A')), number(word.value),
-                            tenths(word.value), flag(word.value.negative), flag(word.value.point)});
+    words.emplace_back(List{whole(static_cast<std::size_t>(word.address - 'A')), number(word.value), tenths(word.value),
+                            flag(word.value.negative), flag(word.value.point)});
   return List{block.alarm ? std::string(block.alarm->number.view()) : std::string(), std::move(words)};
 }
 
@@ -61,7 +61,8 @@ Data tables_data(const Tables& tables, const spec::Axes& axes) {
 
 Data offset_data(const std::map<std::uint32_t, spec::OffsetEntry>& offsets) {
   List list;
-  for (const auto& [key, entry] : offsets) list.emplace_back(List{whole(key), number(entry.geometry), number(entry.wear)});
+  for (const auto& [key, entry] : offsets)
+    list.emplace_back(List{whole(key), number(entry.geometry), number(entry.wear)});
   return list;
 }
 
@@ -72,8 +73,8 @@ Data bits_data(const spec::Setup& setup) {
   for (const auto& [id, value] : setup.parameters)
     for (int place = 0; place < kBits; ++place)
       if (id.bit < 0 ? value.is_integer() : id.bit == place)
-        list.emplace_back(List{std::to_string(id.number) + '#' + std::to_string(place),
-                               flag(setup.bit(id.number, place))});
+        list.emplace_back(
+            List{std::to_string(id.number) + '#' + std::to_string(place), flag(setup.bit(id.number, place))});
   return list;
 }
 
@@ -83,21 +84,22 @@ Data setup_data(const spec::Setup& setup) {
   List systems;
   for (const spec::AxisTable& origin : setup.workpiece) systems.push_back(axis_data(origin, setup.axes));
   const auto external = setup.additional_workpiece.find(0);
-  return List{std::move(axes),
-              flag(setup.units == spec::Units::inch),
-              whole(static_cast<std::size_t>(setup.increment)),
-              bits_data(setup),
-              whole(static_cast<std::size_t>(setup.memory)),
-              whole(setup.offset_count),
-              offset_data(setup.h),
-              offset_data(setup.d),
-              flag(setup.g49_sets_h0),
-              std::move(systems),
-              axis_data(external == setup.additional_workpiece.end() ? spec::AxisTable{} : external->second, setup.axes),
-              tables_data(setup.additional_workpiece, setup.axes),
-              axis_data(setup.position, setup.axes),
-              tables_data(setup.reference, setup.axes),
-              axis_data(setup.floating_reference, setup.axes)};
+  return List{
+      std::move(axes),
+      flag(setup.units == spec::Units::inch),
+      whole(static_cast<std::size_t>(setup.increment)),
+      bits_data(setup),
+      whole(static_cast<std::size_t>(setup.memory)),
+      whole(setup.offset_count),
+      offset_data(setup.h),
+      offset_data(setup.d),
+      flag(setup.g49_sets_h0),
+      std::move(systems),
+      axis_data(external == setup.additional_workpiece.end() ? spec::AxisTable{} : external->second, setup.axes),
+      tables_data(setup.additional_workpiece, setup.axes),
+      axis_data(setup.position, setup.axes),
+      tables_data(setup.reference, setup.axes),
+      axis_data(setup.floating_reference, setup.axes)};
 }
 
 // What is said of the axes, of the linear ones alone or of all.

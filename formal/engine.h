@@ -1,5 +1,5 @@
-// The formal specification (spec/formal/program), run: its functions as Coq extracts them, over the exact numbers of the
-// model. Only these numbers are shared with the model, no rule.
+// The formal specification (spec/formal/program), run: its functions as Coq extracts them, over the exact numbers of
+// the model. Only these numbers are shared with the model, no rule.
 #pragma once
 
 #include <optional>
@@ -23,8 +23,8 @@ struct Run {
   std::string not_said;  // a code of another section, before which the run ends; empty: none
 };
 
-// Requires available() and a FANUC case. From one thread, always the same. Throws spec::InputError for a program that is
-// no text.
+// Requires available() and a FANUC case. From one thread, always the same. Throws spec::InputError for a program that
+// is no text.
 Run run(const spec::Case& c);
 
 }  // namespace toolcomp::formal

@@ -57,8 +57,8 @@ std::vector<std::string> board_lines(const BoardView& view, bool summary) {
         reader ? "" : std::to_string(r.ties), r.hits);
   }
   if (idle > 0) lines.push_back(fmt::format("{} targets had no turn{}", idle, summary ? "" : " yet"));
-  lines.push_back(fmt::format("{}  {}{}", clock_text(view.seconds), found_text(view),
-                              view.state.empty() ? "" : "  " + view.state));
+  lines.push_back(
+      fmt::format("{}  {}{}", clock_text(view.seconds), found_text(view), view.state.empty() ? "" : "  " + view.state));
   return lines;
 }
 

@@ -45,8 +45,9 @@ TEST(Architecture, DependenciesRunOneWay) {
       {"fast", {"fast", "spec"}},
       {"fuzz", {"fuzz", "model", "fast", "spec"}},
       {"corpus", {"corpus", "fuzz", "model", "fast", "spec"}},
-      {"certify", {"certify", "corpus", "fuzz", "model", "fast", "spec"}},
-      {"cli", {"cli", "certify", "corpus", "fuzz", "model", "fast", "spec"}}};
+      {"formal", {"formal", "model", "spec"}},
+      {"certify", {"certify", "corpus", "formal", "fuzz", "model", "fast", "spec"}},
+      {"cli", {"cli", "certify", "corpus", "formal", "fuzz", "model", "fast", "spec"}}};
   const std::regex include(R"re(#include "([a-z_]+)/)re");
   std::size_t seen = 0;
   for (const auto& [room, rooms] : allowed) {
@@ -59,6 +60,18 @@ TEST(Architecture, DependenciesRunOneWay) {
     }
   }
   EXPECT_GT(seen, 100U);
+}
+
+// The formal specification shares the model's numbers, and nothing else of it.
+TEST(Architecture, TheFormalSpecificationSharesNumbersAlone) {
+  const std::regex include(R"re(#include "(model/[a-z_/]+)/[a-z_]+\.h")re");
+  std::set<std::string> folders;
+  for (const fs::path& file : sources("formal")) {
+    const std::string text = read(file);
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), include); it != std::sregex_iterator(); ++it)
+      folders.insert((*it)[1].str());
+  }
+  EXPECT_EQ(folders, std::set<std::string>{"model/exact"});
 }
 
 // What each folder of both engines includes of the others.

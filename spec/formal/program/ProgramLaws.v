@@ -1,0 +1,265 @@
+(** Laws of whole programs: they hold for every program and every setup. *)
+From Coq Require Import List String ZArith Bool Reals Lra.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Program.
+Import ListNotations.
+Open Scope string_scope.
+Open Scope list_scope.
+
+(** * How a run goes *)
+
+(** fanuc.program.end: the events of blocks depend on these blocks alone, whatever follows: there is no look-ahead. *)
+Theorem earlier_events_stay {num} {N : Numbers num} decimal (s : setup num) bs more place st :
+  exists later, fst (run decimal s (bs ++ more) place st) = fst (run decimal s bs place st) ++ later.
+Proof.
+  revert place st; induction bs as [|b bs IH]; intros place st; cbn -[step]; [eexists; reflexivity|].
+  destruct (step decimal s b st) as [[st' events]| | |]; cbn -[step].
+  - destruct (ends b); cbn -[step]; [exists []; now rewrite app_nil_r|].
+    destruct (IH (S place) st') as [later IH'].
+    destruct (run decimal s (bs ++ more) (S place) st') as [all how].
+    destruct (run decimal s bs (S place) st') as [some how'].
+    cbn -[step] in *. exists later. now rewrite IH', app_assoc.
+  - exists []; reflexivity.
+  - exists []; reflexivity.
+  - exists []; reflexivity.
+Qed.
+
+Definition plain_setup : setup R :=
+  Setup [Letter.X; Letter.Y; Letter.Z] false IS_B (fun _ => None) MemoryA 99 [(1%Z, (5%R, 0%R))] [] false
+    (repeat (repeat 0%R 3) 6) (repeat 0%R 3) [] (repeat 0%R 3) [] (repeat 0%R 3).
+Definition natural letter (value : Z) : word R := Word letter (IZR value) (Some (10 * value)%Z) false false.
+Definition up : block R := Block [natural Letter.G 43; natural Letter.Z 10; natural Letter.H 1] None.
+
+Example earlier_events_stay_instance : exists later,
+  fst (run (fun _ => "") plain_setup ([up] ++ [up]) 0 (initial plain_setup)) =
+  fst (run (fun _ => "") plain_setup [up] 0 (initial plain_setup)) ++ later.
+Proof. apply earlier_events_stay. Qed.
+
+(** fanuc.program.end: nothing comes behind the block with M02 or M30. *)
+Theorem nothing_behind_the_end {num} {N : Numbers num} decimal (s : setup num) b more place st :
+  ends b = true -> run decimal s (b :: more) place st = run decimal s [b] place st.
+Proof.
+  intro E; cbn -[step]. destruct (step decimal s b st) as [[st' events]| | |]; [|reflexivity..].
+  now rewrite E.
+Qed.
+
+Definition last_block : block R := Block [natural Letter.M 30] None.
+
+Example nothing_behind_the_end_instance :
+  run (fun _ => "") plain_setup [last_block; up] 0 (initial plain_setup) =
+  run (fun _ => "") plain_setup [last_block] 0 (initial plain_setup).
+Proof. now apply nothing_behind_the_end. Qed.
+
+(** What a block that runs yields: moves and settings. *)
+Definition ordinary {num} (e : event num) : bool :=
+  match e with Moves _ | Setting _ _ => true | _ => false end.
+
+Lemma bind_got {A B} (x : outcome A) (f : A -> outcome B) y : bind x f = Got y -> exists a, x = Got a /\ f a = Got y.
+Proof. destruct x; cbn; intro H; try discriminate; eauto. Qed.
+
+Lemma own_move_ordinary {num} {N : Numbers num} (s : setup num) numbers b c changed longer st st' events :
+  own_move s numbers b c changed longer st = Got (st', events) -> forallb ordinary events = true.
+Proof.
+  unfold own_move; intro H. destruct c as [c|]; apply bind_got in H; destruct H as (? & _ & H).
+  - repeat match type of H with (let '(_, _) := ?x in _) = Got _ => destruct x end.
+    injection H as _ <-; reflexivity.
+  - injection H as _ <-. now destruct (negb _ || changed).
+Qed.
+
+Lemma step_ordinary {num} {N : Numbers num} decimal (s : setup num) b st st' events :
+  step decimal s b st = Got (st', events) -> forallb ordinary events = true.
+Proof.
+  unfold step; intro H.
+  apply bind_got in H; destruct H as (? & _ & H).
+  destruct (codes_of b) as [codes|]; [|discriminate].
+  cbv zeta in H.
+  repeat (apply bind_got in H; destruct H as (? & ?E & H);
+          repeat match type of H with (let '(_, _) := ?x in _) = Got _ => destruct x end).
+  match type of E13 with _ = Got (_, ?made) => assert (Q : forallb ordinary made = true) end.
+  { clear H. repeat match type of E13 with match ?x with _ => _ end = _ => destruct x end;
+      solve [ eapply own_move_ordinary; exact E13
+            | injection E13 as _ <-; reflexivity ]. }
+  clear - H Q. match type of H with match ?x with _ => _ end = _ => destruct x end; injection H as _ <-.
+  - rewrite forallb_app. cbn. now rewrite Q.
+  - exact Q.
+Qed.
+
+(** What a run yields behind the first event that is none of a block that runs: nothing. *)
+Fixpoint nothing_behind_an_alarm {num} (events : list (event num)) : Prop :=
+  match events with
+  | [] => True
+  | e :: rest => (ordinary e = true /\ nothing_behind_an_alarm rest) \/ rest = []
+  end.
+
+Lemma nothing_behind_app {num} (ahead rest : list (event num)) :
+  forallb ordinary ahead = true -> nothing_behind_an_alarm rest -> nothing_behind_an_alarm (ahead ++ rest).
+Proof.
+  induction ahead as [|e ahead IH]; cbn; intros O L; [assumption|].
+  apply andb_prop in O as [O O']; left; auto.
+Qed.
+
+Lemma places_aside {num} (place : nat) (events : list (event num)) : map snd (map (fun e => (place, e)) events) = events.
+Proof. rewrite map_map; apply map_id. Qed.
+
+(** fanuc.program.unreadable-block: every alarm ends the run, and nothing follows it; so does what cannot be decided. *)
+Theorem alarm_is_last {num} {N : Numbers num} decimal (s : setup num) bs place st :
+  nothing_behind_an_alarm (map snd (fst (run decimal s bs place st))).
+Proof.
+  revert place st; induction bs as [|b bs IH]; intros place st; cbn -[step]; [exact I|].
+  destruct (step decimal s b st) as [[st' events]| | |] eqn:E; cbn -[step]; [|now right..|exact I].
+  apply step_ordinary in E. destruct (ends b); cbn -[step].
+  - rewrite places_aside, <- (app_nil_r events). now apply nothing_behind_app.
+  - specialize (IH (S place) st'). destruct (run decimal s bs (S place) st') as [later how]. cbn -[step] in *.
+    rewrite map_app, places_aside. now apply nothing_behind_app.
+Qed.
+
+Definition unknown_code : block R := Block [natural Letter.G 27] None.
+
+Example alarm_is_last_instance : nothing_behind_an_alarm
+  (map snd (fst (run (fun _ => "") plain_setup [up; unknown_code; up] 0 (initial plain_setup)))).
+Proof. apply alarm_is_last. Qed.
+
+(** * Moves *)
+
+(** fanuc.program.own-move: a block with an axis word, of its own path, makes exactly one move, even where nothing moves;
+    so does an arc. *)
+Theorem one_own_move {num} {N : Numbers num} (s : setup num) numbers b circle_of changed longer st st' events :
+  own_move s numbers b circle_of changed longer st = Got (st', events) ->
+  circle_of <> None \/ empty (which numbers) = false -> exists m, events = [Moves m].
+Proof.
+  unfold own_move; intros H O. destruct circle_of as [c|].
+  - apply bind_got in H; destruct H as (? & _ & H).
+    repeat match type of H with (let '(_, _) := ?x in _) = Got _ => destruct x end.
+    injection H as _ <-. eexists; reflexivity.
+  - destruct O as [O|O]; [congruence|].
+    apply bind_got in H; destruct H as (? & _ & H). rewrite O in H. injection H as _ <-. eexists; reflexivity.
+Qed.
+
+Example one_own_move_instance st' events :
+  own_move plain_setup [None; None; Some 10%R] up None false None (initial plain_setup) = Got (st', events) ->
+  exists m, events = [Moves m].
+Proof. intro H. eapply one_own_move; [exact H|right; reflexivity]. Qed.
+
+(** fanuc.length-offset.move-without-axis-word: without an axis word and without a change of the offset there is none. *)
+Theorem no_move_without_cause {num} {N : Numbers num} (s : setup num) numbers b st st' events :
+  own_move s numbers b None false None st = Got (st', events) -> empty (which numbers) = true -> events = [].
+Proof. unfold own_move; intros H O. cbn in H. rewrite O in H. now injection H as _ <-. Qed.
+
+Example no_move_without_cause_instance st' events :
+  own_move plain_setup [None; None; None] up None false None (initial plain_setup) = Got (st', events) -> events = [].
+Proof. intro H. eapply no_move_without_cause; [exact H|reflexivity]. Qed.
+
+(** * Positions *)
+
+(** fanuc.program.incremental: the text in G91 of a path, written for where it begins, leads to where the text in G90
+    does. *)
+Theorem incremental_is_absolute (from : values R) (ends_at : some_values R) :
+  destination true from (map2 (fun x end_ => option_map (fun y => (y - x)%R) end_) from ends_at) =
+  destination false from ends_at.
+Proof.
+  revert ends_at; induction from as [|x from IH]; intros [|e ends_at]; try reflexivity.
+  unfold destination in *; cbn in *. rewrite IH. f_equal. destruct e; cbn; [lra|reflexivity].
+Qed.
+
+Example incremental_is_absolute_instance :
+  destination true [1%R; 2%R] (map2 (fun x end_ => option_map (fun y => (y - x)%R) end_) [1%R; 2%R] [Some 5%R; None]) =
+  [5%R; 2%R].
+Proof. now rewrite incremental_is_absolute. Qed.
+
+Lemma sum_zero (v zero : values R) : List.length zero = List.length v -> Forall (fun x => x = 0%R) zero -> sum v zero = v.
+Proof.
+  revert zero; induction v as [|x v IH]; intros [|z zero] L Z; cbn in *; try discriminate; [reflexivity|].
+  inversion Z as [|? ? Z0 Z']; subst. f_equal; [cbn; lra|]. apply IH; [now injection L|assumption].
+Qed.
+
+(** fanuc.tool-offset.shift: without shift and offset the axes go where it is programmed. *)
+Theorem uncompensated_is_programmed (s : setup R) t c machine a st :
+  let zero := map (fun _ => 0%R) (programmed st) in
+  shift st = zero ->
+  exists m, move_to s t c machine a st zero = Moves m /\ tool_point m = programmed_end m /\
+            axis_positions m = programmed_end m.
+Proof.
+  cbv zeta; intro S. unfold move_to. rewrite S.
+  assert (Z : sum (programmed st) (map (fun _ => 0%R) (programmed st)) = programmed st).
+  { apply sum_zero; [apply map_length|]. apply Forall_forall. intros x H. apply in_map_iff in H as (? & H & _); auto. }
+  rewrite !Z. eexists; repeat split.
+Qed.
+
+Example uncompensated_is_programmed_instance : exists m,
+  move_to plain_setup Rapid Programmed false None (initial plain_setup) [0%R; 0%R; 0%R] = Moves m /\
+  tool_point m = programmed_end m /\ axis_positions m = programmed_end m.
+Proof. exact (uncompensated_is_programmed plain_setup Rapid Programmed false None (initial plain_setup) eq_refl). Qed.
+
+(** * The length offset *)
+
+(** fanuc.length-offset.cancel: behind a block with G49 no axis is offset, whatever was in force. *)
+Theorem cancelled_is_zero {num} {N : Numbers num} (s : setup num) o c l on_way at_end :
+  length_step s o c l = Got (on_way, at_end) -> code c = Some G49 -> vector at_end = zeros s /\ in_force at_end = None.
+Proof.
+  unfold length_step; intros H C. rewrite C in H. cbv zeta in H.
+  apply bind_got in H; destruct H as (l' & E & H).
+  unfold cancel in E. apply bind_got in E; destruct E as (? & _ & E). apply bind_got in E; destruct E as (? & _ & E).
+  injection E as <-. cbn in H. injection H as _ <-. now split.
+Qed.
+
+Definition g49 := LengthCommand (Some G49) None XY [false; false; false] true false [false; false; false].
+
+Example cancelled_is_zero_instance on_way at_end :
+  length_step plain_setup (given_offsets plain_setup) g49 (no_length_offset plain_setup) = Got (on_way, at_end) ->
+  vector at_end = [0%R; 0%R; 0%R] /\ in_force at_end = None.
+Proof. intro H. eapply cancelled_is_zero in H; [exact H|reflexivity]. Qed.
+
+(** fanuc.length-offset.direction: G44 with a value is G43 with the negative value. *)
+Theorem other_code_negative_value (set : axis_set) (x : R) (v : values R) :
+  offset_on set (signed Subtract x) v = offset_on set (signed Add (- x)%R) v.
+Proof. unfold signed; cbn. now replace (0 - x)%R with (- x)%R by lra. Qed.
+
+Example other_code_negative_value_instance :
+  offset_on [false; true] (signed Subtract 4%R) [1%R; 2%R] = [1%R; (- (4))%R].
+Proof. now rewrite other_code_negative_value. Qed.
+
+(** fanuc.length-offset.replaces: a second offset on the same axes leaves nothing of the first. *)
+Theorem later_offset_replaces (set : axis_set) (x y : R) (v : values R) :
+  offset_on set y (offset_on set x v) = offset_on set y v.
+Proof.
+  revert v; induction set as [|here set IH]; intros [|e v]; try reflexivity.
+  unfold offset_on in *; cbn. rewrite IH. now destruct here.
+Qed.
+
+Example later_offset_replaces_instance : offset_on [true] 3%R (offset_on [true] 2%R [1%R]) = [3%R].
+Proof. now rewrite later_offset_replaces. Qed.
+
+(** fanuc.program.workpiece-system: a change of coordinates moves nothing: the machine position stays. *)
+Theorem renaming_moves_nothing (s : setup R) (before after : coordinates R) (position : values R) :
+  List.length (work_zero s before) = List.length position -> List.length (work_zero s after) = List.length position ->
+  sum (renamed s before after position) (work_zero s after) = sum position (work_zero s before).
+Proof.
+  unfold renamed. generalize (work_zero s before) as old, (work_zero s after) as new.
+  induction position as [|x position IH]; intros [|o old] [|n new] L L'; cbn in *; try discriminate; [reflexivity|].
+  f_equal; [lra|]. apply IH; congruence.
+Qed.
+
+Example renaming_moves_nothing_instance (c : coordinates R) :
+  let c := given_coordinates plain_setup in
+  let shifted := with_shift plain_setup [Some 7%R; None; None] [1%R; 2%R; 3%R] c in
+  sum (renamed plain_setup c shifted [1%R; 2%R; 3%R]) (work_zero plain_setup shifted) =
+  sum [1%R; 2%R; 3%R] (work_zero plain_setup c).
+Proof. cbv zeta. now apply renaming_moves_nothing. Qed.
+
+(** * The tool offset *)
+
+(** fanuc.tool-offset.increase: G45 with a value is G46 with the negative value, and G47 is G48 with it. *)
+Theorem lengthen_negative_is_shorten (x : R) :
+  lengthening (Some Lengthen) (- x)%R = lengthening (Some Shorten) x /\
+  lengthening (Some LengthenTwice) (- x)%R = lengthening (Some ShortenTwice) x.
+Proof. cbn; split; f_equal; lra. Qed.
+
+Example lengthen_negative_is_shorten_instance : lengthening (Some Lengthen) (- (4))%R = lengthening (Some Shorten) 4%R.
+Proof. apply lengthen_negative_is_shorten. Qed.
+
+(** fanuc.tool-offset.direction: on a travel turned round the shift grows the other way. *)
+Theorem turned_travel_turned_growth (longer : R) (positive : bool) :
+  growth longer (Some (negb positive)) = (- growth longer (Some positive))%R.
+Proof. destruct positive; cbn; lra. Qed.
+
+Example turned_travel_turned_growth_instance : growth 4%R (Some false) = (- (4))%R.
+Proof. apply (turned_travel_turned_growth 4 true). Qed.
