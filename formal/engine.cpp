@@ -78,6 +78,23 @@ Data bits_data(const spec::Setup& setup) {
   return list;
 }
 
+// The whole ones.
+Data parameters_data(const spec::Setup& setup) {
+  List list;
+  for (const auto& [id, value] : setup.parameters)
+    if (id.bit < 0) list.emplace_back(List{std::to_string(id.number), number(value)});
+  return list;
+}
+
+Data signals_data(const spec::Setup& setup) {
+  List list;
+  for (const char letter : setup.axes.letters()) {
+    const auto given = setup.measurement.find(letter);
+    list.emplace_back(given == setup.measurement.end() ? List{} : List{number(given->second)});
+  }
+  return list;
+}
+
 Data setup_data(const spec::Setup& setup) {
   List axes;
   for (const char letter : setup.axes.letters()) axes.push_back(whole(static_cast<std::size_t>(letter - 'A')));
@@ -89,6 +106,7 @@ Data setup_data(const spec::Setup& setup) {
       flag(setup.units == spec::Units::inch),
       whole(static_cast<std::size_t>(setup.increment)),
       bits_data(setup),
+      parameters_data(setup),
       whole(static_cast<std::size_t>(setup.memory)),
       whole(setup.offset_count),
       offset_data(setup.h),
@@ -99,7 +117,8 @@ Data setup_data(const spec::Setup& setup) {
       tables_data(setup.additional_workpiece, setup.axes),
       axis_data(setup.position, setup.axes),
       tables_data(setup.reference, setup.axes),
-      axis_data(setup.floating_reference, setup.axes)};
+      axis_data(setup.floating_reference, setup.axes),
+      signals_data(setup)};
 }
 
 // What is said of the axes, of the linear ones alone or of all.
@@ -132,7 +151,8 @@ void read_move(Event& event, const List& data, const spec::Axes& axes) {
   event.type = travel == kRapid    ? spec::MoveType::rapid
                : travel == kLinear ? spec::MoveType::linear
                                    : spec::MoveType::arc;
-  event.cause = data.at(3).integer() == 0 ? spec::Cause::programmed : spec::Cause::reference;
+  constexpr std::array kCauses{spec::Cause::programmed, spec::Cause::reference, spec::Cause::measure};
+  event.cause = kCauses.at(static_cast<std::size_t>(data.at(3).integer()));
   event.programmed = positions(data.at(4), axes, false);
   event.point = positions(data.at(5), axes, false);
   event.axes = positions(data.at(6), axes, true);
@@ -160,6 +180,7 @@ Event event_of(const List& data, const spec::Axes& axes) {
       break;
     default:
       event.kind = spec::EventKind::undecided;
+      event.permitted = {true, true, true};
       event.number = spec::Name(data.at(2).text());
   }
   return event;
@@ -169,7 +190,9 @@ Event event_of(const List& data, const spec::Axes& axes) {
 
 bool available() { return true; }
 
-std::vector<std::string> sections() { return {"fanuc/tool-length-offset", "fanuc/tool-offset"}; }
+std::vector<std::string> sections() {
+  return {"fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset"};
+}
 
 Run run(const spec::Case& c) {
   spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes,

@@ -85,25 +85,29 @@ let offset = function
 let table value d = List.map (numbered value) (list d)
 let position = function [ v ] -> values v | _ -> broken ()
 
-let bits d =
+let maybe d = match list d with [] -> None | [ x ] -> Some (number x) | _ -> broken ()
+
+(* By their names. *)
+let named value d =
   let known = Hashtbl.create 16 in
   List.iter
     (fun b ->
       match list b with
-      | [ name; value ] -> Hashtbl.replace known (text name) (bool value)
+      | [ name; x ] -> Hashtbl.replace known (text name) (value x)
       | _ -> broken ())
     (list d);
   Hashtbl.find_opt known
 
 let setup d =
   match list d with
-  | [ axes; inches; increment; parameters; memory; count; h; d; g49; workpiece; external_; additional; start; reference;
-      floating ] ->
+  | [ axes; inches; increment; bits_given; parameters; memory; count; h; d; g49; workpiece; external_; additional; start;
+      reference; floating; signals ] ->
       {
         Formal.axes = List.map letter (list axes);
         inches = bool inches;
         least_increment = [| Formal.IS_A; IS_B; IS_C |].(int increment);
-        parameter_bit = bits parameters;
+        parameter_bit = named bool bits_given;
+        parameter = named number parameters;
         memory = [| Formal.MemoryA; MemoryB; MemoryC |].(int memory);
         offset_count = int count;
         h_offsets = table offset h;
@@ -115,6 +119,7 @@ let setup d =
         start = values start;
         reference = table position reference;
         floating = values floating;
+        signal_at = List.map maybe (list signals);
       }
   | _ -> broken ()
 
@@ -136,7 +141,7 @@ let arc (a : number Formal.arc) =
 let move (m : number Formal.move) =
   [
     Integer (travel m.travel_of);
-    Integer (match m.cause_of with Formal.Programmed -> 0 | Reference -> 1);
+    Integer (match m.cause_of with Formal.Programmed -> 0 | Reference -> 1 | Measuring -> 2);
     numbers_of m.programmed_end;
     numbers_of m.tool_point;
     numbers_of m.axis_positions;

@@ -337,9 +337,11 @@ void Interpreter::arrive(const Command& command, const std::vector<Leg>& legs) {
   if (!legs.empty()) position_ = legs.back().end;
   if (!is_shift(command.codes.one_shot)) return;
   // fanuc.program.shift: G92 calls the programmed position of the axes it names by its words; the shift holds in all
-  // workpiece systems alike, and ends their local system. No event.
+  // workpiece systems alike, and ends their local system. No event; a move that the block makes because an offset
+  // changes is made before.
   // fanuc.program.local-system: G52 puts the origin of the local coordinate system of the axes it names to its words,
-  // in all workpiece systems alike, under G90 and G91; 0 ends it. The machine stays where it is. No event.
+  // in all workpiece systems alike, under G90 and G91; 0 ends it. The machine stays where it is. No event; a move that
+  // the block makes because an offset changes is made before.
   const bool local = command.codes.one_shot == OneShot::local_coordinates;
   recorder_.reach(local ? Clause::fanuc_program_local_system : Clause::fanuc_program_shift);
   for (std::size_t i = 0; i < axes_.size(); ++i) {

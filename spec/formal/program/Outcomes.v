@@ -59,7 +59,7 @@ Definition some_values (num : Type) := list (option num).
 
 Inductive plane := XY | ZX | YZ.
 Inductive travel := Rapid | Linear | Clockwise | Counterclockwise.
-Inductive cause := Programmed | Reference.
+Inductive cause := Programmed | Reference | Measuring.
 
 Record arc (num : Type) := Arc {
   center : num * num;                  (* in the plane *)

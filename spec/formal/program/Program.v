@@ -1,9 +1,9 @@
 (** A FANUC program: from blocks to events.
 
-    What this text says so far: fanuc/program, fanuc/tool-length-offset and fanuc/tool-offset. A code of another section
-    ends the run with [Beyond]. *)
+    What this text says so far: fanuc/program, fanuc/tool-length-offset, fanuc/tool-length-measurement and
+    fanuc/tool-offset. A code of another section ends the run with [Beyond]. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -74,6 +74,14 @@ Definition move_to {num} {N : Numbers num} (s : setup num) (t : travel) (c : cau
 Definition at_position {num} (st : state num) (position shift : values num) : state num :=
   State (modes_of st) (feed st) (coordinates_of st) position shift (length_of st) (shared st) (offsets_of st)
     (intermediate st).
+
+(** The value of the first axis named. *)
+Fixpoint find_named {A} (named : axis_set) (v : list A) : option A :=
+  match named, v with
+  | true :: _, x :: _ => Some x
+  | false :: named, _ :: v => find_named named v
+  | _, _ => None
+  end.
 
 (** The values of the named axes, of the others those before. *)
 Definition on_named {num} (named : axis_set) (new old : values num) : values num :=
@@ -193,6 +201,40 @@ Definition grown {num} {N : Numbers num} (s : setup num) (m : modes) (b : block 
       else Got 0%num)
     (axes s).
 
+(** * Measurement *)
+
+(** fanuc.length-measurement.moves: the rapid part is a rapid move of cause programmed, the measuring part a linear one of
+    cause measure; both carry the commanded coordinate in `programmed`. A block that would have neither makes the rapid
+    move without travel.
+    fanuc.length-measurement.coordinate: the signal's position is that of the axis; less length offset and shift it is a
+    programmed coordinate.
+    fanuc.length-measurement.feed: the second move carries 6241, or F where the setup does not give it.
+    fanuc.length-measurement.position-after: the programmed position is then the one reached.
+    fanuc.length-measurement.moves-before-the-alarm: PS0080 comes behind the moves, and the value is not changed. *)
+Definition measurement {num} {N : Numbers num} (s : setup num) (numbers : some_values num) (st : state num) :
+    outcome (state num * list (event num) * option string * option (writing num)) :=
+  let l := length_of st in
+  let on_axis (v : values num) : num := or_else (find_named (which numbers) v) 0%num in
+  let a := on_axis (programmed st) in
+  let d := on_axis (replace (programmed st) numbers) in
+  let signal := option_map (fun t => (t - on_axis (vector l) - on_axis (shift st))%num)
+                  (or_else (find_named (which numbers) (signal_at s)) None) in
+  path <- measure s a d signal ;;
+  let standing x := on_named (which numbers) (map (fun _ => x) (programmed st)) (programmed st) in
+  let part t c x f :=
+    let point := sum (standing x) (shift st) in
+    Moves (Move t c (standing d) point (sum point (vector l)) None None (feed_for t f)) in
+  let feed_of_part := match parameter s "6241" with Some f => Some f | None => feed st end in
+  let first := match rapid_to path, measuring_to path with
+               | Some b, _ => [part Rapid Programmed b None]
+               | None, None => [part Rapid Programmed a None]
+               | None, Some _ => []
+               end in
+  let second := match measuring_to path with Some x => [part Linear Measuring x feed_of_part] | None => [] end in
+  let st := at_position st (standing (reached path)) (shift st) in
+  Got (st, first ++ second, if in_zone path then None else Some "PS0080",
+       if in_zone path then Some (measured s (offsets_of st) (number_in_force l) (reached path - d)%num) else None).
+
 (** * A block *)
 
 Definition is_shift (code : option action) : bool :=
@@ -261,9 +303,13 @@ Definition setting {num} (number : Z -> string) (s : setup num) (w : writing num
   let part := match memory s, of_wear w with MemoryA, _ => "" | _, true => ".wear" | _, false => ".geometry" end in
   Setting (letter ++ number (at_number w) ++ part)%string (match of_address w with ByH => for_h w | ByD => for_d w end).
 
+(** What a block yields: the state behind it, events, and the alarm that its motion ends in. *)
+Record ran (num : Type) := Ran { behind : state num; yields : list (event num); ends_in : option string }.
+Arguments Ran {num}. Arguments behind {num}. Arguments yields {num}. Arguments ends_in {num}.
+
 (** fanuc.program.alarm-order: in the order of these steps. *)
 Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) (b : block num) (st : state num) :
-    outcome (state num * list (event num)) :=
+    outcome (ran num) :=
   _ <- match unreadable b with Some number => Alarm number | None => Got tt end ;;
   match codes_of b with
   | None => Alarm "PS0010"
@@ -283,13 +329,17 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let letters_are_data := takes_letters codes in
     let data := letters_are_data || renames code in
     let ignored := match code with Some MachinePosition => incremental m | _ => false end in
-    let numbers := if data || ignored then map (fun _ => None) (axes s) else all_numbers in
+    let no_numbers := map (fun _ => None) (axes s) in
+    let numbers := if data || ignored then no_numbers else all_numbers in
+    (* The words of G52 and G92 move nothing, and name axes as others do. *)
+    let naming := if letters_are_data || ignored then no_numbers else all_numbers in
     let position := renamed s (coordinates_of st) c (programmed st) in
-    c' <- match code with
-          | Some LocalSystem => Got (with_local all_numbers c)
-          | Some SetPosition => Got (with_shift s all_numbers position c)
-          | _ => if origins then with_origin s (incremental m) (or_else l 0) b all_numbers c else Got c
-          end ;;
+    let command := LengthCommand (length_code_of codes) h (in_plane m) (which naming)
+                     (match words b with [] => false | _ => true end) (among 400 codes)
+                     (if goes_to_machine_position code then which numbers else no_axes s) in
+    let measures := match code with Some Measure => true | _ => false end in
+    _ <- (if measures then measurement_words s m command (length_of st) else Got tt) ;;
+    c' <- (if origins then with_origin s (incremental m) (or_else l 0) b all_numbers c else Got c) ;;
     writing <- match into with Some store => written s m (offsets_of st) b store | None => Got None end ;;
     target <- (if empty (which numbers) then Got None else reference_position s code b) ;;
     let position := renamed s c c' position in
@@ -297,17 +347,14 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
                 (next_shared s d h (shared st)) (offsets_of st) (intermediate st) in
     let named := which numbers in
     let to_machine := goes_to_machine_position code in
-    let elsewhere := to_machine || match code with Some ReturnFromReference => true | _ => false end in
+    let elsewhere := to_machine || match code with Some ReturnFromReference | Some Measure => true | _ => false end in
     let to := destination (incremental m) position numbers in
     circle_of <-
       (if negb (elsewhere || stays code) && runs_arc m s numbers letters_are_data b
        then c <- arc_between s m b (in_plane_of s (in_plane m) position) (in_plane_of s (in_plane m) to) ;; Got (Some c)
        else Got None) ;;
-    let length_code := length_code_of codes in
-    let command := LengthCommand length_code h (in_plane m) named (match words b with [] => false | _ => true end) (among 400 codes)
-                     (if to_machine then named else no_axes s) in
     (* G45 to G48. *)
-    let offset_mode := match length_code with
+    let offset_mode := match length_code_of codes with
                        | Some G49 => false | Some _ => true | None => given (in_force (length_of st)) end in
     _ <- alarm_if (is_shift code && by_h_number s && offset_mode) "G45_LENGTH_OFFSET" ;;
     longer <-
@@ -325,20 +372,26 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     changed <- differs (vector at_end) (vector (length_of st)) ;;
     let st := State (modes_of st) (feed st) (coordinates_of st) (programmed st) (shift st) at_end (shared st)
                 (offsets_of st) (intermediate st) in
-    '(st, moves) <-
+    let as_moved x := '(st, moves) <- x ;; Got (st, moves, None, writing) in
+    '(st, moves, alarm, writing) <-
       match code, negb (empty named), target with
-      | Some MachinePosition, true, _ => Got (machine_coordinates s numbers st)
-      | _, true, Some t => Got (reference_return s t numbers on_way st)
-      | Some ReturnFromReference, true, _ => Got (return_from_reference s numbers st)
-      | _, _, _ => own_move s numbers b circle_of changed longer st
+      | Some MachinePosition, true, _ => as_moved (Got (machine_coordinates s numbers st))
+      | _, true, Some t => as_moved (Got (reference_return s t numbers on_way st))
+      | Some ReturnFromReference, true, _ => as_moved (Got (return_from_reference s numbers st))
+      | Some Measure, _, _ => measurement s numbers st
+      | _, _, _ => as_moved (own_move s numbers b circle_of changed longer st)
       end ;;
-    match writing with
-    | None => Got (st, moves)
-    | Some w =>
-        Got (State (modes_of st) (feed st) (coordinates_of st) (programmed st) (shift st) (length_of st) (shared st)
-               (write s w (offsets_of st)) (intermediate st),
-             moves ++ [setting decimal s w])
-    end
+    (* G52, G92 and G10 count behind the block. *)
+    let coordinates_behind := match code with
+      | Some LocalSystem => with_local all_numbers (coordinates_of st)
+      | Some SetPosition => with_shift s all_numbers (programmed st) (coordinates_of st)
+      | _ => coordinates_of st
+      end in
+    let offsets_behind := match writing with Some w => write s w (offsets_of st) | None => offsets_of st end in
+    let settings := match writing with Some w => [setting decimal s w] | None => [] end in
+    Got (Ran (State (modes_of st) (feed st) coordinates_behind (renamed s (coordinates_of st) coordinates_behind (programmed st))
+                (shift st) (length_of st) (shared st) offsets_behind (intermediate st))
+           (moves ++ settings) alarm)
   end.
 
 (** fanuc.program.end: M02 and M30 end the program after their block. *)
@@ -357,10 +410,14 @@ Fixpoint run {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) (bs
   | [] => ([], Ended)
   | b :: rest =>
       match step decimal s b st with
-      | Got (st, events) =>
-          let here := map (fun e => (place, e)) events in
-          if ends b then (here, Ended)
-          else let '(later, how) := run decimal s rest (S place) st in (here ++ later, how)
+      | Got r =>
+          let here := map (fun e => (place, e)) (yields r) in
+          match ends_in r with
+          | Some number => (here ++ [(place, Raised number)], Ended)
+          | None =>
+              if ends b then (here, Ended)
+              else let '(later, how) := run decimal s rest (S place) (behind r) in (here ++ later, how)
+          end
       | Alarm number => ([(place, Raised number)], Ended)
       | Undecided clause => ([(place, NotDecided clause)], Ended)
       | Beyond what => ([], NotSaid what)

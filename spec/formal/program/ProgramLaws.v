@@ -1,6 +1,6 @@
 (** Laws of whole programs: they hold for every program and every setup. *)
 From Coq Require Import List String ZArith Bool Reals Lra.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Program.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement Program.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope list_scope.
@@ -12,11 +12,12 @@ Theorem earlier_events_stay {num} {N : Numbers num} decimal (s : setup num) bs m
   exists later, fst (run decimal s (bs ++ more) place st) = fst (run decimal s bs place st) ++ later.
 Proof.
   revert place st; induction bs as [|b bs IH]; intros place st; cbn -[step]; [eexists; reflexivity|].
-  destruct (step decimal s b st) as [[st' events]| | |]; cbn -[step].
-  - destruct (ends b); cbn -[step]; [exists []; now rewrite app_nil_r|].
-    destruct (IH (S place) st') as [later IH'].
-    destruct (run decimal s (bs ++ more) (S place) st') as [all how].
-    destruct (run decimal s bs (S place) st') as [some how'].
+  destruct (step decimal s b st) as [r| | |]; cbn -[step].
+  - destruct (ends_in r); cbn -[step]; [exists []; now rewrite app_nil_r|].
+    destruct (ends b); cbn -[step]; [exists []; now rewrite app_nil_r|].
+    destruct (IH (S place) (behind r)) as [later IH'].
+    destruct (run decimal s (bs ++ more) (S place) (behind r)) as [all how].
+    destruct (run decimal s bs (S place) (behind r)) as [some how'].
     cbn -[step] in *. exists later. now rewrite IH', app_assoc.
   - exists []; reflexivity.
   - exists []; reflexivity.
@@ -24,8 +25,9 @@ Proof.
 Qed.
 
 Definition plain_setup : setup R :=
-  Setup [Letter.X; Letter.Y; Letter.Z] false IS_B (fun _ => None) MemoryA 99 [(1%Z, (5%R, 0%R))] [] false
-    (repeat (repeat 0%R 3) 6) (repeat 0%R 3) [] (repeat 0%R 3) [] (repeat 0%R 3).
+  Setup [Letter.X; Letter.Y; Letter.Z] false IS_B (fun _ => None) (fun _ => None) MemoryA 99 [(1%Z, (5%R, 0%R))] [] false
+    (repeat (repeat 0%R 3) 6) (repeat 0%R 3) [] (repeat 0%R 3) [] (repeat 0%R 3)
+    [None; None; Some 100%R].
 Definition natural letter (value : Z) : word R := Word letter (IZR value) (Some (10 * value)%Z) false false.
 Definition up : block R := Block [natural Letter.G 43; natural Letter.Z 10; natural Letter.H 1] None.
 
@@ -38,8 +40,8 @@ Proof. apply earlier_events_stay. Qed.
 Theorem nothing_behind_the_end {num} {N : Numbers num} decimal (s : setup num) b more place st :
   ends b = true -> run decimal s (b :: more) place st = run decimal s [b] place st.
 Proof.
-  intro E; cbn -[step]. destruct (step decimal s b st) as [[st' events]| | |]; [|reflexivity..].
-  now rewrite E.
+  intro E; cbn -[step]. destruct (step decimal s b st) as [r| | |]; [|reflexivity..].
+  destruct (ends_in r); [reflexivity|]. now rewrite E.
 Qed.
 
 Definition last_block : block R := Block [natural Letter.M 30] None.
@@ -65,8 +67,16 @@ Proof.
   - injection H as _ <-. now destruct (negb _ || changed).
 Qed.
 
-Lemma step_ordinary {num} {N : Numbers num} decimal (s : setup num) b st st' events :
-  step decimal s b st = Got (st', events) -> forallb ordinary events = true.
+Lemma measurement_ordinary {num} {N : Numbers num} (s : setup num) numbers st st' events alarm w :
+  measurement s numbers st = Got (st', events, alarm, w) -> forallb ordinary events = true.
+Proof.
+  unfold measurement; intro H. apply bind_got in H; destruct H as (path & _ & H).
+  injection H as _ <- _ _. rewrite forallb_app.
+  destruct (rapid_to path), (measuring_to path); reflexivity.
+Qed.
+
+Lemma step_ordinary {num} {N : Numbers num} decimal (s : setup num) b st r :
+  step decimal s b st = Got r -> forallb ordinary (yields r) = true.
 Proof.
   unfold step; intro H.
   apply bind_got in H; destruct H as (? & _ & H).
@@ -74,13 +84,15 @@ Proof.
   cbv zeta in H.
   repeat (apply bind_got in H; destruct H as (? & ?E & H);
           repeat match type of H with (let '(_, _) := ?x in _) = Got _ => destruct x end).
-  match type of E13 with _ = Got (_, ?made) => assert (Q : forallb ordinary made = true) end.
-  { clear H. repeat match type of E13 with match ?x with _ => _ end = _ => destruct x end;
-      solve [ eapply own_move_ordinary; exact E13
-            | injection E13 as _ <-; reflexivity ]. }
-  clear - H Q. match type of H with match ?x with _ => _ end = _ => destruct x end; injection H as _ <-.
-  - rewrite forallb_app. cbn. now rewrite Q.
-  - exact Q.
+  match goal with E : _ = Got (_, ?made, _, _) |- _ => assert (Q : forallb ordinary made = true) end.
+  { clear H. match goal with E : _ = Got (_, _, _, _) |- _ => rename E into M end.
+    repeat match type of M with match ?x with _ => _ end = _ => destruct x end;
+      try (eapply measurement_ordinary; exact M);
+      apply bind_got in M; destruct M as ([? ?] & M & M'); injection M' as _ <- _ _;
+      try (eapply own_move_ordinary; exact M);
+      apply (f_equal (fun o => match o with Got (_, list) => list | _ => [] end)) in M; cbn in M; now subst. }
+  clear - H Q.
+  injection H as <-. cbn. rewrite forallb_app, Q. now match goal with |- context [match ?x with Some _ => _ | None => _ end] => destruct x end.
 Qed.
 
 (** What a run yields behind the first event that is none of a block that runs: nothing. *)
@@ -105,11 +117,13 @@ Theorem alarm_is_last {num} {N : Numbers num} decimal (s : setup num) bs place s
   nothing_behind_an_alarm (map snd (fst (run decimal s bs place st))).
 Proof.
   revert place st; induction bs as [|b bs IH]; intros place st; cbn -[step]; [exact I|].
-  destruct (step decimal s b st) as [[st' events]| | |] eqn:E; cbn -[step]; [|now right..|exact I].
-  apply step_ordinary in E. destruct (ends b); cbn -[step].
-  - rewrite places_aside, <- (app_nil_r events). now apply nothing_behind_app.
-  - specialize (IH (S place) st'). destruct (run decimal s bs (S place) st') as [later how]. cbn -[step] in *.
-    rewrite map_app, places_aside. now apply nothing_behind_app.
+  destruct (step decimal s b st) as [r| | |] eqn:E; cbn -[step]; [|now right..|exact I].
+  apply step_ordinary in E. destruct (ends_in r); cbn -[step].
+  - rewrite map_app, places_aside. apply nothing_behind_app; [assumption|now right].
+  - destruct (ends b); cbn -[step].
+    + rewrite places_aside, <- (app_nil_r (yields r)). now apply nothing_behind_app.
+    + specialize (IH (S place) (behind r)). destruct (run decimal s bs (S place) (behind r)) as [later how].
+      cbn -[step] in *. rewrite map_app, places_aside. now apply nothing_behind_app.
 Qed.
 
 Definition unknown_code : block R := Block [natural Letter.G 27] None.
@@ -263,3 +277,36 @@ Proof. destruct positive; cbn; lra. Qed.
 
 Example turned_travel_turned_growth_instance : growth 4%R (Some false) = (- (4))%R.
 Proof. apply (turned_travel_turned_growth 4 true). Qed.
+
+(** * The measurement *)
+
+(** fanuc.length-measurement.value: where G37 finds the tool as long as its offset says, nothing changes. *)
+Theorem right_offset_measures_nothing (s : setup R) (o : offsets R) number :
+  let w := measured s o number 0%R in
+  (of_wear w = false -> for_h w = fst (entry_of ByH o number)) /\
+  (of_wear w = true -> for_h w = snd (entry_of ByH o number)).
+Proof.
+  cbv zeta; unfold measured. destruct (memory s); destruct (entry_of ByH o number); cbn; split; intro; try discriminate; lra.
+Qed.
+
+Example right_offset_measures_nothing_instance :
+  for_h (measured plain_setup (given_offsets plain_setup) 1 0%R) = 5%R.
+Proof. apply (right_offset_measures_nothing plain_setup (given_offsets plain_setup) 1). reflexivity. Qed.
+
+Lemma real_sign_known x : exists c, real_sign x = Some c.
+Proof. unfold real_sign. eexists; reflexivity. Qed.
+
+(** fanuc.length-measurement.too-late: without a signal the axis stops half the zone behind the coordinate, with PS0080. *)
+Theorem no_signal_stops_behind_the_zone (s : setup R) (a d : R) : (a < d)%R -> exists path,
+  measure s a d None = Got path /\ reached path = (d + zone s)%R /\ in_zone path = false.
+Proof.
+  intro O. unfold measure, is_positive, decide. cbn [sign reals minus].
+  replace (real_sign (d - a)) with (Some Gt).
+  2: { unfold real_sign. destruct (total_order_T (d - a) 0) as [[L|E]|G]; [lra|lra|reflexivity]. }
+  cbn [bind]. destruct (real_sign_known (d - a - slow_distance s)) as [c E]. rewrite E.
+  cbn [bind]. eexists; repeat split.
+Qed.
+
+Example no_signal_stops_behind_the_zone_instance : exists path,
+  measure plain_setup 0%R 200%R None = Got path /\ reached path = (200 + zone plain_setup)%R /\ in_zone path = false.
+Proof. apply no_signal_stops_behind_the_zone; lra. Qed.

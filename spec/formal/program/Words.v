@@ -43,6 +43,7 @@ Record setup (num : Type) := Setup {
   inches : bool;
   least_increment : increment;
   parameter_bit : string -> option bool;   (* "5001#2" *)
+  parameter : string -> option num;        (* "6251" *)
   memory : memory_kind;
   offset_count : Z;
   h_offsets : table num;
@@ -53,12 +54,13 @@ Record setup (num : Type) := Setup {
   additional : list (Z * values num);          (* G54.1 *)
   start : values num;
   reference : list (Z * values num);           (* 1 to 4 *)
-  floating : values num
+  floating : values num;
+  signal_at : some_values num                    (* [measurement] *)
 }.
-Arguments Setup {num}. Arguments axes {num}. Arguments inches {num}. Arguments least_increment {num}. Arguments parameter_bit {num}.
+Arguments Setup {num}. Arguments axes {num}. Arguments inches {num}. Arguments least_increment {num}. Arguments parameter_bit {num}. Arguments parameter {num}.
 Arguments memory {num}. Arguments offset_count {num}. Arguments h_offsets {num}. Arguments d_offsets {num}.
 Arguments g49_sets_h0 {num}. Arguments workpiece {num}. Arguments external {num}. Arguments additional {num}.
-Arguments start {num}. Arguments reference {num}. Arguments floating {num}.
+Arguments start {num}. Arguments reference {num}. Arguments floating {num}. Arguments signal_at {num}.
 
 (** A bit that the setup does not give. *)
 Definition bit {num} (s : setup num) (parameter : string) : bool := or_else (parameter_bit s parameter) false.
