@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Faults planted in the formal specification, one at a time: does judging it by the exact model find each?
+
+Of each fault the text is changed, extracted and compiled anew, linked into the command, and certified with the golden
+vectors and so many generated cases of its section. Says which were found, and by which clause. Exit status 1 where one
+was not found, or where the text as it stands does not conform.
+"""
+import argparse
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "spec/formal/program"
+LENGTH, MEASUREMENT, OFFSET = "fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset"
+
+# Section, generated cases it may take, file, the text there and what stands in its place.
+FAULTS = [
+    (LENGTH, 100, "LengthOffset.v", "Subtract => (- x)%num", "Subtract => x"),
+    (LENGTH, 500, "LengthOffset.v", "without (taken_away l) set", "taken_away l"),
+    (LENGTH, 2000, "LengthOffset.v", "alarm_if (3 <=? size offset)", "alarm_if (4 <=? size offset)"),
+    (LENGTH, 500, "LengthOffset.v", "ofh s && negb (sets_mode c) then None", "false then None"),
+    (LENGTH, 500, "Coordinates.v", "(sum (shifted c) (local c))", "(shifted c)"),
+    (LENGTH, 500, "Codes.v", "(x * integer 254 / integer 10)", "(x * integer 25)"),
+    (LENGTH, 2000, "Memory.v", "if incremental m then (old + r)%num else r", "r"),
+    (MEASUREMENT, 500, "Measurement.v", "(d + ahead (zone s))", "d"),
+    (MEASUREMENT, 500, "Measurement.v", "if later : bool then p else b", "p"),
+    (MEASUREMENT, 500, "Program.v", "(t - on_axis (vector l) - on_axis (shift st))", "(t - on_axis (shift st))"),
+    (OFFSET, 100, "ToolShift.v", "Some ShortenTwice => Some (- (integer 2 * l))", "Some ShortenTwice => Some (- l)"),
+    (OFFSET, 500, "ToolShift.v", "Some (negb minus_written)", "Some true"),
+    (OFFSET, 2000, "ToolShift.v", "alarm_if negative \"PS0038\"", "alarm_if false \"PS0038\""),
+    (OFFSET, 2000, "Arcs.v", "xorb clockwise larger", "clockwise"),
+]
+
+
+def link_command(build):
+    commands = subprocess.run(["ninja", "-C", build, "-t", "commands", "toolcomp"], check=True, capture_output=True,
+                              text=True).stdout.splitlines()
+    return commands[-1]
+
+
+def make(build, folder, change=None):
+    """The command with the specification, changed, in `folder`."""
+    program = folder / "program"
+    shutil.copytree(PROGRAM, program)
+    if change is not None:
+        name, text, instead = change
+        file = program / name
+        was = file.read_text()
+        if was.count(text) < 1:
+            sys.exit(f"{name}: there is no {text}")
+        file.write_text(was.replace(text, instead, 1))
+    subprocess.run([ROOT / "formal/compile", folder / "extracted", program], check=True, stdout=subprocess.DEVNULL)
+    library = folder / "libtoolcomp_formal_run.a"
+    shutil.copy(build / "formal/libtoolcomp_formal_run.a", library)
+    subprocess.run(["ar", "r", library, folder / "extracted/specification.o"], check=True, stderr=subprocess.DEVNULL)
+    command = folder / "toolcomp"
+    line = link_command(build).replace("formal/libtoolcomp_formal_run.a", str(library)).replace("-o toolcomp ", f"-o {command} ")
+    subprocess.run(line, shell=True, check=True, cwd=build, stdout=subprocess.DEVNULL)
+    return command
+
+
+def certify(build, command, section, cases, folder):
+    """The exit status, and the first clause of a finding."""
+    report = folder / "report"
+    status = subprocess.run([build / "toolcomp", "certify", "--controller", f"{command} serve --engine spec", "--section",
+                             section, "--cases", str(cases), "--seed", "11", "--report", report], capture_output=True).returncode
+    certificate = json.loads((report / "certificate.json").read_text())
+    findings = certificate["findings"]
+    return status, findings[0].get("clause", "") if findings else ""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
+    options = parser.parse_args()
+    build = options.build.resolve()
+    missed = 0
+    for number, (section, cases, name, text, instead) in enumerate([(LENGTH, 500, None, "", "")] + FAULTS):
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = pathlib.Path(temporary)
+            command = make(build, folder, None if name is None else (name, text, instead))
+            status, clause = certify(build, command, section, cases, folder)
+        if name is None:
+            found, what = status in (0, 3) and not clause, "as it stands"
+        else:
+            found, what = status == 1, f"{name}: {text} as {instead}"
+        missed += not found
+        print(f"{'ok    ' if found else 'MISSED'} {section:30} {cases:5} {what}  {clause}", flush=True)
+    sys.exit(1 if missed else 0)
+
+
+if __name__ == "__main__":
+    main()
