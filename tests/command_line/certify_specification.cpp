@@ -1,0 +1,66 @@
+// The formal specification as a controller: `--controller spec`, and what it answers where it says nothing yet.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "formal/engine.h"
+#include "tests/command_line/command.h"
+
+namespace {
+
+using toolcomp::test::command;
+using toolcomp::test::Folder;
+using toolcomp::test::Outcome;
+using toolcomp::test::read;
+using toolcomp::test::toolcomp;
+using Json = nlohmann::json;
+
+class CertifySpecification : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!::toolcomp::formal::available()) GTEST_SKIP() << "built without Coq or OCaml";
+  }
+  Folder folder_;
+};
+
+TEST_F(CertifySpecification, ConformsWhereItSaysAll) {
+  const Outcome outcome =
+      toolcomp("certify --controller spec --section fanuc/tool-offset --cases 50 --report " + folder_.path("report"));
+  EXPECT_TRUE(outcome.status == 0 || outcome.status == 3) << outcome.out << outcome.err;
+  const Json certificate = Json::parse(read(folder_.path("report/certificate.json")));
+  EXPECT_TRUE(certificate["findings"].empty()) << outcome.out;
+  EXPECT_NE(outcome.out.find(" 0 differ"), std::string::npos) << outcome.out;
+  EXPECT_EQ(certificate["controller"]["name"], "toolcomp formal specification");
+}
+
+TEST_F(CertifySpecification, NamesThePackagesItNeeds) {
+  EXPECT_EQ(toolcomp("certify --packages --controller spec").out, "coq\nocaml-nox\nocaml-findlib\n");
+}
+
+TEST_F(CertifySpecification, WhatItDoesNotSayDoesNotApply) {
+  const std::string request = R"({"case":1,"id":"a","setup":{"control":"fanuc"},"program":"G01 X1 F1\nG41 D1 X5\n"})";
+  const Outcome outcome =
+      command("printf '%s\\n' '" + request + "' | " TOOLCOMP_BINARY_DIR "/toolcomp serve --engine spec");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Json answer = Json::parse(outcome.out);
+  EXPECT_EQ(answer["id"], "a");
+  EXPECT_TRUE(answer.contains("not_applicable")) << answer;
+  EXPECT_FALSE(answer.contains("events")) << answer;
+}
+
+// By hand: G43 puts H1 = 5.25 on Z; three quarters of a circle from (5, 0) about (5, 5) clockwise; G49 takes it away.
+TEST_F(CertifySpecification, GivesEvents) {
+  const std::string request = R"({"case":1,"id":"b","setup":{"control":"fanuc","offsets":{"H":{"1":"5.25"}}},)"
+                              R"("program":"G43 Z10 H1\nG01 X5 F100\nG02 X10 Y5 I0 J5\nG49\n"})";
+  const Outcome outcome =
+      command("printf '%s\\n' '" + request + "' | " TOOLCOMP_BINARY_DIR "/toolcomp serve --engine spec");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Json events = Json::parse(outcome.out)["events"];
+  ASSERT_EQ(events.size(), 4U) << outcome.out;
+  EXPECT_EQ(events[0]["axes"]["Z"], 15.25);
+  EXPECT_EQ(events[2]["sweep"], 270);
+  EXPECT_EQ(events[2]["center"], (Json{{"X", 5}, {"Y", 5}}));
+  EXPECT_EQ(events[3]["axes"], (Json{{"X", 10}, {"Y", 5}, {"Z", 10}}));
+}
+
+}  // namespace
