@@ -9,6 +9,7 @@
 
 #include <mutex>
 #include <new>
+#include <ranges>
 #include <stdexcept>
 
 #include "formal/data.h"
@@ -76,8 +77,8 @@ value to_ocaml(const Data& data) {
       break;
     default:
       content = Val_emptylist;
-      for (auto at = data.list().rbegin(); at != data.list().rend(); ++at) {
-        item = to_ocaml(*at);
+      for (const Data& entry : std::views::reverse(data.list())) {
+        item = to_ocaml(entry);
         cell = caml_alloc(2, 0);
         Store_field(cell, 0, item);
         Store_field(cell, 1, content);

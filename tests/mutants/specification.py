@@ -32,7 +32,7 @@ FAULTS = [
     (OFFSET, 100, "ToolShift.v", "Some ShortenTwice => Some (- (integer 2 * l))", "Some ShortenTwice => Some (- l)"),
     (OFFSET, 500, "ToolShift.v", "Some (negb minus_written)", "Some true"),
     (OFFSET, 2000, "ToolShift.v", "alarm_if negative \"PS0038\"", "alarm_if false \"PS0038\""),
-    (OFFSET, 2000, "Arcs.v", "xorb clockwise larger", "clockwise"),
+    (LENGTH, 2000, "Arcs.v", "xorb clockwise larger", "clockwise"),
 ]
 
 
