@@ -1,4 +1,4 @@
-// toolcomp diff: model against fast, and the first difference explained.
+// toolcomp diff: model against fast, or the formal specification, and the first difference explained.
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -6,10 +6,13 @@
 #include <iostream>
 #include <system_error>
 
+#include "certify/judge.h"
+#include "certify/subject.h"
 #include "cli/difference.h"
 #include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
+#include "formal/engine.h"
 #include "fuzz/oracle/trial.h"
 #include "fuzz/oracle/verdict.h"
 
@@ -40,10 +43,33 @@ std::uint64_t ask_laws(const Program& program, fuzz::Verdict& verdict) {
   return fuzz::hold_laws(c, fuzz::run_model(c), verdict);
 }
 
+// The formal specification against the model.
+int diff_specification(const Program& program) {
+  if (!formal::available())
+    throw spec::InputError("--engines", 0, 0, "this toolcomp was built without the formal specification");
+  const spec::Case c = program.as_case();
+  const fuzz::ModelRun run = fuzz::run_model(c);
+  const auto specification = certify::formal_specification();
+  const auto able = std::get<certify::Capabilities>(specification->capabilities());
+  const certify::Judgement judgement = certify::judge_case(*specification, able, c, run);
+  if (judgement.difference) print_difference(*judgement.difference, program.place(judgement.difference->line));
+  std::cerr << fmt::format("{} values judged; {}{}{}\n", judgement.verdict.values, certify::name(judgement.result),
+                           judgement.why.empty() ? "" : ": ", judgement.why);
+  switch (judgement.result) {
+    case certify::Result::agrees:
+      return kAgrees;
+    case certify::Result::differs:
+      return kDiffers;
+    default:
+      return kUndecided;
+  }
+}
+
 }  // namespace
 
 int diff(const DiffOptions& options) {
   const Program program(options.program, options.setup, options.samples);
+  if (options.specification) return diff_specification(program);
   const Progress progress("blocks");
   fuzz::Verdict verdict;
   try {

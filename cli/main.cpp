@@ -36,9 +36,10 @@ CLI::Validator one_of(const std::map<std::string, Value>& values) {
 
 const std::map<std::string, cli::EngineName> kEngines{{"model", cli::EngineName::model},
                                                       {"fast", cli::EngineName::fast}};
-const std::map<std::string, cli::EngineName> kServed{{"model", cli::EngineName::model},
-                                                     {"fast", cli::EngineName::fast},
-                                                     {"spec", cli::EngineName::specification}};
+// Whether the second is the formal specification.
+const std::map<std::string, bool> kPairs{{"model,fast", false}, {"model,spec", true}};
+const std::map<std::string, cli::EngineName> kServed{
+    {"model", cli::EngineName::model}, {"fast", cli::EngineName::fast}, {"spec", cli::EngineName::specification}};
 const std::map<std::string, cli::Format> kFormats{{"jsonl", cli::Format::jsonl},
                                                   {"csv", cli::Format::csv},
                                                   {"gcode", cli::Format::gcode},
@@ -172,6 +173,9 @@ class CommandLine {
         verb("diff", "Model against fast; the first difference explained", [this] { return cli::diff(diff_); });
     add_program(sub, diff_.program, diff_.setup);
     add_samples(sub, diff_.samples);
+    sub->add_option("--engines", diff_.specification,
+                    "model,fast (default), or model,spec: the formal specification in its place")
+        ->transform(one_of(kPairs));
   }
   void add_explain() {
     CLI::App* sub = verb("explain", "Block by block: clauses, decisions, exact and double values",

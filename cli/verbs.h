@@ -36,6 +36,7 @@ struct DiffOptions {
   std::string program;
   std::string setup;
   std::optional<std::uint32_t> samples;
+  bool specification = false;  // the formal specification against the model, instead of the fast engine
 };
 int diff(const DiffOptions& options);
 

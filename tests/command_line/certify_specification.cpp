@@ -48,6 +48,18 @@ TEST_F(CertifySpecification, WhatItDoesNotSayDoesNotApply) {
   EXPECT_FALSE(answer.contains("events")) << answer;
 }
 
+TEST_F(CertifySpecification, DiffHoldsItAgainstTheModel) {
+  const std::string setup = folder_.write("setup.toml", "control = \"fanuc\"\n[offsets.H]\n1 = 4\n");
+  const std::string program = folder_.write("a.nc", "G43 Z10. H1\nG02 X10. R-5.5\n");
+  const Outcome agrees = toolcomp("diff --engines model,spec " + program + " --setup " + setup);
+  EXPECT_EQ(agrees.status, 0) << agrees.out << agrees.err;
+  EXPECT_NE(agrees.err.find("agrees"), std::string::npos) << agrees.err;
+  const std::string beyond = folder_.write("b.nc", "G41 D1 X10.\n");
+  const Outcome silent = toolcomp("diff --engines model,spec " + beyond + " --setup " + setup);
+  EXPECT_EQ(silent.status, 3) << silent.out << silent.err;
+  EXPECT_NE(silent.err.find("does not say yet"), std::string::npos) << silent.err;
+}
+
 // By hand: G43 puts H1 = 5.25 on Z; three quarters of a circle from (5, 0) about (5, 5) clockwise; G49 takes it away.
 TEST_F(CertifySpecification, GivesEvents) {
   const std::string request = R"({"case":1,"id":"b","setup":{"control":"fanuc","offsets":{"H":{"1":"5.25"}}},)"
