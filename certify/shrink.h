@@ -21,9 +21,9 @@ struct Shrunk {
   bool complete = false;  // nothing simpler fails; false where max_runs ended the search
 };
 
-// Requires that `failing` fails (it is not tried again). Leaves out runs of blocks, then of words, joins blocks, leaves out
-// setup entries, then shortens numbers, over and over until nothing can be left out. At least one block stays. Deterministic. `expect`
-// is dropped: it belongs to the original program.
+// Requires that `failing` fails (it is not tried again). Leaves out runs of blocks, then of words, joins blocks, leaves
+// out setup entries, then shortens numbers, over and over until nothing can be left out. At least one block stays.
+// Deterministic. `expect` is dropped: it belongs to the original program.
 Shrunk shrink(const spec::Case& failing, const StillFails& still_fails, const ShrinkOptions& options = {});
 
 }  // namespace toolcomp::certify

@@ -175,6 +175,7 @@ class CommandLine {
     add_samples(sub, diff_.samples);
     sub->add_option("--engines", diff_.specification,
                     "model,fast (default), or model,spec: the formal specification in its place")
+        ->type_name("PAIR")
         ->transform(one_of(kPairs));
   }
   void add_explain() {

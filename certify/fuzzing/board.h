@@ -32,7 +32,7 @@ struct BoardView {
   std::vector<BoardRow> rows;
   double seconds = 0;  // since this start
   std::size_t findings = 0;
-  std::size_t ways = 0;  // in which they show
+  std::size_t ways = 0;     // in which they show
   std::size_t waiting = 0;  // sightings nobody has looked at
   std::string state;        // "", "settling"
 };

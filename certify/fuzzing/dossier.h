@@ -24,10 +24,10 @@ struct Dossier {
   Finding finding;
   Stage stage = Stage::seen;
   std::string shape;  // of the shrunk case (shape.h); of what is not shrunk: none
-  // Of the simplest program that is left when the shrunk one may go on to fail in any way: where several ways a bug shows
-  // come from. None where it is not known.
+  // Of the simplest program that is left when the shrunk one may go on to fail in any way: where several ways a bug
+  // shows come from. None where it is not known.
   std::string core;
-  std::string why;    // why it is not shrunk
+  std::string why;  // why it is not shrunk
 
   // Two cases of one bug have one name, two bugs have two: kind, clause or section, and a digest of these with the
   // shape.

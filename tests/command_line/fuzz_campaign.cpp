@@ -158,8 +158,8 @@ TEST_F(Campaign, TheSameSeedGivesTheSameSearch) {
   EXPECT_EQ(once, corpus("again"));
 }
 
-// A bug that shows at several clauses and in many programs is one finding, and each way it shows has one folder, however
-// often it was met.
+// A bug that shows at several clauses and in many programs is one finding, and each way it shows has one folder,
+// however often it was met.
 TEST_F(Campaign, HundredsOfHitsOfOneBugAreOneFinding) {
   const Outcome outcome = with_fault("g44_as_g43", fuzz + " --target tool_length_offset_directed --runs 8000 --json");
   EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
