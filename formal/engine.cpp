@@ -1,7 +1,7 @@
 #include "formal/engine.h"
 
-#include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 #include "formal/data.h"
@@ -186,6 +186,9 @@ Event event_of(const List& data, const spec::Axes& axes) {
   return event;
 }
 
+// As an answer that there is none.
+std::string not_said_yet(const std::string& what) { return "the formal specification does not say yet: " + what; }
+
 }  // namespace
 
 bool available() { return true; }
@@ -195,6 +198,7 @@ std::vector<std::string> sections() {
 }
 
 Run run(const spec::Case& c) {
+  if (c.dialect != "fanuc") return {{}, not_said_yet("the dialect " + c.dialect)};
   spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes,
                              {.file = "program", .block_skip = c.setup.block_skip, .called_program = {}});
   std::vector<std::pair<std::uint64_t, std::optional<std::uint64_t>>> places;
@@ -211,7 +215,7 @@ Run run(const spec::Case& c) {
     std::tie(event.line, event.n) = places.at(static_cast<std::size_t>(data.list().at(0).integer()));
     result.events.push_back(std::move(event));
   }
-  result.not_said = said.list().at(1).text();
+  if (const std::string& what = said.list().at(1).text(); !what.empty()) result.not_said = not_said_yet(what);
   return result;
 }
 

@@ -2,7 +2,6 @@
 // the model. Only these numbers are shared with the model, no rule.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +19,10 @@ std::vector<std::string> sections();
 
 struct Run {
   std::vector<spec::Event<exact::Real>> events;
-  std::string not_said;  // a code of another section, before which the run ends; empty: none
+  std::string not_said;  // why there is no whole run: what the specification does not say yet; empty: it says all
 };
 
-// Requires available() and a FANUC case. From one thread, always the same. Throws spec::InputError for a program that
+// Requires available(). From one thread, always the same. Throws spec::InputError for a program that
 // is no text.
 Run run(const spec::Case& c);
 

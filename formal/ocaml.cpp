@@ -46,14 +46,12 @@ value box(Real number) {
 template <class Operation>
 value result_of(Operation operation) {
   bool decided = true;
-  {
-    try {
-      return box(operation());
-    } catch (const exact::Undecided&) {
-      decided = false;
-    } catch (const std::domain_error&) {
-      decided = false;
-    }
+  try {
+    return box(operation());
+  } catch (const exact::Undecided&) {
+    decided = false;
+  } catch (const std::domain_error&) {
+    decided = false;
   }
   if (!decided) caml_raise_constant(*caml_named_value("toolcomp_formal_undecided"));
   return Val_unit;
