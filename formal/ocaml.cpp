@@ -154,6 +154,15 @@ value toolcomp_formal_over(value a, value b) {
 value toolcomp_formal_root(value a) {
   return result_of([&] { return sqrt(real_of(a)); });
 }
+value toolcomp_formal_sine(value a) {
+  return result_of([&] { return toolcomp::exact::sin_real_degrees(real_of(a)); });
+}
+value toolcomp_formal_cosine(value a) {
+  return result_of([&] { return toolcomp::exact::cos_real_degrees(real_of(a)); });
+}
+value toolcomp_formal_half_turn(value /*unit*/) {
+  return result_of([] { return toolcomp::exact::pi(); });
+}
 value toolcomp_formal_arctangent(value a) {
   return result_of([&] { return toolcomp::exact::arctangent_degrees(real_of(a)); });
 }

@@ -9,7 +9,10 @@ external minus : number -> number -> number = "toolcomp_formal_minus"
 external times : number -> number -> number = "toolcomp_formal_times"
 external over : number -> number -> number = "toolcomp_formal_over"
 external root : number -> number = "toolcomp_formal_root"
+external sine : number -> number = "toolcomp_formal_sine"
+external cosine : number -> number = "toolcomp_formal_cosine"
 external arctangent : number -> number = "toolcomp_formal_arctangent"
+external half_turn : unit -> number = "toolcomp_formal_half_turn"
 
 (* -1, 0, 1; 2: not decided. *)
 external sign : number -> int = "toolcomp_formal_sign"
@@ -30,7 +33,10 @@ let numbers : number Formal.numbers =
     times;
     over;
     root;
+    sine;
+    cosine;
     arctangent;
+    half_turn = half_turn ();
     sign =
       (fun x ->
         match sign x with

@@ -9,7 +9,10 @@ Class Numbers (num : Type) := {
   times : num -> num -> num;
   over : num -> num -> num;           (* by what is not 0 *)
   root : num -> num;                  (* of what is not negative *)
+  sine : num -> num;                  (* of degrees *)
+  cosine : num -> num;                (* of degrees *)
   arctangent : num -> num;            (* in degrees, between -90 and 90 *)
+  half_turn : num;                    (* 180 degrees as the length of an arc of radius 1 *)
   sign : num -> option comparison     (* compared with 0; None where it cannot be decided *)
 }.
 
@@ -38,6 +41,9 @@ Definition real_sign (x : R) : option comparison :=
   times := Rmult;
   over := Rdiv;
   root := sqrt;
+  sine x := sin (x * PI / 180)%R;
+  cosine x := cos (x * PI / 180)%R;
   arctangent x := (atan x * 180 / PI)%R;
+  half_turn := PI;
   sign := real_sign
 }.
