@@ -151,17 +151,20 @@ void read_move(Event& event, const List& data, const spec::Axes& axes) {
   event.type = travel == kRapid    ? spec::MoveType::rapid
                : travel == kLinear ? spec::MoveType::linear
                                    : spec::MoveType::arc;
-  constexpr std::array kCauses{spec::Cause::programmed, spec::Cause::reference, spec::Cause::measure};
-  event.cause = kCauses.at(static_cast<std::size_t>(data.at(3).integer()));
+  event.cause = static_cast<spec::Cause>(data.at(3).integer());
   event.programmed = positions(data.at(4), axes, false);
   event.point = positions(data.at(5), axes, false);
   event.axes = positions(data.at(6), axes, true);
   if (const List& machine = data.at(7).list(); !machine.empty()) event.machine = positions(machine[0], axes, true);
   if (const List& arc = data.at(8).list(); !arc.empty()) event.arc = arc_of(arc[0].list(), travel, axes);
   if (const List& feed = data.at(9).list(); !feed.empty()) event.feed = feed[0].number();
+  if (const List& tool = data.at(10).list(); !tool.empty()) {
+    const List& axis = tool[0].list();
+    event.tool_axis = {axis.at(0).number(), axis.at(1).number(), axis.at(2).number()};
+  }
 }
 
-enum EventOf : std::int64_t { kMoves, kSetting, kRaised, kNotDecided };
+enum EventOf : std::int64_t { kMoves, kSetting, kRaised, kNotDecided, kWarned };
 
 Event event_of(const List& data, const spec::Axes& axes) {
   Event event;
@@ -175,7 +178,8 @@ Event event_of(const List& data, const spec::Axes& axes) {
       event.value = data.at(3).number();
       break;
     case kRaised:
-      event.kind = spec::EventKind::alarm;
+    case kWarned:
+      event.kind = data.at(1).integer() == kRaised ? spec::EventKind::alarm : spec::EventKind::warning;
       event.number = spec::Name(data.at(2).text());
       break;
     default:

@@ -132,6 +132,16 @@ let setup d =
 let numbers_of v = List (List.map (fun x -> Number x) v)
 let option f = function None -> List [] | Some x -> List [ f x ]
 let travel = function Formal.Rapid -> 0 | Linear -> 1 | Clockwise -> 2 | Counterclockwise -> 3
+let cause = function
+  | Formal.Programmed -> 0
+  | StartUp -> 1
+  | Corner -> 2
+  | Cancelling -> 3
+  | PreTurn -> 4
+  | PostTurn -> 5
+  | Reference -> 6
+  | Measuring -> 7
+
 let plane = function Formal.XY -> 0 | ZX -> 1 | YZ -> 2
 
 let arc (a : number Formal.arc) =
@@ -147,13 +157,14 @@ let arc (a : number Formal.arc) =
 let move (m : number Formal.move) =
   [
     Integer (travel m.travel_of);
-    Integer (match m.cause_of with Formal.Programmed -> 0 | Reference -> 1 | Measuring -> 2);
+    Integer (cause m.cause_of);
     numbers_of m.programmed_end;
     numbers_of m.tool_point;
     numbers_of m.axis_positions;
     option numbers_of m.machine_positions;
     option arc m.arc_of;
     option (fun f -> Number f) m.feed_of;
+    option (fun ((x, y), z) -> numbers_of [ x; y; z ]) m.tool_axis;
   ]
 
 let event (place, e) =
@@ -164,7 +175,8 @@ let event (place, e) =
     | Formal.Moves m -> Integer 0 :: move m
     | Setting (name, value) -> [ Integer 1; Text name; Number value ]
     | Raised number -> [ Integer 2; Text number ]
-    | NotDecided clause -> [ Integer 3; Text clause ]))
+    | NotDecided clause -> [ Integer 3; Text clause ]
+    | Warned name -> [ Integer 4; Text name ]))
 
 (* The events, and what the specification does not say; empty: nothing. *)
 let run setup_data blocks =
@@ -175,7 +187,7 @@ let run setup_data blocks =
       List
         [
           List (List.map event events);
-          Text (match ending with Formal.Ended -> "" | NotSaid what -> what);
+          Text (match ending with Formal.NotSaid what -> what | _ -> "");
         ]
   | exception Undecided_operand -> List [ List []; Text "an operand whose sign cannot be certified" ]
 

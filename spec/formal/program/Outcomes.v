@@ -59,7 +59,7 @@ Definition some_values (num : Type) := list (option num).
 
 Inductive plane := XY | ZX | YZ.
 Inductive travel := Rapid | Linear | Clockwise | Counterclockwise.
-Inductive cause := Programmed | Reference | Measuring.
+Inductive cause := Programmed | StartUp | Cancelling | Corner | PreTurn | PostTurn | Reference | Measuring.
 
 Record arc (num : Type) := Arc {
   center : num * num;                  (* in the plane *)
@@ -77,19 +77,22 @@ Record move (num : Type) := Move {
   axis_positions : values num;
   machine_positions : option (values num);
   arc_of : option (arc num);
-  feed_of : option num
+  feed_of : option num;
+  tool_axis : option (num * num * num)  (* from the tip to the holder, of length 1; where there is one *)
 }.
 Arguments Move {num}. Arguments travel_of {num}. Arguments cause_of {num}. Arguments programmed_end {num}.
 Arguments tool_point {num}. Arguments axis_positions {num}. Arguments machine_positions {num}. Arguments arc_of {num}.
-Arguments feed_of {num}.
+Arguments feed_of {num}. Arguments tool_axis {num}.
 
 Inductive event (num : Type) :=
 | Moves (m : move num)
 | Setting (name : string) (value : num)
+| Warned (name : string)
 | Raised (number : string)
 | NotDecided (clause : string).
 Arguments Moves {num} m.
 Arguments Setting {num} name value.
+Arguments Warned {num} name.
 Arguments Raised {num} number.
 Arguments NotDecided {num} clause.
 

@@ -1,0 +1,16 @@
+(** Cutter compensation: what the words of a block do to it, and their alarms. *)
+From Coq Require Import List String ZArith Bool PeanoNat.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory LengthOffset CutterState State Movements.
+Import ListNotations.
+Open Scope string_scope.
+Open Scope Z_scope.
+Open Scope list_scope.
+
+(** The alarms that the words and the state before the block raise. *)
+Definition cutter_alarms {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) : outcome unit :=
+  Got tt.
+
+(** What is in force behind a block that has come from `before` to `after`. *)
+Definition cutter_behind {num} {N : Numbers num} (s : setup num) (c : command num) (before after : state num) :
+    outcome (cutter_state num) :=
+  Got (cutter after).
