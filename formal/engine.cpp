@@ -131,6 +131,7 @@ Data setup_data(const spec::Case& c) {
       axis_data(setup.floating_reference, setup.axes),
       signals_data(setup),
       flag(setup.rotary_angles == spec::RotaryAngles::programmed),
+      flag(setup.type_b_without_perpendicular),
       whole(c.samples)};
 }
 
@@ -211,7 +212,8 @@ std::string not_said_yet(const std::string& what) { return "the formal specifica
 bool available() { return true; }
 
 std::vector<std::string> sections() {
-  return {"fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset", "fanuc/leading-edge-offset"};
+  return {"fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset", "fanuc/leading-edge-offset",
+          "fanuc/tool-side-compensation"};
 }
 
 Run run(const spec::Case& c) {

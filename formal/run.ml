@@ -107,7 +107,7 @@ let named value d =
 let setup d =
   match list d with
   | [ axes; inches; increment; bits_given; parameters; natural; memory; count; h; d; g49; workpiece; external_; additional; start;
-      reference; floating; signals; as_programmed; parts ] ->
+      reference; floating; signals; as_programmed; without; parts ] ->
       {
         Formal.axes = List.map letter (list axes);
         inches = bool inches;
@@ -128,6 +128,7 @@ let setup d =
         floating = values floating;
         signal_at = List.map maybe (list signals);
         angles_as_programmed = bool as_programmed;
+        without_perpendicular = bool without;
         parts_of_block = int parts;
       }
   | _ -> broken ()

@@ -19,7 +19,7 @@ Definition known := [0; 10; 20; 30; 40; 100; 170; 180; 190; 200; 210; 280; 290; 
   920; 930; 940; 950] ++ without_effect.
 
 (** What this text does not say yet. *)
-Definition beyond := [390; 410; 412; 416; 420; 422; 426; 434; 435].
+Definition beyond := [390; 410; 420; 434; 435].
 
 (** fanuc.program.last-code-of-group: modal groups. *)
 Definition motions := [0; 10; 20; 30].

@@ -146,7 +146,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let st := at_position (in_coordinates (with_offsets st offsets_behind) coordinates_behind) renamed_behind (shift st) in
     control' <- control_behind s said at_start st ;;
     edge' <- edge_behind s said at_start st ;;
-    side' <- side_behind s said at_start st ;;
+    side' <- side_behind s said at_start st moves ;;
     cutter' <- cutter_behind s said at_start st ;;
     let st := with_control (with_edge (with_side (with_cutter st cutter') side') edge') control' in
     Got (Planned place said at_start st (map Go moves ++ settings), alarm)
