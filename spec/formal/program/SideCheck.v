@@ -60,11 +60,10 @@ Definition standing_at_end {num} {N : Numbers num} (s : setup num) (a : planned 
   negative <- is_negative "fanuc.cutter.side" (side_value x) ;;
   let r := if negative : bool then (- side_value x)%num else side_value x in
   f <- following_of s vt None rest ;;
-  let back c2 v := (fst v, turned_back c2 (snd v)) in
   match f with
   | None =>
-      '(c2, leg_a) <- leg_before s vt a (to_left (on_left x) r) ;;
-      Got (Standing [(true, turned_back c2 (perpendicular leg_a))] None None)
+      leg_a <- leg_in_plane s vt a (programmed (behind a)) (to_left (on_left x) r) ;;
+      Got (Standing [(true, perpendicular (P := plane_of_tool vt) leg_a)] None None)
   | Some f =>
       let b := block_b f in
       let cancels := negb (asked (side_at_end b)) in
@@ -72,12 +71,12 @@ Definition standing_at_end {num} {N : Numbers num} (s : setup num) (a : planned 
       let rule := rule_of a zero f in
       if zero : bool then Got (Standing [(true, (0%num, 0%num, 0%num))] (Some (vt, 0%num)) (Some (at_place b)))
       else
-        '(c2, leg_a) <- leg_before s vt a (to_left (on_left x) r) ;;
-        leg_b <- leg_behind s c2 b (to_left left_b r) ;;
-        group <- group_of s rule (q_of a) leg_a leg_b ;;
+        leg_a <- leg_in_plane s vt a (programmed (behind a)) (to_left (on_left x) r) ;;
+        leg_b <- leg_in_plane s vt b (programmed (before b)) (to_left left_b r) ;;
+        group <- group_of (P := plane_of_tool vt) s rule (q_of a) leg_a leg_b ;;
         kept <- without_small_differences s b group ;;
         _ <- (if checks_plane_change s a rule then plane_change s a b else Got tt) ;;
-        Got (Standing (map (back c2) kept) (Some (vt, rho leg_b)) (Some (at_place b)))
+        Got (Standing kept (Some (vt, rho leg_b)) (Some (at_place b)))
   end.
 
 (** * Interference in one plane *)

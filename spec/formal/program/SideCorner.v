@@ -76,43 +76,33 @@ Arguments Standing {num}. Arguments heads {num}. Arguments corner_axis {num}. Ar
 (** Offset to the left of a block, by the value at the corner. *)
 Definition to_left {num} {N : Numbers num} (left : bool) (r : num) : num := if left then r else (- r)%num.
 
-(** The system of a corner: along the tangent of A at its end. *)
-Definition tangent_of_arc {num} {N : Numbers num} (vt : triple num) (clockwise : bool) (outward : triple num) :
-    triple num :=
-  let t := cross3 vt outward in if clockwise then scale3 (integer (-1)) t else t.
-
 (** From the centre of an arc to a point of it, in the plane selected.
     fanuc.tool-side.arc-in-the-plane: the centre is taken at the height of the point. *)
 Definition radius_vector {num} {N : Numbers num} (s : setup num) (a : arc num) (point : values num) : pair num :=
   sub2 (in_plane_of s (arc_plane a) point) (center a).
 
-(** Block A at its end, in the system along it. *)
-Definition leg_before {num} {N : Numbers num} (s : setup num) (vt : triple num) (a : planned num) (rho : num) :
-    outcome (tool_system num * leg num) :=
-  match arc_of_block a with
-  | None => Got (system_along vt (displacement s a), line_leg (1%num, 0%num) rho)
+(** A block at a corner, in the plane of the tool there; an arc by the end that is the corner.
+    fanuc.tool-side.arc-in-the-plane: its tangent is at right angles to the radius, in the sense seen against the tool. *)
+Definition leg_in_plane {num} {N : Numbers num} (s : setup num) (vt : triple num) (b : planned num)
+    (corner_point : values num) (rho : num) : outcome (leg num (triple num)) :=
+  let along direction := scale3 (1 / length3 direction)%num direction in
+  match arc_of_block b with
+  | None =>
+      let u := displacement s b in
+      let ahead := cross3 (cross3 vt u) vt in
+      Got (Leg ahead (along ahead) (leftward vt u) None rho)
   | Some (clockwise, circle) =>
       clockwise <- seen_clockwise vt (arc_plane circle) clockwise ;;
-      let outward := in_selected (arc_plane circle) (radius_vector s circle (programmed (behind a))) in
-      let radius := length3 (projected vt outward) in
-      Got (system_along vt (tangent_of_arc vt clockwise outward),
-           arc_leg (Bow clockwise (0%num, if clockwise then (- radius)%num else radius)) rho)
-  end.
-
-(** Block B at its start, in that system. *)
-Definition leg_behind {num} {N : Numbers num} (s : setup num) (c2 : tool_system num) (b : planned num) (rho : num) :
-    outcome (leg num) :=
-  match arc_of_block b with
-  | None => Got (line_leg (into_plane c2 (displacement s b)) rho)
-  | Some (clockwise, circle) =>
-      clockwise <- seen_clockwise (tool_of c2) (arc_plane circle) clockwise ;;
-      let outward := in_selected (arc_plane circle) (radius_vector s circle (programmed (before b))) in
-      Got (arc_leg (Bow clockwise (negative2 (into_plane c2 outward))) rho)
+      let outward := projected vt (in_selected (arc_plane circle) (radius_vector s circle corner_point)) in
+      let sense v := if clockwise then v else scale3 (integer (-1)) v in
+      let back := sense (cross3 vt outward) in
+      let ahead := scale3 (integer (-1)) back in
+      Got (Leg ahead (along ahead) (along (sense outward)) (Some (Bow clockwise (scale3 (integer (-1)) outward))) rho)
   end.
 
 (** fanuc.tool-side.corner-side, fanuc.tool-side.straight-or-reversal, fanuc.tool-side.obtuse-or-acute: the names of what
     chapter 14 asks of a corner, where two lines meet. *)
-Definition asked_of_lines {num} {A} (a b : leg num) (x : outcome A) : outcome A :=
+Definition asked_of_lines {num} {A} (a b : leg num (triple num)) (x : outcome A) : outcome A :=
   match x with
   | Undecided clause =>
       if is_arc a || is_arc b then x
@@ -124,7 +114,7 @@ Definition asked_of_lines {num} {A} (a b : leg num) (x : outcome A) : outcome A 
   end.
 
 (** fanuc.tool-side.stop-point: of a group of several vectors the moves up to Vi or K1 belong to A; how many they are. *)
-Fixpoint up_to_stop {num} (count : nat) (vs : list (pair num)) : list (bool * pair num) :=
+Fixpoint up_to_stop {num} (count : nat) (vs : list (triple num)) : list (bool * triple num) :=
   match vs with
   | [] => []
   | v :: rest => (Nat.ltb 0 count, v) :: up_to_stop (Nat.pred count) rest
@@ -134,7 +124,7 @@ Fixpoint up_to_stop {num} (count : nat) (vs : list (pair num)) : list (bool * pa
 
 (** fanuc.tool-side.start-up-inner, fanuc.tool-side.start-up-obtuse, fanuc.tool-side.start-up-acute, of type B.
     fanuc.tool-side.type-b-perpendicular: the setup may leave out the vector perpendicular to the start-up block. *)
-Definition start_group {num} {N : Numbers num} (s : setup num) (a b : leg num) : outcome (list (bool * pair num)) :=
+Definition start_group {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (a b : leg num (triple num)) : outcome (list (bool * triple num)) :=
   group <- start_up_group (with_tangents s) a b ;;
   Got (match group with
        | first :: (_ :: _) as rest => if without_perpendicular s then up_to_stop 1 rest else up_to_stop 2 group
@@ -142,7 +132,7 @@ Definition start_group {num} {N : Numbers num} (s : setup num) (a b : leg num) :
        end).
 
 (** fanuc.tool-side.cancel-inner, fanuc.tool-side.cancel-obtuse, fanuc.tool-side.cancel-acute, likewise. *)
-Definition end_group {num} {N : Numbers num} (s : setup num) (a b : leg num) : outcome (list (bool * pair num)) :=
+Definition end_group {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (a b : leg num (triple num)) : outcome (list (bool * triple num)) :=
   group <- cancel_group (with_tangents s) a b ;;
   let own := if is_arc a then 2%nat else 1%nat in
   Got (up_to_stop own
@@ -150,7 +140,7 @@ Definition end_group {num} {N : Numbers num} (s : setup num) (a b : leg num) : o
 
 (** fanuc.tool-side.inner, fanuc.tool-side.outer-obtuse, fanuc.tool-side.outer-acute, fanuc.tool-side.arc-corners.
     fanuc.tool-side.q2: of the two vectors between two lines the second is deleted. *)
-Definition group_of_mode {num} {N : Numbers num} (q : option Z) (a b : leg num) : outcome (list (bool * pair num)) :=
+Definition group_of_mode {num} {N : Numbers num} {P : Plane num (triple num)} (q : option Z) (a b : leg num (triple num)) : outcome (list (bool * triple num)) :=
   group <- mode_group a b ;;
   let own := if is_arc a then 2%nat else 1%nat in
   Got (up_to_stop own
@@ -172,18 +162,18 @@ Definition is_half_circle {num} {N : Numbers num} (s : setup num) (b : planned n
   end.
 
 (** fanuc.tool-side.small-difference: a vector that differs from the last one kept by no more than 5010 is dropped. *)
-Fixpoint apart_from {num} {N : Numbers num} (limit : num) (last : pair num) (vs : list (bool * pair num)) :
-    outcome (list (bool * pair num)) :=
+Fixpoint apart_from {num} {N : Numbers num} (limit : num) (last : triple num) (vs : list (bool * triple num)) :
+    outcome (list (bool * triple num)) :=
   match vs with
   | [] => Got []
   | (mine, v) :: rest =>
-      let d := sub2 v last in
-      over <- is_negative "fanuc.tool-side.small-difference" (limit * limit - dot2 d d)%num ;;
+      let d := sub3 v last in
+      over <- is_negative "fanuc.tool-side.small-difference" (limit * limit - dot3 d d)%num ;;
       if over : bool then later <- apart_from limit v rest ;; Got ((mine, v) :: later)
       else apart_from limit last rest
   end.
 Definition without_small_differences {num} {N : Numbers num} (s : setup num) (b : planned num)
-    (vs : list (bool * pair num)) : outcome (list (bool * pair num)) :=
+    (vs : list (bool * triple num)) : outcome (list (bool * triple num)) :=
   let limit := or_else (parameter s "5010") 0%num in
   match vs with
   | first :: (_ :: _) as rest =>
@@ -216,12 +206,12 @@ Definition rule_of {num} (a : planned num) (zero : bool) (f : following num) : r
   else ModeRule.
 
 (** The vectors of a corner of A and B. *)
-Definition group_of {num} {N : Numbers num} (s : setup num) (r : rule) (q : option Z) (a b : leg num) :
-    outcome (list (bool * pair num)) :=
+Definition group_of {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (r : rule) (q : option Z) (a b : leg num (triple num)) :
+    outcome (list (bool * triple num)) :=
   let alone v := [(true, v)] in
   asked_of_lines a b
     match r with
-    | NoOffset => Got (alone zero2)
+    | NoOffset => Got (alone (0%num, 0%num, 0%num))
     | ByQ1 | Repeated | StartThenCancel => Got (alone (perpendicular a))
     | SideChange => group <- direction_change_group a b ;; Got (up_to_stop 1 group)
     | CancelRule => end_group s a b

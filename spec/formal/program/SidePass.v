@@ -99,16 +99,8 @@ Definition standing_at_start {num} {N : Numbers num} (s : setup num) (b : planne
   | next :: _ =>
       negative <- is_negative "fanuc.cutter.side" (side_value x) ;;
       let rho := to_left (on_left x) (if negative : bool then (- side_value x)%num else side_value x) in
-      let c2 along := system_along vt along in
-      '(c2, leg) <-
-        match arc_of_block next with
-        | None => Got (system_along vt (displacement s next), line_leg (1%num, 0%num) rho)
-        | Some (clockwise, circle) =>
-            seen <- seen_clockwise vt (arc_plane circle) clockwise ;;
-            let outward := in_selected (arc_plane circle) (radius_vector s circle (programmed (before next))) in
-            Got (system_along vt (tangent_of_arc vt seen outward), line_leg (1%num, 0%num) rho)
-        end ;;
-      Got (Standing [(true, turned_back c2 (perpendicular leg))] (Some (vt, rho)) None)
+      leg <- leg_in_plane s vt next (programmed (before next)) rho ;;
+      Got (Standing [(true, perpendicular (P := plane_of_tool vt) leg)] (Some (vt, rho)) None)
   end.
 
 (** fanuc.tool-side.along-the-tool-at-its-end: B of a corner that does not move at its own end keeps the last vector, and

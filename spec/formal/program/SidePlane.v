@@ -1,6 +1,6 @@
 (** fanuc/tool-side-compensation: the compensation plane, at right angles to the tool. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes Arcs State Space.
+From Toolcomp Require Import Numbers Outcomes Words Codes Arcs Corners State Space.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -23,27 +23,20 @@ Definition line_crosses {num} {N : Numbers num} (s : setup num) (vt u : triple n
        Got (negb under)
   else none <- is_zero "fanuc.tool-side.along-the-tool" square ;; Got (negb none).
 
-(** * The system C2 *)
+(** fanuc.tool-side.left: left of a movement U is VT x U. *)
+Definition leftward {num} {N : Numbers num} (vt u : triple num) : triple num :=
+  let left := cross3 vt u in scale3 (1 / length3 left)%num left.
 
-(** fanuc.tool-side.projection: the tool direction, and the two axes of the plane, of length 1.
-    fanuc.tool-side.left: left of a movement U is VT x U. *)
-Record tool_system (num : Type) := ToolSystem {
-  tool_of : triple num;
-  forward : triple num;
-  leftward : triple num
-}.
-Arguments ToolSystem {num}. Arguments tool_of {num}. Arguments forward {num}. Arguments leftward {num}.
-
-(** Its first axis along a movement. *)
-Definition system_along {num} {N : Numbers num} (vt u : triple num) : tool_system num :=
-  let across := cross3 vt u in
-  let ahead := projected vt u in
-  ToolSystem vt (scale3 (1 / length3 ahead)%num ahead) (scale3 (1 / length3 across)%num across).
-
-Definition into_plane {num} {N : Numbers num} (c2 : tool_system num) (v : triple num) : pair num :=
-  (dot3 v (forward c2), dot3 v (leftward c2)).
-Definition turned_back {num} {N : Numbers num} (c2 : tool_system num) (v : pair num) : triple num :=
-  add3 (scale3 (fst v) (forward c2)) (scale3 (snd v) (leftward c2)).
+(** fanuc.tool-side.without-basis: chapter 14 in the compensation plane, without axes in it. A cross product is that of
+    space, seen along the tool. *)
+Definition plane_of_tool {num} {N : Numbers num} (vt : triple num) : Plane num (triple num) := {|
+  add := add3;
+  subtract := sub3;
+  scale := scale3;
+  dot := dot3;
+  cross a b := (dot3 vt (cross3 a b) / length3 vt)%num;
+  left_normal a := scale3 (1 / length3 vt)%num (cross3 vt a)
+|}.
 
 (** * Arcs *)
 
