@@ -24,6 +24,8 @@ Class Plane (num vec : Type) := {
   dot : vec -> vec -> num;
   cross : vec -> vec -> num;      (* positive where the second lies to the left of the first *)
   left_normal : vec -> vec;       (* to the left of a vector, of its length *)
+  ahead : vec -> vec -> num;      (* dot and cross of tangents, both longer by the same factor *)
+  aside : vec -> vec -> num
 }.
 
 #[global] Instance plane_of_pairs {num} {N : Numbers num} : Plane num (pair num) := {
@@ -32,7 +34,9 @@ Class Plane (num vec : Type) := {
   scale := scale2;
   dot := dot2;
   cross := cross2;
-  left_normal := left_of
+  left_normal := left_of;
+  ahead := dot2;
+  aside := cross2
 }.
 
 (** * Blocks at a corner *)
@@ -69,8 +73,8 @@ Definition square_of (a : vec) : num := dot a a.
 
 Definition leg_along (direction : vec) (b : option (bow vec))
     (rho : num) : leg num vec :=
-  let ahead := scale (1 / root (square_of direction))%num direction in
-  Leg direction ahead (left_normal ahead) b rho.
+  let unit := scale (1 / root (square_of direction))%num direction in
+  Leg direction unit (left_normal unit) b rho.
 Definition line_leg (direction : vec) (rho : num) : leg num vec :=
   leg_along direction None rho.
 (** fanuc.cutter-c.corner-side: of an arc the tangent at right angles to the radius at the corner. *)
@@ -98,13 +102,12 @@ Definition prolonged (a b : leg num vec) : outcome (list vec) :=
     fanuc.cutter-c.straight-or-reversal: straight on is an inner corner of 180 degrees, straight back an acute one of 0.
     fanuc.cutter-c.obtuse-or-acute: an outer corner is obtuse from 90 degrees on. *)
 Definition corner_of (a b : leg num vec) : outcome corner :=
-  let ahead := dot (way a) (way b) in
-  side <- decide "fanuc.cutter-c.corner-side" (rho a * cross (way a) (way b))%num ;;
+  side <- decide "fanuc.cutter-c.corner-side" (rho a * aside (way a) (way b))%num ;;
   match side with
   | Gt => Got Inner
-  | Eq => back <- is_negative "fanuc.cutter-c.straight-or-reversal" ahead ;;
+  | Eq => back <- is_negative "fanuc.cutter-c.straight-or-reversal" (ahead (way a) (way b)) ;;
           Got (if back : bool then Acute else StraightOn)
-  | Lt => acute <- is_negative "fanuc.cutter-c.obtuse-or-acute" ahead ;; Got (if acute : bool then Acute else Obtuse)
+  | Lt => acute <- is_negative "fanuc.cutter-c.obtuse-or-acute" (ahead (way a) (way b)) ;; Got (if acute : bool then Acute else Obtuse)
   end.
 
 (** The decimal given for tan 1: 31 digits, in three parts. *)
@@ -116,8 +119,8 @@ Definition tangent_of_one_degree : num :=
 Definition under_one_degree (a b : leg num vec) : outcome bool :=
   if is_arc a || is_arc b then Got false
   else
-    let c := cross (way a) (way b) in
-    let near := (tangent_of_one_degree * dot (way a) (way b))%num in
+    let c := aside (way a) (way b) in
+    let near := (tangent_of_one_degree * ahead (way a) (way b))%num in
     is_positive "fanuc.cutter-c.under-one-degree" (near * near - c * c)%num.
 
 (** * Intersections with an arc *)
@@ -259,7 +262,7 @@ Definition cancel_group (type_b : bool) (a b : leg num vec) : outcome (list vec)
     meets the other.
     fanuc.cutter-c.direction-change-without-intersection: the vector perpendicular to the block behind the corner. *)
 Definition direction_change_group (a b : leg num vec) : outcome (list vec) :=
-  parallel <- is_zero "fanuc.cutter-c.direction-change-parallel" (cross (way a) (way b)) ;;
+  parallel <- is_zero "fanuc.cutter-c.direction-change-parallel" (aside (way a) (way b)) ;;
   if parallel : bool then Got [perpendicular b]
   else if is_arc a || is_arc b then
     meeting <- paths_meet a b ;;
@@ -273,7 +276,7 @@ Definition direction_change_group (a b : leg num vec) : outcome (list vec) :=
 Definition directed_cancel_group (a : leg num vec) (direction : vec) :
     outcome (list vec) :=
   let line := line_leg direction (rho a) in
-  parallel <- is_zero "fanuc.cutter-c.cancel-direction-parallel" (cross (way a) direction) ;;
+  parallel <- is_zero "fanuc.cutter-c.cancel-direction-parallel" (aside (way a) direction) ;;
   if parallel : bool then Got [perpendicular a]
   else
     meeting <- paths_meet a line ;;

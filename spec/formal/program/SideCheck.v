@@ -143,21 +143,16 @@ Definition arc_interferes {num} {N : Numbers num} (s : setup num) (b : planned n
   let vt := tool_behind s b in
   let '(start_axis, start_rho) := or_else (corner_axis at_start) (vt, own) in
   first <- radius_left start_axis start_rho clockwise p from ;;
-  match first with
-  | TooSmall => Got true
-  | Nothing => Got false
-  | Ample =>
-      second <- radius_left vt own clockwise p to ;;
-      match second with
-      | TooSmall => Got true
-      | Nothing => Got false
-      | Ample =>
-          let a := add2 from (seen_selected p v) in
-          let b := add2 to (seen_selected p w) in
-          a_in_center <- is_zero "fanuc.cutter-c.interference-radius" (dot2 a a) ;;
-          b_in_center <- is_zero "fanuc.cutter-c.interference-radius" (dot2 b b) ;;
-          if a_in_center || b_in_center then Got false else sweeps_differ clockwise from to a b
-      end
+  second <- (match first with TooSmall => Got Ample | _ => radius_left vt own clockwise p to end) ;;
+  match first, second with
+  | TooSmall, _ | _, TooSmall => Got true
+  | Nothing, _ | _, Nothing => Got false
+  | Ample, Ample =>
+      let a := add2 from (seen_selected p v) in
+      let b := add2 to (seen_selected p w) in
+      a_in_center <- is_zero "fanuc.cutter-c.interference-radius" (dot2 a a) ;;
+      b_in_center <- is_zero "fanuc.cutter-c.interference-radius" (dot2 b b) ;;
+      if a_in_center || b_in_center then Got false else sweeps_differ clockwise from to a b
   end.
 
 (** fanuc.cutter-c.interference-pairs: from the corner moves outward; a pair with interference is dropped, but never the

@@ -89,15 +89,13 @@ Definition leg_in_plane {num} {N : Numbers num} (s : setup num) (vt : triple num
   match arc_of_block b with
   | None =>
       let u := displacement s b in
-      let ahead := cross3 (cross3 vt u) vt in
-      Got (Leg ahead (along ahead) (leftward vt u) None rho)
+      Got (Leg u (along (cross3 (cross3 vt u) vt)) (leftward vt u) None rho)
   | Some (clockwise, circle) =>
       clockwise <- seen_clockwise vt (arc_plane circle) clockwise ;;
       let outward := projected vt (in_selected (arc_plane circle) (radius_vector s circle corner_point)) in
       let sense v := if clockwise then v else scale3 (integer (-1)) v in
-      let back := sense (cross3 vt outward) in
-      let ahead := scale3 (integer (-1)) back in
-      Got (Leg ahead (along ahead) (along (sense outward)) (Some (Bow clockwise (scale3 (integer (-1)) outward))) rho)
+      let tangent := scale3 (integer (-1)) (sense (cross3 vt outward)) in
+      Got (Leg tangent (along tangent) (along (sense outward)) (Some (Bow clockwise (scale3 (integer (-1)) outward))) rho)
   end.
 
 (** fanuc.tool-side.corner-side, fanuc.tool-side.straight-or-reversal, fanuc.tool-side.obtuse-or-acute: the names of what

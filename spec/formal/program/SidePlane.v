@@ -35,7 +35,9 @@ Definition plane_of_tool {num} {N : Numbers num} (vt : triple num) : Plane num (
   scale := scale3;
   dot := dot3;
   cross a b := (dot3 vt (cross3 a b) / length3 vt)%num;
-  left_normal a := scale3 (1 / length3 vt)%num (cross3 vt a)
+  left_normal a := scale3 (1 / length3 vt)%num (cross3 vt a);
+  ahead a b := dot3 (cross3 vt a) (cross3 vt b);
+  aside a b := (length3 vt * dot3 vt (cross3 a b))%num
 |}.
 
 (** * Arcs *)

@@ -128,16 +128,19 @@ Definition is_on_left {num} {N : Numbers num} (code : option tool_side) (value :
   Got (xorb reversed (match code with Some ToolRight => false | _ => true end)).
 
 (** fanuc.tool-side.side-change-after-start, fanuc.cutter-c.direction-change-at-start-up: neither the first block that
-    moves after a start, at its own end or at that of the start, nor B of the start may change the side.
+    moves after a start, at its own end or, while its vector is still to be made, at that of the start, nor B of the start
+    may change the side.
     What is left of the start behind the block. *)
 Definition after_start {num} {N : Numbers num} (s : setup num) (c : command num) (left crosses : bool) (arc : bool)
     (travel : triple num) (start : side_start num) : outcome (option (side_start num)) :=
-  in_plane_of_start <- (if arc then Got true else line_crosses s (start_axis start) travel) ;;
-  let moves := crosses || in_plane_of_start in
   let can_follow := if stops_look_ahead (block_of c) then 0 else may_follow start in
-  let follows := (0 <? can_follow) && in_plane_of_start in
-  let awaits := awaits_first start && negb moves in
-  _ <- alarm_if ((follows || (awaits_first start && moves)) && xorb left (starts_left start)) "DIR_CHANGE_AT_STARTUP" ;;
+  follows <-
+    (if can_follow <=? 0 then Got false
+     else if arc then Got true
+     else line_crosses s (start_axis start) travel) ;;
+  let awaits := awaits_first start && negb crosses in
+  _ <- alarm_if ((follows || (awaits_first start && crosses)) && xorb left (starts_left start))
+         "DIR_CHANGE_AT_STARTUP" ;;
   Got (if follows || (negb awaits && (can_follow <=? 1)) then None
        else Some (SideStart (start_axis start) (starts_left start) awaits (can_follow - 1))).
 
