@@ -86,6 +86,15 @@ Data parameters_data(const spec::Setup& setup) {
   return list;
 }
 
+// Those that are natural numbers.
+Data natural_parameters_data(const spec::Setup& setup) {
+  List list;
+  for (const auto& [id, value] : setup.parameters)
+    if (id.bit < 0 && value.is_integer() && !value.negative)
+      list.emplace_back(List{std::to_string(id.number), static_cast<std::int64_t>(value.digits)});
+  return list;
+}
+
 Data signals_data(const spec::Setup& setup) {
   List list;
   for (const char letter : setup.axes.letters()) {
@@ -95,7 +104,8 @@ Data signals_data(const spec::Setup& setup) {
   return list;
 }
 
-Data setup_data(const spec::Setup& setup) {
+Data setup_data(const spec::Case& c) {
+  const spec::Setup& setup = c.setup;
   List axes;
   for (const char letter : setup.axes.letters()) axes.push_back(whole(static_cast<std::size_t>(letter - 'A')));
   List systems;
@@ -107,6 +117,7 @@ Data setup_data(const spec::Setup& setup) {
       whole(static_cast<std::size_t>(setup.increment)),
       bits_data(setup),
       parameters_data(setup),
+      natural_parameters_data(setup),
       whole(static_cast<std::size_t>(setup.memory)),
       whole(setup.offset_count),
       offset_data(setup.h),
@@ -118,7 +129,9 @@ Data setup_data(const spec::Setup& setup) {
       axis_data(setup.position, setup.axes),
       tables_data(setup.reference, setup.axes),
       axis_data(setup.floating_reference, setup.axes),
-      signals_data(setup)};
+      signals_data(setup),
+      flag(setup.rotary_angles == spec::RotaryAngles::programmed),
+      whole(c.samples)};
 }
 
 // What is said of the axes, of the linear ones alone or of all.
@@ -212,7 +225,7 @@ Run run(const spec::Case& c) {
     blocks.push_back(block_data(block));
     if (block.alarm) break;
   }
-  const Data said = call_run(setup_data(c.setup), std::move(blocks));
+  const Data said = call_run(setup_data(c), std::move(blocks));
   Run result;
   for (const Data& data : said.list().at(0).list()) {
     Event event = event_of(data.list(), c.setup.axes);

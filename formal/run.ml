@@ -106,14 +106,15 @@ let named value d =
 
 let setup d =
   match list d with
-  | [ axes; inches; increment; bits_given; parameters; memory; count; h; d; g49; workpiece; external_; additional; start;
-      reference; floating; signals ] ->
+  | [ axes; inches; increment; bits_given; parameters; natural; memory; count; h; d; g49; workpiece; external_; additional; start;
+      reference; floating; signals; as_programmed; parts ] ->
       {
         Formal.axes = List.map letter (list axes);
         inches = bool inches;
         least_increment = [| Formal.IS_A; IS_B; IS_C |].(int increment);
         parameter_bit = named bool bits_given;
         parameter = named number parameters;
+        whole_parameter = named int natural;
         memory = [| Formal.MemoryA; MemoryB; MemoryC |].(int memory);
         offset_count = int count;
         h_offsets = table offset h;
@@ -126,6 +127,8 @@ let setup d =
         reference = table position reference;
         floating = values floating;
         signal_at = List.map maybe (list signals);
+        angles_as_programmed = bool as_programmed;
+        parts_of_block = int parts;
       }
   | _ -> broken ()
 
