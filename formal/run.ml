@@ -107,7 +107,7 @@ let named value d =
 let setup d =
   match list d with
   | [ axes; inches; increment; bits_given; parameters; memory; count; h; d; g49; workpiece; external_; additional; start;
-      reference; floating; signals ] ->
+      reference; floating; signals; cutter_b ] ->
       {
         Formal.axes = List.map letter (list axes);
         inches = bool inches;
@@ -126,6 +126,7 @@ let setup d =
         reference = table position reference;
         floating = values floating;
         signal_at = List.map maybe (list signals);
+        cutter_b = bool cutter_b;
       }
   | _ -> broken ()
 
