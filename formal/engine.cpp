@@ -131,7 +131,8 @@ Data setup_data(const spec::Case& c) {
       axis_data(setup.floating_reference, setup.axes),
       signals_data(setup),
       flag(setup.rotary_angles == spec::RotaryAngles::programmed),
-      whole(c.samples)};
+      whole(c.samples),
+      flag(setup.cutter_compensation == spec::CutterCompensationType::b)};
 }
 
 // What is said of the axes, of the linear ones alone or of all.
@@ -149,7 +150,9 @@ spec::Arc<Real> arc_of(const List& data, std::int64_t travel, const spec::Axes& 
   constexpr std::array<const char*, 3> kAxes{"XY", "ZX", "YZ"};
   spec::Arc<Real> arc;
   const auto plane = static_cast<std::size_t>(data.at(1).integer());
-  for (std::size_t i = 0; i < 2; ++i) arc.center.set(axes.index(kAxes.at(plane)[i]), data.at(0).list().at(i).number());
+  for (std::size_t i = 0; i < 2; ++i)  // a machine may lack an axis of the plane
+    if (const char letter = kAxes.at(plane)[i]; axes.has(letter))
+      arc.center.set(axes.index(letter), data.at(0).list().at(i).number());
   arc.plane = static_cast<spec::Plane>(plane);
   arc.direction = travel == kClockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
   if (const List& sweep = data.at(2).list(); !sweep.empty()) arc.sweep = sweep[0].number();
@@ -211,7 +214,7 @@ std::string not_said_yet(const std::string& what) { return "the formal specifica
 bool available() { return true; }
 
 std::vector<std::string> sections() {
-  return {"fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset"};
+  return {"fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset", "fanuc/cutter-compensation-b"};
 }
 
 Run run(const spec::Case& c) {

@@ -107,7 +107,7 @@ let named value d =
 let setup d =
   match list d with
   | [ axes; inches; increment; bits_given; parameters; natural; memory; count; h; d; g49; workpiece; external_; additional; start;
-      reference; floating; signals; as_programmed; parts ] ->
+      reference; floating; signals; as_programmed; parts; cutter_b ] ->
       {
         Formal.axes = List.map letter (list axes);
         inches = bool inches;
@@ -129,6 +129,7 @@ let setup d =
         signal_at = List.map maybe (list signals);
         angles_as_programmed = bool as_programmed;
         parts_of_block = int parts;
+        cutter_b = bool cutter_b;
       }
   | _ -> broken ()
 
