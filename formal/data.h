@@ -28,7 +28,7 @@ struct Data {
   [[nodiscard]] const List& list() const { return std::get<List>(value); }
 };
 
-// The function `run` of run.ml.
-Data call_run(const Data& setup, const Data& blocks);
+// A function that OCaml has registered: of run.ml or klartext.ml.
+Data call_ocaml(const char* function, const Data& setup, const Data& blocks);
 
 }  // namespace toolcomp::formal

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "formal/data.h"
+#include "formal/klartext.h"
+#include "formal/plain.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/fanuc/program_reader.h"
@@ -15,16 +17,6 @@ namespace {
 using exact::Rational;
 using exact::Real;
 using Event = spec::Event<Real>;
-
-Rational exactly(const spec::Decimal& decimal) {
-  Rational value(decimal.digits);
-  for (int i = 0; i < decimal.decimals; ++i) value /= 10;
-  return decimal.negative ? Rational(-value) : value;
-}
-
-Data number(const spec::Decimal& decimal) { return Real(exactly(decimal)); }
-Data flag(bool value) { return std::int64_t{value ? 1 : 0}; }
-Data whole(std::size_t value) { return static_cast<std::int64_t>(value); }
 
 // Ten times a value that is a natural number then and has few digits; else -1.
 std::int64_t tenths(const spec::Decimal& decimal) {
@@ -37,18 +29,9 @@ std::int64_t tenths(const spec::Decimal& decimal) {
 Data block_data(const spec::Block& block) {
   List words;
   for (const spec::Word& word : block.words())
-    words.emplace_back(List{whole(static_cast<std::size_t>(word.address - 'A')), number(word.value), tenths(word.value),
+    words.emplace_back(List{letter(word.address), number(word.value), tenths(word.value),
                             flag(word.value.negative), flag(word.value.point)});
   return List{block.alarm ? std::string(block.alarm->number.view()) : std::string(), std::move(words)};
-}
-
-Data axis_data(const spec::AxisTable& table, const spec::Axes& axes) {
-  List values;
-  for (const char letter : axes.letters()) {
-    const auto given = table.find(letter);
-    values.push_back(number(given == table.end() ? spec::Decimal{} : given->second));
-  }
-  return values;
 }
 
 template <class Tables>
@@ -97,7 +80,7 @@ Data signals_data(const spec::Setup& setup) {
 
 Data setup_data(const spec::Setup& setup) {
   List axes;
-  for (const char letter : setup.axes.letters()) axes.push_back(whole(static_cast<std::size_t>(letter - 'A')));
+  for (const char axis : setup.axes.letters()) axes.push_back(letter(axis));
   List systems;
   for (const spec::AxisTable& origin : setup.workpiece) systems.push_back(axis_data(origin, setup.axes));
   const auto external = setup.additional_workpiece.find(0);
@@ -190,19 +173,19 @@ Event event_of(const List& data, const spec::Axes& axes) {
   return event;
 }
 
-// As an answer that there is none.
-std::string not_said_yet(const std::string& what) { return "the formal specification does not say yet: " + what; }
-
 }  // namespace
+
+std::string not_said_yet(const std::string& what) { return "the formal specification does not say yet: " + what; }
 
 bool available() { return true; }
 
 std::vector<std::string> sections() {
-  return {"fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset"};
+  return {"fanuc/tool-length-offset",     "fanuc/tool-length-measurement", "fanuc/tool-offset",
+          "heidenhain/face-milling", "heidenhain/peripheral-milling", "heidenhain/programmed-contour"};
 }
 
 Run run(const spec::Case& c) {
-  if (c.dialect != "fanuc") return {{}, not_said_yet("the dialect " + c.dialect)};
+  if (c.setup.control == spec::Control::heidenhain) return run_klartext(c);
   spec::ProgramReader reader(spec::text_source(c.program), c.setup.axes,
                              {.file = "program", .block_skip = c.setup.block_skip, .called_program = {}});
   std::vector<std::pair<std::uint64_t, std::optional<std::uint64_t>>> places;
@@ -212,7 +195,7 @@ Run run(const spec::Case& c) {
     blocks.push_back(block_data(block));
     if (block.alarm) break;
   }
-  const Data said = call_run(setup_data(c.setup), std::move(blocks));
+  const Data said = call_ocaml("toolcomp_formal_run", setup_data(c.setup), std::move(blocks));
   Run result;
   for (const Data& data : said.list().at(0).list()) {
     Event event = event_of(data.list(), c.setup.axes);

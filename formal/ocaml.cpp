@@ -105,25 +105,25 @@ Data from_ocaml(value v) {
   return list;
 }
 
-value call(const Data& setup, const Data& blocks) {
+value call(const char* function, const Data& setup, const Data& blocks) {
   CAMLparam0();
   CAMLlocal3(first, second, result);
   first = to_ocaml(setup);
   second = to_ocaml(blocks);
-  result = caml_callback2_exn(*caml_named_value("toolcomp_formal_run"), first, second);
+  result = caml_callback2_exn(*caml_named_value(function), first, second);
   CAMLreturn(result);
 }
 
 }  // namespace
 
-Data call_run(const Data& setup, const Data& blocks) {
+Data call_ocaml(const char* function, const Data& setup, const Data& blocks) {
   static std::once_flag started;
   std::call_once(started, [] {
     static char name[] = "toolcomp";
     static char* arguments[] = {name, nullptr};
     caml_startup(arguments);
   });
-  const value result = call(setup, blocks);
+  const value result = call(function, setup, blocks);
   if (Is_exception_result(result)) throw std::logic_error("the formal specification raised an exception");
   return from_ocaml(result);
 }

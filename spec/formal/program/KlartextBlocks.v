@@ -1,13 +1,13 @@
 (** heidenhain/program: the statements of a block and the setup of a control, as the reader of text hands them over. The
     reader follows labels and calls: blocks come in the order in which they run. *)
 From Coq Require Import List String ZArith Bool.
-From Toolcomp Require Import Numbers Outcomes Words KlartextSpace.
+From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
 Open Scope list_scope.
 
-Inductive parameter_kind := Q | QL | QR.
+Inductive parameter_kind := OfQ | OfQL | OfQR.
 Record q_parameter := QParameter { kind : parameter_kind; index : Z }.
 
 (** A number, or a parameter with its sign. *)
@@ -26,11 +26,11 @@ Arguments AxisWord {num}. Arguments axis_letter {num}. Arguments with_i {num}. A
 
 Inductive radius_word := R0 | RL | RR.
 Inductive feed_word (num : Type) :=
-| F (f : written num)
+| FValue (f : written num)
 | FMax
 | FAuto
 | FZOrFU.
-Arguments F {num} f. Arguments FMax {num}. Arguments FAuto {num}. Arguments FZOrFU {num}.
+Arguments FValue {num} f. Arguments FMax {num}. Arguments FAuto {num}. Arguments FZOrFU {num}.
 Inductive reference_word := TipTip | TipCenter | CenterCenter.
 Inductive correction_table := Tcs | Wpl | BothTables.
 
@@ -53,7 +53,7 @@ Inductive statement (num : Type) :=
 | ToolCall (tool : called_tool) (tool_axis : option Letter.t) (given : deltas (option (written num)))
     (f : option (feed_word num))
 | Line (w : line_words num)                                              (* L *)
-| LineWithVectors (w : line_words num) (normal tool_vector : option (vec num))   (* LN *)
+| LineWithVectors (w : line_words num) (normal tool_vector : option (triple num))   (* LN *)
 | FunctionTcpm (reference : reference_word)
 | ResetTcpm
 | ProgPath (is_contour : bool)
@@ -107,15 +107,12 @@ Definition at_letter {num} {N : Numbers num} (s : klartext_setup num) (letter : 
   | None => 0%num
   end.
 (** X, Y and Z of a position. *)
-Definition space_of {num} {N : Numbers num} (s : klartext_setup num) (v : values num) : vec num :=
-  Vec (at_letter s Letter.X v) (at_letter s Letter.Y v) (at_letter s Letter.Z v).
+Definition space_of {num} {N : Numbers num} (s : klartext_setup num) (v : values num) : triple num :=
+  (at_letter s Letter.X v, at_letter s Letter.Y v, at_letter s Letter.Z v).
 (** Only X, Y and Z are compensated. *)
-Definition with_space {num} (s : klartext_setup num) (p : vec num) (v : values num) : values num :=
-  map2 (fun letter x => match letter with
-                        | Letter.X => x_of p
-                        | Letter.Y => y_of p
-                        | Letter.Z => z_of p
-                        | _ => x
-                        end) (letters s) v.
+Definition with_space {num} (s : klartext_setup num) (p : triple num) (v : values num) : values num :=
+  let '(x, y, z) := p in
+  map2 (fun letter here => match letter with Letter.X => x | Letter.Y => y | Letter.Z => z | _ => here end)
+    (letters s) v.
 Definition word_of {num} (letter : Letter.t) (words : list (axis_word num)) : option (axis_word num) :=
   find (fun w => Letter.eqb (axis_letter w) letter) words.

@@ -1,7 +1,7 @@
 (** heidenhain/face-milling: LN blocks with a surface normal, and their contact.
     heidenhain/programmed-contour: what the programmed point of such a block is. *)
 From Coq Require Import List String ZArith Bool.
-From Toolcomp Require Import Numbers Outcomes Words KlartextSpace KlartextBlocks KlartextTool.
+From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks KlartextTool.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -9,8 +9,8 @@ Open Scope list_scope.
 
 (** Where the cutter touches the workpiece. *)
 Record contact (num : Type) := Contact {
-  contact_point : vec num;             (* q *)
-  contact_normal : vec num;            (* n *)
+  contact_point : triple num;             (* q *)
+  contact_normal : triple num;            (* n *)
   on_flat : bool;                      (* the normal is along the tool *)
   contact_degrees : option num         (* tools with a table of deviations *)
 }.
@@ -19,7 +19,7 @@ Arguments contact_degrees {num}.
 
 (** heidenhain.face.not-normalized: every vector is normalised exactly, and one whose square is off by more than 0.0002
     gives W_NOT_NORMALIZED. *)
-Definition not_normalized {num} {N : Numbers num} (v : vec num) : outcome bool :=
+Definition not_normalized {num} {N : Numbers num} (v : triple num) : outcome bool :=
   let clause := "heidenhain.face.not-normalized" in
   let excess := (dot3 v v - 1)%num in
   let permitted := (1 / integer 5000)%num in
@@ -28,7 +28,7 @@ Definition not_normalized {num} {N : Numbers num} (v : vec num) : outcome bool :
   Got (longer || shorter).
 
 (** heidenhain.face.side, heidenhain.face.below: a normal that leans below the tool, n.t < -0.0002, gives W_N_BELOW. *)
-Definition leans_below {num} {N : Numbers num} (normal tool : vec num) : outcome bool :=
+Definition leans_below {num} {N : Numbers num} (normal tool : triple num) : outcome bool :=
   let along := dot3 normal tool in
   below <- is_negative "heidenhain.face.side" along ;;
   if below : bool
@@ -38,7 +38,7 @@ Definition leans_below {num} {N : Numbers num} (normal tool : vec num) : outcome
 
 (** heidenhain.face.ring-direction: w = (T.T) N - (N.T) T, the part of the normal across the tool.
     heidenhain.face.along-the-tool: none where the normal is parallel or opposite to the tool; the test is exact. *)
-Definition ring_direction {num} {N : Numbers num} (normal tool : vec num) : outcome (option (vec num)) :=
+Definition ring_direction {num} {N : Numbers num} (normal tool : triple num) : outcome (option (triple num)) :=
   let a := cross3 normal tool in
   parallel <- is_zero "heidenhain.face.along-the-tool" (dot3 a a) ;;
   Got (if parallel : bool then None
@@ -48,8 +48,8 @@ Definition ring_direction {num} {N : Numbers num} (normal tool : vec num) : outc
     heidenhain.face.contact-to-flat: where the effective bottom has a flat, a contact that goes between the axis and the
     ring gives W_CONTACT_JUMP.
     heidenhain.face.contact-jump: so does one that goes to the other half of the ring. *)
-Definition contact_jumps {num} {N : Numbers num} (has_flat : bool) (before : option (option (vec num)))
-    (w : option (vec num)) : outcome bool :=
+Definition contact_jumps {num} {N : Numbers num} (has_flat : bool) (before : option (option (triple num)))
+    (w : option (triple num)) : outcome bool :=
   match has_flat, before with
   | true, Some before =>
       match before, w with
@@ -61,7 +61,7 @@ Definition contact_jumps {num} {N : Numbers num} (has_flat : bool) (before : opt
   end.
 
 (** What compensation makes of a block: the tip of the effective tool, and how far it is from that of the nominal tool. *)
-Record face_cut (num : Type) := FaceCut { tip_of_cut : vec num; shift_of_cut : vec num; contact_of : contact num }.
+Record face_cut (num : Type) := FaceCut { tip_of_cut : triple num; shift_of_cut : triple num; contact_of : contact num }.
 Arguments FaceCut {num}. Arguments tip_of_cut {num}. Arguments shift_of_cut {num}. Arguments contact_of {num}.
 
 (** heidenhain.face.effective-tip: the effective tool touches the same plane at the same contact point;
@@ -69,8 +69,8 @@ Arguments FaceCut {num}. Arguments tip_of_cut {num}. Arguments shift_of_cut {num
     heidenhain.face.contact-point: without IS CONTOUR q = tip_nom + R2 t - rho u - R2 n.
     heidenhain.contour.face: under IS CONTOUR the programmed point is the contact point.
     heidenhain.contour.shift: the shift is D_tip in both modes. *)
-Definition cut_face {num} {N : Numbers num} (is_contour : bool) (programmed_or_tip : vec num) (corner_of_table : num)
-    (tool : effective_tool num) (n t : vec num) (w : option (vec num)) : face_cut num :=
+Definition cut_face {num} {N : Numbers num} (is_contour : bool) (programmed_or_tip : triple num) (corner_of_table : num)
+    (tool : effective_tool num) (n t : triple num) (w : option (triple num)) : face_cut num :=
   let u := match w with Some w => unit3 w | None => zero3 end in
   let n_less_t := sub3 n t in
   let from_contact corner rho := add3 (scale3 corner n_less_t) (scale3 rho u) in

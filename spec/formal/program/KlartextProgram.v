@@ -1,6 +1,6 @@
 (** heidenhain/program: a run, block by block, to events. *)
 From Coq Require Import List String ZArith Bool.
-From Toolcomp Require Import Numbers Outcomes Words KlartextSpace KlartextBlocks KlartextTool KlartextFace
+From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks KlartextTool KlartextFace
   KlartextPeripheral KlartextState.
 Import ListNotations.
 Open Scope string_scope.
@@ -9,19 +9,17 @@ Open Scope list_scope.
 
 (** * Events *)
 
-Inductive klartext_cause := OwnMove | StartUpMove | CancelMove.
-
 Record klartext_move (num : Type) := KlartextMove {
   is_rapid : bool;
-  why : klartext_cause;
+  why : cause;
   programmed_values : values num;
   tip_values : values num;                     (* the tip of the effective tool, and the other linear axes *)
   sent_to : some_values num;                   (* rotary axes where the block names them *)
-  direction_of_tool : vec num;
-  center_of_tool : vec num;
-  shift_of_tip : vec num;                      (* against the nominal tool *)
-  shift_of_tool : vec num;                     (* of the real tool against one without deltas *)
-  carrier_point : option (vec num);            (* where the tool table gives the length *)
+  direction_of_tool : triple num;
+  center_of_tool : triple num;
+  shift_of_tip : triple num;                      (* against the nominal tool *)
+  shift_of_tool : triple num;                     (* of the real tool against one without deltas *)
+  carrier_point : option (triple num);            (* where the tool table gives the length *)
   touching : option (contact num);
   feed_of_move : option num
 }.
@@ -48,7 +46,7 @@ Record motion (num : Type) := Motion {
   feed_here : option num;
   end_values : values num;
   rotary_named : list (axis_word num);
-  tool_direction_at_end : vec num;             (* of length 1 *)
+  tool_direction_at_end : triple num;             (* of length 1 *)
   length_delta : num;                          (* dL *)
   table_length : option num;                   (* L *)
   corner_in_force : num                        (* R2' *)
@@ -59,13 +57,13 @@ Arguments table_length {num}. Arguments corner_in_force {num}.
 
 (** heidenhain.program.length-along-the-tool: axes = point + dL t, tool shift = shift + dL t, carrier = point + (L + dL) t.
     TCP' = TIP' + R2' t. *)
-Definition move_to_tip {num} {N : Numbers num} (s : klartext_setup num) (m : motion num) (cause : klartext_cause)
-    (tip shift : vec num) (touch : option (contact num)) : klartext_move num :=
+Definition move_to_tip {num} {N : Numbers num} (s : klartext_setup num) (m : motion num) (because : cause)
+    (tip shift : triple num) (touch : option (contact num)) : klartext_move num :=
   let t := tool_direction_at_end m in
   let along := scale3 (length_delta m) t in
   let machine_point := add3 tip along in
   let sent := with_space s machine_point (end_values m) in
-  KlartextMove (rapid_here m) cause (end_values m) (with_space s tip (end_values m))
+  KlartextMove (rapid_here m) because (end_values m) (with_space s tip (end_values m))
     (map2 (fun letter x => if rotary letter && negb (given (word_of letter (rotary_named m))) then None else Some x)
        (letters s) sent)
     t (add3 tip (scale3 (corner_in_force m) t)) shift (add3 shift along)
@@ -74,8 +72,8 @@ Definition move_to_tip {num} {N : Numbers num} (s : klartext_setup num) (m : mot
 
 (** How a block gets to its end. *)
 Inductive way (num : Type) :=
-| Known (tip shift : vec num) (touch : option (contact num))
-| Beside (nominal : vec num) (l : lateral num) (by_delta by_radius : num)     (* the tip is nominal + by_delta m *)
+| Known (tip shift : triple num) (touch : option (contact num))
+| Beside (nominal : triple num) (l : lateral num) (by_delta by_radius : num)     (* the tip is nominal + by_delta m *)
 | NotModelled.
 Arguments Known {num} tip shift touch.
 Arguments Beside {num} nominal l by_delta by_radius.
@@ -83,7 +81,7 @@ Arguments NotModelled {num}.
 
 Record planned (num : Type) := Planned {
   warnings : list string;
-  moved_by : vec num;                          (* between programmed points *)
+  moved_by : triple num;                          (* between programmed points *)
   motion_of : motion num;
   way_of : way num
 }.
@@ -95,7 +93,7 @@ Arguments way_of {num}.
     heidenhain.program.direction-of-rotary-axes: L with a rotary word turns the tool; rotary axes without a word keep the
     value programmed last. Without any rotary word the tool keeps its direction. *)
 Definition direction_at_end {num} {N : Numbers num} (s : klartext_setup num) (st : klartext_state num)
-    (words : list (axis_word num)) (normal tool_vector : option (vec num)) (to : values num) : direction_in_space num :=
+    (words : list (axis_word num)) (normal tool_vector : option (triple num)) (to : values num) : direction_in_space num :=
   if negb (tcpm_on (tcpm_of st)) then tool_direction st else
   match tool_vector, normal with
   | Some t, _ => direction_along t
@@ -121,7 +119,7 @@ Definition warn (condition : bool) (name : string) : list string := if condition
     heidenhain.peripheral.out-of-scope: without TCPM it is not modelled.
     heidenhain.program.no-compensation: else the point is the tip of the nominal tool, with a shift of 0. *)
 Definition plan {num} {N : Numbers num} (s : klartext_setup num) (machine_datum with_vectors : bool) (w : line_words num)
-    (normal tool_vector : option (vec num)) (st : klartext_state num) :
+    (normal tool_vector : option (triple num)) (st : klartext_state num) :
     outcome (klartext_state num * option (planned num)) :=
   let st := with_line_modes (or_else (radius_given w) (radius_mode st)) (next_feeds st (feed_given w)) st in
   if negb with_vectors && match axis_words w with [] => true | _ => false end then Got (st, None) else
@@ -267,7 +265,7 @@ Definition following_of {num} (items : list (item num)) : option (following num)
     heidenhain.peripheral.former-direction, heidenhain.peripheral.reversal: alarms name the block whose end point is wanted,
     of which nothing is given. *)
 Fixpoint events_of {num} {N : Numbers num} (s : klartext_setup num) (items : list (item num))
-    (before : option (option (vec num))) : list (nat * klartext_event num) :=
+    (before : option (option (triple num))) : list (nat * klartext_event num) :=
   match items with
   | [] => []
   | Stopped place es :: _ => map (pair place) es
@@ -276,13 +274,13 @@ Fixpoint events_of {num} {N : Numbers num} (s : klartext_setup num) (items : lis
       let here last := map (fun name => (place, Warning name)) (warnings p) ++ [(place, last)] in
       match way_of p with
       | Known tip shift touch =>
-          here (Moved (move_to_tip s m (if given before then CancelMove else OwnMove) tip shift touch)) ++
+          here (Moved (move_to_tip s m (if given before then Cancelling else Programmed) tip shift touch)) ++
           events_of s rest None
       | NotModelled => here OutOfScope ++ events_of s rest None
       | Beside nominal l by_delta by_radius =>
           match beside_end l before (following_of rest) with
           | Got (beside, made) =>
-              here (Moved (move_to_tip s m (if given before then OwnMove else StartUpMove)
+              here (Moved (move_to_tip s m (if given before then Programmed else StartUp)
                              (add3 nominal (scale3 by_delta beside)) (scale3 by_radius beside) None)) ++
               events_of s rest (Some (Some made))
           | stops => map (pair place) (end_in stops)

@@ -1,6 +1,6 @@
 (** heidenhain/program: what is in force from block to block, and what changes it. *)
 From Coq Require Import List String ZArith Bool.
-From Toolcomp Require Import Numbers Outcomes Words KlartextSpace KlartextBlocks KlartextTool.
+From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks KlartextTool.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -41,7 +41,7 @@ Record klartext_state (num : Type) := KlartextState {
   tool_of : tool_state num;
   tcpm_of : tcpm_state num;
   (* Of the LN block with a normal right before, the part of the normal across the tool. *)
-  contact_before : option (option (vec num))
+  contact_before : option (option (triple num))
 }.
 Arguments KlartextState {num}. Arguments program_in_inch {num}. Arguments parameters {num}. Arguments position {num}.
 Arguments datum {num}. Arguments radius_mode {num}. Arguments feeds_of {num}. Arguments tool_of {num}.
@@ -62,7 +62,7 @@ Definition with_tcpm {num} (t : tcpm_state num) (st : klartext_state num) : klar
 Definition with_line_modes {num} (r : radius_word) (f : feeds num) (st : klartext_state num) : klartext_state num :=
   KlartextState (program_in_inch st) (parameters st) (position st) (datum st) r f (tool_of st) (tcpm_of st)
     (contact_before st).
-Definition at_end_of_motion {num} (p : values num) (before : option (option (vec num))) (st : klartext_state num) :
+Definition at_end_of_motion {num} (p : values num) (before : option (option (triple num))) (st : klartext_state num) :
     klartext_state num :=
   KlartextState (program_in_inch st) (parameters st) p (datum st) (radius_mode st) (feeds_of st) (tool_of st)
     (tcpm_of st) before.
@@ -99,7 +99,7 @@ Definition row_from_table {num} {N : Numbers num} (st : klartext_state num) (row
 (** * Values *)
 
 Definition same_parameter (a b : q_parameter) : bool :=
-  match kind a, kind b with Q, Q | QL, QL | QR, QR => index a =? index b | _, _ => false end.
+  match kind a, kind b with OfQ, OfQ | OfQL, OfQL | OfQR, OfQR => index a =? index b | _, _ => false end.
 
 (** heidenhain.program.parameter-value: a parameter with its sign; one that was never assigned counts 0. *)
 Definition value_of {num} {N : Numbers num} (st : klartext_state num) (w : written num) : num :=
@@ -142,7 +142,7 @@ Definition feed_value {num} {N : Numbers num} (st : klartext_state num) (f : wri
 Definition next_feeds {num} {N : Numbers num} (st : klartext_state num) (w : option (feed_word num)) : feeds num :=
   let before := feeds_of st in
   match w with
-  | Some (F f) => Feeds (Some (feed_value st f)) (feed_of_call before)
+  | Some (FValue f) => Feeds (Some (feed_value st f)) (feed_of_call before)
   | Some FAuto => Feeds (feed_of_call before) (feed_of_call before)
   | Some FZOrFU => Feeds None (feed_of_call before)
   | Some FMax | None => before
@@ -150,7 +150,7 @@ Definition next_feeds {num} {N : Numbers num} (st : klartext_state num) (w : opt
 Definition feeds_after_call {num} {N : Numbers num} (st : klartext_state num) (w : option (feed_word num)) : feeds num :=
   let next := feed_in_force (next_feeds st w) in
   match w with
-  | Some (F _) | Some FZOrFU => Feeds next next
+  | Some (FValue _) | Some FZOrFU => Feeds next next
   | _ => Feeds next (feed_of_call (feeds_of st))
   end.
 

@@ -1,6 +1,6 @@
 (** heidenhain/tool: the effective tool of 3D compensation, and whether it may be used. *)
 From Coq Require Import List String ZArith Bool.
-From Toolcomp Require Import Numbers Outcomes Words KlartextSpace KlartextBlocks.
+From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -33,7 +33,7 @@ Definition total_deltas {num} {N : Numbers num} (tool : tool_in_force num) : del
 (** Normal and tool, as written: N.T, |N x T|, |N||T|. *)
 Record contact_angle (num : Type) := ContactAngle { along : num; across : num; both_lengths : num }.
 Arguments ContactAngle {num}. Arguments along {num}. Arguments across {num}. Arguments both_lengths {num}.
-Definition angle_of_contact {num} {N : Numbers num} (normal tool : vec num) : contact_angle num :=
+Definition angle_of_contact {num} {N : Numbers num} (normal tool : triple num) : contact_angle num :=
   let a := cross3 normal tool in
   ContactAngle (dot3 normal tool) (root (dot3 a a)) (root (dot3 normal normal * dot3 tool tool)%num).
 
