@@ -1,6 +1,7 @@
 #include "formal/klartext.h"
 
 #include <array>
+#include <exception>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -12,6 +13,7 @@
 #include "spec/language/byte_source.h"
 #include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/heidenhain/klartext_reader.h"
+#include "spec/language/input_error.h"
 
 namespace toolcomp::formal {
 namespace {
@@ -244,16 +246,26 @@ Event event_of(const List& data, const spec::Axes& axes) {
   return event;
 }
 
+// As the alarm of a block in whose place there is bad input: it counts where the run reaches it.
+constexpr const char* kBadInput = "bad input";
+
 }  // namespace
 
 Run run_klartext(const spec::Case& c) {
   spec::klartext::Reader reader(spec::text_source(c.program), c.setup);
   std::vector<std::pair<std::uint64_t, std::optional<std::uint64_t>>> places;
   List blocks;
-  for (Block block; reader.next(block);) {
-    places.emplace_back(block.line, block.n);
-    blocks.push_back(block_data(block));
-    if (block.alarm) break;
+  std::exception_ptr bad_input;
+  try {
+    for (Block block; reader.next(block);) {
+      places.emplace_back(block.line, block.n);
+      blocks.push_back(block_data(block));
+      if (block.alarm) break;
+    }
+  } catch (const spec::InputError&) {
+    bad_input = std::current_exception();
+    places.emplace_back();
+    blocks.emplace_back(List{std::string(kBadInput), List{}, List{}});
   }
   const Data said = call_ocaml("toolcomp_formal_klartext", setup_data(c.setup), std::move(blocks));
   Run result;
@@ -262,6 +274,7 @@ Run run_klartext(const spec::Case& c) {
     if (data.list().at(1).integer() == kNotSaid) return {{}, not_said_yet(data.list().at(2).text())};
     Event event = event_of(data.list(), c.setup.axes);
     std::tie(event.line, event.n) = places.at(static_cast<std::size_t>(data.list().at(0).integer()));
+    if (event.number == spec::Name(kBadInput)) std::rethrow_exception(bad_input);
     result.events.push_back(std::move(event));
   }
   return result;
