@@ -201,7 +201,8 @@ std::string not_said_yet(const std::string& what) { return "the formal specifica
 bool available() { return true; }
 
 std::vector<std::string> sections() {
-  return {"fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset", "fanuc/cutter-compensation-b"};
+  return {"fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset", "fanuc/cutter-compensation-b",
+          "fanuc/cutter-compensation-c"};
 }
 
 Run run(const spec::Case& c) {
