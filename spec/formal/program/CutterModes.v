@@ -191,7 +191,7 @@ Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (
   let as_before := (Idle n, in_phase x, vector_behind x, reach x, was_left x) in
   let renames_plane := match acting c with
     | Some LocalSystem | Some SetPosition =>
-        meets (which (axis_words c)) (plane_axis_set s (in_plane (in_modes c)))
+        meets (which (naming_words c)) (plane_axis_set s (in_plane (in_modes c)))
     | _ => false end in
   if mode_is_on (in_phase x) && renames_plane then Undecided "fanuc.cutter-c.coordinate-shift"
   else

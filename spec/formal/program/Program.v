@@ -143,8 +143,8 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
       end ;;
     (* G52, G92 and G10 count behind the block. *)
     let coordinates_behind := match code with
-      | Some LocalSystem => with_local all_numbers (coordinates_of st)
-      | Some SetPosition => with_shift s all_numbers (programmed st) (coordinates_of st)
+      | Some LocalSystem => with_local naming (coordinates_of st)
+      | Some SetPosition => with_shift s naming (programmed st) (coordinates_of st)
       | _ => coordinates_of st
       end in
     let offsets_behind := match writing with Some w => write s w (offsets_of st) | None => offsets_of st end in
