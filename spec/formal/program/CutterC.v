@@ -211,14 +211,19 @@ Definition lone_start {num} {N : Numbers num} (s : setup num) (v : pair num) (b 
   end.
 
 (** fanuc.cutter-c.machine-position, fanuc.cutter-c.reference-return: the vector goes in the first move.
-    fanuc.cutter-c.reference-intersection: with CCN = 1 it goes on the way to the reference position. *)
+    fanuc.cutter-c.reference-intersection: with CCN = 1 it goes on the way to the reference position.
+    fanuc.cutter-c.start-without-motion-move: where other axes go and SUV = 1 removes it, the first move takes it along. *)
 Definition going_away {num} {N : Numbers num} (s : setup num) (v : pair num) (b : planned num) : list (item num) :=
   let p := plane_of b in
   let w := vector_behind (cutter (behind b)) in
   let goes_on := match in_phase (cutter (behind b)) with TakenAway => true | _ => false end in
+  let mode phase := match phase with Running | Started | TakenAway => true | _ => false end in
+  let at_once := suv s && mode (in_phase (cutter (before b))) && negb (mode (in_phase (cutter (behind b)))) &&
+                 negb (names_plane s (command_of b)) in
   let through_intermediate := given (way_to_intermediate s (command_of b) (before b) (moves_of b)) in
   match items b with
   | Go first :: rest =>
+      let first := if at_once then for_cause Cancelling first else first in
       Go (with_head s p (if goes_on && through_intermediate then v else w) first) :: at_head s p w rest
   | none => none
   end.

@@ -15,7 +15,8 @@ Definition cni {num} (s : setup num) : bool := bit s "5008#0".
 
 (** fanuc.cutter-c.three-dimensional: G41 or G42 with all of I, J and K. *)
 Definition three_dimensional {num} (s : setup num) (codes : list Z) (b : block num) : bool :=
-  negb (cutter_b s) && (among 410 codes || among 420 codes) &&
+  negb (cutter_b s) && negb (takes_letters codes) &&
+  match last_of compensations codes with Some code => among code [410; 420] | None => false end &&
   forallb (fun letter => given (last_word letter (words b))) [Letter.I; Letter.J; Letter.K].
 
 (** * Alarms by the words *)
@@ -183,7 +184,7 @@ Definition moving_step {num} {N : Numbers num} (s : setup num) (c : command num)
     fanuc.cutter-c.start-without-motion: SUV = 1 and the word G41 or G42.
     fanuc.cutter-c.start-without-next-block: a count of two, or the mode not asked for any more, and nothing starts; the
     word in the block that brings the count to two starts anew.
-    fanuc.cutter-c.coordinate-shift: G52 or G92 of the plane in the mode is undecided. *)
+    fanuc.cutter-c.coordinate-shift: G52 or G92 of the plane is undecided in the mode, and while the start waits. *)
 Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (asked : option hand) (value : num)
     (before : state num) : outcome (result num) :=
   let x := cutter before in
@@ -193,7 +194,8 @@ Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (
     | Some LocalSystem | Some SetPosition =>
         meets (which (naming_words c)) (plane_axis_set s (in_plane (in_modes c)))
     | _ => false end in
-  if mode_is_on (in_phase x) && renames_plane then Undecided "fanuc.cutter-c.coordinate-shift"
+  let waits := match in_phase x, asked with Pending _, Some _ => true | _, _ => false end in
+  if (mode_is_on (in_phase x) || waits) && renames_plane then Undecided "fanuc.cutter-c.coordinate-shift"
   else
     let starts hand :=
       left <- on_left hand value ;; r <- magnitude value ;; Got (LoneStart, Pending 0, zero2, r, left) in

@@ -87,7 +87,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let position := renamed s (coordinates_of st) c (programmed st) in
     let said := Command b codes code m h d all_numbers numbers naming in
     let to_length := LengthCommand (length_code_of codes) h (in_plane m) (which naming)
-                     (match words b with [] => false | _ => true end) (among 400 codes)
+                     (match words b with [] => false | _ => true end) (existsb (fun c => among c [400; 410; 420]) codes)
                      (if goes_to_machine_position code then which numbers else no_axes s) in
     _ <- control_alarms s said st ;;
     _ <- edge_alarms s said st ;;
