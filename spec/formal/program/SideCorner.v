@@ -84,7 +84,7 @@ Definition radius_vector {num} {N : Numbers num} (s : setup num) (a : arc num) (
 (** A block at a corner, in the plane of the tool there; an arc by the end that is the corner.
     fanuc.tool-side.arc-in-the-plane: its tangent is at right angles to the radius, in the sense seen against the tool. *)
 Definition leg_in_plane {num} {N : Numbers num} (s : setup num) (vt : triple num) (b : planned num)
-    (corner_point : values num) (rho : num) : outcome (leg num (triple num)) :=
+    (corner_point : values num) (rho : num) : outcome (leg_in num (triple num)) :=
   let along direction := scale3 (1 / length3 direction)%num direction in
   match arc_of_block b with
   | None =>
@@ -100,7 +100,7 @@ Definition leg_in_plane {num} {N : Numbers num} (s : setup num) (vt : triple num
 
 (** fanuc.tool-side.corner-side, fanuc.tool-side.straight-or-reversal, fanuc.tool-side.obtuse-or-acute: the names of what
     chapter 14 asks of a corner, where two lines meet. *)
-Definition asked_of_lines {num} {A} (a b : leg num (triple num)) (x : outcome A) : outcome A :=
+Definition asked_of_lines {num} {A} (a b : leg_in num (triple num)) (x : outcome A) : outcome A :=
   match x with
   | Undecided clause =>
       if is_arc a || is_arc b then x
@@ -122,7 +122,7 @@ Fixpoint up_to_stop {num} (count : nat) (vs : list (triple num)) : list (bool * 
 
 (** fanuc.tool-side.start-up-inner, fanuc.tool-side.start-up-obtuse, fanuc.tool-side.start-up-acute, of type B.
     fanuc.tool-side.type-b-perpendicular: the setup may leave out the vector perpendicular to the start-up block. *)
-Definition start_group {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (a b : leg num (triple num)) : outcome (list (bool * triple num)) :=
+Definition start_group {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (a b : leg_in num (triple num)) : outcome (list (bool * triple num)) :=
   group <- start_up_group (with_tangents s) a b ;;
   Got (match group with
        | first :: (_ :: _) as rest => if without_perpendicular s then up_to_stop 1 rest else up_to_stop 2 group
@@ -130,7 +130,7 @@ Definition start_group {num} {N : Numbers num} {P : Plane num (triple num)} (s :
        end).
 
 (** fanuc.tool-side.cancel-inner, fanuc.tool-side.cancel-obtuse, fanuc.tool-side.cancel-acute, likewise. *)
-Definition end_group {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (a b : leg num (triple num)) : outcome (list (bool * triple num)) :=
+Definition end_group {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (a b : leg_in num (triple num)) : outcome (list (bool * triple num)) :=
   group <- cancel_group (with_tangents s) a b ;;
   let own := if is_arc a then 2%nat else 1%nat in
   Got (up_to_stop own
@@ -138,7 +138,7 @@ Definition end_group {num} {N : Numbers num} {P : Plane num (triple num)} (s : s
 
 (** fanuc.tool-side.inner, fanuc.tool-side.outer-obtuse, fanuc.tool-side.outer-acute, fanuc.tool-side.arc-corners.
     fanuc.tool-side.q2: of the two vectors between two lines the second is deleted. *)
-Definition group_of_mode {num} {N : Numbers num} {P : Plane num (triple num)} (q : option Z) (a b : leg num (triple num)) : outcome (list (bool * triple num)) :=
+Definition group_of_mode {num} {N : Numbers num} {P : Plane num (triple num)} (q : option Z) (a b : leg_in num (triple num)) : outcome (list (bool * triple num)) :=
   group <- mode_group a b ;;
   let own := if is_arc a then 2%nat else 1%nat in
   Got (up_to_stop own
@@ -204,7 +204,7 @@ Definition rule_of {num} (a : planned num) (zero : bool) (f : following num) : r
   else ModeRule.
 
 (** The vectors of a corner of A and B. *)
-Definition group_of {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (r : rule) (q : option Z) (a b : leg num (triple num)) :
+Definition group_of {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (r : rule) (q : option Z) (a b : leg_in num (triple num)) :
     outcome (list (bool * triple num)) :=
   let alone v := [(true, v)] in
   asked_of_lines a b
