@@ -179,7 +179,9 @@ let event (place, e) =
     | Setting (name, value) -> [ Integer 1; Text name; Number value ]
     | Raised number -> [ Integer 2; Text number ]
     | NotDecided clause -> [ Integer 3; Text clause ]
-    | Warned name -> [ Integer 4; Text name ]))
+    | Warned name -> [ Integer 4; Text name ]
+    | Sampled ((numerator, denominator), point, positions, ((x, y), z)) ->
+        [ Integer 5; Integer numerator; Integer denominator; numbers_of point; numbers_of positions; numbers_of [ x; y; z ] ]))
 
 (* The events, and what the specification does not say; empty: nothing. *)
 let run setup_data blocks =
