@@ -224,7 +224,8 @@ std::string not_said_yet(const std::string& what) { return "the formal specifica
 bool available() { return true; }
 
 std::vector<std::string> sections() {
-  return {"fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset"};
+  return {"fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset", "fanuc/tool-center-point-control",
+          "fanuc/tool-posture-control"};
 }
 
 Run run(const spec::Case& c) {

@@ -46,7 +46,7 @@ Definition control_starts {num} {N : Numbers num} (s : setup num) (c : command n
   posture <- chooses_posture s c ;;
   let workpiece_system := bit s "19696#5" in
   let vector := match type with ByVector => direction_words s c | ByAxes => None end in
-  let lean := match type with ByVector => lean_word s c | ByAxes => 0%num end in
+  let lean := match type with ByVector => lean_word c | ByAxes => 0%num end in
   match kinematics_of s with
   | None =>
       let d := or_else vector (kept_at_start s st to) in
@@ -195,9 +195,27 @@ Definition control_moves {num} {N : Numbers num} (s : setup num) (c : command nu
   | _, _, _ => Got true
   end.
 
-(** Behind a block that is not under control: the pose is known as long as the block names no axis that has turned. *)
-Definition without_control {num} (s : setup num) (c : command num) (before : control_state num) : control_state num :=
-  ControlState None (if names s rotary c || angles_as_programmed s then None else stands_at before) None.
+(** Behind a block that is not under control. The pose stays known, by its turns, until a code takes a rotary axis to a
+    machine position; programmed angles also until another code renames them. *)
+Definition without_control {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) :
+    outcome (control_state num) :=
+  let elsewhere := match acting c with
+                   | Some (FirstReference | OtherReference | FloatingReference | ReturnFromReference | MachinePosition) => true
+                   | _ => false
+                   end in
+  let renames := match acting c with
+                 | Some (LocalSystem | SetPosition | DataInput) => true
+                 | _ => given (last_of systems (codes_said c))
+                 end in
+  stands <-
+    match kinematics_of s, stands_at (control st) with
+    | Some k, Some p =>
+        if (elsewhere && names s rotary c) || (renames && angles_as_programmed s) then Got None
+        else
+          p <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) p ;; Got (Some p)
+    | _, _ => Got None
+    end ;;
+  Got (ControlState None stands None).
 
 (** The programmed position behind a block, and its movement: with the rotary positions of the pose; machine coordinates
     (fanuc.tool-center-point.machine-coordinates); the direction of the tool.

@@ -58,10 +58,12 @@ Definition chooses_posture {num} (s : setup num) (c : command num) : outcome boo
   | None => Got (bit s "19604#0")
   end.
 
-(** fanuc.tool-center-point.lean: Q of the block of G43.5. *)
-Definition lean_word {num} {N : Numbers num} (s : setup num) (c : command num) : num :=
-  if is_data_of_code c then 0%num
-  else or_else (last_number s (in_inches (in_modes c)) Letter.Q (block_of c)) 0%num.
+(** fanuc.tool-center-point.lean: Q of the block of G43.5, in degrees. *)
+Definition lean_word {num} {N : Numbers num} (c : command num) : num :=
+  match last_word Letter.Q (words (block_of c)) with
+  | Some w => if is_data_of_code c then 0%num else value w
+  | None => 0%num
+  end.
 
 (** * The machine *)
 

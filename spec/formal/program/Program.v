@@ -133,7 +133,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
                | Some (_, run) => control_moves s said run st
                | None => differs (vector at_end) (vector (length_of st))
                end ;;
-    let control_now := match controlled with Some (_, run) => run | None => without_control s said (control st) end in
+    control_now <- match controlled with Some (_, run) => Got run | None => without_control s said st end ;;
     let st := with_control (with_length st at_end) control_now in
     let as_moved x := '(st, moves) <- x ;; Got (st, moves, None, writing) in
     '(st, moves, alarm, writing) <-
