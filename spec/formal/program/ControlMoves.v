@@ -1,7 +1,7 @@
 (** Tool center point control: the axes over the movements of the tip, behind every compensation of it. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Angles ControlState State Space Pose.
-From Toolcomp Require Import ControlFrame Movements Lean.
+From Toolcomp Require Import ControlFrame Movements PosturePath Lean.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -56,27 +56,6 @@ Definition evenly {num} {N : Numbers num} (t : num) (from to : pose num) : pose 
   let at_part (a b : angle num) := angle_of_degrees (between t (degrees a) (degrees b)) in
   (at_part (fst from) (fst to), at_part (snd from) (snd to)).
 
-(** fanuc.tool-posture.great-circle: V(t) = (sin((1 - t) Theta) Vs/|Vs| + sin(t Theta) Ve/|Ve|)/sin Theta.
-    fanuc.tool-center-point.without-kinematics: between opposite directions it stays the first one until the end. *)
-Definition on_great_circle {num} {N : Numbers num} (t : num) (from to : triple num) : outcome (triple num) :=
-  let clause := "fanuc.tool-center-point.without-kinematics" in
-  let a := unit3 from in
-  let b := unit3 to in
-  let n := cross3 from to in
-  parallel <- is_zero clause (dot3 n n) ;;
-  if parallel : bool then Got a
-  else
-    let sine_of_theta := length3 (cross3 a b) in
-    let cosine_of_theta := dot3 a b in
-    side <- decide clause cosine_of_theta ;;
-    let theta :=
-      match side with
-      | Eq => integer 90
-      | Gt => arctangent (sine_of_theta / cosine_of_theta)%num
-      | Lt => (integer 180 + arctangent (sine_of_theta / cosine_of_theta))%num
-      end in
-    Got (add3 (scale3 (sine ((1 - t) * theta) / sine_of_theta)%num a) (scale3 (sine (t * theta) / sine_of_theta)%num b)).
-
 (** The pose inside a block, and the direction in the programming system. *)
 Definition pose_inside {num} {N : Numbers num} (s : setup num) (m : control_mode num) (run : rotary_run num) (t : num) :
     outcome (pose num * triple num) :=
@@ -85,7 +64,12 @@ Definition pose_inside {num} {N : Numbers num} (s : setup num) (m : control_mode
   | Evenly, Some k =>
       let p := evenly t (pose_at_start run) (pose_at_end run) in
       Got (p, programmed_direction k (in_workpiece_system m) (frozen_pose m) p)
-  | Evenly, None => Got (pose_at_end run, unit3 (direction m))
+  | OnGreatCircle g, Some k =>
+      v <- on_great_circle t (circle_from g) (circle_to g) ;;
+      p <- pose_on_circle k g v ;;
+      Got (p, if in_workpiece_system m then programmed_direction k true (frozen_pose m) p
+              else turned_by_table k (frozen_pose m) v)
+  | _, None => Got (pose_at_end run, unit3 (direction m))
   end.
 
 (** fanuc.tool-center-point.samples: the positions at t = k/N, k from 1 to N - 1.
@@ -128,32 +112,63 @@ Definition samples {num} {N : Numbers num} (s : setup num) (c : coordinates num)
 (** Where the tip of a movement comes to. *)
 Definition point_of {num} {N : Numbers num} (g : movement num) : values num := sum (tip g) (head g).
 
+(** fanuc.tool-posture.pre-turn, fanuc.tool-posture.post-turn: one move in which the work-side axis turns alone at a
+    standing tip, with the feed of the block, rapid where that is rapid, else linear. *)
+Definition turn {num} {N : Numbers num} (s : setup num) (c : coordinates num) (m : control_mode num) (why : cause)
+    (length : num) (to : pose num) (g : movement num) (ends standing : values num) (along : triple num) : item num :=
+  Go (over_tip s c m length to
+        (Movement (match going g with Rapid => Rapid | _ => Linear end) why ends standing (zeros s) (zeros s) None None
+           (at_feed g) (Some along))).
+
+(** A point fixed to the table, by the coordinates of the programming system. *)
+Definition carried_point {num} {N : Numbers num} (s : setup num) (c : coordinates num) (m : control_mode num)
+    (from to : pose num) (v : values num) : values num :=
+  match kinematics_of s with
+  | Some k => with_space s v (kept_on_table s k c m from to (in_space s v))
+  | None => v
+  end.
+
+(** The block's own move, from the point before it: the turn at a singular start, the samples, the move, the turn at a
+    singular end. fanuc.tool-posture.branch-mismatch: the warning stands right before the move and its samples. *)
+Definition own_under_control {num} {N : Numbers num} (s : setup num) (b : planned num) (m : control_mode num)
+    (run : rotary_run num) (old : control_mode num) (from : values num) (g : movement num) : outcome (list (item num)) :=
+  let c := coordinates_of (behind b) in
+  let length := tool_length m in
+  let start := carried_point s c m (pose_before run) (pose_at_start run) from in
+  let before_it := if turns_before run
+                   then [turn s c m PreTurn (tool_length old) (pose_at_start run) g (programmed (before b)) start
+                           (unit3 (direction old))]
+                   else [] in
+  let there := carried_point s c m (pose_behind run) (pose_at_end run) (tip g) in
+  let g := Movement (going g) (because g) (ends_at g) there (head g) (length_vector g) (machine_zero g) (circle_of g)
+             (at_feed g) (along_tool g) in
+  inside <- samples s c m run g start (point_of g) (tool_length old) length ;;
+  let standing := carried_point s c m (pose_at_end run) (pose_behind run) (point_of g) in
+  let behind_it := if turns_behind run
+                   then [turn s c m PostTurn length (pose_behind run) g (ends_at g) standing (unit3 (direction m))]
+                   else [] in
+  Got (before_it ++ (if off_the_branch run then [Warn "posture-branch"] else []) ++ inside ++
+       Go (over_tip s c m length (pose_at_end run) g) :: behind_it).
+
 (** The items of a block under control, from the point before: inserted moves at a standing tool before and behind the
-    block's own, that with its samples. *)
-Fixpoint items_under_control {num} {N : Numbers num} (s : setup num) (c : coordinates num) (m : control_mode num)
-    (length_before : num) (run : option (rotary_run num)) (start : pose num) (finish : pose num) (from : values num)
+    block's own move. *)
+Fixpoint items_under_control {num} {N : Numbers num} (s : setup num) (b : planned num) (m : control_mode num)
+    (old : control_mode num) (run : option (rotary_run num)) (start finish : pose num) (from : values num)
     (own_done : bool) (items : list (item num)) : outcome (list (item num) * values num) :=
+  let c := coordinates_of (behind b) in
   match items with
   | [] => Got ([], from)
   | Go g :: rest =>
-      match because g, own_done with
-      | Corner, false =>
-          '(later, last) <- items_under_control s c m length_before run start finish (point_of g) false rest ;;
-          Got (Go (over_tip s c m length_before start g) :: later, last)
-      | _, true =>
-          '(later, last) <- items_under_control s c m length_before run start finish (point_of g) true rest ;;
-          Got (Go (over_tip s c m (tool_length m) finish g) :: later, last)
-      | _, false =>
-          inside <- match run with
-                    | Some run => samples s c m run g from (point_of g) length_before (tool_length m)
-                    | None => Got []
-                    end ;;
-          let own := over_tip s c m (tool_length m) finish g in
-          '(later, last) <- items_under_control s c m length_before run start finish (point_of g) true rest ;;
-          Got (inside ++ Go own :: later, last)
-      end
+      '(done, own_done) <-
+        match because g, own_done, run with
+        | Corner, false, _ => Got ([Go (over_tip s c m (tool_length old) start g)], false)
+        | _, false, Some run => own <- own_under_control s b m run old from g ;; Got (own, true)
+        | _, _, _ => Got ([Go (over_tip s c m (tool_length m) finish g)], true)
+        end ;;
+      '(later, last) <- items_under_control s b m old run start finish (point_of g) own_done rest ;;
+      Got (done ++ later, last)
   | i :: rest =>
-      '(later, last) <- items_under_control s c m length_before run start finish from own_done rest ;;
+      '(later, last) <- items_under_control s b m old run start finish from own_done rest ;;
       Got (i :: later, last)
   end.
 
@@ -166,12 +181,9 @@ Definition block_under_control {num} {N : Numbers num} (s : setup num) (b : plan
   | Some m =>
       let run := run_of_block now in
       let p := or_else (stands_at now) (frozen_pose m) in
-      let length_before := match in_control (control (before b)), run with
-                           | Some old, Some _ => tool_length old
-                           | _, _ => tool_length m
-                           end in
+      let old := match in_control (control (before b)), run with Some old, Some _ => old | _, _ => m end in
       let start := match run with Some run => pose_before run | None => p end in
-      items_under_control s (coordinates_of (behind b)) m length_before run start p from false (items b)
+      items_under_control s b m old run start p from false (items b)
   end.
 
 Fixpoint blocks_under_control {num} {N : Numbers num} (s : setup num) (bs : list (planned num)) (from : values num) :

@@ -1,7 +1,8 @@
 (** Tool center point control: what a block under it comes to: length, pose and direction. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset Angles ControlState State.
-From Toolcomp Require Import Space Pose ControlFrame Movements ControlWords InverseKinematics ChoiceOfPair Lean.
+From Toolcomp Require Import Space Pose ControlFrame Movements ControlWords InverseKinematics ChoiceOfPair PostureAngles
+  PostureControl Lean.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -97,10 +98,8 @@ Definition direction_to {num} {N : Numbers num} (s : setup num) (c : command num
         Got (Some (v, w))
   end.
 
-(** fanuc.tool-center-point.conventional: without posture control the rotary axes go evenly to their end. *)
-Definition runs_evenly {num} (from to : pose num) : rotary_run num := RotaryRun from from to to Evenly false.
-
-(** A block of type 1 goes to the pose commanded, one of type 2 to a pair of its direction. *)
+(** A block of type 1 goes to the pose commanded, one of type 2 to a pair of its direction.
+    fanuc.tool-center-point.conventional: without posture control the rotary axes go evenly to their end. *)
 Definition control_runs {num} {N : Numbers num} (s : setup num) (c : command num) (circle_of : option (circle num))
     (along : num) (to : values num) (m : control_mode num) (st : state num) : outcome (control_state num) :=
   let standing := direction m in
@@ -110,23 +109,31 @@ Definition control_runs {num} {N : Numbers num} (s : setup num) (c : command num
       let '(v, kept) := or_else target (standing, kept_direction m) in
       let nowhere := frozen_pose m in
       Got (ControlState (Some (with_direction m along kept v)) None
-             (Some (RotaryRun nowhere nowhere nowhere nowhere (DirectionAlone standing v) false)))
+             (Some (RotaryRun nowhere nowhere nowhere nowhere false false (DirectionAlone standing v) false)))
   | Some k =>
       let from := pose_of s k st in
-      _ <- (if posture_control m then Beyond "tool posture control" else Got tt) ;;
       match control_by m with
       | ByAxes =>
           pose <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) from ;;
           let d := programmed_direction k (in_workpiece_system m) (frozen_pose m) pose in
-          Got (ControlState (Some (with_direction m along d d)) (Some pose) (Some (runs_evenly from pose)))
+          '(run, _) <- (if posture_control m
+                        then posture_run s k from (Some pose) (direction_at k from) (direction_at k pose)
+                        else Got (conventionally false from pose, false)) ;;
+          Got (ControlState (Some (with_direction m along d d)) (Some pose) (Some run))
       | ByVector =>
           target <- direction_to s c circle_of m (programmed st) to ;;
           match target with
           | None => Got (ControlState (Some (with_direction m along (kept_direction m) standing)) (Some from)
-                           (Some (runs_evenly from from)))
+                           (Some (conventionally false from from)))
           | Some (v, kept) =>
-              pose <- choose s k from (from_zero_pose k (frozen_pose m) standing) (from_zero_pose k (frozen_pose m) v) ;;
-              Got (ControlState (Some (with_direction m along kept v)) (Some pose) (Some (runs_evenly from pose)))
+              let vs := from_zero_pose k (frozen_pose m) standing in
+              let ve := from_zero_pose k (frozen_pose m) v in
+              '(run, changed) <- (if posture_control m then posture_run s k from None vs ve
+                                  else to <- choose s k from vs ve ;; Got (conventionally false from to, false)) ;;
+              (* fanuc.tool-posture.changed: the direction of the changed pair is the one kept. *)
+              let actual := programmed_direction k (in_workpiece_system m) (frozen_pose m) (pose_behind run) in
+              let m := if changed : bool then with_direction m along actual actual else with_direction m along kept v in
+              Got (ControlState (Some m) (Some (pose_behind run)) (Some run))
           end
       end
   end.
