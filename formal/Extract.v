@@ -1,5 +1,5 @@
 (** The formal specification as OCaml, over numbers that whoever runs it gives. *)
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlNatInt ExtrOcamlZInt ExtrOcamlNativeString.
-From Toolcomp Require Program.
+From Toolcomp Require Case.
 Extraction Language OCaml.
-Extraction "formal.ml" Program.run_program.
+Extraction "formal.ml" Case.run_case.

@@ -28,7 +28,7 @@ struct Data {
   [[nodiscard]] const List& list() const { return std::get<List>(value); }
 };
 
-// The function `run` of run.ml.
-Data call_run(const Data& setup, const Data& blocks);
+// The function `run` of run.ml, of a case.
+Data run_case(const Data& c);
 
 }  // namespace toolcomp::formal

@@ -16,6 +16,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "spec/formal/program"
 LENGTH, MEASUREMENT, OFFSET = "fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset"
+FACE, FLANK, CONTOUR = "heidenhain/face-milling", "heidenhain/peripheral-milling", "heidenhain/programmed-contour"
 
 # Section, generated cases it may take, file, the text there and what stands in its place.
 FAULTS = [
@@ -28,11 +29,27 @@ FAULTS = [
     (LENGTH, 2000, "Memory.v", "if incremental m then (old + r)%num else r", "r"),
     (MEASUREMENT, 500, "Measurement.v", "(d + ahead (zone s))", "d"),
     (MEASUREMENT, 500, "Measurement.v", "if later : bool then p else b", "p"),
-    (MEASUREMENT, 500, "Program.v", "(t - on_axis (vector l) - on_axis (shift st))", "(t - on_axis (shift st))"),
+    (MEASUREMENT, 500, "OwnMove.v", "(t - on_axis (vector l) - on_axis (shift st))", "(t - on_axis (shift st))"),
     (OFFSET, 100, "ToolShift.v", "Some ShortenTwice => Some (- (integer 2 * l))", "Some ShortenTwice => Some (- l)"),
     (OFFSET, 500, "ToolShift.v", "Some (negb minus_written)", "Some true"),
     (OFFSET, 2000, "ToolShift.v", "alarm_if negative \"PS0038\"", "alarm_if false \"PS0038\""),
     (LENGTH, 2000, "Arcs.v", "xorb clockwise larger", "clockwise"),
+    (FACE, 100, "KlartextFace.v", "n_less_t := sub3 n t", "n_less_t := n"),
+    (FACE, 100, "KlartextTool.v", "alarm_if larger \"E_OVERSIZE_DR\"", "alarm_if false \"E_OVERSIZE_DR\""),
+    (FACE, 500, "KlartextTool.v", "(v0 + (v1 - v0) * (theta - b0) / (b1 - b0))", "v0"),
+    (FACE, 500, "KlartextTool.v", "if with_flat : bool then R' - R2' else 0", "R' - R2'"),
+    (FACE, 500, "KlartextFace.v", "is_negative \"heidenhain.face.contact-jump\" (dot3 w b)", "Got false"),
+    (FACE, 2000, "KlartextFace.v", "(excess + permitted)", "(excess + permitted + permitted)"),
+    (FACE, 500, "KlartextState.v", "if with_i w then (shift + v)%num else v", "v"),
+    (FACE, 500, "KlartextState.v", "if minus_written then (- x)%num else x", "x"),
+    (FLANK, 100, "KlartextPeripheral.v", "(if left then 1 else - (1))", "1"),
+    (FLANK, 500, "KlartextPeripheral.v", "(or_else (next_left n) (left_side l))", "(left_side l)"),
+    (FLANK, 2000, "KlartextPeripheral.v", "c' <- of_next n (Some c)", "c' <- of_next n made"),
+    (FLANK, 100, "KlartextProgram.v", "if given before then Cancelling else Programmed", "Programmed"),
+    (FLANK, 500, "KlartextState.v", "(if without_tool then radius_mode st else R0)", "(radius_mode st)"),
+    (CONTOUR, 100, "KlartextMoves.v", "if contour (tcpm_of st) then full_radius e else dR", "dR"),
+    (CONTOUR, 500, "KlartextMoves.v", "if contour (tcpm_of st) then p else nominal_tip st t p", "nominal_tip st t p"),
+    (CONTOUR, 500, "KlartextState.v", "(direction_held (tcpm_of st)) (contour (tcpm_of st))", "(direction_held (tcpm_of st)) false"),
 ]
 
 

@@ -1,136 +1,96 @@
 (** Laws of whole programs: they hold for every program and every setup. *)
 From Coq Require Import List String ZArith Bool Reals Lra.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement Program.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement State.
+From Toolcomp Require Import Movements OwnMove Compensation Program.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope list_scope.
 
 (** * How a run goes *)
 
-(** fanuc.program.end: the events of blocks depend on these blocks alone, whatever follows: there is no look-ahead. *)
-Theorem earlier_events_stay {num} {N : Numbers num} decimal (s : setup num) bs more place st :
-  exists later, fst (run decimal s (bs ++ more) place st) = fst (run decimal s bs place st) ++ later.
+(** fanuc.program.end: how blocks run before anything compensates them depends on these blocks alone, whatever follows:
+    look-ahead is the compensations' alone. *)
+Theorem earlier_blocks_stay {num} {N : Numbers num} decimal (s : setup num) bs more place st :
+  exists later, fst (planned_from decimal s (bs ++ more) place st) = fst (planned_from decimal s bs place st) ++ later.
 Proof.
   revert place st; induction bs as [|b bs IH]; intros place st; cbn -[step]; [eexists; reflexivity|].
-  destruct (step decimal s b st) as [r| | |]; cbn -[step].
-  - destruct (ends_in r); cbn -[step]; [exists []; now rewrite app_nil_r|].
-    destruct (ends b); cbn -[step]; [exists []; now rewrite app_nil_r|].
-    destruct (IH (S place) (behind r)) as [later IH'].
-    destruct (run decimal s (bs ++ more) (S place) (behind r)) as [all how].
-    destruct (run decimal s bs (S place) (behind r)) as [some how'].
-    cbn -[step] in *. exists later. now rewrite IH', app_assoc.
-  - exists []; reflexivity.
-  - exists []; reflexivity.
-  - exists []; reflexivity.
+  destruct (step decimal s place b st) as [[r [number|]]| | |]; cbn -[step]; try (exists []; reflexivity).
+  destruct (ends b); cbn -[step]; [exists []; reflexivity|].
+  destruct (IH (S place) (behind r)) as [later IH'].
+  destruct (planned_from decimal s (bs ++ more) (S place) (behind r)) as [all how].
+  destruct (planned_from decimal s bs (S place) (behind r)) as [some how'].
+  cbn -[step] in *. exists later. now rewrite IH'.
 Qed.
 
 Definition plain_setup : setup R :=
-  Setup [Letter.X; Letter.Y; Letter.Z] false IS_B (fun _ => None) (fun _ => None) MemoryA 99 [(1%Z, (5%R, 0%R))] [] false
+  Setup [Letter.X; Letter.Y; Letter.Z] false IS_B (fun _ => None) (fun _ => None) (fun _ => None) MemoryA 99 [(1%Z, (5%R, 0%R))] [] false
     (repeat (repeat 0%R 3) 6) (repeat 0%R 3) [] (repeat 0%R 3) [] (repeat 0%R 3)
-    [None; None; Some 100%R].
+    [None; None; Some 100%R] false 0%Z false.
 Definition natural letter (value : Z) : word R := Word letter (IZR value) (Some (10 * value)%Z) false false.
 Definition up : block R := Block [natural Letter.G 43; natural Letter.Z 10; natural Letter.H 1] None.
 
-Example earlier_events_stay_instance : exists later,
-  fst (run (fun _ => "") plain_setup ([up] ++ [up]) 0 (initial plain_setup)) =
-  fst (run (fun _ => "") plain_setup [up] 0 (initial plain_setup)) ++ later.
-Proof. apply earlier_events_stay. Qed.
+Example earlier_blocks_stay_instance : exists later,
+  fst (planned_from (fun _ => "") plain_setup ([up] ++ [up]) 0 (initial plain_setup)) =
+  fst (planned_from (fun _ => "") plain_setup [up] 0 (initial plain_setup)) ++ later.
+Proof. apply earlier_blocks_stay. Qed.
 
 (** fanuc.program.end: nothing comes behind the block with M02 or M30. *)
 Theorem nothing_behind_the_end {num} {N : Numbers num} decimal (s : setup num) b more place st :
-  ends b = true -> run decimal s (b :: more) place st = run decimal s [b] place st.
+  ends b = true -> planned_from decimal s (b :: more) place st = planned_from decimal s [b] place st.
 Proof.
-  intro E; cbn -[step]. destruct (step decimal s b st) as [r| | |]; [|reflexivity..].
-  destruct (ends_in r); [reflexivity|]. now rewrite E.
+  intro E; cbn -[step]. destruct (step decimal s place b st) as [[r [number|]]| | |]; [reflexivity| |reflexivity..].
+  now rewrite E.
 Qed.
 
 Definition last_block : block R := Block [natural Letter.M 30] None.
 
 Example nothing_behind_the_end_instance :
-  run (fun _ => "") plain_setup [last_block; up] 0 (initial plain_setup) =
-  run (fun _ => "") plain_setup [last_block] 0 (initial plain_setup).
+  planned_from (fun _ => "") plain_setup [last_block; up] 0 (initial plain_setup) =
+  planned_from (fun _ => "") plain_setup [last_block] 0 (initial plain_setup).
 Proof. now apply nothing_behind_the_end. Qed.
 
-(** What a block that runs yields: moves and settings. *)
-Definition ordinary {num} (e : event num) : bool :=
-  match e with Moves _ | Setting _ _ => true | _ => false end.
+(** An event that ends the run. *)
+Definition final {num} (e : event num) : bool := match e with Raised _ | NotDecided _ => true | _ => false end.
 
-Lemma bind_got {A B} (x : outcome A) (f : A -> outcome B) y : bind x f = Got y -> exists a, x = Got a /\ f a = Got y.
-Proof. destruct x; cbn; intro H; try discriminate; eauto. Qed.
-
-Lemma own_move_ordinary {num} {N : Numbers num} (s : setup num) numbers b c changed longer st st' events :
-  own_move s numbers b c changed longer st = Got (st', events) -> forallb ordinary events = true.
-Proof.
-  unfold own_move; intro H. destruct c as [c|]; apply bind_got in H; destruct H as (? & _ & H).
-  - repeat match type of H with (let '(_, _) := ?x in _) = Got _ => destruct x end.
-    injection H as _ <-; reflexivity.
-  - injection H as _ <-. now destruct (negb _ || changed).
-Qed.
-
-Lemma measurement_ordinary {num} {N : Numbers num} (s : setup num) numbers st st' events alarm w :
-  measurement s numbers st = Got (st', events, alarm, w) -> forallb ordinary events = true.
-Proof.
-  unfold measurement; intro H. apply bind_got in H; destruct H as (path & _ & H).
-  injection H as _ <- _ _. rewrite forallb_app.
-  destruct (rapid_to path), (measuring_to path); reflexivity.
-Qed.
-
-Lemma step_ordinary {num} {N : Numbers num} decimal (s : setup num) b st r :
-  step decimal s b st = Got r -> forallb ordinary (yields r) = true.
-Proof.
-  unfold step; intro H.
-  apply bind_got in H; destruct H as (? & _ & H).
-  destruct (codes_of b) as [codes|]; [|discriminate].
-  cbv zeta in H.
-  repeat (apply bind_got in H; destruct H as (? & ?E & H);
-          repeat match type of H with (let '(_, _) := ?x in _) = Got _ => destruct x end).
-  match goal with E : _ = Got (_, ?made, _, _) |- _ => assert (Q : forallb ordinary made = true) end.
-  { clear H. match goal with E : _ = Got (_, _, _, _) |- _ => rename E into M end.
-    repeat match type of M with match ?x with _ => _ end = _ => destruct x end;
-      try (eapply measurement_ordinary; exact M);
-      apply bind_got in M; destruct M as ([? ?] & M & M'); injection M' as _ <- _ _;
-      try (eapply own_move_ordinary; exact M);
-      apply (f_equal (fun o => match o with Got (_, list) => list | _ => [] end)) in M; cbn in M; now subst. }
-  clear - H Q.
-  injection H as <-. cbn. rewrite forallb_app, Q. now match goal with |- context [match ?x with Some _ => _ | None => _ end] => destruct x end.
-Qed.
-
-(** What a run yields behind the first event that is none of a block that runs: nothing. *)
+(** What a run yields behind the first event that ends it: nothing. *)
 Fixpoint nothing_behind_an_alarm {num} (events : list (event num)) : Prop :=
   match events with
   | [] => True
-  | e :: rest => (ordinary e = true /\ nothing_behind_an_alarm rest) \/ rest = []
+  | e :: rest => (final e = false /\ nothing_behind_an_alarm rest) \/ rest = []
   end.
 
 Lemma nothing_behind_app {num} (ahead rest : list (event num)) :
-  forallb ordinary ahead = true -> nothing_behind_an_alarm rest -> nothing_behind_an_alarm (ahead ++ rest).
+  existsb final ahead = false -> nothing_behind_an_alarm rest -> nothing_behind_an_alarm (ahead ++ rest).
 Proof.
   induction ahead as [|e ahead IH]; cbn; intros O L; [assumption|].
-  apply andb_prop in O as [O O']; left; auto.
+  apply orb_false_elim in O as [O O']; left; auto.
 Qed.
 
-Lemma places_aside {num} (place : nat) (events : list (event num)) : map snd (map (fun e => (place, e)) events) = events.
-Proof. rewrite map_map; apply map_id. Qed.
-
-(** fanuc.program.unreadable-block: every alarm ends the run, and nothing follows it; so does what cannot be decided. *)
-Theorem alarm_is_last {num} {N : Numbers num} decimal (s : setup num) bs place st :
-  nothing_behind_an_alarm (map snd (fst (run decimal s bs place st))).
+Lemma nothing_final_in_blocks {num} {N : Numbers num} (blocks : list (planned num)) :
+  existsb final (map snd (flat_map (fun b => map (fun i => (at_place b, event_of i)) (items b)) blocks)) = false.
 Proof.
-  revert place st; induction bs as [|b bs IH]; intros place st; cbn -[step]; [exact I|].
-  destruct (step decimal s b st) as [r| | |] eqn:E; cbn -[step]; [|now right..|exact I].
-  apply step_ordinary in E. destruct (ends_in r); cbn -[step].
-  - rewrite map_app, places_aside. apply nothing_behind_app; [assumption|now right].
-  - destruct (ends b); cbn -[step].
-    + rewrite places_aside, <- (app_nil_r (yields r)). now apply nothing_behind_app.
-    + specialize (IH (S place) (behind r)). destruct (run decimal s bs (S place) (behind r)) as [later how].
-      cbn -[step] in *. rewrite map_app, places_aside. now apply nothing_behind_app.
+  induction blocks as [|b blocks IH]; [reflexivity|]. cbn [flat_map]. rewrite map_app, existsb_app, IH, orb_false_r.
+  rewrite map_map. cbn. induction (items b) as [|i rest IH']; [reflexivity|]. cbn. rewrite IH'. now destruct i.
+Qed.
+
+(** fanuc.program.unreadable-block: every alarm ends the run, and nothing follows it; so does what cannot be decided. In
+    every section, whatever its compensation does. *)
+Theorem alarm_is_last {num} {N : Numbers num} decimal (s : setup num) bs :
+  nothing_behind_an_alarm (map snd (fst (run_program decimal s bs))).
+Proof.
+  unfold run_program; cbn [fst]. unfold events_of. rewrite map_app. apply nothing_behind_app.
+  - apply nothing_final_in_blocks.
+  - destruct (snd (compensated s (planned_from decimal s bs 0 (initial s)))); cbn; auto.
 Qed.
 
 Definition unknown_code : block R := Block [natural Letter.G 27] None.
 
 Example alarm_is_last_instance : nothing_behind_an_alarm
-  (map snd (fst (run (fun _ => "") plain_setup [up; unknown_code; up] 0 (initial plain_setup)))).
+  (map snd (fst (run_program (fun _ => "") plain_setup [up; unknown_code; up]))).
 Proof. apply alarm_is_last. Qed.
+
+Lemma bind_got {A B} (x : outcome A) (f : A -> outcome B) y : bind x f = Got y -> exists a, x = Got a /\ f a = Got y.
+Proof. destruct x; cbn; intro H; try discriminate; eauto. Qed.
 
 (** * Moves *)
 
@@ -138,7 +98,7 @@ Proof. apply alarm_is_last. Qed.
     so does an arc. *)
 Theorem one_own_move {num} {N : Numbers num} (s : setup num) numbers b circle_of changed longer st st' events :
   own_move s numbers b circle_of changed longer st = Got (st', events) ->
-  circle_of <> None \/ empty (which numbers) = false -> exists m, events = [Moves m].
+  circle_of <> None \/ empty (which numbers) = false -> exists m, events = [m].
 Proof.
   unfold own_move; intros H O. destruct circle_of as [c|].
   - apply bind_got in H; destruct H as (? & _ & H).
@@ -150,7 +110,7 @@ Qed.
 
 Example one_own_move_instance st' events :
   own_move plain_setup [None; None; Some 10%R] up None false None (initial plain_setup) = Got (st', events) ->
-  exists m, events = [Moves m].
+  exists m, events = [m].
 Proof. intro H. eapply one_own_move; [exact H|right; reflexivity]. Qed.
 
 (** fanuc.length-offset.move-without-axis-word: without an axis word and without a change of the offset there is none. *)
@@ -189,19 +149,23 @@ Qed.
 Theorem uncompensated_is_programmed (s : setup R) t c machine a st :
   let zero := map (fun _ => 0%R) (programmed st) in
   shift st = zero ->
-  exists m, move_to s t c machine a st zero = Moves m /\ tool_point m = programmed_end m /\
-            axis_positions m = programmed_end m.
+  sum (programmed st) (zeros s) = programmed st ->
+  let m := move_of (move_to s t c machine a st zero) in
+  tool_point m = programmed_end m /\ axis_positions m = programmed_end m.
 Proof.
-  cbv zeta; intro S. unfold move_to. rewrite S.
+  cbv zeta; intros S H. unfold move_to, move_of. cbn. rewrite S.
   assert (Z : sum (programmed st) (map (fun _ => 0%R) (programmed st)) = programmed st).
-  { apply sum_zero; [apply map_length|]. apply Forall_forall. intros x H. apply in_map_iff in H as (? & H & _); auto. }
-  rewrite !Z. eexists; repeat split.
+  { apply sum_zero; [apply map_length|]. apply Forall_forall. intros x I. apply in_map_iff in I as (? & I & _); auto. }
+  rewrite !Z, H, Z. now split.
 Qed.
 
-Example uncompensated_is_programmed_instance : exists m,
-  move_to plain_setup Rapid Programmed false None (initial plain_setup) [0%R; 0%R; 0%R] = Moves m /\
+Example uncompensated_is_programmed_instance :
+  let m := move_of (move_to plain_setup Rapid Programmed false None (initial plain_setup) [0%R; 0%R; 0%R]) in
   tool_point m = programmed_end m /\ axis_positions m = programmed_end m.
-Proof. exact (uncompensated_is_programmed plain_setup Rapid Programmed false None (initial plain_setup) eq_refl). Qed.
+Proof.
+  apply (uncompensated_is_programmed plain_setup Rapid Programmed false None (initial plain_setup)); [reflexivity|].
+  cbn. now rewrite !Rplus_0_r.
+Qed.
 
 (** * The length offset *)
 
