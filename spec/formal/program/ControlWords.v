@@ -112,9 +112,14 @@ Definition limits_in_order {num} {N : Numbers num} (s : setup num) : outcome boo
 
 (** * Alarms *)
 
-(** fanuc.tool-center-point.forbidden: these codes, and G10 L2 and L20. *)
+(** fanuc.tool-center-point.forbidden: these codes, and G10 L2 and L20.
+    fanuc.program.last-code-of-group: of one group the last counts. *)
 Definition forbidden_codes := [280; 290; 300; 301; 370; 390; 410; 420; 450; 460; 470; 480; 520; 530; 540; 541; 550; 560;
   570; 580; 590; 920].
+Definition is_forbidden (codes : list Z) : bool :=
+  existsb
+    (fun group => match last_of group codes with Some code => among code forbidden_codes | None => false end)
+    [map fst actions; compensations; systems].
 
 (** What compensates the tip beside control: the leading edge offset and tool side compensation. *)
 Record beside_control := BesideControl {
@@ -138,7 +143,7 @@ Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command n
                  | _ => false
                  end in
   (* fanuc.tool-center-point.forbidden *)
-  _ <- alarm_if (under && (origins || existsb (fun code => among code forbidden_codes) codes))
+  _ <- alarm_if (under && (origins || is_forbidden codes))
          "FORBIDDEN_UNDER_TOOL_DIRECTION" ;;
   (* fanuc.tool-center-point.exclusion: G43 or G44 under control, and the code while an axis has a length offset *)
   let length_code := match last_of lengths codes with Some l => among l [430; 440] | None => false end in
