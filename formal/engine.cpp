@@ -29,8 +29,8 @@ std::int64_t tenths(const spec::Decimal& decimal) {
 Data block_data(const spec::Block& block) {
   List words;
   for (const spec::Word& word : block.words())
-    words.emplace_back(List{letter(word.address), number(word.value), tenths(word.value),
-                            flag(word.value.negative), flag(word.value.point)});
+    words.emplace_back(List{letter(word.address), number(word.value), tenths(word.value), flag(word.value.negative),
+                            flag(word.value.point)});
   return List{block.alarm ? std::string(block.alarm->number.view()) : std::string(), std::move(words)};
 }
 
@@ -180,8 +180,8 @@ std::string not_said_yet(const std::string& what) { return "the formal specifica
 bool available() { return true; }
 
 std::vector<std::string> sections() {
-  return {"fanuc/tool-length-offset",     "fanuc/tool-length-measurement", "fanuc/tool-offset",
-          "heidenhain/face-milling", "heidenhain/peripheral-milling", "heidenhain/programmed-contour"};
+  return {"fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset",
+          "heidenhain/face-milling",  "heidenhain/peripheral-milling", "heidenhain/programmed-contour"};
 }
 
 Run run(const spec::Case& c) {
