@@ -28,7 +28,7 @@ struct Data {
   [[nodiscard]] const List& list() const { return std::get<List>(value); }
 };
 
-// A function that OCaml has registered: of run.ml or klartext.ml.
-Data call_ocaml(const char* function, const Data& setup, const Data& blocks);
+// The function `run` of run.ml, of a case.
+Data run_case(const Data& c);
 
 }  // namespace toolcomp::formal

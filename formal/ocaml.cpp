@@ -105,25 +105,24 @@ Data from_ocaml(value v) {
   return list;
 }
 
-value call(const char* function, const Data& setup, const Data& blocks) {
+value call(const Data& c) {
   CAMLparam0();
-  CAMLlocal3(first, second, result);
-  first = to_ocaml(setup);
-  second = to_ocaml(blocks);
-  result = caml_callback2_exn(*caml_named_value(function), first, second);
+  CAMLlocal2(tree, result);
+  tree = to_ocaml(c);
+  result = caml_callback_exn(*caml_named_value("toolcomp_formal_run"), tree);
   CAMLreturn(result);
 }
 
 }  // namespace
 
-Data call_ocaml(const char* function, const Data& setup, const Data& blocks) {
+Data run_case(const Data& c) {
   static std::once_flag started;
   std::call_once(started, [] {
     static char name[] = "toolcomp";
     static char* arguments[] = {name, nullptr};
     caml_startup(arguments);
   });
-  const value result = call(function, setup, blocks);
+  const value result = call(c);
   if (Is_exception_result(result)) throw std::logic_error("the formal specification raised an exception");
   return from_ocaml(result);
 }

@@ -1,6 +1,8 @@
 // Parts of setups and programs as plain data, the same in both dialects.
 #pragma once
 
+#include <cstdint>
+
 #include "formal/data.h"
 #include "spec/language/axes.h"
 #include "spec/language/decimal.h"
@@ -8,13 +10,11 @@
 
 namespace toolcomp::formal {
 
-inline exact::Rational exactly(const spec::Decimal& decimal) {
-  exact::Rational value(decimal.digits);
-  for (int i = 0; i < decimal.decimals; ++i) value /= 10;
-  return decimal.negative ? exact::Rational(-value) : value;
+// A decimal: its digits, how many of them stand behind the point.
+inline Data number(const spec::Decimal& decimal) {
+  const auto digits = static_cast<std::int64_t>(decimal.digits);
+  return List{decimal.negative ? -digits : digits, std::int64_t{decimal.decimals}};
 }
-
-inline Data number(const spec::Decimal& decimal) { return exact::Real(exactly(decimal)); }
 inline Data flag(bool value) { return std::int64_t{value ? 1 : 0}; }
 inline Data whole(std::size_t value) { return static_cast<std::int64_t>(value); }
 // The place of a letter in the alphabet.

@@ -29,7 +29,7 @@ FAULTS = [
     (LENGTH, 2000, "Memory.v", "if incremental m then (old + r)%num else r", "r"),
     (MEASUREMENT, 500, "Measurement.v", "(d + ahead (zone s))", "d"),
     (MEASUREMENT, 500, "Measurement.v", "if later : bool then p else b", "p"),
-    (MEASUREMENT, 500, "Program.v", "(t - on_axis (vector l) - on_axis (shift st))", "(t - on_axis (shift st))"),
+    (MEASUREMENT, 500, "OwnMove.v", "(t - on_axis (vector l) - on_axis (shift st))", "(t - on_axis (shift st))"),
     (OFFSET, 100, "ToolShift.v", "Some ShortenTwice => Some (- (integer 2 * l))", "Some ShortenTwice => Some (- l)"),
     (OFFSET, 500, "ToolShift.v", "Some (negb minus_written)", "Some true"),
     (OFFSET, 2000, "ToolShift.v", "alarm_if negative \"PS0038\"", "alarm_if false \"PS0038\""),

@@ -19,7 +19,7 @@ Definition known := [0; 10; 20; 30; 40; 100; 170; 180; 190; 200; 210; 280; 290; 
   920; 930; 940; 950] ++ without_effect.
 
 (** What this text does not say yet. *)
-Definition beyond := [390; 410; 412; 413; 416; 420; 422; 426; 434; 435].
+Definition beyond := [412; 413; 416; 422; 426; 434; 435].
 
 (** fanuc.program.last-code-of-group: modal groups. *)
 Definition motions := [0; 10; 20; 30].
@@ -37,6 +37,7 @@ Inductive action :=
 | FirstReference        (* G28 *)
 | ReturnFromReference   (* G29 *)
 | Measure               (* G37 *)
+| CornerArc             (* G39 *)
 | OtherReference        (* G30 *)
 | FloatingReference     (* G30.1 *)
 | Lengthen              (* G45 *)
@@ -47,7 +48,7 @@ Inductive action :=
 | MachinePosition       (* G53 *)
 | SetPosition.          (* G92 *)
 Definition actions := [(40, Dwell); (100, DataInput); (280, FirstReference); (290, ReturnFromReference);
-  (300, OtherReference); (301, FloatingReference); (370, Measure); (450, Lengthen); (460, Shorten); (470, LengthenTwice);
+  (300, OtherReference); (301, FloatingReference); (370, Measure); (390, CornerArc); (450, Lengthen); (460, Shorten); (470, LengthenTwice);
   (480, ShortenTwice); (520, LocalSystem); (530, MachinePosition); (920, SetPosition)].
 
 (** The codes of a block, in their order; none where one does not exist. *)

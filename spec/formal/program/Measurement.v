@@ -18,15 +18,17 @@ Definition zone {num} {N : Numbers num} (s : setup num) : num := length_paramete
     fanuc.length-measurement.number-zero: PS0081 while the H number of the length offset is 0.
     fanuc.length-measurement.axis: exactly one axis word, of a linear axis, and G90, else PS0083.
     fanuc.length-measurement.with-length-code: G43, G44 or G49 in the block raises MEASUREMENT_FORMAT.
+    fanuc.length-measurement.in-cutter-compensation: while cutter compensation is on PS0036.
     fanuc.length-measurement.parameters-in-order: 6251 > 6254 >= 0, and 6241 above 0, else MEASUREMENT_PARAMETERS. *)
 Definition measurement_words {num} {N : Numbers num} (s : setup num) (m : modes) (c : length_command)
-    (l : length_offset num) : outcome unit :=
+    (in_cutter_compensation : bool) (l : length_offset num) : outcome unit :=
   let clause := "fanuc.length-measurement.parameters-in-order" in
   _ <- alarm_if (given (h c)) "PS0082" ;;
   _ <- alarm_if (number_in_force l =? 0) "PS0081" ;;
   let linear := map2 andb (named c) (map Letter.linear (axes s)) in
   _ <- alarm_if (incremental m || negb (size (named c) =? 1) || empty linear) "PS0083" ;;
   _ <- alarm_if (given (code c)) "MEASUREMENT_FORMAT" ;;
+  _ <- alarm_if in_cutter_compensation "PS0036" ;;
   apart <- is_positive clause (slow_distance s - zone s)%num ;;
   negative_zone <- is_negative clause (zone s) ;;
   feed <- match parameter s "6241" with Some f => is_positive clause f | None => Got true end ;;

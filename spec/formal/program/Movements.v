@@ -1,6 +1,6 @@
 (** The movements of blocks, before anything compensates them, and what is done with them. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset State.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset State Pose.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -97,7 +97,8 @@ Definition straight (t : travel) : travel := match t with Rapid => Rapid | _ => 
 Definition move_to {num} {N : Numbers num} (s : setup num) (t : travel) (c : cause) (machine : bool) (a : option (arc num))
     (st : state num) (length : values num) : movement num :=
   Movement t c (programmed st) (sum (programmed st) (shift st)) (zeros s) length
-    (if machine then Some (work_zero s (coordinates_of st)) else None) a (feed_for t (feed st)) None.
+    (if machine then Some (work_zero s (coordinates_of st)) else None) a (feed_for t (feed st))
+    (tool_axis_at s (coordinates_of st) (programmed st)).
 
 (** fanuc.program.incremental: under G90 an axis word is the end position, under G91 the travel. *)
 Definition destination {num} {N : Numbers num} (incremental : bool) (from : values num) (numbers : some_values num) :

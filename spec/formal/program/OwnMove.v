@@ -1,6 +1,6 @@
 (** The own movement of a block: its line or arc, with the tool offset of G45 to G48. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement State.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement State Pose.
 From Toolcomp Require Import Movements.
 Import ListNotations.
 Open Scope string_scope.
@@ -113,7 +113,8 @@ Definition measurement {num} {N : Numbers num} (s : setup num) (numbers : some_v
   let standing x := on_named (which numbers) (map (fun _ => x) (programmed st)) (programmed st) in
   let part t c x f :=
     let point := sum (standing x) (shift st) in
-    Movement t c (standing d) point (zeros s) (vector l) None None (feed_for t f) None in
+    Movement t c (standing d) point (zeros s) (vector l) None None (feed_for t f)
+      (tool_axis_at s (coordinates_of st) (standing d)) in
   let feed_of_part := match parameter s "6241" with Some f => Some f | None => feed st end in
   let first := match rapid_to path, measuring_to path with
                | Some b, _ => [part Rapid Programmed b None]

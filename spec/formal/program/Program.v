@@ -3,7 +3,7 @@
     What this text does not say yet: codes of the other sections end the run with [Beyond]. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement State.
-From Toolcomp Require Import Movements OwnMove CutterWords SideWords EdgeWords ControlWords Compensation.
+From Toolcomp Require Import Movements OwnMove CutterRules CutterWords SideWords EdgeWords ControlWords Compensation.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -33,10 +33,13 @@ Definition is_shift (code : option action) : bool :=
 
 (** No path belongs to these. *)
 Definition stays (code : option action) : bool :=
-  match code with Some Dwell | Some DataInput | Some LocalSystem | Some SetPosition => true | _ => false end.
+  match code with
+  | Some Dwell | Some DataInput | Some CornerArc | Some LocalSystem | Some SetPosition => true
+  | _ => false
+  end.
 (** The words of these are theirs, not positions. *)
 Definition renames (code : option action) : bool :=
-  match code with Some LocalSystem | Some SetPosition => true | _ => false end.
+  match code with Some CornerArc | Some LocalSystem | Some SetPosition => true | _ => false end.
 (** They send the axes that they name elsewhere. *)
 Definition goes_to_machine_position (code : option action) : bool :=
   match code with
@@ -79,8 +82,8 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let ignored := match code with Some MachinePosition => incremental m | _ => false end in
     let no_numbers := map (fun _ => None) (axes s) in
     let numbers := if data || ignored then no_numbers else all_numbers in
-    (* The words of G52 and G92 move nothing, and name axes as others do. *)
-    let naming := if letters_are_data || ignored then no_numbers else all_numbers in
+    (* Of G52, G92, G39 and a G53 that is ignored too. *)
+    let naming := if letters_are_data then no_numbers else all_numbers in
     let position := renamed s (coordinates_of st) c (programmed st) in
     let said := Command b codes code m h d all_numbers numbers naming in
     let to_length := LengthCommand (length_code_of codes) h (in_plane m) (which naming)
@@ -91,7 +94,8 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     _ <- side_alarms s said st ;;
     _ <- cutter_alarms s said st ;;
     let measures := match code with Some Measure => true | _ => false end in
-    _ <- (if measures then measurement_words s m to_length (length_of st) else Got tt) ;;
+    _ <- (if measures then measurement_words s m to_length (cutter_on s (cutter st) (shared st) || cutter_on_after s said st)
+                        (length_of st) else Got tt) ;;
     c' <- (if origins then with_origin s (incremental m) (or_else l 0) b all_numbers c else Got c) ;;
     writing <- match into with Some store => written s m (offsets_of st) b store | None => Got None end ;;
     target <- (if empty (which numbers) then Got None else reference_position s code b) ;;
@@ -147,7 +151,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     control' <- control_behind s said at_start st ;;
     edge' <- edge_behind s said at_start st ;;
     side' <- side_behind s said at_start st ;;
-    cutter' <- cutter_behind s said at_start st ;;
+    cutter' <- cutter_behind s said at_start st moves ;;
     let st := with_control (with_edge (with_side (with_cutter st cutter') side') edge') control' in
     Got (Planned place said at_start st (map Go moves ++ settings), alarm)
   end.

@@ -44,6 +44,7 @@ Record setup (num : Type) := Setup {
   least_increment : increment;
   parameter_bit : string -> option bool;   (* "5001#2" *)
   parameter : string -> option num;        (* "6251" *)
+  whole_parameter : string -> option Z;    (* the same where it is a natural number *)
   memory : memory_kind;
   offset_count : Z;
   h_offsets : table num;
@@ -55,12 +56,17 @@ Record setup (num : Type) := Setup {
   start : values num;
   reference : list (Z * values num);           (* 1 to 4 *)
   floating : values num;
-  signal_at : some_values num                    (* [measurement] *)
+  signal_at : some_values num;                   (* [measurement] *)
+  angles_as_programmed : bool;                   (* rotary_angles *)
+  parts_of_block : Z;                            (* samples of a case; 0: none are asked for *)
+  cutter_b : bool                                (* G39 to G42 are cutter compensation B *)
 }.
 Arguments Setup {num}. Arguments axes {num}. Arguments inches {num}. Arguments least_increment {num}. Arguments parameter_bit {num}. Arguments parameter {num}.
 Arguments memory {num}. Arguments offset_count {num}. Arguments h_offsets {num}. Arguments d_offsets {num}.
 Arguments g49_sets_h0 {num}. Arguments workpiece {num}. Arguments external {num}. Arguments additional {num}.
 Arguments start {num}. Arguments reference {num}. Arguments floating {num}. Arguments signal_at {num}.
+Arguments whole_parameter {num}. Arguments angles_as_programmed {num}. Arguments parts_of_block {num}.
+Arguments cutter_b {num}.
 
 (** A bit that the setup does not give. *)
 Definition bit {num} (s : setup num) (parameter : string) : bool := or_else (parameter_bit s parameter) false.

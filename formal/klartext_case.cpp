@@ -1,14 +1,11 @@
-#include "formal/klartext.h"
-
 #include <array>
+#include <cstdint>
 #include <exception>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
-#include <vector>
 
-#include "formal/data.h"
+#include "formal/case_data.h"
 #include "formal/plain.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/heidenhain/klartext_block.h"
@@ -18,12 +15,9 @@
 namespace toolcomp::formal {
 namespace {
 
-using exact::Real;
 using spec::klartext::Block;
 using spec::klartext::Statement;
 using spec::klartext::Value;
-using Event = spec::Event<Real>;
-using Vector = std::array<Real, 3>;
 
 template <class Enum>
 Data place_of(Enum value) {
@@ -54,7 +48,7 @@ Data axis_words(const Block& block) {
   return words;
 }
 
-// The kinds of klartext.ml.
+// The kinds of KlartextCase.v.
 Data feed(const Block& block) {
   enum Kind : std::int64_t { kF, kMax, kAuto, kOther };
   const auto of_kind = [&](Kind kind) {
@@ -87,7 +81,7 @@ Data called_tool(const Block& block) {
               std::string(block.tool_name.view())};
 }
 
-// The statements of klartext.ml, by their places there; an empty list: one without effect.
+// The statements of KlartextCase.v, by their places there; an empty list: one without effect.
 Data statement(const Block& block) {
   enum Kind : std::int64_t {
     kBegin,
@@ -180,102 +174,24 @@ Data setup_data(const spec::Setup& setup) {
               std::move(tools), std::move(corrections)};
 }
 
-spec::AxisValues<Real> linear_positions(const Data& data, const spec::Axes& axes) {
-  spec::AxisValues<Real> values;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (spec::is_linear_axis(axes.letter(i))) values.set(i, data.list().at(i).number());
-  return values;
-}
-
-Vector vector_of(const Data& data) {
-  const List& v = data.list();
-  return {v.at(0).number(), v.at(1).number(), v.at(2).number()};
-}
-
-spec::Contact<Real> contact_of(const List& data) {
-  spec::Contact<Real> contact{vector_of(data.at(0)), vector_of(data.at(1)), data.at(2).integer() != 0, {}};
-  if (const List& angle = data.at(3).list(); !angle.empty()) contact.angle = angle[0].number();
-  return contact;
-}
-
-// The fields of a move, in the order of klartext.ml, behind place and kind.
-void read_move(Event& event, const List& data, const spec::Axes& axes) {
-  std::size_t next = 2;
-  const auto field = [&]() -> const Data& { return data.at(next++); };
-  event.type = field().integer() != 0 ? spec::MoveType::rapid : spec::MoveType::linear;
-  event.cause = static_cast<spec::Cause>(field().integer());
-  event.programmed = linear_positions(field(), axes);
-  event.point = linear_positions(field(), axes);
-  const List& sent = field().list();
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (const List& here = sent.at(i).list(); !here.empty()) event.axes.set(i, here[0].number());
-  event.tool_axis = vector_of(field());
-  spec::SpaceCompensation<Real>& space = event.space.emplace();
-  space.tool_center = vector_of(field());
-  space.shift = vector_of(field());
-  space.tool_shift = vector_of(field());
-  if (const List& carrier = field().list(); !carrier.empty()) space.carrier = vector_of(carrier[0]);
-  if (const List& contact = field().list(); !contact.empty()) space.contact = contact_of(contact[0].list());
-  if (const List& f = field().list(); !f.empty()) event.feed = f[0].number();
-}
-
-enum EventOf : std::int64_t { kMoved, kWarning, kAlarm, kOpen, kOutOfScope, kNotSaid };
-
-Event event_of(const List& data, const spec::Axes& axes) {
-  Event event;
-  switch (data.at(1).integer()) {
-    case kMoved:
-      read_move(event, data, axes);
-      break;
-    case kWarning:
-    case kAlarm:
-      event.kind = data.at(1).integer() == kWarning ? spec::EventKind::warning : spec::EventKind::alarm;
-      event.number = spec::Name(data.at(2).text());
-      break;
-    case kOpen:
-      event.kind = spec::EventKind::undecided;
-      event.permitted = {true, true, true};
-      event.number = spec::Name(data.at(2).text());
-      break;
-    default:
-      event.kind = spec::EventKind::undecided;
-      event.out_of_scope = true;
-      event.number = "heidenhain.peripheral.out-of-scope";
-  }
-  return event;
-}
-
-// As the alarm of a block in whose place there is bad input: it counts where the run reaches it.
-constexpr const char* kBadInput = "bad input";
-
 }  // namespace
 
-Run run_klartext(const spec::Case& c) {
+CaseData klartext_case(const spec::Case& c) {
+  CaseData result;
   spec::klartext::Reader reader(spec::text_source(c.program), c.setup);
-  std::vector<std::pair<std::uint64_t, std::optional<std::uint64_t>>> places;
   List blocks;
-  std::exception_ptr bad_input;
   try {
     for (Block block; reader.next(block);) {
-      places.emplace_back(block.line, block.n);
+      result.places.push_back({block.line, block.n});
       blocks.push_back(block_data(block));
       if (block.alarm) break;
     }
   } catch (const spec::InputError&) {
-    bad_input = std::current_exception();
-    places.emplace_back();
+    result.bad_input = std::current_exception();
+    result.places.emplace_back();
     blocks.emplace_back(List{std::string(kBadInput), List{}, List{}});
   }
-  const Data said = call_ocaml("toolcomp_formal_klartext", setup_data(c.setup), std::move(blocks));
-  Run result;
-  if (const std::string& what = said.list().at(1).text(); !what.empty()) return {{}, not_said_yet(what)};
-  for (const Data& data : said.list().at(0).list()) {
-    if (data.list().at(1).integer() == kNotSaid) return {{}, not_said_yet(data.list().at(2).text())};
-    Event event = event_of(data.list(), c.setup.axes);
-    std::tie(event.line, event.n) = places.at(static_cast<std::size_t>(data.list().at(0).integer()));
-    if (event.number == spec::Name(kBadInput)) std::rethrow_exception(bad_input);
-    result.events.push_back(std::move(event));
-  }
+  result.data = List{std::int64_t{1}, setup_data(c.setup), std::move(blocks)};
   return result;
 }
 

@@ -1,0 +1,86 @@
+#include <array>
+#include <cstdint>
+
+#include "formal/events.h"
+#include "spec/language/axes.h"
+
+namespace toolcomp::formal {
+namespace {
+
+using exact::Real;
+using Event = spec::Event<Real>;
+
+// What is said of the axes, of the linear ones alone or of all.
+spec::AxisValues<Real> positions(const Data& data, const spec::Axes& axes, bool all) {
+  spec::AxisValues<Real> values;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (all || spec::is_linear_axis(axes.letter(i))) values.set(i, data.list().at(i).number());
+  return values;
+}
+
+// The travels of FanucCase.v.
+enum Travel : std::int64_t { kRapid, kLinear, kClockwise, kCounterclockwise };
+
+spec::Arc<Real> arc_of(const List& data, std::int64_t travel, const spec::Axes& axes) {
+  constexpr std::array<const char*, 3> kAxes{"XY", "ZX", "YZ"};
+  spec::Arc<Real> arc;
+  const auto plane = static_cast<std::size_t>(data.at(1).integer());
+  for (std::size_t i = 0; i < 2; ++i)  // a machine may lack an axis of the plane
+    if (const char letter = kAxes.at(plane)[i]; axes.has(letter))
+      arc.center.set(axes.index(letter), data.at(0).list().at(i).number());
+  arc.plane = static_cast<spec::Plane>(plane);
+  arc.direction = travel == kClockwise ? spec::ArcDirection::cw : spec::ArcDirection::ccw;
+  if (const List& sweep = data.at(2).list(); !sweep.empty()) arc.sweep = sweep[0].number();
+  if (const List& radii = data.at(3).list(); !radii.empty())
+    arc.radius = {radii[0].list().at(0).number(), radii[0].list().at(1).number()};
+  return arc;
+}
+
+// The fields of a move, in the order of FanucCase.v, behind place and kind.
+void read_move(Event& event, const List& data, const spec::Axes& axes) {
+  const std::int64_t travel = data.at(2).integer();
+  event.type = travel == kRapid    ? spec::MoveType::rapid
+               : travel == kLinear ? spec::MoveType::linear
+                                   : spec::MoveType::arc;
+  event.cause = static_cast<spec::Cause>(data.at(3).integer());
+  event.programmed = positions(data.at(4), axes, false);
+  event.point = positions(data.at(5), axes, false);
+  event.axes = positions(data.at(6), axes, true);
+  if (const List& machine = data.at(7).list(); !machine.empty()) event.machine = positions(machine[0], axes, true);
+  if (const List& arc = data.at(8).list(); !arc.empty()) event.arc = arc_of(arc[0].list(), travel, axes);
+  if (const List& feed = data.at(9).list(); !feed.empty()) event.feed = feed[0].number();
+  if (const List& tool = data.at(10).list(); !tool.empty()) {
+    const List& axis = tool[0].list();
+    event.tool_axis = {axis.at(0).number(), axis.at(1).number(), axis.at(2).number()};
+  }
+}
+
+enum EventOf : std::int64_t { kMoves, kSetting, kRaised, kNotDecided, kWarned };
+
+}  // namespace
+
+spec::Event<exact::Real> fanuc_event(const List& data, const spec::Axes& axes) {
+  Event event;
+  switch (data.at(1).integer()) {
+    case kMoves:
+      read_move(event, data, axes);
+      break;
+    case kSetting:
+      event.kind = spec::EventKind::setting;
+      event.setting = spec::Name(data.at(2).text());
+      event.value = data.at(3).number();
+      break;
+    case kRaised:
+    case kWarned:
+      event.kind = data.at(1).integer() == kRaised ? spec::EventKind::alarm : spec::EventKind::warning;
+      event.number = spec::Name(data.at(2).text());
+      break;
+    default:
+      event.kind = spec::EventKind::undecided;
+      event.permitted = {true, true, true};
+      event.number = spec::Name(data.at(2).text());
+  }
+  return event;
+}
+
+}  // namespace toolcomp::formal

@@ -1,0 +1,81 @@
+#include <array>
+#include <cstdint>
+
+#include "formal/events.h"
+#include "spec/language/axes.h"
+
+namespace toolcomp::formal {
+namespace {
+
+using exact::Real;
+using Event = spec::Event<Real>;
+using Vector = std::array<Real, 3>;
+
+spec::AxisValues<Real> linear_positions(const Data& data, const spec::Axes& axes) {
+  spec::AxisValues<Real> values;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (spec::is_linear_axis(axes.letter(i))) values.set(i, data.list().at(i).number());
+  return values;
+}
+
+Vector vector_of(const Data& data) {
+  const List& v = data.list();
+  return {v.at(0).number(), v.at(1).number(), v.at(2).number()};
+}
+
+spec::Contact<Real> contact_of(const List& data) {
+  spec::Contact<Real> contact{vector_of(data.at(0)), vector_of(data.at(1)), data.at(2).integer() != 0, {}};
+  if (const List& angle = data.at(3).list(); !angle.empty()) contact.angle = angle[0].number();
+  return contact;
+}
+
+// The fields of a move, in the order of KlartextCase.v, behind place and kind.
+void read_move(Event& event, const List& data, const spec::Axes& axes) {
+  std::size_t next = 2;
+  const auto field = [&]() -> const Data& { return data.at(next++); };
+  event.type = field().integer() != 0 ? spec::MoveType::rapid : spec::MoveType::linear;
+  event.cause = static_cast<spec::Cause>(field().integer());
+  event.programmed = linear_positions(field(), axes);
+  event.point = linear_positions(field(), axes);
+  const List& sent = field().list();
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (const List& here = sent.at(i).list(); !here.empty()) event.axes.set(i, here[0].number());
+  event.tool_axis = vector_of(field());
+  spec::SpaceCompensation<Real>& space = event.space.emplace();
+  space.tool_center = vector_of(field());
+  space.shift = vector_of(field());
+  space.tool_shift = vector_of(field());
+  if (const List& carrier = field().list(); !carrier.empty()) space.carrier = vector_of(carrier[0]);
+  if (const List& contact = field().list(); !contact.empty()) space.contact = contact_of(contact[0].list());
+  if (const List& f = field().list(); !f.empty()) event.feed = f[0].number();
+}
+
+enum EventOf : std::int64_t { kMoved, kWarning, kAlarm, kOpen, kOutOfScope, kNotSaid };
+
+}  // namespace
+
+spec::Event<exact::Real> klartext_event(const List& data, const spec::Axes& axes) {
+  Event event;
+  switch (data.at(1).integer()) {
+    case kMoved:
+      read_move(event, data, axes);
+      break;
+    case kWarning:
+    case kAlarm:
+      event.kind = data.at(1).integer() == kWarning ? spec::EventKind::warning : spec::EventKind::alarm;
+      event.number = spec::Name(data.at(2).text());
+      break;
+    case kOpen:
+      event.kind = spec::EventKind::undecided;
+      event.permitted = {true, true, true};
+      event.number = spec::Name(data.at(2).text());
+      break;
+    default:
+      event.kind = spec::EventKind::undecided;
+      event.out_of_scope = true;
+      event.number = "heidenhain.peripheral.out-of-scope";
+  }
+  return event;
+}
+
+}  // namespace toolcomp::formal
