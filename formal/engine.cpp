@@ -12,8 +12,9 @@ namespace toolcomp::formal {
 bool available() { return true; }
 
 std::vector<std::string> sections() {
-  return {"fanuc/tool-length-offset",     "fanuc/tool-length-measurement", "fanuc/tool-offset",
-          "fanuc/cutter-compensation-b",  "heidenhain/face-milling",       "heidenhain/peripheral-milling",
+  return {"fanuc/tool-length-offset",    "fanuc/tool-length-measurement", "fanuc/tool-offset",
+          "fanuc/cutter-compensation-b", "fanuc/cutter-compensation-c",   "fanuc/leading-edge-offset",
+          "fanuc/tool-side-compensation", "heidenhain/face-milling",      "heidenhain/peripheral-milling",
           "heidenhain/programmed-contour"};
 }
 
