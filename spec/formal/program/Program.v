@@ -2,7 +2,8 @@
 
     What this text does not say yet: codes of the other sections end the run with [Beyond]. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement EdgeState SideState State.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement.
+From Toolcomp Require Import EdgeState SideState State.
 From Toolcomp Require Import Movements OwnMove CutterRules CutterModes CutterWords SideWords EdgeWords ControlWords.
 From Toolcomp Require Import ControlStep Compensation.
 Import ListNotations.
