@@ -141,9 +141,11 @@ Definition chosen {num} {N : Numbers num} (pairs : list (list (candidate num) * 
 
 (** Whether two directions are equal. *)
 Definition same_direction {num} {N : Numbers num} (clause : string) (a b : triple num) : outcome bool :=
-  let n := cross3 a b in
-  parallel <- is_zero clause (dot3 n n) ;;
-  if parallel : bool then is_positive clause (dot3 a b) else Got false.
+  if known_same3 a b then Got true
+  else
+    let n := cross3 a b in
+    parallel <- is_zero clause (dot3 n n) ;;
+    if parallel : bool then is_positive clause (dot3 a b) else Got false.
 
 (** The pair of a direction, from the present pose, which gives another one.
     fanuc.tool-center-point.parallel-to-the-work-side: where V is parallel to u_w the work-side axis keeps its position, or
