@@ -18,6 +18,7 @@
 #include "corpus/hard.h"
 #include "corpus/lint.h"
 #include "corpus/mine/mine.h"
+#include "corpus/proofs/proofs.h"
 #include "corpus/shard.h"
 #include "corpus/vector.h"
 #include "spec/language/case_format.h"
@@ -128,6 +129,19 @@ void write_met(const std::string& folder, std::vector<corpus::Met> cases, std::s
     spec::write_file(file, spec::write_case(met.c));
     fmt::print("{}: {}: {}\n", what, file.string(), met.what);
   }
+}
+
+int proofs(const CorpusOptions& options) {
+  if (options.into.empty()) throw spec::InputError("toolcomp corpus proofs", 0, 0, "name the folder to write: --into");
+  corpus::ProofOptions how;
+  how.sections = options.sections;
+  how.a_section = options.sample;
+  how.seed = options.seed;
+  how.only_tell = options.only_tell;
+  const corpus::ProofFiles written = corpus::write_proofs(folder_of(options), options.into, how);
+  for (const auto& [section, vectors] : written.vectors) fmt::print("{}: {} vectors\n", section, vectors);
+  fmt::print("{} files; corpus/proofs/check proves them\n", written.files);
+  return kAgrees;
 }
 
 int mine(const CorpusOptions& options) {
@@ -243,6 +257,7 @@ int corpus(const CorpusOptions& options) {
   if (options.verb == "merge") return merge(options);
   if (options.verb == "check") return check(options);
   if (options.verb == "lint") return lint(options);
+  if (options.verb == "proofs") return proofs(options);
   if (options.verb == "mine") return mine(options);
   if (options.verb == "hard") return hard(options);
   if (options.verb == "contour") return contour(options);

@@ -326,13 +326,13 @@ class CommandLine {
   void add_corpus() {
     CLI::App* sub =
         verb("corpus",
-             "The golden corpus: generate, merge, check, lint, diff; hard cases: mine, hard; long programs: contour, "
-             "flank, freeform",
+             "The golden corpus: generate, merge, check, lint, diff, proofs; hard cases: mine, hard; long programs: "
+             "contour, flank, freeform",
              [this] { return cli::corpus(corpus_); });
-    sub->add_option("verb", corpus_.verb, "generate, merge, check, lint, diff, mine, hard, contour, flank or freeform")
+    sub->add_option("verb", corpus_.verb, "generate, merge, check, lint, diff, proofs, mine, hard, contour, flank or freeform")
         ->required()
         ->check(CLI::IsMember(
-            {"generate", "merge", "check", "lint", "diff", "mine", "hard", "contour", "flank", "freeform"}));
+            {"generate", "merge", "check", "lint", "diff", "proofs", "mine", "hard", "contour", "flank", "freeform"}));
     sub->add_option("against", corpus_.against, "diff: the folder of the other corpus; merge: that of the shards");
     add_sections(sub, corpus_.sections);
     sub->add_option("--dir", corpus_.directory,
@@ -343,7 +343,11 @@ class CommandLine {
         "I/N: only every N-th vector, from the I-th (1 <= I <= N); generate: the share of one machine of N, for merge");
     sub->add_option("--controller", corpus_.controller, "check: judge this controller instead of both engines");
     sub->add_option("--seed", corpus_.seed, "Seed of every random choice");
-    sub->add_option("--into", corpus_.into, "mine: folder of the hard cases; those there are where the search begins");
+    sub->add_option("--into", corpus_.into,
+                    "proofs: folder for Coq's files; mine: folder of the hard cases; those there are where the search "
+                    "begins");
+    sub->add_option("--sample", corpus_.sample, "proofs: so many vectors of each section, by the seed; 0: all");
+    sub->add_flag("--tell", corpus_.only_tell, "proofs: have Coq tell which vectors it can compute, instead of proofs");
     sub->add_option("--for", corpus_.duration, "mine: how long in all: 60s, 10m, 1h (default 10m without --runs)");
     sub->add_option("--runs", corpus_.runs, "mine: runs of the model a section instead of a time");
     sub->add_option("--jobs", corpus_.jobs, "mine: sections side by side")->check(CLI::Range(1, 256));

@@ -139,7 +139,7 @@ struct ReplayOptions {
 int replay(const ReplayOptions& options);
 
 struct CorpusOptions {
-  std::string verb;  // generate, merge, check, lint, diff, mine, hard, contour, flank, freeform
+  std::string verb;  // generate, merge, check, lint, diff, proofs, mine, hard, contour, flank, freeform
   std::vector<std::string> sections;
   std::string directory;
   std::string shard;  // "I/N"
@@ -151,7 +151,9 @@ struct CorpusOptions {
   bool no_tool_vector = false;        // freeform
   std::optional<std::size_t> blocks;  // contour, flank, freeform
   std::string out;                    // of the same: the program; its setup stands beside it, ending in .toml
-  std::string into;                   // mine: folder of the hard cases; hard takes that of `directory`
+  std::string into;                   // proofs: a folder for Coq's files; mine: of the hard cases; hard takes that of `directory`
+  std::size_t sample = 0;             // proofs: so many vectors a section; 0: all
+  bool only_tell = false;             // proofs: which vectors Coq can compute, instead of lemmas
   std::string duration;               // mine: "60s", "10m", "1h", all sections together
   std::uint64_t runs = 0;             // mine: of the model, a section, instead of a time
   unsigned jobs = 1;                  // mine

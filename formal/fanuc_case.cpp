@@ -91,7 +91,8 @@ Data setup_data(const spec::Case& c) {
       signals_data(setup),
       flag(setup.rotary_angles == spec::RotaryAngles::programmed),
       whole(c.samples),
-      flag(setup.cutter_compensation == spec::CutterCompensationType::b)};
+      flag(setup.cutter_compensation == spec::CutterCompensationType::b),
+      flag(setup.type_b_without_perpendicular)};
 }
 
 }  // namespace

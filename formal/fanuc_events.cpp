@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "formal/events.h"
+#include "formal/positions.h"
 #include "spec/language/axes.h"
 
 namespace toolcomp::formal {
@@ -9,14 +10,6 @@ namespace {
 
 using exact::Real;
 using Event = spec::Event<Real>;
-
-// What is said of the axes, of the linear ones alone or of all.
-spec::AxisValues<Real> positions(const Data& data, const spec::Axes& axes, bool all) {
-  spec::AxisValues<Real> values;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (all || spec::is_linear_axis(axes.letter(i))) values.set(i, data.list().at(i).number());
-  return values;
-}
 
 // The travels of FanucCase.v.
 enum Travel : std::int64_t { kRapid, kLinear, kClockwise, kCounterclockwise };
@@ -43,16 +36,13 @@ void read_move(Event& event, const List& data, const spec::Axes& axes) {
                : travel == kLinear ? spec::MoveType::linear
                                    : spec::MoveType::arc;
   event.cause = static_cast<spec::Cause>(data.at(3).integer());
-  event.programmed = positions(data.at(4), axes, false);
-  event.point = positions(data.at(5), axes, false);
-  event.axes = positions(data.at(6), axes, true);
-  if (const List& machine = data.at(7).list(); !machine.empty()) event.machine = positions(machine[0], axes, true);
+  event.programmed = linear_positions(data.at(4), axes);
+  event.point = linear_positions(data.at(5), axes);
+  event.axes = positions(data.at(6), axes);
+  if (const List& machine = data.at(7).list(); !machine.empty()) event.machine = positions(machine[0], axes);
   if (const List& arc = data.at(8).list(); !arc.empty()) event.arc = arc_of(arc[0].list(), travel, axes);
   if (const List& feed = data.at(9).list(); !feed.empty()) event.feed = feed[0].number();
-  if (const List& tool = data.at(10).list(); !tool.empty()) {
-    const List& axis = tool[0].list();
-    event.tool_axis = {axis.at(0).number(), axis.at(1).number(), axis.at(2).number()};
-  }
+  if (const List& tool = data.at(10).list(); !tool.empty()) event.tool_axis = vector_of(tool[0]);
 }
 
 enum EventOf : std::int64_t { kMoves, kSetting, kRaised, kNotDecided, kWarned, kSampled };

@@ -104,8 +104,7 @@ Data statement(const Block& block) {
     case Statement::end_program:
       return List{kind(kEnd)};
     case Statement::tool_call:
-      return List{kind(kToolCall), called_tool(block),
-                  block.tool_axis != 0 ? List{letter(block.tool_axis)} : List{},
+      return List{kind(kToolCall), called_tool(block), block.tool_axis != 0 ? List{letter(block.tool_axis)} : List{},
                   List{maybe_written(block.dl), maybe_written(block.dr), maybe_written(block.dr2)}, feed(block)};
     case Statement::line:
       return List{kind(kLine), axis_words(block), radius(block), feed(block), flag(block.many_digits)};

@@ -1,7 +1,7 @@
-#include <array>
 #include <cstdint>
 
 #include "formal/events.h"
+#include "formal/positions.h"
 #include "spec/language/axes.h"
 
 namespace toolcomp::formal {
@@ -9,19 +9,6 @@ namespace {
 
 using exact::Real;
 using Event = spec::Event<Real>;
-using Vector = std::array<Real, 3>;
-
-spec::AxisValues<Real> linear_positions(const Data& data, const spec::Axes& axes) {
-  spec::AxisValues<Real> values;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (spec::is_linear_axis(axes.letter(i))) values.set(i, data.list().at(i).number());
-  return values;
-}
-
-Vector vector_of(const Data& data) {
-  const List& v = data.list();
-  return {v.at(0).number(), v.at(1).number(), v.at(2).number()};
-}
 
 spec::Contact<Real> contact_of(const List& data) {
   spec::Contact<Real> contact{vector_of(data.at(0)), vector_of(data.at(1)), data.at(2).integer() != 0, {}};

@@ -61,5 +61,6 @@ let run case =
   match Formal.run_case numbers (case_of case) with
   | told -> said told
   | exception Undecided_operand -> List [ List []; Text "an operand whose sign cannot be certified" ]
+  | exception Stack_overflow -> List [ List []; Text "a program of that many blocks" ]
 
 let () = Callback.register "toolcomp_formal_run" run

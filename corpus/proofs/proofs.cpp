@@ -2,69 +2,90 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+
 #include "corpus/golden.h"
+#include "corpus/proofs/rows.h"
+#include "formal/case_data.h"
 #include "spec/language/file_writer.h"
 
 namespace toolcomp::corpus {
 namespace {
 
-struct Section {
-  const char* section;
-  const char* file;
-  std::vector<Lemma> (*lemmas)(const spec::Case&);
-};
-constexpr Section kSections[] = {
-    {"fanuc/tool-length-offset", "GoldenToolLengthOffset.v", length_offset_lemmas},
-    {"fanuc/tool-length-measurement", "GoldenToolLengthMeasurement.v", length_measurement_lemmas},
-    {"fanuc/tool-offset", "GoldenToolOffset.v", tool_offset_lemmas},
-    {"fanuc/cutter-compensation-b", "GoldenCutterCompensationB.v", cutter_b_lemmas},
-    {"fanuc/leading-edge-offset", "GoldenLeadingEdgeOffset.v", leading_edge_lemmas},
-    {"fanuc/cutter-compensation-c", "GoldenCutterCompensationC.v", cutter_compensation_c_lemmas},
-    {"fanuc/tool-side-compensation", "GoldenToolSideCompensation.v", tool_side_lemmas},
-    {"fanuc/tool-center-point-control", "GoldenToolCenterPointControl.v", tool_center_point_lemmas},
-    {"fanuc/tool-posture-control", "GoldenToolPostureControl.v", tool_posture_lemmas},
-    {"heidenhain/face-milling", "GoldenFaceMilling.v", face_milling_lemmas},
-    {"heidenhain/peripheral-milling", "GoldenPeripheralMilling.v", peripheral_milling_lemmas},
-    {"heidenhain/programmed-contour", "GoldenProgrammedContour.v", programmed_contour_lemmas},
-};
+namespace fs = std::filesystem;
 
-ProofFile write(const Section& section, const std::vector<Vector>& vectors, const std::filesystem::path& output,
-                const ProofOptions& options) {
-  ProofFile written{output / section.file, 0, 0};
-  std::string text = fmt::format(
-      "(** Generated from the golden vectors of {}. *)\nFrom Coq Require Import Reals Lra List.\n"
-      "From Toolcomp Require Import Vectors LeadingEdgeOffset ToolLengthOffset ToolDirection Golden.\n"
-      "From Toolcomp Require ToolLengthMeasurement ToolOffset CutterCompensationB CutterCompensationC "
-      "ToolSideCompensation FaceMilling PeripheralMilling ProgrammedContour.\n"
-      "Import ListNotations.\nOpen Scope R_scope.\n",
-      section.section);
-  std::size_t computed = 0;
-  std::size_t intervals = 0;
-  for (const Vector& vector : vectors) {
-    if (vector.c.section != section.section) continue;
-    std::size_t taken = 0;
-    for (const Lemma& lemma : section.lemmas(vector.c)) {
-      std::size_t& count = lemma.by_intervals ? intervals : computed;
-      if (taken == options.a_vector || count == (lemma.by_intervals ? options.intervals : options.computed)) continue;
-      ++taken;
-      ++count;
-      text += '\n' + lemma.text;
-    }
-    written.lemmas += taken;
-    if (taken != 0) ++written.vectors;
-  }
-  spec::write_file(written.file, text);
-  return written;
+constexpr const char* kHead =
+    "From Coq Require Import List String ZArith.\nFrom Toolcomp Require Import Numbers Data Comparison Runs.\n"
+    "Import ListNotations.\nOpen Scope string_scope.\nOpen Scope Z_scope.\nOpen Scope list_scope.\n";
+
+// "fanuc.tool-offset.fbc293fa0c" as a name of Coq.
+std::string identifier(std::string id) {
+  std::ranges::replace_if(id, [](char c) { return c == '.' || c == '-'; }, '_');
+  return id;
+}
+
+// "fanuc/tool-offset" as a name of a file.
+std::string file_name(std::string section, std::size_t part) {
+  std::ranges::replace_if(section, [](char c) { return c == '/' || c == '-'; }, '_');
+  return fmt::format("Golden_{}_{}.v", section, part);
+}
+
+formal::CaseData data_of(const spec::Case& c) {
+  return c.dialect == "fanuc" ? formal::fanuc_case(c) : formal::klartext_case(c);
+}
+
+// The arguments of the statements about a vector.
+std::string arguments(const spec::Case& c) {
+  const formal::CaseData made = data_of(c);
+  return fmt::format("({})\n  {}", data_term(made.data), row_term(c, made.places));
+}
+
+std::string question_about(const spec::Case& c) {
+  return fmt::format("Eval vm_compute in (\"{}\", can_be_computed {}).\n", c.id, arguments(c));
 }
 
 }  // namespace
 
-std::vector<ProofFile> write_proofs(const std::filesystem::path& corpus, const std::filesystem::path& output,
-                                    const ProofOptions& options) {
-  const std::vector<Vector> vectors = read_vectors(corpus);
-  std::vector<ProofFile> files;
-  for (const Section& section : kSections) files.push_back(write(section, vectors, output, options));
-  return files;
+std::string proof_of(const spec::Case& c) {
+  return fmt::format("Lemma {} : runs_as_written {}.\nProof. by_running. Qed.\n", identifier(c.id), arguments(c));
+}
+
+ProofFiles write_proofs(const fs::path& corpus, const fs::path& output, const ProofOptions& options) {
+  const auto left_out = options.only_tell ? std::map<std::string, std::string>() : unproven();
+  std::map<std::string, std::vector<spec::Case>> sections;
+  for (spec::Case& c : read_golden(corpus, options.sections))
+    if (!left_out.contains(c.id)) sections[c.section].push_back(std::move(c));
+  // Small enough that one file does not wait for another.
+  constexpr std::size_t kInAFile = 60;
+  ProofFiles written;
+  for (auto& [section, cases] : sections) {
+    if (options.a_section != 0 && options.a_section < cases.size()) {
+      std::mt19937_64 generator(options.seed);
+      for (std::size_t i = 0; i < options.a_section; ++i) std::swap(cases[i], cases[i + generator() % (cases.size() - i)]);
+      cases.resize(options.a_section);
+    }
+    for (std::size_t first = 0; first < cases.size(); first += kInAFile) {
+      std::string text = fmt::format("(** Generated from the golden vectors of {}. *)\n{}", section, kHead);
+      for (std::size_t i = first; i < std::min(first + kInAFile, cases.size()); ++i)
+        text += '\n' + (options.only_tell ? question_about(cases[i]) : proof_of(cases[i]));
+      spec::write_file(output / file_name(section, first / kInAFile + 1), text);
+      ++written.files;
+    }
+    written.vectors[section] = cases.size();
+  }
+  return written;
+}
+
+std::map<std::string, std::string> unproven() {
+  std::ifstream file(fs::path(TOOLCOMP_SOURCE_DIR) / "corpus/proofs/unproven.json");
+  std::map<std::string, std::string> reasons;
+  const nlohmann::json by_reason = nlohmann::json::parse(file);
+  for (const auto& [reason, ids] : by_reason.items())
+    for (const auto& id : ids) reasons[id] = reason;
+  return reasons;
 }
 
 }  // namespace toolcomp::corpus

@@ -75,4 +75,22 @@ TEST_F(CertifySpecification, GivesEvents) {
   EXPECT_EQ(events[3]["axes"], (Json{{"X", 10}, {"Y", 5}, {"Z", 10}}));
 }
 
+// By hand: under RL along X the tool, 0.5 smaller than the table says, stands 0.5 to the right of the contour, which
+// begins at right angles to it; then it leaves it.
+TEST_F(CertifySpecification, GivesEventsOfKlartext) {
+  const std::string request =
+      R"({"case":1,"id":"c","dialect":"klartext","setup":{"control":"heidenhain","tool":[{"number":1,"R":5,"DR":"-0.5"}]},)"
+      R"("program":"TOOL CALL 1 Z\nL Y-8 M128\nL Y0 RL\nL X20\nL Y30 R0\n"})";
+  const Outcome outcome =
+      command("printf '%s\\n' '" + request + "' | " TOOLCOMP_BINARY_DIR "/toolcomp serve --engine spec");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Json events = Json::parse(outcome.out)["events"];
+  ASSERT_EQ(events.size(), 4U) << outcome.out;
+  EXPECT_EQ(events[1]["cause"], "start-up");
+  EXPECT_EQ(events[1]["point"], (Json{{"X", 0}, {"Y", -0.5}, {"Z", 0}}));
+  EXPECT_EQ(events[2]["point"], (Json{{"X", 20}, {"Y", -0.5}, {"Z", 0}}));
+  EXPECT_EQ(events[3]["cause"], "cancel");
+  EXPECT_EQ(events[3]["point"], (Json{{"X", 20}, {"Y", 30}, {"Z", 0}}));
+}
+
 }  // namespace

@@ -84,9 +84,9 @@ Definition by_radius {num} {N : Numbers num} (clockwise : bool) (r : num) (start
   around clockwise (add2 start (to_center_by_radius clockwise larger r chord)) start finish.
 
 (** The vector from the start to the centre. fanuc.program.arc-center-in-start: I J K of which those of the plane are zero
-    or missing raise PS0023. *)
-Definition by_center {num} {N : Numbers num} (clockwise : bool) (to_center start finish : pair num) :
+    or missing raise PS0023; where cutter compensation C raises PS0038 instead, that comes later. *)
+Definition by_center {num} {N : Numbers num} (refused_later clockwise : bool) (to_center start finish : pair num) :
     outcome (circle num) :=
   in_start <- is_zero "fanuc.program.arc-center-in-start" (dot2 to_center to_center) ;;
-  _ <- alarm_if in_start "PS0023" ;;
+  _ <- alarm_if (in_start && negb refused_later) "PS0023" ;;
   around clockwise (add2 start to_center) start finish.

@@ -19,7 +19,7 @@ Definition known := [0; 10; 20; 30; 40; 100; 170; 180; 190; 200; 210; 280; 290; 
   920; 930; 940; 950] ++ without_effect.
 
 (** What this text does not say yet. *)
-Definition beyond := [412; 413; 416; 422; 426].
+Definition beyond : list Z := [].
 
 (** fanuc.program.last-code-of-group: modal groups. *)
 Definition motions := [0; 10; 20; 30].
@@ -29,6 +29,7 @@ Definition distances := [900; 910].
 Definition feeds := [930; 940; 950].
 Definition lengths := [430; 434; 435; 440; 490].
 Definition systems := [540; 541; 550; 560; 570; 580; 590].
+Definition compensations := [400; 410; 412; 413; 416; 420; 422; 426].
 
 (** The codes that act in their block alone, of which the last counts. *)
 Inductive action :=
@@ -66,6 +67,11 @@ Definition codes_of {num} (b : block num) : option (list Z) :=
 Definition last_of (group codes : list Z) : option Z := find (fun code => among code group) (rev codes).
 Definition action_of (codes : list Z) : option action :=
   match last_of (map fst actions) codes with Some code => lookup code actions | None => None end.
+
+(** Blocks that nothing is read behind before they have run: M00, M01, M02 and M30. *)
+Definition stops_look_ahead {num} (b : block num) : bool :=
+  existsb (fun w => match address w, tenths w with Letter.M, Some t => among t [0; 10; 20; 300] | _, _ => false end)
+    (words b).
 
 (** fanuc.program.letters-as-data: axis letters and I J K are data of these codes, not positions. *)
 Definition takes_letters (codes : list Z) : bool := existsb (fun code => among code [40; 50; 51; 100; 220; 501]) codes.

@@ -1,7 +1,7 @@
 (** fanuc/cutter-compensation-b: every block by itself, from head to head. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Corners LengthOffset.
-From Toolcomp Require Import CutterState State Movements CutterRules.
+From Toolcomp Require Import CutterState State Movements CutterRules CutterMoves.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -119,33 +119,6 @@ Definition behind_b {num} {N : Numbers num} (s : setup num) (c : command num) (b
 
 (** * Moves *)
 
-Definition with_head {num} {N : Numbers num} (s : setup num) (p : plane) (v : pair num) (m : movement num) :
-    movement num :=
-  Movement (going m) (because m) (ends_at m) (tip m) (with_plane s p (zeros s) v) (length_vector m) (machine_zero m)
-    (circle_of m) (at_feed m) (along_tool m).
-Definition for_cause {num} (c : cause) (m : movement num) : movement num :=
-  Movement (going m) c (ends_at m) (tip m) (head m) (length_vector m) (machine_zero m) (circle_of m) (at_feed m)
-    (along_tool m).
-Definition on_circle {num} (a : option (arc num)) (m : movement num) : movement num :=
-  Movement (going m) (because m) (ends_at m) (tip m) (head m) (length_vector m) (machine_zero m) a (at_feed m)
-    (along_tool m).
-
-(** fanuc.cutter-b.arc-sweep: from the old head to the new one about the centre, over 0 up to 360 degrees.
-    fanuc.cutter-b.arc-head-in-center: none where a head lies in the centre.
-    fanuc.cutter-b.arc-radii: both distances where they differ. *)
-Definition arc_of_heads {num} {N : Numbers num} (p : plane) (clockwise : bool) (center from to : pair num) :
-    outcome (arc num) :=
-  c <- around clockwise center from to ;; Got (Arc center p (sweep_of c) (ends c)).
-
-(** The move of a block that has none of its own, or that changes the length offset alone. *)
-Definition move_at {num} {N : Numbers num} (s : setup num) (t : travel) (c : cause) (p : plane) (v : pair num)
-    (a : option (arc num)) (st : state num) : movement num :=
-  with_head s p v (move_to s t c false a st (vector (length_of st))).
-
-(** What is no move. *)
-Definition still {num} (items : list (item num)) : list (item num) :=
-  filter (fun i => match i with Go _ => false | _ => true end) items.
-
 (** fanuc.cutter-b.corner-arc: from the old head to the new one about the programmed point.
     fanuc.cutter-b.corner-arc-sense: clockwise where the offset to the left is positive.
     fanuc.cutter-b.corner-arc-none: no move where the vectors are equal. *)
@@ -155,7 +128,7 @@ Definition corner_arc_b {num} {N : Numbers num} (s : setup num) (p : plane) (b :
   same_first <- is_zero "fanuc.cutter-b.corner-arc-none" (fst w - fst v)%num ;;
   same_second <- is_zero "fanuc.cutter-b.corner-arc-none" (snd w - snd v)%num ;;
   if same_first && same_second then
-    Got (map (fun i => match i with Go m => Go (with_head s p v m) | _ => i end) (items b))
+    Got (at_head s p v (items b))
   else
     clockwise <- match hand_in_force x with
                  | Some h => is_positive "fanuc.cutter-b.corner-arc-sense" (to_the_left h (value_in_force x))
@@ -165,29 +138,6 @@ Definition corner_arc_b {num} {N : Numbers num} (s : setup num) (p : plane) (b :
     a <- arc_of_heads p clockwise corner (add2 corner v) (add2 corner w) ;;
     let t := if clockwise : bool then Clockwise else Counterclockwise in
     Got (Go (move_at s t Corner p w (Some a) (behind b)) :: still (items b)).
-
-(** The own moves of a block, from head v to head w.
-    fanuc.cutter-b.head-to-head: straight, other axes with it.
-    fanuc.cutter-b.arc-inside: not checked. *)
-Definition moves_b {num} {N : Numbers num} (s : setup num) (p : plane) (b : planned num) (why : cause) (v w : pair num) :
-    outcome (list (item num)) :=
-  each
-    (fun i =>
-      match i with
-      | Go m =>
-          let why := match because m with Programmed => why | given_cause => given_cause end in
-          let m := for_cause why (with_head s p w m) in
-          match circle_of m with
-          | None => Got (Go m)
-          | Some a =>
-              let clockwise := match going m with Clockwise => true | _ => false end in
-              a' <- arc_of_heads p clockwise (center a) (add2 (plane_point s p (before b)) v)
-                      (add2 (plane_point s p (behind b)) w) ;;
-              Got (Go (on_circle (Some a') m))
-          end
-      | _ => Got i
-      end)
-    (items b).
 
 (** fanuc.cutter-b.start-up, fanuc.cutter-b.cancel: the cause of the own move, that of a full circle too.
     fanuc.cutter-b.machine-position: the causes of those of G53, G28, G29 and G30 stay theirs. *)
@@ -200,7 +150,9 @@ Definition cause_b {num} (s : setup num) (b : planned num) : cause :=
   else if made && cancels && (has_axis_word (command_of b) || is_arc_block s (command_of b)) then Cancelling
   else Programmed.
 
-(** fanuc.cutter-b.cancel-alone: G40 in a block without an axis word moves the tool back by the vector, the length offset
+(** fanuc.cutter-b.head-to-head: a block goes from the old head to the new one.
+    fanuc.cutter-b.arc-inside: nothing is checked.
+    fanuc.cutter-b.cancel-alone: G40 in a block without an axis word moves the tool back by the vector, the length offset
     along with it. fanuc.cutter-b.coordinate-systems: with G52 or G92 in the coordinates after the renaming. *)
 Definition items_b {num} {N : Numbers num} (s : setup num) (b : planned num) : outcome (list (item num)) :=
   let c := command_of b in
@@ -214,7 +166,7 @@ Definition items_b {num} {N : Numbers num} (s : setup num) (b : planned num) : o
     nothing <- is_zero "fanuc.cutter-b.cancel-alone" (square2 v) ;;
     if negb (on (behind b)) && negb (has_axis_word c) && negb nothing then
       Got (Go (move_at s (straight (motion (in_modes c))) Cancelling p zero2 None (behind b)) :: still (items b))
-    else moves_b s p b (cause_b s b) v w.
+    else own_move_between s p b (cause_b s b) v w.
 
 (** fanuc.cutter-b.no-look-ahead: a block is compensated by itself. *)
 Fixpoint compensated_b {num} {N : Numbers num} (s : setup num) (bs : list (planned num)) :
@@ -223,7 +175,7 @@ Fixpoint compensated_b {num} {N : Numbers num} (s : setup num) (bs : list (plann
   | [] => inl []
   | b :: rest =>
       match items_b s b, compensated_b s rest with
-      | Got new, inl later => inl (Planned (at_place b) (command_of b) (before b) (behind b) new :: later)
+      | Got new, inl later => inl (with_items b new :: later)
       | Got _, inr ended => inr ended
       | stopped, _ => inr (at_place b, ends_in (at_place b) stopped)
       end

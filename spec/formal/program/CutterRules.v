@@ -7,18 +7,17 @@ Open Scope string_scope.
 Open Scope Z_scope.
 Open Scope list_scope.
 
-(** fanuc.program.last-code-of-group: the codes of the group of G40. *)
-Definition compensations := [400; 410; 412; 413; 416; 420; 422; 426].
-
 (** G41 or G42 in force behind the block. *)
 Definition hand_behind {num} (c : command num) (before : option hand) : option hand :=
   match last_of compensations (codes_said c) with
   | None => before
   | Some code => if code =? 410 then Some LeftHand else if code =? 420 then Some RightHand else None
   end.
-(** The words G40, G41 and G42. *)
-Definition says_cancel {num} (c : command num) : bool := among 400 (codes_said c).
-Definition says_hand {num} (c : command num) : bool := among 410 (codes_said c) || among 420 (codes_said c).
+(** The words G40, and G41 or G42, where they count. *)
+Definition says {num} (c : command num) (codes : list Z) : bool :=
+  match last_of compensations (codes_said c) with Some code => among code codes | None => false end.
+Definition says_cancel {num} (c : command num) : bool := says c [400].
+Definition says_hand {num} (c : command num) : bool := says c [410; 420].
 
 (** fanuc.cutter.number: the last D; with OFH = 1 an H gives it as well. *)
 Definition gives_number {num} (s : setup num) (c : command num) : bool :=
@@ -118,10 +117,10 @@ Definition shared_alarms {num} (s : setup num) (c : command num) (st : state num
   let p := in_plane (in_modes c) in
   let on := cutter_on s (cutter st) (shared st) in
   let in_force := given (hand_behind c (hand_in_force (cutter st))) in
-  let says codes := existsb (fun code => among code codes) (codes_said c) in
   _ <- alarm_if (in_force && lacks_plane_axis s p) "PS0028" ;;
   _ <- alarm_if (on && negb (same_plane p (in_plane (modes_of st)))) "PS0037" ;;
-  _ <- alarm_if ((on && says [412; 413; 416; 422; 426]) || ((on || in_force) && says [434; 435]))
+  let under_tool_direction := existsb (fun code => among code [434; 435]) (codes_said c) in
+  _ <- alarm_if ((on && says c [412; 413; 416; 422; 426]) || ((on || in_force) && under_tool_direction))
          "FORBIDDEN_IN_CUTTER_COMPENSATION" ;;
   let shifts := match acting c with
                 | Some Lengthen | Some Shorten | Some LengthenTwice | Some ShortenTwice => true | _ => false end in

@@ -44,7 +44,6 @@ Definition vector_of {num} {N : Numbers num} (d : data) : triple num :=
 (** The one of these at its place. *)
 Definition one_of {A} (things : list A) (otherwise : A) (d : data) : A := nth (Z.to_nat (whole_of d)) things otherwise.
 
-
 (** * What a run says, as a tree *)
 
 Inductive told (num : Type) := Number (x : num) | Says (i : Z) | Names (s : string) | Several (parts : list (told num)).
@@ -54,5 +53,8 @@ Definition tell_values {num} (v : values num) : told num := Several (map Number 
 Definition tell_maybe {A num} (tell : A -> told num) (x : option A) : told num :=
   Several match x with Some a => [tell a] | None => [] end.
 
+(** Of the linear axes alone. *)
+Definition tell_linear {num} (letters : list Letter.t) (v : values num) : told num :=
+  tell_values (map snd (filter (fun row => Letter.linear (fst row)) (combine letters v))).
 Definition tell_vector {num} (v : triple num) : told num := let '(x, y, z) := v in tell_values [x; y; z].
 Definition tell_flag {num} (b : bool) : told num := Says (if b then 1 else 0).

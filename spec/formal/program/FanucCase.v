@@ -35,7 +35,7 @@ Definition setup_of {num} {N : Numbers num} (d : data) : setup num :=
     (table_of (fun row => values_of (entry_at row 1)) (at_ 12%nat))
     (values_of (at_ 13%nat)) (table_of (fun row => values_of (entry_at row 1)) (at_ 14%nat)) (values_of (at_ 15%nat))
     (map (maybe_of number_of_data) (entries (at_ 16%nat))) (flag_of (at_ 17%nat)) (whole_of (at_ 18%nat))
-    (flag_of (at_ 19%nat)).
+    (flag_of (at_ 19%nat)) (flag_of (at_ 20%nat)).
 
 (** A whole number in decimals. *)
 Fixpoint digits_of (steps : nat) (i : Z) (behind : string) : string :=
@@ -54,21 +54,21 @@ Definition tell_arc {num} (a : arc num) : told num :=
      tell_maybe Number (sweep a);
      tell_maybe (fun r => tell_values [fst r; snd r]) (radii a)].
 
-Definition tell_move {num} (m : move num) : list (told num) :=
+Definition tell_move {num} (letters : list Letter.t) (m : move num) : list (told num) :=
   [Says match travel_of m with Rapid => 0 | Linear => 1 | Clockwise => 2 | Counterclockwise => 3 end;
    Says match cause_of m with
         | Programmed => 0 | StartUp => 1 | Corner => 2 | Cancelling => 3 | PreTurn => 4 | PostTurn => 5 | Reference => 6
         | Measuring => 7
         end;
-   tell_values (programmed_end m); tell_values (tool_point m); tell_values (axis_positions m);
+   tell_linear letters (programmed_end m); tell_linear letters (tool_point m); tell_values (axis_positions m);
    tell_maybe tell_values (machine_positions m); tell_maybe tell_arc (arc_of m); tell_maybe Number (feed_of m);
    tell_maybe tell_vector (tool_axis m)].
 
-Definition tell_event {num} (e : nat * event num) : told num :=
+Definition tell_event {num} (letters : list Letter.t) (e : nat * event num) : told num :=
   Several
     (Says (Z.of_nat (fst e)) ::
      match snd e with
-     | Moves m => Says 0 :: tell_move m
+     | Moves m => Says 0 :: tell_move letters m
      | Setting name value => [Says 1; Names name; Number value]
      | Raised number => [Says 2; Names number]
      | NotDecided clause => [Says 3; Names clause]
@@ -79,6 +79,6 @@ Definition tell_event {num} (e : nat * event num) : told num :=
 
 (** A case, its setup and the blocks of its program: the events, and what this text does not say. *)
 Definition run_fanuc {num} {N : Numbers num} (case : data) : told num :=
-  let '(events, how) :=
-    run_program decimal_text (setup_of (entry_at case 0)) (map block_of_data (entries (entry_at case 1))) in
-  Several [Several (map tell_event events); Names match how with NotSaid what => what | _ => "" end].
+  let s := setup_of (entry_at case 0) in
+  let '(events, how) := run_program decimal_text s (map block_of_data (entries (entry_at case 1))) in
+  Several [Several (map (tell_event (axes s)) events); Names match how with NotSaid what => what | _ => "" end].

@@ -78,20 +78,20 @@ Definition tell_contact {num} (c : contact num) : told num :=
   Several [tell_vector (contact_point c); tell_vector (contact_normal c); tell_flag (on_flat c);
            tell_maybe Number (contact_degrees c)].
 
-Definition tell_klartext_move {num} (m : klartext_move num) : list (told num) :=
+Definition tell_klartext_move {num} (letters : list Letter.t) (m : klartext_move num) : list (told num) :=
   [tell_flag (is_rapid m);
    Says match why m with StartUp => 1 | Cancelling => 3 | _ => 0 end;
-   tell_values (programmed_values m); tell_values (tip_values m);
+   tell_linear letters (programmed_values m); tell_linear letters (tip_values m);
    Several (map (tell_maybe Number) (sent_to m));
    tell_vector (direction_of_tool m); tell_vector (center_of_tool m); tell_vector (shift_of_tip m);
    tell_vector (shift_of_tool m); tell_maybe tell_vector (carrier_point m); tell_maybe tell_contact (touching m);
    tell_maybe Number (feed_of_move m)].
 
-Definition tell_klartext_event {num} (e : nat * klartext_event num) : told num :=
+Definition tell_klartext_event {num} (letters : list Letter.t) (e : nat * klartext_event num) : told num :=
   Several
     (Says (Z.of_nat (fst e)) ::
      match snd e with
-     | Moved m => Says 0 :: tell_klartext_move m
+     | Moved m => Says 0 :: tell_klartext_move letters m
      | Warning name => [Says 1; Names name]
      | AlarmRaised name => [Says 2; Names name]
      | SignOpen clause => [Says 3; Names clause]
@@ -101,7 +101,8 @@ Definition tell_klartext_event {num} (e : nat * klartext_event num) : told num :
 
 (** A case, its setup and the blocks of its program: the events, and what this text does not say. *)
 Definition run_klartext_case {num} {N : Numbers num} (case : data) : told num :=
-  let events := run_klartext (klartext_setup_of (entry_at case 0)) (map klartext_block_of (entries (entry_at case 1))) in
+  let s := klartext_setup_of (entry_at case 0) in
+  let events := run_klartext s (map klartext_block_of (entries (entry_at case 1))) in
   Several
-    [Several (map tell_klartext_event events);
+    [Several (map (tell_klartext_event (letters s)) events);
      Names (fold_right (fun e what => match snd e with NotSaidYet w => w | _ => what end) "" events)].

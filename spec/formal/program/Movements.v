@@ -1,6 +1,6 @@
 (** The movements of blocks, before anything compensates them, and what is done with them. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset State Pose.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset State Space Pose.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -61,6 +61,19 @@ Inductive passed (num : Type) :=
 | Through (p : plan num)
 | AsIfAbsent (from : nat) (how : ending).   (* from the block at this place on *)
 Arguments Through {num} p. Arguments AsIfAbsent {num} from how.
+
+(** With other heads, with other items. *)
+Definition with_head {num} (m : movement num) (head : values num) : movement num :=
+  Movement (going m) (because m) (ends_at m) (tip m) head (length_vector m) (machine_zero m) (circle_of m) (at_feed m)
+    (along_tool m).
+Definition with_items {num} (b : planned num) (items : list (item num)) : planned num :=
+  Planned (at_place b) (command_of b) (before b) (behind b) items.
+Definition at_heads {num} (head : values num) (b : planned num) : planned num :=
+  with_items b (map (fun i => match i with Go m => Go (with_head m head) | i => i end) (items b)).
+
+(** The direction of the tool at the end of a block. *)
+Definition tool_behind {num} {N : Numbers num} (s : setup num) (b : planned num) : triple num :=
+  tool_direction s (coordinates_of (behind b)) (programmed (behind b)).
 
 (** * Events *)
 

@@ -22,7 +22,8 @@ Definition runs_arc {num} (m : modes) (s : setup num) (numbers : some_values num
 
 (** fanuc.program.arc-radius-wins: where R and I J K are both given, R counts.
     fanuc.program.arc-without-center: without both of them PS0023. *)
-Definition arc_between {num} {N : Numbers num} (s : setup num) (m : modes) (b : block num) (from to : pair num) :
+Definition arc_between {num} {N : Numbers num} (s : setup num) (m : modes) (refused_later : bool) (b : block num)
+    (from to : pair num) :
     outcome (circle num) :=
   let number letter := last_number s (in_inches m) letter b in
   let clockwise := match motion m with Clockwise => true | _ => false end in
@@ -31,7 +32,7 @@ Definition arc_between {num} {N : Numbers num} (s : setup num) (m : modes) (b : 
   | Some r => by_radius clockwise r from to
   | None =>
       if existsb (fun letter => given (number letter)) [Letter.I; Letter.J; Letter.K]
-      then by_center clockwise (or_else (number i) 0%num, or_else (number j) 0%num) from to
+      then by_center refused_later clockwise (or_else (number i) 0%num, or_else (number j) 0%num) from to
       else Alarm "PS0023"
   end.
 

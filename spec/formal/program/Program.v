@@ -3,8 +3,8 @@
     What this text does not say yet: codes of the other sections end the run with [Beyond]. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement State.
-From Toolcomp Require Import Movements OwnMove CutterRules CutterWords SideWords EdgeWords ControlWords ControlStep.
-From Toolcomp Require Import Compensation.
+From Toolcomp Require Import Movements OwnMove CutterRules CutterModes CutterWords SideWords EdgeWords ControlWords.
+From Toolcomp Require Import ControlStep Compensation.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -73,7 +73,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let origins := input && among (or_else l 0) [2; 20] in
     let into := if input then store s l else None in
     _ <- (if existsb (fun c => among c beyond) codes then Beyond "a code of another section" else Got tt) ;;
-    _ <- alarm_if (input && negb origins && negb (given into)) "PS0010" ;;
+    _ <- alarm_if ((input && negb origins && negb (given into)) || three_dimensional s codes b) "PS0010" ;;
     h <- offset_number s Letter.H b ;;
     d <- offset_number s Letter.D b ;;
     c <- select_system codes b (coordinates_of st) ;;
@@ -89,7 +89,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let position := renamed s (coordinates_of st) c (programmed st) in
     let said := Command b codes code m h d all_numbers numbers naming in
     let to_length := LengthCommand (length_code_of codes) h (in_plane m) (which naming)
-                     (match words b with [] => false | _ => true end) (among 400 codes)
+                     (match words b with [] => false | _ => true end) (existsb (fun c => among c [400; 410; 420]) codes)
                      (if goes_to_machine_position code then which numbers else no_axes s) in
     _ <- control_alarms s said st ;;
     _ <- edge_alarms s said st ;;
@@ -112,7 +112,10 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let path_block := if by_vector (type_with codes st) then without_direction b else b in
     circle_of <-
       (if negb (elsewhere || stays code) && runs_arc m s numbers letters_are_data path_block
-       then c <- arc_between s m path_block (in_plane_of s (in_plane m) position) (in_plane_of s (in_plane m) to) ;; Got (Some c)
+       then
+         c <- arc_between s m (negb (cutter_b s) && cutter_on_after s said st) path_block (in_plane_of s (in_plane m) position)
+                (in_plane_of s (in_plane m) to) ;;
+         Got (Some c)
        else Got None) ;;
     (* G45 to G48. *)
     let offset_mode := match length_code_of codes with
@@ -153,8 +156,8 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
       end ;;
     (* G52, G92 and G10 count behind the block. *)
     let coordinates_behind := match code with
-      | Some LocalSystem => with_local all_numbers (coordinates_of st)
-      | Some SetPosition => with_shift s all_numbers (programmed st) (coordinates_of st)
+      | Some LocalSystem => with_local naming (coordinates_of st)
+      | Some SetPosition => with_shift s naming (programmed st) (coordinates_of st)
       | _ => coordinates_of st
       end in
     let offsets_behind := match writing with Some w => write s w (offsets_of st) | None => offsets_of st end in
@@ -163,7 +166,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let st := at_position (in_coordinates (with_offsets st offsets_behind) coordinates_behind) renamed_behind (shift st) in
     control' <- control_behind s said at_start st ;;
     edge' <- edge_behind s said at_start st ;;
-    side' <- side_behind s said at_start st ;;
+    side' <- side_behind s said at_start st moves ;;
     cutter' <- cutter_behind s said at_start st moves ;;
     let st := with_control (with_edge (with_side (with_cutter st cutter') side') edge') control' in
     Got (Planned place said at_start st (map Go moves ++ settings), alarm)

@@ -59,14 +59,15 @@ Record setup (num : Type) := Setup {
   signal_at : some_values num;                   (* [measurement] *)
   angles_as_programmed : bool;                   (* rotary_angles *)
   parts_of_block : Z;                            (* samples of a case; 0: none are asked for *)
-  cutter_b : bool                                (* G39 to G42 are cutter compensation B *)
+  cutter_b : bool;                               (* G39 to G42 are cutter compensation B *)
+  without_perpendicular : bool                   (* type_b_without_perpendicular *)
 }.
 Arguments Setup {num}. Arguments axes {num}. Arguments inches {num}. Arguments least_increment {num}. Arguments parameter_bit {num}. Arguments parameter {num}.
 Arguments memory {num}. Arguments offset_count {num}. Arguments h_offsets {num}. Arguments d_offsets {num}.
 Arguments g49_sets_h0 {num}. Arguments workpiece {num}. Arguments external {num}. Arguments additional {num}.
 Arguments start {num}. Arguments reference {num}. Arguments floating {num}. Arguments signal_at {num}.
 Arguments whole_parameter {num}. Arguments angles_as_programmed {num}. Arguments parts_of_block {num}.
-Arguments cutter_b {num}.
+Arguments cutter_b {num}. Arguments without_perpendicular {num}.
 
 (** A bit that the setup does not give. *)
 Definition bit {num} (s : setup num) (parameter : string) : bool := or_else (parameter_bit s parameter) false.

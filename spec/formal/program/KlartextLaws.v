@@ -1,0 +1,167 @@
+(** Laws of whole Klartext programs: they hold for every program and every setup. *)
+From Coq Require Import List String ZArith Bool Reals Lra.
+From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks KlartextTool KlartextFace.
+From Toolcomp Require Import KlartextPeripheral KlartextState KlartextMoves KlartextProgram.
+Import ListNotations.
+Open Scope string_scope.
+Open Scope list_scope.
+
+Definition plain_control : klartext_setup R :=
+  KlartextSetup [Letter.X; Letter.Y; Letter.Z; Letter.B] false [0%R; 0%R; 0%R; 0%R]
+    [ToolRow 10 "" 6%R 1%R None (Deltas 0%R (- (1 / 10))%R 0%R) None] [].
+Definition at_start : klartext_state R := initial_state plain_control false.
+Definition says_only (st : statement R) : klartext_block R := KlartextBlock st [] None.
+Definition to_x (x : R) : line_words R := LineWords [AxisWord Letter.X false (Literal x)] None None false.
+
+(** * How a run goes *)
+
+(** heidenhain.program.end: nothing comes behind the block with M2, M30 or END PGM. *)
+Theorem nothing_behind_the_last_block {num} {N : Numbers num} (s : klartext_setup num) b more place st :
+  ends_program b = true -> plans s (b :: more) place st = plans s [b] place st.
+Proof. intro E; cbn [plans]. destruct (klartext_step s b st) as [[st' p]| | |]; try reflexivity. now rewrite E. Qed.
+
+Definition end_block : klartext_block R := KlartextBlock OtherStatement [30%Z] None.
+
+Example nothing_behind_the_last_block_instance :
+  plans plain_control [end_block; says_only (Line (to_x 5))] 0 at_start = plans plain_control [end_block] 0 at_start.
+Proof. now apply nothing_behind_the_last_block. Qed.
+
+(** An event that ends the run. *)
+Definition ends_run {num} (e : klartext_event num) : bool :=
+  match e with AlarmRaised _ | SignOpen _ | NotSaidYet _ => true | _ => false end.
+
+(** What a run yields behind the first event that ends it: nothing. *)
+Fixpoint nothing_behind_its_end {num} (events : list (klartext_event num)) : Prop :=
+  match events with
+  | [] => True
+  | e :: rest => (ends_run e = false /\ nothing_behind_its_end rest) \/ rest = []
+  end.
+
+Lemma goes_on {num} (ahead rest : list (klartext_event num)) :
+  existsb ends_run ahead = false -> nothing_behind_its_end rest -> nothing_behind_its_end (ahead ++ rest).
+Proof.
+  induction ahead as [|e ahead IH]; cbn; intros O L; [assumption|].
+  apply orb_false_elim in O as [O O']; left; auto.
+Qed.
+
+Lemma end_in_is_last {num A} (x : outcome A) : nothing_behind_its_end (end_in (num := num) x).
+Proof. destruct x; cbn; auto. Qed.
+
+Definition stops_once {num} (i : item num) : Prop :=
+  match i with Moving _ _ => True | Stopped _ es => nothing_behind_its_end es end.
+
+Lemma plans_stop_once {num} {N : Numbers num} (s : klartext_setup num) bs place st :
+  Forall stops_once (plans s bs place st).
+Proof.
+  revert place st; induction bs as [|b bs IH]; intros place st; cbn [plans]; [constructor|].
+  destruct (klartext_step s b st) as [[st' p]|number|clause|what];
+    try (constructor; [apply (end_in_is_last (Alarm number)) || apply (end_in_is_last (A := unit) (Undecided clause)) ||
+                       apply (end_in_is_last (A := unit) (Beyond what))|constructor]).
+  destruct p as [p|]; [constructor; [exact I|]|]; (destruct (ends_program b); [constructor|apply IH]).
+Qed.
+
+Lemma placed {num} (place : nat) (es : list (klartext_event num)) : map snd (map (pair place) es) = es.
+Proof. rewrite map_map. now rewrite map_id. Qed.
+
+Lemma warnings_go_on {num} place (names : list string) (last : klartext_event num) :
+  ends_run last = false ->
+  existsb ends_run (map snd (map (fun name => (place, Warning name)) names ++ [(place : nat, last)])) = false.
+Proof.
+  intro L. rewrite map_app, existsb_app, map_map. cbn. rewrite L, !orb_false_r.
+  induction names as [|name names IH]; [reflexivity|exact IH].
+Qed.
+
+Lemma events_end_once {num} {N : Numbers num} (s : klartext_setup num) items :
+  Forall stops_once items -> forall before, nothing_behind_its_end (map snd (events_of s items before)).
+Proof.
+  induction items as [|[place p|place es] items IH]; intros O before; [exact I| |].
+  - inversion O as [|? ? _ O']; subst. specialize (IH O'). cbn -[nothing_behind_its_end].
+    destruct (way_of p) as [tip shift touch|nominal l by_delta by_radius|].
+    + rewrite map_app. apply goes_on; [now apply warnings_go_on|apply IH].
+    + destruct (beside_end l before (following_of items)) as [[beside made]|number|clause|what].
+      * rewrite map_app. apply goes_on; [now apply warnings_go_on|apply IH].
+      * right; reflexivity.
+      * right; reflexivity.
+      * right; reflexivity.
+    + rewrite map_app. apply goes_on; [now apply warnings_go_on|apply IH].
+  - inversion O as [|? ? E _]; subst. cbn -[nothing_behind_its_end]. now rewrite placed.
+Qed.
+
+(** heidenhain.program.unreadable-block: every alarm ends the run, and nothing follows it; so does what cannot be decided. *)
+Theorem klartext_alarm_is_last {num} {N : Numbers num} (s : klartext_setup num) bs :
+  nothing_behind_its_end (map snd (run_klartext s bs)).
+Proof. apply events_end_once, plans_stop_once. Qed.
+
+Example klartext_alarm_is_last_instance :
+  nothing_behind_its_end (map snd (run_klartext plain_control [KlartextBlock OtherStatement [] (Some "E_SYNTAX"); end_block])).
+Proof. apply klartext_alarm_is_last. Qed.
+
+(** * Moves *)
+
+Lemma bind_result {A B} (x : outcome A) (f : A -> outcome B) y : bind x f = Got y -> exists a, x = Got a /\ f a = Got y.
+Proof. destruct x; cbn; intro H; try discriminate; eauto. Qed.
+
+(** heidenhain.program.own-move: an LN block, and an L block with an axis word, that runs makes exactly one move (or is out
+    of scope once); no other does. *)
+Theorem one_move_a_block {num} {N : Numbers num} (s : klartext_setup num) machine_datum with_vectors w normal tool_vector st
+    st' p :
+  plan s machine_datum with_vectors w normal tool_vector st = Got (st', p) ->
+  (p <> None <-> with_vectors = true \/ axis_words w <> []).
+Proof.
+  unfold plan. destruct (negb with_vectors && match axis_words w with [] => true | _ => false end) eqn:E; intro H.
+  - injection H as _ <-. split; [congruence|]. apply andb_prop in E as [E E'].
+    destruct with_vectors, (axis_words w); try discriminate. intros [O|O]; congruence.
+  - cbv zeta in H. repeat (apply bind_result in H; destruct H as (? & _ & H)).
+    injection H as _ <-. split; [|discriminate].
+    intros _. destruct with_vectors; [now left|right]. destruct (axis_words w); [discriminate|discriminate].
+Qed.
+
+Example one_move_a_block_instance st p :
+  plan plain_control false false (to_x 5) None None at_start = Got (st, p) -> p <> None.
+Proof. intro H. apply (one_move_a_block _ _ _ _ _ _ _ _ _ H). right; discriminate. Qed.
+
+(** heidenhain.program.direction-without-tcpm: without TCPM the tool is along the tool axis whatever rotary words and tool
+    vectors say. *)
+Theorem vectors_turn_nothing_without_tcpm {num} {N : Numbers num} (s : klartext_setup num) st words normal tool_vector to :
+  tcpm_on (tcpm_of st) = false ->
+  direction_at_end s st words normal tool_vector to = along_axis (axis_of_tool (tool_of st)).
+Proof. intro O. unfold direction_at_end, tool_direction. now rewrite O. Qed.
+
+Example vectors_turn_nothing_without_tcpm_instance :
+  of_length_1 (direction_at_end plain_control at_start [] None (Some (1%R, 0%R, 0%R)) (position at_start)) =
+  (0%R, 0%R, 1%R).
+Proof. now rewrite vectors_turn_nothing_without_tcpm. Qed.
+
+(** heidenhain.program.no-compensation: a straight line without RL and RR ends with the nominal tool where it is programmed,
+    whatever the deltas. *)
+Theorem without_sides_no_shift {num} {N : Numbers num} (st : klartext_state num) effective direction p d :
+  radius_mode st = R0 ->
+  way_made (end_without_normal st effective direction p d) = Known (nominal_tip st (of_length_1 direction) p) zero3 None.
+Proof. intro O. unfold end_without_normal. now rewrite O. Qed.
+
+Example without_sides_no_shift_instance :
+  way_made (end_without_normal at_start None (along_axis Letter.Z) (5%R, 0%R, 0%R) (5%R, 0%R, 0%R)) =
+  Known (nominal_tip at_start (0%R, 0%R, 1%R) (5%R, 0%R, 0%R)) zero3 None.
+Proof. now apply without_sides_no_shift. Qed.
+
+(** * The tool *)
+
+Definition under_m107 {num} (tool : tool_in_force num) : tool_in_force num :=
+  ToolInForce (row_of_tool tool) (programmed_deltas tool) true.
+
+(** heidenhain.tool.oversize-permitted: M107 changes verdicts, never coordinates: a tool that may be used without it is the
+    same tool with it. *)
+Theorem m107_changes_verdicts_alone {num} {N : Numbers num} (tool : tool_in_force num) contact radius_compensation e :
+  usable_tool tool contact radius_compensation = Got e -> usable_tool (under_m107 tool) contact radius_compensation = Got e.
+Proof.
+  unfold usable_tool, total_deltas, table_row; cbn [row_of_tool programmed_deltas under_m107]. cbv zeta.
+  intro H. destruct contact as [a|], (deviations (or_else (row_of_tool tool) tool_of_zeros)) as [points|];
+    repeat (apply bind_result in H; let x := fresh "x" in let E := fresh "E" in destruct H as (x & E & H);
+            first [rewrite E | destruct x]; cbn [bind check_oversize under_m107 oversize_permitted]);
+    first [exact H | congruence].
+Qed.
+
+Example m107_changes_verdicts_alone_instance e :
+  let tool := tool_now at_start in
+  usable_tool tool None false = Got e -> usable_tool (under_m107 tool) None false = Got e.
+Proof. cbv zeta. apply m107_changes_verdicts_alone. Qed.
