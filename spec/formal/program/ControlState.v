@@ -33,11 +33,11 @@ Record great_circle (num : Type) := GreatCircle {
   anchor : angle num * angle num;
   anchored_at_end : bool;
   above_at_anchor : bool;              (* the branch there *)
-  crosses : option bool;               (* a singular direction inside, whether it is -u_w *)
+  crosses_singular : option bool;      (* a singular direction inside, whether it is -u_w *)
   on_meridian : bool                   (* in a plane with u_w *)
 }.
 Arguments GreatCircle {num}. Arguments circle_from {num}. Arguments circle_to {num}. Arguments anchor {num}.
-Arguments anchored_at_end {num}. Arguments above_at_anchor {num}. Arguments crosses {num}. Arguments on_meridian {num}.
+Arguments anchored_at_end {num}. Arguments above_at_anchor {num}. Arguments crosses_singular {num}. Arguments on_meridian {num}.
 
 (** How the rotary axes run in a block. *)
 Inductive rotary_way (num : Type) :=

@@ -43,7 +43,7 @@ Fixpoint several_times {num} {N : Numbers num} (count : nat) (a : angle num) : o
     cosines do. *)
 Definition beyond_crossing {num} {N : Numbers num} (k : kinematics num) (g : great_circle num) (part : Z * Z) :
     outcome comparison :=
-  match crosses g with
+  match crosses_singular g with
   | None => Got Lt
   | Some opposite =>
       let a := unit3 (circle_from g) in
@@ -86,13 +86,13 @@ Definition pose_on_circle {num} {N : Numbers num} (k : kinematics num) (g : grea
     pose_of_sides k
       (angle_of_degrees (lifted_tool k crossing above tau degrees_anchor degrees_now),
        angle_of_degrees (lifted_work k omega of_tool of_side)) in
-  match place, crosses g with
+  match place, crosses_singular g with
   | Eq, Some opposite =>
       degrees_now <- beside_degrees k above (beside_singular k opposite) ;;
       of_side <- bracket_of_side k false degrees_anchor degrees_now side_anchor (leaving_singular k opposite above) ;;
       Got (lifted None degrees_now 0%num of_side)
   | _, _ =>
-      let crossing := match place with Gt => crosses g | _ => None end in
+      let crossing := match place with Gt => crosses_singular g | _ => None end in
       let crossed := given crossing in
       x_now <- beside_inside k (xorb above crossed) v ;;
       degrees_now <- beside_degrees k (xorb above crossed) x_now ;;
