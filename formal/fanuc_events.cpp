@@ -51,10 +51,9 @@ void read_sample(Event& event, const List& data, const spec::Axes& axes) {
   event.kind = spec::EventKind::sample;
   event.t_numerator = static_cast<std::uint32_t>(data.at(2).integer());
   event.t_denominator = static_cast<std::uint32_t>(data.at(3).integer());
-  event.point = positions(data.at(4), axes, false);
-  event.axes = positions(data.at(5), axes, true);
-  const List& axis = data.at(6).list();
-  event.tool_axis = {axis.at(0).number(), axis.at(1).number(), axis.at(2).number()};
+  event.point = linear_positions(data.at(4), axes);
+  event.axes = positions(data.at(5), axes);
+  event.tool_axis = vector_of(data.at(6));
 }
 
 }  // namespace
