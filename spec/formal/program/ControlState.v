@@ -65,7 +65,7 @@ Arguments pose_behind {num}. Arguments turns_before {num}. Arguments turns_behin
 Record control_state (num : Type) := ControlState {
   in_control : option (control_mode num);    (* none: G49, G43 or G44 *)
   stands_at : option (angle num * angle num);  (* the pose, where control has turned to it *)
-  run_of_block : option (rotary_run num)     (* of a block under control behind that of the code *)
+  run_of_block : option (rotary_run num)     (* of a block under control that moves, behind that of the code *)
 }.
 Arguments ControlState {num}. Arguments in_control {num}. Arguments stands_at {num}. Arguments run_of_block {num}.
 

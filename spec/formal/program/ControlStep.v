@@ -252,6 +252,10 @@ Definition under_control {num} {N : Numbers num} (s : setup num) (c : command nu
         | _, _ => position
         end in
       let position := at_end (programmed st) in
+      let st := match moves with
+                | [] => with_control st (ControlState (Some m) (stands_at behind) None)
+                | _ => st
+                end in
       let toward := Some (unit3 (direction m)) in
       (at_position st position (shift st),
        map (fun g => Movement (going g) (because g) position (sum position (shift st)) (head g) (length_vector g)
