@@ -45,7 +45,16 @@ void read_move(Event& event, const List& data, const spec::Axes& axes) {
   if (const List& tool = data.at(10).list(); !tool.empty()) event.tool_axis = vector_of(tool[0]);
 }
 
-enum EventOf : std::int64_t { kMoves, kSetting, kRaised, kNotDecided, kWarned };
+enum EventOf : std::int64_t { kMoves, kSetting, kRaised, kNotDecided, kWarned, kSampled };
+
+void read_sample(Event& event, const List& data, const spec::Axes& axes) {
+  event.kind = spec::EventKind::sample;
+  event.t_numerator = static_cast<std::uint32_t>(data.at(2).integer());
+  event.t_denominator = static_cast<std::uint32_t>(data.at(3).integer());
+  event.point = linear_positions(data.at(4), axes);
+  event.axes = positions(data.at(5), axes);
+  event.tool_axis = vector_of(data.at(6));
+}
 
 }  // namespace
 
@@ -54,6 +63,9 @@ spec::Event<exact::Real> fanuc_event(const List& data, const spec::Axes& axes) {
   switch (data.at(1).integer()) {
     case kMoves:
       read_move(event, data, axes);
+      break;
+    case kSampled:
+      read_sample(event, data, axes);
       break;
     case kSetting:
       event.kind = spec::EventKind::setting;

@@ -165,12 +165,20 @@ void write_klartext_move(Row& row, const TextEvent& event, const spec::Axes& axe
 
 // The kinds of both dialects, by their places.
 void write_event(Row& row, const TextEvent& event, const spec::Case& c) {
-  enum Kind : std::size_t { kMove, kSettingOrWarning, kAlarm, kUndecided, kOther };
+  enum Kind : std::size_t { kMove, kSettingOrWarning, kAlarm, kUndecided, kOther, kSample };
   const bool fanuc = c.dialect == "fanuc";
   switch (event.kind) {
     case EventKind::move:
       row.whole(kMove);
       fanuc ? write_fanuc_move(row, event, c.setup.axes) : write_klartext_move(row, event, c.setup.axes);
+      break;
+    case EventKind::sample:
+      row.whole(kSample);
+      row.whole(event.t_numerator);
+      row.whole(event.t_denominator);
+      row.axes(event.point, c.setup.axes, true);
+      row.axes(event.axes, c.setup.axes, false);
+      row.vector(event.tool_axis.value());
       break;
     case EventKind::setting:
       row.whole(kSettingOrWarning);

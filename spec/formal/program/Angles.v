@@ -19,21 +19,20 @@ Arguments Angle {num}. Arguments degrees {num}. Arguments cosine_of {num}. Argum
 
 Definition angle_of_degrees {num} {N : Numbers num} (x : num) : angle num := Angle x (cosine x) (sine x) None.
 
-(** The angle of a vector that is not 0, from the first axis toward the second, from 0 up to 360 degrees. *)
-Definition angle_toward {num} {N : Numbers num} (clause : string) (x y : num) : outcome (angle num) :=
-  side <- decide clause y ;;
-  ahead <- decide clause x ;;
+(** The angle of a vector of length 1, from the first axis toward the second, from 0 up to 360 degrees. *)
+Definition angle_of_unit {num} {N : Numbers num} (clause : string) (c s : num) : outcome (angle num) :=
+  side <- decide clause s ;;
+  ahead <- decide clause c ;;
   let half : num := integer 180 in
-  let told d := let r := root (x * x + y * y)%num in Angle d (x / r)%num (y / r)%num (Some 0) in
   Got
     match side, ahead with
     | Eq, Lt => Angle half (0 - 1)%num 0%num (Some 0)
     | Eq, _ => Angle 0%num 1%num 0%num (Some 0)
     | Gt, Eq => Angle (integer 90) 0%num 1%num (Some 0)
     | Lt, Eq => Angle (integer 270) 0%num (0 - 1)%num (Some 0)
-    | Gt, Gt => told (arctangent (y / x)%num)
-    | Gt, Lt | Lt, Lt => told (half + arctangent (y / x))%num
-    | Lt, Gt => told (integer 360 + arctangent (y / x))%num
+    | Gt, Gt => Angle (arctangent (s / c)%num) c s (Some 0)
+    | Gt, Lt | Lt, Lt => Angle (half + arctangent (s / c))%num c s (Some 0)
+    | Lt, Gt => Angle (integer 360 + arctangent (s / c))%num c s (Some 0)
     end.
 
 (** * Whole turns *)

@@ -19,7 +19,7 @@ Definition known := [0; 10; 20; 30; 40; 100; 170; 180; 190; 200; 210; 280; 290; 
   920; 930; 940; 950] ++ without_effect.
 
 (** What this text does not say yet. *)
-Definition beyond := [434; 435].
+Definition beyond : list Z := [].
 
 (** fanuc.program.last-code-of-group: modal groups. *)
 Definition motions := [0; 10; 20; 30].
@@ -27,7 +27,7 @@ Definition planes := [170; 180; 190].
 Definition units := [200; 210].
 Definition distances := [900; 910].
 Definition feeds := [930; 940; 950].
-Definition lengths := [430; 440; 490].
+Definition lengths := [430; 434; 435; 440; 490].
 Definition systems := [540; 541; 550; 560; 570; 580; 590].
 Definition compensations := [400; 410; 412; 413; 416; 420; 422; 426].
 

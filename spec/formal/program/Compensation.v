@@ -1,6 +1,6 @@
 (** The compensations of a plan, one behind the other. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes State Movements CutterB CutterC SidePass EdgePass.
+From Toolcomp Require Import Numbers Outcomes Words Codes State Movements CutterB CutterC SidePass EdgePass ControlMoves.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -12,7 +12,7 @@ Definition cutter_pass {num} {N : Numbers num} (s : setup num) (p : plan num) : 
 
 (** What is done with a plan, in this order. *)
 Definition passes {num} {N : Numbers num} (s : setup num) : list (plan num -> passed num) :=
-  [cutter_pass s; side_pass s; edge_pass s].
+  [cutter_pass s; side_pass s; edge_pass s; control_pass s].
 
 (** All of them, until one ends the run. *)
 Fixpoint through {num} (passes : list (plan num -> passed num)) (p : plan num) : passed num :=

@@ -73,6 +73,8 @@ Definition tell_event {num} (letters : list Letter.t) (e : nat * event num) : to
      | Raised number => [Says 2; Names number]
      | NotDecided clause => [Says 3; Names clause]
      | Warned name => [Says 4; Names name]
+     | Sampled (numerator, denominator) point positions axis =>
+         [Says 5; Says numerator; Says denominator; tell_linear letters point; tell_values positions; tell_vector axis]
      end).
 
 (** A case, its setup and the blocks of its program: the events, and what this text does not say. *)

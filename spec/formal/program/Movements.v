@@ -25,9 +25,10 @@ Arguments at_feed {num}. Arguments along_tool {num}.
 (** What a block yields that runs: nothing of it is an alarm. *)
 Inductive item (num : Type) :=
 | Go (m : movement num)
+| Inside (part : Z * Z) (at_point positions : values num) (axis : num * num * num)   (* a sample *)
 | Warn (name : string)
 | Write (name : string) (value : num).
-Arguments Go {num} m. Arguments Warn {num} name. Arguments Write {num} name value.
+Arguments Go {num} m. Arguments Inside {num} part at_point positions axis. Arguments Warn {num} name. Arguments Write {num} name value.
 
 (** A block as it runs: by its words and what was before, without anything of blocks behind it. *)
 Record planned (num : Type) := Planned {
@@ -85,6 +86,7 @@ Definition move_of {num} {N : Numbers num} (m : movement num) : move num :=
 Definition event_of {num} {N : Numbers num} (i : item num) : event num :=
   match i with
   | Go m => Moves (move_of m)
+  | Inside part at_point positions axis => Sampled part at_point positions axis
   | Warn name => Warned name
   | Write name value => Setting name value
   end.

@@ -86,11 +86,13 @@ Arguments feed_of {num}. Arguments tool_axis {num}.
 
 Inductive event (num : Type) :=
 | Moves (m : move num)
+| Sampled (part : Z * Z) (at_point positions : values num) (axis : num * num * num)   (* inside a block *)
 | Setting (name : string) (value : num)
 | Warned (name : string)
 | Raised (number : string)
 | NotDecided (clause : string).
 Arguments Moves {num} m.
+Arguments Sampled {num} part at_point positions axis.
 Arguments Setting {num} name value.
 Arguments Warned {num} name.
 Arguments Raised {num} number.

@@ -3,7 +3,8 @@
     What this text does not say yet: codes of the other sections end the run with [Beyond]. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement State.
-From Toolcomp Require Import Movements OwnMove CutterRules CutterModes CutterWords SideWords EdgeWords ControlWords Compensation.
+From Toolcomp Require Import Movements OwnMove CutterRules CutterModes CutterWords SideWords EdgeWords ControlWords.
+From Toolcomp Require Import ControlStep Compensation.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -84,6 +85,7 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let numbers := if data || ignored then no_numbers else all_numbers in
     (* Of G52, G92, G39 and a G53 that is ignored too. *)
     let naming := if letters_are_data then no_numbers else all_numbers in
+    let st := control_left s codes st in
     let position := renamed s (coordinates_of st) c (programmed st) in
     let said := Command b codes code m h d all_numbers numbers naming in
     let to_length := LengthCommand (length_code_of codes) h (in_plane m) (which naming)
@@ -107,10 +109,11 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let to_machine := goes_to_machine_position code in
     let elsewhere := to_machine || match code with Some ReturnFromReference | Some Measure => true | _ => false end in
     let to := destination (incremental m) position numbers in
+    let path_block := if by_vector (type_with codes st) then without_direction b else b in
     circle_of <-
-      (if negb (elsewhere || stays code) && runs_arc m s numbers letters_are_data b
+      (if negb (elsewhere || stays code) && runs_arc m s numbers letters_are_data path_block
        then
-         c <- arc_between s m (negb (cutter_b s) && cutter_on_after s said st) b (in_plane_of s (in_plane m) position)
+         c <- arc_between s m (negb (cutter_b s) && cutter_on_after s said st) path_block (in_plane_of s (in_plane m) position)
                 (in_plane_of s (in_plane m) to) ;;
          Got (Some c)
        else Got None) ;;
@@ -128,10 +131,18 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
          Got (lengthening code x)
        else Got None) ;;
     (* The alarms of the arc of G45 to G48 come before those of the length offset. *)
-    _ <- own_move s numbers b circle_of false longer st ;;
-    '(on_way, at_end) <- length_step s (offsets_of st) to_length (length_of st) ;;
-    changed <- differs (vector at_end) (vector (length_of st)) ;;
-    let st := with_length st at_end in
+    _ <- own_move s numbers path_block circle_of false longer st ;;
+    controlled <- control_step s said to_length circle_of to st ;;
+    '(on_way, at_end) <- match controlled with
+                         | Some (length, _) => Got (length, length)
+                         | None => length_step s (offsets_of st) to_length (length_of st)
+                         end ;;
+    changed <- match controlled with
+               | Some (_, run) => control_moves s said run st
+               | None => differs (vector at_end) (vector (length_of st))
+               end ;;
+    control_now <- match controlled with Some (_, run) => Got run | None => without_control s said st end ;;
+    let st := with_control (with_length st at_end) control_now in
     let as_moved x := '(st, moves) <- x ;; Got (st, moves, None, writing) in
     '(st, moves, alarm, writing) <-
       match code, negb (empty named), target with
@@ -139,7 +150,9 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
       | _, true, Some t => as_moved (Got (reference_return s t numbers on_way st))
       | Some ReturnFromReference, true, _ => as_moved (Got (return_from_reference s numbers st))
       | Some Measure, _, _ => measurement s numbers st
-      | _, _, _ => as_moved (own_move s numbers b circle_of changed longer st)
+      | _, _, _ =>
+          '(st, moves) <- own_move s numbers path_block circle_of changed longer st ;;
+          as_moved (Got (under_control s said control_now st moves))
       end ;;
     (* G52, G92 and G10 count behind the block. *)
     let coordinates_behind := match code with

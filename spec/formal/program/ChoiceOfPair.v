@@ -1,0 +1,194 @@
+(** Tool center point control of type 2: which of the pairs of a direction, and which whole turns. *)
+From Coq Require Import List String ZArith Bool PeanoNat.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Angles ControlState State Space Pose.
+From Toolcomp Require Import ControlFrame ControlWords InverseKinematics.
+Import ListNotations.
+Open Scope string_scope.
+Open Scope Z_scope.
+Open Scope list_scope.
+
+(** * Ranges *)
+
+Definition range (num : Type) := option (angle num * angle num).
+(** The ranges of the first and of the second axis. *)
+Definition ranges {num} {N : Numbers num} (s : setup num) : outcome (range num * range num) :=
+  '(first, second) <- limits_of_axes s ;;
+  let told (limits : option (num * num)) : range num :=
+    option_map (fun l => (angle_of_degrees (fst l), angle_of_degrees (snd l))) limits in
+  Got (told first, told second).
+
+Definition range_clause := "fanuc.tool-center-point.range".
+
+(** fanuc.tool-center-point.range: a position counts only in the range of its axis; the limits are inside. *)
+Definition not_above {num} {N : Numbers num} (r : range num) (x : angle num) : outcome bool :=
+  match r with
+  | Some (_, upper) => c <- compare_angles range_clause x upper ;; Got (match c with Gt => false | _ => true end)
+  | None => Got true
+  end.
+Definition not_below {num} {N : Numbers num} (r : range num) (x : angle num) : outcome bool :=
+  match r with
+  | Some (lower, _) => c <- compare_angles range_clause x lower ;; Got (match c with Lt => false | _ => true end)
+  | None => Got true
+  end.
+Definition in_range {num} {N : Numbers num} (r : range num) (x : angle num) : outcome bool :=
+  below <- not_above r x ;; above <- not_below r x ;; Got (below && above).
+
+(** The position, or the nearest limit where it is outside. *)
+Definition nearest_in_range {num} {N : Numbers num} (r : range num) (x : angle num) : outcome (angle num) :=
+  match r with
+  | Some (lower, upper) =>
+      fine_above <- not_above r x ;;
+      fine_below <- not_below r x ;;
+      if fine_below : bool then if fine_above : bool then Got x else with_turns range_clause upper
+      else with_turns range_clause lower
+  | None => Got x
+  end.
+
+(** * Candidates of an axis *)
+
+(** A position and how far it is from the present one. *)
+Record candidate (num : Type) := Candidate { goes_to : angle num; half_turns : Z; cosine_of_move : num }.
+Arguments Candidate {num}. Arguments goes_to {num}. Arguments half_turns {num}. Arguments cosine_of_move {num}.
+
+(** fanuc.tool-center-point.choice-first-move: the moving angle of a position above or below the present one. *)
+Definition moving_to {num} {N : Numbers num} (clause : string) (now to : angle num) : outcome (candidate num) :=
+  up <- compare_angles clause to now ;;
+  m <- (match up with Lt => angle_between_positions clause now to | _ => angle_between_positions clause to now end) ;;
+  count <- turns_of clause m ;;
+  first <- in_first_half clause m ;;
+  Got (Candidate to (2 * count + (if first : bool then 0 else 1)) (cosine_of m)).
+
+(** Which of two moves less: by half turns, then by cosines, which fall in the first half of a turn and rise in the
+    second. *)
+Definition compare_moves {num} {N : Numbers num} (clause : string) (a b : candidate num) : outcome comparison :=
+  match Z.compare (half_turns a) (half_turns b) with
+  | Eq =>
+      let more := (cosine_of_move a - cosine_of_move b)%num in
+      decide clause (if Z.even (half_turns a) then (- more)%num else more)
+  | c => Got c
+  end.
+
+(** The position of one turn that is the first from another on, up or down. *)
+Definition first_up {num} {N : Numbers num} (clause : string) (from one_turn : angle num) : outcome (angle num) :=
+  count <- turns_of clause from ;;
+  below <- compare_rest clause one_turn from ;;
+  Got (turned_on (match below with Lt => count + 1 | _ => count end) one_turn).
+Definition first_down {num} {N : Numbers num} (clause : string) (from one_turn : angle num) : outcome (angle num) :=
+  count <- turns_of clause from ;;
+  below <- compare_rest clause one_turn from ;;
+  Got (turned_on (match below with Gt => count - 1 | _ => count end) one_turn).
+
+(** The nearest positions in range up and down from the present one. *)
+Definition candidates {num} {N : Numbers num} (clause : string) (r : range num) (now one_turn : angle num) :
+    outcome (list (candidate num)) :=
+  from_up <- match r with
+             | Some (lower, _) =>
+                 fine <- not_below r now ;; if fine : bool then Got now else with_turns range_clause lower
+             | None => Got now
+             end ;;
+  from_down <- match r with
+               | Some (_, upper) =>
+                   fine <- not_above r now ;; if fine : bool then Got now else with_turns range_clause upper
+               | None => Got now
+               end ;;
+  up <- first_up clause from_up one_turn ;;
+  down <- first_down clause from_down one_turn ;;
+  up_fine <- not_above r up ;;
+  down_fine <- not_below r down ;;
+  each (moving_to clause now) ((if up_fine : bool then [up] else []) ++ (if down_fine : bool then [down] else [])).
+
+(** * The choice *)
+
+(** Those than which no other is better. *)
+Fixpoint best_of {A} (better : A -> A -> outcome comparison) (kept rest : list A) : outcome (list A) :=
+  match rest with
+  | [] => Got kept
+  | x :: rest =>
+      c <- match kept with [] => Got Lt | best :: _ => better x best end ;;
+      best_of better (match c with Lt => [x] | Eq => kept ++ [x] | Gt => kept end) rest
+  end.
+
+(** fanuc.tool-center-point.choice-order: judged first is the first axis on tool rotation and table rotation machines, the
+    second on the mixed type; 19608#5 turns the order round. *)
+Definition judges_second_first {num} (s : setup num) (k : kinematics num) : bool :=
+  xorb (match machine_of k with Mixed => true | _ => false end) (bit s "19608#5").
+
+(** fanuc.tool-center-point.choice: step by step remain those with the smallest moving angle of the axis judged first; of
+    the other axis; with the axis judged first nearest to 0; with the other nearest to 0.
+    fanuc.tool-center-point.choice-tie: then the greater position of the axis judged first, then of the other one.
+    Of pairs, each with the candidates of the axis judged first and of the other. fanuc.tool-center-point.range-none: none
+    raises PS5459. *)
+Definition chosen {num} {N : Numbers num} (pairs : list (list (candidate num) * list (candidate num))) :
+    outcome (angle num * angle num) :=
+  let by_first clause a b := compare_moves clause (fst a) (fst b) in
+  let firsts := flat_map
+    (fun p => match snd p with [] => [] | _ => map (fun first => (first, snd p)) (fst p) end) pairs in
+  left <- best_of (by_first "fanuc.tool-center-point.choice-first-move") [] firsts ;;
+  let both := flat_map (fun c => map (fun second => (fst c, second)) (snd c)) left in
+  let nearer clause x y := decide clause (cosine_of y - cosine_of x)%num in
+  let greater x y := compare_angles "fanuc.tool-center-point.choice-tie" y x in
+  let first c := goes_to (fst c) in
+  let second c := goes_to (snd c) in
+  left <- best_of (fun a b => compare_moves "fanuc.tool-center-point.choice-second-move" (snd a) (snd b)) [] both ;;
+  left <- best_of (fun a b => nearer "fanuc.tool-center-point.choice-first-near-zero" (first a) (first b)) [] left ;;
+  left <- best_of (fun a b => nearer "fanuc.tool-center-point.choice-second-near-zero" (second a) (second b)) [] left ;;
+  left <- best_of (fun a b => greater (first a) (first b)) [] left ;;
+  left <- best_of (fun a b => greater (second a) (second b)) [] left ;;
+  match left with
+  | [] => Alarm "PS5459"
+  | best :: _ => Got (first best, second best)
+  end.
+
+(** Whether two directions are equal. *)
+Definition same_direction {num} {N : Numbers num} (clause : string) (a b : triple num) : outcome bool :=
+  let n := cross3 a b in
+  parallel <- is_zero clause (dot3 n n) ;;
+  if parallel : bool then is_positive clause (dot3 a b) else Got false.
+
+(** The pair of a direction, from the present pose, which gives another one.
+    fanuc.tool-center-point.parallel-to-the-work-side: where V is parallel to u_w the work-side axis keeps its position, or
+    goes to the nearest limit of its range where that is outside.
+    fanuc.tool-center-point.choice: for a direction equal to the present one the axes stay, where that is in range. *)
+Definition choose {num} {N : Numbers num} (s : setup num) (k : kinematics num) (now : pose num)
+    (now_direction v : triple num) : outcome (pose num) :=
+  '(first_range, second_range) <- ranges s ;;
+  equal <- same_direction "fanuc.tool-center-point.choice" now_direction v ;;
+  stays <- (if equal : bool then
+              first_fine <- in_range first_range (fst now) ;;
+              second_fine <- in_range second_range (snd now) ;;
+              Got (first_fine && second_fine)
+            else Got false) ;;
+  if stays : bool then Got now
+  else
+    let second_first := judges_second_first s k in
+    let ordered {A} (p : A * A) := if second_first then (snd p, fst p) else p in
+    let judged_range := ordered (first_range, second_range) in
+    let judged_now := ordered now in
+    let first_clause := "fanuc.tool-center-point.choice-first-move" in
+    let second_clause := "fanuc.tool-center-point.choice-second-move" in
+    parallel <- parallel_to_work_axis k v ;;
+    pairs <-
+      match parallel with
+      | Some opposite =>
+          reached <- reaches_work_axis k opposite ;;
+          _ <- alarm_if (negb reached) "PS5459" ;;
+          tau <- singular_position k opposite ;;
+          let '(tool_range, work_range) :=
+            match machine_of k with ToolRotation => (second_range, first_range) | _ => (first_range, second_range) end in
+          let '(tool_now, work_now) := sides_of k now in
+          kept <- nearest_in_range work_range work_now ;;
+          taus <- candidates first_clause tool_range tool_now tau ;;
+          omega <- moving_to second_clause work_now kept ;;
+          Got [ordered (match machine_of k with ToolRotation => ([omega], taus) | _ => (taus, [omega]) end)]
+      | None =>
+          found <- pairs_of k v ;;
+          each
+            (fun pair =>
+              let one := ordered (pose_of_sides k pair) in
+              firsts <- candidates first_clause (fst judged_range) (fst judged_now) (fst one) ;;
+              seconds <- candidates second_clause (snd judged_range) (snd judged_now) (snd one) ;;
+              Got (firsts, seconds))
+            found
+      end ;;
+    best <- chosen pairs ;;
+    Got (ordered best).

@@ -1,0 +1,256 @@
+(** Tool center point control: what a block under it comes to: length, pose and direction. *)
+From Coq Require Import List String ZArith Bool PeanoNat.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset Angles ControlState State.
+From Toolcomp Require Import Space Pose ControlFrame Movements ControlWords InverseKinematics ChoiceOfPair PostureAngles
+  PostureControl Lean.
+Import ListNotations.
+Open Scope string_scope.
+Open Scope Z_scope.
+Open Scope list_scope.
+
+(** * The length along the tool *)
+
+(** fanuc.tool-center-point.length: the offset of the H number plus the tool holder offset 19666. H and edited values
+    follow the rules of G43, without G43 or G44 adding or taking: fanuc.length-offset.ofh,
+    fanuc.length-offset.ofh-first-without-number, fanuc.length-offset.evo. No axis has an offset. *)
+Definition length_under_control {num} {N : Numbers num} (s : setup num) (o : offsets num) (c : length_command)
+    (of_code : bool) (st : state num) : outcome (length_offset num * num) :=
+  let l := length_of st in
+  let on := given (in_force l) || given (in_control (control st)) in
+  let number := match h c with
+                | Some number => if ofh s && negb of_code then None else Some number
+                | None => if of_code && ofh s && negb on then Some 0 else None
+                end in
+  let now := or_else number (number_in_force l) in
+  let edited := match type_of s with TypeC => false | _ => evo s && has_words c end in
+  along <- match in_control (control st), of_code || given number || edited with
+           | Some m, false => Got (tool_length m)
+           | _, _ => x <- applied s ByH o now ;; Got (x + parameter_of s "19666")%num
+           end ;;
+  Got (LengthOffset None now (zeros s) (no_axes s) (no_axes s), along).
+
+(** * The block of the code *)
+
+(** fanuc.tool-center-point.direction-words, fanuc.tool-center-point.again: the direction that is kept, where the block
+    gives none: that of the rotary positions; without kinematics the one in force. *)
+Definition kept_at_start {num} {N : Numbers num} (s : setup num) (st : state num) (position : values num) : triple num :=
+  match in_control (control st) with
+  | Some m => direction m
+  | None => tool_direction s (coordinates_of st) position
+  end.
+
+(** fanuc.tool-center-point.block: its axes go to their ends each by itself.
+    fanuc.tool-center-point.direction-at-start: I J K turn a tool rotation machine, without a lean.
+    fanuc.tool-center-point.frozen-pose: the pose at which it ends is the frozen one. *)
+Definition control_starts {num} {N : Numbers num} (s : setup num) (c : command num) (type : control_type) (along : num)
+    (to : values num) (st : state num) : outcome (control_state num) :=
+  posture <- chooses_posture s c ;;
+  let workpiece_system := bit s "19696#5" in
+  let vector := match type with ByVector => direction_words s c | ByAxes => None end in
+  let lean := match type with ByVector => lean_word c | ByAxes => 0%num end in
+  match kinematics_of s with
+  | None =>
+      let d := or_else vector (kept_at_start s st to) in
+      let nowhere := angle_of_degrees 0%num in
+      Got (ControlState (Some (ControlMode type false lean false (nowhere, nowhere) along d d)) None None)
+  | Some k =>
+      let present := pose_of s k st in
+      pose <- match vector with
+              | Some v => choose s k present (direction_at k present) v
+              | None => commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) present
+              end ;;
+      (* fanuc.tool-center-point.not-invertible: every block runs under conventional control. *)
+      no_inverse <- (if posture : bool then not_invertible k else Got false) ;;
+      let d := or_else vector (programmed_direction k workpiece_system pose pose) in
+      Got (ControlState (Some (ControlMode type (posture && negb no_inverse) lean workpiece_system pose along d d))
+             (Some pose) None)
+  end.
+
+(** * The blocks that follow *)
+
+Definition with_direction {num} (m : control_mode num) (along : num) (kept d : triple num) : control_mode num :=
+  ControlMode (control_by m) (posture_control m) (lean_angle m) (in_workpiece_system m) (frozen_pose m) along kept d.
+
+(** fanuc.tool-center-point.direction-words: the direction of I J K, or the one kept; none where the rotary axes stand
+    still: without I J K where Q is 0 or the tip has no travel. And what is kept of it.
+    fanuc.tool-center-point.lean: leaned where the tip moves. *)
+Definition direction_to {num} {N : Numbers num} (s : setup num) (c : command num) (circle_of : option (circle num))
+    (m : control_mode num) (from to : values num) : outcome (option (triple num * triple num)) :=
+  let words := direction_words s c in
+  let start := in_space s from in
+  let finish := in_space s to in
+  let clockwise := match motion (in_modes c) with Clockwise => true | _ => false end in
+  upright <- is_zero "fanuc.tool-center-point.lean" (lean_angle m) ;;
+  stands <- (if upright : bool then Got true
+             else let d := sub3 finish start in is_zero "fanuc.tool-center-point.lean-along-the-travel" (dot3 d d)) ;;
+  match words with
+  | None =>
+      if stands : bool then Got None
+      else
+        d <- travel_at_end s (in_plane (in_modes c)) clockwise circle_of start finish ;;
+        v <- leaned (lean_angle m) (kept_direction m) d ;;
+        Got (Some (v, kept_direction m))
+  | Some w =>
+      if stands : bool then Got (Some (w, w))
+      else
+        d <- travel_at_end s (in_plane (in_modes c)) clockwise circle_of start finish ;;
+        v <- leaned (lean_angle m) w d ;;
+        Got (Some (v, w))
+  end.
+
+(** A block of type 1 goes to the pose commanded, one of type 2 to a pair of its direction.
+    fanuc.tool-center-point.conventional: without posture control the rotary axes go evenly to their end. *)
+Definition control_runs {num} {N : Numbers num} (s : setup num) (c : command num) (circle_of : option (circle num))
+    (along : num) (to : values num) (m : control_mode num) (st : state num) : outcome (control_state num) :=
+  let standing := direction m in
+  match kinematics_of s with
+  | None =>
+      target <- direction_to s c circle_of m (programmed st) to ;;
+      let '(v, kept) := or_else target (standing, kept_direction m) in
+      let nowhere := frozen_pose m in
+      Got (ControlState (Some (with_direction m along kept v)) None
+             (Some (RotaryRun nowhere nowhere nowhere nowhere false false (DirectionAlone standing v) false)))
+  | Some k =>
+      let from := pose_of s k st in
+      match control_by m with
+      | ByAxes =>
+          pose <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) from ;;
+          let d := programmed_direction k (in_workpiece_system m) (frozen_pose m) pose in
+          '(run, _) <- (if posture_control m
+                        then posture_run s k from (Some pose) (direction_at k from) (direction_at k pose)
+                        else Got (conventionally false from pose, false)) ;;
+          Got (ControlState (Some (with_direction m along d d)) (Some pose) (Some run))
+      | ByVector =>
+          target <- direction_to s c circle_of m (programmed st) to ;;
+          match target with
+          | None => Got (ControlState (Some (with_direction m along (kept_direction m) standing)) (Some from)
+                           (Some (conventionally false from from)))
+          | Some (v, kept) =>
+              let vs := from_zero_pose k (frozen_pose m) standing in
+              let ve := from_zero_pose k (frozen_pose m) v in
+              '(run, changed) <- (if posture_control m then posture_run s k from None vs ve
+                                  else to <- choose s k from vs ve ;; Got (conventionally false from to, false)) ;;
+              (* fanuc.tool-posture.changed: the direction of the changed pair is the one kept. *)
+              let actual := programmed_direction k (in_workpiece_system m) (frozen_pose m) (pose_behind run) in
+              let m := if changed : bool then with_direction m along actual actual else with_direction m along kept v in
+              Got (ControlState (Some m) (Some (pose_behind run)) (Some run))
+          end
+      end
+  end.
+
+(** * Arcs in the workpiece system *)
+
+(** fanuc.tool-center-point.arc-in-workpiece-system: a table axis that turns in an arc, or stands elsewhere at its start
+    than at the frozen pose, raises PS5421 where its direction is not normal to the plane.
+    fanuc.tool-center-point.arc-with-table-turned: else ARC_WITH_TABLE_TURNED. *)
+Definition arc_in_workpiece_system {num} {N : Numbers num} (s : setup num) (p : plane) (k : kinematics num)
+    (frozen from to : pose num) : outcome unit :=
+  let clause := "fanuc.tool-center-point.arc-in-workpiece-system" in
+  let table_axes :=
+    let first := (first_axis k, (fst frozen, fst from, fst to)) in
+    let second := (second_axis k, (snd frozen, snd from, snd to)) in
+    match machine_of k with ToolRotation => [] | TableRotation => [first; second] | Mixed => [second] end in
+  turned <- each
+    (fun a =>
+      let '(axis, (there, start, finish)) := a in
+      at_start <- is_zero clause (degrees start - degrees there)%num ;;
+      at_end <- is_zero clause (degrees finish - degrees start)%num ;;
+      let '(x, y, z) := about axis in
+      let beside := match p with XY => (x * x + y * y)%num | ZX => (z * z + x * x)%num | YZ => (y * y + z * z)%num end in
+      normal <- is_zero clause beside ;;
+      Got (negb (at_start && at_end), normal))
+    table_axes ;;
+  _ <- alarm_if (existsb (fun t => fst t && negb (snd t)) turned) "PS5421" ;;
+  alarm_if (existsb fst turned) "ARC_WITH_TABLE_TURNED".
+
+(** * A block *)
+
+(** The state of control behind a block under it, none where it is not; with the length offset. *)
+Definition control_step {num} {N : Numbers num} (s : setup num) (c : command num) (l : length_command)
+    (circle_of : option (circle num)) (to : values num) (st : state num) :
+    outcome (option (length_offset num * control_state num)) :=
+  let code := control_code (codes_said c) in
+  match type_with (codes_said c) st with
+  | None => Got None
+  | Some type =>
+      '(length, along) <- length_under_control s (offsets_of st) l (given code) st ;;
+      _ <- (match in_control (control st), kinematics_of s, circle_of with
+            | Some m, Some k, Some _ =>
+                if in_workpiece_system m && negb (given code) then
+                  let from := pose_of s k st in
+                  pose <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) from ;;
+                  arc_in_workpiece_system s (in_plane (in_modes c)) k (frozen_pose m) from pose
+                else Got tt
+            | _, _, _ => Got tt
+            end) ;;
+      behind <- match code, in_control (control st) with
+                | None, Some m => control_runs s c circle_of along to m st
+                | _, _ => control_starts s c type along to st
+                end ;;
+      Got (Some (length, behind))
+  end.
+
+(** fanuc.tool-center-point.block: the block of the code always makes a move; fanuc.tool-center-point.direction-words: I J K
+    alone make one; and so does a new length. *)
+Definition control_moves {num} {N : Numbers num} (s : setup num) (c : command num) (behind : control_state num)
+    (st : state num) : outcome bool :=
+  match in_control behind, in_control (control st), control_code (codes_said c) with
+  | Some new, Some old, None =>
+      same <- is_zero "fanuc.tool-center-point.length" (tool_length new - tool_length old)%num ;;
+      let directed := match control_by new with ByVector => given (direction_words s c) | ByAxes => false end in
+      Got (directed || negb same)
+  | _, _, _ => Got true
+  end.
+
+(** Behind a block that is not under control. The pose stays known, by its turns, until a code takes a rotary axis to a
+    machine position; programmed angles also until another code renames them. *)
+Definition without_control {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) :
+    outcome (control_state num) :=
+  let elsewhere := match acting c with
+                   | Some (FirstReference | OtherReference | FloatingReference | ReturnFromReference | MachinePosition) => true
+                   | _ => false
+                   end in
+  let renames := match acting c with
+                 | Some (LocalSystem | SetPosition | DataInput) => true
+                 | _ => given (last_of systems (codes_said c))
+                 end in
+  stands <-
+    match kinematics_of s, stands_at (control st) with
+    | Some k, Some p =>
+        if (elsewhere && names s rotary c) || (renames && angles_as_programmed s) then Got None
+        else
+          p <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) p ;; Got (Some p)
+    | _, _ => Got None
+    end ;;
+  Got (ControlState None stands None).
+
+(** The programmed position behind a block, and its movement: with the rotary positions of the pose; machine coordinates
+    (fanuc.tool-center-point.machine-coordinates); the direction of the tool.
+    fanuc.tool-center-point.tip-alone-in-workpiece-system: without a word of X Y Z the programmed X Y Z become those where
+    the tip is. *)
+Definition under_control {num} {N : Numbers num} (s : setup num) (c : command num) (behind : control_state num)
+    (st : state num) (moves : list (movement num)) : state num * list (movement num) :=
+  match in_control behind with
+  | None => (st, moves)
+  | Some m =>
+      let coordinates := coordinates_of st in
+      let alone := negb (names s (fun letter => match letter with Letter.X | Letter.Y | Letter.Z => true | _ => false end) c) in
+      let at_end position :=
+        match kinematics_of s, stands_at behind with
+        | Some k, Some p =>
+            let position :=
+              match alone && in_workpiece_system m, run_of_block behind with
+              | true, Some run =>
+                  let tip := kept_on_table s k coordinates m (pose_before run) p (in_space s (sum position (shift st))) in
+                  with_space s position (sub3 tip (in_space s (shift st)))
+              | _, _ => position
+              end in
+            with_pose s k coordinates p position
+        | _, _ => position
+        end in
+      let position := at_end (programmed st) in
+      let toward := Some (unit3 (direction m)) in
+      (at_position st position (shift st),
+       map (fun g => Movement (going g) (because g) position (sum position (shift st)) (head g) (length_vector g)
+                       (Some (work_zero s coordinates)) (circle_of g) (at_feed g) toward) moves)
+  end.
