@@ -111,7 +111,8 @@ Definition corner_of (a b : leg_in num vec) : outcome corner :=
   | Gt => Got Inner
   | Eq => back <- is_negative "fanuc.cutter-c.straight-or-reversal" (ahead (way a) (way b)) ;;
           Got (if back : bool then Acute else StraightOn)
-  | Lt => acute <- is_negative "fanuc.cutter-c.obtuse-or-acute" (ahead (way a) (way b)) ;; Got (if acute : bool then Acute else Obtuse)
+  | Lt => acute <- is_negative "fanuc.cutter-c.obtuse-or-acute" (ahead (way a) (way b)) ;;
+          Got (if acute : bool then Acute else Obtuse)
   end.
 
 (** The decimal given for tan 1: 31 digits, in three parts. *)
