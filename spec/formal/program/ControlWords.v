@@ -142,13 +142,14 @@ Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command n
                  | Some DataInput => among (or_else (whole_word Letter.L (block_of c)) 0) [2; 20]
                  | _ => false
                  end in
+  let length_code := match last_of lengths codes with Some l => among l [430; 440] | None => false end in
+  let refuses_length := given (type_before st) && length_code in
   (* fanuc.tool-center-point.forbidden *)
-  _ <- alarm_if (under && (origins || is_forbidden codes))
+  _ <- alarm_if ((under || refuses_length) && (origins || is_forbidden codes))
          "FORBIDDEN_UNDER_TOOL_DIRECTION" ;;
   (* fanuc.tool-center-point.exclusion: G43 or G44 under control, and the code while an axis has a length offset *)
-  let length_code := match last_of lengths codes with Some l => among l [430; 440] | None => false end in
   offset <- (if of_code then offset_axes (vector (length_of st)) else Got (no_axes s)) ;;
-  _ <- alarm_if ((given (type_before st) && length_code) || negb (empty offset)) "LENGTH_OFFSET_EXCLUSION" ;;
+  _ <- alarm_if (refuses_length || negb (empty offset)) "LENGTH_OFFSET_EXCLUSION" ;;
   (* fanuc.tool-center-point.without-kinematics, fanuc.tool-center-point.type-2-in-workpiece-system *)
   _ <- alarm_if (match code with Some ByAxes => negb (given k) | _ => false end) "PS5459" ;;
   _ <- alarm_if (by_vector code && given k && bit s "19696#5") "PS5459" ;;

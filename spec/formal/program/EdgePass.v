@@ -91,7 +91,8 @@ Definition vector_at_start {num} {N : Numbers num} (s : setup num) (b : planned 
     fanuc.leading-edge.length-offset-with-start-or-cancel: it takes a change of the length offset along. *)
 Definition insert_move {num} {N : Numbers num} (s : setup num) (c : cause) (head : values num) (b : planned num) :
     planned num :=
-  with_items b (Go (inserted_move s c (behind b) head) :: filter (fun i => match i with Go _ => false | _ => true end) (items b)).
+  with_items b
+    (Go (inserted_move s c (behind b) head) :: filter (fun i => match i with Go _ => false | _ => true end) (items b)).
 
 (** A block, with the vector at its start, and the one at its end. *)
 Definition led {num} {N : Numbers num} (s : setup num) (last : option (leading num)) (b : planned num)
@@ -119,4 +120,5 @@ Fixpoint led_from {num} {N : Numbers num} (s : setup num) (last : option (leadin
       end
   end.
 
-Definition edge_pass {num} {N : Numbers num} (s : setup num) (p : plan num) : passed num := led_from s None (fst p) (snd p).
+Definition edge_pass {num} {N : Numbers num} (s : setup num) (p : plan num) : passed num :=
+  led_from s None (fst p) (snd p).

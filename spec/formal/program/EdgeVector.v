@@ -18,7 +18,8 @@ Definition fluctuation {num} {N : Numbers num} (s : setup num) : outcome num :=
 
 (** fanuc.leading-edge.near-0, fanuc.leading-edge.near-180, fanuc.leading-edge.near-90: the ranges include their ends.
     fanuc.leading-edge.order-of-ranges: they are tested in the order 0, 180, 90. *)
-Definition angle_class {num} {N : Numbers num} (s : setup num) (leaning : comparison) (vm vt : triple num) : outcome angle :=
+Definition angle_class {num} {N : Numbers num} (s : setup num) (leaning : comparison) (vm vt : triple num) :
+    outcome angle :=
   d <- fluctuation s ;;
   let product := dot3 vm vt in
   let square := (product * product)%num in

@@ -1,7 +1,7 @@
 (** fanuc/tool-side-compensation: interference, where the compensation plane changes and in one plane. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Arcs Corners LengthOffset SideState State Space Pose.
-From Toolcomp Require Import Movements SidePlane SideWords SideCorner.
+From Toolcomp Require Import Movements SidePlane SideWords SideBlocks SideGroups.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.

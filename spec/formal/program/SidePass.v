@@ -1,7 +1,7 @@
 (** fanuc/tool-side-compensation: the moves of a plan. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Arcs Corners LengthOffset SideState State Space Pose.
-From Toolcomp Require Import Movements SidePlane SideWords SideCorner SideCheck.
+From Toolcomp Require Import Movements SidePlane SideWords SideBlocks SideGroups SideCheck.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -14,8 +14,8 @@ Definition starts_at_once {num} (s : setup num) (b : planned num) : bool :=
 Definition removes_at_once {num} (s : setup num) (b : planned num) : bool :=
   makes_at_once s && negb (made (side_at_end b)) && made (side (before b)).
 
-(** fanuc.tool-side.type-c-format: TYPE_C_FORMAT where the block right after a start of type C does not move in the plane
-    of VT before it, cancels, or is not there. *)
+(** fanuc.tool-side.type-c-format: TYPE_C_FORMAT where the block right after a start of type C does not move in the
+    plane of VT before it, cancels, or is not there. *)
 Definition start_has_next {num} {N : Numbers num} (s : setup num) (b : planned num) (rest : list (planned num)) :
     outcome unit :=
   match rest with
@@ -103,8 +103,8 @@ Definition standing_at_start {num} {N : Numbers num} (s : setup num) (b : planne
       Got (Standing [(true, perpendicular (P := plane_of_tool vt) leg)] (Some (vt, rho)) None)
   end.
 
-(** fanuc.tool-side.along-the-tool-at-its-end: B of a corner that does not move at its own end keeps the last vector, and
-    there is no corner behind it. *)
+(** fanuc.tool-side.along-the-tool-at-its-end: B of a corner that does not move at its own end keeps the last vector,
+    and there is no corner behind it. *)
 Definition is_b_of {num} (b : planned num) (v : standing num) : bool :=
   match corner_b v with Some place => Nat.eqb place (at_place b) | None => false end.
 
@@ -219,7 +219,6 @@ Definition moves_of_block {num} {N : Numbers num} (s : setup num) (t : tool_at n
   let '(b, at_end, line_now) := o in
   let x := side_at_end b in
   let origin := (0%num, 0%num, 0%num) in
-  let is_zero_now := dot3 (vector_now t) (vector_now t) in
   if starts_at_once s b then
     let v := match at_end with Some v => last_head v | None => origin end in
     Got (with_items b (move_at_once s b StartUp (made_zero x) v), ToolAt v [])
