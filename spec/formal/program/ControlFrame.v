@@ -50,9 +50,16 @@ Definition by_tool_side {num} {N : Numbers num} (k : kinematics num) (p : pose n
   | TableRotation => carried_back (first_axis k) (fst p) (reference_direction k)
   | Mixed => carried (first_axis k) (fst p) (reference_direction k)
   end.
-(** The turn of an angle from another, as it turns a vector. *)
+(** The turn of an angle from another, as it turns a vector. Where its sine is known to be 0 its cosine is 1 or -1. *)
 Definition turn_between {num} {N : Numbers num} (from to : angle num) : angle num :=
-  Angle (degrees to - degrees from)%num (cosine_between to from) (sine_between to from) None.
+  let c := cosine_between to from in
+  let s := sine_between to from in
+  let '(c, s) := match sign s, sign c with
+                 | Some Eq, Some Gt => (1%num, 0%num)
+                 | Some Eq, Some Lt => ((0 - 1)%num, 0%num)
+                 | _, _ => (c, s)
+                 end in
+  Angle (degrees to - degrees from)%num c s None.
 (** The direction at a pose as the work-side axis has it. *)
 Definition work_frame_direction {num} {N : Numbers num} (k : kinematics num) (frozen p : pose num) : triple num :=
   match machine_of k with

@@ -136,7 +136,8 @@ Definition control_runs {num} {N : Numbers num} (s : setup num) (c : command num
       | ByAxes =>
           pose <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) from ;;
           let d := directed_at k m pose in
-          '(run, _) <- (if posture_control m
+          (* Without a rotary word the direction is the same: fanuc.tool-posture.no-plane. *)
+          '(run, _) <- (if posture_control m && names s rotary c
                         then posture_run s k from (Some pose) (by_tool_side k from) (work_side_turned k from pose)
                                (direction_at k from) (direction_at k pose)
                         else Got (conventionally false from pose, false)) ;;
