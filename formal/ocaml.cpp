@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "formal/data.h"
+#include "model/exact/alike.h"
 
 namespace toolcomp::formal {
 namespace {
@@ -141,8 +142,13 @@ value toolcomp_formal_integer(value i) {
 value toolcomp_formal_plus(value a, value b) {
   return result_of([&] { return real_of(a) + real_of(b); });
 }
+// What is made alike is equal, where no sign of a difference would ever be certified too.
 value toolcomp_formal_minus(value a, value b) {
-  return result_of([&] { return real_of(a) - real_of(b); });
+  return result_of([&] {
+    const auto& x = real_of(a);
+    const auto& y = real_of(b);
+    return !x.is_rational() && toolcomp::exact::alike(x, y) ? toolcomp::exact::Real() : x - y;
+  });
 }
 value toolcomp_formal_times(value a, value b) {
   return result_of([&] { return real_of(a) * real_of(b); });

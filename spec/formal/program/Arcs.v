@@ -61,6 +61,14 @@ Definition around {num} {N : Numbers num} (clockwise : bool) (center start finis
   equal <- is_zero "fanuc.program.arc-spiral" (dot2 to to - dot2 from from)%num ;;
   Got (Circle center turn (if equal then None else Some (root (dot2 from from), root (dot2 to to)))).
 
+(** The vector from the start to the centre by R, where the end is that chord away. The centre of the smaller arc lies to
+    the left of the chord where it runs counterclockwise. *)
+Definition to_center_by_radius {num} {N : Numbers num} (clockwise larger : bool) (r : num) (chord : pair num) : pair num :=
+  let height := root (r * r / dot2 chord chord - 1 / integer 4)%num in
+  let height := if xorb clockwise larger then (- height)%num else height in
+  let half x := (x / integer 2)%num in
+  ((half (fst chord) - height * snd chord)%num, (half (snd chord) + height * fst chord)%num).
+
 (** fanuc.program.arc-radius: R exists where it is at least half the chord, else PS0023.
     fanuc.program.arc-radius-without-chord: an end that is the start, and R0, raise PS0023.
     fanuc.program.arc-larger: a positive R means the arc of at most 180 degrees, a negative one the larger arc. *)
@@ -73,13 +81,7 @@ Definition by_radius {num} {N : Numbers num} (clockwise : bool) (r : num) (start
   too_small <- is_negative "fanuc.program.arc-radius" (integer 4 * r * r - square)%num ;;
   larger <- is_negative "fanuc.program.arc-larger" r ;;
   _ <- alarm_if (no_chord || no_radius || too_small) "PS0023" ;;
-  (* The centre of the smaller arc lies to the left of the chord where it runs counterclockwise. *)
-  let height := root (r * r / square - 1 / integer 4)%num in
-  let height := if xorb clockwise larger then (- height)%num else height in
-  let half x := (x / integer 2)%num in
-  let center := ((fst start + half (fst chord) - height * snd chord)%num,
-                 (snd start + half (snd chord) + height * fst chord)%num) in
-  around clockwise center start finish.
+  around clockwise (add2 start (to_center_by_radius clockwise larger r chord)) start finish.
 
 (** The vector from the start to the centre. fanuc.program.arc-center-in-start: I J K of which those of the plane are zero
     or missing raise PS0023; where cutter compensation C raises PS0038 instead, that comes later. *)

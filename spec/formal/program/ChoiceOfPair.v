@@ -78,8 +78,22 @@ Definition first_down {num} {N : Numbers num} (clause : string) (from one_turn :
   below <- compare_rest clause one_turn from ;;
   Got (turned_on (match below with Gt => count - 1 | _ => count end) one_turn).
 
-(** The nearest positions in range up and down from the present one. *)
-Definition candidates {num} {N : Numbers num} (clause : string) (r : range num) (now one_turn : angle num) :
+(** The positions of one turn that are nearest to the present one, over at most a half turn: two where they lie just a half
+    turn away. Where the axis would not move at all that may be known by its number alone. *)
+Definition nearest_candidates {num} {N : Numbers num} (clause : string) (now one_turn : angle num) :
+    outcome (list (candidate num)) :=
+  let c := cosine_between one_turn now in
+  behind <- is_negative clause c ;;
+  half <- (if behind : bool then is_zero clause (sine_between one_turn now) else Got false) ;;
+  if half : bool then
+    up <- first_up clause now one_turn ;;
+    Got [Candidate up 0 c; Candidate (turned_on (-1) up) 0 c]
+  else
+    count <- whole_turns clause (degrees now - degrees one_turn + integer 180)%num ;;
+    Got [Candidate (turned_on count one_turn) 0 c].
+
+(** Up and down from the present position, as far as the range goes. *)
+Definition candidates_in_range {num} {N : Numbers num} (clause : string) (r : range num) (now one_turn : angle num) :
     outcome (list (candidate num)) :=
   from_up <- match r with
              | Some (lower, _) =>
@@ -96,6 +110,16 @@ Definition candidates {num} {N : Numbers num} (clause : string) (r : range num) 
   up_fine <- not_above r up ;;
   down_fine <- not_below r down ;;
   each (moving_to clause now) ((if up_fine : bool then [up] else []) ++ (if down_fine : bool then [down] else [])).
+
+(** The nearest ones where they are in range, else those that are. *)
+Definition candidates {num} {N : Numbers num} (clause : string) (r : range num) (now one_turn : angle num) :
+    outcome (list (candidate num)) :=
+  nearest <- nearest_candidates clause now one_turn ;;
+  fine <- each (fun c => fine <- in_range r (goes_to c) ;; Got (c, fine)) nearest ;;
+  match filter snd fine with
+  | [] => candidates_in_range clause r now one_turn
+  | inside => Got (map fst inside)
+  end.
 
 (** * The choice *)
 
@@ -141,9 +165,11 @@ Definition chosen {num} {N : Numbers num} (pairs : list (list (candidate num) * 
 
 (** Whether two directions are equal. *)
 Definition same_direction {num} {N : Numbers num} (clause : string) (a b : triple num) : outcome bool :=
-  let n := cross3 a b in
-  parallel <- is_zero clause (dot3 n n) ;;
-  if parallel : bool then is_positive clause (dot3 a b) else Got false.
+  if known_same3 a b then Got true
+  else
+    let n := cross3 a b in
+    parallel <- is_zero clause (dot3 n n) ;;
+    if parallel : bool then is_positive clause (dot3 a b) else Got false.
 
 (** The pair of a direction, from the present pose, which gives another one.
     fanuc.tool-center-point.parallel-to-the-work-side: where V is parallel to u_w the work-side axis keeps its position, or

@@ -1,6 +1,6 @@
 (** Tool center point control: the axes over the movements of the tip, behind every compensation of it. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Angles ControlState State Space Pose.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Angles EdgeState ControlState State Space Pose.
 From Toolcomp Require Import ControlFrame Movements PosturePath Lean.
 Import ListNotations.
 Open Scope string_scope.
@@ -36,9 +36,7 @@ Definition tip_inside {num} {N : Numbers num} (t : num) (g : movement num) (from
       match sweep a with
       | Some swept =>
           let p := arc_plane a in
-          let in_plane (v : triple num) : pair num :=
-            let '(x, y, z) := v in match p with XY => (x, y) | ZX => (z, x) | YZ => (y, z) end in
-          let start := sub2 (in_plane from) (center a) in
+          let start := sub2 (in_plane_of_space p from) (center a) in
           let angle := (t * swept)%num in
           let c := cosine angle in
           let s := match going g with Clockwise => (- sine angle)%num | _ => sine angle end in
@@ -57,8 +55,9 @@ Definition evenly {num} {N : Numbers num} (t : num) (from to : pose num) : pose 
   (at_part (fst from) (fst to), at_part (snd from) (snd to)).
 
 (** The pose inside a block, and the direction in the programming system. *)
-Definition pose_inside {num} {N : Numbers num} (s : setup num) (m : control_mode num) (run : rotary_run num) (t : num) :
+Definition pose_inside {num} {N : Numbers num} (s : setup num) (m : control_mode num) (run : rotary_run num) (part : Z * Z) :
     outcome (pose num * triple num) :=
+  let t := (integer (fst part) / integer (snd part))%num in
   match way run, kinematics_of s with
   | DirectionAlone from to, _ => v <- on_great_circle t from to ;; Got (pose_at_end run, v)
   | Evenly, Some k =>
@@ -66,7 +65,7 @@ Definition pose_inside {num} {N : Numbers num} (s : setup num) (m : control_mode
       Got (p, programmed_direction k (in_workpiece_system m) (frozen_pose m) p)
   | OnGreatCircle g, Some k =>
       v <- on_great_circle t (circle_from g) (circle_to g) ;;
-      p <- pose_on_circle k g v ;;
+      p <- pose_on_circle k g part v ;;
       Got (p, if in_workpiece_system m then programmed_direction k true (frozen_pose m) p
               else turned_by_table k (frozen_pose m) v)
   | _, None => Got (pose_at_end run, unit3 (direction m))
@@ -80,7 +79,7 @@ Fixpoint counting (count : nat) (from : Z) : list Z :=
 Definition sample {num} {N : Numbers num} (s : setup num) (c : coordinates num) (m : control_mode num) (run : rotary_run num)
     (g : movement num) (from to : values num) (length_before length_behind : num) (part : Z * Z) : outcome (item num) :=
   let t := (integer (fst part) / integer (snd part))%num in
-  '(p, v) <- pose_inside s m run t ;;
+  '(p, v) <- pose_inside s m run part ;;
   let start := in_space s from in
   let finish := in_space s to in
   let tip :=
@@ -172,6 +171,11 @@ Fixpoint items_under_control {num} {N : Numbers num} (s : setup num) (b : planne
       Got (i :: later, last)
   end.
 
+(** The start or the cancel of the leading edge offset.
+    fanuc.leading-edge.length-offset-with-start-or-cancel: its move is an inserted one, with a new length too. *)
+Definition inserts_edge_move {num} (b : planned num) : bool :=
+  xorb (leads (edge (before b))) (leads (edge (behind b))).
+
 (** A block, from the point before it. *)
 Definition block_under_control {num} {N : Numbers num} (s : setup num) (b : planned num) (from : values num) :
     outcome (list (item num) * values num) :=
@@ -179,7 +183,7 @@ Definition block_under_control {num} {N : Numbers num} (s : setup num) (b : plan
   match in_control now with
   | None => Got (items b, fold_left (fun last i => match i with Go g => point_of g | _ => last end) (items b) from)
   | Some m =>
-      let run := run_of_block now in
+      let run := if inserts_edge_move b then None else run_of_block now in
       let p := or_else (stands_at now) (frozen_pose m) in
       let old := match in_control (control (before b)), run with Some old, Some _ => old | _, _ => m end in
       let start := match run with Some run => pose_before run | None => p end in

@@ -33,10 +33,11 @@ Record great_circle (num : Type) := GreatCircle {
   anchor : angle num * angle num;
   anchored_at_end : bool;
   above_at_anchor : bool;              (* the branch there *)
-  crosses : option bool                (* a singular direction inside, whether it is -u_w *)
+  crosses_singular : option bool;      (* a singular direction inside, whether it is -u_w *)
+  on_meridian : bool                   (* in a plane with u_w *)
 }.
 Arguments GreatCircle {num}. Arguments circle_from {num}. Arguments circle_to {num}. Arguments anchor {num}.
-Arguments anchored_at_end {num}. Arguments above_at_anchor {num}. Arguments crosses {num}.
+Arguments anchored_at_end {num}. Arguments above_at_anchor {num}. Arguments crosses_singular {num}. Arguments on_meridian {num}.
 
 (** How the rotary axes run in a block. *)
 Inductive rotary_way (num : Type) :=
@@ -64,7 +65,7 @@ Arguments pose_behind {num}. Arguments turns_before {num}. Arguments turns_behin
 Record control_state (num : Type) := ControlState {
   in_control : option (control_mode num);    (* none: G49, G43 or G44 *)
   stands_at : option (angle num * angle num);  (* the pose, where control has turned to it *)
-  run_of_block : option (rotary_run num)     (* of a block under control behind that of the code *)
+  run_of_block : option (rotary_run num)     (* of a block under control that moves, behind that of the code *)
 }.
 Arguments ControlState {num}. Arguments in_control {num}. Arguments stands_at {num}. Arguments run_of_block {num}.
 

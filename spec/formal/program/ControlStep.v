@@ -77,23 +77,26 @@ Definition with_direction {num} (m : control_mode num) (along : num) (kept d : t
 Definition direction_to {num} {N : Numbers num} (s : setup num) (c : command num) (circle_of : option (circle num))
     (m : control_mode num) (from to : values num) : outcome (option (triple num * triple num)) :=
   let words := direction_words s c in
-  let start := in_space s from in
-  let finish := in_space s to in
+  let travel := sub3 (in_space s to) (in_space s from) in
+  let radius := match circle_of with
+                | Some _ => last_number s (in_inches (in_modes c)) Letter.R (block_of c)
+                | None => None
+                end in
   let clockwise := match motion (in_modes c) with Clockwise => true | _ => false end in
   upright <- is_zero "fanuc.tool-center-point.lean" (lean_angle m) ;;
   stands <- (if upright : bool then Got true
-             else let d := sub3 finish start in is_zero "fanuc.tool-center-point.lean-along-the-travel" (dot3 d d)) ;;
+             else is_zero "fanuc.tool-center-point.lean-along-the-travel" (dot3 travel travel)) ;;
   match words with
   | None =>
       if stands : bool then Got None
       else
-        d <- travel_at_end s (in_plane (in_modes c)) clockwise circle_of start finish ;;
+        d <- travel_at_end (in_plane (in_modes c)) clockwise radius travel ;;
         v <- leaned (lean_angle m) (kept_direction m) d ;;
         Got (Some (v, kept_direction m))
   | Some w =>
       if stands : bool then Got (Some (w, w))
       else
-        d <- travel_at_end s (in_plane (in_modes c)) clockwise circle_of start finish ;;
+        d <- travel_at_end (in_plane (in_modes c)) clockwise radius travel ;;
         v <- leaned (lean_angle m) w d ;;
         Got (Some (v, w))
   end.
@@ -249,6 +252,10 @@ Definition under_control {num} {N : Numbers num} (s : setup num) (c : command nu
         | _, _ => position
         end in
       let position := at_end (programmed st) in
+      let st := match moves with
+                | [] => with_control st (ControlState (Some m) (stands_at behind) None)
+                | _ => st
+                end in
       let toward := Some (unit3 (direction m)) in
       (at_position st position (shift st),
        map (fun g => Movement (going g) (because g) position (sum position (shift st)) (head g) (length_vector g)

@@ -31,6 +31,11 @@ Definition direction_words {num} {N : Numbers num} (s : setup num) (c : command 
   then Some (or_else (number Letter.I) 0%num, or_else (number Letter.J) 0%num, or_else (number Letter.K) 0%num)
   else None.
 
+(** A word that moves an axis, I J K of the direction included. *)
+Definition under_vector {num} (c : command num) (st : state num) : bool := by_vector (type_with (codes_said c) st).
+Definition moving_word {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) : bool :=
+  existsb given (naming_words c) || (under_vector c st && given (direction_words s c)).
+
 (** The block without them: under G43.5 they are no centre of an arc. *)
 Definition without_direction {num} (b : block num) : block num :=
   Block (filter (fun w => match address w with Letter.I | Letter.J | Letter.K => false | _ => true end) (words b))
@@ -107,12 +112,25 @@ Definition limits_in_order {num} {N : Numbers num} (s : setup num) : outcome boo
 
 (** * Alarms *)
 
-(** fanuc.tool-center-point.forbidden: these codes, and G10 L2 and L20. *)
+(** fanuc.tool-center-point.forbidden: these codes, and G10 L2 and L20.
+    fanuc.program.last-code-of-group: of one group the last counts. *)
 Definition forbidden_codes := [280; 290; 300; 301; 370; 390; 410; 420; 450; 460; 470; 480; 520; 530; 540; 541; 550; 560;
   570; 580; 590; 920].
+Definition is_forbidden (codes : list Z) : bool :=
+  existsb
+    (fun group => match last_of group codes with Some code => among code forbidden_codes | None => false end)
+    [map fst actions; compensations; systems].
+
+(** What compensates the tip beside control: the leading edge offset and tool side compensation. *)
+Record beside_control := BesideControl {
+  edge_beside : bool;      (* the leading edge offset is on before or after the block *)
+  side_beside : bool;      (* tool side compensation is *)
+  after_block : bool       (* one of them is on after it *)
+}.
 
 (** fanuc.tool-center-point.alarm-order: by words, the first of these. *)
-Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) : outcome unit :=
+Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num)
+    (beside : beside_control) : outcome unit :=
   let codes := codes_said c in
   let code := control_code codes in
   let now := type_with codes st in
@@ -125,7 +143,7 @@ Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command n
                  | _ => false
                  end in
   (* fanuc.tool-center-point.forbidden *)
-  _ <- alarm_if (under && (origins || existsb (fun code => among code forbidden_codes) codes))
+  _ <- alarm_if (under && (origins || is_forbidden codes))
          "FORBIDDEN_UNDER_TOOL_DIRECTION" ;;
   (* fanuc.tool-center-point.exclusion: G43 or G44 under control, and the code while an axis has a length offset *)
   let length_code := match last_of lengths codes with Some l => among l [430; 440] | None => false end in
@@ -144,16 +162,22 @@ Definition control_alarms {num} {N : Numbers num} (s : setup num) (c : command n
   in_order <- (if by_vector code && given k then limits_in_order s else Got true) ;;
   _ <- alarm_if (negb in_order) "PS5459" ;;
   (* fanuc.tool-center-point.format *)
-  _ <- alarm_if (of_code && arc) "TOOL_DIRECTION_FORMAT" ;;
+  let ends := given (type_before st) && match last_of lengths codes with Some l => l =? 490 | None => false end in
+  _ <- alarm_if ((of_code && arc) || ((of_code || ends) && (edge_beside beside || side_beside beside)))
+         "TOOL_DIRECTION_FORMAT" ;;
+  (* fanuc.tool-center-point.compensation-in-workpiece-system *)
+  let turns_table := match k with
+                     | Some k => match machine_of k with ToolRotation => false | _ => true end
+                     | None => false
+                     end in
+  _ <- alarm_if (under && negb (by_vector now) && bit s "19696#5" && turns_table && after_block beside)
+         "COMPENSATION_IN_WORKPIECE_SYSTEM" ;;
   (* fanuc.tool-center-point.rotary-word *)
-  _ <- alarm_if (by_vector now && names s rotary c) "PS5421" ;;
+  (* fanuc.tool-side.rotary-word *)
+  _ <- alarm_if (by_vector now && names s rotary c) (if side_beside beside then "PS5460" else "PS5421") ;;
   (* fanuc.tool-center-point.direction-at-start, fanuc.tool-center-point.zero *)
   let direction := if by_vector now then direction_words s c else None in
-  let with_table_axis := match k with
-                         | Some k => match machine_of k with ToolRotation => false | _ => true end
-                         | None => false
-                         end in
-  _ <- alarm_if (of_code && given direction && with_table_axis) "PS5421" ;;
+  _ <- alarm_if (of_code && given direction && turns_table) "PS5421" ;;
   nothing <- match direction with
              | Some d => is_zero "fanuc.tool-center-point.zero" (dot3 d d)
              | None => Got false

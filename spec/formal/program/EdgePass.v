@@ -91,9 +91,7 @@ Definition vector_at_start {num} {N : Numbers num} (s : setup num) (b : planned 
     fanuc.leading-edge.length-offset-with-start-or-cancel: it takes a change of the length offset along. *)
 Definition insert_move {num} {N : Numbers num} (s : setup num) (c : cause) (head : values num) (b : planned num) :
     planned num :=
-  let st := behind b in
-  let m := move_to s (straight (motion (modes_of st))) c false None st (vector (length_of st)) in
-  with_items b (Go (with_head m head) :: filter (fun i => match i with Go _ => false | _ => true end) (items b)).
+  with_items b (Go (inserted_move s c (behind b) head) :: filter (fun i => match i with Go _ => false | _ => true end) (items b)).
 
 (** A block, with the vector at its start, and the one at its end. *)
 Definition led {num} {N : Numbers num} (s : setup num) (last : option (leading num)) (b : planned num)

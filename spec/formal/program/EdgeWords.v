@@ -1,6 +1,6 @@
 (** fanuc/leading-edge-offset: what the words of a block do to the leading edge offset, and their alarms. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory LengthOffset EdgeState State Movements.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory LengthOffset EdgeState State Movements ControlWords.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -60,7 +60,7 @@ Definition edge_alarms {num} {N : Numbers num} (s : setup num) (c : command num)
   let before := edge st in
   let on_behind := leads_behind c before in
   let starts := is_start c in
-  let axis_word := existsb given (naming_words c) in
+  let axis_word := moving_word s c st in
   let cancels := leads before && negb on_behind in
   _ <- alarm_if ((starts && (axis_word || stops_look_ahead (block_of c))) || (cancels && axis_word)) "PS5406" ;;
   _ <- alarm_if (starts && in_arc_mode c) "PS5408" ;;

@@ -17,23 +17,31 @@ Definition plane_in_space {num} (p : plane) (v : pair num) (across : num) : trip
 Definition across_plane {num} (p : plane) (v : triple num) : num :=
   let '(x, y, z) := v in match p with XY => z | ZX => y | YZ => x end.
 
+Definition in_plane_of_space {num} (p : plane) (v : triple num) : pair num :=
+  let '(x, y, z) := v in match p with XY => (x, y) | ZX => (z, x) | YZ => (y, z) end.
+
 (** fanuc.tool-center-point.lean: d is the programmed travel of the block.
-    fanuc.tool-center-point.lean-in-an-arc: in an arc the tangent in space at its end: d = theta (u x r) + h u, with theta
-    the sweep in radians, in the sense of the arc, u the normal of the plane, r the radius at the end, h the travel along
-    u. Where h is 0 the length of d, and so theta, does not matter. *)
-Definition travel_at_end {num} {N : Numbers num} (s : setup num) (p : plane) (clockwise : bool)
-    (circle_of : option (circle num)) (from to : triple num) : outcome (triple num) :=
-  match circle_of with
-  | None => Got (sub3 to from)
-  | Some c =>
-      let end_in_plane := let '(x, y, z) := to in match p with XY => (x, y) | ZX => (z, x) | YZ => (y, z) end in
-      let '(r1, r2) := sub2 end_in_plane (center_at c) in
-      let tangent := if clockwise then (r2, (- r1)%num) else ((- r2)%num, r1) in
-      let h := across_plane p (sub3 to from) in
-      flat <- is_zero "fanuc.tool-center-point.lean-in-an-arc" h ;;
+    fanuc.tool-center-point.lean-in-an-arc: in an arc, which is one by R, the tangent in space at its end:
+    d = theta (u x r) + h u, with theta the sweep in radians, in the sense of the arc, u the normal of the plane, r the
+    radius at the end, h the travel along u. Where h is 0 the length of d, and so theta, does not matter. Nothing in it
+    depends on where the arc starts. *)
+Definition travel_at_end {num} {N : Numbers num} (p : plane) (clockwise : bool) (arc_radius : option num)
+    (travel : triple num) : outcome (triple num) :=
+  match arc_radius with
+  | None => Got travel
+  | Some radius =>
+      let clause := "fanuc.tool-center-point.lean-in-an-arc" in
+      let chord := in_plane_of_space p travel in
+      larger <- is_negative clause radius ;;
+      let to_center := to_center_by_radius clockwise larger radius chord in
+      let r := sub2 chord to_center in
+      let tangent := if clockwise then (snd r, (- fst r)%num) else ((- snd r)%num, fst r) in
+      let h := across_plane p travel in
+      flat <- is_zero clause h ;;
       if flat : bool then Got (plane_in_space p tangent 0%num)
       else
-        let theta := (or_else (sweep_of c) 0 * half_turn / integer 180)%num in
+        swept <- angle_between clockwise (sub2 (0%num, 0%num) to_center) r ;;
+        let theta := (or_else swept 0 * half_turn / integer 180)%num in
         Got (plane_in_space p ((theta * fst tangent)%num, (theta * snd tangent)%num) h)
   end.
 

@@ -1,6 +1,6 @@
 (** The movements of blocks, before anything compensates them, and what is done with them. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset State Space Pose.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ControlState State Space Pose.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -71,9 +71,15 @@ Definition with_items {num} (b : planned num) (items : list (item num)) : planne
 Definition at_heads {num} (head : values num) (b : planned num) : planned num :=
   with_items b (map (fun i => match i with Go m => Go (with_head m head) | i => i end) (items b)).
 
-(** The direction of the tool at the end of a block. *)
-Definition tool_behind {num} {N : Numbers num} (s : setup num) (b : planned num) : triple num :=
-  tool_direction s (coordinates_of (behind b)) (programmed (behind b)).
+(** The direction of the tool as a state stands, of any length: under tool center point control the one it has come to.
+    fanuc.tool-direction.given-directly: where it comes from does not matter. *)
+Definition tool_of {num} {N : Numbers num} (s : setup num) (st : state num) : triple num :=
+  match in_control (control st) with
+  | Some m => direction m
+  | None => tool_direction s (coordinates_of st) (programmed st)
+  end.
+(** And at the end of a block. *)
+Definition tool_behind {num} {N : Numbers num} (s : setup num) (b : planned num) : triple num := tool_of s (behind b).
 
 (** * Events *)
 
@@ -114,6 +120,17 @@ Definition move_to {num} {N : Numbers num} (s : setup num) (t : travel) (c : cau
   Movement t c (programmed st) (sum (programmed st) (shift st)) (zeros s) length
     (if machine then Some (work_zero s (coordinates_of st)) else None) a (feed_for t (feed st))
     (tool_axis_at s (coordinates_of st) (programmed st)).
+
+(** A move that a compensation inserts, to a vector at the standing tip; the axes, the length offset and the direction of
+    the tool as the state has them. *)
+Definition inserted_move {num} {N : Numbers num} (s : setup num) (c : cause) (st : state num) (head : values num) :
+    movement num :=
+  let m := move_to s (straight (motion (modes_of st))) c false None st (vector (length_of st)) in
+  let along := match in_control (control st) with
+               | Some under => Some (scale3 (1 / length3 (direction under))%num (direction under))
+               | None => along_tool m
+               end in
+  Movement (going m) c (ends_at m) (tip m) head (length_vector m) (machine_zero m) None (at_feed m) along.
 
 (** fanuc.program.incremental: under G90 an axis word is the end position, under G91 the travel. *)
 Definition destination {num} {N : Numbers num} (incremental : bool) (from : values num) (numbers : some_values num) :

@@ -71,7 +71,7 @@ Definition from_singular {num} {N : Numbers num} (k : kinematics num) (opposite 
     omega_s <- position_near one_turn (lifted_work k omega_e 0%num bracket) ;;
     turn <- compare_angles "fanuc.tool-posture.pre-turn" omega_s omega ;;
     Got (RotaryRun from (pose_of_sides k (tau, omega_s)) to to (is_turn turn) false
-           (OnGreatCircle (GreatCircle vs ve (tau_e, omega_e) true above None)) false).
+           (OnGreatCircle (GreatCircle vs ve (tau_e, omega_e) true above None true)) false).
 
 (** * The branch *)
 
@@ -128,7 +128,7 @@ Definition to_singular {num} {N : Numbers num} (s : setup num) (k : kinematics n
   one_turn <- work_turn k leaving vs ;;
   bracket <- bracket_of_side k false degrees_s degrees_e (on_tool_side k cosine_s sine_s) leaving ;;
   omega_e <- position_near one_turn (lifted_work k omega 0%num bracket) ;;
-  let way := OnGreatCircle (GreatCircle vs ve (tau, omega) false above None) in
+  let way := OnGreatCircle (GreatCircle vs ve (tau, omega) false above None true) in
   match commanded with
   | Some to =>
       let '(tau_e, omega_commanded) := sides_of k to in
@@ -158,6 +158,7 @@ Definition place_of_circle {num} {N : Numbers num} (k : kinematics num) (n vs ve
   behind <- decide "fanuc.tool-posture.foot-behind-the-start" (dot3 (cross3 vs u_w) n) ;;
   before <- decide "fanuc.tool-posture.foot-before-the-end" (dot3 (cross3 u_w ve) n) ;;
   Got (CirclePlace side behind before).
+Definition in_work_plane (p : circle_place) : bool := match plane_side p with Eq => true | _ => false end.
 (** Whether the foot of a singular direction lies inside; ties count. *)
 Definition foot_inside (p : circle_place) (opposite : bool) : bool :=
   let fine c := match c, opposite with Lt, false | Gt, true => false | _, _ => true end in
@@ -167,7 +168,7 @@ Definition foot_inside (p : circle_place) (opposite : bool) : bool :=
 Definition crossing_of {num} {N : Numbers num} (k : kinematics num) (p : circle_place) : outcome (option bool) :=
   first <- reaches_work_axis k false ;;
   second <- reaches_work_axis k true ;;
-  let through opposite := match plane_side p with Eq => foot_inside p opposite | _ => false end in
+  let through opposite := in_work_plane p && foot_inside p opposite in
   Got (if first && through false then Some false else if second && through true then Some true else None).
 
 (** fanuc.tool-posture.reach-inside: asked at the point nearest to u_w, where its foot lies inside and alpha differs from
@@ -230,7 +231,7 @@ Definition end_pair {num} {N : Numbers num} (k : kinematics num) (crossing : opt
 (** * Near a singular posture *)
 
 (** The cosine of the distance of a singular direction from the great circle between the ends: that of the foot where that
-    lies inside, else that of the nearer end. *)
+    lies inside, else that of the nearer end: of the start where the foot lies before it and not behind the end. *)
 Definition cosine_of_distance {num} {N : Numbers num} (k : kinematics num) (p : circle_place) (opposite : bool)
     (n vs ve : triple num) : outcome num :=
   let s := singular_direction k opposite in
@@ -239,11 +240,18 @@ Definition cosine_of_distance {num} {N : Numbers num} (k : kinematics num) (p : 
   else
     let at_start := (dot3 s vs / length3 vs)%num in
     let at_end := (dot3 s ve / length3 ve)%num in
-    start_nearer <- is_positive "fanuc.tool-posture.nearer-singular" (at_start - at_end)%num ;;
+    let outside c := match c, opposite with Lt, false | Gt, true => true | _, _ => false end in
+    start_nearer <-
+      match outside (behind_start p), outside (before_end p) with
+      | true, false => Got true
+      | false, _ => Got false
+      | true, true => is_positive "fanuc.tool-posture.nearer-singular" (at_start - at_end)%num
+      end ;;
     Got (if start_nearer : bool then at_start else at_end).
 
 (** fanuc.tool-posture.near-limit: 19738; at 0 or below none.
-    fanuc.tool-posture.nearer-singular: where both exist the one nearer counts, +u_w where they are equally near.
+    fanuc.tool-posture.nearer-singular: where both exist the one nearer counts, +u_w where they are equally near. One whose
+    foot lies inside is no farther than the other.
     fanuc.tool-posture.near: strictly smaller than 19738, as an angle from 0 to 180. The singular direction that is near. *)
 Definition near_singular {num} {N : Numbers num} (s : setup num) (k : kinematics num) (p : circle_place)
     (n vs ve : triple num) : outcome (option bool) :=
@@ -255,9 +263,12 @@ Definition near_singular {num} {N : Numbers num} (s : setup num) (k : kinematics
   else
     opposite <-
       (if first && second then
-         to_first <- cosine_of_distance k p false n vs ve ;;
-         to_second <- cosine_of_distance k p true n vs ve ;;
-         is_negative "fanuc.tool-posture.nearer-singular" (to_first - to_second)%num
+         if foot_inside p false then Got false
+         else if foot_inside p true then Got true
+         else
+           to_first <- cosine_of_distance k p false n vs ve ;;
+           to_second <- cosine_of_distance k p true n vs ve ;;
+           is_negative "fanuc.tool-posture.nearer-singular" (to_first - to_second)%num
        else Got (negb first)) ;;
     let clause := "fanuc.tool-posture.near" in
     near <-
@@ -331,7 +342,7 @@ Definition to_direction {num} {N : Numbers num} (s : setup num) (k : kinematics 
   | None =>
       let to := pose_of_sides k (tau_e, omega_e) in
       _ <- end_in_range s to ;;
-      Got (RotaryRun from from to to false false (OnGreatCircle (GreatCircle vs ve start false above crossing)) false, false)
+      Got (RotaryRun from from to to false false (OnGreatCircle (GreatCircle vs ve start false above crossing (in_work_plane p))) false, false)
   end.
 
 (** fanuc.tool-posture.order: the questions of a block with P1. Type 1 has a pose commanded, type 2 none. How the rotary axes
@@ -356,7 +367,7 @@ Definition posture_run {num} {N : Numbers num} (s : setup num) (k : kinematics n
         end
     end ;;
   let n := cross3 vs ve in
-  no_plane <- is_zero "fanuc.tool-posture.no-plane" (dot3 n n) ;;
+  no_plane <- (if known_same3 vs ve then Got true else is_zero "fanuc.tool-posture.no-plane" (dot3 n n)) ;;
   if no_plane : bool then unchanged (to <- pair ;; Got (conventionally false from to))
   else
     at_start <- singular_at "fanuc.tool-posture.at-start" k vs ;;
@@ -376,7 +387,7 @@ Definition posture_run {num} {N : Numbers num} (s : setup num) (k : kinematics n
                 leads <- leads_to_commanded k crossing above start (sides_of k to) vs ve ;;
                 unchanged (Got (if leads : bool
                                 then RotaryRun from from to to false false
-                                       (OnGreatCircle (GreatCircle vs ve start false above crossing)) false
+                                       (OnGreatCircle (GreatCircle vs ve start false above crossing (in_work_plane p))) false
                                 else conventionally true from to))
             | None => to_direction s k crossing above edge p from n vs ve
             end

@@ -31,15 +31,33 @@ Definition on_great_circle {num} {N : Numbers num} (t : num) (from to : triple n
       end in
     Got (add3 (scale3 (sine ((1 - t) * theta) / sine_of_theta)%num a) (scale3 (sine (t * theta) / sine_of_theta)%num b)).
 
-(** Where a direction of a circle stands to the singular direction that it crosses: before it, at it, or behind. *)
-Definition beyond_crossing {num} {N : Numbers num} (k : kinematics num) (g : great_circle num) (v : triple num) :
+(** An angle several times. *)
+Fixpoint several_times {num} {N : Numbers num} (count : nat) (a : angle num) : outcome (angle num) :=
+  match count with
+  | O => Got (Angle 0%num 1%num 0%num (Some 0))
+  | S fewer => rest <- several_times fewer a ;; angle_sum lift_clause rest a
+  end.
+
+(** Where a part of a circle stands to the singular direction that it crosses: before it, at it, or behind: t Theta against
+    the angle from the start to that direction; where the number does not tell, whole multiples of both, whose sines and
+    cosines do. *)
+Definition beyond_crossing {num} {N : Numbers num} (k : kinematics num) (g : great_circle num) (part : Z * Z) :
     outcome comparison :=
-  match crosses g with
+  match crosses_singular g with
   | None => Got Lt
   | Some opposite =>
-      let n := cross3 (circle_from g) (circle_to g) in
-      let across := dot3 (cross3 (about (work_side k)) v) n in
-      decide "fanuc.tool-posture.crossing" (if opposite then (- across)%num else across)
+      let a := unit3 (circle_from g) in
+      let angle_from_start v := angle_of_unit lift_clause (dot3 a v) (length3 (cross3 a v)) in
+      let u_w := about (work_side k) in
+      theta <- angle_from_start (unit3 (circle_to g)) ;;
+      to_singular <- angle_from_start (if opposite then scale3 (0 - 1)%num u_w else u_w) ;;
+      match sign (integer (fst part) * degrees theta - integer (snd part) * degrees to_singular)%num with
+      | Some c => Got c
+      | None =>
+          reached <- several_times (Z.to_nat (fst part)) theta ;;
+          crossed <- several_times (Z.to_nat (snd part)) to_singular ;;
+          compare_angles "fanuc.tool-posture.crossing" reached crossed
+      end
   end.
 
 (** On a branch; where the edge of reach is touched there is no root. *)
@@ -54,8 +72,8 @@ Definition beside_inside {num} {N : Numbers num} (k : kinematics num) (above : b
 (** fanuc.tool-posture.lift: the positions where the tool has this direction, from those at the start, or from those at the
     end where the start is singular.
     fanuc.tool-posture.crossing: behind a singular direction that is crossed the tool side is on its other branch. *)
-Definition pose_on_circle {num} {N : Numbers num} (k : kinematics num) (g : great_circle num) (v : triple num) :
-    outcome (pose num) :=
+Definition pose_on_circle {num} {N : Numbers num} (k : kinematics num) (g : great_circle num) (part : Z * Z)
+    (v : triple num) : outcome (pose num) :=
   let '(tau, omega) := anchor g in
   let anchor_direction := if anchored_at_end g then circle_to g else circle_from g in
   let above := above_at_anchor g in
@@ -63,26 +81,24 @@ Definition pose_on_circle {num} {N : Numbers num} (k : kinematics num) (g : grea
   let '(c, s) := tool_angle k x_anchor in
   let side_anchor := on_tool_side k c s in
   degrees_anchor <- beside_degrees k above x_anchor ;;
-  place <- beyond_crossing k g v ;;
+  place <- beyond_crossing k g part ;;
   let lifted crossing degrees_now of_tool of_side :=
     pose_of_sides k
       (angle_of_degrees (lifted_tool k crossing above tau degrees_anchor degrees_now),
        angle_of_degrees (lifted_work k omega of_tool of_side)) in
-  match place, crosses g with
+  match place, crosses_singular g with
   | Eq, Some opposite =>
       degrees_now <- beside_degrees k above (beside_singular k opposite) ;;
       of_side <- bracket_of_side k false degrees_anchor degrees_now side_anchor (leaving_singular k opposite above) ;;
       Got (lifted None degrees_now 0%num of_side)
   | _, _ =>
-      let crossing := match place with Gt => crosses g | _ => None end in
+      let crossing := match place with Gt => crosses_singular g | _ => None end in
       let crossed := given crossing in
       x_now <- beside_inside k (xorb above crossed) v ;;
       degrees_now <- beside_degrees k (xorb above crossed) x_now ;;
       let '(c, s) := tool_angle k x_now in
       of_side <- bracket_of_side k crossed degrees_anchor degrees_now side_anchor (on_tool_side k c s) ;;
-      meridian <- is_zero "fanuc.tool-posture.crossing"
-                    (dot3 (cross3 (circle_from g) (circle_to g)) (about (work_side k))) ;;
-      let of_tool := if meridian : bool then 0%num
+      let of_tool := if on_meridian g then 0%num
                      else let '(c, s) := azimuth_between k anchor_direction v in degrees_by c s in
       Got (lifted crossing degrees_now of_tool of_side)
   end.

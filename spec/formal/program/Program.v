@@ -2,7 +2,8 @@
 
     What this text does not say yet: codes of the other sections end the run with [Beyond]. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement State.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement.
+From Toolcomp Require Import EdgeState SideState State.
 From Toolcomp Require Import Movements OwnMove CutterRules CutterModes CutterWords SideWords EdgeWords ControlWords.
 From Toolcomp Require Import ControlStep Compensation.
 Import ListNotations.
@@ -91,7 +92,10 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let to_length := LengthCommand (length_code_of codes) h (in_plane m) (which naming)
                      (match words b with [] => false | _ => true end) (existsb (fun c => among c [400; 410; 420]) codes)
                      (if goes_to_machine_position code then which numbers else no_axes s) in
-    _ <- control_alarms s said st ;;
+    let side_after := asked_behind s said st in
+    let edge_after := leads_behind said (edge st) in
+    _ <- control_alarms s said st
+           (BesideControl (leads (edge st) || edge_after) (side_on (side st) || side_after) (side_after || edge_after)) ;;
     _ <- edge_alarms s said st ;;
     _ <- side_alarms s said st ;;
     _ <- cutter_alarms s said st ;;
@@ -113,8 +117,8 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     circle_of <-
       (if negb (elsewhere || stays code) && runs_arc m s numbers letters_are_data path_block
        then
-         c <- arc_between s m (negb (cutter_b s) && cutter_on_after s said st) path_block (in_plane_of s (in_plane m) position)
-                (in_plane_of s (in_plane m) to) ;;
+         c <- arc_between s m (negb (cutter_b s) && cutter_on_after s said st) path_block
+                (in_plane_of s (in_plane m) position) (in_plane_of s (in_plane m) to) ;;
          Got (Some c)
        else Got None) ;;
     (* G45 to G48. *)

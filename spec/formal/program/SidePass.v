@@ -163,7 +163,7 @@ Definition head_of {num} {N : Numbers num} (s : setup num) (v : triple num) : va
 
 (** fanuc.tool-side.stop-point: a corner move, rapid where its block is in G00, with the axes as they stand. *)
 Definition corner_move {num} {N : Numbers num} (s : setup num) (st : state num) (v : triple num) : item num :=
-  Go (with_head (move_to s (straight (motion (modes_of st))) Corner false None st (vector (length_of st))) (head_of s v)).
+  Go (inserted_move s Corner st (head_of s v)).
 
 (** fanuc.tool-side.arc-as-run: about the programmed centre, from head to head as seen in the plane selected.
     fanuc.cutter-c.interference-straightened: or straight. *)
@@ -193,13 +193,11 @@ Definition with_cause {num} (c : cause) (m : movement num) : movement num :=
     exactly zero none is made for it. *)
 Definition move_at_once {num} {N : Numbers num} (s : setup num) (b : planned num) (c : cause) (zero : bool)
     (to : triple num) : list (item num) :=
-  let st := behind b in
   match own_go b with
   | Some m => [Go (with_head (with_cause c m) (head_of s to))]
   | None =>
       if zero then []
-      else [Go (with_head (move_to s (straight (motion (modes_of st))) c false None st (vector (length_of st)))
-                  (head_of s to))]
+      else [Go (inserted_move s c (behind b) (head_of s to))]
   end.
 
 (** fanuc.tool-side.arc-plane-mismatch: before the first move that belongs to the arc. *)
@@ -207,7 +205,7 @@ Definition mismatch {num} {N : Numbers num} (s : setup num) (b : planned num) : 
   match arc_of_block b with
   | Some (_, a) =>
       if asked (side_at_end b) then
-        at_start <- plane_differs (tool_direction s (coordinates_of (before b)) (programmed (before b))) (arc_plane a) ;;
+        at_start <- plane_differs (tool_of s (before b)) (arc_plane a) ;;
         at_end <- (if at_start : bool then Got true else plane_differs (tool_behind s b) (arc_plane a)) ;;
         Got (if at_end then [Warn "ARC_PLANE_MISMATCH"] else [])
       else Got []

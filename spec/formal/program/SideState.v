@@ -7,7 +7,7 @@ Open Scope Z_scope.
 Open Scope list_scope.
 
 (** G41.2 and G41.6, G42.2 and G42.6. *)
-Inductive tool_side := ToolLeft | ToolRight.
+Inductive hand_of_tool := ToolLeft | ToolRight.
 
 (** A start, as long as the blocks behind it may not change the side. *)
 Record side_start (num : Type) := SideStart {
@@ -20,7 +20,7 @@ Arguments SideStart {num}. Arguments start_axis {num}. Arguments starts_left {nu
 Arguments may_follow {num}.
 
 Record side_state (num : Type) := SideState {
-  side_in_force : option tool_side;       (* none: G40 *)
+  side_in_force : option hand_of_tool;       (* none: G40 *)
   side_number : Z;
   side_value : num;                       (* the value in force *)
   asked : bool;                           (* a code with a number other than 0 *)

@@ -1,7 +1,7 @@
 (** fanuc/tool-side-compensation: what the words of a block do to it, and their alarms. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift SideState State.
-From Toolcomp Require Import Space Pose Movements OwnMove SidePlane.
+From Toolcomp Require Import Space Pose Movements OwnMove ControlWords SidePlane.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -10,15 +10,15 @@ Open Scope list_scope.
 (** * Commands *)
 
 (** fanuc.tool-side.commands: G41.2 is on the left, G42.2 on the right; G41.6 and G42.6 mean the same. *)
-Definition side_of_code (code : Z) : option tool_side :=
+Definition side_of_code (code : Z) : option hand_of_tool :=
   if among code [412; 416] then Some ToolLeft else if among code [422; 426] then Some ToolRight else None.
 
 (** The code of the group in a block. *)
 Definition compensation_said {num} (c : command num) : option Z := last_of compensations (codes_said c).
-Definition side_behind_words {num} (c : command num) (before : option tool_side) : option tool_side :=
+Definition side_behind_words {num} (c : command num) (before : option hand_of_tool) : option hand_of_tool :=
   match compensation_said c with Some code => side_of_code code | None => before end.
 
-Definition same_side (a b : option tool_side) : bool :=
+Definition same_side (a b : option hand_of_tool) : bool :=
   match a, b with
   | Some ToolLeft, Some ToolLeft | Some ToolRight, Some ToolRight => true
   | _, _ => false
@@ -68,9 +68,11 @@ Definition removes_vector {num} (s : setup num) (c : command num) (st : state nu
 
 Definition in_arc {num} (c : command num) : bool :=
   match motion (in_modes c) with Clockwise | Counterclockwise => true | _ => false end.
-Definition arc_by_words {num} (s : setup num) (c : command num) : bool :=
+Definition arc_by_words {num} (s : setup num) (c : command num) (st : state num) : bool :=
   match acting c with
-  | None => runs_arc (in_modes c) s (position_words c) (takes_letters (codes_said c)) (block_of c)
+  | None =>
+      let b := if under_vector c st then without_direction (block_of c) else block_of c in
+      runs_arc (in_modes c) s (position_words c) (takes_letters (codes_said c)) b
   | _ => false
   end.
 Definition planes_differ (a b : plane) : bool :=
@@ -78,13 +80,13 @@ Definition planes_differ (a b : plane) : bool :=
 
 (** fanuc.tool-side.forbidden, fanuc.tool-side.forbidden-while-a-vector-waits: codes in a block after which compensation
     is on; of group 00 before or after which it is on; of other compensations before which it is on. *)
-Definition forbidden_with_side {num} (s : setup num) (c : command num) (on_before on_after axis_word : bool) : bool :=
+Definition forbidden_with_side {num} (s : setup num) (c : command num) (on_before on_after moves : bool) : bool :=
   let b := block_of c in
   let has letter := given (last_word letter (words b)) in
   let high_speed := match whole_word Letter.P b with Some p => p =? 10000 | None => false end in
   let says codes := existsb (fun code => among code codes) (codes_said c) in
   (on_after && (says [540; 541; 550; 560; 570; 580; 590; 200; 210; 960; 970; 1600] || (says [50] && negb high_speed) ||
-                ((axis_word || arc_by_words s c) && existsb has [Letter.M; Letter.S; Letter.T]))) ||
+                (moves && existsb has [Letter.M; Letter.S; Letter.T]))) ||
   ((on_before || on_after) &&
    says [40; 100; 280; 290; 300; 301; 370; 390; 450; 460; 470; 480; 520; 530; 920]) ||
   (on_before && match compensation_said c with Some code => among code [410; 420; 413] | None => false end).
@@ -101,17 +103,19 @@ Definition side_alarms {num} {N : Numbers num} (s : setup num) (c : command num)
   let b := block_of c in
   let on_before := side_on x in
   let on_after := asked_behind s c st in
-  let axis_word := existsb given (naming_words c) in
+  let axis_word := moving_word s c st in
+  let arc := arc_by_words s c st in
   let makes := makes_vector s c st in
   let removes := removes_vector s c st in
   let q_known := match whole_word Letter.Q b with Some q => (1 <=? q) && (q <=? 3) | None => false end in
-  _ <- alarm_if (match compensation_said c with Some code => among code [416; 426] | None => false end)
+  let of_vector := if under_vector c st then [412; 422] else [416; 426] in
+  _ <- alarm_if (match compensation_said c with Some code => among code of_vector | None => false end)
          "TOOL_SIDE_MODE" ;;
   _ <- alarm_if (on_before && planes_differ (in_plane (in_modes c)) (in_plane (modes_of st))) "PS0037" ;;
-  _ <- alarm_if (forbidden_with_side s c on_before on_after axis_word) "FORBIDDEN_IN_3D_COMPENSATION" ;;
+  _ <- alarm_if (forbidden_with_side s c on_before on_after (axis_word || arc)) "FORBIDDEN_IN_3D_COMPENSATION" ;;
   _ <- alarm_if (on_after && given (last_word Letter.Q (words b)) && negb q_known) "Q_FORMAT" ;;
   _ <- alarm_if ((makes || removes) && (axis_word || in_arc c) || (makes && stops_look_ahead b)) "TYPE_C_FORMAT" ;;
-  _ <- alarm_if (negb (makes_at_once s) && negb (Bool.eqb (made x) on_after) && arc_by_words s c) "PS0034" ;;
+  _ <- alarm_if (negb (makes_at_once s) && negb (Bool.eqb (made x) on_after) && arc) "PS0034" ;;
   if given (side_behind_words c (side_in_force x)) && reads_side_value s c x && negb (snd (number_behind s c st) =? 0)
   then let '(by_, number) := number_behind s c st in _ <- applied s by_ (offsets_of st) number ;; Got tt
   else Got tt.
@@ -123,7 +127,7 @@ Definition arc_of_moves {num} (moves : list (movement num)) : option (arc num) :
   match find (fun m => given (circle_of m)) moves with Some m => circle_of m | None => None end.
 
 (** fanuc.cutter.side: a negative value exchanges the codes; 0 counts as positive. *)
-Definition is_on_left {num} {N : Numbers num} (code : option tool_side) (value : num) : outcome bool :=
+Definition is_on_left {num} {N : Numbers num} (code : option hand_of_tool) (value : num) : outcome bool :=
   reversed <- is_negative "fanuc.cutter.side" value ;;
   Got (xorb reversed (match code with Some ToolRight => false | _ => true end)).
 
@@ -165,7 +169,7 @@ Definition side_behind {num} {N : Numbers num} (s : setup num) (c : command num)
     let in_center := match arc with Some a => negb (given (sweep a)) | None => false end in
     _ <- alarm_if (asked_now && in_center) "PS0038" ;;
     let travel := sub3 (in_space s (programmed after)) (in_space s (programmed before)) in
-    let vt := tool_direction s (coordinates_of after) (programmed after) in
+    let vt := tool_of s after in
     crosses <- (if given arc then Got true else line_crosses s vt travel) ;;
     left <- is_on_left code value ;;
     zero <- is_zero "fanuc.cutter-c.value-zero" value ;;

@@ -18,6 +18,12 @@ Definition cross3 {num} {N : Numbers num} (a b : triple num) : triple num :=
   ((ay * bz - az * by_)%num, (az * bx - ax * bz)%num, (ax * by_ - ay * bx)%num).
 Definition length3 {num} {N : Numbers num} (a : triple num) : num := root (dot3 a a).
 
+(** Whether two are the same, as far as that is known of every component. *)
+Definition known_same3 {num} {N : Numbers num} (a b : triple num) : bool :=
+  let '(x, y, z) := sub3 a b in
+  let nothing c := match sign c with Some Eq => true | _ => false end in
+  nothing x && nothing y && nothing z.
+
 (** X, Y and Z of the axes. *)
 Definition in_space {num} {N : Numbers num} (s : setup num) (v : values num) : triple num :=
   (value_on s v Letter.X, value_on s v Letter.Y, value_on s v Letter.Z).
