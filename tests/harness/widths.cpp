@@ -35,6 +35,14 @@ TEST(Widths, QuantilesAreRoundedUpToPowersOfTwo) {
   EXPECT_EQ(widths.share_above_um(), 0);
 }
 
+// All that is below the lowest power of two, and 0, counts as that.
+TEST(Widths, TheLowestPowerHoldsWhatIsSmaller) {
+  Widths widths;
+  for (const double um : {0.0, 0.0, 1e-30, 1.0}) widths.add(um);
+  EXPECT_EQ(widths.quantile(0.75), 0x1p-64);
+  EXPECT_EQ(widths.quantile(1), 1);
+}
+
 class WidthsOf : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(WidthsOf, AreNarrow) {
