@@ -137,6 +137,22 @@ TEST(Streams, HoldNoMoreThanTheirWindow) {
   EXPECT_LT(g_most_nodes, 100'000U);
 }
 
+// Decisions are kept for a while and counted in the end: as many as of the whole case, over several times that while.
+TEST(Streams, CountDecisionsOfLongPrograms) {
+  spec::Case c;
+  c.setup.axes = spec::Axes("XYZ");
+  c.setup.d[1].geometry = spec::decimal(1);
+  c.program = "G91 G01 F100 G41 D1 X10.\n";
+  for (int i = 0; i < 1000; ++i) c.program += i % 2 == 0 ? "X10. Y3.\n" : "X10. Y-2.\n";
+  const Trial whole = try_case(c);
+  ASSERT_EQ(whole.verdict.outcome, Outcome::agrees);
+  EXPECT_GT(whole.verdict.decisions, 1000U);
+  const Verdict v = judge_stream({[&] { return spec::text_source(c.program); }}, c.setup);
+  EXPECT_EQ(v.outcome, Outcome::agrees);
+  EXPECT_EQ(v.decisions, whole.verdict.decisions);
+  EXPECT_EQ(v.near_ties, whole.verdict.near_ties);
+}
+
 // The fault takes a lean away from the movement for one towards it: the other outcome of a decision by sign. Within the
 // band of a near tie that is permitted, which a program that can be opened again shows and one read once cannot.
 TEST(Streams, SettleNearTiesByRunningAgain) {
