@@ -92,6 +92,21 @@ TEST(PoseFit, ItGoesOnFromThere) {
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : "");
 }
 
+// Behind the end of the mode too, where X Y Z do not go with it. The tip stands in the middle of the table till then.
+TEST(PoseFit, ItStandsThereBehindTheMode) {
+  const char* const program = "G43.5 H1 P0\nG01 Z20 I0 J0 K1\nG49\nX5\nY7\n";
+  const auto judged_with = [&](double off) {
+    return judged(mixed(), program, [off](auto& events) {
+      turn_table(events.at(1), 33);
+      for (std::size_t i = 2; i < events.size(); ++i) set(events[i], kC, 33);
+      set(events.back(), 0, events.back().axes[0] + off);
+    });
+  };
+  const Verdict v = judged_with(0);
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : "");
+  EXPECT_EQ(judged_with(1e-6).outcome, Outcome::differs);
+}
+
 TEST(PoseFit, EverythingElseHasToFitIt) {
   EXPECT_EQ(judged(mixed(), kUpright, [](auto& events) { set(events.at(1), kC, 33); }).outcome, Outcome::differs);
   EXPECT_EQ(judged(mixed(), kUpright,

@@ -13,6 +13,7 @@
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
+#include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/trial.h"
 #include "tests/sanitized.h"
 
@@ -151,6 +152,28 @@ TEST(Streams, CountDecisionsOfLongPrograms) {
   EXPECT_EQ(v.outcome, Outcome::agrees);
   EXPECT_EQ(v.decisions, whole.verdict.decisions);
   EXPECT_EQ(v.near_ties, whole.verdict.near_ties);
+}
+
+// A corner 1/30 short of a reversal, whose vector of 600 mm is known to 60 ulps of it (Conditions,
+// OfAnIntersectionNearAReversal). The samples of the block behind it, more than a window holds, do not hide the way
+// back.
+TEST(Streams, SeeTheMovementBehindManySamples) {
+  spec::Case c;
+  c.setup.axes = spec::Axes("XYZBC");
+  for (const auto& [number, value] :
+       {std::pair{19680U, 2}, std::pair{19681U, 5}, std::pair{19682U, 3}, std::pair{19686U, 4}, std::pair{19687U, 2}})
+    c.setup.parameters[{number, -1}] = spec::decimal(value);
+  c.setup.parameters[{5008, 0}] = spec::decimal(1);
+  c.setup.d[1].geometry = spec::decimal(10);
+  c.samples = 20;
+  c.program = "G43.5 H0 I0 J0 K1\nG41.6 D1 G01 X10 F100\nX40\nX-1460 Y50\nG40 X-1500\n";
+  const Trial whole = try_case(c);
+  ASSERT_EQ(whole.verdict.outcome, Outcome::agrees);
+  EXPECT_GT(whole.verdict.widths.largest(), 1000 * policy::kAnySection.coordinate * 60 * policy::ulp(600));
+  const Verdict v = judge_stream({[&] { return spec::text_source(c.program); }}, c.setup, c.samples);
+  EXPECT_EQ(v.outcome, Outcome::agrees);
+  EXPECT_EQ(v.widths.largest(), whole.verdict.widths.largest());
+  EXPECT_EQ(v.widths.quantile(0.5), whole.verdict.widths.quantile(0.5));
 }
 
 // The fault takes a lean away from the movement for one towards it: the other outcome of a decision by sign. Within the
