@@ -433,6 +433,28 @@ TEST(Conditions, OfALeadingEdgeNearTheTool) {
   }
 }
 
+// What a machine has no axis for is 0, whatever stands beside it.
+TEST(Conditions, OfAMachineWithoutY) {
+  spec::Setup setup;
+  setup.axes = spec::Axes("XZ");
+  setup.position['X'] = spec::decimal(7);
+  const auto at = [](spec::Cause cause, int x, int z, int off) {
+    model::Event e;
+    e.kind = spec::EventKind::move;
+    e.cause = cause;
+    e.programmed.set(0, Real(x));
+    e.programmed.set(1, Real(z));
+    e.point.set(0, Real(x));
+    e.point.set(1, Real(z + off));
+    e.axes = e.point;
+    return e;
+  };
+  const auto list = scales({at(kStart, 30, 0, 3), at(kOwn, 60, 0, 3), at(kOwn, 90, 0, 3)}, setup);
+  for (const Scale& scale : list) EXPECT_EQ(scale.vector, 3);
+  EXPECT_EQ(list[2].position, 90);
+  EXPECT_EQ(list[2].condition, 1);
+}
+
 // A vector that rests on clauses of cutter compensation was not made of tool and movement; one that rests on no clause
 // that makes vectors may be anything. The pair of OfALeadingEdgeNearTheTool.
 TEST(Conditions, OfTheSectionThatMakesTheVector) {
