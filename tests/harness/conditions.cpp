@@ -341,34 +341,43 @@ TEST(Conditions, OfAnIntersectionNearAReversalBesideATiltedTool) {
   }
 }
 
-// In the comparison as AHeadBesideItsLinesIsFound, in the plane of that tool and out of it.
+// In the comparison as AHeadBesideItsLinesIsFound, in the plane of that tool and out of it; and the same corner turned
+// in that plane by (3, 4)/5.
 TEST(Conditions, AHeadBesideItsLinesIsFoundBesideATiltedTool) {
   const Triple tool = {decimal("0.6"), Real(0), decimal("0.8")};
-  const auto turned = [](const Real& x, const Real& y) { return Triple{decimal("0.8") * x, y, decimal("-0.6") * x}; };
   const int n = 100'000;
   const Real slide = Real(-10) * (sqrt(Real(n) * Real(n) + 1) + Real(n));
-  ModelRun run;
-  run.events = {beside(kStart, turned(Real(0), Real(0)), turned(Real(0), Real(10)), tool),
-                beside(kOwn, turned(Real(40), Real(0)), turned(slide, Real(10)), tool),
-                beside(kOwn, turned(Real(40 - 50 * n), Real(50)), turned(Real(0), Real(0)), tool)};
-  spec::Case c;
-  c.section = "fanuc/tool-side-compensation";
-  c.setup.axes = spec::Axes("XYZ");
-  const auto agrees = [&](double along, double across, double out = 0) {
-    std::vector<fast::Event> actual = certify::in_doubles(run.events);
-    for (spec::AxisValues<double>* values : {&actual[1].point, &actual[1].axes}) {
-      values->set(0, values->value.at(0) + 0.8 * along + 0.6 * out);
-      values->set(1, values->value.at(1) + across);
-      values->set(2, values->value.at(2) - 0.6 * along + 0.8 * out);
-    }
-    return judge(c, run, actual).outcome == Outcome::agrees;
-  };
-  EXPECT_TRUE(agrees(0, 0));
-  EXPECT_TRUE(agrees(1e-4, 0));
-  EXPECT_FALSE(agrees(0, 1e-5));
-  EXPECT_FALSE(agrees(1e-4, 1e-5));
-  EXPECT_FALSE(agrees(1e-4, 0, 1e-5));
-  EXPECT_FALSE(agrees(10, 0));
+  for (const auto& [c1, s1] : {std::pair("1", "0"), std::pair("0.6", "0.8")}) {
+    const Real cosine = decimal(c1);
+    const Real sine = decimal(s1);
+    const auto turned = [&](const Real& x, const Real& y) {
+      const Real along = cosine * x - sine * y;
+      return Triple{decimal("0.8") * along, sine * x + cosine * y, decimal("-0.6") * along};
+    };
+    ModelRun run;
+    run.events = {beside(kStart, turned(Real(0), Real(0)), turned(Real(0), Real(10)), tool),
+                  beside(kOwn, turned(Real(40), Real(0)), turned(slide, Real(10)), tool),
+                  beside(kOwn, turned(Real(40 - 50 * n), Real(50)), turned(Real(0), Real(0)), tool)};
+    spec::Case c;
+    c.section = "fanuc/tool-side-compensation";
+    c.setup.axes = spec::Axes("XYZ");
+    const auto agrees = [&](double along, double across, double out = 0) {
+      const double x = std::stod(c1) * along - std::stod(s1) * across;
+      std::vector<fast::Event> actual = certify::in_doubles(run.events);
+      for (spec::AxisValues<double>* values : {&actual[1].point, &actual[1].axes}) {
+        values->set(0, values->value.at(0) + 0.8 * x + 0.6 * out);
+        values->set(1, values->value.at(1) + std::stod(s1) * along + std::stod(c1) * across);
+        values->set(2, values->value.at(2) - 0.6 * x + 0.8 * out);
+      }
+      return judge(c, run, actual).outcome == Outcome::agrees;
+    };
+    EXPECT_TRUE(agrees(0, 0)) << s1;
+    EXPECT_TRUE(agrees(1e-4, 0)) << s1;
+    EXPECT_FALSE(agrees(0, 1e-5)) << s1;
+    EXPECT_FALSE(agrees(1e-4, 1e-5)) << s1;
+    EXPECT_FALSE(agrees(1e-4, 0, 1e-5)) << s1;
+    EXPECT_FALSE(agrees(10, 0)) << s1;
+  }
 }
 
 // Nor does it matter there that the block back raises an alarm.

@@ -124,6 +124,9 @@ TEST(PoseErrors, OtherRotaryAxesRunEvenly) {
   EXPECT_EQ(s[0].rotary[5], 0);
   EXPECT_EQ(s[1].rotary[5], policy::ulp(21.5));
   EXPECT_EQ(s[2].rotary[5], 0);
+  // Where no move follows, as good as the start.
+  const auto cut = scales(setup, {at(pose(setup, 30, 0), -21.5), at(sample(setup, 1, 2, 30, 0), -0.05)});
+  EXPECT_EQ(cut[1].rotary[5], policy::ulp(21.5));
 }
 
 // Mechanical angles: the zeros of G54 until an event shows others, machine less programmed; under the other reading
