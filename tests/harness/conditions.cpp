@@ -137,6 +137,7 @@ TEST(Conditions, AHeadBesideItsLinesIsFound) {
     spec::Case c;
     c.section = "fanuc/cutter-compensation-c";
     c.setup.axes = spec::Axes("XYZ");
+    JudgeOptions options;
     const auto agrees = [&](double along, double across, double out = 0) {
       std::vector<fast::Event> actual = certify::in_doubles(run.events);
       for (spec::AxisValues<double>* values : {&actual[1].point, &actual[1].axes}) {
@@ -144,7 +145,7 @@ TEST(Conditions, AHeadBesideItsLinesIsFound) {
         values->set((by + 1) % 3, values->value.at((by + 1) % 3) + across);
         values->set((by + 2) % 3, values->value.at((by + 2) % 3) + out);
       }
-      return judge(c, run, actual).outcome == Outcome::agrees;
+      return judge(c, run, actual, options).outcome == Outcome::agrees;
     };
     EXPECT_TRUE(agrees(0, 0)) << by;
     EXPECT_TRUE(agrees(1e-4, 0)) << by;
@@ -155,6 +156,10 @@ TEST(Conditions, AHeadBesideItsLinesIsFound) {
     EXPECT_FALSE(agrees(1e-4, 1e-5)) << by;
     EXPECT_FALSE(agrees(1e-4, 0, 1e-5)) << by;
     EXPECT_FALSE(agrees(10, 0)) << by;
+    // Each coordinate of a controller may be rounded as it says, on the line too.
+    options.resolution = {1e-5, 1e-6, 1e-5, 1e-5};
+    EXPECT_TRUE(agrees(1e-4, 1e-5)) << by;
+    EXPECT_FALSE(agrees(1e-4, 1e-4)) << by;
   }
 }
 
@@ -186,6 +191,20 @@ TEST(Conditions, OfTheHeadBeforeAnAlarm) {
   const double half = std::sqrt(10.001 * 10.001 - 100);
   const double length = std::hypot(20.001 - half, 10);
   EXPECT_NEAR(close[1].condition, 1 + (20.001 - half + 10 + 30.002 + length) / (half / 10.001) / length, 1e-3);
+}
+
+// A block between them that moves nowhere in the plane hides neither.
+TEST(Conditions, OfAnIntersectionBesideABlockWithoutMovement) {
+  const int n = 1000;
+  const Real x = 40 + Real(-10) * (sqrt(Real(n) * Real(n) + 1) + Real(n));
+  model::Event still = move(kOwn, "40", "0", x, Real(10));
+  for (spec::AxisValues<Real>* values : {&still.programmed, &still.point, &still.axes}) values->set(2, Real(5));
+  const auto list = scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", x, Real(10)), still,
+                            move(kOwn, std::to_string(40 - 50 * n), "50", Real(0), Real(0))});
+  const double slide = 10 * (std::sqrt(double(n) * n + 1) + n);
+  const double expected = 2 * slide * std::sqrt(double(n) * n + 1) / std::hypot(slide, 10);
+  EXPECT_NEAR(list[1].condition, 1 + expected, 1e-3 * expected);
+  EXPECT_NEAR(list[2].condition, 1 + expected, 1e-3 * expected);
 }
 
 // Straight on, or nearly: the intersection hardly slides, whatever the angle.
@@ -232,6 +251,36 @@ TEST(Conditions, OfAnIntersectionNearATangent) {
   const double length = std::hypot(back, 10);
   EXPECT_NEAR(close[1].condition, 1 + (back + 10 + 30.002 + length) / (half / 10.001) / length, 1e-3);
   EXPECT_GT(close[1].condition, 200);
+}
+
+// The offset circle of R' = 10 + 1e-9 hardly reaches the offset line 10 above its middle: √(2e-8) to one side, and they
+// cross at 1.4e-5, so that a head may slide by 1e-8. The arc starts where the controller has its head, turned by 1e-9
+// of a radian: its sweep is that much less, and known as well as ever.
+TEST(Conditions, AnArcThatStartsAtAHeadThatSlides) {
+  constexpr double degrees = 57.29577951308232;  // in a radian
+  const Real root = sqrt(decimal("10.000000001") * decimal("10.000000001") - 100);
+  const double sweep = degrees * std::atan(std::sqrt(2e-8 + 1e-18) / 10);
+  ModelRun run;
+  run.events = {move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40.000000001", "0", 20 + root, Real(10)),
+                arc(move(kOwn, "20", "20.000000001", Real(20), decimal("10.000000001")), "20", "0")};
+  run.events[2].arc->direction = spec::ArcDirection::ccw;
+  run.events[2].arc->sweep = Real(Rational(sweep));
+  spec::Case c;
+  c.section = "fanuc/cutter-compensation-c";
+  c.setup.axes = spec::Axes("XYZ");
+  const auto agrees = [&](double slide, double turned) {
+    std::vector<fast::Event> actual = certify::in_doubles(run.events);
+    for (spec::AxisValues<double>* values : {&actual[1].point, &actual[1].axes})
+      values->set(0, values->value.at(0) + slide);
+    *actual[2].arc->sweep += turned;
+    return judge(c, run, actual).outcome == Outcome::agrees;
+  };
+  EXPECT_TRUE(agrees(0, 0));
+  EXPECT_TRUE(agrees(1e-8, degrees * 1e-9));
+  EXPECT_TRUE(agrees(-1e-8, -degrees * 1e-9));
+  EXPECT_FALSE(agrees(1e-8, degrees * 2e-9));
+  EXPECT_FALSE(agrees(0, degrees * 1e-9));
+  EXPECT_FALSE(agrees(1e-6, degrees * 1e-7));
 }
 
 // G40 with I J: the direction is not in the events, the distance of the head from the corner and the path tells it.

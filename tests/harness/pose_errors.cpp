@@ -124,6 +124,9 @@ TEST(PoseErrors, OtherRotaryAxesRunEvenly) {
   EXPECT_EQ(s[0].rotary[5], 0);
   EXPECT_EQ(s[1].rotary[5], policy::ulp(21.5));
   EXPECT_EQ(s[2].rotary[5], 0);
+  const auto back =
+      scales(setup, {at(pose(setup, 30, 0), 21.4), at(sample(setup, 1, 2, 30, 0), -0.05), at(pose(setup, 30, 0), -80)});
+  EXPECT_EQ(back[1].rotary[5], policy::ulp(80));
   // Where no move follows, as good as the start.
   const auto cut = scales(setup, {at(pose(setup, 30, 0), -21.5), at(sample(setup, 1, 2, 30, 0), -0.05)});
   EXPECT_EQ(cut[1].rotary[5], policy::ulp(21.5));
@@ -202,6 +205,17 @@ TEST(PoseErrors, LeansTowardsTheTangent) {
   helix.point = arc.point;
   helix.point.set(2, 10);
   EXPECT_NEAR(ulps(helix, "G43.5 H1 Q5.\n"), 1 + std::sin(5 * kDegree) / std::sin(35 * kDegree), 1e-9);
+  // Less than a radian of it, and less climb: 30 degrees, to (5 - 5 cos, -5 sin); the tangent there is 30 degrees off.
+  const double c = std::cos(30 * kDegree);
+  model::Event piece = pose(setup, 0, 0);
+  piece.arc = arc.arc;
+  piece.arc->sweep = 30;
+  piece.point.set(0, real(5 - 5 * c));
+  piece.point.set(1, real(-2.5));
+  piece.point.set(2, 1);
+  // By the slope from the horizontal: 1/(π/6) against 5.
+  const double slope = std::atan2(5, 6 / std::numbers::pi);
+  EXPECT_NEAR(ulps(piece, "G43.5 H1 Q5.\n"), 1 + std::sin(5 * kDegree) / std::sin(slope + 5 * kDegree), 1e-9);
 }
 
 TEST(PoseErrors, WithoutKinematicsADirectionIsItself) {

@@ -175,6 +175,32 @@ TEST(PoseFit, NearASingularPosture) {
             Outcome::differs);
 }
 
+// Without kinematics the direction is that of I J K: a controller that rounds it to six places has its axes along what
+// it gives, V = (1, 1, 1)/√3 and 100 V beyond the tip.
+TEST(PoseFit, ADirectionThatIsRounded) {
+  spec::Case c;
+  c.section = "fanuc/tool-center-point-control";
+  c.setup.axes = spec::Axes("XYZ");
+  c.setup.h[1].geometry = spec::decimal(100);
+  c.program = "G43.5 H1\nG01 X10 Y20 I1 J1 K1\n";
+  const ModelRun run = run_model(c);
+  JudgeOptions options;
+  options.resolution.vectors = 1e-6;
+  const auto agrees = [&](double off) {
+    std::vector<fast::Event> events = run_fast(c);
+    fast::Event& last = events.back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double rounded = i == 0 ? 0.577351 : 0.57735;
+      (*last.tool_axis)[i] = rounded;
+      set(last, i, last.point[i] + 100 * rounded + off);
+    }
+    return judge(c, run, events, options).outcome == Outcome::agrees;
+  };
+  EXPECT_TRUE(agrees(0));
+  EXPECT_FALSE(agrees(1e-6));
+  EXPECT_FALSE(agrees(-1e-6));
+}
+
 // Inside a block, and what is programmed behind the end of the mode.
 TEST(PoseFit, SamplesAndTheEndOfTheMode) {
   const char* const program = "G43.5 H1 P1\nG01 X10 Y20 I1 J1 K2\nX30 I1 J-1 K2\nG49\nX5\nY7\n";

@@ -59,6 +59,8 @@ TEST(Streams, FindWhatTheWholeCaseFinds) {
       if (!streamed) continue;
       ASSERT_EQ(streamed->outcome, Outcome::differs) << fault.name << '\n' << encode(c);
       EXPECT_EQ(streamed->difference->event, whole.verdict.difference->event) << fault.name << " seed " << seed;
+      EXPECT_NE(streamed->difference->expected, "") << fault.name << " seed " << seed;
+      EXPECT_NE(streamed->difference->actual, "") << fault.name << " seed " << seed;
       ++kinds[streamed->difference->kind];
       break;
     }
