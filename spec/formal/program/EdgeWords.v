@@ -6,7 +6,7 @@ Open Scope string_scope.
 Open Scope Z_scope.
 Open Scope list_scope.
 
-(** The number of the last D, this block included. *)
+(** fanuc.leading-edge.number-changed: the number of the last D, this block included; an H does not give it. *)
 Definition next_leading_number {num} (c : command num) (before : edge_state num) : Z :=
   or_else (d_number c) (leading_number before).
 
