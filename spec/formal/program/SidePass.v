@@ -100,7 +100,7 @@ Definition standing_at_start {num} {N : Numbers num} (s : setup num) (b : planne
       negative <- is_negative "fanuc.cutter.side" (side_value x) ;;
       let rho := to_left (on_left x) (if negative : bool then (- side_value x)%num else side_value x) in
       leg <- leg_in_plane s vt next (programmed (before next)) rho ;;
-      Got (Standing [(true, perpendicular (P := plane_of_tool vt) leg)] (Some (vt, rho)) None)
+      Got (Standing [(true, perpendicular (P := plane_of_tool vt) leg)] (Some (vt, rho)) (Some (at_place next)))
   end.
 
 (** fanuc.tool-side.along-the-tool-at-its-end: B of a corner that does not move at its own end keeps the last vector,
