@@ -51,7 +51,7 @@ FAULTS = [
     (CUTTER_C, 500, "CutterModes.v", "if named first then 0%num else fst v", "fst v"),
     (CUTTER_C, 500, "CutterC.v", "repeated || repeats b", "repeated"),
     (CUTTER_C, 500, "CutterC.v", "(leg_before s b (- rho_of x)%num)", "(leg_before s b (rho_of x))"),
-    (CUTTER_C, 500, "CutterC.v", "(offset_of (was_left y) (reach x))", "(rho_of y)"),
+    (CUTTER_C, 500, "CutterC.v", "(last vs zero2) (hd zero2 ws)", "(hd zero2 vs) (hd zero2 ws)"),
     (CUTTER_C, 2000, "CutterC.v", "if all_stay : bool then Got group else", "if false : bool then Got group else"),
     (FACE, 100, "KlartextFace.v", "n_less_t := sub3 n t", "n_less_t := n"),
     (FACE, 100, "KlartextTool.v", "alarm_if larger \"E_OVERSIZE_DR\"", "alarm_if false \"E_OVERSIZE_DR\""),
