@@ -88,7 +88,7 @@ Definition in_first_half {num} {N : Numbers num} (clause : string) (a : angle nu
   match side with Gt => Got true | Lt => Got false | Eq => is_positive clause (cosine_of a) end.
 
 Definition sine_between {num} {N : Numbers num} (a b : angle num) : num :=
-  (sine_of a * cosine_of b - cosine_of a * sine_of b)%num.
+  (sine_of a * cosine_of b - sine_of b * cosine_of a)%num.
 Definition cosine_between {num} {N : Numbers num} (a b : angle num) : num :=
   (cosine_of a * cosine_of b + sine_of a * sine_of b)%num.
 

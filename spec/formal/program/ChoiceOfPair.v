@@ -137,30 +137,66 @@ Fixpoint best_of {A} (better : A -> A -> outcome comparison) (kept rest : list A
 Definition judges_second_first {num} (s : setup num) (k : kinematics num) : bool :=
   xorb (match machine_of k with Mixed => true | _ => false end) (bit s "19608#5").
 
+(** Where an axis may go: to the positions of one turn, or to one alone. *)
+Inductive axis_aim (num : Type) := AnyTurn (one_turn : angle num) | Alone (position : angle num).
+Arguments AnyTurn {num} one_turn.
+Arguments Alone {num} position.
+
+(** How far: without a range the nearest turn is what counts, and which it is does not matter yet. *)
+Definition moves_to {num} {N : Numbers num} (clause : string) (r : range num) (now : angle num) (aim : axis_aim num) :
+    outcome (list (candidate num)) :=
+  match aim, r with
+  | Alone position, _ => c <- moving_to clause now position ;; Got [c]
+  | AnyTurn one_turn, Some _ => candidates clause r now one_turn
+  | AnyTurn one_turn, None => Got [Candidate one_turn 0 (cosine_between one_turn now)]
+  end.
+(** The positions of such a candidate. *)
+Definition positions_of {num} {N : Numbers num} (clause : string) (r : range num) (now : angle num) (aim : axis_aim num)
+    (c : candidate num) : outcome (list (angle num)) :=
+  match aim, r with
+  | AnyTurn one_turn, None => found <- nearest_candidates clause now one_turn ;; Got (map goes_to found)
+  | _, _ => Got [goes_to c]
+  end.
+
 (** fanuc.tool-center-point.choice: step by step remain those with the smallest moving angle of the axis judged first; of
     the other axis; with the axis judged first nearest to 0; with the other nearest to 0.
     fanuc.tool-center-point.choice-tie: then the greater position of the axis judged first, then of the other one.
-    Of pairs, each with the candidates of the axis judged first and of the other. fanuc.tool-center-point.range-none: none
-    raises PS5459. *)
-Definition chosen {num} {N : Numbers num} (pairs : list (list (candidate num) * list (candidate num))) :
+    Of pairs, the axis judged first and the other. fanuc.tool-center-point.range-none: none raises PS5459. *)
+Definition chosen {num} {N : Numbers num} (ranges now : _ * _) (pairs : list (axis_aim num * axis_aim num)) :
     outcome (angle num * angle num) :=
-  let by_first clause a b := compare_moves clause (fst a) (fst b) in
-  let firsts := flat_map
-    (fun p => match snd p with [] => [] | _ => map (fun first => (first, snd p)) (fst p) end) pairs in
-  left <- best_of (by_first "fanuc.tool-center-point.choice-first-move") [] firsts ;;
-  let both := flat_map (fun c => map (fun second => (fst c, second)) (snd c)) left in
+  let first_clause := "fanuc.tool-center-point.choice-first-move" in
+  let second_clause := "fanuc.tool-center-point.choice-second-move" in
+  firsts <- each
+    (fun pair =>
+      firsts <- moves_to first_clause (fst ranges) (fst now) (fst pair) ;;
+      seconds <- match snd ranges with
+                 | Some _ => moves_to second_clause (snd ranges) (snd now) (snd pair)
+                 | None => Got [Candidate (snd now) 0 0%num]
+                 end ;;
+      Got (match seconds with [] => [] | _ => map (fun c => (c, pair)) firsts end))
+    pairs ;;
+  left <- best_of (fun a b => compare_moves first_clause (fst a) (fst b)) [] (List.concat firsts) ;;
+  both <- each
+    (fun c =>
+      positions <- positions_of first_clause (fst ranges) (fst now) (fst (snd c)) (fst c) ;;
+      seconds <- moves_to second_clause (snd ranges) (snd now) (snd (snd c)) ;;
+      Got (flat_map (fun first => map (fun second => (first, (second, snd (snd c)))) seconds) positions))
+    left ;;
+  left <- best_of (fun a b => compare_moves second_clause (fst (snd a)) (fst (snd b))) [] (List.concat both) ;;
+  both <- each
+    (fun c =>
+      positions <- positions_of second_clause (snd ranges) (snd now) (snd (snd c)) (fst (snd c)) ;;
+      Got (map (fun second => (fst c, second)) positions))
+    left ;;
   let nearer clause x y := decide clause (cosine_of y - cosine_of x)%num in
   let greater x y := compare_angles "fanuc.tool-center-point.choice-tie" y x in
-  let first c := goes_to (fst c) in
-  let second c := goes_to (snd c) in
-  left <- best_of (fun a b => compare_moves "fanuc.tool-center-point.choice-second-move" (snd a) (snd b)) [] both ;;
-  left <- best_of (fun a b => nearer "fanuc.tool-center-point.choice-first-near-zero" (first a) (first b)) [] left ;;
-  left <- best_of (fun a b => nearer "fanuc.tool-center-point.choice-second-near-zero" (second a) (second b)) [] left ;;
-  left <- best_of (fun a b => greater (first a) (first b)) [] left ;;
-  left <- best_of (fun a b => greater (second a) (second b)) [] left ;;
+  left <- best_of (fun a b => nearer "fanuc.tool-center-point.choice-first-near-zero" (fst a) (fst b)) [] (List.concat both) ;;
+  left <- best_of (fun a b => nearer "fanuc.tool-center-point.choice-second-near-zero" (snd a) (snd b)) [] left ;;
+  left <- best_of (fun a b => greater (fst a) (fst b)) [] left ;;
+  left <- best_of (fun a b => greater (snd a) (snd b)) [] left ;;
   match left with
   | [] => Alarm "PS5459"
-  | best :: _ => Got (first best, second best)
+  | best :: _ => Got best
   end.
 
 (** Whether two directions are equal. *)
@@ -171,12 +207,13 @@ Definition same_direction {num} {N : Numbers num} (clause : string) (a b : tripl
     parallel <- is_zero clause (dot3 n n) ;;
     if parallel : bool then is_positive clause (dot3 a b) else Got false.
 
-(** The pair of a direction, from the present pose, which gives another one.
+(** The pair of a direction, from the present pose, which gives another one; both as the work-side axis has them, and the
+    first as seen from the zero pose of the table too.
     fanuc.tool-center-point.parallel-to-the-work-side: where V is parallel to u_w the work-side axis keeps its position, or
     goes to the nearest limit of its range where that is outside.
     fanuc.tool-center-point.choice: for a direction equal to the present one the axes stay, where that is in range. *)
 Definition choose {num} {N : Numbers num} (s : setup num) (k : kinematics num) (now : pose num)
-    (now_direction v : triple num) : outcome (pose num) :=
+    (now_direction v from_zero_pose : triple num) : outcome (pose num) :=
   '(first_range, second_range) <- ranges s ;;
   equal <- same_direction "fanuc.tool-center-point.choice" now_direction v ;;
   stays <- (if equal : bool then
@@ -188,10 +225,7 @@ Definition choose {num} {N : Numbers num} (s : setup num) (k : kinematics num) (
   else
     let second_first := judges_second_first s k in
     let ordered {A} (p : A * A) := if second_first then (snd p, fst p) else p in
-    let judged_range := ordered (first_range, second_range) in
-    let judged_now := ordered now in
-    let first_clause := "fanuc.tool-center-point.choice-first-move" in
-    let second_clause := "fanuc.tool-center-point.choice-second-move" in
+    let as_pose {A} (p : A * A) := match machine_of k with ToolRotation => (snd p, fst p) | _ => p end in
     parallel <- parallel_to_work_axis k v ;;
     pairs <-
       match parallel with
@@ -199,22 +233,12 @@ Definition choose {num} {N : Numbers num} (s : setup num) (k : kinematics num) (
           reached <- reaches_work_axis k opposite ;;
           _ <- alarm_if (negb reached) "PS5459" ;;
           tau <- singular_position k opposite ;;
-          let '(tool_range, work_range) :=
-            match machine_of k with ToolRotation => (second_range, first_range) | _ => (first_range, second_range) end in
-          let '(tool_now, work_now) := sides_of k now in
-          kept <- nearest_in_range work_range work_now ;;
-          taus <- candidates first_clause tool_range tool_now tau ;;
-          omega <- moving_to second_clause work_now kept ;;
-          Got [ordered (match machine_of k with ToolRotation => ([omega], taus) | _ => (taus, [omega]) end)]
+          let work_range := match machine_of k with ToolRotation => first_range | _ => second_range end in
+          kept <- nearest_in_range work_range (snd (sides_of k now)) ;;
+          Got [(AnyTurn tau, Alone kept)]
       | None =>
-          found <- pairs_of k v ;;
-          each
-            (fun pair =>
-              let one := ordered (pose_of_sides k pair) in
-              firsts <- candidates first_clause (fst judged_range) (fst judged_now) (fst one) ;;
-              seconds <- candidates second_clause (snd judged_range) (snd judged_now) (snd one) ;;
-              Got (firsts, seconds))
-            found
+          found <- pairs_of k v from_zero_pose ;;
+          Got (map (fun pair => (AnyTurn (fst pair), AnyTurn (snd pair))) found)
       end ;;
-    best <- chosen pairs ;;
+    best <- chosen (ordered (first_range, second_range)) (ordered now) (map (fun pair => ordered (as_pose pair)) pairs) ;;
     Got (ordered best).

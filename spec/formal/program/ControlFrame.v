@@ -23,12 +23,6 @@ Definition turned_by_table {num} {N : Numbers num} (k : kinematics num) (p : pos
   | TableRotation => carried (first_axis k) (fst p) (carried (second_axis k) (snd p) v)
   | Mixed => carried (second_axis k) (snd p) v
   end.
-Definition turned_back_by_table {num} {N : Numbers num} (k : kinematics num) (p : pose num) (v : triple num) : triple num :=
-  match machine_of k with
-  | ToolRotation => v
-  | TableRotation => carried_back (second_axis k) (snd p) (carried_back (first_axis k) (fst p) v)
-  | Mixed => carried_back (second_axis k) (snd p) v
-  end.
 
 (** fanuc.tool-center-point.frozen-pose: the table system is the copy of the workpiece system at the frozen pose: the
     direction of the tool at a pose is V_P = M deg V.
@@ -42,9 +36,42 @@ Definition programmed_direction {num} {N : Numbers num} (k : kinematics num) (wo
   | _, false => turned_by_table k frozen (direction_at k p)
   end.
 
-(** Seen from the table at its zero pose: (M deg)^-1 V_P. *)
-Definition from_zero_pose {num} {N : Numbers num} (k : kinematics num) (frozen : pose num) (v : triple num) : triple num :=
-  turned_back_by_table k frozen v.
+(** A direction as the work-side axis has it: (M deg)^-1 V_P but for the turn of that axis. *)
+Definition in_work_frame {num} {N : Numbers num} (k : kinematics num) (frozen : pose num) (v : triple num) : triple num :=
+  match machine_of k with TableRotation => carried_back (first_axis k) (fst frozen) v | _ => v end.
+(** And seen from the table at its zero pose: (M deg)^-1 V_P. *)
+Definition from_work_frame {num} {N : Numbers num} (k : kinematics num) (frozen : pose num) (v : triple num) : triple num :=
+  match machine_of k with ToolRotation => v | _ => carried_back (second_axis k) (snd frozen) v end.
+
+(** What the tool-side axis makes of the reference direction. *)
+Definition by_tool_side {num} {N : Numbers num} (k : kinematics num) (p : pose num) : triple num :=
+  match machine_of k with
+  | ToolRotation => carried (second_axis k) (snd p) (reference_direction k)
+  | TableRotation => carried_back (first_axis k) (fst p) (reference_direction k)
+  | Mixed => carried (first_axis k) (fst p) (reference_direction k)
+  end.
+(** The turn of an angle from another, as it turns a vector. Where its sine is known to be 0 its cosine is 1 or -1. *)
+Definition turn_between {num} {N : Numbers num} (from to : angle num) : angle num :=
+  let c := cosine_between to from in
+  let s := sine_between to from in
+  let '(c, s) := match sign s, sign c with
+                 | Some Eq, Some Gt => (1%num, 0%num)
+                 | Some Eq, Some Lt => ((0 - 1)%num, 0%num)
+                 | _, _ => (c, s)
+                 end in
+  Angle (degrees to - degrees from)%num c s None.
+(** The direction at a pose as the work-side axis has it. *)
+Definition work_frame_direction {num} {N : Numbers num} (k : kinematics num) (frozen p : pose num) : triple num :=
+  match machine_of k with
+  | ToolRotation => direction_at k p
+  | _ => carried_back (second_axis k) (turn_between (snd frozen) (snd p)) (by_tool_side k p)
+  end.
+(** The same as it has it at the pose of a block's start: of that pose alone, and of the one commanded. *)
+Definition work_side_turned {num} {N : Numbers num} (k : kinematics num) (from p : pose num) : triple num :=
+  match machine_of k with
+  | ToolRotation => carried (first_axis k) (turn_between (fst from) (fst p)) (by_tool_side k p)
+  | _ => carried_back (second_axis k) (turn_between (snd from) (snd p)) (by_tool_side k p)
+  end.
 
 (** * Points *)
 
@@ -164,11 +191,4 @@ Definition pose_of {num} {N : Numbers num} (s : setup num) (k : kinematics num) 
   match stands_at (control st) with
   | Some p => p
   | None => pose_at s k (coordinates_of st) (programmed st)
-  end.
-
-(** The direction of the tool as a state stands, in the programming system. *)
-Definition direction_in_force {num} {N : Numbers num} (s : setup num) (st : state num) : triple num :=
-  match in_control (control st) with
-  | Some m => unit3 (direction m)
-  | None => tool_direction s (coordinates_of st) (programmed st)
   end.

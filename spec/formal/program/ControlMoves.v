@@ -66,8 +66,7 @@ Definition pose_inside {num} {N : Numbers num} (s : setup num) (m : control_mode
   | OnGreatCircle g, Some k =>
       v <- on_great_circle t (circle_from g) (circle_to g) ;;
       p <- pose_on_circle k g part v ;;
-      Got (p, if in_workpiece_system m then programmed_direction k true (frozen_pose m) p
-              else turned_by_table k (frozen_pose m) v)
+      Got (p, programmed_direction k (in_workpiece_system m) (frozen_pose m) p)
   | _, None => Got (pose_at_end run, unit3 (direction m))
   end.
 

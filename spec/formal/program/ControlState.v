@@ -9,8 +9,12 @@ Open Scope list_scope.
 (** G43.4: the rotary axes are commanded; G43.5: the direction of the tool. *)
 Inductive control_type := ByAxes | ByVector.
 
-(** What the block of G43.4 or G43.5 has chosen, and what holds until the next block. Directions are in the programming
-    system and of any length. *)
+(** A direction of any length in the programming system, and the same as the work-side axis has it, turned back by what
+    carries that axis: there decisions about singular directions are exact. *)
+Record directed (num : Type) := Directed { as_programmed : num * num * num; under_work_side : num * num * num }.
+Arguments Directed {num}. Arguments as_programmed {num}. Arguments under_work_side {num}.
+
+(** What the block of G43.4 or G43.5 has chosen, and what holds until the next block. *)
 Record control_mode (num : Type) := ControlMode {
   control_by : control_type;
   posture_control : bool;              (* P1 *)
@@ -18,12 +22,12 @@ Record control_mode (num : Type) := ControlMode {
   in_workpiece_system : bool;          (* 19696#5 *)
   frozen_pose : angle num * angle num;
   tool_length : num;                   (* along the tool *)
-  kept_direction : num * num * num;    (* the one last commanded, without its lean *)
-  direction : num * num * num          (* the one of the tool *)
+  kept_direction : directed num;       (* the one last commanded, without its lean *)
+  pointing : directed num              (* the one of the tool *)
 }.
 Arguments ControlMode {num}. Arguments control_by {num}. Arguments posture_control {num}. Arguments lean_angle {num}.
 Arguments in_workpiece_system {num}. Arguments frozen_pose {num}. Arguments tool_length {num}.
-Arguments kept_direction {num}. Arguments direction {num}.
+Arguments kept_direction {num}. Arguments pointing {num}.
 
 (** A great circle that the rotary axes follow: its directions in the zero frame of the table, and the positions on the
     tool and the work side at its start, or at its end where its start is singular. *)
@@ -65,8 +69,11 @@ Arguments pose_behind {num}. Arguments turns_before {num}. Arguments turns_behin
 Record control_state (num : Type) := ControlState {
   in_control : option (control_mode num);    (* none: G49, G43 or G44 *)
   stands_at : option (angle num * angle num);  (* the pose, where control has turned to it *)
+  stands_along : option (num * num * num);   (* the direction of a head at that pose *)
   run_of_block : option (rotary_run num)     (* of a block under control that moves, behind that of the code *)
 }.
-Arguments ControlState {num}. Arguments in_control {num}. Arguments stands_at {num}. Arguments run_of_block {num}.
+Arguments ControlState {num}. Arguments in_control {num}. Arguments stands_at {num}. Arguments stands_along {num}. Arguments run_of_block {num}.
 
-Definition initial_control {num} {N : Numbers num} (s : setup num) : control_state num := ControlState None None None.
+Definition direction {num} (m : control_mode num) : num * num * num := as_programmed (pointing m).
+
+Definition initial_control {num} {N : Numbers num} (s : setup num) : control_state num := ControlState None None None None.

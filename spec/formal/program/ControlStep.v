@@ -33,11 +33,21 @@ Definition length_under_control {num} {N : Numbers num} (s : setup num) (o : off
 
 (** fanuc.tool-center-point.direction-words, fanuc.tool-center-point.again: the direction that is kept, where the block
     gives none: that of the rotary positions; without kinematics the one in force. *)
-Definition kept_at_start {num} {N : Numbers num} (s : setup num) (st : state num) (position : values num) : triple num :=
+Definition kept_without_kinematics {num} {N : Numbers num} (s : setup num) (st : state num) (position : values num) :
+    triple num :=
   match in_control (control st) with
   | Some m => direction m
   | None => tool_direction s (coordinates_of st) position
   end.
+
+(** The direction at a pose, which is the frozen one too; of a head that has not turned since, the one it has come to. *)
+Definition direction_at_start {num} {N : Numbers num} (k : kinematics num) (along : option (triple num)) (p : pose num) :
+    directed num :=
+  let told := match machine_of k, along with
+              | ToolRotation, Some v => v
+              | _, _ => programmed_direction k true p p
+              end in
+  Directed told (match machine_of k with TableRotation => by_tool_side k p | _ => told end).
 
 (** fanuc.tool-center-point.block: its axes go to their ends each by itself.
     fanuc.tool-center-point.direction-at-start: I J K turn a tool rotation machine, without a lean.
@@ -50,93 +60,103 @@ Definition control_starts {num} {N : Numbers num} (s : setup num) (c : command n
   let lean := match type with ByVector => lean_word c | ByAxes => 0%num end in
   match kinematics_of s with
   | None =>
-      let d := or_else vector (kept_at_start s st to) in
+      let d := or_else vector (kept_without_kinematics s st to) in
       let nowhere := angle_of_degrees 0%num in
-      Got (ControlState (Some (ControlMode type false lean false (nowhere, nowhere) along d d)) None None)
+      Got (ControlState
+             (Some (ControlMode type false lean false (nowhere, nowhere) along (Directed d d) (Directed d d))) None None None)
   | Some k =>
       let present := pose_of s k st in
+      let standing := match in_control (control st) with Some m => Some (direction m) | None => stands_along (control st) end in
       pose <- match vector with
-              | Some v => choose s k present (direction_at k present) v
+              | Some v => choose s k present (as_programmed (direction_at_start k standing present)) v v
               | None => commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) present
               end ;;
       (* fanuc.tool-center-point.not-invertible: every block runs under conventional control. *)
       no_inverse <- (if posture : bool then not_invertible k else Got false) ;;
-      let d := or_else vector (programmed_direction k workpiece_system pose pose) in
+      let d := match vector with
+               | Some v => Directed v v
+               | None => direction_at_start k (if names s rotary c then None else standing) pose
+               end in
       Got (ControlState (Some (ControlMode type (posture && negb no_inverse) lean workpiece_system pose along d d))
-             (Some pose) None)
+             (Some pose) None None)
   end.
 
 (** * The blocks that follow *)
 
-Definition with_direction {num} (m : control_mode num) (along : num) (kept d : triple num) : control_mode num :=
+Definition with_direction {num} (m : control_mode num) (along : num) (kept d : directed num) : control_mode num :=
   ControlMode (control_by m) (posture_control m) (lean_angle m) (in_workpiece_system m) (frozen_pose m) along kept d.
+
+(** A vector of the programming system. *)
+Definition directed_by {num} {N : Numbers num} (s : setup num) (m : control_mode num) (v : triple num) : directed num :=
+  Directed v (match kinematics_of s with Some k => in_work_frame k (frozen_pose m) v | None => v end).
+(** The direction at a pose. *)
+Definition directed_at {num} {N : Numbers num} (k : kinematics num) (m : control_mode num) (p : pose num) : directed num :=
+  Directed (programmed_direction k (in_workpiece_system m) (frozen_pose m) p) (work_frame_direction k (frozen_pose m) p).
 
 (** fanuc.tool-center-point.direction-words: the direction of I J K, or the one kept; none where the rotary axes stand
     still: without I J K where Q is 0 or the tip has no travel. And what is kept of it.
     fanuc.tool-center-point.lean: leaned where the tip moves. *)
 Definition direction_to {num} {N : Numbers num} (s : setup num) (c : command num) (circle_of : option (circle num))
-    (m : control_mode num) (from to : values num) : outcome (option (triple num * triple num)) :=
-  let words := direction_words s c in
+    (m : control_mode num) (from to : values num) : outcome (option (directed num * directed num)) :=
+  let words := option_map (directed_by s m) (direction_words s c) in
   let travel := sub3 (in_space s to) (in_space s from) in
   let radius := match circle_of with
                 | Some _ => last_number s (in_inches (in_modes c)) Letter.R (block_of c)
                 | None => None
                 end in
   let clockwise := match motion (in_modes c) with Clockwise => true | _ => false end in
+  let kept := or_else words (kept_direction m) in
   upright <- is_zero "fanuc.tool-center-point.lean" (lean_angle m) ;;
   stands <- (if upright : bool then Got true
              else is_zero "fanuc.tool-center-point.lean-along-the-travel" (dot3 travel travel)) ;;
-  match words with
-  | None =>
-      if stands : bool then Got None
-      else
-        d <- travel_at_end (in_plane (in_modes c)) clockwise radius travel ;;
-        v <- leaned (lean_angle m) (kept_direction m) d ;;
-        Got (Some (v, kept_direction m))
-  | Some w =>
-      if stands : bool then Got (Some (w, w))
-      else
-        d <- travel_at_end (in_plane (in_modes c)) clockwise radius travel ;;
-        v <- leaned (lean_angle m) w d ;;
-        Got (Some (v, w))
-  end.
+  if stands : bool then Got (option_map (fun w => (w, w)) words)
+  else
+    d <- travel_at_end (in_plane (in_modes c)) clockwise radius travel ;;
+    let d := directed_by s m d in
+    v <- leaned (lean_angle m) (as_programmed kept) (as_programmed d) ;;
+    u <- leaned (lean_angle m) (under_work_side kept) (under_work_side d) ;;
+    Got (Some (Directed v u, kept)).
 
 (** A block of type 1 goes to the pose commanded, one of type 2 to a pair of its direction.
     fanuc.tool-center-point.conventional: without posture control the rotary axes go evenly to their end. *)
 Definition control_runs {num} {N : Numbers num} (s : setup num) (c : command num) (circle_of : option (circle num))
     (along : num) (to : values num) (m : control_mode num) (st : state num) : outcome (control_state num) :=
-  let standing := direction m in
+  let standing := pointing m in
   match kinematics_of s with
   | None =>
       target <- direction_to s c circle_of m (programmed st) to ;;
       let '(v, kept) := or_else target (standing, kept_direction m) in
       let nowhere := frozen_pose m in
-      Got (ControlState (Some (with_direction m along kept v)) None
-             (Some (RotaryRun nowhere nowhere nowhere nowhere false false (DirectionAlone standing v) false)))
+      Got (ControlState (Some (with_direction m along kept v)) None None
+             (Some (RotaryRun nowhere nowhere nowhere nowhere false false
+                      (DirectionAlone (as_programmed standing) (as_programmed v)) false)))
   | Some k =>
       let from := pose_of s k st in
       match control_by m with
       | ByAxes =>
           pose <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) from ;;
-          let d := programmed_direction k (in_workpiece_system m) (frozen_pose m) pose in
-          '(run, _) <- (if posture_control m
-                        then posture_run s k from (Some pose) (direction_at k from) (direction_at k pose)
+          let d := directed_at k m pose in
+          (* Without a rotary word the direction is the same: fanuc.tool-posture.no-plane. *)
+          '(run, _) <- (if posture_control m && names s rotary c
+                        then posture_run s k from (Some pose) (by_tool_side k from) (work_side_turned k from pose)
+                               (direction_at k from) (direction_at k pose)
                         else Got (conventionally false from pose, false)) ;;
-          Got (ControlState (Some (with_direction m along d d)) (Some pose) (Some run))
+          Got (ControlState (Some (with_direction m along d d)) (Some pose) None (Some run))
       | ByVector =>
           target <- direction_to s c circle_of m (programmed st) to ;;
           match target with
-          | None => Got (ControlState (Some (with_direction m along (kept_direction m) standing)) (Some from)
+          | None => Got (ControlState (Some (with_direction m along (kept_direction m) standing)) (Some from) None
                            (Some (conventionally false from from)))
           | Some (v, kept) =>
-              let vs := from_zero_pose k (frozen_pose m) standing in
-              let ve := from_zero_pose k (frozen_pose m) v in
-              '(run, changed) <- (if posture_control m then posture_run s k from None vs ve
-                                  else to <- choose s k from vs ve ;; Got (conventionally false from to, false)) ;;
+              let vs := under_work_side standing in
+              let ve := under_work_side v in
+              let from_zero := from_work_frame k (frozen_pose m) in
+              '(run, changed) <- (if posture_control m then posture_run s k from None vs ve (from_zero vs) (from_zero ve)
+                                  else to <- choose s k from vs ve (from_zero ve) ;; Got (conventionally false from to, false)) ;;
               (* fanuc.tool-posture.changed: the direction of the changed pair is the one kept. *)
-              let actual := programmed_direction k (in_workpiece_system m) (frozen_pose m) (pose_behind run) in
+              let actual := directed_at k m (pose_behind run) in
               let m := if changed : bool then with_direction m along actual actual else with_direction m along kept v in
-              Got (ControlState (Some m) (Some (pose_behind run)) (Some run))
+              Got (ControlState (Some m) (Some (pose_behind run)) None (Some run))
           end
       end
   end.
@@ -225,7 +245,8 @@ Definition without_control {num} {N : Numbers num} (s : setup num) (c : command 
           p <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) p ;; Got (Some p)
     | _, _ => Got None
     end ;;
-  Got (ControlState None stands None).
+  let along := match in_control (control st) with Some m => Some (direction m) | None => stands_along (control st) end in
+  Got (ControlState None stands (if names s rotary c || negb (given stands) then None else along) None).
 
 (** The programmed position behind a block, and its movement: with the rotary positions of the pose; machine coordinates
     (fanuc.tool-center-point.machine-coordinates); the direction of the tool.
@@ -253,7 +274,7 @@ Definition under_control {num} {N : Numbers num} (s : setup num) (c : command nu
         end in
       let position := at_end (programmed st) in
       let st := match moves with
-                | [] => with_control st (ControlState (Some m) (stands_at behind) None)
+                | [] => with_control st (ControlState (Some m) (stands_at behind) None None)
                 | _ => st
                 end in
       let toward := Some (unit3 (direction m)) in

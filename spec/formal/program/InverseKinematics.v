@@ -88,14 +88,16 @@ Definition tool_angles {num} {N : Numbers num} (k : kinematics num) (v : triple 
   if edge : bool then Got [by_root 0%num]
   else let h := root (radius_square r - c * c)%num in Got [by_root h; by_root (- h)%num].
 
-(** A direction, in the zero frame of the table, that is not parallel to u_w: its pairs, each within one turn. *)
-Definition pairs_of {num} {N : Numbers num} (k : kinematics num) (v : triple num) : outcome (list (sides num)) :=
+(** A direction that is not parallel to u_w, as the work-side axis has it and as seen from the zero pose of the table: its
+    pairs, each within one turn. *)
+Definition pairs_of {num} {N : Numbers num} (k : kinematics num) (v from_zero_pose : triple num) :
+    outcome (list (sides num)) :=
   angles <- tool_angles k v ;;
   each
     (fun cs =>
       let '(c, s) := cs in
       tau <- position_by (tool_reversed k) c s ;;
-      omega <- work_position k (on_tool_side k c s) v ;;
+      omega <- work_position k (on_tool_side k c s) from_zero_pose ;;
       Got (tau, omega))
     angles.
 

@@ -1,5 +1,5 @@
-(** Tool posture control, P1 of G43.4 and G43.5: how the rotary axes run in a block. Directions are in the zero frame of the
-    table. *)
+(** Tool posture control, P1 of G43.4 and G43.5: how the rotary axes run in a block. Directions are as the
+    work-side axis has them, turned about it by whatever angle; those from zero as seen from the zero pose of the table. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Angles ControlState State Space Pose.
 From Toolcomp Require Import ControlFrame ControlWords InverseKinematics ChoiceOfPair PostureAngles.
@@ -54,7 +54,7 @@ Definition branch_of_pair {num} {N : Numbers num} (k : kinematics num) (opposite
     fanuc.tool-posture.branch-mismatch: where the tool-side axis does not come to its position at the start the block runs
     under conventional control. *)
 Definition from_singular {num} {N : Numbers num} (k : kinematics num) (opposite : bool) (from to : pose num)
-    (vs ve : triple num) : outcome (rotary_run num) :=
+    (vs ve ve_from_zero : triple num) : outcome (rotary_run num) :=
   let '(tau, omega) := sides_of k from in
   let '(tau_e, omega_e) := sides_of k to in
   above <- branch_of_pair k opposite tau_e tau ;;
@@ -66,7 +66,7 @@ Definition from_singular {num} {N : Numbers num} (k : kinematics num) (opposite 
   else
     let leaving := leaving_singular k opposite above in
     let '(c, s) := tool_angle k x_e in
-    one_turn <- work_turn k leaving ve ;;
+    one_turn <- work_turn k leaving ve_from_zero ;;
     bracket <- bracket_of_side k false degrees_e degrees_s (on_tool_side k c s) leaving ;;
     omega_s <- position_near one_turn (lifted_work k omega_e 0%num bracket) ;;
     turn <- compare_angles "fanuc.tool-posture.pre-turn" omega_s omega ;;
@@ -117,7 +117,7 @@ Definition end_in_range {num} {N : Numbers num} (s : setup num) (to : pose num) 
   alarm_if (negb (first_fine && second_fine)) "PS5459".
 
 Definition to_singular {num} {N : Numbers num} (s : setup num) (k : kinematics num) (opposite above : bool) (from : pose num)
-    (commanded : option (pose num)) (vs ve : triple num) : outcome (rotary_run num) :=
+    (commanded : option (pose num)) (vs ve vs_from_zero : triple num) : outcome (rotary_run num) :=
   let '(tau, omega) := sides_of k from in
   let x := beside_of_position k tau in
   degrees_s <- beside_degrees k above x ;;
@@ -125,7 +125,7 @@ Definition to_singular {num} {N : Numbers num} (s : setup num) (k : kinematics n
   let tau_number := lifted_tool k None above tau degrees_s degrees_e in
   let leaving := leaving_singular k opposite above in
   let '(cosine_s, sine_s) := tool_angle k x in
-  one_turn <- work_turn k leaving vs ;;
+  one_turn <- work_turn k leaving vs_from_zero ;;
   bracket <- bracket_of_side k false degrees_s degrees_e (on_tool_side k cosine_s sine_s) leaving ;;
   omega_e <- position_near one_turn (lifted_work k omega 0%num bracket) ;;
   let way := OnGreatCircle (GreatCircle vs ve (tau, omega) false above None true) in
@@ -218,12 +218,12 @@ Definition leads_to_commanded {num} {N : Numbers num} (k : kinematics num) (cros
 
 (** Type 2: the end pair, whole turns included. *)
 Definition end_pair {num} {N : Numbers num} (k : kinematics num) (crossing : option bool) (above edge : bool)
-    (from : sides num) (vs ve : triple num) : outcome (sides num) :=
+    (from : sides num) (vs ve ve_from_zero : triple num) : outcome (sides num) :=
   let x_e := beside_of_direction k edge (xorb above (given crossing)) ve in
   '(tau_number, omega_number) <- led_to k crossing above from vs ve x_e ;;
   let '(c, s) := tool_angle k x_e in
   tau_one_turn <- position_by (tool_reversed k) c s ;;
-  omega_one_turn <- work_position k (on_tool_side k c s) ve ;;
+  omega_one_turn <- work_position k (on_tool_side k c s) ve_from_zero ;;
   tau_e <- position_near tau_one_turn tau_number ;;
   omega_e <- position_near omega_one_turn omega_number ;;
   Got (tau_e, omega_e).
@@ -317,9 +317,10 @@ Definition changed_end {num} {N : Numbers num} (k : kinematics num) (opposite ab
     fanuc.tool-posture.passing: then the rotary axes run evenly, the work side standing.
     fanuc.tool-posture.refused: 19696#3: where a near end is not changed, by the veto or by the range, PS5421. *)
 Definition to_direction {num} {N : Numbers num} (s : setup num) (k : kinematics num) (crossing : option bool)
-    (above edge : bool) (p : circle_place) (from : pose num) (n vs ve : triple num) : outcome (rotary_run num * bool) :=
+    (above edge : bool) (p : circle_place) (from : pose num) (n vs ve ve_from_zero : triple num) :
+    outcome (rotary_run num * bool) :=
   let start := sides_of k from in
-  '(tau_e, omega_e) <- end_pair k crossing above edge start vs ve ;;
+  '(tau_e, omega_e) <- end_pair k crossing above edge start vs ve ve_from_zero ;;
   near <- (if given crossing then Got None else near_singular s k p n vs ve) ;;
   changed <-
     match near with
@@ -348,9 +349,9 @@ Definition to_direction {num} {N : Numbers num} (s : setup num) (k : kinematics 
 (** fanuc.tool-posture.order: the questions of a block with P1. Type 1 has a pose commanded, type 2 none. How the rotary axes
     run, and whether the end posture is changed. *)
 Definition posture_run {num} {N : Numbers num} (s : setup num) (k : kinematics num) (from : pose num)
-    (commanded : option (pose num)) (vs ve : triple num) : outcome (rotary_run num * bool) :=
+    (commanded : option (pose num)) (vs ve vs_from_zero ve_from_zero : triple num) : outcome (rotary_run num * bool) :=
   let start := sides_of k from in
-  let pair := match commanded with Some to => Got to | None => choose s k from vs ve end in
+  let pair := match commanded with Some to => Got to | None => choose s k from vs ve ve_from_zero end in
   let unchanged x := run <- x ;; Got (run, false) in
   (* The reach of Ve; whether it lies on the edge. *)
   edge <-
@@ -372,12 +373,12 @@ Definition posture_run {num} {N : Numbers num} (s : setup num) (k : kinematics n
   else
     at_start <- singular_at "fanuc.tool-posture.at-start" k vs ;;
     match at_start with
-    | Some opposite => unchanged (to <- pair ;; from_singular k opposite from to vs ve)
+    | Some opposite => unchanged (to <- pair ;; from_singular k opposite from to vs ve ve_from_zero)
     | None =>
         at_end <- singular_at "fanuc.tool-posture.at-end" k ve ;;
         above <- branch_at_start k (fst start) pair ;;
         match at_end with
-        | Some opposite => unchanged (to_singular s k opposite above from commanded vs ve)
+        | Some opposite => unchanged (to_singular s k opposite above from commanded vs ve vs_from_zero)
         | None =>
             p <- place_of_circle k n vs ve ;;
             crossing <- crossing_of k p ;;
@@ -389,7 +390,7 @@ Definition posture_run {num} {N : Numbers num} (s : setup num) (k : kinematics n
                                 then RotaryRun from from to to false false
                                        (OnGreatCircle (GreatCircle vs ve start false above crossing (in_work_plane p))) false
                                 else conventionally true from to))
-            | None => to_direction s k crossing above edge p from n vs ve
+            | None => to_direction s k crossing above edge p from n vs ve ve_from_zero
             end
         end
     end.
