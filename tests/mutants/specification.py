@@ -46,7 +46,7 @@ FAULTS = [
     (CUTTER_C, 500, "Corners.v", "Apart => Alarm \"PS0033\"", "Apart => Got [perpendicular a]"),
     (CUTTER_C, 2000, "Corners.v", "then kept_behind limit last rest", "then kept_behind limit v rest"),
     (CUTTER_C, 500, "Interference.v", "(add2 travel (sub2 w v))", "(add2 travel (sub2 v w))"),
-    (CUTTER_C, 2000, "Interference.v", "| Eq, _ | _, Eq => Got false", "| Eq, _ | _, Eq => Got true"),
+    (CUTTER_C, 2000, "Interference.v", "is_positive \"fanuc.cutter-c.interference-sweep\" x", "Got false"),
     (CUTTER_C, 500, "CutterModes.v", "names_plane s c then 2 else 1", "names_plane s c then 1 else 1"),
     (CUTTER_C, 500, "CutterModes.v", "if named first then 0%num else fst v", "fst v"),
     (CUTTER_C, 500, "CutterC.v", "repeated || repeats b", "repeated"),
