@@ -38,7 +38,8 @@ Proof.
   unfold Outcomes.decide; cbn. unfold Numbers.real_sign.
   destruct (total_order_T x 0) as [[L|E]|G]; cbn; intro H; injection H as <-; auto.
 Qed.
-Lemma bound {A B} (x : outcome A) (f : A -> outcome B) y : Outcomes.bind x f = Got y -> exists a, x = Got a /\ f a = Got y.
+Lemma bound {A B} (x : outcome A) (f : A -> outcome B) y : Outcomes.bind x f = Got y ->
+  exists a, x = Got a /\ f a = Got y.
 Proof. destruct x; cbn; intro H; try discriminate; eauto. Qed.
 Lemma same {A} (a b : A) : Got a = Got b -> a = b.
 Proof. now injection 1. Qed.
@@ -67,7 +68,8 @@ Proof. intros [H|H]; nra. Qed.
 
 Lemma tangent_values v : tangent v = scale (/ sqrt (fst v * fst v + snd v * snd v)) (vector v).
 Proof.
-  unfold tangent, line_of, vector, Corners.line_leg, Corners.leg_along; cbn. unfold scale; cbn. f_equal; unfold Rdiv; ring.
+  unfold tangent, line_of, vector, Corners.line_leg, Corners.leg_along; cbn. unfold scale; cbn.
+  f_equal; unfold Rdiv; ring.
 Qed.
 
 Lemma tangent_direction v : travels v -> direction (tangent v).
@@ -142,7 +144,8 @@ Proof.
     destruct back.
     + assert (dot (tangent u) (tangent v) < 0) by (assert (k * dot (tangent u) (tangent v) < 0) by (now apply B); nra).
       destruct (Rle_dec 0 (dot (tangent u) (tangent v))); [lra|].
-      apply bound in H as (both & P & H). apply same in H as <-. cbn. rewrite app_nil_r. now apply (prolonged_in_Q u v rho).
+      apply bound in H as (both & P & H). apply same in H as <-. cbn. rewrite app_nil_r.
+      now apply (prolonged_in_Q u v rho).
     + pose proof (no_is _ _ B eq_refl).
       assert (0 <= dot (tangent u) (tangent v)) by nra.
       destruct (Rle_dec 0 (dot (tangent u) (tangent v))); [|lra].
@@ -154,7 +157,8 @@ Proof.
     destruct acute.
     + assert (dot (tangent u) (tangent v) < 0) by (assert (k * dot (tangent u) (tangent v) < 0) by (now apply B); nra).
       destruct (Rle_dec 0 (dot (tangent u) (tangent v))); [lra|].
-      apply bound in H as (both & P & H). apply same in H as <-. cbn. rewrite app_nil_r. now apply (prolonged_in_Q u v rho).
+      apply bound in H as (both & P & H). apply same in H as <-. cbn. rewrite app_nil_r.
+      now apply (prolonged_in_Q u v rho).
     + pose proof (no_is _ _ B eq_refl).
       assert (0 <= dot (tangent u) (tangent v)) by nra.
       destruct (Rle_dec 0 (dot (tangent u) (tangent v))); [|lra].
@@ -199,7 +203,8 @@ Theorem line_meets_circle_is_line_circle_point t rho b r v : dot (vector (Corner
   vector v = line_circle_point rho (tangent t) (vector (Corners.to_center b)) r.
 Proof.
   intros N H. unfold Corners.line_meets_circle in H. apply bound in H as (apart & A & H).
-  destruct apart; [discriminate|]. apply bound in H as (behind & B & H). apply negative_sign in B. apply same in H. apply same_point in H as <-.
+  destruct apart; [discriminate|]. apply bound in H as (behind & B & H). apply negative_sign in B.
+  apply same in H. apply same_point in H as <-.
   rewrite vector_add, vector_scale, perpendicular_of_line, unit_of_line. unfold line_circle_point, line_circle_height.
   change (Corners.rho (line_of t rho)) with rho. rewrite vector_dot, unit_of_line in B.
   rewrite !vector_dot, normal_of_line, ?unit_of_line. unfold Rsqr.

@@ -119,7 +119,8 @@ Definition shared_alarms {num} (s : setup num) (c : command num) (st : state num
   let in_force := given (hand_behind c (hand_in_force (cutter st))) in
   _ <- alarm_if (in_force && lacks_plane_axis s p) "PS0028" ;;
   _ <- alarm_if (on && negb (same_plane p (in_plane (modes_of st)))) "PS0037" ;;
-  let under_tool_direction := existsb (fun code => among code [434; 435]) (codes_said c) in
+  let under_tool_direction := match last_of lengths (codes_said c) with
+                              | Some code => among code [434; 435] | None => false end in
   _ <- alarm_if ((on && says c [412; 413; 416; 422; 426]) || ((on || in_force) && under_tool_direction))
          "FORBIDDEN_IN_CUTTER_COMPENSATION" ;;
   let shifts := match acting c with
