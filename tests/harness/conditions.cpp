@@ -321,6 +321,21 @@ TEST(Conditions, OfTheSweepOfASmallArc) {
   EXPECT_EQ(list[2].start, policy::ulp(0.5));
 }
 
+// A perpendicular vector at the end of an arc by R hardly longer than half its chord: the centre is R/h times off what
+// R is, and turns the vector by that over R; in every plane.
+TEST(Conditions, OfAVectorAtAnArcByRadius) {
+  const Real r = decimal("10.000001");
+  const Real h = sqrt(r * r - 100);
+  for (const std::size_t by : {0U, 1U, 2U}) {
+    model::Event event = arc(move(kOwn, "20", "0", 20 + 10 / r, -h / r), "10", "0");
+    event.arc->center.set(1, h);
+    event.clauses.add(policy::kByRadius);
+    const auto list = scales({turned(move(kStart, "0", "0", Real(0), Real(1)), by), turned(event, by)});
+    const double expected = policy::ulp(21) / std::sqrt(2e-5 + 1e-12) / (policy::ulp(1) / 2);
+    EXPECT_NEAR(list[1].condition, 2 + expected, 1e-3 * expected) << by;
+  }
+}
+
 // Of all parameters only the vectors of table and head, 19700 to 19714, are lengths that positions are made of.
 TEST(Conditions, OfParameters) {
   const auto position = [](std::uint32_t number) {
