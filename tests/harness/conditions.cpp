@@ -528,6 +528,26 @@ TEST(Conditions, OfAMachineWithoutY) {
   EXPECT_EQ(list[2].condition, 1);
 }
 
+// The start of OfALeadingEdgeNearTheTool along every axis, the tool leaning to either of the others.
+TEST(Conditions, OfALeadingEdgeAlongAnyAxis) {
+  spec::Setup setup;
+  setup.parameters[{19631, -1}] = spec::decimal(0);
+  const int n = 1000;
+  const Real norm = sqrt(Real(n) * Real(n) + 1);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const std::size_t other : {(axis + 1) % 3, (axis + 2) % 3}) {
+      Triple end{};
+      Triple tool{};
+      Triple vector{};
+      end.at(axis) = Real(50);
+      tool.at(axis) = Real(n) / norm;
+      tool.at(other) = Real(1) / norm;
+      vector.at(axis) = Real(-10) / norm;
+      vector.at(other) = Real(10 * n) / norm;
+      EXPECT_NEAR(scales({beside(kStart, end, vector, tool)}, setup)[0].condition, 1000, 1) << axis << other;
+    }
+}
+
 // A vector that rests on clauses of cutter compensation was not made of tool and movement; one that rests on no clause
 // that makes vectors may be anything. The pair of OfALeadingEdgeNearTheTool.
 TEST(Conditions, OfTheSectionThatMakesTheVector) {
