@@ -321,6 +321,21 @@ TEST(Conditions, OfTheSweepOfASmallArc) {
   EXPECT_EQ(list[2].start, policy::ulp(0.5));
 }
 
+// A perpendicular vector at the end of an arc by R hardly longer than half its chord: the centre is R/h times off what
+// R is, and turns the vector by that over R; in every plane.
+TEST(Conditions, OfAVectorAtAnArcByRadius) {
+  const Real r = decimal("10.000001");
+  const Real h = sqrt(r * r - 100);
+  for (const std::size_t by : {0U, 1U, 2U}) {
+    model::Event event = arc(move(kOwn, "20", "0", 20 + 10 / r, -h / r), "10", "0");
+    event.arc->center.set(1, h);
+    event.clauses.add(policy::kByRadius);
+    const auto list = scales({turned(move(kStart, "0", "0", Real(0), Real(1)), by), turned(event, by)});
+    const double expected = policy::ulp(21) / std::sqrt(2e-5 + 1e-12) / (policy::ulp(1) / 2);
+    EXPECT_NEAR(list[1].condition, 2 + expected, 1e-3 * expected) << by;
+  }
+}
+
 // Of all parameters only the vectors of table and head, 19700 to 19714, are lengths that positions are made of.
 TEST(Conditions, OfParameters) {
   const auto position = [](std::uint32_t number) {
@@ -511,6 +526,26 @@ TEST(Conditions, OfAMachineWithoutY) {
   for (const Scale& scale : list) EXPECT_EQ(scale.vector, 3);
   EXPECT_EQ(list[2].position, 90);
   EXPECT_EQ(list[2].condition, 1);
+}
+
+// The start of OfALeadingEdgeNearTheTool along every axis, the tool leaning to either of the others.
+TEST(Conditions, OfALeadingEdgeAlongAnyAxis) {
+  spec::Setup setup;
+  setup.parameters[{19631, -1}] = spec::decimal(0);
+  const int n = 1000;
+  const Real norm = sqrt(Real(n) * Real(n) + 1);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const std::size_t other : {(axis + 1) % 3, (axis + 2) % 3}) {
+      Triple end{};
+      Triple tool{};
+      Triple vector{};
+      end.at(axis) = Real(50);
+      tool.at(axis) = Real(n) / norm;
+      tool.at(other) = Real(1) / norm;
+      vector.at(axis) = Real(-10) / norm;
+      vector.at(other) = Real(10 * n) / norm;
+      EXPECT_NEAR(scales({beside(kStart, end, vector, tool)}, setup)[0].condition, 1000, 1) << axis << other;
+    }
 }
 
 // A vector that rests on clauses of cutter compensation was not made of tool and movement; one that rests on no clause

@@ -39,7 +39,7 @@ SEARCH_SECONDS = 240
 FAST_TESTS = [("unit", ":".join(sorted({f"{suite}.*" for path in ROOT.glob("tests/unit/**/fast_*.cpp")
                                         for suite in re.findall(r"^TEST\((\w+),", path.read_text(), re.MULTILINE)})), "")]
 # Programs and which of their tests, or of their arguments; the first word of the sources they know. Quick ones first.
-ORACLE_TESTS = [("unit", "Capabilities.*:FindingFile.*:FilesOfFindings.*:Report.*:LabelPlaces.*:Markup.*:PathSvg.*:"
+ORACLE_TESTS = [("unit", "Answers.*:Capabilities.*:FindingFile.*:FilesOfFindings.*:Report.*:LabelPlaces.*:Markup.*:PathSvg.*:"
                          "ToolShapes.*", "certify"),
                 ("harness", "Comparator.*:Conditions.*:ArcFit.*:PoseErrors.*:PoseFit.*:RotaryMachines.*:NearTies.*:Space*:"
                             "HeadsBeforeAlarms.*:RadiusArcs.*:Regression.*:Singular.*:Trials.*:Widths.*", "fuzz"),
@@ -50,7 +50,7 @@ ORACLE_TESTS = [("unit", "Capabilities.*:FindingFile.*:FilesOfFindings.*:Report.
 SLOW_ORACLE_TESTS = [("harness_faults", "SeededFaults.Each*", "fuzz"),
                      ("unit", "Trace*:SharedCause.*", ""),
                      ("harness_faults", "SeededFaults.The*", "fuzz"),
-                     ("harness", "*Widths*", "fuzz"),
+                     ("harness", "WidthsOf*:*/WidthsOf*:Laws.*:Inventory.*", "fuzz"),
                      ("harness_faults", "Streams.*WholeCase", "fuzz"),
                      ("harness_misbehaviour", "*", "certify")]
 
