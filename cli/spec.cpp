@@ -2,9 +2,12 @@
 // setups.
 #include <filesystem>
 #include <iostream>
+#include <vector>
 
 #include "cli/verbs.h"
 #include "corpus/check.h"
+#include "corpus/golden.h"
+#include "corpus/proofs/proofs.h"
 #include "spec/language/input_error.h"
 #include "spec/trace/report.h"
 
@@ -18,7 +21,11 @@ int spec(const SpecOptions& options) {
   if (options.verb == "coverage") {
     const corpus::Coverage coverage = corpus::coverage(
         options.directory.empty() ? corpus::default_folder() : std::filesystem::path(options.directory));
-    std::cout << spec::show_coverage(coverage.counts, coverage.vectors, format);
+    std::vector<spec::ProofCount> proofs;
+    if (options.directory.empty())
+      for (const auto& [section, count] : corpus::count_proofs(corpus::default_folder()))
+        proofs.push_back({section, count.vectors, count.proven});
+    std::cout << spec::show_coverage(coverage.counts, coverage.vectors, proofs, format);
   }
   if (options.verb == "show") {
     if (options.id.empty())

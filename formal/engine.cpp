@@ -13,10 +13,18 @@ namespace toolcomp::formal {
 bool available() { return true; }
 
 std::vector<std::string> sections() {
-  return {"fanuc/tool-length-offset",        "fanuc/tool-length-measurement", "fanuc/tool-offset",
-          "fanuc/cutter-compensation-b",     "fanuc/cutter-compensation-c",   "fanuc/leading-edge-offset",
-          "fanuc/tool-side-compensation",    "fanuc/tool-center-point-control", "fanuc/tool-posture-control",
-          "heidenhain/face-milling",         "heidenhain/peripheral-milling", "heidenhain/programmed-contour"};
+  return {"fanuc/cutter-compensation-b",
+          "fanuc/cutter-compensation-c",
+          "fanuc/leading-edge-offset",
+          "fanuc/tool-center-point-control",
+          "fanuc/tool-length-measurement",
+          "fanuc/tool-length-offset",
+          "fanuc/tool-offset",
+          "fanuc/tool-posture-control",
+          "fanuc/tool-side-compensation",
+          "heidenhain/face-milling",
+          "heidenhain/peripheral-milling",
+          "heidenhain/programmed-contour"};
 }
 
 Run run(const spec::Case& c) {

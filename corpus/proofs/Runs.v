@@ -4,12 +4,9 @@ From Param Require Import Param.
 From Toolcomp Require Import Numbers Data Comparison Enclosures.
 Import ListNotations.
 
-(** The free theorem of runs, for numbers that are related in any way that their operations keep. *)
-Parametricity Recursive compared_run qualified.
+Parametricity Recursive Z qualified.
 
-Local Open Scope R_scope.
-
-(** What is no number is related to itself alone. *)
+(** Whole numbers are related to themselves alone. *)
 Lemma Z_same z : Coq_o_Numbers_o_BinNums_o_Z_R z z.
 Proof.
   assert (P : forall p, Coq_o_Numbers_o_BinNums_o_positive_R p p) by (intro p; induction p; constructor; assumption).
@@ -20,6 +17,19 @@ Proof.
   assert (P : forall p q, Coq_o_Numbers_o_BinNums_o_positive_R p q -> p = q) by (intros p q H; induction H; congruence).
   intros [| |]; f_equal; auto.
 Qed.
+
+(** By that, and not by how it is computed. *)
+Lemma gcd_related a b : Coq_o_Numbers_o_BinNums_o_Z_R a b -> forall c d, Coq_o_Numbers_o_BinNums_o_Z_R c d ->
+  Coq_o_Numbers_o_BinNums_o_Z_R (Z.gcd a c) (Z.gcd b d).
+Proof. intros <-%Z_equal c d <-%Z_equal. apply Z_same. Qed.
+Realizer Z.gcd as gcd_related_to_gcd := gcd_related.
+
+(** The free theorem of runs, for numbers that are related in any way that their operations keep. *)
+Parametricity Recursive compared_run qualified.
+
+Local Open Scope R_scope.
+
+(** Texts and trees are related to themselves. *)
 Lemma string_same s : Coq_o_Strings_o_String_o_string_R s s.
 Proof. induction s as [|a s IH]; constructor; [|exact IH]. destruct a as [b0 b1 b2 b3 b4 b5 b6 b7]; constructor; match goal with |- _ ?b _ => destruct b end; constructor. Qed.
 

@@ -17,10 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHead =
-    "From Coq Require Import List String ZArith.\nFrom Toolcomp Require Import Numbers Data Comparison Runs.\n"
-    "Import ListNotations.\nOpen Scope string_scope.\nOpen Scope Z_scope.\nOpen Scope list_scope.\n";
-
 // "fanuc.tool-offset.fbc293fa0c" as a name of Coq.
 std::string identifier(std::string id) {
   std::ranges::replace_if(id, [](char c) { return c == '.' || c == '-'; }, '_');
@@ -49,6 +45,11 @@ std::string question_about(const spec::Case& c) {
 
 }  // namespace
 
+std::string proofs_head() {
+  return "From Coq Require Import List String ZArith.\nFrom Toolcomp Require Import Numbers Data Comparison Runs.\n"
+         "Import ListNotations.\nOpen Scope string_scope.\nOpen Scope Z_scope.\nOpen Scope list_scope.\n";
+}
+
 std::string proof_of(const spec::Case& c) {
   return fmt::format("Lemma {} : runs_as_written {}.\nProof. by_running. Qed.\n", identifier(c.id), arguments(c));
 }
@@ -68,7 +69,7 @@ ProofFiles write_proofs(const fs::path& corpus, const fs::path& output, const Pr
       cases.resize(options.a_section);
     }
     for (std::size_t first = 0; first < cases.size(); first += kInAFile) {
-      std::string text = fmt::format("(** Generated from the golden vectors of {}. *)\n{}", section, kHead);
+      std::string text = fmt::format("(** Generated from the golden vectors of {}. *)\n{}", section, proofs_head());
       for (std::size_t i = first; i < std::min(first + kInAFile, cases.size()); ++i)
         text += '\n' + (options.only_tell ? question_about(cases[i]) : proof_of(cases[i]));
       spec::write_file(output / file_name(section, first / kInAFile + 1), text);
@@ -86,6 +87,17 @@ std::map<std::string, std::string> unproven() {
   for (const auto& [reason, ids] : by_reason.items())
     for (const auto& id : ids) reasons[id] = reason;
   return reasons;
+}
+
+std::map<std::string, ProofCount> count_proofs(const fs::path& corpus) {
+  const std::map<std::string, std::string> left_out = unproven();
+  std::map<std::string, ProofCount> sections;
+  for (const spec::Case& c : read_golden(corpus)) {
+    ProofCount& count = sections[c.section];
+    ++count.vectors;
+    if (!left_out.contains(c.id)) ++count.proven;
+  }
+  return sections;
 }
 
 }  // namespace toolcomp::corpus

@@ -13,6 +13,8 @@
 
 namespace toolcomp::corpus {
 
+// What a file of such lemmas begins with.
+std::string proofs_head();
 // The lemma about one vector, and its proof.
 std::string proof_of(const spec::Case& c);
 
@@ -34,5 +36,12 @@ ProofFiles write_proofs(const std::filesystem::path& corpus, const std::filesyst
 
 // The vectors without a proof, by their ids, each with the reason: proofs/unproven.json.
 std::map<std::string, std::string> unproven();
+
+struct ProofCount {
+  std::size_t vectors = 0;
+  std::size_t proven = 0;  // those that are not listed as unproven
+};
+// Of each section.
+std::map<std::string, ProofCount> count_proofs(const std::filesystem::path& corpus);
 
 }  // namespace toolcomp::corpus

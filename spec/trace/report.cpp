@@ -273,7 +273,8 @@ std::string show_trace(std::span<const ClauseTrace> table, ReportFormat format) 
   return out;
 }
 
-std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t runs, ReportFormat format) {
+std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t runs, std::span<const ProofCount> proofs,
+                          ReportFormat format) {
   const std::vector<ClauseOutcome> outcomes = required_outcomes(counts);
   const auto reached = static_cast<std::uint64_t>(
       std::ranges::count_if(outcomes, [](const ClauseOutcome& outcome) { return outcome.count != 0; }));
@@ -289,6 +290,16 @@ std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t r
           .key("count")
           .value(outcome.count)
           .close('}');
+    json.close(']').key("proofs").open('[');
+    for (const ProofCount& proof : proofs)
+      json.line()
+          .open('{')
+          .member("section", proof.section)
+          .key("vectors")
+          .value(std::uint64_t{proof.vectors})
+          .key("proven")
+          .value(std::uint64_t{proof.proven})
+          .close('}');
     return json.close(']').close('}').take();
   }
   std::string out = fmt::format("{} runs; {} of {} outcomes reached\n", runs, reached, outcomes.size());
@@ -297,6 +308,9 @@ std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t r
     out += fmt::format("{:>9}  {:<55} {:<9}{}{}\n", count, info(outcome.clause).id, outcome.name,
                        outcome.text.empty() ? "" : " ", outcome.text);
   }
+  if (!proofs.empty()) out += "\nvectors of which Coq proves every number (./dev proofs)\n";
+  for (const ProofCount& proof : proofs)
+    out += fmt::format("{:>4} of {:>4}  {}\n", proof.proven, proof.vectors, proof.section);
   return out;
 }
 

@@ -30,7 +30,15 @@ std::string list_parameters(ReportFormat format);
 // The trace table (indexed by Clause): what marks, tests, proves and exercises each clause.
 std::string show_trace(std::span<const ClauseTrace> table, ReportFormat format);
 
-// The outcomes of every clause (indexed by Clause) that `runs` runs exercised, and those they did not.
-std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t runs, ReportFormat format);
+// How many vectors of a section there are, and of how many Coq proves every number.
+struct ProofCount {
+  std::string section;
+  std::size_t vectors = 0;
+  std::size_t proven = 0;
+};
+
+// The outcomes of every clause (indexed by Clause) that `runs` runs exercised, and those they did not; and the proofs.
+std::string show_coverage(std::span<const OutcomeCounts> counts, std::uint64_t runs, std::span<const ProofCount> proofs,
+                          ReportFormat format);
 
 }  // namespace toolcomp::spec

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace toolcomp::fuzz {
 namespace {
 
@@ -59,6 +61,18 @@ TEST(ArcFit, InEveryPlane) {
   expect(zx.with(at(10, 0, 0), at(0, 0, 0)), "45", "14.142135623731", "10");
   const Quarter yz(spec::Plane::yz, spec::ArcDirection::ccw, at(0, 10, 0), at(0, 0, 10));
   expect(yz.with(at(0, 0, 10), at(0, 0, 0)), "45", "14.142135623731", "10");
+}
+
+// The same about (3, 4, 5), in every plane.
+TEST(ArcFit, AboutAnyCentre) {
+  const Vector center = at(3, 4, 5);
+  for (const auto& [plane, from, to, off] : {std::tuple(spec::Plane::xy, at(10, 0, 0), at(0, 10, 0), at(0, 10, 0)),
+                                             std::tuple(spec::Plane::zx, at(0, 0, 10), at(10, 0, 0), at(10, 0, 0)),
+                                             std::tuple(spec::Plane::yz, at(0, 10, 0), at(0, 0, 10), at(0, 0, 10))}) {
+    Quarter quarter(plane, spec::ArcDirection::ccw, center + from, center + to);
+    for (std::size_t i = 0; i < 3; ++i) quarter.arc.center.set(i, model::component(center, i));
+    expect(quarter.with(off, at(0, 0, 0)), "45", "14.142135623731", "10");
+  }
 }
 
 // After a G92 the head before the arc has other coordinates than its start.

@@ -315,6 +315,34 @@ TEST(Comparator, NamesWhatDiffers) {
   EXPECT_NEAR(d.deviation_um, 250, 1e-9);
 }
 
+// A difference as it is told, and a field that is named by its kind.
+TEST(Comparator, ExplainsADifference) {
+  Difference d;
+  d.kind = "coordinate";
+  d.field = "point.Z";
+  d.line = 2;
+  d.expected = "6";
+  d.actual = "6.25";
+  d.deviation_um = 250;
+  d.clause = spec::Clause::fanuc_cutter_c_corner_side;
+  EXPECT_EQ(explain(d), "line 2, coordinate point.Z: 6 expected, 6.25 given, 250 um off (fanuc.cutter-c.corner-side)");
+  Difference kind;
+  kind.kind = kind.field = "type";
+  kind.expected = "linear";
+  kind.actual = "rapid";
+  EXPECT_EQ(explain(kind), "type: linear expected, rapid given");
+}
+
+// Micrometres are of lengths alone.
+TEST(Comparator, AnAngleIsNoDeviationInLength) {
+  std::vector<fast::Event> actual = events<double>();
+  actual[1].axes.value[3] += policy::ulp(90);
+  const Verdict v = verdict(actual);
+  EXPECT_EQ(v.outcome, Outcome::agrees);
+  EXPECT_GT(v.worst_ulp, 0);
+  EXPECT_EQ(v.worst_um, 0);
+}
+
 // Half the granted roundings pass, twice as many do not: the tolerance is the policy's, not a round figure.
 TEST(Comparator, GrantsWhatThePolicySays) {
   const double k = policy::budget("fanuc/leading-edge-offset").coordinate;

@@ -105,33 +105,62 @@ TEST(Conditions, OfAnIntersectionNearAReversal) {
   }
 }
 
+// X, Y, Z as Y, Z, X, or as Z, X, Y: of positions, centre and plane.
+model::Event turned(const model::Event& e, std::size_t by) {
+  model::Event other = e;
+  const auto turn = [by](const spec::AxisValues<Real>& from, spec::AxisValues<Real>& to) {
+    to = {};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (from.has(i)) to.set((i + by) % 3, from[i]);
+  };
+  turn(e.programmed, other.programmed);
+  turn(e.point, other.point);
+  turn(e.axes, other.axes);
+  if (!e.arc) return other;
+  turn(e.arc->center, other.arc->center);
+  other.arc->plane = by == 0 ? spec::Plane::xy : by == 1 ? spec::Plane::yz : spec::Plane::zx;
+  return other;
+}
+
 // The same head in the comparison. It lies 2,000,000 mm out, where doubles are 2.3e-10 apart; the lines meet at an
 // angle of 1e-5, so that an error of one double moves it by 100,000 of them along both, and by none of them across. A
-// head 1e-4 further along is right; one that is 1e-5 beside the lines, 43,000 doubles, is not, whatever it may slide.
+// head 1e-4 further along is right; one that is 1e-5 beside the lines or their plane, 43,000 doubles, is not, whatever
+// it may slide.
 TEST(Conditions, AHeadBesideItsLinesIsFound) {
   const int n = 100'000;
   const Real x = 40 + Real(-10) * (sqrt(Real(n) * Real(n) + 1) + Real(n));
-  ModelRun run;
-  run.events = {move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", x, Real(10)),
-                move(kOwn, std::to_string(40 - 50 * n), "50", Real(0), Real(0))};
-  spec::Case c;
-  c.section = "fanuc/cutter-compensation-c";
-  c.setup.axes = spec::Axes("XYZ");
-  const auto agrees = [&](double along, double across) {
-    std::vector<fast::Event> actual = certify::in_doubles(run.events);
-    for (spec::AxisValues<double>* values : {&actual[1].point, &actual[1].axes}) {
-      values->set(0, values->value.at(0) + along);
-      values->set(1, values->value.at(1) + across);
-    }
-    return judge(c, run, actual).outcome == Outcome::agrees;
-  };
-  EXPECT_TRUE(agrees(0, 0));
-  EXPECT_TRUE(agrees(1e-4, 0));
-  EXPECT_TRUE(agrees(-1e-4, 0));
-  EXPECT_FALSE(agrees(0, 1e-5));
-  EXPECT_FALSE(agrees(0, -1e-5));
-  EXPECT_FALSE(agrees(1e-4, 1e-5));
-  EXPECT_FALSE(agrees(10, 0));
+  for (const std::size_t by : {0U, 1U, 2U}) {
+    ModelRun run;
+    for (const model::Event& event : {move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", x, Real(10)),
+                                      move(kOwn, std::to_string(40 - 50 * n), "50", Real(0), Real(0))})
+      run.events.push_back(turned(event, by));
+    spec::Case c;
+    c.section = "fanuc/cutter-compensation-c";
+    c.setup.axes = spec::Axes("XYZ");
+    JudgeOptions options;
+    const auto agrees = [&](double along, double across, double out = 0) {
+      std::vector<fast::Event> actual = certify::in_doubles(run.events);
+      for (spec::AxisValues<double>* values : {&actual[1].point, &actual[1].axes}) {
+        values->set(by, values->value.at(by) + along);
+        values->set((by + 1) % 3, values->value.at((by + 1) % 3) + across);
+        values->set((by + 2) % 3, values->value.at((by + 2) % 3) + out);
+      }
+      return judge(c, run, actual, options).outcome == Outcome::agrees;
+    };
+    EXPECT_TRUE(agrees(0, 0)) << by;
+    EXPECT_TRUE(agrees(1e-4, 0)) << by;
+    EXPECT_TRUE(agrees(-1e-4, 0)) << by;
+    EXPECT_TRUE(agrees(1e-4, 0, 1e-9)) << by;
+    EXPECT_FALSE(agrees(0, 1e-5)) << by;
+    EXPECT_FALSE(agrees(0, -1e-5)) << by;
+    EXPECT_FALSE(agrees(1e-4, 1e-5)) << by;
+    EXPECT_FALSE(agrees(1e-4, 0, 1e-5)) << by;
+    EXPECT_FALSE(agrees(10, 0)) << by;
+    // Each coordinate of a controller may be rounded as it says, on the line too.
+    options.resolution = {1e-5, 1e-6, 1e-5, 1e-5};
+    EXPECT_TRUE(agrees(1e-4, 1e-5)) << by;
+    EXPECT_FALSE(agrees(1e-4, 1e-4)) << by;
+  }
 }
 
 // The alarm of a block whose move is not made, and which the head before it was made with.
@@ -162,6 +191,20 @@ TEST(Conditions, OfTheHeadBeforeAnAlarm) {
   const double half = std::sqrt(10.001 * 10.001 - 100);
   const double length = std::hypot(20.001 - half, 10);
   EXPECT_NEAR(close[1].condition, 1 + (20.001 - half + 10 + 30.002 + length) / (half / 10.001) / length, 1e-3);
+}
+
+// A block between them that moves nowhere in the plane hides neither.
+TEST(Conditions, OfAnIntersectionBesideABlockWithoutMovement) {
+  const int n = 1000;
+  const Real x = 40 + Real(-10) * (sqrt(Real(n) * Real(n) + 1) + Real(n));
+  model::Event still = move(kOwn, "40", "0", x, Real(10));
+  for (spec::AxisValues<Real>* values : {&still.programmed, &still.point, &still.axes}) values->set(2, Real(5));
+  const auto list = scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", x, Real(10)), still,
+                            move(kOwn, std::to_string(40 - 50 * n), "50", Real(0), Real(0))});
+  const double slide = 10 * (std::sqrt(double(n) * n + 1) + n);
+  const double expected = 2 * slide * std::sqrt(double(n) * n + 1) / std::hypot(slide, 10);
+  EXPECT_NEAR(list[1].condition, 1 + expected, 1e-3 * expected);
+  EXPECT_NEAR(list[2].condition, 1 + expected, 1e-3 * expected);
 }
 
 // Straight on, or nearly: the intersection hardly slides, whatever the angle.
@@ -210,6 +253,36 @@ TEST(Conditions, OfAnIntersectionNearATangent) {
   EXPECT_GT(close[1].condition, 200);
 }
 
+// The offset circle of R' = 10 + 1e-9 hardly reaches the offset line 10 above its middle: √(2e-8) to one side, and they
+// cross at 1.4e-5, so that a head may slide by 1e-8. The arc starts where the controller has its head, turned by 1e-9
+// of a radian: its sweep is that much less, and known as well as ever.
+TEST(Conditions, AnArcThatStartsAtAHeadThatSlides) {
+  constexpr double degrees = 57.29577951308232;  // in a radian
+  const Real root = sqrt(decimal("10.000000001") * decimal("10.000000001") - 100);
+  const double sweep = degrees * std::atan(std::sqrt(2e-8 + 1e-18) / 10);
+  ModelRun run;
+  run.events = {move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40.000000001", "0", 20 + root, Real(10)),
+                arc(move(kOwn, "20", "20.000000001", Real(20), decimal("10.000000001")), "20", "0")};
+  run.events[2].arc->direction = spec::ArcDirection::ccw;
+  run.events[2].arc->sweep = Real(Rational(sweep));
+  spec::Case c;
+  c.section = "fanuc/cutter-compensation-c";
+  c.setup.axes = spec::Axes("XYZ");
+  const auto agrees = [&](double slide, double turned) {
+    std::vector<fast::Event> actual = certify::in_doubles(run.events);
+    for (spec::AxisValues<double>* values : {&actual[1].point, &actual[1].axes})
+      values->set(0, values->value.at(0) + slide);
+    *actual[2].arc->sweep += turned;
+    return judge(c, run, actual).outcome == Outcome::agrees;
+  };
+  EXPECT_TRUE(agrees(0, 0));
+  EXPECT_TRUE(agrees(1e-8, degrees * 1e-9));
+  EXPECT_TRUE(agrees(-1e-8, -degrees * 1e-9));
+  EXPECT_FALSE(agrees(1e-8, degrees * 2e-9));
+  EXPECT_FALSE(agrees(0, degrees * 1e-9));
+  EXPECT_FALSE(agrees(1e-6, degrees * 1e-7));
+}
+
 // G40 with I J: the direction is not in the events, the distance of the head from the corner and the path tells it.
 TEST(Conditions, OfAnIntersectionWithADirectionOfTheCancelBlock) {
   // A along X to (40, 0), direction (-100, 1), G41 r = 10.
@@ -230,14 +303,33 @@ TEST(Conditions, AShiftIsNoVector) {
   EXPECT_EQ(list[2].condition, 1);
 }
 
-// Short offset arcs turn more for the same error of their ends.
+// Short offset arcs turn more for the same error of their ends; in every plane.
 TEST(Conditions, OfTheSweepOfASmallArc) {
   // A quarter about (40, 10.001) with R = 10.001, R' = 0.001.
-  const auto list = scales({move(kStart, "0", "0", Real(0), Real(10)), move(kOwn, "40", "0", Real(40), Real(10)),
-                            arc(move(kOwn, "50.001", "10.001", decimal("40.001"), decimal("10.001")), "40", "10.001")});
-  const double unit = policy::ulp(list[2].position) + policy::ulp(10);
-  EXPECT_NEAR(list[2].turn, 2 * unit / 0.001, 0.5 * unit / 0.001);
-  EXPECT_EQ(list[1].turn, 0);
+  for (const std::size_t by : {0U, 1U, 2U}) {
+    const auto list = scales(
+        {turned(move(kStart, "0", "0", Real(0), Real(10)), by), turned(move(kOwn, "40", "0", Real(40), Real(10)), by),
+         turned(arc(move(kOwn, "50.001", "10.001", decimal("40.001"), decimal("10.001")), "40", "10.001"), by)});
+    const double unit = policy::ulp(list[2].position) + policy::ulp(10);
+    EXPECT_NEAR(list[2].turn, 2 * unit / 0.001, 0.5 * unit / 0.001) << by;
+    EXPECT_EQ(list[1].turn, 0) << by;
+  }
+  // A vector of half a millimetre.
+  const auto list =
+      scales({move(kStart, "0", "0", Real(0), decimal("0.5")), move(kOwn, "40", "0", Real(40), decimal("0.5")),
+              arc(move(kOwn, "60", "20", decimal("59.5"), Real(20)), "40", "20")});
+  EXPECT_EQ(list[2].start, policy::ulp(0.5));
+}
+
+// Of all parameters only the vectors of table and head, 19700 to 19714, are lengths that positions are made of.
+TEST(Conditions, OfParameters) {
+  const auto position = [](std::uint32_t number) {
+    spec::Setup setup;
+    setup.parameters[{number, -1}] = spec::decimal(5000);
+    return scales({move(kOwn, "40", "0", Real(40), Real(0))}, setup)[0].position;
+  };
+  for (const std::uint32_t number : {19700U, 19702U, 19709U, 19714U}) EXPECT_EQ(position(number), 5000) << number;
+  for (const std::uint32_t number : {1410U, 5010U, 6241U, 19699U, 19715U}) EXPECT_EQ(position(number), 40) << number;
 }
 
 // Found by fuzzing: an end nearer to the centre than an estimate sees has no direction in double. One in the centre has
@@ -295,6 +387,45 @@ TEST(Conditions, OfAnIntersectionNearAReversalBesideATiltedTool) {
                               beside(kOwn, turned(Real(40 - 50 * n), Real(50)), turned(Real(0), Real(0)), tool)});
     const double expected = 2 * std::fabs(s) * std::sqrt(double(n) * n + 1) / list[1].vector;
     EXPECT_NEAR(list[1].condition, 1 + expected, 1e-3 * expected);
+  }
+}
+
+// In the comparison as AHeadBesideItsLinesIsFound, in the plane of that tool and out of it; and the same corner turned
+// in that plane by (3, 4)/5.
+TEST(Conditions, AHeadBesideItsLinesIsFoundBesideATiltedTool) {
+  const Triple tool = {decimal("0.6"), Real(0), decimal("0.8")};
+  const int n = 100'000;
+  const Real slide = Real(-10) * (sqrt(Real(n) * Real(n) + 1) + Real(n));
+  for (const auto& [c1, s1] : {std::pair("1", "0"), std::pair("0.6", "0.8")}) {
+    const Real cosine = decimal(c1);
+    const Real sine = decimal(s1);
+    const auto turned = [&](const Real& x, const Real& y) {
+      const Real along = cosine * x - sine * y;
+      return Triple{decimal("0.8") * along, sine * x + cosine * y, decimal("-0.6") * along};
+    };
+    ModelRun run;
+    run.events = {beside(kStart, turned(Real(0), Real(0)), turned(Real(0), Real(10)), tool),
+                  beside(kOwn, turned(Real(40), Real(0)), turned(slide, Real(10)), tool),
+                  beside(kOwn, turned(Real(40 - 50 * n), Real(50)), turned(Real(0), Real(0)), tool)};
+    spec::Case c;
+    c.section = "fanuc/tool-side-compensation";
+    c.setup.axes = spec::Axes("XYZ");
+    const auto agrees = [&](double along, double across, double out = 0) {
+      const double x = std::stod(c1) * along - std::stod(s1) * across;
+      std::vector<fast::Event> actual = certify::in_doubles(run.events);
+      for (spec::AxisValues<double>* values : {&actual[1].point, &actual[1].axes}) {
+        values->set(0, values->value.at(0) + 0.8 * x + 0.6 * out);
+        values->set(1, values->value.at(1) + std::stod(s1) * along + std::stod(c1) * across);
+        values->set(2, values->value.at(2) - 0.6 * x + 0.8 * out);
+      }
+      return judge(c, run, actual).outcome == Outcome::agrees;
+    };
+    EXPECT_TRUE(agrees(0, 0)) << s1;
+    EXPECT_TRUE(agrees(1e-4, 0)) << s1;
+    EXPECT_FALSE(agrees(0, 1e-5)) << s1;
+    EXPECT_FALSE(agrees(1e-4, 1e-5)) << s1;
+    EXPECT_FALSE(agrees(1e-4, 0, 1e-5)) << s1;
+    EXPECT_FALSE(agrees(10, 0)) << s1;
   }
 }
 
@@ -358,6 +489,47 @@ TEST(Conditions, OfALeadingEdgeNearTheTool) {
     EXPECT_GE(list[3].start, (1 - 1e-6) / sine * policy::ulp(10)) << n;
     EXPECT_LE(list[4].condition, 4) << n;
   }
+}
+
+// What a machine has no axis for is 0, whatever stands beside it.
+TEST(Conditions, OfAMachineWithoutY) {
+  spec::Setup setup;
+  setup.axes = spec::Axes("XZ");
+  setup.position['X'] = spec::decimal(7);
+  const auto at = [](spec::Cause cause, int x, int z, int off) {
+    model::Event e;
+    e.kind = spec::EventKind::move;
+    e.cause = cause;
+    e.programmed.set(0, Real(x));
+    e.programmed.set(1, Real(z));
+    e.point.set(0, Real(x));
+    e.point.set(1, Real(z + off));
+    e.axes = e.point;
+    return e;
+  };
+  const auto list = scales({at(kStart, 30, 0, 3), at(kOwn, 60, 0, 3), at(kOwn, 90, 0, 3)}, setup);
+  for (const Scale& scale : list) EXPECT_EQ(scale.vector, 3);
+  EXPECT_EQ(list[2].position, 90);
+  EXPECT_EQ(list[2].condition, 1);
+}
+
+// A vector that rests on clauses of cutter compensation was not made of tool and movement; one that rests on no clause
+// that makes vectors may be anything. The pair of OfALeadingEdgeNearTheTool.
+TEST(Conditions, OfTheSectionThatMakesTheVector) {
+  spec::Setup setup;
+  setup.parameters[{19631, -1}] = spec::decimal(0);
+  const int n = 1000;
+  const Real norm = sqrt(Real(n) * Real(n) + 1);
+  const auto condition = [&](spec::Clause clause) {
+    model::Event event = beside(kStart, {Real(50), Real(0), Real(0)}, {Real(-10) / norm, Real(0), Real(10 * n) / norm},
+                                {Real(n) / norm, Real(0), Real(1) / norm});
+    event.clauses.add(spec::Clause::fanuc_program_own_move);
+    event.clauses.add(clause);
+    return scales({event}, setup)[0].condition;
+  };
+  EXPECT_NEAR(condition(spec::Clause::fanuc_leading_edge_sign), 1000, 1);
+  EXPECT_NEAR(condition(spec::Clause::fanuc_program_arc_sweep), 1000, 1);
+  EXPECT_LE(condition(spec::Clause::fanuc_cutter_c_corner_side), 4);
 }
 
 }  // namespace

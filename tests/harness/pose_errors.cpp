@@ -105,6 +105,10 @@ TEST(PoseErrors, InsideABlock) {
   EXPECT_NEAR(inside(180 - 1e-6, true) * std::sin(0.5e-6 * kDegree), 1, 1e-6);
   EXPECT_EQ(inside(179.9, false), 1);
   EXPECT_EQ(inside(180, true), 1);
+  // No event before says where the block begins.
+  model::Event first = sample(setup, 1, 2, 45, 80);
+  first.clauses.add(spec::Clause::fanuc_tool_posture_great_circle);
+  EXPECT_EQ(scales(setup, {first, pose(setup, 90, 179.9)})[0].direction, policy::ulp(1));
 }
 
 // An axis that does not turn the tool runs from -21.5 to 21.4: near 0 it is as good as its ends.
@@ -120,6 +124,12 @@ TEST(PoseErrors, OtherRotaryAxesRunEvenly) {
   EXPECT_EQ(s[0].rotary[5], 0);
   EXPECT_EQ(s[1].rotary[5], policy::ulp(21.5));
   EXPECT_EQ(s[2].rotary[5], 0);
+  const auto back =
+      scales(setup, {at(pose(setup, 30, 0), 21.4), at(sample(setup, 1, 2, 30, 0), -0.05), at(pose(setup, 30, 0), -80)});
+  EXPECT_EQ(back[1].rotary[5], policy::ulp(80));
+  // Where no move follows, as good as the start.
+  const auto cut = scales(setup, {at(pose(setup, 30, 0), -21.5), at(sample(setup, 1, 2, 30, 0), -0.05)});
+  EXPECT_EQ(cut[1].rotary[5], policy::ulp(21.5));
 }
 
 // Mechanical angles: the zeros of G54 until an event shows others, machine less programmed; under the other reading
@@ -158,6 +168,15 @@ TEST(PoseErrors, OfALeanAlmostAlongTheTravel) {
   // 10.001 before one that did not.
   EXPECT_NEAR(leant(5.001, "G43.5 H1 Q5.\n"), 1 + std::sin(5 * kDegree) / std::sin(10.001 * kDegree), 1e-6);
   EXPECT_NEAR(leant(4.999, "G43.5 H1\n"), 1, 1e-9);
+  // An event that says what it rests on says whether it leant.
+  const auto resting_on = [&](spec::Clause clause) {
+    model::Event end = pose(setup, 5.001, 0);
+    end.point.set(2, 50);
+    end.clauses.add(clause);
+    return scales(setup, {pose(setup, 10, 0), end}, "G43.5 H1 Q5.\n")[1].direction / policy::ulp(1);
+  };
+  EXPECT_NEAR(resting_on(policy::kLeant), 1 + std::sin(5 * kDegree) / std::sin(10.001 * kDegree), 1e-6);
+  EXPECT_EQ(resting_on(spec::Clause::fanuc_program_own_move), 1);
 }
 
 // Without travel there is no lean, of an arc the tangent counts, of a helix with its pitch; Q of other blocks is
@@ -180,6 +199,23 @@ TEST(PoseErrors, LeansTowardsTheTangent) {
   // The chord, along the tool, would be 2^30.
   EXPECT_EQ(ulps(arc, "G43.5 H1\nQ1\n"), 1);
   EXPECT_EQ(ulps(arc, "G43.5 H1 Q5. G49\n"), 1);
+  // The same arc climbs 10: over half a turn its tangent is (0, 5, 10/π). The tool stands 30 degrees beyond it.
+  model::Event helix = pose(setup, std::atan2(5, 10 / std::numbers::pi) / kDegree + 30, 90);
+  helix.arc = arc.arc;
+  helix.point = arc.point;
+  helix.point.set(2, 10);
+  EXPECT_NEAR(ulps(helix, "G43.5 H1 Q5.\n"), 1 + std::sin(5 * kDegree) / std::sin(35 * kDegree), 1e-9);
+  // Less than a radian of it, and less climb: 30 degrees, to (5 - 5 cos, -5 sin); the tangent there is 30 degrees off.
+  const double c = std::cos(30 * kDegree);
+  model::Event piece = pose(setup, 0, 0);
+  piece.arc = arc.arc;
+  piece.arc->sweep = 30;
+  piece.point.set(0, real(5 - 5 * c));
+  piece.point.set(1, real(-2.5));
+  piece.point.set(2, 1);
+  // By the slope from the horizontal: 1/(π/6) against 5.
+  const double slope = std::atan2(5, 6 / std::numbers::pi);
+  EXPECT_NEAR(ulps(piece, "G43.5 H1 Q5.\n"), 1 + std::sin(5 * kDegree) / std::sin(slope + 5 * kDegree), 1e-9);
 }
 
 TEST(PoseErrors, WithoutKinematicsADirectionIsItself) {

@@ -92,6 +92,21 @@ TEST(PoseFit, ItGoesOnFromThere) {
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : "");
 }
 
+// Behind the end of the mode too, where X Y Z do not go with it. The tip stands in the middle of the table till then.
+TEST(PoseFit, ItStandsThereBehindTheMode) {
+  const char* const program = "G43.5 H1 P0\nG01 Z20 I0 J0 K1\nG49\nX5\nY7\n";
+  const auto judged_with = [&](double off) {
+    return judged(mixed(), program, [off](auto& events) {
+      turn_table(events.at(1), 33);
+      for (std::size_t i = 2; i < events.size(); ++i) set(events[i], kC, 33);
+      set(events.back(), 0, events.back().axes[0] + off);
+    });
+  };
+  const Verdict v = judged_with(0);
+  EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : "");
+  EXPECT_EQ(judged_with(1e-6).outcome, Outcome::differs);
+}
+
 TEST(PoseFit, EverythingElseHasToFitIt) {
   EXPECT_EQ(judged(mixed(), kUpright, [](auto& events) { set(events.at(1), kC, 33); }).outcome, Outcome::differs);
   EXPECT_EQ(judged(mixed(), kUpright,
@@ -158,6 +173,32 @@ TEST(PoseFit, NearASingularPosture) {
   EXPECT_EQ(judged(head(), program, [](auto& events) { set(events.at(1), kC, 45 + 1e-5); }).outcome, Outcome::differs);
   EXPECT_EQ(judged(head(), program, [](auto& events) { set(events.at(1), kB, events.at(1).axes[kB] + 1e-9); }).outcome,
             Outcome::differs);
+}
+
+// Without kinematics the direction is that of I J K: a controller that rounds it to six places has its axes along what
+// it gives, V = (1, 1, 1)/√3 and 100 V beyond the tip.
+TEST(PoseFit, ADirectionThatIsRounded) {
+  spec::Case c;
+  c.section = "fanuc/tool-center-point-control";
+  c.setup.axes = spec::Axes("XYZ");
+  c.setup.h[1].geometry = spec::decimal(100);
+  c.program = "G43.5 H1\nG01 X10 Y20 I1 J1 K1\n";
+  const ModelRun run = run_model(c);
+  JudgeOptions options;
+  options.resolution.vectors = 1e-6;
+  const auto agrees = [&](double off) {
+    std::vector<fast::Event> events = run_fast(c);
+    fast::Event& last = events.back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double rounded = i == 0 ? 0.577351 : 0.57735;
+      (*last.tool_axis)[i] = rounded;
+      set(last, i, last.point[i] + 100 * rounded + off);
+    }
+    return judge(c, run, events, options).outcome == Outcome::agrees;
+  };
+  EXPECT_TRUE(agrees(0));
+  EXPECT_FALSE(agrees(1e-6));
+  EXPECT_FALSE(agrees(-1e-6));
 }
 
 // Inside a block, and what is programmed behind the end of the mode.

@@ -70,5 +70,41 @@ TEST(RotaryMachines, TakeInclinedLines) {
   expect(machine(head(), {{19682, 6}, {19683, 40}}).work_line, {s, 0, c});
 }
 
+// A head whose C about Z carries B about Y: cos B is the height of the tool, and no azimuth comes of B. Whatever B is,
+// it is off by what the direction is; C by that over sin B.
+TEST(RotaryMachines, PositionsOutOfDirections) {
+  const RotaryMachine m = machine(head(), {});
+  for (const double b : {1e-3, 5.0, 90.0, 150.0}) {
+    const Posture p(m, b);
+    EXPECT_TRUE(p.at_a_pole) << b;
+    EXPECT_FALSE(p.singular) << b;
+    EXPECT_NEAR(p.polar_sine, std::sin(b * kDegree), 1e-15) << b;
+    EXPECT_NEAR(p.tool_error(1e-12) / 1e-12, 1, 1e-6) << b;
+    EXPECT_NEAR(p.work_error(1e-12) * std::sin(b * kDegree) / 1e-12, 1, 1e-6) << b;
+  }
+  const Posture upright(m, 0);
+  EXPECT_TRUE(upright.singular);
+  EXPECT_EQ(upright.work_error(1e-12), 1e-12);
+  EXPECT_NEAR(upright.tool_error(1e-12) / 1e-12, 1, 1e-6);
+}
+
+// B about (0, 1, 1)/√2: V = (sin B/√2, (1 - cos B)/2, (1 + cos B)/2), beyond 90 degrees nearer to the edge of reach at
+// 180, no pole. At 120: height 1/4, its rate √3/4, its bend 1/4; sine of the polar angle √15/4, azimuth rate 2√2/5. In
+// the edge itself an error e of the height is one of √(2e/bend) = 2√e.
+TEST(RotaryMachines, PositionsOfANutatingHead) {
+  const RotaryMachine m = machine(head(), {{19687, 5}, {19688, 45}});
+  const Posture p(m, 120);
+  EXPECT_FALSE(p.at_a_pole);
+  EXPECT_NEAR(p.polar_sine, std::sqrt(15) / 4, 1e-15);
+  EXPECT_NEAR(p.height_rate, std::sqrt(3) / 4, 1e-15);
+  EXPECT_NEAR(p.height_bend, 0.25, 1e-15);
+  EXPECT_NEAR(p.azimuth_rate, 0.4 * std::sqrt(2), 1e-15);
+  const double e = 1e-12;
+  EXPECT_NEAR(p.tool_error(e) / e, 4 / std::sqrt(3), 1e-9);
+  EXPECT_NEAR(p.work_error(e) / e, 4 / std::sqrt(15) + 0.4 * std::sqrt(2) * 4 / std::sqrt(3), 1e-9);
+  EXPECT_TRUE(Posture(m, 60).at_a_pole);
+  EXPECT_NEAR(Posture(m, 180).tool_error(e), 2e-6, 1e-12);
+}
+
 }  // namespace
 }  // namespace toolcomp::fuzz

@@ -449,6 +449,36 @@ TEST(SpaceScales, AMitreNearAReversal) {
   EXPECT_NEAR(scale.heads[0].reach / scale.pose.tip, 1, 1e-6);
 }
 
+// The same mitre in the comparison, 10^6 long: every length that has it may lie 1e-4 along the offset lines, but not
+// 1e-5 beside them.
+TEST(SpaceScales, AMitreNearAReversalMaySlide) {
+  constexpr int far = 1'000'000;
+  ModelRun run;
+  run.events = {beside(8, 0, Real(8 + far), Real(1)), beside(0, -16.0 / far, Real(0), Real(2))};
+  run.events[0].space->tool_center = {Real(8 + far), Real(1), Real(0)};
+  run.events[0].space->shift = {Real(far), Real(1), Real(0)};
+  spec::Case c;
+  c.section = "heidenhain/peripheral-milling";
+  c.setup.control = spec::Control::heidenhain;
+  c.setup.axes = spec::Axes("XYZ");
+  const auto agrees = [&](double along, double across) {
+    std::vector<fast::Event> actual = certify::in_doubles(run.events);
+    for (spec::AxisValues<double>* values : {&actual[0].point, &actual[0].axes}) {
+      values->set(0, values->value.at(0) + along);
+      values->set(1, values->value.at(1) + across);
+    }
+    for (std::array<double, 3>* values : {&actual[0].space->tool_center, &actual[0].space->shift}) {
+      (*values)[0] += along;
+      (*values)[1] += across;
+    }
+    return judge(c, run, actual).outcome == Outcome::agrees;
+  };
+  EXPECT_TRUE(agrees(0, 0));
+  EXPECT_TRUE(agrees(1e-4, 0));
+  EXPECT_FALSE(agrees(0, 1e-5));
+  EXPECT_FALSE(agrees(1e-4, 1e-5));
+}
+
 // The largest coordinate, whichever it is.
 TEST(SpaceScales, ThePositionIsThatOfTheLargestCoordinate) {
   const spec::Setup setup;

@@ -13,6 +13,7 @@
 #include "fuzz/faults/faults.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/generator.h"
+#include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/trial.h"
 #include "tests/sanitized.h"
 
@@ -58,6 +59,8 @@ TEST(Streams, FindWhatTheWholeCaseFinds) {
       if (!streamed) continue;
       ASSERT_EQ(streamed->outcome, Outcome::differs) << fault.name << '\n' << encode(c);
       EXPECT_EQ(streamed->difference->event, whole.verdict.difference->event) << fault.name << " seed " << seed;
+      EXPECT_NE(streamed->difference->expected, "") << fault.name << " seed " << seed;
+      EXPECT_NE(streamed->difference->actual, "") << fault.name << " seed " << seed;
       ++kinds[streamed->difference->kind];
       break;
     }
@@ -135,6 +138,46 @@ TEST(Streams, HoldNoMoreThanTheirWindow) {
   EXPECT_EQ(v.outcome, Outcome::agrees) << (v.difference ? explain(*v.difference) : v.undecided);
   EXPECT_GT(v.values, 9U * blocks);
   EXPECT_LT(g_most_nodes, 100'000U);
+}
+
+// Decisions are kept for a while and counted in the end: as many as of the whole case, over several times that while.
+TEST(Streams, CountDecisionsOfLongPrograms) {
+  spec::Case c;
+  c.setup.axes = spec::Axes("XYZ");
+  c.setup.d[1].geometry = spec::decimal(1);
+  c.program = "G91 G01 F100 G41 D1 X10.\n";
+  for (int i = 0; i < 1000; ++i) c.program += i % 2 == 0 ? "X10. Y3.\n" : "X10. Y-2.\n";
+  const Trial whole = try_case(c);
+  ASSERT_EQ(whole.verdict.outcome, Outcome::agrees);
+  EXPECT_GT(whole.verdict.decisions, 1000U);
+  const Verdict v = judge_stream({[&] { return spec::text_source(c.program); }}, c.setup);
+  EXPECT_EQ(v.outcome, Outcome::agrees);
+  EXPECT_EQ(v.decisions, whole.verdict.decisions);
+  EXPECT_EQ(v.near_ties, whole.verdict.near_ties);
+}
+
+// A corner 1/30 short of a reversal, whose vector of 600 mm is known to 60 ulps of it (Conditions,
+// OfAnIntersectionNearAReversal). The samples of the block behind it, more than a window holds, do not hide the way
+// back.
+TEST(Streams, SeeTheMovementBehindManySamples) {
+  spec::Case c;
+  c.setup.axes = spec::Axes("XYZBC");
+  for (const auto& [number, value] :
+       {std::pair{19680U, 2}, std::pair{19681U, 5}, std::pair{19682U, 3}, std::pair{19686U, 4}, std::pair{19687U, 2}})
+    c.setup.parameters[{number, -1}] = spec::decimal(value);
+  c.setup.parameters[{5008, 0}] = spec::decimal(1);
+  c.setup.d[1].geometry = spec::decimal(10);
+  c.program = "G43.5 H0 I0 J0 K1\nG41.6 D1 G01 X10 F100\nX40\nX-1460 Y50\nG40 X-1500\n";
+  for (const std::uint32_t samples : {0U, 20U}) {
+    c.samples = samples;
+    const Trial whole = try_case(c);
+    ASSERT_EQ(whole.verdict.outcome, Outcome::agrees);
+    EXPECT_GT(whole.verdict.widths.largest(), 1000 * policy::kAnySection.coordinate * 60 * policy::ulp(600));
+    const Verdict v = judge_stream({[&] { return spec::text_source(c.program); }}, c.setup, c.samples);
+    EXPECT_EQ(v.outcome, Outcome::agrees);
+    EXPECT_EQ(v.widths.largest(), whole.verdict.widths.largest()) << samples;
+    EXPECT_EQ(v.widths.quantile(0.5), whole.verdict.widths.quantile(0.5)) << samples;
+  }
 }
 
 // The fault takes a lean away from the movement for one towards it: the other outcome of a decision by sign. Within the

@@ -35,6 +35,28 @@ TEST(Widths, QuantilesAreRoundedUpToPowersOfTwo) {
   EXPECT_EQ(widths.share_above_um(), 0);
 }
 
+TEST(Widths, AddUp) {
+  Widths one;
+  for (const double um : {0.0001, 0.5, 2.0}) one.add(um);
+  Widths all;
+  all.add(one);
+  all.add(one);
+  EXPECT_EQ(all.count(), 6U);
+  EXPECT_DOUBLE_EQ(all.share_above_nm(), 2.0 / 3);
+  EXPECT_DOUBLE_EQ(all.share_above_um(), 1.0 / 3);
+  EXPECT_EQ(all.unexpected(), 2U);
+  EXPECT_EQ(all.largest(), 2);
+  EXPECT_EQ(all.quantile(0.5), 1);
+}
+
+// All that is below the lowest power of two, and 0, counts as that.
+TEST(Widths, TheLowestPowerHoldsWhatIsSmaller) {
+  Widths widths;
+  for (const double um : {0.0, 0.0, 1e-30, 1.0}) widths.add(um);
+  EXPECT_EQ(widths.quantile(0.75), 0x1p-64);
+  EXPECT_EQ(widths.quantile(1), 1);
+}
+
 class WidthsOf : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(WidthsOf, AreNarrow) {

@@ -4,9 +4,9 @@
 Makes N mutants of the fast engine, or of the oracle and the judges of certify: an operator, a condition or a constant
 changed, a statement left out. Each is one object file and one link. A mutant of the fast engine is searched as a
 campaign searches, with fresh directed cases of all sections in turns, which says after how many executions it is found;
-what is not found so answers `toolcomp certify` as ./dev certify runs it. One of the oracle runs the tests of the
-harness. Killed: found. Survived: nobody noticed. Mutants whose object code is that of the original are counted apart,
-so are those that do not compile and those that took too long.
+what is not found so answers `toolcomp certify` as ./dev certify runs it, and then runs the engine's unit tests. One of
+the oracle runs the tests of the harness. Killed: found. Survived: nobody noticed. Mutants whose object code is that of
+the original are counted apart, so are those that do not compile and those that took too long.
 
 The results stand in BUILD/mutants/SOURCES-SEED.json and .txt. A run that was ended goes on where it stopped.
 """
@@ -35,13 +35,24 @@ SOURCES = {
 }
 # The sound engine takes some half a minute for 5,000 executions a section: what takes so long hangs.
 SEARCH_SECONDS = 240
-# Programs and which of their tests, quick ones first.
-ORACLE_TESTS = [("harness", "Comparator.*:Conditions.*:ArcFit.*:PoseErrors.*:PoseFit.*:RotaryMachines.*:NearTies.*:Space*"),
-                ("unit", "Capabilities.*:FindingFile.*:FilesOfFindings.*:"
-                         "Report.*:LabelPlaces.*:Markup.*:PathSvg.*:ToolShapes.*"),
-                ("harness_misbehaviour", "*"),
-                ("harness", "*Liars.*:Singular.*:*Widths*"),
-                ("harness_faults", "SeededFaults.*:Streams.*")]
+# The engine's unit tests, which know no policy.
+FAST_TESTS = [("unit", ":".join(sorted({f"{suite}.*" for path in ROOT.glob("tests/unit/**/fast_*.cpp")
+                                        for suite in re.findall(r"^TEST\((\w+),", path.read_text(), re.MULTILINE)})), "")]
+# Programs and which of their tests, or of their arguments; the first word of the sources they know. Quick ones first.
+ORACLE_TESTS = [("unit", "Capabilities.*:FindingFile.*:FilesOfFindings.*:Report.*:LabelPlaces.*:Markup.*:PathSvg.*:"
+                         "ToolShapes.*", "certify"),
+                ("harness", "Comparator.*:Conditions.*:ArcFit.*:PoseErrors.*:PoseFit.*:RotaryMachines.*:NearTies.*:Space*:"
+                            "HeadsBeforeAlarms.*:RadiusArcs.*:Regression.*:Singular.*:Trials.*:Widths.*", "fuzz"),
+                ("toolcomp", "corpus hard", "fuzz"),
+                ("harness", "*Liars.*", "fuzz"),
+                ("toolcomp", "corpus check", "fuzz"),
+                ("harness_faults", "Streams.*-*WholeCase", "fuzz")]
+SLOW_ORACLE_TESTS = [("harness_faults", "SeededFaults.Each*", "fuzz"),
+                     ("unit", "Trace*:SharedCause.*", ""),
+                     ("harness_faults", "SeededFaults.The*", "fuzz"),
+                     ("harness", "*Widths*", "fuzz"),
+                     ("harness_faults", "Streams.*WholeCase", "fuzz"),
+                     ("harness_misbehaviour", "*", "certify")]
 
 SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" == ", " != "), (" != ", " == "),
          (" && ", " || "), (" || ", " && "), (" + ", " - "), (" - ", " + "), (" * ", " / "), (" / ", " * "),
@@ -130,14 +141,17 @@ def run(command, timeout, **how):
 class Bench:
     """Where one mutant at a time is made and judged."""
 
-    def __init__(self, build, sources, work, timeout, cases, runs):
-        self.build, self.sources, self.work, self.timeout, self.cases = build, sources, work, timeout, cases
-        self.runs = runs
+    def __init__(self, build, work, options):
+        self.build, self.work, self.sources, self.timeout = build, work, options.sources, options.timeout
+        self.cases, self.runs = options.cases, options.runs
+        oracle = ORACLE_TESTS if options.quick else ORACLE_TESTS + SLOW_ORACLE_TESTS
+        self.tests = oracle if self.sources == "oracle" else FAST_TESTS
         self.commands = {e["file"]: e for e in json.loads((build / "compile_commands.json").read_text())}
         self.originals = {}
+        self.baseline = {}
         work.mkdir(parents=True, exist_ok=True)
         self.libraries = self.link_line("toolcomp")
-        if sources == "fast":
+        if self.sources == "fast":
             flags = ["-std=c++20", "-O1", f"-I{ROOT}", f"-I{build}/generated", "-isystem", "/usr/include/eigen3"]
             for name in ("serve_main", "search_main"):
                 main = ROOT / f"tests/mutants/{name}.cc"
@@ -237,7 +251,7 @@ class Bench:
                 return "timeout", what, None
             if status != self.baseline[what]:
                 return "killed", f"{what}, status {status}", None
-        return "survived", "", None
+        return self.judge_by_tests("fast", [target])
 
     def stages(self):
         programs = sorted(str(p) for e in ("nc", "h") for p in (ROOT / "examples").glob(f"*/*/*.{e}"))
@@ -245,15 +259,11 @@ class Bench:
 
     def measure_baseline(self):
         """What comes of it without a change: what fails then tells nothing of a mutant."""
+        # By the same way as with a mutant.
+        outcome, what, _ = self.judge_by_tests("", [])
+        if outcome != "survived":
+            sys.exit(f"without a mutant {what} fails: ./dev build")
         if self.sources == "oracle":
-            # By the same way as with a mutant.
-            program = self.work / "test"
-            self.baseline = [(test, which) for test, which in ORACLE_TESTS
-                             if not self.link_test(test, [], program) and self.passes(program, which)]
-            print("tests:", *self.baseline, flush=True)
-            print("failing without a mutant:", *sorted(set(ORACLE_TESTS) - set(self.baseline)), flush=True)
-            if not self.baseline:
-                sys.exit("no test of the harness passes: ./dev build")
             return
         found = self.search([])
         if found is None or found[0]:
@@ -266,15 +276,19 @@ class Bench:
 
     def passes(self, program, which):
         """None where it takes too long."""
-        status, _ = run([str(program), f"--gtest_filter={which}", "--gtest_fail_fast", "--gtest_brief=1"], self.timeout,
-                        cwd=self.build)
+        gtest = ["--gtest_fail_fast", "--gtest_brief=1", f"--gtest_filter={which}"]
+        status, _ = run([str(program), *(which.split() if " " in which else gtest)], self.timeout, cwd=ROOT)
         return None if status is None else status == 0
 
-    def judge_oracle(self, target):
-        for test, which in self.baseline:
-            program = self.work / "test"
-            if self.link_test(test, [target], program):
+    def judge_by_tests(self, sources, objects):
+        linked = set()
+        for test, which, known in self.tests:
+            if sources and not sources.startswith(known):
+                continue
+            program = self.work / test
+            if test not in linked and self.link_test(test, objects, program):
                 return "does not compile", "link", None
+            linked.add(test)
             passed = self.passes(program, which)
             if passed is None:
                 return "timeout", f"{test} {which}", None
@@ -293,7 +307,7 @@ class Bench:
             return "does not compile", "", None
         if hashlib.sha256(target.read_bytes()).hexdigest() == original:
             return "same object code", "", None
-        return self.judge_fast(target) if self.sources == "fast" else self.judge_oracle(target)
+        return self.judge_fast(target) if self.sources == "fast" else self.judge_by_tests(str(path), [target])
 
 
 def table(results):
@@ -320,7 +334,9 @@ def main():
     parser.add_argument("--count", type=int, default=150)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--file", help="mutants of this source alone, e.g. fast/geometry/path.cpp")
+    parser.add_argument("--line", type=int, help="of --file, this line alone")
     parser.add_argument("--again", action="store_true", help="those of an earlier run that survived, once more")
+    parser.add_argument("--quick", action="store_true", help="of the oracle, the quick tests alone")
     parser.add_argument("--cases", type=int, default=1000, help="generated cases a section")
     parser.add_argument("--runs", type=int, default=5000, help="executions a section of the search")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
@@ -328,12 +344,13 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/mutants",
                         help="where every file is compiled by itself")
     options = parser.parse_args()
-    every = list(all_mutations([options.file] if options.file else SOURCES[options.sources]))
+    every = [m for m in all_mutations([options.file] if options.file else SOURCES[options.sources])
+             if options.line in (None, m[1] + 1)]
     chosen = random.Random(options.seed).sample(every, min(options.count, len(every)))
     folder = options.build.resolve() / "mutants"
     name = f"{options.sources}-{options.seed}" + (f"-{pathlib.Path(options.file).stem}" if options.file else "")
-    benches = [Bench(options.build.resolve(), options.sources, folder / f"{name}.work" / str(job), options.timeout,
-                     options.cases, options.runs) for job in range(options.jobs)]
+    name += f"-{options.line}" if options.line else ""
+    benches = [Bench(options.build.resolve(), folder / f"{name}.work" / str(job), options) for job in range(options.jobs)]
     record = folder / f"{name}.json"
     results = json.loads(record.read_text())["mutants"] if record.exists() else []
     if options.again:
@@ -342,7 +359,8 @@ def main():
         chosen = [(pathlib.Path(r["file"]), r["line"] - 1, r["operator"], r["original"], r["changed"])
                   for r in survivors if (ROOT / r["file"]).read_text().splitlines()[r["line"] - 1] == r["original"]]
     done = {(r["file"], r["line"], r["original"], r["changed"]) for r in results}
-    benches[0].measure_baseline()
+    if options.sources == "fast" or not record.exists():
+        benches[0].measure_baseline()
     for bench in benches:
         bench.baseline = benches[0].baseline
     print(f"{len(every)} places, {len(chosen)} mutants, {len(done)} of an earlier run", flush=True)

@@ -16,6 +16,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "spec/formal/program"
 LENGTH, MEASUREMENT, OFFSET = "fanuc/tool-length-offset", "fanuc/tool-length-measurement", "fanuc/tool-offset"
+CUTTER_B, CUTTER_C = "fanuc/cutter-compensation-b", "fanuc/cutter-compensation-c"
 FACE, FLANK, CONTOUR = "heidenhain/face-milling", "heidenhain/peripheral-milling", "heidenhain/programmed-contour"
 
 # Section, generated cases it may take, file, the text there and what stands in its place.
@@ -34,6 +35,24 @@ FAULTS = [
     (OFFSET, 500, "ToolShift.v", "Some (negb minus_written)", "Some true"),
     (OFFSET, 2000, "ToolShift.v", "alarm_if negative \"PS0038\"", "alarm_if false \"PS0038\""),
     (LENGTH, 2000, "Arcs.v", "xorb clockwise larger", "clockwise"),
+    (CUTTER_B, 100, "CutterRules.v", "RightHand => (- value)%num", "RightHand => value"),
+    (CUTTER_B, 500, "CutterB.v", "or_else letters (travel", "or_else None (travel"),
+    (CUTTER_B, 500, "CutterB.v", "if names_plane s c then (zero2, Off) else kept", "kept"),
+    (CUTTER_B, 500, "CutterB.v", "if incremental (in_modes c) then 0%num else", "if false then 0%num else"),
+    (CUTTER_B, 500, "CutterB.v", "alarm_if (negb nothing) \"PS0034\"", "alarm_if false \"PS0034\""),
+    (CUTTER_C, 100, "Corners.v", "add (perpendicular a) (scale r (unit_way a))", "perpendicular a"),
+    (CUTTER_C, 100, "Corners.v", "if behind : bool then (foot + root square)", "if behind : bool then (foot - root square)"),
+    (CUTTER_C, 500, "Corners.v", "Got (of_arc a ++ [tangents_meet a b] ++ of_arc b)", "Got (of_arc a ++ [tangents_meet a b])"),
+    (CUTTER_C, 500, "Corners.v", "Apart => Alarm \"PS0033\"", "Apart => Got [perpendicular a]"),
+    (CUTTER_C, 2000, "Corners.v", "then kept_behind limit last rest", "then kept_behind limit v rest"),
+    (CUTTER_C, 500, "Interference.v", "(add2 travel (sub2 w v))", "(add2 travel (sub2 v w))"),
+    (CUTTER_C, 2000, "Interference.v", "| Eq, _ | _, Eq => Got false", "| Eq, _ | _, Eq => Got true"),
+    (CUTTER_C, 500, "CutterModes.v", "names_plane s c then 2 else 1", "names_plane s c then 1 else 1"),
+    (CUTTER_C, 500, "CutterModes.v", "if named first then 0%num else fst v", "fst v"),
+    (CUTTER_C, 500, "CutterC.v", "repeated || repeats b", "repeated"),
+    (CUTTER_C, 500, "CutterC.v", "(leg_before s b (- rho_of x)%num)", "(leg_before s b (rho_of x))"),
+    (CUTTER_C, 500, "CutterC.v", "(offset_of (was_left y) (reach x))", "(rho_of y)"),
+    (CUTTER_C, 2000, "CutterC.v", "if all_stay : bool then Got group else", "if false : bool then Got group else"),
     (FACE, 100, "KlartextFace.v", "n_less_t := sub3 n t", "n_less_t := n"),
     (FACE, 100, "KlartextTool.v", "alarm_if larger \"E_OVERSIZE_DR\"", "alarm_if false \"E_OVERSIZE_DR\""),
     (FACE, 500, "KlartextTool.v", "(v0 + (v1 - v0) * (theta - b0) / (b1 - b0))", "v0"),

@@ -49,6 +49,30 @@ TEST(Capabilities, AResolutionByUnit) {
     EXPECT_THROW(read(wrong), spec::InputError) << wrong;
 }
 
+// The text a user sees, with the unit the controller has, and no line of a file.
+TEST(Capabilities, ACoarseResolutionHasToBeAccepted) {
+  const auto refused = [](const std::string& members, const std::string& accepted = {}) -> std::string {
+    try {
+      expect_fine_resolution(read_capabilities(R"({"protocol":1,)" + members + "}"), accepted);
+    } catch (const spec::InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto text = [](const std::string& announced, const std::string& unit) {
+    return "--controller: the controller announces a resolution of " + announced + unit +
+           ", coarser than 0.01 mm (0.0004 inch): whoever accepts that says --accept-resolution " + announced;
+  };
+  EXPECT_EQ(refused(R"("resolution":"0.01")"), "");
+  EXPECT_EQ(refused(R"("resolution":"0.02")"), text("0.02", " mm"));
+  EXPECT_EQ(refused(R"("resolution":"0.02")", "0.02"), "");
+  EXPECT_EQ(refused(R"("resolution":"0.02")", "0.01"), text("0.02", " mm"));
+  EXPECT_EQ(refused(R"("resolution":{"inch":"0.0004"})"), "");
+  EXPECT_EQ(refused(R"("resolution":{"inch":"0.001"})"), text("0.001", " inch"));
+  EXPECT_EQ(refused(R"("resolution":"0.001","setup":{"units":"inch"})"), text("0.001", " inch"));
+  EXPECT_EQ(refused(R"("rounding":"down")"), "");
+}
+
 TEST(Capabilities, RefuseWhatIsNone) {
   for (const char* line :
        {"", "hello", "[1]", "{}", R"({"protocol":2})", R"({"protocol":1,"name":7})",

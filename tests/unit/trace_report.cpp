@@ -66,13 +66,16 @@ TEST(SpecReport, CoverageCountsOutcomes) {
   ASSERT_EQ(missing.size(), 1U);
   EXPECT_EQ(missing[0].name, "tie");
   EXPECT_EQ(missing[0].text, "the tool stands exactly at right angles to the movement");
-  const std::string text = show_coverage(counts, 7, ReportFormat::text);
+  const std::vector<ProofCount> proofs{{"fanuc/tool-offset", 225, 169}};
+  const std::string text = show_coverage(counts, 7, proofs, ReportFormat::text);
   EXPECT_TRUE(
       text.starts_with("7 runs; " + std::to_string(all - 1) + " of " + std::to_string(all) + " outcomes reached\n"));
   EXPECT_NE(text.find("    NEVER  fanuc.leading-edge.sign"), std::string::npos);
-  const auto json = nlohmann::json::parse(show_coverage(counts, 7, ReportFormat::json));
+  const auto json = nlohmann::json::parse(show_coverage(counts, 7, proofs, ReportFormat::json));
   EXPECT_EQ(json["reached"], all - 1);
   EXPECT_EQ(json["clauses"].size(), all);
+  EXPECT_NE(text.find(" 169 of  225  fanuc/tool-offset\n"), std::string::npos);
+  EXPECT_EQ(json["proofs"][0]["proven"], 169);
 }
 
 TEST(SpecReport, WhatIsNotTestableIsNotRequired) {

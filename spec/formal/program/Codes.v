@@ -49,8 +49,8 @@ Inductive action :=
 | MachinePosition       (* G53 *)
 | SetPosition.          (* G92 *)
 Definition actions := [(40, Dwell); (100, DataInput); (280, FirstReference); (290, ReturnFromReference);
-  (300, OtherReference); (301, FloatingReference); (370, Measure); (390, CornerArc); (450, Lengthen); (460, Shorten); (470, LengthenTwice);
-  (480, ShortenTwice); (520, LocalSystem); (530, MachinePosition); (920, SetPosition)].
+  (300, OtherReference); (301, FloatingReference); (370, Measure); (390, CornerArc); (450, Lengthen);
+  (460, Shorten); (470, LengthenTwice); (480, ShortenTwice); (520, LocalSystem); (530, MachinePosition); (920, SetPosition)].
 
 (** The codes of a block, in their order; none where one does not exist. *)
 Definition codes_of {num} (b : block num) : option (list Z) :=

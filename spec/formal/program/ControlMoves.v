@@ -1,6 +1,6 @@
 (** Tool center point control: the axes over the movements of the tip, behind every compensation of it. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Angles ControlState State Space Pose.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Angles EdgeState ControlState State Space Pose.
 From Toolcomp Require Import ControlFrame Movements PosturePath Lean.
 Import ListNotations.
 Open Scope string_scope.
@@ -170,6 +170,11 @@ Fixpoint items_under_control {num} {N : Numbers num} (s : setup num) (b : planne
       Got (i :: later, last)
   end.
 
+(** The start or the cancel of the leading edge offset.
+    fanuc.leading-edge.length-offset-with-start-or-cancel: its move is an inserted one, with a new length too. *)
+Definition inserts_edge_move {num} (b : planned num) : bool :=
+  xorb (leads (edge (before b))) (leads (edge (behind b))).
+
 (** A block, from the point before it. *)
 Definition block_under_control {num} {N : Numbers num} (s : setup num) (b : planned num) (from : values num) :
     outcome (list (item num) * values num) :=
@@ -177,7 +182,7 @@ Definition block_under_control {num} {N : Numbers num} (s : setup num) (b : plan
   match in_control now with
   | None => Got (items b, fold_left (fun last i => match i with Go g => point_of g | _ => last end) (items b) from)
   | Some m =>
-      let run := run_of_block now in
+      let run := if inserts_edge_move b then None else run_of_block now in
       let p := or_else (stands_at now) (frozen_pose m) in
       let old := match in_control (control (before b)), run with Some old, Some _ => old | _, _ => m end in
       let start := match run with Some run => pose_before run | None => p end in

@@ -9,7 +9,6 @@ Open Scope Z_scope.
 Open Scope list_scope.
 
 Definition scale2 {num} {N : Numbers num} (k : num) (a : pair num) : pair num := ((k * fst a)%num, (k * snd a)%num).
-Definition negative2 {num} {N : Numbers num} (a : pair num) : pair num := ((- fst a)%num, (- snd a)%num).
 Definition square2 {num} {N : Numbers num} (a : pair num) : num := dot2 a a.
 Definition length2 {num} {N : Numbers num} (a : pair num) : num := root (square2 a).
 (** To the left of a direction. *)
@@ -69,33 +68,30 @@ Inductive meeting (vec : Type) :=
 | Apart.
 Arguments MeetAt {vec} v. Arguments NoOffsetCircle {vec}. Arguments Apart {vec}.
 
-Section Corners.
-Context {num vec : Type} {N : Numbers num} {P : Plane num vec}.
+Definition opposite {num vec} {N : Numbers num} {P : Plane num vec} (a : vec) : vec := scale (integer (-1)) a.
+Definition square_of {num vec} {P : Plane num vec} (a : vec) : num := dot a a.
 
-Definition opposite (a : vec) : vec := scale (integer (-1)) a.
-Definition square_of (a : vec) : num := dot a a.
-
-Definition leg_along (direction : vec) (b : option (bow_in vec))
+Definition leg_along {num vec} {N : Numbers num} {P : Plane num vec} (direction : vec) (b : option (bow_in vec))
     (rho : num) : leg_in num vec :=
   let unit := scale (1 / root (square_of direction))%num direction in
   Leg direction unit (left_normal unit) b rho.
-Definition line_leg (direction : vec) (rho : num) : leg_in num vec :=
+Definition line_leg {num vec} {N : Numbers num} {P : Plane num vec} (direction : vec) (rho : num) : leg_in num vec :=
   leg_along direction None rho.
 (** fanuc.cutter-c.corner-side: of an arc the tangent at right angles to the radius at the corner. *)
-Definition arc_leg (b : bow_in vec) (rho : num) : leg_in num vec :=
+Definition arc_leg {num vec} {N : Numbers num} {P : Plane num vec} (b : bow_in vec) (rho : num) : leg_in num vec :=
   let outward := left_normal (opposite (to_center b)) in
   leg_along (if runs_clockwise b then opposite outward else outward) (Some b) rho.
-Definition with_rho (a : leg_in num vec) (rho : num) : leg_in num vec :=
+Definition with_rho {num vec} (a : leg_in num vec) (rho : num) : leg_in num vec :=
   Leg (way a) (unit_way a) (normal a) (bent a) rho.
-Definition is_arc (a : leg_in num vec) : bool := given (bent a).
+Definition is_arc {num vec} (a : leg_in num vec) : bool := given (bent a).
 
 (** P1 of the block before the corner, P2 of the one behind it. *)
-Definition perpendicular (a : leg_in num vec) : vec := scale (rho a) (normal a).
+Definition perpendicular {num vec} {P : Plane num vec} (a : leg_in num vec) : vec := scale (rho a) (normal a).
 (** M: where the offset tangents meet. *)
-Definition tangents_meet (a b : leg_in num vec) : vec :=
+Definition tangents_meet {num vec} {N : Numbers num} {P : Plane num vec} (a b : leg_in num vec) : vec :=
   scale (rho a / (1 + dot (unit_way a) (unit_way b)))%num (add (normal a) (normal b)).
 (** Q1 and Q2: both offset tangents prolonged by the offset. *)
-Definition prolonged (a b : leg_in num vec) : outcome (list vec) :=
+Definition prolonged {num vec} {N : Numbers num} {P : Plane num vec} (a b : leg_in num vec) : outcome (list vec) :=
   right <- is_negative "fanuc.cutter.side" (rho a) ;;
   let r := if right : bool then (- rho a)%num else rho a in
   Got [add (perpendicular a) (scale r (unit_way a)); subtract (perpendicular b) (scale r (unit_way b))].
@@ -105,22 +101,23 @@ Definition prolonged (a b : leg_in num vec) : outcome (list vec) :=
 (** fanuc.cutter-c.corner-side: over 180 degrees on the side of the workpiece inner, below outer.
     fanuc.cutter-c.straight-or-reversal: straight on is an inner corner of 180 degrees, straight back an acute one of 0.
     fanuc.cutter-c.obtuse-or-acute: an outer corner is obtuse from 90 degrees on. *)
-Definition corner_of (a b : leg_in num vec) : outcome corner :=
+Definition corner_of {num vec} {N : Numbers num} {P : Plane num vec} (a b : leg_in num vec) : outcome corner :=
   side <- decide "fanuc.cutter-c.corner-side" (rho a * aside (way a) (way b))%num ;;
   match side with
   | Gt => Got Inner
   | Eq => back <- is_negative "fanuc.cutter-c.straight-or-reversal" (ahead (way a) (way b)) ;;
           Got (if back : bool then Acute else StraightOn)
-  | Lt => acute <- is_negative "fanuc.cutter-c.obtuse-or-acute" (ahead (way a) (way b)) ;; Got (if acute : bool then Acute else Obtuse)
+  | Lt => acute <- is_negative "fanuc.cutter-c.obtuse-or-acute" (ahead (way a) (way b)) ;;
+          Got (if acute : bool then Acute else Obtuse)
   end.
 
 (** The decimal given for tan 1: 31 digits, in three parts. *)
-Definition tangent_of_one_degree : num :=
+Definition tangent_of_one_degree {num} {N : Numbers num} : num :=
   let part digits rest := ((integer digits + rest) / integer 10000000000)%num in
   part 174550649 (part 2821758576 (part 5128895219 (integer 7 / integer 10)%num)).
 
 (** fanuc.cutter-c.under-one-degree: of an acute outer corner of two lines. *)
-Definition under_one_degree (a b : leg_in num vec) : outcome bool :=
+Definition under_one_degree {num vec} {N : Numbers num} {P : Plane num vec} (a b : leg_in num vec) : outcome bool :=
   if is_arc a || is_arc b then Got false
   else
     let c := aside (way a) (way b) in
@@ -130,7 +127,8 @@ Definition under_one_degree (a b : leg_in num vec) : outcome bool :=
 (** * Intersections with an arc *)
 
 (** fanuc.cutter-c.offset-radius-at-a-corner: none where the offset is larger than the radius. *)
-Definition offset_radius (b : bow_in vec) (rho : num) : outcome (option num) :=
+Definition offset_radius {num vec} {N : Numbers num} {P : Plane num vec} (b : bow_in vec) (rho : num) :
+    outcome (option num) :=
   let clause := "fanuc.cutter-c.offset-radius-at-a-corner" in
   let inward := if runs_clockwise b then (- rho)%num else rho in
   let square := square_of (to_center b) in
@@ -140,8 +138,8 @@ Definition offset_radius (b : bow_in vec) (rho : num) : outcome (option num) :=
 
 (** fanuc.cutter-c.line-meets-arc: where the radius is at least the distance of the centre from the offset line.
     fanuc.cutter-c.line-arc-point: the point on the same side of the foot of the centre as the corner. *)
-Definition line_meets_circle (line : leg_in num vec) (b : bow_in vec) (radius : num) :
-    outcome (meeting vec) :=
+Definition line_meets_circle {num vec} {N : Numbers num} {P : Plane num vec} (line : leg_in num vec) (b : bow_in vec)
+    (radius : num) : outcome (meeting vec) :=
   let h := (dot (to_center b) (normal line) - rho line)%num in
   let square := (radius * radius - h * h)%num in
   apart <- is_negative "fanuc.cutter-c.line-meets-arc" square ;;
@@ -155,8 +153,8 @@ Definition line_meets_circle (line : leg_in num vec) (b : bow_in vec) (radius : 
 (** fanuc.cutter-c.circles-apart: they meet where the distance of the centres is at most the sum of the radii,
     fanuc.cutter-c.circles-nested: and at least their difference.
     fanuc.cutter-c.arc-arc-point: the point on the side of the line through the centres where the corner lies. *)
-Definition circles_meet (center1 : vec) (radius1 : num) (center2 : vec)
-    (radius2 : num) : outcome (meeting vec) :=
+Definition circles_meet {num vec} {N : Numbers num} {P : Plane num vec} (center1 : vec) (radius1 : num)
+    (center2 : vec) (radius2 : num) : outcome (meeting vec) :=
   let e := subtract center2 center1 in
   let square := square_of e in
   let sum := (radius1 + radius2)%num in
@@ -175,7 +173,7 @@ Definition circles_meet (center1 : vec) (radius1 : num) (center2 : vec)
 
 (** The intersection of two offset paths of which one at least is an arc, each with its own offset. Of two arcs the first
     is asked first whether it has an offset circle. *)
-Definition paths_meet (a b : leg_in num vec) : outcome (meeting vec) :=
+Definition paths_meet {num vec} {N : Numbers num} {P : Plane num vec} (a b : leg_in num vec) : outcome (meeting vec) :=
   match bent a, bent b with
   | Some arc, None | None, Some arc =>
       let line := if is_arc a then b else a in
@@ -198,7 +196,8 @@ Definition paths_meet (a b : leg_in num vec) : outcome (meeting vec) :=
 (** * Groups of vectors *)
 
 (** The perpendicular vector beside the others, of an arc alone. *)
-Definition of_arc (a : leg_in num vec) : list vec := if is_arc a then [perpendicular a] else [].
+Definition of_arc {num vec} {P : Plane num vec} (a : leg_in num vec) : list vec :=
+  if is_arc a then [perpendicular a] else [].
 
 (** The corners of the mode.
     fanuc.cutter-c.tangent-join: P1.
@@ -207,7 +206,7 @@ Definition of_arc (a : leg_in num vec) : list vec := if is_arc a then [perpendic
     fanuc.cutter-c.inner-lines: the intersection of the offset lines.
     fanuc.cutter-c.no-intersection: an inner corner with an arc whose offset paths do not meet raises PS0033, but one
     without an offset circle has P1. *)
-Definition mode_group (a b : leg_in num vec) : outcome (list vec) :=
+Definition mode_group {num vec} {N : Numbers num} {P : Plane num vec} (a b : leg_in num vec) : outcome (list vec) :=
   kind <- corner_of a b ;;
   match kind with
   | StraightOn => Got [perpendicular a]
@@ -228,7 +227,8 @@ Definition mode_group (a b : leg_in num vec) : outcome (list vec) :=
     perpendicular vector.
     fanuc.cutter-c.start-up-acute: the first of them, the two prolonged ones, and before an arc its perpendicular vector;
     fanuc.cutter-c.under-one-degree: P2. *)
-Definition start_up_group (type_b : bool) (a b : leg_in num vec) : outcome (list vec) :=
+Definition start_up_group {num vec} {N : Numbers num} {P : Plane num vec} (type_b : bool) (a b : leg_in num vec) :
+    outcome (list vec) :=
   if negb type_b then Got [perpendicular b]
   else
     kind <- corner_of a b ;;
@@ -247,7 +247,8 @@ Definition start_up_group (type_b : bool) (a b : leg_in num vec) : outcome (list
     perpendicular vector first.
     fanuc.cutter-c.cancel-acute: the two prolonged vectors and the one perpendicular to the cancel block, likewise;
     fanuc.cutter-c.under-one-degree: P1. *)
-Definition cancel_group (type_b : bool) (a b : leg_in num vec) : outcome (list vec) :=
+Definition cancel_group {num vec} {N : Numbers num} {P : Plane num vec} (type_b : bool) (a b : leg_in num vec) :
+    outcome (list vec) :=
   if negb type_b then Got [perpendicular a]
   else
     kind <- corner_of a b ;;
@@ -265,7 +266,8 @@ Definition cancel_group (type_b : bool) (a b : leg_in num vec) : outcome (list v
     fanuc.cutter-c.direction-change-lines, fanuc.cutter-c.direction-change-arcs: two lines have one, an arc where its path
     meets the other.
     fanuc.cutter-c.direction-change-without-intersection: the vector perpendicular to the block behind the corner. *)
-Definition direction_change_group (a b : leg_in num vec) : outcome (list vec) :=
+Definition direction_change_group {num vec} {N : Numbers num} {P : Plane num vec} (a b : leg_in num vec) :
+    outcome (list vec) :=
   parallel <- is_zero "fanuc.cutter-c.direction-change-parallel" (aside (way a) (way b)) ;;
   if parallel : bool then Got [perpendicular b]
   else if is_arc a || is_arc b then
@@ -277,8 +279,8 @@ Definition direction_change_group (a b : leg_in num vec) : outcome (list vec) :=
 
 (** fanuc.cutter-c.cancel-direction: the intersection with a line in that direction, offset to the same side.
     fanuc.cutter-c.cancel-direction-parallel: without one P1. *)
-Definition directed_cancel_group (a : leg_in num vec) (direction : vec) :
-    outcome (list vec) :=
+Definition directed_cancel_group {num vec} {N : Numbers num} {P : Plane num vec} (a : leg_in num vec)
+    (direction : vec) : outcome (list vec) :=
   let line := line_leg direction (rho a) in
   parallel <- is_zero "fanuc.cutter-c.cancel-direction-parallel" (aside (way a) direction) ;;
   if parallel : bool then Got [perpendicular a]
@@ -286,7 +288,6 @@ Definition directed_cancel_group (a : leg_in num vec) (direction : vec) :
     meeting <- paths_meet a line ;;
     Got [match meeting with MeetAt v => v | NoOffsetCircle | Apart => perpendicular a end].
 
-End Corners.
 
 (** * No. 5010 *)
 

@@ -161,7 +161,7 @@ Definition at_once {num} {N : Numbers num} (s : setup num) (b : planned num) (wh
   first <- is_zero "fanuc.cutter-c.start-without-motion-move" (fst w - fst v)%num ;;
   second <- is_zero "fanuc.cutter-c.start-without-motion-move" (snd w - snd v)%num ;;
   if has_axis_word c || (first && second) then
-    Got (map (fun i => match i with Go m => Go (for_cause why (with_head s p w m)) | _ => i end) (items b))
+    Got (map (fun i => match i with Go m => Go (for_cause why (at_vector s p w m)) | _ => i end) (items b))
   else Got (Go (move_at s (straight (motion (in_modes c))) why p w None (behind b)) :: still (items b)).
 
 (** fanuc.cutter-c.corner-arc: G39, from the vector in force to the one at right angles to a direction.
@@ -212,19 +212,19 @@ Definition lone_start {num} {N : Numbers num} (s : setup num) (v : pair num) (b 
 
 (** fanuc.cutter-c.machine-position, fanuc.cutter-c.reference-return: the vector goes in the first move.
     fanuc.cutter-c.reference-intersection: with CCN = 1 it goes on the way to the reference position.
-    fanuc.cutter-c.start-without-motion-move: where other axes go and SUV = 1 removes it, the first move takes it along. *)
+    fanuc.cutter-c.start-without-motion-move: where other axes go and SUV = 1 removes it, the first move takes it. *)
 Definition going_away {num} {N : Numbers num} (s : setup num) (v : pair num) (b : planned num) : list (item num) :=
   let p := plane_of b in
   let w := vector_behind (cutter (behind b)) in
   let goes_on := match in_phase (cutter (behind b)) with TakenAway => true | _ => false end in
   let mode phase := match phase with Running | Started | TakenAway => true | _ => false end in
-  let at_once := suv s && mode (in_phase (cutter (before b))) && negb (mode (in_phase (cutter (behind b)))) &&
+  let removed := suv s && mode (in_phase (cutter (before b))) && negb (mode (in_phase (cutter (behind b)))) &&
                  negb (names_plane s (command_of b)) in
   let through_intermediate := given (way_to_intermediate s (command_of b) (before b) (moves_of b)) in
   match items b with
   | Go first :: rest =>
-      let first := if at_once then for_cause Cancelling first else first in
-      Go (with_head s p (if goes_on && through_intermediate then v else w) first) :: at_head s p w rest
+      let first := if removed then for_cause Cancelling first else first in
+      Go (at_vector s p (if goes_on && through_intermediate then v else w) first) :: at_head s p w rest
   | none => none
   end.
 

@@ -213,8 +213,7 @@ Definition idle_step {num} {N : Numbers num} (s : setup num) (c : command num) (
     | _, None => ends_alone s LoneCancel x
     end.
 
-(** fanuc.cutter-c.corner-arc: the vector behind G39; without letters it is that of the next moving block, which makes its
-    own. *)
+(** fanuc.cutter-c.corner-arc: the vector behind G39; without letters the next moving block makes its own. *)
 Definition corner_step {num} {N : Numbers num} (s : setup num) (c : command num) (x : cutter_state num) : result num :=
   let v := match plane_letters s c with
            | Some u => perpendicular (line_leg u (offset_of (was_left x) (reach x)))

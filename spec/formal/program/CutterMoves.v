@@ -7,10 +7,10 @@ Open Scope string_scope.
 Open Scope Z_scope.
 Open Scope list_scope.
 
-Definition with_head {num} {N : Numbers num} (s : setup num) (p : plane) (v : pair num) (m : movement num) :
+(** With a vector of the plane for its head. *)
+Definition at_vector {num} {N : Numbers num} (s : setup num) (p : plane) (v : pair num) (m : movement num) :
     movement num :=
-  Movement (going m) (because m) (ends_at m) (tip m) (with_plane s p (zeros s) v) (length_vector m) (machine_zero m)
-    (circle_of m) (at_feed m) (along_tool m).
+  with_head m (with_plane s p (zeros s) v).
 Definition for_cause {num} (c : cause) (m : movement num) : movement num :=
   Movement (going m) c (ends_at m) (tip m) (head m) (length_vector m) (machine_zero m) (circle_of m) (at_feed m)
     (along_tool m).
@@ -29,7 +29,7 @@ Definition arc_of_heads {num} {N : Numbers num} (p : plane) (clockwise : bool) (
 (** The move of a block that has none of its own, or that changes the length offset alone. *)
 Definition move_at {num} {N : Numbers num} (s : setup num) (t : travel) (c : cause) (p : plane) (v : pair num)
     (a : option (arc num)) (st : state num) : movement num :=
-  with_head s p v (move_to s t c false a st (vector (length_of st))).
+  at_vector s p v (move_to s t c false a st (vector (length_of st))).
 
 (** What is no move. *)
 Definition still {num} (items : list (item num)) : list (item num) :=
@@ -38,7 +38,7 @@ Definition still {num} (items : list (item num)) : list (item num) :=
 (** The moves of a block that have no arc, with one head. *)
 Definition at_head {num} {N : Numbers num} (s : setup num) (p : plane) (v : pair num) (items : list (item num)) :
     list (item num) :=
-  map (fun i => match i with Go m => Go (with_head s p v m) | _ => i end) items.
+  map (fun i => match i with Go m => Go (at_vector s p v m) | _ => i end) items.
 
 (** The own move of a block, from the head v to the head w, with this cause where it has not its own. *)
 Definition own_move_between {num} {N : Numbers num} (s : setup num) (p : plane) (b : planned num) (why : cause)
@@ -48,7 +48,7 @@ Definition own_move_between {num} {N : Numbers num} (s : setup num) (p : plane) 
       match i with
       | Go m =>
           let why := match because m with Programmed => why | its_own => its_own end in
-          let m := for_cause why (with_head s p w m) in
+          let m := for_cause why (at_vector s p w m) in
           match circle_of m with
           | None => Got (Go m)
           | Some a =>
@@ -60,7 +60,3 @@ Definition own_move_between {num} {N : Numbers num} (s : setup num) (p : plane) 
       | _ => Got i
       end)
     (items b).
-
-(** The block with other items. *)
-Definition with_items {num} (b : planned num) (new : list (item num)) : planned num :=
-  Planned (at_place b) (command_of b) (before b) (behind b) new.

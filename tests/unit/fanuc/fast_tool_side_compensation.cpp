@@ -343,6 +343,17 @@ TEST(FastToolSideCompensation, ArcPlane) {
   EXPECT_EQ(warnings("G01 B90 F100\nG41.2 D1 Y-30\nY0\nG02 X90 Y-70 R80\n"), "1 2 3 fanuc.tool-side.arc-plane?4 ");
 }
 
+// No. 5010 at a corner behind an arc, the tool along Z: the vector along the perpendicular and the prolonged one are
+// (-8, 6) and (-2, 14), exactly 10 apart, and (2, 14) follows 4 behind. Doubles tell neither limit from 10.
+TEST(FastToolSideCompensation, SmallMovementBehindAnArcToTheLastDigit) {
+  const auto behind_an_arc = [](const char* what, const std::string& limit, const Heads& heads) {
+    check(what, machine("5010=\"" + limit + "\"\n", 'B', -40, -20),
+          "G41.2 D1 G01 X0 F100\nX60\nG03 X100 Y0 J50\nG01 X130 Y-40\nG40 X160 Y-80\n", {100, 0, 0}, heads);
+  };
+  behind_an_arc("below", "9.999999999999", {{-8, 6, 0}, {-2, 14, 0}});
+  behind_an_arc("tie", "10", {{-8, 6, 0}, {2, 14, 0}});
+}
+
 TEST(FastToolSideCompensation, CancelWithoutMovement) {
   const std::string head = kUntilted + "G41.6 D2 G01 X0 F100\nX100\n";
   const ProgramRun run(setup("", -40, 0), head + "G40\nZ5\nX150\n");

@@ -222,5 +222,15 @@ TEST(Klartext, WarningsAndAlarmsOfReading) {
   EXPECT_EQ(run.tip(2)[0], 1e-18);
 }
 
+// A counter holds 2^125 / (127 * 10^18) = 3.349e17 to either side: three times the longest word, not four times.
+TEST(Klartext, IncrementalWordsOutgrowTheCounter) {
+  for (const char* const sign : {"", "-"}) {
+    const std::string longest = std::string("L IX") + sign + "99999999999999999\n";
+    EXPECT_EQ(KlartextRun(kTools, longest + longest + longest).messages(), "") << sign;
+    EXPECT_EQ(KlartextRun(kTools, longest + longest + longest + longest + "L X0\n").messages(), "POSITION_RANGE@4")
+        << sign;
+  }
+}
+
 }  // namespace
 }  // namespace toolcomp::fast::klartext

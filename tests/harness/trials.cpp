@@ -1,0 +1,55 @@
+// Why a case was or was not judged, or not to its end.
+#include "fuzz/oracle/trial.h"
+
+#include <gtest/gtest.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "certify/convert.h"
+
+namespace toolcomp::fuzz {
+namespace {
+
+Acceptance acceptance(const std::string& program, int angle = 45) {
+  spec::Case c;
+  c.section = "fanuc/tool-side-compensation";
+  c.setup.axes = spec::Axes("XYZ");
+  c.setup.parameters[{6261, -1}] = spec::decimal(angle);
+  c.program = program;
+  const Trial trial = try_case(c);
+  EXPECT_FALSE(trial.found()) << program;
+  return trial.acceptance;
+}
+
+// No. 6261 is an angle up to 180 degrees; a Ctrl-Z ends a file, and nothing but that.
+TEST(Trials, SayWhyNothingWasJudged) {
+  EXPECT_EQ(acceptance("G01 X1 F100\n"), Acceptance::accepted);
+  EXPECT_EQ(acceptance("G99999\nG01 X1 F100\n"), Acceptance::no_number);
+  EXPECT_EQ(acceptance("G01 X1 F100\n", 181), Acceptance::no_setup);
+  EXPECT_EQ(acceptance("G01 X1\x1a F100\n"), Acceptance::no_text);
+}
+
+// A drilling cycle is not known here: of a controller what goes before it is judged, and nothing it does from there on.
+TEST(Trials, EndWhereAControllerIsNotKnown) {
+  spec::Case c;
+  c.setup.axes = spec::Axes("XYZ");
+  c.program = "G01 X1 F100\nG81 X2 Z-5 R1\nG01 X3\n";
+  const ModelRun run = run_model(c);
+  ASSERT_TRUE(run.beyond);
+  EXPECT_EQ(run.beyond->line, 2U);
+  EXPECT_EQ(run.beyond->events, 1U);
+  std::vector<spec::TextEvent> answer = {certify::in_text(run.events.at(0), 20)};
+  answer.push_back(answer[0]);
+  answer.back().line = 3;
+  const Verdict v = judge(c, run, std::span<const spec::TextEvent>(answer));
+  EXPECT_EQ(v.outcome, Outcome::agrees);
+  ASSERT_TRUE(v.beyond);
+  EXPECT_EQ(v.events, 1U);
+  answer[0].line = 7;
+  EXPECT_EQ(judge(c, run, std::span<const spec::TextEvent>(answer)).outcome, Outcome::differs);
+}
+
+}  // namespace
+}  // namespace toolcomp::fuzz
