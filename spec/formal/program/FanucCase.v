@@ -14,21 +14,20 @@ Definition block_of_data {num} {N : Numbers num} (d : data) : block num :=
   Block (map word_of (entries (entry_at d 1))) (if String.eqb alarm "" then None else Some alarm).
 
 
-(** A parameter that is a natural number, written as one. *)
-Definition named_natural (rows : list data) (name : string) : option Z :=
-  match named (fun d => d) rows name with
-  | Some d => let digits := whole_of (entry_at d 0) in
-              if (whole_of (entry_at d 1) =? 0) && (0 <=? digits) then Some digits else None
-  | None => None
-  end.
+(** A number that is a natural one, written as one. *)
+Definition natural_of (d : data) : option Z :=
+  let digits := whole_of (entry_at d 0) in
+  if (whole_of (entry_at d 1) =? 0) && (0 <=? digits) then Some digits else None.
 
 Definition setup_of {num} {N : Numbers num} (d : data) : setup num :=
   let at_ := entry_at d in
+  let bits := made flag_of (entries (at_ 3%nat)) in
+  let numbers := made number_of_data (entries (at_ 4%nat)) in
+  let naturals := made natural_of (entries (at_ 4%nat)) in
   let offset row := (number_of_data (entry_at row 1), number_of_data (entry_at row 2)) in
   Setup (map letter_of (entries (at_ 0%nat))) (flag_of (at_ 1%nat))
     (one_of [IS_A; IS_B; IS_C] IS_B (at_ 2%nat))
-    (named flag_of (entries (at_ 3%nat))) (named number_of_data (entries (at_ 4%nat)))
-    (named_natural (entries (at_ 4%nat)))
+    (found bits) (found numbers) (fun name => or_else (found naturals name) None)
     (one_of [MemoryA; MemoryB; MemoryC] MemoryA (at_ 5%nat))
     (whole_of (at_ 6%nat)) (table_of offset (at_ 7%nat)) (table_of offset (at_ 8%nat)) (flag_of (at_ 9%nat))
     (map values_of (entries (at_ 10%nat))) (values_of (at_ 11%nat))
