@@ -1,6 +1,6 @@
 (** FANUC cases: setup and blocks from trees, events to trees. *)
 From Coq Require Import List String Ascii ZArith Bool.
-From Toolcomp Require Import Numbers Outcomes Words Movements Program Data.
+From Toolcomp Require Import Numbers Outcomes Words Pose Movements Program Data.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -34,7 +34,7 @@ Definition setup_of {num} {N : Numbers num} (d : data) : setup num :=
     (table_of (fun row => values_of (entry_at row 1)) (at_ 12%nat))
     (values_of (at_ 13%nat)) (table_of (fun row => values_of (entry_at row 1)) (at_ 14%nat)) (values_of (at_ 15%nat))
     (map (maybe_of number_of_data) (entries (at_ 16%nat))) (flag_of (at_ 17%nat)) (whole_of (at_ 18%nat))
-    (flag_of (at_ 19%nat)) (flag_of (at_ 20%nat)).
+    (flag_of (at_ 19%nat)) (flag_of (at_ 20%nat)) None.
 
 (** A whole number in decimals. *)
 Fixpoint digits_of (steps : nat) (i : Z) (behind : string) : string :=
@@ -78,6 +78,6 @@ Definition tell_event {num} (letters : list Letter.t) (e : nat * event num) : to
 
 (** A case, its setup and the blocks of its program: the events, and what this text does not say. *)
 Definition run_fanuc {num} {N : Numbers num} (case : data) : told num :=
-  let s := setup_of (entry_at case 0) in
+  let s := with_mechanism (setup_of (entry_at case 0)) in
   let '(events, how) := run_program decimal_text s (map block_of_data (entries (entry_at case 1))) in
   Several [Several (map (tell_event (axes s)) events); Names match how with NotSaid what => what | _ => "" end].
