@@ -81,7 +81,9 @@ Definition by_radius {num} {N : Numbers num} (clockwise : bool) (r : num) (start
   too_small <- is_negative "fanuc.program.arc-radius" (integer 4 * r * r - square)%num ;;
   larger <- is_negative "fanuc.program.arc-larger" r ;;
   _ <- alarm_if (no_chord || no_radius || too_small) "PS0023" ;;
-  around clockwise (add2 start (to_center_by_radius clockwise larger r chord)) start finish.
+  let to_center := to_center_by_radius clockwise larger r chord in
+  turn <- angle_between clockwise (sub2 (0%num, 0%num) to_center) (sub2 chord to_center) ;;
+  Got (Circle (add2 start to_center) turn None).
 
 (** The vector from the start to the centre. fanuc.program.arc-center-in-start: I J K of which those of the plane are zero
     or missing raise PS0023; where cutter compensation C raises PS0038 instead, that comes later. *)

@@ -186,9 +186,23 @@ Definition commanded_pose {num} {N : Numbers num} (s : setup num) (k : kinematic
   second <- next (second_axis k) (snd from) ;;
   Got (first, second).
 
+(** Whether the pose is the one to which control has turned: fanuc.tool-direction.rotary-angles: a code may have renamed
+    programmed angles since. *)
+Definition pose_is_known {num} {N : Numbers num} (s : setup num) (k : kinematics num) (st : state num) : bool :=
+  match stands_at (control st) with
+  | Some p =>
+      let same (a : rotary_axis num) (x : angle num) :=
+        match at_axis a with
+        | Some here => match sign (nth here (programmed st) 0 - degrees x)%num with Some Eq => true | _ => false end
+        | None => true
+        end in
+      negb (angles_as_programmed s) || (same (first_axis k) (fst p) && same (second_axis k) (snd p))
+  | None => false
+  end.
+
 (** The pose of a state. *)
 Definition pose_of {num} {N : Numbers num} (s : setup num) (k : kinematics num) (st : state num) : pose num :=
-  match stands_at (control st) with
-  | Some p => p
-  | None => pose_at s k (coordinates_of st) (programmed st)
+  match stands_at (control st), pose_is_known s k st with
+  | Some p, true => p
+  | _, _ => pose_at s k (coordinates_of st) (programmed st)
   end.

@@ -226,27 +226,26 @@ Definition control_moves {num} {N : Numbers num} (s : setup num) (c : command nu
   end.
 
 (** Behind a block that is not under control. The pose stays known, by its turns, until a code takes a rotary axis to a
-    machine position; programmed angles also until another code renames them. *)
+    machine position. *)
 Definition without_control {num} {N : Numbers num} (s : setup num) (c : command num) (st : state num) :
     outcome (control_state num) :=
   let elsewhere := match acting c with
                    | Some (FirstReference | OtherReference | FloatingReference | ReturnFromReference | MachinePosition) => true
                    | _ => false
                    end in
-  let renames := match acting c with
-                 | Some (LocalSystem | SetPosition | DataInput) => true
-                 | _ => given (last_of systems (codes_said c))
-                 end in
-  stands <-
-    match kinematics_of s, stands_at (control st) with
-    | Some k, Some p =>
-        if (elsewhere && names s rotary c) || (renames && angles_as_programmed s) then Got None
-        else
-          p <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) p ;; Got (Some p)
-    | _, _ => Got None
-    end ;;
-  let along := match in_control (control st) with Some m => Some (direction m) | None => stands_along (control st) end in
-  Got (ControlState None stands (if names s rotary c || negb (given stands) then None else along) None).
+  let turns := names s rotary c in
+  match kinematics_of s, stands_at (control st) with
+  | Some k, Some _ =>
+      if elsewhere && turns then Got (ControlState None None None None)
+      else
+        p <- commanded_pose s k (coordinates_of st) (incremental (in_modes c)) (position_words c) (pose_of s k st) ;;
+        let along := match in_control (control st) with
+                     | Some m => Some (direction m)
+                     | None => stands_along (control st)
+                     end in
+        Got (ControlState None (Some p) (if turns || negb (pose_is_known s k st) then None else along) None)
+  | _, _ => Got (ControlState None None None None)
+  end.
 
 (** The programmed position behind a block, and its movement: with the rotary positions of the pose; machine coordinates
     (fanuc.tool-center-point.machine-coordinates); the direction of the tool.

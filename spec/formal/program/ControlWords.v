@@ -13,9 +13,14 @@ Definition control_code (codes : list Z) : option control_type :=
 
 Definition type_before {num} (st : state num) : option control_type :=
   option_map control_by (in_control (control st)).
-(** The type in force with the codes of a block: it is run under control, or has the code. *)
+(** The type in force with the codes of a block: it is run under control, or has the code. G49 ends it; G43 and G44 are
+    refused (fanuc.tool-center-point.exclusion). *)
 Definition type_with {num} (codes : list Z) (st : state num) : option control_type :=
-  match last_of lengths codes with Some _ => control_code codes | None => type_before st end.
+  match control_code codes, last_of lengths codes with
+  | Some code, _ => Some code
+  | None, Some code => if code =? 490 then None else type_before st
+  | None, None => type_before st
+  end.
 Definition by_vector (t : option control_type) : bool := match t with Some ByVector => true | _ => false end.
 
 (** * Words *)

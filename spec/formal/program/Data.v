@@ -37,6 +37,14 @@ Fixpoint named {A} (value : data -> A) (rows : list data) (name : string) : opti
   | [] => None
   | row :: rest => if String.eqb (text_of (entry_at row 0)) name then Some (value (entry_at row 1)) else named value rest name
   end.
+(** The same of rows whose values are made once. *)
+Fixpoint found {A} (rows : list (string * A)) (name : string) : option A :=
+  match rows with
+  | [] => None
+  | (of_row, a) :: rest => if String.eqb of_row name then Some a else found rest name
+  end.
+Definition made {A} (value : data -> A) (rows : list data) : list (string * A) :=
+  map (fun row => (text_of (entry_at row 0), value (entry_at row 1))) rows.
 Definition maybe_of {A} (value : data -> A) (d : data) : option A :=
   match entries d with [] => None | x :: _ => Some (value x) end.
 Definition vector_of {num} {N : Numbers num} (d : data) : triple num :=

@@ -1,6 +1,6 @@
 (** FANUC cases: setup and blocks from trees, events to trees. *)
 From Coq Require Import List String Ascii ZArith Bool.
-From Toolcomp Require Import Numbers Outcomes Words Movements Program Data.
+From Toolcomp Require Import Numbers Outcomes Words Pose Movements Program Data.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -14,28 +14,27 @@ Definition block_of_data {num} {N : Numbers num} (d : data) : block num :=
   Block (map word_of (entries (entry_at d 1))) (if String.eqb alarm "" then None else Some alarm).
 
 
-(** A parameter that is a natural number, written as one. *)
-Definition named_natural (rows : list data) (name : string) : option Z :=
-  match named (fun d => d) rows name with
-  | Some d => let digits := whole_of (entry_at d 0) in
-              if (whole_of (entry_at d 1) =? 0) && (0 <=? digits) then Some digits else None
-  | None => None
-  end.
+(** A number that is a natural one, written as one. *)
+Definition natural_of (d : data) : option Z :=
+  let digits := whole_of (entry_at d 0) in
+  if (whole_of (entry_at d 1) =? 0) && (0 <=? digits) then Some digits else None.
 
 Definition setup_of {num} {N : Numbers num} (d : data) : setup num :=
   let at_ := entry_at d in
+  let bits := made flag_of (entries (at_ 3%nat)) in
+  let numbers := made number_of_data (entries (at_ 4%nat)) in
+  let naturals := made natural_of (entries (at_ 4%nat)) in
   let offset row := (number_of_data (entry_at row 1), number_of_data (entry_at row 2)) in
   Setup (map letter_of (entries (at_ 0%nat))) (flag_of (at_ 1%nat))
     (one_of [IS_A; IS_B; IS_C] IS_B (at_ 2%nat))
-    (named flag_of (entries (at_ 3%nat))) (named number_of_data (entries (at_ 4%nat)))
-    (named_natural (entries (at_ 4%nat)))
+    (found bits) (found numbers) (fun name => or_else (found naturals name) None)
     (one_of [MemoryA; MemoryB; MemoryC] MemoryA (at_ 5%nat))
     (whole_of (at_ 6%nat)) (table_of offset (at_ 7%nat)) (table_of offset (at_ 8%nat)) (flag_of (at_ 9%nat))
     (map values_of (entries (at_ 10%nat))) (values_of (at_ 11%nat))
     (table_of (fun row => values_of (entry_at row 1)) (at_ 12%nat))
     (values_of (at_ 13%nat)) (table_of (fun row => values_of (entry_at row 1)) (at_ 14%nat)) (values_of (at_ 15%nat))
     (map (maybe_of number_of_data) (entries (at_ 16%nat))) (flag_of (at_ 17%nat)) (whole_of (at_ 18%nat))
-    (flag_of (at_ 19%nat)) (flag_of (at_ 20%nat)).
+    (flag_of (at_ 19%nat)) (flag_of (at_ 20%nat)) None.
 
 (** A whole number in decimals. *)
 Fixpoint digits_of (steps : nat) (i : Z) (behind : string) : string :=
@@ -79,6 +78,6 @@ Definition tell_event {num} (letters : list Letter.t) (e : nat * event num) : to
 
 (** A case, its setup and the blocks of its program: the events, and what this text does not say. *)
 Definition run_fanuc {num} {N : Numbers num} (case : data) : told num :=
-  let s := setup_of (entry_at case 0) in
+  let s := with_mechanism (setup_of (entry_at case 0)) in
   let '(events, how) := run_program decimal_text s (map block_of_data (entries (entry_at case 1))) in
   Several [Several (map (tell_event (axes s)) events); Names match how with NotSaid what => what | _ => "" end].

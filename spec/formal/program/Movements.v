@@ -119,7 +119,7 @@ Definition move_to {num} {N : Numbers num} (s : setup num) (t : travel) (c : cau
     (st : state num) (length : values num) : movement num :=
   Movement t c (programmed st) (sum (programmed st) (shift st)) (zeros s) length
     (if machine then Some (work_zero s (coordinates_of st)) else None) a (feed_for t (feed st))
-    (tool_axis_at s (coordinates_of st) (programmed st)).
+    (if given (in_control (control st)) then None else tool_axis_at s (coordinates_of st) (programmed st)).
 
 (** A move that a compensation inserts, to a vector at the standing tip; the axes, the length offset and the direction of
     the tool as the state has them. *)

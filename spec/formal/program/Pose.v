@@ -6,29 +6,6 @@ Open Scope string_scope.
 Open Scope Z_scope.
 Open Scope list_scope.
 
-(** A rotary axis that turns tool or table. *)
-Record rotary_axis (num : Type) := RotaryAxis {
-  at_axis : option nat;      (* its place among the controlled axes; none: hypothetical *)
-  stands : num;              (* the angle of a hypothetical axis *)
-  about : triple num;        (* its direction with both axes at 0, of length 1 *)
-  left_handed : bool
-}.
-Arguments RotaryAxis {num}. Arguments at_axis {num}. Arguments stands {num}. Arguments about {num}.
- Arguments left_handed {num}.
-
-(** What 19680 names: both rotary axes turn the tool; both the table; the first the tool and the second the table. *)
-Inductive machine_type := ToolRotation | TableRotation | Mixed.
-
-(** The rotary axes of 19680 and the direction of the tool with both at 0. *)
-Record kinematics (num : Type) := Kinematics {
-  machine_of : machine_type;
-  first_axis : rotary_axis num;
-  second_axis : rotary_axis num;
-  reference_direction : triple num
-}.
-Arguments Kinematics {num}. Arguments machine_of {num}. Arguments first_axis {num}. Arguments second_axis {num}.
-Arguments reference_direction {num}.
-
 (** A parameter that the setup does not give is 0. *)
 Definition parameter_of {num} {N : Numbers num} (s : setup num) (number : string) : num :=
   or_else (parameter s number) 0%num.
@@ -73,7 +50,7 @@ Definition rotary_axis_by {num} {N : Numbers num} (s : setup num) (hypothetical 
     (axis_direction (whole_of s direction) (parameter_of s inclination)) (whole_of s sense =? 1).
 
 (** fanuc.tool-direction.mechanism: 19680 is 2 for tool rotation, 12 for table rotation, 21 for the mixed type. *)
-Definition kinematics_of {num} {N : Numbers num} (s : setup num) : option (kinematics num) :=
+Definition kinematics_by_parameters {num} {N : Numbers num} (s : setup num) : option (kinematics num) :=
   let machine := lookup (whole_of s "19680") [(2, ToolRotation); (12, TableRotation); (21, Mixed)] in
   option_map
     (fun machine =>
@@ -82,6 +59,14 @@ Definition kinematics_of {num} {N : Numbers num} (s : setup num) : option (kinem
         (rotary_axis_by s "19696#1" "19686" "19687" "19688" "19689" "19690")
         (reference_direction_of s))
     machine.
+
+(** They are found once, before the first block. *)
+Definition kinematics_of {num} (s : setup num) : option (kinematics num) := mechanism s.
+Definition with_mechanism {num} {N : Numbers num} (s : setup num) : setup num :=
+  Setup (axes s) (inches s) (least_increment s) (parameter_bit s) (parameter s) (whole_parameter s) (memory s)
+    (offset_count s) (h_offsets s) (d_offsets s) (g49_sets_h0 s) (workpiece s) (external s) (additional s) (start s)
+    (reference s) (floating s) (signal_at s) (angles_as_programmed s) (parts_of_block s) (cutter_b s) (without_perpendicular s)
+    (kinematics_by_parameters s).
 
 (** * Older parameters *)
 

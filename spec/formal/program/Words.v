@@ -38,6 +38,29 @@ Inductive number_by := ByH | ByD.
 Definition entry (num : Type) := (num * num)%type.
 Definition table (num : Type) := list (Z * entry num).
 
+(** A rotary axis that turns tool or table. *)
+Record rotary_axis (num : Type) := RotaryAxis {
+  at_axis : option nat;      (* its place among the controlled axes; none: hypothetical *)
+  stands : num;              (* the angle of a hypothetical axis *)
+  about : num * num * num;   (* its direction with both axes at 0, of length 1 *)
+  left_handed : bool
+}.
+Arguments RotaryAxis {num}. Arguments at_axis {num}. Arguments stands {num}. Arguments about {num}.
+Arguments left_handed {num}.
+
+(** What 19680 names: both rotary axes turn the tool; both the table; the first the tool and the second the table. *)
+Inductive machine_type := ToolRotation | TableRotation | Mixed.
+
+(** The rotary axes of 19680 and the direction of the tool with both at 0. *)
+Record kinematics (num : Type) := Kinematics {
+  machine_of : machine_type;
+  first_axis : rotary_axis num;
+  second_axis : rotary_axis num;
+  reference_direction : num * num * num
+}.
+Arguments Kinematics {num}. Arguments machine_of {num}. Arguments first_axis {num}. Arguments second_axis {num}.
+Arguments reference_direction {num}.
+
 Record setup (num : Type) := Setup {
   axes : list Letter.t;
   inches : bool;
@@ -60,12 +83,14 @@ Record setup (num : Type) := Setup {
   angles_as_programmed : bool;                   (* rotary_angles *)
   parts_of_block : Z;                            (* samples of a case; 0: none are asked for *)
   cutter_b : bool;                               (* G39 to G42 are cutter compensation B *)
-  without_perpendicular : bool                   (* type_b_without_perpendicular *)
+  without_perpendicular : bool;                  (* type_b_without_perpendicular *)
+  mechanism : option (kinematics num)            (* by its parameters: Pose.v *)
 }.
 Arguments Setup {num}. Arguments axes {num}. Arguments inches {num}. Arguments least_increment {num}. Arguments parameter_bit {num}. Arguments parameter {num}.
 Arguments memory {num}. Arguments offset_count {num}. Arguments h_offsets {num}. Arguments d_offsets {num}.
 Arguments g49_sets_h0 {num}. Arguments workpiece {num}. Arguments external {num}. Arguments additional {num}.
 Arguments start {num}. Arguments reference {num}. Arguments floating {num}. Arguments signal_at {num}.
+Arguments mechanism {num}.
 Arguments whole_parameter {num}. Arguments angles_as_programmed {num}. Arguments parts_of_block {num}.
 Arguments cutter_b {num}. Arguments without_perpendicular {num}.
 
