@@ -104,21 +104,28 @@ Proof. unfold quotient. apply over_encloses; cbn; unfold Q2R, inject_Z; cbn; lra
 Definition not_above_0 (e : enclosure) : bool :=
   match e with
   | Exact q => Qle_bool q 0
-  | Near i => match Intervals.sign_large i with Xreal.Xlt | Xreal.Xeq => true | _ => false end
+  | _ => match Intervals.sign_large (interval_of e) with Xreal.Xlt | Xreal.Xeq => true | _ => false end
   end.
+
+Lemma interval_not_above_0 i x : in_interval i x ->
+  match Intervals.sign_large i with Xreal.Xlt | Xreal.Xeq => true | _ => false end = true -> x <= 0.
+Proof.
+  intros A E. pose proof (Intervals.sign_large_correct i) as S. destruct (Intervals.sign_large i); try discriminate;
+    specialize (S _ A); cbn in S; [injection S; lra | lra].
+Qed.
 
 Lemma not_above_0_holds e x : encloses e x -> not_above_0 e = true -> x <= 0.
 Proof.
-  destruct e as [q|i]; cbn; intros A E.
-  - rewrite <- A. apply Qle_bool_imp_le, Qle_Rle in E. unfold Q2R at 2 in E; cbn in E. lra.
-  - pose proof (Intervals.sign_large_correct i) as S. destruct (Intervals.sign_large i); try discriminate;
-      specialize (S _ A); cbn in S; [injection S; lra | lra].
+  intros A E. destruct e as [q|terms|i].
+  - cbn in *. rewrite <- A. apply Qle_bool_imp_le, Qle_Rle in E. unfold Q2R at 2 in E; cbn in E. lra.
+  - eapply interval_not_above_0; [apply interval_encloses; exact A|exact E].
+  - eapply interval_not_above_0; [exact A|exact E].
 Qed.
 
 Definition shown (w : written) (a : enclosure) : bool :=
   match w with
   | Fraction over under =>
-      match minus_e a (quotient over under) with Exact q => Qeq_bool q 0 | Near _ => false end
+      match minus_e a (quotient over under) with Exact q => Qeq_bool q 0 | _ => false end
   | Within digits decimals off off_decimals =>
       let distance := minus_e a (quotient digits (ten_to decimals)) in
       let most := quotient off (ten_to off_decimals) in
@@ -129,7 +136,7 @@ Lemma shown_holds w a x : encloses a x -> shown w a = true -> is_written w x.
 Proof.
   intros A. destruct w as [over under|digits decimals off off_decimals]; cbn [shown is_written].
   - pose proof (minus_encloses _ _ _ _ A (quotient_encloses over under)) as D.
-    destruct (minus_e a (quotient over under)) as [q|i]; [|discriminate]. cbn in D. intro E.
+    destruct (minus_e a (quotient over under)) as [q| |]; [|discriminate..]. cbn in D. intro E.
     apply Qeq_bool_eq, Qeq_eqR in E. rewrite E in D. unfold Q2R in D at 1; cbn in D. lra.
   - pose proof (minus_encloses _ _ _ _ A (quotient_encloses digits (ten_to decimals))) as D.
     pose proof (quotient_encloses off (ten_to off_decimals)) as M.
