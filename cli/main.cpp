@@ -329,7 +329,8 @@ class CommandLine {
              "The golden corpus: generate, merge, check, lint, diff, proofs; hard cases: mine, hard; long programs: "
              "contour, flank, freeform",
              [this] { return cli::corpus(corpus_); });
-    sub->add_option("verb", corpus_.verb, "generate, merge, check, lint, diff, proofs, mine, hard, contour, flank or freeform")
+    sub->add_option("verb", corpus_.verb,
+                    "generate, merge, check, lint, diff, proofs, mine, hard, contour, flank or freeform")
         ->required()
         ->check(CLI::IsMember(
             {"generate", "merge", "check", "lint", "diff", "proofs", "mine", "hard", "contour", "flank", "freeform"}));

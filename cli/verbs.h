@@ -151,12 +151,12 @@ struct CorpusOptions {
   bool no_tool_vector = false;        // freeform
   std::optional<std::size_t> blocks;  // contour, flank, freeform
   std::string out;                    // of the same: the program; its setup stands beside it, ending in .toml
-  std::string into;                   // proofs: a folder for Coq's files; mine: of the hard cases; hard takes that of `directory`
-  std::size_t sample = 0;             // proofs: so many vectors a section; 0: all
-  bool only_tell = false;             // proofs: which vectors Coq can compute, instead of lemmas
-  std::string duration;               // mine: "60s", "10m", "1h", all sections together
-  std::uint64_t runs = 0;             // mine: of the model, a section, instead of a time
-  unsigned jobs = 1;                  // mine
+  std::string into;        // proofs: a folder for Coq's files; mine: of the hard cases; hard takes that of `directory`
+  std::size_t sample = 0;  // proofs: so many vectors a section; 0: all
+  bool only_tell = false;  // proofs: which vectors Coq can compute, instead of lemmas
+  std::string duration;    // mine: "60s", "10m", "1h", all sections together
+  std::uint64_t runs = 0;  // mine: of the model, a section, instead of a time
+  unsigned jobs = 1;       // mine
   std::string findings = "findings";  // mine: folder for cases on which the engines differ
 };
 int corpus(const CorpusOptions& options);

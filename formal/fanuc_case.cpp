@@ -15,8 +15,8 @@ namespace {
 Data block_data(const spec::Block& block) {
   List words;
   for (const spec::Word& word : block.words())
-    words.emplace_back(List{letter(word.address), number(word.value), flag(word.value.negative),
-                            flag(word.value.point)});
+    words.emplace_back(
+        List{letter(word.address), number(word.value), flag(word.value.negative), flag(word.value.point)});
   return List{block.alarm ? std::string(block.alarm->number.view()) : std::string(), std::move(words)};
 }
 

@@ -65,7 +65,8 @@ ProofFiles write_proofs(const fs::path& corpus, const fs::path& output, const Pr
   for (auto& [section, cases] : sections) {
     if (options.a_section != 0 && options.a_section < cases.size()) {
       std::mt19937_64 generator(options.seed);
-      for (std::size_t i = 0; i < options.a_section; ++i) std::swap(cases[i], cases[i + generator() % (cases.size() - i)]);
+      for (std::size_t i = 0; i < options.a_section; ++i)
+        std::swap(cases[i], cases[i + generator() % (cases.size() - i)]);
       cases.resize(options.a_section);
     }
     for (std::size_t first = 0; first < cases.size(); first += kInAFile) {

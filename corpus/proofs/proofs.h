@@ -22,7 +22,7 @@ struct ProofOptions {
   std::vector<std::string> sections;  // empty: all
   std::size_t a_section = 0;          // so many vectors of each section, chosen by the seed; 0: all
   std::uint64_t seed = 1;
-  bool only_tell = false;             // instead of lemmas, which vectors Coq can compute
+  bool only_tell = false;  // instead of lemmas, which vectors Coq can compute
 };
 
 struct ProofFiles {

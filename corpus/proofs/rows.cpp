@@ -50,7 +50,8 @@ class Row {
   void text(std::string_view value) { mark(fmt::format("SaidText \"{}\"", value)); }
 
   void number(const NumberText& value) {
-    if (value.q.empty()) return mark(fmt::format("Numbered (Within {} {})", decimal_term(value.v), decimal_term(value.r)));
+    if (value.q.empty())
+      return mark(fmt::format("Numbered (Within {} {})", decimal_term(value.v), decimal_term(value.r)));
     const std::size_t bar = value.q.find('/');
     mark(fmt::format("Numbered (Fraction ({}) {})", value.q.substr(0, bar), value.q.substr(bar + 1)));
   }
