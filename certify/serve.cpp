@@ -84,7 +84,6 @@ Capabilities served_capabilities(ServedEngine engine) {
     c.name = "toolcomp formal specification";
     c.sections = formal::sections();
     c.fields = all_fields();
-    std::erase(c.fields, "tool_axis");
     return c;
   }
   c.name = engine == ServedEngine::fast ? "toolcomp fast engine" : "toolcomp model";
