@@ -21,7 +21,7 @@ bool ToolInSpindle::call(const Block& block, bool tcpm) {
   const bool calls = recorder_.decide(Clause::heidenhain_program_tool_call, block.tool != ToolWord::none);
   if (calls) {
     // heidenhain.program.tool-call-under-tcpm: M128 must be off before a tool is called: under TCPM that raises
-    // E_TCPM_TOOLCALL.
+    // E_TCPM_TOOLCALL, also of a tool that is unknown.
     if (tcpm)
       raise(recorder_, Clause::heidenhain_program_tool_call_under_tcpm, "E_TCPM_TOOLCALL",
             "TOOL CALL of a tool under TCPM");
