@@ -82,14 +82,11 @@ Definition rule_of {num} (a : planned num) (zero : bool) (f : following num) : r
 
 (** * Groups *)
 
-Section Groups.
-Context {num : Type} {N : Numbers num} {P : Plane num (triple num)}.
-
-Definition side_leg := leg_in num (triple num).
+Definition side_leg {num} {N : Numbers num} {P : Plane num (triple num)} := leg_in num (triple num).
 
 (** fanuc.tool-side.corner-side, fanuc.tool-side.straight-or-reversal, fanuc.tool-side.obtuse-or-acute: the names of what
     chapter 14 asks of a corner, where two lines meet. *)
-Definition asked_of_lines {A} (a b : side_leg) (x : outcome A) : outcome A :=
+Definition asked_of_lines {num} {N : Numbers num} {P : Plane num (triple num)} {A} (a b : side_leg) (x : outcome A) : outcome A :=
   match x with
   | Undecided clause =>
       if is_arc a || is_arc b then x
@@ -101,7 +98,7 @@ Definition asked_of_lines {A} (a b : side_leg) (x : outcome A) : outcome A :=
   end.
 
 (** fanuc.tool-side.stop-point: of several vectors the moves up to Vi or K1 belong to A; how many they are. *)
-Fixpoint up_to_stop (count : nat) (vs : list (triple num)) : list (head_vector num) :=
+Fixpoint up_to_stop {num} {N : Numbers num} {P : Plane num (triple num)} (count : nat) (vs : list (triple num)) : list (head_vector num) :=
   match vs with
   | [] => []
   | v :: rest => (Nat.ltb 0 count, v) :: up_to_stop (Nat.pred count) rest
@@ -109,7 +106,7 @@ Fixpoint up_to_stop (count : nat) (vs : list (triple num)) : list (head_vector n
 
 (** fanuc.tool-side.start-up-inner, fanuc.tool-side.start-up-obtuse, fanuc.tool-side.start-up-acute, of type B.
     fanuc.tool-side.type-b-perpendicular: the setup may leave out the vector perpendicular to the start-up block. *)
-Definition start_group (s : setup num) (a b : side_leg) : outcome (list (head_vector num)) :=
+Definition start_group {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (a b : side_leg) : outcome (list (head_vector num)) :=
   group <- start_up_group (with_tangents s) a b ;;
   Got (match group with
        | first :: (_ :: _) as rest => if without_perpendicular s then up_to_stop 1 rest else up_to_stop 2 group
@@ -117,7 +114,7 @@ Definition start_group (s : setup num) (a b : side_leg) : outcome (list (head_ve
        end).
 
 (** fanuc.tool-side.cancel-inner, fanuc.tool-side.cancel-obtuse, fanuc.tool-side.cancel-acute, likewise. *)
-Definition end_group (s : setup num) (a b : side_leg) : outcome (list (head_vector num)) :=
+Definition end_group {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (a b : side_leg) : outcome (list (head_vector num)) :=
   group <- cancel_group (with_tangents s) a b ;;
   let own := if is_arc a then 2%nat else 1%nat in
   Got (up_to_stop own
@@ -125,7 +122,7 @@ Definition end_group (s : setup num) (a b : side_leg) : outcome (list (head_vect
 
 (** fanuc.tool-side.inner, fanuc.tool-side.outer-obtuse, fanuc.tool-side.outer-acute, fanuc.tool-side.arc-corners.
     fanuc.tool-side.q2: of the two vectors between two lines the second is deleted. *)
-Definition group_of_mode (q : option Z) (a b : side_leg) : outcome (list (head_vector num)) :=
+Definition group_of_mode {num} {N : Numbers num} {P : Plane num (triple num)} (q : option Z) (a b : side_leg) : outcome (list (head_vector num)) :=
   group <- mode_group a b ;;
   let own := if is_arc a then 2%nat else 1%nat in
   Got (up_to_stop own
@@ -135,7 +132,7 @@ Definition group_of_mode (q : option Z) (a b : side_leg) : outcome (list (head_v
           end)).
 
 (** The vectors of a corner of A and B. *)
-Definition group_of (s : setup num) (r : rule) (q : option Z) (a b : side_leg) :
+Definition group_of {num} {N : Numbers num} {P : Plane num (triple num)} (s : setup num) (r : rule) (q : option Z) (a b : side_leg) :
     outcome (list (head_vector num)) :=
   let alone v := [(true, v)] in
   asked_of_lines a b
@@ -148,4 +145,3 @@ Definition group_of (s : setup num) (r : rule) (q : option Z) (a b : side_leg) :
     | ModeRule => group_of_mode q a b
     end.
 
-End Groups.
