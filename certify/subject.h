@@ -80,8 +80,8 @@ class Subject {
   [[nodiscard]] virtual std::string hello() const { return {}; }
 };
 
-// The formal specification in this process: FANUC programs of what it says so far (formal/engine.h), exact values with
-// 40 decimals. Requires formal::available(); from one thread, always the same.
+// The formal specification in this process (formal/engine.h): exact values with 40 decimals. Requires
+// formal::available(); from one thread, always the same.
 std::unique_ptr<Subject> formal_specification();
 
 // The fast engine in this process: every section and field, in double. InputError of the engine passes through.

@@ -22,9 +22,7 @@ int spec(const SpecOptions& options) {
     const corpus::Coverage coverage = corpus::coverage(
         options.directory.empty() ? corpus::default_folder() : std::filesystem::path(options.directory));
     std::vector<spec::ProofCount> proofs;
-    if (options.directory.empty())
-      for (const auto& [section, count] : corpus::count_proofs(corpus::default_folder()))
-        proofs.push_back({section, count.vectors, count.proven});
+    if (options.directory.empty()) proofs = corpus::count_proofs(corpus::default_folder());
     std::cout << spec::show_coverage(coverage.counts, coverage.vectors, proofs, format);
   }
   if (options.verb == "show") {

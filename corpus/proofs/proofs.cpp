@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <utility>
 
 #include "corpus/golden.h"
 #include "corpus/proofs/rows.h"
@@ -90,15 +91,19 @@ std::map<std::string, std::string> unproven() {
   return reasons;
 }
 
-std::map<std::string, ProofCount> count_proofs(const fs::path& corpus) {
+std::vector<spec::ProofCount> count_proofs(const fs::path& corpus) {
   const std::map<std::string, std::string> left_out = unproven();
-  std::map<std::string, ProofCount> sections;
+  std::map<std::string, spec::ProofCount> sections;
   for (const spec::Case& c : read_golden(corpus)) {
-    ProofCount& count = sections[c.section];
+    spec::ProofCount& count = sections[c.section];
+    count.section = c.section;
     ++count.vectors;
     if (!left_out.contains(c.id)) ++count.proven;
   }
-  return sections;
+  std::vector<spec::ProofCount> counts;
+  counts.reserve(sections.size());
+  for (auto& [section, count] : sections) counts.push_back(std::move(count));
+  return counts;
 }
 
 }  // namespace toolcomp::corpus

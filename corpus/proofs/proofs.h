@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "spec/language/case.h"
+#include "spec/trace/report.h"
 
 namespace toolcomp::corpus {
 
@@ -37,11 +38,7 @@ ProofFiles write_proofs(const std::filesystem::path& corpus, const std::filesyst
 // The vectors without a proof, by their ids, each with the reason: proofs/unproven.json.
 std::map<std::string, std::string> unproven();
 
-struct ProofCount {
-  std::size_t vectors = 0;
-  std::size_t proven = 0;  // those that are not listed as unproven
-};
-// Of each section.
-std::map<std::string, ProofCount> count_proofs(const std::filesystem::path& corpus);
+// Of each section; those that are not listed as unproven count as proven.
+std::vector<spec::ProofCount> count_proofs(const std::filesystem::path& corpus);
 
 }  // namespace toolcomp::corpus

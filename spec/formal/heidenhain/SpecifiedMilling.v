@@ -25,9 +25,9 @@ Lemma vector_cross a b : vector (Space.cross3 a b) = cross (vector a) (vector b)
 Proof. destruct a as [[? ?] ?], b as [[? ?] ?]; reflexivity. Qed.
 Lemma vector_dot a b : Space.dot3 a b = dot (vector a) (vector b).
 Proof. destruct a as [[? ?] ?], b as [[? ?] ?]; reflexivity. Qed.
-Lemma vector_unit a : vector (KlartextSpace.unit3 a) = unit (vector a).
+Lemma vector_unit a : vector (Space.unit3 a) = unit (vector a).
 Proof.
-  destruct a as [[x y] z]; unfold KlartextSpace.unit3, Space.length3, unit, norm, scale, dot; cbn. unfold Rdiv. f_equal; ring.
+  destruct a as [[x y] z]; unfold Space.unit3, Space.length3, unit, norm, scale, dot; cbn. unfold Rdiv. f_equal; ring.
 Qed.
 Lemma vector_zero : vector KlartextSpace.zero3 = zero.
 Proof. reflexivity. Qed.
@@ -48,7 +48,7 @@ Proof. destruct x; cbn; intro H; try discriminate; eauto. Qed.
 (** * Face milling *)
 
 Lemma vector_ring N T w : KlartextFace.ring_direction N T = Got w -> vector T <> zero ->
-  vector (match w with Some w => KlartextSpace.unit3 w | None => KlartextSpace.zero3 end) = u (vector N) (vector T).
+  vector (match w with Some w => Space.unit3 w | None => KlartextSpace.zero3 end) = u (vector N) (vector T).
 Proof.
   unfold KlartextFace.ring_direction; intros H D. apply bound in H as (parallel_ & Z & H). apply zero_sign in Z.
   rewrite vector_dot, vector_cross in Z. destruct parallel_; injection H as <-.
@@ -98,7 +98,7 @@ Proof. intro H. now apply usable_tool_is_effective in H. Qed.
     tool; so are the shift and the contact. *)
 Theorem cut_face_is_effective_tip e k d P N T w :
   is_tool e k d -> KlartextFace.ring_direction N T = Got w -> vector T <> zero ->
-  let cut := KlartextFace.cut_face false P (corner k) e (KlartextSpace.unit3 N) (KlartextSpace.unit3 T) w in
+  let cut := KlartextFace.cut_face false P (corner k) e (Space.unit3 N) (Space.unit3 T) w in
   vector (KlartextFace.tip_of_cut cut) = effective_tip TIP k d (vector P) (vector N) (vector T) /\
   vector (KlartextFace.shift_of_cut cut) = D_tip k d (vector N) (vector T) /\
   vector (KlartextFace.contact_point (KlartextFace.contact_of cut)) =
@@ -118,7 +118,7 @@ Example cut_face_is_effective_tip_instance w :
   let e := KlartextTool.EffectiveTool (KlartextBlocks.Deltas 0 0 0) 5 2 3 3 None in
   KlartextFace.ring_direction (3/5, 0, 4/5) (0, 0, 1) = Got w ->
   vector (KlartextFace.tip_of_cut (KlartextFace.cut_face false (1, 2, 3) 2 e
-    (KlartextSpace.unit3 (3/5, 0, 4/5)) (KlartextSpace.unit3 (0, 0, 1)) w)) =
+    (Space.unit3 (3/5, 0, 4/5)) (Space.unit3 (0, 0, 1)) w)) =
   effective_tip TIP (Tool 5 2) (Deltas 0 0 0) (Vec 1 2 3) (Vec (3/5) 0 (4/5)) (Vec 0 0 1).
 Proof.
   intros e W. apply (cut_face_is_effective_tip e (Tool 5 2) (Deltas 0 0 0)); [|exact W|].
@@ -129,7 +129,7 @@ Qed.
 (** heidenhain.contour.face: under IS CONTOUR it is the tip of the effective tool that touches the programmed point. *)
 Theorem cut_face_is_contour_tip e k d q N T w :
   is_tool e k d -> KlartextFace.ring_direction N T = Got w -> vector T <> zero ->
-  let cut := KlartextFace.cut_face true q (corner k) e (KlartextSpace.unit3 N) (KlartextSpace.unit3 T) w in
+  let cut := KlartextFace.cut_face true q (corner k) e (Space.unit3 N) (Space.unit3 T) w in
   vector (KlartextFace.tip_of_cut cut) = contour_tip k d (vector q) (vector N) (vector T) /\
   vector (KlartextFace.shift_of_cut cut) = D_tip k d (vector N) (vector T).
 Proof.
@@ -146,7 +146,7 @@ Example cut_face_is_contour_tip_instance w :
   let e := KlartextTool.EffectiveTool (KlartextBlocks.Deltas 0 0 0) 5 2 3 3 None in
   KlartextFace.ring_direction (3/5, 0, 4/5) (0, 0, 1) = Got w ->
   vector (KlartextFace.tip_of_cut (KlartextFace.cut_face true (1, 2, 3) 2 e
-    (KlartextSpace.unit3 (3/5, 0, 4/5)) (KlartextSpace.unit3 (0, 0, 1)) w)) =
+    (Space.unit3 (3/5, 0, 4/5)) (Space.unit3 (0, 0, 1)) w)) =
   contour_tip (Tool 5 2) (Deltas 0 0 0) (Vec 1 2 3) (Vec (3/5) 0 (4/5)) (Vec 0 0 1).
 Proof.
   intros e W. apply (cut_face_is_contour_tip e (Tool 5 2) (Deltas 0 0 0)); [|exact W|].

@@ -18,9 +18,6 @@ Definition known := [0; 10; 20; 30; 40; 100; 170; 180; 190; 200; 210; 280; 290; 
   416; 420; 422; 426; 430; 434; 435; 440; 450; 460; 470; 480; 490; 520; 530; 540; 541; 550; 560; 570; 580; 590; 900; 910;
   920; 930; 940; 950] ++ without_effect.
 
-(** What this text does not say yet. *)
-Definition beyond : list Z := [].
-
 (** fanuc.program.last-code-of-group: modal groups. *)
 Definition motions := [0; 10; 20; 30].
 Definition planes := [170; 180; 190].

@@ -144,8 +144,6 @@ Definition axes_over_tip {num} {N : Numbers num} (s : setup num) (c : coordinate
   | None => add3 tip (scale3 length along)
   end.
 
-Definition unit3 {num} {N : Numbers num} (v : triple num) : triple num := scale3 (1 / length3 v)%num v.
-
 (** * Positions of the rotary axes *)
 
 (** In the programmed positions of all axes. *)

@@ -5,11 +5,6 @@ Open Scope Z_scope.
 
 Definition zero3 {num} {N : Numbers num} : triple num := (0%num, 0%num, 0%num).
 
-(** Of length 1, of a vector that is not 0. *)
-Definition unit3 {num} {N : Numbers num} (a : triple num) : triple num :=
-  let length := length3 a in
-  let '(x, y, z) := a in ((x / length)%num, (y / length)%num, (z / length)%num).
-
 (** A direction as it was given, and of length 1. *)
 Record direction_in_space (num : Type) := Direction { as_given : triple num; of_length_1 : triple num }.
 Arguments Direction {num}. Arguments as_given {num}. Arguments of_length_1 {num}.

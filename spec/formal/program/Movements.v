@@ -127,7 +127,7 @@ Definition inserted_move {num} {N : Numbers num} (s : setup num) (c : cause) (st
     movement num :=
   let m := move_to s (straight (motion (modes_of st))) c false None st (vector (length_of st)) in
   let along := match in_control (control st) with
-               | Some under => Some (scale3 (1 / length3 (direction under))%num (direction under))
+               | Some under => Some (unit3 (direction under))
                | None => along_tool m
                end in
   Movement (going m) c (ends_at m) (tip m) head (length_vector m) (machine_zero m) None (at_feed m) along.

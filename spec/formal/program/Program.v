@@ -1,6 +1,4 @@
-(** A FANUC program: from blocks to events.
-
-    What this text does not say yet: codes of the other sections end the run with [Beyond]. *)
+(** A FANUC program: from blocks to events. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement.
 From Toolcomp Require Import EdgeState SideState State.
@@ -73,7 +71,6 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
     let input := match code with Some DataInput => true | _ => false end in
     let origins := input && among (or_else l 0) [2; 20] in
     let into := if input then store s l else None in
-    _ <- (if existsb (fun c => among c beyond) codes then Beyond "a code of another section" else Got tt) ;;
     _ <- alarm_if ((input && negb origins && negb (given into)) || three_dimensional s codes b) "PS0010" ;;
     h <- offset_number s Letter.H b ;;
     d <- offset_number s Letter.D b ;;

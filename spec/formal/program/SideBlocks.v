@@ -74,16 +74,15 @@ Definition radius_vector {num} {N : Numbers num} (s : setup num) (a : arc num) (
     fanuc.tool-side.arc-in-the-plane: its tangent is at right angles to the radius, in the sense seen against VT. *)
 Definition leg_in_plane {num} {N : Numbers num} (s : setup num) (vt : triple num) (b : planned num)
     (corner_point : values num) (rho : num) : outcome (leg_in num (triple num)) :=
-  let along direction := scale3 (1 / length3 direction)%num direction in
   match arc_of_block b with
   | None =>
       let u := displacement s b in
-      Got (Leg u (along (cross3 (cross3 vt u) vt)) (leftward vt u) None rho)
+      Got (Leg u (unit3 (cross3 (cross3 vt u) vt)) (leftward vt u) None rho)
   | Some (clockwise, circle) =>
       clockwise <- seen_clockwise vt (arc_plane circle) clockwise ;;
       let outward := projected vt (in_selected (arc_plane circle) (radius_vector s circle corner_point)) in
       let sense v := if clockwise then v else scale3 (integer (-1)) v in
       let tangent := scale3 (integer (-1)) (sense (cross3 vt outward)) in
-      Got (Leg tangent (along tangent) (along (sense outward)) (Some (Bow clockwise (scale3 (integer (-1)) outward))) rho)
+      Got (Leg tangent (unit3 tangent) (unit3 (sense outward)) (Some (Bow clockwise (scale3 (integer (-1)) outward))) rho)
   end.
 

@@ -25,7 +25,7 @@ Definition line_crosses {num} {N : Numbers num} (s : setup num) (vt u : triple n
 
 (** fanuc.tool-side.left: left of a movement U is VT x U. *)
 Definition leftward {num} {N : Numbers num} (vt u : triple num) : triple num :=
-  let left := cross3 vt u in scale3 (1 / length3 left)%num left.
+  let left := cross3 vt u in unit3 left.
 
 (** fanuc.tool-side.without-basis: chapter 14 in the compensation plane, without axes in it. A cross product is that of
     space, seen along the tool. *)

@@ -18,6 +18,11 @@ Definition cross3 {num} {N : Numbers num} (a b : triple num) : triple num :=
   ((ay * bz - az * by_)%num, (az * bx - ax * bz)%num, (ax * by_ - ay * bx)%num).
 Definition length3 {num} {N : Numbers num} (a : triple num) : num := root (dot3 a a).
 
+(** Of length 1, of a vector that is not 0. *)
+Definition unit3 {num} {N : Numbers num} (a : triple num) : triple num :=
+  let length := length3 a in
+  let '(x, y, z) := a in ((x / length)%num, (y / length)%num, (z / length)%num).
+
 (** Whether two are the same, as far as that is known of every component. *)
 Definition known_same3 {num} {N : Numbers num} (a b : triple num) : bool :=
   let '(x, y, z) := sub3 a b in
