@@ -86,7 +86,6 @@ void Node::become_zero() {
     if (operand != nullptr) release(operand);
   refined.reset();
   kind = Kind::rational;
-  algebraic = true;
   mpq_set_ui(value, 0, 1);
   set(enclosure, value);
   enclosed = true;
@@ -100,7 +99,6 @@ Node* new_node(Kind kind) {
   node->kind = kind;
   node->knowledge = Knowledge::none;
   node->enclosed = false;
-  node->algebraic = true;
   node->left = nullptr;
   node->right = nullptr;
   return node;

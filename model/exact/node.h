@@ -37,9 +37,7 @@ struct Node {
   Kind kind = Kind::rational;
   Knowledge knowledge = Knowledge::none;
   bool enclosed = false;    ///< `enclosure` is set (a rational's and an angle's are made when first needed)
-  bool algebraic = true;    ///< else made of angles that are results, and no zero of it is ever proven
   std::uint64_t visit = 0;  ///< stamp of the last walk, see operands_first
-  std::size_t index = 0;    ///< place in the last walk's list, for the walker's own use
   Node* left = nullptr;     ///< operand, counted
   Node* right = nullptr;    ///< second operand, counted; the factor of a square is both
   Node* next = nullptr;     ///< in the free list
@@ -99,7 +97,6 @@ void operands_first(Node* root, std::vector<Node*>& list, Enter enter) {
     } else if (node->visit == entered) {
       open.pop_back();
       node->visit = done;
-      node->index = list.size();
       list.push_back(node);
     } else {
       node->visit = entered;

@@ -20,16 +20,6 @@ bool is_integer(const Node& node, long value) {
          mpz_cmp_ui(mpq_denref(node.value), 1) == 0;
 }
 bool is_negation(const Node& node) { return node.kind == Kind::negation; }
-bool is_algebraic(Kind kind) {
-  switch (kind) {
-    case Kind::arctangent:
-    case Kind::sine_of:
-    case Kind::cosine_of:
-      return false;
-    default:
-      return true;
-  }
-}
 // A sum or product with a rational operand has it on the left.
 bool has_rational(const Node& node, Kind kind) { return node.kind == kind && node.left->is_rational(); }
 
@@ -100,7 +90,6 @@ Real operation(Kind kind, Node* left, Node* right = nullptr) {
     ++right->references;
     node->right = right;
   }
-  node->algebraic = is_algebraic(kind) && left->algebraic && (right == nullptr || right->algebraic);
   if (!waits(*node)) node->base_enclosure();
   return Node::adopt(node);
 }
@@ -319,11 +308,7 @@ Real cos_real_degrees(const Real& degrees) {
   return operation(Kind::cosine_of, is_negation(*x) ? x->left : x);
 }
 
-Real pi() {
-  Node* const node = new_node(Kind::pi);
-  node->algebraic = false;
-  return Node::adopt(node);
-}
+Real pi() { return Node::adopt(new_node(Kind::pi)); }
 
 Real square(const Real& a) { return a * a; }
 

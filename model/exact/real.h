@@ -88,12 +88,13 @@ Real operator/(const Real& a, const Real& b);
 Real sqrt(const Real& a);
 Real sin_degrees(const Rational& degrees);
 Real cos_degrees(const Rational& degrees);
-// The angle of this tangent, in degrees between -90 and 90. For results: a sum with it is never proven to be zero.
+// The angle of this tangent, in degrees between -90 and 90. A sum with it is proven to be zero only where that holds
+// for any number in its place.
 Real arctangent_degrees(const Real& tangent);
-// Sine and cosine of any angle in degrees: of a rational as above, else an expression whose zeros are never proven.
+// Sine and cosine of any angle in degrees: of a rational as above, else of zeros the same is true.
 Real sin_real_degrees(const Real& degrees);
 Real cos_real_degrees(const Real& degrees);
-// For what hangs on the length of an arc: no zero of a sum with it is ever proven.
+// For what hangs on the length of an arc. It is transcendental: among algebraic numbers every zero is proven.
 Real pi();
 Real square(const Real& a);
 

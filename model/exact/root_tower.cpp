@@ -5,12 +5,16 @@
 #include <iterator>
 #include <utility>
 
+#include "model/exact/refinement.h"
 #include "model/exact/trigonometry.h"
 
 namespace toolcomp::exact {
 namespace {
 
 constexpr std::size_t greatest_roots = 64;
+constexpr std::size_t greatest_unknowns = 8;
+constexpr std::size_t bits_of_power = 8;
+constexpr Powers too_great = 0x8080808080808080;  // the highest bit of each exponent
 constexpr mpfr_prec_t first_precision = 128;
 
 mpz_srcptr raw(const Integer& x) { return x.backend().data(); }
@@ -46,7 +50,7 @@ Split split(const Element& e, std::size_t root) {
   Split parts;
   for (const RootTerm& term : e) {
     if ((term.roots & bit(root)) != 0)
-      parts.factor.push_back({term.roots & ~bit(root), term.factor});
+      parts.factor.push_back({term.roots & ~bit(root), term.powers, term.factor});
     else
       parts.rest.push_back(term);
   }
@@ -57,13 +61,23 @@ Split split(const Element& e, std::size_t root) {
 
 Element RootTower::constant(const Integer& value) const {
   if (value.is_zero()) return {};
-  return {{0, cosine_sum(value)}};
+  return {{0, 0, cosine_sum(value)}};
 }
 
 Element RootTower::twice_cosine(std::int64_t angle) const {
   CosineSum sum = exact::twice_cosine(circle_, angle);
   if (sum.empty()) return {};
-  return {{0, std::move(sum)}};
+  return {{0, 0, std::move(sum)}};
+}
+
+Element RootTower::unknown(Node& node) {
+  const auto known = std::ranges::find(unknowns_, &node);
+  const auto index = static_cast<std::size_t>(known - unknowns_.begin());
+  if (known == unknowns_.end()) {
+    if (unknowns_.size() == greatest_unknowns) throw OutOfWork{};
+    unknowns_.push_back(&node);
+  }
+  return {{0, Powers{1} << (bits_of_power * index), cosine_sum(1)}};
 }
 
 Element RootTower::root_of(const Element& radicand) {
@@ -74,7 +88,7 @@ Element RootTower::root_of(const Element& radicand) {
     if (roots_.size() == greatest_roots) throw OutOfWork{};
     roots_.push_back({radicand, std::nullopt});
   }
-  return {{bit(index), cosine_sum(1)}};
+  return {{bit(index), 0, cosine_sum(1)}};
 }
 
 Element RootTower::add(const Element& a, const Element& b) {
@@ -95,7 +109,9 @@ Element RootTower::multiply(const Element& a, const Element& b) {
     for (const RootTerm& y : b) {
       CosineSum factor = exact::multiply(circle_, x.factor, y.factor, work_);
       if (factor.empty()) continue;
-      Element term{{x.roots ^ y.roots, std::move(factor)}};
+      const Powers powers = x.powers + y.powers;
+      if ((powers & too_great) != 0) throw OutOfWork{};
+      Element term{{x.roots ^ y.roots, powers, std::move(factor)}};
       // Roots on both sides leave their radicands, which hold earlier roots only.
       for (Roots squared = x.roots & y.roots; squared != 0; squared &= squared - 1) {
         const auto index = static_cast<std::size_t>(std::countr_zero(squared));
@@ -108,10 +124,11 @@ Element RootTower::multiply(const Element& a, const Element& b) {
 }
 
 Element RootTower::collected(Element terms) {
-  std::sort(terms.begin(), terms.end(), [](const RootTerm& x, const RootTerm& y) { return x.roots < y.roots; });
+  const auto of = [](const RootTerm& term) { return std::pair(term.roots, term.powers); };
+  std::ranges::sort(terms, {}, of);
   Element sum;
   for (RootTerm& term : terms) {
-    if (sum.empty() || sum.back().roots != term.roots) {
+    if (sum.empty() || of(sum.back()) != of(term)) {
       if (!sum.empty() && sum.back().factor.empty()) sum.pop_back();
       sum.push_back(std::move(term));
     } else {
@@ -141,7 +158,7 @@ bool RootTower::vanishes(const Element& unpruned) {
   const Element e = pruned(unpruned);
   if (e.empty()) return true;
   const Roots used = used_roots(e);
-  if (used == 0) return false;  // a single sum, which was not pruned
+  if (used == 0) return false;  // sums with distinct powers, none of them pruned
   if (const Roots common = common_roots(e); common != 0) {
     if (vanishes(without(e, common))) return true;
     for (Roots left = common; left != 0; left &= left - 1)
@@ -218,6 +235,14 @@ void RootTower::enclose(Interval& result, const Element& e) {
       exact::multiply(next, product, root);
       exact::set(product, next);
     }
+    for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+      refine(*unknowns_[i], precision, work_);
+      for (Powers left = term.powers >> (bits_of_power * i) & 0x7F; left != 0; --left) {
+        HeapInterval next(precision);
+        exact::multiply(next, product, *unknowns_[i]->refined);
+        exact::set(product, next);
+      }
+    }
     exact::add(result, total, product);
     exact::set(total, result);
   }
@@ -226,7 +251,7 @@ void RootTower::enclose(Interval& result, const Element& e) {
 
 std::optional<Integer> integer_value(const Element& e) {
   if (e.empty()) return Integer(0);
-  if (e.size() > 1 || e.front().roots != 0) return std::nullopt;
+  if (e.size() > 1 || e.front().roots != 0 || e.front().powers != 0) return std::nullopt;
   const CosineSum& sum = e.front().factor;
   if (sum.size() > 1 || sum.front().angle != 0) return std::nullopt;
   return sum.front().coefficient;

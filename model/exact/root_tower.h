@@ -1,4 +1,4 @@
-// Polynomials in square roots over sums of cosines, and the decision whether one is zero.
+// Polynomials in square roots and unknowns over sums of cosines, and the decision whether one is zero.
 #pragma once
 
 #include <cstdint>
@@ -7,23 +7,29 @@
 
 #include "model/exact/cosine_sum.h"
 #include "model/exact/interval.h"
+#include "model/exact/node.h"
 
 namespace toolcomp::exact {
 
 /// A set of roots, one bit each, in the order in which the roots were made.
 using Roots = std::uint64_t;
 
-/// factor * product of the roots.
+/// The exponents of eight unknowns, below 128, a byte each.
+using Powers = std::uint64_t;
+
+/// factor * product of the roots * powers of the unknowns.
 struct RootTerm {
   Roots roots;
+  Powers powers;
   CosineSum factor;
   friend bool operator==(const RootTerm&, const RootTerm&) = default;
 };
 
-/// A sum of terms with distinct rising sets of roots and factors that are not empty.
+/// A sum of terms with distinct rising roots and powers and factors that are not empty.
 using Element = std::vector<RootTerm>;
 
-/// The square roots of one proof. The radicand of a root is an element over the roots made before it.
+/// The square roots of one proof, and its unknowns: numbers of which nothing is known but bounds (pi, arc tangents).
+/// The radicand of a root is an element over the roots made before it.
 class RootTower {
  public:
   RootTower(Circle circle, Work& work) : circle_(std::move(circle)), work_(work) {}
@@ -32,6 +38,8 @@ class RootTower {
 
   [[nodiscard]] Element constant(const Integer& value) const;
   [[nodiscard]] Element twice_cosine(std::int64_t angle) const;
+  /// A number that is taken for an indeterminate; the same node gives the same one.
+  Element unknown(Node& node);
   /// The root of an element known not to be negative; the same element gives the same root.
   Element root_of(const Element& radicand);
 
@@ -39,8 +47,9 @@ class RootTower {
   Element multiply(const Element& a, const Element& b);
   void multiply_by(Element& a, const Integer& factor);
 
-  /// Whether an element e is zero, decided completely: with s the last root in e = A + B s, e is zero if and only if
-  /// A*A = B*B*s*s and A, B s have opposite signs or are both zero.
+  /// Whether an element e is zero, decided completely where there are no unknowns: with s the last root in e = A + B s,
+  /// e is zero if and only if A*A = B*B*s*s and A, B s have opposite signs or are both zero. With unknowns: whether it
+  /// is zero whatever they stand for, which is a proof, but no other one is found.
   bool vanishes(const Element& unpruned);
 
  private:
@@ -49,7 +58,7 @@ class RootTower {
     std::optional<bool> zero;
   };
 
-  /// Adds up the terms with the same roots.
+  /// Adds up the terms with the same roots and powers.
   Element collected(Element terms);
   /// Without the terms whose factors are zero.
   Element pruned(Element e);
@@ -61,6 +70,7 @@ class RootTower {
   Circle circle_;
   Work& work_;
   std::vector<Root> roots_;
+  std::vector<Node*> unknowns_;
 };
 
 /// The value of an element that is an integer.

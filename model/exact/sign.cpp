@@ -14,8 +14,6 @@ constexpr std::int64_t refinement_work = 60'000;
 // About 80 ms: postures of a programming system that stands at a pose of a posture, three times over, need 50. An
 // undecided run costs its reader more than that, and is met once in thousands of programs.
 constexpr std::int64_t proof_work = 1'500'000;
-// Under 1 ms: what is not told from zero by then, and cannot be proven to be, is as good as undecided.
-constexpr std::int64_t unproven_refinement_work = 10'000;
 // Near misses that are not ties are told from them here, before a proof is tried.
 constexpr mpfr_prec_t precision_before_proof = 256;
 // Far below any difference of program decimals; the work ends earlier except for the smallest expressions.
@@ -67,10 +65,6 @@ std::optional<Sign> refined_sign(Node& node, mpfr_prec_t first, mpfr_prec_t last
 }
 
 std::optional<Sign> sign_of_sum(Node& node) {
-  if (!node.algebraic) {
-    Work little(unproven_refinement_work);
-    return refined_sign(node, precision_before_proof, greatest_precision, little);
-  }
   Work work(refinement_work);
   if (auto sign = refined_sign(node, precision_before_proof, precision_before_proof, work)) return sign;
   // Whether the work for that sufficed or not: the proof has its own.

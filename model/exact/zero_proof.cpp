@@ -1,8 +1,9 @@
 // An expression is brought into the form numerator / denominator, where the numerator is a polynomial in square roots
-// over sums of cosines and the denominator is certainly not zero; then the numerator is decided.
+// and unknowns over sums of cosines and the denominator is certainly not zero; then the numerator is decided.
 #include "model/exact/zero_proof.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -60,8 +61,10 @@ class Proof {
   Proof(Circle circle, Work& work) : work_(work), tower_(std::move(circle), work) {}
 
   bool vanishes(const std::vector<Node*>& operands_first) {
+    // Numbered here: the numbers of the walk do not last, for refining an unknown is a walk too.
+    for (Node* node : operands_first) places_.emplace(node, places_.size());
     fractions_.reserve(operands_first.size());
-    for (const Node* node : operands_first) {
+    for (Node* node : operands_first) {
       fractions_.push_back(fraction(*node));
       // Zeros inside are found where they arise: carried along they would grow.
       if (may_be_zero(*node) && tower_.vanishes(fractions_.back().numerator)) fractions_.back() = {};
@@ -75,9 +78,9 @@ class Proof {
            node.knowledge == Knowledge::none;
   }
 
-  const Fraction& of(const Node* node) const { return fractions_[node->index]; }
+  const Fraction& of(const Node* node) const { return fractions_[places_.at(node)]; }
 
-  Fraction fraction(const Node& node) {
+  Fraction fraction(Node& node) {
     work_.spend(1);
     switch (node.kind) {
       case Kind::rational:
@@ -102,9 +105,20 @@ class Proof {
       case Kind::sine_of:
       case Kind::cosine_of:
       case Kind::pi:
-        break;
+        return unknown(node);
     }
     throw OutOfWork{};
+  }
+
+  // Functions of equal operands are one unknown.
+  Fraction unknown(Node& node) {
+    const auto known = std::ranges::find_if(unknowns_, [&](const Node* other) {
+      if (other->kind != node.kind) return false;
+      return node.kind == Kind::pi || tower_.vanishes(sum(of(other->left), negated(of(node.left))).numerator);
+    });
+    if (known != unknowns_.end()) return of(*known);
+    unknowns_.push_back(&node);
+    return {tower_.unknown(node), 1, {}};
   }
 
   std::int64_t angle(const mpq_t degrees) const {
@@ -234,7 +248,9 @@ class Proof {
   Work& work_;
   RootTower tower_;
   std::vector<Divisor> divisors_;
-  std::vector<Fraction> fractions_;  // by the node's place in the walk
+  std::vector<Node*> unknowns_;
+  std::unordered_map<const Node*, std::size_t> places_;
+  std::vector<Fraction> fractions_;  // by place
 };
 
 // The circle on which all angles of the expression lie.

@@ -86,10 +86,31 @@ TEST(AngleFunctions, OfRationalDegreesTheyAreTheCyclotomicOnes) {
 TEST(AngleFunctions, Pi) {
   EXPECT_EQ(pi().decimal(30), "3.14159265358979323846264338328");
   EXPECT_EQ((Real(Rational(22, 7)) - pi()).sign(), Sign::positive);
-  EXPECT_THROW(static_cast<void>((pi() * pi() - square(pi())).sign()), Undecided);
+  // The zeros of an algebraic function at a transcendental number are those it has everywhere.
+  EXPECT_EQ((pi() * pi() - square(pi())).sign(), Sign::zero);
+  const Real x = sqrt(Real(3)) + pi();
+  EXPECT_EQ(sqrt(square(x) + 2 * x + 1), x + 1);
+  EXPECT_EQ(sqrt(square(Real(3) - pi()) - 2 * (3 - pi()) + 1), pi() - 2);
+  EXPECT_EQ((square(x) - 3) / (x + sqrt(Real(3))), x - sqrt(Real(3)));
+  EXPECT_EQ(sqrt(pi() + sin_degrees(20)) * sqrt(pi() - sin_degrees(20)), sqrt(square(pi()) - square(sin_degrees(20))));
+  // Near misses are told from zero.
+  const Rational tiny = Rational(1, Integer(1) << 400);
+  EXPECT_EQ((sqrt(square(x) + 2 * x + 1 + tiny) - (x + 1)).sign(), Sign::positive);
 }
 
-TEST(AngleFunctions, AZeroOfTheirsIsUndecided) {
+// What holds for any angles in their place is proven.
+TEST(AngleFunctions, IdentitiesOfArctangents) {
+  const Real angle = arctangent_degrees(sqrt(Real(2)) / 7);
+  const Real same = arctangent_degrees(1 / sqrt(Real(Rational(49, 2))));
+  EXPECT_EQ(square(angle + 1) - square(same) - 2 * same, 1);
+  EXPECT_EQ(sqrt(square(angle)), same);
+  EXPECT_EQ((angle * pi() + sqrt(square(angle) * pi() * pi())) / (pi() * angle), 2);
+  const Real third = angle / 3;
+  EXPECT_EQ(square(sin_real_degrees(third)) - square(sin_real_degrees(same / 3)), 0);
+}
+
+// A proof would have to know what a sine is of an arc tangent.
+TEST(AngleFunctions, AZeroThatIsNoIdentityIsUndecided) {
   const Real angle = arctangent_degrees(Rational(3, 4));
   EXPECT_THROW(static_cast<void>((sin_real_degrees(angle) - Rational(3, 5)).sign()), Undecided);
   // Anything else is decided.

@@ -30,6 +30,8 @@ class CalciumArithmetic {
   int cosine(const Rational& degrees) {
     return calcium_cosine_of_degrees(machine_, next_, degrees.str().c_str()), next_++;
   }
+  int pi() { return calcium_pi(machine_, next_), next_++; }
+  int arctangent(int a) { return calcium_arctangent_degrees(machine_, next_, a), next_++; }
   int negate(int a) { return calcium_negate(machine_, next_, a), next_++; }
   int add(int a, int b) { return calcium_add(machine_, next_, a, b), next_++; }
   int subtract(int a, int b) { return calcium_subtract(machine_, next_, a, b), next_++; }

@@ -54,6 +54,18 @@ struct MpfiArithmetic {
     mpfi_cos(result->get(), radians(degrees)->get());
     return result;
   }
+  static Value pi() {
+    Value result = make();
+    mpfi_const_pi(result->get());
+    return result;
+  }
+  static Value arctangent(const Value& a) {
+    Value result = make();
+    mpfi_atan(result->get(), a->get());
+    mpfi_mul_ui(result->get(), result->get(), 180);
+    mpfi_div(result->get(), result->get(), pi()->get());
+    return result;
+  }
   static Value negate(const Value& a) {
     Value result = make();
     mpfi_neg(result->get(), a->get());

@@ -63,6 +63,18 @@ void calcium_cosine_of_degrees(calcium_machine* machine, int to, const char* deg
   sine_or_cosine(machine, to, degrees, ca_cos);
 }
 
+void calcium_pi(calcium_machine* machine, int to) { ca_pi(machine->numbers + to, machine->context); }
+
+void calcium_arctangent_degrees(calcium_machine* machine, int to, int a) {
+  ca_t pi;
+  ca_init(pi, machine->context);
+  ca_pi(pi, machine->context);
+  ca_atan(machine->numbers + to, machine->numbers + a, machine->context);
+  ca_mul_ui(machine->numbers + to, machine->numbers + to, 180, machine->context);
+  ca_div(machine->numbers + to, machine->numbers + to, pi, machine->context);
+  ca_clear(pi, machine->context);
+}
+
 void calcium_negate(calcium_machine* machine, int to, int a) {
   ca_neg(machine->numbers + to, machine->numbers + a, machine->context);
 }

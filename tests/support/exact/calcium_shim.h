@@ -18,6 +18,8 @@ void calcium_delete(calcium_machine* machine);
 void calcium_rational(calcium_machine* machine, int to, const char* value);
 void calcium_sine_of_degrees(calcium_machine* machine, int to, const char* degrees);
 void calcium_cosine_of_degrees(calcium_machine* machine, int to, const char* degrees);
+void calcium_pi(calcium_machine* machine, int to);
+void calcium_arctangent_degrees(calcium_machine* machine, int to, int a);
 void calcium_negate(calcium_machine* machine, int to, int a);
 void calcium_add(calcium_machine* machine, int to, int a, int b);
 void calcium_subtract(calcium_machine* machine, int to, int a, int b);

@@ -12,7 +12,19 @@
 
 namespace toolcomp::exact::test {
 
-enum class Operation : std::uint8_t { rational, sine, cosine, negate, add, subtract, multiply, divide, root };
+enum class Operation : std::uint8_t {
+  rational,
+  sine,
+  cosine,
+  pi,
+  arctangent,  ///< in degrees
+  negate,
+  add,
+  subtract,
+  multiply,
+  divide,
+  root
+};
 
 /// One step; operands are earlier steps. `value` is the rational, or the degrees of a sine or cosine.
 struct Step {
@@ -40,6 +52,12 @@ std::vector<typename Arithmetic::Value> replay(Arithmetic& arithmetic, const Exp
         break;
       case Operation::cosine:
         values.push_back(arithmetic.cosine(step.value));
+        break;
+      case Operation::pi:
+        values.push_back(arithmetic.pi());
+        break;
+      case Operation::arctangent:
+        values.push_back(arithmetic.arctangent(values[step.left]));
         break;
       case Operation::negate:
         values.push_back(arithmetic.negate(values[step.left]));
@@ -70,6 +88,8 @@ struct RealArithmetic {
   static Real rational(const Rational& value) { return value; }
   static Real sine(const Rational& degrees) { return sin_degrees(degrees); }
   static Real cosine(const Rational& degrees) { return cos_degrees(degrees); }
+  static Real pi() { return exact::pi(); }
+  static Real arctangent(const Real& a) { return arctangent_degrees(a); }
   static Real negate(const Real& a) { return -a; }
   static Real add(const Real& a, const Real& b) { return a + b; }
   static Real subtract(const Real& a, const Real& b) { return a - b; }
@@ -101,6 +121,8 @@ class Builder {
   std::size_t rational(const Rational& value) { return push({Operation::rational, value}, value); }
   std::size_t sine(const Rational& d) { return push({Operation::sine, d}, sin_degrees(d)); }
   std::size_t cosine(const Rational& d) { return push({Operation::cosine, d}, cos_degrees(d)); }
+  std::size_t pi() { return push({Operation::pi}, exact::pi()); }
+  std::size_t arctangent(std::size_t a) { return push({Operation::arctangent, 0, a}, arctangent_degrees(values_[a])); }
   std::size_t negate(std::size_t a) { return push({Operation::negate, 0, a}, -values_[a]); }
   std::size_t add(std::size_t a, std::size_t b) { return push({Operation::add, 0, a, b}, values_[a] + values_[b]); }
   std::size_t subtract(std::size_t a, std::size_t b) {
@@ -150,12 +172,19 @@ class Builder {
   }
 
   std::size_t leaf() {
-    switch (choices_.below(4)) {
+    switch (choices_.below(10)) {
       case 0:
-        return sine(decimal(400, 3));
+        return pi();
       case 1:
-        return cosine(decimal(400, 3));
+        return arctangent(root(rational(choices_.between(2, 9))));
       case 2:
+      case 3:
+        return sine(decimal(400, 3));
+      case 4:
+      case 5:
+        return cosine(decimal(400, 3));
+      case 6:
+      case 7:
         return cosine(Rational(choices_.between(0, 12) * 15));
       default:
         return rational(decimal(20, 3));
