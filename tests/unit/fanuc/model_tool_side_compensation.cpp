@@ -333,6 +333,8 @@ TEST(ModelToolSide, Forbidden) {
   EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nG18 X200\n").back(), "2 PS0037");
   EXPECT_EQ(points(head(), "G02 G41.2 D1 X100 I50 F1\n").back(), "1 PS0034");
   EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nX200\nG02 G40 X300 I50\n").back(), "3 PS0034");
+  // The letters of G22 are limits (fanuc.program.letters-as-data): no arc.
+  EXPECT_EQ(points(head(), "G01 G41.2 D1 X100 F1\nX200\nG02 G40 G22 X300 I50\n").back(), "2 linear X200 Y10 Z0");
   EXPECT_EQ(points(setup(), "G01 G41.2 D5 X100 F1\n").back(), "1 PS0029");
 }
 
