@@ -50,9 +50,8 @@ Definition without_direction {num} (b : block num) : block num :=
 Definition names {num} (s : setup num) (kind : Letter.t -> bool) (c : command num) : bool :=
   existsb (fun here => here) (map2 (fun letter word => kind letter && given word) (axes s) (naming_words c)).
 
-(** fanuc.tool-posture.word: P and Q of a block with G04 or G10 are data of that code. *)
-Definition is_data_of_code {num} (c : command num) : bool :=
-  match acting c with Some Dwell | Some DataInput => true | _ => false end.
+(** fanuc.tool-posture.word: P and Q of a block whose letters are data of a code are data too. *)
+Definition is_data_of_code {num} (c : command num) : bool := takes_letters (codes_said c).
 
 (** fanuc.tool-posture.word: P1 chooses posture control, P0 conventional control.
     fanuc.tool-posture.default: without P 19604#0 decides.
