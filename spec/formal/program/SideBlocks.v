@@ -14,6 +14,8 @@ Definition start_point {num} {N : Numbers num} (s : setup num) (b : planned num)
   in_space s (programmed (before b)).
 Definition end_point {num} {N : Numbers num} (s : setup num) (b : planned num) : triple num :=
   in_space s (programmed (behind b)).
+(** fanuc.tool-offset.shift: where a state has the tool point without compensation; centres of arcs are shifted alike. *)
+Definition uncompensated {num} {N : Numbers num} (st : state num) : values num := sum (programmed st) (shift st).
 Definition displacement {num} {N : Numbers num} (s : setup num) (b : planned num) : triple num :=
   sub3 (end_point s b) (start_point s b).
 

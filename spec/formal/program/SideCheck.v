@@ -62,7 +62,7 @@ Definition standing_at_end {num} {N : Numbers num} (s : setup num) (a : planned 
   f <- following_of s vt None rest ;;
   match f with
   | None =>
-      leg_a <- leg_in_plane s vt a (programmed (behind a)) (to_left (on_left x) r) ;;
+      leg_a <- leg_in_plane s vt a (uncompensated (behind a)) (to_left (on_left x) r) ;;
       Got (Standing [(true, perpendicular (P := plane_of_tool vt) leg_a)] None None)
   | Some f =>
       let b := block_b f in
@@ -71,8 +71,8 @@ Definition standing_at_end {num} {N : Numbers num} (s : setup num) (a : planned 
       let rule := rule_of a zero f in
       if zero : bool then Got (Standing [(true, (0%num, 0%num, 0%num))] (Some (vt, 0%num)) (Some (at_place b)))
       else
-        leg_a <- leg_in_plane s vt a (programmed (behind a)) (to_left (on_left x) r) ;;
-        leg_b <- leg_in_plane s vt b (programmed (before b)) (to_left left_b r) ;;
+        leg_a <- leg_in_plane s vt a (uncompensated (behind a)) (to_left (on_left x) r) ;;
+        leg_b <- leg_in_plane s vt b (uncompensated (before b)) (to_left left_b r) ;;
         group <- group_of (P := plane_of_tool vt) s rule (q_of a) leg_a leg_b ;;
         kept <- without_small_differences s b group ;;
         _ <- (if checks_plane_change s a rule then plane_change s a b else Got tt) ;;
@@ -135,8 +135,8 @@ Definition seen_selected {num} (p : plane) (v : triple num) : pair num :=
 Definition arc_interferes {num} {N : Numbers num} (s : setup num) (b : planned num) (clockwise : bool) (circle : arc num)
     (at_start : standing num) (v w : triple num) : outcome bool :=
   let p := arc_plane circle in
-  let from := radius_vector s circle (programmed (before b)) in
-  let to := radius_vector s circle (programmed (behind b)) in
+  let from := radius_vector s circle (uncompensated (before b)) in
+  let to := radius_vector s circle (uncompensated (behind b)) in
   let x := side_at_end b in
   negative <- is_negative "fanuc.cutter.side" (side_value x) ;;
   let own := to_left (on_left x) (if negative : bool then (- side_value x)%num else side_value x) in

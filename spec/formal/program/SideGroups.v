@@ -27,8 +27,8 @@ Definition is_half_circle {num} {N : Numbers num} (s : setup num) (b : planned n
   match arc_of_block b with
   | None => Got false
   | Some (clockwise, circle) =>
-      let from := radius_vector s circle (programmed (before b)) in
-      let to := radius_vector s circle (programmed (behind b)) in
+      let from := radius_vector s circle (uncompensated (before b)) in
+      let to := radius_vector s circle (uncompensated (behind b)) in
       let across := if clockwise then cross2 to from else cross2 from to in
       more <- is_positive "fanuc.cutter-c.small-corner-before-half-circle" across ;;
       Got (negb more)

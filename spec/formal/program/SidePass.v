@@ -99,7 +99,7 @@ Definition standing_at_start {num} {N : Numbers num} (s : setup num) (b : planne
   | next :: _ =>
       negative <- is_negative "fanuc.cutter.side" (side_value x) ;;
       let rho := to_left (on_left x) (if negative : bool then (- side_value x)%num else side_value x) in
-      leg <- leg_in_plane s vt next (programmed (before next)) rho ;;
+      leg <- leg_in_plane s vt next (uncompensated (before next)) rho ;;
       Got (Standing [(true, perpendicular (P := plane_of_tool vt) leg)] (Some (vt, rho)) (Some (at_place next)))
   end.
 
@@ -178,8 +178,8 @@ Definition as_run {num} {N : Numbers num} (s : setup num) (b : planned num) (fro
                (along_tool m))
       else
         let p := arc_plane a in
-        c <- around clockwise (center a) (add2 (in_plane_of s p (programmed (before b))) (seen_selected p from))
-               (add2 (in_plane_of s p (programmed (behind b))) (seen_selected p to)) ;;
+        c <- around clockwise (center a) (add2 (in_plane_of s p (uncompensated (before b))) (seen_selected p from))
+               (add2 (in_plane_of s p (uncompensated (behind b))) (seen_selected p to)) ;;
         Got (Movement (going m) (because m) (ends_at m) (tip m) (head m) (length_vector m) (machine_zero m)
                (Some (Arc (center a) p (sweep_of c) (ends c))) (at_feed m) (along_tool m))
   end.
