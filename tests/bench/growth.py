@@ -116,10 +116,10 @@ def plot(folder, name, what, rows_of):
     figure, axes = pyplot.subplots(1, 2, figsize=(9, 3.2), layout="constrained")
     for engine, rows in rows_of.items():
         for axis, value in zip(axes, (1, 2)):
-            told = [(max(row[0], 0.5), row[value]) for row in rows if row[value] is not None]
+            told = [(row[0], row[value]) for row in rows if row[value] is not None]
             axis.plot([x for x, _ in told], [y for _, y in told], "o-", label=engine)
     for axis, unit in zip(axes, ["µs a block", "MiB at most"]):
-        axis.set_xscale("log")
+        axis.set_xscale("log" if max(row[0] for rows in rows_of.values() for row in rows) >= 100 else "linear")
         axis.set_yscale("log" if axis is axes[0] else "linear")
         if axis is axes[1]:
             axis.set_ylim(bottom=0)
