@@ -225,6 +225,7 @@ milliseconds short_patience(const Subject& subject, milliseconds timeout) {
 
 std::vector<spec::Event<double>> events_in_double(const Answer& answer) {
   if (const auto* fast = std::get_if<FastEvents>(&answer.result)) return *fast;
+  if (const auto* exact = std::get_if<ExactEvents>(&answer.result)) return in_doubles(*exact);
   const auto* text = std::get_if<TextEvents>(&answer.result);
   return text == nullptr ? std::vector<spec::Event<double>>{} : in_doubles(*text);
 }

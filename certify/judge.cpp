@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "certify/exactly.h"
 #include "fuzz/oracle/policy.h"
 #include "fuzz/oracle/trial.h"
 
 namespace toolcomp::certify {
 namespace {
+
+constexpr const char* kNoValue = "the program makes no value that is judged";
 
 // The last clause among those of the events before and at `last`; where none was applied, a move is wrong that is
 // nothing but its block's own.
@@ -55,6 +58,26 @@ Judgement missing_field(const MissingField& missing, const fuzz::ModelRun& run) 
   d.actual = "absent";
   d.clause = last_clause(run, missing.event);
   return differs(std::move(d));
+}
+
+// What was judged without the oracle's bounds; laws are not asked.
+Judgement exactly(const spec::Case& c, const fuzz::ModelRun& run, const ExactEvents& events) {
+  const Exactly held = hold_exactly(c.setup.axes, run.events, events);
+  Judgement j;
+  if (held.difference) {
+    j = differs(*held.difference);
+    if (!j.difference->clause) j.difference->clause = last_clause(run, j.difference->event);
+  } else if (!held.undecided.empty()) {
+    j.result = Result::undecided;
+    j.verdict.outcome = fuzz::Outcome::undecided;
+    j.why = j.verdict.undecided = held.undecided;
+  } else if (held.values > 0) {
+    j.result = Result::agrees;
+    j.verdict.outcome = fuzz::Outcome::agrees;
+  }
+  j.verdict.values = held.values;
+  if (j.result == Result::nothing_judged) j.why = kNoValue;
+  return j;
 }
 
 Result result_of(fuzz::Outcome outcome) {
@@ -136,6 +159,7 @@ Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, co
     j.why = "the controller announces less than kind, line and one of point and axes";
     return j;
   }
+  if (const auto* events = std::get_if<ExactEvents>(&answer.result)) return exactly(c, run, *events);
   if (answer.missing) return missing_field(*answer.missing, run);
   const fuzz::JudgeOptions options{capabilities.fields, capabilities.resolution.numbers()};
   Judgement j;
@@ -156,7 +180,7 @@ Judgement judge_answer(const Capabilities& capabilities, const spec::Case& c, co
     j.why = words_on_wide(j.verdict.values, j.verdict.wide);
   }
   if (j.result == Result::agrees && j.verdict.beyond) j.result = Result::partly_judged;
-  if (j.result == Result::nothing_judged) j.why = "the program makes no value that is judged";
+  if (j.result == Result::nothing_judged) j.why = kNoValue;
   if (j.verdict.beyond && (j.result == Result::partly_judged || j.result == Result::nothing_judged))
     j.why = words_on_beyond(*j.verdict.beyond);
   return j;

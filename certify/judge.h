@@ -54,9 +54,9 @@ FailureKey key_of(const spec::Case& c, const Judgement& judgement);
 // The clause a fault in this program is laid to: the last one the model applies.
 std::optional<spec::Clause> clause_of_fault(const fuzz::ModelRun& run);
 
-// Asks the subject and judges its answer; where it agrees, the model's events are held against the laws. The clause of
-// a missing field is the last one of its event. InputError of the model passes through: no control could read such a
-// case.
+// Asks the subject and judges its answer, exact events by hold_exactly (exactly.h), all others by the oracle; where
+// these agree, the model's events are held against the laws. The clause of a missing field is the last one of its
+// event. InputError of the model passes through: no control could read such a case.
 Judgement judge_case(Subject& subject, const Capabilities& capabilities, const spec::Case& c, const fuzz::ModelRun& run,
                      std::optional<std::chrono::milliseconds> patience = {});
 // The same with the answer given.

@@ -43,9 +43,9 @@ struct Range {
   std::size_t end = 0;
 };
 
-class Picture {
+class DetailPicture {
  public:
-  Picture(const Detail& detail, double side)
+  DetailPicture(const Detail& detail, double side)
       : detail_(detail),
         left_(cross(detail.along, detail.travel)),
         side_(side),
@@ -129,7 +129,7 @@ std::optional<Detail> detail_of(std::span<const spec::Event<double>> events, con
 
 std::string detail_svg(const Detail& detail, const Path& programmed, const Path& point, double left, double top,
                        double side, std::string_view label, std::string_view unit) {
-  const Picture picture(detail, side);
+  const DetailPicture picture(detail, side);
   const double step = grid_step(side / picture.scale());
   const Point2 from = picture.at(detail.programmed);
   const Point2 to = picture.at(detail.point);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "certify/event_fields.h"
+#include "certify/exactly.h"
 #include "certify/junit.h"
 #include "certify/markup.h"
 #include "spec/language/file_writer.h"
@@ -154,6 +155,8 @@ std::string explanation(const Finding& f) {
   if (kind.starts_with("law "))
     return place + "the model itself breaks the law " + f.field + ": " + f.expected + " does not hold, by " + f.actual +
            ".";
+  if (kind == kSpecificationKind)
+    return place + f.field + " is " + f.expected + " by the model and " + f.actual + " by the formal specification.";
   std::string text = place + f.field + " is " + f.actual + " and should be " + f.expected;
   if (f.deviation_um != 0) text += fmt::format(" ({:.3g} µm off)", f.deviation_um);
   return text + ".";

@@ -1,8 +1,7 @@
 #include "certify/subject.h"
 
-#include <algorithm>
+#include <utility>
 
-#include "certify/convert.h"
 #include "certify/serve.h"
 #include "formal/engine.h"
 #include "fuzz/gen/generator.h"
@@ -32,11 +31,9 @@ class FormalSpecification final : public Subject {
   std::variant<Capabilities, Fault> capabilities() override { return served_capabilities(ServedEngine::specification); }
 
   Answer run(const spec::Case& c, std::optional<std::chrono::milliseconds> /*patience*/) override {
-    const formal::Run run = formal::run(c);
+    formal::Run run = formal::run(c);
     if (!run.not_said.empty()) return {NotApplicable{run.not_said}, {}, {}};
-    TextEvents events;
-    for (const model::Event& event : run.events) events.push_back(in_text(event, kModelDigits));
-    return {std::move(events), {}, {}};
+    return {std::move(run.events), {}, {}};
   }
 };
 

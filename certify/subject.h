@@ -12,6 +12,7 @@
 
 #include "certify/capabilities.h"
 #include "fast/basis/event.h"
+#include "model/basis/event.h"
 #include "spec/language/case.h"
 #include "spec/language/fields.h"
 
@@ -50,9 +51,10 @@ struct MissingField {
 
 using FastEvents = std::vector<fast::Event>;
 using TextEvents = std::vector<spec::TextEvent>;
+using ExactEvents = std::vector<model::Event>;
 
 struct Answer {
-  std::variant<FastEvents, TextEvents, Fault, NotApplicable> result;
+  std::variant<FastEvents, TextEvents, ExactEvents, Fault, NotApplicable> result;
   std::optional<MissingField> missing;  // with events: the first one
   spec::FieldSet sent;                  // of a controller's events: the fields that any of them has
   // Of a controller: as it came; empty: nothing did. With an initializer, GCC lets aggregates leave it out.
@@ -80,8 +82,8 @@ class Subject {
   [[nodiscard]] virtual std::string hello() const { return {}; }
 };
 
-// The formal specification in this process (formal/engine.h): exact values with 40 decimals. Requires
-// formal::available(); from one thread, always the same.
+// The formal specification in this process (formal/engine.h): exact events, which are held exactly (exactly.h).
+// Requires formal::available(); from one thread, always the same. InputError passes through.
 std::unique_ptr<Subject> formal_specification();
 
 // The fast engine in this process: every section and field, in double. InputError of the engine passes through.
