@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "certify/controller.h"
+#include "formal/engine.h"
 #include "spec/language/byte_source.h"
 #include "spec/language/case_document.h"
 #include "spec/language/case_format.h"
@@ -68,6 +69,7 @@ std::string write_finding(const Finding& finding) {
   add("deviation_um", Json(finding.deviation_um).dump());
   add_text("status", finding.status);
   add_text("errors", finding.errors);
+  add_text("alone", finding.alone);
   add("controller", quoted(finding.controller));
   add_text("directory", finding.directory);
   if (!finding.subject.name.empty()) add("capabilities", write_capabilities(finding.subject));
@@ -101,10 +103,11 @@ Finding read_finding(std::string_view text, const std::string& file) {
     finding.first_case = finding.smallest.id;
     return finding;
   }
-  read.keys(root, "finding", {"finding",      "kind",         "clause", "line",       "field",       "expected",
-                              "actual",       "deviation_um", "status", "errors",     "controller",  "directory",
-                              "capabilities", "seed",         "tool",   "first_case", "occurrences", "seen",
-                              "tried",        "before",       "case",   "target",     "executions",  "seconds"});
+  read.keys(root, "finding",
+            {"finding",      "kind",       "clause",      "line",       "field",     "expected",     "actual",
+             "deviation_um", "status",     "errors",      "controller", "directory", "capabilities", "seed",
+             "tool",         "first_case", "occurrences", "seen",       "tried",     "before",       "case",
+             "target",       "executions", "seconds",     "alone"});
   (void)read.integer(*root.find("finding"), "finding", 1, 1);
   const Node* c = root.find("case");
   if (c == nullptr) read.fail(root.at, "a finding needs a case");
@@ -117,6 +120,7 @@ Finding read_finding(std::string_view text, const std::string& file) {
   finding.deviation_um = number_of(root, "deviation_um", read);
   finding.status = text_of(root, "status", read);
   finding.errors = text_of(root, "errors", read);
+  finding.alone = text_of(root, "alone", read);
   finding.controller = text_of(root, "controller", read);
   finding.directory = text_of(root, "directory", read);
   if (const Node* capabilities = given(root, "capabilities")) {
@@ -160,6 +164,13 @@ std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::
   options.timeout = timeout;
   options.reply_limit = reply_limit;
   return std::make_unique<Controller>(std::move(options));
+}
+
+std::unique_ptr<Subject> subject_of_finding(const std::string& controller, std::chrono::milliseconds timeout) {
+  if (controller != kFormalSpecification) return subject_of(controller, timeout);
+  if (!formal::available())
+    throw spec::InputError(controller, 0, 0, "this toolcomp was built without the formal specification");
+  return formal_specification();
 }
 
 int exit_status(Result result) {

@@ -25,7 +25,7 @@ struct Finding {
   double deviation_um = 0;         // linear coordinates
   std::string status;              // with a fault: how the controller's process ended
   std::string errors;              // the last of its standard error
-  std::string controller;          // the command; empty: the built-in fast engine
+  std::string controller;          // the command; empty: the built-in fast engine; or kFormalSpecification
   std::string directory;           // where it was run
   Capabilities subject;            // what it said of itself; without a name: it could not be asked
   std::string seed;                // of the campaign
@@ -40,6 +40,7 @@ struct Finding {
   std::uint64_t tried = 1;
   std::size_t runs = 0;  // executions that shrinking took
   bool complete = true;  // nothing simpler fails in the same way
+  std::string alone;     // who stands alone among model, engine and formal specification (voices.h); empty: not asked
 
   // For the report's picture, not written to the file.
   std::vector<spec::Event<double>> expected_events;
@@ -62,6 +63,11 @@ std::string command_in(const std::string& directory, const std::string& command)
 inline constexpr std::size_t kReplyLimit = std::size_t{64} << 20;  // bytes
 std::unique_ptr<Subject> subject_of(const std::string& controller, std::chrono::milliseconds timeout,
                                     std::size_t reply_limit = kReplyLimit);
+
+// The same for the controller that a finding names, where this may be the formal specification in this process: throws
+// spec::InputError where there is none.
+inline constexpr const char* kFormalSpecification = "spec";
+std::unique_ptr<Subject> subject_of_finding(const std::string& controller, std::chrono::milliseconds timeout);
 
 // Exit status of one judged case: 0 agrees, 1 differs, 3 anything that is no verdict.
 int exit_status(Result result);

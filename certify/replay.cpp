@@ -60,7 +60,7 @@ Replay replay(const std::filesystem::path& file, const ReplayOptions& options) {
   const spec::Case& c = result.finding.smallest;
   const fuzz::ModelRun run = fuzz::run_model(c);
   result.asked = options.controller.value_or(command_of(result.finding));
-  const std::unique_ptr<Subject> subject = subject_of(result.asked, options.timeout);
+  const std::unique_ptr<Subject> subject = subject_of_finding(result.asked, options.timeout);
   const auto capabilities = subject->capabilities();
   if (const auto* failure = std::get_if<Fault>(&capabilities)) {
     result.tried = 1;

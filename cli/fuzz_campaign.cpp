@@ -12,12 +12,14 @@
 #include "certify/fuzzing/merge.h"
 #include "certify/fuzzing/regression.h"
 #include "certify/fuzzing/summary.h"
+#include "certify/fuzzing/third_voice.h"
 #include "cli/board.h"
 #include "cli/controller.h"
 #include "cli/fuzz_bench.h"
 #include "cli/program.h"
 #include "cli/stop.h"
 #include "cli/verbs.h"
+#include "formal/engine.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/steering.h"
 #include "spec/language/byte_source.h"
@@ -100,6 +102,8 @@ int fuzz_campaign(const FuzzOptions& options) {
     campaign.seconds = static_cast<std::uint64_t>(duration_of(options.duration, "--for").count());
   campaign.jobs = std::max(1U, options.jobs);
   campaign.seed = options.seed;
+  // With a controller only findings are asked of it.
+  campaign.specification = !options.no_specification && options.controller.empty();
   // Whether it can be used is known before hours of work.
   if (!options.controller.empty())
     static_cast<void>(controller_subject(options.controller, options.timeout, options.accept_resolution));
@@ -127,6 +131,20 @@ int fuzz_campaign(const FuzzOptions& options) {
     std::cerr << "toolcomp fuzz: " << error.what() << '\n';
     return kBadInput;
   }
+}
+
+int fuzz_specification(const SpecificationWorkerOptions& options) {
+  if (!formal::available()) usage("this toolcomp was built without the formal specification");
+  fuzzing::ThirdVoiceOptions voice;
+  voice.work = options.work;
+  voice.corpus = options.corpus;
+  voice.asked = options.asked;
+  voice.seed = options.seed;
+  voice.seconds = options.seconds;
+  for (const std::string& name : options.targets)
+    if (const fuzz::Target* target = fuzz::find_target(name); target != nullptr && !target->is_reader())
+      voice.targets.push_back(target);
+  return fuzzing::run_third_voice(voice);
 }
 
 int fuzz_settle(const SettleOptions& options) {

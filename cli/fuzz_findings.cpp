@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "certify/report.h"
+#include "certify/voices.h"
 #include "spec/language/file_writer.h"
 #include "spec/language/input_error.h"
 
@@ -40,6 +41,13 @@ certify::Finding as_found(const fuzz::Finding& found) {
   finding.actual = found.difference.actual;
   finding.deviation_um = found.difference.deviation_um;
   finding.complete = false;
+  return finding;
+}
+
+// With who stands alone, where that can be asked.
+certify::Finding with_voices(certify::Finding finding, certify::Subject& subject, std::string_view name) {
+  if (!certify::is_fault(finding.key) && finding.before.empty())
+    finding.alone = certify::ask_all(finding.smallest, subject, name).words;
   return finding;
 }
 
@@ -102,7 +110,9 @@ void FuzzFindings::settle(const fuzz::CampaignResult& result) {
   static_cast<void>(subject->capabilities());
   const certify::FailureGroups groups = std::exchange(groups_, {});
   for (const auto& [key, group] : groups.all())
-    settle(certify::make_finding(*subject, able_, group.witness, evidence_of(options_, stop_)), group.cases);
+    settle(with_voices(certify::make_finding(*subject, able_, group.witness, evidence_of(options_, stop_)), *subject,
+                       "controller"),
+           group.cases);
 }
 
 // Judged again and shrunk; as it was found where there is no run to shrink.
@@ -114,9 +124,10 @@ certify::Finding FuzzFindings::settled(const fuzz::Finding& found) const {
     const certify::Answer answer = subject->run(found.input);
     certify::Judgement judgement = certify::judge_answer(able, found.input, run, answer);
     if (judgement.result == certify::Result::differs)
-      return certify::make_finding(*subject, able,
-                                   {found.input, std::move(judgement), certify::events_in_double(answer), {}},
-                                   evidence_of(options_, stop_));
+      return with_voices(certify::make_finding(
+                             *subject, able, {found.input, std::move(judgement), certify::events_in_double(answer), {}},
+                             evidence_of(options_, stop_)),
+                         *subject, certify::kFastEngine);
   } catch (const spec::InputError&) {  // NOLINT(bugprone-empty-catch)
     // One engine refuses the setup and the other does not: there is no run to shrink.
   }
@@ -150,7 +161,9 @@ void FuzzFindings::adopt(certify::Finding finding) {
 
 void FuzzFindings::print(const fs::path& file, const certify::Finding& finding) {
   fmt::print("FINDING {}{}\n{}", file.string(), certify::how_it_comes(finding), finding.smallest.program);
-  fmt::print("  {}\n  toolcomp replay {}\n", certify::explanation(finding), file.string());
+  fmt::print("  {}\n", certify::explanation(finding));
+  if (!finding.alone.empty()) fmt::print("  {}\n", finding.alone);
+  fmt::print("  toolcomp replay {}\n", file.string());
 }
 
 }  // namespace toolcomp::cli

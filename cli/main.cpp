@@ -71,6 +71,7 @@ class CommandLine {
     add_verify();
     add_fuzz();
     add_fuzz_worker();
+    add_fuzz_specification();
     add_fuzz_settle();
     add_replay();
     add_kit();
@@ -259,6 +260,8 @@ class CommandLine {
     sub->add_option("--shard", fuzz_.shard, "Campaign: I/N, with other seeds than the other shards");
     sub->add_option("--merge", fuzz_.merge, "Merge these campaigns into the new one of --campaign");
     sub->add_flag("--built-in", fuzz_.built_in, "Without the clang targets, where they are");
+    sub->add_flag("--no-specification", fuzz_.no_specification,
+                  "Campaign: without the formal specification as third voice");
     sub->add_flag("--json", fuzz_.json, "Campaign: the summary as JSON on standard output");
   }
   // For campaigns alone: not listed.
@@ -274,6 +277,17 @@ class CommandLine {
     sub->add_option("--runs", worker_.runs);
     sub->add_option("--controller", worker_.controller);
     sub->add_option("--timeout", worker_.timeout);
+  }
+  void add_fuzz_specification() {
+    CLI::App* sub =
+        verb("fuzz-specification", "The third voice of a campaign", [this] { return cli::fuzz_specification(voice_); });
+    sub->group("");
+    sub->add_option("--target", voice_.targets)->allow_extra_args(false);
+    sub->add_option("--work", voice_.work)->required();
+    sub->add_option("--corpus", voice_.corpus)->required();
+    sub->add_option("--asked", voice_.asked)->required();
+    sub->add_option("--seed", voice_.seed);
+    sub->add_option("--seconds", voice_.seconds);
   }
   void add_fuzz_settle() {
     CLI::App* sub = verb("fuzz-settle", "A sighting looked at", [this] { return cli::fuzz_settle(settle_); });
@@ -406,6 +420,7 @@ class CommandLine {
   cli::CertifyOptions certify_;
   cli::VerifyOptions verify_;
   cli::FuzzOptions fuzz_;
+  cli::SpecificationWorkerOptions voice_;
   cli::WorkerOptions worker_;
   cli::SettleOptions settle_;
   cli::ReplayOptions replay_;

@@ -94,6 +94,7 @@ struct FuzzOptions {
   std::vector<std::string> merge;  // folders of campaigns
   std::string shard;               // "I/N"
   bool built_in = false;           // without the clang targets
+  bool no_specification = false;   // a campaign without its third voice
   bool json = false;
 };
 int fuzz(const FuzzOptions& options);
@@ -112,6 +113,15 @@ struct WorkerOptions {
   double timeout = 10;
 };
 int fuzz_worker(const WorkerOptions& options);
+struct SpecificationWorkerOptions {
+  std::string work;                  // its folder
+  std::string corpus;                // of the campaign
+  std::string asked;                 // file of the inputs it has had
+  std::vector<std::string> targets;  // whose inputs
+  std::uint64_t seed = 1;
+  std::uint64_t seconds = 0;  // 0: what is kept
+};
+int fuzz_specification(const SpecificationWorkerOptions& options);
 struct SettleOptions {
   std::string campaign;
   std::string file;  // the sighting

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "certify/fuzzing/found.h"
 
@@ -20,6 +21,17 @@ std::string found_text(const BoardView& view) {
   std::string text = findings_text(view.findings, view.ways);
   if (view.waiting > 0) text += fmt::format(", {} to look at", view.waiting);
   return text;
+}
+
+// Empty: it was not asked for.
+std::string voice_text(const VoiceRow& voice) {
+  const VoiceCount& c = voice.count;
+  std::string text;
+  if (c.cases > 0)
+    text = fmt::format("{} cases, {:.0f} per s, {} agreed, {} differ, {} undecided, {} refused", c.cases, c.per_second,
+                       c.agreed, c.differ, c.undecided, c.refused);
+  if (!voice.silent.empty()) text += (text.empty() ? "" : "; ") + voice.silent;
+  return text.empty() ? text : "formal specification: " + text;
 }
 
 }  // namespace
@@ -57,6 +69,7 @@ std::vector<std::string> board_lines(const BoardView& view, bool summary) {
         reader ? "" : std::to_string(r.ties), r.hits);
   }
   if (idle > 0) lines.push_back(fmt::format("{} targets had no turn{}", idle, summary ? "" : " yet"));
+  if (std::string voice = voice_text(view.specification); !voice.empty()) lines.push_back(std::move(voice));
   lines.push_back(
       fmt::format("{}  {}{}", clock_text(view.seconds), found_text(view), view.state.empty() ? "" : "  " + view.state));
   return lines;
@@ -75,8 +88,12 @@ std::string plain_line(const BoardView& view) {
     fresh += r.fresh;
     if (r.workers > 0) at += (at.empty() ? "" : ", ") + r.target;
   }
-  return fmt::format("{}  {} executions, outcomes {}/{}{}, {}; {}", clock_text(view.seconds), executions, outcomes, of,
-                     fresh == 0 ? "" : fmt::format(" (+{})", fresh), found_text(view),
+  const VoiceCount& voice = view.specification.count;
+  return fmt::format("{}  {} executions, outcomes {}/{}{}, {}{}; {}", clock_text(view.seconds), executions, outcomes,
+                     of, fresh == 0 ? "" : fmt::format(" (+{})", fresh), found_text(view),
+                     voice.cases == 0
+                         ? ""
+                         : fmt::format(", formal specification {} cases, {:.0f} per s", voice.cases, voice.per_second),
                      at.empty() ? view.state : "at " + at);
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/fuzzing/third_voice.h"
 #include "certify/process.h"
 #include "fuzz/campaign/campaign.h"
 
@@ -28,8 +29,15 @@ struct BoardRow {
   std::uint64_t hits = 0;  // executions that differed
 };
 
+// The formal specification as third voice.
+struct VoiceRow {
+  std::string silent;  // why it says nothing: "not built in"; empty: it does, or was not asked for
+  VoiceCount count;
+};
+
 struct BoardView {
   std::vector<BoardRow> rows;
+  VoiceRow specification;
   double seconds = 0;  // since this start
   std::size_t findings = 0;
   std::size_t ways = 0;     // in which they show

@@ -10,7 +10,9 @@
 #include <thread>
 
 #include "certify/fuzzing/found.h"
+#include "certify/fuzzing/third_voice.h"
 #include "certify/running_mark.h"
+#include "formal/engine.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/summary.h"
 
@@ -21,6 +23,8 @@ constexpr std::chrono::milliseconds kLook{20};
 constexpr std::chrono::seconds kSave{1};
 // After so many bad ends of workers in a row, without an execution between, something is wrong with all of them.
 constexpr unsigned kMostFailures = 5;
+// Of the third voice, seconds.
+constexpr std::uint64_t kThirdSlice = 120;
 
 BoardRow row_of(const fuzz::Target& target, const fuzz::CampaignResult& sum, std::uint64_t milliseconds) {
   BoardRow row;
@@ -56,13 +60,16 @@ class Hunt {
         look();
       }
       for (auto& worker : workers_) worker->stop();
+      if (third_) third_->stop();
       while (!workers_.empty()) close(workers_.size() - 1);
+      if (third_) close_third();
       settle_rest();
       settler_.stop();
       save();
     } catch (...) {
       // What the workers have found stays in their folders.
       workers_.clear();
+      third_.reset();
       settler_.stop();
       throw;
     }
@@ -100,7 +107,7 @@ class Hunt {
 
   bool over() {
     if (stopped()) return true;
-    if (options_.runs > 0) return workers_.empty() && done_.size() == options_.targets.size();
+    if (options_.runs > 0) return all_done() && !third_ && !third_waits();
     if (!options_.seconds) return false;
     return left() == 0 && (workers_.empty() || seconds() > static_cast<double>(*options_.seconds) + kGrace);
   }
@@ -110,7 +117,50 @@ class Hunt {
     return rest < 0.5 ? 0 : static_cast<std::uint64_t>(std::llround(rest));
   }
 
+  [[nodiscard]] bool all_done() const { return workers_.empty() && done_.size() == options_.targets.size(); }
+
+  // Where every target runs once, it comes when all are done, and has what they kept.
+  [[nodiscard]] bool third_waits() const {
+    if (!options_.specification || !formal::available() || third_ || third_failures_ >= kMostFailures) return false;
+    return options_.runs > 0 ? all_done() && !third_done_ : !options_.seconds || left() > 0;
+  }
+
+  void begin_third() {
+    Slice slice;
+    for (const fuzz::Target* target : options_.targets)
+      if (!target->is_reader()) slice.heard.push_back(target);
+    third_done_ = true;
+    if (slice.heard.empty()) {
+      third_failures_ = kMostFailures;
+      return;
+    }
+    slice.target = &third_voice();
+    slice.number = state_.next_slice;
+    slice.seed = slice_seed(options_.seed, options_.shard, slice.number);
+    if (options_.runs == 0) slice.seconds = options_.seconds ? std::min(left(), kThirdSlice) : kThirdSlice;
+    state_.next_slice = slice.number + 1;
+    state_.open.insert(slice.number);
+    third_ = std::make_unique<Worker>(options_.bench, slice, folder_.work(slice.number), folder_.corpus());
+    save();
+  }
+
+  void close_third() {
+    const std::unique_ptr<Worker> worker = std::move(third_);
+    const bool none = counters_in(worker->folder()).executions == 0 && worker->executions() == 0;
+    folder_.close(state_, worker->slice().number, worker->milliseconds(), running());
+    if (worker->how().empty() || stopped()) return;
+    third_failures_ = none ? third_failures_ + 1 : 0;
+    ++state_.ends[worker->how()];
+    say(fmt::format("formal specification: {} after {} cases; {}", worker->how(), worker->executions(),
+                    worker->errors()));
+    if (worker->how() == "cannot write") throw std::runtime_error(cannot_write(worker->errors()));
+    if (third_failures_ == kMostFailures) say("formal specification: not asked any more");
+    // What was kept and not asked yet is asked by the next one.
+    third_done_ = false;
+  }
+
   void begin_slices() {
+    if (third_waits()) begin_third();
     while (workers_.size() < options_.jobs && !stopped()) {
       const std::optional<Slice> slice = next_slice();
       if (!slice) return;
@@ -158,9 +208,11 @@ class Hunt {
       else
         close(i);
     }
+    if (third_ && !third_->goes_on(kLook / 4)) close_third();
     if (workers_.empty()) std::this_thread::sleep_for(kLook);
     settle_step();
     if (Clock::now() - saved_ < kSave) return;
+    if (third_) folder_.take_sightings(third_->slice().number);
     for (const auto& worker : workers_) folder_.take_sightings(worker->slice().number);
     save();
     show(settler_.busy() ? "settling" : "");
@@ -239,7 +291,12 @@ class Hunt {
       fuzz::add(sum.sum, counters_in(worker->folder()));
       sum.milliseconds += worker->milliseconds();
     }
+    if (third_) {
+      fuzz::add(now.specification.sum, counters_in(third_->folder()));
+      now.specification.milliseconds += third_->milliseconds();
+    }
     BoardView view = view_of(now, options_.targets);
+    view.specification.silent = silence(options_);
     view.seconds = seconds();
     if (const std::size_t ways = dossiers_in(folder_.findings()).size(); ways != ways_) {
       findings_ = found_in(folder_.findings()).findings.size();
@@ -273,6 +330,9 @@ class Hunt {
   std::size_t findings_ = 0;
   std::size_t ways_ = 0;
   unsigned failures_ = 0;
+  std::unique_ptr<Worker> third_;
+  unsigned third_failures_ = 0;
+  bool third_done_ = false;  // with runs: it has begun
   OutcomeWindow window_;
   Clock::time_point begun_ = Clock::now();
   Clock::time_point counted_ = begun_;
@@ -290,7 +350,13 @@ BoardView view_of(const State& state, const std::vector<const fuzz::Target*>& ta
     view.rows.push_back(known == state.targets.end() ? row_of(*target, {}, 0)
                                                      : row_of(*target, known->second.sum, known->second.milliseconds));
   }
+  view.specification.count = voice_count(state.specification);
   return view;
+}
+
+std::string silence(const CampaignOptions& options) {
+  if (!options.specification || formal::available()) return {};
+  return "not built in (TOOLCOMP_FORMAL; needs Coq and OCaml)";
 }
 
 }  // namespace toolcomp::certify::fuzzing

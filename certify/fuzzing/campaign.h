@@ -25,6 +25,7 @@ struct CampaignOptions {
   unsigned jobs = 1;
   std::uint64_t seed = 1;
   Shard shard;
+  bool specification = false;                   // as third voice, where it is built in (third_voice.h)
   std::function<bool()> stop;                   // an end asked for
   std::function<void(const BoardView&)> show;   // about once a second
   std::function<void(const std::string&)> say;  // what happened, a line each
@@ -44,7 +45,9 @@ struct CampaignEnd {
 // cannot be written: what was found then stays in `work` for the next start.
 CampaignEnd run_campaign(const CampaignOptions& options);
 
-// What state.json says of targets, as rows in their order.
+// What state.json says of targets, as rows in their order, and of the third voice.
 BoardView view_of(const State& state, const std::vector<const fuzz::Target*>& targets);
+// Why the formal specification says nothing here; empty: it does, or is not asked for.
+std::string silence(const CampaignOptions& options);
 
 }  // namespace toolcomp::certify::fuzzing

@@ -97,6 +97,7 @@ std::string exact_events(const fuzz::ModelRun& run, const spec::Axes& axes) {
 constexpr std::string_view kSection = "section   ";
 constexpr std::string_view kShape = "shape     ";
 constexpr std::string_view kCore = "core      ";
+constexpr std::string_view kVoices = "voices    ";
 constexpr std::string_view kNotKnown = "not known";
 
 std::string story(const Dossier& dossier, const std::string& margin) {
@@ -107,6 +108,7 @@ std::string story(const Dossier& dossier, const std::string& margin) {
                       dossier.shape.empty() ? kNotKnown : dossier.shape, kCore,
                       dossier.core.empty() ? kNotKnown : dossier.core, name(dossier.stage),
                       dossier.why.empty() ? "" : ": " + dossier.why);
+  if (!f.alone.empty()) text += fmt::format("{}{}\n", kVoices, f.alone);
   text += fmt::format("found by  {}, seed {}, execution {}, {:.1f} s after its worker began\n",
                       f.target.empty() ? "toolcomp fuzz" : f.target, f.seed, f.executions, f.seconds);
   if (!f.controller.empty()) text += "asked     " + f.controller + "\n";
@@ -191,6 +193,7 @@ Story read_story(const fs::path& dossier) {
   for (std::string line; std::getline(text, line);) {
     if (line.starts_with(kSection)) story.section = line.substr(kSection.size());
     if (line.starts_with(kShape)) story.shape = line.substr(kShape.size());
+    if (line.starts_with(kVoices)) story.voices = line.substr(kVoices.size());
     if (line.starts_with(kCore)) story.core = line.substr(kCore.size());
   }
   if (story.shape == kNotKnown) story.shape.clear();

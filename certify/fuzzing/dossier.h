@@ -41,10 +41,10 @@ bool write_dossier(const Dossier& dossier, const std::filesystem::path& folder);
 
 // The dossiers of a folder, by name.
 std::vector<std::filesystem::path> dossiers_in(const std::filesystem::path& folder);
-// What finding.txt of a dossier says first, and of what; of a reader's finding section, shape and core are empty, and
-// shape and core of what is not shrunk.
+// What finding.txt of a dossier says first, of what, and who stands alone there (certify/voices.h); of a reader's
+// finding section, shape and core are empty, and shape and core of what is not shrunk.
 struct Story {
-  std::string what, section, shape, core;
+  std::string what, section, shape, core, voices;
 };
 Story read_story(const std::filesystem::path& dossier);
 // Their findings; those of readers left out.

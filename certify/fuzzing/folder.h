@@ -1,6 +1,7 @@
 // The folder of a campaign:
 //   state.json        what it has done (state.h)
 //   corpus/TARGET     inputs that reached something new
+//   asked             inputs of the corpus that the formal specification has had
 //   work/NUMBER       a slice that runs, or ran when the campaign was killed
 //   findings/NAME     a finding (dossier.h); findings/new: sightings nobody has looked at; open/NAME: not decided
 //   log               what happened, a line each
@@ -21,7 +22,9 @@ class Folder {
   explicit Folder(std::filesystem::path root) : root_(std::move(root)) {}
 
   [[nodiscard]] const std::filesystem::path& root() const { return root_; }
-  [[nodiscard]] std::filesystem::path corpus(const std::string& target) const { return root_ / "corpus" / target; }
+  [[nodiscard]] std::filesystem::path corpus(const std::string& target = {}) const {
+    return target.empty() ? root_ / "corpus" : root_ / "corpus" / target;
+  }
   [[nodiscard]] std::filesystem::path work(std::uint64_t slice) const;
   [[nodiscard]] std::filesystem::path findings() const { return root_ / "findings"; }
   [[nodiscard]] std::filesystem::path open() const { return root_ / "open"; }

@@ -7,11 +7,12 @@
 namespace toolcomp::certify::fuzzing {
 
 Found found_in(const std::filesystem::path& folder) {
-  Found found{dossiers_in(folder), {}, {}};
+  Found found{dossiers_in(folder), {}, {}, {}};
   std::vector<Way> ways;
   for (const std::filesystem::path& dossier : found.dossiers) {
     Story story = read_story(dossier);
     found.what.push_back(std::move(story.what));
+    found.voices.push_back(std::move(story.voices));
     ways.push_back({std::move(story.section), std::move(story.shape), std::move(story.core)});
   }
   found.findings = families(ways);

@@ -13,6 +13,7 @@ namespace toolcomp::certify::fuzzing {
 struct Found {
   std::vector<std::filesystem::path> dossiers;  // by name
   std::vector<std::string> what;                // each says
+  std::vector<std::string> voices;              // and who stands alone there; empty: not asked
   std::vector<Family> findings;
 };
 // Of the folder of findings.

@@ -6,6 +6,7 @@
 #include "certify/fuzzing/shape.h"
 #include "certify/process.h"
 #include "certify/shrink.h"
+#include "certify/voices.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
@@ -17,13 +18,23 @@ namespace {
 // What only a process of its own can be asked about.
 bool ends_processes(const std::string& kind) { return kind == "crash" || kind == "hang" || kind == "out of memory"; }
 
-std::string this_engine() {
-  return shell_quoted(std::filesystem::read_symlink("/proc/self/exe").string()) + " serve --engine fast";
+std::string this_engine(const std::string& name) {
+  return shell_quoted(std::filesystem::read_symlink("/proc/self/exe").string()) + " serve --engine " + name;
 }
 
 std::unique_ptr<Subject> subject_for(const Finding& seen, const SettleOptions& options) {
-  const bool apart = seen.controller.empty() && ends_processes(seen.key.kind);
-  return subject_of(apart ? this_engine() : seen.controller, options.timeout);
+  const bool ours = seen.controller.empty() || seen.controller == kFormalSpecification;
+  if (ours && ends_processes(seen.key.kind))
+    return subject_of(this_engine(seen.controller.empty() ? "fast" : "spec"), options.timeout);
+  return subject_of_finding(seen.controller, options.timeout);
+}
+
+// Who stands alone: of the fast engine or a controller the formal specification is asked, of that the fast engine.
+std::string voices(const Finding& finding, Subject& subject) {
+  if (is_fault(finding.key) || !finding.before.empty()) return {};
+  if (finding.controller == kFormalSpecification)
+    return ask_all(finding.smallest, *built_in_engine(), kFastEngine).words;
+  return ask_all(finding.smallest, subject, finding.controller.empty() ? kFastEngine : "controller").words;
 }
 
 // Who found it and how, which looking again does not know.
@@ -101,6 +112,7 @@ Dossier settle(const Finding& seen, const SettleOptions& options) {
         with_origin(make_finding(*subject, capabilities,
                                  {seen.smallest, judgement, events_in_double(answer), seen.before}, evidence),
                     seen);
+    dossier.finding.alone = voices(dossier.finding, *subject);
     dossier.stage = dossier.finding.complete ? Stage::shrunk : Stage::reproduced;
     dossier.shape = shape_of(dossier.finding.smallest);
     if (dossier.stage == Stage::shrunk) dossier.core = core_of(*subject, capabilities, dossier.finding, options);

@@ -65,6 +65,12 @@ void add(std::map<Key, std::uint64_t>& total, const std::map<Key, std::uint64_t>
   for (const auto& [key, count] : part) total[key] += count;
 }
 
+void add(TargetState& sum, const TargetState& part) {
+  fuzz::add(sum.sum, part.sum);
+  sum.milliseconds += part.milliseconds;
+  sum.slices += part.slices;
+}
+
 }  // namespace
 
 std::uint64_t State::executions() const {
@@ -91,6 +97,7 @@ std::string write_state(const State& state, const std::vector<Running>& running)
   Json targets = Json::object();
   for (const auto& [name, target] : state.targets) targets[name] = json_of(target);
   json["targets"] = std::move(targets);
+  json["specification"] = json_of(state.specification);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -109,6 +116,7 @@ State read_state(std::string_view text, const std::string& file) {
     json.at("next_slice").get_to(state.next_slice);
     json.at("open").get_to(state.open);
     for (const auto& [name, target] : json.at("targets").items()) state.targets[name] = target_of(target);
+    if (json.contains("specification")) state.specification = target_of(json.at("specification"));
   } catch (const Json::exception& error) {
     throw spec::InputError(file, 0, 0, std::string("is no state of a campaign: ") + error.what());
   }
@@ -121,12 +129,8 @@ void merge(State& total, const State& part) {
   total.seed = total.starts == 0 ? part.seed : std::min(total.seed, part.seed);
   total.starts += part.starts;
   total.milliseconds += part.milliseconds;
-  for (const auto& [name, target] : part.targets) {
-    TargetState& sum = total.targets[name];
-    fuzz::add(sum.sum, target.sum);
-    sum.milliseconds += target.milliseconds;
-    sum.slices += target.slices;
-  }
+  for (const auto& [name, target] : part.targets) add(total.targets[name], target);
+  add(total.specification, part.specification);
   add(total.ends, part.ends);
   add(total.groups, part.groups);
   add(total.looked, part.looked);

@@ -24,6 +24,7 @@ struct State {
   std::uint64_t starts = 0;
   std::uint64_t milliseconds = 0;  // of all starts
   std::map<std::string, TargetState> targets;
+  TargetState specification;                  // of the third voice (third_voice.h)
   std::map<std::string, std::uint64_t> ends;  // how workers ended, in time apart: "crash", "hang", "killed by signal 9"
   std::map<std::string, std::uint64_t> groups;  // findings by the name of their folder: cases that came to it
   std::map<std::string, std::uint64_t> looked;  // sightings looked at, by group_of()

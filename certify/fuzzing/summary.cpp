@@ -8,6 +8,8 @@
 
 #include "certify/fuzzing/dossier.h"
 #include "certify/fuzzing/found.h"
+#include "certify/fuzzing/third_voice.h"
+#include "formal/engine.h"
 #include "fuzz/campaign/floors.h"
 #include "fuzz/campaign/summary.h"
 
@@ -102,6 +104,7 @@ std::string summary_text(const CampaignOptions& options, const CampaignEnd& end,
                   time_text(static_cast<double>(state.milliseconds) / 1000));
   BoardView view = view_of(state, options.targets);
   view.seconds = end.seconds;
+  view.specification.silent = silence(options);
   view.findings = end.findings;
   view.ways = end.ways;
   view.waiting = end.waiting;
@@ -129,8 +132,9 @@ std::string summary_text(const CampaignOptions& options, const CampaignEnd& end,
   const Found found = found_in(options.folder / "findings");
   for (const Family& finding : found.findings) {
     const fs::path& first = found.dossiers[finding.first];
-    text += fmt::format("FINDING {}\n  {}\n  cases that came to it: {}\n", first.string(), found.what[finding.first],
-                        cases_of(state, first));
+    text += fmt::format("FINDING {}\n  {}\n", first.string(), found.what[finding.first]);
+    if (const std::string& who = found.voices[finding.first]; !who.empty()) text += "  " + who + "\n";
+    text += fmt::format("  cases that came to it: {}\n", cases_of(state, first));
     for (const std::size_t i : finding.others)
       text +=
           fmt::format("  shows in {} too: {} cases\n", found.dossiers[i].string(), cases_of(state, found.dossiers[i]));
@@ -160,8 +164,10 @@ std::string summary_json(const CampaignOptions& options, const CampaignEnd& end,
   json["findings"] = Json::array();
   const Found found = found_in(options.folder / "findings");
   const auto way = [&](std::size_t i) {
-    return Json{
-        {"folder", found.dossiers[i].string()}, {"what", found.what[i]}, {"cases", cases_of(state, found.dossiers[i])}};
+    return Json{{"folder", found.dossiers[i].string()},
+                {"what", found.what[i]},
+                {"voices", found.voices[i]},
+                {"cases", cases_of(state, found.dossiers[i])}};
   };
   for (const Family& finding : found.findings) {
     Json one = way(finding.first);
@@ -196,6 +202,15 @@ std::string summary_json(const CampaignOptions& options, const CampaignEnd& end,
                                 {"seeded_faults", faults.all},
                                 {"seeded_faults_within_budget", faults.within}});
   }
+  const VoiceCount voice = voice_count(state.specification);
+  json["specification"] = {{"asked", options.specification && formal::available()},
+                           {"built_in", formal::available()},
+                           {"cases", voice.cases},
+                           {"per_second", voice.per_second},
+                           {"agreed", voice.agreed},
+                           {"differ", voice.differ},
+                           {"undecided", voice.undecided},
+                           {"refused", voice.refused}};
   json["mutation_score"] = nullptr;  // not known for these seeds
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "certify/fuzzing/third_voice.h"
 #include "fuzz/campaign/black_box.h"
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/summary.h"
@@ -57,6 +58,14 @@ std::string built_in(const Bench& bench, const Slice& slice, const fs::path& fol
   return line;
 }
 
+std::string specification(const Bench& bench, const Slice& slice, const fs::path& folder, const fs::path& corpus) {
+  std::string line =
+      fmt::format("{} fuzz-specification --seed {} --seconds {} --work{} --corpus{} --asked{}", word(bench.program),
+                  slice.seed, slice.seconds, word(folder), word(corpus), word(corpus.parent_path() / "asked"));
+  for (const fuzz::Target* target : slice.heard) line += " --target " + target->name;
+  return line;
+}
+
 // The worker ends with this process, even if it is killed: then its standard input ends. Standard output is the shell's
 // alone, so that it ends with the shell, even if that is killed.
 std::string script(const std::string& worker) {
@@ -68,6 +77,7 @@ std::string prepared(const Bench& bench, const Slice& slice, const fs::path& fol
   fs::create_directories(folder / fuzz::Diary::kFindings);
   fs::create_directories(corpus);
   spec::write_file(folder / "target", slice.target->name + "\n");
+  if (slice.target == &third_voice()) return script(specification(bench, slice, folder, corpus));
   return script(bench.has_clang(*slice.target) ? libfuzzer(bench, slice, folder, corpus)
                                                : built_in(bench, slice, folder, corpus));
 }
@@ -140,6 +150,11 @@ void Worker::end(std::string how) {
   }
   const auto box = fuzz::BlackBox::read(folder_ / fuzz::Diary::kBlackBox);
   if (!box || box->executions == 0) return;
+  if (slice_.target == &third_voice()) {
+    spec::write_file(folder_ / fuzz::Diary::kFindings / (fuzz::digest(box->input) + ".json"),
+                     ended_at(box->input, how_ == "hang" || how_ == "out of memory" ? how_ : "crash"));
+    return;
+  }
   const char* const kind = how_ == "hang" ? "timeout-" : how_ == "out of memory" ? "oom-" : "crash-";
   spec::write_file(folder_ / (kind + fuzz::digest(box->input)), box->input);
 }

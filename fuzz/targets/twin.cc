@@ -12,15 +12,14 @@
 
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/floors.h"
+#include "fuzz/campaign/long_program.h"
 #include "fuzz/campaign/steering.h"
 #include "fuzz/campaign/summary.h"
 #include "fuzz/campaign/target.h"
 #include "fuzz/gen/encode.h"
 #include "fuzz/gen/mutate.h"
-#include "fuzz/oracle/control.h"
 #include "fuzz/oracle/trial.h"
 #include "fuzz/targets/worker.h"
-#include "spec/language/byte_source.h"
 #include "spec/language/input_error.h"
 
 namespace {
@@ -56,22 +55,6 @@ void report() {
     std::fflush(nullptr);
     std::_Exit(kBelowFloor);
   }
-}
-
-// Programs that call others may be as long as they like: too long to be run here.
-bool repeats_much(const toolcomp::spec::Case& c) {
-  constexpr std::size_t kMostBlocks = 4000;
-  return toolcomp::fuzz::with_control(c.setup, [&]<class Control>(Control) {
-    auto reader = Control::reader(toolcomp::spec::text_source(c.program), c.setup, "program");
-    typename Control::Block block;
-    std::size_t blocks = 0;
-    try {
-      while (blocks <= kMostBlocks && reader.next(block)) ++blocks;
-    } catch (const toolcomp::spec::InputError&) {
-      return false;
-    }
-    return blocks > kMostBlocks;
-  });
 }
 
 // What has to be looked at again.

@@ -1,0 +1,25 @@
+// A planted fault in the model: it takes G44 for G43. The linker puts this function in the place of fuzz::run_model
+// (CMakeLists.txt), whose symbol it asks for by its own.
+#include <string>
+
+#include "fuzz/oracle/verdict.h"
+
+namespace {
+
+using toolcomp::fuzz::Forced;
+using toolcomp::fuzz::ModelRun;
+using toolcomp::spec::Case;
+
+#define TOOLCOMP_RUN_MODEL \
+  "_ZN8toolcomp4fuzz9run_modelERKNS_4spec4CaseERKSt3mapImNS_5exact4SignESt4lessImESaISt4pairIKmS7_EEE"
+
+}  // namespace
+
+ModelRun sound_model(const Case& c, const Forced& forced) asm("__real_" TOOLCOMP_RUN_MODEL);
+ModelRun wrong_model(const Case& c, const Forced& forced) asm("__wrap_" TOOLCOMP_RUN_MODEL);
+
+ModelRun wrong_model(const Case& c, const Forced& forced) {
+  Case other = c;
+  for (std::size_t at = 0; (at = other.program.find("G44", at)) != std::string::npos; ++at) other.program[at + 2] = '3';
+  return sound_model(other, forced);
+}
