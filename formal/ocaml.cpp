@@ -58,6 +58,12 @@ value result_of(Operation operation) {
   return Val_unit;
 }
 
+// Nothing has to be made of a zero: most of a vector often is one.
+bool is_zero(value v) {
+  const Real& x = real_of(v);
+  return x.is_rational() && x.sign() == exact::Sign::zero;
+}
+
 enum Kind : int { kNumber, kInteger, kText, kList };
 
 value to_ocaml(const Data& data) {
@@ -131,6 +137,7 @@ Data run_case(const Data& c) {
 }  // namespace toolcomp::formal
 
 using toolcomp::formal::box;
+using toolcomp::formal::is_zero;
 using toolcomp::formal::real_of;
 using toolcomp::formal::result_of;
 
@@ -140,10 +147,13 @@ value toolcomp_formal_integer(value i) {
   return box(toolcomp::exact::Real(toolcomp::exact::Rational(static_cast<long long>(Long_val(i)))));
 }
 value toolcomp_formal_plus(value a, value b) {
+  if (is_zero(a)) return b;
+  if (is_zero(b)) return a;
   return result_of([&] { return real_of(a) + real_of(b); });
 }
 // What is made alike is equal, where no sign of a difference would ever be certified too.
 value toolcomp_formal_minus(value a, value b) {
+  if (is_zero(b)) return a;
   return result_of([&] {
     const auto& x = real_of(a);
     const auto& y = real_of(b);
@@ -151,6 +161,8 @@ value toolcomp_formal_minus(value a, value b) {
   });
 }
 value toolcomp_formal_times(value a, value b) {
+  if (is_zero(a)) return a;
+  if (is_zero(b)) return b;
   return result_of([&] { return real_of(a) * real_of(b); });
 }
 value toolcomp_formal_over(value a, value b) {
