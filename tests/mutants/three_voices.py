@@ -41,7 +41,7 @@ MODEL = [
 
 # The same below spec/formal/program.
 SPECIFICATION = [
-    (LENGTH, 500, "LengthOffset.v", "without (taken_away l) set", "taken_away l"),
+    (LENGTH, 500, "LengthOffset.v", "Subtract => (- x)%num", "Subtract => x"),
     (OFFSET, 500, "ToolShift.v", "Some (negb minus_written)", "Some true"),
     (CUTTER_B, 500, "CutterB.v", "or_else letters (travel", "or_else None (travel"),
     (CUTTER_C, 2000, "CutterC.v", "(leg_before s b (- rho_of x)%num)", "(leg_before s b (rho_of x))"),
