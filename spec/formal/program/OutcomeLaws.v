@@ -60,6 +60,15 @@ Proof.
   unfold is_zero. destruct (decides clause 0%R) as [c D]. rewrite D. apply decided in D. destruct c; auto; lra.
 Qed.
 
+Lemma not_negative clause (x : R) : ~ (x < 0)%R -> is_negative clause x = Got false.
+Proof.
+  intro N. unfold is_negative. destruct (decides clause x) as [c D]. rewrite D. apply decided in D. destruct c; auto; lra.
+Qed.
+Lemma not_positive clause (x : R) : ~ (0 < x)%R -> is_positive clause x = Got false.
+Proof.
+  intro N. unfold is_positive. destruct (decides clause x) as [c D]. rewrite D. apply decided in D. destruct c; auto; lra.
+Qed.
+
 (** * Events *)
 
 (** Behind the first that ends a run there is nothing. *)
