@@ -1,7 +1,7 @@
 (** Laws of the corners of cutter compensation C: the vectors between two lines keep the distance of the offset from them. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith List.
 From Coq Require String.
-From Toolcomp Require Import Vectors CutterCompensationC SpecifiedCorners.
+From Toolcomp Require Import Vectors CutterCompensationC OutcomeLaws SpecifiedCorners.
 From Toolcomp Require Numbers Outcomes Arcs Corners CutterState State Movements CutterRules CutterModes CutterC CutterLaws.
 Import Outcomes(outcome(..)).
 Import ListNotations.
