@@ -1,8 +1,10 @@
-(** Laws of the corners of cutter compensation C: the vectors between two lines keep the distance of the offset from them. *)
+(** Laws of the corners of cutter compensation C: the vectors between two lines keep the distance of the offset from
+    them. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith List.
 From Coq Require String.
 From Toolcomp Require Import Vectors CutterCompensationC OutcomeLaws SpecifiedCorners.
-From Toolcomp Require Numbers Outcomes Arcs Corners CutterState State Movements CutterRules CutterModes CutterC CutterLaws.
+From Toolcomp Require Numbers Outcomes Arcs Corners CutterState State Movements CutterRules CutterModes CutterC
+  CutterLaws.
 Import Outcomes(outcome(..)).
 Import ListNotations.
 Open Scope R_scope.
@@ -19,7 +21,8 @@ Proof.
 Qed.
 
 Lemma flat_perpendicular rho t : direction t -> on_offset_line rho t (perpendicular rho t).
-Proof. intro D. rewrite <- (M_straight_on rho t D). apply M_on_both_lines; auto. destruct D as [_ E]. rewrite E. lra. Qed.
+Proof. intro D. rewrite <- (M_straight_on rho t D). apply M_on_both_lines; auto. destruct D as [_ E]. rewrite E. lra.
+Qed.
 
 Lemma group_on_lines rho t1 t2 : direction t1 -> direction t2 -> rho <> 0 ->
   on_offset_line rho t1 (hd zero (group rho t1 t2)) /\ on_offset_line rho t2 (last (group rho t1 t2) zero).
@@ -81,9 +84,9 @@ Definition offset_behind (a b : Movements.planned R) : R :=
   CutterModes.offset_of (CutterState.was_left (State.cutter (Movements.behind b)))
     (CutterState.reach (State.cutter (Movements.behind a))).
 
-(** fanuc.cutter-c.which-rule: at every corner between two lines of the mode the tool comes to a vector at the distance of the
-    offset from the line before, and leaves from one at that distance from the line behind: outer, inner, straight on and
-    back. *)
+(** fanuc.cutter-c.which-rule: at every corner between two lines of the mode the tool comes to a vector at the distance
+    of the offset from the line before, and leaves from one at that distance from the line behind: outer, inner,
+    straight on and back. *)
 Theorem corner_keeps_distance s a b u v vs :
   CutterC.corner_group s a b false = Got vs -> straight s a u -> straight s b v ->
   CutterC.part_of a = CutterState.ModeBlock -> CutterC.part_of b = CutterState.ModeBlock ->
@@ -100,7 +103,8 @@ Proof.
   assert (O : CutterC.rho_of (State.cutter (Movements.behind a)) <> 0).
   { unfold CutterC.rho_of. destruct (CutterState.was_left _); cbn; lra. }
   apply mode_group_is_group in H; auto. rewrite first_of, last_of, H.
-  assert (E : offset_behind a b = offset_before a) by (unfold offset_behind, offset_before, CutterC.rho_of; now rewrite S).
+  assert (E : offset_behind a b = offset_before a) by (unfold offset_behind, offset_before, CutterC.rho_of;
+    now rewrite S).
   rewrite E. apply group_on_lines; auto using tangent_direction.
 Qed.
 
@@ -127,12 +131,13 @@ Proof.
   cbn. lra.
 Qed.
 
-(** fanuc.cutter-c.direction-change: at a change of the side between two lines at an angle the vector is at the distance of
-    the offset from both, on the side of each. *)
+(** fanuc.cutter-c.direction-change: at a change of the side between two lines at an angle the vector is at the distance
+    of the offset from both, on the side of each. *)
 Theorem side_change_keeps_distance s a b u v vs :
   CutterC.corner_group s a b false = Got vs -> straight s a u -> straight s b v -> Corners.aside u v <> 0 ->
   CutterC.part_of b = CutterState.ModeBlock ->
-  CutterState.was_left (State.cutter (Movements.behind a)) <> CutterState.was_left (State.cutter (Movements.behind b)) ->
+  CutterState.was_left (State.cutter (Movements.behind a)) <> CutterState.was_left (State.cutter (Movements.behind b))
+    ->
   CutterState.reach (State.cutter (Movements.behind a)) <> 0 ->
   on_offset_line (offset_before a) (tangent u) (vector (hd Corners.zero2 vs)) /\
   on_offset_line (offset_behind a b) (tangent v) (vector (hd Corners.zero2 vs)).
@@ -151,7 +156,8 @@ Proof.
   assert (E : offset_behind a b = - offset_before a).
   { unfold offset_behind, offset_before, CutterC.rho_of. fold l l'. destruct l, l'; try (now destruct S); cbn; ring. }
   rewrite E. apply direction_change_on_both_lines; auto using tangent_direction.
-  intro K. apply N, (parallel_ways u v U V). pose proof (cosine_sine _ _ (tangent_direction u U) (tangent_direction v V)) as C.
+  intro K. apply N, (parallel_ways u v U V). pose proof (cosine_sine _ _ (tangent_direction u U) (tangent_direction v
+    V)) as C.
   rewrite K in C. unfold Rsqr in C. nra.
 Qed.
 
@@ -159,21 +165,23 @@ Definition other_side (b : Movements.planned R) : Movements.planned R :=
   let x := State.cutter (Movements.behind b) in
   Movements.Planned (Movements.at_place b) (Movements.command_of b) (Movements.before b)
     (State.with_cutter (Movements.behind b)
-       (CutterState.CutterState (Some CutterState.RightHand) 5 CutterState.Running Corners.zero2 5 false (CutterState.plays x)))
+       (CutterState.CutterState (Some CutterState.RightHand) 5 CutterState.Running Corners.zero2 5 false
+         (CutterState.plays x)))
     (Movements.items b).
 
 Example side_change_keeps_distance_instance vs :
   CutterC.corner_group plain_axes (leg_of_mode 0 0 0 20) (other_side (leg_of_mode 0 20 20 20)) false = Got vs ->
   on_offset_line (- (5)) (tangent (20 + 0 - (0 + 0), 20 + 0 - (20 + 0))) (vector (hd Corners.zero2 vs)).
 Proof.
-  intro H. replace (- (5)) with (offset_behind (leg_of_mode 0 0 0 20) (other_side (leg_of_mode 0 20 20 20))) by (cbn; ring).
+  intro H. replace (- (5)) with (offset_behind (leg_of_mode 0 0 0 20) (other_side (leg_of_mode 0 20 20 20))) by (cbn;
+    ring).
   eapply (side_change_keeps_distance plain_axes _ _ (0 + 0 - (0 + 0), 20 + 0 - (0 + 0)) _ vs H);
     try reflexivity; try (apply travel_of_mode; lra); try discriminate;
     first [unfold straight, travels; cbn; repeat split; lra | unfold Corners.aside; cbn; unfold Arcs.cross2; cbn; lra].
 Qed.
 
-(** fanuc.cutter-c.start-up-type: a start-up ends at the distance of the offset from the line behind it, in type A and B; and
-    before a cancel the tool comes to that distance from the line before. *)
+(** fanuc.cutter-c.start-up-type: a start-up ends at the distance of the offset from the line behind it, in type A and
+    B; and before a cancel the tool comes to that distance from the line before. *)
 Theorem start_and_cancel_keep_distance s a b u v vs :
   CutterC.corner_group s a b false = Got vs -> straight s a u -> straight s b v ->
   CutterState.was_left (State.cutter (Movements.behind a)) = CutterState.was_left (State.cutter (Movements.behind b)) ->
@@ -181,7 +189,8 @@ Theorem start_and_cancel_keep_distance s a b u v vs :
   (CutterC.part_of a = CutterState.StartUpBlock -> CutterC.part_of b = CutterState.ModeBlock ->
    on_offset_line (offset_before a) (tangent v) (vector (last vs Corners.zero2))) /\
   (CutterC.part_of a = CutterState.ModeBlock -> CutterC.part_of b = CutterState.CancelBlock ->
-   CutterC.cancel_direction s b = Got None -> on_offset_line (offset_before a) (tangent u) (vector (hd Corners.zero2 vs))).
+   CutterC.cancel_direction s b = Got None -> on_offset_line (offset_before a) (tangent u) (vector (hd Corners.zero2
+     vs))).
 Proof.
   intros H A B S R. unfold CutterC.corner_group in H.
   apply bound in H as (nothing & Z & H). apply zero_sign in Z. destruct nothing; [destruct R; now apply Z|].
@@ -202,7 +211,8 @@ Proof.
     + apply same in H as <-. rewrite no_arc_of_line. cbn [app map last]. rewrite tangents_meet_in_M.
       now apply (obtuse_meets u v).
     + apply bound in H as (tiny & _ & H). destruct tiny; [now apply P|]. apply bound in H as (both & Q & H).
-      apply same in H as <-. rewrite no_arc_of_line, app_nil_r, map_app. apply (prolonged_in_Q u v) in Q. rewrite Q. cbn [map app last].
+      apply same in H as <-. rewrite no_arc_of_line, app_nil_r, map_app. apply (prolonged_in_Q u v) in Q. rewrite Q.
+      cbn [map app last].
       apply Q2_before_the_corner; auto.
   - rewrite first_of. unfold Corners.cancel_group in H.
     assert (P : forall ws, Got [Corners.perpendicular (line_of u (offset_before a))] = Got ws ->
@@ -213,14 +223,16 @@ Proof.
     + apply same in H as <-. rewrite no_arc_of_line. cbn [app map hd]. rewrite tangents_meet_in_M.
       now apply (obtuse_meets u v).
     + apply bound in H as (tiny & _ & H). destruct tiny; [now apply P|]. apply bound in H as (both & Q & H).
-      apply same in H as <-. rewrite no_arc_of_line. cbn [app]. rewrite map_app. apply (prolonged_in_Q u v) in Q. rewrite Q. cbn [map app hd].
+      apply same in H as <-. rewrite no_arc_of_line. cbn [app]. rewrite map_app. apply (prolonged_in_Q u v) in Q.
+      rewrite Q. cbn [map app hd].
       apply Q1_past_the_corner; auto.
 Qed.
 
 Definition of_start (b : Movements.planned R) : Movements.planned R :=
   Movements.Planned (Movements.at_place b) (Movements.command_of b) (Movements.before b)
     (State.with_cutter (Movements.behind b)
-       (CutterState.CutterState (Some CutterState.LeftHand) 5 CutterState.Started Corners.zero2 5 true CutterState.StartUpBlock))
+       (CutterState.CutterState (Some CutterState.LeftHand) 5 CutterState.Started Corners.zero2 5 true
+         CutterState.StartUpBlock))
     (Movements.items b).
 
 Example start_and_cancel_keep_distance_instance vs :

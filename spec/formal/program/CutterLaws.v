@@ -1,16 +1,18 @@
 (** Laws of cutter compensation: the side, the value 0, and the path behind a cancel. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra.
-From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Corners Interference LengthOffset ToolShift.
+From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Corners Interference LengthOffset
+  ToolShift.
 From Toolcomp Require Import CutterState State.
-From Toolcomp Require Import Movements CutterRules CutterMoves CutterB CutterModes CutterC Program OutcomeLaws PlanLaws ProgramLaws PassLaws.
+From Toolcomp Require Import Movements CutterRules CutterMoves CutterB CutterModes CutterC Program OutcomeLaws PlanLaws
+  ProgramLaws PassLaws.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope list_scope.
 
 (** * The side *)
 
-(** fanuc.cutter.side: side and value together are the value to the left: G41 offsets by it, G42 by its negative. B and C
-    say the same. *)
+(** fanuc.cutter.side: side and value together are the value to the left: G41 offsets by it, G42 by its negative. B and
+    C say the same. *)
 Theorem offset_is_signed_value h (v : R) left r :
   CutterModes.on_left h v = Got left -> magnitude v = Got r -> offset_of left r = to_the_left h v.
 Proof.
@@ -38,7 +40,8 @@ Qed.
 
 (** fanuc.cutter.side: G41 with a value does in every block what G42 does with its negative, in B and in C. *)
 Theorem other_side_negative_value s c before after moves (v : R) : v <> 0%R ->
-  vector_b s c before after moves (to_the_left LeftHand (- v)%R) = vector_b s c before after moves (to_the_left RightHand v) /\
+  vector_b s c before after moves (to_the_left LeftHand (- v)%R) = vector_b s c before after moves (to_the_left
+    RightHand v) /\
   moving_step s c (Some LeftHand) (- v)%R before after moves = moving_step s c (Some RightHand) v before after moves /\
   goes_away_step s c (Some LeftHand) (- v)%R before moves = goes_away_step s c (Some RightHand) v before moves /\
   idle_step s c (Some LeftHand) (- v)%R before = idle_step s c (Some RightHand) v before.
@@ -51,7 +54,8 @@ Proof.
 Qed.
 
 Example other_side_negative_value_instance s c before after moves :
-  moving_step s c (Some LeftHand) (- (5))%R before after moves = moving_step s c (Some RightHand) 5%R before after moves.
+  moving_step s c (Some LeftHand) (- (5))%R before after moves = moving_step s c (Some RightHand) 5%R before after
+    moves.
 Proof. apply (other_side_negative_value s c before after moves 5%R). lra. Qed.
 
 (** * Behind a cancel *)
@@ -69,8 +73,8 @@ Proof.
   destruct (circle_of (for_cause _ _)); [apply bound in E as (? & _ & E)|]; apply same in E as <-; reflexivity.
 Qed.
 
-(** fanuc.cutter-c.cancel: the cancel block ends where it is programmed, and the tool stays on the programmed path in the
-    blocks behind it. *)
+(** fanuc.cutter-c.cancel: the cancel block ends where it is programmed, and the tool stays on the programmed path in
+    the blocks behind it. *)
 Theorem cancelled_c_is_programmed {num} {N : Numbers num} (s : setup num) vs b rest new ws :
   block_c s vs b rest = Got (new, ws) ->
   (part_of b = CancelBlock -> ws = [zero2] /\ Forall (own_without_head s) new) /\
@@ -86,7 +90,8 @@ Qed.
 
 Example cancelled_c_is_programmed_instance vs (b : planned R) rest new ws :
   block_c plain_setup vs b rest = Got (new, ws) -> part_of b = CancelBlock -> ws = [(0%R, 0%R)].
-Proof. intros H P. destruct (cancelled_c_is_programmed plain_setup vs b rest new ws H) as [C _]. now destruct (C P). Qed.
+Proof. intros H P. destruct (cancelled_c_is_programmed plain_setup vs b rest new ws H) as [C _]. now destruct (C P).
+Qed.
 
 (** fanuc.cutter-b.cancel: in type B so does every block behind which G40 is in force. *)
 Theorem cancelled_b_is_programmed {num} {N : Numbers num} (s : setup num) c before_ after moves x b new :
@@ -97,7 +102,8 @@ Proof.
   intros H O E ON G I. assert (V : vector_behind x = zero2).
   { unfold behind_b in H. apply bound in H as ([v stands] & W & H). apply same in H as <-. cbn in *.
     rewrite O in W. apply same in W. now injection W as <- _. }
-  unfold items_b in I. rewrite E, O, V, G in I. destruct (hand_in_force (cutter (before b))) as [h|]; [|now destruct ON].
+  unfold items_b in I. rewrite E, O, V, G in I. destruct (hand_in_force (cutter (before b))) as [h|];
+    [|now destruct ON].
   cbn [given negb andb] in I. apply bound in I as (nothing & _ & I).
   destruct (negb (has_axis_word (command_of b)) && negb nothing).
   - apply same in I as <-. constructor; [apply zeros_of_plane|].
@@ -111,7 +117,8 @@ Example cancelled_b_is_programmed_instance b st new :
   hand_in_force (cutter (before b)) = Some LeftHand -> command_of b = cancel -> items_b plain_setup b = Got new ->
   Forall (bare_item plain_setup) new.
 Proof.
-  intros cancel H L C I. apply (cancelled_b_is_programmed plain_setup cancel st st [] (cutter (behind b)) b new H); auto.
+  intros cancel H L C I. apply (cancelled_b_is_programmed plain_setup cancel st st [] (cutter (behind b)) b new H);
+    auto.
   - unfold behind_b in H. now apply same in H as <-.
   - rewrite L; discriminate.
   - now rewrite C.
@@ -121,7 +128,8 @@ Qed.
 
 (** A block of cutter compensation C in which the offset value is 0. *)
 Definition value_zero (s : setup R) (b : planned R) : Prop :=
-  Forall (bare_item s) (items b) /\ reach (cutter (before b)) = 0%R /\ reach (cutter (behind b)) = 0%R /\ vector_behind (cutter (behind b)) = zero2.
+  Forall (bare_item s) (items b) /\ reach (cutter (before b)) = 0%R /\ reach (cutter (behind b)) = 0%R /\
+    vector_behind (cutter (behind b)) = zero2.
 
 Lemma no_perpendicular (a : leg R) : rho a = 0%R -> perpendicular a = zero2.
 Proof. intro E. unfold perpendicular. rewrite E. unfold zero2; cbn. unfold scale2; cbn. f_equal; ring. Qed.
@@ -140,7 +148,8 @@ Proof.
   unfold arc_leg, leg_along. now destruct (runs_clockwise _).
 Qed.
 
-Lemma group_of_zero (s : setup R) b rest ws : reach (cutter (behind b)) = 0%R -> group_at_end s b rest = Got ws -> ws = [zero2].
+Lemma group_of_zero (s : setup R) b rest ws : reach (cutter (behind b)) = 0%R -> group_at_end s b rest = Got ws ->
+  ws = [zero2].
 Proof.
   unfold group_at_end; intros Z H.
   assert (P : perpendicular (leg_behind s b) = zero2).
@@ -151,7 +160,8 @@ Proof.
   unfold thinned in H. cbn in H. now apply same in H.
 Qed.
 
-Lemma sweep_as_programmed clockwise (from to : pair R) x : sweep_interferes clockwise from to from to = Got x -> x = false.
+Lemma sweep_as_programmed clockwise (from to : pair R) x : sweep_interferes clockwise from to from to = Got x ->
+  x = false.
 Proof.
   unfold sweep_interferes; intro H. apply bound in H as ([[sin1 cos1] over1] & E & H).
   apply bound in H as ([[sin2 cos2] over2] & E' & H). rewrite E in E'. apply same in E'. injection E' as <- <- <-.
@@ -174,12 +184,14 @@ Proof.
     destruct (from_center || to_center); [now apply same in I as <-|].
     rewrite !plus_zero in I. now apply sweep_as_programmed in I.
   - unfold line_interferes in I. apply negative_sign in I. destruct hit; [|reflexivity]. exfalso.
-    assert (L : (dot2 (sub2 (finishes p) (starts p)) (add2 (sub2 (finishes p) (starts p)) (sub2 zero2 zero2)) < 0)%R) by now apply I.
+    assert (L : (dot2 (sub2 (finishes p) (starts p)) (add2 (sub2 (finishes p) (starts p)) (sub2 zero2 zero2)) < 0)%R) by
+      now apply I.
     revert L. rewrite <- (plus_zero (sub2 zero2 zero2)). generalize (sub2 (finishes p) (starts p)). intros [x y] L.
     unfold dot2, add2, sub2, zero2 in L; cbn in L. nra.
 Qed.
 
-Lemma own_moves_of_zero s p (b : planned R) why own : own_move_between s p b why zero2 zero2 = Got own -> Forall (bare_item s) own.
+Lemma own_moves_of_zero s p (b : planned R) why own : own_move_between s p b why zero2 zero2 = Got own ->
+  Forall (bare_item s) own.
 Proof. intro O. apply own_moves_at in O. rewrite zeros_of_plane in O. exact O. Qed.
 
 Lemma head_items_of_zero (s : setup R) p all : Forall (bare_item s) (at_head s p zero2 all).
@@ -200,7 +212,8 @@ Qed.
 
 Lemma going_away_of_zero (s : setup R) b : value_zero s b -> Forall (bare_item s) (going_away s zero2 b).
 Proof.
-  intros (B & _ & _ & V). unfold going_away. rewrite V. destruct (items b) as [|[m|part a q x|name|name value] rest]; try exact B.
+  intros (B & _ & _ & V). unfold going_away. rewrite V. destruct (items b) as [|[m|part a q x|name|name value] rest];
+    try exact B.
   constructor; [|apply head_items_of_zero].
   cbn [bare_item]. unfold without_head, at_vector, with_head. cbn [head].
   match goal with |- with_plane _ _ _ (if ?c then _ else _) = _ => destruct c end; apply zeros_of_plane.
@@ -216,7 +229,8 @@ Proof.
   unfold block_c in H. destruct (part_of b) eqn:P; cbn [hd last] in H.
   - apply same in H. injection H as <- <-. split; [apply head_items_of_zero|reflexivity].
   - unfold lone_start in H. destruct (look 0 false rest) as [next repeated| |];
-      [destruct (part_of next)|..]; try (apply same in H; injection H as <- <-; split; [apply head_items_of_zero|reflexivity]).
+      [destruct (part_of next)|..]; try (apply same in H; injection H as <- <-; split;
+        [apply head_items_of_zero|reflexivity]).
     rewrite (no_perpendicular (leg_before s next (rho_of (cutter (behind b))))) in H by now rewrite rho_before.
     apply bound in H as (made & M & H). apply same in H. injection H as <- <-. now apply at_once_of_zero in M.
   - destruct (suv s).
@@ -258,9 +272,11 @@ Proof.
 Qed.
 
 Definition standing_block : planned R :=
-  Planned 0 (Command up [430%Z] None (initial_modes false) None None [] [] []) (initial plain_setup) (initial plain_setup)
+  Planned 0 (Command up [430%Z] None (initial_modes false) None None [] [] []) (initial plain_setup) (initial
+    plain_setup)
     [Go (move_to plain_setup Rapid Programmed false None (initial plain_setup) [0%R; 0%R; 0%R])].
 
 Example value_zero_is_programmed_instance :
-  Forall (fun b => Forall (bare_item plain_setup) (items b)) (fst (blocks_c plain_setup [zero2] [standing_block; standing_block])).
+  Forall (fun b => Forall (bare_item plain_setup) (items b)) (fst (blocks_c plain_setup [zero2] [standing_block;
+    standing_block])).
 Proof. apply value_zero_is_programmed. repeat constructor. Qed.

@@ -2,7 +2,8 @@
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra Lia.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Corners LengthOffset ToolShift.
 From Toolcomp Require Import CutterState EdgeState SideState ControlState State Space.
-From Toolcomp Require Import Movements CutterRules CutterMoves CutterB CutterModes CutterC CutterWords SideWords SideBlocks SideGroups SideCheck.
+From Toolcomp Require Import Movements CutterRules CutterMoves CutterB CutterModes CutterC CutterWords SideWords
+  SideBlocks SideGroups SideCheck.
 From Toolcomp Require Import EdgeWords EdgePass ControlMoves Program OutcomeLaws PlanLaws ProgramLaws PassLaws.
 Import ListNotations.
 Open Scope string_scope.
@@ -11,8 +12,8 @@ Open Scope list_scope.
 
 (** * Cutter compensation *)
 
-(** fanuc.cutter-b.no-look-ahead: in type B no block depends on one behind it: where a longer plan runs, it begins as the
-    shorter one runs. *)
+(** fanuc.cutter-b.no-look-ahead: in type B no block depends on one behind it: where a longer plan runs, it begins as
+    the shorter one runs. *)
 Theorem cutter_b_looks_at_no_block {num} {N : Numbers num} (s : setup num) bs more all :
   compensated_b s (bs ++ more) = inl all -> exists first later, compensated_b s bs = inl first /\ all = first ++ later.
 Proof.
@@ -72,7 +73,8 @@ Lemma planned_counts {num} {N : Numbers num} decimal (s : setup num) bs place st
   Forall counts (fst (planned_from decimal s bs place st)).
 Proof.
   apply (planned_all decimal s (fun _ => True) (fun _ => True)); [|apply Forall_forall; auto|exact I].
-  intros ? ? ? p after moves ? _ _ T. split; [exact I|]. apply (found_counts s _ _ _ _ _ (cutter_found _ _ _ _ _ _ _ _ T)).
+  intros ? ? ? p after moves ? _ _ T. split; [exact I|]. apply (found_counts s _ _ _ _ _ (cutter_found _ _ _ _ _ _ _ _
+    T)).
 Qed.
 
 Lemma look_two {num} (bs more : list (planned num)) : Forall counts bs -> forall count repeated,
@@ -80,12 +82,13 @@ Lemma look_two {num} (bs more : list (planned num)) : Forall counts bs -> forall
 Proof.
   induction 1 as [|b bs C F IH]; intros count repeated P L; [cbn [List.length Z.of_nat] in L; lia|].
   cbn [app look]. revert C; unfold counts. destruct (part_of b); intro C; try reflexivity.
-  destruct (count + count0 <? 2) eqn:E; [|reflexivity]. apply Z.ltb_lt in E. cbn [List.length] in L. rewrite Nat2Z.inj_succ in L.
+  destruct (count + count0 <? 2) eqn:E; [|reflexivity]. apply Z.ltb_lt in E. cbn [List.length] in L.
+  rewrite Nat2Z.inj_succ in L.
   apply IH; lia.
 Qed.
 
-(** fanuc.cutter-c.one-non-motion-block: in type C a block depends on two blocks behind it, and no more; every block of a
-    program counts (planned_counts). *)
+(** fanuc.cutter-c.one-non-motion-block: in type C a block depends on two blocks behind it, and no more; every block of
+    a program counts (planned_counts). *)
 Theorem cutter_c_looks_two_blocks_ahead {num} {N : Numbers num} (s : setup num) vs b next after_next more :
   counts next -> counts after_next -> block_c s vs b (next :: after_next :: more) = block_c s vs b [next; after_next].
 Proof.
@@ -95,15 +98,17 @@ Proof.
 Qed.
 
 Example cutter_c_looks_two_blocks_ahead_instance b more :
-  Forall (fun p => block_c plain_setup [zero2] b (p :: p :: more) = block_c plain_setup [zero2] b [p; p]) (fst bare_plan).
+  Forall (fun p => block_c plain_setup [zero2] b (p :: p ::
+    more) = block_c plain_setup [zero2] b [p; p]) (fst bare_plan).
 Proof.
   eapply Forall_impl; [|exact (planned_counts (fun _ => "") plain_setup [up; last_block] 0 (initial plain_setup))].
   intros p C. now apply cutter_c_looks_two_blocks_ahead.
 Qed.
 
-(** fanuc.cutter-c.two-non-motion-blocks: so the blocks of a plan with two blocks behind them run alike, whatever follows
-    these. *)
-Theorem cutter_c_two_more_blocks {num} {N : Numbers num} (s : setup num) bs next after_next more : counts next -> counts after_next ->
+(** fanuc.cutter-c.two-non-motion-blocks: so the blocks of a plan with two blocks behind them run alike, whatever
+    follows these. *)
+Theorem cutter_c_two_more_blocks {num} {N : Numbers num} (s : setup num) bs next after_next more : counts next ->
+  counts after_next ->
   Forall counts bs -> forall vs,
   firstn (List.length bs) (fst (blocks_c s vs (bs ++ next :: after_next :: more))) =
   firstn (List.length bs) (fst (blocks_c s vs (bs ++ [next; after_next]))).
@@ -114,10 +119,13 @@ Proof.
     destruct F as [|b'' bs C1 F].
     - cbn [app]. rewrite (cutter_c_looks_two_blocks_ahead s vs b b' next (after_next :: more)) by assumption.
       now rewrite (cutter_c_looks_two_blocks_ahead s vs b b' next [after_next]) by assumption.
-    - cbn [app]. rewrite (cutter_c_looks_two_blocks_ahead s vs b b' b'' (bs ++ next :: after_next :: more)) by assumption.
+    - cbn [app]. rewrite (cutter_c_looks_two_blocks_ahead s vs b b' b'' (bs ++ next :: after_next ::
+        more)) by assumption.
       now rewrite (cutter_c_looks_two_blocks_ahead s vs b b' b'' (bs ++ [next; after_next])) by assumption. }
-  cbn [app blocks_c]. rewrite E. destruct (block_c s vs b (bs ++ [next; after_next])) as [[new ws]| | |]; try reflexivity.
-  specialize (IH ws). destruct (blocks_c s ws (bs ++ next :: after_next :: more)), (blocks_c s ws (bs ++ [next; after_next])).
+  cbn [app blocks_c]. rewrite E. destruct (block_c s vs b (bs ++ [next; after_next])) as [[new ws]| | |];
+    try reflexivity.
+  specialize (IH ws). destruct (blocks_c s ws (bs ++ next :: after_next ::
+    more)), (blocks_c s ws (bs ++ [next; after_next])).
   cbn in *. now rewrite IH.
 Qed.
 
@@ -151,15 +159,16 @@ Proof.
   - specialize (IH true). destruct between; cbn [what_comes]; rewrite O; [reflexivity|]. now rewrite IH.
 Qed.
 
-(** fanuc.leading-edge.two-blocks-without-movement: a block under the leading edge offset depends on two blocks behind it,
-    and no more. *)
+(** fanuc.leading-edge.two-blocks-without-movement: a block under the leading edge offset depends on two blocks behind
+    it, and no more. *)
 Theorem edge_looks_two_blocks_ahead {num} {N : Numbers num} (s : setup num) last b rest :
   led s last b (first_blocks 2 rest) = led s last b rest.
 Proof.
   assert (E : find (fun b => negb (is_no_block b)) (first_blocks 2 rest) = find (fun b => negb (is_no_block b)) rest).
   { generalize 1%nat as more. intro more. induction rest as [|a rest IH]; [reflexivity|].
     cbn [first_blocks find]. destruct (is_no_block a) eqn:O; cbn [find]; rewrite O; [exact IH|reflexivity]. }
-  unfold led, vector_at_start, vector_at_end. rewrite E. pose proof (comes_in_two s rest false) as C. cbn iota in C. now rewrite C.
+  unfold led, vector_at_start, vector_at_end. rewrite E. pose proof (comes_in_two s rest false) as C. cbn iota in C.
+  now rewrite C.
 Qed.
 
 Example edge_looks_two_blocks_ahead_instance last (b : planned R) :
@@ -191,7 +200,8 @@ Theorem control_looks_at_no_block {num} {N : Numbers num} (s : setup num) bs mor
 Proof.
   induction bs as [|b bs IH]; intros from first H.
   - injection H as <-. cbn. destruct (blocks_under_control s more from). eauto.
-  - cbn [app blocks_under_control] in *. destruct (block_under_control s b from) as [[done last]| | |]; try discriminate.
+  - cbn [app blocks_under_control] in *. destruct (block_under_control s b from) as [[done last]| | |];
+      try discriminate.
     destruct (blocks_under_control s bs last) as [before how] eqn:E. injection H as <- ->.
     destruct (IH _ _ E) as (later & how & ->). now exists later, how.
 Qed.

@@ -2,8 +2,10 @@
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra Lia Sorted.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Corners LengthOffset ToolShift.
 From Toolcomp Require Import CutterState EdgeState SideState ControlState State Space.
-From Toolcomp Require Import Movements CutterRules CutterMoves CutterB CutterModes CutterC CutterWords SideWords SideBlocks SideGroups SidePass.
-From Toolcomp Require Import EdgeWords EdgePass ControlWords ControlMoves Compensation Program OutcomeLaws PlanLaws ProgramLaws.
+From Toolcomp Require Import Movements CutterRules CutterMoves CutterB CutterModes CutterC CutterWords SideWords
+  SideBlocks SideGroups SidePass.
+From Toolcomp Require Import EdgeWords EdgePass ControlWords ControlMoves Compensation Program OutcomeLaws PlanLaws
+  ProgramLaws.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope list_scope.
@@ -19,7 +21,8 @@ Definition place_of_end (how : ending) : option nat :=
 (** Blocks in the order of their places, and an ending behind them all. *)
 Definition in_order {num} (p : plan num) : Prop :=
   StronglySorted lt (places (fst p)) /\
-  match place_of_end (snd p) with Some last => Forall (fun place => (place <= last)%nat) (places (fst p)) | None => True end.
+  match place_of_end (snd p) with Some last => Forall (fun place => (place <= last)%nat) (places (fst p)) |
+    None => True end.
 
 (** A pass gives blocks with the places of the first ones of the plan, and ends where the plan does, or at a block of it
     that it leaves out. *)
@@ -52,7 +55,8 @@ Proof.
   rewrite H in E. rewrite P, app_nil_r in E. exact E.
 Qed.
 
-Lemma end_in_place {A} place (x : outcome A) : place_of_end (ends_in place x) = Some place \/ place_of_end (ends_in place x) = None.
+Lemma end_in_place {A} place (x : outcome A) :
+  place_of_end (ends_in place x) = Some place \/ place_of_end (ends_in place x) = None.
 Proof. destruct x; cbn; auto. Qed.
 
 (** * Each pass *)
@@ -92,7 +96,8 @@ Qed.
 
 Lemma edge_keeps_order {num} {N : Numbers num} (s : setup num) p : keeps_order p (edge_pass s p).
 Proof.
-  unfold edge_pass. destruct p as [bs how]; cbn [fst snd]. generalize (None : option (EdgeVector.leading num)) as last. intro last.
+  unfold edge_pass. destruct p as [bs how]; cbn [fst snd]. generalize (None : option (EdgeVector.leading num)) as last.
+  intro last.
   assert (K : match led_from s last bs how with
               | Through (done, how') => places bs = places done /\ how' = how
               | AsIfAbsent place how => place_of_end how = Some place \/ place_of_end how = None
@@ -161,7 +166,8 @@ Proof.
   cbv zeta. revert at_start; induction bs as [|b rest IH]; intro at_start; [now exists []|].
   assert (GO : forall at_start' o line_now next, exists later, places (b :: rest) =
       places (map block_of_offset (compensated_blocks (OffsetBlocks at_start'
-        ((b, o, line_now) :: compensated_blocks (offset_from s next rest)) (refused (offset_from s next rest))))) ++ later /\
+        ((b, o, line_now) :: compensated_blocks (offset_from s next rest)) (refused (offset_from s next rest))))) ++
+          later /\
       match refused (offset_from s next rest) with
       | None => later = []
       | Some (place, how) => In place later /\ (place_of_end how = Some place \/ place_of_end how = None)
@@ -179,21 +185,24 @@ Proof.
   destruct (makes_corner b).
   { match goal with |- context [match ?x with Got _ => _ | _ => _ end] =>
       destruct x as [[[v w] line_now]|number|clause|what] end;
-      [apply GO|apply (STOP unit (Alarm number))|apply (STOP unit (Undecided clause))|apply (STOP unit (Beyond what))]. }
+      [apply GO|apply (STOP unit (Alarm number))|apply (STOP unit (Undecided clause))|apply (STOP unit (Beyond what))].
+      }
   destruct (made (side_at_end b)), at_start as [v|]; try apply GO. destruct (is_b_of b v); apply GO.
 Qed.
 
 Lemma side_keeps_order {num} {N : Numbers num} (s : setup num) p : keeps_order p (side_pass s p).
 Proof.
   unfold side_pass. destruct (negb _).
-  { destruct p as [bs how]. exists []. rewrite app_nil_r. split; [reflexivity|]. cbn. destruct (place_of_end how); auto. }
+  { destruct p as [bs how]. exists []. rewrite app_nil_r. split; [reflexivity|]. cbn. destruct (place_of_end how); auto.
+    }
   destruct (commands_refused s [] (fst p)) as [[place how]|] eqn:C.
   { cbn. assert (G : forall w bs, commands_refused s w bs = Some (place, how) ->
       place_of_end how = Some place \/ place_of_end how = None); [|exact (G _ _ C)].
     intros w bs; revert w; induction bs as [|b rest IH]; intros w H; [discriminate|]. cbn [commands_refused] in H.
     match type of H with match ?x with Got _ => _ | _ => _ end = _ => destruct x as [here|number|clause|what] end;
       [|injection H as <- <-; cbn; auto..].
-    destruct (waiting_behind s b w) as [next|number|clause|what]; [now apply IH in H|injection H as <- <-; cbn; auto..]. }
+    destruct (waiting_behind s b w) as [next|number|clause|what]; [now apply IH in H|injection H as <- <-; cbn; auto..].
+    }
   destruct (offset_from_keeps_order s None (fst p)) as (later & P & W).
   set (o := offset_from s None (fst p)) in *. clearbody o.
   destruct (refused o) as [[place how]|].
@@ -206,7 +215,8 @@ Proof.
     destruct how; try exact W; apply G; exact W.
   - subst later. rewrite app_nil_r in P.
     pose proof (moves_from_keeps_order s at_point (compensated_blocks o) (snd p)) as M.
-    destruct (moves_from s at_point (compensated_blocks o) (snd p)) as [[done how'']|]; [|exact M]. destruct M as [M ->].
+    destruct (moves_from s at_point (compensated_blocks o) (snd p)) as [[done how'']|]; [|exact M].
+    destruct M as [M ->].
     exists []. rewrite app_nil_r, M. split; [exact P|]. destruct (place_of_end (snd p)); auto.
 Qed.
 
@@ -267,7 +277,8 @@ Proof.
   { cbn. rewrite E. repeat split; repeat constructor; lia. }
   destruct (ends b).
   { cbn. rewrite E. repeat split; repeat constructor; lia. }
-  destruct (IH (S place) (behind p)) as ([ASC W] & F & W'). destruct (planned_from decimal s bs (S place) (behind p)) as [later how].
+  destruct (IH (S place) (behind p)) as ([ASC W] & F & W'). destruct (planned_from decimal s bs (S place) (behind p)) as
+    [later how].
   unfold in_order. cbn [fst snd map] in *. rewrite E. repeat split.
   - constructor; [exact ASC|]. eapply Forall_impl; [|exact F]. intros; cbn in *; lia.
   - destruct (place_of_end how); [|exact I]. constructor; [lia|exact W].
@@ -289,7 +300,8 @@ Proof.
   induction bs as [|b rest IH].
   { cbn. destruct (place_of_end how); repeat constructor. }
   cbn [map] in S. inversion S as [|? ? S' F]; subst.
-  assert (E' : match place_of_end how with Some last => Forall (fun place => (place <= last)%nat) (places rest) | None => True end).
+  assert (E' : match place_of_end how with Some last => Forall (fun place => (place <= last)%nat) (places rest) |
+    None => True end).
   { destruct (place_of_end how); [|exact I]. now inversion E. }
   specialize (IH S' E'). cbn [flat_map]. rewrite map_app, map_map. cbn [fst]. rewrite <- app_assoc.
   assert (B : Forall (fun y => (at_place b <= y)%nat)
@@ -297,7 +309,8 @@ Proof.
      match place_of_end how with Some x => [x] | None => [] end)).
   { apply Forall_app; split.
     - apply Forall_forall. intros y I. apply in_map_iff in I as (e & <- & I). apply in_flat_map in I as (b' & I & I').
-      apply in_map_iff in I' as (i & <- & _). cbn. rewrite Forall_forall in F. specialize (F (at_place b') (in_map _ _ _ I)). lia.
+      apply in_map_iff in I' as (i & <- & _). cbn. rewrite Forall_forall in F.
+      specialize (F (at_place b') (in_map _ _ _ I)). lia.
     - destruct (place_of_end how); repeat constructor. now inversion E. }
   generalize (items b) as all. intro all. induction all as [|i all IHi]; [exact IH|]. cbn. constructor; [exact IHi|].
   apply Forall_app; split; [|exact B]. apply Forall_forall. intros y I. apply in_map_iff in I as (? & <- & _). lia.
@@ -318,7 +331,8 @@ Theorem nothing_runs_behind_the_end {num} {N : Numbers num} decimal (s : setup n
   ends b = true -> run_program decimal s (ahead ++ b :: more) = run_program decimal s (ahead ++ [b]).
 Proof.
   intro E. unfold run_program.
-  assert (P : forall place st, planned_from decimal s (ahead ++ b :: more) place st = planned_from decimal s (ahead ++ [b]) place st);
+  assert (P : forall place st, planned_from decimal s (ahead ++ b ::
+    more) place st = planned_from decimal s (ahead ++ [b]) place st);
     [|now rewrite P].
   induction ahead as [|a ahead IH]; intros place st; [now apply nothing_behind_the_end|].
   cbn [app planned_from]. destruct (step decimal s place a st) as [[r [number|]]| | |]; try reflexivity.
@@ -326,5 +340,6 @@ Proof.
 Qed.
 
 Example nothing_runs_behind_the_end_instance :
-  run_program (fun _ => "") plain_setup ([up] ++ last_block :: [up]) = run_program (fun _ => "") plain_setup ([up] ++ [last_block]).
+  run_program (fun _ => "") plain_setup ([up] ++ last_block ::
+    [up]) = run_program (fun _ => "") plain_setup ([up] ++ [last_block]).
 Proof. now apply nothing_runs_behind_the_end. Qed.

@@ -1,5 +1,5 @@
-(** What an outcome tells of its parts, what the sign of a real number tells of the number, and lists of events that stop:
-    for the laws. *)
+(** What an outcome tells of its parts, what the sign of a real number tells of the number, and lists of events that
+    stop: for the laws. *)
 From Coq Require Import List String ZArith Bool Reals Lra.
 From Toolcomp Require Import Numbers Outcomes.
 Import ListNotations.
@@ -62,11 +62,13 @@ Qed.
 
 Lemma not_negative clause (x : R) : ~ (x < 0)%R -> is_negative clause x = Got false.
 Proof.
-  intro N. unfold is_negative. destruct (decides clause x) as [c D]. rewrite D. apply decided in D. destruct c; auto; lra.
+  intro N. unfold is_negative. destruct (decides clause x) as [c D]. rewrite D. apply decided in D.
+  destruct c; auto; lra.
 Qed.
 Lemma not_positive clause (x : R) : ~ (0 < x)%R -> is_positive clause x = Got false.
 Proof.
-  intro N. unfold is_positive. destruct (decides clause x) as [c D]. rewrite D. apply decided in D. destruct c; auto; lra.
+  intro N. unfold is_positive. destruct (decides clause x) as [c D]. rewrite D. apply decided in D.
+  destruct c; auto; lra.
 Qed.
 
 (** * Events *)

@@ -4,7 +4,8 @@ From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arc
 From Toolcomp Require Import CutterState EdgeState SideState ControlState State Space.
 From Toolcomp Require Import Movements SideWords SideBlocks SideGroups SidePass.
 From Toolcomp Require Import CutterRules CutterMoves CutterB CutterModes CutterC CutterWords.
-From Toolcomp Require Import EdgeWords EdgePass ControlWords ControlMoves Compensation Program OutcomeLaws PlanLaws ProgramLaws PassLaws.
+From Toolcomp Require Import EdgeWords EdgePass ControlWords ControlMoves Compensation Program OutcomeLaws PlanLaws
+  ProgramLaws PassLaws.
 From Toolcomp Require Import CutterLaws.
 Import ListNotations.
 Open Scope string_scope.
@@ -18,15 +19,18 @@ Definition own_moves {num} (all : list (item num)) : nat := List.length (filter 
 Lemma own_app {num} (a b : list (item num)) : own_moves (a ++ b) = (own_moves a + own_moves b)%nat.
 Proof. unfold own_moves. now rewrite filter_app, app_length. Qed.
 
-Lemma own_map {num} (f : item num -> item num) all : (forall i, is_own (f i) = is_own i) -> own_moves (map f all) = own_moves all.
-Proof. intro E. induction all as [|i all IH]; [reflexivity|]. unfold own_moves in *. cbn. rewrite E. destruct (is_own i); cbn; congruence. Qed.
+Lemma own_map {num} (f : item num -> item num) all : (forall i, is_own (f i) = is_own i) ->
+  own_moves (map f all) = own_moves all.
+Proof. intro E. induction all as [|i all IH]; [reflexivity|]. unfold own_moves in *. cbn. rewrite E.
+destruct (is_own i); cbn; congruence. Qed.
 
 Lemma own_none {num} (all : list (item num)) : Forall (fun i => is_own i = false) all -> own_moves all = 0%nat.
 Proof. unfold own_moves. induction 1 as [|i all E _ IH]; [reflexivity|]. cbn. now rewrite E. Qed.
 
 (** fanuc.program.own-move: in the plan every block with an axis word of its own path makes exactly one own move. *)
 Theorem planned_own_move {num} {N : Numbers num} decimal (s : setup num) bs place st :
-  Forall (fun p => goes_elsewhere (acting (command_of p)) = false -> empty (which (position_words (command_of p))) = false ->
+  Forall (fun p => goes_elsewhere (acting (command_of p)) = false ->
+    empty (which (position_words (command_of p))) = false ->
                    own_moves (items p) = 1%nat)
     (fst (planned_from decimal s bs place st)).
 Proof.
@@ -41,7 +45,8 @@ Qed.
 Definition along_z : block R := Block [natural Letter.G 1; natural Letter.Z 10] None.
 
 Example planned_own_move_instance :
-  Forall (fun p => goes_elsewhere (acting (command_of p)) = false -> empty (which (position_words (command_of p))) = false ->
+  Forall (fun p => goes_elsewhere (acting (command_of p)) = false ->
+    empty (which (position_words (command_of p))) = false ->
                    own_moves (items p) = 1%nat)
     (fst (planned_from (fun _ => "") plain_setup [along_z] 0 (initial plain_setup))).
 Proof. apply planned_own_move. Qed.
@@ -55,7 +60,8 @@ Proof.
   induction H as [|i j rest done E _ IH]; [reflexivity|].
   assert (O : is_own j = is_own i).
   { destruct i as [m|part a q x|name|name value]; try (now apply same in E as <-).
-    destruct (circle_of (for_cause _ _)); [apply bound in E as (? & _ & E)|]; apply same in E as <-; cbn; destruct (because m); auto;
+    destruct (circle_of (for_cause _ _)); [apply bound in E as (? & _ & E)|]; apply same in E as <-; cbn;
+      destruct (because m); auto;
       now rewrite W. }
   cbn. rewrite O. destruct (is_own i); cbn; congruence.
 Qed.
@@ -94,11 +100,15 @@ Theorem cutter_c_keeps_own_moves {num} {N : Numbers num} (s : setup num) vs b re
   forallb (fun i => match i with Go m => negb (inserted (because m)) | _ => true end) (items b) = true ->
   own_moves new = own_moves (items b).
 Proof.
-  intros H A G O. assert (NONE : existsb (fun i => match i with Go m => inserted (because m) | _ => false end) (items b) = false).
-  { apply not_true_iff_false. intro X. apply existsb_exists in X as (i & J & X). rewrite forallb_forall in O. specialize (O i J).
+  intros H A G O. assert (NONE : existsb (fun i => match i with Go m => inserted (because m) |
+    _ => false end) (items b) = false).
+  { apply not_true_iff_false. intro X. apply existsb_exists in X as (i & J & X). rewrite forallb_forall in O.
+    specialize (O i J).
     destruct i; try discriminate. rewrite X in O. discriminate. }
-  assert (ONCE : forall why v w new, inserted why = false -> at_once s b why v w = Got new -> own_moves new = own_moves (items b)).
-  { intros why v w made W M. unfold at_once in M. rewrite A in M. apply bound in M as (first & _ & M). apply bound in M as (second & _ & M).
+  assert (ONCE : forall why v w new, inserted why = false -> at_once s b why v w = Got new ->
+    own_moves new = own_moves (items b)).
+  { intros why v w made W M. unfold at_once in M. rewrite A in M. apply bound in M as (first & _ & M).
+    apply bound in M as (second & _ & M).
     cbn [orb] in M. apply same in M as <-. clear - W O. induction (items b) as [|i all IH]; [reflexivity|].
     cbn in O. apply andb_prop in O as [O O']. specialize (IH O'). unfold own_moves in *.
     destruct i as [m|part a q x|name|name value]; cbn in *; try exact IH. rewrite W, O. cbn. now rewrite IH. }
@@ -113,12 +123,15 @@ Proof.
   - destruct (suv s).
     + apply bound in H as (made & M & H). apply same in H. injection H as <- _. now apply ONCE in M.
     + apply same in H. injection H as <- _. apply own_at_head.
-  - apply bound in H as (group & _ & H). apply bound in H as (own & M & H). apply same in H. injection H as <- _. now apply own_between in M.
+  - apply bound in H as (group & _ & H). apply bound in H as (own & M & H). apply same in H. injection H as <- _.
+    now apply own_between in M.
   - unfold mode_block in H. apply bound in H as (group & _ & H). apply bound in H as ([[vs' ws'] line] & _ & H).
-    apply bound in H as (own & M & H). apply same in H. injection H as <- _. rewrite own_app, corner_moves_are_not_own. rewrite ?Nat.add_0_l.
+    apply bound in H as (own & M & H). apply same in H. injection H as <- _. rewrite own_app, corner_moves_are_not_own.
+    rewrite ?Nat.add_0_l.
     apply own_between in M; [|reflexivity]. rewrite M. destruct line; [|reflexivity]. cbn [items with_items].
     apply own_map. now intros [].
-  - apply bound in H as (own & M & H). apply same in H. injection H as <- _. rewrite own_app, corner_moves_are_not_own, Nat.add_0_l.
+  - apply bound in H as (own & M & H). apply same in H. injection H as <- _.
+    rewrite own_app, corner_moves_are_not_own, Nat.add_0_l.
     now apply own_between in M.
   - apply same in H. now injection H as <- _.
   - apply same in H. injection H as <- _. apply AWAY.
@@ -126,14 +139,17 @@ Proof.
 Qed.
 
 Example cutter_b_keeps_own_moves_instance (b : planned R) new :
-  items_b plain_setup b = Got new -> position_words (command_of b) = [Some 5%R; None; None] -> acting (command_of b) = None ->
+  items_b plain_setup b = Got new -> position_words (command_of b) = [Some 5%R; None; None] ->
+    acting (command_of b) = None ->
   own_moves new = own_moves (items b).
 Proof.
-  intros H W A. apply (cutter_b_keeps_own_moves plain_setup b new H); [unfold has_axis_word; now rewrite W|unfold is_corner_arc; now rewrite A].
+  intros H W A. apply (cutter_b_keeps_own_moves plain_setup b new H); [unfold has_axis_word;
+    now rewrite W|unfold is_corner_arc; now rewrite A].
 Qed.
 
 Definition moving_block : planned R :=
-  Planned 0 (Command along_z [10%Z] None (initial_modes false) None None [None; None; Some 10%R] [None; None; Some 10%R] [None; None; Some 10%R])
+  Planned 0 (Command along_z [10%Z] None (initial_modes false) None None [None; None; Some 10%R] [None; None;
+    Some 10%R] [None; None; Some 10%R])
     (initial plain_setup) (initial plain_setup)
     [Go (move_to plain_setup Linear Programmed false None (initial plain_setup) [0%R; 0%R; 0%R])].
 
@@ -143,19 +159,23 @@ Proof. intro H. now apply cutter_c_keeps_own_moves in H. Qed.
 
 (** * Tool side compensation *)
 
-Lemma corner_moves_of_side {num} {N : Numbers num} (s : setup num) st vs : own_moves (map (SidePass.corner_move s st) vs) = 0%nat.
+Lemma corner_moves_of_side {num} {N : Numbers num} (s : setup num) st vs :
+  own_moves (map (SidePass.corner_move s st) vs) = 0%nat.
 Proof. apply own_none, Forall_map, Forall_forall. now intros v _. Qed.
 
-Lemma as_run_cause {num} {N : Numbers num} (s : setup num) b from to line m run : as_run s b from to line m = Got run -> because run = because m.
+Lemma as_run_cause {num} {N : Numbers num} (s : setup num) b from to line m run : as_run s b from to line m = Got run ->
+  because run = because m.
 Proof.
   unfold as_run; intro H. destruct (arc_of_block b) as [[clockwise a]|]; [|now apply same in H as <-].
   destruct line; [now apply same in H as <-|]. apply bound in H as (c & _ & H). now apply same in H as <-.
 Qed.
 
-Lemma mismatch_is_warning {num} {N : Numbers num} (s : setup num) b all : mismatch s b = Got all -> own_moves all = 0%nat.
+Lemma mismatch_is_warning {num} {N : Numbers num} (s : setup num) b all : mismatch s b = Got all ->
+  own_moves all = 0%nat.
 Proof.
   unfold mismatch; intro H. destruct (arc_of_block b) as [[clockwise a]|]; [|now apply same in H as <-].
-  destruct (asked _); [|now apply same in H as <-]. apply bound in H as (at_start & _ & H). apply bound in H as (at_end & _ & H).
+  destruct (asked _); [|now apply same in H as <-]. apply bound in H as (at_start & _ & H).
+  apply bound in H as (at_end & _ & H).
   apply same in H as <-. now destruct at_end.
 Qed.
 
@@ -165,20 +185,26 @@ Theorem side_keeps_own_move {num} {N : Numbers num} (s : setup num) t b at_end l
   own_moves (items b) = 1%nat -> own_moves (items b') = 1%nat.
 Proof.
   intros H G C O. unfold SidePass.moves_of_block in H. unfold move_at_once in H. rewrite G in H.
-  assert (ONE : forall run : movement num, because run = because m \/ inserted (because run) = false -> own_moves [Go run] = 1%nat).
-  { intros run E. unfold own_moves. cbn. assert (X : inserted (because run) = false) by (destruct E as [->|E]; assumption). now rewrite X. }
+  assert (ONE : forall run : movement num, because run = because m \/ inserted (because run) = false ->
+    own_moves [Go run] = 1%nat).
+  { intros run E. unfold own_moves. cbn. assert (X :
+      inserted (because run) = false) by (destruct E as [->|E]; assumption). now rewrite X. }
   destruct (starts_at_once s b); [apply same in H; injection H as <- _; cbn [items with_items]; apply ONE; now right|].
   destruct (removes_at_once s b); [apply same in H; injection H as <- _; cbn [items with_items]; apply ONE; now right|].
   destruct (negb _); [apply same in H; now injection H as <- _|].
   apply bound in H as (warning & W & H). apply mismatch_is_warning in W. destruct at_end as [v|].
-  - apply bound in H as (run & R & H). apply as_run_cause in R. apply same in H. injection H as <- _. cbn [items with_items].
+  - apply bound in H as (run & R & H). apply as_run_cause in R. apply same in H. injection H as <- _.
+    cbn [items with_items].
     rewrite own_app, W, own_app, corner_moves_of_side. rewrite ?Nat.add_0_l.
     match goal with |- own_moves (Go run :: ?rest) = _ => change (Go run :: rest) with ([Go run] ++ rest) end.
-    rewrite own_app, corner_moves_of_side, Nat.add_0_r. apply ONE. rewrite R. destruct (negb (made (side (before b)))); [now right|now left].
+    rewrite own_app, corner_moves_of_side, Nat.add_0_r. apply ONE. rewrite R.
+    destruct (negb (made (side (before b)))); [now right|now left].
   - destruct (made (side_at_end b)).
-    + apply bound in H as (run & R & H). apply as_run_cause in R. apply same in H. injection H as <- _. cbn [items with_items].
+    + apply bound in H as (run & R & H). apply as_run_cause in R. apply same in H. injection H as <- _.
+      cbn [items with_items].
       rewrite own_app, W, own_app, corner_moves_of_side. rewrite ?Nat.add_0_l. apply ONE. now left.
-    + apply same in H. injection H as <- _. cbn [items with_items]. rewrite own_app, corner_moves_of_side. rewrite ?Nat.add_0_l. apply ONE.
+    + apply same in H. injection H as <- _. cbn [items with_items]. rewrite own_app, corner_moves_of_side.
+      rewrite ?Nat.add_0_l. apply ONE.
       destruct (crosses _); [now right|now left].
 Qed.
 
@@ -212,34 +238,42 @@ Proof. intro H. now apply edge_keeps_own_move in H. Qed.
 Lemma samples_are_none {num} {N : Numbers num} (s : setup num) c m run g from to l l' all :
   samples s c m run g from to l l' = Got all -> own_moves all = 0%nat.
 Proof.
-  unfold samples; intro H. apply each_got in H. apply own_none. induction H as [|k i ks all E _ IH]; constructor; [|exact IH].
+  unfold samples; intro H. apply each_got in H. apply own_none.
+  induction H as [|k i ks all E _ IH]; constructor; [|exact IH].
   unfold sample in E. apply bound in E as ([p v] & _ & E). now apply same in E as <-.
 Qed.
 
 Lemma own_move_under_control {num} {N : Numbers num} (s : setup num) b m run old from g all :
   own_under_control s b m run old from g = Got all -> own_moves all = own_moves [Go g].
 Proof.
-  unfold own_under_control; intro H. apply bound in H as (inside & I & H). apply samples_are_none in I. apply same in H as <-.
+  unfold own_under_control; intro H. apply bound in H as (inside & I & H). apply samples_are_none in I.
+  apply same in H as <-.
   rewrite !own_app, I.
   match goal with |- context [Go ?x :: ?rest] => change (Go x :: rest) with ([Go x] ++ rest) end. rewrite own_app.
-  destruct (turns_before run), (off_the_branch run), (turns_behind run); unfold own_moves; cbn; now destruct (inserted (because g)).
+  destruct (turns_before run), (off_the_branch run), (turns_behind run); unfold own_moves; cbn;
+    now destruct (inserted (because g)).
 Qed.
 
-Lemma items_keep_own {num} {N : Numbers num} (s : setup num) b m old run start finish all : forall from own_done done last,
+Lemma items_keep_own {num} {N : Numbers num} (s : setup num) b m old run start finish all :
+  forall from own_done done last,
   items_under_control s b m old run start finish from own_done all = Got (done, last) -> own_moves done = own_moves all.
 Proof.
   induction all as [|i all IH]; intros from own_done done last H; cbn [items_under_control] in H.
   - apply same in H. now injection H as <- _.
   - destruct i as [g|part a q x|name|name value];
-      try (apply bound in H as ([later end_] & L & H); apply same in H; injection H as <- _; apply IH in L; unfold own_moves in *; cbn; exact L).
-    apply bound in H as ([first own'] & F & H). apply bound in H as ([later end_] & L & H). apply same in H. injection H as <- _.
+      try (apply bound in H as ([later end_] & L & H); apply same in H; injection H as <- _; apply IH in L;
+        unfold own_moves in *; cbn; exact L).
+    apply bound in H as ([first own'] & F & H). apply bound in H as ([later end_] & L & H). apply same in H.
+    injection H as <- _.
     apply IH in L. rewrite own_app, L. change (Go g :: all) with ([Go g] ++ all). rewrite own_app. f_equal.
     destruct (because g) eqn:B, own_done, run as [run|];
       first [apply same in F; injection F as <- _; unfold own_moves; cbn; now rewrite B
-            |apply bound in F as (own & W & F); apply same in F; injection F as <- _; now apply own_move_under_control in W].
+            |apply bound in F as (own & W & F); apply same in F; injection F as <- _;
+              now apply own_move_under_control in W].
 Qed.
 
-(** fanuc.tool-center-point.compensated-tip: and tool center point control: what it inserts are turns at a standing tip. *)
+(** fanuc.tool-center-point.compensated-tip: and tool center point control: what it inserts are turns at a standing tip.
+    *)
 Theorem control_keeps_own_moves {num} {N : Numbers num} (s : setup num) b from done last :
   block_under_control s b from = Got (done, last) -> own_moves done = own_moves (items b).
 Proof.

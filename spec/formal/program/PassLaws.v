@@ -1,10 +1,12 @@
-(** Laws of the compensations: where a mode is never on its pass changes nothing, and a program without compensation runs as
-    it is planned. *)
+(** Laws of the compensations: where a mode is never on its pass changes nothing, and a program without compensation
+    runs as it is planned. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs Corners LengthOffset ToolShift.
 From Toolcomp Require Import CutterState EdgeState SideState ControlState State Space.
-From Toolcomp Require Import Movements CutterRules CutterMoves CutterB CutterModes CutterC CutterWords SideWords SideBlocks SidePass.
-From Toolcomp Require Import EdgeWords EdgePass ControlWords ControlMoves Compensation Program OutcomeLaws PlanLaws ProgramLaws.
+From Toolcomp Require Import Movements CutterRules CutterMoves CutterB CutterModes CutterC CutterWords SideWords
+  SideBlocks SidePass.
+From Toolcomp Require Import EdgeWords EdgePass ControlWords ControlMoves Compensation Program OutcomeLaws PlanLaws
+  ProgramLaws.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope Z_scope.
@@ -34,7 +36,8 @@ Definition bare_item {num} {N : Numbers num} (s : setup num) (i : item num) : Pr
 Lemma at_no_vector {num} {N : Numbers num} (s : setup num) p m : without_head s m -> at_vector s p zero2 m = m.
 Proof. unfold without_head, at_vector, with_head. intro E. rewrite zeros_of_plane, <- E. now destruct m. Qed.
 
-Lemma at_no_head {num} {N : Numbers num} (s : setup num) p all : Forall (bare_item s) all -> at_head s p zero2 all = all.
+Lemma at_no_head {num} {N : Numbers num} (s : setup num) p all : Forall (bare_item s) all ->
+  at_head s p zero2 all = all.
 Proof.
   induction 1 as [|i all B _ IH]; [reflexivity|]. cbn -[at_vector]. fold (at_head s p zero2 all). rewrite IH.
   destruct i; cbn in B; try reflexivity.
@@ -56,7 +59,8 @@ Qed.
 
 (** A block of cutter compensation C with the mode off. *)
 Definition without_c {num} {N : Numbers num} (s : setup num) (b : planned num) : Prop :=
-  in_phase (cutter (before b)) = Off /\ in_phase (cutter (behind b)) = Off /\ vector_behind (cutter (behind b)) = zero2 /\
+  in_phase (cutter (before b)) = Off /\ in_phase (cutter (behind b)) = Off /\
+    vector_behind (cutter (behind b)) = zero2 /\
   match part_of b with Idle _ | MovesFree | GoesAway => True | _ => False end /\ Forall (bare_item s) (items b).
 
 Lemma block_without_c {num} {N : Numbers num} (s : setup num) b rest :
@@ -85,7 +89,8 @@ Theorem side_off_changes_nothing {num} {N : Numbers num} (s : setup num) (p : pl
   Forall (fun b => made (side (behind b)) = false) (fst p) -> side_pass s p = Through p.
 Proof.
   intro F. unfold side_pass. destruct (existsb _ (fst p)) eqn:E; [|reflexivity].
-  apply existsb_exists in E as (b & I & M). rewrite Forall_forall in F. unfold side_at_end in M. rewrite F in M by exact I.
+  apply existsb_exists in E as (b & I & M). rewrite Forall_forall in F. unfold side_at_end in M.
+  rewrite F in M by exact I.
   discriminate.
 Qed.
 
@@ -113,7 +118,8 @@ Qed.
 Definition compensation_codes := [410; 412; 413; 416; 420; 422; 426; 434; 435].
 (** A block that does not exist raises an alarm. *)
 Definition asks_for_none {num} (b : block num) : Prop :=
-  match codes_of b with Some codes => existsb (fun code => among code compensation_codes) codes = false | None => True end.
+  match codes_of b with Some codes => existsb (fun code => among code compensation_codes) codes = false |
+    None => True end.
 
 (** Nothing has been asked for. *)
 Record nothing_on {num} {N : Numbers num} (st : state num) : Prop := NothingOn {
@@ -126,7 +132,8 @@ Record nothing_on {num} {N : Numbers num} (st : state num) : Prop := NothingOn {
   no_control : in_control (control st) = None
 }.
 
-Lemma last_code (group codes : list Z) code : last_of group codes = Some code -> In code codes /\ among code group = true.
+Lemma last_code (group codes : list Z) code : last_of group codes = Some code -> In code codes /\
+  among code group = true.
 Proof. unfold last_of; intro H. apply find_some in H as [I A]. split; [now apply in_rev|exact A]. Qed.
 
 Lemma among_in code codes : among code codes = true -> In code codes.
@@ -135,7 +142,8 @@ Proof. unfold among; intro H. apply existsb_exists in H as (x & I & E). apply Z.
 Lemma none_said (group codes : list Z) code : existsb (fun code => among code compensation_codes) codes = false ->
   last_of group codes = Some code -> among code compensation_codes = false.
 Proof.
-  intros A L. apply last_code in L as [I _]. rewrite <- not_true_iff_false in *. intro M. apply A. apply existsb_exists. eauto.
+  intros A L. apply last_code in L as [I _]. rewrite <- not_true_iff_false in *. intro M. apply A. apply existsb_exists.
+  eauto.
 Qed.
 
 Lemma said_is_cancel codes code : existsb (fun code => among code compensation_codes) codes = false ->
@@ -145,7 +153,8 @@ Proof.
   cbn in I. repeat (destruct I as [<-|I]; [first [reflexivity|discriminate M]|]). contradiction.
 Qed.
 
-Lemma no_control_said codes {num} (st : state num) : existsb (fun code => among code compensation_codes) codes = false ->
+Lemma no_control_said codes {num} (st : state num) :
+  existsb (fun code => among code compensation_codes) codes = false ->
   in_control (control st) = None -> type_with codes st = None.
 Proof.
   intros A O. unfold type_with, control_code, type_before. rewrite O.
@@ -178,7 +187,8 @@ Lemma stays_off_c {num} {N : Numbers num} (s : setup num) c before after moves x
   match plays x with Idle _ | MovesFree | GoesAway => True | _ => False end.
 Proof.
   unfold behind_c; intros H E O V G. rewrite E, G in H. cbn [asked_for given andb] in H.
-  apply bound in H as (moving & _ & H). apply bound in H as ([[[[what ph] v] r] left] & R & H). apply same in H as <-. cbn.
+  apply bound in H as (moving & _ & H). apply bound in H as ([[[[what ph] v] r] left] & R & H). apply same in H as <-.
+  cbn.
   destruct (goes_away c); [|destruct moving].
   - unfold goes_away_step in R. rewrite O in R. apply same in R. injection R as <- <- <- _ _. auto.
   - unfold moving_step in R. rewrite O in R. apply same in R. injection R as <- <- <- _ _. auto.
@@ -210,7 +220,8 @@ Proof.
         apply bound in cutter_allowed as (? & _ & X). apply bound in X as (? & X & _).
         unfold alarms_c in X. rewrite G in X. apply bound in X as (? & X & _). unfold corner_alarm_c in X.
         apply bound in X as (? & X & _). apply no_alarm in X.
-        unfold cutter_on_after in X. rewrite cutter_of_left in X. rewrite cutter_kept in HAND. rewrite HAND in X. discriminate. }
+        unfold cutter_on_after in X. rewrite cutter_of_left in X. rewrite cutter_kept in HAND. rewrite HAND in X.
+        discriminate. }
       apply stays_off_c in cutter_found as (? & ? & ? & ?); try (now rewrite cutter_kept); auto. }
   destruct CUTTER as (H' & P' & V' & PART).
   assert (SIDE' : side_in_force (side (behind p)) = None /\ made (side (behind p)) = false).
@@ -248,7 +259,8 @@ Proof.
       - apply cutter_c_off_changes_nothing. eapply Forall_impl; [|exact F]. intros b (_ & O & _). auto. }
     rewrite T. rewrite side_off_changes_nothing by (eapply Forall_impl; [|exact F]; now intros b (_ & _ & ? & _)).
     rewrite edge_off_changes_nothing by (eapply Forall_impl; [|exact F]; now intros b (_ & _ & _ & ? & _)).
-    rewrite control_off_changes_nothing; [reflexivity|]. eapply Forall_impl; [|exact F]; now intros b (_ & _ & _ & _ & ?). }
+    rewrite control_off_changes_nothing; [reflexivity|]. eapply Forall_impl; [|exact F];
+      now intros b (_ & _ & _ & _ & ?). }
   unfold compensated. destruct (List.length (fst p)); cbn [until_it_runs]; now rewrite E.
 Qed.
 
@@ -281,4 +293,5 @@ Proof. apply side_off_changes_nothing. eapply Forall_impl; [|exact bare_blocks].
 Example edge_off_changes_nothing_instance : edge_pass plain_setup bare_plan = Through bare_plan.
 Proof. apply edge_off_changes_nothing. eapply Forall_impl; [|exact bare_blocks]. now intros b (_ & _ & _ & ? & _). Qed.
 Example control_off_changes_nothing_instance : control_pass plain_setup bare_plan = Through bare_plan.
-Proof. apply control_off_changes_nothing. eapply Forall_impl; [|exact bare_blocks]. now intros b (_ & _ & _ & _ & ?). Qed.
+Proof. apply control_off_changes_nothing. eapply Forall_impl; [|exact bare_blocks]. now intros b (_ & _ & _ & _ & ?).
+Qed.

@@ -64,7 +64,8 @@ Proof. unfold reference_position; intros H D. destruct code as [[]|]; try reflex
 Ltac parts_of H := match type of H with (?a, ?m, _, _) = (?a', ?m', _, _) =>
   assert (FIRST : a' = a) by congruence; assert (SECOND : m' = m) by congruence end.
 
-Lemma moves_of_block_are {num} {N : Numbers num} (s : setup num) c path circle_of changed longer target on_way run writing
+Lemma moves_of_block_are {num} {N : Numbers num} (s :
+  setup num) c path circle_of changed longer target on_way run writing
     st st' moves alarm writing' :
   moves_of_block s c path circle_of changed longer target on_way run writing st = Got (st', moves, alarm, writing') ->
   (target <> None -> goes_to_machine_position (acting c) = true) -> control st = run ->
@@ -84,7 +85,8 @@ Proof.
     (in_control (control st) = None -> control st' = control st) /\ Forall (without_head s) moves /\
     (goes_elsewhere (acting c) = false -> empty (which (position_words c)) = false -> one_programmed moves)).
   { intros y (x & O & <-) -> ->. specialize (OWN x O). cbv zeta in OWN. tauto. }
-  assert (TWO : forall x : state num * list (movement num), control (fst x) = control st -> Forall (without_head s) (snd x) ->
+  assert (TWO : forall x : state num * list (movement num), control (fst x) = control st ->
+    Forall (without_head s) (snd x) ->
     st' = fst x -> moves = snd x -> (empty (which (position_words c)) = false -> goes_elsewhere (acting c) = true) ->
     (in_control (control st) = None -> control st' = control st) /\ Forall (without_head s) moves /\
     (goes_elsewhere (acting c) = false -> empty (which (position_words c)) = false -> one_programmed moves)).
@@ -97,7 +99,8 @@ Proof.
   - destruct (acting c) as [[]|] eqn:A, target as [t|];
       first [ apply measurement_is_bare in H as [H F]; repeat split; [intros _; exact H|exact F|intros; discriminate]
             | apply same in H; parts_of H;
-              eapply TWO; [| |exact FIRST|exact SECOND|intros _; first [reflexivity|now specialize (T ltac:(discriminate))]];
+              eapply TWO; [| |exact FIRST|exact SECOND|intros _;
+                first [reflexivity|now specialize (T ltac:(discriminate))]];
               [reflexivity|repeat constructor]
             | apply bound in H as ([st4 first] & O & H); apply same in H; parts_of H;
               eapply GO; [eexists; split; [exact O|reflexivity]|exact FIRST|exact SECOND] ].
@@ -129,19 +132,24 @@ Record stepped {num} {N : Numbers num} (s : setup num) (place : nat) (b : block 
              one_programmed moves;
   cutter_found : cutter_behind s (command_of p) (before p) after moves = Got (cutter (behind p));
   side_found : side_behind s (command_of p) (before p) after moves = Got (side (behind p));
-  edge_found : edge (behind p) = EdgeState (leads_behind (command_of p) (edge st)) (next_leading_number (command_of p) (edge st));
+  edge_found : edge (behind p) = EdgeState (leads_behind (command_of p) (edge st)) (next_leading_number (command_of p)
+    (edge st));
   control_found : control (behind p) = control after;
   control_none : type_with (codes_said (command_of p)) (before p) = None -> in_control (control after) = None
 }.
 
 Lemma control_of_left {num} {N : Numbers num} (s : setup num) codes st : control (control_left s codes st) = control st.
-Proof. unfold control_left. destruct (in_control (control st)); [|reflexivity]. now destruct (last_of lengths codes). Qed.
+Proof. unfold control_left. destruct (in_control (control st)); [|reflexivity]. now destruct (last_of lengths codes).
+Qed.
 Lemma cutter_of_left {num} {N : Numbers num} (s : setup num) codes st : cutter (control_left s codes st) = cutter st.
-Proof. unfold control_left. destruct (in_control (control st)); [|reflexivity]. now destruct (last_of lengths codes). Qed.
+Proof. unfold control_left. destruct (in_control (control st)); [|reflexivity]. now destruct (last_of lengths codes).
+Qed.
 Lemma side_of_left {num} {N : Numbers num} (s : setup num) codes st : side (control_left s codes st) = side st.
-Proof. unfold control_left. destruct (in_control (control st)); [|reflexivity]. now destruct (last_of lengths codes). Qed.
+Proof. unfold control_left. destruct (in_control (control st)); [|reflexivity]. now destruct (last_of lengths codes).
+Qed.
 Lemma edge_of_left {num} {N : Numbers num} (s : setup num) codes st : edge (control_left s codes st) = edge st.
-Proof. unfold control_left. destruct (in_control (control st)); [|reflexivity]. now destruct (last_of lengths codes). Qed.
+Proof. unfold control_left. destruct (in_control (control st)); [|reflexivity]. now destruct (last_of lengths codes).
+Qed.
 
 Lemma without_control_is_none {num} {N : Numbers num} (s : setup num) c st x :
   without_control s c st = Got x -> in_control x = None.
@@ -178,7 +186,8 @@ Proof.
   assert (NONE : type_with codes at_start = None -> in_control (control after) = None).
   { intro T. match goal with H : control_step _ _ _ _ _ _ = Got _ |- _ => unfold control_step in H;
       change (codes_said said) with codes in H; rewrite T in H; apply same in H; subst end.
-    match goal with H : without_control _ _ _ = Got ?x |- _ => apply without_control_is_none in H; rewrite K by exact H; exact H end. }
+    match goal with H : without_control _ _ _ = Got ?x |- _ => apply without_control_is_none in H; rewrite K by exact H;
+      exact H end. }
   repeat match goal with u : unit |- _ => destruct u end.
   subst p. constructor; try assumption; try reflexivity.
   - destruct (unreadable b); [discriminate U|reflexivity].
