@@ -184,7 +184,7 @@ Proof.
   intros SID POS A B u v U V LA LB H. rewrite lines_of_plane in LA, LB by assumption. apply same in LA as <-.
   apply same in LB as <-.
   fold u v in H. unfold SideGroups.group_of, SideGroups.asked_of_lines in H.
-  match type of H with match ?x with _ => _ end = _ => destruct x as [got|number|clause|what] eqn:X end;
+  match type of H with match ?x with _ => _ end = _ => destruct x as [got|number|clause] eqn:X end;
     try discriminate.
   2: { repeat match type of H with (if ?c then _ else _) = _ => destruct c; try discriminate end. }
   apply same in H as <-. unfold SideGroups.group_of_mode in X. apply bound in X as (vs & G & X). apply same in X.

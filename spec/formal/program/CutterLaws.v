@@ -267,7 +267,7 @@ Theorem value_zero_is_programmed (s : setup R) bs :
   Forall (value_zero s) bs -> Forall (fun b => Forall (bare_item s) (items b)) (fst (blocks_c s [zero2] bs)).
 Proof.
   induction 1 as [|b rest Z F IH]; [constructor|]. cbn [blocks_c].
-  destruct (block_c s [zero2] b rest) as [[new ws]| | |] eqn:B; try constructor.
+  destruct (block_c s [zero2] b rest) as [[new ws]| |] eqn:B; try constructor.
   apply block_of_zero in B as [B ->]; [|exact Z]. destruct (blocks_c s [zero2] rest). now constructor.
 Qed.
 

@@ -160,7 +160,7 @@ Proof.
     led_from s last bs how = Through p -> Forall (fun b => Forall (bare_item s) (items b)) (fst p)); [|now apply G].
   revert p; induction F as [|b rest [B Z] F IH]; intros p last V H; cbn [led_from] in H.
   - injection H as <-. constructor.
-  - destruct (led s last b rest) as [[b' w]| | |] eqn:L; try discriminate.
+  - destruct (led s last b rest) as [[b' w]| |] eqn:L; try discriminate.
     destruct (led_from s w rest how) as [[bs' how']|] eqn:E; [|discriminate]. injection H as <-. cbn [fst].
     assert (K : Forall (bare_item s) (items b') /\
       match w with Some v => leading_vector v = (0, 0, 0)%R | None => True end).

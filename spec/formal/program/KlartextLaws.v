@@ -18,7 +18,7 @@ Definition to_x (x : R) : line_words R := LineWords [AxisWord Letter.X false (Li
 (** heidenhain.program.end: nothing comes behind the block with M2, M30 or END PGM. *)
 Theorem nothing_behind_the_last_block {num} {N : Numbers num} (s : klartext_setup num) b more place st :
   ends_program b = true -> plans s (b :: more) place st = plans s [b] place st.
-Proof. intro E; cbn [plans]. destruct (klartext_step s b st) as [[st' p]| | |]; try reflexivity. now rewrite E. Qed.
+Proof. intro E; cbn [plans]. destruct (klartext_step s b st) as [[st' p]| |]; try reflexivity. now rewrite E. Qed.
 
 Definition end_block : klartext_block R := KlartextBlock OtherStatement [30%Z] None.
 
@@ -28,7 +28,7 @@ Proof. now apply nothing_behind_the_last_block. Qed.
 
 (** An event that ends the run. *)
 Definition ends_run {num} (e : klartext_event num) : bool :=
-  match e with AlarmRaised _ | SignOpen _ | NotSaidYet _ => true | _ => false end.
+  match e with AlarmRaised _ | SignOpen _ => true | _ => false end.
 
 Lemma end_in_is_last {num A} (x : outcome A) : nothing_behind ends_run (end_in (num := num) x).
 Proof. destruct x; cbn; auto. Qed.
@@ -40,9 +40,9 @@ Lemma plans_stop_once {num} {N : Numbers num} (s : klartext_setup num) bs place 
   Forall stops_once (plans s bs place st).
 Proof.
   revert place st; induction bs as [|b bs IH]; intros place st; cbn [plans]; [constructor|].
-  destruct (klartext_step s b st) as [[st' p]|number|clause|what];
-    try (constructor; [apply (end_in_is_last (Alarm number)) || apply (end_in_is_last (A := unit) (Undecided clause)) ||
-                       apply (end_in_is_last (A := unit) (Beyond what))|constructor]).
+  destruct (klartext_step s b st) as [[st' p]|number|clause];
+    try (constructor; [apply (end_in_is_last (A := unit) (Alarm number)) ||
+                       apply (end_in_is_last (A := unit) (Undecided clause))|constructor]).
   destruct p as [p|]; [constructor; [exact I|]|]; (destruct (ends_program b); [constructor|apply IH]).
 Qed.
 
@@ -64,9 +64,8 @@ Proof.
   - inversion O as [|? ? _ O']; subst. specialize (IH O'). cbn -[nothing_behind].
     destruct (way_of p) as [tip shift touch|nominal l by_delta by_radius|].
     + rewrite map_app. apply nothing_behind_app; [now apply warnings_go_on|apply IH].
-    + destruct (beside_end l before (following_of items)) as [[beside made]|number|clause|what].
+    + destruct (beside_end l before (following_of items)) as [[beside made]|number|clause].
       * rewrite map_app. apply nothing_behind_app; [now apply warnings_go_on|apply IH].
-      * right; reflexivity.
       * right; reflexivity.
       * right; reflexivity.
     + rewrite map_app. apply nothing_behind_app; [now apply warnings_go_on|apply IH].

@@ -18,7 +18,7 @@ Theorem cutter_b_looks_at_no_block {num} {N : Numbers num} (s : setup num) bs mo
   compensated_b s (bs ++ more) = inl all -> exists first later, compensated_b s bs = inl first /\ all = first ++ later.
 Proof.
   revert all; induction bs as [|b bs IH]; intros all H; [now exists [], all|].
-  cbn [app compensated_b] in *. destruct (items_b s b) as [new| | |]; try discriminate.
+  cbn [app compensated_b] in *. destruct (items_b s b) as [new| |]; try discriminate.
   destruct (compensated_b s (bs ++ more)) as [later|]; [|discriminate]. injection H as <-.
   destruct (IH _ eq_refl) as (first & rest & -> & ->). now exists (with_items b new :: first), rest.
 Qed.
@@ -122,7 +122,7 @@ Proof.
     - cbn [app]. rewrite (cutter_c_looks_two_blocks_ahead s vs b b' b'' (bs ++ next :: after_next ::
         more)) by assumption.
       now rewrite (cutter_c_looks_two_blocks_ahead s vs b b' b'' (bs ++ [next; after_next])) by assumption. }
-  cbn [app blocks_c]. rewrite E. destruct (block_c s vs b (bs ++ [next; after_next])) as [[new ws]| | |];
+  cbn [app blocks_c]. rewrite E. destruct (block_c s vs b (bs ++ [next; after_next])) as [[new ws]| |];
     try reflexivity.
   specialize (IH ws). destruct (blocks_c s ws (bs ++ next :: after_next ::
     more)), (blocks_c s ws (bs ++ [next; after_next])).
@@ -200,7 +200,7 @@ Theorem control_looks_at_no_block {num} {N : Numbers num} (s : setup num) bs mor
 Proof.
   induction bs as [|b bs IH]; intros from first H.
   - injection H as <-. cbn. destruct (blocks_under_control s more from). eauto.
-  - cbn [app blocks_under_control] in *. destruct (block_under_control s b from) as [[done last]| | |];
+  - cbn [app blocks_under_control] in *. destruct (block_under_control s b from) as [[done last]| |];
       try discriminate.
     destruct (blocks_under_control s bs last) as [before how] eqn:E. injection H as <- ->.
     destruct (IH _ _ E) as (later & how & ->). now exists later, how.

@@ -16,7 +16,7 @@ Notation places := (map at_place).
 
 (** The place that an ending names. *)
 Definition place_of_end (how : ending) : option nat :=
-  match how with EndsInAlarm place _ | EndsUndecided place _ => Some place | Ended | NotSaid _ => None end.
+  match how with EndsInAlarm place _ | EndsUndecided place _ => Some place | Ended => None end.
 
 (** Blocks in the order of their places, and an ending behind them all. *)
 Definition in_order {num} (p : plan num) : Prop :=
@@ -69,7 +69,7 @@ Proof.
               | inr (place, how) => place_of_end how = Some place \/ place_of_end how = None
               end).
   { induction bs as [|b rest IH]; [reflexivity|]. cbn [compensated_b].
-    destruct (items_b s b) as [new|number|clause|what]; cbn [ends_in place_of_end]; auto.
+    destruct (items_b s b) as [new|number|clause]; cbn [ends_in place_of_end]; auto.
     destruct (compensated_b s rest) as [later|[place how']]; [|exact IH]. cbn. now rewrite IH. }
   destruct (compensated_b s bs) as [done|[place how']]; [|exact K].
   exists []. rewrite app_nil_r. split; [exact K|]. destruct (place_of_end how); auto.
@@ -84,12 +84,12 @@ Proof.
               | Some (place, how) => In place later /\ (place_of_end how = Some place \/ place_of_end how = None)
               end).
   { revert vs; induction bs as [|b rest IH]; intro vs; [now exists []|]. cbn [blocks_c].
-    destruct (block_c s vs b rest) as [[new ws]|number|clause|what];
+    destruct (block_c s vs b rest) as [[new ws]|number|clause];
       [|exists (places (b :: rest)); cbn; auto..].
     destruct (IH ws) as (later & P & W). destruct (blocks_c s ws rest) as [done ended]. exists later. cbn in *.
     rewrite P. auto. }
   destruct K as (later & P & W). destruct (blocks_c s vs bs) as [done [[place how']|]]; cbn [fst snd] in *.
-  - destruct W as [I W]. destruct how' as [|place' number|place' clause|what]; cbn [place_of_end] in W; try exact W;
+  - destruct W as [I W]. destruct how' as [|place' number|place' clause]; cbn [place_of_end] in W; try exact W;
       exists later; cbn; auto. split; [exact P|]. right. destruct W as [W|W]; congruence.
   - subst later. exists []. split; [exact P|]. destruct (place_of_end how); auto.
 Qed.
@@ -103,7 +103,7 @@ Proof.
               | AsIfAbsent place how => place_of_end how = Some place \/ place_of_end how = None
               end).
   { revert last; induction bs as [|b rest IH]; intro last; [now split|]. cbn [led_from].
-    destruct (led s last b rest) as [[b' v]|number|clause|what] eqn:L; cbn; auto.
+    destruct (led s last b rest) as [[b' v]|number|clause] eqn:L; cbn; auto.
     specialize (IH v). destruct (led_from s v rest how) as [[done how']|]; [|exact IH].
     destruct IH as [P ->]. split; [|reflexivity]. cbn. rewrite P. f_equal.
     unfold led in L. destruct last as [w|], (leads (edge (behind b)));
@@ -118,14 +118,13 @@ Proof.
   assert (K : exists later, places bs = places (fst (blocks_under_control s bs from)) ++ later /\
               match snd (blocks_under_control s bs from) with Ended => later = [] | _ => True end).
   { revert from; induction bs as [|b rest IH]; intro from; [now exists []|]. cbn [blocks_under_control].
-    destruct (block_under_control s b from) as [[done last]|number|clause|what];
+    destruct (block_under_control s b from) as [[done last]|number|clause];
       [|exists (places (b :: rest)); cbn; auto..].
     destruct (IH last) as (later & P & W). destruct (blocks_under_control s rest last) as [more how'].
     exists later. cbn in *. rewrite P. auto. }
-  destruct K as (later & P & W). destruct (blocks_under_control s bs from) as [done [|place number|place clause|what]];
+  destruct K as (later & P & W). destruct (blocks_under_control s bs from) as [done [|place number|place clause]];
     cbn in *; auto.
   - subst later. exists []. split; [exact P|]. destruct (place_of_end how); auto.
-  - exists later. auto.
 Qed.
 
 Definition block_of_offset {num} (o : offset_block num) : planned num := fst (fst o).
@@ -150,7 +149,7 @@ Lemma moves_from_keeps_order {num} {N : Numbers num} (s : setup num) t os how :
   end.
 Proof.
   revert t; induction os as [|o os IH]; intro t; [now split|]. cbn [moves_from].
-  destruct (SidePass.moves_of_block s t o) as [[b t']|number|clause|what] eqn:M; cbn [ends_in place_of_end]; auto.
+  destruct (SidePass.moves_of_block s t o) as [[b t']|number|clause] eqn:M; cbn [ends_in place_of_end]; auto.
   specialize (IH t'). destruct (moves_from s t' os how) as [[done how']|]; [|exact IH]. destruct IH as [P ->].
   split; [|reflexivity]. apply moves_of_block_keeps_place in M. cbn. now rewrite M, P.
 Qed.
@@ -180,12 +179,12 @@ Proof.
   { intros A x. exists (places (b :: rest)). split; [reflexivity|]. split; [now left|apply end_in_place]. }
   cbn [offset_from].
   destruct (starts_at_once s b).
-  { destruct (standing_at_start s b rest) as [v|number|clause|what]; [apply GO|apply (STOP unit (Alarm number))|
-      apply (STOP unit (Undecided clause))|apply (STOP unit (Beyond what))]. }
+  { destruct (standing_at_start s b rest) as [v|number|clause]; [apply GO|apply (STOP unit (Alarm number))|
+      apply (STOP unit (Undecided clause))]. }
   destruct (makes_corner b).
   { match goal with |- context [match ?x with Got _ => _ | _ => _ end] =>
-      destruct x as [[[v w] line_now]|number|clause|what] end;
-      [apply GO|apply (STOP unit (Alarm number))|apply (STOP unit (Undecided clause))|apply (STOP unit (Beyond what))].
+      destruct x as [[[v w] line_now]|number|clause] end;
+      [apply GO|apply (STOP unit (Alarm number))|apply (STOP unit (Undecided clause))].
       }
   destruct (made (side_at_end b)), at_start as [v|]; try apply GO. destruct (is_b_of b v); apply GO.
 Qed.
@@ -199,9 +198,9 @@ Proof.
   { cbn. assert (G : forall w bs, commands_refused s w bs = Some (place, how) ->
       place_of_end how = Some place \/ place_of_end how = None); [|exact (G _ _ C)].
     intros w bs; revert w; induction bs as [|b rest IH]; intros w H; [discriminate|]. cbn [commands_refused] in H.
-    match type of H with match ?x with Got _ => _ | _ => _ end = _ => destruct x as [here|number|clause|what] end;
+    match type of H with match ?x with Got _ => _ | _ => _ end = _ => destruct x as [here|number|clause] end;
       [|injection H as <- <-; cbn; auto..].
-    destruct (waiting_behind s b w) as [next|number|clause|what]; [now apply IH in H|injection H as <- <-; cbn; auto..].
+    destruct (waiting_behind s b w) as [next|number|clause]; [now apply IH in H|injection H as <- <-; cbn; auto..].
     }
   destruct (offset_from_keeps_order s None (fst p)) as (later & P & W).
   set (o := offset_from s None (fst p)) in *. clearbody o.
@@ -270,7 +269,7 @@ Lemma order_of_plan {num} {N : Numbers num} decimal (s : setup num) bs : forall 
 Proof.
   induction bs as [|b bs IH]; intros place st; cbv zeta; cbn [planned_from].
   { repeat constructor. }
-  destruct (step decimal s place b st) as [[p alarm]|number|clause|what] eqn:E;
+  destruct (step decimal s place b st) as [[p alarm]|number|clause] eqn:E;
     try (cbn; repeat split; try constructor; lia).
   apply step_is_stepped in E as (after & moves & settings & E). apply its_place in E.
   destruct alarm as [number|].
@@ -292,7 +291,7 @@ Proof.
   assert (L : forall last, match how with
             | EndsInAlarm place number => [(place, Raised number)]
             | EndsUndecided place clause => [(place, NotDecided clause)]
-            | Ended | NotSaid _ => []
+            | Ended => []
             end = (last : list (nat * event num)) -> map fst last =
             match place_of_end how with Some x => [x] | None => [] end).
   { intros last <-. now destruct how. }
@@ -335,7 +334,7 @@ Proof.
     more) place st = planned_from decimal s (ahead ++ [b]) place st);
     [|now rewrite P].
   induction ahead as [|a ahead IH]; intros place st; [now apply nothing_behind_the_end|].
-  cbn [app planned_from]. destruct (step decimal s place a st) as [[r [number|]]| | |]; try reflexivity.
+  cbn [app planned_from]. destruct (step decimal s place a st) as [[r [number|]]| |]; try reflexivity.
   destruct (ends a); [reflexivity|]. now rewrite IH.
 Qed.
 

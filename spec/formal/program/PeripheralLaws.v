@@ -92,7 +92,7 @@ Qed.
 Definition turned_made (m : option (triple R)) : option (triple R) := option_map opposite m.
 (** An outcome with its vectors turned round. *)
 Definition turned_outcome {A} (f : A -> A) (x : outcome A) : outcome A :=
-  match x with Got a => Got (f a) | Alarm n => Alarm n | Undecided c => Undecided c | Beyond w => Beyond w end.
+  match x with Got a => Got (f a) | Alarm n => Alarm n | Undecided c => Undecided c end.
 
 Lemma opposite_or_last left t d made : direction_or_last (negb left) t d (turned_made made) =
   turned_outcome opposite (direction_or_last left t d made).
@@ -105,7 +105,7 @@ Lemma opposite_mitre (c c' : triple R) : mitre (opposite c) (opposite c') = turn
 Proof.
   unfold mitre. replace (dot3 (opposite c) (opposite c')) with (dot3 c c').
   2: { destruct c as [[x y] z], c' as [[a b] e]. unfold opposite, scale3, dot3; cbn. ring. }
-  destruct (is_zero "heidenhain.peripheral.reversal" (1 + dot3 c c')%num) as [[]| | |]; try reflexivity.
+  destruct (is_zero "heidenhain.peripheral.reversal" (1 + dot3 c c')%num) as [[]| |]; try reflexivity.
   cbn [bind alarm_if turned_outcome].
   f_equal. set (k := (1 / (1 + dot3 c c'))%num). destruct c as [[x y] z], c' as [[a b] e].
   unfold opposite, scale3, add3; cbn. f_equal; [f_equal|]; ring.
@@ -128,13 +128,13 @@ Proof.
       made)).
   { intros n made. destruct (next_left n); cbn [option_map or_else]; apply opposite_or_last. }
   destruct prior as [made|], next as [n|]; cbn [option_map turned_next next_movement next_left].
-  - rewrite OWN. destruct (direction_or_last (left_side l) (tool_at_end l) (movement l) made) as [c| | |];
+  - rewrite OWN. destruct (direction_or_last (left_side l) (tool_at_end l) (movement l) made) as [c| |];
       try reflexivity.
     cbn [turned_outcome bind]. replace (given (option_map negb (next_left n))) with (given (next_left n)) by now
       destruct (next_left n).
     destruct (given (next_left n)); [|reflexivity]. change (Some (opposite c)) with (turned_made (Some c)).
     rewrite NEXT.
-    destruct (direction_or_last _ _ (next_movement n) (Some c)) as [c'| | |]; try reflexivity.
+    destruct (direction_or_last _ _ (next_movement n) (Some c)) as [c'| |]; try reflexivity.
     cbn [turned_outcome bind].
     rewrite opposite_mitre. now destruct (mitre c c').
   - rewrite OWN. now destruct (direction_or_last _ _ (movement l) made).
@@ -166,7 +166,7 @@ Proof.
     reflexivity.
   - assert (F : following_of (map turned_item items) = turned_next (following_of items)).
     { destruct items as [|[place' p'|place' es'] rest]; try reflexivity. cbn. now destruct (way_of p'). }
-    rewrite F, turned_end. destruct (beside_end l prior (following_of items)) as [[beside made]| | |]; try reflexivity.
+    rewrite F, turned_end. destruct (beside_end l prior (following_of items)) as [[beside made]| |]; try reflexivity.
     cbn [turned_outcome fst snd]. rewrite <- (IH (Some (Some made))).
     replace (given (option_map turned_made prior)) with (given prior) by now destruct prior.
     assert (E : forall k, scale3 (- k)%R (opposite beside) = scale3 k beside).
@@ -196,11 +196,10 @@ Proof.
   assert (F : forall more, following_of (next :: more) = following_of [next]) by (intro; destruct next; reflexivity).
   destruct (way_of p) as [tip shift touch|nominal l by_delta by_radius|].
   - eexists _, true, None. intro more. reflexivity.
-  - destruct (beside_end l prior (following_of [next])) as [[beside made]|number|clause|what] eqn:E;
+  - destruct (beside_end l prior (following_of [next])) as [[beside made]|number|clause] eqn:E;
       [eexists _, true, (Some (Some made))|eexists (map (pair place) (end_in (A := unit) (Alarm number))), false, None
-      |eexists (map (pair place) (end_in (A := unit) (Undecided clause))), false, None
-      |eexists (map (pair place) (end_in (A := unit) (Beyond what))), false, None]; intro more; rewrite F, E;
-        try reflexivity.
+      |eexists (map (pair place) (end_in (A := unit) (Undecided clause))), false, None]; intro more; rewrite F, E;
+      try reflexivity.
   - eexists _, true, None. intro more. reflexivity.
 Qed.
 

@@ -212,7 +212,7 @@ Lemma planned_all {num} {N : Numbers num} decimal (s : setup num) (I : state num
 Proof.
   intro K. induction bs as [|b bs IH]; intros place st F H; cbn -[step]; [constructor|].
   inversion F as [|? ? W0 F']; subst.
-  destruct (step decimal s place b st) as [[p alarm]| | |] eqn:E; try constructor.
+  destruct (step decimal s place b st) as [[p alarm]| |] eqn:E; try constructor.
   apply step_is_stepped in E as (after & moves & settings & E).
   destruct (K _ _ _ _ _ _ _ W0 H E) as [H' Q'].
   destruct alarm; [now constructor|]. destruct (ends b); [now constructor|].

@@ -14,7 +14,7 @@ Theorem earlier_blocks_stay {num} {N : Numbers num} decimal (s : setup num) bs m
   exists later, fst (planned_from decimal s (bs ++ more) place st) = fst (planned_from decimal s bs place st) ++ later.
 Proof.
   revert place st; induction bs as [|b bs IH]; intros place st; cbn -[step]; [eexists; reflexivity|].
-  destruct (step decimal s place b st) as [[r [number|]]| | |]; cbn -[step]; try (exists []; reflexivity).
+  destruct (step decimal s place b st) as [[r [number|]]| |]; cbn -[step]; try (exists []; reflexivity).
   destruct (ends b); cbn -[step]; [exists []; reflexivity|].
   destruct (IH (S place) (behind r)) as [later IH'].
   destruct (planned_from decimal s (bs ++ more) (S place) (behind r)) as [all how].
@@ -38,7 +38,7 @@ Proof. apply earlier_blocks_stay. Qed.
 Theorem nothing_behind_the_end {num} {N : Numbers num} decimal (s : setup num) b more place st :
   ends b = true -> planned_from decimal s (b :: more) place st = planned_from decimal s [b] place st.
 Proof.
-  intro E; cbn -[step]. destruct (step decimal s place b st) as [[r [number|]]| | |]; [reflexivity| |reflexivity..].
+  intro E; cbn -[step]. destruct (step decimal s place b st) as [[r [number|]]| |]; [reflexivity| |reflexivity..].
   now rewrite E.
 Qed.
 

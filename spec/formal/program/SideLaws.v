@@ -174,7 +174,7 @@ Lemma across_group vt (s : setup R) r q a b hs : leg_across vt a -> leg_across v
   group_of (P := plane_of_tool vt) s r q a b = Got hs -> heads_across vt hs.
 Proof.
   intros A B H. unfold group_of, asked_of_lines in H.
-  match type of H with match ?x with _ => _ end = _ => destruct x as [got|number|clause|what] eqn:X end;
+  match type of H with match ?x with _ => _ end = _ => destruct x as [got|number|clause] eqn:X end;
     try discriminate.
   2: { repeat match type of H with (if ?c then _ else _) = _ => destruct c; try discriminate end. }
   apply same in H as <-. assert (P : across_tool vt (perpendicular (P := plane_of_tool vt) a)) by now apply
@@ -284,7 +284,7 @@ Proof.
       apply incl_refl. }
   destruct (makes_corner b).
   { match type of H with left_at_start (match ?x with _ => _ end) = _ => destruct x as [[[v' w']
-      line]|number|clause|what] eqn:X end;
+      line]|number|clause] eqn:X end;
       cbn [left_at_start] in H; try (injection H as <-; apply incl_refl). subst v'.
     apply bound in X as (e & _ & X). apply bound in X as ([[v' e'] line'] & D & X). apply same in X.
     injection X as -> _ _.
@@ -314,10 +314,10 @@ Proof.
     apply left_is_part in L. now apply (PART _ (heads v)). }
   induction 1 as [|b rest T F IH]; intro at_start; cbn [offset_from]; [constructor|].
   destruct (starts_at_once s b).
-  { destruct (standing_at_start s b rest) as [v| | |] eqn:E; cbn [compensated_blocks]; constructor; auto.
+  { destruct (standing_at_start s b rest) as [v| |] eqn:E; cbn [compensated_blocks]; constructor; auto.
     apply LEFT. now apply start_across in E. }
   destruct (makes_corner b).
-  { match goal with |- context [match ?x with Got _ => _ | _ => _ end] => destruct x as [[[v w] line]| | |] eqn:X end;
+  { match goal with |- context [match ?x with Got _ => _ | _ => _ end] => destruct x as [[[v w] line]| |] eqn:X end;
       cbn [compensated_blocks]; constructor; auto. apply LEFT.
     apply bound in X as (e & E & X). apply side_vectors_across_the_tool in E; [|exact T]. destruct at_start as [v0|].
     - apply bound in X as ([[v' e'] line'] & D & X). apply same in X. injection X as _ <- _.
