@@ -22,6 +22,10 @@ Proof.
   apply bound in H as (b & E & H). apply bound in H as (bs & E' & H). apply same in H as <-. constructor; auto.
 Qed.
 
+(** With its result changed. *)
+Definition mapped {A B} (f : A -> B) (x : outcome A) : outcome B :=
+  match x with Got a => Got (f a) | Alarm number => Alarm number | Undecided clause => Undecided clause end.
+
 (** * Signs of real numbers *)
 
 Lemma decided clause (x : R) c : decide clause x = Got c -> match c with Lt => x < 0 | Eq => x = 0 | Gt => 0 < x end%R.

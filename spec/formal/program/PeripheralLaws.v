@@ -90,23 +90,19 @@ Proof.
 Qed.
 
 Definition turned_made (m : option (triple R)) : option (triple R) := option_map opposite m.
-(** An outcome with its vectors turned round. *)
-Definition turned_outcome {A} (f : A -> A) (x : outcome A) : outcome A :=
-  match x with Got a => Got (f a) | Alarm n => Alarm n | Undecided c => Undecided c end.
-
 Lemma opposite_or_last left t d made : direction_or_last (negb left) t d (turned_made made) =
-  turned_outcome opposite (direction_or_last left t d made).
+  mapped opposite (direction_or_last left t d made).
 Proof.
   unfold direction_or_last. destruct (directions_decided left t d) as [c C]. rewrite C, (opposite_direction _ _ _ _ C).
   destruct c, made; reflexivity.
 Qed.
 
-Lemma opposite_mitre (c c' : triple R) : mitre (opposite c) (opposite c') = turned_outcome opposite (mitre c c').
+Lemma opposite_mitre (c c' : triple R) : mitre (opposite c) (opposite c') = mapped opposite (mitre c c').
 Proof.
   unfold mitre. replace (dot3 (opposite c) (opposite c')) with (dot3 c c').
   2: { destruct c as [[x y] z], c' as [[a b] e]. unfold opposite, scale3, dot3; cbn. ring. }
   destruct (is_zero "heidenhain.peripheral.reversal" (1 + dot3 c c')%num) as [[]| |]; try reflexivity.
-  cbn [bind alarm_if turned_outcome].
+  cbn [bind alarm_if mapped].
   f_equal. set (k := (1 / (1 + dot3 c c'))%num). destruct c as [[x y] z], c' as [[a b] e].
   unfold opposite, scale3, add3; cbn. f_equal; [f_equal|]; ring.
 Qed.
@@ -116,26 +112,26 @@ Definition turned_next (n : option (following R)) : option (following R) :=
   option_map (fun n => Following (next_movement n) (option_map negb (next_left n))) n.
 
 Lemma turned_end l prior next : beside_end (turned_lateral l) (option_map turned_made prior) (turned_next next) =
-  turned_outcome (fun p => (opposite (fst p), opposite (snd p))) (beside_end l prior next).
+  mapped (fun p => (opposite (fst p), opposite (snd p))) (beside_end l prior next).
 Proof.
   unfold beside_end, turned_lateral. cbn [left_side tool_at_end movement].
   assert (OWN : forall made, direction_or_last (negb (left_side l)) (tool_at_end l) (movement l) (turned_made made) =
-    turned_outcome opposite (direction_or_last (left_side l) (tool_at_end l) (movement l) made)) by (intro;
+    mapped opposite (direction_or_last (left_side l) (tool_at_end l) (movement l) made)) by (intro;
       apply opposite_or_last).
   assert (NEXT : forall n made, direction_or_last (or_else (option_map negb (next_left n)) (negb (left_side l)))
     (tool_at_end l) (next_movement n) (turned_made made) =
-    turned_outcome opposite (direction_or_last (or_else (next_left n) (left_side l)) (tool_at_end l) (next_movement n)
+    mapped opposite (direction_or_last (or_else (next_left n) (left_side l)) (tool_at_end l) (next_movement n)
       made)).
   { intros n made. destruct (next_left n); cbn [option_map or_else]; apply opposite_or_last. }
   destruct prior as [made|], next as [n|]; cbn [option_map turned_next next_movement next_left].
   - rewrite OWN. destruct (direction_or_last (left_side l) (tool_at_end l) (movement l) made) as [c| |];
       try reflexivity.
-    cbn [turned_outcome bind]. replace (given (option_map negb (next_left n))) with (given (next_left n)) by now
+    cbn [mapped bind]. replace (given (option_map negb (next_left n))) with (given (next_left n)) by now
       destruct (next_left n).
     destruct (given (next_left n)); [|reflexivity]. change (Some (opposite c)) with (turned_made (Some c)).
     rewrite NEXT.
     destruct (direction_or_last _ _ (next_movement n) (Some c)) as [c'| |]; try reflexivity.
-    cbn [turned_outcome bind].
+    cbn [mapped bind].
     rewrite opposite_mitre. now destruct (mitre c c').
   - rewrite OWN. now destruct (direction_or_last _ _ (movement l) made).
   - change None with (turned_made None) at 1. rewrite NEXT. now destruct (direction_or_last _ _ (next_movement n) None).
@@ -167,7 +163,7 @@ Proof.
   - assert (F : following_of (map turned_item items) = turned_next (following_of items)).
     { destruct items as [|[place' p'|place' es'] rest]; try reflexivity. cbn. now destruct (way_of p'). }
     rewrite F, turned_end. destruct (beside_end l prior (following_of items)) as [[beside made]| |]; try reflexivity.
-    cbn [turned_outcome fst snd]. rewrite <- (IH (Some (Some made))).
+    cbn [mapped fst snd]. rewrite <- (IH (Some (Some made))).
     replace (given (option_map turned_made prior)) with (given prior) by now destruct prior.
     assert (E : forall k, scale3 (- k)%R (opposite beside) = scale3 k beside).
     { intro k. destruct beside as [[x y] z]. unfold opposite, scale3; cbn. f_equal; [f_equal|]; ring. }
