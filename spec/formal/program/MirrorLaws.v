@@ -55,29 +55,11 @@ Proof.
   now replace (- rho * - aside u v)%R with (rho * aside u v)%R by ring.
 Qed.
 
-Lemma zero_either_way clause (x : R) : is_zero clause (- x)%R = is_zero clause x.
-Proof.
-  unfold is_zero. destruct (decides clause (- x)%R) as [c C], (decides clause x) as [c' C']. rewrite C, C'.
-  apply decided in C, C'. destruct c, c'; try reflexivity; lra.
-Qed.
-
 Lemma same_degree u v rho rho' : under_one_degree (mirrored_line u rho) (mirrored_line v rho') =
   under_one_degree (line u rho) (line v rho').
 Proof.
   unfold under_one_degree. cbn [is_arc bent given orb mirrored_line line line_leg leg_along way].
   rewrite other_side_of_turn, same_advance. f_equal. cbn [times minus reals]. ring.
-Qed.
-
-Lemma magnitude_either_way clause {A} (f : R -> A) (x : R) :
-  bind (is_negative clause x) (fun right => let r := if right :
-    bool then (- x)%num else x in Got (f r)) = Got (f (Rabs x)).
-Proof.
-  destruct (Rlt_dec x 0) as [L|L].
-  - assert (N : is_negative clause x = Got true).
-    { unfold is_negative. destruct (decides clause x) as [c C]. rewrite C. apply decided in C.
-      destruct c; try reflexivity; lra. }
-    rewrite N. cbn. do 2 f_equal. rewrite Rabs_left by exact L. ring.
-  - rewrite (not_negative clause x L). cbn. do 2 f_equal. rewrite Rabs_pos_eq; [reflexivity|lra].
 Qed.
 
 Lemma mirrored_prolonged u v rho rho' : prolonged (mirrored_line u rho) (mirrored_line v rho') =
@@ -86,11 +68,11 @@ Proof.
   unfold prolonged. cbn [Corners.rho mirrored_line line line_leg leg_along].
   fold (line_leg (mirror2 u) (- rho)%R) (line_leg (mirror2 v) (- rho')%R) (line_leg u rho) (line_leg v rho').
   fold (mirrored_line u rho) (mirrored_line v rho') (line u rho) (line v rho').
-  rewrite (magnitude_either_way "fanuc.cutter.side"
-    (fun r => [add (perpendicular (mirrored_line u rho)) (scale r (unit_way (mirrored_line u rho)));
+  rewrite (magnitude_is "fanuc.cutter.side"
+    (fun r => Got [add (perpendicular (mirrored_line u rho)) (scale r (unit_way (mirrored_line u rho)));
                subtract (perpendicular (mirrored_line v rho')) (scale r (unit_way (mirrored_line v rho')))])).
-  rewrite (magnitude_either_way "fanuc.cutter.side"
-    (fun r => [add (perpendicular (line u rho)) (scale r (unit_way (line u rho)));
+  rewrite (magnitude_is "fanuc.cutter.side"
+    (fun r => Got [add (perpendicular (line u rho)) (scale r (unit_way (line u rho)));
                subtract (perpendicular (line v rho')) (scale r (unit_way (line v rho')))])).
   rewrite Rabs_Ropp, !mirrored_perpendicular, !mirrored_unit. cbn [mapped map]. do 2 f_equal; [|f_equal].
   all: cbn; unfold mirror2, add2, sub2, scale2; cbn; f_equal; ring.

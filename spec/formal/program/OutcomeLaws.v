@@ -75,6 +75,24 @@ Proof.
   destruct c; auto; lra.
 Qed.
 
+Lemma zero_either_way clause (x : R) : is_zero clause (- x)%R = is_zero clause x.
+Proof.
+  unfold is_zero. destruct (decides clause (- x)%R) as [c C], (decides clause x) as [c' C']. rewrite C, C'.
+  apply decided in C, C'. destruct c, c'; try reflexivity; lra.
+Qed.
+
+(** Without its sign. *)
+Lemma magnitude_is clause {A} (f : R -> outcome A) (x : R) :
+  bind (is_negative clause x) (fun negative => f (if negative then (- x)%num else x)) = f (Rabs x).
+Proof.
+  destruct (Rlt_dec x 0) as [L|L].
+  - assert (N : is_negative clause x = Got true).
+    { unfold is_negative. destruct (decides clause x) as [c C]. rewrite C. apply decided in C.
+      destruct c; try reflexivity; lra. }
+    rewrite N. cbn [bind]. f_equal. rewrite Rabs_left by exact L. cbn. ring.
+  - rewrite (not_negative clause x L). cbn [bind]. f_equal. rewrite Rabs_pos_eq; [reflexivity|lra].
+Qed.
+
 (** * Events *)
 
 (** Behind the first that ends a run there is nothing. *)

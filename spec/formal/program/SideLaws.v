@@ -398,3 +398,51 @@ Example side_cancelled_is_programmed_instance t line b' t' :
   SidePass.moves_of_block plain_setup t (standing_block, None, line) = Got (b', t') ->
     Forall (own_without_head plain_setup) (items b').
 Proof. intro H. apply side_cancelled_is_programmed in H as [H _]; [exact H|reflexivity|repeat constructor]. Qed.
+
+(** * The side *)
+
+(** A block with the other code and the negative value behind it: the tool is on the same side. *)
+Definition other_code (b : planned R) : planned R :=
+  let x := side (behind b) in
+  Planned (at_place b) (command_of b) (before b)
+    (with_side (behind b)
+       (SideState (match side_in_force x with Some ToolLeft => Some ToolRight | Some ToolRight => Some ToolLeft |
+         None => None end)
+          (side_number x) (- side_value x)%R (asked x) (made x) (made_zero x) (crosses x) (SideState.on_left x)
+            (since_start x)))
+    (items b).
+
+(** fanuc.cutter.side: G41.2 with a value has the tool on the side of G42.2 with its negative,
+    and at the end of every block
+    the same vectors. *)
+Theorem side_of_negative_value (s : setup R) a rest (v : R) : v <> 0%R ->
+  is_on_left (Some ToolLeft) (- v)%R = is_on_left (Some ToolRight) v /\
+  standing_at_end s (other_code a) rest = standing_at_end s a rest.
+Proof.
+  intro D. split.
+  - unfold is_on_left, is_negative. destruct (decides "fanuc.cutter.side" (- v)%R) as [c C],
+      (decides "fanuc.cutter.side" v) as [c' C'].
+    rewrite C, C'. apply decided in C, C'. destruct c, c'; try reflexivity; exfalso; lra.
+  - unfold standing_at_end. change (side_value (side_at_end (other_code a))) with (- side_value (side_at_end a))%R.
+    rewrite zero_either_way. destruct (is_zero "fanuc.cutter-c.value-zero" (side_value (side_at_end a))) as [zero| |];
+      try reflexivity.
+    cbn [bind].
+    generalize (side_value (side_at_end a)) as x. intro x.
+    assert (NEG : (- x < 0)%R -> is_negative "fanuc.cutter.side" (- x)%R = Got true /\
+      is_negative "fanuc.cutter.side" x = Got false).
+    { intro L. split; [|apply not_negative; lra]. unfold is_negative.
+      destruct (decides "fanuc.cutter.side" (- x)%R) as [c C].
+      rewrite C. apply decided in C. destruct c; try reflexivity; lra. }
+    assert (POS : (x < 0)%R -> is_negative "fanuc.cutter.side" (- x)%R = Got false /\
+      is_negative "fanuc.cutter.side" x = Got true).
+    { intro L. split; [apply not_negative; lra|]. unfold is_negative. destruct (decides "fanuc.cutter.side" x) as [c C].
+      rewrite C. apply decided in C. destruct c; try reflexivity; lra. }
+    destruct (Rtotal_order x 0) as [L|[->|L]].
+    + destruct (POS L) as [-> ->]. cbn [bind]. now replace (- x)%num with (- x)%R by (cbn; ring).
+    + now rewrite Ropp_0.
+    + destruct NEG as [-> ->]; [lra|]. cbn [bind]. now replace (- (- x)%R)%num with x by (cbn; ring).
+Qed.
+
+Example side_of_negative_value_instance rest :
+  standing_at_end plain_setup (other_code standing_block) rest = standing_at_end plain_setup standing_block rest.
+Proof. apply (side_of_negative_value plain_setup standing_block rest 1%R). lra. Qed.
