@@ -1,4 +1,4 @@
-(** Laws of the choice of rotary positions: what is chosen is one of the pairs, in its range, and moves least. *)
+(** Laws of the choice of rotary positions: what remains moves least, and the axes stay for the same direction. *)
 From Coq Require Import List String ZArith Bool PeanoNat Reals Lra Lia.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Angles ControlState State Space Pose.
 From Toolcomp Require Import ControlFrame ControlWords InverseKinematics ChoiceOfPair Program OutcomeLaws ProgramLaws.
@@ -115,36 +115,6 @@ Example choice_moves_least_instance clause remaining :
   best_of (compare_moves clause) [] [at_degrees 10; at_degrees 20] = Got remaining ->
   remaining <> [].
 Proof. intro H. destruct (choice_moves_least clause _ _ H) as [N _]. apply N. discriminate. Qed.
-
-(** * In range *)
-
-(** fanuc.tool-center-point.range: where one of the nearest positions is in range, every position that is judged is. *)
-Theorem nearest_positions_in_range clause (r : range R) now one_turn nearest found c :
-  nearest_candidates clause now one_turn = Got nearest -> In c nearest -> in_range r (goes_to c) = Got true ->
-  candidates clause r now one_turn = Got found -> Forall (fun c => In c nearest /\
-    in_range r (goes_to c) = Got true) found.
-Proof.
-  intros N I F H. unfold candidates in H. rewrite N in H. cbn [bind] in H. apply bound in H as (fine & E & H).
-  assert (ALL : Forall (fun p => In (fst p) nearest /\ in_range r (goes_to (fst p)) = Got (snd p)) fine).
-  { apply each_got in E. clear - E. induction E as [|a p rest done A _ IH]; [constructor|].
-    apply bound in A as (ok & O & A). apply same in A as <-. constructor; [cbn; split; [now left|exact O]|].
-    eapply Forall_impl; [|exact IH]. intros q [J K]. split; [now right|exact K]. }
-  assert (SOME : In (c, true) fine).
-  { apply each_got in E. clear - E I F. induction E as [|a p rest done A _ IH]; [contradiction|].
-    apply bound in A as (ok & O & A). apply same in A as <-. destruct I as [->|I]; [|right; now apply IH].
-    left. rewrite F in O. apply same in O. now subst. }
-  assert (INSIDE : In (c, true) (filter snd fine)) by (apply filter_In; auto).
-  destruct (filter snd fine) as [|p inside] eqn:FI; [contradiction|]. apply same in H as <-. rewrite <- FI.
-  apply Forall_forall. intros x X. apply in_map_iff in X as (q & <- & Q). apply filter_In in Q as [Q S].
-  rewrite Forall_forall in ALL. destruct (ALL q Q) as [J K]. split; [exact J|]. now rewrite K, S.
-Qed.
-
-Example nearest_positions_in_range_instance clause now nearest found c :
-  nearest_candidates clause now (goes_to (at_degrees 0)) = Got nearest -> In c nearest ->
-  candidates clause None now (goes_to (at_degrees 0)) = Got found ->
-  Forall (fun c => In c nearest /\ in_range None (goes_to c) = Got true) found.
-Proof. intros N I H. now apply (nearest_positions_in_range clause None now (goes_to (at_degrees 0)) nearest found c N
-  I). Qed.
 
 (** * The same direction *)
 

@@ -98,10 +98,17 @@ Lemma best_in {A} (better : A -> A -> outcome comparison) rest remaining x : bes
   In x remaining -> In x rest.
 Proof. intros H I. now destruct (best_kept _ _ _ _ H x I) as [[]|]. Qed.
 
-(** fanuc.tool-center-point.choice: what is chosen is one of the pairs, each axis by whole turns; an axis that keeps its
-    position keeps it. *)
-Theorem chosen_is_one_of_the_pairs {num} {N : Numbers num} (ranges now : _ * _) pairs (f g : angle num) :
-  chosen ranges now pairs = Got (f, g) -> exists pair, In pair pairs /\ aimed (fst pair) f /\ aimed (snd pair) g.
+(** Where a position that is chosen comes from: a candidate of its aim, and the position of that. *)
+Definition comes_from {num} {N : Numbers num} clause (r : range num) (now : angle num) (aim : axis_aim num) (x :
+  angle num) :
+    Prop :=
+  exists moves c positions, moves_to clause r now aim = Got moves /\ In c moves /\
+    positions_of clause r now aim c = Got positions /\ In x positions.
+
+Lemma chosen_comes_from {num} {N : Numbers num} (ranges now : _ * _) pairs (f g : angle num) :
+  chosen ranges now pairs = Got (f, g) -> exists pair, In pair pairs /\
+    comes_from "fanuc.tool-center-point.choice-first-move" (fst ranges) (fst now) (fst pair) f /\
+    comes_from "fanuc.tool-center-point.choice-second-move" (snd ranges) (snd now) (snd pair) g.
 Proof.
   unfold chosen; intro H. apply bound in H as (firsts & F & H). apply bound in H as (left1 & L1 & H).
   apply bound in H as (both1 & B1 & H). apply bound in H as (left2 & L2 & H). apply bound in H as (both2 & B2 & H).
@@ -124,9 +131,20 @@ Proof.
   { destruct others as [|other others]; [contradiction|]. apply in_map_iff in K as (c0 & E0 & K0).
     injection E0 as <- <- <-. now split. }
   destruct X as [IM E]. injection E as -> ->. exists (a1, a2). split; [exact IP|]. cbn [fst snd].
-  apply moves_aimed in M. apply moves_aimed in S. rewrite Forall_forall in M, S. split.
-  - apply positions_aimed in O; [|now apply M]. rewrite Forall_forall in O. now apply O.
-  - apply positions_aimed in P; [|now apply S]. rewrite Forall_forall in P. now apply P.
+  split; [exists moves, c1, ones|exists seconds, c2', positions]; auto.
+Qed.
+
+(** fanuc.tool-center-point.choice: what is chosen is one of the pairs, each axis by whole turns; an axis that keeps its
+    position keeps it. *)
+Theorem chosen_is_one_of_the_pairs {num} {N : Numbers num} (ranges now : _ * _) pairs (f g : angle num) :
+  chosen ranges now pairs = Got (f, g) -> exists pair, In pair pairs /\ aimed (fst pair) f /\ aimed (snd pair) g.
+Proof.
+  intro H. apply chosen_comes_from in H as (pair & I & F & G). exists pair. split; [exact I|].
+  assert (A : forall clause r here aim x, comes_from (N := N) clause r here aim x -> aimed aim x).
+  { intros clause r here aim x (moves & c & positions & M & C & P & X). apply moves_aimed in M.
+    rewrite Forall_forall in M.
+    apply positions_aimed in P; [|now apply M]. rewrite Forall_forall in P. now apply P. }
+  split; [exact (A _ _ _ _ _ F)|exact (A _ _ _ _ _ G)].
 Qed.
 
 Example chosen_is_one_of_the_pairs_instance now (f g : angle R) :
