@@ -39,7 +39,7 @@ Run run(const spec::Case& c) {
   }
   const Data said = run_case(made.data);
   if (const std::string& what = said.list().at(1).text(); !what.empty()) {
-    result.not_said = "the formal specification does not say yet: " + what;
+    result.not_said = "the formal specification is not run for " + what;
     return result;
   }
   for (const Data& data : said.list().at(0).list()) {

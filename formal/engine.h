@@ -19,7 +19,7 @@ std::vector<std::string> sections();
 
 struct Run {
   std::vector<spec::Event<exact::Real>> events;
-  std::string not_said;  // why there is no whole run: what the specification does not say yet; empty: it says all
+  std::string not_said;  // why there is no run; empty: there is one
 };
 
 // Requires available(). From one thread, always the same. Throws spec::InputError for a program that

@@ -37,7 +37,7 @@ void read_move(Event& event, const List& data, const spec::Axes& axes) {
   if (const List& f = field().list(); !f.empty()) event.feed = f[0].number();
 }
 
-enum EventOf : std::int64_t { kMoved, kWarning, kAlarm, kOpen, kOutOfScope, kNotSaid };
+enum EventOf : std::int64_t { kMoved, kWarning, kAlarm, kOpen, kOutOfScope };
 
 }  // namespace
 

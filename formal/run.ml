@@ -61,9 +61,10 @@ let rec said = function
   | Names s -> Text s
   | Several parts -> List (List.map said parts)
 
+(* The events, and why there are none. *)
 let run case =
   match Formal.run_case numbers (case_of case) with
-  | told -> said told
+  | events -> List [ said events; Text "" ]
   | exception Undecided_operand -> List [ List []; Text "an operand whose sign cannot be certified" ]
   | exception Stack_overflow -> List [ List []; Text "a program of that many blocks" ]
 

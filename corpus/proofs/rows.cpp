@@ -226,16 +226,13 @@ std::string row_term(const spec::Case& c, const std::vector<formal::Place>& plac
   Row row;
   std::size_t place = 0;
   row.several([&] {
-    row.several([&] {
-      for (const TextEvent& event : c.expect) {
-        while (place < places.size() && places[place].line != event.line) ++place;
-        row.several([&] {
-          row.whole(place);
-          write_event(row, event, c);
-        });
-      }
-    });
-    row.text("");
+    for (const TextEvent& event : c.expect) {
+      while (place < places.size() && places[place].line != event.line) ++place;
+      row.several([&] {
+        row.whole(place);
+        write_event(row, event, c);
+      });
+    }
   });
   return row.term();
 }

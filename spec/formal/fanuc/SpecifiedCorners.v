@@ -2,7 +2,7 @@
     theorems hold of what runs. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith List.
 From Coq Require String.
-From Toolcomp Require Import Vectors CutterCompensationC.
+From Toolcomp Require Import Vectors CutterCompensationC OutcomeLaws.
 From Toolcomp Require Numbers Outcomes Arcs Corners.
 Import Outcomes(outcome(..)).
 Import ListNotations.
@@ -20,33 +20,8 @@ Definition travels (v : Arcs.pair R) : Prop := fst v <> 0 \/ snd v <> 0.
 (** Its unit tangent. *)
 Definition tangent (v : Arcs.pair R) : vec := vector (Corners.unit_way (line_of v 0)).
 
-(** * Decisions *)
-
-Lemma negative_sign (clause : String.string) x b : Outcomes.is_negative clause x = Got b -> (b = true <-> x < 0).
-Proof.
-  unfold Outcomes.is_negative, Outcomes.decide; cbn. unfold Numbers.real_sign.
-  destruct (total_order_T x 0) as [[L|E]|G]; cbn; intro H; injection H as <-; split; intro; try discriminate; auto; lra.
-Qed.
-Lemma zero_sign (clause : String.string) x b : Outcomes.is_zero clause x = Got b -> (b = true <-> x = 0).
-Proof.
-  unfold Outcomes.is_zero, Outcomes.decide; cbn. unfold Numbers.real_sign.
-  destruct (total_order_T x 0) as [[L|E]|G]; cbn; intro H; injection H as <-; split; intro; try discriminate; auto; lra.
-Qed.
-Lemma decided (clause : String.string) (x : R) c : Outcomes.decide clause x = Got c ->
-  match c with Lt => x < 0 | Eq => x = 0 | Gt => 0 < x end.
-Proof.
-  unfold Outcomes.decide; cbn. unfold Numbers.real_sign.
-  destruct (total_order_T x 0) as [[L|E]|G]; cbn; intro H; injection H as <-; auto.
-Qed.
-Lemma bound {A B} (x : outcome A) (f : A -> outcome B) y : Outcomes.bind x f = Got y ->
-  exists a, x = Got a /\ f a = Got y.
-Proof. destruct x; cbn; intro H; try discriminate; eauto. Qed.
-Lemma same {A} (a b : A) : Got a = Got b -> a = b.
-Proof. now injection 1. Qed.
 Lemma same_point {A} (a b : A) : Corners.MeetAt a = Corners.MeetAt b -> a = b.
 Proof. now injection 1. Qed.
-Lemma no_is b P : (b = true <-> P) -> b = false -> ~ P.
-Proof. intros H -> X; apply H in X; discriminate. Qed.
 
 (** * Vectors *)
 

@@ -1,6 +1,6 @@
 (** fanuc/cutter-compensation-b: the vectors of program/, over the real numbers, are those of the definitions. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith.
-From Toolcomp Require Import Vectors CutterCompensationB.
+From Toolcomp Require Import Vectors CutterCompensationB OutcomeLaws.
 From Toolcomp Require Numbers Outcomes Words Arcs Corners State CutterRules CutterB SpecifiedCorners.
 Import Outcomes(outcome(..)).
 Open Scope R_scope.
@@ -42,8 +42,8 @@ Theorem straight_vector_is_V s c before after rho v :
   vector v = V rho (vector (Outcomes.or_else (CutterRules.plane_letters s c)
                               (CutterRules.travel_in_plane s c before after))).
 Proof.
-  unfold CutterB.straight_vector; intro H. apply SpecifiedCorners.bound in H as (nothing & _ & H).
-  destruct nothing; [discriminate|]. apply SpecifiedCorners.same in H.
+  unfold CutterB.straight_vector; intro H. apply bound in H as (nothing & _ & H).
+  destruct nothing; [discriminate|]. apply same in H.
   assert (E : Corners.perpendicular (Corners.line_leg (Outcomes.or_else (CutterRules.plane_letters s c)
                 (CutterRules.travel_in_plane s c before after)) rho) = v) by congruence.
   rewrite <- E. apply perpendicular_is_V.
@@ -60,8 +60,8 @@ Theorem arc_vector_is_arc_V s clockwise a after rho v :
   vector v = arc_V (sigma clockwise) rho (vector (Outcomes.center a))
                (vector (CutterRules.plane_point s (Outcomes.arc_plane a) after)).
 Proof.
-  unfold CutterB.arc_vector; intro H. apply SpecifiedCorners.bound in H as (nothing & _ & H).
-  apply SpecifiedCorners.bound in H as (tt_ & _ & H). apply SpecifiedCorners.same in H as <-.
+  unfold CutterB.arc_vector; intro H. apply bound in H as (nothing & _ & H).
+  apply bound in H as (tt_ & _ & H). apply same in H as <-.
   apply arc_perpendicular_is_arc_V.
 Qed.
 

@@ -2,48 +2,18 @@
     of what runs. *)
 From Coq Require Import Reals Lra Psatz Bool ZArith List.
 From Coq Require String.
-From Toolcomp Require Import Vectors ToolDirection FaceMilling PeripheralMilling ProgrammedContour.
+From Toolcomp Require Import Vectors SpecifiedSpace OutcomeLaws ToolDirection FaceMilling PeripheralMilling ProgrammedContour.
 From Toolcomp Require Numbers Outcomes Space KlartextSpace KlartextBlocks KlartextTool KlartextFace KlartextPeripheral.
 Import Outcomes(outcome(..)).
 Import ListNotations.
 Open Scope R_scope.
 
-(** * Definitions *)
-
-(** A vector of program/. *)
-Definition vector (v : Space.triple R) : vec := let '(x, y, z) := v in Vec x y z.
-
 (** * Vectors *)
 
-Lemma vector_add a b : vector (Space.add3 a b) = add (vector a) (vector b).
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?]; reflexivity. Qed.
-Lemma vector_sub a b : vector (Space.sub3 a b) = sub (vector a) (vector b).
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?]; cbn; unfold sub, opp, add, scale; cbn; f_equal; ring. Qed.
-Lemma vector_scale k a : vector (Space.scale3 k a) = scale k (vector a).
-Proof. destruct a as [[? ?] ?]; reflexivity. Qed.
-Lemma vector_cross a b : vector (Space.cross3 a b) = cross (vector a) (vector b).
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?]; reflexivity. Qed.
-Lemma vector_dot a b : Space.dot3 a b = dot (vector a) (vector b).
-Proof. destruct a as [[? ?] ?], b as [[? ?] ?]; reflexivity. Qed.
 Lemma vector_unit a : vector (Space.unit3 a) = unit (vector a).
-Proof.
-  destruct a as [[x y] z]; unfold Space.unit3, Space.length3, unit, norm, scale, dot; cbn. unfold Rdiv. f_equal; ring.
-Qed.
+Proof. apply SpecifiedSpace.vector_unit. Qed.
 Lemma vector_zero : vector KlartextSpace.zero3 = zero.
 Proof. reflexivity. Qed.
-
-Lemma zero_sign (clause : String.string) x b : Outcomes.is_zero clause x = Got b -> (b = true <-> x = 0).
-Proof.
-  unfold Outcomes.is_zero, Outcomes.decide; cbn. unfold Numbers.real_sign.
-  destruct (total_order_T x 0) as [[L|E]|G]; cbn; intro H; injection H as <-; split; intro; try discriminate; auto; lra.
-Qed.
-Lemma positive_sign (clause : String.string) x b : Outcomes.is_positive clause x = Got b -> (b = true <-> 0 < x).
-Proof.
-  unfold Outcomes.is_positive, Outcomes.decide; cbn. unfold Numbers.real_sign.
-  destruct (total_order_T x 0) as [[L|E]|G]; cbn; intro H; injection H as <-; split; intro; try discriminate; auto; lra.
-Qed.
-Lemma bound {A B} (x : outcome A) (f : A -> outcome B) y : Outcomes.bind x f = Got y -> exists a, x = Got a /\ f a = Got y.
-Proof. destruct x; cbn; intro H; try discriminate; eauto. Qed.
 
 (** * Face milling *)
 

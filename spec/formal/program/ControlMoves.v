@@ -209,5 +209,4 @@ Definition control_pass {num} {N : Numbers num} (s : setup num) (p : plan num) :
   | (done, Ended) => Through (done, how)
   | (_, EndsInAlarm place number) => AsIfAbsent place (EndsInAlarm place number)
   | (_, EndsUndecided place clause) => AsIfAbsent place (EndsUndecided place clause)
-  | (done, NotSaid what) => Through (done, NotSaid what)
   end.

@@ -76,8 +76,7 @@ Definition tell_event {num} (letters : list Letter.t) (e : nat * event num) : to
          [Says 5; Says numerator; Says denominator; tell_linear letters point; tell_values positions; tell_vector axis]
      end).
 
-(** A case, its setup and the blocks of its program: the events, and what this text does not say. *)
+(** A case, its setup and the blocks of its program: the events. *)
 Definition run_fanuc {num} {N : Numbers num} (case : data) : told num :=
   let s := with_mechanism (setup_of (entry_at case 0)) in
-  let '(events, how) := run_program decimal_text s (map block_of_data (entries (entry_at case 1))) in
-  Several [Several (map (tell_event (axes s)) events); Names match how with NotSaid what => what | _ => "" end].
+  Several (map (tell_event (axes s)) (fst (run_program decimal_text s (map block_of_data (entries (entry_at case 1)))))).

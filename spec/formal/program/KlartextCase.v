@@ -96,13 +96,9 @@ Definition tell_klartext_event {num} (letters : list Letter.t) (e : nat * klarte
      | AlarmRaised name => [Says 2; Names name]
      | SignOpen clause => [Says 3; Names clause]
      | OutOfScope => [Says 4]
-     | NotSaidYet what => [Says 5; Names what]
      end).
 
-(** A case, its setup and the blocks of its program: the events, and what this text does not say. *)
+(** A case, its setup and the blocks of its program: the events. *)
 Definition run_klartext_case {num} {N : Numbers num} (case : data) : told num :=
   let s := klartext_setup_of (entry_at case 0) in
-  let events := run_klartext s (map klartext_block_of (entries (entry_at case 1))) in
-  Several
-    [Several (map (tell_klartext_event (letters s)) events);
-     Names (fold_right (fun e what => match snd e with NotSaidYet w => w | _ => what end) "" events)].
+  Several (map (tell_klartext_event (letters s)) (run_klartext s (map klartext_block_of (entries (entry_at case 1))))).

@@ -1,7 +1,7 @@
 (** Laws of whole Klartext programs: they hold for every program and every setup. *)
 From Coq Require Import List String ZArith Bool Reals Lra.
 From Toolcomp Require Import Numbers Outcomes Words Space KlartextSpace KlartextBlocks KlartextTool KlartextFace.
-From Toolcomp Require Import KlartextPeripheral KlartextState KlartextMoves KlartextProgram.
+From Toolcomp Require Import KlartextPeripheral KlartextState KlartextMoves KlartextProgram OutcomeLaws.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope list_scope.
@@ -18,7 +18,7 @@ Definition to_x (x : R) : line_words R := LineWords [AxisWord Letter.X false (Li
 (** heidenhain.program.end: nothing comes behind the block with M2, M30 or END PGM. *)
 Theorem nothing_behind_the_last_block {num} {N : Numbers num} (s : klartext_setup num) b more place st :
   ends_program b = true -> plans s (b :: more) place st = plans s [b] place st.
-Proof. intro E; cbn [plans]. destruct (klartext_step s b st) as [[st' p]| | |]; try reflexivity. now rewrite E. Qed.
+Proof. intro E; cbn [plans]. destruct (klartext_step s b st) as [[st' p]| |]; try reflexivity. now rewrite E. Qed.
 
 Definition end_block : klartext_block R := KlartextBlock OtherStatement [30%Z] None.
 
@@ -28,35 +28,21 @@ Proof. now apply nothing_behind_the_last_block. Qed.
 
 (** An event that ends the run. *)
 Definition ends_run {num} (e : klartext_event num) : bool :=
-  match e with AlarmRaised _ | SignOpen _ | NotSaidYet _ => true | _ => false end.
+  match e with AlarmRaised _ | SignOpen _ => true | _ => false end.
 
-(** What a run yields behind the first event that ends it: nothing. *)
-Fixpoint nothing_behind_its_end {num} (events : list (klartext_event num)) : Prop :=
-  match events with
-  | [] => True
-  | e :: rest => (ends_run e = false /\ nothing_behind_its_end rest) \/ rest = []
-  end.
-
-Lemma goes_on {num} (ahead rest : list (klartext_event num)) :
-  existsb ends_run ahead = false -> nothing_behind_its_end rest -> nothing_behind_its_end (ahead ++ rest).
-Proof.
-  induction ahead as [|e ahead IH]; cbn; intros O L; [assumption|].
-  apply orb_false_elim in O as [O O']; left; auto.
-Qed.
-
-Lemma end_in_is_last {num A} (x : outcome A) : nothing_behind_its_end (end_in (num := num) x).
+Lemma end_in_is_last {num A} (x : outcome A) : nothing_behind ends_run (end_in (num := num) x).
 Proof. destruct x; cbn; auto. Qed.
 
 Definition stops_once {num} (i : item num) : Prop :=
-  match i with Moving _ _ => True | Stopped _ es => nothing_behind_its_end es end.
+  match i with Moving _ _ => True | Stopped _ es => nothing_behind ends_run es end.
 
 Lemma plans_stop_once {num} {N : Numbers num} (s : klartext_setup num) bs place st :
   Forall stops_once (plans s bs place st).
 Proof.
   revert place st; induction bs as [|b bs IH]; intros place st; cbn [plans]; [constructor|].
-  destruct (klartext_step s b st) as [[st' p]|number|clause|what];
-    try (constructor; [apply (end_in_is_last (Alarm number)) || apply (end_in_is_last (A := unit) (Undecided clause)) ||
-                       apply (end_in_is_last (A := unit) (Beyond what))|constructor]).
+  destruct (klartext_step s b st) as [[st' p]|number|clause];
+    try (constructor; [apply (end_in_is_last (A := unit) (Alarm number)) ||
+                       apply (end_in_is_last (A := unit) (Undecided clause))|constructor]).
   destruct p as [p|]; [constructor; [exact I|]|]; (destruct (ends_program b); [constructor|apply IH]).
 Qed.
 
@@ -72,34 +58,30 @@ Proof.
 Qed.
 
 Lemma events_end_once {num} {N : Numbers num} (s : klartext_setup num) items :
-  Forall stops_once items -> forall before, nothing_behind_its_end (map snd (events_of s items before)).
+  Forall stops_once items -> forall before, nothing_behind ends_run (map snd (events_of s items before)).
 Proof.
   induction items as [|[place p|place es] items IH]; intros O before; [exact I| |].
-  - inversion O as [|? ? _ O']; subst. specialize (IH O'). cbn -[nothing_behind_its_end].
+  - inversion O as [|? ? _ O']; subst. specialize (IH O'). cbn -[nothing_behind].
     destruct (way_of p) as [tip shift touch|nominal l by_delta by_radius|].
-    + rewrite map_app. apply goes_on; [now apply warnings_go_on|apply IH].
-    + destruct (beside_end l before (following_of items)) as [[beside made]|number|clause|what].
-      * rewrite map_app. apply goes_on; [now apply warnings_go_on|apply IH].
+    + rewrite map_app. apply nothing_behind_app; [now apply warnings_go_on|apply IH].
+    + destruct (beside_end l before (following_of items)) as [[beside made]|number|clause].
+      * rewrite map_app. apply nothing_behind_app; [now apply warnings_go_on|apply IH].
       * right; reflexivity.
       * right; reflexivity.
-      * right; reflexivity.
-    + rewrite map_app. apply goes_on; [now apply warnings_go_on|apply IH].
-  - inversion O as [|? ? E _]; subst. cbn -[nothing_behind_its_end]. now rewrite placed.
+    + rewrite map_app. apply nothing_behind_app; [now apply warnings_go_on|apply IH].
+  - inversion O as [|? ? E _]; subst. cbn -[nothing_behind]. now rewrite placed.
 Qed.
 
 (** heidenhain.program.unreadable-block: every alarm ends the run, and nothing follows it; so does what cannot be decided. *)
 Theorem klartext_alarm_is_last {num} {N : Numbers num} (s : klartext_setup num) bs :
-  nothing_behind_its_end (map snd (run_klartext s bs)).
+  nothing_behind ends_run (map snd (run_klartext s bs)).
 Proof. apply events_end_once, plans_stop_once. Qed.
 
 Example klartext_alarm_is_last_instance :
-  nothing_behind_its_end (map snd (run_klartext plain_control [KlartextBlock OtherStatement [] (Some "E_SYNTAX"); end_block])).
+  nothing_behind ends_run (map snd (run_klartext plain_control [KlartextBlock OtherStatement [] (Some "E_SYNTAX"); end_block])).
 Proof. apply klartext_alarm_is_last. Qed.
 
 (** * Moves *)
-
-Lemma bind_result {A B} (x : outcome A) (f : A -> outcome B) y : bind x f = Got y -> exists a, x = Got a /\ f a = Got y.
-Proof. destruct x; cbn; intro H; try discriminate; eauto. Qed.
 
 (** heidenhain.program.own-move: an LN block, and an L block with an axis word, that runs makes exactly one move (or is out
     of scope once); no other does. *)
@@ -111,7 +93,7 @@ Proof.
   unfold plan. destruct (negb with_vectors && match axis_words w with [] => true | _ => false end) eqn:E; intro H.
   - injection H as _ <-. split; [congruence|]. apply andb_prop in E as [E E'].
     destruct with_vectors, (axis_words w); try discriminate. intros [O|O]; congruence.
-  - cbv zeta in H. repeat (apply bind_result in H; destruct H as (? & _ & H)).
+  - cbv zeta in H. repeat (apply bound in H; destruct H as (? & _ & H)).
     injection H as _ <-. split; [|discriminate].
     intros _. destruct with_vectors; [now left|right]. destruct (axis_words w); [discriminate|discriminate].
 Qed.
@@ -156,7 +138,7 @@ Theorem m107_changes_verdicts_alone {num} {N : Numbers num} (tool : tool_in_forc
 Proof.
   unfold usable_tool, total_deltas, table_row; cbn [row_of_tool programmed_deltas under_m107]. cbv zeta.
   intro H. destruct contact as [a|], (deviations (or_else (row_of_tool tool) tool_of_zeros)) as [points|];
-    repeat (apply bind_result in H; let x := fresh "x" in let E := fresh "E" in destruct H as (x & E & H);
+    repeat (apply bound in H; let x := fresh "x" in let E := fresh "E" in destruct H as (x & E & H);
             first [rewrite E | destruct x]; cbn [bind check_oversize under_m107 oversize_permitted]);
     first [exact H | congruence].
 Qed.

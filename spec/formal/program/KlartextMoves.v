@@ -33,10 +33,9 @@ Inductive klartext_event (num : Type) :=
 | Warning (name : string)
 | AlarmRaised (name : string)
 | SignOpen (clause : string)                   (* it could not be decided *)
-| OutOfScope                                   (* heidenhain.peripheral.out-of-scope *)
-| NotSaidYet (what : string).
+| OutOfScope.                                  (* heidenhain.peripheral.out-of-scope *)
 Arguments Moved {num} m. Arguments Warning {num} name. Arguments AlarmRaised {num} name.
-Arguments SignOpen {num} clause. Arguments OutOfScope {num}. Arguments NotSaidYet {num} what.
+Arguments SignOpen {num} clause. Arguments OutOfScope {num}.
 
 (** * Blocks that move *)
 

@@ -68,7 +68,6 @@ Definition end_in {num A} (x : outcome A) : list (klartext_event num) :=
   | Got _ => []
   | Alarm name => [AlarmRaised name]
   | Undecided clause => [SignOpen clause]
-  | Beyond what => [NotSaidYet what]
   end.
 
 Fixpoint plans {num} {N : Numbers num} (s : klartext_setup num) (bs : list (klartext_block num)) (place : nat)

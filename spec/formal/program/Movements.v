@@ -41,16 +41,14 @@ Record planned (num : Type) := Planned {
 Arguments Planned {num}. Arguments at_place {num}. Arguments command_of {num}. Arguments before {num}.
 Arguments behind {num}. Arguments items {num}.
 
-(** How a run ends: with the program, by an alarm or an open decision of a block, or with what this text does not say. *)
-Inductive ending := Ended | EndsInAlarm (place : nat) (number : string) | EndsUndecided (place : nat) (clause : string)
-  | NotSaid (what : string).
+(** How a run ends: with the program, or by an alarm or an open decision of a block. *)
+Inductive ending := Ended | EndsInAlarm (place : nat) (number : string) | EndsUndecided (place : nat) (clause : string).
 
 Definition ends_in {A} (place : nat) (x : outcome A) : ending :=
   match x with
   | Got _ => Ended
   | Alarm number => EndsInAlarm place number
   | Undecided clause => EndsUndecided place clause
-  | Beyond what => NotSaid what
   end.
 
 Definition plan (num : Type) := (list (planned num) * ending)%type.
@@ -103,7 +101,7 @@ Definition events_of {num} {N : Numbers num} (p : plan num) : list (nat * event 
   match snd p with
   | EndsInAlarm place number => [(place, Raised number)]
   | EndsUndecided place clause => [(place, NotDecided clause)]
-  | Ended | NotSaid _ => []
+  | Ended => []
   end.
 
 (** * Movements of a block *)

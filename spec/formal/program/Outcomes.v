@@ -6,23 +6,20 @@ Open Scope string_scope.
 Open Scope Z_scope.
 Open Scope list_scope.
 
-(** A result, an alarm by its number, a decision by its clause that could not be made, or what this text does not say. *)
+(** A result, an alarm by its number, or a decision by its clause that could not be made. *)
 Inductive outcome (A : Type) :=
 | Got (a : A)
 | Alarm (number : string)
-| Undecided (clause : string)
-| Beyond (what : string).
+| Undecided (clause : string).
 Arguments Got {A} a.
 Arguments Alarm {A} number.
 Arguments Undecided {A} clause.
-Arguments Beyond {A} what.
 
 Definition bind {A B} (x : outcome A) (f : A -> outcome B) : outcome B :=
   match x with
   | Got a => f a
   | Alarm number => Alarm number
   | Undecided clause => Undecided clause
-  | Beyond what => Beyond what
   end.
 Notation "x <- a ;; b" := (bind a (fun x => b)) (at level 61, a at next level, right associativity).
 Notation "' p <- a ;; b" := (bind a (fun x => let p := x in b))

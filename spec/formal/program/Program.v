@@ -1,7 +1,7 @@
 (** A FANUC program: from blocks to events. *)
 From Coq Require Import List String ZArith Bool PeanoNat.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement.
-From Toolcomp Require Import EdgeState SideState State.
+From Toolcomp Require Import EdgeState SideState ControlState State.
 From Toolcomp Require Import Movements OwnMove CutterRules CutterModes CutterWords SideWords EdgeWords ControlWords.
 From Toolcomp Require Import ControlStep Compensation.
 Import ListNotations.
@@ -57,6 +57,23 @@ Definition setting {num} (number : Z -> string) (s : setup num) (w : writing num
   let letter := match of_address w with ByH => "H" | ByD => "D" end in
   let part := match memory s, of_wear w with MemoryA, _ => "" | _, true => ".wear" | _, false => ".geometry" end in
   Write (letter ++ number (at_number w) ++ part)%string (match of_address w with ByH => for_h w | ByD => for_d w end).
+
+(** The moves of a block and the state behind them; the alarm that they end in; what is written. *)
+Definition moves_of_block {num} {N : Numbers num} (s : setup num) (c : command num) (path_block : block num)
+    (circle_of : option (circle num)) (changed : bool) (longer : option num) (target : option (values num))
+    (on_way : length_offset num) (control_now : control_state num) (writing : option (writing num)) (st : state num) :
+    outcome (state num * list (movement num) * option string * option (Memory.writing num)) :=
+  let numbers := position_words c in
+  let as_moved x := Got (fst x, snd x, None, writing) in
+  match acting c, negb (empty (which numbers)), target with
+  | Some MachinePosition, true, _ => as_moved (machine_coordinates s numbers st)
+  | _, true, Some t => as_moved (reference_return s t numbers on_way st)
+  | Some ReturnFromReference, true, _ => as_moved (return_from_reference s numbers st)
+  | Some Measure, _, _ => measurement s numbers st
+  | _, _, _ =>
+      '(st, moves) <- own_move s numbers path_block circle_of changed longer st ;;
+      as_moved (under_control s c control_now st moves)
+  end.
 
 (** fanuc.program.alarm-order: in the order of these steps. The block as it runs, and the alarm that its motion ends in. *)
 Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) (place : nat) (b : block num)
@@ -144,17 +161,8 @@ Definition step {num} {N : Numbers num} (decimal : Z -> string) (s : setup num) 
                end ;;
     control_now <- match controlled with Some (_, run) => Got run | None => without_control s said st end ;;
     let st := with_control (with_length st at_end) control_now in
-    let as_moved x := '(st, moves) <- x ;; Got (st, moves, None, writing) in
     '(st, moves, alarm, writing) <-
-      match code, negb (empty named), target with
-      | Some MachinePosition, true, _ => as_moved (Got (machine_coordinates s numbers st))
-      | _, true, Some t => as_moved (Got (reference_return s t numbers on_way st))
-      | Some ReturnFromReference, true, _ => as_moved (Got (return_from_reference s numbers st))
-      | Some Measure, _, _ => measurement s numbers st
-      | _, _, _ =>
-          '(st, moves) <- own_move s numbers path_block circle_of changed longer st ;;
-          as_moved (Got (under_control s said control_now st moves))
-      end ;;
+      moves_of_block s said path_block circle_of changed longer target on_way control_now writing st ;;
     (* G52, G92 and G10 count behind the block. *)
     let coordinates_behind := match code with
       | Some LocalSystem => with_local naming (coordinates_of st)

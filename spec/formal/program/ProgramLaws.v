@@ -1,7 +1,7 @@
 (** Laws of whole programs: they hold for every program and every setup. *)
 From Coq Require Import List String ZArith Bool Reals Lra.
 From Toolcomp Require Import Numbers Outcomes Words Codes Memory Coordinates Arcs LengthOffset ToolShift Measurement State.
-From Toolcomp Require Import Movements OwnMove Compensation Program.
+From Toolcomp Require Import Movements OwnMove Compensation Program OutcomeLaws.
 Import ListNotations.
 Open Scope string_scope.
 Open Scope list_scope.
@@ -14,7 +14,7 @@ Theorem earlier_blocks_stay {num} {N : Numbers num} decimal (s : setup num) bs m
   exists later, fst (planned_from decimal s (bs ++ more) place st) = fst (planned_from decimal s bs place st) ++ later.
 Proof.
   revert place st; induction bs as [|b bs IH]; intros place st; cbn -[step]; [eexists; reflexivity|].
-  destruct (step decimal s place b st) as [[r [number|]]| | |]; cbn -[step]; try (exists []; reflexivity).
+  destruct (step decimal s place b st) as [[r [number|]]| |]; cbn -[step]; try (exists []; reflexivity).
   destruct (ends b); cbn -[step]; [exists []; reflexivity|].
   destruct (IH (S place) (behind r)) as [later IH'].
   destruct (planned_from decimal s (bs ++ more) (S place) (behind r)) as [all how].
@@ -38,7 +38,7 @@ Proof. apply earlier_blocks_stay. Qed.
 Theorem nothing_behind_the_end {num} {N : Numbers num} decimal (s : setup num) b more place st :
   ends b = true -> planned_from decimal s (b :: more) place st = planned_from decimal s [b] place st.
 Proof.
-  intro E; cbn -[step]. destruct (step decimal s place b st) as [[r [number|]]| | |]; [reflexivity| |reflexivity..].
+  intro E; cbn -[step]. destruct (step decimal s place b st) as [[r [number|]]| |]; [reflexivity| |reflexivity..].
   now rewrite E.
 Qed.
 
@@ -52,20 +52,6 @@ Proof. now apply nothing_behind_the_end. Qed.
 (** An event that ends the run. *)
 Definition final {num} (e : event num) : bool := match e with Raised _ | NotDecided _ => true | _ => false end.
 
-(** What a run yields behind the first event that ends it: nothing. *)
-Fixpoint nothing_behind_an_alarm {num} (events : list (event num)) : Prop :=
-  match events with
-  | [] => True
-  | e :: rest => (final e = false /\ nothing_behind_an_alarm rest) \/ rest = []
-  end.
-
-Lemma nothing_behind_app {num} (ahead rest : list (event num)) :
-  existsb final ahead = false -> nothing_behind_an_alarm rest -> nothing_behind_an_alarm (ahead ++ rest).
-Proof.
-  induction ahead as [|e ahead IH]; cbn; intros O L; [assumption|].
-  apply orb_false_elim in O as [O O']; left; auto.
-Qed.
-
 Lemma nothing_final_in_blocks {num} {N : Numbers num} (blocks : list (planned num)) :
   existsb final (map snd (flat_map (fun b => map (fun i => (at_place b, event_of i)) (items b)) blocks)) = false.
 Proof.
@@ -76,7 +62,7 @@ Qed.
 (** fanuc.program.unreadable-block: every alarm ends the run, and nothing follows it; so does what cannot be decided. In
     every section, whatever its compensation does. *)
 Theorem alarm_is_last {num} {N : Numbers num} decimal (s : setup num) bs :
-  nothing_behind_an_alarm (map snd (fst (run_program decimal s bs))).
+  nothing_behind final (map snd (fst (run_program decimal s bs))).
 Proof.
   unfold run_program; cbn [fst]. unfold events_of. rewrite map_app. apply nothing_behind_app.
   - apply nothing_final_in_blocks.
@@ -85,12 +71,9 @@ Qed.
 
 Definition unknown_code : block R := Block [natural Letter.G 27] None.
 
-Example alarm_is_last_instance : nothing_behind_an_alarm
+Example alarm_is_last_instance : nothing_behind final
   (map snd (fst (run_program (fun _ => "") plain_setup [up; unknown_code; up]))).
 Proof. apply alarm_is_last. Qed.
-
-Lemma bind_got {A B} (x : outcome A) (f : A -> outcome B) y : bind x f = Got y -> exists a, x = Got a /\ f a = Got y.
-Proof. destruct x; cbn; intro H; try discriminate; eauto. Qed.
 
 (** * Moves *)
 
@@ -101,11 +84,11 @@ Theorem one_own_move {num} {N : Numbers num} (s : setup num) numbers b circle_of
   circle_of <> None \/ empty (which numbers) = false -> exists m, events = [m].
 Proof.
   unfold own_move; intros H O. destruct circle_of as [c|].
-  - apply bind_got in H; destruct H as (? & _ & H).
+  - apply bound in H; destruct H as (? & _ & H).
     repeat match type of H with (let '(_, _) := ?x in _) = Got _ => destruct x end.
     injection H as _ <-. eexists; reflexivity.
   - destruct O as [O|O]; [congruence|].
-    apply bind_got in H; destruct H as (? & _ & H). rewrite O in H. injection H as _ <-. eexists; reflexivity.
+    apply bound in H; destruct H as (? & _ & H). rewrite O in H. injection H as _ <-. eexists; reflexivity.
 Qed.
 
 Example one_own_move_instance st' events :
@@ -174,8 +157,8 @@ Theorem cancelled_is_zero {num} {N : Numbers num} (s : setup num) o c l on_way a
   length_step s o c l = Got (on_way, at_end) -> code c = Some G49 -> vector at_end = zeros s /\ in_force at_end = None.
 Proof.
   unfold length_step; intros H C. rewrite C in H. cbv zeta in H.
-  apply bind_got in H; destruct H as (l' & E & H).
-  unfold cancel in E. apply bind_got in E; destruct E as (? & _ & E). apply bind_got in E; destruct E as (? & _ & E).
+  apply bound in H; destruct H as (l' & E & H).
+  unfold cancel in E. apply bound in E; destruct E as (? & _ & E). apply bound in E; destruct E as (? & _ & E).
   injection E as <-. cbn in H. injection H as _ <-. now split.
 Qed.
 
@@ -257,9 +240,6 @@ Example right_offset_measures_nothing_instance :
   for_h (measured plain_setup (given_offsets plain_setup) 1 0%R) = 5%R.
 Proof. apply (right_offset_measures_nothing plain_setup (given_offsets plain_setup) 1). reflexivity. Qed.
 
-Lemma real_sign_known x : exists c, real_sign x = Some c.
-Proof. unfold real_sign. eexists; reflexivity. Qed.
-
 (** fanuc.length-measurement.too-late: without a signal the axis stops half the zone behind the coordinate, with PS0080. *)
 Theorem no_signal_stops_behind_the_zone (s : setup R) (a d : R) : (a < d)%R -> exists path,
   measure s a d None = Got path /\ reached path = (d + zone s)%R /\ in_zone path = false.
@@ -267,8 +247,7 @@ Proof.
   intro O. unfold measure, is_positive, decide. cbn [sign reals minus].
   replace (real_sign (d - a)) with (Some Gt).
   2: { unfold real_sign. destruct (total_order_T (d - a) 0) as [[L|E]|G]; [lra|lra|reflexivity]. }
-  cbn [bind]. destruct (real_sign_known (d - a - slow_distance s)) as [c E]. rewrite E.
-  cbn [bind]. eexists; repeat split.
+  cbn [bind]. unfold real_sign. cbn [bind]. eexists; repeat split.
 Qed.
 
 Example no_signal_stops_behind_the_zone_instance : exists path,
