@@ -92,13 +92,15 @@ inline constexpr Budget kBudgets[] = {
     {"fanuc/cutter-compensation-c", 32, 32, 16, 32, VectorFrom::corner, "corner_ahead corner_back"},
     // The tool direction (two turns of three products each, and their sines), its product with the movement, a norm;
     // the same again for the second block, their product, sum and quotient; with arcs as cutter compensation C, in the
-    // projection. The condition of a corner (tool_plane.h) counts one unit of error a direction. Proved of both
-    // sections: the tool direction, in ulp(1) 6.6 of axes along X Y Z, 12 of nutating ones, 1.8 of words. Not proved:
-    // the vectors.
+    // projection. The condition of a corner (tool_plane.h) counts one unit of error a direction. Proved: the tool
+    // direction, in ulp(1) 6.6 of axes along X Y Z, 12 of nutating ones, 1.8 of words. Not proved: the vectors.
     {"fanuc/tool-side-compensation", 40, 64, 16, 40, VectorFrom::tool_corner,
      "direction_one_term direction_nutating direction_by_words"},
+    // Two cross products with the tool direction, a norm, a quotient and a product. Proved: the direction, as above;
+    // the vector, with a direction by words, 12.7. Not proved: with a direction by rotary axes (the bound is 38 and
+    // more), and nearer to the tool than 30 degrees.
     {"fanuc/leading-edge-offset", 16, 64, 16, 16, VectorFrom::tool_and_way,
-     "direction_one_term direction_nutating direction_by_words"},
+     "direction_one_term direction_nutating direction_by_words LeadingEdge"},
     // A direction of three words (squares, sum, root, quotient: 6), seen from the table (two turns of three products
     // and sums each with their sines and cosines: 14), its height and the root beside it (8), arc cosine or tangent and
     // sum (4), the tilted direction for the azimuth (7), a cross and a scalar product (8), arc tangent, difference and
