@@ -98,6 +98,13 @@ TEST_F(RoundingCheck, RefusesALemmaWhoseProofFails) {
   expect_refused("Facts.v: not proved", "--coq");
 }
 
+TEST_F(RoundingCheck, RefusesAnAxiomThatIsNotAllowed) {
+  std::ofstream(folder_ / "source/Facts.v", std::ios::app)
+      << "From Coq Require Import Floats.\nLemma same x : SF2Prim (Prim2SF x) = x.\nProof. exact (SF2Prim_Prim2SF x). "
+         "Qed.\n";
+  expect_refused("these axioms are not allowed", "--coq");
+}
+
 TEST_F(RoundingCheck, BadUsage) {
   const int status = std::system(("'" + (kSource / "check").string() + "' 2>/dev/null").c_str());  // NOLINT(*)
   EXPECT_EQ(WEXITSTATUS(status), 2);
