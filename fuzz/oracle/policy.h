@@ -93,9 +93,11 @@ inline constexpr Budget kBudgets[] = {
     // The tool direction (two turns of three products each, and their sines), its product with the movement, a norm;
     // the same again for the second block, their product, sum and quotient; with arcs as cutter compensation C, in the
     // projection. The condition of a corner (tool_plane.h) counts one unit of error a direction. Proved: the tool
-    // direction, in ulp(1) 6.6 of axes along X Y Z, 12 of nutating ones, 1.8 of words. Not proved: the vectors.
+    // direction, in ulp(1) 6.6 of axes along X Y Z, 12 of nutating ones, 1.8 of words; the vector at right angles to a
+    // line, 10.3 with a direction by words, 34.1 by axes along X Y Z. Not proved: other vectors, other machines, and
+    // nearer to the tool than 30 degrees.
     {"fanuc/tool-side-compensation", 40, 64, 16, 40, VectorFrom::tool_corner,
-     "direction_one_term direction_nutating direction_by_words"},
+     "direction_one_term direction_nutating direction_by_words SideNormal"},
     // Two cross products with the tool direction, a norm, a quotient and a product. Proved: the direction, as above;
     // the vector, with a direction by words, 12.7. Not proved: with a direction by rotary axes (the bound is 38 and
     // more), and nearer to the tool than 30 degrees.

@@ -24,6 +24,7 @@
 #include "fast/heidenhain/program/tool_vector.h"
 #include "fast/kinematics/direction.h"
 #include "fuzz/oracle/policy.h"
+#include "tests/sanitized.h"
 
 namespace {
 
@@ -107,7 +108,7 @@ double in_roundings(const std::string& bound) {
 
 TEST(Architecture, BoundsOfRoundingQuoteTheEngine) {
   const std::map<std::string, Script> all = scripts();
-  EXPECT_GE(all.size(), 13U);
+  EXPECT_GE(all.size(), 14U);
   for (const auto& [name, script] : all) {
     EXPECT_FALSE(script.quoted.empty()) << name;
     for (const auto& [file, lines] : script.quoted) EXPECT_TRUE(file.starts_with("fast/")) << name << ": " << file;
@@ -171,7 +172,7 @@ TEST(BoundsOfRounding, DriftIsSeen) {
 class Measured : public testing::Test {
  protected:
   using Wide = long double;
-  static constexpr int kCases = 200'000;
+  static constexpr int kCases = static_cast<int>(toolcomp::test::random_cases(100'000));
 
   void note(const std::string& name, Wide off) {
     double& worst = worst_[name];
@@ -276,6 +277,31 @@ TEST_F(Measured, LeadingEdges) {
     const Exact across = way.cross(tool);
     const Exact off = vector.cast<Wide>() - across.cross(tool).normalized() * Wide(r);
     note("LeadingEdge", off.norm() / Wide(r) * (across.norm() / way.norm()));
+  }
+}
+
+// As ToolPlane and SideGeometry write it, which need a machine.
+TEST_F(Measured, SideNormals) {
+  for (int i = 0; i < kCases; ++i) {
+    const std::array<std::int64_t, 3> way{whole(1LL << 30), whole(1LL << 30), whole(1LL << 30)};
+    const std::array<std::int64_t, 3> tool{whole(1LL << 30), whole(1LL << 30), whole(1LL << 30)};
+    if ((tool[0] != 0) + (tool[1] != 0) + (tool[2] != 0) < 2) continue;
+    fast::Direction direction;
+    fast::set_small_direction(direction, tool[0], tool[1], tool[2]);
+    const fast::Vector3<double> travel{static_cast<double>(way[0]), static_cast<double>(way[1]),
+                                       static_cast<double>(way[2])};
+    const fast::Vector3<double> v{direction.unit[0], direction.unit[1], direction.unit[2]};
+    const fast::Vector3<double> left = fast::cross(v, travel);
+    const double square = fast::dot(left, left);
+    if (square == 0 || 4 * square < fast::dot(travel, travel)) continue;
+    const double r = std::uniform_real_distribution<double>(1, 2)(random_);
+    const fast::Vector3<double> vector = left * (1 / std::sqrt(square)) * r;
+
+    using Exact = Eigen::Matrix<Wide, 3, 1>;
+    const Exact exact_way{Wide(way[0]), Wide(way[1]), Wide(way[2])};
+    const Exact across = Exact{Wide(tool[0]), Wide(tool[1]), Wide(tool[2])}.normalized().cross(exact_way);
+    const Exact off = Exact{Wide(vector.x), Wide(vector.y), Wide(vector.z)} - across.normalized() * Wide(r);
+    note("SideNormal", off.norm() / Wide(r) * (across.norm() / exact_way.norm()));
   }
 }
 
