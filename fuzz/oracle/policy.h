@@ -99,8 +99,8 @@ inline constexpr Budget kBudgets[] = {
     {"fanuc/tool-side-compensation", 40, 64, 16, 40, VectorFrom::tool_corner,
      "direction_one_term direction_nutating direction_by_words SideNormal"},
     // Two cross products with the tool direction, a norm, a quotient and a product. Proved: the direction, as above;
-    // the vector, with a direction by words, 12.7. Not proved: with a direction by rotary axes (the bound is 38 and
-    // more), and nearer to the tool than 30 degrees.
+    // the vector, with a direction by words, 12.7. Not proved: with a direction by rotary axes (the bound is 58), and
+    // nearer to the tool than 30 degrees.
     {"fanuc/leading-edge-offset", 16, 64, 16, 16, VectorFrom::tool_and_way,
      "direction_one_term direction_nutating direction_by_words LeadingEdge"},
     // A direction of three words (squares, sum, root, quotient: 6), seen from the table (two turns of three products

@@ -13,7 +13,7 @@
 #   1/2, by doubles; below it takes double-double); an offset that is not 0. Its sign goes through every rounding.
 # u = 2^-53, s the sine of the angle between movement and tool, so 1/s the condition of the policy.
 # proves: the vector, as a whole, is off by at most (9.1 u + 1.1 e)/s times its length, with a direction that is off by
-#   e: 10.3 u/s by words (e = u, as in LeadingEdge.v), 34.1 u/s by rotary axes along X, Y, Z (13.1 u a component).
+#   e: 10.3 u/s by words (e = u, as in LeadingEdge.v), 34.1 u/s by rotary axes along X, Y, Z (13.2 u a component).
 # bound: 165b-57
 # refuted: 32b-57
 # facts: lemmas of RoundedVectors.v
