@@ -163,7 +163,7 @@ std::string sections(const Certificate& c) {
   std::vector<Row> cases{{"section", "golden", "generated", "own", "agree", "differ", "undecided", "nothing judged",
                           "not applicable", "not run", "more than 1 % not judged", "fewer than three events"}};
   std::vector<Row> values{{"section", "values", "not judged", "out of scope", "decisions", "near ties", "ties",
-                           "worst µm", "worst ulp", "permitted ulp"}};
+                           "worst µm", "worst ulp", "permitted ulp", "proved of the fast engine"}};
   std::vector<std::string> not_applicable;
   for (const SectionResult& s : c.sections) {
     if (s.count(Result::not_applicable) == s.total()) {
@@ -180,7 +180,8 @@ std::string sections(const Certificate& c) {
     cases.push_back(std::move(row));
     values.push_back({code(section_name(s.section)), count(s.values), count(s.wide), count(s.out_of_scope),
                       count(s.decisions), count(s.near_ties), count(s.ties), small(s.worst_um), small(s.worst_ulp),
-                      plain(fuzz::policy::budget(s.section).coordinate)});
+                      plain(fuzz::policy::budget(s.section).coordinate),
+                      escape(fuzz::policy::budget(s.section).proved)});
   }
   std::string out = "<h2 id=\"sections\">Sections</h2>\n<h3>Cases</h3>\n" + table(cases, 1) +
                     "<h3>What was judged in them</h3>\n" + table(values, 1);
