@@ -141,9 +141,6 @@ Definition is_nothing (terms : list term) : bool :=
 
 (** * Their values *)
 
-Lemma red_value q : Q2R (Qred q) = Q2R q.
-Proof. apply Qeq_eqR, Qred_correct. Qed.
-
 Lemma pos_IZR p : 0 < IZR (Zpos p).
 Proof. apply IZR_lt. reflexivity. Qed.
 
@@ -160,7 +157,7 @@ Proof.
   unfold as_multiple. destruct (a =? b)%positive eqn:Same; [apply Pos.eqb_eq in Same; intros; congruence|].
   destruct (whole_root (a * b)) as [r|] eqn:E; [|discriminate]. intro M.
   assert (M' : m = Qred (c * (Zpos r # b))) by congruence. rewrite M'. clear M M'.
-  apply whole_root_value in E. rewrite red_value, Q2R_mult. unfold Q2R at 3; cbn [Qnum Qden].
+  apply whole_root_value in E. rewrite red, Q2R_mult. unfold Q2R at 3; cbn [Qnum Qden].
   pose proof (pos_IZR a) as A. pose proof (pos_IZR b) as B.
   rewrite Pos2Z.inj_mul, mult_IZR, sqrt_mult in E by lra. rewrite <- E.
   pose proof (sqrt_sqrt (IZR (Zpos b)) ltac:(lra)) as S.
@@ -199,7 +196,7 @@ Proof.
   destruct (same_degrees _ _) eqn:D; [|rewrite !value_cons, IH; lra].
   destruct (as_multiple _ _ _) as [c|] eqn:E; [|rewrite !value_cons, IH; lra].
   apply as_multiple_value in E. apply same_degrees_holds in D. rewrite value_cons. unfold term_value at 1 2. rewrite E, D.
-  pose proof (red_value (factor s + c)) as S. rewrite Q2R_plus in S.
+  pose proof (red (factor s + c)) as S. rewrite Q2R_plus in S.
   destruct (Qeq_bool (Qred (factor s + c)) 0) eqn:Z.
   - apply zero_value in Z. rewrite Z in S. assert (H : Q2R c = - Q2R (factor s)) by lra. rewrite H. lra.
   - rewrite value_cons. unfold term_value; cbn [factor under degrees]. rewrite S. lra.
@@ -239,7 +236,7 @@ Proof. intro E. apply cosine_equal. now apply Qeq_bool_eq. Qed.
 
 Ltac at_degrees E simple :=
   apply equal_degrees in E; unfold term_value; cbn [factor under degrees];
-  rewrite ?red_value, ?Q2R_mult, ?half_value, ?root_of_multiple, ?E, ?simple, ?cosine_0; ring.
+  rewrite ?red, ?Q2R_mult, ?half_value, ?root_of_multiple, ?E, ?simple, ?cosine_0; ring.
 
 Lemma cosine_term_value c n q : value (cosine_term c n q) = Q2R c * sqrt (IZR (Zpos n)) * cosine q.
 Proof.
@@ -259,7 +256,7 @@ Proof.
   set (c := Qred (factor s * factor t * (Zpos g # 1))).
   assert (C : Q2R c * sqrt (IZR (Zpos n)) =
               (Q2R (factor s) * sqrt (IZR (Zpos (under s)))) * (Q2R (factor t) * sqrt (IZR (Zpos (under t))))).
-  { unfold c. rewrite red_value, !Q2R_mult. unfold Q2R at 3; cbn [Qnum Qden]. rewrite Rinv_1, Rmult_1_r.
+  { unfold c. rewrite red, !Q2R_mult. unfold Q2R at 3; cbn [Qnum Qden]. rewrite Rinv_1, Rmult_1_r.
     replace (Q2R (factor s) * Q2R (factor t) * IZR (Zpos g) * sqrt (IZR (Zpos n)))
       with (Q2R (factor s) * Q2R (factor t) * (IZR (Zpos g) * sqrt (IZR (Zpos n)))) by ring. rewrite <- P. ring. }
   destruct (without_cosine s) eqn:S; [|destruct (without_cosine t) eqn:T].
@@ -267,7 +264,7 @@ Proof.
     rewrite C, S. ring.
   - apply without_cosine_value in T. rewrite value_cons. change (value []) with 0. unfold term_value; cbn [factor under degrees].
     rewrite C, T. ring.
-  - rewrite value_append, !cosine_term_value, red_value, Q2R_mult, half_value.
+  - rewrite value_append, !cosine_term_value, red, Q2R_mult, half_value.
     replace (Q2R c * / 2 * sqrt (IZR (Zpos n)) * cosine (degrees s + degrees t) +
              Q2R c * / 2 * sqrt (IZR (Zpos n)) * cosine (degrees s - degrees t))
       with (Q2R c * sqrt (IZR (Zpos n)) * (/ 2 * (cosine (degrees s + degrees t) + cosine (degrees s - degrees t)))) by ring.
@@ -323,7 +320,7 @@ Qed.
 
 Lemma square_value t : Q2R (square_of t) = (Q2R (factor t) * sqrt (IZR (Zpos (under t)))) * (Q2R (factor t) * sqrt (IZR (Zpos (under t)))).
 Proof.
-  unfold square_of. rewrite red_value, !Q2R_mult. unfold Q2R at 3; cbn [Qnum Qden]. rewrite Rinv_1, Rmult_1_r.
+  unfold square_of. rewrite red, !Q2R_mult. unfold Q2R at 3; cbn [Qnum Qden]. rewrite Rinv_1, Rmult_1_r.
   pose proof (pos_IZR (under t)). pose proof (sqrt_sqrt (IZR (Zpos (under t))) ltac:(lra)) as S. rewrite <- S at 1. ring.
 Qed.
 
@@ -343,18 +340,18 @@ Proof.
     assert (R1 : sqrt (IZR (Zpos (under s))) <> 0) by now apply Rgt_not_eq.
     assert (N : Q2R (square_of s) <> 0)
       by (rewrite S; apply Rmult_integral_contrapositive_currified; apply Rmult_integral_contrapositive_currified; assumption).
-    rewrite red_value, Q2R_div, S.
+    rewrite red, Q2R_div, S.
     + rewrite !Rplus_0_r. field. split; assumption.
     + intro E. apply N. apply Qeq_eqR in E. rewrite E. unfold Q2R; cbn; lra.
   - destruct (_ && _)%bool eqn:Z; [|discriminate]. intro M. apply andb_prop in Z as [C Z]. apply andb_prop in C as [C1 C2].
     apply Bool.negb_true_iff, not_zero_value in Z.
     set (d := Qred (square_of s - square_of t)) in *.
     assert (M' : m = [Term (Qred (factor s / d)) (under s) 0; Term (Qred (- factor t / d)) (under t) 0]) by congruence.
-    rewrite M'. clear M M'. subst d. rewrite red_value, Q2R_minus in Z.
+    rewrite M'. clear M M'. subst d. rewrite red, Q2R_minus in Z.
     rewrite !value_cons. change (value []) with 0. rewrite !plain_term, (plain_value _ C1), (plain_value _ C2).
     assert (D : ~ Qred (square_of s - square_of t) == 0).
-    { intro E. apply Qeq_eqR in E. rewrite red_value, Q2R_minus in E. apply Z. rewrite E. unfold Q2R; cbn; lra. }
-    rewrite !red_value, !Q2R_div, Q2R_opp, red_value, Q2R_minus by assumption.
+    { intro E. apply Qeq_eqR in E. rewrite red, Q2R_minus in E. apply Z. rewrite E. unfold Q2R; cbn; lra. }
+    rewrite !red, !Q2R_div, Q2R_opp, red, Q2R_minus by assumption.
     rewrite !square_value in *. set (x := Q2R (factor s) * sqrt _) in *. set (y := Q2R (factor t) * sqrt _) in *.
     rewrite !Rplus_0_r.
     replace (Q2R (factor s) / (x * x - y * y) * sqrt (IZR (Zpos (under s)))) with (x / (x * x - y * y)) by (unfold x, Rdiv; ring).
