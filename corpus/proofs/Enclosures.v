@@ -1,91 +1,78 @@
-(** Numbers that Coq computes with: a rational, a sum of square roots with rational coefficients, or an interval of
-    floating-point numbers, each with the real number that it encloses. What their signs decide is decided for the real
-    number. *)
+(** Numbers that Coq computes with: a rational, a sum of square roots and cosines with rational coefficients, a ratio of
+    such sums, or an interval of floating-point numbers, each with the real number that it encloses. What their signs
+    decide is decided for the real number. *)
 From Coq Require Import ZArith QArith Qreals Qabs Reals Lra Lia Psatz List.
-From Interval Require Specific_bigint Specific_ops Float_full Xreal Basic.
-From Toolcomp Require Import Numbers Roots.
-
-Module Floats := Specific_ops.SpecificFloat Specific_bigint.BigIntRadix2.
-Module Intervals := Float_full.FloatIntervalFull Floats.
-
-Definition bits := Floats.PtoP 160.
-
-Inductive enclosure := Exact (q : Q) | Sum (terms : list term) | Near (i : Intervals.type).
-
+From Interval Require Xreal Basic.
+From Toolcomp Require Import Numbers Cosines Roots Bounds.
 Import ListNotations.
 Local Open Scope R_scope.
 
-Definition in_interval (i : Intervals.type) (x : R) : Prop := Interval.contains (Intervals.convert i) (Xreal.Xreal x).
+Inductive enclosure := Exact (q : Q) | Sum (terms : list term) | Ratio (above below : list term) (i : Intervals.type)
+  | Near (i : Intervals.type).
 
 Definition encloses (e : enclosure) (x : R) : Prop :=
-  match e with Exact q => Q2R q = x | Sum terms => value terms = x | Near i => in_interval i x end.
+  match e with
+  | Exact q => Q2R q = x
+  | Sum terms => value terms = x
+  | Ratio above below i => value above / value below = x /\ in_interval i x
+  | Near i => in_interval i x
+  end.
 
-Definition interval_of_rational (q : Q) : Intervals.type :=
-  Intervals.div bits (Intervals.fromZ bits (Qnum q)) (Intervals.fromZ bits (Zpos (Qden q))).
 Definition interval_of (e : enclosure) : Intervals.type :=
   match e with
   | Exact q => interval_of_rational q
-  | Sum terms =>
-      fold_right
-        (fun t i => Intervals.add bits
-          (Intervals.mul bits (interval_of_rational (fst t)) (Intervals.sqrt bits (Intervals.fromZ bits (Zpos (snd t))))) i)
-        (Intervals.fromZ bits 0) terms
-  | Near i => i
+  | Sum terms => interval_of_terms terms
+  | Ratio _ _ i | Near i => i
   end.
-
-(** Whatever cannot be computed is enclosed by anything. *)
-Lemma of_nothing i x : Interval.contains (Intervals.convert i) Xreal.Xnan -> in_interval i x.
-Proof. unfold in_interval. destruct (Intervals.convert i); cbn; tauto. Qed.
-
-Lemma in_quotient i j x y : in_interval i x -> in_interval j y -> in_interval (Intervals.div bits i j) (x / y).
-Proof.
-  intros A B. pose proof (Intervals.div_correct bits i j _ _ A B) as C. cbn in C.
-  unfold Xreal.Xdiv' in C. destruct (Xreal.is_zero y); [now apply of_nothing | exact C].
-Qed.
-
-Lemma in_root i x : in_interval i x -> in_interval (Intervals.sqrt bits i) (sqrt x).
-Proof.
-  intro A. pose proof (Intervals.sqrt_correct bits i _ A) as C. cbn in C.
-  try (unfold Xreal.Xsqrt' in C; destruct (Xreal.is_negative x); [now apply of_nothing | ]); exact C.
-Qed.
-
-Lemma in_sum i j x y : in_interval i x -> in_interval j y -> in_interval (Intervals.add bits i j) (x + y).
-Proof. intros A B. now apply Intervals.add_correct with (x := Xreal.Xreal x) (y := Xreal.Xreal y). Qed.
-Lemma in_product i j x y : in_interval i x -> in_interval j y -> in_interval (Intervals.mul bits i j) (x * y).
-Proof. intros A B. now apply Intervals.mul_correct with (x := Xreal.Xreal x) (y := Xreal.Xreal y). Qed.
-
-Lemma rational_in q : in_interval (interval_of_rational q) (Q2R q).
-Proof. unfold Q2R. apply in_quotient; apply Intervals.fromZ_correct. Qed.
 
 Lemma interval_encloses e x : encloses e x -> in_interval (interval_of e) x.
 Proof.
-  destruct e as [q|terms|i]; [| |exact (fun H => H)]; intros <-; [apply rational_in|].
-  unfold interval_of, value. induction terms as [|[c d] terms IH]; cbn [fold_right fst snd].
-  { apply Intervals.fromZ_correct. }
-  apply in_sum; [|exact IH]. apply in_product; [apply rational_in|]. apply in_root, Intervals.fromZ_correct.
+  destruct e as [q|terms|above below i|i]; cbn [encloses interval_of].
+  - intros <-. apply rational_in.
+  - intros <-. apply terms_in.
+  - tauto.
+  - tauto.
 Qed.
 
-(** Sums of roots, where both are. A long one is not worth it. *)
+(** Sums of roots and cosines, where both are. A long one is not worth it. *)
+Definition one : list term := [Term 1 1 0].
 Definition terms_of (e : enclosure) : option (list term) :=
-  match e with Exact q => Some [(q, 1%positive)] | Sum terms => Some terms | Near _ => None end.
-Definition of_terms (terms : list term) : enclosure :=
+  match e with
+  | Exact q => Some (if Qeq_bool q 0 then [] else [Term q 1 0])
+  | Sum terms => Some terms
+  | _ => None
+  end.
+Definition rational_of (terms : list term) : option Q :=
   match terms with
-  | [] => Exact 0
-  | [(q, 1%positive)] => Exact q
-  | _ => if (length terms <=? 8)%nat then Sum terms else Near (interval_of (Sum terms))
+  | [] => Some 0%Q
+  | [Term q 1 w] => if same_degrees w 0 then Some q else None
+  | _ => None
+  end.
+Definition of_terms (terms : list term) : enclosure :=
+  match rational_of terms with
+  | Some q => Exact q
+  | None => if (length terms <=? 8)%nat then Sum terms else Near (interval_of_terms terms)
   end.
 
+Lemma rational_term q : value [Term q 1 0] = Q2R q.
+Proof. rewrite value_cons, plain_term. change (value []) with 0. rewrite sqrt_1. ring. Qed.
+Lemma one_value : value one = 1.
+Proof. unfold one. rewrite rational_term. unfold Q2R; cbn; lra. Qed.
+Lemma rational_of_value terms q : rational_of terms = Some q -> value terms = Q2R q.
+Proof.
+  unfold rational_of. destruct terms as [|[c d w] l]; [intros [= <-]; unfold Q2R; cbn; lra|].
+  destruct d; try discriminate. destruct l; [|discriminate]. destruct (same_degrees w 0) eqn:E; [|discriminate].
+  apply same_degrees_holds in E. intros [= <-]. rewrite E. apply rational_term.
+Qed.
 Lemma terms_of_value e l x : terms_of e = Some l -> encloses e x -> value l = x.
 Proof.
-  destruct e as [q|terms|i]; cbn; intros [= <-] A; [|exact A]. cbn. rewrite sqrt_1. lra.
+  destruct e as [q|terms|above below i|i]; cbn [terms_of encloses]; try discriminate; intros [= <-] A; [|exact A].
+  destruct (Qeq_bool q 0) eqn:E; [apply zero_value in E; rewrite <- A, E; reflexivity|]. now rewrite rational_term.
 Qed.
 Lemma of_terms_encloses l x : value l = x -> encloses (of_terms l) x.
 Proof.
-  intro A. unfold of_terms. destruct l as [|[q d] l]; [cbn in *; unfold Q2R; cbn; lra|].
-  assert (G : encloses (if (length ((q, d) :: l) <=? 8)%nat then Sum ((q, d) :: l) else
-                        Near (interval_of (Sum ((q, d) :: l)))) x).
-  { destruct (_ <=? _)%nat; [exact A|]. exact (interval_encloses (Sum ((q, d) :: l)) x A). }
-  destruct d, l as [|t l]; try exact G. cbn in *. rewrite sqrt_1 in A. lra.
+  intro A. unfold of_terms. destruct (rational_of l) as [q|] eqn:E; [apply rational_of_value in E; cbn; congruence|].
+  destruct (_ <=? _)%nat; [exact A|]. rewrite <- A. exact (terms_in l).
 Qed.
 
 (** * Operations *)
@@ -124,69 +111,117 @@ Definition over_e (a b : enclosure) : enclosure :=
   else match a, b with
   | Exact p, Exact q => if is_0 b then Near Intervals.nai else Exact (Qred (p / q))
   | _, _ =>
-      match terms_of a, match terms_of b with Some m => terms_inverse m | None => None end with
-      | Some l, Some m => of_terms (terms_times l m)
-      | _, _ => Near (Intervals.div bits (interval_of a) (interval_of b))
+      let quotient := Intervals.div bits (interval_of a) (interval_of b) in
+      match terms_of a, terms_of b with
+      | Some l, Some m =>
+          match terms_inverse m with
+          | Some n => of_terms (terms_times l n)
+          | None => Ratio l m quotient
+          end
+      | _, _ => Near quotient
       end
   end.
 
+(** c(1 + cos q) = 2c (cos q/2)², c(1 - cos q) = 2c (cos (90 - q/2))²: what may be the root of two terms, from the number
+    and the multiple of a cosine. *)
+Definition as_cosine (t : term) : option (Q * Q) :=
+  if without_cosine t then
+    match as_multiple (factor t) (under t) 2, as_multiple (factor t) (under t) 3 with
+    | Some c, _ => Some (2 * c, 45)%Q
+    | None, Some c => Some (2 * c, 30)%Q
+    | None, None => None
+    end
+  else match under t with xH => Some (factor t, degrees t) | _ => None end.
+Definition half_angle (s t : term) : option (list term) :=
+  match rational_of [s], as_cosine t with
+  | Some c, Some (d, q) =>
+      let root q := Some (terms_times (terms_root (Qred (2 * c))) (cosine_term 1 1 q)) in
+      if Qeq_bool c d then root (q * (1 # 2))%Q
+      else if Qeq_bool c (- d) then root (90 - q * (1 # 2))%Q
+      else None
+  | _, _ => None
+  end.
+Definition perhaps_root (terms : list term) : option (list term) :=
+  match terms with
+  | [s; t] => match half_angle s t with Some r => Some r | None => half_angle t s end
+  | _ => None
+  end.
+(** Whether it is. *)
+Definition is_root (r terms : list term) : bool :=
+  match sign_of_interval (interval_of_terms r) with
+  | Some Gt => is_nothing (terms_minus (terms_times r r) terms)
+  | _ => false
+  end.
+
 Definition root_e (a : enclosure) : enclosure :=
+  let near := Near (Intervals.sqrt bits (interval_of a)) in
+  let of_rational q := if Qle_bool 0 q then of_terms (terms_root q) else near in
   match a with
-  | Exact q => if Qle_bool 0 q then of_terms (terms_root q) else Near (Intervals.sqrt bits (interval_of a))
-  | _ => Near (Intervals.sqrt bits (interval_of a))
+  | Exact q => of_rational q
+  | Sum terms =>
+      match rational_of (opened terms), perhaps_root terms with
+      | Some q, _ => of_rational q
+      | None, Some r => if is_root r terms then of_terms r else near
+      | None, None => near
+      end
+  | _ => near
   end.
 
-Definition radians (a : enclosure) : Intervals.type :=
-  Intervals.div bits (Intervals.mul bits (interval_of a) (Intervals.pi bits)) (Intervals.fromZ bits 180).
-
-(** Sines and cosines of the angles that have simple ones. *)
-Definition wrapped (q : Q) : Q := Qred (q - inject_Z (360 * (Qnum q / (360 * Zpos (Qden q))))).
-Definition table (rows : list (Q * list term)) (q : Q) : option (list term) :=
-  match List.find (fun row => Qeq_bool (fst row) (wrapped q)) rows with Some row => Some (snd row) | None => None end.
-Definition half : list term := [((1 # 2)%Q, 1%positive)].
-Definition half_root2 : list term := [((1 # 2)%Q, 2%positive)].
-Definition half_root3 : list term := [((1 # 2)%Q, 3%positive)].
-Definition one : list term := [(1%Q, 1%positive)].
-Definition opposite (l : list term) : list term := map (fun t => (Qopp (fst t), snd t)) l.
-Definition sines : list (Q * list term) :=
-  [(0, []); (30, half); (45, half_root2); (60, half_root3); (90, one); (120, half_root3); (135, half_root2); (150, half);
-   (180, []); (210, opposite half); (225, opposite half_root2); (240, opposite half_root3); (270, opposite one);
-   (300, opposite half_root3); (315, opposite half_root2); (330, opposite half)]%Q.
-Definition cosines : list (Q * list term) :=
-  [(0, one); (30, half_root3); (45, half_root2); (60, half); (90, []); (120, opposite half); (135, opposite half_root2);
-   (150, opposite half_root3); (180, opposite one); (210, opposite half_root3); (225, opposite half_root2);
-   (240, opposite half); (270, []); (300, half); (315, half_root2); (330, half_root3)]%Q.
-Definition sine_e (a : enclosure) : enclosure :=
-  match match a with Exact q => table sines q | _ => None end with
-  | Some s => of_terms s
-  | None => Near (Intervals.sin bits (radians a))
-  end.
 Definition cosine_e (a : enclosure) : enclosure :=
-  match match a with Exact q => table cosines q | _ => None end with
-  | Some c => of_terms c
-  | None => Near (Intervals.cos bits (radians a))
+  match a with
+  | Exact q => of_terms (cosine_term 1 1 q)
+  | _ => Near (Intervals.cos bits (interval_in_radians (interval_of a)))
   end.
+Definition sine_e (a : enclosure) : enclosure :=
+  match a with
+  | Exact q => of_terms (cosine_term 1 1 (90 - q))
+  | _ => Near (Intervals.sin bits (interval_in_radians (interval_of a)))
+  end.
+
+(** The number of degrees in an interval that may be a whole number over `parts`. *)
+Definition perhaps_degrees (i : Intervals.type) (parts : positive) : Q :=
+  match Floats.toF (Intervals.midpoint i) with
+  | Basic.Float negative m e =>
+      let twice := Z.shiftl (2 * Zpos parts * (if negative then Zneg m else Zpos m)) e in
+      Qred (((twice + 1) / 2) # parts)
+  | _ => 0
+  end.
+(** Whether above/below is the tangent of such an angle. *)
+Definition is_tangent (above below : list term) (q : Q) : bool :=
+  match sign_of_interval (interval_of_terms below) with
+  | Some Lt | Some Gt =>
+      negb (Qle_bool 90 q) && negb (Qle_bool q (-90)) &&
+      is_nothing (terms_minus (terms_times above (cosine_term 1 1 q)) (terms_times below (cosine_term 1 1 (90 - q))))
+  | _ => false
+  end.
+Definition known_arctangent (above below : list term) (i : Intervals.type) : option Q :=
+  let near q :=
+    match sign_of_interval (Intervals.sub bits i (interval_of_rational q)) with Some Lt | Some Gt => false | _ => true end in
+  List.find (fun q => near q && is_tangent above below q) (map (perhaps_degrees i) [1000; 3000; 1000000]%positive).
+
 Definition arctangent_e (a : enclosure) : enclosure :=
   if is_0 a then Exact 0
-  else Near (Intervals.div bits (Intervals.mul bits (Intervals.atan bits (interval_of a)) (Intervals.fromZ bits 180))
-               (Intervals.pi bits)).
+  else
+    let i := Intervals.div bits (Intervals.mul bits (Intervals.atan bits (interval_of a)) (Intervals.fromZ bits 180))
+               (Intervals.pi bits) in
+    let known := match a with
+                 | Ratio above below _ => known_arctangent above below i
+                 | _ => match terms_of a with Some l => known_arctangent l one i | None => None end
+                 end in
+    match known with Some q => Exact q | None => Near i end.
 
 Definition sign_e (a : enclosure) : option comparison :=
   match a with
   | Exact q => Some (Qnum q ?= 0)%Z
   | _ =>
-      match Intervals.sign_strict (interval_of a) with
-      | Xreal.Xlt => Some Lt
-      | Xreal.Xgt => Some Gt
-      | Xreal.Xeq => Some Eq
-      | Xreal.Xund => None
+      match sign_of_interval (interval_of a), a with
+      | Some c, _ => Some c
+      | None, Sum terms | None, Ratio terms _ _ => if is_nothing terms then Some Eq else None
+      | None, _ => None
       end
   end.
 
 (** * They enclose *)
-
-Lemma red q : Q2R (Qred q) = Q2R q.
-Proof. apply Qeq_eqR, Qred_correct. Qed.
 
 Lemma plus_encloses a b x y : encloses a x -> encloses b y -> encloses (plus_e a b) (x + y).
 Proof.
@@ -199,7 +234,7 @@ Proof.
       try (apply Intervals.add_correct with (x := Xreal.Xreal x) (y := Xreal.Xreal y); now apply interval_encloses).
     apply of_terms_encloses. rewrite terms_plus_value.
     now rewrite (terms_of_value _ _ _ La A), (terms_of_value _ _ _ Lb B). }
-  destruct a as [p| |], b as [q| |]; [|exact G..].
+  destruct a as [p| | |], b as [q| | |]; try exact G.
   cbn [encloses] in *. now rewrite red, Q2R_plus, A, B.
 Qed.
 
@@ -214,13 +249,13 @@ Proof.
       try (apply Intervals.sub_correct with (x := Xreal.Xreal x) (y := Xreal.Xreal y); now apply interval_encloses).
     apply of_terms_encloses. rewrite terms_minus_value.
     now rewrite (terms_of_value _ _ _ La A), (terms_of_value _ _ _ Lb B). }
-  destruct a as [p| |], b as [q| |]; [|exact G..].
+  destruct a as [p| | |], b as [q| | |]; try exact G.
   cbn [encloses] in *. now rewrite red, Q2R_minus, A, B.
 Qed.
 
 Lemma is_0_encloses a x : encloses a x -> is_0 a = true -> x = 0.
 Proof.
-  destruct a as [q| |]; cbn; [|discriminate..]. intros <- E. apply Qeq_bool_eq, Qeq_eqR in E. rewrite E. unfold Q2R; cbn; lra.
+  destruct a as [q| | |]; cbn; try discriminate. intros <- E. apply Qeq_bool_eq, Qeq_eqR in E. rewrite E. unfold Q2R; cbn; lra.
 Qed.
 
 Lemma zero_encloses : encloses (Exact 0) 0.
@@ -240,7 +275,7 @@ Proof.
   { destruct (terms_of a) as [l|] eqn:La, (terms_of b) as [m|] eqn:Lb; try (apply in_product; now apply interval_encloses).
     apply of_terms_encloses. rewrite terms_times_value.
     now rewrite (terms_of_value _ _ _ La A), (terms_of_value _ _ _ Lb B). }
-  destruct a as [p| |], b as [q| |]; [|exact G..].
+  destruct a as [p| | |], b as [q| | |]; try exact G.
   cbn [encloses] in *. now rewrite red, Q2R_mult, A, B.
 Qed.
 
@@ -251,186 +286,145 @@ Lemma over_encloses a b x y : encloses a x -> encloses b y -> encloses (over_e a
 Proof.
   intros A B. unfold over_e. destruct (is_0 a) eqn:Ea.
   { apply (is_0_encloses _ _ A) in Ea as ->. unfold Rdiv; rewrite Rmult_0_l. apply zero_encloses. }
-  assert (G : encloses match terms_of a, match terms_of b with Some m => terms_inverse m | None => None end with
-                       | Some l, Some m => of_terms (terms_times l m)
-                       | _, _ => Near (Intervals.div bits (interval_of a) (interval_of b))
-                       end (x / y)).
-  { destruct (terms_of a) as [l|] eqn:La; [|apply in_quotient; now apply interval_encloses].
-    destruct (terms_of b) as [m|] eqn:Lb; [|apply in_quotient; now apply interval_encloses].
-    destruct (terms_inverse m) as [n|] eqn:I; [|apply in_quotient; now apply interval_encloses].
-    apply of_terms_encloses. rewrite terms_times_value.
-    now rewrite (terms_of_value _ _ _ La A), (terms_inverse_value _ _ I), (terms_of_value _ _ _ Lb B). }
-  destruct a as [p| |], b as [q| |]; [|exact G..].
+  assert (I : in_interval (Intervals.div bits (interval_of a) (interval_of b)) (x / y))
+    by (apply in_quotient; now apply interval_encloses).
+  assert (G : encloses (let quotient := Intervals.div bits (interval_of a) (interval_of b) in
+                        match terms_of a, terms_of b with
+                        | Some l, Some m =>
+                            match terms_inverse m with
+                            | Some n => of_terms (terms_times l n)
+                            | None => Ratio l m quotient
+                            end
+                        | _, _ => Near quotient
+                        end) (x / y)).
+  { cbv zeta. destruct (terms_of a) as [l|] eqn:La; [|exact I]. destruct (terms_of b) as [m|] eqn:Lb; [|exact I].
+    pose proof (terms_of_value _ _ _ La A) as Va. pose proof (terms_of_value _ _ _ Lb B) as Vb.
+    destruct (terms_inverse m) as [n|] eqn:N.
+    - apply of_terms_encloses. now rewrite terms_times_value, (terms_inverse_value _ _ N), Va, Vb.
+    - split; [now rewrite Va, Vb|exact I]. }
+  destruct a as [p| | |], b as [q| | |]; try exact G.
   destruct (is_0 (Exact q)) eqn:Eb; [apply nai_encloses|]. cbn [encloses] in *. rewrite red, Q2R_div, A, B; [reflexivity|].
   cbn [is_0] in Eb. intro E. apply Qeq_bool_iff in E. congruence.
+Qed.
+
+Lemma is_root_holds r terms : is_root r terms = true -> sqrt (value terms) = value r.
+Proof.
+  unfold is_root. destruct (sign_of_interval _) as [[| |]|] eqn:S; try discriminate. intro E.
+  apply (interval_sign _ _ _ (terms_in r)) in S. cbn in S. apply is_nothing_value in E.
+  rewrite terms_minus_value, terms_times_value in E. replace (value terms) with (value r * value r) by lra.
+  apply sqrt_square. lra.
 Qed.
 
 Lemma root_encloses a x : encloses a x -> encloses (root_e a) (sqrt x).
 Proof.
   intro A. unfold root_e.
   assert (G : encloses (Near (Intervals.sqrt bits (interval_of a))) (sqrt x)) by now apply in_root, interval_encloses.
-  destruct a as [q| |]; [|exact G..]. destruct (Qle_bool 0 q) eqn:E; [|exact G].
-  apply of_terms_encloses. rewrite terms_root_value by now apply Qle_bool_imp_le. cbn in A. now rewrite A.
+  assert (P : forall q, Q2R q = x ->
+    encloses (if Qle_bool 0 q then of_terms (terms_root q) else Near (Intervals.sqrt bits (interval_of a))) (sqrt x)).
+  { intros q Q. destruct (Qle_bool 0 q) eqn:E; [|exact G]. apply of_terms_encloses.
+    rewrite terms_root_value by now apply Qle_bool_imp_le. now rewrite Q. }
+  destruct a as [q|terms| |]; cbv zeta; [now apply P| |exact G..]. cbn [encloses] in A.
+  destruct (rational_of (opened terms)) as [q|] eqn:E.
+  - apply P. apply rational_of_value in E. rewrite opened_value in E. congruence.
+  - destruct (perhaps_root terms) as [r|]; [|exact G]. destruct (is_root r terms) eqn:R; [|exact G].
+    apply of_terms_encloses. apply is_root_holds in R. congruence.
 Qed.
 
-Lemma radians_encloses a x : encloses a x -> in_interval (radians a) (x * PI / 180).
-Proof.
-  intro A. unfold radians. apply in_quotient; [|apply Intervals.fromZ_correct].
-  apply Intervals.mul_correct with (x := Xreal.Xreal x) (y := Xreal.Xreal PI); [now apply interval_encloses|].
-  apply Intervals.pi_correct.
-Qed.
+Lemma whole_cosine_value q : value (cosine_term 1 1 q) = cosine q.
+Proof. rewrite cosine_term_value. replace (Q2R 1) with 1 by (unfold Q2R; cbn; lra). rewrite sqrt_1. ring. Qed.
 
-Lemma turns (f : R -> R) (whole : forall y, f (y + 2 * PI) = f y) (k : Z) y : f (y + IZR k * (2 * PI)) = f y.
-Proof.
-  assert (P : forall n y, f (y + INR n * (2 * PI)) = f y).
-  { intros n; induction n as [|n IH]; intro z; [now rewrite Rmult_0_l, Rplus_0_r|].
-    rewrite S_INR, Rmult_plus_distr_r, Rmult_1_l, <- Rplus_assoc. now rewrite whole. }
-  destruct (Z_le_gt_dec 0 k) as [L|G].
-  - rewrite <- (Z2Nat.id k L), <- INR_IZR_INZ. apply P.
-  - rewrite <- (P (Z.to_nat (- k)) (y + IZR k * (2 * PI))). f_equal.
-    rewrite INR_IZR_INZ, Z2Nat.id, opp_IZR by lia. lra.
-Qed.
-
-Lemma wrapped_by q : exists k, Q2R q = Q2R (wrapped q) + IZR (360 * k).
-Proof.
-  unfold wrapped. exists (Qnum q / (360 * Zpos (Qden q)))%Z. rewrite red, Q2R_minus.
-  unfold inject_Z. unfold Q2R at 3. cbn [Qnum Qden]. rewrite Rinv_1. lra.
-Qed.
-
-Lemma wrapped_angle (f : R -> R) (whole : forall y, f (y + 2 * PI) = f y) q :
-  f (Q2R q * PI / 180) = f (Q2R (wrapped q) * PI / 180).
-Proof.
-  destruct (wrapped_by q) as [k ->]. rewrite mult_IZR.
-  replace ((Q2R (wrapped q) + 360 * IZR k) * PI / 180) with (Q2R (wrapped q) * PI / 180 + IZR k * (2 * PI)) by lra.
-  now apply turns.
-Qed.
-
-Lemma table_holds (f : R -> R) rows q s :
-  (forall y, f (y + 2 * PI) = f y) ->
-  List.Forall (fun row => f (Q2R (fst row) * PI / 180) = value (snd row)) rows ->
-  table rows q = Some s -> f (Q2R q * PI / 180) = value s.
-Proof.
-  intros whole rights E. unfold table in E. destruct (List.find _ rows) as [row|] eqn:F; [|discriminate].
-  injection E as <-. apply List.find_some in F as [F E]. rewrite List.Forall_forall in rights.
-  rewrite (wrapped_angle f whole). rewrite <- (rights _ F). apply Qeq_bool_eq, Qeq_eqR in E. now rewrite E.
-Qed.
-
-Lemma whole_turn_sin y : sin (y + 2 * PI) = sin y.
-Proof. rewrite <- (sin_period y 1). f_equal. cbn; lra. Qed.
-Lemma whole_turn_cos y : cos (y + 2 * PI) = cos y.
-Proof. rewrite <- (cos_period y 1). f_equal. cbn; lra. Qed.
-
-Lemma half_of_root2 : / 2 * sqrt 2 = / sqrt 2.
-Proof.
-  pose proof (sqrt_sqrt 2 ltac:(lra)) as S. assert (P : 0 < sqrt 2) by (apply sqrt_lt_R0; lra).
-  apply (Rmult_eq_reg_r (sqrt 2)); [|lra]. rewrite Rinv_l by lra. nra.
-Qed.
-
-Ltac simple_angle angle rest :=
-  match goal with
-  | |- sin ?x = _ => replace x with angle by lra
-  | |- cos ?x = _ => replace x with angle by lra
-  end; rest; pose proof half_of_root2; rewrite ?sqrt_1; lra.
-
-Lemma sines_hold : List.Forall (fun row => sin (Q2R (fst row) * PI / 180) = value (snd row)) sines.
-Proof.
-  unfold sines. repeat apply Forall_cons; try apply Forall_nil;
-    unfold opposite, half, half_root2, half_root3, one, value, Q2R, Qopp; cbn [fst snd fold_right map Qnum Qden Z.opp].
-  - simple_angle 0 ltac:(rewrite sin_0).
-  - simple_angle (PI / 6) ltac:(rewrite sin_PI6).
-  - simple_angle (PI / 4) ltac:(rewrite sin_PI4).
-  - simple_angle (PI / 3) ltac:(rewrite sin_PI3).
-  - simple_angle (PI / 2) ltac:(rewrite sin_PI2).
-  - simple_angle (PI - PI / 3) ltac:(rewrite sin_PI_x, sin_PI3).
-  - simple_angle (PI - PI / 4) ltac:(rewrite sin_PI_x, sin_PI4).
-  - simple_angle (PI - PI / 6) ltac:(rewrite sin_PI_x, sin_PI6).
-  - simple_angle PI ltac:(rewrite sin_PI).
-  - simple_angle (PI / 6 + PI) ltac:(rewrite neg_sin, sin_PI6).
-  - simple_angle (PI / 4 + PI) ltac:(rewrite neg_sin, sin_PI4).
-  - simple_angle (PI / 3 + PI) ltac:(rewrite neg_sin, sin_PI3).
-  - simple_angle (PI / 2 + PI) ltac:(rewrite neg_sin, sin_PI2).
-  - simple_angle (- (PI / 3) + 2 * PI) ltac:(rewrite whole_turn_sin, sin_neg, sin_PI3).
-  - simple_angle (- (PI / 4) + 2 * PI) ltac:(rewrite whole_turn_sin, sin_neg, sin_PI4).
-  - simple_angle (- (PI / 6) + 2 * PI) ltac:(rewrite whole_turn_sin, sin_neg, sin_PI6).
-Qed.
-
-Lemma cosines_hold : List.Forall (fun row => cos (Q2R (fst row) * PI / 180) = value (snd row)) cosines.
-Proof.
-  unfold cosines. repeat apply Forall_cons; try apply Forall_nil;
-    unfold opposite, half, half_root2, half_root3, one, value, Q2R, Qopp; cbn [fst snd fold_right map Qnum Qden Z.opp].
-  - simple_angle 0 ltac:(rewrite cos_0).
-  - simple_angle (PI / 6) ltac:(rewrite cos_PI6).
-  - simple_angle (PI / 4) ltac:(rewrite cos_PI4).
-  - simple_angle (PI / 3) ltac:(rewrite cos_PI3).
-  - simple_angle (PI / 2) ltac:(rewrite cos_PI2).
-  - simple_angle (- (PI / 3) + PI) ltac:(rewrite neg_cos, cos_neg, cos_PI3).
-  - simple_angle (- (PI / 4) + PI) ltac:(rewrite neg_cos, cos_neg, cos_PI4).
-  - simple_angle (- (PI / 6) + PI) ltac:(rewrite neg_cos, cos_neg, cos_PI6).
-  - simple_angle PI ltac:(rewrite cos_PI).
-  - simple_angle (PI / 6 + PI) ltac:(rewrite neg_cos, cos_PI6).
-  - simple_angle (PI / 4 + PI) ltac:(rewrite neg_cos, cos_PI4).
-  - simple_angle (PI / 3 + PI) ltac:(rewrite neg_cos, cos_PI3).
-  - simple_angle (PI / 2 + PI) ltac:(rewrite neg_cos, cos_PI2).
-  - simple_angle (- (PI / 3) + 2 * PI) ltac:(rewrite whole_turn_cos, cos_neg, cos_PI3).
-  - simple_angle (- (PI / 4) + 2 * PI) ltac:(rewrite whole_turn_cos, cos_neg, cos_PI4).
-  - simple_angle (- (PI / 6) + 2 * PI) ltac:(rewrite whole_turn_cos, cos_neg, cos_PI6).
-Qed.
-
-Lemma sine_encloses a x : encloses a x -> encloses (sine_e a) (sin (x * PI / 180)).
-Proof.
-  intro A. unfold sine_e.
-  assert (I : in_interval (Intervals.sin bits (radians a)) (sin (x * PI / 180))).
-  { apply Intervals.sin_correct with (x := Xreal.Xreal (x * PI / 180)). now apply radians_encloses. }
-  destruct a as [q| |]; [|exact I..]. destruct (table sines q) eqn:E; [|exact I].
-  apply of_terms_encloses. cbn in A. rewrite <- A. symmetry. eapply table_holds; [exact whole_turn_sin|exact sines_hold|exact E].
-Qed.
 Lemma cosine_encloses a x : encloses a x -> encloses (cosine_e a) (cos (x * PI / 180)).
 Proof.
   intro A. unfold cosine_e.
-  assert (I : in_interval (Intervals.cos bits (radians a)) (cos (x * PI / 180))).
-  { apply Intervals.cos_correct with (x := Xreal.Xreal (x * PI / 180)). now apply radians_encloses. }
-  destruct a as [q| |]; [|exact I..]. destruct (table cosines q) eqn:E; [|exact I].
-  apply of_terms_encloses. cbn in A. rewrite <- A. symmetry. eapply table_holds; [exact whole_turn_cos|exact cosines_hold|exact E].
+  assert (I : in_interval (Intervals.cos bits (interval_in_radians (interval_of a))) (cos (x * PI / 180))).
+  { apply Intervals.cos_correct with (x := Xreal.Xreal (x * PI / 180)). now apply in_radians, interval_encloses. }
+  destruct a as [q| | |]; [|exact I..]. apply of_terms_encloses. rewrite whole_cosine_value. cbn in A. now rewrite <- A.
+Qed.
+Lemma sine_encloses a x : encloses a x -> encloses (sine_e a) (sin (x * PI / 180)).
+Proof.
+  intro A. unfold sine_e.
+  assert (I : in_interval (Intervals.sin bits (interval_in_radians (interval_of a))) (sin (x * PI / 180))).
+  { apply Intervals.sin_correct with (x := Xreal.Xreal (x * PI / 180)). now apply in_radians, interval_encloses. }
+  destruct a as [q| | |]; [|exact I..]. apply of_terms_encloses. rewrite whole_cosine_value. cbn in A. rewrite <- A.
+  symmetry. apply sine_is_cosine.
+Qed.
+
+Lemma is_tangent_holds above below q : is_tangent above below q = true ->
+  atan (value above / value below) * 180 / PI = Q2R q.
+Proof.
+  unfold is_tangent. intro E.
+  assert (N : value below <> 0).
+  { destruct (sign_of_interval _) as [[| |]|] eqn:S; try discriminate; apply (interval_sign _ _ _ (terms_in below)) in S; lra. }
+  assert (H : (negb (Qle_bool 90 q) && negb (Qle_bool q (-90)) &&
+    is_nothing (terms_minus (terms_times above (cosine_term 1 1 q)) (terms_times below (cosine_term 1 1 (90 - q)))))%bool = true)
+    by (destruct (sign_of_interval _) as [[| |]|]; (exact E || discriminate)).
+  apply andb_prop in H as [H Z]. apply andb_prop in H as [U L]. apply Bool.negb_true_iff in U, L.
+  assert (Up : Q2R q < 90).
+  { replace 90 with (Q2R 90) by (unfold Q2R; cbn; lra). apply Qlt_Rlt, Qnot_le_lt. intro H. apply Qle_bool_iff in H. congruence. }
+  assert (Low : -90 < Q2R q).
+  { replace (-90) with (Q2R (-90)) by (unfold Q2R; cbn; lra). apply Qlt_Rlt, Qnot_le_lt. intro H.
+    apply Qle_bool_iff in H. congruence. }
+  apply is_nothing_value in Z. rewrite terms_minus_value, !terms_times_value, !whole_cosine_value, <- sine_is_cosine in Z.
+  unfold cosine in Z. set (y := Q2R q * PI / 180) in *. pose proof PI_RGT_0 as Pi.
+  assert (B : - (PI / 2) < y < PI / 2) by (unfold y; split; nra).
+  assert (C : 0 < cos y) by (apply cos_gt_0; lra).
+  replace (value above / value below) with (tan y).
+  - rewrite atan_tan by exact B. unfold y. field. lra.
+  - unfold tan. apply (Rmult_eq_reg_r (value below * cos y)).
+    + replace (sin y / cos y * (value below * cos y)) with (value below * sin y) by (field; lra).
+      replace (value above / value below * (value below * cos y)) with (value above * cos y) by (field; exact N). lra.
+    + apply Rmult_integral_contrapositive_currified; lra.
+Qed.
+
+Lemma known_arctangent_holds above below i q : known_arctangent above below i = Some q ->
+  atan (value above / value below) * 180 / PI = Q2R q.
+Proof.
+  unfold known_arctangent. intro E. apply List.find_some in E as [_ E]. apply andb_prop in E as [_ E].
+  now apply is_tangent_holds.
 Qed.
 
 Lemma arctangent_encloses a x : encloses a x -> encloses (arctangent_e a) (atan x * 180 / PI).
 Proof.
   intro A. unfold arctangent_e. destruct (is_0 a) eqn:E.
   { apply (is_0_encloses _ _ A) in E as ->. rewrite atan_0. unfold Rdiv. rewrite !Rmult_0_l. apply zero_encloses. }
-  cbn. apply in_quotient; [|apply Intervals.pi_correct].
-  apply Intervals.mul_correct with (x := Xreal.Xreal (atan x)) (y := Xreal.Xreal 180); [|apply Intervals.fromZ_correct].
-  apply Intervals.atan_correct with (x := Xreal.Xreal x). now apply interval_encloses.
-Qed.
-
-Lemma real_sign_is x c :
-  match c with Lt => x < 0 | Eq => x = 0 | Gt => 0 < x end -> real_sign x = Some c.
-Proof.
-  unfold real_sign. destruct (total_order_T x 0) as [[L|E]|G], c; intro H; try reflexivity; lra.
-Qed.
-
-Lemma interval_sign i x c : in_interval i x ->
-  match Intervals.sign_strict i with
-  | Xreal.Xlt => Some Lt | Xreal.Xgt => Some Gt | Xreal.Xeq => Some Eq | Xreal.Xund => None
-  end = Some c -> real_sign x = Some c.
-Proof.
-  intros A E. pose proof (Intervals.sign_strict_correct i) as S. apply real_sign_is.
-  destruct (Intervals.sign_strict i); try discriminate; injection E as <-; specialize (S _ A); cbn in S.
-  - now injection S.
-  - tauto.
-  - tauto.
+  cbv zeta. set (i := Intervals.div bits _ _).
+  assert (I : in_interval i (atan x * 180 / PI)).
+  { unfold i. apply in_quotient; [|apply Intervals.pi_correct]. apply in_product; [|apply Intervals.fromZ_correct].
+    apply Intervals.atan_correct with (x := Xreal.Xreal x). now apply interval_encloses. }
+  assert (T : match (match terms_of a with Some l => known_arctangent l one i | None => None end) with
+              | Some q => atan x * 180 / PI = Q2R q
+              | None => True
+              end).
+  { destruct (terms_of a) as [l|] eqn:L; [|exact Logic.I]. destruct (known_arctangent l one i) as [q|] eqn:K; [|exact Logic.I].
+    apply known_arctangent_holds in K. rewrite one_value, (terms_of_value _ _ _ L A) in K.
+    now replace (x / 1) with x in K by field. }
+  destruct a as [p|terms|above below j|j]; cbn [terms_of] in T |- *.
+  - destruct (known_arctangent _ _ _); [now symmetry|exact I].
+  - destruct (known_arctangent _ _ _); [now symmetry|exact I].
+  - destruct (known_arctangent _ _ _) as [q|] eqn:K; [|exact I]. apply known_arctangent_holds in K. destruct A as [A _].
+    rewrite A in K. now symmetry.
+  - exact I.
 Qed.
 
 Lemma sign_encloses a x c : encloses a x -> sign_e a = Some c -> real_sign x = Some c.
 Proof.
-  intros A E. destruct a as [q|terms|i].
-  - cbn in *. injection E as <-. apply real_sign_is. rewrite <- A. unfold Q2R.
+  intros A E.
+  assert (G : forall c, sign_of_interval (interval_of a) = Some c -> real_sign x = Some c).
+  { intros d D. apply real_sign_is. eapply interval_sign; [apply interval_encloses; exact A|exact D]. }
+  destruct a as [q|terms|above below i|i]; cbn [sign_e] in E.
+  - cbn [encloses] in A. injection E as <-. apply real_sign_is. rewrite <- A. unfold Q2R.
     assert (D : 0 < / IZR (Zpos (Qden q))) by (apply Rinv_0_lt_compat, IZR_lt; reflexivity).
     destruct (Z.compare_spec (Qnum q) 0) as [Z|Z|Z].
     + rewrite Z; lra.
     + apply IZR_lt in Z. nra.
     + apply IZR_lt in Z. nra.
-  - eapply interval_sign; [apply interval_encloses; exact A|exact E].
-  - eapply interval_sign; [exact A|exact E].
+  - destruct (sign_of_interval _) as [d|]; [apply G; congruence|].
+    destruct (is_nothing terms) eqn:N; [|discriminate]. apply is_nothing_value in N. injection E as <-. apply real_sign_is.
+    cbn [encloses] in A. lra.
+  - destruct (sign_of_interval _) as [d|]; [apply G; congruence|].
+    destruct (is_nothing above) eqn:N; [|discriminate]. apply is_nothing_value in N. injection E as <-. apply real_sign_is.
+    destruct A as [A _]. rewrite <- A, N. unfold Rdiv. ring.
+  - destruct (sign_of_interval _) as [d|]; [apply G; congruence|discriminate].
 Qed.
 
 (** * As numbers of programs *)

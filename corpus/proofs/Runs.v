@@ -1,7 +1,7 @@
 (** Programs that Coq runs: what it computes with enclosures holds of the real numbers. *)
 From Coq Require Import List ZArith QArith Qreals Qabs Reals Lra Lia.
 From Param Require Import Param.
-From Toolcomp Require Import Numbers Data Comparison Enclosures.
+From Toolcomp Require Import Numbers Data Comparison Roots Bounds Enclosures.
 Import ListNotations.
 
 Parametricity Recursive Z qualified.
@@ -116,16 +116,15 @@ Qed.
 
 Lemma not_above_0_holds e x : encloses e x -> not_above_0 e = true -> x <= 0.
 Proof.
-  intros A E. destruct e as [q|terms|i].
-  - cbn in *. rewrite <- A. apply Qle_bool_imp_le, Qle_Rle in E. unfold Q2R at 2 in E; cbn in E. lra.
-  - eapply interval_not_above_0; [apply interval_encloses; exact A|exact E].
-  - eapply interval_not_above_0; [exact A|exact E].
+  intros A E. destruct e as [q|terms|above below i|i];
+    [|eapply interval_not_above_0; [apply interval_encloses; exact A|exact E]..].
+  cbn in *. rewrite <- A. apply Qle_bool_imp_le, Qle_Rle in E. unfold Q2R at 2 in E; cbn in E. lra.
 Qed.
 
 Definition shown (w : written) (a : enclosure) : bool :=
   match w with
   | Fraction over under =>
-      match minus_e a (quotient over under) with Exact q => Qeq_bool q 0 | _ => false end
+      match minus_e a (quotient over under) with Exact q => Qeq_bool q 0 | Sum terms => is_nothing terms | _ => false end
   | Within digits decimals off off_decimals =>
       let distance := minus_e a (quotient digits (ten_to decimals)) in
       let most := quotient off (ten_to off_decimals) in
@@ -136,8 +135,9 @@ Lemma shown_holds w a x : encloses a x -> shown w a = true -> is_written w x.
 Proof.
   intros A. destruct w as [over under|digits decimals off off_decimals]; cbn [shown is_written].
   - pose proof (minus_encloses _ _ _ _ A (quotient_encloses over under)) as D.
-    destruct (minus_e a (quotient over under)) as [q| |]; [|discriminate..]. cbn in D. intro E.
-    apply Qeq_bool_eq, Qeq_eqR in E. rewrite E in D. unfold Q2R in D at 1; cbn in D. lra.
+    destruct (minus_e a (quotient over under)) as [q|terms| |]; try discriminate; cbn [encloses] in D; intro E.
+    + apply Qeq_bool_eq, Qeq_eqR in E. rewrite E in D. unfold Q2R in D at 1; cbn in D. lra.
+    + apply is_nothing_value in E. lra.
   - pose proof (minus_encloses _ _ _ _ A (quotient_encloses digits (ten_to decimals))) as D.
     pose proof (quotient_encloses off (ten_to off_decimals)) as M.
     intro E. apply andb_prop in E as [E F].
