@@ -7,6 +7,7 @@
 #include <string>
 
 #include "certify/exactly.h"
+#include "certify/fuzzing/regression.h"
 #include "corpus/golden.h"
 #include "formal/engine.h"
 #include "fuzz/gen/generator.h"
@@ -65,6 +66,16 @@ TEST_P(FormalSpecification, AgreesOnGeneratedCases) {
     EXPECT_EQ(count.not_said, 0U);
     EXPECT_GT(count.agree, kCases / 2);
   }
+}
+
+// What a campaign's third voice found stays found.
+TEST(FormalSpecificationOfRegressions, AgreesOnEveryFindingThatWasFixed) {
+  if (!formal::available()) GTEST_SKIP() << "built without Coq or OCaml";
+  Count count;
+  for (const spec::Case& c : certify::fuzzing::regression_cases(TOOLCOMP_SOURCE_DIR "/corpus/regression"))
+    hold(c, count);
+  EXPECT_EQ(count.not_said, 0U);
+  EXPECT_GT(count.agree, 5U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sections, FormalSpecification, testing::ValuesIn(formal::sections()), [](const auto& section) {
