@@ -280,8 +280,9 @@ TEST_F(Campaign, AFindingThatCannotBeWrittenIsThereAtTheNextStart) {
   const std::string findings = (std::filesystem::path(dir) / "work" / "00000001" / "findings").string();
   const std::string made = "until [ -d " + findings + " ]; do :; done; ";
   const std::string broken = "until [ -f " + findings + " ]; do rm -rf " + findings + "; echo >" + findings + "; done";
-  const Outcome outcome = command("timeout 60 sh -c '" + made + broken + "' 2>/dev/null & TOOLCOMP_FAULT=g44_as_g43 " +
-                                  kWithFaults + fuzz + " --target tool_length_offset_directed --for 30s");
+  const Outcome outcome =
+      command("timeout 60 sh -c '" + made + broken + "' 2>/dev/null & TOOLCOMP_FAULT=g44_as_g43 " + kWithFaults + fuzz +
+              " --target tool_length_offset_directed --no-specification --for 30s");
   EXPECT_EQ(outcome.status, 2) << outcome.out << outcome.err;
   EXPECT_NE(outcome.err.find("could not write any more"), std::string::npos) << outcome.err;
   EXPECT_GE(sightings(dir), 1U);
