@@ -1,5 +1,7 @@
 #include "certify/exactly.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -65,7 +67,7 @@ void name_field(const Json& expected, const Json& said, const std::string& path,
       for (const auto& [key, value] : of->items()) {
         const Json a = expected.value(key, Json());
         const Json b = said.value(key, Json());
-        if (a != b) return name_field(a, b, path.empty() ? key : path + '.' + key, difference);
+        if (a != b) return name_field(a, b, path.empty() ? key : fmt::format("{}.{}", path, key), difference);
       }
     return;
   }
@@ -120,7 +122,7 @@ class Held {
     fuzz::Difference& d = result_.difference.emplace();
     d.kind = kSpecificationKind;
     d.event = i;
-    d.line = expected != nullptr ? expected->line : said->line;
+    d.line = (expected != nullptr ? *expected : said_[i]).line;
     if (expected != nullptr) d.clauses = expected->clauses;
     d.clause = spec::naming_clause(d.clauses);
     d.field = "event";

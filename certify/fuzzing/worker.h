@@ -34,7 +34,7 @@ struct Slice {
   std::uint64_t seconds = 0;
   std::uint64_t runs = 0;  // instead of seconds
   // Of the third voice (third_voice.h): whose inputs it takes. No seconds: those that are kept.
-  std::vector<const fuzz::Target*> heard = {};
+  std::vector<const fuzz::Target*> heard;
 };
 
 class Worker {

@@ -75,7 +75,7 @@ struct Budget {
   double tool_axis;   // two rotations and a normalisation
   double sweep;       // a difference of two arc tangents in degrees
   VectorFrom vectors = VectorFrom::none;
-  std::string_view proved = "";  // scripts of spec/formal/rounding, with blanks between
+  const char* proved = "";  // scripts of spec/formal/rounding, with blanks between
 };
 inline constexpr Budget kBudgets[] = {
     {"fanuc/tool-length-offset", 8, 8, 16, 16},
