@@ -71,13 +71,9 @@ Element RootTower::twice_cosine(std::int64_t angle) const {
 }
 
 Element RootTower::unknown(Node& node) {
-  const auto known = std::ranges::find(unknowns_, &node);
-  const auto index = static_cast<std::size_t>(known - unknowns_.begin());
-  if (known == unknowns_.end()) {
-    if (unknowns_.size() == greatest_unknowns) throw OutOfWork{};
-    unknowns_.push_back(&node);
-  }
-  return {{0, Powers{1} << (bits_of_power * index), cosine_sum(1)}};
+  if (unknowns_.size() == greatest_unknowns) throw OutOfWork{};
+  unknowns_.push_back(&node);
+  return {{0, Powers{1} << (bits_of_power * (unknowns_.size() - 1)), cosine_sum(1)}};
 }
 
 Element RootTower::root_of(const Element& radicand) {
@@ -236,8 +232,10 @@ void RootTower::enclose(Interval& result, const Element& e) {
       exact::set(product, next);
     }
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+      Powers left = term.powers >> (bits_of_power * i) & 0x7F;
+      if (left == 0) continue;
       refine(*unknowns_[i], precision, work_);
-      for (Powers left = term.powers >> (bits_of_power * i) & 0x7F; left != 0; --left) {
+      for (; left != 0; --left) {
         HeapInterval next(precision);
         exact::multiply(next, product, *unknowns_[i]->refined);
         exact::set(product, next);

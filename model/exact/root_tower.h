@@ -38,7 +38,7 @@ class RootTower {
 
   [[nodiscard]] Element constant(const Integer& value) const;
   [[nodiscard]] Element twice_cosine(std::int64_t angle) const;
-  /// A number that is taken for an indeterminate; the same node gives the same one.
+  /// A number that is taken for an indeterminate, another one each time; the node stays until the end of the proof.
   Element unknown(Node& node);
   /// The root of an element known not to be negative; the same element gives the same root.
   Element root_of(const Element& radicand);

@@ -44,10 +44,6 @@ PlaneMotion motion_of(const CutterBlock& block, const std::vector<Leg>& legs) {
 CutterWords::CutterWords(const spec::Setup& setup, const OffsetMemory& memory, Recorder& recorder)
     : offset_(setup, memory, recorder), axes_(setup.axes) {}
 
-bool CutterWords::has_word(const Command& command, char letter) const {
-  return axes_.has(letter) && (command.axes >> axes_.index(letter) & 1U) != 0;
-}
-
 std::optional<PlanePoint> CutterWords::direction(const Command& command, const Interpreter& interpreter) const {
   const PlaneLetters in_plane = letters(command.plane);
   const bool corner_arc = command.codes.one_shot == OneShot::corner_arc;
@@ -58,7 +54,8 @@ std::optional<PlanePoint> CutterWords::direction(const Command& command, const I
     };
     return PlanePoint{component(in_plane.first_center), component(in_plane.second_center)};
   }
-  if (!corner_arc || !(has_word(command, in_plane.first) || has_word(command, in_plane.second))) return std::nullopt;
+  if (!corner_arc || !(command.names(axes_, in_plane.first) || command.names(axes_, in_plane.second)))
+    return std::nullopt;
   // G39: the axis words are a point in the direction, and nothing moves there.
   const Vector travel = interpreter.toward(command).travel;
   return in_plane_of(command.plane, travel);
@@ -95,7 +92,7 @@ std::shared_ptr<CutterBlock> CutterWords::read(const StageCommand& now) {
   block.one_shot = codes.one_shot;
   block.direction = direction(command, now.interpreter);
   const PlaneLetters in_plane = letters(command.plane);
-  block.word = {has_word(command, in_plane.first), has_word(command, in_plane.second)};
+  block.word = {command.names(axes_, in_plane.first), command.names(axes_, in_plane.second)};
   block.axis_word = command.axes != 0;
   block.axis_word_outside = std::popcount(command.axes) > int{block.word[0]} + int{block.word[1]};
   block.direction_letters = has_center_letter(command);

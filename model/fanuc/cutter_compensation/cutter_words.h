@@ -29,7 +29,6 @@ class CutterWords {
   void add_movement(CutterBlock& block, const BlockWay& way) const;
 
  private:
-  [[nodiscard]] bool has_word(const Command& command, char letter) const;
   [[nodiscard]] PlanePoint point(spec::Plane plane, const Leg& leg) const;
   [[nodiscard]] std::optional<PlanePoint> direction(const Command& command, const Interpreter& interpreter) const;
 

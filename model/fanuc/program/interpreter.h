@@ -29,6 +29,11 @@ struct Command {
   bool direction = false;  // I, J or K
   bool is_block = true;    // any word, N and O included
   [[nodiscard]] bool is_arc_motion() const { return motion == Motion::arc_cw || motion == Motion::arc_ccw; }
+  // An axis word stands in the block, and is no data of a code; no other way to ask for one is right.
+  [[nodiscard]] bool names(std::size_t axis) const { return (axes >> axis & 1U) != 0; }
+  [[nodiscard]] bool names(const spec::Axes& controlled, char letter) const {
+    return controlled.has(letter) && names(controlled.index(letter));
+  }
 };
 
 // Interprets blocks one after the other and keeps the programmed position. Clauses: fanuc.program.*.

@@ -23,7 +23,7 @@ bool is_zero_word(const Command& command, char letter) {
 
 bool ToolCenterPointControl::has_axis_word(const Command& command, bool (*is_of)(char)) const {
   for (std::size_t i = 0; i < axes_.size(); ++i)
-    if ((command.axes >> i & 1U) != 0 && is_of(axes_.letter(i))) return true;
+    if (command.names(i) && is_of(axes_.letter(i))) return true;
   return false;
 }
 

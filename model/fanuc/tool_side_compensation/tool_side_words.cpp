@@ -73,9 +73,9 @@ std::shared_ptr<ToolSideBlock> ToolSideWords::read(const StageCommand& now) {
   block.moves = now.moves();
   block.arc_mode = command.is_arc_motion();
   const PlaneLetters in_plane = letters(command.plane);
-  const auto named = [&](char letter) { return axes_.has(letter) && (command.axes >> axes_.index(letter) & 1U) != 0; };
   block.arc_words = block.arc_mode && !block.leaves_the_path &&
-                    (named(in_plane.first) || named(in_plane.second) || command.direction || command.words.has('R'));
+                    (command.names(axes_, in_plane.first) || command.names(axes_, in_plane.second) ||
+                     command.direction || command.words.has('R'));
   if (const spec::Decimal* const r = command.words.find('R'); block.arc_words && r != nullptr) {
     const Rational radius = now.interpreter.numbers().length(*r);
     block.radius = radius < 0 ? Rational(-radius) : radius;
