@@ -8,6 +8,9 @@ enum class Fault : unsigned char {
 #define TOOLCOMP_FAULT(name, mistake, section, budget, clauses) name,
 #include "fast/basis/faults.inc"
 #undef TOOLCOMP_FAULT
+#define TOOLCOMP_BATCH_FAULT(name, mistake) name,
+#include "fast/batch/faults.inc"
+#undef TOOLCOMP_BATCH_FAULT
 };
 
 #ifdef TOOLCOMP_FAULTS

@@ -22,6 +22,7 @@ Engine::Engine(const spec::Setup& setup, EventSink& sink, std::uint32_t samples)
 Engine::~Engine() = default;
 
 void Engine::block(const spec::Block& block) { state_->control.taker->block(block); }
+std::size_t Engine::lines(const LineChunk& chunk) { return state_->control.taker->lines(chunk); }
 void Engine::end() { state_->control.taker->end(); }
 bool Engine::stopped() const { return state_->control.stopped; }
 

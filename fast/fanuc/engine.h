@@ -1,10 +1,12 @@
 // The fast engine: what a controller would ship. Double precision, streaming, no allocation per block.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
 #include "fast/basis/event.h"
+#include "fast/batch/line_chunk.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 
@@ -22,6 +24,9 @@ class Engine {
   Engine& operator=(const Engine&) = delete;
 
   void block(const spec::Block& block);
+  // Blocks of lines as arrays (fast/batch): how many of them have been taken, their moves and that of a block held
+  // before them written to the chunk's. 0: the first one is for block().
+  [[nodiscard]] std::size_t lines(const LineChunk& chunk);
   // The end of the text: flushes the look-ahead.
   void end();
   [[nodiscard]] bool stopped() const;

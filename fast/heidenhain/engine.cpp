@@ -13,6 +13,7 @@ Engine::Engine(const spec::Setup& setup, EventSink& sink) : state_(std::make_uni
 Engine::~Engine() = default;
 
 void Engine::block(const spec::klartext::Block& block) { state_->interpreter.block(block); }
+std::size_t Engine::lines(const LineChunk& chunk) { return state_->interpreter.lines(chunk); }
 void Engine::end() { state_->interpreter.end(); }
 bool Engine::stopped() const { return state_->interpreter.stopped(); }
 

@@ -9,6 +9,7 @@
 #include "fast/arithmetic/count.h"
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
+#include "fast/batch/line_chunk.h"
 #include "fast/fanuc/control/axes.h"
 #include "fast/fanuc/control/axis_positions.h"
 #include "fast/fanuc/control/cutter_value.h"
@@ -30,6 +31,8 @@ namespace toolcomp::fast {
 class BlockTaker {
  public:
   virtual void block(const spec::Block& block) = 0;
+  // Lines as arrays: how many of them have been taken, as block() would have. 0: the first one is for block().
+  [[nodiscard]] virtual std::size_t lines(const LineChunk& /*chunk*/) { return 0; }
   // There is no further one.
   virtual void end() = 0;
 

@@ -11,6 +11,7 @@
 #include "fast/fanuc/corner/corner_stage.h"
 #include "fast/fanuc/tool_side_compensation/side_group.h"
 #include "fast/fanuc/tool_side_compensation/side_interference.h"
+#include "fast/fanuc/tool_side_compensation/side_line_arrays.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_block.h"
 #include "fast/kinematics/kinematics.h"
 #include "spec/language/setup.h"
@@ -76,6 +77,18 @@ class ToolSideCompensation : public CornerStage<ToolSideCompensation, ToolSideBl
   // coming: the event of next() is to be filled in. `tool`: as in a block.
   [[nodiscard]] bool see_line(const Vector3<double>& way, LineCorner& corner) const;
   [[nodiscard]] bool take_line(const Vector3<double>& way, const LineCorner& corner, const Direction& tool);
+
+  // The same for many lines (side_line_arrays.h): from where, whether now, and how they ended: the line before the last
+  // one, unless only one has been taken, and the last one, whose event is in next().
+  [[nodiscard]] SideLineStart lines_start() const;
+  [[nodiscard]] bool holds_plain_line() const { return line_.taken && line_.held_plain && line_.plain && count_ == 1; }
+  struct TakenLine {
+    Vector3<double> way;
+    const Direction& tool;
+  };
+  void set_lines(const TakenLine* before_last, const TakenLine& last, const Vector3<double>& vector);
+  // Of the event that is held.
+  [[nodiscard]] const Event& held_event() { return held(0).event; }
 
   // No further block is known: one that raises an alarm of its own or stops the look-ahead, or the end of the program.
   StageEnd release();

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "fast/fanuc/control/stage.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
@@ -43,6 +45,7 @@ class ToolSideStage final : private BlockTaker, public Stage {
   void await_lines();
   // While it may.
   void block(const spec::Block& block) override;
+  [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
   void end() override;
   // Before any other block.
   void leave_lines();
@@ -52,7 +55,16 @@ class ToolSideStage final : private BlockTaker, public Stage {
   [[nodiscard]] bool read_line(const spec::Block& block, std::uint32_t& letters);
   void turn_line(std::uint32_t letters, const std::array<std::int64_t, 3>& ijk);
   // Positions in 10^-6.
-  void fill_line(const spec::Block& block, DoublePair xy, double z);
+  void fill_line(std::uint64_t line, const std::optional<std::uint64_t>& n, DoublePair xy, double z);
+  // Whether the blocks of a chunk may be usual lines.
+  [[nodiscard]] bool may_be_lines(const LineChunk& chunk) const;
+  void fill_last_line(std::uint64_t line, const Vector3<double>& at);
+  // Of line i of a chunk: where it ends, and how the tool stands there.
+  [[nodiscard]] Vector3<double> line_end(const LineChunk& chunk, std::size_t i) const;
+  void turn_tool(const LineChunk& chunk, std::size_t i);
+  // Behind the last one taken, which starts at `from`.
+  void finish_lines(const LineChunk& chunk, const SideLineEnd& end, const Vector3<double>& from,
+                    const ToolSideCompensation::TakenLine* before_last);
   // Where usual lines have led to becomes the programmed position.
   void place_lines(double x, double y, double z);
 

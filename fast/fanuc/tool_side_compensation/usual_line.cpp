@@ -31,6 +31,33 @@ bool ToolSideCompensation::goes_forward(const SidePath& path, double length, con
   return forward > 0x1p-38 * length * (way + size);
 }
 
+SideLineStart ToolSideCompensation::lines_start() const {
+  const SidePath& from = paths_[path_];
+  SideLineStart start;
+  start.travel = from.travel.value;
+  start.square = from.travel.square;
+  start.tool = {from.tool->unit[0], from.tool->unit[1], from.tool->unit[2]};
+  start.vector = line_.vector;
+  start.radius = line_.radius;
+  start.shortest = shortest_;
+  return start;
+}
+
+void ToolSideCompensation::set_lines(const TakenLine* before_last, const TakenLine& last,
+                                     const Vector3<double>& vector) {
+  const auto set = [](SidePath& path, const TakenLine& line) {
+    path.travel.value = line.way;
+    path.travel.square = dot(line.way, line.way);
+    path.tool = &line.tool;
+  };
+  if (before_last != nullptr) set(paths_[path_], *before_last);
+  path_ = after(path_);
+  set(paths_[path_], last);
+  line_.vector = vector;
+  first_ = next_;
+  pass_slot();
+}
+
 void ToolSideCompensation::complete_line() {
   line_.taken = false;
   // Of the path before the lines: what stands there but travel and tool.

@@ -151,7 +151,7 @@ void ToolSideStage::end() {
     control_.modal.set_feed(Count::nearest_small(lines_.word[kF]));
     compensation_.await_lines(lines_.plain);
   }
-  fill_line(block, xy, z);
+  fill_line(block.line, block.n, xy, z);
   if (!compensation_.take_line(way, corner, control_.attitude.directions().now())) [[unlikely]] {
     control_.attitude.directions().go_back(direction);
     return false;
@@ -161,17 +161,19 @@ void ToolSideStage::end() {
   return true;
 }
 
-[[gnu::always_inline]] inline void ToolSideStage::fill_line(const spec::Block& block, DoublePair xy, double z) {
+[[gnu::always_inline]] inline void ToolSideStage::fill_line(std::uint64_t line,
+                                                           const std::optional<std::uint64_t>& n, DoublePair xy,
+                                                           double z) {
   Event& event = compensation_.next().event;
   if (!compensation_.is_line_filled() || !lines_.plain) [[unlikely]] {
     place_lines(xy[0], xy[1], z);
-    control_.line = block.line;
-    control_.n = block.n;
+    control_.line = line;
+    control_.n = n;
     control_.fill(event, control_.modal.straight(), spec::Cause::programmed);
     if (!lines_.plain) return;
   }
-  event.line = block.line;
-  event.n = block.n;
+  event.line = line;
+  event.n = n;
   constexpr auto kPerOne = static_cast<double>(Count::kSmallPerOne);
   store_pair(event.programmed.value.data(), xy / kPerOne);
   event.programmed.value[2] = z / kPerOne;
@@ -185,6 +187,10 @@ void ToolSideStage::end() {
     const Eigen::Vector3d& unit = control_.attitude.directions().now().unit;
     for (std::size_t i = 0; i < 3; ++i) (*event.tool_axis)[i] = unit[static_cast<Eigen::Index>(i)] + 0.0;  // never -0
   }
+}
+
+void ToolSideStage::fill_last_line(std::uint64_t line, const Vector3<double>& at) {
+  fill_line(line, std::nullopt, DoublePair{at.x, at.y}, at.z);
 }
 
 void ToolSideStage::place_lines(double x, double y, double z) {

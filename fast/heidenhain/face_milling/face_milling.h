@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fast/basis/fault.h"
+#include "fast/heidenhain/face_milling/face_line_arrays.h"
 #include "fast/heidenhain/program/effective_tool.h"
 #include "fast/heidenhain/program/event_writer.h"
 #include "fast/heidenhain/program/tool_vector.h"
@@ -45,6 +46,21 @@ class FaceMilling {
   [[gnu::always_inline]] void mill(MoveHead& head, const Meeting& meeting, const ToolVector& tool,
                                    const ProgrammedPoint& programmed, const EffectiveTool& effective,
                                    spec::Cause cause);
+  // Blocks as arrays (face_line_arrays.h): the contact before them, if there is one, and the last of them.
+  [[nodiscard]] bool sees_contact() const { return before_.any; }
+  void set_start(FaceLineStart& start) const {
+    start.flat = before_.flat;
+    start.u = before_.u;
+  }
+  void set_end(const FaceLineEnd& end, const std::array<std::int64_t, 3>& whole_normal) {
+    latest_ ^= 1U;
+    normal_[latest_].narrow = true;
+    normal_[latest_].small = whole_normal;
+    unit_normal_ = unit_of(normal());
+    before_.flat = end.flat;
+    before_.u = end.u;
+  }
+  void set_end_tool(const ToolVector& tool) { before_.tool = &tool; }
   // Any other motion and TOOL CALL: no contact is before the next.
   void forget() { before_.any = false; }
   // The tool of the block before is about to change.

@@ -20,6 +20,8 @@ class Interpreter {
   Interpreter(spec::Setup setup, EventSink& sink);
 
   void block(const spec::klartext::Block& block);
+  // As Engine.
+  [[nodiscard]] std::size_t lines(const LineChunk& chunk);
   void end();
   [[nodiscard]] bool stopped() const { return stopped_; }
 
@@ -79,6 +81,9 @@ class Interpreter {
   void plain_motion();
   void out_of_scope();
 
+  // lines.cpp
+  [[nodiscard]] bool may_be_face_lines(const LineChunk& chunk) const;
+
   const spec::Setup setup_;
   EventWriter writer_;
   EffectiveTool tool_;
@@ -115,5 +120,14 @@ class Interpreter {
 
   MoveHead head_;  // of the block that is run
 };
+
+inline void Interpreter::write_position(std::size_t slot, double nearest) {
+  if (slot > 2)
+    head_.position[axis_[slot]] = nearest;
+  else if (slot == 2)
+    head_.xyz.z = nearest;
+  else
+    head_.xyz.xy[slot] = nearest;
+}
 
 }  // namespace toolcomp::fast::klartext

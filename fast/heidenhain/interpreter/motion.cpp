@@ -17,15 +17,6 @@ constexpr unsigned kMainSlots = 0b111U;  // X, Y, Z
 
 }  // namespace
 
-inline void Interpreter::write_position(std::size_t slot, double nearest) {
-  if (slot > 2)
-    head_.position[axis_[slot]] = nearest;
-  else if (slot == 2)
-    head_.xyz.z = nearest;
-  else
-    head_.xyz.xy[slot] = nearest;
-}
-
 void Interpreter::set_position(std::size_t slot, const Count& value) {
   position_[slot] = value;
   write_position(slot, value.nearest());

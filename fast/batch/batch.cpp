@@ -1,0 +1,167 @@
+#include "fast/batch/batch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "fast/batch/dialect.h"
+#include "fast/batch/line_chunk.h"
+#include "fast/batch/words.h"
+
+namespace toolcomp::fast {
+namespace {
+
+// The moves of blocks that go one by one, into the arrays.
+class Collector final : public EventSink {
+ public:
+  Collector(std::size_t axes, EventSink* others) : moves(axes), others_(others) {}
+
+  void on(const Event& event) override {
+    if (event.kind != spec::EventKind::move) {
+      if (others_ != nullptr) others_->on(event);
+      return;
+    }
+    moves.reserve(1);
+    for (std::size_t i = 0; i < moves.axes(); ++i) *moves.next_of(i) = event.axes.has(i) ? event.axes.value[i] : std::numeric_limits<double>::quiet_NaN();
+    *moves.next_block() = event.line;
+    moves.append(1);
+  }
+  Moves moves;
+
+ private:
+  EventSink* others_;
+};
+
+// Columns, judged.
+struct Columns {
+  std::size_t size = 0;
+  std::uint32_t words = 0;
+  std::array<const WordColumn*, kWordPlaces> at{};
+};
+
+Columns judged(std::span<const WordColumn> columns, const BlockMaker& maker) {
+  Columns all;
+  for (const WordColumn& column : columns) {
+    const auto refuse = [&](const std::string& why) { throw std::invalid_argument(fmt::format("{}: {}", column.word, why)); };
+    const std::optional<std::size_t> place = maker.place_of(column.word);
+    if (!place) refuse("no word of a line that this control has");
+    if (all.at[*place] != nullptr) refuse("named twice");
+    if (column.decimals > kMostPlaces) refuse(fmt::format("more than {} decimals", kMostPlaces));
+    if (!columns.empty() && column.values.size() != columns.front().values.size())
+      refuse(fmt::format("{} values where {} has {}", column.values.size(), columns.front().word,
+                         columns.front().values.size()));
+    const auto* const bad =
+        std::find_if_not(column.values.data(), column.values.data() + column.values.size(),
+                         [](double value) { return std::abs(value) <= kMostWord; });
+    if (bad != column.values.data() + column.values.size())
+      refuse(fmt::format("value {} ({}) is beyond 10^9, or no number", bad - column.values.data(), *bad));
+    all.at[*place] = &column;
+    all.words |= place_bit(*place);
+  }
+  if (!columns.empty()) all.size = columns.front().values.size();
+  return all;
+}
+
+}  // namespace
+
+class Batch::Run {
+ public:
+  Run(const spec::Setup& setup, EventSink* others, Instructions instructions)
+      : instructions_(instructions), collector_(setup.axes.size(), others), engine_(make_batch_engine(setup, collector_)) {}
+
+  void run(std::string_view text) { blocks_ += engine_->run(text, blocks_); }
+  void lines(std::span<const WordColumn> columns);
+  void end() { engine_->end(); }
+  [[nodiscard]] bool stopped() const { return engine_->stopped(); }
+  [[nodiscard]] Moves& moves() { return collector_.moves; }
+  [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
+  [[nodiscard]] std::uint64_t blocks_as_arrays() const { return as_arrays_; }
+
+ private:
+  // The words of some lines, scaled. False: one of them is too large for arrays.
+  [[nodiscard]] bool scale(const Columns& columns, std::size_t from, LineChunk& chunk);
+  // One by one and as arrays.
+  void take(const Columns& columns, std::size_t from, const LineChunk& chunk, bool usual);
+
+  Instructions instructions_;
+  Collector collector_;
+  std::unique_ptr<BatchEngine> engine_;
+  std::uint64_t blocks_ = 0;
+  std::uint64_t as_arrays_ = 0;
+  std::array<std::array<double, LineChunk::kMost>, kWordPlaces> whole_{};
+};
+
+bool Batch::Run::scale(const Columns& columns, std::size_t from, LineChunk& chunk) {
+  bool usual = true;
+  for (std::size_t place = 0; place < kWordPlaces; ++place) {
+    if (columns.at[place] == nullptr) continue;
+    const WordColumn& column = *columns.at[place];
+    const bool vector = place >= kNormalPlace;
+    const unsigned places = vector ? kVectorPlaces : kLengthPlaces;
+    double* const whole = whole_[place].data();
+    chunk.word[place] = whole;
+    usual = usual && column.decimals <= places &&
+            scale_words(instructions_, column.values.data() + from, chunk.size, column.decimals, places,
+                        vector ? kMostVector : kMostLength, whole);
+  }
+  return usual;
+}
+
+void Batch::Run::lines(std::span<const WordColumn> given) {
+  const Columns columns = judged(given, engine_->maker());
+  collector_.moves.reserve(columns.size + 1);
+  for (std::size_t from = 0; from < columns.size && !stopped(); from += LineChunk::kMost) {
+    LineChunk chunk;
+    chunk.size = std::min(LineChunk::kMost, columns.size - from);
+    chunk.words = columns.words;
+    chunk.line = blocks_ + 1;
+    chunk.instructions = instructions_;
+    chunk.moves = &collector_.moves;
+    take(columns, from, chunk, scale(columns, from, chunk));
+    blocks_ += chunk.size;
+  }
+}
+
+void Batch::Run::take(const Columns& columns, std::size_t from, const LineChunk& chunk, bool usual) {
+  // Where lines are taken, more of them are tried at once.
+  constexpr std::size_t kFewest = 8;
+  std::size_t most = LineChunk::kMost;
+  for (std::size_t i = 0; i < chunk.size && !stopped();) {
+    if (usual) {
+      const std::size_t tried = std::min(most, chunk.size - i);
+      collector_.moves.reserve(tried);
+      const std::size_t taken = engine_->lines(chunk.part(i, tried));
+      as_arrays_ += taken;
+      i += taken;
+      most = taken == tried ? std::min(2 * most, LineChunk::kMost) : kFewest;
+      if (taken == tried) continue;
+    }
+    BlockMaker& maker = engine_->maker();
+    maker.begin(chunk.line + i, columns.words);
+    for (std::size_t place = 0; place < kWordPlaces; ++place)
+      if (const WordColumn* const column = columns.at[place])
+        maker.set(place, word_of(column->values[from + i], column->decimals));
+    engine_->block();
+    ++i;
+  }
+}
+
+Batch::Batch(const spec::Setup& setup, EventSink* others, Instructions instructions)
+    : run_(std::make_unique<Run>(setup, others, instructions)) {}
+Batch::~Batch() = default;
+void Batch::run(std::string_view text) { run_->run(text); }
+void Batch::lines(std::span<const WordColumn> columns) { run_->lines(columns); }
+void Batch::end() { run_->end(); }
+bool Batch::stopped() const { return run_->stopped(); }
+Moves& Batch::moves() { return run_->moves(); }
+std::uint64_t Batch::blocks() const { return run_->blocks(); }
+std::uint64_t Batch::blocks_as_arrays() const { return run_->blocks_as_arrays(); }
+
+}  // namespace toolcomp::fast

@@ -1,0 +1,49 @@
+// What differs between dialects: the engine, and how a block is made of words.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "fast/basis/event.h"
+#include "fast/batch/line_chunk.h"
+#include "spec/language/decimal.h"
+#include "spec/language/setup.h"
+
+namespace toolcomp::fast {
+
+// Of the whole numbers in a LineChunk.
+inline constexpr unsigned kLengthPlaces = 6;
+inline constexpr unsigned kVectorPlaces = 8;
+inline constexpr double kMostLength = 0x1p50;
+inline constexpr double kMostVector = 1e9;
+
+// Makes a block word by word.
+class BlockMaker {
+ public:
+  virtual ~BlockMaker() = default;
+  // nullopt: no word of a line.
+  [[nodiscard]] virtual std::optional<std::size_t> place_of(std::string_view word) const = 0;
+  virtual void begin(std::uint64_t line, std::uint32_t words) = 0;
+  virtual void set(std::size_t place, const spec::Decimal& value) = 0;
+};
+
+class BatchEngine {
+ public:
+  virtual ~BatchEngine() = default;
+  // Blocks of a text, whose lines are numbered behind `before`; how many lines it has.
+  virtual std::uint64_t run(std::string_view text, std::uint64_t before) = 0;
+  [[nodiscard]] virtual BlockMaker& maker() = 0;
+  // Takes the block made.
+  virtual void block() = 0;
+  [[nodiscard]] virtual std::size_t lines(const LineChunk& chunk) = 0;
+  virtual void end() = 0;
+  [[nodiscard]] virtual bool stopped() const = 0;
+};
+
+// By the control of the setup.
+std::unique_ptr<BatchEngine> make_batch_engine(const spec::Setup& setup, EventSink& sink);
+
+}  // namespace toolcomp::fast

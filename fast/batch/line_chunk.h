@@ -1,0 +1,44 @@
+// Lines as arrays, as a stage of compensation sees them: a few hundred blocks whose words are whole numbers already.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "fast/batch/instructions.h"
+#include "fast/batch/moves.h"
+
+namespace toolcomp::fast {
+
+// Words of blocks: a column for each word, by its place. FANUC: the letter (A: 0). Klartext: X Y Z by their letters,
+// then the components of normal and tool vector.
+constexpr std::size_t word_place(char letter) { return static_cast<std::size_t>(letter - 'A'); }
+constexpr std::size_t kNormalPlace = 26;      // NX, NY, NZ
+constexpr std::size_t kToolVectorPlace = 29;  // TX, TY, TZ
+constexpr std::size_t kWordPlaces = 32;
+constexpr std::uint32_t place_bit(std::size_t place) { return std::uint32_t{1} << place; }
+
+// Every block has the same words. Lengths and angles are whole numbers of 10^-6, below 2^50; of vectors in Klartext
+// programs, of 10^-8, below 10^9.
+struct LineChunk {
+  static constexpr std::size_t kMost = 128;
+
+  std::size_t size = 0;
+  std::uint32_t words = 0;  // place_bit() of those that there are
+  std::array<const double*, kWordPlaces> word{};
+  std::uint64_t line = 0;  // of the first block
+  Instructions instructions = Instructions::baseline;
+  Moves* moves = nullptr;  // with room for as many as there are blocks
+
+  // Without the first ones.
+  [[nodiscard]] LineChunk part(std::size_t from, std::size_t count) const {
+    LineChunk rest = *this;
+    rest.size = count;
+    rest.line += from;
+    for (const double*& column : rest.word)
+      if (column != nullptr) column += from;
+    return rest;
+  }
+};
+
+}  // namespace toolcomp::fast

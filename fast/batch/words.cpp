@@ -1,0 +1,45 @@
+#include "fast/batch/words.h"
+
+#include <array>
+#include <cmath>
+
+namespace toolcomp::fast {
+namespace {
+
+constexpr std::array<double, 10> kPower{1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+
+// Adding it leaves no place behind the point.
+constexpr double kRounds = 0x1.8p52;
+
+struct Scale {
+  [[gnu::always_inline]] static std::int64_t run(const double* value, std::size_t size, double power, double worth,
+                                                 double most, double* whole) {
+    std::int64_t any = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const double rounded = (value[i] * power + kRounds) - kRounds;
+      const double word = rounded * worth + 0.0;
+      whole[i] = word;
+      any |= std::abs(word) <= most ? 0 : 1;
+    }
+    return any;
+  }
+};
+
+}  // namespace
+
+bool scale_words(Instructions by, const double* value, std::size_t size, unsigned decimals, unsigned places,
+                 double most, double* whole) {
+  return run_by<Scale>(by, value, size, kPower[decimals], kPower[places - decimals], most, whole) == 0;
+}
+
+spec::Decimal word_of(double value, unsigned decimals) {
+  const double rounded = std::nearbyint(value * kPower[decimals]);
+  spec::Decimal word;
+  word.digits = static_cast<std::uint64_t>(std::abs(rounded));
+  word.decimals = static_cast<std::uint8_t>(decimals);
+  word.negative = rounded < 0;
+  word.point = true;
+  return word;
+}
+
+}  // namespace toolcomp::fast
