@@ -39,6 +39,9 @@ class Collector final : public EventSink {
   EventSink* others_;
 };
 
+// Components of vectors, of so many decimals, are below 10 (E_VEC_RANGE).
+constexpr double kMostComponent = 9.9999999;
+
 // Columns, judged.
 struct Columns {
   std::size_t size = 0;
@@ -46,26 +49,50 @@ struct Columns {
   std::array<const WordColumn*, kWordPlaces> at{};
 };
 
-Columns judged(std::span<const WordColumn> columns, const BlockMaker& maker) {
+// LN blocks have X, Y, Z and whole vectors, none of them zero.
+void judge_vectors(const Columns& all, Instructions by) {
+  for (const std::size_t place : {kNormalPlace, kToolVectorPlace}) {
+    const std::uint32_t named = all.words >> place & 0b111U;
+    if (named == 0) continue;
+    if (named != 0b111U || (all.words >> word_place('X') & 0b111U) != 0b111U)
+      throw std::invalid_argument("vectors: X, Y, Z and all three components are needed");
+    const WordColumn& x = *all.at[place];
+    const WordColumn& y = *all.at[place + 1];
+    const WordColumn& z = *all.at[place + 2];
+    if (y.decimals != x.decimals || z.decimals != x.decimals)
+      throw std::invalid_argument(fmt::format("{}, {}, {}: not of as many decimals", x.word, y.word, z.word));
+    const std::size_t zero = find_zero_vector(by, {x.values.data(), y.values.data(), z.values.data()}, all.size, x.decimals);
+    if (zero < all.size) throw std::invalid_argument(fmt::format("{}: the vector of value {} is 0", x.word, zero));
+  }
+}
+
+[[noreturn]] void refuse(const WordColumn& column, const std::string& why) {
+  throw std::invalid_argument(fmt::format("{}: {}", column.word, why));
+}
+void judge_values(const WordColumn& column, std::size_t place, Instructions by) {
+  const bool vector = place >= kNormalPlace;
+  const double most = vector ? kMostComponent : kMostWord;
+  if (are_within(by, column.values.data(), column.values.size(), most)) return;
+  const auto bad = std::ranges::find_if_not(column.values, [&](double value) { return std::abs(value) <= most; });
+  refuse(column, fmt::format("value {} is {}: no number up to {}", bad - column.values.begin(), *bad, most));
+}
+
+Columns judged(std::span<const WordColumn> columns, const BlockMaker& maker, Instructions by) {
   Columns all;
   for (const WordColumn& column : columns) {
-    const auto refuse = [&](const std::string& why) { throw std::invalid_argument(fmt::format("{}: {}", column.word, why)); };
     const std::optional<std::size_t> place = maker.place_of(column.word);
-    if (!place) refuse("no word of a line that this control has");
-    if (all.at[*place] != nullptr) refuse("named twice");
-    if (column.decimals > kMostPlaces) refuse(fmt::format("more than {} decimals", kMostPlaces));
-    if (!columns.empty() && column.values.size() != columns.front().values.size())
-      refuse(fmt::format("{} values where {} has {}", column.values.size(), columns.front().word,
-                         columns.front().values.size()));
-    const auto* const bad =
-        std::find_if_not(column.values.data(), column.values.data() + column.values.size(),
-                         [](double value) { return std::abs(value) <= kMostWord; });
-    if (bad != column.values.data() + column.values.size())
-      refuse(fmt::format("value {} ({}) is beyond 10^9, or no number", bad - column.values.data(), *bad));
+    if (!place) refuse(column, "no word of a line that this control has");
+    if (all.at[*place] != nullptr) refuse(column, "named twice");
+    if (column.decimals > kMostPlaces) refuse(column, fmt::format("more than {} decimals", kMostPlaces));
+    if (column.values.size() != columns.front().values.size())
+      refuse(column, fmt::format("{} values where {} has {}", column.values.size(), columns.front().word,
+                                 columns.front().values.size()));
+    judge_values(column, *place, by);
     all.at[*place] = &column;
     all.words |= place_bit(*place);
   }
   if (!columns.empty()) all.size = columns.front().values.size();
+  judge_vectors(all, by);
   return all;
 }
 
@@ -115,7 +142,7 @@ bool Batch::Run::scale(const Columns& columns, std::size_t from, LineChunk& chun
 }
 
 void Batch::Run::lines(std::span<const WordColumn> given) {
-  const Columns columns = judged(given, engine_->maker());
+  const Columns columns = judged(given, engine_->maker(), instructions_);
   collector_.moves.reserve(columns.size + 1);
   for (std::size_t from = 0; from < columns.size && !stopped(); from += LineChunk::kMost) {
     LineChunk chunk;

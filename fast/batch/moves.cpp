@@ -22,4 +22,15 @@ void Moves::reserve(std::size_t more) {
   grow(block_, size_, capacity_);
 }
 
+void Moves::append_lines(std::size_t count, std::uint64_t first_block) {
+  std::uint64_t* const block = next_block();
+  for (std::size_t i = 0; i < count; ++i) block[i] = first_block + i;
+  append(count);
+}
+
+void Moves::set_axis(std::size_t axis, std::size_t count, double value) {
+  double* const to = next_of(axis);
+  for (std::size_t i = 0; i < count; ++i) to[i] = value;
+}
+
 }  // namespace toolcomp::fast

@@ -33,6 +33,10 @@ class Moves {
   // Where the next move goes. Behind reserve(); what has been written counts with append().
   [[nodiscard]] double* next_of(std::size_t axis) { return axis_[axis].get() + size_; }
   [[nodiscard]] std::uint64_t* next_block() { return block_.get() + size_; }
+  // So many, of blocks with consecutive numbers.
+  void append_lines(std::size_t count, std::uint64_t first_block);
+  // An axis that stays, of as many.
+  void set_axis(std::size_t axis, std::size_t count, double value);
   void append(std::size_t count) { size_ += count; }
 
  private:

@@ -1,6 +1,5 @@
 #include "fast/batch/words.h"
 
-#include <array>
 #include <cmath>
 
 namespace toolcomp::fast {
@@ -25,7 +24,39 @@ struct Scale {
   }
 };
 
+struct Within {
+  [[gnu::always_inline]] static std::int64_t run(const double* value, std::size_t size, double most) {
+    std::int64_t any = 0;
+    for (std::size_t i = 0; i < size; ++i) any |= std::abs(value[i]) <= most ? 0 : 1;
+    return any;
+  }
+};
+
+struct NearZero {
+  [[gnu::always_inline]] static std::int64_t run(const double* x, const double* y, const double* z, std::size_t size,
+                                                 double most) {
+    std::int64_t any = 0;
+    for (std::size_t i = 0; i < size; ++i) any |= std::abs(x[i]) + std::abs(y[i]) + std::abs(z[i]) <= most ? 1 : 0;
+    return any;
+  }
+};
+
 }  // namespace
+
+std::size_t find_zero_vector(Instructions by, const std::array<const double*, 3>& component, std::size_t size,
+                             unsigned decimals) {
+  const auto& [x, y, z] = component;
+  if (run_by<NearZero>(by, x, y, z, size, 2 / kPower[decimals]) == 0) return size;
+  std::size_t i = 0;
+  while (i < size && !(word_of(x[i], decimals).is_zero() && word_of(y[i], decimals).is_zero() &&
+                       word_of(z[i], decimals).is_zero()))
+    ++i;
+  return i;
+}
+
+bool are_within(Instructions by, const double* value, std::size_t size, double most) {
+  return run_by<Within>(by, value, size, most) == 0;
+}
 
 bool scale_words(Instructions by, const double* value, std::size_t size, unsigned decimals, unsigned places,
                  double most, double* whole) {

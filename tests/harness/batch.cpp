@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -99,8 +100,9 @@ std::vector<Shape> shapes() {
   const auto ijk = with({{"I", vector}, {"J", vector}, {"K", vector}});
   const auto bc = with({{"B", angle}, {"C", angle}});
   return {
-      {"fanuc/tool-length-offset", kThreeAxes, "G90 G01 F1000\nG43 H1 Z5.\n", xyz, "G49 Z0\n"},
-      {"fanuc/tool-length-measurement", kThreeAxes, "G90 G00 G43 H1 Z760.\nG37 Z200.\n", xyz, ""},
+      {"fanuc/tool-length-offset", kThreeAxes, "G90 G01 F1000\nG43 H1 Z5.\n", xyz, "G49 Z0\n", true},
+      {"fanuc/tool-length-offset", kHead, "G90 G01 F1000\nG44 H1 Z5.\n", bc, "G49 Z0\n", true},
+      {"fanuc/tool-length-measurement", kThreeAxes, "G90 G00 H01 Z760.\nG37 Z200.\n", xyz, "", true},
       {"fanuc/tool-offset", kThreeAxes, "G90 G01 F1000\nG46 D1 X10.\n", xyz, ""},
       {"fanuc/cutter-compensation-c", kThreeAxes, "G90 G17 G01 F1000 X-5. Y-5.\nG41 D1 X0 Y0\n", xy, "G40 X0 Y0\n"},
       {"fanuc/cutter-compensation-c", kThreeAxes, "G90 G17 G01 F1000 X-5. Y-5.\nG42 D1 X0 Y0\n", xyz, "G40 X0 Y0\n"},
@@ -368,7 +370,7 @@ std::string broken(const Shape& shape, std::uint64_t seed, std::size_t blocks, s
 TEST(Batch, GivesWhatTextGives) {
   // Alarms end a path: short ones meet more corners of each kind.
   constexpr std::size_t kBlocks = 400;
-  constexpr std::uint64_t kPaths = test::kSanitized ? 20 : 2500;
+  constexpr std::uint64_t kPaths = test::kSanitized ? 20 : 600;
   for (const Shape& shape : shapes()) {
     std::uint64_t as_arrays = 0;
     std::uint64_t moves = 0;
@@ -381,6 +383,91 @@ TEST(Batch, GivesWhatTextGives) {
       EXPECT_GT(as_arrays, moves / 2) << shape.section;
     }
   }
+}
+
+#ifdef TOOLCOMP_FAULTS
+TEST(Batch, AMistakeInTheArraysBreaksTheLaw) {
+  constexpr std::pair<std::string_view, Fault> kFaults[] = {
+#define TOOLCOMP_BATCH_FAULT(name, mistake) {#name, Fault::name},
+#include "fast/batch/faults.inc"
+#undef TOOLCOMP_BATCH_FAULT
+  };
+  struct Restore {
+    ~Restore() { active_fault = Fault::none; }
+  } const restore;
+  constexpr std::uint64_t kPaths = 100;
+  for (const auto& [name, fault] : kFaults) {
+    active_fault = fault;
+    std::uint64_t found = 0;
+    std::uint64_t ignored = 0;
+    std::string why;
+    for (std::uint64_t seed = 1; seed <= kPaths && found == 0; ++seed)
+      for (const Shape& shape : shapes())
+        if (shape.arrays && found == 0 && !(why = broken(shape, seed, 400, &ignored, &ignored)).empty()) found = seed;
+    fmt::print("{:34}{:>4} {}\n", name, found, why.substr(0, why.find('\n')));
+    EXPECT_NE(found, 0) << name;
+  }
+}
+#endif
+
+void expect_refused(const spec::Setup& setup, std::string_view head, const std::vector<WordColumn>& columns,
+                    std::string_view why) {
+  Batch batch(setup);
+  batch.run(head);
+  const std::size_t moves = batch.moves().size();
+  try {
+    batch.lines(columns);
+    ADD_FAILURE() << "not refused: " << why;
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string_view(error.what()), why);
+  }
+  EXPECT_EQ(batch.moves().size(), moves);
+}
+
+TEST(Batch, RefusesWhatIsNoLine) {
+  const spec::Setup fanuc = spec::read_setup_toml("control = \"fanuc\"\n", "setup");
+  const std::vector<double> two{1, 2};
+  const std::vector<double> three{1, 2, 3};
+  const std::vector<double> bad{1, std::numeric_limits<double>::quiet_NaN()};
+  const std::vector<double> far{1, -2e9};
+  expect_refused(fanuc, "G90\n", {{"X", two}, {"Y", three}}, "Y: 3 values where X has 2");
+  expect_refused(fanuc, "G90\n", {{"X", two}, {"X", two}}, "X: named twice");
+  expect_refused(fanuc, "G90\n", {{"B", two}}, "B: no word of a line that this control has");
+  expect_refused(fanuc, "G90\n", {{"NX", two}}, "NX: no word of a line that this control has");
+  expect_refused(fanuc, "G90\n", {{"X", two, 10}}, "X: more than 9 decimals");
+  expect_refused(fanuc, "G90\n", {{"X", two}, {"Y", bad}}, "Y: value 1 is nan: no number up to 1000000000");
+  expect_refused(fanuc, "G90\n", {{"X", far}}, "X: value 1 is -2000000000: no number up to 1000000000");
+  const spec::Setup klartext = spec::read_setup_toml(kKlartext, "setup");
+  const std::vector<double> zero{0, 0};
+  const std::vector<double> ten{0, 10};
+  expect_refused(klartext, "", {{"NX", two}, {"NY", two}, {"NZ", two}},
+                 "vectors: X, Y, Z and all three components are needed");
+  expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"NX", zero}, {"NY", zero}, {"NZ", zero}},
+                 "NX: the vector of value 0 is 0");
+  expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"NX", zero}, {"NY", zero}, {"NZ", ten}},
+                 "NZ: value 1 is 10: no number up to 9.9999999");
+  expect_refused(klartext, "",
+                 {{"X", two}, {"Y", two}, {"Z", two}, {"TX", zero, 3}, {"TY", zero, 3}, {"TZ", two, 4}},
+                 "TX, TY, TZ: not of as many decimals");
+}
+
+// Words are rounded as a post processor prints them; many decimals and long ways go one by one.
+TEST(Batch, WordsAreThoseAPostProcessorPrints) {
+  const spec::Setup setup = spec::read_setup_toml("control = \"fanuc\"\n", "setup");
+  Batch batch(setup);
+  batch.run("G90 G01 F100\n");
+  const std::vector<double> x{1.23456, -0.00049, 2.0625, 1e9};
+  const std::vector<double> y{0.123456789, 1e-9, -7, 12.25};
+  batch.lines(std::vector<WordColumn>{{"X", x, 3}, {"Y", y, 9}});
+  batch.end();
+  ASSERT_EQ(batch.moves().size(), 4);
+  EXPECT_EQ(batch.blocks_as_arrays(), 0);
+  const std::vector<double> to_x(batch.moves().axis(0).begin(), batch.moves().axis(0).end());
+  const std::vector<double> to_y(batch.moves().axis(1).begin(), batch.moves().axis(1).end());
+  EXPECT_EQ(to_x, (std::vector<double>{1.235, 0, 2.062, 1e9}));  // 2062.5: to even
+  EXPECT_EQ(to_y, y);
+  EXPECT_EQ(batch.moves().block()[0], 2);
+  EXPECT_EQ(batch.blocks(), 5);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Interprets blocks: the way of a block through the parts of the control and the stages of compensation.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -22,6 +23,7 @@ class Interpreter final : public BlockTaker {
   Interpreter(const spec::Setup& setup, Control& control, const Stages& stages, EventSink& sink);
 
   void block(const spec::Block& block) override;
+  [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
   void end() override;
 
  private:
@@ -52,6 +54,11 @@ class Interpreter final : public BlockTaker {
   void raise(Alarm alarm);
   // Everything a stage holds goes out; true if that ended the run.
   [[nodiscard]] bool release_held();
+
+  // lines.cpp
+  [[nodiscard]] bool may_be_lines(const LineChunk& chunk) const;
+  // The axes its words name; 0: it has other words, or an offset of many places.
+  [[nodiscard]] Mask axes_of(const LineChunk& chunk) const;
 
   // check.cpp: the alarms of commands, in their order.
   [[nodiscard]] Alarm check(const Words& words, Command& command) const;

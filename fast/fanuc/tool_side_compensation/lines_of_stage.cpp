@@ -1,5 +1,4 @@
 // Usual lines of tool side compensation as arrays: from the words of the blocks to the stage.
-#include <algorithm>
 
 #include "fast/fanuc/program/words.h"
 #include "fast/fanuc/tool_side_compensation/side_line_arrays.h"
@@ -29,12 +28,10 @@ std::size_t ToolSideStage::lines(const LineChunk& chunk) {
   // The event that is held has what is the same for all of them.
   const Event& held = compensation_.held_event();
   Moves& moves = *chunk.moves;
-  for (std::size_t axis = 3; axis < moves.axes(); ++axis)
-    std::fill_n(moves.next_of(axis), end.taken, held.axes.value[axis]);
-  std::uint64_t* const block = moves.next_block();
-  block[0] = held.line;
-  for (std::size_t i = 1; i < end.taken; ++i) block[i] = chunk.line + i - 1;
-  moves.append(end.taken);
+  for (std::size_t axis = 3; axis < moves.axes(); ++axis) moves.set_axis(axis, end.taken, held.axes.value[axis]);
+  *moves.next_block() = held.line;
+  moves.append(1);
+  moves.append_lines(end.taken - 1, chunk.line);
 
   // The end of the last line but one, and of the one before it.
   const std::size_t last = end.taken - 1;

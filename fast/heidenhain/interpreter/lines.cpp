@@ -1,5 +1,4 @@
 // LN blocks as arrays: usual ones of face milling.
-#include <algorithm>
 #include <limits>
 
 #include "fast/heidenhain/interpreter/interpreter.h"
@@ -42,11 +41,9 @@ std::size_t Interpreter::lines(const LineChunk& chunk) {
   for (std::size_t axis = 0; axis < moves.axes(); ++axis) {
     if (axis == axis_[0] || axis == axis_[1] || axis == axis_[2]) continue;
     const bool stays = (parallel_axes_ >> axis & 1U) != 0;  // a rotary axis has no word in these blocks
-    std::fill_n(moves.next_of(axis), end.taken,
-                stays ? head_.position[axis] : std::numeric_limits<double>::quiet_NaN());
+    moves.set_axis(axis, end.taken, stays ? head_.position[axis] : std::numeric_limits<double>::quiet_NaN());
   }
-  for (std::size_t i = 0; i < end.taken; ++i) moves.next_block()[i] = chunk.line + i;
-  moves.append(end.taken);
+  moves.append_lines(end.taken, chunk.line);
 
   const std::size_t last = end.taken - 1;
   const std::array<std::int64_t, 3> at = whole(chunk, word_place('X'), last);
