@@ -85,6 +85,13 @@ class CornerGroups {
     group.size = 0;
     add(group, kind);
   }
+  // In place: what is copied right behind its making is waited for.
+  void add(Group& group, HeadKind kind) const {
+    auto& head = group.head[group.size++];
+    head = {};
+    head.kind = kind;
+    section().set_vector(group.corner, kind, head.vector);
+  }
 
  protected:
   static bool first_is_arc(const Group& group) { return group.corner.first->arc; }
@@ -97,14 +104,6 @@ class CornerGroups {
   friend Section;
   explicit CornerGroups(const CornerParameters& parameters) : parameters_(parameters) {}
   [[nodiscard]] const Section& section() const { return static_cast<const Section&>(*this); }
-  // In place: what is copied right behind its making is waited for.
-  void add(Group& group, HeadKind kind) const {
-    auto& head = group.head[group.size++];
-    head = {};
-    head.kind = kind;
-    section().set_vector(group.corner, kind, head.vector);
-  }
-
   static bool is_straight(const Group& group) {
     return Section::cross(group.corner) == 0 && Section::along(group.corner) > 0;
   }

@@ -288,14 +288,14 @@ class CornerStage {
   [[nodiscard, gnu::always_inline]] Alarm let_out() {
     Block& block = held(waits_);
     const Path& path = *last_;
-    std::optional<double> sweep;
     if (path.is_arc()) {
       set_center(block, path.flat);
       section().set_tool_arc(*block.event.arc);
-      sweep = block.event.arc->sweep;
     }
     if (checked_) {
-      switch (section().check_interference(sweep)) {
+      // Where it stands: a copy of what has just been written in parts would be waited for.
+      static constexpr std::optional<double> kNoSweep;
+      switch (section().check_interference(path.is_arc() ? block.event.arc->sweep : kNoSweep)) {
         case Interference::none:
           break;
         case Interference::straightened:

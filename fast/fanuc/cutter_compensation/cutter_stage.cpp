@@ -4,7 +4,6 @@
 
 #include "fast/fanuc/cutter_compensation_b/cutter_compensation_b.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
-#include "fast/fanuc/cutter_compensation_c/usual_line.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -459,10 +458,9 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
     block.motion = block.named == 0 ? CutterMotion::still : CutterMotion::zero;
   }
   control.fill_here(block.event, modal.straight(), spec::Cause::programmed);
-  if constexpr (kIsC<Compensation>)
-    if (block.motion == CutterMotion::line && block.path_made && compensation_.usual_line(block)) [[likely]]
-      return alarm::kNone;
   pass();
+  if constexpr (kIsC<Compensation>)
+    if (block.motion == CutterMotion::line && !control.stopped) lines_.await();
   return alarm::kNone;
 }
 

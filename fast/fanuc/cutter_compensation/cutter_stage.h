@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "fast/fanuc/control/stage.h"
+#include "fast/fanuc/cutter_compensation_c/usual_line.h"
 
 namespace toolcomp::fast {
 
@@ -13,7 +15,7 @@ class CutterStage final : public Stage {
  public:
   // Throws spec::InputError for parameters no control could have.
   CutterStage(const spec::Setup& setup, Control& control, EventSink& sink)
-      : Stage(control, false), compensation_(setup, sink) {}
+      : Stage(control, false), compensation_(setup, sink), lines_(control, compensation_) {}
 
   void release() override;
   [[nodiscard]] Alarm plain_block(const Words& words) override;
@@ -31,6 +33,12 @@ class CutterStage final : public Stage {
   void rename() override;
 
  private:
+  // Of C; B has no short cut.
+  struct NoLines {
+    NoLines(const Control& /*control*/, const Compensation& /*compensation*/) {}
+  };
+  using UsualLines = std::conditional_t<std::is_same_v<Compensation, CutterCompensationC>, UsualCutterLines, NoLines>;
+
   // Compensation is wanted, or its vector is not removed yet (clause fanuc.cutter.on).
   [[nodiscard]] bool is_on() const;
   // G41 or G42 is in force after the codes of the block.
@@ -59,6 +67,7 @@ class CutterStage final : public Stage {
   void pass();
 
   Compensation compensation_;
+  UsualLines lines_;
   CutterSide side_ = CutterSide::off;  // G40 G41 G42 in force
 };
 

@@ -184,7 +184,6 @@ StageEnd CutterCompensationC::second_block(CutterBlock& block, CutterPath& to) {
 
 [[gnu::always_inline]] inline void CutterCompensationC::hold_path(const CutterPath& to, bool starts_up) {
   checked_ = !starts_up && !fresh_ && !parameters_.no_interference;
-  plain_ = checked_ && at_start().size == 1 && !to.flat.arc && to.flat.start.narrow && amount_.nearest != 0;
   fresh_ = false;
   after_start_ = starts_up;
   CornerStage::hold_path(to, starts_up);
@@ -376,6 +375,64 @@ void CutterCompensationC::send_setting(const CutterBlock& block) {
   notice_.setting = block.setting;
   notice_.value = block.setting_value;
   sink_->on(notice_);
+}
+
+// Behind two lines: where lines and arcs take turns, lending would be for nothing.
+bool CutterCompensationC::awaits_lines() const {
+  return mode_ == Mode::on && held_ == Held::path && checked_ && !last_->flat.arc && start_->size == 1 &&
+         !start_->corner.first->arc && count_ == 1 && last_->flat.start.narrow && last_->offset.nearest != 0 &&
+         last_ == &paths_[path_] && !ring_[first_].sets && !repeated_ &&
+         !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
+}
+
+void CutterCompensationC::lend(UsualLine& line) {
+  const Heading& heading = last_->flat.start;
+  line.event = &ring_[first_].event;
+  line.sink = sink_;
+  line.radius = last_->offset.nearest;
+  line.offset = last_->side * line.radius;
+  line.limit = parameters_.limit_value;
+  line.start = UsualLine::Start::lent;
+  line.way = {static_cast<std::int64_t>(heading.whole[0]), static_cast<std::int64_t>(heading.whole[1])};
+  line.unit = DoublePair{heading.unit.x, heading.unit.y};
+  line.norm = heading.norm;
+  const Vector2<double>& vector = at_start().front().vector;
+  line.vector = DoublePair{vector.x, vector.y};
+}
+
+void CutterCompensationC::take_back(const UsualLine& line, const std::array<std::int64_t, 2>& end) {
+  // Of the path that was lent: what stands there but the way.
+  CutterPath& to = paths_[path_];
+  CutterPath& from = paths_[before(path_)];
+  from.side = to.side;
+  from.offset = to.offset;
+  from.flat.arc = false;
+  from.flat.fine_units = false;
+  set_narrow_heading(from.flat.start, line.before[0], line.before[1]);
+  set_narrow_heading(to.flat.start, line.way[0], line.way[1], line.norm);
+  start_side_ = to.side;
+  start_offset_ = &from.offset;
+
+  CutterGroup& start = at_start();
+  const Turn turned = turn_of_narrow(from.flat.start, to.flat.start);
+  start.cleared = 0;
+  start.corner = {&from.flat, &to.flat, &from.flat.start, &to.flat.start, to.side, to.side, &from.offset, turned};
+  if (line.start == UsualLine::Start::one_vector) {
+    make_.set(start, turned.c == 0 ? HeadKind::first_normal : HeadKind::tangents_meet);
+    return;
+  }
+  make_.set(start, HeadKind::first_extended);
+  make_.add(start, HeadKind::second_extended);
+  // The move from one to the other starts where the line does.
+  Event& move = corner_move(start);
+  move = *line.event;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double position = Count::nearest_small(end[i] - line.way[i]);
+    move.programmed.value[axis_[i]] = position;
+    move.point.value[axis_[i]] = position;
+    move.axes.value[axis_[i]] = position;
+  }
+  move.cause = spec::Cause::corner;
 }
 
 }  // namespace toolcomp::fast

@@ -12,6 +12,7 @@
 #include "fast/fanuc/corner/corner_stage.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_group.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_interference.h"
+#include "fast/fanuc/cutter_compensation_c/usual_line.h"
 #include "fast/fanuc/program/cutter_block.h"
 #include "fast/geometry/path.h"
 #include "spec/language/setup.h"
@@ -70,10 +71,12 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
     set_line(new_path().flat, block.start, block.end);
     return true;
   }
-  // The short cut of block(), usual_line.h: takes next() as `block`, a line without a code whose path is made, if its
-  // corner is the usual one, of two lines and with one vector at both ends of the former. False, and nothing is done:
-  // it is for block().
-  [[nodiscard]] bool usual_line(CutterBlock& block);
+  // The short cut of block() (usual_line.h), asked behind it: what is held is a line that may be lent, with one vector
+  // at its start, and the next one makes a corner of the same offset with it. While it is lent nothing else is asked.
+  [[nodiscard]] bool awaits_lines() const;
+  void lend(UsualLine& line);
+  // `end`: its programmed end, 10^-6.
+  void take_back(const UsualLine& line, const std::array<std::int64_t, 2>& end);
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
   // No further block is known: a block that raises an alarm of its own (absent from the path), or the end of the
@@ -148,7 +151,6 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
   std::uint8_t clears_ = 0;  // components that the move to the reference position removes
 
   // Of the path that is held.
-  bool plain_ = false;  // a checked line, of usual numbers, with one vector at its start
   int start_side_ = 1;  // of the corner at its start, or of the lone G41 or G42 that is held
   const Amount* start_offset_ = nullptr;
   Amount start_amount_;  // of the lone G41 or G42

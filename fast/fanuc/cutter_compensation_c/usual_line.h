@@ -1,61 +1,82 @@
-// The usual line of cutter compensation C: what block() does with it, without the detours.
+// The usual lines of cutter compensation C, one behind another: straight from the words of the block to the event,
+// without the look-ahead machine. What it does is what CutterCompensationC::block() would do, bit for bit.
 #pragma once
 
-#include <cmath>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
-#include "fast/basis/fault.h"
-#include "fast/basis/short_cut.h"
-#include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
+#include "fast/arithmetic/trigonometry.h"
+#include "fast/basis/event.h"
+#include "fast/fanuc/control/control.h"
+#include "fast/fanuc/control/usual_words.h"
+#include "spec/language/fanuc/block.h"
 
 namespace toolcomp::fast {
 
-[[gnu::always_inline]] inline bool CutterCompensationC::usual_line(CutterBlock& block) {
-  CutterPath& to = paths_[path_];
-  const Heading& next = to.flat.start;
-  const bool usual = is_open(ShortCut::cutter_line) && plain_ && held_ == Held::path && !repeated_ &&
-                     block.offset == value_ && next.narrow && side_of(block) == last_->side &&
-                     !fault(Fault::c_perpendicular_for_intersection) && !fault(Fault::c_offset_one_corner_late);
-  if (!usual) [[unlikely]]
-    return false;
-  const Heading& last = last_->flat.start;
-  const int side = last_->side;
-  const Turn turned = turn_of_narrow(last, next);
-  // An inner or an obtuse corner.
-  // Which way the path turns follows no pattern; that it turns by less than 90 degrees, does.
-  const bool acute = turned.k <= 0 && side * turned.c < 0 && !fault(Fault::usual_line_acute);
-  if (turned.c == 0 || acute) [[unlikely]]
-    return false;
-  const Vector2<double> vector = where_tangents_meet(last, turned, side * amount_.nearest);
-  const Vector2<double>& from = at_start().front().vector;
-  const double length = last.norm / per_one(last_->flat);
-  const double product = length + dot(last.unit, vector - from);
-  const double extent = std::abs(vector.x) + std::abs(vector.y) + std::abs(from.x) + std::abs(from.y);
-  if (product <= 0x1p-46 * (length + extent) && !fault(Fault::usual_line_unchecked)) [[unlikely]]
-    return false;
+class CutterCompensationC;
 
-  to.side = side;
-  to.offset = amount_;
-  CutterGroup& end = at_end();
-  end.clear();
-  end.head[0] = {vector, HeadKind::tangents_meet};
-  end.corner = {&last_->flat, &to.flat, &last, &next, side, side, &last_->offset, turned};
-  std::swap(start_, end_);
-  start_side_ = side;
-  start_offset_ = &last_->offset;
-  last_ = &to;
-  CutterBlock& held = ring_[first_];
-  add(held.event, vector);
-  sink_->on(held.event);
-  if (held.sets) [[unlikely]]
-    send_setting(held);
-  if (count_ > 1) [[unlikely]] {
-    free_first();
-    send_held(vector);
-  }
-  count_ = 0;
-  hold();
-  still_ = 0;
-  return true;
-}
+// The line that is held while the next one is awaited.
+struct UsualLine {
+  // What starts it: the line is the one that has been lent, or a usual one behind a corner of one vector or of two.
+  enum class Start : std::uint8_t { lent, one_vector, two_vectors };
+
+  Event* event = nullptr;  // of its block; in the plane not filled in
+  EventSink* sink = nullptr;
+  double radius = 0;  // without sign
+  double offset = 0;  // positive: to the left
+  double limit = 0;   // No. 5010
+  Start start = Start::lent;
+  std::array<std::int64_t, 2> way{};  // 10^-6
+  DoublePair unit{};
+  double norm = 0;                       // |way|
+  DoublePair vector{};                   // at its start, the last one
+  std::array<std::int64_t, 2> before{};  // the way of the line before it; not of a line that has been lent
+};
+
+// Takes blocks as they are read, while cutter compensation C holds a line and they are usual: a move in the plane by
+// words of few places, F and the code in force again.
+class UsualCutterLines final : public BlockTaker {
+ public:
+  UsualCutterLines(Control& control, CutterCompensationC& compensation)
+      : control_(control), compensation_(compensation) {}
+
+  // Behind a block that has been taken: the next ones come here, if they may be usual.
+  void await();
+  void block(const spec::Block& block) override;
+  void end() override;
+
+ private:
+  // False, and nothing is done: any other block.
+  [[nodiscard]] bool take(const spec::Block& block);
+  // The first and the last vector of a corner, to a line. `acute`: there are two. False: it is no usual one, or doubles
+  // cannot tell.
+  struct Corner {
+    bool acute = false;
+    DoublePair first{};
+    DoublePair last{};
+  };
+  [[nodiscard]] bool make_corner(const std::array<std::int64_t, 2>& way, double norm, DoublePair unit,
+                                 Corner& corner) const;
+  // The tool goes forward for certain along the line that is held, to the vector at its end.
+  [[nodiscard]] bool goes_forward(DoublePair vector) const;
+  // The event of the line that is held, at a position in 10^-6, with a vector.
+  void fill(DoublePair at, DoublePair vector);
+  void send_corner_move();
+  // F of the line that is held now.
+  void set_feed();
+  // Before any other block.
+  void leave();
+
+  Control& control_;
+  CutterCompensationC& compensation_;
+  BlockTaker* others_ = nullptr;  // who takes blocks that are no usual lines
+  std::array<std::size_t, 2> axis_{};
+  std::array<std::size_t, 2> letter_{};
+  std::array<std::int64_t, 2> at_{};  // the programmed position, 10^-6
+  DoublePair at_value_{};
+  UsualWords words_;
+  UsualLine line_;
+};
 
 }  // namespace toolcomp::fast

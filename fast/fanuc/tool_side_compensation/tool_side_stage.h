@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fast/fanuc/control/stage.h"
+#include "fast/fanuc/control/usual_words.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_compensation.h"
 
 namespace toolcomp::fast {
@@ -75,11 +76,9 @@ class ToolSideStage final : private BlockTaker, public Stage {
   bool wanted_ = false;  // a code is in force with a number
   // Usual lines, while they may come.
   struct Lines {
-    std::uint32_t letters = 0;  // those of such a block
-    bool plain = false;         // the axes are sent to the programmed position
-    // Of their words in 10^-6 the last ones, by letter (A: 1), and where X Y Z stand.
-    std::array<std::int64_t, 32> word{};
-    Vector3<double> at;
+    bool plain = false;  // the axes are sent to the programmed position
+    UsualWords words;
+    Vector3<double> at;  // where X Y Z stand, 10^-6
   };
   Lines lines_;
   BlockTaker* others_ = nullptr;  // who takes blocks that are no usual lines

@@ -1,20 +1,17 @@
 // The usual line under tool side compensation: straight from the words of the block to the stage.
-#include <bit>
-
 #include "fast/fanuc/control/read_words.h"
+#include "fast/fanuc/control/usual_words.h"
 #include "fast/fanuc/tool_side_compensation/tool_side_stage.h"
 #include "fast/fanuc/tool_side_compensation/usual_line.h"
 
 namespace toolcomp::fast {
 namespace {
 
-// Of lines_.word and of the letters.
-constexpr std::size_t kF = 'F' - 'A' + 1;
-constexpr std::size_t kG = 'G' - 'A' + 1;
-constexpr std::size_t kI = 'I' - 'A' + 1;
-constexpr std::size_t kX = 'X' - 'A' + 1;
-constexpr std::uint32_t kDirection = Words::set_of("IJK") << 1U;
-constexpr std::uint32_t kXyzF = Words::set_of("XYZ") << 1U | 1U << kF | 1U << kG;
+constexpr std::size_t kI = UsualWords::at('I');
+constexpr std::size_t kX = UsualWords::at('X');
+constexpr std::uint32_t kF = UsualWords::set('F');
+constexpr std::uint32_t kDirection = UsualWords::set_of("IJK");
+constexpr std::uint32_t kXyzF = UsualWords::set_of("XYZFG");
 
 }  // namespace
 
@@ -28,28 +25,21 @@ void ToolSideStage::await_lines() {
   const Count& x = control_.positions.programmed()[0];
   const Count& y = control_.positions.programmed()[1];
   const Count& z = control_.positions.programmed()[2];
-  if (!compensation_.awaits_line() || control_.modal.motion() > 10 || control_.cutter_value.takes_edited() ||
-      control_.positions.length().pending())
+  if (!compensation_.awaits_line() || !control_.axes.letters.xyz_first || !usual_lines_may_come(control_)) return;
+  if (control_.attitude.tip().active() || (control_.positions.along_tool() && control_.attitude.tip().samples()))
     return;
-  if (!control_.axes.letters.xyz_first || !control_.units.plain() || control_.positions.rounded() != 0 ||
-      control_.positions.tool_offset().live() != 0 || control_.positions.stale() != 0)
-    return;
-  if (control_.attitude.plans_tool() || control_.attitude.tip().active() ||
-      (control_.positions.along_tool() && control_.attitude.tip().samples()))
-    return;
-  if (control_.modal.incremental() && fault(Fault::incremental_from_offset_position)) return;
   if (!x.is_small() || !y.is_small() || !z.is_small()) return;
   for (std::size_t axis = 0; axis < control_.axes.count; ++axis)
     if (!is_usual(control_.positions.length()[axis], kMostOffset)) return;
-  const auto letter = [](char name) { return std::size_t{static_cast<unsigned char>(name)} - 'A' + 1; };
-  lines_.letters = 1U << letter('X') | 1U << letter('Y') | 1U << letter('Z') | 1U << letter('F') | 1U << letter('G');
+  std::uint32_t letters = kXyzF;
   if (control_.positions.along_tool()) {
-    if (control_.modal.by_vector()) lines_.letters |= Words::set_of("IJK") << 1U;
+    if (control_.modal.by_vector()) letters |= kDirection;
   } else {
     for (std::size_t axis = 3; axis < control_.axes.count; ++axis)
-      lines_.letters |= std::uint32_t{2} << control_.axes.letters.index[axis];
+      letters |= std::uint32_t{2} << control_.axes.letters.index[axis];
   }
-  for (std::size_t i = 0; i < 3; ++i) lines_.word[letter('X') + i] = control_.positions.programmed()[i].small();
+  lines_.words.permit(letters);
+  for (std::size_t i = 0; i < 3; ++i) lines_.words[kX + i] = control_.positions.programmed()[i].small();
   lines_.at = {static_cast<double>(x.small()), static_cast<double>(y.small()), static_cast<double>(z.small())};
   lines_.plain = control_.axes.linear == kXyz && control_.positions.length().live() == 0 &&
                  (!control_.positions.along_tool() ||
@@ -73,28 +63,10 @@ void ToolSideStage::end() {
 
 // The words of the line, and which letters there are. False: not those of a usual line.
 [[gnu::always_inline]] inline bool ToolSideStage::read_line(const spec::Block& block, std::uint32_t& letters) {
-  lines_.word[kI] = 0;
-  lines_.word[kI + 1] = 0;
-  lines_.word[kI + 2] = 0;
+  for (std::size_t i = 0; i < 3; ++i) lines_.words[kI + i] = 0;
   if (control_.modal.incremental()) [[unlikely]]
-    for (std::size_t i = 0; i < 3; ++i) lines_.word[kX + i] = 0;
-  letters = 0;
-  std::uint64_t digits = 0;
-  unsigned shapes = 0;
-  for (const spec::Word& word : block.words()) {
-    const std::size_t letter = static_cast<unsigned char>(word.address) & 31U;
-    letters |= std::uint32_t{1} << letter;
-    digits |= word.value.digits;
-    shapes |= Count::shape(word.value) + 1U;
-    lines_.word[letter] = Count::small_of_short(word.value);
-  }
-  if ((letters & ~lines_.letters) != 0 || !Count::are_short(digits, shapes) || letters == 0) [[unlikely]]
-    return false;
-  // The code in force again, and no other.
-  if ((letters & 1U << kG) != 0 && (10 * lines_.word[kG] != control_.modal.motion() * Count::kSmallPerOne ||
-                                    static_cast<std::size_t>(std::popcount(letters)) != block.words().size()))
-    return false;
-  return true;
+    for (std::size_t i = 0; i < 3; ++i) lines_.words[kX + i] = 0;
+  return lines_.words.read(block, control_.modal.motion(), letters);
 }
 
 // The direction of the tool by these letters: I J K, or rotary axes.
@@ -108,7 +80,7 @@ void ToolSideStage::end() {
   unsigned turned = 0;
   for (unsigned rest = control_.axes.letters.positions(letters >> 1U) & ~0b111U; rest != 0; rest &= rest - 1) {
     const auto axis = static_cast<std::size_t>(__builtin_ctz(rest));
-    const std::int64_t small = lines_.word[control_.axes.letters.index[axis] + 1U];
+    const std::int64_t small = lines_.words[control_.axes.letters.index[axis] + 1U];
     const Count& place = control_.positions.programmed()[axis];
     if (place.is_small() && place.small() == small) continue;
     turned |= bit(axis);
@@ -126,9 +98,9 @@ void ToolSideStage::end() {
   if (!read_line(block, letters)) [[unlikely]]
     return false;
   // X and Y side by side: made so at once, and never apart in memory.
-  DoublePair xy{static_cast<double>(lines_.word[kX]), static_cast<double>(lines_.word[kX + 1])};
-  auto z = static_cast<double>(lines_.word[kX + 2]);
-  const std::array<std::int64_t, 3> ijk{lines_.word[kI], lines_.word[kI + 1], lines_.word[kI + 2]};
+  DoublePair xy{static_cast<double>(lines_.words[kX]), static_cast<double>(lines_.words[kX + 1])};
+  auto z = static_cast<double>(lines_.words[kX + 2]);
+  const std::array<std::int64_t, 3> ijk{lines_.words[kI], lines_.words[kI + 1], lines_.words[kI + 2]};
   if ((letters & kDirection) != 0 && (ijk[0] | ijk[1] | ijk[2]) == 0) [[unlikely]]
     return false;
   if (control_.modal.incremental()) [[unlikely]] {
@@ -147,8 +119,8 @@ void ToolSideStage::end() {
   // What is done until the line is taken is of no harm where it is not.
   const std::uint64_t direction = control_.attitude.directions().number();
   if ((letters & ~kXyzF) != 0) turn_line(letters, ijk);
-  if ((letters & 1U << kF) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
-    control_.modal.set_feed(Count::nearest_small(lines_.word[kF]));
+  if ((letters & kF) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
+    control_.modal.set_feed(Count::nearest_small(lines_.words[kF]));
     compensation_.await_lines(lines_.plain);
   }
   fill_line(block.line, block.n, xy, z);

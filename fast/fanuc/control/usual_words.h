@@ -1,0 +1,79 @@
+// The words of a usual line, without a detour: positions, F and the code of group 01 in force again, all of few digits
+// and places. For the short cuts that take blocks as they are read.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "fast/arithmetic/count.h"
+#include "fast/basis/fault.h"
+#include "fast/fanuc/control/control.h"
+#include "fast/fanuc/program/words.h"
+#include "spec/language/fanuc/block.h"
+
+namespace toolcomp::fast {
+
+// Nothing of the modal state and of the positions needs a look before such a line: words count as they are written, the
+// positions of the linear axes are theirs, and no value waits to come into force.
+inline bool usual_lines_may_come(const Control& control) {
+  const AxisPositions& positions = control.positions;
+  return control.modal.motion() <= 10 && !control.cutter_value.takes_edited() && !positions.length().pending() &&
+         control.units.plain() && positions.rounded() == 0 && positions.tool_offset().live() == 0 &&
+         positions.stale() == 0 && !control.attitude.plans_tool() &&
+         !(control.modal.incremental() && fault(Fault::incremental_from_offset_position));
+}
+
+// In 10^-6, by letter; a letter that is absent keeps what it had.
+class UsualWords {
+ public:
+  // Where a letter is, A: 1; sets of them have that bit.
+  static constexpr std::size_t at(char letter) { return static_cast<std::size_t>(letter - 'A') + 1; }
+  static constexpr std::uint32_t set(char letter) { return std::uint32_t{1} << at(letter); }
+  static constexpr std::uint32_t set_of(const char* letters) { return Words::set_of(letters) << 1U; }
+
+  [[nodiscard]] std::int64_t& operator[](std::size_t letter) { return word_[letter]; }
+  [[nodiscard]] const std::int64_t& operator[](std::size_t letter) const { return word_[letter]; }
+  // The letters that may come.
+  void permit(std::uint32_t letters) { permitted_ = letters; }
+
+  // False: not the words of a usual line. `letters`: those of the block; `motion`: the code of group 01 in force.
+  [[nodiscard, gnu::always_inline]] bool read(const spec::Block& block, Code motion, std::uint32_t& letters) {
+    letters = 0;
+    std::uint64_t digits = 0;
+    unsigned shapes = 0;
+    for (const spec::Word& word : block.words()) {
+      const std::size_t letter = static_cast<unsigned char>(word.address) & 31U;
+      letters |= std::uint32_t{1} << letter;
+      digits |= word.value.digits;
+      shapes |= Count::shape(word.value) + 1U;
+      word_[letter] = Count::small_of_short(word.value);
+    }
+    if ((letters & ~permitted_) != 0 || !Count::are_short(digits, shapes) || letters == 0) [[unlikely]]
+      return false;
+    // The code in force again, and no other.
+    return (letters & set('G')) == 0 || (10 * word_[at('G')] == motion * Count::kSmallPerOne &&
+                                         static_cast<std::size_t>(std::popcount(letters)) == block.words().size());
+  }
+
+  // Blocks of two words, of these letters in this order: the most usual ones. False: any other, and nothing is done.
+  [[nodiscard, gnu::always_inline]] static bool read_two(const spec::Block& block,
+                                                         const std::array<std::size_t, 2>& letters,
+                                                         std::array<std::int64_t, 2>& to) {
+    const auto at = [&](std::size_t i) { return static_cast<unsigned char>(block.word[i].address) & 31U; };
+    const spec::Decimal& first = block.word[0].value;
+    const spec::Decimal& second = block.word[1].value;
+    if (block.size != 2 || at(0) != letters[0] || at(1) != letters[1] ||
+        !Count::are_short(first.digits | second.digits, (Count::shape(first) + 1U) | (Count::shape(second) + 1U)))
+      return false;
+    to = {Count::small_of_short(first), Count::small_of_short(second)};
+    return true;
+  }
+
+ private:
+  std::uint32_t permitted_ = 0;
+  std::array<std::int64_t, 32> word_{};
+};
+
+}  // namespace toolcomp::fast

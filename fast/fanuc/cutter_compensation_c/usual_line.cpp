@@ -1,0 +1,178 @@
+#include "fast/fanuc/cutter_compensation_c/usual_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fast/basis/fault.h"
+#include "fast/basis/short_cut.h"
+#include "fast/fanuc/control/read_words.h"
+#include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
+#include "fast/geometry/heading.h"
+
+namespace toolcomp::fast {
+namespace {
+
+constexpr std::uint32_t kF = UsualWords::set('F');
+constexpr double kPerOne = static_cast<double>(Count::kSmallPerOne);
+
+DoublePair left_of(DoublePair v) { return DoublePair{-v[1], v[0]}; }
+// At least the length, at most twice of it.
+double extent(DoublePair v) { return std::abs(v[0]) + std::abs(v[1]); }
+
+}  // namespace
+
+void UsualCutterLines::await() {
+  const std::array<std::size_t, 2>& axis = control_.modal.plane_axis();
+  const AxisPositions& positions = control_.positions;
+  const Count& x = positions.programmed()[axis[0]];
+  const Count& y = positions.programmed()[axis[1]];
+  if (!is_open(ShortCut::cutter_line) || !compensation_.awaits_lines() || !usual_lines_may_come(control_)) return;
+  // The axes of the plane are sent to the programmed position.
+  if ((positions.length().live() & (bit(axis[0]) | bit(axis[1]))) != 0 || positions.along_tool()) return;
+  if (!x.is_small() || !y.is_small()) return;
+  axis_ = axis;
+  for (std::size_t i = 0; i < 2; ++i) letter_[i] = std::size_t{control_.axes.letters.index[axis[i]]} + 1U;
+  words_.permit(std::uint32_t{1} << letter_[0] | std::uint32_t{1} << letter_[1] | UsualWords::set_of("FG"));
+  at_ = {x.small(), y.small()};
+  at_value_ = DoublePair{static_cast<double>(at_[0]), static_cast<double>(at_[1])};
+  compensation_.lend(line_);
+  others_ = control_.taker;
+  control_.taker = this;
+}
+
+void UsualCutterLines::block(const spec::Block& block) {
+  if (take(block)) [[likely]]
+    return;
+  leave();
+  others_->block(block);
+}
+
+void UsualCutterLines::end() {
+  leave();
+  others_->end();
+}
+
+void UsualCutterLines::leave() {
+  control_.taker = others_;
+  if (line_.start == UsualLine::Start::lent) return;
+  for (std::size_t i = 0; i < 2; ++i) control_.positions.place_small(axis_[i], at_[i]);
+  fill(at_value_, DoublePair{});
+  compensation_.take_back(line_, at_);
+}
+
+[[gnu::always_inline]] inline void UsualCutterLines::fill(DoublePair at, DoublePair vector) {
+  Event& event = *line_.event;
+  const DoublePair programmed = at / kPerOne;
+  const DoublePair point = programmed + vector;
+  for (std::size_t i = 0; i < 2; ++i) {
+    event.programmed.value[axis_[i]] = programmed[i];
+    event.point.value[axis_[i]] = point[i];
+    event.axes.value[axis_[i]] = point[i];
+  }
+}
+
+// From the first vector to the last, where the line starts.
+void UsualCutterLines::send_corner_move() {
+  if (fault(Fault::usual_line_corner_move)) return;
+  const DoublePair way{static_cast<double>(line_.way[0]), static_cast<double>(line_.way[1])};
+  line_.event->cause = spec::Cause::corner;
+  fill(at_value_ - way, line_.vector);
+  line_.sink->on(*line_.event);
+  line_.event->cause = spec::Cause::programmed;
+}
+
+// Vectors as head_vector() makes them.
+[[gnu::always_inline]] inline bool UsualCutterLines::make_corner(const std::array<std::int64_t, 2>& way, double norm,
+                                                                 DoublePair unit, Corner& corner) const {
+  const std::int64_t c = line_.way[0] * way[1] - line_.way[1] * way[0];
+  const std::int64_t k = line_.way[0] * way[0] + line_.way[1] * way[1];
+  // No way at all, or straight back.
+  if (c == 0 && k <= 0) [[unlikely]]
+    return false;
+  corner.acute = k < 0 && (c < 0) == (line_.offset > 0) && !fault(Fault::usual_line_acute);
+  if (corner.acute) {
+    corner.first = left_of(line_.unit) * line_.offset + line_.unit * line_.radius;
+    corner.last = left_of(unit) * line_.offset - unit * line_.radius;
+    // Beyond No. 5010 in one of the axes for certain.
+    const DoublePair change = corner.first - corner.last;
+    const double over = std::max(std::abs(change[0]), std::abs(change[1])) - line_.limit;
+    return over > 0x1p-46 * (4 * line_.radius + std::abs(line_.limit)) && !fault(Fault::c_small_movement_one_axis);
+  }
+  const Turn turned{static_cast<double>(c), static_cast<double>(k), line_.norm * norm};
+  corner.first = corner.last = (left_of(line_.unit) - line_.unit * half_tangent(turned)) * line_.offset;
+  return true;
+}
+
+// What the interference check asks. Where the vector changes by less than the way, at once.
+[[gnu::always_inline]] inline bool UsualCutterLines::goes_forward(DoublePair vector) const {
+  const DoublePair change = vector - line_.vector;
+  if (extent(change) < (1 - 0x1p-30) / kPerOne * line_.norm) [[likely]]
+    return true;
+  const double length = line_.norm / kPerOne;
+  const double product = length + (line_.unit[0] * change[0] + line_.unit[1] * change[1]);
+  return product > 0x1p-46 * (length + extent(vector) + extent(line_.vector)) || fault(Fault::usual_line_unchecked);
+}
+
+[[gnu::always_inline]] inline bool UsualCutterLines::take(const spec::Block& block) {
+  if (block.alarm) [[unlikely]]
+    return false;
+  const bool incremental = control_.modal.incremental();
+  std::uint32_t letters = 0;
+  std::array<std::int64_t, 2> to{};
+  if (!UsualWords::read_two(block, letter_, to)) {
+    for (std::size_t i = 0; i < 2; ++i) words_[letter_[i]] = incremental ? 0 : at_[i];
+    if (!words_.read(block, control_.modal.motion(), letters)) [[unlikely]]
+      return false;
+    to = {words_[letter_[0]], words_[letter_[1]]};
+  }
+  if (incremental) [[unlikely]] {
+    to[0] += at_[0];
+    to[1] += at_[1];
+    if (!Count::is_small(to[0]) || !Count::is_small(to[1])) return false;
+  }
+  const std::array<std::int64_t, 2> way{to[0] - at_[0], to[1] - at_[1]};
+  // Products of ways below 2^30, and sums of two of them, fit into 64 bits.
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 30U;
+  if (((static_cast<std::uint64_t>(way[0]) + kMost) | (static_cast<std::uint64_t>(way[1]) + kMost)) >> 31U != 0)
+      [[unlikely]]
+    return false;
+  const DoublePair at{static_cast<double>(to[0]), static_cast<double>(to[1])};
+  const DoublePair change = at - at_value_;
+  const DoublePair squares = change * change;
+  const double norm = std::sqrt(squares[0] + squares[1]);
+  const DoublePair unit = change / norm;
+  Corner corner;
+  if (!make_corner(way, norm, unit, corner) || !goes_forward(corner.first)) [[unlikely]]
+    return false;
+
+  if (line_.start == UsualLine::Start::two_vectors) send_corner_move();
+  fill(at_value_, corner.first);
+  line_.start = corner.acute ? UsualLine::Start::two_vectors : UsualLine::Start::one_vector;
+  // One by one: a pair is not to be read of what has just been written apart.
+  line_.before[0] = line_.way[0];
+  line_.before[1] = line_.way[1];
+  line_.way[0] = way[0];
+  line_.way[1] = way[1];
+  line_.unit = unit;
+  line_.norm = norm;
+  line_.vector = corner.last;
+  at_[0] = to[0];
+  at_[1] = to[1];
+  at_value_ = at;
+  Event& event = *line_.event;
+  line_.sink->on(event);
+  // Now it is that of the line that is held now.
+  event.line = block.line;
+  event.n = block.n;
+  if ((letters & kF) != 0) [[unlikely]]
+    set_feed();
+  return true;
+}
+
+void UsualCutterLines::set_feed() {
+  control_.modal.set_feed(Count::nearest_small(words_[UsualWords::at('F')]));
+  Event& event = *line_.event;
+  if (event.type != spec::MoveType::rapid && !fault(Fault::usual_line_feed)) event.feed = control_.modal.feed();
+}
+
+}  // namespace toolcomp::fast
