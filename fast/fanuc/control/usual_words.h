@@ -37,6 +37,7 @@ class UsualWords {
   [[nodiscard]] const std::int64_t& operator[](std::size_t letter) const { return word_[letter]; }
   // The letters that may come.
   void permit(std::uint32_t letters) { permitted_ = letters; }
+  [[nodiscard]] bool permits(std::uint32_t letters) const { return (letters & ~permitted_) == 0; }
 
   // False: not the words of a usual line. `letters`: those of the block; `motion`: the code of group 01 in force.
   [[nodiscard, gnu::always_inline]] bool read(const spec::Block& block, Code motion, std::uint32_t& letters) {

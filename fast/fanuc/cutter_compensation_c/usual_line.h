@@ -44,6 +44,7 @@ class UsualCutterLines final : public BlockTaker {
   // Behind a block that has been taken: the next ones come here, if they may be usual.
   void await();
   void block(const spec::Block& block) override;
+  [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
   void end() override;
 
  private:

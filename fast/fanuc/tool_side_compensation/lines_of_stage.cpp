@@ -9,13 +9,13 @@ namespace {
 
 constexpr std::uint32_t kXyz = Words::set_of("XYZ");
 constexpr std::uint32_t kIjk = Words::set_of("IJK");
-constexpr std::size_t kX = 'X' - 'A' + 1;  // of lines_.word
+constexpr std::size_t kX = UsualWords::at('X');
 
 }  // namespace
 
 bool ToolSideStage::may_be_lines(const LineChunk& chunk) const {
   const std::uint32_t ijk = chunk.words & kIjk;
-  return (chunk.words << 1U & ~lines_.letters) == 0 && (chunk.words & ~(kXyz | kIjk)) == 0 &&
+  return lines_.words.permits(chunk.words << 1U) && (chunk.words & ~(kXyz | kIjk)) == 0 &&
          (ijk == 0 || ijk == kIjk) && !control_.modal.incremental();
 }
 
@@ -70,7 +70,7 @@ void ToolSideStage::finish_lines(const LineChunk& chunk, const SideLineEnd& end,
   fill_last_line(chunk.line + last, at);
   compensation_.set_lines(before_last, {at - from, control_.attitude.directions().now()}, end.vector);
   lines_.at = at;
-  for (std::size_t i = 0; i < 3; ++i) lines_.word[kX + i] = static_cast<std::int64_t>(at[i]);
+  for (std::size_t i = 0; i < 3; ++i) lines_.words[kX + i] = static_cast<std::int64_t>(at[i]);
 }
 
 }  // namespace toolcomp::fast

@@ -7,6 +7,7 @@
 
 #include "fast/arithmetic/count.h"
 #include "fast/basis/fault.h"
+#include "fast/batch/exact_products.h"
 #include "fast/geometry/vector3.h"
 #include "fast/heidenhain/program/whole_vector.h"
 
@@ -27,24 +28,7 @@ struct Blocks {
   Flags refused;  // not 0: no usual block
 };
 
-// A whole number below 2^28 as high * 2^14 + low: products of parts, and sums of some, are exact.
-struct Parts {
-  double high, low;
-};
-constexpr double kPart = 0x1p14;
-[[gnu::always_inline]] inline Parts parts_of(double whole) {
-  constexpr double kRounds = 0x1.8p52;
-  const double high = (whole * (1 / kPart) + kRounds) - kRounds;
-  return {high, whole - high * kPart};
-}
-// a b - c d, rounded once.
-[[gnu::always_inline]] inline double difference(const Parts& a, const Parts& b, const Parts& c, const Parts& d) {
-  const double high = a.high * b.high - c.high * d.high;
-  const double middle = (a.high * b.low + a.low * b.high) - (c.high * d.low + c.low * d.high);
-  const double low = a.low * b.low - c.low * d.low;
-  return (high * (kPart * kPart) + middle * kPart) + low;
-}
-// x² + y² + z² - 10^16: exact where it is below 2^53.
+// x² + y² + z² - 10^16: exact where it is below 2^53. All but the last sum are multiples of 2^15.
 [[gnu::always_inline]] inline double excess(const Parts& x, const Parts& y, const Parts& z) {
   const double high = x.high * x.high + y.high * y.high + z.high * z.high;
   const double middle = 2 * (x.high * x.low + y.high * y.low + z.high * z.low);

@@ -90,6 +90,12 @@ DR = "-0.1"
 DR2 = "-0.02"
 )";
 
+Work cutter_c_lines() {
+  std::vector<Column> plane = places(3);
+  plane.pop_back();
+  return {std::string(kThreeAxes), "G90 G17 G01 F1000 X320. Y-2.\nG42 D1 X326. Y-1.\n", std::move(plane)};
+}
+Work length_offset() { return {std::string(kFanuc), "G90 G01 F1000\nG43 H1 Z0\n", places(3)}; }
 Work tool_side_lines() {
   return {std::string(kFanuc), "G90 G01 F1000 B10. C20.\nX320. Y-2.\nG41.2 D1 X326. Y-1.\n", places(3)};
 }
@@ -130,6 +136,8 @@ void row(benchmark::State& state, const Work& work, Instructions instructions) {
   void work##_baseline(benchmark::State& state) { row(state, work(), Instructions::baseline); }                    \
   BENCHMARK(work##_baseline)->Name("batch_baseline/" #work)
 // NOLINTEND(cppcoreguidelines-macro-usage)
+TOOLCOMP_BATCH_ROW(length_offset);
+TOOLCOMP_BATCH_ROW(cutter_c_lines);
 TOOLCOMP_BATCH_ROW(tool_side_lines);
 TOOLCOMP_BATCH_ROW(tool_side_ijk);
 TOOLCOMP_BATCH_ROW(face_milling);
