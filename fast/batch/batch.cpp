@@ -29,7 +29,8 @@ class Collector final : public EventSink {
       return;
     }
     moves.reserve(1);
-    for (std::size_t i = 0; i < moves.axes(); ++i) *moves.next_of(i) = event.axes.has(i) ? event.axes.value[i] : std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < moves.axes(); ++i)
+      *moves.next_of(i) = event.axes.has(i) ? event.axes.value[i] : std::numeric_limits<double>::quiet_NaN();
     *moves.next_block() = event.line;
     moves.append(1);
   }
@@ -61,7 +62,8 @@ void judge_vectors(const Columns& all, Instructions by) {
     const WordColumn& z = *all.at[place + 2];
     if (y.decimals != x.decimals || z.decimals != x.decimals)
       throw std::invalid_argument(fmt::format("{}, {}, {}: not of as many decimals", x.word, y.word, z.word));
-    const std::size_t zero = find_zero_vector(by, {x.values.data(), y.values.data(), z.values.data()}, all.size, x.decimals);
+    const std::size_t zero =
+        find_zero_vector(by, {x.values.data(), y.values.data(), z.values.data()}, all.size, x.decimals);
     if (zero < all.size) throw std::invalid_argument(fmt::format("{}: the vector of value {} is 0", x.word, zero));
   }
 }
@@ -101,7 +103,9 @@ Columns judged(std::span<const WordColumn> columns, const BlockMaker& maker, Ins
 class Batch::Run {
  public:
   Run(const spec::Setup& setup, EventSink* others, Instructions instructions)
-      : instructions_(instructions), collector_(setup.axes.size(), others), engine_(make_batch_engine(setup, collector_)) {}
+      : instructions_(instructions),
+        collector_(setup.axes.size(), others),
+        engine_(make_batch_engine(setup, collector_)) {}
 
   void run(std::string_view text) { blocks_ += engine_->run(text, blocks_); }
   void lines(std::span<const WordColumn> columns);
@@ -113,7 +117,7 @@ class Batch::Run {
 
  private:
   // The words of some lines, scaled. False: one of them is too large for arrays.
-  [[nodiscard]] bool scale(const Columns& columns, std::size_t from, LineChunk& chunk);
+  [[nodiscard]] bool scale(const Columns& columns, std::size_t from, std::size_t size);
   // One by one and as arrays.
   void take(const Columns& columns, std::size_t from, const LineChunk& chunk, bool usual);
 
@@ -122,21 +126,19 @@ class Batch::Run {
   std::unique_ptr<BatchEngine> engine_;
   std::uint64_t blocks_ = 0;
   std::uint64_t as_arrays_ = 0;
-  std::array<std::array<double, LineChunk::kMost>, kWordPlaces> whole_{};
+  LineChunk::Columns whole_;
 };
 
-bool Batch::Run::scale(const Columns& columns, std::size_t from, LineChunk& chunk) {
+bool Batch::Run::scale(const Columns& columns, std::size_t from, std::size_t size) {
   bool usual = true;
   for (std::size_t place = 0; place < kWordPlaces; ++place) {
     if (columns.at[place] == nullptr) continue;
     const WordColumn& column = *columns.at[place];
     const bool vector = place >= kNormalPlace;
     const unsigned places = vector ? kVectorPlaces : kLengthPlaces;
-    double* const whole = whole_[place].data();
-    chunk.word[place] = whole;
     usual = usual && column.decimals <= places &&
-            scale_words(instructions_, column.values.data() + from, chunk.size, column.decimals, places,
-                        vector ? kMostVector : kMostLength, whole);
+            scale_words(instructions_, column.values.data() + from, size, column.decimals, places,
+                        vector ? kMostVector : kMostLength, whole_[place].data());
   }
   return usual;
 }
@@ -148,10 +150,11 @@ void Batch::Run::lines(std::span<const WordColumn> given) {
     LineChunk chunk;
     chunk.size = std::min(LineChunk::kMost, columns.size - from);
     chunk.words = columns.words;
+    chunk.columns = &whole_;
     chunk.line = blocks_ + 1;
     chunk.instructions = instructions_;
     chunk.moves = &collector_.moves;
-    take(columns, from, chunk, scale(columns, from, chunk));
+    take(columns, from, chunk, scale(columns, from, chunk.size));
     blocks_ += chunk.size;
   }
 }

@@ -18,9 +18,9 @@ namespace toolcomp::fast {
 // One word of many blocks. Each is the decimal of so many places that is nearest to the value, as a post processor
 // prints it: value * 10^decimals, rounded to a whole number (ties to even).
 struct WordColumn {
-  std::string_view word;       // a letter; Klartext vectors: NX NY NZ TX TY TZ
+  std::string_view word;           // a letter; Klartext vectors: NX NY NZ TX TY TZ
   std::span<const double> values;  // mm or inch, degrees
-  unsigned decimals = 3;       // at most 9
+  unsigned decimals = 3;           // at most 9
 };
 
 // A program in parts: blocks as text, and lines as arrays. Its moves are those of the streaming engine on the same

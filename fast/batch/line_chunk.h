@@ -21,23 +21,28 @@ constexpr std::uint32_t place_bit(std::size_t place) { return std::uint32_t{1} <
 // Every block has the same words. Lengths and angles are whole numbers of 10^-6, below 2^50; of vectors in Klartext
 // programs, of 10^-8, below 10^9.
 struct LineChunk {
-  static constexpr std::size_t kMost = 128;
+  static constexpr std::size_t kMost = 256;
+  using Columns = std::array<std::array<double, kMost>, kWordPlaces>;
 
   std::size_t size = 0;
   std::uint32_t words = 0;  // place_bit() of those that there are
-  std::array<const double*, kWordPlaces> word{};
+  const Columns* columns = nullptr;
+  std::size_t first = 0;   // of the columns
   std::uint64_t line = 0;  // of the first block
   Instructions instructions = Instructions::baseline;
   Moves* moves = nullptr;  // with room for as many as there are blocks
 
-  // Without the first ones.
+  // The words of the blocks; nullptr: they have none of these.
+  [[nodiscard]] const double* word(std::size_t place) const {
+    return (words & place_bit(place)) == 0 ? nullptr : (*columns)[place].data() + first;
+  }
+  // `count` of them, without the first `from`.
   [[nodiscard]] LineChunk part(std::size_t from, std::size_t count) const {
-    LineChunk rest = *this;
-    rest.size = count;
-    rest.line += from;
-    for (const double*& column : rest.word)
-      if (column != nullptr) column += from;
-    return rest;
+    LineChunk some = *this;
+    some.size = count;
+    some.first += from;
+    some.line += from;
+    return some;
   }
 };
 

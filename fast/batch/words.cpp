@@ -48,8 +48,8 @@ std::size_t find_zero_vector(Instructions by, const std::array<const double*, 3>
   const auto& [x, y, z] = component;
   if (run_by<NearZero>(by, x, y, z, size, 2 / kPower[decimals]) == 0) return size;
   std::size_t i = 0;
-  while (i < size && !(word_of(x[i], decimals).is_zero() && word_of(y[i], decimals).is_zero() &&
-                       word_of(z[i], decimals).is_zero()))
+  while (i < size &&
+         !(word_of(x[i], decimals).is_zero() && word_of(y[i], decimals).is_zero() && word_of(z[i], decimals).is_zero()))
     ++i;
   return i;
 }

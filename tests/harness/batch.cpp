@@ -104,11 +104,18 @@ std::vector<Shape> shapes() {
       {"fanuc/tool-length-offset", kHead, "G90 G01 F1000\nG44 H1 Z5.\n", bc, "G49 Z0\n", true},
       {"fanuc/tool-length-measurement", kThreeAxes, "G90 G00 H01 Z760.\nG37 Z200.\n", xyz, "", true},
       {"fanuc/tool-offset", kThreeAxes, "G90 G01 F1000\nG46 D1 X10.\n", xyz, ""},
-      {"fanuc/cutter-compensation-c", kThreeAxes, "G90 G17 G01 F1000 X-5. Y-5.\nG41 D1 X0 Y0\n", xy, "G40 X0 Y0\n", true},
+      {"fanuc/cutter-compensation-c", kThreeAxes, "G90 G17 G01 F1000 X-5. Y-5.\nG41 D1 X0 Y0\n", xy, "G40 X0 Y0\n",
+       true},
       {"fanuc/cutter-compensation-c", kThreeAxes, "G90 G17 G01 F1000 X-5. Y-5.\nG42 D1 X0 Y0\n", xyz, "G40 X0 Y0\n"},
-      {"fanuc/cutter-compensation-c", kHead, "G90 G18 G43 H1 G01 F1000 X-5. Z-5.\nG42 D1 X0 Z0\n",
-       {{"Z", place}, {"X", place}}, "G40 X0 Z0\n"},
-      {"fanuc/cutter-compensation-c", kThreeAxes, "G90 G19 G01 F1000 Y-5. Z-5.\nG41 D1 Y0 Z0\n", {{"Y", place}},
+      {"fanuc/cutter-compensation-c",
+       kHead,
+       "G90 G18 G43 H1 G01 F1000 X-5. Z-5.\nG42 D1 X0 Z0\n",
+       {{"Z", place}, {"X", place}},
+       "G40 X0 Z0\n"},
+      {"fanuc/cutter-compensation-c",
+       kThreeAxes,
+       "G90 G19 G01 F1000 Y-5. Z-5.\nG41 D1 Y0 Z0\n",
+       {{"Y", place}},
        "G40 X0 Z0\n"},
       {"fanuc/leading-edge-offset", kHead, "G90 G01 F1000\nB10. C5.\nG41.3 D1\n", bc, "G40\n"},
       {"fanuc/tool-side-compensation", kHead, "G90 G01 F1000\nG41.2 D1 X1. Y1.\n", xyz, "G40 X0\n", true},
@@ -118,11 +125,13 @@ std::vector<Shape> shapes() {
       {"fanuc/tool-center-point-control", kHead, "G90 G01 F1000\nG43.4 H1 X1. Y1.\n", bc, "G49\n"},
       {"fanuc/tool-posture-control", kHead, "G90 G01 F1000\nG43.5 H1 X1. Y1. I0 J0 K1\n", ijk, "G49\n"},
       {"heidenhain/face-milling", kKlartext, "BEGIN PGM T MM\nTOOL CALL 1 Z S1000 DR-0.02\nL X0 Y0 Z0 R0 F1000 M128\n",
-       with({{"NX", unit}, {"NY", unit}, {"NZ", unit}, {"TX", unit}, {"TY", unit}, {"TZ", unit}}), "END PGM T MM\n", true},
+       with({{"NX", unit}, {"NY", unit}, {"NZ", unit}, {"TX", unit}, {"TY", unit}, {"TZ", unit}}), "END PGM T MM\n",
+       true},
       {"heidenhain/face-milling", kKlartext, "BEGIN PGM T MM\nTOOL CALL 1 Z S1000 DR-0.02\nL X0 Y0 Z0 R0 F1000\n",
        with({{"NX", unit}, {"NY", unit}, {"NZ", unit}}), "END PGM T MM\n", true},
       {"heidenhain/programmed-contour", kKlartext,
-       "BEGIN PGM T MM\nTOOL CALL 1 Z S1000\nFUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT CNT-CNT\nFUNCTION PROG PATH IS CONTOUR\nL X0 Y0 Z0 R0 F1000\n",
+       "BEGIN PGM T MM\nTOOL CALL 1 Z S1000\nFUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS REFPNT CNT-CNT\nFUNCTION PROG "
+       "PATH IS CONTOUR\nL X0 Y0 Z0 R0 F1000\n",
        with({{"NX", unit}, {"NY", unit}, {"NZ", unit}}), "END PGM T MM\n", true},
       {"heidenhain/peripheral-milling", kKlartext,
        "BEGIN PGM T MM\nTOOL CALL 1 Z S1000 DR-0.02\nL X0 Y0 Z0 RL F1000 M128\n",
@@ -360,11 +369,12 @@ std::string broken(const Shape& shape, std::uint64_t seed, std::size_t blocks, s
       if (m >= one.lines.size() || m >= many.written.lines.size())
         return fmt::format("{}: {} moves as text, {} as arrays", where, one.lines.size(), many.written.lines.size());
       if (one.lines[m] != many.written.lines[m])
-        return fmt::format("{}: move {} is of block {} as text, {} as arrays", where, m, one.lines[m], many.written.lines[m]);
+        return fmt::format("{}: move {} is of block {} as text, {} as arrays", where, m, one.lines[m],
+                           many.written.lines[m]);
       for (std::size_t i = 0; i < axes; ++i)
         if (one.axes[m * axes + i] != many.written.axes[m * axes + i])
-          return fmt::format("{}: block {} axis {} is {:a} as text, {:a} as arrays", where, one.lines[m], setup.axes.letter(i),
-                             std::bit_cast<double>(one.axes[m * axes + i]),
+          return fmt::format("{}: block {} axis {} is {:a} as text, {:a} as arrays", where, one.lines[m],
+                             setup.axes.letter(i), std::bit_cast<double>(one.axes[m * axes + i]),
                              std::bit_cast<double>(many.written.axes[m * axes + i]));
     }
   }
@@ -450,8 +460,7 @@ TEST(Batch, RefusesWhatIsNoLine) {
                  "NX: the vector of value 0 is 0");
   expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"NX", zero}, {"NY", zero}, {"NZ", ten}},
                  "NZ: value 1 is 10: no number up to 9.9999999");
-  expect_refused(klartext, "",
-                 {{"X", two}, {"Y", two}, {"Z", two}, {"TX", zero, 3}, {"TY", zero, 3}, {"TZ", two, 4}},
+  expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"TX", zero, 3}, {"TY", zero, 3}, {"TZ", two, 4}},
                  "TX, TY, TZ: not of as many decimals");
 }
 

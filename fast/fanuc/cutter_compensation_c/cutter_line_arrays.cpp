@@ -18,14 +18,17 @@ struct Lines {
   Column at_x, at_y;
   Column way_x, way_y, unit_x, unit_y, norm;
   Column vector_x, vector_y;  // at its start; element 1 at the end of the line that is held
-  // Of the corner at the end of each line: by how much the vector may move along it, 0 where the line behind is no usual
-  // one; and whether it is refused.
+  // Of the corner at the end of each line: by how much the vector may move along it, 0 where the line behind is no
+  // usual one; and whether it is refused.
   Column longest_shift;
   std::array<std::int64_t, LineChunk::kMost> refused;
 };
 
+// Whether one of them is 2^26 or more.
 struct Ways {
-  [[gnu::always_inline]] static void run(Lines* lines, std::size_t size) {
+  [[gnu::always_inline]] static std::int64_t run(Lines* lines, std::size_t size) {
+    constexpr double kLong = 0x1p26;
+    std::int64_t any = 0;
     for (std::size_t i = 1; i <= size; ++i) {
       const double x = lines->at_x[i] - lines->at_x[i - 1];
       const double y = lines->at_y[i] - lines->at_y[i - 1];
@@ -35,12 +38,32 @@ struct Ways {
       lines->norm[i] = norm;
       lines->unit_x[i] = x / norm;
       lines->unit_y[i] = y / norm;
+      any |= norm < kLong ? 0 : 1;
     }
+    return any;
   }
 };
 
+// Sine and cosine of the turn, times both lengths, rounded once: below 2^26 products are exact as they are.
+struct Turned {
+  double c, k;
+};
+template <bool kLong>
+[[gnu::always_inline]] inline Turned turn_of(double x1, double y1, double x2, double y2) {
+  if constexpr (!kLong) {
+    return {x1 * y2 - y1 * x2, x1 * x2 + y1 * y2};
+  } else {
+    const Parts first_x = parts_of(x1);
+    const Parts first_y = parts_of(y1);
+    const Parts second_x = parts_of(x2);
+    const Parts second_y = parts_of(y2);
+    return {difference(first_x, second_y, first_y, second_x), sum(first_x, second_x, first_y, second_y)};
+  }
+}
+
 // The corner between line i and line i + 1, as UsualCutterLines::make_corner(). `side`: +1 to the left, or 0: acute
 // corners are not looked for (a fault).
+template <bool kLong>
 struct Corners {
   [[gnu::always_inline]] static void run(Lines* lines, std::size_t size, double offset, double side) {
     constexpr double kMostWay = 0x1p30;
@@ -48,12 +71,7 @@ struct Corners {
     for (std::size_t i = 0; i < size; ++i) {
       const double x = lines->unit_x[i];
       const double y = lines->unit_y[i];
-      const Parts x1 = parts_of(lines->way_x[i]);
-      const Parts y1 = parts_of(lines->way_y[i]);
-      const Parts x2 = parts_of(lines->way_x[i + 1]);
-      const Parts y2 = parts_of(lines->way_y[i + 1]);
-      const double c = difference(x1, y2, y1, x2);
-      const double k = sum(x1, x2, y1, y2);
+      const auto [c, k] = turn_of<kLong>(lines->way_x[i], lines->way_y[i], lines->way_x[i + 1], lines->way_y[i + 1]);
       const double norms = lines->norm[i] * lines->norm[i + 1];
       // The tangent of half the angle: one quotient of two.
       const bool ahead = k >= 0;
@@ -75,8 +93,8 @@ struct Forward {
   [[gnu::always_inline]] static std::int64_t run(Lines* lines, std::size_t size) {
     std::int64_t any = 0;
     for (std::size_t i = 0; i < size; ++i) {
-      const double shift = std::abs(lines->vector_x[i + 1] - lines->vector_x[i]) +
-                           std::abs(lines->vector_y[i + 1] - lines->vector_y[i]);
+      const double shift =
+          std::abs(lines->vector_x[i + 1] - lines->vector_x[i]) + std::abs(lines->vector_y[i + 1] - lines->vector_y[i]);
       const std::int64_t refused = shift < lines->longest_shift[i] ? 0 : 1;
       lines->refused[i] = refused;
       any |= refused;
@@ -115,11 +133,14 @@ CutterLineEnd take_cutter_lines(const LineChunk& chunk, const CutterLineStart& s
   lines.norm[0] = start.line.norm;
   lines.vector_x[0] = start.vector[0];
   lines.vector_y[0] = start.vector[1];
-  go_on(lines.at_x, chunk.word[start.word[0]], size);
-  go_on(lines.at_y, chunk.word[start.word[1]], size);
-  run_by<Ways>(by, &lines, size);
+  go_on(lines.at_x, chunk.word(start.word[0]), size);
+  go_on(lines.at_y, chunk.word(start.word[1]), size);
+  const bool some_long = run_by<Ways>(by, &lines, size) != 0 || start.line.norm >= 0x1p26;
   const double side = fault(Fault::cutter_lines_acute) ? 0 : (start.offset > 0 ? 1 : -1);
-  run_by<Corners>(by, &lines, size, start.offset, side);
+  if (some_long)
+    run_by<Corners<true>>(by, &lines, size, start.offset, side);
+  else
+    run_by<Corners<false>>(by, &lines, size, start.offset, side);
   std::size_t taken = size;
   if (run_by<Forward>(by, &lines, size) != 0 && !fault(Fault::cutter_lines_unchecked))
     taken = static_cast<std::size_t>(std::ranges::find(lines.refused, 1) - lines.refused.begin());

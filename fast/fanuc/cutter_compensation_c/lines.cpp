@@ -42,7 +42,7 @@ std::size_t UsualCutterLines::lines(const LineChunk& chunk) {
   line_.vector = end.vector;
   const std::size_t last = end.taken - 1;
   for (std::size_t i = 0; i < 2; ++i)
-    if (const double* const words = chunk.word[letter_[i] - 1]) at_[i] = static_cast<std::int64_t>(words[last]);
+    if (const double* const words = chunk.word(letter_[i] - 1)) at_[i] = static_cast<std::int64_t>(words[last]);
   at_value_ = pair(at_);
   event.line = chunk.line + last;
   event.n.reset();

@@ -44,7 +44,7 @@ std::size_t Interpreter::lines(const LineChunk& chunk) {
       moves.set_axis(axis, chunk.size, positions.sent_to(axis));
       continue;
     }
-    const double* const word = chunk.word[word_place(control_.axes.names.letter(axis))];
+    const double* const word = chunk.word(word_place(control_.axes.names.letter(axis)));
     const bool offset = (positions.length().live() & bit(axis)) != 0;
     send_axis_to(chunk.instructions, word, offset ? static_cast<double>(positions.length()[axis].small()) : 0,
                  moves.next_of(axis), chunk.size);

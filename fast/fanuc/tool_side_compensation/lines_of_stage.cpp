@@ -15,8 +15,8 @@ constexpr std::size_t kX = UsualWords::at('X');
 
 bool ToolSideStage::may_be_lines(const LineChunk& chunk) const {
   const std::uint32_t ijk = chunk.words & kIjk;
-  return lines_.words.permits(chunk.words << 1U) && (chunk.words & ~(kXyz | kIjk)) == 0 &&
-         (ijk == 0 || ijk == kIjk) && !control_.modal.incremental();
+  return lines_.words.permits(chunk.words << 1U) && (chunk.words & ~(kXyz | kIjk)) == 0 && (ijk == 0 || ijk == kIjk) &&
+         !control_.modal.incremental();
 }
 
 std::size_t ToolSideStage::lines(const LineChunk& chunk) {
@@ -51,7 +51,7 @@ std::size_t ToolSideStage::lines(const LineChunk& chunk) {
 
 Vector3<double> ToolSideStage::line_end(const LineChunk& chunk, std::size_t i) const {
   const auto word = [&](char letter, double stays) {
-    const double* const words = chunk.word[word_place(letter)];
+    const double* const words = chunk.word(word_place(letter));
     return words == nullptr ? stays : words[i];
   };
   return {word('X', lines_.at.x), word('Y', lines_.at.y), word('Z', lines_.at.z)};
@@ -59,7 +59,7 @@ Vector3<double> ToolSideStage::line_end(const LineChunk& chunk, std::size_t i) c
 
 void ToolSideStage::turn_tool(const LineChunk& chunk, std::size_t i) {
   if ((chunk.words & kIjk) == 0) return;
-  const auto word = [&](char letter) { return static_cast<std::int64_t>(chunk.word[word_place(letter)][i]); };
+  const auto word = [&](char letter) { return static_cast<std::int64_t>(chunk.word(word_place(letter))[i]); };
   set_small_direction(control_.attitude.directions().next(), word('I'), word('J'), word('K'));
 }
 

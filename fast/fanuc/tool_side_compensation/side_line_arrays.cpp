@@ -19,8 +19,8 @@ struct Columns3 {
 struct Lines {
   Columns3 at, travel, tool, vector;
   Column square;
-  // Of the corner at the end of each line: by how much the vector may move along it, 0 where the line behind is no usual
-  // one; and whether it is refused.
+  // Of the corner at the end of each line: by how much the vector may move along it, 0 where the line behind is no
+  // usual one; and whether it is refused.
   Column longest_shift;
   std::array<std::int64_t, LineChunk::kMost> refused;
 };
@@ -140,13 +140,13 @@ SideLineEnd take_side_lines(const LineChunk& chunk, const SideLineStart& start) 
   begin(lines.tool, start.tool);
   begin(lines.vector, start.vector);
   lines.square[0] = start.square;
-  go_on(lines.at.x, chunk.word[word_place('X')], size);
-  go_on(lines.at.y, chunk.word[word_place('Y')], size);
-  go_on(lines.at.z, chunk.word[word_place('Z')], size);
+  go_on(lines.at.x, chunk.word(word_place('X')), size);
+  go_on(lines.at.y, chunk.word(word_place('Y')), size);
+  go_on(lines.at.z, chunk.word(word_place('Z')), size);
   run_by<Travels>(by, &lines, size);
-  const double* const i = chunk.word[word_place('I')];
+  const double* const i = chunk.word(word_place('I'));
   if (i != nullptr) {
-    run_by<Tools>(by, &lines, i, chunk.word[word_place('J')], chunk.word[word_place('K')], size);
+    run_by<Tools>(by, &lines, i, chunk.word(word_place('J')), chunk.word(word_place('K')), size);
   } else {
     std::fill_n(lines.tool.x.begin() + 1, size, start.tool.x);
     std::fill_n(lines.tool.y.begin() + 1, size, start.tool.y);

@@ -143,8 +143,10 @@ FaceLineEnd take_face_lines(const LineChunk& chunk, const FaceLineStart& start,
   blocks.refused.fill(0);
   fill(blocks.u, start.u, 0, 1);
   blocks.flat[0] = start.flat ? 1 : 0;
-  const double* const* const n = &chunk.word[kNormalPlace];
-  const double* const* const t = &chunk.word[kToolVectorPlace];
+  const std::array<const double*, 3> n{chunk.word(kNormalPlace), chunk.word(kNormalPlace + 1),
+                                       chunk.word(kNormalPlace + 2)};
+  const std::array<const double*, 3> t{chunk.word(kToolVectorPlace), chunk.word(kToolVectorPlace + 1),
+                                       chunk.word(kToolVectorPlace + 2)};
   run_by<Units>(by, n[0], n[1], n[2], &blocks.normal, &blocks.refused, size);
   if (start.along) {
     blocks.tool = blocks.normal;
@@ -170,7 +172,7 @@ FaceLineEnd take_face_lines(const LineChunk& chunk, const FaceLineStart& start,
   Moves& moves = *chunk.moves;
   const std::array<const Column*, 3> tip{&blocks.tip.x, &blocks.tip.y, &blocks.tip.z};
   for (std::size_t i = 0; i < 3; ++i)
-    run_by<Positions>(by, chunk.word[word_place('X') + i], tip[i]->data() + 1, moves.next_of(axes[i]), taken);
+    run_by<Positions>(by, chunk.word(word_place('X') + i), tip[i]->data() + 1, moves.next_of(axes[i]), taken);
   return {taken, blocks.flat[taken] != 0, element(blocks.u, taken)};
 }
 

@@ -14,9 +14,9 @@ namespace toolcomp::fast::klartext {
 struct FaceLineStart {
   bool flat = false;
   Vector u{0, 0, 0};
-  Vector tool{0, 0, 1};  // unit, where the blocks have no tool vector
+  Vector tool{0, 0, 1};        // unit, where the blocks have no tool vector
   Vector whole_tool{0, 0, 0};  // the same as whole numbers of 10^-8
-  bool along = false;    // without a tool vector: the tool stands along the normal
+  bool along = false;          // without a tool vector: the tool stands along the normal
   bool contour = false;
   double tip_below = 0;
   const ToolValues* values = nullptr;

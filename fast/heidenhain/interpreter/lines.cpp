@@ -11,7 +11,7 @@ constexpr std::uint32_t kNormal = 0b111U << kNormalPlace;
 constexpr std::uint32_t kToolVector = 0b111U << kToolVectorPlace;
 
 std::array<std::int64_t, 3> whole(const LineChunk& chunk, std::size_t place, std::size_t i) {
-  const auto at = [&](std::size_t component) { return static_cast<std::int64_t>(chunk.word[place + component][i]); };
+  const auto at = [&](std::size_t component) { return static_cast<std::int64_t>(chunk.word(place + component)[i]); };
   return {at(0), at(1), at(2)};
 }
 

@@ -130,10 +130,10 @@ void row(benchmark::State& state, const Work& work, Instructions instructions) {
 }
 
 // NOLINTBEGIN(cppcoreguidelines-macro-usage)
-#define TOOLCOMP_BATCH_ROW(work)                                                                                   \
-  void work##_best(benchmark::State& state) { row(state, work(), toolcomp::fast::best_instructions()); }           \
-  BENCHMARK(work##_best)->Name("batch/" #work);                                                                    \
-  void work##_baseline(benchmark::State& state) { row(state, work(), Instructions::baseline); }                    \
+#define TOOLCOMP_BATCH_ROW(work)                                                                         \
+  void work##_best(benchmark::State& state) { row(state, work(), toolcomp::fast::best_instructions()); } \
+  BENCHMARK(work##_best)->Name("batch/" #work);                                                          \
+  void work##_baseline(benchmark::State& state) { row(state, work(), Instructions::baseline); }          \
   BENCHMARK(work##_baseline)->Name("batch_baseline/" #work)
 // NOLINTEND(cppcoreguidelines-macro-usage)
 TOOLCOMP_BATCH_ROW(length_offset);

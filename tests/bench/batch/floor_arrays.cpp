@@ -1,5 +1,5 @@
-// What no compensation of many corners at once can undercut on the machine at hand: the same corners as floor_bench.cpp,
-// an array for each component, by vector code. The yardstick of the batch/ rows.
+// What no compensation of many corners at once can undercut on the machine at hand: the same corners as
+// floor_bench.cpp, an array for each component, by vector code. The yardstick of the batch/ rows.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -51,8 +51,8 @@ void plane_arrays(benchmark::State& state) {
     p.y[i] = kLength * std::sin(angle(i));
   }
   for (auto _ : state) {
-    toolcomp::fast::run_by<PlaneCorners>(toolcomp::fast::best_instructions(), p.x.data(), p.y.data(),
-                                         p.normal_x.data(), p.normal_y.data(), p.to_x.data(), p.to_y.data());
+    toolcomp::fast::run_by<PlaneCorners>(toolcomp::fast::best_instructions(), p.x.data(), p.y.data(), p.normal_x.data(),
+                                         p.normal_y.data(), p.to_x.data(), p.to_y.data());
     benchmark::DoNotOptimize(p.to_x.data());
     benchmark::ClobberMemory();
   }
