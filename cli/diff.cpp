@@ -15,6 +15,7 @@
 #include "formal/engine.h"
 #include "fuzz/oracle/trial.h"
 #include "fuzz/oracle/verdict.h"
+#include "fuzz/parallel/judge_in_pieces.h"
 
 namespace toolcomp::cli {
 
@@ -73,7 +74,9 @@ int diff(const DiffOptions& options) {
   const Progress progress("blocks");
   fuzz::Verdict verdict;
   try {
-    verdict = fuzz::judge_stream(program.text(), program.setup(), program.samples(), &Progress::count);
+    fuzz::JudgeInPieces pieces;
+    pieces.jobs = jobs_for(program, options.jobs);
+    verdict = fuzz::judge_in_pieces(program.text(), program.setup(), program.samples(), pieces, &Progress::count);
   } catch (const spec::InputError& error) {
     throw program.placed(error);
   }

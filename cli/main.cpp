@@ -144,6 +144,10 @@ class CommandLine {
                     "Parts into which each block under tool center point control is divided, with a sample between two")
         ->check(CLI::Range(0U, spec::kMostSamples));
   }
+  static void add_jobs(CLI::App* sub, unsigned& jobs) {
+    sub->add_option("--jobs", jobs, "Processors for one large program (default: all); what comes out is the same")
+        ->check(CLI::Range(1, 256));
+  }
   static void add_sections(CLI::App* sub, std::vector<std::string>& sections) {
     sub->add_option("--section", sections, "Section, e.g. fanuc/leading-edge-offset (repeatable; default: all)")
         ->allow_extra_args(false);
@@ -168,12 +172,14 @@ class CommandLine {
         ->transform(one_of(kFormats));
     sub->add_option("--digits", run_.digits, "Decimals the model prints")->check(CLI::Range(0, 1000));
     add_samples(sub, run_.samples);
+    add_jobs(sub, run_.jobs);
   }
   void add_diff() {
     CLI::App* sub =
         verb("diff", "Model against fast; the first difference explained", [this] { return cli::diff(diff_); });
     add_program(sub, diff_.program, diff_.setup);
     add_samples(sub, diff_.samples);
+    add_jobs(sub, diff_.jobs);
     sub->add_option("--engines", diff_.specification,
                     "model,fast (default), or model,spec: the formal specification in its place")
         ->type_name("PAIR")

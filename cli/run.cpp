@@ -6,7 +6,9 @@
 
 #include "certify/path_svg.h"
 #include "certify/report.h"
+#include "cli/event_text.h"
 #include "cli/program.h"
+#include "cli/run_in_pieces.h"
 #include "cli/verbs.h"
 #include "fast/basis/print.h"
 #include "fuzz/oracle/control.h"
@@ -236,11 +238,10 @@ int run(const RunOptions& options) {
   if (options.format == Format::html && options.program == "-")
     throw spec::InputError("toolcomp run", 0, 0, "--format html needs the program as a file");
   const Program program(options.program, options.setup, options.samples);
+  const unsigned jobs = jobs_for(program, options.jobs);
+  if (jobs > 1 && runs_in_pieces(options.format)) return run_in_pieces(program, options, jobs);
   if (options.engine == EngineName::fast) {
-    fast::NumberWriter numbers;
-    const auto append = [&numbers](spec::TextCursor& out, double value) {
-      out.write([&](char* to) { return numbers.write(to, value); });
-    };
+    FastNumber append;
     if (is_drawn(options.format)) {
       Collector<double> sink(program);
       feed_fast(program, sink);
@@ -248,7 +249,7 @@ int run(const RunOptions& options) {
     }
     const auto start =
         start_of<double>(program.setup(), [](const spec::Decimal& d) { return std::stod(spec::to_string(d)); });
-    Printer<double, decltype(append)> sink(program, options.format, append, start);
+    Printer<double, FastNumber> sink(program, options.format, append, start);
     feed_fast(program, sink);
     return sink.status();
   }
@@ -258,14 +259,10 @@ int run(const RunOptions& options) {
     feed_model(program, recorder, sink);
     return draw(program, sink, options.format);
   }
-  const auto append = [&options](spec::TextCursor& out, const exact::Real& value) {
-    std::string number;
-    model::append_number(number, value, options.digits);
-    out.append(number);
-  };
+  ModelNumber append{options.digits};
   const auto start =
       start_of<exact::Real>(program.setup(), [](const spec::Decimal& d) { return exact::Real(model::plain(d)); });
-  Printer<exact::Real, decltype(append)> sink(program, options.format, append, start);
+  Printer<exact::Real, ModelNumber> sink(program, options.format, append, start);
   feed_model(program, recorder, sink);
   return sink.status();
 }

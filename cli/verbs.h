@@ -29,6 +29,7 @@ struct RunOptions {
   Format format = Format::jsonl;
   int digits = 15;
   std::optional<std::uint32_t> samples;  // instead of those of a case
+  unsigned jobs = 0;                     // processors for one program; 0: all
 };
 int run(const RunOptions& options);
 
@@ -37,6 +38,7 @@ struct DiffOptions {
   std::string setup;
   std::optional<std::uint32_t> samples;
   bool specification = false;  // the formal specification against the model, instead of the fast engine
+  unsigned jobs = 0;           // processors for one program; 0: all
 };
 int diff(const DiffOptions& options);
 

@@ -3,6 +3,7 @@
 
 #include "fuzz/oracle/head.h"
 #include "fuzz/oracle/pose_error.h"
+#include "spec/language/state_writer.h"
 
 namespace toolcomp::fuzz {
 
@@ -25,6 +26,8 @@ struct Scale {
   double carried =
       0;             // what X Y Z are off by that were once those of axes under tool center point control; not times k
   PoseScale pose{};  // what the rotary positions add; 3D compensation: what its directions add to every X Y Z
+
+  void state(spec::StateWriter& out) const { out.all<14>(*this); }
 };
 
 }  // namespace toolcomp::fuzz

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/exact/real.h"
+#include "model/exact/state.h"
 #include "model/kinematics/angle.h"
 #include "spec/language/axes.h"
 
@@ -60,6 +61,11 @@ class Coordinate {
   friend bool operator==(const Coordinate& a, const Coordinate& b) {
     if (a.turned_ || b.turned_) return a.angle() == b.angle();
     return (a - b).value().sign() == exact::Sign::zero;
+  }
+
+  void state(spec::StateWriter& out) const {
+    const auto& [rational, rest, turned] = *this;
+    out(rational, rest, turned);
   }
 
  private:

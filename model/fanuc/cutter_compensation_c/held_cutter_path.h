@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "model/exact/state.h"
 #include "model/fanuc/corner/held.h"
 #include "model/fanuc/corner/offset_path.h"
 #include "model/fanuc/cutter_compensation/cutter_block.h"
@@ -18,6 +19,8 @@ class HeldCutterPath final : public HeldPath {
                                                   const SpaceVector& to) const override;
   [[nodiscard]] bool arc_interferes(Recorder& recorder, ToolArcRun& run) const override;
   [[nodiscard]] bool line_interferes(Recorder& recorder, const Vector& from, const Vector& to) const override;
+
+  void state(spec::StateWriter& out) const override { out(path_, plane_); }
 
  private:
   OffsetPath path_;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "model/exact/state.h"
 #include "model/fanuc/program/motion.h"
 #include "model/kinematics/coordinate.h"
 #include "spec/language/setup.h"
@@ -40,6 +41,11 @@ class WorkCoordinates {
   }
   // Of the floating reference position (G30.1).
   [[nodiscard]] const Rational& floating_reference(std::size_t axis) const { return reference_[4][axis]; }
+
+  void state(spec::StateWriter& out) const {
+    const auto& [axes, origin, external, local, reference, shift, selected, zero] = *this;
+    out(origin, external, local, reference, shift, selected, zero);
+  }
 
  private:
   using Values = std::array<Rational, spec::kMaxAxes>;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "model/basis/recorder.h"
+#include "model/exact/state.h"
 #include "model/heidenhain/face_milling/rules.h"
 #include "model/heidenhain/program/tool_checks.h"
 
@@ -24,6 +25,11 @@ class FaceMilling {
 
   // Another motion, or a TOOL CALL, came between: no jump is looked for.
   void forget() { before_.reset(); }
+
+  void state(spec::StateWriter& out) const {
+    const auto& [recorder, checks, rules, before] = *this;
+    out(before);
+  }
 
  private:
   Recorder& recorder_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/basis/recorder.h"
+#include "model/exact/state.h"
 #include "model/geometry/vector.h"
 #include "model/kinematics/tool_direction.h"
 #include "spec/language/axes.h"
@@ -19,6 +20,8 @@ struct SupportPoint {
   Rational angle;
   Real cosine;
   Real value;
+
+  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 using Deviations = std::vector<SupportPoint>;
 
@@ -30,6 +33,8 @@ struct EffectiveTool {
   Real dl, dr, dr2;       // sums of the deltas of table, TOOL CALL and compensation table
   Real dr2_of_program;    // the same without the tool table
   Deviations deviations;  // of DR2TABLE; empty: the tool has none
+
+  void state(spec::StateWriter& out) const { out.all<9>(*this); }
 };
 
 // R0, RL, RR.
@@ -39,6 +44,8 @@ struct Warning {
   spec::Name number;         // W_DIGITS …
   const char* message = "";  // static text
   Clause clause{};
+
+  void state(spec::StateWriter& out) const { out.all<3>(*this); }
 };
 
 // An L block with an axis word, or an LN block. Lengths in units of the program, workpiece coordinates.
@@ -76,6 +83,8 @@ struct Motion {
     recorder.reach(clause);
     warnings.push_back({number, message, clause});
   }
+
+  void state(spec::StateWriter& out) const { out.all<19>(*this); }
 };
 
 }  // namespace toolcomp::model::klartext

@@ -1,0 +1,251 @@
+// Both engines in step over a program of any length: one pass, block by block.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "fuzz/oracle/compare.h"
+#include "fuzz/oracle/control.h"
+#include "fuzz/oracle/pairing.h"
+#include "fuzz/oracle/verdict.h"
+#include "spec/language/naming_clause.h"
+
+namespace toolcomp::fuzz::stream {
+
+using exact::Sign;
+using spec::EventKind;
+
+// Blocks between two fresh recorders, so that the decisions kept stay bounded.
+inline constexpr std::uint64_t kEpoch = 256;
+// Moves an engine may be behind the other, and those needed to know the next movement (both look-aheads are shorter).
+inline constexpr std::size_t kMaxLag = 64;
+inline constexpr std::size_t kWindow = 8;
+// Events held back for the next movement: with more samples than that the samples of one block fill the window.
+inline constexpr std::size_t kMostHeld = 20'000;
+
+// A decision of a streamed run: epochs have their own recorders, so indices count from the start of one.
+struct Place {
+  std::uint64_t epoch = 0;
+  std::size_t index = 0;
+  friend auto operator<=>(const Place&, const Place&) = default;
+};
+using Choices = std::map<Place, Sign>;
+
+struct Expected final : spec::EventSink<model::Real> {
+  explicit Expected(const spec::Setup& setup) : positions(setup) {}
+  void on(const model::Event& event) override {
+    positions.follow(event);
+    events.push_back(event);
+  }
+  std::deque<model::Event> events;
+  PositionErrors positions;
+};
+
+struct Actual final : spec::EventSink<double> {
+  void on(const fast::Event& event) override { events.push_back(event); }
+  std::deque<fast::Event> events;
+};
+
+// One pass. Decisions of the current and the previous epoch are kept. `Fast`: the fast engine, or what it has given.
+template <class Control, class Fast = typename Control::Fast>
+class Pass {
+ public:
+  // `fast`: makes it, given where its events go. `epoch`: blocks between two fresh recorders.
+  template <class MakeFast>
+  Pass(const spec::Setup& setup, std::uint32_t samples, const Choices& choices, std::uint64_t epoch,
+       const MakeFast& fast)
+      : rules_(setup, {}, {}),
+        pairing_(rules_, setup, &facts_),
+        choices_(choices),
+        blocks_in_epoch_(epoch),
+        per_move_(std::max<std::size_t>(samples, 1)),
+        expected_(setup),
+        model_(Control::model(setup, recorder_, expected_, samples)),
+        fast_(fast(actual_)) {
+    begin_epoch();
+  }
+  Pass(const Pass&) = delete;
+  Pass& operator=(const Pass&) = delete;
+
+  // What follows changes nothing.
+  [[nodiscard]] bool over() const { return done() || (model_.stopped() && fast_.stopped()); }
+
+  void block(const typename Control::Block& block) {
+    if (blocks_ != 0 && blocks_ % blocks_in_epoch_ == 0) next_epoch(block.line);
+    take(block);
+  }
+  // No block follows: the verdict.
+  Verdict end() {
+    if (!done()) {
+      model_.end();
+      fast_.end();
+      compare_pairs(0);
+      leftovers();
+    }
+    if (previous_) count(*previous_);
+    count(recorder_);
+    return verdict();
+  }
+  // Up to here.
+  Verdict verdict() {
+    fuzz::take(verdict_, tally_);
+    if (verdict_.difference)
+      verdict_.outcome = Outcome::differs;
+    else if (undecided_)
+      verdict_.outcome = Outcome::undecided, verdict_.undecided = "the model could not decide this program";
+    else
+      verdict_.outcome = tally_.values > 0 ? Outcome::agrees : Outcome::nothing_judged;
+    return verdict_;
+  }
+
+  // Near ties of the epochs that are kept with the outcomes taken, the latest first.
+  [[nodiscard]] std::vector<std::pair<Place, Sign>> near_ties() const {
+    std::vector<std::pair<Place, Sign>> result;
+    collect(recorder_, epoch_, result);
+    if (previous_) collect(*previous_, epoch_ - 1, result);
+    return result;
+  }
+  [[nodiscard]] std::size_t events() const { return compared_; }
+
+ protected:
+  [[nodiscard]] bool done() const { return verdict_.difference || undecided_; }
+
+  void take(const typename Control::Block& block) {
+    facts_.read(block);
+    if (facts_.units()) rules_.units(*facts_.units());
+    model_.block(block);
+    fast_.block(block);
+    ++blocks_;
+    compare_pairs(window());
+  }
+  [[nodiscard]] std::size_t window() const { return std::min(kWindow * per_move_, kMostHeld); }
+
+  // An epoch ends before the block of this line.
+  void next_epoch(std::uint64_t line) {
+    end_epoch();
+    expected_.positions.forget_before(starts_.second);
+    starts_ = {starts_.second, line};
+    begin_epoch();
+  }
+
+  void begin_epoch() {
+    for (auto it = choices_.lower_bound({epoch_, 0}); it != choices_.end() && it->first.epoch == epoch_; ++it)
+      recorder_.force(it->first.index, it->second);
+  }
+  void end_epoch() {
+    // By now the events of the epoch before are out, and with them the positions its decisions were made of.
+    if (previous_) count(*previous_);
+    previous_ = std::move(recorder_);
+    recorder_ = model::Recorder(true);
+    ++epoch_;
+  }
+
+  void count(const model::Recorder& recorder) {
+    verdict_.decisions += recorder.decision_count();
+    for (const model::Decision& d : recorder.decisions())
+      if (rules_.is_near_tie(d, policy::kDoubleBand, expected_.positions)) ++verdict_.near_ties;
+  }
+
+  void collect(const model::Recorder& recorder, std::uint64_t epoch,
+               std::vector<std::pair<Place, Sign>>& result) const {
+    const auto& decisions = recorder.decisions();
+    for (std::size_t i = decisions.size(); i-- > 0;)
+      if (!choices_.contains({epoch, i}) && rules_.is_near_tie(decisions[i], policy::kDoubleBand, expected_.positions))
+        result.emplace_back(Place{epoch, i}, decisions[i].outcome);
+  }
+
+  // Compares while both sides have an event and the model's next `window` events are known.
+  void compare_pairs(std::size_t window) {
+    while (!done() && !expected_.events.empty() && !actual_.events.empty() && expected_.events.size() > window) {
+      if (expected_.events.front().kind == EventKind::undecided && !left_open(expected_.events.front())) {
+        undecided_ = true;
+        return;
+      }
+      look_ahead();
+      verdict_.difference = pairing_.next(window_, actual_.events.front(), tally_);
+      if (verdict_.difference) {
+        verdict_.difference->event = compared_;
+        return;
+      }
+      ++compared_;
+      expected_.events.pop_front();
+      actual_.events.pop_front();
+    }
+    if (done()) return;
+    if (expected_.events.size() > actual_.events.size() + kMaxLag * per_move_ ||
+        actual_.events.size() > expected_.events.size() + kMaxLag * per_move_)
+      leftovers();
+  }
+
+  // Events of the model before this line are compared with none.
+  void pass_by(std::uint64_t line) {
+    while (expected_.events.size() > window() && expected_.events.front().line < line) {
+      look_ahead();
+      pairing_.pass_by(window_);
+      expected_.events.pop_front();
+    }
+  }
+
+  // The event to compare and the moves behind it; samples between them say nothing about the next movement.
+  void look_ahead() {
+    window_.assign(1, expected_.events.front());
+    for (std::size_t i = 1; i < expected_.events.size() && window_.size() < kWindow; ++i)
+      if (expected_.events[i].kind != EventKind::sample) window_.push_back(expected_.events[i]);
+  }
+
+  void leftovers() {
+    if (done() || (expected_.events.empty() && actual_.events.empty())) return;
+    const bool extra = expected_.events.size() < actual_.events.size();
+    const auto unsettled = [](const model::Event& e) { return e.kind == EventKind::undecided && !left_open(e); };
+    if (!extra && unsettled(expected_.events[actual_.events.size()])) {
+      undecided_ = true;
+      return;
+    }
+    Difference d;
+    d.event = compared_;
+    d.kind = extra ? "extra event" : "missing event";
+    d.field = "event";
+    if (extra) {
+      const fast::Event& event = actual_.events[expected_.events.size()];
+      d.line = event.line;
+      d.expected = "no more events";
+      d.actual = describe(event);
+    } else {
+      const model::Event& event = expected_.events[actual_.events.size()];
+      d.line = event.line;
+      d.clauses = event.clauses;
+      d.clause = spec::naming_clause(event.clauses);
+      d.expected = describe(event);
+      d.actual = "no more events";
+    }
+    verdict_.difference = d;
+  }
+
+  Rules rules_;
+  ProgramFacts facts_;
+  Pairing<double> pairing_;
+  const Choices& choices_;
+  std::uint64_t blocks_in_epoch_;
+  std::uint64_t blocks_ = 0;
+  std::size_t per_move_;  // events of a move with its samples
+  model::Recorder recorder_{true};
+  std::optional<model::Recorder> previous_;
+  std::uint64_t epoch_ = 0;
+  std::pair<std::uint64_t, std::uint64_t> starts_;  // first lines of the epoch before and of this one
+  Expected expected_;
+  Actual actual_;
+  typename Control::Model model_;
+  Fast fast_;
+  std::vector<model::Event> window_;
+  Tally tally_;
+  std::size_t compared_ = 0;
+  bool undecided_ = false;
+  Verdict verdict_;
+};
+
+}  // namespace toolcomp::fuzz::stream

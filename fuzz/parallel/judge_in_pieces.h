@@ -1,0 +1,32 @@
+// judge_stream (fuzz/oracle/verdict.h) on several processors.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "fuzz/oracle/verdict.h"
+
+namespace toolcomp::fuzz {
+
+struct JudgeInPieces {
+  unsigned jobs = 1;
+  // Sizes, in blocks: a piece is a whole number of epochs. Tests make them small.
+  std::uint64_t epoch = 256;
+  std::uint64_t epochs_in_piece = 32;
+  // So many blocks a model runs before its events are judged, where it begins in the middle, besides those of Lead.
+  std::uint64_t lead = 64;
+  std::size_t* wrong = nullptr;  // gets how many guesses were wrong
+  // For tests: in_pieces.h.
+  std::function<bool(const std::string& ended, const std::string& begun)> same = std::equal_to<std::string>();
+};
+
+// The same verdict. The fast engine runs in one thread, in the order of the program. The model and the judge run piece
+// by piece: each begins in the middle with the blocks of Lead (lead.h), and its piece counts where everything it knew
+// there is what the piece before it ended with (in_pieces.h). A difference beside a near tie is settled by
+// judge_stream. A program that can be read only once is judged by judge_stream.
+Verdict judge_in_pieces(const StreamedProgram& program, const spec::Setup& setup, std::uint32_t samples,
+                        const JudgeInPieces& options, void (*on_block)(std::uint64_t) = nullptr);
+
+}  // namespace toolcomp::fuzz
