@@ -271,7 +271,7 @@ int run_model(const Program& program, const RunOptions& options, unsigned jobs) 
     };
     const auto& lead = static_cast<const ModelPiece<Control>&>(piece).lead;
     if (first) return begun(static_cast<decltype(&lead)>(nullptr));
-    const auto late = fuzz::with_late_start(lead, kLatest);
+    const auto late = fuzz::with_late_start(lead, kLatest, kLatest / 2);
     auto runner = late ? begun(&*late) : nullptr;
     return runner != nullptr ? std::move(runner) : begun(&lead);
   };

@@ -182,6 +182,9 @@ class PieceReader {
       piece->fast_lead = std::move(latest_);
     }
     piece->fast.runs = size_ + 1;
+    piece->fast.events.reserve(size_ + size_ / 8);
+    piece->fast.ends.reserve(size_);
+    piece->blocks.reserve(size_);
     while (there_ && piece->blocks.size() < size_) run(*piece);
     piece->last = !there_;
     if (there_) {
@@ -296,7 +299,7 @@ std::optional<Verdict> judge(const StreamedProgram& program, const spec::Setup& 
       return pass;
     };
     if (first) return begun(static_cast<const std::vector<typename Control::Block>*>(nullptr));
-    const auto late = with_late_start(here.lead, options.epoch + options.lead);
+    const auto late = with_late_start(here.lead, options.epoch + options.lead, options.lead / 2);
     auto work_here = late ? begun(&*late) : nullptr;
     return work_here != nullptr ? std::move(work_here) : begun(&here.lead);
   };

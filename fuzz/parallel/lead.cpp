@@ -48,8 +48,8 @@ bool is_code(const spec::Word& word, std::string_view begins) {
   return word.address == 'G' && spec::to_string(word.value).starts_with(begins);
 }
 bool has(const spec::Block& block, std::string_view letters) {
-  return std::ranges::any_of(block.words(),
-                             [letters](const spec::Word& w) { return letters.find(w.address) != letters.npos; });
+  return std::ranges::any_of(
+      block.words(), [letters](const spec::Word& w) { return letters.find(w.address) != std::string_view::npos; });
 }
 // What a code of group 01 says; nothing without one.
 std::optional<bool> is_arc(const spec::Block& block) {
@@ -67,8 +67,8 @@ void erase(spec::Block& block, const auto& is) {
 
 }  // namespace
 
-std::optional<std::vector<spec::Block>> with_late_start(std::vector<spec::Block> lead, std::size_t latest) {
-  constexpr std::size_t few = 32;
+std::optional<std::vector<spec::Block>> with_late_start(std::vector<spec::Block> lead, std::size_t latest,
+                                                        std::size_t most) {
   std::vector<spec::Word> words;  // that start it: the code, and its number
   bool arc = false;
   const std::size_t first = lead.size() - std::min(latest, lead.size());
@@ -83,7 +83,7 @@ std::optional<std::vector<spec::Block>> with_late_start(std::vector<spec::Block>
     erase(lead[i], starts);
   }
   if (words.empty()) return std::nullopt;
-  for (std::size_t i = first; i < std::min(lead.size(), first + few); ++i) {
+  for (std::size_t i = first; i < std::min(lead.size(), first + most); ++i) {
     spec::Block& block = lead[i];
     arc = is_arc(block).value_or(arc);
     if (arc || !has(block, "XYZ") || block.size + words.size() > spec::Block::kMaxWords) continue;

@@ -51,11 +51,12 @@ class Lead {
 };
 
 // The same with a compensation that is on begun not where the program begins it, but in the first straight move of the
-// last `latest` blocks: there the leap over the blocks left out makes no corner. Without the arcs before. Nothing where
-// none is on.
-std::optional<std::vector<spec::Block>> with_late_start(std::vector<spec::Block> lead, std::size_t latest);
+// last `latest` blocks, within the first `most` of them: there the leap over the blocks left out makes no corner.
+// Without the arcs before. Nothing where none is on, or there is no such move.
+std::optional<std::vector<spec::Block>> with_late_start(std::vector<spec::Block> lead, std::size_t latest,
+                                                        std::size_t most);
 inline std::optional<std::vector<spec::klartext::Block>> with_late_start(
-    const std::vector<spec::klartext::Block>& /*lead*/, std::size_t /*latest*/) {
+    const std::vector<spec::klartext::Block>& /*lead*/, std::size_t /*latest*/, std::size_t /*most*/) {
   return std::nullopt;
 }
 

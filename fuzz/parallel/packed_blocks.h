@@ -15,6 +15,7 @@ namespace toolcomp::fuzz {
 template <class Block>
 class PackedBlocks {
  public:
+  void reserve(std::size_t blocks) { blocks_.reserve(blocks); }
   void add(const Block& block) { blocks_.push_back(block); }
   [[nodiscard]] std::size_t size() const { return blocks_.size(); }
   // `into` is a place to unpack it to.
@@ -27,6 +28,7 @@ class PackedBlocks {
 template <>
 class PackedBlocks<spec::Block> {
  public:
+  void reserve(std::size_t blocks) { heads_.reserve(blocks); }
   void add(const spec::Block& block) {
     heads_.push_back({block.line, block.n, block.alarm, words_.size()});
     words_.insert(words_.end(), block.words().begin(), block.words().end());
