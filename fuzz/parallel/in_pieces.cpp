@@ -86,7 +86,7 @@ class Crew {
       const std::size_t index = unclaimed();
       if (stop_ || at(index) == nullptr) return;
       const std::uint64_t run = claim(index);
-      const std::shared_ptr<const Piece> piece = at(index)->piece;
+      std::shared_ptr<const Piece> piece = at(index)->piece;
       lock.unlock();
       std::unique_ptr<PieceWork> work;
       std::optional<std::string> begun;
@@ -99,6 +99,7 @@ class Crew {
         if (index == 0) thrown = std::current_exception();
         work = nullptr;
       }
+      piece.reset();
       lock.lock();
       Place* const place = current(index, run);
       if (place == nullptr) continue;
@@ -119,7 +120,7 @@ class Crew {
   // Runs piece `index`, and those behind it that were begun with another state than it ends in.
   void go_on(Lock& lock, PieceWork& work, std::size_t index, std::uint64_t run) {
     for (;;) {
-      const std::shared_ptr<const Piece> piece = at(index)->piece;
+      std::shared_ptr<const Piece> piece = at(index)->piece;
       lock.unlock();
       std::unique_ptr<PieceResult> result;
       std::string ended;
@@ -130,6 +131,7 @@ class Crew {
       } catch (...) {
         thrown = std::current_exception();
       }
+      piece.reset();
       lock.lock();
       Place* place = current(index, run);
       if (place == nullptr) return;

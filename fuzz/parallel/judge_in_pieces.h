@@ -14,7 +14,7 @@ struct JudgeInPieces {
   unsigned jobs = 1;
   // Sizes, in blocks: a piece is a whole number of epochs. Tests make them small.
   std::uint64_t epoch = 256;
-  std::uint64_t epochs_in_piece = 32;
+  std::uint64_t epochs_in_piece = 24;
   // So many blocks a model runs before its events are judged, where it begins in the middle, besides those of Lead.
   std::uint64_t lead = 64;
   std::size_t* wrong = nullptr;  // gets how many guesses were wrong

@@ -204,13 +204,13 @@ TEST(InPieces, GiveTheVerdictOfOneThread) {
     }
 }
 
-// An offset to which ten blocks add, of which a guess knows the last two, and which a block far behind uses.
+// An offset to which forty blocks add, of which a guess knows a few, and which a block far behind uses.
 spec::Case added_offset() {
   spec::Case c;
   c.setup.axes = spec::Axes("XYZ");
   c.setup.h[1].geometry = spec::decimal(1);
   c.program = "G91 G01 F100\n";
-  for (int i = 0; i < 10; ++i) c.program += "G10 L11 P1 R1.\n";
+  for (int i = 0; i < 40; ++i) c.program += "G10 L11 P1 R1.\n";
   for (int i = 0; i < 600; ++i) c.program += i % 2 == 0 ? "G90 X10. Y3. Z0\n" : "G90 X10. Y-2. Z1.\n";
   c.program += "G43 Z5. H1\n";
   return c;
