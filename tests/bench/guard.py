@@ -18,6 +18,10 @@ import tempfile
 # What a row's time is divided by: the floor of the geometry it has. The first that matches; in the plane otherwise.
 FLOORS = [
     (r"sine|sin_and_cos", "floor/sine_and_cosine"),
+    (r"^batch.*(cutter_c|length_offset)", "floor/arrays_in_the_plane"),
+    (r"^batch", "floor/arrays_in_space"),
+    (r"line_and_arc", "floor/corner_of_line_and_arc"),
+    (r"cutter_._arcs", "floor/corner_of_arcs"),
     (r"tool_side|leading_edge|tip_|posture_|inverse_|milling|contour", "floor/corner_in_space"),
     (r"", "floor/corner_in_the_plane"),
 ]
