@@ -40,9 +40,6 @@ class Collector final : public EventSink {
   EventSink* others_;
 };
 
-// Components of vectors, of so many decimals, are below 10 (E_VEC_RANGE).
-constexpr double kMostComponent = 9.9999999;
-
 // Columns, judged.
 struct Columns {
   std::size_t size = 0;
@@ -73,7 +70,7 @@ void judge_vectors(const Columns& all, Instructions by) {
 }
 void judge_values(const WordColumn& column, std::size_t place, Instructions by) {
   const bool vector = place >= kNormalPlace;
-  const double most = vector ? kMostComponent : kMostWord;
+  const double most = vector ? most_component(column.decimals) : kMostWord;
   if (are_within(by, column.values.data(), column.values.size(), most)) return;
   const auto bad = std::ranges::find_if_not(column.values, [&](double value) { return std::abs(value) <= most; });
   refuse(column, fmt::format("value {} is {}: no number up to {}", bad - column.values.begin(), *bad, most));
@@ -108,7 +105,7 @@ class Batch::Run {
         engine_(make_batch_engine(setup, collector_)) {}
 
   void run(std::string_view text) { blocks_ += engine_->run(text, blocks_); }
-  void lines(std::span<const WordColumn> columns);
+  void lines(std::span<const WordColumn> given);
   void end() { engine_->end(); }
   [[nodiscard]] bool stopped() const { return engine_->stopped(); }
   [[nodiscard]] Moves& moves() { return collector_.moves; }

@@ -43,6 +43,8 @@ struct NearZero {
 
 }  // namespace
 
+double most_component(unsigned decimals) { return 10 - 1 / kPower[decimals]; }
+
 std::size_t find_zero_vector(Instructions by, const std::array<const double*, 3>& component, std::size_t size,
                              unsigned decimals) {
   const auto& [x, y, z] = component;

@@ -459,7 +459,7 @@ TEST(Batch, RefusesWhatIsNoLine) {
   expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"NX", zero}, {"NY", zero}, {"NZ", zero}},
                  "NX: the vector of value 0 is 0");
   expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"NX", zero}, {"NY", zero}, {"NZ", ten}},
-                 "NZ: value 1 is 10: no number up to 9.9999999");
+                 "NZ: value 1 is 10: no number up to 9.999");
   expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"TX", zero, 3}, {"TY", zero, 3}, {"TZ", two, 4}},
                  "TX, TY, TZ: not of as many decimals");
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kI = UsualWords::at('I');
 constexpr std::size_t kX = UsualWords::at('X');
-constexpr std::uint32_t kF = UsualWords::set('F');
+constexpr std::uint32_t kFeed = UsualWords::set('F');
 constexpr std::uint32_t kDirection = UsualWords::set_of("IJK");
 constexpr std::uint32_t kXyzF = UsualWords::set_of("XYZFG");
 
@@ -119,8 +119,8 @@ void ToolSideStage::end() {
   // What is done until the line is taken is of no harm where it is not.
   const std::uint64_t direction = control_.attitude.directions().number();
   if ((letters & ~kXyzF) != 0) turn_line(letters, ijk);
-  if ((letters & kF) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
-    control_.modal.set_feed(Count::nearest_small(lines_.words[kF]));
+  if ((letters & kFeed) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
+    control_.modal.set_feed(Count::nearest_small(lines_.words[UsualWords::at('F')]));
     compensation_.await_lines(lines_.plain);
   }
   fill_line(block.line, block.n, xy, z);
