@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "fast/arrays/line_chunk.h"
+#include "fast/arrays/words.h"
 #include "fast/batch/dialect.h"
-#include "fast/batch/line_chunk.h"
-#include "fast/batch/words.h"
 
 namespace toolcomp::fast {
 namespace {

@@ -8,9 +8,9 @@
 #include <span>
 #include <string_view>
 
+#include "fast/arrays/instructions.h"
+#include "fast/arrays/moves.h"
 #include "fast/basis/event.h"
-#include "fast/batch/instructions.h"
-#include "fast/batch/moves.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast {

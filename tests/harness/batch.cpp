@@ -403,7 +403,7 @@ TEST(Batch, GivesWhatTextGives) {
 TEST(Batch, AMistakeInTheArraysBreaksTheLaw) {
   constexpr std::pair<std::string_view, Fault> kFaults[] = {
 #define TOOLCOMP_BATCH_FAULT(name, mistake) {#name, Fault::name},
-#include "fast/batch/faults.inc"
+#include "fast/basis/array_faults.inc"
 #undef TOOLCOMP_BATCH_FAULT
   };
   struct Restore {

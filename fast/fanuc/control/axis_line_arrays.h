@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "fast/batch/instructions.h"
+#include "fast/arrays/instructions.h"
 
 namespace toolcomp::fast {
 

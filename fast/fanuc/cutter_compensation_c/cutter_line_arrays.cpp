@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "fast/arithmetic/count.h"
+#include "fast/arrays/exact_products.h"
 #include "fast/basis/fault.h"
-#include "fast/batch/exact_products.h"
 
 namespace toolcomp::fast {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "fast/arithmetic/count.h"
+#include "fast/arrays/exact_products.h"
 #include "fast/basis/fault.h"
-#include "fast/batch/exact_products.h"
 #include "fast/geometry/vector3.h"
 #include "fast/heidenhain/program/whole_vector.h"
 

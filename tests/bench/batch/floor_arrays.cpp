@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "fast/batch/instructions.h"
+#include "fast/arrays/instructions.h"
 #include "tests/bench/rows.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fast/batch/instructions.h"
+#include "fast/arrays/instructions.h"
 #include "spec/language/decimal.h"
 
 namespace toolcomp::fast {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fast/batch/instructions.h"
-#include "fast/batch/moves.h"
+#include "fast/arrays/instructions.h"
+#include "fast/arrays/moves.h"
 
 namespace toolcomp::fast {
 

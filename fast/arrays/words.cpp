@@ -1,4 +1,4 @@
-#include "fast/batch/words.h"
+#include "fast/arrays/words.h"
 
 #include <cmath>
 
