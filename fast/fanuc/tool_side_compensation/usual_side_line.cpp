@@ -133,9 +133,8 @@ void ToolSideStage::end() {
   return true;
 }
 
-[[gnu::always_inline]] inline void ToolSideStage::fill_line(std::uint64_t line,
-                                                           const std::optional<std::uint64_t>& n, DoublePair xy,
-                                                           double z) {
+[[gnu::always_inline]] inline void ToolSideStage::fill_line(std::uint64_t line, const std::optional<std::uint64_t>& n,
+                                                            DoublePair xy, double z) {
   Event& event = compensation_.next().event;
   if (!compensation_.is_line_filled() || !lines_.plain) [[unlikely]] {
     place_lines(xy[0], xy[1], z);
