@@ -449,8 +449,8 @@ TEST(Batch, RefusesWhatIsNoLine) {
   expect_refused(fanuc, "G90\n", {{"B", two}}, "B: no word of a line that this control has");
   expect_refused(fanuc, "G90\n", {{"NX", two}}, "NX: no word of a line that this control has");
   expect_refused(fanuc, "G90\n", {{"X", two, 10}}, "X: more than 9 decimals");
-  expect_refused(fanuc, "G90\n", {{"X", two}, {"Y", bad}}, "Y: value 1 is nan: no number up to 1000000000");
-  expect_refused(fanuc, "G90\n", {{"X", far}}, "X: value 1 is -2000000000: no number up to 1000000000");
+  expect_refused(fanuc, "G90\n", {{"X", two}, {"Y", bad}}, "Y: value 1 is nan: no number up to 1e+09");
+  expect_refused(fanuc, "G90\n", {{"X", far}}, "X: value 1 is -2e+09: no number up to 1e+09");
   const spec::Setup klartext = spec::read_setup_toml(kKlartext, "setup");
   const std::vector<double> zero{0, 0};
   const std::vector<double> ten{0, 10};
