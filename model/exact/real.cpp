@@ -75,13 +75,6 @@ Real settle(Node* node) {
   return {};
 }
 
-// An arc tangent, alone or with whole turns: dear to enclose, and mostly nobody asks for it. Nothing else waits, so
-// that an enclosure is never made by a long recursion.
-bool waits(const Node& node) {
-  if (node.kind == Kind::arctangent) return true;
-  return node.kind == Kind::sum && node.left->is_rational() && node.right->kind == Kind::arctangent;
-}
-
 Real operation(Kind kind, Node* left, Node* right = nullptr) {
   Node* const node = new_node(kind);
   ++left->references;
@@ -90,7 +83,7 @@ Real operation(Kind kind, Node* left, Node* right = nullptr) {
     ++right->references;
     node->right = right;
   }
-  if (!waits(*node)) node->base_enclosure();
+  node->bounds();  // now, so that none is made by a long recursion
   return Node::adopt(node);
 }
 
@@ -123,8 +116,7 @@ Real sine_or_cosine(Kind kind, const mpq_t degrees) {
   if (mpq_cmp_ui(degrees, kind == Kind::sine ? 30 : 60, 1) == 0) return Rational(1, 2);
   Node* const node = new_node(kind);
   mpq_set(node->value, degrees);
-  enclose(node->enclosure, *node, nullptr, nullptr);
-  node->enclosed = true;
+  node->bounds();
   return Node::adopt(node);
 }
 
@@ -211,8 +203,7 @@ Real operator+(const Real& a, const Real& b) {
   if (y->is_rational()) std::swap(x, y);
   if (y->is_rational()) return fold(mpq_add, *x, *y);
   if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_add, *x, *y->left) + Node::share(y->right);
-  if (x->is_rational() && has_rational(*y, Kind::difference))
-    return fold(mpq_add, *x, *y->left) - Node::share(y->right);
+  if (x->is_rational() && has_rational(*y, Kind::difference)) return fold(mpq_add, *x, *y->left) - Node::share(y->right);
   if (is_negation(*y)) return x == y->left ? Real() : operation(Kind::difference, x, y->left);
   if (is_negation(*x)) return x->left == y ? Real() : operation(Kind::difference, y, x->left);
   return operation(Kind::sum, x, y);
@@ -271,7 +262,7 @@ Real sqrt(const Real& a) {
   if (x->is_rational())
     if (auto folded = rational_root(*x)) return *folded;
   if (x->kind == Kind::product && x->left == x->right)
-    if (auto of_factor = certain_sign(x->left->base_enclosure()))
+    if (auto of_factor = enclosed_sign(*x->left))
       return *of_factor == Sign::negative ? -Node::share(x->left) : Node::share(x->left);
   return operation(Kind::root, x);
 }
