@@ -8,6 +8,7 @@
 
 #include "model/exact/node.h"
 #include "model/exact/refinement.h"
+#include "model/exact/short_rational.h"
 #include "model/exact/sign.h"
 #include "model/exact/trigonometry.h"
 
@@ -201,9 +202,9 @@ Real operator+(const Real& a, const Real& b) {
   if (is_zero(x)) return b;
   if (is_zero(y)) return a;
   if (y->is_rational()) std::swap(x, y);
-  if (y->is_rational()) return fold(mpq_add, *x, *y);
-  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_add, *x, *y->left) + Node::share(y->right);
-  if (x->is_rational() && has_rational(*y, Kind::difference)) return fold(mpq_add, *x, *y->left) - Node::share(y->right);
+  if (y->is_rational()) return fold(add, *x, *y);
+  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(add, *x, *y->left) + Node::share(y->right);
+  if (x->is_rational() && has_rational(*y, Kind::difference)) return fold(add, *x, *y->left) - Node::share(y->right);
   if (is_negation(*y)) return x == y->left ? Real() : operation(Kind::difference, x, y->left);
   if (is_negation(*x)) return x->left == y ? Real() : operation(Kind::difference, y, x->left);
   return operation(Kind::sum, x, y);
@@ -215,11 +216,11 @@ Real operator-(const Real& a, const Real& b) {
   if (x == y) return {};
   if (is_zero(y)) return a;
   if (is_zero(x)) return -b;
-  if (y->is_rational()) return x->is_rational() ? fold(mpq_sub, *x, *y) : -b + a;
+  if (y->is_rational()) return x->is_rational() ? fold(subtract, *x, *y) : -b + a;
   if (is_negation(*y)) return a + Node::share(y->left);
-  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_sub, *x, *y->left) - Node::share(y->right);
+  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(subtract, *x, *y->left) - Node::share(y->right);
   if (x->is_rational() && has_rational(*y, Kind::difference))
-    return fold(mpq_sub, *x, *y->left) + Node::share(y->right);
+    return fold(subtract, *x, *y->left) + Node::share(y->right);
   if (is_sum(*x) && is_sum(*y)) {
     if (auto rest = difference_of_sums(x, 1, y, 1)) return *std::move(rest);
     if (auto rest = difference_of_sums(x, 1, y, 2)) return *std::move(rest);
@@ -233,11 +234,11 @@ Real operator*(const Real& a, const Real& b) {
   Node* y = Node::of(b);
   if (is_zero(x) || is_zero(y)) return {};
   if (y->is_rational()) std::swap(x, y);
-  if (y->is_rational()) return fold(mpq_mul, *x, *y);
+  if (y->is_rational()) return fold(multiply, *x, *y);
   if (x->is_rational()) {
     if (is_integer(*x, 1)) return Node::share(y);
     if (is_integer(*x, -1)) return -Node::share(y);
-    if (has_rational(*y, Kind::product)) return fold(mpq_mul, *x, *y->left) * Node::share(y->right);
+    if (has_rational(*y, Kind::product)) return fold(multiply, *x, *y->left) * Node::share(y->right);
     if (is_negation(*y)) return -Node::share(x) * Node::share(y->left);
   }
   if (x == y && x->kind == Kind::root) return Node::share(x->left);
@@ -250,7 +251,7 @@ Real operator/(const Real& a, const Real& b) {
   if (b.sign() == Sign::zero) throw std::domain_error("division by zero");
   if (is_zero(x)) return {};
   if (x == y) return 1;
-  if (y->is_rational()) return x->is_rational() ? fold(mpq_div, *x, *y) : inverse(*y) * a;
+  if (y->is_rational()) return x->is_rational() ? fold(divide, *x, *y) : inverse(*y) * a;
   return operation(Kind::quotient, x, y);
 }
 
