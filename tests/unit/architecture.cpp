@@ -272,7 +272,10 @@ TEST(Architecture, SpecificationOfLanguageDoesNotKnowMeaning) {
 // Nothing in the model passes through double. The one way out is model/exact's enclosure rounded outwards.
 TEST(Architecture, ModelHasNoDoubles) {
   const std::regex floating(R"(\b(double|float)\b)");
-  const std::set<std::string> ways_out{"real.h", "real.cpp", "interval.h", "interval.cpp"};
+  // Bounds, rounded outwards.
+  const std::set<std::string> ways_out{
+      "real.h",      "real.cpp",           "interval.h",           "interval.cpp",
+      "decimal.cpp", "double_enclosure.h", "double_enclosure.cpp", "double_functions.cpp"};
   for (const fs::path& file : sources("model")) {
     if (file.parent_path().filename() == "exact" && ways_out.contains(file.filename())) continue;
     EXPECT_FALSE(std::regex_search(code_of(read(file)), floating)) << file;
