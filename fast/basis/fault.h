@@ -9,7 +9,7 @@ enum class Fault : unsigned char {
 #include "fast/basis/faults.inc"
 #undef TOOLCOMP_FAULT
 #define TOOLCOMP_BATCH_FAULT(name, mistake) name,
-#include "fast/batch/faults.inc"
+#include "fast/basis/array_faults.inc"
 #undef TOOLCOMP_BATCH_FAULT
 };
 

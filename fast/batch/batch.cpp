@@ -1,9 +1,8 @@
 #include "fast/batch/batch.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -11,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "fast/arrays/line_chunk.h"
+#include "fast/arrays/words.h"
 #include "fast/batch/dialect.h"
-#include "fast/batch/line_chunk.h"
-#include "fast/batch/words.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -40,9 +39,6 @@ class Collector final : public EventSink {
   EventSink* others_;
 };
 
-// Components of vectors, of so many decimals, are below 10 (E_VEC_RANGE).
-constexpr double kMostComponent = 9.9999999;
-
 // Columns, judged.
 struct Columns {
   std::size_t size = 0;
@@ -50,45 +46,52 @@ struct Columns {
   std::array<const WordColumn*, kWordPlaces> at{};
 };
 
+[[noreturn]] void refuse(std::string_view what, const std::string& why) {
+  throw std::invalid_argument(std::string(what) + ": " + why);
+}
+
 // LN blocks have X, Y, Z and whole vectors, none of them zero.
 void judge_vectors(const Columns& all, Instructions by) {
   for (const std::size_t place : {kNormalPlace, kToolVectorPlace}) {
     const std::uint32_t named = all.words >> place & 0b111U;
     if (named == 0) continue;
     if (named != 0b111U || (all.words >> word_place('X') & 0b111U) != 0b111U)
-      throw std::invalid_argument("vectors: X, Y, Z and all three components are needed");
+      refuse("vectors", "X, Y, Z and all three components are needed");
     const WordColumn& x = *all.at[place];
     const WordColumn& y = *all.at[place + 1];
     const WordColumn& z = *all.at[place + 2];
     if (y.decimals != x.decimals || z.decimals != x.decimals)
-      throw std::invalid_argument(fmt::format("{}, {}, {}: not of as many decimals", x.word, y.word, z.word));
+      refuse(std::string(x.word) + ", " + std::string(y.word) + ", " + std::string(z.word), "not of as many decimals");
     const std::size_t zero =
         find_zero_vector(by, {x.values.data(), y.values.data(), z.values.data()}, all.size, x.decimals);
-    if (zero < all.size) throw std::invalid_argument(fmt::format("{}: the vector of value {} is 0", x.word, zero));
+    if (zero < all.size) refuse(x.word, "the vector of value " + std::to_string(zero) + " is 0");
   }
 }
 
-[[noreturn]] void refuse(const WordColumn& column, const std::string& why) {
-  throw std::invalid_argument(fmt::format("{}: {}", column.word, why));
+std::string shortest(double value) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
+
 void judge_values(const WordColumn& column, std::size_t place, Instructions by) {
   const bool vector = place >= kNormalPlace;
-  const double most = vector ? kMostComponent : kMostWord;
+  const double most = vector ? most_component(column.decimals) : kMostWord;
   if (are_within(by, column.values.data(), column.values.size(), most)) return;
   const auto bad = std::ranges::find_if_not(column.values, [&](double value) { return std::abs(value) <= most; });
-  refuse(column, fmt::format("value {} is {}: no number up to {}", bad - column.values.begin(), *bad, most));
+  refuse(column.word, "value " + std::to_string(bad - column.values.begin()) + " is " + shortest(*bad) +
+                          ": no number up to " + shortest(most));
 }
 
 Columns judged(std::span<const WordColumn> columns, const BlockMaker& maker, Instructions by) {
   Columns all;
   for (const WordColumn& column : columns) {
     const std::optional<std::size_t> place = maker.place_of(column.word);
-    if (!place) refuse(column, "no word of a line that this control has");
-    if (all.at[*place] != nullptr) refuse(column, "named twice");
-    if (column.decimals > kMostPlaces) refuse(column, fmt::format("more than {} decimals", kMostPlaces));
+    if (!place) refuse(column.word, "no word of a line that this control has");
+    if (all.at[*place] != nullptr) refuse(column.word, "named twice");
+    if (column.decimals > kMostPlaces) refuse(column.word, "more than " + std::to_string(kMostPlaces) + " decimals");
     if (column.values.size() != columns.front().values.size())
-      refuse(column, fmt::format("{} values where {} has {}", column.values.size(), columns.front().word,
-                                 columns.front().values.size()));
+      refuse(column.word, std::to_string(column.values.size()) + " values where " + std::string(columns.front().word) +
+                              " has " + std::to_string(columns.front().values.size()));
     judge_values(column, *place, by);
     all.at[*place] = &column;
     all.words |= place_bit(*place);
@@ -108,7 +111,7 @@ class Batch::Run {
         engine_(make_batch_engine(setup, collector_)) {}
 
   void run(std::string_view text) { blocks_ += engine_->run(text, blocks_); }
-  void lines(std::span<const WordColumn> columns);
+  void lines(std::span<const WordColumn> given);
   void end() { engine_->end(); }
   [[nodiscard]] bool stopped() const { return engine_->stopped(); }
   [[nodiscard]] Moves& moves() { return collector_.moves; }

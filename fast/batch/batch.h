@@ -8,9 +8,9 @@
 #include <span>
 #include <string_view>
 
+#include "fast/arrays/instructions.h"
+#include "fast/arrays/moves.h"
 #include "fast/basis/event.h"
-#include "fast/batch/instructions.h"
-#include "fast/batch/moves.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast {
@@ -40,7 +40,8 @@ class Batch {
   void run(std::string_view text);
   // As many blocks as the columns have values, each of all their words, under the modes in force: in a Klartext program
   // LN blocks where there are vectors, else L. Throws std::invalid_argument, and nothing is done: columns of different
-  // lengths, a word twice or none the control has, values beyond 10^9 or that are no numbers.
+  // lengths, a word twice or none the control has, values beyond 10^9 or that are no numbers, vectors that are 0 or
+  // reach 10.
   void lines(std::span<const WordColumn> columns);
   // The end of the program: what is held goes out.
   void end();

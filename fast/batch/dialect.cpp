@@ -1,6 +1,7 @@
 #include "fast/batch/dialect.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "fast/fanuc/engine.h"
 #include "fast/heidenhain/engine.h"
@@ -12,7 +13,7 @@ namespace {
 
 class FanucMaker final : public BlockMaker {
  public:
-  explicit FanucMaker(const spec::Axes& axes) : axes_(axes) {}
+  explicit FanucMaker(spec::Axes axes) : axes_(std::move(axes)) {}
 
   // Words of a line: axes, I J K and the feed.
   [[nodiscard]] std::optional<std::size_t> place_of(std::string_view word) const override {
@@ -37,7 +38,7 @@ class FanucMaker final : public BlockMaker {
 
 class KlartextMaker final : public BlockMaker {
  public:
-  explicit KlartextMaker(const spec::Axes& axes) : axes_(axes) {}
+  explicit KlartextMaker(spec::Axes axes) : axes_(std::move(axes)) {}
 
   [[nodiscard]] std::optional<std::size_t> place_of(std::string_view word) const override {
     if (word.size() == 1 && spec::klartext::kAxisLetters.find(word[0]) != std::string_view::npos && axes_.has(word[0]))

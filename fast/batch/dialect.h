@@ -7,8 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include "fast/arrays/line_chunk.h"
 #include "fast/basis/event.h"
-#include "fast/batch/line_chunk.h"
 #include "spec/language/decimal.h"
 #include "spec/language/setup.h"
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "fast/arrays/line_chunk.h"
 #include "fast/basis/event.h"
-#include "fast/batch/line_chunk.h"
 #include "spec/language/fanuc/block.h"
 #include "spec/language/setup.h"
 

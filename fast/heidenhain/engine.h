@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "fast/arrays/line_chunk.h"
 #include "fast/basis/event.h"
-#include "fast/batch/line_chunk.h"
 #include "spec/language/heidenhain/klartext_block.h"
 #include "spec/language/setup.h"
 
@@ -22,8 +22,8 @@ class Engine {
   Engine& operator=(const Engine&) = delete;
 
   void block(const spec::klartext::Block& block);
-  // Blocks of lines as arrays (fast/batch): how many of them have been taken, their moves written to the chunk's. 0: the
-  // first one is for block().
+  // Blocks of lines as arrays (fast/batch): how many of them have been taken, their moves written to the chunk's. 0:
+  // the first one is for block().
   [[nodiscard]] std::size_t lines(const LineChunk& chunk);
   // The end of the text: flushes the look-ahead.
   void end();

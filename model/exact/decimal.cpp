@@ -1,4 +1,6 @@
 // What is read out of a value: bounds, doubles and decimals.
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "model/exact/node.h"
@@ -29,6 +31,18 @@ bool is_narrow(const Interval& x, int bits) {
   mpfr_sub(width.upper, x.upper, x.lower, MPFR_RNDU);
   mpfr_mul_2si(width.upper, width.upper, bits, MPFR_RNDU);
   return mpfr_cmpabs(width.upper, x.lower) <= 0 && mpfr_cmpabs(width.upper, x.upper) <= 0;
+}
+
+// The same, told by double alone.
+bool is_narrow(const DoubleEnclosure& x, int bits) {
+  if (!is_finite(x) || (x.lower <= 0 && x.upper >= 0)) return false;
+  return std::ldexp(above(x.upper - x.lower), bits) <= std::min(std::fabs(x.lower), std::fabs(x.upper));
+}
+
+Rational rational_of(double x) {
+  Rational result;
+  mpq_set_d(result.backend().data(), x);
+  return result;
 }
 
 // The best enclosure to be had, of relative width 2^-bits if the work reaches. The node is no rational.
@@ -119,6 +133,8 @@ std::string digits_of(Integer scaled, int digits) {
 
 Enclosure Real::enclosure(int bits) const {
   if (is_rational()) return {rational(), rational()};
+  if (const DoubleEnclosure& rough = node_->bounds(); is_narrow(rough, bits))
+    return {rational_of(rough.lower), rational_of(rough.upper)};
   const auto known = try_decide(*node_);
   if (known == Sign::zero) return {};
   // Around a zero that is not proven there is no relative width to be had.

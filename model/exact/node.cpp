@@ -71,13 +71,36 @@ void trim(mpz_ptr z) {
 Node::Node() { mpq_init(value); }
 Node::~Node() { mpq_clear(value); }
 
+void Node::make_bounds() {
+  bounds_in_double = enclosed_in_double(*this, left == nullptr ? whole_line : left->bounds(),
+                                        right == nullptr ? whole_line : right->bounds());
+  bounded = true;
+}
+
 const Interval& Node::base_enclosure() {
-  if (!enclosed) {
-    enclose(enclosure, *this, left == nullptr ? nullptr : &left->base_enclosure(),
-            right == nullptr ? nullptr : &right->base_enclosure());
-    enclosed = true;
+  if (enclosed) return enclosure;
+  // No walk of operands_first, which may be under way around this one: what is done is told by `enclosed`.
+  std::vector<Node*> open{this};
+  while (!open.empty()) {
+    Node& node = *open.back();
+    bool ready = true;
+    for (Node* operand : {node.left, node.right}) {
+      if (operand == nullptr || operand->enclosed) continue;
+      open.push_back(operand);
+      ready = false;
+    }
+    if (!ready) continue;
+    open.pop_back();
+    if (!node.enclosed) node.make_enclosure();
   }
   return enclosure;
+}
+
+void Node::make_enclosure() {
+  enclose(enclosure, *this, left == nullptr ? nullptr : &left->enclosure,
+          right == nullptr ? nullptr : &right->enclosure);
+  enclosed = true;
+  if (refined) intersect(enclosure, *refined);
 }
 
 void Node::become_zero() {
@@ -87,8 +110,7 @@ void Node::become_zero() {
   refined.reset();
   kind = Kind::rational;
   mpq_set_ui(value, 0, 1);
-  set(enclosure, value);
-  enclosed = true;
+  bounded = enclosed = false;
 }
 
 Node* new_node(Kind kind) {
@@ -98,6 +120,7 @@ Node* new_node(Kind kind) {
   node->references = 1;
   node->kind = kind;
   node->knowledge = Knowledge::none;
+  node->bounded = false;
   node->enclosed = false;
   node->left = nullptr;
   node->right = nullptr;

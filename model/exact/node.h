@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "model/exact/double_enclosure.h"
 #include "model/exact/interval.h"
 
 namespace toolcomp::exact {
@@ -36,12 +37,14 @@ struct Node {
   std::uint32_t references = 0;
   Kind kind = Kind::rational;
   Knowledge knowledge = Knowledge::none;
-  bool enclosed = false;    ///< `enclosure` is set (a rational's and an angle's are made when first needed)
+  bool bounded = false;     ///< `bounds_in_double` is set (a rational's is made when first needed)
+  bool enclosed = false;    ///< `enclosure` is set (made when first needed)
   std::uint64_t visit = 0;  ///< stamp of the last walk, see operands_first
   Node* left = nullptr;     ///< operand, counted
   Node* right = nullptr;    ///< second operand, counted; the factor of a square is both
   Node* next = nullptr;     ///< in the free list
   mpq_t value;  ///< the rational, or the degrees of a sine or cosine, between 0 and 90; its limbs are kept for reuse
+  DoubleEnclosure bounds_in_double;
   InlineInterval enclosure;
   std::unique_ptr<HeapInterval> refined;  ///< at a higher precision, once needed
 
@@ -64,12 +67,21 @@ struct Node {
 
   [[nodiscard]] bool is_rational() const { return kind == Kind::rational; }
   [[nodiscard]] bool is_zero() const { return is_rational() && mpq_sgn(value) == 0; }
-  /// The enclosure at base_precision, made now for a node that has none yet.
+  /// The enclosure in double, made now for a rational that has none yet.
+  const DoubleEnclosure& bounds() {
+    if (!bounded) make_bounds();
+    return bounds_in_double;
+  }
+  /// The enclosure at base_precision, made now where there is none yet: below this node too, without recursion.
   const Interval& base_enclosure();
   /// The best enclosure at hand.
   const Interval& best_enclosure() { return refined ? static_cast<const Interval&>(*refined) : base_enclosure(); }
   /// Replaces an operation that was proven zero by the rational 0.
   void become_zero();
+
+ private:
+  void make_bounds();
+  void make_enclosure();  // the operands have theirs
 };
 
 /// A node out of this thread's pool with one reference and no operands.

@@ -8,6 +8,7 @@
 
 #include "model/exact/node.h"
 #include "model/exact/refinement.h"
+#include "model/exact/short_rational.h"
 #include "model/exact/sign.h"
 #include "model/exact/trigonometry.h"
 
@@ -75,13 +76,6 @@ Real settle(Node* node) {
   return {};
 }
 
-// An arc tangent, alone or with whole turns: dear to enclose, and mostly nobody asks for it. Nothing else waits, so
-// that an enclosure is never made by a long recursion.
-bool waits(const Node& node) {
-  if (node.kind == Kind::arctangent) return true;
-  return node.kind == Kind::sum && node.left->is_rational() && node.right->kind == Kind::arctangent;
-}
-
 Real operation(Kind kind, Node* left, Node* right = nullptr) {
   Node* const node = new_node(kind);
   ++left->references;
@@ -90,7 +84,7 @@ Real operation(Kind kind, Node* left, Node* right = nullptr) {
     ++right->references;
     node->right = right;
   }
-  if (!waits(*node)) node->base_enclosure();
+  node->bounds();  // now, so that none is made by a long recursion
   return Node::adopt(node);
 }
 
@@ -123,8 +117,7 @@ Real sine_or_cosine(Kind kind, const mpq_t degrees) {
   if (mpq_cmp_ui(degrees, kind == Kind::sine ? 30 : 60, 1) == 0) return Rational(1, 2);
   Node* const node = new_node(kind);
   mpq_set(node->value, degrees);
-  enclose(node->enclosure, *node, nullptr, nullptr);
-  node->enclosed = true;
+  node->bounds();
   return Node::adopt(node);
 }
 
@@ -209,10 +202,9 @@ Real operator+(const Real& a, const Real& b) {
   if (is_zero(x)) return b;
   if (is_zero(y)) return a;
   if (y->is_rational()) std::swap(x, y);
-  if (y->is_rational()) return fold(mpq_add, *x, *y);
-  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_add, *x, *y->left) + Node::share(y->right);
-  if (x->is_rational() && has_rational(*y, Kind::difference))
-    return fold(mpq_add, *x, *y->left) - Node::share(y->right);
+  if (y->is_rational()) return fold(add, *x, *y);
+  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(add, *x, *y->left) + Node::share(y->right);
+  if (x->is_rational() && has_rational(*y, Kind::difference)) return fold(add, *x, *y->left) - Node::share(y->right);
   if (is_negation(*y)) return x == y->left ? Real() : operation(Kind::difference, x, y->left);
   if (is_negation(*x)) return x->left == y ? Real() : operation(Kind::difference, y, x->left);
   return operation(Kind::sum, x, y);
@@ -224,11 +216,11 @@ Real operator-(const Real& a, const Real& b) {
   if (x == y) return {};
   if (is_zero(y)) return a;
   if (is_zero(x)) return -b;
-  if (y->is_rational()) return x->is_rational() ? fold(mpq_sub, *x, *y) : -b + a;
+  if (y->is_rational()) return x->is_rational() ? fold(subtract, *x, *y) : -b + a;
   if (is_negation(*y)) return a + Node::share(y->left);
-  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(mpq_sub, *x, *y->left) - Node::share(y->right);
+  if (x->is_rational() && has_rational(*y, Kind::sum)) return fold(subtract, *x, *y->left) - Node::share(y->right);
   if (x->is_rational() && has_rational(*y, Kind::difference))
-    return fold(mpq_sub, *x, *y->left) + Node::share(y->right);
+    return fold(subtract, *x, *y->left) + Node::share(y->right);
   if (is_sum(*x) && is_sum(*y)) {
     if (auto rest = difference_of_sums(x, 1, y, 1)) return *std::move(rest);
     if (auto rest = difference_of_sums(x, 1, y, 2)) return *std::move(rest);
@@ -242,11 +234,11 @@ Real operator*(const Real& a, const Real& b) {
   Node* y = Node::of(b);
   if (is_zero(x) || is_zero(y)) return {};
   if (y->is_rational()) std::swap(x, y);
-  if (y->is_rational()) return fold(mpq_mul, *x, *y);
+  if (y->is_rational()) return fold(multiply, *x, *y);
   if (x->is_rational()) {
     if (is_integer(*x, 1)) return Node::share(y);
     if (is_integer(*x, -1)) return -Node::share(y);
-    if (has_rational(*y, Kind::product)) return fold(mpq_mul, *x, *y->left) * Node::share(y->right);
+    if (has_rational(*y, Kind::product)) return fold(multiply, *x, *y->left) * Node::share(y->right);
     if (is_negation(*y)) return -Node::share(x) * Node::share(y->left);
   }
   if (x == y && x->kind == Kind::root) return Node::share(x->left);
@@ -259,7 +251,7 @@ Real operator/(const Real& a, const Real& b) {
   if (b.sign() == Sign::zero) throw std::domain_error("division by zero");
   if (is_zero(x)) return {};
   if (x == y) return 1;
-  if (y->is_rational()) return x->is_rational() ? fold(mpq_div, *x, *y) : inverse(*y) * a;
+  if (y->is_rational()) return x->is_rational() ? fold(divide, *x, *y) : inverse(*y) * a;
   return operation(Kind::quotient, x, y);
 }
 
@@ -271,7 +263,7 @@ Real sqrt(const Real& a) {
   if (x->is_rational())
     if (auto folded = rational_root(*x)) return *folded;
   if (x->kind == Kind::product && x->left == x->right)
-    if (auto of_factor = certain_sign(x->left->base_enclosure()))
+    if (auto of_factor = enclosed_sign(*x->left))
       return *of_factor == Sign::negative ? -Node::share(x->left) : Node::share(x->left);
   return operation(Kind::root, x);
 }

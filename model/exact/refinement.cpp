@@ -76,6 +76,38 @@ void enclose(Interval& result, const Node& node, const Interval* left, const Int
   // NOLINTEND(clang-analyzer-core.NonNullParamChecker)
 }
 
+DoubleEnclosure enclosed_in_double(const Node& node, const DoubleEnclosure& left, const DoubleEnclosure& right) {
+  switch (node.kind) {
+    case Kind::rational:
+      return enclosing(node.value);
+    case Kind::sine:
+      return sine(enclosing(node.value));
+    case Kind::cosine:
+      return cosine(enclosing(node.value));
+    case Kind::negation:
+      return negate(left);
+    case Kind::sum:
+      return add(left, right);
+    case Kind::difference:
+      return subtract(left, right);
+    case Kind::product:
+      return node.left == node.right ? square(left) : multiply(left, right);
+    case Kind::quotient:
+      return divide(left, right);
+    case Kind::root:
+      return root(left);
+    case Kind::arctangent:
+      return arctangent(left);
+    case Kind::sine_of:
+      return sine(left);
+    case Kind::cosine_of:
+      return cosine(left);
+    case Kind::pi:
+      return pi_in_double;
+  }
+  return whole_line;
+}
+
 void refine(Node& root, mpfr_prec_t precision, Work& work) {
   std::vector<Node*> nodes;
   operands_first(&root, nodes,
@@ -87,6 +119,7 @@ void refine(Node& root, mpfr_prec_t precision, Work& work) {
     if (node->refined) intersect(*better, *node->refined);
     node->refined = std::move(better);
     if (node->enclosed) intersect(node->enclosure, *node->refined);
+    if (node->bounded) node->bounds_in_double = intersection(node->bounds_in_double, enclosing(*node->refined));
   }
 }
 

@@ -22,10 +22,16 @@ constexpr mpfr_prec_t greatest_precision = mpfr_prec_t{1} << 20;
 // What can be told without work.
 std::optional<Sign> at_hand(Node& node) {
   if (node.is_rational()) return static_cast<Sign>(mpq_sgn(node.value));
-  if (auto sign = certain_sign(node.base_enclosure())) return sign;
   if (node.knowledge == Knowledge::positive) return Sign::positive;
   if (node.knowledge == Knowledge::negative) return Sign::negative;
-  return std::nullopt;
+  return enclosed_sign(node);
+}
+
+// The same; a zero becomes a rational. Its enclosure may tell it where an operand has become zero since.
+std::optional<Sign> settled(Node& node) {
+  const auto sign = at_hand(node);
+  if (sign == Sign::zero && !node.is_rational()) node.become_zero();
+  return sign;
 }
 
 bool is_open(Node& node) { return !at_hand(node) && node.knowledge != Knowledge::undecided; }
@@ -74,7 +80,7 @@ std::optional<Sign> sign_of_sum(Node& node) {
 
 std::optional<Sign> sign_of_factor(Node& node) {
   if (is_open(node) && !is_factored(node)) remember(node, sign_of_sum(node));
-  return at_hand(node);
+  return settled(node);
 }
 
 std::optional<Sign> sign_of_factors(const Node& node) {
@@ -89,14 +95,19 @@ std::optional<Sign> sign_of_factors(const Node& node) {
 
 }  // namespace
 
+std::optional<Sign> enclosed_sign(Node& node) {
+  if (auto sign = certain_sign(node.bounds())) return sign;
+  return certain_sign(node.base_enclosure());
+}
+
 std::optional<Sign> try_decide(Node& node) {
-  if (auto sign = at_hand(node)) return sign;
+  if (auto sign = settled(node)) return sign;
   if (!is_open(node)) return std::nullopt;
   if (!is_factored(node)) return sign_of_factor(node);
   std::vector<Node*> products;
   operands_first(&node, products, [](Node& n) { return is_factored(n) && is_open(n); });
   for (Node* product : products) remember(*product, sign_of_factors(*product));
-  return at_hand(node);
+  return settled(node);
 }
 
 Sign decide(Node& node) {

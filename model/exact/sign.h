@@ -7,6 +7,9 @@
 
 namespace toolcomp::exact {
 
+/// The sign that an enclosure at hand tells, in double or at base_precision.
+std::optional<Sign> enclosed_sign(Node& node);
+
 /// The sign, or none where neither an enclosure nor a proof of zero tells it within the budget. What was found is kept
 /// in the node; one that is zero becomes a rational.
 std::optional<Sign> try_decide(Node& node);

@@ -73,8 +73,8 @@ class Proof {
   }
 
  private:
-  static bool may_be_zero(const Node& node) {
-    return (node.kind == Kind::sum || node.kind == Kind::difference) && !certain_sign(node.enclosure) &&
+  static bool may_be_zero(Node& node) {
+    return (node.kind == Kind::sum || node.kind == Kind::difference) && !enclosed_sign(node) &&
            node.knowledge == Knowledge::none;
   }
 

@@ -30,13 +30,18 @@ Real arctangent(const Real& cosine, const Real& sine) {
   return cosine.sign() == Sign::positive ? angle : Real(with_sign(sine.sign(), 180)) + angle;
 }
 
-// A whole number of thousandths that may be x, if there is one.
+// A whole number of thousandths that may be x, if there is one. Mostly there is none, which rough bounds tell.
 std::optional<Rational> thousandths(const Real& x) {
-  constexpr int bits = 90;
-  const exact::Enclosure bounds = x.enclosure(bits);
-  Rational value = Rational(floor(bounds.lower * 1000 + Rational(1, 2))) / 1000;
+  constexpr int rough = 40;
+  constexpr int fine = 90;
   const Rational near = Rational(1, Integer(1) << 60);
-  if (value - bounds.lower > near || bounds.upper - value > near) return std::nullopt;
+  std::optional<Rational> value;
+  for (const int bits : {rough, fine}) {
+    const exact::Enclosure bounds = x.enclosure(bits);
+    value = Rational(floor(bounds.lower * 1000 + Rational(1, 2))) / 1000;
+    const Rational width = bounds.upper - bounds.lower;
+    if (*value - bounds.lower > near + width || bounds.upper - *value > near + width) return std::nullopt;
+  }
   return value;
 }
 
@@ -70,20 +75,22 @@ Angle Angle::of_direction(const Real& x, const Real& y) {
 }
 
 Real Angle::cosine() const {
-  if (rest_ && rational_.is_zero()) return rest_->cosine;
-  const Real of_rational = exact::cos_degrees(rational_);
-  return rest_ ? of_rational * rest_->cosine - exact::sin_degrees(rational_) * rest_->sine : of_rational;
+  if (rest_ && no_rational()) return rest_->cosine;
+  const Rational degrees = rational();
+  const Real of_rational = exact::cos_degrees(degrees);
+  return rest_ ? of_rational * rest_->cosine - exact::sin_degrees(degrees) * rest_->sine : of_rational;
 }
 
 Real Angle::sine() const {
-  if (rest_ && rational_.is_zero()) return rest_->sine;
-  const Real of_rational = exact::sin_degrees(rational_);
-  return rest_ ? of_rational * rest_->cosine + exact::cos_degrees(rational_) * rest_->sine : of_rational;
+  if (rest_ && no_rational()) return rest_->sine;
+  const Rational degrees = rational();
+  const Real of_rational = exact::sin_degrees(degrees);
+  return rest_ ? of_rational * rest_->cosine + exact::cos_degrees(degrees) * rest_->sine : of_rational;
 }
 
 Real Angle::degrees() const { return recognised().plain_degrees(); }
 
-Real Angle::plain_degrees() const { return rest_ ? Real(rational_) + degrees_of(*rest_) : Real(rational_); }
+Real Angle::plain_degrees() const { return rest_ ? rational_ + degrees_of(*rest_) : rational_; }
 
 Angle Angle::recognised() const {
   if (!rest_ || rest_->degrees) return *this;
@@ -91,23 +98,30 @@ Angle Angle::recognised() const {
   if (!value) return *this;
   const Real difference = rest_->sine * exact::cos_degrees(*value) - rest_->cosine * exact::sin_degrees(*value);
   try {
-    return difference.sign() == Sign::zero ? Angle(rational_ + *value) : *this;
+    return difference.sign() == Sign::zero ? Angle(rational() + *value) : *this;
   } catch (const exact::Undecided&) {
     return *this;
   }
 }
 
 Integer Angle::nearest_turns() const {
+  if (!rest_) return no_rational() ? Integer(0) : -floor((180 - rational()) / 360);
+  if (no_rational()) {
+    // A rest is principal. A zero among its cosine and sine is proven here, and known from now on.
+    if (rest_->cosine.sign() != Sign::positive) static_cast<void>(rest_->sine.sign());
+    return 0;
+  }
   // In [-180, 180), but 180 itself is principal.
-  Integer turns = floor((rational_ + 180) / 360);
+  Integer turns = floor((rational() + 180) / 360);
   const Angle rest = plus_turns(-turns);
+  if (rest.no_rational()) return turns + rest.nearest_turns();
   if (order(rest, 180).sign() == Sign::positive) return turns + 1;
   if (order(rest, -180).sign() != Sign::positive) return turns - 1;
   return turns;
 }
 
 Integer Angle::whole_turns() const {
-  Integer turns = floor(rational_ / 360);
+  Integer turns = floor(rational() / 360);
   if (!rest_) return turns;
   const Angle rest = plus_turns(-turns);
   if (order(rest, 0).sign() == Sign::negative) return turns - 1;
@@ -122,8 +136,8 @@ Angle Angle::plus_turns(const Integer& turns) const {
 }
 
 Angle operator-(const Angle& a) {
-  Angle result(-a.rational_);
-  result.rest_ = a.rest_;
+  Angle result(a);
+  result.rational_ = -a.rational_;
   if (result.rest_) {
     result.rest_->sine = -a.rest_->sine;
     if (result.rest_->degrees) result.rest_->degrees = -*a.rest_->degrees;
@@ -133,8 +147,7 @@ Angle operator-(const Angle& a) {
 
 Angle operator+(const Angle& a, const Angle& b) {
   Angle result = a.rest_ ? a : b;
-  const Rational& other = a.rest_ ? b.rational_ : a.rational_;
-  if (!other.is_zero()) result.rational_ += other;
+  result.rational_ += a.rest_ ? b.rational_ : a.rational_;
   if (!a.rest_ || !b.rest_) return result;
   result.rest_.reset();
   const Angle::Rest& x = *a.rest_;
@@ -177,12 +190,12 @@ std::optional<Rational> known_difference(const Angle& a, const Angle& b) {
   if (a.rest_.has_value() != b.rest_.has_value()) return std::nullopt;
   if (a.rest_ && !(known_zero(a.rest_->cosine - b.rest_->cosine) && known_zero(a.rest_->sine - b.rest_->sine)))
     return std::nullopt;
-  return a.rational_ - b.rational_;
+  return (a.rational_ - b.rational_).rational();
 }
 
 Real order(const Angle& a, const Angle& b) {
   const Angle difference = a - b;
-  const Rational& whole = difference.rational_;
+  const Rational whole = difference.rational();
   if (!difference.rest_) {
     const Rational radians = whole * Rational(71, 4068);  // about
     return radians > 1 ? Real(1) : radians < -1 ? Real(-1) : Real(radians);

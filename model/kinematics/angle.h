@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 
 #include "model/exact/real.h"
 #include "model/exact/state.h"
@@ -17,10 +16,9 @@ using exact::Sign;
 
 class Angle {
  public:
-  Angle() = default;  // 0
-  Angle(Rational degrees)
-      : rational_(std::move(degrees)) {}      // NOLINT(google-explicit-constructor): every rational is one
-  Angle(int degrees) : rational_(degrees) {}  // NOLINT(google-explicit-constructor)
+  Angle() = default;                                      // 0
+  Angle(const Rational& degrees) : rational_(degrees) {}  // NOLINT(google-explicit-constructor): every rational is one
+  Angle(int degrees) : rational_(degrees) {}              // NOLINT(google-explicit-constructor)
 
   // The principal angle, in (-180, 180], of this cosine and sine; their squares add up to 1.
   static Angle of_unit(const Real& cosine, const Real& sine);
@@ -32,7 +30,7 @@ class Angle {
 
   [[nodiscard]] bool is_rational() const { return !rest_; }
   // Degrees; requires is_rational().
-  [[nodiscard]] const Rational& rational() const { return rational_; }
+  [[nodiscard]] Rational rational() const { return rational_.rational(); }
 
   [[nodiscard]] Real cosine() const;
   [[nodiscard]] Real sine() const;
@@ -75,11 +73,12 @@ class Angle {
   };
   friend Real order(const Angle& a, const Angle& b);
 
+  [[nodiscard]] bool no_rational() const { return rational_.sign() == Sign::zero; }
   // The full turns that the sum of two rests, of this cosine and sine, is away from its principal angle.
   static int turns_of_sum(const Rest& x, const Rest& y, const Real& cosine, const Real& sine);
   static Real degrees_of(const Rest& rest);
 
-  Rational rational_;
+  Real rational_;  // counted, not copied
   std::optional<Rest> rest_;
 };
 

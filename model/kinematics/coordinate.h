@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <utility>
 
 #include "model/exact/real.h"
 #include "model/exact/state.h"
@@ -22,14 +21,8 @@ using exact::Real;
 class Coordinate {
  public:
   Coordinate() = default;
-  Coordinate(Rational value)
-      : rational_(std::move(value)) {}  // NOLINT(google-explicit-constructor): every rational is one
-  explicit Coordinate(const Real& value) {
-    if (value.is_rational())
-      rational_ = value.rational();
-    else
-      rest_ = value;
-  }
+  Coordinate(const Rational& value) : rational_(value) {}  // NOLINT(google-explicit-constructor): every rational is one
+  explicit Coordinate(const Real& value) { (value.is_rational() ? rational_ : rest_) = value; }
   // Of a rotary axis.
   explicit Coordinate(const Angle& angle) {
     if (angle.is_rational())
@@ -42,10 +35,12 @@ class Coordinate {
   // For output where inverse kinematics has turned a rotary axis.
   [[nodiscard]] Real value() const {
     if (turned_) return angle().degrees();
-    return is_rational() ? Real(rational_) : Real(rational_) + rest_;
+    return rational_ + rest_;
   }
   // Of a rotary axis.
-  [[nodiscard]] Angle angle() const { return turned_ ? Angle(rational_) + *turned_ : Angle(rational_); }
+  [[nodiscard]] Angle angle() const {
+    return turned_ ? Angle(rational_.rational()) + *turned_ : Angle(rational_.rational());
+  }
 
   friend Coordinate operator+(const Coordinate& a, const Coordinate& b) {
     if (b.is_rational()) return a.shifted(b.rational_);
@@ -69,13 +64,13 @@ class Coordinate {
   }
 
  private:
-  [[nodiscard]] Coordinate shifted(const Rational& by) const {
+  [[nodiscard]] Coordinate shifted(const Real& by) const {
     Coordinate result(*this);
     result.rational_ += by;
     return result;
   }
 
-  Rational rational_;
+  Real rational_;                // counted, not copied
   Real rest_;                    // 0 or irrational
   std::optional<Angle> turned_;  // added to the rational; not known to be rational
 };

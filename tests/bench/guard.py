@@ -8,6 +8,7 @@ fifty times, so mostly with --filter."""
 
 import argparse
 import json
+import os
 import pathlib
 import re
 import statistics
@@ -18,6 +19,10 @@ import tempfile
 # What a row's time is divided by: the floor of the geometry it has. The first that matches; in the plane otherwise.
 FLOORS = [
     (r"sine|sin_and_cos", "floor/sine_and_cosine"),
+    (r"^batch.*(cutter_c|length_offset)", "floor/arrays_in_the_plane"),
+    (r"^batch", "floor/arrays_in_space"),
+    (r"line_and_arc", "floor/corner_of_line_and_arc"),
+    (r"cutter_._arcs", "floor/corner_of_arcs"),
     (r"tool_side|leading_edge|tip_|posture_|inverse_|milling|contour", "floor/corner_in_space"),
     (r"", "floor/corner_in_the_plane"),
 ]
@@ -29,12 +34,13 @@ def floor_of(row):
     return next(floor for pattern, floor in FLOORS if re.search(pattern, row))
 
 
-def runs(program, arguments):
+def runs(program, arguments, environment=None):
     """The benchmark's own report, as JSON, and what it says on the way."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder, "rows.json")
         done = subprocess.run([*program, *arguments, f"--benchmark_out={out}", "--benchmark_out_format=json"],
-                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                              env={**os.environ, **(environment or {})})
         if done.returncode != 0:
             raise SystemExit(f"{program[-1]}: exit status {done.returncode}\n{done.stderr[-2000:]}")
         return json.loads(out.read_text())["benchmarks"], done.stderr
@@ -70,7 +76,8 @@ def counted(program, row, seconds):
         log = pathlib.Path(folder, "log")
         report, said = runs(["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null",
                              f"--log-file={log}", program],
-                            [f"--benchmark_filter=^{re.escape(row)}$", f"--benchmark_min_time={seconds}", "--v=2"])
+                            [f"--benchmark_filter=^{re.escape(row)}$", f"--benchmark_min_time={seconds}", "--v=2"],
+                            {"TOOLCOMP_BENCH_LATENCY": "off"})
         total = int(re.search(r"I\s+refs:\s+([\d,]+)", log.read_text())[1].replace(",", ""))
         iterations = sum(map(int, re.findall(r"Running \S+ for (\d+)", said)))
         run = report[0]

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "fast/basis/print.h"
@@ -16,6 +17,7 @@
 #include "spec/language/fanuc/program_reader.h"
 #include "spec/language/setup_format.h"
 #include "spec/language/text_buffer.h"
+#include "tests/bench/latency.h"
 
 namespace toolcomp::bench {
 
@@ -90,6 +92,8 @@ void go_round(benchmark::State& state, const Program& program, const spec::Setup
     for (const spec::Block& block : blocks) engine.block(block);
   if (engine.stopped() || path.events() == 0) state.SkipWithError(("stopped: " + path.alarm()).c_str());
   count_blocks(state, blocks.size() * std::max(program.samples, 1U));
+  if constexpr (std::is_same_v<Number, exact::Real>)
+    show_latency(state, blocks.size(), program.samples, program.body, [&](std::size_t i) { engine.block(blocks[i]); });
 }
 
 inline void fast_engine(benchmark::State& state, const Program& program) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "fast/batch/batch.h"
 #include "fast/fanuc/engine.h"
 #include "model/fanuc/engine.h"
 #include "spec/language/fanuc/program_reader.h"
@@ -32,6 +33,22 @@ void run(Engine& engine, const toolcomp::spec::Setup& s) {
   engine.end();
 }
 
+// A thousand lines as arrays under the same offset: Z 30 above the words.
+bool arrays_agree(const toolcomp::spec::Setup& s) {
+  std::vector<double> words;
+  for (int i = 0; i < 1000; ++i) words.push_back(i);
+  toolcomp::fast::Batch batch(s);
+  batch.run("G90 G43 H2 Z0\n");
+  batch.moves().clear();
+  const std::vector<toolcomp::fast::WordColumn> columns{{"Z", words}};
+  batch.lines(columns);
+  batch.end();
+  const auto z = batch.moves().axis(2);
+  bool right = z.size() == words.size();
+  for (std::size_t i = 0; right && i < z.size(); ++i) right = z[i] == words[i] + 30;
+  return right;
+}
+
 }  // namespace
 
 int main() {
@@ -43,8 +60,8 @@ int main() {
   Moves<double> fast;
   toolcomp::fast::Engine engine(s, fast);
   run(engine, s);
-  const bool right =
-      exact.z.size() == 2 && exact.z[0] == 120 && exact.z[1] == 130 && fast.z == std::vector<double>{120, 130};
+  const bool right = exact.z.size() == 2 && exact.z[0] == 120 && exact.z[1] == 130 &&
+                     fast.z == std::vector<double>{120, 130} && arrays_agree(s);
   std::cout << (right ? "the installed engines agree with the manual\n" : "the installed engines are wrong\n");
   return right ? 0 : 1;
 }

@@ -403,7 +403,7 @@ TEST(Batch, GivesWhatTextGives) {
 TEST(Batch, AMistakeInTheArraysBreaksTheLaw) {
   constexpr std::pair<std::string_view, Fault> kFaults[] = {
 #define TOOLCOMP_BATCH_FAULT(name, mistake) {#name, Fault::name},
-#include "fast/batch/faults.inc"
+#include "fast/basis/array_faults.inc"
 #undef TOOLCOMP_BATCH_FAULT
   };
   struct Restore {
@@ -449,8 +449,8 @@ TEST(Batch, RefusesWhatIsNoLine) {
   expect_refused(fanuc, "G90\n", {{"B", two}}, "B: no word of a line that this control has");
   expect_refused(fanuc, "G90\n", {{"NX", two}}, "NX: no word of a line that this control has");
   expect_refused(fanuc, "G90\n", {{"X", two, 10}}, "X: more than 9 decimals");
-  expect_refused(fanuc, "G90\n", {{"X", two}, {"Y", bad}}, "Y: value 1 is nan: no number up to 1000000000");
-  expect_refused(fanuc, "G90\n", {{"X", far}}, "X: value 1 is -2000000000: no number up to 1000000000");
+  expect_refused(fanuc, "G90\n", {{"X", two}, {"Y", bad}}, "Y: value 1 is nan: no number up to 1e+09");
+  expect_refused(fanuc, "G90\n", {{"X", far}}, "X: value 1 is -2e+09: no number up to 1e+09");
   const spec::Setup klartext = spec::read_setup_toml(kKlartext, "setup");
   const std::vector<double> zero{0, 0};
   const std::vector<double> ten{0, 10};
@@ -459,7 +459,7 @@ TEST(Batch, RefusesWhatIsNoLine) {
   expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"NX", zero}, {"NY", zero}, {"NZ", zero}},
                  "NX: the vector of value 0 is 0");
   expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"NX", zero}, {"NY", zero}, {"NZ", ten}},
-                 "NZ: value 1 is 10: no number up to 9.9999999");
+                 "NZ: value 1 is 10: no number up to 9.999");
   expect_refused(klartext, "", {{"X", two}, {"Y", two}, {"Z", two}, {"TX", zero, 3}, {"TY", zero, 3}, {"TZ", two, 4}},
                  "TX, TY, TZ: not of as many decimals");
 }

@@ -129,8 +129,12 @@ TEST(SecondArithmetic, AgreesOnRandomExpressions) {
     MpfiArithmetic mpfi;
     const std::vector<Real> values = replay(real, builder.expression());
     const auto enclosures = replay(mpfi, builder.expression());
-    for (std::size_t step = 0; step < values.size(); ++step)
+    constexpr int rough = 20;  // bits that double has
+    for (std::size_t step = 0; step < values.size(); ++step) {
+      ASSERT_TRUE(overlap(values[step].enclosure(rough), enclosures[step]->get()))
+          << "expression " << i << " step " << step;
       ASSERT_TRUE(overlap(values[step].enclosure(), enclosures[step]->get())) << "expression " << i << " step " << step;
+    }
     try {
       const Sign sign = values.back().sign();
       ASSERT_EQ(static_cast<int>(sign), sign_of(enclosures.back()->get())) << "expression " << i;

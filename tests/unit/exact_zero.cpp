@@ -22,6 +22,19 @@ TEST(Zero, AngleAdditionAtEveryNumberOfDecimals) {
   }
 }
 
+// Also where a factor or an addend became zero before the sign of the whole was asked.
+TEST(Zero, AZeroIsKnownAsARationalFromThenOn) {
+  const Real zero = sine(18) - (root(5) - 1) / 4;
+  const Real product = zero * root(7);
+  const Real quotient = product / root(3);
+  const Real sum = zero + product;
+  for (const Real& x : {zero, product, quotient, sum}) {
+    EXPECT_FALSE(x.is_rational());
+    EXPECT_EQ(x.sign(), Sign::zero);
+    EXPECT_TRUE(x.is_rational());
+  }
+}
+
 // Ptolemy's and Gauss's values.
 TEST(Zero, SinesThatAreRoots) {
   EXPECT_EQ(cosine(45), root(2) / 2);

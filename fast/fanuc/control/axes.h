@@ -3,21 +3,17 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 
 #include "fast/arithmetic/count.h"
 #include "fast/basis/alarm.h"
+#include "fast/basis/axis_mask.h"
 #include "fast/fanuc/program/words.h"
 #include "fast/kinematics/kinematics.h"
 #include "spec/language/setup.h"
 
 namespace toolcomp::fast {
 
-using Mask = std::uint16_t;  // bit i: axis i
 using Positions = std::array<Count, spec::kMaxAxes>;
-
-// The mask of one axis.
-constexpr Mask bit(std::size_t axis) { return static_cast<Mask>(1U << axis); }
 
 // Calls f(axis) for each bit of the mask, lowest first; stops at an alarm and returns it.
 template <class Function>

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "fast/arithmetic/count.h"
+#include "fast/arrays/line_chunk.h"
 #include "fast/basis/alarm.h"
 #include "fast/basis/event.h"
-#include "fast/batch/line_chunk.h"
 #include "fast/fanuc/control/axes.h"
 #include "fast/fanuc/control/axis_positions.h"
 #include "fast/fanuc/control/cutter_value.h"

@@ -5,13 +5,14 @@
 #include <cstdint>
 
 #include "fast/arithmetic/count.h"
+#include "fast/arrays/position_arrays.h"
+#include "fast/arrays/whole_numbers.h"
 #include "fast/basis/fault.h"
-#include "fast/batch/exact_products.h"
 
 namespace toolcomp::fast {
 namespace {
 
-using Column = std::array<double, LineChunk::kMost + 1>;
+using Column = LineChunk::Column;
 
 // Element 0 is the line that is held.
 struct Lines {
@@ -103,21 +104,6 @@ struct Forward {
   }
 };
 
-struct Positions {
-  [[gnu::always_inline]] static void run(const double* at, const double* vector, double* to, std::size_t size) {
-    constexpr auto kPerOne = static_cast<double>(Count::kSmallPerOne);
-    for (std::size_t i = 0; i < size; ++i) to[i] = at[i] / kPerOne + vector[i];
-  }
-};
-
-// The words of the lines to come; where there are none, the axis stays.
-void go_on(Column& column, const double* words, std::size_t size) {
-  if (words != nullptr)
-    std::copy_n(words, size, column.begin() + 1);
-  else
-    std::fill_n(column.begin() + 1, size, column[0]);
-}
-
 }  // namespace
 
 CutterLineEnd take_cutter_lines(const LineChunk& chunk, const CutterLineStart& start) {
@@ -133,8 +119,8 @@ CutterLineEnd take_cutter_lines(const LineChunk& chunk, const CutterLineStart& s
   lines.norm[0] = start.line.norm;
   lines.vector_x[0] = start.vector[0];
   lines.vector_y[0] = start.vector[1];
-  go_on(lines.at_x, chunk.word(start.word[0]), size);
-  go_on(lines.at_y, chunk.word(start.word[1]), size);
+  chunk.go_on(start.word[0], lines.at_x);
+  chunk.go_on(start.word[1], lines.at_y);
   const bool some_long = run_by<Ways>(by, &lines, size) != 0 || start.line.norm >= 0x1p26;
   const double side = fault(Fault::cutter_lines_acute) ? 0 : (start.offset > 0 ? 1 : -1);
   if (some_long)
@@ -145,8 +131,8 @@ CutterLineEnd take_cutter_lines(const LineChunk& chunk, const CutterLineStart& s
   if (run_by<Forward>(by, &lines, size) != 0 && !fault(Fault::cutter_lines_unchecked))
     taken = static_cast<std::size_t>(std::ranges::find(lines.refused, 1) - lines.refused.begin());
   Moves& moves = *chunk.moves;
-  run_by<Positions>(by, lines.at_x.data(), lines.vector_x.data() + 1, moves.next_of(start.axis[0]), taken);
-  run_by<Positions>(by, lines.at_y.data(), lines.vector_y.data() + 1, moves.next_of(start.axis[1]), taken);
+  write_positions(by, lines.at_x.data(), lines.vector_x.data() + 1, moves.next_of(start.axis[0]), taken);
+  write_positions(by, lines.at_y.data(), lines.vector_y.data() + 1, moves.next_of(start.axis[1]), taken);
   CutterLineEnd end;
   end.taken = taken;
   end.last = {DoublePair{lines.way_x[taken], lines.way_y[taken]}, DoublePair{lines.unit_x[taken], lines.unit_y[taken]},

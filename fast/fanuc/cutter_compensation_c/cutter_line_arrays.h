@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "fast/arithmetic/trigonometry.h"
-#include "fast/batch/line_chunk.h"
+#include "fast/arrays/line_chunk.h"
 
 namespace toolcomp::fast {
 

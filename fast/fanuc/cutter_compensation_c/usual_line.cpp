@@ -12,7 +12,7 @@
 namespace toolcomp::fast {
 namespace {
 
-constexpr std::uint32_t kF = UsualWords::set('F');
+constexpr std::uint32_t kFeed = UsualWords::set('F');
 constexpr double kPerOne = static_cast<double>(Count::kSmallPerOne);
 
 DoublePair left_of(DoublePair v) { return DoublePair{-v[1], v[0]}; }
@@ -164,7 +164,7 @@ void UsualCutterLines::send_corner_move() {
   // Now it is that of the line that is held now.
   event.line = block.line;
   event.n = block.n;
-  if ((letters & kF) != 0) [[unlikely]]
+  if ((letters & kFeed) != 0) [[unlikely]]
     set_feed();
   return true;
 }

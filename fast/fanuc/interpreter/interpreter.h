@@ -56,8 +56,8 @@ class Interpreter final : public BlockTaker {
   [[nodiscard]] bool release_held();
 
   // lines.cpp
-  [[nodiscard]] bool may_be_lines(const LineChunk& chunk) const;
-  // The axes its words name; 0: it has other words, or an offset of many places.
+  [[nodiscard]] bool may_be_lines() const;
+  // The axes its words name; 0: it has other words, or an offset of many places or digits.
   [[nodiscard]] Mask axes_of(const LineChunk& chunk) const;
 
   // check.cpp: the alarms of commands, in their order.

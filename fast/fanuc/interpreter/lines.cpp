@@ -1,43 +1,41 @@
 // Lines as arrays where no stage is on: the axes go to their words, with their offsets.
-#include <bit>
+#include <cstdlib>
 
-#include "fast/fanuc/control/axis_line_arrays.h"
+#include "fast/arrays/position_arrays.h"
+#include "fast/basis/fault.h"
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/interpreter/interpreter.h"
 
 namespace toolcomp::fast {
 
-bool Interpreter::may_be_lines(const LineChunk& chunk) const {
+bool Interpreter::may_be_lines() const {
   const AxisPositions& positions = control_.positions;
   return !control_.stopped && (on_ == nullptr || !on_->on()) && !positions.along_tool() &&
          !positions.length().pending() && control_.modal.motion() <= 10 && control_.units.plain() &&
          !control_.modal.incremental() && !control_.attitude.completes_moves() && positions.stale() == 0 &&
-         positions.rounded() == 0 && positions.tool_offset().live() == 0 && !fault(Fault::shift_lost) &&
-         axes_of(chunk) != 0;
+         positions.rounded() == 0 && positions.tool_offset().live() == 0 && !fault(Fault::shift_lost);
 }
 
 Mask Interpreter::axes_of(const LineChunk& chunk) const {
+  // The sum of a word and such an offset is whole.
+  constexpr std::int64_t kMostOffset = std::int64_t{1} << 50U;
   Mask axes = 0;
   std::uint32_t rest = chunk.words;
   for (std::size_t axis = 0; axis < control_.axes.count; ++axis) {
     const std::uint32_t word = place_bit(word_place(control_.axes.names.letter(axis)));
     if ((rest & word) == 0) continue;
     rest &= ~word;
-    if (!control_.positions.length()[axis].is_small()) return 0;
+    const Count& offset = control_.positions.length()[axis];
+    if (!offset.is_small() || std::abs(offset.small()) > kMostOffset) return 0;
     axes = static_cast<Mask>(axes | bit(axis));
   }
   return rest == 0 ? axes : Mask{0};
 }
 
 std::size_t Interpreter::lines(const LineChunk& chunk) {
-  if (!may_be_lines(chunk)) return 0;
-  const Mask axes = axes_of(chunk);
+  const Mask axes = may_be_lines() ? axes_of(chunk) : Mask{0};
+  if (axes == 0) return 0;
   AxisPositions& positions = control_.positions;
-  // The sum of a word and an offset is whole.
-  constexpr std::int64_t kMostOffset = std::int64_t{1} << 50U;
-  for (std::size_t axis = 0; axis < control_.axes.count; ++axis)
-    if (const std::int64_t offset = positions.length()[axis].small(); offset > kMostOffset || offset < -kMostOffset)
-      return 0;
   Moves& moves = *chunk.moves;
   for (std::size_t axis = 0; axis < control_.axes.count; ++axis) {
     if ((axes & bit(axis)) == 0) {
@@ -45,9 +43,9 @@ std::size_t Interpreter::lines(const LineChunk& chunk) {
       continue;
     }
     const double* const word = chunk.word(word_place(control_.axes.names.letter(axis)));
-    const bool offset = (positions.length().live() & bit(axis)) != 0;
-    send_axis_to(chunk.instructions, word, offset ? static_cast<double>(positions.length()[axis].small()) : 0,
-                 moves.next_of(axis), chunk.size);
+    const bool offset = (positions.length().live() & bit(axis)) != 0 && !fault(Fault::axis_lines_without_offset);
+    write_positions(chunk.instructions, word, offset ? static_cast<double>(positions.length()[axis].small()) : 0.0,
+                    moves.next_of(axis), chunk.size);
     positions.place_small(axis, static_cast<std::int64_t>(word[chunk.size - 1]));
     if (offset) positions.add_offset(axis);
   }

@@ -2,10 +2,10 @@
 
 #include <bit>
 
+#include "fast/basis/axis_mask.h"
+
 namespace toolcomp::fast {
 namespace {
-
-constexpr std::uint16_t mask_of(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
 
 double between(double start, double end, double t) { return start + t * (end - start); }
 
@@ -21,11 +21,11 @@ ToolCenterPointControl::ToolCenterPointControl(const spec::Setup& setup, const M
       count_(setup.axes.size()),
       fraction_(samples) {
   for (std::size_t axis = 0; axis < count_; ++axis) {
-    all_ = static_cast<std::uint16_t>(all_ | mask_of(axis));
-    if (spec::is_linear_axis(setup.axes.letter(axis))) linear_ = static_cast<std::uint16_t>(linear_ | mask_of(axis));
+    all_ = static_cast<std::uint16_t>(all_ | bit(axis));
+    if (spec::is_linear_axis(setup.axes.letter(axis))) linear_ = static_cast<std::uint16_t>(linear_ | bit(axis));
     const bool tip = axis == xyz_[0] || axis == xyz_[1] || axis == xyz_[2];
     if (!tip && axis != machine_.rotary_axis(0) && axis != machine_.rotary_axis(1))
-      even_ = static_cast<std::uint16_t>(even_ | mask_of(axis));
+      even_ = static_cast<std::uint16_t>(even_ | bit(axis));
   }
   sample_.kind = spec::EventKind::sample;
   sample_.axes.present = all_;

@@ -2,12 +2,11 @@
 
 #include <bit>
 
+#include "fast/basis/axis_mask.h"
 #include "fast/basis/fault.h"
 
 namespace toolcomp::fast {
 namespace {
-
-constexpr std::uint16_t bit(std::size_t axis) { return static_cast<std::uint16_t>(1U << axis); }
 
 bool holds_cutter_code(const Words& words) {
   const Code code = words.code(Words::kCompensation);

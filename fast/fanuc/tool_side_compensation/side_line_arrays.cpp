@@ -5,12 +5,13 @@
 #include <cstdint>
 
 #include "fast/arithmetic/count.h"
+#include "fast/arrays/position_arrays.h"
 #include "fast/basis/fault.h"
 
 namespace toolcomp::fast {
 namespace {
 
-using Column = std::array<double, LineChunk::kMost + 1>;
+using Column = LineChunk::Column;
 struct Columns3 {
   Column x, y, z;
 };
@@ -25,13 +26,6 @@ struct Lines {
   std::array<std::int64_t, LineChunk::kMost> refused;
 };
 
-// The words of the lines to come; where there are none, the axis stays.
-void go_on(Column& column, const double* words, std::size_t size) {
-  if (words != nullptr)
-    std::copy_n(words, size, column.begin() + 1);
-  else
-    std::fill_n(column.begin() + 1, size, column[0]);
-}
 void begin(Columns3& columns, const Vector3<double>& value) {
   columns.x[0] = value.x;
   columns.y[0] = value.y;
@@ -122,13 +116,6 @@ struct Forward {
   }
 };
 
-struct Positions {
-  [[gnu::always_inline]] static void run(const double* at, const double* vector, double* to, std::size_t size) {
-    constexpr auto kPerOne = static_cast<double>(Count::kSmallPerOne);
-    for (std::size_t i = 0; i < size; ++i) to[i] = at[i] / kPerOne + vector[i];
-  }
-};
-
 }  // namespace
 
 SideLineEnd take_side_lines(const LineChunk& chunk, const SideLineStart& start) {
@@ -140,9 +127,9 @@ SideLineEnd take_side_lines(const LineChunk& chunk, const SideLineStart& start) 
   begin(lines.tool, start.tool);
   begin(lines.vector, start.vector);
   lines.square[0] = start.square;
-  go_on(lines.at.x, chunk.word(word_place('X')), size);
-  go_on(lines.at.y, chunk.word(word_place('Y')), size);
-  go_on(lines.at.z, chunk.word(word_place('Z')), size);
+  chunk.go_on(word_place('X'), lines.at.x);
+  chunk.go_on(word_place('Y'), lines.at.y);
+  chunk.go_on(word_place('Z'), lines.at.z);
   run_by<Travels>(by, &lines, size);
   const double* const i = chunk.word(word_place('I'));
   if (i != nullptr) {
@@ -159,9 +146,9 @@ SideLineEnd take_side_lines(const LineChunk& chunk, const SideLineStart& start) 
     taken = static_cast<std::size_t>(std::ranges::find(lines.refused, 1) - lines.refused.begin());
   if (fault(Fault::side_lines_unchecked)) taken = size;
   Moves& moves = *chunk.moves;
-  run_by<Positions>(by, lines.at.x.data(), lines.vector.x.data() + 1, moves.next_of(0), taken);
-  run_by<Positions>(by, lines.at.y.data(), lines.vector.y.data() + 1, moves.next_of(1), taken);
-  run_by<Positions>(by, lines.at.z.data(), lines.vector.z.data() + 1, moves.next_of(2), taken);
+  write_positions(by, lines.at.x.data(), lines.vector.x.data() + 1, moves.next_of(0), taken);
+  write_positions(by, lines.at.y.data(), lines.vector.y.data() + 1, moves.next_of(1), taken);
+  write_positions(by, lines.at.z.data(), lines.vector.z.data() + 1, moves.next_of(2), taken);
   return {taken, {lines.vector.x[taken], lines.vector.y[taken], lines.vector.z[taken]}};
 }
 

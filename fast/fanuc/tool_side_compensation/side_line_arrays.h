@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "fast/batch/line_chunk.h"
+#include "fast/arrays/line_chunk.h"
 #include "fast/geometry/vector3.h"
 
 namespace toolcomp::fast {

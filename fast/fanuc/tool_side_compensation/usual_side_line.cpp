@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kI = UsualWords::at('I');
 constexpr std::size_t kX = UsualWords::at('X');
-constexpr std::uint32_t kF = UsualWords::set('F');
+constexpr std::uint32_t kFeed = UsualWords::set('F');
 constexpr std::uint32_t kDirection = UsualWords::set_of("IJK");
 constexpr std::uint32_t kXyzF = UsualWords::set_of("XYZFG");
 
@@ -119,8 +119,8 @@ void ToolSideStage::end() {
   // What is done until the line is taken is of no harm where it is not.
   const std::uint64_t direction = control_.attitude.directions().number();
   if ((letters & ~kXyzF) != 0) turn_line(letters, ijk);
-  if ((letters & kF) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
-    control_.modal.set_feed(Count::nearest_small(lines_.words[kF]));
+  if ((letters & kFeed) != 0 && !fault(Fault::usual_side_line_feed)) [[unlikely]] {
+    control_.modal.set_feed(Count::nearest_small(lines_.words[UsualWords::at('F')]));
     compensation_.await_lines(lines_.plain);
   }
   fill_line(block.line, block.n, xy, z);
@@ -133,9 +133,8 @@ void ToolSideStage::end() {
   return true;
 }
 
-[[gnu::always_inline]] inline void ToolSideStage::fill_line(std::uint64_t line,
-                                                           const std::optional<std::uint64_t>& n, DoublePair xy,
-                                                           double z) {
+[[gnu::always_inline]] inline void ToolSideStage::fill_line(std::uint64_t line, const std::optional<std::uint64_t>& n,
+                                                            DoublePair xy, double z) {
   Event& event = compensation_.next().event;
   if (!compensation_.is_line_filled() || !lines_.plain) [[unlikely]] {
     place_lines(xy[0], xy[1], z);

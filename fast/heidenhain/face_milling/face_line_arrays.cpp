@@ -5,21 +5,20 @@
 #include <cmath>
 #include <cstdint>
 
-#include "fast/arithmetic/count.h"
+#include "fast/arrays/position_arrays.h"
+#include "fast/arrays/whole_numbers.h"
 #include "fast/basis/fault.h"
-#include "fast/batch/exact_products.h"
 #include "fast/geometry/vector3.h"
 #include "fast/heidenhain/program/whole_vector.h"
 
 namespace toolcomp::fast::klartext {
 namespace {
 
-constexpr std::size_t kMost = LineChunk::kMost;
-using Column = std::array<double, kMost + 1>;
+using Column = LineChunk::Column;
 struct Columns3 {
   Column x, y, z;
 };
-using Flags = std::array<std::int64_t, kMost + 1>;
+using Flags = std::array<std::int64_t, LineChunk::kMost + 1>;
 
 // Of block i at i + 1; 0 is the block before.
 struct Blocks {
@@ -118,13 +117,6 @@ struct Tips {
   }
 };
 
-struct Positions {
-  [[gnu::always_inline]] static void run(const double* at, const double* tip, double* to, std::size_t size) {
-    constexpr auto kPerOne = static_cast<double>(Count::kSmallPerOne);
-    for (std::size_t i = 0; i < size; ++i) to[i] = at[i] / kPerOne + tip[i];
-  }
-};
-
 Vector element(const Columns3& columns, std::size_t i) { return {columns.x[i], columns.y[i], columns.z[i]}; }
 void fill(Columns3& columns, const Vector& value, std::size_t from, std::size_t size) {
   std::fill_n(columns.x.begin() + static_cast<std::ptrdiff_t>(from), size, value.x());
@@ -172,7 +164,7 @@ FaceLineEnd take_face_lines(const LineChunk& chunk, const FaceLineStart& start,
   Moves& moves = *chunk.moves;
   const std::array<const Column*, 3> tip{&blocks.tip.x, &blocks.tip.y, &blocks.tip.z};
   for (std::size_t i = 0; i < 3; ++i)
-    run_by<Positions>(by, chunk.word(word_place('X') + i), tip[i]->data() + 1, moves.next_of(axes[i]), taken);
+    write_positions(by, chunk.word(word_place('X') + i), tip[i]->data() + 1, moves.next_of(axes[i]), taken);
   return {taken, blocks.flat[taken] != 0, element(blocks.u, taken)};
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "fast/batch/line_chunk.h"
+#include "fast/arrays/line_chunk.h"
 #include "fast/heidenhain/program/effective_tool.h"
 #include "fast/heidenhain/program/vector.h"
 

@@ -102,25 +102,26 @@ struct UnitVector {
 // Of a narrow vector: how far v·v may be from that of a normalized one, in the units of v.
 inline constexpr std::int64_t kNormalizedSquare = WholeVector::kOne * WholeVector::kOne;
 inline constexpr std::int64_t kMostExcess = kNormalizedSquare / 5000;
-// 1 / |v| of one that is normalized, by its excess x over them: (1 + x)^(-1/2) by its series up to x^4; the next term is
-// below 2^-63.
-[[gnu::always_inline]] inline double inverse_length(double excess) {
+// 1 / |v| of one that is normalized, by its excess x over them: (1 + x)^(-1/2) by its series up to x^4; the next term
+// is below 2^-63.
+[[gnu::always_inline]] inline double inverse_length(double x) {
   constexpr double kScale = 1.0 / static_cast<double>(WholeVector::kOne);
   constexpr double kX = kScale * kScale;
-  const double square = excess * excess;
-  return (kScale - excess * (kScale * kX / 2)) +
-         square * ((kScale * kX * kX * 3 / 8 - excess * (kScale * kX * kX * kX * 5 / 16)) +
+  const double square = x * x;
+  return (kScale - x * (kScale * kX / 2)) +
+         square * ((kScale * kX * kX * 3 / 8 - x * (kScale * kX * kX * kX * 5 / 16)) +
                    square * (kScale * kX * kX * kX * kX * 35 / 128));
 }
 [[nodiscard]] inline UnitVector unit_of(const WholeVector& v) {
   if (!v.narrow) [[unlikely]]
     return unit_of_any(v);
-  const std::int64_t excess = v.small[0] * v.small[0] + v.small[1] * v.small[1] + v.small[2] * v.small[2] -
-                              kNormalizedSquare;
+  const std::int64_t excess =
+      v.small[0] * v.small[0] + v.small[1] * v.small[1] + v.small[2] * v.small[2] - kNormalizedSquare;
   if (excess > kMostExcess || excess < -kMostExcess) [[unlikely]]
     return unit_of_any(v);
+  const auto x = static_cast<double>(excess);
   UnitVector u;
-  u.scale = inverse_length(static_cast<double>(excess));
+  u.scale = inverse_length(x);
   u.unit = v.nearest() * u.scale;
   u.normalized = true;
   return u;

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "fast/batch/instructions.h"
+#include "fast/arrays/instructions.h"
 #include "tests/bench/rows.h"
 
 namespace {
@@ -63,7 +63,9 @@ BENCHMARK(plane_arrays)->Name("floor/arrays_in_the_plane");
 struct SpaceCorners {
   [[gnu::always_inline]] static void run(const double* x, const double* y, const double* z, const double* i,
                                          const double* j, const double* k, double* to_x, double* to_y, double* to_z) {
+#ifndef __clang__
 #pragma GCC ivdep
+#endif
     for (std::size_t n = 1; n < kCorners; ++n) {
       const double ax = x[n] - x[n - 1], ay = y[n] - y[n - 1], az = z[n] - z[n - 1];
       const double bx = x[n + 1] - x[n], by = y[n + 1] - y[n], bz = z[n + 1] - z[n];

@@ -24,6 +24,8 @@ void run_round(benchmark::State& state, const Program& program, const spec::Setu
     for (const spec::klartext::Block& block : blocks) engine.block(block);
   if (engine.stopped() || path.events() == 0) state.SkipWithError(("stopped: " + path.alarm()).c_str());
   count_blocks(state, blocks.size());
+  if constexpr (std::is_same_v<Number, exact::Real>)
+    show_latency(state, blocks.size(), program.samples, program.body, [&](std::size_t i) { engine.block(blocks[i]); });
 }
 
 inline void fast_engine(benchmark::State& state, const Program& program) {

@@ -1,4 +1,4 @@
-#include "fast/batch/moves.h"
+#include "fast/arrays/moves.h"
 
 #include <algorithm>
 

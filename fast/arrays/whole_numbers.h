@@ -1,5 +1,7 @@
-// Sums of products of whole numbers, rounded once, by doubles alone: vector code has no products of 64 bits.
+// Whole numbers by doubles alone, for vector code, which has no products of 64 bits: sums of products are rounded once.
 #pragma once
+
+#include "fast/arithmetic/trigonometry.h"
 
 namespace toolcomp::fast {
 
@@ -9,8 +11,7 @@ struct Parts {
 };
 inline constexpr double kPart = 0x1p15;
 [[gnu::always_inline]] inline Parts parts_of(double whole) {
-  constexpr double kRounds = 0x1.8p52;  // adding it leaves no place behind the point
-  const double high = (whole * (1 / kPart) + kRounds) - kRounds;
+  const double high = nearest_whole(whole * (1 / kPart));
   return {high, whole - high * kPart};
 }
 

@@ -1,4 +1,4 @@
-#include "fast/batch/instructions.h"
+#include "fast/arrays/instructions.h"
 
 namespace toolcomp::fast {
 

@@ -1,12 +1,13 @@
 // Lines as arrays, as a stage of compensation sees them: a few hundred blocks whose words are whole numbers already.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include "fast/batch/instructions.h"
-#include "fast/batch/moves.h"
+#include "fast/arrays/instructions.h"
+#include "fast/arrays/moves.h"
 
 namespace toolcomp::fast {
 
@@ -23,6 +24,8 @@ constexpr std::uint32_t place_bit(std::size_t place) { return std::uint32_t{1} <
 struct LineChunk {
   static constexpr std::size_t kMost = 256;
   using Columns = std::array<std::array<double, kMost>, kWordPlaces>;
+  // Of a block held before them, and of them.
+  using Column = std::array<double, kMost + 1>;
 
   std::size_t size = 0;
   std::uint32_t words = 0;  // place_bit() of those that there are
@@ -35,6 +38,13 @@ struct LineChunk {
   // The words of the blocks; nullptr: they have none of these.
   [[nodiscard]] const double* word(std::size_t place) const {
     return (words & place_bit(place)) == 0 ? nullptr : (*columns)[place].data() + first;
+  }
+  // Puts them behind the one of the block before; where there are none, that one stays.
+  void go_on(std::size_t place, Column& column) const {
+    if (const double* const words_of = word(place))
+      std::copy_n(words_of, size, column.begin() + 1);
+    else
+      std::fill_n(column.begin() + 1, size, column[0]);
   }
   // `count` of them, without the first `from`.
   [[nodiscard]] LineChunk part(std::size_t from, std::size_t count) const {

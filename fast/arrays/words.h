@@ -5,13 +5,15 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fast/batch/instructions.h"
+#include "fast/arrays/instructions.h"
 #include "spec/language/decimal.h"
 
 namespace toolcomp::fast {
 
 inline constexpr unsigned kMostPlaces = 9;
 inline constexpr double kMostWord = 1e9;
+// Of a vector: below 10 as it is written (E_VEC_RANGE).
+[[nodiscard]] double most_component(unsigned decimals);
 
 // Writes value * 10^decimals, rounded to a whole number (ties to even), times 10^(places - decimals), for `size` words.
 // decimals <= places, and the results are below 2^51. Never -0. False: one of them is above `most`, or no number.

@@ -1,22 +1,20 @@
-#include "fast/batch/words.h"
+#include "fast/arrays/words.h"
 
 #include <cmath>
+
+#include "fast/arithmetic/trigonometry.h"
 
 namespace toolcomp::fast {
 namespace {
 
 constexpr std::array<double, 10> kPower{1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
-// Adding it leaves no place behind the point.
-constexpr double kRounds = 0x1.8p52;
-
 struct Scale {
   [[gnu::always_inline]] static std::int64_t run(const double* value, std::size_t size, double power, double worth,
                                                  double most, double* whole) {
     std::int64_t any = 0;
     for (std::size_t i = 0; i < size; ++i) {
-      const double rounded = (value[i] * power + kRounds) - kRounds;
-      const double word = rounded * worth + 0.0;
+      const double word = nearest_whole(value[i] * power) * worth + 0.0;  // never -0
       whole[i] = word;
       any |= std::abs(word) <= most ? 0 : 1;
     }
@@ -42,6 +40,8 @@ struct NearZero {
 };
 
 }  // namespace
+
+double most_component(unsigned decimals) { return 10 - 1 / kPower[decimals]; }
 
 std::size_t find_zero_vector(Instructions by, const std::array<const double*, 3>& component, std::size_t size,
                              unsigned decimals) {
