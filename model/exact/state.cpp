@@ -38,14 +38,10 @@ void write(spec::StateWriter& out, const Real& value) {
   if (root != nullptr) operands_first(root, anew, [&out](const Node& node) { return !out.knows(&node); });
   out(anew.size());
   for (const Node* node : anew) {
-    out(number(out, node), node->kind, node->knowledge, number(out, node->left), number(out, node->right));
+    out(number(out, node), node->kind, node->knowledge == Knowledge::undecided, number(out, node->left),
+        number(out, node->right), node->refined != nullptr);
     const bool has_value = node->kind == Kind::rational || node->kind == Kind::sine || node->kind == Kind::cosine;
     if (has_value) write(out, node->value);
-    out(node->refined ? node->refined->precision() : 0);
-    if (node->kind == Kind::rational) continue;  // its enclosures follow from it
-    out(node->bounded, node->enclosed);
-    if (node->bounded) out(node->bounds_in_double.lower, node->bounds_in_double.upper);
-    if (node->enclosed) write(out, node->enclosure);
     if (node->refined) write(out, *node->refined);
   }
   out(number(out, root));

@@ -1,5 +1,7 @@
-// How a number was made, for comparing states: equal bytes are equal expressions, with what they share and how far they
-// have been refined. From equal expressions the same operations give the same answers, bit for bit.
+// How a number was made, for comparing states: equal bytes are equal expressions, with what they share, how far they
+// have been refined and what could not be decided. From there the same operations give the same signs and the same
+// digits. Enclosures in double and of 128 bits are left out: made at the first question, they say how soon a sign is
+// found, not which.
 #pragma once
 
 #include "model/exact/real.h"

@@ -50,12 +50,13 @@ def engine(rows, before):
 
 
 def model(rows):
-    yield "| row | blocks/s | p99, microseconds |"
-    yield "|---|---:|---:|"
+    yield "| row | blocks/s | p50, us | p99, us | slowest block |"
+    yield "|---|---:|---:|---:|---|"
     for name, (time, runs) in rows.items():
         if name.startswith("model/"):
-            p99 = [run["p99_us"] for run in runs if "p99_us" in run]
-            yield f"| `{name}` | {1e9 / time:,.0f} | {f'{statistics.median(p99):.0f}' if p99 else ''} |"
+            median = {key: statistics.median(run[key] for run in runs) for key in ("p50_us", "p99_us")}
+            slowest = runs[-1]["label"].removeprefix("slowest: ").replace("|", "/")
+            yield f"| `{name}` | {1e9 / time:,.0f} | {median['p50_us']:.0f} | {median['p99_us']:.0f} | {slowest} |"
 
 
 def output_of(command):
