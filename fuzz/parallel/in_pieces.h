@@ -56,7 +56,7 @@ struct InPieces {
   // The results, in order, called by the thread that calls; false: nothing behind this one counts.
   std::function<bool(PieceResult& result)> take;
   // For tests: two states that are taken for equal although they are not, where it says so.
-  std::function<bool(const std::string& ended, const std::string& begun)> same = std::equal_to<std::string>();
+  std::function<bool(const std::string& ended, const std::string& begun)> same = std::equal_to<>();
 };
 
 // Throws what next(), begin() of the first piece, a piece that counts or take() throws, once the pieces before have

@@ -19,7 +19,7 @@ struct JudgeInPieces {
   std::uint64_t lead = 64;
   std::size_t* wrong = nullptr;  // gets how many guesses were wrong
   // For tests: in_pieces.h.
-  std::function<bool(const std::string& ended, const std::string& begun)> same = std::equal_to<std::string>();
+  std::function<bool(const std::string& ended, const std::string& begun)> same = std::equal_to<>();
 };
 
 // The same verdict. The fast engine runs in one thread, in the order of the program. The model and the judge run piece
