@@ -173,7 +173,9 @@ DoubleDouble fine_radius(const PlanePath& path, bool at_end) {
   if (path.seen) return path.fine_radius[at_end ? 1 : 0];
   const DoubleDouble unit = fine_unit_of(path);
   if (path.by_radius) return to_double_double(path.radius_whole) / unit;
-  const auto& v = at_end ? path.arc_end.whole : path.start.whole;
+  const Heading& tangent = at_end ? path.arc_end : path.start;
+  const auto& v = tangent.whole;
+  if (tangent.narrow) return sqrt(to_double_double(v[0] * v[0] + v[1] * v[1])) / unit;
   return sqrt((Wide(v[0]) * Wide(v[0]) + Wide(v[1]) * Wide(v[1])).to_double_double()) / unit;
 }
 

@@ -72,36 +72,74 @@ void CutterCompensationC::take_back(const UsualLine& line, const std::array<std:
   move.cause = spec::Cause::corner;
 }
 
+namespace {
+
+WholePair whole_pair(const std::array<Int128, 2>& whole) {
+  return {static_cast<std::int64_t>(whole[0]), static_cast<std::int64_t>(whole[1])};
+}
+
+// False: it is no usual one.
+bool set_usual_path(UsualPath& to, const PlanePath& path) {
+  if (path.fine_units || path.seen) return false;
+  if (path.arc && path.ends_in_center) return false;
+  if (path.arc && path.by_radius) {
+    constexpr Int128 kMost = Int128{1} << 30U;
+    const auto is_usual = [](const Int128& x) { return x < kMost && x > -kMost; };
+    if (!is_usual(path.whole[0]) || !is_usual(path.whole[1]) || !is_usual(path.radius_whole)) return false;
+    const auto radius = static_cast<std::int64_t>(path.radius_whole);
+    return set_usual_arc_by_radius(to, whole_pair(path.whole), path.over_half ? -radius : radius, path.sigma);
+  }
+  if (!path.start.narrow || !path.end().narrow) return false;
+  if (path.arc) {
+    const auto from_center = [&](const Heading& tangent) {
+      const WholePair whole = whole_pair(tangent.whole);
+      return WholePair{path.sigma * whole[1], -path.sigma * whole[0]};
+    };
+    return set_usual_arc(to, from_center(path.start), from_center(path.arc_end), path.sigma);
+  }
+  set_usual_line(to, whole_pair(path.start.whole));
+  return true;
+}
+
+void set_plane_path(PlanePath& to, const UsualPath& path) {
+  const auto count = [](std::int64_t small) {
+    Count value;
+    value.set_small(small);
+    return value;
+  };
+  to.fine_units = false;
+  if (!path.is_arc()) {
+    to.arc = false;
+    set_narrow_heading(to.start, path.start.whole[0], path.start.whole[1]);
+  } else if (path.by_radius != 0) {
+    const WholePair way = path.way();
+    set_arc_by_radius(to, {}, {count(way[0]), count(way[1])}, count(path.by_radius), path.sigma < 0);
+  } else {
+    to.arc = true;
+    to.sigma = path.sigma;
+    to.by_radius = false;
+    to.ends_in_center = false;
+    set_narrow_arc(to, path.whole_start(), path.whole_end());
+  }
+}
+
+}  // namespace
+
 bool CutterCompensationC::awaits_paths() const {
   return awaits_usual() && (last_->flat.arc || start_->corner.first->arc) && !fault(Fault::c_small_movement_one_axis) &&
          !fault(Fault::c_spiral_as_circle);
 }
 
 bool CutterCompensationC::lend(UsualLoan& loan) {
-  const PlanePath& flat = last_->flat;
   const CutterGroup& start = at_start();
-  if (flat.fine_units || flat.seen || !flat.start.narrow || !flat.end().narrow || start.cleared != 0) return false;
   loan.event = &ring_[first_].event;
   loan.sink = sink_;
   loan.offset.radius = last_->offset.nearest;
   loan.offset.left = last_->side * last_->offset.nearest;
   loan.offset.limit = parameters_.limit_value;
   loan.offset.keeps_all = parameters_.keeps_all;
-  if (flat.arc) {
-    if (flat.by_radius || flat.ends_in_center || !starts_on_circle()) return false;
-    const std::array<Int128, 2>& from = flat.start.whole;
-    const std::array<Int128, 2>& to = flat.arc_end.whole;
-    const auto turned_back = [&](const std::array<Int128, 2>& tangent) {
-      return WholePair{static_cast<std::int64_t>(flat.sigma * tangent[1]),
-                       static_cast<std::int64_t>(-flat.sigma * tangent[0])};
-    };
-    if (!set_usual_arc(loan.path, turned_back(from), turned_back(to), flat.sigma) ||
-        !has_offset_path(loan.path, loan.offset))
-      return false;
-  } else {
-    set_usual_line(loan.path,
-                   {static_cast<std::int64_t>(flat.start.whole[0]), static_cast<std::int64_t>(flat.start.whole[1])});
-  }
+  if (start.cleared != 0 || !set_usual_path(loan.path, last_->flat)) return false;
+  if (last_->flat.arc && !(starts_on_circle() && has_offset_path(loan.path, loan.offset))) return false;
   loan.start.size = 0;
   for (std::size_t i = 0; i < start.size; ++i)
     loan.start.add(start.head[i].kind, DoublePair{start.head[i].vector.x, start.head[i].vector.y});
@@ -130,23 +168,6 @@ bool CutterCompensationC::moves_in_plane_only() {
   return true;
 }
 
-namespace {
-
-void set_plane_path(PlanePath& to, const UsualPath& path) {
-  to.arc = path.is_arc();
-  to.fine_units = false;
-  if (path.is_arc()) {
-    to.sigma = path.sigma;
-    to.by_radius = false;
-    to.ends_in_center = false;
-    set_narrow_arc(to, path.whole_start(), path.whole_end());
-  } else {
-    set_narrow_heading(to.start, path.start.whole[0], path.start.whole[1]);
-  }
-}
-
-}  // namespace
-
 void CutterCompensationC::take_back(const UsualReturn& usual) {
   CutterPath& to = paths_[path_];
   CutterPath& from = paths_[before(path_)];
@@ -156,10 +177,13 @@ void CutterCompensationC::take_back(const UsualReturn& usual) {
   set_plane_path(to.flat, usual.path);
   start_side_ = to.side;
   start_offset_ = &from.offset;
-  ring_[first_].by_radius = false;
+  // What the centre of an arc by radius is counted from.
+  CutterBlock& block = ring_[first_];
+  block.by_radius = usual.path.by_radius != 0;
+  for (std::size_t i = 0; i < 2; ++i) block.start[i].set_small(usual.at[i]);
 
   CutterGroup& start = at_start();
-  const Turn turned = turn_of_narrow(from.flat.end(), to.flat.start);
+  const Turn turned = turn(from.flat.end(), to.flat.start);
   start.cleared = 0;
   start.corner = {&from.flat, &to.flat, &from.flat.end(), &to.flat.start, to.side, to.side, &from.offset, turned};
   start.size = usual.corner.size;

@@ -1,6 +1,5 @@
-// Lines and arcs of few digits, arcs about a centre, and the corners of cutter compensation C between them: what the
-// general path makes, bit for bit, in 64 bits. Where such a path or corner is unusual, or doubles cannot tell, the
-// answer is false.
+// Lines and arcs of few digits, and the corners of cutter compensation C between them: what the general path makes, bit
+// for bit, in 64 bits. Where such a path or corner is unusual, or doubles cannot tell, the answer is false.
 #pragma once
 
 #include <algorithm>
@@ -43,14 +42,18 @@ inline bool is_usual_position(const WholePair& at) {
 
 // The tangent of a path at one of its ends.
 struct UsualTangent {
-  WholePair whole{};  // along it, of the length of the line, or of the radius of the arc there
+  // Along it, of the length of the line, or of the radius of the arc there; of an arc by radius the chord, from which
+  // the tangent is turned by an angle of this cosine and sine.
+  WholePair whole{};
+  Vector2<double> from_whole{1, 0};
   DoublePair unit{};
   double norm = 1;       // |whole|
   double curvature = 0;  // of the path there, positive to the left
 };
 
 struct UsualPath {
-  int sigma = 0;  // of an arc: +1 counterclockwise, -1 clockwise; 0: a line
+  int sigma = 0;               // of an arc: +1 counterclockwise, -1 clockwise; 0: a line
+  std::int64_t by_radius = 0;  // the R of an arc, 10^-6; 0: it is about a centre
   UsualTangent start;
   UsualTangent arc_end;
   // Of an arc, seen from its centre.
@@ -62,11 +65,11 @@ struct UsualPath {
 
   [[nodiscard]] bool is_arc() const { return sigma != 0; }
   [[nodiscard]] const UsualTangent& end() const { return is_arc() ? arc_end : start; }
-  // From the centre of an arc.
+  // From the centre of an arc that is about one.
   [[nodiscard]] WholePair whole_start() const { return {sigma * start.whole[1], -sigma * start.whole[0]}; }
   [[nodiscard]] WholePair whole_end() const { return {sigma * arc_end.whole[1], -sigma * arc_end.whole[0]}; }
   [[nodiscard]] WholePair way() const {
-    if (!is_arc()) return start.whole;
+    if (!is_arc() || by_radius != 0) return start.whole;
     const WholePair from = whole_start();
     const WholePair to = whole_end();
     return {to[0] - from[0], to[1] - from[1]};
@@ -100,7 +103,9 @@ inline void set_usual_line(UsualPath& path, const WholePair& way) {
   const DoublePair whole = to_doubles(way);
   const DoublePair squares = whole * whole;
   path.sigma = 0;
+  path.by_radius = 0;
   tangent.whole = way;
+  tangent.from_whole = {1, 0};
   tangent.norm = std::sqrt(squares[0] + squares[1]);
   tangent.unit = whole / tangent.norm;
   tangent.curvature = 0;
@@ -115,6 +120,8 @@ inline void set_usual_line(UsualPath& path, const WholePair& way) {
   if (from_square == 0 || to_square == 0 || sine == 0) [[unlikely]]
     return false;
   path.sigma = sigma;
+  path.by_radius = 0;
+  path.start.from_whole = path.arc_end.from_whole = {1, 0};
   path.spiral = from_square != to_square;
   path.over_half = sine < 0;
   path.start.whole = {-sigma * from[1], sigma * from[0]};
@@ -139,6 +146,41 @@ inline void set_usual_line(UsualPath& path, const WholePair& way) {
   const DoublePair curvature = DoublePair{sense, sense} / path.radius;
   path.start.curvature = curvature[0];
   path.arc_end.curvature = curvature[1];
+  return true;
+}
+
+// Over a chord; above 180 degrees where radius < 0. False: there is none, or it is half a circle.
+[[nodiscard]] inline bool set_usual_arc_by_radius(UsualPath& path, const WholePair& chord, std::int64_t radius,
+                                                  int sigma) {
+  constexpr double kPerOne = static_cast<double>(Count::kSmallPerOne);
+  const std::int64_t square = 4 * radius * radius - (chord[0] * chord[0] + chord[1] * chord[1]);
+  if (square <= 0 || (chord[0] == 0 && chord[1] == 0)) [[unlikely]]
+    return false;
+  path.sigma = sigma;
+  path.by_radius = radius;
+  path.spiral = false;
+  path.over_half = radius < 0;
+  const DoublePair whole = to_doubles(chord);
+  const DoublePair squares = whole * whole;
+  const double norm = std::sqrt(squares[0] + squares[1]);
+  const DoublePair along = whole / norm;
+  const double height = std::sqrt(static_cast<double>(square));
+  const double magnitude = std::abs(static_cast<double>(radius));
+  const DoublePair angle = DoublePair{radius < 0 ? -height : height, norm} / (2 * magnitude);
+  const double sine = sigma * angle[1];
+  path.radius = DoublePair{magnitude, magnitude} / kPerOne;
+  const double curvature = sigma / path.radius[0];
+  const auto set_tangent = [&](UsualTangent& tangent, double turned_sine) {
+    tangent.whole = chord;
+    tangent.norm = norm;
+    tangent.from_whole = {angle[0], turned_sine};
+    tangent.unit = along * angle[0] + left_of(along) * turned_sine;
+    tangent.curvature = curvature;
+  };
+  set_tangent(path.start, -sine);
+  set_tangent(path.arc_end, sine);
+  path.from_start = left_of(path.start.unit) * (-sigma * path.radius[0]);
+  path.from_end = left_of(path.arc_end.unit) * (-sigma * path.radius[1]);
   return true;
 }
 
@@ -194,7 +236,7 @@ inline bool keeps_all(const UsualCorner& corner, const UsualOffset& offset) {
   set_turn(n, turn);
   const double e = curvature_term(n);
   const double discriminant = n.plus - 2 * e;
-  if (!doubles_suffice(n, discriminant, 0)) [[unlikely]]
+  if (!doubles_suffice(n, discriminant, turn.error)) [[unlikely]]
     return false;
   const Vector2<double> vector = paths_meet(n, e, discriminant);
   corner.add(HeadKind::paths_meet, DoublePair{vector.x, vector.y});
@@ -208,16 +250,21 @@ inline bool keeps_all(const UsualCorner& corner, const UsualOffset& offset) {
   const std::int64_t c = last.whole[0] * next.whole[1] - last.whole[1] * next.whole[0];
   const std::int64_t k = last.whole[0] * next.whole[0] + last.whole[1] * next.whole[1];
   corner.size = 0;
-  if (c == 0) {
+  const bool by_radius = former.by_radius != 0 || latter.by_radius != 0;
+  if (c == 0 && !by_radius) {
     // No way at all, or straight back.
     if (k <= 0) [[unlikely]]
       return false;
     corner.add(HeadKind::first_normal, left_of(last.unit) * offset.left);
     return true;
   }
-  const Turn turn{static_cast<double>(c), static_cast<double>(k), last.norm * next.norm};
-  return (c > 0) == (offset.left > 0) ? make_inner_corner(former, latter, turn, offset, corner)
-                                      : make_outer_corner(former, latter, turn, offset, corner);
+  Turn turn{static_cast<double>(c), static_cast<double>(k), last.norm * next.norm};
+  if (by_radius) {
+    turn = turn_from_whole(turn, last.from_whole, next.from_whole);
+    if (!doubles_suffice(turn)) return false;
+  }
+  return (turn.c > 0) == (offset.left > 0) ? make_inner_corner(former, latter, turn, offset, corner)
+                                           : make_outer_corner(former, latter, turn, offset, corner);
 }
 
 // What the interference check asks of a line, from a vector to another: the tool goes forward for certain. Where the

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t kFeed = UsualWords::set('F');
 constexpr std::uint32_t kCode = UsualWords::set('G');
+constexpr std::uint32_t kRadius = UsualWords::set('R');
 constexpr double kPerOne = static_cast<double>(Count::kSmallPerOne);
 // So many lines behind one another, and more are worth the way to those who take lines alone.
 constexpr unsigned kMostLines = 16;
@@ -47,7 +48,7 @@ void UsualCutterPaths::await() {
   at_ = {x.small(), y.small()};
   if (!is_usual_position(at_) || !compensation_.lend(loan_)) return;
   axis_ = axis;
-  std::uint32_t letters = UsualWords::set_of("FG");
+  std::uint32_t letters = UsualWords::set_of("FGR");
   for (std::size_t i = 0; i < 2; ++i) {
     letter_[i] = std::size_t{control_.axes.letters.index[axis[i]]} + 1U;
     center_letter_[i] = UsualWords::at(direction_letter(modal.plane(), i));
@@ -74,6 +75,7 @@ void UsualCutterPaths::await() {
     arc_.arc->plane = modal.plane();
     arc_.arc->center.present = static_cast<std::uint16_t>(bit(axis[0]) | bit(axis[1]));
   }
+  if (held_->by_radius != 0) set_center(start_value_ / kPerOne - held_->from_start);
   others_ = control_.taker;
   control_.taker = this;
 }
@@ -102,7 +104,8 @@ void UsualCutterPaths::leave() {
   to.n = event.n;
   to.arc = event.arc;
   place(corner_move_, start_value_, DoublePair{});
-  compensation_.take_back({*before_, *held_, *start_, corner_move_});
+  const WholePair way = held_->way();
+  compensation_.take_back({*before_, *held_, *start_, corner_move_, {at_[0] - way[0], at_[1] - way[1]}});
 }
 
 [[gnu::always_inline]] inline void UsualCutterPaths::place(Event& event, DoublePair at, DoublePair vector) const {
@@ -113,6 +116,10 @@ void UsualCutterPaths::leave() {
     event.point.value[axis_[i]] = point[i];
     event.axes.value[axis_[i]] = point[i];
   }
+}
+
+[[gnu::always_inline]] inline void UsualCutterPaths::set_center(DoublePair center) {
+  for (std::size_t i = 0; i < 2; ++i) arc_.arc->center.value[axis_[i]] = center[i];
 }
 
 [[gnu::always_inline]] inline bool UsualCutterPaths::read(const spec::Block& block, Command& command) {
@@ -136,20 +143,28 @@ void UsualCutterPaths::leave() {
   }
   command.has_feed = (letters & kFeed) != 0;
   const bool centers = (letters >> center_letter_[0] & 1U) != 0 || (letters >> center_letter_[1] & 1U) != 0;
-  return centers == (command.motion > 10);
+  const bool by_radius = (letters & kRadius) != 0;
+  if (by_radius) command.radius = words_[UsualWords::at('R')];
+  // R 0 is none.
+  if (by_radius && (centers || command.radius == 0)) return false;
+  return (centers || by_radius) == (command.motion > 10);
 }
 
 [[gnu::always_inline]] inline bool UsualCutterPaths::make_path(const Command& command) {
-  const auto& [motion, has_feed, to, to_center] = command;
+  const auto& [motion, has_feed, to, to_center, radius] = command;
   const WholePair way{to[0] - at_[0], to[1] - at_[1]};
   if (!is_usual_position(to) || !is_usual_way(way)) return false;
   if (motion == 10) {
     set_usual_line(*next_, way);
     return true;
   }
+  const int sigma = motion == 20 ? -1 : 1;
+  if (radius != 0)
+    return is_usual_way({radius, 0}) && set_usual_arc_by_radius(*next_, way, radius, sigma) &&
+           has_offset_path(*next_, loan_.offset);
   const WholePair from{-to_center[0], -to_center[1]};
   const WholePair end{from[0] + way[0], from[1] + way[1]};
-  return is_usual_way(from) && is_usual_way(end) && set_usual_arc(*next_, from, end, motion == 20 ? -1 : 1) &&
+  return is_usual_way(from) && is_usual_way(end) && set_usual_arc(*next_, from, end, sigma) &&
          has_offset_path(*next_, loan_.offset);
 }
 
@@ -202,10 +217,9 @@ void UsualCutterPaths::send_corner_moves() {
   std::swap(start_, end_);
   Event& event = event_of(*held_);
   if (held_->is_arc()) {
-    spec::Arc<double>& arc = *event.arc;
-    arc.direction = held_->sigma > 0 ? spec::ArcDirection::ccw : spec::ArcDirection::cw;
-    const DoublePair center = (at_value_ + to_doubles(command.to_center)) / kPerOne;
-    for (std::size_t i = 0; i < 2; ++i) arc.center.value[axis_[i]] = center[i];
+    event.arc->direction = held_->sigma > 0 ? spec::ArcDirection::ccw : spec::ArcDirection::cw;
+    set_center(command.radius == 0 ? (at_value_ + to_doubles(command.to_center)) / kPerOne
+                                   : at_value_ / kPerOne - held_->from_start);
   }
   event.line = block.line;
   event.n = block.n;

@@ -33,10 +33,11 @@ struct UsualReturn {
   const UsualPath& path;
   const UsualCorner& corner;
   const Event& corner_move;  // where that corner is, without vector
+  WholePair at;              // the same in the plane, 10^-6
 };
 
 // Takes blocks as they are read, while cutter compensation C holds a line or an arc and they are usual: moves in the
-// plane by words of few places, arcs about a centre; F, and the codes G01 G02 G03.
+// plane by words of few places, F, and the codes G01 G02 G03.
 class UsualCutterPaths final : public BlockTaker {
  public:
   UsualCutterPaths(Control& control, CutterCompensationC& compensation)
@@ -53,7 +54,8 @@ class UsualCutterPaths final : public BlockTaker {
     Code motion = 10;
     bool has_feed = false;
     WholePair to{};
-    WholePair to_center{};  // of an arc
+    WholePair to_center{};    // of an arc
+    std::int64_t radius = 0;  // R; 0: it is about a centre
   };
 
   // False, and nothing is done: any other block.
@@ -68,6 +70,7 @@ class UsualCutterPaths final : public BlockTaker {
   void hold(const spec::Block& block, const Command& command);
   // Positions of an event in the plane, in 10^-6, with a vector.
   void place(Event& event, DoublePair at, DoublePair vector) const;
+  void set_center(DoublePair center);
   void set_feed();
   // Before any other block.
   void leave();
