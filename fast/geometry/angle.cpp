@@ -93,8 +93,8 @@ double polar_angle(double x, double y) {
   const double rest = r * (kSeries[0] + s * (kSeries[1] + s * (kSeries[2] + s * kSeries[3])));
   const double angle = kArcTangent[static_cast<std::size_t>(step)] + rest;
   // The octant; in which it is cannot be foreseen: no branch.
-  constexpr std::array<double, 4> kFrom{0, 90, 180, 90};
-  constexpr std::array<double, 4> kSense{1, -1, -1, 1};
+  static constexpr std::array<double, 4> kFrom{0, 90, 180, 90};
+  static constexpr std::array<double, 4> kSense{1, -1, -1, 1};
   const std::size_t octant = (ay > ax ? 1U : 0U) + (x < 0 ? 2U : 0U);
   return std::copysign(kFrom[octant] + kSense[octant] * angle, y);
 }

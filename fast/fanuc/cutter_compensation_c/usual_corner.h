@@ -45,7 +45,7 @@ struct UsualTangent {
   // Along it, of the length of the line, or of the radius of the arc there; of an arc by radius the chord, from which
   // the tangent is turned by an angle of this cosine and sine.
   WholePair whole{};
-  Vector2<double> from_whole{1, 0};
+  DoublePair from_whole{1, 0};
   DoublePair unit{};
   double norm = 1;       // |whole|
   double curvature = 0;  // of the path there, positive to the left
@@ -105,7 +105,7 @@ inline void set_usual_line(UsualPath& path, const WholePair& way) {
   path.sigma = 0;
   path.by_radius = 0;
   tangent.whole = way;
-  tangent.from_whole = {1, 0};
+  tangent.from_whole = DoublePair{1, 0};
   tangent.norm = std::sqrt(squares[0] + squares[1]);
   tangent.unit = whole / tangent.norm;
   tangent.curvature = 0;
@@ -121,7 +121,8 @@ inline void set_usual_line(UsualPath& path, const WholePair& way) {
     return false;
   path.sigma = sigma;
   path.by_radius = 0;
-  path.start.from_whole = path.arc_end.from_whole = {1, 0};
+  path.start.from_whole = DoublePair{1, 0};
+  path.arc_end.from_whole = DoublePair{1, 0};
   path.spiral = from_square != to_square;
   path.over_half = sine < 0;
   path.start.whole = {-sigma * from[1], sigma * from[0]};
@@ -173,7 +174,7 @@ inline void set_usual_line(UsualPath& path, const WholePair& way) {
   const auto set_tangent = [&](UsualTangent& tangent, double turned_sine) {
     tangent.whole = chord;
     tangent.norm = norm;
-    tangent.from_whole = {angle[0], turned_sine};
+    tangent.from_whole = DoublePair{angle[0], turned_sine};
     tangent.unit = along * angle[0] + left_of(along) * turned_sine;
     tangent.curvature = curvature;
   };
@@ -220,8 +221,9 @@ inline bool keeps_all(const UsualCorner& corner, const UsualOffset& offset) {
   return none_dropped || keeps_all(corner, offset) || fault(Fault::usual_path_small_movement);
 }
 
-[[nodiscard]] inline bool make_inner_corner(const UsualPath& former, const UsualPath& latter, const Turn& turn,
-                                            const UsualOffset& offset, UsualCorner& corner) {
+[[nodiscard, gnu::always_inline]] inline bool make_inner_corner(const UsualPath& former, const UsualPath& latter,
+                                                                const Turn& turn, const UsualOffset& offset,
+                                                                UsualCorner& corner) {
   const UsualTangent& last = former.end();
   const UsualTangent& next = latter.start;
   if (!former.is_arc() && !latter.is_arc()) {
@@ -243,8 +245,8 @@ inline bool keeps_all(const UsualCorner& corner, const UsualOffset& offset) {
   return true;
 }
 
-[[nodiscard]] inline bool make_usual_corner(const UsualPath& former, const UsualPath& latter, const UsualOffset& offset,
-                                            UsualCorner& corner) {
+[[nodiscard, gnu::always_inline]] inline bool make_usual_corner(const UsualPath& former, const UsualPath& latter,
+                                                                const UsualOffset& offset, UsualCorner& corner) {
   const UsualTangent& last = former.end();
   const UsualTangent& next = latter.start;
   const std::int64_t c = last.whole[0] * next.whole[1] - last.whole[1] * next.whole[0];
@@ -259,8 +261,8 @@ inline bool keeps_all(const UsualCorner& corner, const UsualOffset& offset) {
     return true;
   }
   Turn turn{static_cast<double>(c), static_cast<double>(k), last.norm * next.norm};
-  if (by_radius) {
-    turn = turn_from_whole(turn, last.from_whole, next.from_whole);
+  if (by_radius) [[unlikely]] {
+    turn = turn_from_whole(turn, to_vector(last.from_whole), to_vector(next.from_whole));
     if (!doubles_suffice(turn)) return false;
   }
   return (turn.c > 0) == (offset.left > 0) ? make_inner_corner(former, latter, turn, offset, corner)

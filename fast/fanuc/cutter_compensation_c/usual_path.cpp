@@ -159,7 +159,7 @@ void UsualCutterPaths::leave() {
     return true;
   }
   const int sigma = motion == 20 ? -1 : 1;
-  if (radius != 0)
+  if (radius != 0) [[unlikely]]
     return is_usual_way({radius, 0}) && set_usual_arc_by_radius(*next_, way, radius, sigma) &&
            has_offset_path(*next_, loan_.offset);
   const WholePair from{-to_center[0], -to_center[1]};
