@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "fast/arithmetic/trigonometry.h"
+
 namespace toolcomp::fast {
 namespace {
 
@@ -86,8 +88,8 @@ double polar_angle(double x, double y) {
   const double ay = std::abs(y);
   // Up to 45 degrees: from the nearest angle of the table by the tangent of the difference.
   const double tangent = std::min(ax, ay) / std::max(ax, ay);
-  const auto step = static_cast<int>(kSteps * tangent + 0.5);
-  const double near = static_cast<double>(step) / kSteps;
+  const double step = nearest_whole(kSteps * tangent);
+  const double near = step / kSteps;
   const double r = (tangent - near) / (1 + tangent * near);
   const double s = r * r;
   const double rest = r * (kSeries[0] + s * (kSeries[1] + s * (kSeries[2] + s * kSeries[3])));

@@ -69,14 +69,28 @@ class UsualWords {
   [[nodiscard, gnu::always_inline]] static bool read_two(const spec::Block& block,
                                                          const std::array<std::size_t, 2>& letters,
                                                          std::array<std::int64_t, 2>& to) {
-    const auto at = [&](std::size_t i) { return static_cast<unsigned char>(block.word[i].address) & 31U; };
-    const spec::Decimal& first = block.word[0].value;
-    const spec::Decimal& second = block.word[1].value;
-    if (block.size != 2 || at(0) != letters[0] || at(1) != letters[1] ||
-        !Count::are_short(first.digits | second.digits, (Count::shape(first) + 1U) | (Count::shape(second) + 1U)))
-      return false;
-    to = {Count::small_of_short(first), Count::small_of_short(second)};
-    return true;
+    return block.size == 2 && are_in_order(block.word.data(), letters) && read_short(block.word.data(), to);
+  }
+  // Words of these letters in this order.
+  template <std::size_t kSize>
+  [[gnu::always_inline]] static bool are_in_order(const spec::Word* words,
+                                                  const std::array<std::size_t, kSize>& letters) {
+    std::size_t differ = 0;
+    for (std::size_t i = 0; i < kSize; ++i) differ |= (static_cast<unsigned char>(words[i].address) & 31U) ^ letters[i];
+    return differ == 0;
+  }
+  // False: they are not all of few digits.
+  template <std::size_t kSize>
+  [[nodiscard, gnu::always_inline]] static bool read_short(const spec::Word* words,
+                                                           std::array<std::int64_t, kSize>& to) {
+    std::uint64_t digits = 0;
+    unsigned shapes = 0;
+    for (std::size_t i = 0; i < kSize; ++i) {
+      digits |= words[i].value.digits;
+      shapes |= Count::shape(words[i].value) + 1U;
+      to[i] = Count::small_of_short(words[i].value);
+    }
+    return Count::are_short(digits, shapes);
   }
 
  private:

@@ -35,7 +35,7 @@ inline bool set_clear_sweep(int sigma, const Vector2<double>& start, const Vecto
                             const Vector2<double>& a, const Vector2<double>& b, double& sweep) {
   const double sine = sigma * cross(a, b);
   const double size = extent(a) * extent(b);
-  if (!(std::abs(sine) > 0x1p-10 * size && 16 * size > extent(start) * extent(end))) return false;
+  if (std::abs(sine) <= 0x1p-10 * size || 16 * size <= extent(start) * extent(end)) return false;
   const double angle = polar_angle(dot(a, b), sine);
   sweep = angle < 0 ? angle + 360 : angle;
   return true;

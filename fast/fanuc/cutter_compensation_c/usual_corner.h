@@ -17,6 +17,7 @@
 
 namespace toolcomp::fast {
 
+inline constexpr auto kWholePerOne = static_cast<double>(Count::kSmallPerOne);
 // In the plane, 10^-6.
 using WholePair = std::array<std::int64_t, 2>;
 
@@ -113,7 +114,6 @@ inline void set_usual_line(UsualPath& path, const WholePair& way) {
 
 // From `from` to `to`, seen from the centre. False: an end in the centre, or just a half or a whole turn.
 [[nodiscard]] inline bool set_usual_arc(UsualPath& path, const WholePair& from, const WholePair& to, int sigma) {
-  constexpr double kPerOne = static_cast<double>(Count::kSmallPerOne);
   const std::int64_t from_square = from[0] * from[0] + from[1] * from[1];
   const std::int64_t to_square = to[0] * to[0] + to[1] * to[1];
   const std::int64_t sine = sigma * (from[0] * to[1] - from[1] * to[0]);
@@ -141,9 +141,9 @@ inline void set_usual_line(UsualPath& path, const WholePair& way) {
   path.arc_end.norm = end_norm;
   path.start.unit = start / norm;
   path.arc_end.unit = end / end_norm;
-  path.from_start = from_center / kPerOne;
-  path.from_end = to_center / kPerOne;
-  path.radius = DoublePair{norm, end_norm} / kPerOne;
+  path.from_start = from_center / kWholePerOne;
+  path.from_end = to_center / kWholePerOne;
+  path.radius = DoublePair{norm, end_norm} / kWholePerOne;
   const DoublePair curvature = DoublePair{sense, sense} / path.radius;
   path.start.curvature = curvature[0];
   path.arc_end.curvature = curvature[1];
@@ -153,7 +153,6 @@ inline void set_usual_line(UsualPath& path, const WholePair& way) {
 // Over a chord; above 180 degrees where radius < 0. False: there is none, or it is half a circle.
 [[nodiscard]] inline bool set_usual_arc_by_radius(UsualPath& path, const WholePair& chord, std::int64_t radius,
                                                   int sigma) {
-  constexpr double kPerOne = static_cast<double>(Count::kSmallPerOne);
   const std::int64_t square = 4 * radius * radius - (chord[0] * chord[0] + chord[1] * chord[1]);
   if (square <= 0 || (chord[0] == 0 && chord[1] == 0)) [[unlikely]]
     return false;
@@ -169,7 +168,7 @@ inline void set_usual_line(UsualPath& path, const WholePair& way) {
   const double magnitude = std::abs(static_cast<double>(radius));
   const DoublePair angle = DoublePair{radius < 0 ? -height : height, norm} / (2 * magnitude);
   const double sine = sigma * angle[1];
-  path.radius = DoublePair{magnitude, magnitude} / kPerOne;
+  path.radius = DoublePair{magnitude, magnitude} / kWholePerOne;
   const double curvature = sigma / path.radius[0];
   const auto set_tangent = [&](UsualTangent& tangent, double turned_sine) {
     tangent.whole = chord;
@@ -272,11 +271,10 @@ inline bool keeps_all(const UsualCorner& corner, const UsualOffset& offset) {
 // What the interference check asks of a line, from a vector to another: the tool goes forward for certain. Where the
 // vector changes by less than the way, at once.
 inline bool goes_forward(DoublePair unit, double norm, DoublePair from, DoublePair to) {
-  constexpr double kPerOne = static_cast<double>(Count::kSmallPerOne);
   const DoublePair change = to - from;
-  if (extent(change) < (1 - 0x1p-30) / kPerOne * norm) [[likely]]
+  if (extent(change) < (1 - 0x1p-30) / kWholePerOne * norm) [[likely]]
     return true;
-  const double length = norm / kPerOne;
+  const double length = norm / kWholePerOne;
   const double product = length + (unit[0] * change[0] + unit[1] * change[1]);
   return product > 0x1p-46 * (length + extent(to) + extent(from));
 }

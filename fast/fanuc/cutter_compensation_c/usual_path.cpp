@@ -15,7 +15,6 @@ namespace {
 constexpr std::uint32_t kFeed = UsualWords::set('F');
 constexpr std::uint32_t kCode = UsualWords::set('G');
 constexpr std::uint32_t kRadius = UsualWords::set('R');
-constexpr double kPerOne = static_cast<double>(Count::kSmallPerOne);
 // So many lines behind one another, and more are worth the way to those who take lines alone.
 constexpr unsigned kMostLines = 16;
 
@@ -55,6 +54,7 @@ void UsualCutterPaths::await() {
     letters |= std::uint32_t{1} << letter_[i] | std::uint32_t{1} << center_letter_[i];
   }
   words_.permit(letters);
+  arc_letter_ = {letter_[0], letter_[1], center_letter_[0], center_letter_[1]};
   lent_ = true;
   lines_ = 0;
   *held_ = loan_.path;
@@ -75,7 +75,7 @@ void UsualCutterPaths::await() {
     arc_.arc->plane = modal.plane();
     arc_.arc->center.present = static_cast<std::uint16_t>(bit(axis[0]) | bit(axis[1]));
   }
-  if (held_->by_radius != 0) set_center(start_value_ / kPerOne - held_->from_start);
+  if (held_->by_radius != 0) set_center(start_value_ / kWholePerOne - held_->from_start);
   others_ = control_.taker;
   control_.taker = this;
 }
@@ -109,7 +109,7 @@ void UsualCutterPaths::leave() {
 }
 
 [[gnu::always_inline]] inline void UsualCutterPaths::place(Event& event, DoublePair at, DoublePair vector) const {
-  const DoublePair programmed = at / kPerOne;
+  const DoublePair programmed = at / kWholePerOne;
   const DoublePair point = programmed + vector;
   for (std::size_t i = 0; i < 2; ++i) {
     event.programmed.value[axis_[i]] = programmed[i];
@@ -122,7 +122,27 @@ void UsualCutterPaths::leave() {
   for (std::size_t i = 0; i < 2; ++i) arc_.arc->center.value[axis_[i]] = center[i];
 }
 
+[[gnu::always_inline]] inline bool UsualCutterPaths::read_usual_arc(const spec::Block& block, Command& command) const {
+  const spec::Word& first = block.word[0];
+  const std::size_t codes = first.address == 'G' ? 1 : 0;
+  const spec::Word* const words = &first + codes;
+  std::array<std::int64_t, 4> values{};
+  Code motion = control_.modal.motion();
+  if (codes != 0) {
+    if (Count::shape(first.value) != 0 || first.value.digits > 3) return false;
+    motion = static_cast<Code>(10 * first.value.digits);
+  }
+  if (block.size != 4 + codes || motion <= 10 || control_.modal.incremental() ||
+      !UsualWords::are_in_order(words, arc_letter_) || !UsualWords::read_short(words, values))
+    return false;
+  command.motion = motion;
+  command.to = {values[0], values[1]};
+  command.to_center = {values[2], values[3]};
+  return true;
+}
+
 [[gnu::always_inline]] inline bool UsualCutterPaths::read(const spec::Block& block, Command& command) {
+  if (read_usual_arc(block, command)) return true;
   const bool incremental = control_.modal.incremental();
   for (std::size_t i = 0; i < 2; ++i) {
     words_[letter_[i]] = incremental ? 0 : at_[i];
@@ -218,8 +238,8 @@ void UsualCutterPaths::send_corner_moves() {
   Event& event = event_of(*held_);
   if (held_->is_arc()) {
     event.arc->direction = held_->sigma > 0 ? spec::ArcDirection::ccw : spec::ArcDirection::cw;
-    set_center(command.radius == 0 ? (at_value_ + to_doubles(command.to_center)) / kPerOne
-                                   : at_value_ / kPerOne - held_->from_start);
+    set_center(command.radius == 0 ? (at_value_ + to_doubles(command.to_center)) / kWholePerOne
+                                   : at_value_ / kWholePerOne - held_->from_start);
   }
   event.line = block.line;
   event.n = block.n;

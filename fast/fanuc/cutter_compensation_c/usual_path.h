@@ -61,6 +61,8 @@ class UsualCutterPaths final : public BlockTaker {
   // False, and nothing is done: any other block.
   [[nodiscard]] bool take(const spec::Block& block);
   [[nodiscard]] bool read(const spec::Block& block, Command& command);
+  // Of the most usual arcs, X Y I J with a code before or without. False: any other, and nothing is done.
+  [[nodiscard]] bool read_usual_arc(const spec::Block& block, Command& command) const;
   [[nodiscard]] bool make_path(const Command& command);
   // The path that is held has an event for certain, with a vector at its end: it goes forward; its sweep and its radii
   // are those of an arc.
@@ -83,6 +85,7 @@ class UsualCutterPaths final : public BlockTaker {
   std::array<std::size_t, 2> axis_{};
   std::array<std::size_t, 2> letter_{};         // of positions
   std::array<std::size_t, 2> center_letter_{};  // I J K
+  std::array<std::size_t, 4> arc_letter_{};     // both
   UsualWords words_;
 
   UsualLoan loan_;
