@@ -6,6 +6,7 @@ namespace toolcomp::fast {
 
 enum class ShortCut : unsigned char {
   cutter_line,     // fanuc/cutter_compensation_c/usual_line.cpp
+  cutter_path,     // fanuc/cutter_compensation_c/usual_path.cpp
   tool_side_line,  // fanuc/tool_side_compensation/usual_side_line.cpp, fanuc/tool_side_compensation/usual_line.h
   posture,         // fanuc/tool_posture_control/usual_posture.cpp
   pair,            // kinematics/usual_pair.cpp

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "fast/arithmetic/trigonometry.h"
+
 namespace toolcomp::fast {
 namespace {
 
@@ -86,15 +88,15 @@ double polar_angle(double x, double y) {
   const double ay = std::abs(y);
   // Up to 45 degrees: from the nearest angle of the table by the tangent of the difference.
   const double tangent = std::min(ax, ay) / std::max(ax, ay);
-  const auto step = static_cast<int>(kSteps * tangent + 0.5);
-  const double near = static_cast<double>(step) / kSteps;
+  const double step = nearest_whole(kSteps * tangent);
+  const double near = step / kSteps;
   const double r = (tangent - near) / (1 + tangent * near);
   const double s = r * r;
   const double rest = r * (kSeries[0] + s * (kSeries[1] + s * (kSeries[2] + s * kSeries[3])));
   const double angle = kArcTangent[static_cast<std::size_t>(step)] + rest;
   // The octant; in which it is cannot be foreseen: no branch.
-  constexpr std::array<double, 4> kFrom{0, 90, 180, 90};
-  constexpr std::array<double, 4> kSense{1, -1, -1, 1};
+  static constexpr std::array<double, 4> kFrom{0, 90, 180, 90};
+  static constexpr std::array<double, 4> kSense{1, -1, -1, 1};
   const std::size_t octant = (ay > ax ? 1U : 0U) + (x < 0 ? 2U : 0U);
   return std::copysign(kFrom[octant] + kSense[octant] * angle, y);
 }

@@ -7,10 +7,7 @@ namespace {
 
 constexpr Int128 kNarrow = Int128{1} << 31;
 constexpr Int128 kSmall = Int128{1} << 62;
-constexpr double kTurnBound = 0x1p-48;
 constexpr double kFineTurnBound = 0x1p-94;
-// Below this sine the vectors of a sharp corner are so long that the relative error of the sine counts.
-constexpr double kSharp = 0x1p-10;
 
 bool within(const std::array<Int128, 2>& v, const Int128& limit) {
   return v[0] < limit && v[0] > -limit && v[1] < limit && v[1] > -limit;
@@ -23,7 +20,10 @@ Wide dot_of(const std::array<Int128, 2>& a, const std::array<Int128, 2>& b) {
   return Wide(a[0]) * Wide(b[0]) + Wide(a[1]) * Wide(b[1]);
 }
 
-DoubleDouble squared_length(const std::array<Int128, 2>& v) { return dot_of(v, v).to_double_double(); }
+DoubleDouble squared_length(const Heading& heading) {
+  const auto& [x, y] = heading.whole;
+  return heading.narrow ? to_double_double(x * x + y * y) : dot_of(heading.whole, heading.whole).to_double_double();
+}
 
 // sqrt(4 R^2 - chord^2) without cancellation.
 DoubleDouble height_of(const std::array<Int128, 2>& chord, const Int128& radius) {
@@ -96,7 +96,7 @@ ChordHeadings chord_headings(const std::array<Int128, 2>& chord, const Int128& r
 Vector2<DoubleDouble> fine_unit(const Heading& heading) {
   if (heading.seen) return heading.fine;
   const Vector2<DoubleDouble> whole{to_double_double(heading.whole[0]), to_double_double(heading.whole[1])};
-  const DoubleDouble norm = sqrt(squared_length(heading.whole));
+  const DoubleDouble norm = sqrt(squared_length(heading));
   const Vector2<DoubleDouble> unit{whole.x / norm, whole.y / norm};
   if (heading.exact) return unit;
   const DoubleDouble twice = to_double_double(heading.radius) * 2.0;
@@ -118,17 +118,9 @@ Turn turn_of_any(const Heading& first, const Heading& second) {
     result.k = dot_of(first.whole, second.whole).to_double();
   }
   if (first.exact && second.exact) return result;
-  // So far from chord to chord; from there each arc by radius turns by half its sweep, and short ones by little.
-  const double c = result.c / result.norms;
-  const double k = result.k / result.norms;
-  const Vector2<double> from = from_whole(first);
-  const Vector2<double> to = from_whole(second);
-  const double sine = cross(from, to);
-  const double cosine = dot(from, to);
-  result = {c * cosine + k * sine, k * cosine - c * sine, 1, std::abs(c) + std::abs(from.y) + std::abs(to.y)};
-  // Near a tangent join or a right angle doubles are not enough, straight back not for the value either.
-  const double least = result.k < 0 ? kSharp : kTurnBound * result.error;
-  if (std::abs(result.c) < least || std::abs(result.k) < kTurnBound) {
+  // So far from chord to chord; from there each arc by radius turns by half its sweep.
+  result = turn_from_whole(result, from_whole(first), from_whole(second));
+  if (!doubles_suffice(result)) {
     const Vector2<DoubleDouble> t1 = fine_unit(first);
     const Vector2<DoubleDouble> t2 = fine_unit(second);
     result.c = cross(t1, t2).hi;

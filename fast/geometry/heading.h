@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "fast/arithmetic/int128.h"
@@ -73,6 +74,23 @@ struct Turn {
 // The tangent of half the angle.
 inline double half_tangent(const Turn& turn) {
   return turn.k >= 0 ? turn.c / (turn.norms + turn.k) : (turn.norms - turn.k) / turn.c;
+}
+
+// The same where a heading is not exact: from that between their `whole`, turned from there by angles of these cosines
+// and sines, short arcs by little.
+inline Turn turn_from_whole(const Turn& whole, const Vector2<double>& from, const Vector2<double>& to) {
+  const double c = whole.c / whole.norms;
+  const double k = whole.k / whole.norms;
+  const double sine = cross(from, to);
+  const double cosine = dot(from, to);
+  return {c * cosine + k * sine, k * cosine - c * sine, 1, std::abs(c) + std::abs(from.y) + std::abs(to.y)};
+}
+// Near a tangent join or a right angle doubles are not enough for it, straight back not for the value either: below
+// this sine the vectors of a sharp corner are so long that the relative error of the sine counts.
+inline bool doubles_suffice(const Turn& turn) {
+  constexpr double kBound = 0x1p-48;
+  constexpr double kSharp = 0x1p-10;
+  return std::abs(turn.c) >= (turn.k < 0 ? kSharp : kBound * turn.error) && std::abs(turn.k) >= kBound;
 }
 
 // Signs are exact for exact headings. Otherwise doubles decide outside 2^-48, double-double outside 2^-94, and what is

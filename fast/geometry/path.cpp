@@ -26,9 +26,7 @@ void set_any_line(PlanePath& path, const std::array<Count, 2>& start, const std:
   path.start = whole_heading({whole.difference(end[0], start[0]), whole.difference(end[1], start[1])});
 }
 
-namespace {
-
-// set_arc() in numbers below 2^31, the usual ones: without 128 bits.
+// Without 128 bits.
 void set_narrow_arc(PlanePath& path, const std::array<std::int64_t, 2>& from, const std::array<std::int64_t, 2>& to) {
   constexpr auto kOne = static_cast<double>(Count::kSmallPerOne);
   const std::int64_t sigma = path.sigma;
@@ -53,8 +51,6 @@ void set_narrow_arc(PlanePath& path, const std::array<std::int64_t, 2>& from, co
   path.semicircle = path.turned <= 0;
   path.over_half = path.turned < 0 || (path.turned == 0 && path.cosine > 0);
 }
-
-}  // namespace
 
 namespace {
 
@@ -177,7 +173,9 @@ DoubleDouble fine_radius(const PlanePath& path, bool at_end) {
   if (path.seen) return path.fine_radius[at_end ? 1 : 0];
   const DoubleDouble unit = fine_unit_of(path);
   if (path.by_radius) return to_double_double(path.radius_whole) / unit;
-  const auto& v = at_end ? path.arc_end.whole : path.start.whole;
+  const Heading& tangent = at_end ? path.arc_end : path.start;
+  const auto& v = tangent.whole;
+  if (tangent.narrow) return sqrt(to_double_double(v[0] * v[0] + v[1] * v[1])) / unit;
   return sqrt((Wide(v[0]) * Wide(v[0]) + Wide(v[1]) * Wide(v[1])).to_double_double()) / unit;
 }
 

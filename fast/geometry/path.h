@@ -58,6 +58,9 @@ inline void set_line(PlanePath& path, const std::array<Count, 2>& start, const s
 // An arc round start + to_center.
 void set_arc(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
              const std::array<Count, 2>& to_center, bool clockwise);
+// The same of an arc from `from` to `to`, seen from its centre, in 10^-6 below 2^31, neither of them zero; the fields
+// that say what arc it is are set.
+void set_narrow_arc(PlanePath& path, const std::array<std::int64_t, 2>& from, const std::array<std::int64_t, 2>& to);
 // An arc of |radius| at least half the chord; above 180 degrees where radius < 0.
 void set_arc_by_radius(PlanePath& path, const std::array<Count, 2>& start, const std::array<Count, 2>& end,
                        const Count& radius, bool clockwise);

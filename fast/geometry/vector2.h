@@ -43,6 +43,8 @@ constexpr Vector2<T> left_of(const Vector2<T>& a) {
   return {-a.y, a.x};
 }
 inline bool is_zero(const Vector2<double>& a) { return a.x == 0 && a.y == 0; }
+// At least the length, at most twice of it.
+inline double extent(const Vector2<double>& a) { return std::abs(a.x) + std::abs(a.y); }
 inline double length(const Vector2<double>& a) { return std::sqrt(dot(a, a)); }
 
 // What templates over the number need beside + - * /.

@@ -197,4 +197,14 @@ void sine_and_cosine(benchmark::State& state) {
 }
 BENCHMARK(sine_and_cosine)->Name("floor/sine_and_cosine");
 
+// Of the sweep that the event of an arc has.
+void arc_tangent(benchmark::State& state) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < kCorners; ++i) points.push_back({std::cos(angle(i)), std::sin(angle(i))});
+  for (auto _ : state)
+    for (const Point& p : points) benchmark::DoNotOptimize(std::atan2(p.y, p.x));
+  toolcomp::bench::count_blocks(state, kCorners);
+}
+BENCHMARK(arc_tangent)->Name("floor/arc_tangent");
+
 }  // namespace

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -15,14 +14,17 @@
 
 namespace toolcomp::fast {
 
-// Nothing of the modal state and of the positions needs a look before such a line: words count as they are written, the
-// positions of the linear axes are theirs, and no value waits to come into force.
-inline bool usual_lines_may_come(const Control& control) {
+// Nothing of the modal state and of the positions needs a look before such a block: words count as they are written,
+// the positions of the linear axes are theirs, and no value waits to come into force.
+inline bool usual_words_may_come(const Control& control) {
   const AxisPositions& positions = control.positions;
-  return control.modal.motion() <= 10 && !control.cutter_value.takes_edited() && !positions.length().pending() &&
-         control.units.plain() && positions.rounded() == 0 && positions.tool_offset().live() == 0 &&
-         positions.stale() == 0 && !control.attitude.plans_tool() &&
+  return !control.cutter_value.takes_edited() && !positions.length().pending() && control.units.plain() &&
+         positions.rounded() == 0 && positions.tool_offset().live() == 0 && positions.stale() == 0 &&
+         !control.attitude.plans_tool() &&
          !(control.modal.incremental() && fault(Fault::incremental_from_offset_position));
+}
+inline bool usual_lines_may_come(const Control& control) {
+  return control.modal.motion() <= 10 && usual_words_may_come(control);
 }
 
 // In 10^-6, by letter; a letter that is absent keeps what it had.
@@ -41,35 +43,54 @@ class UsualWords {
 
   // False: not the words of a usual line. `letters`: those of the block; `motion`: the code of group 01 in force.
   [[nodiscard, gnu::always_inline]] bool read(const spec::Block& block, Code motion, std::uint32_t& letters) {
+    // The code in force again, and no other.
+    return read(block, letters) && ((letters & set('G')) == 0 || 10 * word_[at('G')] == motion * Count::kSmallPerOne);
+  }
+  // The same, whatever the code says; no other code stands beside it.
+  [[nodiscard, gnu::always_inline]] bool read(const spec::Block& block, std::uint32_t& letters) {
     letters = 0;
+    std::uint64_t sum = 0;
     std::uint64_t digits = 0;
     unsigned shapes = 0;
     for (const spec::Word& word : block.words()) {
       const std::size_t letter = static_cast<unsigned char>(word.address) & 31U;
       letters |= std::uint32_t{1} << letter;
+      sum += std::uint32_t{1} << letter;
       digits |= word.value.digits;
       shapes |= Count::shape(word.value) + 1U;
       word_[letter] = Count::small_of_short(word.value);
     }
-    if ((letters & ~permitted_) != 0 || !Count::are_short(digits, shapes) || letters == 0) [[unlikely]]
-      return false;
-    // The code in force again, and no other.
-    return (letters & set('G')) == 0 || (10 * word_[at('G')] == motion * Count::kSmallPerOne &&
-                                         static_cast<std::size_t>(std::popcount(letters)) == block.words().size());
+    const bool each_once = sum == letters;
+    return (letters & ~permitted_) == 0 && Count::are_short(digits, shapes) && letters != 0 &&
+           ((letters & set('G')) == 0 || each_once);
   }
 
   // Blocks of two words, of these letters in this order: the most usual ones. False: any other, and nothing is done.
   [[nodiscard, gnu::always_inline]] static bool read_two(const spec::Block& block,
                                                          const std::array<std::size_t, 2>& letters,
                                                          std::array<std::int64_t, 2>& to) {
-    const auto at = [&](std::size_t i) { return static_cast<unsigned char>(block.word[i].address) & 31U; };
-    const spec::Decimal& first = block.word[0].value;
-    const spec::Decimal& second = block.word[1].value;
-    if (block.size != 2 || at(0) != letters[0] || at(1) != letters[1] ||
-        !Count::are_short(first.digits | second.digits, (Count::shape(first) + 1U) | (Count::shape(second) + 1U)))
-      return false;
-    to = {Count::small_of_short(first), Count::small_of_short(second)};
-    return true;
+    return block.size == 2 && are_in_order(block.word.data(), letters) && read_short(block.word.data(), to);
+  }
+  // Words of these letters in this order.
+  template <std::size_t kSize>
+  [[gnu::always_inline]] static bool are_in_order(const spec::Word* words,
+                                                  const std::array<std::size_t, kSize>& letters) {
+    std::size_t differ = 0;
+    for (std::size_t i = 0; i < kSize; ++i) differ |= (static_cast<unsigned char>(words[i].address) & 31U) ^ letters[i];
+    return differ == 0;
+  }
+  // False: they are not all of few digits.
+  template <std::size_t kSize>
+  [[nodiscard, gnu::always_inline]] static bool read_short(const spec::Word* words,
+                                                           std::array<std::int64_t, kSize>& to) {
+    std::uint64_t digits = 0;
+    unsigned shapes = 0;
+    for (std::size_t i = 0; i < kSize; ++i) {
+      digits |= words[i].value.digits;
+      shapes |= Count::shape(words[i].value) + 1U;
+      to[i] = Count::small_of_short(words[i].value);
+    }
+    return Count::are_short(digits, shapes);
   }
 
  private:

@@ -11,11 +11,6 @@ namespace toolcomp::fast {
 namespace {
 
 constexpr double kDegrees = 57.29577951308232;
-// Lengths that are equal in truth differ by a few roundings.
-constexpr double kEqual = 0x1p-46;
-
-// At least the length, at most twice of it.
-double extent(const Vector2<double>& v) { return std::abs(v.x) + std::abs(v.y); }
 
 // The angle in degrees, -180 to 180, by which v turns a seen from the centre; exactly 0 where v is radial.
 double turned_by(const Vector2<double>& a, const Vector2<double>& v) {
@@ -29,13 +24,8 @@ double turned_by(const Vector2<double>& a, const Vector2<double>& v) {
 double tool_sweep(const PlanePath& path, const Vector2<double>& v, const Vector2<double>& w) {
   const Vector2<double> a = path.from_center_start + v;
   const Vector2<double> b = path.from_center_end + w;
-  const double sine = path.sigma * cross(a, b);
-  const double size = extent(a) * extent(b);
-  // Away from a half and a whole turn, and from the centre: at once.
-  if (std::abs(sine) > 0x1p-10 * size && 16 * size > extent(path.from_center_start) * extent(path.from_center_end)) {
-    const double angle = polar_angle(dot(a, b), sine);
-    return angle < 0 ? angle + 360 : angle;
-  }
+  double clear = 0;
+  if (set_clear_sweep(path.sigma, path.from_center_start, path.from_center_end, a, b, clear)) return clear;
   const double programmed = programmed_sweep(path);
   const double at_start = turned_by(path.from_center_start, v);
   const double at_end = turned_by(path.from_center_end, w);
@@ -63,16 +53,15 @@ void set_tool_arc(spec::Arc<double>& arc, const PlanePath& path, const Vector2<d
                   Radii radii) {
   const Vector2<double> a = path.from_center_start + v;
   const Vector2<double> b = path.from_center_end + w;
-  // Each end by its own size: a programmed spiral may grow from next to nothing.
-  const double size_start = path.radius_start + extent(v);
-  const double size_end = path.radius_end + extent(w);
   arc.sweep.reset();
-  if (extent(a) > kEqual * size_start && extent(b) > kEqual * size_end) arc.sweep = tool_sweep(path, v, w);
+  if (is_off_center(path.radius_start, v, a) && is_off_center(path.radius_end, w, b))
+    arc.sweep = tool_sweep(path, v, w);
   arc.radius.reset();
   if (radii == Radii::agree || fault(Fault::c_spiral_as_circle)) return;
   const double start = length(a);
   const double end = length(b);
-  if (radii == Radii::differ || std::abs(start - end) > kEqual * (size_start + size_end)) arc.radius = {start, end};
+  const double sizes = path.radius_start + extent(v) + (path.radius_end + extent(w));
+  if (radii == Radii::differ || std::abs(start - end) > kEqualLength * sizes) arc.radius = {start, end};
 }
 
 }  // namespace toolcomp::fast

@@ -392,6 +392,8 @@ template <class Compensation>
   if constexpr (kIsC<Compensation>) block.path_made = compensation_.make_arc_path(block);
   set_arc_event(block, center);
   pass();
+  if constexpr (kIsC<Compensation>)
+    if (!control_.stopped) usual_.paths.await();
   return alarm::kNone;
 }
 
@@ -460,7 +462,7 @@ Alarm CutterStage<Compensation>::plain_block(const Words& words) {
   control.fill_here(block.event, modal.straight(), spec::Cause::programmed);
   pass();
   if constexpr (kIsC<Compensation>)
-    if (block.motion == CutterMotion::line && !control.stopped) lines_.await();
+    if (block.motion == CutterMotion::line && !control.stopped && !usual_.lines.await()) usual_.paths.await();
   return alarm::kNone;
 }
 

@@ -6,6 +6,7 @@
 
 #include "fast/fanuc/control/stage.h"
 #include "fast/fanuc/cutter_compensation_c/usual_line.h"
+#include "fast/fanuc/cutter_compensation_c/usual_path.h"
 
 namespace toolcomp::fast {
 
@@ -15,7 +16,7 @@ class CutterStage final : public Stage {
  public:
   // Throws spec::InputError for parameters no control could have.
   CutterStage(const spec::Setup& setup, Control& control, EventSink& sink)
-      : Stage(control, false), compensation_(setup, sink), lines_(control, compensation_) {}
+      : Stage(control, false), compensation_(setup, sink), usual_(control, compensation_) {}
 
   void release() override;
   [[nodiscard]] Alarm plain_block(const Words& words) override;
@@ -33,11 +34,16 @@ class CutterStage final : public Stage {
   void rename() override;
 
  private:
-  // Of C; B has no short cut.
-  struct NoLines {
-    NoLines(const Control& /*control*/, const Compensation& /*compensation*/) {}
+  // The short cuts of C; B has none.
+  struct Usual {
+    Usual(Control& control, CutterCompensationC& compensation)
+        : lines(control, compensation), paths(control, compensation) {}
+    UsualCutterLines lines;
+    UsualCutterPaths paths;
   };
-  using UsualLines = std::conditional_t<std::is_same_v<Compensation, CutterCompensationC>, UsualCutterLines, NoLines>;
+  struct Nothing {
+    Nothing(const Control& /*control*/, const Compensation& /*compensation*/) {}
+  };
 
   // Compensation is wanted, or its vector is not removed yet (clause fanuc.cutter.on).
   [[nodiscard]] bool is_on() const;
@@ -67,7 +73,7 @@ class CutterStage final : public Stage {
   void pass();
 
   Compensation compensation_;
-  UsualLines lines_;
+  std::conditional_t<std::is_same_v<Compensation, CutterCompensationC>, Usual, Nothing> usual_;
   CutterSide side_ = CutterSide::off;  // G40 G41 G42 in force
 };
 

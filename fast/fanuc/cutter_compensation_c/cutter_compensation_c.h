@@ -13,6 +13,7 @@
 #include "fast/fanuc/cutter_compensation_c/cutter_group.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_interference.h"
 #include "fast/fanuc/cutter_compensation_c/usual_line.h"
+#include "fast/fanuc/cutter_compensation_c/usual_path.h"
 #include "fast/fanuc/program/cutter_block.h"
 #include "fast/geometry/path.h"
 #include "spec/language/setup.h"
@@ -71,12 +72,17 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
     set_line(new_path().flat, block.start, block.end);
     return true;
   }
-  // The short cut of block() (usual_line.h), asked behind it: what is held is a line that may be lent, with one vector
-  // at its start, and the next one makes a corner of the same offset with it. While it is lent nothing else is asked.
+  // The short cuts of block(), asked behind it. While a path is lent nothing else is asked. Lines (usual_line.h): what is
+  // held is a line that may be lent, with one vector at its start, and the next one makes a corner of the same offset
+  // with it.
   [[nodiscard]] bool awaits_lines() const;
   void lend(UsualLine& line);
   // `end`: its programmed end, 10^-6.
   void take_back(const UsualLine& line, const std::array<std::int64_t, 2>& end);
+  // Lines and arcs (usual_path.h). lend(): false, this one is not to be lent.
+  [[nodiscard]] bool awaits_paths() const;
+  [[nodiscard]] bool lend(UsualLoan& loan);
+  void take_back(const UsualReturn& usual);
   // Takes next(). An answer with an alarm or a typed undecided ends the run; what goes before it has been sent.
   StageEnd block();
   // No further block is known: a block that raises an alarm of its own (absent from the path), or the end of the
@@ -139,6 +145,11 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
     return block.word == CutterSide::left || block.word == CutterSide::right;
   }
   void send_setting(const CutterBlock& block);
+
+  // Of the short cuts.
+  [[nodiscard]] bool awaits_usual() const;
+  [[nodiscard]] bool starts_on_circle() const;
+  [[nodiscard]] bool moves_in_plane_only();
 
   CutterParameters parameters_;
   CutterGroups make_;

@@ -7,9 +7,6 @@
 namespace toolcomp::fast {
 namespace {
 
-// At least the length, at most twice of it.
-double extent(const Vector2<double>& v) { return std::abs(v.x) + std::abs(v.y); }
-
 // Whether the tool goes against the programmed direction, of which exactly 90 degrees is no case, on its way from one
 // vector of `start` to one of `end`.
 bool line_interferes(const PlanePath& path, const CutterGroup& start, std::size_t last, const CutterGroup& end,

@@ -7,6 +7,7 @@
 #include "fast/basis/short_cut.h"
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
+#include "fast/fanuc/cutter_compensation_c/usual_corner.h"
 #include "fast/geometry/heading.h"
 
 namespace toolcomp::fast {
@@ -15,21 +16,17 @@ namespace {
 constexpr std::uint32_t kFeed = UsualWords::set('F');
 constexpr double kPerOne = static_cast<double>(Count::kSmallPerOne);
 
-DoublePair left_of(DoublePair v) { return DoublePair{-v[1], v[0]}; }
-// At least the length, at most twice of it.
-double extent(DoublePair v) { return std::abs(v[0]) + std::abs(v[1]); }
-
 }  // namespace
 
-void UsualCutterLines::await() {
+bool UsualCutterLines::await() {
   const std::array<std::size_t, 2>& axis = control_.modal.plane_axis();
   const AxisPositions& positions = control_.positions;
   const Count& x = positions.programmed()[axis[0]];
   const Count& y = positions.programmed()[axis[1]];
-  if (!is_open(ShortCut::cutter_line) || !compensation_.awaits_lines() || !usual_lines_may_come(control_)) return;
+  if (!is_open(ShortCut::cutter_line) || !compensation_.awaits_lines() || !usual_lines_may_come(control_)) return false;
   // The axes of the plane are sent to the programmed position.
-  if ((positions.length().live() & (bit(axis[0]) | bit(axis[1]))) != 0 || positions.along_tool()) return;
-  if (!x.is_small() || !y.is_small()) return;
+  if ((positions.length().live() & (bit(axis[0]) | bit(axis[1]))) != 0 || positions.along_tool()) return false;
+  if (!x.is_small() || !y.is_small()) return false;
   axis_ = axis;
   for (std::size_t i = 0; i < 2; ++i) letter_[i] = std::size_t{control_.axes.letters.index[axis[i]]} + 1U;
   words_.permit(std::uint32_t{1} << letter_[0] | std::uint32_t{1} << letter_[1] | UsualWords::set_of("FG"));
@@ -38,6 +35,7 @@ void UsualCutterLines::await() {
   compensation_.lend(line_);
   others_ = control_.taker;
   control_.taker = this;
+  return true;
 }
 
 void UsualCutterLines::block(const spec::Block& block) {
@@ -103,16 +101,6 @@ void UsualCutterLines::send_corner_move() {
   return true;
 }
 
-// What the interference check asks. Where the vector changes by less than the way, at once.
-[[gnu::always_inline]] inline bool UsualCutterLines::goes_forward(DoublePair vector) const {
-  const DoublePair change = vector - line_.vector;
-  if (extent(change) < (1 - 0x1p-30) / kPerOne * line_.norm) [[likely]]
-    return true;
-  const double length = line_.norm / kPerOne;
-  const double product = length + (line_.unit[0] * change[0] + line_.unit[1] * change[1]);
-  return product > 0x1p-46 * (length + extent(vector) + extent(line_.vector)) || fault(Fault::usual_line_unchecked);
-}
-
 [[gnu::always_inline]] inline bool UsualCutterLines::take(const spec::Block& block) {
   if (block.alarm) [[unlikely]]
     return false;
@@ -142,7 +130,10 @@ void UsualCutterLines::send_corner_move() {
   const double norm = std::sqrt(squares[0] + squares[1]);
   const DoublePair unit = change / norm;
   Corner corner;
-  if (!make_corner(way, norm, unit, corner) || !goes_forward(corner.first)) [[unlikely]]
+  if (!make_corner(way, norm, unit, corner)) [[unlikely]]
+    return false;
+  if (!goes_forward(line_.unit, line_.norm, line_.vector, corner.first) && !fault(Fault::usual_line_unchecked))
+      [[unlikely]]
     return false;
 
   if (line_.start == UsualLine::Start::two_vectors) send_corner_move();

@@ -41,8 +41,8 @@ class UsualCutterLines final : public BlockTaker {
   UsualCutterLines(Control& control, CutterCompensationC& compensation)
       : control_(control), compensation_(compensation) {}
 
-  // Behind a block that has been taken: the next ones come here, if they may be usual.
-  void await();
+  // Behind a block that has been taken: the next ones come here, if they may be usual. False: they do not.
+  bool await();
   void block(const spec::Block& block) override;
   [[nodiscard]] std::size_t lines(const LineChunk& chunk) override;
   void end() override;
@@ -59,8 +59,6 @@ class UsualCutterLines final : public BlockTaker {
   };
   [[nodiscard]] bool make_corner(const std::array<std::int64_t, 2>& way, double norm, DoublePair unit,
                                  Corner& corner) const;
-  // The tool goes forward for certain along the line that is held, to the vector at its end.
-  [[nodiscard]] bool goes_forward(DoublePair vector) const;
   // The event of the line that is held, at a position in 10^-6, with a vector.
   void fill(DoublePair at, DoublePair vector);
   void send_corner_move();

@@ -1,0 +1,274 @@
+#include "fast/fanuc/cutter_compensation_c/usual_path.h"
+
+#include <cmath>
+#include <utility>
+
+#include "fast/basis/fault.h"
+#include "fast/basis/short_cut.h"
+#include "fast/fanuc/control/read_words.h"
+#include "fast/fanuc/corner/tool_arc.h"
+#include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
+
+namespace toolcomp::fast {
+namespace {
+
+constexpr std::uint32_t kFeed = UsualWords::set('F');
+constexpr std::uint32_t kCode = UsualWords::set('G');
+constexpr std::uint32_t kRadius = UsualWords::set('R');
+// So many lines behind one another, and more are worth the way to those who take lines alone.
+constexpr unsigned kMostLines = 16;
+
+// What all events of a program in one plane share.
+void set_frame(Event& event, const Event& from, spec::MoveType type, spec::Cause cause) {
+  event.type = type;
+  event.cause = cause;
+  event.programmed = from.programmed;
+  event.point = from.point;
+  event.axes = from.axes;
+  event.machine.present = 0;
+  event.tool_axis = from.tool_axis;
+  event.feed = from.feed;
+  event.t_numerator = from.t_numerator;
+}
+
+}  // namespace
+
+void UsualCutterPaths::await() {
+  const std::array<std::size_t, 2>& axis = control_.modal.plane_axis();
+  const AxisPositions& positions = control_.positions;
+  const ModalState& modal = control_.modal;
+  if (!is_open(ShortCut::cutter_path) || modal.motion() < 10 || !compensation_.awaits_paths()) return;
+  if (!usual_words_may_come(control_) || modal.by_vector()) return;
+  // The axes of the plane are sent to the programmed position.
+  if ((positions.length().live() & (bit(axis[0]) | bit(axis[1]))) != 0 || positions.along_tool()) return;
+  const Count& x = positions.programmed()[axis[0]];
+  const Count& y = positions.programmed()[axis[1]];
+  if (!x.is_small() || !y.is_small()) return;
+  at_ = {x.small(), y.small()};
+  if (!is_usual_position(at_) || !compensation_.lend(loan_)) return;
+  axis_ = axis;
+  std::uint32_t letters = UsualWords::set_of("FGR");
+  for (std::size_t i = 0; i < 2; ++i) {
+    letter_[i] = std::size_t{control_.axes.letters.index[axis[i]]} + 1U;
+    center_letter_[i] = UsualWords::at(direction_letter(modal.plane(), i));
+    letters |= std::uint32_t{1} << letter_[i] | std::uint32_t{1} << center_letter_[i];
+  }
+  words_.permit(letters);
+  arc_letter_ = {letter_[0], letter_[1], center_letter_[0], center_letter_[1]};
+  lent_ = true;
+  lines_ = 0;
+  *held_ = loan_.path;
+  *start_ = loan_.start;
+  at_value_ = to_doubles(at_);
+  start_value_ = at_value_ - to_doubles(loan_.path.way());
+  const Event& event = *loan_.event;
+  set_frame(line_, event, spec::MoveType::linear, event.cause);
+  set_frame(corner_move_, event, spec::MoveType::linear, spec::Cause::corner);
+  set_frame(arc_, event, spec::MoveType::arc, event.cause);
+  Event& own = event_of(*held_);
+  own.line = event.line;
+  own.n = event.n;
+  if (!arc_.arc) arc_.arc.emplace();
+  if (event.arc) {
+    *arc_.arc = *event.arc;
+  } else {
+    arc_.arc->plane = modal.plane();
+    arc_.arc->center.present = static_cast<std::uint16_t>(bit(axis[0]) | bit(axis[1]));
+  }
+  if (held_->by_radius != 0) set_center(start_value_ / kWholePerOne - held_->from_start);
+  others_ = control_.taker;
+  control_.taker = this;
+}
+
+void UsualCutterPaths::block(const spec::Block& block) {
+  if (take(block)) [[likely]]
+    return;
+  leave();
+  others_->block(block);
+}
+
+void UsualCutterPaths::end() {
+  leave();
+  others_->end();
+}
+
+void UsualCutterPaths::leave() {
+  control_.taker = others_;
+  if (lent_) return;
+  for (std::size_t i = 0; i < 2; ++i) control_.positions.place_small(axis_[i], at_[i]);
+  Event& event = event_of(*held_);
+  place(event, at_value_, DoublePair{});
+  Event& to = *loan_.event;
+  set_frame(to, event, event.type, event.cause);
+  to.line = event.line;
+  to.n = event.n;
+  to.arc = event.arc;
+  place(corner_move_, start_value_, DoublePair{});
+  const WholePair way = held_->way();
+  compensation_.take_back({*before_, *held_, *start_, corner_move_, {at_[0] - way[0], at_[1] - way[1]}});
+}
+
+[[gnu::always_inline]] inline void UsualCutterPaths::place(Event& event, DoublePair at, DoublePair vector) const {
+  const DoublePair programmed = at / kWholePerOne;
+  const DoublePair point = programmed + vector;
+  for (std::size_t i = 0; i < 2; ++i) {
+    event.programmed.value[axis_[i]] = programmed[i];
+    event.point.value[axis_[i]] = point[i];
+    event.axes.value[axis_[i]] = point[i];
+  }
+}
+
+[[gnu::always_inline]] inline void UsualCutterPaths::set_center(DoublePair center) {
+  for (std::size_t i = 0; i < 2; ++i) arc_.arc->center.value[axis_[i]] = center[i];
+}
+
+[[gnu::always_inline]] inline bool UsualCutterPaths::read_usual_arc(const spec::Block& block, Command& command) const {
+  const spec::Word& first = block.word[0];
+  const std::size_t codes = first.address == 'G' ? 1 : 0;
+  const spec::Word* const words = &first + codes;
+  std::array<std::int64_t, 4> values{};
+  Code motion = control_.modal.motion();
+  if (codes != 0) {
+    if (Count::shape(first.value) != 0 || first.value.digits > 3) return false;
+    motion = static_cast<Code>(10 * first.value.digits);
+  }
+  if (block.size != 4 + codes || motion <= 10 || control_.modal.incremental() ||
+      !UsualWords::are_in_order(words, arc_letter_) || !UsualWords::read_short(words, values))
+    return false;
+  command.motion = motion;
+  command.to = {values[0], values[1]};
+  command.to_center = {values[2], values[3]};
+  return true;
+}
+
+[[gnu::always_inline]] inline bool UsualCutterPaths::read(const spec::Block& block, Command& command) {
+  if (read_usual_arc(block, command)) return true;
+  const bool incremental = control_.modal.incremental();
+  for (std::size_t i = 0; i < 2; ++i) {
+    words_[letter_[i]] = incremental ? 0 : at_[i];
+    words_[center_letter_[i]] = 0;
+  }
+  std::uint32_t letters = 0;
+  if (!words_.read(block, letters)) return false;
+  command.motion = control_.modal.motion();
+  if ((letters & kCode) != 0) {
+    const std::int64_t code = words_[UsualWords::at('G')];
+    constexpr std::int64_t kOne = Count::kSmallPerOne;
+    if (code != kOne && code != 2 * kOne && code != 3 * kOne) return false;
+    command.motion = static_cast<Code>(code / (kOne / 10));
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    command.to[i] = words_[letter_[i]] + (incremental ? at_[i] : 0);
+    command.to_center[i] = words_[center_letter_[i]];
+  }
+  command.has_feed = (letters & kFeed) != 0;
+  const bool centers = (letters >> center_letter_[0] & 1U) != 0 || (letters >> center_letter_[1] & 1U) != 0;
+  const bool by_radius = (letters & kRadius) != 0;
+  if (by_radius) command.radius = words_[UsualWords::at('R')];
+  // R 0 is none.
+  if (by_radius && (centers || command.radius == 0)) return false;
+  return (centers || by_radius) == (command.motion > 10);
+}
+
+[[gnu::always_inline]] inline bool UsualCutterPaths::make_path(const Command& command) {
+  const auto& [motion, has_feed, to, to_center, radius] = command;
+  const WholePair way{to[0] - at_[0], to[1] - at_[1]};
+  if (!is_usual_position(to) || !is_usual_way(way)) return false;
+  if (motion == 10) {
+    set_usual_line(*next_, way);
+    return true;
+  }
+  const int sigma = motion == 20 ? -1 : 1;
+  if (radius != 0) [[unlikely]]
+    return is_usual_way({radius, 0}) && set_usual_arc_by_radius(*next_, way, radius, sigma) &&
+           has_offset_path(*next_, loan_.offset);
+  const WholePair from{-to_center[0], -to_center[1]};
+  const WholePair end{from[0] + way[0], from[1] + way[1]};
+  return is_usual_way(from) && is_usual_way(end) && set_usual_arc(*next_, from, end, sigma) &&
+         has_offset_path(*next_, loan_.offset);
+}
+
+[[gnu::always_inline]] inline bool UsualCutterPaths::is_clear(DoublePair vector, double& sweep) const {
+  const UsualPath& path = *held_;
+  const DoublePair first = start_->back();
+  if (!path.is_arc())
+    return goes_forward(path.start.unit, path.start.norm, first, vector) || fault(Fault::usual_path_unchecked);
+  const Vector2<double> a = to_vector(path.from_start + first);
+  const Vector2<double> b = to_vector(path.from_end + vector);
+  return is_off_center(path.radius[0], to_vector(first), a) && is_off_center(path.radius[1], to_vector(vector), b) &&
+         set_clear_sweep(path.sigma, to_vector(path.from_start), to_vector(path.from_end), a, b, sweep) &&
+         ((sweep > 180) == path.over_half || fault(Fault::usual_path_unchecked));
+}
+
+void UsualCutterPaths::send_corner_moves() {
+  const Event& owner = event_of(*held_);
+  const UsualCorner& corner = *start_;
+  corner_move_.line = owner.line;
+  corner_move_.n = owner.n;
+  for (std::size_t i = 1; i < corner.size; ++i) {
+    place(corner_move_, start_value_, corner.vector[i]);
+    loan_.sink->on(corner_move_);
+  }
+}
+
+[[gnu::always_inline]] inline void UsualCutterPaths::send_path(DoublePair vector, double sweep) {
+  const UsualPath& path = *held_;
+  Event& event = event_of(path);
+  place(event, at_value_, vector);
+  if (path.is_arc()) {
+    spec::Arc<double>& arc = *event.arc;
+    arc.sweep = sweep;
+    arc.radius.reset();
+    if (path.spiral && !fault(Fault::usual_path_spiral)) {
+      const DoublePair a = path.from_start + start_->back();
+      const DoublePair b = path.from_end + vector;
+      arc.radius = {length(to_vector(a)), length(to_vector(b))};
+    }
+  }
+  loan_.sink->on(event);
+}
+
+[[gnu::always_inline]] inline void UsualCutterPaths::hold(const spec::Block& block, const Command& command) {
+  lent_ = false;
+  UsualPath* const last = before_;
+  before_ = held_;
+  held_ = next_;
+  next_ = last;
+  std::swap(start_, end_);
+  Event& event = event_of(*held_);
+  if (held_->is_arc()) {
+    event.arc->direction = held_->sigma > 0 ? spec::ArcDirection::ccw : spec::ArcDirection::cw;
+    set_center(command.radius == 0 ? (at_value_ + to_doubles(command.to_center)) / kWholePerOne
+                                   : at_value_ / kWholePerOne - held_->from_start);
+  }
+  event.line = block.line;
+  event.n = block.n;
+  start_value_ = at_value_;
+  at_ = command.to;
+  at_value_ = to_doubles(at_);
+  if (!fault(Fault::usual_path_code)) control_.modal.set_motion(command.motion);
+  if (command.has_feed) [[unlikely]]
+    set_feed();
+}
+
+void UsualCutterPaths::set_feed() {
+  control_.modal.set_feed(Count::nearest_small(words_[UsualWords::at('F')]));
+  if (!fault(Fault::usual_path_feed)) line_.feed = arc_.feed = corner_move_.feed = control_.modal.feed();
+}
+
+[[gnu::always_inline]] inline bool UsualCutterPaths::take(const spec::Block& block) {
+  Command command;
+  double sweep = 0;
+  if (block.alarm || !read(block, command) || !make_path(command)) [[unlikely]]
+    return false;
+  lines_ = next_->is_arc() ? 0 : lines_ + 1;
+  if (lines_ > kMostLines || !make_usual_corner(*held_, *next_, loan_.offset, *end_) || !is_clear(end_->front(), sweep))
+      [[unlikely]]
+    return false;
+  if (start_->size > 1 && !fault(Fault::usual_path_corner_moves)) send_corner_moves();
+  send_path(end_->front(), sweep);
+  hold(block, command);
+  return true;
+}
+
+}  // namespace toolcomp::fast
