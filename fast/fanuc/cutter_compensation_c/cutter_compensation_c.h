@@ -72,9 +72,9 @@ class CutterCompensationC : public CornerStage<CutterCompensationC, CutterBlock,
     set_line(new_path().flat, block.start, block.end);
     return true;
   }
-  // The short cuts of block(), asked behind it. While a path is lent nothing else is asked. Lines (usual_line.h): what is
-  // held is a line that may be lent, with one vector at its start, and the next one makes a corner of the same offset
-  // with it.
+  // The short cuts of block(), asked behind it. While a path is lent nothing else is asked. Lines (usual_line.h): what
+  // is held is a line that may be lent, with one vector at its start, and the next one makes a corner of the same
+  // offset with it.
   [[nodiscard]] bool awaits_lines() const;
   void lend(UsualLine& line);
   // `end`: its programmed end, 10^-6.
