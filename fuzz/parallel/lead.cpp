@@ -61,7 +61,7 @@ std::optional<bool> is_arc(const spec::Block& block) {
 bool starts(const spec::Word& word) { return is_code(word, "41") || is_code(word, "42"); }
 void add(spec::Block& block, const spec::Word& word) { block.word.at(block.size++) = word; }
 void erase(spec::Block& block, const auto& is) {
-  const auto end = block.word.begin() + static_cast<std::ptrdiff_t>(block.size);
+  auto* const end = block.word.begin() + static_cast<std::ptrdiff_t>(block.size);
   block.size = static_cast<std::size_t>(std::remove_if(block.word.begin(), end, is) - block.word.begin());
 }
 
