@@ -100,7 +100,7 @@ Course add_up(unsigned jobs, std::uint64_t pieces, std::uint64_t right_of, std::
 }
 
 TEST(InPieces, GiveTheResultsInOrderWhateverIsGuessed) {
-  for (const std::uint64_t pieces : {1, 2, 3, 40}) {
+  for (const std::uint64_t pieces : {1U, 2U, 3U, 40U}) {
     Course expected;
     std::uint64_t sum = 0;
     for (std::uint64_t i = 0; i < pieces; ++i) {
@@ -109,7 +109,7 @@ TEST(InPieces, GiveTheResultsInOrderWhateverIsGuessed) {
       expected.sums.push_back(sum);
     }
     for (const unsigned jobs : {1U, 2U, 3U, 4U})
-      for (const std::uint64_t right_of : {1, 2, 1000})
+      for (const std::uint64_t right_of : {1U, 2U, 1000U})
         EXPECT_EQ(add_up(jobs, pieces, right_of, pieces), expected) << pieces << ' ' << jobs << ' ' << right_of;
   }
 }
