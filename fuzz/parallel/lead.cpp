@@ -71,30 +71,36 @@ std::optional<std::vector<spec::Block>> with_late_start(std::vector<spec::Block>
                                                         std::size_t most) {
   std::vector<spec::Word> words;  // that start it: the code, and its number
   bool arc = false;
+  bool started = false;
   const std::size_t first = lead.size() - std::min(latest, lead.size());
   for (std::size_t i = 0; i < first; ++i) {
     arc = is_arc(lead[i]).value_or(arc);
     const auto in_block = lead[i].words();
     if (std::ranges::any_of(in_block, [](const spec::Word& w) { return is_code(w, "40"); })) words.clear();
     if (std::ranges::none_of(in_block, starts)) continue;
+    started = true;
     words.clear();
     std::ranges::copy_if(in_block, std::back_inserter(words),
                          [](const spec::Word& w) { return starts(w) || w.address == 'D' || w.address == 'Q'; });
     erase(lead[i], starts);
   }
-  if (words.empty()) return std::nullopt;
+  if (!started) return std::nullopt;
+  const auto at = [&lead](std::size_t index) { return lead.begin() + static_cast<std::ptrdiff_t>(index); };
+  // Arcs do not begin where a leap ends.
+  const auto without_arcs_before = [&] {
+    lead.erase(
+        std::remove_if(lead.begin(), at(first), [](const spec::Block& b) { return has(b, "IJKR") && has(b, "XYZ"); }),
+        at(first));
+    return std::move(lead);
+  };
+  if (words.empty()) return without_arcs_before();
   for (std::size_t i = first; i < std::min(lead.size(), first + most); ++i) {
     spec::Block& block = lead[i];
     arc = is_arc(block).value_or(arc);
     if (arc || !has(block, "XYZ") || block.size + words.size() > spec::Block::kMaxWords) continue;
     for (const spec::Word& word : words) add(block, word);
-    // Arcs do not begin where a leap ends.
-    const auto at = [&lead](std::size_t index) { return lead.begin() + static_cast<std::ptrdiff_t>(index); };
     lead.erase(at(first), at(i));
-    lead.erase(
-        std::remove_if(lead.begin(), at(first), [](const spec::Block& b) { return has(b, "IJKR") && has(b, "XYZ"); }),
-        at(first));
-    return lead;
+    return without_arcs_before();
   }
   return std::nullopt;
 }

@@ -50,9 +50,9 @@ class Lead {
   std::unordered_map<std::string, std::deque<std::vector<Shared>>> kinds_;
 };
 
-// The same with a compensation that is on begun not where the program begins it, but in the first straight move of the
-// last `latest` blocks, within the first `most` of them: there the leap over the blocks left out makes no corner.
-// Without the arcs before. Nothing where none is on, or there is no such move.
+// The same without compensation before the last `latest` blocks, where the leaps over the blocks left out would make
+// corners. One that is on there begins in the first straight move of those, within the first `most` of them. Without
+// the arcs before. Nothing where no compensation is begun before, or there is no such move.
 std::optional<std::vector<spec::Block>> with_late_start(std::vector<spec::Block> lead, std::size_t latest,
                                                         std::size_t most);
 inline std::optional<std::vector<spec::klartext::Block>> with_late_start(
