@@ -145,7 +145,9 @@ class CommandLine {
         ->check(CLI::Range(0U, spec::kMostSamples));
   }
   static void add_jobs(CLI::App* sub, unsigned& jobs) {
-    sub->add_option("--jobs", jobs, "Processors for one large program (default: all); what comes out is the same")
+    sub->add_option(
+           "--jobs", jobs,
+           "Processors for one large program (default: all; run --engine fast: one); what comes out is the same")
         ->check(CLI::Range(1, 256));
   }
   static void add_sections(CLI::App* sub, std::vector<std::string>& sections) {

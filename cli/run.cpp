@@ -238,7 +238,9 @@ int run(const RunOptions& options) {
   if (options.format == Format::html && options.program == "-")
     throw spec::InputError("toolcomp run", 0, 0, "--format html needs the program as a file");
   const Program program(options.program, options.setup, options.samples);
-  const unsigned jobs = jobs_for(program, options.jobs);
+  // Of the fast engine printing alone can go beside it, and handing events over costs as much: only where it is asked.
+  const bool one = options.engine == EngineName::fast && options.jobs == 0;
+  const unsigned jobs = one ? 1 : jobs_for(program, options.jobs);
   if (jobs > 1 && runs_in_pieces(options.format)) return run_in_pieces(program, options, jobs);
   if (options.engine == EngineName::fast) {
     FastNumber append;

@@ -20,14 +20,14 @@ BEFORE = HERE / "before.json"
 
 
 def measured(program, repetitions):
-    """Rows of one run in which the repetitions of all are interleaved: nanoseconds, and what else a row shows."""
+    """Rows by name, of one run in which the repetitions of all are interleaved: nanoseconds, and what else a row shows."""
     found = {}
     report, _ = guard.runs([program], [f"--benchmark_repetitions={repetitions}", "--benchmark_min_time=0.1",
                                        "--benchmark_enable_random_interleaving=true"])
     for run in report:
         if run.get("run_type") == "iteration":
             found.setdefault(run["run_name"], []).append(run)
-    return {name: (statistics.median(map(guard.time_an_item, runs)), runs) for name, runs in found.items()}
+    return {name: (statistics.median(map(guard.time_an_item, runs)), runs) for name, runs in sorted(found.items())}
 
 
 def floors(rows):
@@ -74,6 +74,12 @@ def replaced(text, name, lines):
     return head + begin + "\n" + "\n".join(lines) + "\n" + end + rest.split(end)[1]
 
 
+def drawn(plots):
+    yield ""
+    for plot in sorted(plots.glob("*.svg")):
+        yield f"![{plot.stem.replace('-', ' ')}]({plots.name}/{plot.name})"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default="build/release/toolcomp_bench")
@@ -94,8 +100,8 @@ def main():
         text = replaced(text, "peers", ["```", *lines, "```"])
     if options.growth:
         plots = DOCUMENT.parent / "growth"
-        text = replaced(text, "growth", output_of([python, str(HERE / "growth.py"), "--program", options.toolcomp,
-                                                   "--plots", str(plots)]))
+        tables = output_of([python, str(HERE / "growth.py"), "--program", options.toolcomp, "--plots", str(plots)])
+        text = replaced(text, "growth", tables + list(drawn(plots)))
     DOCUMENT.write_text(text)
     return 0
 
