@@ -264,16 +264,16 @@ int run_model(const Program& program, const RunOptions& options, unsigned jobs) 
   work.jobs = jobs;
   work.next = [&] { return reader.next(); };
   work.begin = [&](const fuzz::Piece& piece, bool first) -> std::unique_ptr<fuzz::PieceWork> {
-    const auto begun = [&](const auto* lead) -> std::unique_ptr<fuzz::PieceWork> {
-      auto runner = std::make_unique<ModelRunner<Control>>(program, options.format, options.digits);
-      if (lead != nullptr && !runner->begin(*lead)) return nullptr;
-      return runner;
+    using Work = std::unique_ptr<ModelRunner<Control>>;
+    const auto at_the_beginning = [&] {
+      return std::make_unique<ModelRunner<Control>>(program, options.format, options.digits);
     };
+    if (first) return at_the_beginning();
     const auto& lead = static_cast<const ModelPiece<Control>&>(piece).lead;
-    if (first) return begun(static_cast<decltype(&lead)>(nullptr));
-    const auto late = fuzz::with_late_start(lead, kLatest, kLatest / 2);
-    auto runner = late ? begun(&*late) : nullptr;
-    return runner != nullptr ? std::move(runner) : begun(&lead);
+    return fuzz::begin_by(lead, kLatest, kLatest / 2, [&](const auto& blocks) -> Work {
+      Work runner = at_the_beginning();
+      return runner->begin(blocks) ? std::move(runner) : nullptr;
+    });
   };
   return write_in_order(program, work);
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "fuzz/oracle/epoch.h"
 #include "fuzz/oracle/stream_pass.h"
 
 namespace toolcomp::fuzz {
@@ -46,7 +47,7 @@ Verdict judge_passes(const StreamedProgram& program, const spec::Setup& setup, s
     std::optional<stream::Pass<Control>> pass;
     Verdict v;
     try {
-      pass.emplace(setup, samples, task.choices, stream::kEpoch,
+      pass.emplace(setup, samples, task.choices, kBlocksInEpoch,
                    [&](fast::EventSink& sink) { return Control::fast(setup, sink, samples); });
       v = run(*pass, Control::reader(program.open(), setup, program.name, program.called_program),
               first ? nullptr : on_block);

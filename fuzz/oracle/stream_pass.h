@@ -20,8 +20,6 @@ namespace toolcomp::fuzz::stream {
 using exact::Sign;
 using spec::EventKind;
 
-// Blocks between two fresh recorders, so that the decisions kept stay bounded.
-inline constexpr std::uint64_t kEpoch = 256;
 // Moves an engine may be behind the other, and those needed to know the next movement (both look-aheads are shorter).
 inline constexpr std::size_t kMaxLag = 64;
 inline constexpr std::size_t kWindow = 8;

@@ -293,15 +293,13 @@ std::optional<Verdict> judge(const StreamedProgram& program, const spec::Setup& 
   work.next = [&] { return reader.next(); };
   work.begin = [&](const Piece& piece, bool first) -> std::unique_ptr<PieceWork> {
     const auto& here = static_cast<const ProgramPiece<Control>&>(piece);
-    const auto begun = [&](const auto* lead) -> std::unique_ptr<PieceWork> {
-      auto pass = std::make_unique<PiecePass<Control>>(setup, samples, options.epoch);
-      if (lead != nullptr && !pass->begin(here, *lead)) return nullptr;
-      return pass;
-    };
-    if (first) return begun(static_cast<const std::vector<typename Control::Block>*>(nullptr));
-    const auto late = with_late_start(here.lead, options.epoch + options.lead, options.lead / 2);
-    auto work_here = late ? begun(&*late) : nullptr;
-    return work_here != nullptr ? std::move(work_here) : begun(&here.lead);
+    using Work = std::unique_ptr<PiecePass<Control>>;
+    const auto at_the_beginning = [&] { return std::make_unique<PiecePass<Control>>(setup, samples, options.epoch); };
+    if (first) return at_the_beginning();
+    return begin_by(here.lead, options.epoch + options.lead, options.lead / 2, [&](const auto& lead) -> Work {
+      Work pass = at_the_beginning();
+      return pass->begin(here, lead) ? std::move(pass) : nullptr;
+    });
   };
   work.take = [&](PieceResult& result) {
     auto& piece = static_cast<PieceVerdict&>(result);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "fuzz/oracle/epoch.h"
 #include "fuzz/oracle/verdict.h"
 
 namespace toolcomp::fuzz {
@@ -13,7 +14,7 @@ namespace toolcomp::fuzz {
 struct JudgeInPieces {
   unsigned jobs = 1;
   // Sizes, in blocks: a piece is a whole number of epochs. Tests make them small.
-  std::uint64_t epoch = 256;
+  std::uint64_t epoch = kBlocksInEpoch;
   std::uint64_t epochs_in_piece = 24;
   // So many blocks a model runs before its events are judged, where it begins in the middle, besides those of Lead.
   std::uint64_t lead = 64;

@@ -60,4 +60,13 @@ inline std::optional<std::vector<spec::klartext::Block>> with_late_start(
   return std::nullopt;
 }
 
+// Work at the end of a lead, of which the last `latest` blocks stand one behind another: begun(blocks) with a late
+// start where there is one and it gives any, else with the blocks as they are. Null where that gives none.
+template <class Block, class Begun>
+auto begin_by(const std::vector<Block>& lead, std::size_t latest, std::size_t most, const Begun& begun) {
+  if (const auto late = with_late_start(lead, latest, most))
+    if (auto work = begun(*late)) return work;
+  return begun(lead);
+}
+
 }  // namespace toolcomp::fuzz

@@ -1,13 +1,11 @@
 // Usual lines of cutter compensation C as arrays: from the words of the blocks to the moves.
 #include "fast/fanuc/cutter_compensation_c/cutter_line_arrays.h"
+#include "fast/fanuc/cutter_compensation_c/usual_corner.h"
 #include "fast/fanuc/cutter_compensation_c/usual_line.h"
 
 namespace toolcomp::fast {
 namespace {
 
-DoublePair pair(const std::array<std::int64_t, 2>& whole) {
-  return DoublePair{static_cast<double>(whole[0]), static_cast<double>(whole[1])};
-}
 std::array<std::int64_t, 2> whole(DoublePair pair) {
   return {static_cast<std::int64_t>(pair[0]), static_cast<std::int64_t>(pair[1])};
 }
@@ -20,7 +18,7 @@ std::size_t UsualCutterLines::lines(const LineChunk& chunk) {
     return 0;
   CutterLineStart start;
   start.at = at_value_;
-  start.line = {pair(line_.way), line_.unit, line_.norm};
+  start.line = {to_doubles(line_.way), line_.unit, line_.norm};
   start.vector = line_.vector;
   start.offset = line_.offset;
   start.word = {letter_[0] - 1, letter_[1] - 1};
@@ -43,7 +41,7 @@ std::size_t UsualCutterLines::lines(const LineChunk& chunk) {
   const std::size_t last = end.taken - 1;
   for (std::size_t i = 0; i < 2; ++i)
     if (const double* const words = chunk.word(letter_[i] - 1)) at_[i] = static_cast<std::int64_t>(words[last]);
-  at_value_ = pair(at_);
+  at_value_ = to_doubles(at_);
   event.line = chunk.line + last;
   event.n.reset();
   return end.taken;

@@ -8,30 +8,23 @@
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
 #include "fast/fanuc/cutter_compensation_c/usual_corner.h"
+#include "fast/fanuc/cutter_compensation_c/usual_place.h"
 #include "fast/geometry/heading.h"
 
 namespace toolcomp::fast {
 namespace {
 
 constexpr std::uint32_t kFeed = UsualWords::set('F');
-constexpr double kPerOne = static_cast<double>(Count::kSmallPerOne);
 
 }  // namespace
 
 bool UsualCutterLines::await() {
-  const std::array<std::size_t, 2>& axis = control_.modal.plane_axis();
-  const AxisPositions& positions = control_.positions;
-  const Count& x = positions.programmed()[axis[0]];
-  const Count& y = positions.programmed()[axis[1]];
   if (!is_open(ShortCut::cutter_line) || !compensation_.awaits_lines() || !usual_lines_may_come(control_)) return false;
-  // The axes of the plane are sent to the programmed position.
-  if ((positions.length().live() & (bit(axis[0]) | bit(axis[1]))) != 0 || positions.along_tool()) return false;
-  if (!x.is_small() || !y.is_small()) return false;
-  axis_ = axis;
-  for (std::size_t i = 0; i < 2; ++i) letter_[i] = std::size_t{control_.axes.letters.index[axis[i]]} + 1U;
+  if (!find_usual_place(control_, at_)) return false;
+  axis_ = control_.modal.plane_axis();
+  for (std::size_t i = 0; i < 2; ++i) letter_[i] = std::size_t{control_.axes.letters.index[axis_[i]]} + 1U;
   words_.permit(std::uint32_t{1} << letter_[0] | std::uint32_t{1} << letter_[1] | UsualWords::set_of("FG"));
-  at_ = {x.small(), y.small()};
-  at_value_ = DoublePair{static_cast<double>(at_[0]), static_cast<double>(at_[1])};
+  at_value_ = to_doubles(at_);
   compensation_.lend(line_);
   others_ = control_.taker;
   control_.taker = this;
@@ -54,27 +47,15 @@ void UsualCutterLines::leave() {
   control_.taker = others_;
   if (line_.start == UsualLine::Start::lent) return;
   for (std::size_t i = 0; i < 2; ++i) control_.positions.place_small(axis_[i], at_[i]);
-  fill(at_value_, DoublePair{});
+  place_in_plane(*line_.event, axis_, at_value_, DoublePair{});
   compensation_.take_back(line_, at_);
-}
-
-[[gnu::always_inline]] inline void UsualCutterLines::fill(DoublePair at, DoublePair vector) {
-  Event& event = *line_.event;
-  const DoublePair programmed = at / kPerOne;
-  const DoublePair point = programmed + vector;
-  for (std::size_t i = 0; i < 2; ++i) {
-    event.programmed.value[axis_[i]] = programmed[i];
-    event.point.value[axis_[i]] = point[i];
-    event.axes.value[axis_[i]] = point[i];
-  }
 }
 
 // From the first vector to the last, where the line starts.
 void UsualCutterLines::send_corner_move() {
   if (fault(Fault::usual_line_corner_move)) return;
-  const DoublePair way{static_cast<double>(line_.way[0]), static_cast<double>(line_.way[1])};
   line_.event->cause = spec::Cause::corner;
-  fill(at_value_ - way, line_.vector);
+  place_in_plane(*line_.event, axis_, at_value_ - to_doubles(line_.way), line_.vector);
   line_.sink->on(*line_.event);
   line_.event->cause = spec::Cause::programmed;
 }
@@ -119,12 +100,9 @@ void UsualCutterLines::send_corner_move() {
     if (!Count::is_small(to[0]) || !Count::is_small(to[1])) return false;
   }
   const std::array<std::int64_t, 2> way{to[0] - at_[0], to[1] - at_[1]};
-  // Products of ways below 2^30, and sums of two of them, fit into 64 bits.
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 30U;
-  if (((static_cast<std::uint64_t>(way[0]) + kMost) | (static_cast<std::uint64_t>(way[1]) + kMost)) >> 31U != 0)
-      [[unlikely]]
+  if (!is_usual_way(way)) [[unlikely]]
     return false;
-  const DoublePair at{static_cast<double>(to[0]), static_cast<double>(to[1])};
+  const DoublePair at = to_doubles(to);
   const DoublePair change = at - at_value_;
   const DoublePair squares = change * change;
   const double norm = std::sqrt(squares[0] + squares[1]);
@@ -137,7 +115,7 @@ void UsualCutterLines::send_corner_move() {
     return false;
 
   if (line_.start == UsualLine::Start::two_vectors) send_corner_move();
-  fill(at_value_, corner.first);
+  place_in_plane(*line_.event, axis_, at_value_, corner.first);
   line_.start = corner.acute ? UsualLine::Start::two_vectors : UsualLine::Start::one_vector;
   // One by one: a pair is not to be read of what has just been written apart.
   line_.before[0] = line_.way[0];

@@ -59,8 +59,6 @@ class UsualCutterLines final : public BlockTaker {
   };
   [[nodiscard]] bool make_corner(const std::array<std::int64_t, 2>& way, double norm, DoublePair unit,
                                  Corner& corner) const;
-  // The event of the line that is held, at a position in 10^-6, with a vector.
-  void fill(DoublePair at, DoublePair vector);
   void send_corner_move();
   // F of the line that is held now.
   void set_feed();

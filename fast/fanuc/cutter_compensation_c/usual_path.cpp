@@ -8,6 +8,7 @@
 #include "fast/fanuc/control/read_words.h"
 #include "fast/fanuc/corner/tool_arc.h"
 #include "fast/fanuc/cutter_compensation_c/cutter_compensation_c.h"
+#include "fast/fanuc/cutter_compensation_c/usual_place.h"
 
 namespace toolcomp::fast {
 namespace {
@@ -34,22 +35,14 @@ void set_frame(Event& event, const Event& from, spec::MoveType type, spec::Cause
 }  // namespace
 
 void UsualCutterPaths::await() {
-  const std::array<std::size_t, 2>& axis = control_.modal.plane_axis();
-  const AxisPositions& positions = control_.positions;
   const ModalState& modal = control_.modal;
   if (!is_open(ShortCut::cutter_path) || modal.motion() < 10 || !compensation_.awaits_paths()) return;
   if (!usual_words_may_come(control_) || modal.by_vector()) return;
-  // The axes of the plane are sent to the programmed position.
-  if ((positions.length().live() & (bit(axis[0]) | bit(axis[1]))) != 0 || positions.along_tool()) return;
-  const Count& x = positions.programmed()[axis[0]];
-  const Count& y = positions.programmed()[axis[1]];
-  if (!x.is_small() || !y.is_small()) return;
-  at_ = {x.small(), y.small()};
-  if (!is_usual_position(at_) || !compensation_.lend(loan_)) return;
-  axis_ = axis;
+  if (!find_usual_place(control_, at_) || !is_usual_position(at_) || !compensation_.lend(loan_)) return;
+  axis_ = modal.plane_axis();
   std::uint32_t letters = UsualWords::set_of("FGR");
   for (std::size_t i = 0; i < 2; ++i) {
-    letter_[i] = std::size_t{control_.axes.letters.index[axis[i]]} + 1U;
+    letter_[i] = std::size_t{control_.axes.letters.index[axis_[i]]} + 1U;
     center_letter_[i] = UsualWords::at(direction_letter(modal.plane(), i));
     letters |= std::uint32_t{1} << letter_[i] | std::uint32_t{1} << center_letter_[i];
   }
@@ -73,7 +66,7 @@ void UsualCutterPaths::await() {
     *arc_.arc = *event.arc;
   } else {
     arc_.arc->plane = modal.plane();
-    arc_.arc->center.present = static_cast<std::uint16_t>(bit(axis[0]) | bit(axis[1]));
+    arc_.arc->center.present = static_cast<std::uint16_t>(bit(axis_[0]) | bit(axis_[1]));
   }
   if (held_->by_radius != 0) set_center(start_value_ / kWholePerOne - held_->from_start);
   others_ = control_.taker;
@@ -97,25 +90,15 @@ void UsualCutterPaths::leave() {
   if (lent_) return;
   for (std::size_t i = 0; i < 2; ++i) control_.positions.place_small(axis_[i], at_[i]);
   Event& event = event_of(*held_);
-  place(event, at_value_, DoublePair{});
+  place_in_plane(event, axis_, at_value_, DoublePair{});
   Event& to = *loan_.event;
   set_frame(to, event, event.type, event.cause);
   to.line = event.line;
   to.n = event.n;
   to.arc = event.arc;
-  place(corner_move_, start_value_, DoublePair{});
+  place_in_plane(corner_move_, axis_, start_value_, DoublePair{});
   const WholePair way = held_->way();
   compensation_.take_back({*before_, *held_, *start_, corner_move_, {at_[0] - way[0], at_[1] - way[1]}});
-}
-
-[[gnu::always_inline]] inline void UsualCutterPaths::place(Event& event, DoublePair at, DoublePair vector) const {
-  const DoublePair programmed = at / kWholePerOne;
-  const DoublePair point = programmed + vector;
-  for (std::size_t i = 0; i < 2; ++i) {
-    event.programmed.value[axis_[i]] = programmed[i];
-    event.point.value[axis_[i]] = point[i];
-    event.axes.value[axis_[i]] = point[i];
-  }
 }
 
 [[gnu::always_inline]] inline void UsualCutterPaths::set_center(DoublePair center) {
@@ -206,7 +189,7 @@ void UsualCutterPaths::send_corner_moves() {
   corner_move_.line = owner.line;
   corner_move_.n = owner.n;
   for (std::size_t i = 1; i < corner.size; ++i) {
-    place(corner_move_, start_value_, corner.vector[i]);
+    place_in_plane(corner_move_, axis_, start_value_, corner.vector[i]);
     loan_.sink->on(corner_move_);
   }
 }
@@ -214,7 +197,7 @@ void UsualCutterPaths::send_corner_moves() {
 [[gnu::always_inline]] inline void UsualCutterPaths::send_path(DoublePair vector, double sweep) {
   const UsualPath& path = *held_;
   Event& event = event_of(path);
-  place(event, at_value_, vector);
+  place_in_plane(event, axis_, at_value_, vector);
   if (path.is_arc()) {
     spec::Arc<double>& arc = *event.arc;
     arc.sweep = sweep;

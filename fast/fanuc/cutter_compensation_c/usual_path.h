@@ -70,8 +70,6 @@ class UsualCutterPaths final : public BlockTaker {
   void send_corner_moves();
   void send_path(DoublePair vector, double sweep);
   void hold(const spec::Block& block, const Command& command);
-  // Positions of an event in the plane, in 10^-6, with a vector.
-  void place(Event& event, DoublePair at, DoublePair vector) const;
   void set_center(DoublePair center);
   void set_feed();
   // Before any other block.
