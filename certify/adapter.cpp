@@ -11,6 +11,7 @@
 
 #include "certify/process.h"
 #include "spec/language/byte_source.h"
+#include "spec/language/data_folder.h"
 #include "spec/language/document.h"
 #include "spec/language/input_error.h"
 
@@ -100,13 +101,6 @@ Adapter read_adapter(const Reader& reader, const Node& node, const fs::path& fol
   return adapter;
 }
 
-// share/toolcomp/adapters beside the bin folder that the running command is in.
-fs::path installed_folder() {
-  std::error_code none;
-  const fs::path command = fs::read_symlink("/proc/self/exe", none);
-  return command.parent_path().parent_path() / "share" / "toolcomp" / "adapters";
-}
-
 bool on_path(const std::string& program) {
   const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): nothing here sets variables
   std::istringstream folders(path == nullptr ? "" : path);
@@ -158,8 +152,7 @@ std::vector<fs::path> adapter_folders(const std::vector<std::string>& named) {
     for (std::string folder; std::getline(list, folder, ':');)
       if (!folder.empty()) folders.emplace_back(folder);
   }
-  folders.push_back(installed_folder());
-  folders.push_back(fs::path(TOOLCOMP_SOURCE_DIR) / "adapters");
+  folders.push_back(spec::data_folder() / "adapters");
   return folders;
 }
 

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "spec/language/data_folder.h"
+
 namespace toolcomp::cli {
 
 certify::fuzzing::Bench fuzz_bench(const FuzzOptions& options) {
@@ -9,7 +11,7 @@ certify::fuzzing::Bench fuzz_bench(const FuzzOptions& options) {
   certify::fuzzing::Bench bench;
   bench.program = fs::read_symlink("/proc/self/exe");
   if (!options.built_in) bench.targets = bench.program.parent_path().parent_path() / "fuzz";
-  bench.inputs.push_back(fs::path(TOOLCOMP_SOURCE_DIR) / "corpus/seeds");
+  bench.inputs.push_back(spec::data_folder() / "corpus/seeds");
   bench.controller = options.controller;
   bench.timeout = options.timeout;
   return bench;

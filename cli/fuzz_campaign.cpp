@@ -23,6 +23,7 @@
 #include "fuzz/campaign/diary.h"
 #include "fuzz/campaign/steering.h"
 #include "spec/language/byte_source.h"
+#include "spec/language/data_folder.h"
 #include "spec/language/input_error.h"
 
 namespace toolcomp::cli {
@@ -113,8 +114,7 @@ int fuzz_campaign(const FuzzOptions& options) {
   campaign.show = [&board](const fuzzing::BoardView& view) { board.show(view); };
   campaign.say = [&board](const std::string& line) { board.say(line); };
   try {
-    fuzzing::write_regression_inputs(fs::path(TOOLCOMP_SOURCE_DIR) / "corpus/regression",
-                                     campaign.folder / "regression");
+    fuzzing::write_regression_inputs(spec::data_folder() / "corpus/regression", campaign.folder / "regression");
     const fuzzing::CampaignEnd end = fuzzing::run_campaign(campaign);
     board.close();
     const fuzzing::Verdict verdict = fuzzing::verdict_of(campaign, end);

@@ -11,6 +11,7 @@
 #include "corpus/golden.h"
 #include "corpus/proofs/rows.h"
 #include "formal/case_data.h"
+#include "spec/language/data_folder.h"
 #include "spec/language/file_writer.h"
 
 namespace toolcomp::corpus {
@@ -83,7 +84,7 @@ ProofFiles write_proofs(const fs::path& corpus, const fs::path& output, const Pr
 }
 
 std::map<std::string, std::string> unproven() {
-  std::ifstream file(fs::path(TOOLCOMP_SOURCE_DIR) / "corpus/proofs/unproven.json");
+  std::ifstream file(spec::data_folder() / "corpus/proofs/unproven.json");
   std::map<std::string, std::string> reasons;
   const nlohmann::json by_reason = nlohmann::json::parse(file);
   for (const auto& [reason, ids] : by_reason.items())

@@ -74,12 +74,13 @@ class KlartextMaker final : public BlockMaker {
   const spec::Axes axes_;
 };
 
-// `Source`: the rest of what a reader is made of.
+// `Source`: the rest of what a reader is made of; `samples`: those of an engine that has them.
 template <class Engine, class Reader, class Block, class Maker, class Source>
 class EngineOf final : public BatchEngine {
  public:
-  EngineOf(const spec::Setup& setup, EventSink& sink, Source source)
-      : maker_(setup.axes), engine_(setup, sink), source_(std::move(source)) {}
+  template <class... Samples>
+  EngineOf(const spec::Setup& setup, EventSink& sink, Source source, Samples... samples)
+      : maker_(setup.axes), engine_(setup, sink, samples...), source_(std::move(source)) {}
 
   std::uint64_t run(std::string_view text, std::uint64_t before) override {
     Reader reader(spec::text_source(text), source_);
@@ -107,9 +108,9 @@ using KlartextEngine =
 
 }  // namespace
 
-std::unique_ptr<BatchEngine> make_batch_engine(const spec::Setup& setup, EventSink& sink) {
+std::unique_ptr<BatchEngine> make_batch_engine(const spec::Setup& setup, EventSink& sink, std::uint32_t samples) {
   if (setup.control == spec::Control::heidenhain) return std::make_unique<KlartextEngine>(setup, sink, setup);
-  return std::make_unique<FanucEngine>(setup, sink, setup.axes);
+  return std::make_unique<FanucEngine>(setup, sink, setup.axes, samples);
 }
 
 }  // namespace toolcomp::fast

@@ -43,7 +43,8 @@ class BatchEngine {
   [[nodiscard]] virtual bool stopped() const = 0;
 };
 
-// By the control of the setup.
-std::unique_ptr<BatchEngine> make_batch_engine(const spec::Setup& setup, EventSink& sink);
+// By the control of the setup. `samples`: into how many parts a block under tool center point control is divided; 0: no
+// samples.
+std::unique_ptr<BatchEngine> make_batch_engine(const spec::Setup& setup, EventSink& sink, std::uint32_t samples = 0);
 
 }  // namespace toolcomp::fast
