@@ -19,7 +19,7 @@ class NotApplicable(Exception):
 def words_of(block):
     """The words of a block by address, its codes by group."""
     words = re.findall(r"([A-Z])([+-]?\d+\.?\d*)", block)
-    named = [(GROUPS.get(int(number), "") if address == "G" else address, number) for address, number in words]
+    named = [(GROUPS.get(Decimal(number), "") if address == "G" else address, number) for address, number in words]
     if "".join(a + n for a, n in words) != re.sub(r"\s", "", block) or len(dict(named)) < len(named):
         raise NotApplicable("the block " + block)
     if set(dict(named)) - {*GROUPS.values(), *"NXYZFH"}:
