@@ -21,5 +21,5 @@ def formulas(text):
     for i in range(0, len(parts), 2):
         parts[i] = re.sub(r"^\$\$\n(.*?)\n\$\$$", lambda m: f'<div class="formula">{mathml(m[1], True)}</div>', parts[i],
                           flags=re.M | re.S)
-        parts[i] = re.sub(r"\\\((.+?)\\\)", lambda m: mathml(m[1], False), parts[i])
+        parts[i] = re.sub(r"\\\((.+?)\\\)", lambda m: f'<span class="formula-inline">{mathml(m[1], False)}</span>', parts[i])
     return "".join(parts)

@@ -101,6 +101,8 @@ def commonmark(text):
             begins = r"(\* |- |\d+\. |\|)"
             if re.match(begins, line) and before and not re.match(begins + r"|\s|<!--", before):
                 lines.append("")
+            if re.fullmatch(r"<!--.*-->", before) and line and not line.startswith("<!--"):
+                lines.append("")
             nested = re.match(r" {2,3}((?:\*|-|\d+\.) .*)", line)
             if nested:
                 line = "    " + nested[1]

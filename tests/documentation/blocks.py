@@ -61,7 +61,7 @@ def blocks(text):
                 end += 1
             found.append(Block(i + 1, "", "\n".join(part[4:] for part in lines[i:end]).rstrip(), notes))
             notes, i = [], end - 1
-        elif line.strip():
+        elif line.strip() and not line.startswith("<!--"):
             notes = []
         i += 1
     return found

@@ -143,6 +143,9 @@ class Page:
 
     def commands(self, block):
         commands = block.commands()
+        for value in (value for key, value in block.notes if key == "with"):
+            if not any(value.split(" => ")[0] in command for command, _ in commands):
+                self.fault(block.line, f"no command has {value.split(' => ')[0]}")
         for index, (command, output) in enumerate(commands):
             if block.note("not run") or command.startswith(LOOKED_UP):
                 self.look_up(block.line, command)

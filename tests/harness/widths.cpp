@@ -79,7 +79,7 @@ TEST_P(WidthsOf, AreNarrow) {
                           100 * widths.share_above_nm(), 100 * widths.share_above_um())
                   .c_str());
   // The cases that reach something new come first, and they go where it is steep.
-  // Where rotary axes follow directions nothing is wide but in the situations that the README lists.
+  // Where rotary axes follow directions nothing is wide but in the situations that docs/certificate.md lists.
   if (section == "fanuc/tool-center-point-control" || section == "fanuc/tool-posture-control") {
     // One program of seed 1 leans by Q with a lever of two metres: nine values of 1.6 um.
     EXPECT_LE(static_cast<double>(widths.unexpected()), 1e-4 * static_cast<double>(widths.count()));
@@ -99,7 +99,7 @@ const std::string kHead = "a XYZBC\np 19680 2\np 19681 5\np 19682 3\np 19686 4\n
 // Leant by 90 degrees into the travel itself, from across it: as good as any direction.
 TEST(Widths, LeantIntoTheTravel) { EXPECT_LT(widths_of(kHead + "G43.5 H0 Q90\nG01 X10 F100\n").largest(), 1e-3); }
 
-// The situations that the README lists, and the count of what is wide elsewhere.
+// The situations that docs/certificate.md lists, and the count of what is wide elsewhere.
 TEST(Widths, KnownSituations) {
   for (const char* const program :
        {"G43.5 P1 I1 J0 K0\nG01 X10 I-100000000 J1 K0 F100\nX20 K1\nX30 I1000000 J1 K0\nX40 I-1000000000 J-1001 K0\n",

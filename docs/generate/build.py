@@ -1,6 +1,6 @@
 """Builds the documentation: pages, pictures and tables into FOLDER/pages, the site into FOLDER/site.
 
-site.py [FOLDER]; FOLDER is build/docs. Nothing in it depends on the day or the place: two builds give the same bytes.
+build.py [FOLDER]; FOLDER is build/docs. Nothing in it depends on the day or the place: two builds give the same bytes.
 """
 
 import json
